@@ -1,0 +1,40 @@
+# `make demo` and `make test` set up everything they need in .venv/.
+PYTHON ?= python3
+BIN := .venv/bin
+LANGUAGE_OF_DEMO ?=
+
+.PHONY: demo test check bench messages lock fonts clean
+
+.venv/installed: requirements.lock pyproject.toml
+	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed")'
+	$(PYTHON) -m venv .venv
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
+	touch $@
+
+demo: .venv/installed
+	$(BIN)/benchdragon reproduce -o out --force
+
+test: .venv/installed
+	$(BIN)/ruff format --check .
+	$(BIN)/ruff check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports --no-logo
+	BENCHDRAGON_COMPILE=never $(BIN)/python -m pytest -q -n auto tests/kernels --cov --cov-report=term-missing --cov-fail-under=95
+	$(BIN)/python -m pytest -q -n auto
+
+bench: .venv/installed
+	$(BIN)/python benchmarks/run.py
+
+messages: .venv/installed
+	$(BIN)/python tools/make_messages.py
+
+fonts: .venv/installed
+	$(BIN)/python tools/make_fonts.py
+
+lock:
+	uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-annotate --no-header \
+	  --python-version 3.11 --extra data --group dev --group build pyproject.toml -o requirements.lock
+
+clean:
+	rm -rf .venv out .coverage .mypy_cache .pytest_cache .ruff_cache

@@ -1,0 +1,1 @@
+"""Compiled arithmetic: numbers and arrays in, numbers, arrays and a `Status` out."""

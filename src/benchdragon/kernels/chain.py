@@ -1,0 +1,221 @@
+"""March the handles from head to tail: places and speed ratios, then their rates of change.
+
+Everything here is a function of the head's route position alone; time enters above, through the
+head's speed. A speed ratio is ds_i / ds_0.
+"""
+
+import numpy as np
+
+from benchdragon.kernels.curve import FloatArray, P, curvature, place
+from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.route import FOLD_COSINE, IntArray, folded, locate, next_handle
+from benchdragon.kernels.spiral import (
+    GUESS,
+    LANES,
+    STATE,
+    angles_after,
+    spiral_links,
+    takes_link,
+)
+from benchdragon.kernels.status import Status
+
+
+@kernel
+def cosines(
+    rows: FloatArray, front: int, u: float, rear: int, v: float, link: float
+) -> tuple[float, float]:
+    """Cosine between bench and route at the front handle and at the rear one."""
+    ax, ay, atx, aty = place(rows, front, u)
+    bx, by, btx, bty = place(rows, rear, v)
+    dx, dy = (ax - bx) / link, (ay - by) / link
+    return dx * atx + dy * aty, dx * btx + dy * bty
+
+
+@kernel
+def place_head(
+    rows: FloatArray,
+    s: float,
+    t: int,
+    row: IntArray,
+    u: FloatArray,
+    x: FloatArray,
+    y: FloatArray,
+    ratio: FloatArray,
+) -> Status:
+    """Place handle 0 at time t, at route position s, and give how that ended."""
+    j, v, status = locate(rows, s)
+    row[0, t] = j
+    u[0, t] = v
+    x[0, t], y[0, t], _, _ = place(rows, j, v)
+    ratio[0, t] = 1.0
+    return status
+
+
+@kernel
+def place_next(
+    rows: FloatArray,
+    link: float,
+    i: int,
+    t: int,
+    row: IntArray,
+    u: FloatArray,
+    x: FloatArray,
+    y: FloatArray,
+    ratio: FloatArray,
+) -> Status:
+    """Place handle i + 1 at time t, anywhere on the route, and give how that ended."""
+    front = row[i, t]
+    j, v, status = next_handle(rows, front, u[i, t], x[i, t], y[i, t], link)
+    row[i + 1, t] = j
+    u[i + 1, t] = v
+    if status == Status.ROUTE_TOO_SHORT:
+        return status
+    ahead, behind = cosines(rows, front, u[i, t], j, v, link)
+    if status == Status.FOLDED or ahead < FOLD_COSINE or behind < FOLD_COSINE:
+        return folded(rows, front, j, link)
+    x[i + 1, t], y[i + 1, t], _, _ = place(rows, j, v)
+    ratio[i + 1, t] = ratio[i, t] * ahead / behind
+    return Status.OK
+
+
+@kernel
+def shared_angles(
+    i: int, start: int, end: int, row: IntArray, u: FloatArray, failed: IntArray
+) -> tuple[float, float]:
+    """Least and greatest u of handle i if all times stand soundly on one row; else an empty (1, 0)."""
+    least = u[i, start]
+    most = u[i, start]
+    for t in range(start, end):
+        if row[i, t] != row[i, start] or failed[0, t] != Status.OK:
+            return 1.0, 0.0
+        least = min(least, u[i, t])
+        most = max(most, u[i, t])
+    return least, most
+
+
+@kernel
+def march_block(
+    rows: FloatArray,
+    links: FloatArray,
+    start: int,
+    end: int,
+    state: FloatArray,
+    row: IntArray,
+    u: FloatArray,
+    x: FloatArray,
+    y: FloatArray,
+    ratio: FloatArray,
+    failed: IntArray,
+) -> None:
+    """Place the followers at times start..end: abreast along a spiral, one by one elsewhere."""
+    abreast = False  # whether `state` belongs to the handle at hand
+    least, most = 1.0, 0.0  # bounds of the angles abreast; empty when they share no spiral
+    for i in range(links.shape[0]):
+        j, link = row[i, start], links[i]
+        fits = least <= most and takes_link(rows, j, least, most, link)
+        if not fits:
+            least, most = shared_angles(i, start, end, row, u, failed)
+            fits = least <= most and takes_link(rows, j, least, most, link)
+        if fits:
+            scale = link / links[max(i - 1, 0)]
+            if not abreast:
+                scale = 1.0
+                state[:] = 0.0
+                state[GUESS : GUESS + end - start] = link / (rows[j, P] * u[i, start:end])
+            abreast = spiral_links(rows, j, link, scale, i, start, end, state, u, x, y, ratio)
+            if abreast:
+                for t in range(start, end):
+                    row[i + 1, t] = j
+                least, most = angles_after(rows, j, least, most, link)
+                continue
+        abreast, least, most = False, 1.0, 0.0
+        for t in range(start, end):
+            if failed[0, t] == Status.OK:
+                failed[0, t] = place_next(rows, link, i, t, row, u, x, y, ratio)
+                failed[1, t] = i + 1
+
+
+@kernel
+def blank(
+    t: int,
+    row: IntArray,
+    u: FloatArray,
+    x: FloatArray,
+    y: FloatArray,
+    ratio: FloatArray,
+    failed: IntArray,
+) -> None:
+    """NaN at time t from the rear handle of the bench that failed on, or from the head on."""
+    status = failed[0, t]
+    if status == Status.OK or status == Status.BEFORE_ROUTE or status == Status.AFTER_ROUTE:
+        failed[1, t] = 0
+    if status != Status.OK:
+        first = failed[1, t]
+        row[first:, t] = 0
+        for numbers in (u, x, y, ratio):
+            numbers[first:, t] = np.nan
+
+
+@kernel
+def march(
+    rows: FloatArray,
+    links: FloatArray,
+    s: FloatArray,
+    first: int,
+    last: int,
+    row: IntArray,
+    u: FloatArray,
+    x: FloatArray,
+    y: FloatArray,
+    ratio: FloatArray,
+    failed: IntArray,
+) -> None:
+    """Place every handle for each head position s[t], first <= t < last.
+
+    Fills row, u (parameter on that row), x, y (m) and ratio (ds_i / ds_0), each of shape
+    (handles, times), and failed, (2, times): a `Status`, and the bench that it befell.
+    """
+    state = np.empty(STATE)
+    for t in range(first, last):
+        failed[0, t] = place_head(rows, s[t], t, row, u, x, y, ratio)
+    for start in range(first, last, LANES):
+        end = min(start + LANES, last)
+        march_block(rows, links, start, end, state, row, u, x, y, ratio, failed)
+    for t in range(first, last):
+        blank(t, row, u, x, y, ratio, failed)
+
+
+@kernel
+def rates(
+    rows: FloatArray,
+    links: FloatArray,
+    row: IntArray,
+    u: FloatArray,
+    x: FloatArray,
+    y: FloatArray,
+    ratio: FloatArray,
+    ratio_rate: FloatArray,
+    turn: FloatArray,
+) -> None:
+    """Second derivatives of the marched chain with respect to the head's position.
+
+    Fills ratio_rate = d2 s_i / d s_0^2, 1/m, (handles, times), and turn = d heading / d s_0 of each
+    bench, rad/m, (benches, times). From the rigid bench, d the link, u its unit vector, n the normal:
+    turn = (w_i t_i - w_i+1 t_i+1) . n / d, and (A_i - A_i+1) . u = -d turn^2 of the accelerations.
+    """
+    for t in range(u.shape[1]):
+        ratio_rate[0, t] = 0.0
+        _, _, atx, aty = place(rows, row[0, t], u[0, t])
+        bend = ratio[0, t] ** 2 * curvature(rows, row[0, t], u[0, t])
+        for i in range(links.shape[0]):
+            j, v, link = row[i + 1, t], u[i + 1, t], links[i]
+            _, _, btx, bty = place(rows, j, v)
+            dx, dy = (x[i, t] - x[i + 1, t]) / link, (y[i, t] - y[i + 1, t]) / link
+            w, next_w = ratio[i, t], ratio[i + 1, t]
+            turn[i, t] = (w * (dx * aty - dy * atx) - next_w * (dx * bty - dy * btx)) / link
+            next_bend = next_w * next_w * curvature(rows, j, v)
+            along = ratio_rate[i, t] * (dx * atx + dy * aty) + bend * (dy * atx - dx * aty)
+            across = next_bend * (dy * btx - dx * bty)
+            swing = link * turn[i, t] * turn[i, t]
+            ratio_rate[i + 1, t] = (along - across + swing) / (dx * btx + dy * bty)
+            atx, aty, bend = btx, bty, next_bend

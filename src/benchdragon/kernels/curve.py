@@ -1,0 +1,182 @@
+"""Point, tangent and curvature of one piece of a route: one `if kind` for all kinds.
+
+A route is a table of floats, one row a piece, its columns named below. Each kind has a natural
+parameter u: arc length for lines, arcs and clothoids, the polar angle theta for spirals. It keeps
+full precision where arc length would have to be inverted.
+"""
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+
+from benchdragon.kernels.jit import kernel
+
+FloatArray = npt.NDArray[np.float64]
+
+LINE = 0.0
+ARC = 1.0
+CLOTHOID = 2.0
+SPIRAL = 3.0
+
+KIND = 0  # one of the four above
+PART = 1  # number of the curve, from 0, that the row belongs to (a clothoid may fill several rows)
+S_START = 2  # route position of the row's start, m
+LENGTH = 3  # m
+U_START = 4  # parameter at the start
+U_END = 5  # parameter at the end
+U_BACK = 6  # parameter up to which a follower may stand: U_START, or infinite on an extension
+X = 7  # start point; of a spiral the centre, m
+Y = 8
+ANGLE = 9  # heading at the start; of a spiral the polar axis, rad
+P = 10  # arc, clothoid: curvature at the start, 1/m; spiral: pitch / 2 pi, m
+Q = 11  # clothoid: change of curvature per metre, 1/m^2; spiral: +1, or -1 if mirrored
+AXIS_X = 12  # cosine and sine of ANGLE
+AXIS_Y = 13
+COLUMNS = 14
+
+# A clothoid row turns by at most this, rad. With the 12 nodes below the quadrature is then exact
+# to rounding (design/clothoid_quadrature.py); doubling it costs 1e-13 m.
+CLOTHOID_TURN = 2.0
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
+NODES = 0.5 * (1.0 + _NODES)
+WEIGHTS = 0.5 * _WEIGHTS
+
+# Below this half angle, rad, sin(x)/x comes from its series; the next term is 1e-18.
+SERIES_ANGLE = 1e-3
+# Newton from above on a convex function: 6 steps reach rounding from any theta, 40 is never met.
+MAX_NEWTON = 40
+
+
+@kernel
+def sinc(x: float) -> float:
+    """sin(x) / x, smooth through 0."""
+    if abs(x) < SERIES_ANGLE:
+        z = x * x
+        return 1.0 - z / 6.0 * (1.0 - z / 20.0 * (1.0 - z / 42.0))
+    return math.sin(x) / x
+
+
+@kernel
+def walks_up(rows: FloatArray, j: int) -> float:
+    """+1 where u grows in the walking direction, -1 on an inward spiral."""
+    return 1.0 if rows[j, U_END] >= rows[j, U_START] else -1.0
+
+
+@kernel
+def clothoid_point(rows: FloatArray, j: int, u: float) -> tuple[float, float]:
+    """Point after arc length u: Gauss-Legendre quadrature of the unit tangent."""
+    heading, curvature, change = rows[j, ANGLE], rows[j, P], rows[j, Q]
+    x = 0.0
+    y = 0.0
+    for node, weight in zip(NODES, WEIGHTS):  # noqa: B905 - numba has no zip(strict=)
+        s = u * node
+        phase = heading + s * (curvature + 0.5 * change * s)
+        x += weight * math.cos(phase)
+        y += weight * math.sin(phase)
+    return rows[j, X] + u * x, rows[j, Y] + u * y
+
+
+@kernel
+def place(rows: FloatArray, j: int, u: float) -> tuple[float, float, float, float]:
+    """Point (m) and unit tangent in the walking direction, (x, y, tx, ty), at parameter u of row j."""
+    kind = rows[j, KIND]
+    if kind == SPIRAL:
+        hand = rows[j, Q]
+        phi = rows[j, ANGLE] + hand * u
+        c, s = math.cos(phi), math.sin(phi)
+        scale = walks_up(rows, j) / math.sqrt(1.0 + u * u)
+        r = rows[j, P] * u
+        turn = hand * u
+        return (
+            rows[j, X] + r * c,
+            rows[j, Y] + r * s,
+            scale * (c - turn * s),
+            scale * (s + turn * c),
+        )
+    if kind == LINE:
+        c, s = rows[j, AXIS_X], rows[j, AXIS_Y]
+        return rows[j, X] + u * c, rows[j, Y] + u * s, c, s
+    if kind == ARC:
+        half = 0.5 * rows[j, P] * u
+        middle = rows[j, ANGLE] + half
+        chord = u * sinc(half)
+        x, y = rows[j, X] + chord * math.cos(middle), rows[j, Y] + chord * math.sin(middle)
+        return x, y, math.cos(middle + half), math.sin(middle + half)
+    x, y = clothoid_point(rows, j, u)
+    angle = heading(rows, j, u)
+    return x, y, math.cos(angle), math.sin(angle)
+
+
+@kernel
+def heading(rows: FloatArray, j: int, u: float) -> float:
+    """Heading, rad, continuous along the piece (not folded into one turn)."""
+    if rows[j, KIND] == SPIRAL:
+        back = 0.0 if walks_up(rows, j) > 0.0 else math.pi
+        return rows[j, ANGLE] + rows[j, Q] * (u + math.atan(u)) + back
+    return rows[j, ANGLE] + u * (rows[j, P] + 0.5 * rows[j, Q] * u)
+
+
+@kernel
+def curvature(rows: FloatArray, j: int, u: float) -> float:
+    """Curvature, 1/m, left positive."""
+    if rows[j, KIND] == SPIRAL:
+        z = 1.0 + u * u
+        return walks_up(rows, j) * rows[j, Q] * (1.0 + z) / (rows[j, P] * z * math.sqrt(z))
+    return rows[j, P] + rows[j, Q] * u
+
+
+@kernel
+def stretch(rows: FloatArray, j: int, u: float) -> float:
+    """Metres of arc per unit of parameter; on a spiral it grows with u."""
+    if rows[j, KIND] == SPIRAL:
+        return rows[j, P] * math.sqrt(1.0 + u * u)
+    return 1.0
+
+
+@kernel
+def turning_bound(rows: FloatArray, j: int, u: float, v: float) -> float:
+    """At least the angle, rad, through which the heading swings anywhere between u and v."""
+    width = abs(v - u)
+    if rows[j, KIND] == SPIRAL:
+        nearest = min(u, v)
+        return width * (1.0 + 1.0 / (1.0 + nearest * nearest))
+    return width * max(abs(curvature(rows, j, u)), abs(curvature(rows, j, v)))
+
+
+@kernel
+def spiral_length(k: float, theta: float) -> float:
+    """Arc length of r = k theta from the centre, m."""
+    return 0.5 * k * (theta * math.sqrt(1.0 + theta * theta) + math.asinh(theta))
+
+
+@kernel
+def spiral_angle(k: float, length: float) -> float:
+    """The theta at which a spiral is `length` metres long: Newton on a convex function, from above."""
+    theta = min(math.sqrt(2.0 * length / k), length / k)
+    for _ in range(MAX_NEWTON):
+        step = (spiral_length(k, theta) - length) / (k * math.sqrt(1.0 + theta * theta))
+        theta -= step
+        if abs(step) <= 4e-16 * theta:
+            break
+    return theta
+
+
+@kernel
+def length_at(rows: FloatArray, j: int, u: float) -> float:
+    """Arc length, m, from the row's start to parameter u; negative on an extension."""
+    if rows[j, KIND] == SPIRAL:
+        k = rows[j, P]
+        ahead = spiral_length(k, u) - spiral_length(k, rows[j, U_START])
+        return walks_up(rows, j) * ahead
+    return u
+
+
+@kernel
+def parameter_at(rows: FloatArray, j: int, length: float) -> float:
+    """The parameter at an arc length from the row's start; inverse of `length_at`."""
+    if rows[j, KIND] == SPIRAL:
+        k = rows[j, P]
+        from_centre = spiral_length(k, rows[j, U_START]) + walks_up(rows, j) * length
+        return spiral_angle(k, max(from_centre, 0.0))
+    return length

@@ -1,0 +1,63 @@
+"""The one decorator of all kernels: compiled by numba, or left as plain Python.
+
+`BENCHDRAGON_COMPILE=never` leaves the kernels plain: for coverage, for stepping through them, and
+for jobs so small that importing numba would cost more than it saves (design/cold_start.py).
+"""
+
+import hashlib
+import os
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar, cast
+
+COMPILED = os.environ.get("BENCHDRAGON_COMPILE", "always") != "never"
+if COMPILED:
+    import numba
+
+Function = TypeVar("Function", bound=Callable[..., object])
+
+
+def cache_folder() -> Path | None:
+    """The folder of compiled code, named by the kernels' own text; None where none can be written.
+
+    numba does not notice a change in a function that a cached one calls, so the name changes with
+    any line of any kernel.
+    """
+    sources = sorted(Path(__file__).parent.glob("*.py"))
+    name = hashlib.sha256(b"".join(path.read_bytes() for path in sources)).hexdigest()[:16]
+    home = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+    for root in (home / "benchdragon", Path(tempfile.gettempdir()) / f"benchdragon-{os.getuid()}"):
+        folder = root / f"kernels-{name}"
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except OSError:
+            continue
+        if os.access(folder, os.W_OK):
+            return folder
+    return None
+
+
+CACHE_FOLDER = cache_folder() if COMPILED else None
+
+
+def kernel(function: Function) -> Function:
+    """`function` compiled on first use; contraction is the only licence taken with its arithmetic.
+
+    The numpy error model keeps divisions free of branches, without which no loop becomes SIMD.
+    """
+    if not COMPILED:
+        return function
+    settings: Any = numba.config
+    before = settings.CACHE_DIR
+    settings.CACHE_DIR = str(CACHE_FOLDER or "")
+    try:
+        compiled: Any = numba.njit(
+            cache=CACHE_FOLDER is not None,
+            nogil=True,
+            error_model="numpy",
+            fastmath={"contract"},
+        )(function)
+    finally:
+        settings.CACHE_DIR = before
+    return cast("Function", compiled)

@@ -1,0 +1,177 @@
+"""Joined pieces: where a route position lies, and the next handle one link behind."""
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+
+from benchdragon.kernels.curve import (
+    ARC,
+    KIND,
+    LENGTH,
+    S_START,
+    U_BACK,
+    U_END,
+    FloatArray,
+    P,
+    curvature,
+    heading,
+    length_at,
+    parameter_at,
+    place,
+    stretch,
+    turning_bound,
+    walks_up,
+)
+from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.status import Status
+
+IntArray = npt.NDArray[np.int64]
+
+# The head may overshoot the route's end by this, m: rounding of a route position of 1e6 m.
+END_SLACK = 1e-9
+# A bench within this cosine of square to the route counts as folded: its speed ratio is over 1000.
+FOLD_COSINE = 1e-3
+# A chord this near to its link, relative to the coordinates' size, is met: 2 units of rounding.
+ROUNDING = 4.5e-16
+# Safe steps per handle, besides one for each piece: honest searches take under 10, a fold stalls.
+MAX_STEPS = 200
+# Halvings that a bracket survives before it has no double left inside it.
+MAX_POLISH = 80
+
+
+@kernel
+def row_at(rows: FloatArray, s: float) -> int:
+    """Number of the row that holds route position s; the first or last for what lies outside."""
+    low = 0
+    high = rows.shape[0] - 1
+    while low < high:
+        middle = (low + high + 1) // 2
+        if rows[middle, S_START] <= s:
+            low = middle
+        else:
+            high = middle - 1
+    return low
+
+
+@kernel
+def locate(rows: FloatArray, s: float) -> tuple[int, float, Status]:
+    """Row and parameter of route position s (m), which may lie on the extension behind the start."""
+    j = row_at(rows, s)
+    u = parameter_at(rows, j, min(s - rows[j, S_START], rows[j, LENGTH]))
+    if s > rows[j, S_START] + rows[j, LENGTH] + END_SLACK:
+        return j, u, Status.AFTER_ROUTE
+    if s < 0.0 and math.isfinite(rows[0, U_BACK]):
+        return j, u, Status.BEFORE_ROUTE
+    return j, u, Status.OK
+
+
+@kernel
+def evaluate(rows: FloatArray, s: FloatArray, out: FloatArray) -> None:
+    """Fill out[i] = (x, y, heading, curvature) at each route position s[i]; NaN off the route."""
+    for i in range(s.shape[0]):
+        j, u, status = locate(rows, s[i])
+        if status != Status.OK or not math.isfinite(s[i]):
+            out[i] = np.nan
+            continue
+        out[i, 0], out[i, 1], _, _ = place(rows, j, u)
+        out[i, 2] = heading(rows, j, u)
+        out[i, 3] = curvature(rows, j, u)
+
+
+@kernel
+def positions(rows: FloatArray, row: IntArray, u: FloatArray, out: FloatArray) -> None:
+    """Fill out with the route positions, m, of the places (row, u); all flat."""
+    for i in range(out.shape[0]):
+        out[i] = rows[row[i], S_START] + length_at(rows, row[i], u[i])
+
+
+@kernel
+def step_back(rows: FloatArray, j: int, u: float, reach: float) -> float:
+    """A parameter behind u on row j, at most `reach` metres of arc away, not beyond the row."""
+    sign = walks_up(rows, j)
+    if sign < 0.0:  # the arc grows with theta: divide by what it is at the far end
+        reach /= stretch(rows, j, u + reach / stretch(rows, j, u))
+        return min(u + reach, rows[j, U_BACK])
+    return max(u - reach / stretch(rows, j, u), rows[j, U_BACK])
+
+
+@kernel
+def polish(rows: FloatArray, j: int, near: float, far: float, x: float, y: float, link: float) -> float:
+    """The one parameter between near (chord < link) and far (chord >= link) with chord = link.
+
+    Newton on the squared chord, kept inside the bracket by bisection to guarantee progress.
+    """
+    u = near
+    enough = 2.0 * link * ROUNDING * (abs(x) + abs(y) + link)
+    for _ in range(MAX_POLISH):
+        px, py, tx, ty = place(rows, j, u)
+        dx, dy = x - px, y - py
+        error = dx * dx + dy * dy - link * link
+        if error < 0.0:
+            near = u
+        else:
+            far = u
+        slope = -2.0 * (dx * tx + dy * ty) * stretch(rows, j, u) * walks_up(rows, j)
+        guess = u - error / slope
+        if not min(near, far) <= guess <= max(near, far):
+            guess = 0.5 * (near + far)
+        u = guess
+        if abs(error) <= enough:
+            break
+    return u
+
+
+@kernel
+def next_handle(
+    rows: FloatArray, j: int, u: float, x: float, y: float, link: float
+) -> tuple[int, float, Status]:
+    """Row and parameter of the nearest place behind (j, u), at (x, y), that is one link away.
+
+    No root is ever jumped over. Arc length bounds chord, so walking back by (link - chord) stays
+    short of the first root. A longer Newton step is taken only where the chord provably grows all
+    the way: the tangent and the bench's direction together swing by less than what is left to a
+    right angle.
+    """
+    slack = link
+    for _ in range(MAX_STEPS + 2 * rows.shape[0]):
+        if u == rows[j, U_BACK]:
+            if j == 0:
+                return j, u, Status.ROUTE_TOO_SHORT
+            j -= 1
+            u = rows[j, U_END]
+        else:
+            u = step_back(rows, j, u, slack)
+        px, py, tx, ty = place(rows, j, u)
+        dx, dy = x - px, y - py
+        chord = math.hypot(dx, dy)
+        slack = link - chord
+        if chord == 0.0:
+            continue
+        cosine = min((dx * tx + dy * ty) / chord, 1.0)
+        if cosine < FOLD_COSINE and slack > 0.0:
+            continue
+        if slack <= ROUNDING * (abs(x) + abs(y) + link):
+            return j, step_back(rows, j, u, max(slack, 0.0)), Status.OK
+        far = step_back(rows, j, u, 2.0 * slack / cosine)
+        width = abs(far - u) * max(stretch(rows, j, u), stretch(rows, j, far))
+        if width >= chord:
+            continue
+        swing = turning_bound(rows, j, u, far) + math.asin(width / chord)
+        if math.acos(cosine) + swing >= 0.5 * math.pi:
+            continue
+        px, py, _, _ = place(rows, j, far)
+        slack = link - math.hypot(x - px, y - py)
+        if slack <= 0.0:
+            return j, polish(rows, j, u, far, x, y, link), Status.OK
+        u = far
+    return j, u, Status.FOLDED
+
+
+@kernel
+def folded(rows: FloatArray, front: int, rear: int, link: float) -> Status:
+    """What to call a fold between two rows: the link's length, if an arc is to blame."""
+    for j in (front, rear):
+        if rows[j, KIND] == ARC and link * abs(rows[j, P]) >= 2.0:
+            return Status.LINK_OVER_DIAMETER
+    return Status.FOLDED

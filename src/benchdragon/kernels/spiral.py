@@ -1,0 +1,210 @@
+"""Many times at once along one spiral: the hot loop of most dances, written to become SIMD.
+
+Handle angles a (front) and b = a + sigma h (rear) on r = k theta obey, in units of k,
+
+    h^2 + 4 a b sin^2(h / 2) = D^2,     D = link / k,     sigma = +1 inward, -1 outward,
+
+the stable form of the cosine theorem: no difference of large numbers. One Halley step from the
+previous handle's h, rescaled, reaches rounding (design/spiral_step.py); a step that was too large
+to promise that is repeated. Angles are carried as a sum of two doubles, so that a million links
+add up to 1e-11 m and not 1e-7 m.
+"""
+
+import math
+
+from benchdragon.kernels.curve import (
+    AXIS_X,
+    AXIS_Y,
+    KIND,
+    SPIRAL,
+    U_BACK,
+    FloatArray,
+    P,
+    Q,
+    X,
+    Y,
+    walks_up,
+)
+from benchdragon.kernels.jit import kernel
+
+# The lanes take only steps for which design/spiral_step.py proves that F' > 0 up to the root, so that
+# the root is the first: the front angle between these, rad, and links no longer than so many radii.
+LEAST_ANGLE = 4.0
+MOST_ANGLE = 1.0e6  # above it the reduction of angles loses digits
+MOST_LINK_INWARD = 1.4
+MOST_LINK_OUTWARD = 0.9
+# Under these limits h <= this * D / a, which says how much of the piece a step can use up.
+STEP_INWARD = 1.12
+STEP_OUTWARD = 1.30
+# Near the root F grows like h^2, so a Halley step e leaves an error of e^3 / (4 h^2). A step with
+# e^3 > this * h^2 might leave more than 2e-15 rad, and is repeated.
+LARGE_STEP = 8e-15
+# From any guess under the limits above 8 passes are the most ever seen.
+MAX_PASSES = 30
+
+# Nearest integer by adding and taking away 1.5 * 2^52; sound for |x| < 2^51.
+NEAREST = 6755399441055744.0
+# pi / 2 as a sum of two doubles, the first with 33 bits so that n * PI_HALF is exact.
+PI_HALF = 1.57079632673412561417
+PI_HALF_REST = 6.07710050650619224932e-11
+# Minimax coefficients of sin and cos on [-pi/4, pi/4]: the figures that fdlibm made known.
+S1 = -1.66666666666666324348e-01
+S2 = 8.33333333332248946124e-03
+S3 = -1.98412698298579493134e-04
+S4 = 2.75573137070700676789e-06
+S5 = -2.50507602534068634195e-08
+S6 = 1.58969099521155010221e-10
+C1 = 4.16666666666666019037e-02
+C2 = -1.38888888888741095749e-03
+C3 = 2.48015872894767294178e-05
+C4 = -2.75573143513906633035e-07
+C5 = 2.08757232129817482790e-09
+C6 = -1.13596475577881948265e-11
+
+# Lanes march abreast, 32 doubles each in one flat scratch: the fixed distances let the compiler see
+# that no lane disturbs another. 32 fill SIMD registers and stay in the nearest cache.
+LANES = 64
+REST = 0  # second double of the front angle
+GUESS = 1 * LANES  # of h, to be scaled by link over previous link
+NEXT_REST = 2 * LANES
+NEXT_GUESS = 3 * LANES
+FOUND = 4 * LANES  # h
+STATE = 5 * LANES
+
+
+@kernel
+def small_sincos(x: float) -> tuple[float, float]:
+    """Sine and cosine of |x| <= pi / 4, to rounding, without a branch."""
+    z = x * x
+    sine = x + x * z * (S1 + z * (S2 + z * (S3 + z * (S4 + z * (S5 + z * S6)))))
+    tail = z * z * (C1 + z * (C2 + z * (C3 + z * (C4 + z * (C5 + z * C6)))))
+    return sine, 1.0 - 0.5 * z + tail
+
+
+@kernel
+def sincos(x: float) -> tuple[float, float]:
+    """Sine and cosine of 0 <= x <= MOST_ANGLE, to rounding, without a branch."""
+    n = (x * (2.0 / math.pi) + NEAREST) - NEAREST
+    sine, cosine = small_sincos((x - n * PI_HALF) - n * PI_HALF_REST)
+    quarter = n - 4.0 * ((0.25 * n - 0.375 + NEAREST) - NEAREST)
+    odd = quarter == 1.0 or quarter == 3.0
+    s = cosine if odd else sine
+    c = sine if odd else cosine
+    return (-s if quarter >= 2.0 else s), (-c if quarter == 1.0 or quarter == 2.0 else c)
+
+
+@kernel
+def takes_link(rows: FloatArray, j: int, least: float, most: float, link: float) -> bool:
+    """Whether fronts at angles least..most on row j can take this link by `spiral_links`."""
+    if rows[j, KIND] != SPIRAL or least < LEAST_ANGLE or most > MOST_ANGLE:
+        return False
+    d = link / rows[j, P]
+    if walks_up(rows, j) < 0.0:
+        return d <= MOST_LINK_INWARD * least and most + STEP_INWARD * d / least <= rows[j, U_BACK]
+    return d <= MOST_LINK_OUTWARD * least and least - STEP_OUTWARD * d / least >= rows[j, U_BACK]
+
+
+@kernel
+def angles_after(
+    rows: FloatArray, j: int, least: float, most: float, link: float
+) -> tuple[float, float]:
+    """Bounds of the rear angles for fronts at least..most, all taken by `spiral_links`."""
+    d = link / rows[j, P]
+    if walks_up(rows, j) < 0.0:
+        return least, most + STEP_INWARD * d / least
+    return least - STEP_OUTWARD * d / least, most
+
+
+@kernel
+def halley_pass(
+    rows: FloatArray,
+    j: int,
+    link: float,
+    scale: float,
+    i: int,
+    start: int,
+    end: int,
+    state: FloatArray,
+    u: FloatArray,
+    x: FloatArray,
+    y: FloatArray,
+    ratio: FloatArray,
+) -> int:
+    """One Halley pass over the lanes of times start..end: handle i + 1 behind handle i on row j.
+
+    Reads u[i], ratio[i] and the lanes' REST and GUESS (of h / scale); writes the rest. Returns how
+    many lanes still took a large step.
+    """
+    k, hand, sigma = rows[j, P], rows[j, Q], -walks_up(rows, j)
+    axis_x, axis_y = rows[j, AXIS_X], rows[j, AXIS_Y]
+    centre_x, centre_y = rows[j, X], rows[j, Y]
+    d2 = (link / k) * (link / k)
+    large = 0
+    i = max(i, 0)
+    start = max(start, 0)
+    for lane in range(end - start):
+        t = start + lane
+        a = u[i, t]
+        h = state[GUESS + lane] * scale
+        s, c = small_sincos(0.5 * h)
+        b = a + sigma * h
+        s2 = s * s
+        sin_h = 2.0 * s * c
+        f = h * h + 4.0 * a * b * s2 - d2
+        f1 = h + 2.0 * sigma * a * s2 + a * b * sin_h  # F' / 2
+        f2 = 1.0 + 2.0 * sigma * a * sin_h + a * b * (1.0 - 2.0 * s2)  # F'' / 2
+        change = 2.0 * f * f1 / (4.0 * f1 * f1 - f * f2)
+        h -= change
+        large += 1 if abs(change * change * change) > LARGE_STEP * h * h else 0
+        half = 0.5 * change
+        s2 = (s - half * c) * (s - half * c)
+        sin_h = 2.0 * (s - half * c) * (c + half * s)
+        b = a + sigma * h
+        tail = sigma * h - (b - a) + state[REST + lane]
+        # db/da = -F_a / F_b; times the arc per angle at b over that at a, the ratio of speeds.
+        common = sigma * h + a * b * sigma * sin_h
+        # One division serves both this and a / b.
+        arc_a, arc_b = 1.0 + a * a, 1.0 + b * b
+        below = (common + 2.0 * a * s2) * arc_a
+        shared = 1.0 / (below * b)
+        geared = (common - 2.0 * b * s2) * math.sqrt(arc_a * arc_b)
+        ratio[i + 1, t] = ratio[i, t] * geared * (b * shared)
+        state[NEXT_REST + lane] = tail
+        state[NEXT_GUESS + lane] = h * a * (below * shared)
+        state[FOUND + lane] = h
+        sine, cosine = sincos(b)
+        cos_b = cosine - tail * sine
+        sin_b = hand * (sine + tail * cosine)
+        r = k * b
+        u[i + 1, t] = b
+        x[i + 1, t] = centre_x + r * (axis_x * cos_b - axis_y * sin_b)
+        y[i + 1, t] = centre_y + r * (axis_y * cos_b + axis_x * sin_b)
+    return large
+
+
+@kernel
+def spiral_links(
+    rows: FloatArray,
+    j: int,
+    link: float,
+    scale: float,
+    i: int,
+    start: int,
+    end: int,
+    state: FloatArray,
+    u: FloatArray,
+    x: FloatArray,
+    y: FloatArray,
+    ratio: FloatArray,
+) -> bool:
+    """Place handle i + 1 at times start..end along spiral row j; False if a lane would not settle."""
+    for _ in range(MAX_PASSES):
+        if halley_pass(rows, j, link, scale, i, start, end, state, u, x, y, ratio) == 0:
+            for lane in range(LANES):
+                state[REST + lane] = state[NEXT_REST + lane]
+                state[GUESS + lane] = state[NEXT_GUESS + lane]
+            return True
+        for lane in range(LANES):
+            state[GUESS + lane] = state[FOUND + lane]
+        scale = 1.0
+    return False

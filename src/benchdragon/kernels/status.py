@@ -1,0 +1,14 @@
+"""The few ways in which placing a handle can end."""
+
+from enum import IntEnum
+
+
+class Status(IntEnum):
+    """How the search for a handle ended; anything but `OK` leaves NaN behind it."""
+
+    OK = 0
+    BEFORE_ROUTE = 1  # the head stands behind everything that the route offers
+    AFTER_ROUTE = 2  # the head has walked past the route's end
+    ROUTE_TOO_SHORT = 3  # no place behind the handle is one link away: the tail hangs out
+    FOLDED = 4  # a bench stands square to the route: speeds run away
+    LINK_OVER_DIAMETER = 5  # the same on an arc that the link cannot lie within
