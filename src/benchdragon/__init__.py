@@ -1,13 +1,21 @@
-"""Where every handle of a bench dragon is, and how fast, on any route: the one public door."""
+"""Where every handle of a bench dragon is, and how fast, on any route: the one public door.
 
-from benchdragon.curves import Arc, Clothoid, Line, Route, Spiral
-from benchdragon.dragon import Bench, Dragon
-from benchdragon.errors import BenchDragonError, InputError, WalkError
-from benchdragon.kernels.status import Status
-from benchdragon.leader import SpeedProfile
-from benchdragon.motion import Motion, Walk
-from benchdragon.turns import TwoArcTurn
+Names are fetched on first use, so that `benchdragon --help` need not wait for numba.
+"""
 
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from benchdragon.curves import Arc, Clothoid, Line, Route, Spiral
+    from benchdragon.dragon import Bench, Dragon
+    from benchdragon.errors import BenchDragonError, InputError, WalkError
+    from benchdragon.kernels.status import Status
+    from benchdragon.leader import SpeedProfile
+    from benchdragon.motion import Motion, Walk
+    from benchdragon.turns import TwoArcTurn
+
+__version__ = "0.1.0"
 __all__ = [
     "Arc",
     "Bench",
@@ -25,4 +33,27 @@ __all__ = [
     "Walk",
     "WalkError",
 ]
-__version__ = "0.1.0"
+
+_ROOMS = {
+    "Arc": "curves",
+    "Bench": "dragon",
+    "BenchDragonError": "errors",
+    "Clothoid": "curves",
+    "Dragon": "dragon",
+    "InputError": "errors",
+    "Line": "curves",
+    "Motion": "motion",
+    "Route": "curves",
+    "SpeedProfile": "leader",
+    "Spiral": "curves",
+    "Status": "kernels.status",
+    "TwoArcTurn": "turns",
+    "Walk": "motion",
+    "WalkError": "errors",
+}
+
+
+def __getattr__(name: str) -> object:
+    if name not in _ROOMS:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{_ROOMS[name]}"), name)
