@@ -7,7 +7,9 @@ from benchdragon.messages import N_, _
 
 
 class BenchDragonError(Exception):
-    """The one above the rest."""
+    """The one above the rest; `exit_code` is what the command line ends with."""
+
+    exit_code = 2
 
 
 class InputError(BenchDragonError, ValueError):
@@ -23,6 +25,8 @@ class WalkError(BenchDragonError):
         s: route position of that bench's front handle, m.
         t: time, s.
     """
+
+    exit_code = 4
 
     def __init__(self, status: Status, bench: int, s: float, t: float, size: str) -> None:
         self.status, self.bench, self.s, self.t = status, bench, s, t

@@ -84,3 +84,18 @@ class TwoArcTurn:
         """Centres of the two arcs, m."""
         first, second = self.arcs()
         return first.centre, second.centre
+
+    def boundary_angles(self) -> tuple[float, float, float, float]:
+        """Polar angles of the arcs' ends about their centres, rad: first arc's start and end, second's.
+
+        With pitch 1.7 m and radius 4.5 m these are the paper's 4.0055, 0.9841, -2.1575 and 0.8639.
+        """
+        first, second = self.arcs()
+        start, end = (
+            math.atan2(y - cy, x - cx)
+            for (x, y), (cx, cy) in (
+                (first.end_pose[0], first.centre),
+                (first.end_pose[0], second.centre),
+            )
+        )
+        return start + self.sweep, start, end, end + self.sweep

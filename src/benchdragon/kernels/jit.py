@@ -7,6 +7,7 @@ for jobs so small that importing numba would cost more than it saves (design/col
 import hashlib
 import os
 import tempfile
+import threading
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar, cast
@@ -61,3 +62,29 @@ def kernel(function: Function) -> Function:
     finally:
         settings.CACHE_DIR = before
     return cast("Function", compiled)
+
+
+def watch_compiling(slow: Callable[[], None], after: float) -> None:
+    """Call `slow` once the kernels have been compiling for `after` seconds (on another thread)."""
+    if not COMPILED:
+        return
+    from numba.core import event  # only doors want to be told
+
+    class Watch(event.Listener):
+        depth = 0
+        timer = threading.Timer(after, slow)
+
+        def on_start(self, _event: object) -> None:
+            if self.depth == 0:
+                self.timer = threading.Timer(after, slow)
+                self.timer.daemon = True
+                self.timer.start()
+            self.depth += 1
+
+        def on_end(self, _event: object) -> None:
+            self.depth -= 1
+            if self.depth == 0:
+                self.timer.cancel()
+
+    register: Any = event.register
+    register("numba:compile", Watch())

@@ -1,0 +1,602 @@
+"""The command line: parse, call one function, print, exit code.
+
+Help must come fast, so everything heavier than click is imported by the verb that uses it.
+"""
+
+import copy
+import json
+import os
+import sys
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from benchdragon import __version__
+from benchdragon.errors import BenchDragonError, InputError
+from benchdragon.messages import LANGUAGES, N_, _, language
+from benchdragon.plan_text import bench_count, read_toml
+
+if TYPE_CHECKING:
+    import numpy as np
+    from rich.console import Console
+
+    from benchdragon.motion import Motion, Walk
+    from benchdragon.plan import Plan
+    from benchdragon.tables import Selection
+
+INTERRUPTED = 130
+USAGE = 2
+# Times in one call: a day and more, each tenth of a second.
+MOST_TIMES = 1_000_000
+# Handles times times of a JSON answer (1 GB of text at most) and of a table on the screen.
+MOST_PLACES_JSON = 10_000_000
+MOST_ROWS_SHOWN = 400
+# Below this many handles times times, plain Python is done before numba would be imported
+# (design/cold_start.py).
+FEW_PLACES = 1_000
+PAPER_HANDLES = (0, 1, 51, 101, 151, 201)
+TABLE_FORMATS = ("xlsx", "csv", "npz", "parquet", "nc")
+PICTURE_FORMATS = ("png", "svg", "pdf")
+# Seconds of compiling after which a word is due.
+SLOW_COMPILE = 1.0
+
+Command = Callable[..., int]
+Advance = Callable[..., None]
+
+
+class HelpfulGroup(click.Group):
+    """Verbs in the order they were written."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Names of the verbs."""
+        del ctx
+        return list(self.commands)
+
+
+def shared_options(command: Command) -> Command:
+    """--lang and --quiet, which every verb takes."""
+    command = click.option(
+        "--quiet", is_flag=True, help=N_("No progress and no talk on standard error.")
+    )(command)
+    return click.option(
+        "--lang",
+        type=click.Choice(LANGUAGES),
+        expose_value=False,
+        help=N_("Language: zh or en. Default: BENCHDRAGON_LANG, else the locale."),
+    )(command)
+
+
+def plan_options(command: Command) -> Command:
+    """PLAN and --set."""
+    command = click.option(
+        "--set",
+        "settings",
+        multiple=True,
+        metavar="KEY=VALUE",
+        help=N_("Override a value of the plan, for example route.pitch=0.6; may be repeated."),
+    )(command)
+    return click.argument("plan", metavar="PLAN")(command)
+
+
+@click.group(
+    cls=HelpfulGroup,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+    help=N_("Where every handle of a bench dragon is, and how fast, on any route."),
+)
+@click.version_option(__version__, prog_name="benchdragon", help=N_("Show the version and exit."))
+@click.option(
+    "--lang",
+    type=click.Choice(LANGUAGES),
+    expose_value=False,
+    help=N_("Language: zh or en. Default: BENCHDRAGON_LANG, else the locale."),
+)
+def program() -> None:
+    """Hold the verbs."""
+
+
+@program.command(
+    help=N_(
+        "Repeat the paper's walks: the contest's tables, the pictures, and the checks of each "
+        "method against the exact one."
+    )
+)
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path, file_okay=False),
+    default=Path("out"),
+    show_default=True,
+    help=N_("Folder for the files."),
+)
+@click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))
+@click.option("--json", "as_json", is_flag=True, help=N_("Print one JSON object and nothing else."))
+@shared_options
+def reproduce(output: Path, force: bool, as_json: bool, quiet: bool) -> int:
+    """Write the paper's files and print the answers."""
+    from benchdragon.reproduce import reproduce as reproduced
+    from benchdragon.reproduce import steps
+
+    _announce_compiling(quiet)
+    with _progress(quiet, steps()) as advance:
+        found = reproduced(output, force, lambda text: advance(1.0, text))
+    if as_json:
+        click.echo(json.dumps({**found.answers, "files": [str(path) for path in found.files]}))
+        return 0
+    _print_reproduction(found.answers)
+    _print_files(found.files)
+    return 0
+
+
+@program.command(
+    help=N_(
+        "Place and speed of every handle at chosen times.\n\nPLAN is a *.dragon.toml file or "
+        "the name of a built-in plan: spiral-in, turn."
+    )
+)
+@plan_options
+@click.option(
+    "--at",
+    metavar="TIMES",
+    help=N_(
+        "Times: seconds (12.5), minutes and seconds (3:12), a range start:stop:step in seconds "
+        "(0:300:1), or several with commas. Default: each second from walk.start to walk.end."
+    ),
+)
+@click.option(
+    "--only", metavar="HANDLES", help=N_("Handles to give, for example 1,51,101; 0 is the head.")
+)
+@click.option(
+    "-o", "--output", type=click.Path(path_type=Path, file_okay=False), help=N_("Folder for the files.")
+)
+@click.option(
+    "--format",
+    "formats",
+    default="xlsx,csv,png",
+    show_default=True,
+    metavar="LIST",
+    help=N_("What to write: xlsx, csv, npz, parquet, nc, png, svg, pdf."),
+)
+@click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))
+@click.option("--json", "as_json", is_flag=True, help=N_("Print one JSON object and nothing else."))
+@click.option(
+    "--leader",
+    type=click.Choice(["closed-form", "rk4", "adaptive"]),
+    default="closed-form",
+    show_default=True,
+    help=N_("Road to the head's place; the others integrate the spiral's differential equation."),
+)
+@click.option(
+    "--step",
+    type=click.FloatRange(min=0.0, min_open=True),
+    default=0.1,
+    show_default=True,
+    help=N_("Largest step of rk4, in seconds."),
+)
+@click.option(
+    "--keep-going",
+    is_flag=True,
+    help=N_("Give what is sound where the dragon cannot stand, instead of stopping."),
+)
+@click.option(
+    "-j",
+    "--workers",
+    type=click.IntRange(1, 64),
+    default=1,
+    show_default=True,
+    help=N_("Threads; the answers do not depend on it."),
+)
+@shared_options
+def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
+    """Answer on the screen, as JSON, or as files."""
+    data = read_toml(plan, settings)
+    _choose_compiling(data, options["at"], bool(options["output"]))
+    from benchdragon.plan import checked
+    from benchdragon.tables import Selection
+
+    read = checked(data, plan)
+    walk = read.build()
+    times = _times(options["at"], read)
+    handles = parse_handles(options["only"], len(walk.dragon))
+    _announce_compiling(quiet)
+    if options["output"]:
+        everything = range(len(walk.dragon) + 1) if handles is None else handles
+        what = Selection(walk, times, everything, not options["keep_going"], options["workers"])
+        return _motion_files(what, read, options, quiet)
+    if options["as_json"]:
+        return _motion_json(walk, read, times, handles, options)
+    return _motion_table(walk, read, times, handles, options)
+
+
+@program.command(help=N_("The JSON Schema of plan files."))
+@shared_options
+def schema(quiet: bool) -> int:
+    """Print the schema; it is JSON already."""
+    del quiet
+    from benchdragon.plan import Plan
+
+    click.echo(json.dumps(Plan.model_json_schema(), indent=1, ensure_ascii=False))
+    return 0
+
+
+@program.command(help=N_("Versions, fonts, cache folder, and what else is there to work with."))
+@click.option("--json", "as_json", is_flag=True, help=N_("Print one JSON object and nothing else."))
+@shared_options
+def doctor(as_json: bool, quiet: bool) -> int:
+    """Say what this machine offers."""
+    del quiet
+    from benchdragon.doctor import findings
+
+    found = findings()
+    if as_json:
+        click.echo(json.dumps({finding.name: finding.value for finding in found}))
+    else:
+        for finding in found:
+            mark = "ok " if finding.good else " - "
+            click.echo(f"{mark} {finding.name}: {finding.value}")
+    return 0
+
+
+def _choose_compiling(data: dict[str, Any], at: str | None, to_files: bool) -> None:
+    """Leave the kernels plain for a job that is over before numba would be imported."""
+    count = bench_count(data)
+    if to_files or at is None or count is None:
+        return
+    if len(parse_times(at)) * count <= FEW_PLACES:
+        os.environ.setdefault("BENCHDRAGON_COMPILE", "never")
+
+
+def parse_times(text: str) -> "np.ndarray[Any, Any]":
+    """Times in "12.5", "3:12", "0:300:1" or several of these with commas, s, (T,).
+
+    Raises:
+        InputError: for anything else, or more than MOST_TIMES.
+    """
+    import numpy as np
+
+    found: list[float] = []
+    for item in text.split(","):
+        found.extend(_item_times(item.strip(), MOST_TIMES - len(found)))
+    return np.array(found)
+
+
+def _item_times(item: str, room: int) -> Sequence[float]:
+    try:
+        numbers = [float(number) for number in item.split(":")]
+    except ValueError:
+        numbers = []
+    if not 1 <= len(numbers) <= 3 or any(number - number != 0.0 for number in numbers):
+        raise InputError(
+            _("--at: wanted seconds, minutes:seconds or start:stop:step, not {text}").format(
+                text=repr(item)
+            )
+        )
+    if len(numbers) == 1:
+        return numbers
+    if len(numbers) == 2:
+        minutes, seconds = numbers
+        return [minutes * 60.0 + (-seconds if item.startswith("-") else seconds)]
+    start, stop, step = numbers
+    if step == 0.0 or (stop - start) / step < 0.0:
+        raise InputError(
+            _("--at: {text} never gets from its start to its stop").format(text=repr(item))
+        )
+    count = int(min((stop - start) / step + 1e-9, 1e18)) + 1
+    if count > room:
+        raise InputError(_("--at: at most {most} times, not {text}").format(most=MOST_TIMES, text=item))
+    return [start + step * i for i in range(count)]
+
+
+def _times(at: str | None, plan: "Plan") -> "np.ndarray[Any, Any]":
+    if at is not None:
+        return parse_times(at)
+    if plan.walk.start is None or plan.walk.end is None:
+        raise InputError(_("the plan does not say when the walk ends: give --at, or set walk.end"))
+    return parse_times(f"{plan.walk.start!r}:{plan.walk.end!r}:1")
+
+
+def parse_handles(text: str | None, benches: int) -> list[int] | None:
+    """Handle numbers in "1,51,101"; None where nothing was asked.
+
+    Raises:
+        InputError: for what is not the number of a handle.
+    """
+    if text is None:
+        return None
+    try:
+        handles = [int(item) for item in text.split(",")]
+    except ValueError:
+        handles = [-1]
+    if any(not 0 <= handle <= benches for handle in handles):
+        raise InputError(
+            _("--only: wanted handle numbers from 0 to {most} with commas, not {text}").format(
+                most=benches, text=repr(text)
+            )
+        )
+    return handles
+
+
+def _moved(walk: "Walk", times: Any, options: dict[str, Any]) -> "Motion":
+    return walk.motion(
+        times,
+        throw=not options["keep_going"],
+        workers=options["workers"],
+        leader=options["leader"],
+        step=options["step"],
+    )
+
+
+def _failures(motion: "Motion") -> int:
+    """Say on standard error what failed under --keep-going; the exit code."""
+    failed = [i for i, status in enumerate(motion.status) if status]
+    if failed:
+        click.echo(str(motion.failure(failed[0])), err=True)
+        return motion.failure(failed[0]).exit_code
+    return 0
+
+
+def _motion_json(
+    walk: "Walk", plan: "Plan", times: Any, handles: list[int] | None, options: dict[str, Any]
+) -> int:
+    chosen = list(range(len(walk.dragon) + 1)) if handles is None else handles
+    if len(times) * len(chosen) > MOST_PLACES_JSON:
+        raise InputError(
+            _("JSON holds at most {most} places; choose fewer times or handles, or -o").format(
+                most=MOST_PLACES_JSON
+            )
+        )
+    found = _moved(walk, times, options)
+    tables = {"x": found.x, "y": found.y, "speed": found.speed}
+    answer: dict[str, Any] = {"time": times.tolist(), "handle": chosen}
+    for name, values in tables.items():
+        answer[name] = [[_number(value) for value in row] for row in values[:, chosen].tolist()]
+    answer["status"] = [int(status) for status in found.status]
+    answer.update(plan_sha256=plan.sha256, version=__version__)
+    click.echo(json.dumps(answer))
+    return _failures(found)
+
+
+def _number(value: float) -> float | None:
+    return value if value == value else None
+
+
+def _motion_table(
+    walk: "Walk", plan: "Plan", times: Any, handles: list[int] | None, options: dict[str, Any]
+) -> int:
+    benches = len(walk.dragon)
+    chosen = handles or sorted({*(h for h in PAPER_HANDLES if h < benches), benches})
+    if len(times) * len(chosen) > MOST_ROWS_SHOWN:
+        raise InputError(
+            _("{rows} rows are too many for a screen (at most {most}): use -o DIR or --json").format(
+                rows=len(times) * len(chosen), most=MOST_ROWS_SHOWN
+            )
+        )
+    found = _moved(walk, times, options)
+    rows = [
+        (
+            f"{t:.6g}",
+            str(handle),
+            *(_six(table[i, handle]) for table in (found.x, found.y, found.speed)),
+        )
+        for i, t in enumerate(times)
+        for handle in chosen
+    ]
+    _print_table(plan.title(language()), rows)
+    _print_leader(walk, times, options)
+    return _failures(found)
+
+
+def _six(value: float) -> str:
+    """Six decimals, without the sign of a zero."""
+    return f"{round(value, 6) + 0.0:.6f}"
+
+
+def _print_leader(walk: "Walk", times: Any, options: dict[str, Any]) -> None:
+    if options["leader"] == "closed-form":
+        return
+    import numpy as np
+
+    other = walk.head_position(times, options["leader"], options["step"])
+    apart = float(np.abs(other - walk.head_position(times)).max())
+    click.echo(
+        _("{method} and the closed form put the head at most {apart} m apart").format(
+            method=options["leader"], apart=f"{apart:.2e}"
+        )
+    )
+
+
+def _print_table(title: str, rows: Sequence[tuple[str, ...]]) -> None:
+    from rich.table import Table
+
+    table = Table(title=title)
+    for name in (_("time (s)"), _("handle"), _("x (m)"), _("y (m)"), _("speed (m/s)")):
+        table.add_column(name, justify="right", no_wrap=True)
+    for row in rows:
+        table.add_row(*row)
+    _console().print(table)
+
+
+def _motion_files(what: "Selection", plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
+    from benchdragon.files import refuse_existing
+    from benchdragon.tables import WRITERS
+
+    formats = [name.strip() for name in options["formats"].split(",")]
+    unknown = [name for name in formats if name not in TABLE_FORMATS + PICTURE_FORMATS]
+    if unknown:
+        raise InputError(
+            _("--format: wanted some of {known}, not {text}").format(
+                known=", ".join(TABLE_FORMATS + PICTURE_FORMATS), text=repr(unknown[0])
+            )
+        )
+    if options["leader"] != "closed-form":
+        raise InputError(_("files hold the closed form; --leader goes with the screen or --json"))
+    folder: Path = options["output"]
+    tables = [folder / f"motion.{name}" for name in formats if name in WRITERS]
+    kinds = [name for name in formats if name in PICTURE_FORMATS]
+    names = [f"{name}.{kind}" for name in picture_names(what) for kind in kinds]
+    refuse_existing([*tables, *(folder / name for name in names)], options["force"])
+    with _progress(quiet, len(tables) + len(names)) as advance:
+        for path in tables:
+            advance(0.0, path.name)
+            WRITERS[path.suffix[1:]](path, what, advance)
+        if names:
+            _write_pictures(what, plan, folder, kinds, advance)
+    _print_files([*tables, *(folder / name for name in names)])
+    return _failures(next(iter(what.motions()))) if not what.throw else 0
+
+
+def picture_names(what: "Selection") -> list[str]:
+    """Pictures that make sense: maps over time need two times that increase."""
+    increasing = len(what.times) > 1 and bool((what.times[1:] > what.times[:-1]).all())
+    return ["dragon", "speeds", "head-angle"] if increasing else ["dragon"]
+
+
+def _write_pictures(
+    what: "Selection", plan: "Plan", folder: Path, kinds: Sequence[str], advance: Advance
+) -> None:
+    from benchdragon.pictures import walk_pictures, write_picture
+
+    title = plan.title(language())
+    figures = walk_pictures(what.walk, what.times, title, plan.disc.radius, what.throw)
+    for name in picture_names(what):
+        for kind in kinds:
+            advance(0.0, f"{name}.{kind}")
+            write_picture(figures[name], folder / f"{name}.{kind}", title, plan.sha256)
+            advance(1.0)
+
+
+def _print_files(files: Sequence[Path]) -> None:
+    click.echo(_("Written:"))
+    for path in files:
+        click.echo(f"  {path}")
+
+
+def _print_reproduction(answers: dict[str, Any]) -> None:
+    rows = [
+        (
+            f"{row['time_s']:g}",
+            str(row["handle"]),
+            *(_six(row[key]) for key in ("x_m", "y_m", "speed_m_s")),
+        )
+        for row in answers["table"]
+    ]
+    _print_table(_("The contest's table, pitch 0.55 m"), rows)
+    rk, turn = answers["runge_kutta"], answers["turn"]
+    lines = [
+        _("chords keep their length to {error} m").format(
+            error=f"{answers['largest_chord_error_m']:.1e}"
+        ),
+        _(
+            "head by Runge-Kutta and by the closed form: {rk4} m apart (RK4, steps of 0.1 s), "
+            "{adaptive} m apart (adaptive); measured order of RK4 {order}"
+        ).format(
+            rk4=f"{rk['rk4_step_0.1_s_m']:.1e}",
+            adaptive=f"{rk['adaptive_m']:.1e}",
+            order=f"{rk['rk4_order']:.2f}",
+        ),
+    ]
+    names = {"forward": _("forward"), "central": _("central"), "backward": _("backward")}
+    for scheme, found in answers["differences"].items():
+        lines.append(
+            _(
+                "head speed from places 1 s apart, {scheme} differences: {speed} m/s, off by at most "
+                "{error} m/s; measured order over all handles {order}"
+            ).format(
+                scheme=names[scheme],
+                speed=f"{found['head_speed_m_s']:.6f}",
+                error=f"{found['head_speed_error_m_s']:.1e}",
+                order=f"{found['order']:.2f}",
+            )
+        )
+    lines.append(
+        _("turn: radii {r1} m and {r2} m, length {length} m, boundary angles {angles}").format(
+            r1=f"{turn['radii_m'][0]:.6f}",
+            r2=f"{turn['radii_m'][1]:.6f}",
+            length=f"{turn['length_m']:.6f}",
+            angles=", ".join(
+                f"{turn[name]:.4f}" for name in ("theta_max1", "theta_min1", "theta_min2", "theta_max2")
+            ),
+        )
+    )
+    for line in lines:
+        click.echo(line)
+
+
+def _console(stderr: bool = False) -> "Console":
+    from rich.console import Console
+
+    wide = None if (sys.stderr if stderr else sys.stdout).isatty() else 100
+    return Console(stderr=stderr, width=wide)
+
+
+def _progress(quiet: bool, total: float) -> AbstractContextManager[Advance]:
+    """A bar on standard error; the block gets advance(share, text)."""
+    if quiet or not sys.stderr.isatty():
+        return nullcontext(lambda _share=0.0, _text="": None)
+    return _bar(total)
+
+
+class _bar:  # noqa: N801 - a context manager, used like a function
+    def __init__(self, total: float) -> None:
+        from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+        columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
+        self._progress = Progress(*columns, console=_console(stderr=True), transient=True)
+        self._task = self._progress.add_task("", total=total)
+
+    def __enter__(self) -> Advance:
+        self._progress.start()
+        return self._advance
+
+    def __exit__(self, *_exception: object) -> None:
+        self._progress.stop()
+
+    def _advance(self, share: float, text: str | None = None) -> None:
+        self._progress.update(self._task, advance=share, description=text)
+
+
+def _announce_compiling(quiet: bool) -> None:
+    if quiet:
+        return
+    from benchdragon.kernels.jit import watch_compiling
+
+    text = _("compiling the kernels, once for this machine; this takes about ten seconds")
+    watch_compiling(lambda: click.echo(text, err=True), SLOW_COMPILE)
+
+
+def translated(command: click.Command) -> click.Command:
+    """A copy of a command and all below it with its texts in the language in use."""
+    spoken = copy.copy(command)
+    spoken.help = _(spoken.help or "")
+    spoken.params = [copy.copy(parameter) for parameter in spoken.params]
+    for parameter in spoken.params:
+        if isinstance(parameter, click.Option):
+            parameter.help = _(parameter.help or "")
+    if isinstance(spoken, click.Group):
+        spoken.commands = {name: translated(verb) for name, verb in spoken.commands.items()}
+    return spoken
+
+
+def run(arguments: Sequence[str]) -> int:
+    """Run one command line; its exit code. Errors become one sentence on standard error."""
+    try:
+        code = translated(program).main(list(arguments), prog_name="benchdragon", standalone_mode=False)
+        sys.stdout.flush()
+        return code if isinstance(code, int) else 0
+    except click.ClickException as error:
+        error.show()
+        return error.exit_code
+    except BenchDragonError as error:
+        click.echo(_("Error: {text}").format(text=error), err=True)
+        return error.exit_code
+    except (KeyboardInterrupt, click.Abort):
+        click.echo(_("interrupted; nothing half-written is left"), err=True)
+        return INTERRUPTED
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    except OSError as error:
+        click.echo(_("Error: {text}").format(text=error), err=True)
+        return USAGE

@@ -1,0 +1,52 @@
+"""What this machine offers: versions, fonts, cache, and programs that later verbs can use."""
+
+import platform
+import shutil
+from dataclasses import dataclass
+from importlib import metadata, util
+
+from benchdragon import __version__
+from benchdragon.kernels.jit import CACHE_FOLDER, COMPILED
+from benchdragon.messages import _, language
+from benchdragon.pictures import FONT_FILES
+
+LIBRARIES = ("numpy", "numba", "scipy", "matplotlib", "pydantic", "click", "rich", "XlsxWriter")
+EXTRAS = {"data": ("xarray", "pyarrow", "h5netcdf")}
+PROGRAMS = {"ffmpeg": ("ffmpeg",), "browser": ("chromium", "google-chrome", "firefox")}
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One line of the doctor: what, how it stands, and whether that is all right."""
+
+    name: str
+    value: str
+    good: bool
+
+
+def findings() -> list[Finding]:
+    """Everything worth knowing when something does not work."""
+    found = [
+        Finding("benchdragon", __version__, True),
+        Finding("python", platform.python_version(), True),
+        Finding("platform", platform.platform(), True),
+        Finding("language", language(), True),
+    ]
+    found += [Finding(name, metadata.version(name), True) for name in LIBRARIES]
+    for extra, names in EXTRAS.items():
+        missing = [name for name in names if util.find_spec(name) is None]
+        advice = _("missing {names}: pip install 'benchdragon[{extra}]'").format(
+            names=", ".join(missing), extra=extra
+        )
+        found.append(Finding(f"extra {extra}", advice if missing else "ok", not missing))
+    fonts = [path for path in FONT_FILES if path.is_file()]
+    found.append(
+        Finding("fonts", ", ".join(path.name for path in fonts), len(fonts) == len(FONT_FILES))
+    )
+    cache = str(CACHE_FOLDER) if CACHE_FOLDER else _("none can be written: each start compiles anew")
+    compiled = cache if COMPILED else _("kernels are left uncompiled")
+    found.append(Finding("kernels", compiled, COMPILED and CACHE_FOLDER is not None))
+    for name, programs in PROGRAMS.items():
+        path = next((place for place in map(shutil.which, programs) if place), None)
+        found.append(Finding(name, path or _("not found (nothing needs it yet)"), path is not None))
+    return found

@@ -1,0 +1,44 @@
+"""Files appear whole or not at all, and never over one that was there unless asked."""
+
+import os
+import secrets
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from benchdragon.errors import BenchDragonError
+from benchdragon.messages import _
+
+
+class FileRefusedError(BenchDragonError):
+    """A file that is in the way, or a folder that cannot be written."""
+
+
+def refuse_existing(paths: Iterable[Path], force: bool) -> None:
+    """Make the folders of `paths`; refuse if a file is there already and `force` is not set.
+
+    Raises:
+        FileRefusedError: naming the first one.
+    """
+    for path in paths:
+        if path.exists() and not force:
+            raise FileRefusedError(
+                _("{path} is there already; use --force to overwrite it").format(path=path)
+            )
+        try:
+            path.parent.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise FileRefusedError(f"{path.parent}: {error.strerror}") from None
+        if path.is_dir() or not os.access(path.parent, os.W_OK):
+            raise FileRefusedError(_("{path} cannot be written").format(path=path))
+
+
+@contextmanager
+def whole_file(path: Path) -> Iterator[Path]:
+    """A temporary path beside `path` that takes its name once the block has ended well."""
+    temporary = path.with_name(f".{path.name}.{secrets.token_hex(4)}{path.suffix}")
+    try:
+        yield temporary
+        temporary.replace(path)
+    finally:
+        temporary.unlink(missing_ok=True)

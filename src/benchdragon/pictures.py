@@ -1,0 +1,274 @@
+"""Pictures of a walk: the dragon on its route, the speeds of all handles, the head's polar angle.
+
+Each function gives a matplotlib Figure in the language in use; `write_picture` saves it as PNG, SVG
+or PDF with the plan's hash and the version inside.
+"""
+
+import warnings
+from collections.abc import Sequence
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+import numpy as np
+from matplotlib import font_manager
+from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
+from matplotlib.figure import Figure
+from matplotlib.ft2font import FT2Font
+from matplotlib.patches import Circle
+
+from benchdragon import __version__
+from benchdragon.curves import Spiral
+from benchdragon.errors import InputError
+from benchdragon.files import whole_file
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.messages import _
+from benchdragon.motion import Motion, Walk
+
+FONT_FOLDER = Path(__file__).parent / "fonts"
+FONT_FILES = tuple(FONT_FOLDER / f"NotoSansSC-{weight}.ttf" for weight in ("Regular", "Bold"))
+# Fixed, so that the same plan gives the same bytes.
+STYLE: Any = {
+    "font.family": ["Noto Sans SC", "DejaVu Sans"],
+    "pdf.fonttype": 42,
+    "svg.fonttype": "path",
+    "svg.hashsalt": "benchdragon",
+    "figure.constrained_layout.use": True,
+    "axes.titlesize": "medium",
+    "axes.axisbelow": True,
+    "axes.grid": True,
+    "grid.alpha": 0.3,
+}
+# Okabe and Ito's colours, told apart by colour-blind people too.
+BODY, HEAD, ROUTE, DISC = "#56B4E9", "#D55E00", "#999999", "#009E73"
+# Points along the drawn route, m apart, and at most so many.
+ROUTE_STEP = 0.1
+MOST_ROUTE_POINTS = 200_000
+# Limits of one picture: finer would not be seen, and would take minutes.
+MOST_BENCHES = 20_000
+MOST_PANELS = 4
+MOST_COLUMNS = 1_500
+MOST_PLACES = 10_000_000
+
+
+class MissingGlyphWarning(UserWarning):
+    """A name holds a sign that no font here can draw."""
+
+
+@cache
+def _use_fonts() -> frozenset[int]:
+    """Make the package's fonts known, once; the code points that can be drawn."""
+    for path in FONT_FILES:
+        font_manager.fontManager.addfont(path)
+    spare = font_manager.findfont("DejaVu Sans")
+    return frozenset(FT2Font(str(FONT_FILES[0])).get_charmap()) | frozenset(
+        FT2Font(spare).get_charmap()
+    )
+
+
+def drawable(text: str) -> str:
+    """`text` with "?" for signs that the fonts lack, and a warning that names them."""
+    missing = sorted({sign for sign in text if ord(sign) not in _use_fonts() and not sign.isspace()})
+    if missing:
+        warnings.warn(
+            _("no font here has the signs {signs}").format(
+                signs=", ".join(f"{sign} (U+{ord(sign):04X})" for sign in missing)
+            ),
+            MissingGlyphWarning,
+            stacklevel=2,
+        )
+    # A dollar sign would start mathematics.
+    plain = "".join("?" if sign in missing else sign for sign in text)
+    return plain.replace("$", r"\$")
+
+
+def _figure(width: float, height: float) -> Figure:
+    _use_fonts()
+    return Figure(figsize=(width, height))
+
+
+def dragon_picture(
+    motion: Motion, title: str = "", indices: Sequence[int] = (0,), disc: float | None = None
+) -> Figure:
+    """The dragon on its route, benches to scale, head marked, at times number `indices`.
+
+    Args:
+        motion: holds the times.
+        title: above all; signs that cannot be drawn become "?", with a warning.
+        indices: of `motion.times`, one panel each.
+        disc: radius of a circle to draw about the first spiral's centre, m.
+    """
+    columns = min(len(indices), 2)
+    panels = -(-len(indices) // columns)
+    with matplotlib.rc_context(STYLE):
+        figure = _figure(7.2 * columns, 7.0 * panels + 0.4)
+        axes = figure.subplots(panels, columns, squeeze=False).ravel()
+        limits = _limits(motion, indices)
+        for panel, index in zip(axes, indices, strict=False):
+            _draw_dragon(panel, motion, index, disc)
+            panel.set(xlim=limits[0], ylim=limits[1])
+        for panel in axes[len(indices) :]:
+            panel.set_axis_off()
+        if title:
+            figure.suptitle(drawable(title))
+        return figure
+
+
+def _limits(motion: Motion, indices: Sequence[int]) -> tuple[tuple[float, float], ...]:
+    """Square limits around the dragon at all `indices`, with a bench's room."""
+    x, y = motion.x[list(indices)], motion.y[list(indices)]
+    if np.isnan(x).all():
+        return (-1.0, 1.0), (-1.0, 1.0)
+    room = 0.5 * max(np.nanmax(x) - np.nanmin(x), np.nanmax(y) - np.nanmin(y))
+    room += float(np.max(motion.walk.dragon.length[:10]))
+    middles = [0.5 * (np.nanmax(v) + np.nanmin(v)) for v in (x, y)]
+    return tuple((middle - room, middle + room) for middle in middles)
+
+
+def bench_corners(motion: Motion, index: int) -> FloatArray:
+    """Corners of every bench at time number `index`, m, (N, 4, 2): front left first, going round."""
+    dragon = motion.walk.dragon
+    front = np.stack([motion.x[index, :-1], motion.y[index, :-1]], axis=-1)
+    heading = motion.heading[index]
+    along = np.stack([np.cos(heading), np.sin(heading)], axis=-1)
+    side = np.stack([-along[:, 1], along[:, 0]], axis=-1) * 0.5 * dragon.width[:, np.newaxis]
+    nose = front + along * dragon.front_inset[:, np.newaxis]
+    end = nose - along * dragon.length[:, np.newaxis]
+    return np.stack([nose + side, end + side, end - side, nose - side], axis=1)
+
+
+def _draw_dragon(panel: Axes, motion: Motion, index: int, disc: float | None) -> None:
+    route = _route_points(motion, index)
+    panel.plot(route[:, 0], route[:, 1], color=ROUTE, lw=0.5, zorder=1, label=_("route"))
+    if disc is not None:
+        circle = Circle(
+            _centre(motion), disc, fill=False, ec=DISC, lw=1.2, ls="--", zorder=2, label=_("disc")
+        )
+        panel.add_patch(circle)
+    corners = bench_corners(motion, index)
+    sound = np.asarray(~np.isnan(corners).any(axis=(1, 2)))
+    body = PolyCollection(
+        list(corners[1:][sound[1:]]), fc=BODY, ec="black", lw=0.25, zorder=3, label=_("benches")
+    )
+    panel.add_collection(body)
+    if sound[0]:
+        head = PolyCollection(
+            [corners[0]], fc=HEAD, ec="black", lw=0.6, hatch="////", zorder=4, label=_("head")
+        )
+        panel.add_collection(head)
+    panel.set_aspect("equal")
+    panel.set_xlabel(_("x (m)"))
+    panel.set_ylabel(_("y (m)"))
+    clock = f"{motion.times[index]:g}".replace("-", "\N{MINUS SIGN}")
+    panel.set_title(_("t = {t} s").format(t=clock))
+    panel.legend(loc="upper right", fontsize="small", framealpha=0.9)
+
+
+def _route_points(motion: Motion, index: int) -> FloatArray:
+    """The route from where the tail stands to its end, or a dragon and a half ahead, m, (n, 2)."""
+    route = motion.walk.route
+    tail = float(np.nanmin(motion.s[index], initial=0.0))
+    head = float(np.nanmax(motion.s[index], initial=0.0))
+    end = min(route.length, head + 1.5 * (head - tail) + 20.0)
+    count = int(min(max((end - tail) / ROUTE_STEP, 2), MOST_ROUTE_POINTS))
+    points: FloatArray = route.point(np.linspace(tail, end, count))
+    return points
+
+
+def _centre(motion: Motion) -> tuple[float, float]:
+    """Centre of the route's first spiral, else the origin."""
+    for curve in motion.walk.route.curves:
+        if isinstance(curve, Spiral):
+            return curve.centre
+    return 0.0, 0.0
+
+
+def speed_map(motion: Motion, title: str = "") -> Figure:
+    """Speed of all handles over time, as a map: time to the right, handle 0 (the head) on top."""
+    with matplotlib.rc_context(STYLE):
+        figure = _figure(9.0, 5.2)
+        panel = figure.subplots()
+        panel.grid(False)
+        times = _edges(motion.times)
+        handles = np.arange(motion.x.shape[1] + 1) - 0.5
+        mesh = panel.pcolormesh(times, handles, motion.speed.T, cmap="cividis", rasterized=True)
+        panel.invert_yaxis()
+        panel.set_xlabel(_("time (s)"))
+        panel.set_ylabel(_("handle (0 = head)"))
+        panel.set_title(drawable(title) or _("Speed of every handle"))
+        bar = figure.colorbar(mesh, ax=panel, pad=0.02)
+        bar.set_label(_("speed (m/s)"))
+        bar.formatter.set_useOffset(False)  # type: ignore[attr-defined]
+        return figure
+
+
+def _edges(times: FloatArray) -> FloatArray:
+    """Borders of cells around increasing times; a lone time gets a second."""
+    if len(times) == 1:
+        return np.array([times[0] - 0.5, times[0] + 0.5])
+    middles = 0.5 * (times[1:] + times[:-1])
+    first, last = 2.0 * times[0] - middles[0], 2.0 * times[-1] - middles[-1]
+    return np.concatenate([[first], middles, [last]])
+
+
+def head_angle_picture(motion: Motion, title: str = "") -> Figure:
+    """Polar angle and radius of the head about the first spiral's centre, over time."""
+    cx, cy = _centre(motion)
+    dx, dy = motion.x[:, 0] - cx, motion.y[:, 0] - cy
+    angle = np.degrees(np.unwrap(np.arctan2(dy, dx)))
+    with matplotlib.rc_context(STYLE):
+        figure = _figure(8.0, 5.6)
+        above, below = figure.subplots(2, 1, sharex=True)
+        above.plot(motion.times, angle, color=HEAD, marker="." if len(angle) < 30 else None)
+        above.set_ylabel(_("polar angle (degrees)"))
+        above.set_title(drawable(title) or _("Polar angle of the head"))
+        below.plot(motion.times, np.hypot(dx, dy), color=BODY, marker="." if len(angle) < 30 else None)
+        below.set_ylabel(_("distance from the centre (m)"))
+        below.set_xlabel(_("time (s)"))
+        return figure
+
+
+def walk_pictures(
+    walk: Walk, times: FloatArray, title: str, disc: float | None, throw: bool = True
+) -> dict[str, Figure]:
+    """All pictures of a walk at `times`: dragon (up to four instants), speeds, head-angle.
+
+    Raises:
+        InputError: for a dragon of more benches than a picture shows.
+    """
+    if len(walk.dragon) > MOST_BENCHES:
+        raise InputError(
+            _("a picture shows at most {most} benches, not {count}; leave pictures out").format(
+                most=MOST_BENCHES, count=len(walk.dragon)
+            )
+        )
+    instants = walk.motion(_spread(times, MOST_PANELS), throw=throw)
+    figures = {"dragon": dragon_picture(instants, title, range(len(instants.times)), disc)}
+    if len(times) > 1 and (np.diff(times) > 0.0).all():
+        columns = min(MOST_COLUMNS, MOST_PLACES // (len(walk.dragon) + 1))
+        overview = walk.motion(np.linspace(times[0], times[-1], columns), throw=throw)
+        figures["speeds"] = speed_map(overview)
+        figures["head-angle"] = head_angle_picture(overview)
+    return figures
+
+
+def _spread(times: FloatArray, most: int) -> FloatArray:
+    """At most so many of `times`, evenly spread, first and last among them."""
+    if len(times) <= most:
+        return times
+    chosen: FloatArray = times[np.linspace(0, len(times) - 1, most).round().astype(int)]
+    return chosen
+
+
+def write_picture(figure: Figure, path: Path, title: str, plan_sha256: str) -> None:
+    """Save `figure` as the suffix of `path` says; the file holds the plan's hash and the version."""
+    program, about = f"benchdragon {__version__}", f"plan sha256 {plan_sha256}"
+    metadata: dict[str, dict[str, str | None]] = {
+        ".png": {"Title": title, "Description": about, "Software": program},
+        ".svg": {"Title": title, "Description": about, "Creator": program, "Date": None},
+        ".pdf": {"Title": title, "Subject": about, "Creator": program, "CreationDate": None},
+    }
+    with whole_file(path) as temporary, matplotlib.rc_context(STYLE):
+        figure.savefig(temporary, dpi=150, bbox_inches="tight", metadata=metadata[path.suffix])
