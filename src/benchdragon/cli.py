@@ -116,11 +116,11 @@ def program() -> None:
 @shared_options
 def reproduce(output: Path, force: bool, as_json: bool, quiet: bool) -> int:
     """Write the paper's files and print the answers."""
+    from benchdragon.reproduce import STEPS
     from benchdragon.reproduce import reproduce as reproduced
-    from benchdragon.reproduce import steps
 
     _announce_compiling(quiet)
-    with _progress(quiet, steps()) as advance:
+    with _progress(quiet, STEPS) as advance:
         found = reproduced(output, force, lambda text: advance(1.0, text))
     if as_json:
         click.echo(json.dumps({**found.answers, "files": [str(path) for path in found.files]}))

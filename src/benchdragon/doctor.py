@@ -11,7 +11,7 @@ from benchdragon.messages import _, language
 from benchdragon.pictures import FONT_FILES
 
 LIBRARIES = ("numpy", "numba", "scipy", "matplotlib", "pydantic", "click", "rich", "XlsxWriter")
-EXTRAS = {"data": ("xarray", "pyarrow", "h5netcdf")}
+EXTRAS = {"data": ("xarray", "pyarrow", "h5netcdf", "h5py")}
 PROGRAMS = {"ffmpeg": ("ffmpeg",), "browser": ("chromium", "google-chrome", "firefox")}
 
 

@@ -111,9 +111,13 @@ def dragon_picture(
             panel.set(xlim=limits[0], ylim=limits[1])
         for panel in axes[len(indices) :]:
             panel.set_axis_off()
-        if title:
-            figure.suptitle(drawable(title))
+        _name(figure, title)
         return figure
+
+
+def _name(figure: Figure, title: str) -> None:
+    if title:
+        figure.suptitle(drawable(title))
 
 
 def _limits(motion: Motion, indices: Sequence[int]) -> tuple[tuple[float, float], ...]:
@@ -197,7 +201,8 @@ def speed_map(motion: Motion, title: str = "") -> Figure:
         panel.invert_yaxis()
         panel.set_xlabel(_("time (s)"))
         panel.set_ylabel(_("handle (0 = head)"))
-        panel.set_title(drawable(title) or _("Speed of every handle"))
+        panel.set_title(_("Speed of every handle"))
+        _name(figure, title)
         bar = figure.colorbar(mesh, ax=panel, pad=0.02)
         bar.set_label(_("speed (m/s)"))
         bar.formatter.set_useOffset(False)  # type: ignore[attr-defined]
@@ -223,7 +228,8 @@ def head_angle_picture(motion: Motion, title: str = "") -> Figure:
         above, below = figure.subplots(2, 1, sharex=True)
         above.plot(motion.times, angle, color=HEAD, marker="." if len(angle) < 30 else None)
         above.set_ylabel(_("polar angle (degrees)"))
-        above.set_title(drawable(title) or _("Polar angle of the head"))
+        above.set_title(_("Polar angle of the head"))
+        _name(figure, title)
         below.plot(motion.times, np.hypot(dx, dy), color=BODY, marker="." if len(angle) < 30 else None)
         below.set_ylabel(_("distance from the centre (m)"))
         below.set_xlabel(_("time (s)"))
@@ -249,8 +255,8 @@ def walk_pictures(
     if len(times) > 1 and (np.diff(times) > 0.0).all():
         columns = min(MOST_COLUMNS, MOST_PLACES // (len(walk.dragon) + 1))
         overview = walk.motion(np.linspace(times[0], times[-1], columns), throw=throw)
-        figures["speeds"] = speed_map(overview)
-        figures["head-angle"] = head_angle_picture(overview)
+        figures["speeds"] = speed_map(overview, title)
+        figures["head-angle"] = head_angle_picture(overview, title)
     return figures
 
 

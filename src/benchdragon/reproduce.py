@@ -28,6 +28,9 @@ PICTURE_KINDS = ("png", "svg", "pdf")
 DIFFERENCE_STEPS = (0.4, 0.2, 0.1, 0.05)
 RUNGE_KUTTA_STEPS = (10.0, 5.0, 2.5)
 
+# How often `reproduce` reports an advance.
+STEPS = 7 + len(PICTURE_KINDS)
+
 Advance = Callable[[str], None]
 
 
@@ -48,11 +51,6 @@ def planned_files(folder: Path) -> list[Path]:
     ]
     names = ["result1.xlsx", "spiral.csv", "spiral.npz", *pictures, "answers.json"]
     return [folder / name for name in names]
-
-
-def steps() -> int:
-    """How often `reproduce` reports an advance."""
-    return 9
 
 
 def reproduce(folder: Path, force: bool = False, advance: Advance = lambda _text: None) -> Reproduction:
@@ -166,14 +164,14 @@ def _draw_all(
     advance(_("pictures"))
     jobs = {
         "spiral-dragon": (spiral, title, dragon_picture(motion, title, (0, 300))),
-        "spiral-speeds": (spiral, title, speed_map(motion)),
-        "spiral-head": (spiral, title, head_angle_picture(motion)),
+        "spiral-speeds": (spiral, title, speed_map(motion, title)),
+        "spiral-head": (spiral, title, head_angle_picture(motion, title)),
         "turn-dragon": (
             turn,
             turn_title,
             dragon_picture(turn_motion, turn_title, [int(at(t)) for t in TURN_TIMES], turn.disc.radius),
         ),
-        "turn-speeds": (turn, turn_title, speed_map(turn_motion)),
+        "turn-speeds": (turn, turn_title, speed_map(turn_motion, turn_title)),
     }
     for kind in PICTURE_KINDS:
         advance(_("pictures") + f" ({kind})")

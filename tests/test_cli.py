@@ -1,0 +1,223 @@
+import json
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from benchdragon import __version__
+from benchdragon.cli import MOST_TIMES, parse_handles, parse_times, run
+from benchdragon.errors import InputError
+from benchdragon.plan import read_plan
+
+EXAMPLES = Path(__file__).parent.parent / "examples"
+
+
+def answered(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
+    """Exit code, standard output and standard error of one command line."""
+    code = run(arguments)
+    captured = capsys.readouterr()
+    return code, captured.out, captured.err
+
+
+@pytest.mark.parametrize(
+    ("text", "times"),
+    [
+        ("12.5", [12.5]),
+        ("3:12", [192.0]),
+        ("-1:30", [-90.0]),
+        ("-0:30", [-30.0]),
+        ("0:1:0.25", [0.0, 0.25, 0.5, 0.75, 1.0]),
+        ("0:0.3:0.1", [0.0, 0.1, 0.2, 0.3]),
+        ("5:-5:-5", [5.0, 0.0, -5.0]),
+        ("7, 0:2:1 ,3:00", [7.0, 0.0, 1.0, 2.0, 180.0]),
+        ("-100:-98:1", [-100.0, -99.0, -98.0]),
+    ],
+)
+def test_times_are_read_the_way_people_write_them(text: str, times: list[float]) -> None:
+    assert parse_times(text).tolist() == pytest.approx(times, abs=1e-12)
+
+
+@pytest.mark.parametrize("text", ["", "x", "1:2:3:4", "nan", "inf", "1,,2", "0:9:0", "0:9:-1", "9:0:1"])
+def test_times_that_make_no_sense_are_refused(text: str) -> None:
+    with pytest.raises(InputError, match="--at: "):
+        parse_times(text)
+
+
+@pytest.mark.parametrize("text", ["0:1e6:1", "0:1:1e-300", "0:1e300:1"])
+def test_too_many_times_are_refused_before_they_fill_the_memory(text: str) -> None:
+    with pytest.raises(InputError, match=f"at most {MOST_TIMES} times"):
+        parse_times(text)
+
+
+def test_handles_are_checked_against_the_dragon() -> None:
+    assert parse_handles("0,5,223", 223) == [0, 5, 223]
+    assert parse_handles(None, 223) is None
+    for text in ("224", "-1", "x", "1;2", ""):
+        with pytest.raises(InputError, match="wanted handle numbers from 0 to 223"):
+            parse_handles(text, 223)
+
+
+def test_motion_as_json_is_one_object_with_the_plans_name(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = answered(capsys, "motion", "spiral-in", "--at", "0,300", "--only", "0,1", "--json")
+    answer = json.loads(out)
+    assert (code, err) == (0, "")
+    assert answer["time"] == [0.0, 300.0]
+    assert answer["handle"] == [0, 1]
+    motion = read_plan("spiral-in").build().motion([0.0, 300.0])
+    for key in ("x", "y", "speed"):
+        assert np.array(answer[key]) == pytest.approx(getattr(motion, key)[:, :2], abs=1e-12)
+    assert answer["plan_sha256"] == read_plan("spiral-in").sha256
+    assert answer["version"] == __version__
+    assert answer["status"] == [0, 0]
+
+
+def test_motion_as_a_table_shows_the_papers_handles(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _err = answered(capsys, "motion", "spiral-in", "--at", "60")
+    assert code == 0
+    assert "5.799209" in out
+    assert "-8.797992" in out
+    assert [line.split()[3] for line in out.splitlines() if line.startswith("│")] == [
+        "0", "1", "51", "101", "151", "201", "223",
+    ]  # fmt: skip
+
+
+def test_settings_change_the_answer(capsys: pytest.CaptureFixture[str]) -> None:
+    arguments = ("motion", "spiral-in", "--at", "0", "--only", "0", "--json")
+    _code, out, _err = answered(capsys, *arguments, "--set", "route.pitch=0.6")
+    assert json.loads(out)["x"][0][0] == pytest.approx(9.6)
+
+
+def test_files_are_written_once_and_again_only_when_forced(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    arguments = ["motion", str(EXAMPLES / "01_parade.dragon.toml"), "-o", str(tmp_path / "out")]
+    arguments += ["--format", "csv,xlsx,npz,parquet,nc,png,svg,pdf"]
+    code, out, _err = answered(capsys, *arguments)
+    written = sorted(path.name for path in (tmp_path / "out").iterdir())
+    assert code == 0
+    assert sorted(Path(line.strip()).name for line in out.splitlines()[1:]) == written
+    assert len(written) == 5 + 3 * 3
+    stamp = (tmp_path / "out" / "motion.csv").stat().st_mtime_ns
+    code, _out, err = answered(capsys, *arguments)
+    assert code == 2
+    assert "is there already; use --force" in err
+    assert (tmp_path / "out" / "motion.csv").stat().st_mtime_ns == stamp
+    assert answered(capsys, *arguments, "--force")[0] == 0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "sentence"),
+    [
+        (["motion", "spiral-in"], 2, "give --at, or set walk.end"),
+        (["motion", "spiral-in", "--at", "x"], 2, "wanted seconds, minutes:seconds"),
+        (["motion", "spiral-in", "--at", "3", "--only", "500"], 2, "wanted handle numbers"),
+        (["motion", "spiral-in", "--at", "3", "--set", "x"], 3, "wanted KEY=VALUE"),
+        (["motion", "spiral-in", "--at", "3", "--set", "route.pitch=-1"], 3, "more than 0.0"),
+        (["motion", "nowhere", "--at", "3"], 3, "there is no plan nowhere"),
+        (["motion", "spiral-in", "--at", "500"], 4, "past the end of the route"),
+        (["motion", "spiral-in", "--at", "0:300:1"], 2, "rows are too many for a screen"),
+        (["motion", "spiral-in", "--at", "3", "--leader", "x"], 2, "Invalid value for '--leader'"),
+        (["motion", "turn", "--at", "3,99", "--leader", "rk4"], 2, "rk4 needs the head on one spiral"),
+        (["motion", "turn", "--at", "0:60000:1", "--json"], 2, "JSON holds at most"),
+        (["motion"], 2, "Missing argument 'PLAN'"),
+        (["dance"], 2, "No such command 'dance'"),
+        (["motion", "turn", "--att", "3"], 2, "No such option"),
+        (["motion", "turn", "--at", "3", "-o", "/proc/x"], 2, "/proc/x"),
+        (["motion", "turn", "--at", "3", "-o", "x", "--format", "docx"], 2, "wanted some of xlsx"),
+    ],
+)
+def test_wrong_input_gets_one_sentence_and_its_exit_code(
+    capsys: pytest.CaptureFixture[str], arguments: list[str], code: int, sentence: str
+) -> None:
+    found, out, err = answered(capsys, *arguments)
+    assert found == code
+    assert out == ""
+    assert sentence in err
+    assert "Traceback" not in err
+
+
+def test_keep_going_gives_the_sound_part_and_says_what_failed(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    arguments = ("motion", "spiral-in", "--at", "0,500", "--only", "0", "--json", "--keep-going")
+    code, out, err = answered(capsys, *arguments)
+    answer = json.loads(out)
+    assert code == 4
+    assert answer["x"][0][0] == pytest.approx(8.8)
+    assert answer["x"][1] == [None]
+    assert answer["status"] == [0, 2]
+    assert "past the end of the route" in err
+
+
+def test_runge_kutta_says_how_far_it_is_from_the_closed_form(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    arguments = ("motion", "spiral-in", "--at", "300", "--leader", "rk4", "--step", "1")
+    code, out, _err = answered(capsys, *arguments)
+    assert code == 0
+    assert "rk4 and the closed form put the head at most 1" in out.replace("\n", " ")
+    assert "e-10 m apart" in out
+
+
+def test_the_schema_is_json(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _err = answered(capsys, "schema")
+    assert code == 0
+    assert json.loads(out)["properties"]["dragon"]
+
+
+def test_the_doctor_names_versions_fonts_and_cache(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _err = answered(capsys, "doctor", "--json")
+    found = json.loads(out)
+    assert code == 0
+    assert found["benchdragon"] == __version__
+    assert {"python", "numpy", "numba", "fonts", "kernels", "ffmpeg", "browser"} <= set(found)
+    assert "NotoSansSC-Regular.ttf" in answered(capsys, "doctor")[1]
+
+
+def test_help_imports_nothing_heavy() -> None:
+    script = (
+        "import sys; from benchdragon.cli import run; run(['motion', '--help']); "
+        "heavy = {'numpy', 'numba', 'scipy', 'matplotlib', 'pydantic', 'rich'} & set(sys.modules); "
+        "sys.exit(str(heavy) if heavy else 0)"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_a_small_question_is_answered_without_numba() -> None:
+    script = (
+        "import sys; from benchdragon.cli import run; "
+        "run(['motion', 'turn', '--at', '14', '--json']); sys.exit('numba' in sys.modules)"
+    )
+    environment = {k: v for k, v in os.environ.items() if k != "BENCHDRAGON_COMPILE"}
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=False, env=environment
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    exact = read_plan("turn").build().motion([14.0]).speed[0]
+    assert json.loads(done.stdout)["speed"][0] == pytest.approx(exact.tolist(), abs=1e-12)
+
+
+def test_an_interrupt_leaves_nothing_half_written(tmp_path: Path) -> None:
+    script = (
+        "import os, signal, sys; import benchdragon.tables as tables; from benchdragon.cli import run\n"
+        "def stop(*_): os.kill(os.getpid(), signal.SIGINT)\n"
+        "tables._long = lambda *a: stop()\n"
+        f"sys.exit(run(['motion', 'spiral-in', '--at', '0:9:1', '-o', {str(tmp_path)!r}]))"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+    assert done.returncode == 130
+    assert "interrupted" in done.stderr
+    assert signal.SIGINT.value == 2
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["motion.xlsx"]
+
+
+def test_a_closed_pipe_is_no_error() -> None:
+    command = f"{sys.executable} -m benchdragon motion spiral-in --at 0:300:1 --json | head -c 9"
+    done = subprocess.run(["sh", "-c", command], capture_output=True, text=True, check=False)
+    assert done.stderr == ""
+    assert done.stdout == '{"time": '

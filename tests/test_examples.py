@@ -1,0 +1,85 @@
+import runpy
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from benchdragon.cli import run
+from benchdragon.plan import read_plan
+
+ROOT = Path(__file__).parent.parent
+PLANS = sorted((ROOT / "examples").glob("*.dragon.toml"))
+SCRIPTS = sorted((ROOT / "examples").glob("*.py"))
+
+
+def test_there_are_examples() -> None:
+    assert len(PLANS) >= 5
+    assert SCRIPTS
+
+
+@pytest.mark.parametrize("path", PLANS, ids=lambda path: path.name)
+def test_an_example_plan_walks_from_its_start_to_its_end(path: Path, tmp_path: Path) -> None:
+    plan = read_plan(str(path))
+    assert plan.title("en") != plan.title("zh")
+    assert run(["motion", str(path), "-o", str(tmp_path), "--format", "csv", "--quiet"]) == 0
+    walk = plan.build()
+    assert plan.walk.start is not None
+    assert plan.walk.end is not None
+    assert walk.motion([plan.walk.start, plan.walk.end]).chord_error < 1e-12
+
+
+@pytest.mark.parametrize("path", SCRIPTS, ids=lambda path: path.name)
+def test_an_example_script_runs(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    runpy.run_path(str(path), run_name="__main__")
+    assert capsys.readouterr().out
+
+
+def shell_lines(readme: str) -> list[str]:
+    """The command lines of a README's shell blocks that call the program."""
+    blocks = readme.split("```sh\n")[1:]
+    lines = [line for block in blocks for line in block.split("```")[0].splitlines()]
+    return [line.split("#")[0].strip() for line in lines if line.startswith("benchdragon ")]
+
+
+def python_blocks(readme: str) -> list[str]:
+    """The Python blocks of a README."""
+    return [block.split("```")[0] for block in readme.split("```python\n")[1:]]
+
+
+@pytest.mark.parametrize("name", ["README.md", "README.zh-CN.md"])
+def test_every_command_and_every_line_of_python_in_the_readme_works(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    shutil.copytree(ROOT / "examples", tmp_path / "examples")
+    monkeypatch.chdir(tmp_path)
+    readme = (ROOT / name).read_text("utf-8")
+    commands = shell_lines(readme)
+    assert len(commands) >= 5
+    for command in commands:
+        assert run(command.split()[1:]) == 0, command
+    capsys.readouterr()
+    for block in python_blocks(readme):
+        exec(compile(block, name, "exec"), {})
+        printed = capsys.readouterr().out.splitlines()
+        promised = [line.split("# ")[1] for line in block.splitlines() if "print(" in line]
+        assert printed == promised
+
+
+def test_both_readmes_show_the_same_commands() -> None:
+    texts = [(ROOT / name).read_text("utf-8") for name in ("README.md", "README.zh-CN.md")]
+    assert shell_lines(texts[0]) == shell_lines(texts[1])
+
+
+def test_the_package_says_its_version_and_names() -> None:
+    import benchdragon
+
+    for name in benchdragon.__all__:
+        assert getattr(benchdragon, name).__name__ == name
+    with pytest.raises(AttributeError, match="has no attribute 'nothing'"):
+        benchdragon.nothing  # noqa: B018
+    done = subprocess.run(
+        [sys.executable, "-m", "benchdragon", "--version"], capture_output=True, text=True, check=True
+    )
+    assert benchdragon.__version__ in done.stdout

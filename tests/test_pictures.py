@@ -1,0 +1,119 @@
+import hashlib
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.collections import PolyCollection
+from PIL import Image
+from pypdf import PdfReader
+
+from benchdragon import Dragon, InputError, Line, Route, Walk, __version__
+from benchdragon.messages import use_language
+from benchdragon.pictures import (
+    MissingGlyphWarning,
+    bench_corners,
+    dragon_picture,
+    drawable,
+    head_angle_picture,
+    speed_map,
+    walk_pictures,
+    write_picture,
+)
+from benchdragon.plan import read_plan
+
+PLAN = read_plan("spiral-in")
+WALK = PLAN.build()
+
+
+def test_benches_are_drawn_to_scale() -> None:
+    walk = Walk(Dragon.uniform(benches=3), Route((Line(50.0),)), start=10.0)
+    corners = bench_corners(walk.motion([0.0]), 0)
+    assert corners[0, :, 0].max() == pytest.approx(10.275)
+    assert np.ptp(corners[0, :, 0]) == pytest.approx(3.41)
+    assert np.ptp(corners[1, :, 0]) == pytest.approx(2.20)
+    assert np.ptp(corners[:, :, 1]) == pytest.approx(0.30)
+
+
+def test_the_picture_holds_every_bench_and_marks_the_head() -> None:
+    figure = dragon_picture(WALK.motion([0.0, 300.0]), "two", (0, 1))
+    assert len(figure.axes) == 2
+    for panel in figure.axes:
+        bodies, head = (c for c in panel.collections if isinstance(c, PolyCollection))
+        assert len(bodies.get_paths()) == 222
+        assert len(head.get_paths()) == 1
+        assert head.get_hatch()
+        assert panel.get_xlabel() == "x (m)"
+        assert panel.get_aspect() == 1.0
+
+
+def test_a_dragon_that_cannot_stand_is_drawn_as_far_as_it_does() -> None:
+    walk = Walk(Dragon.uniform(benches=30), Route(read_plan("turn").build().route.curves[1:]))
+    motion = walk.motion([10.0, 5000.0], throw=False)
+    assert motion.status.all()
+    bodies = [
+        c
+        for c in dragon_picture(motion, "", (0, 1)).axes[0].collections
+        if isinstance(c, PolyCollection)
+    ]
+    assert 0 < len(bodies[0].get_paths()) < 29
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+@pytest.mark.parametrize("kind", ["png", "svg", "pdf"])
+def test_every_kind_is_written_in_both_languages_with_hash_and_version(
+    tmp_path: Path, language: str, kind: str
+) -> None:
+    use_language(language)
+    try:
+        motion = WALK.motion(np.arange(0.0, 301.0, 30.0))
+        figures = [dragon_picture(motion, "盘入 θ"), speed_map(motion), head_angle_picture(motion)]
+        for i, figure in enumerate(figures):
+            write_picture(figure, tmp_path / f"{i}.{kind}", "盘入", PLAN.sha256)
+    finally:
+        use_language("en")
+    path = tmp_path / f"0.{kind}"
+    if kind == "png":
+        with Image.open(path) as image:
+            text = " ".join(map(str, image.info.values()))
+    elif kind == "pdf":
+        reader = PdfReader(path)
+        text = " ".join(map(str, (reader.metadata or {}).values()))
+        assert b"NotoSansSC-Regular" in path.read_bytes()
+        assert b"/Type3" not in path.read_bytes()
+    else:
+        text = path.read_text("utf-8")
+    assert PLAN.sha256 in text
+    assert f"benchdragon {__version__}" in text
+
+
+def test_the_same_plan_gives_the_same_bytes(tmp_path: Path) -> None:
+    digests = set()
+    for name in ("a.svg", "b.svg"):
+        write_picture(speed_map(WALK.motion([0.0, 1.0])), tmp_path / name, "x", PLAN.sha256)
+        digests.add(hashlib.sha256((tmp_path / name).read_bytes()).hexdigest())
+    assert len(digests) == 1
+
+
+def test_a_sign_that_no_font_has_is_named_and_never_a_box() -> None:
+    with pytest.warns(MissingGlyphWarning, match=r"𠮷 \(U\+20BB7\)"):
+        assert drawable("a𠮷$") == r"a?\$"
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert drawable("板凳龙 −θ 5₁") == "板凳龙 −θ 5₁"
+
+
+def test_pictures_of_one_time_leave_out_the_maps() -> None:
+    assert list(walk_pictures(WALK, np.array([3.0]), "x", None)) == ["dragon"]
+    assert list(walk_pictures(WALK, np.array([3.0, 1.0]), "x", None)) == ["dragon"]
+    assert list(walk_pictures(WALK, np.array([1.0, 3.0]), "x", 4.5)) == [
+        "dragon",
+        "speeds",
+        "head-angle",
+    ]
+
+
+def test_a_dragon_too_long_to_be_seen_is_refused() -> None:
+    walk = Walk(Dragon.uniform(benches=20_001), WALK.route)
+    with pytest.raises(InputError, match="a picture shows at most 20000 benches, not 20001"):
+        walk_pictures(walk, np.array([0.0]), "x", None)

@@ -1,0 +1,90 @@
+import json
+from pathlib import Path
+
+import pytest
+from python_calamine import CalamineWorkbook
+
+from benchdragon.cli import run
+from benchdragon.files import FileRefusedError
+from benchdragon.reproduce import STEPS, planned_files, reproduce
+
+TRUTH = json.loads((Path(__file__).parent / "truth" / "contest.json").read_text("utf-8"))
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder that `reproduce` has filled."""
+    folder = tmp_path_factory.mktemp("out")
+    told: list[str] = []
+    found = reproduce(folder, advance=told.append)
+    assert found.files == planned_files(folder)
+    assert len(told) == STEPS
+    return folder
+
+
+def answers(folder: Path) -> dict[str, dict[str, float]]:
+    """What `answers.json` holds."""
+    found: dict[str, dict[str, float]] = json.loads((folder / "answers.json").read_text("utf-8"))
+    return found
+
+
+def test_every_planned_file_is_there_and_nothing_else(folder: Path) -> None:
+    assert sorted(folder.iterdir()) == sorted(planned_files(folder))
+    assert all(path.stat().st_size > 1000 for path in folder.iterdir())
+
+
+def test_the_contests_table_is_met(folder: Path) -> None:
+    rows: list[dict[str, float]] = json.loads((folder / "answers.json").read_text())["table"]
+    assert len(rows) == 42
+    for row in rows:
+        x, y, speed = TRUTH["spiral_in_055"][str(int(row["time_s"]))][str(row["handle"])]
+        assert row["x_m"] == pytest.approx(float(x), abs=1e-11)
+        assert row["y_m"] == pytest.approx(float(y), abs=1e-11)
+        assert row["speed_m_s"] == pytest.approx(float(speed), abs=1e-12)
+
+
+def test_the_spreadsheet_holds_all_handles_and_seconds(folder: Path) -> None:
+    book = CalamineWorkbook.from_path(folder / "result1.xlsx")
+    places, speeds = (book.get_sheet_by_index(i).to_python() for i in (0, 1))
+    assert (len(places), len(places[0])) == (449, 302)
+    assert (len(speeds), len(speeds[0])) == (225, 302)
+    x, y, speed = TRUTH["spiral_in_055"]["300"]["223"]
+    assert places[-2][-1] == round(float(x), 6)
+    assert places[-1][-1] == round(float(y), 6)
+    assert speeds[-1][-1] == round(float(speed), 6)
+
+
+def test_the_checks_of_each_method_come_out_as_they_should(folder: Path) -> None:
+    found = answers(folder)
+    assert found["largest_chord_error_m"] < 1e-12  # type: ignore[operator]
+    assert found["runge_kutta"]["rk4_step_0.1_s_m"] < 1e-10
+    assert found["runge_kutta"]["adaptive_m"] < 1e-10
+    assert found["runge_kutta"]["rk4_order"] == pytest.approx(4.0, abs=0.1)
+    for scheme, order in (("forward", 1.0), ("central", 2.0), ("backward", 1.0)):
+        row: dict[str, float] = found["differences"][scheme]  # type: ignore[assignment]
+        assert row["order"] == pytest.approx(order, abs=0.05)
+        assert 1e-5 < row["head_speed_error_m_s"] < 1e-2
+
+
+def test_the_papers_turn_comes_out_to_its_digits(folder: Path) -> None:
+    turn = answers(folder)["turn"]
+    assert turn["length_m"] == pytest.approx(float(TRUTH["two_arc"]["length"]), abs=1e-12)
+    printed = {"theta_max1": 4.0055, "theta_min1": 0.9841, "theta_min2": -2.1575, "theta_max2": 0.8639}
+    assert {name: round(turn[name], 4) for name in printed} == pytest.approx(printed, abs=1.5e-4)
+
+
+def test_a_second_run_is_refused_unless_forced(folder: Path) -> None:
+    with pytest.raises(FileRefusedError):
+        reproduce(folder)
+
+
+def test_the_command_prints_answers_and_files(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["reproduce", "-o", str(tmp_path / "a")]) == 0
+    out = capsys.readouterr().out
+    assert "measured order of RK4 3.98" in out
+    assert "4.0055, 0.9841, -2.1575, 0.8639" in out
+    assert str(tmp_path / "a" / "result1.xlsx") in out
+    assert run(["reproduce", "-o", str(tmp_path / "a"), "--json", "--force"]) == 0
+    assert json.loads(capsys.readouterr().out)["files"][0].endswith("result1.xlsx")
