@@ -501,7 +501,7 @@ def _print_reproduction(answers: dict[str, Any]) -> None:
     for scheme, found in answers["differences"].items():
         lines.append(
             _(
-                "head speed from places 1 s apart, {scheme} differences: {speed} m/s, off by at most "
+                "head speed by {scheme} differences with a step of 1 s: {speed} m/s, off by at most "
                 "{error} m/s; measured order over all handles {order}"
             ).format(
                 scheme=names[scheme],
