@@ -43,6 +43,9 @@ PICTURE_FORMATS = ("png", "svg", "pdf")
 # Seconds of compiling after which a word is due.
 SLOW_COMPILE = 1.0
 
+# What click calls the types of our options; `translated` puts them into the language in use.
+TYPE_NAMES = (N_("float range"), N_("integer range"))
+
 Command = Callable[..., int]
 Advance = Callable[..., None]
 
@@ -83,7 +86,7 @@ def plan_options(command: Command) -> Command:
 
 @click.group(
     cls=HelpfulGroup,
-    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+    context_settings={"help_option_names": ["-h", "--help"]},
     help=N_("Where every handle of a bench dragon is, and how fast, on any route."),
 )
 @click.version_option(__version__, prog_name="benchdragon", help=N_("Show the version and exit."))
@@ -107,6 +110,7 @@ def program() -> None:
     "-o",
     "--output",
     type=click.Path(path_type=Path, file_okay=False),
+    metavar="DIR",
     default=Path("out"),
     show_default=True,
     help=N_("Folder for the files."),
@@ -149,7 +153,11 @@ def reproduce(output: Path, force: bool, as_json: bool, quiet: bool) -> int:
     "--only", metavar="HANDLES", help=N_("Handles to give, for example 1,51,101; 0 is the head.")
 )
 @click.option(
-    "-o", "--output", type=click.Path(path_type=Path, file_okay=False), help=N_("Folder for the files.")
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path, file_okay=False),
+    metavar="DIR",
+    help=N_("Folder for the files."),
 )
 @click.option(
     "--format",
@@ -235,7 +243,7 @@ def doctor(as_json: bool, quiet: bool) -> int:
     else:
         for finding in found:
             mark = "ok " if finding.good else " - "
-            click.echo(f"{mark} {finding.name}: {finding.value}")
+            click.echo(f"{mark} {_(finding.name)}: {finding.value}")
     return 0
 
 
@@ -569,11 +577,17 @@ def _announce_compiling(quiet: bool) -> None:
 def translated(command: click.Command) -> click.Command:
     """A copy of a command and all below it with its texts in the language in use."""
     spoken = copy.copy(command)
-    spoken.help = _(spoken.help or "")
+    if spoken.help:
+        spoken.help = _(spoken.help)
+    # click counts a Chinese sign as one column where the screen needs two.
+    width = 60 if language() == "zh" else 100
+    spoken.context_settings = {**spoken.context_settings, "max_content_width": width}
     spoken.params = [copy.copy(parameter) for parameter in spoken.params]
     for parameter in spoken.params:
-        if isinstance(parameter, click.Option):
-            parameter.help = _(parameter.help or "")
+        parameter.type = copy.copy(parameter.type)
+        parameter.type.name = _(parameter.type.name)
+        if isinstance(parameter, click.Option) and parameter.help:
+            parameter.help = _(parameter.help)
     if isinstance(spoken, click.Group):
         spoken.commands = {name: translated(verb) for name, verb in spoken.commands.items()}
     return spoken

@@ -116,7 +116,7 @@ def _row(kind: float, length: float, start: Point, angle: float, p: float, q: fl
 def _check_pose(point: Point, heading: float) -> None:
     for value in point:
         if abs(finite("start", value, "m")) > MOST_METRES:
-            raise InputError(_("a start must lie within 1e8 m of the origin"))
+            raise InputError(_("a start or centre must lie within 1e8 m of the origin"))
     finite("heading", heading, "rad")
 
 
@@ -177,7 +177,7 @@ class Arc(Curve):
     def __post_init__(self) -> None:
         _size("radius", self.radius)
         if finite("sweep", self.sweep, "rad") == 0.0:
-            raise InputError(_("sweep must not be 0"))
+            raise InputError(_("an arc must turn by an angle other than 0"))
         _size("length", self.radius * abs(self.sweep))
         _check_pose(self.start, self.start_heading)
 

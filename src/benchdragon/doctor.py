@@ -7,12 +7,12 @@ from importlib import metadata, util
 
 from benchdragon import __version__
 from benchdragon.kernels.jit import CACHE_FOLDER, COMPILED
-from benchdragon.messages import _, language
+from benchdragon.messages import N_, _, language
 from benchdragon.pictures import FONT_FILES
 
 LIBRARIES = ("numpy", "numba", "scipy", "matplotlib", "pydantic", "click", "rich", "XlsxWriter")
-EXTRAS = {"data": ("xarray", "pyarrow", "h5netcdf", "h5py")}
-PROGRAMS = {"ffmpeg": ("ffmpeg",), "browser": ("chromium", "google-chrome", "firefox")}
+EXTRAS = {N_("extra data"): ("xarray", "pyarrow", "h5netcdf", "h5py")}
+PROGRAMS = {"ffmpeg": ("ffmpeg",), N_("browser"): ("chromium", "google-chrome", "firefox")}
 
 
 @dataclass(frozen=True)
@@ -29,23 +29,28 @@ def findings() -> list[Finding]:
     found = [
         Finding("benchdragon", __version__, True),
         Finding("python", platform.python_version(), True),
-        Finding("platform", platform.platform(), True),
-        Finding("language", language(), True),
+        Finding(N_("platform"), platform.platform(), True),
+        Finding(N_("language"), language(), True),
     ]
     found += [Finding(name, metadata.version(name), True) for name in LIBRARIES]
-    for extra, names in EXTRAS.items():
+    for label, names in EXTRAS.items():
+        extra = label.removeprefix("extra ")
         missing = [name for name in names if util.find_spec(name) is None]
         advice = _("missing {names}: pip install 'benchdragon[{extra}]'").format(
             names=", ".join(missing), extra=extra
         )
-        found.append(Finding(f"extra {extra}", advice if missing else "ok", not missing))
+        found.append(Finding(label, advice if missing else ", ".join(names), not missing))
     fonts = [path for path in FONT_FILES if path.is_file()]
     found.append(
-        Finding("fonts", ", ".join(path.name for path in fonts), len(fonts) == len(FONT_FILES))
+        Finding(N_("fonts"), ", ".join(path.name for path in fonts), len(fonts) == len(FONT_FILES))
     )
-    cache = str(CACHE_FOLDER) if CACHE_FOLDER else _("none can be written: each start compiles anew")
+    cache = (
+        str(CACHE_FOLDER)
+        if CACHE_FOLDER
+        else _("no cache folder can be written: each start compiles anew")
+    )
     compiled = cache if COMPILED else _("kernels are left uncompiled")
-    found.append(Finding("kernels", compiled, COMPILED and CACHE_FOLDER is not None))
+    found.append(Finding(N_("kernels"), compiled, COMPILED and CACHE_FOLDER is not None))
     for name, programs in PROGRAMS.items():
         path = next((place for place in map(shutil.which, programs) if place), None)
         found.append(Finding(name, path or _("not found (nothing needs it yet)"), path is not None))

@@ -49,7 +49,7 @@ class SpeedProfile:
                 ).format(a=len(self.times), b=len(self.speeds))
             )
         for t in self.times:
-            finite("profile time", t, "s")
+            finite("profile", t, "s")
         for v in self.speeds:
             if not_negative("speed", v, "m/s") > MOST_SPEED:
                 raise InputError(_("speed must be at most 100 m/s, not {v} m/s").format(v=f"{v:g}"))

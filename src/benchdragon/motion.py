@@ -64,9 +64,9 @@ class Walk:
         curve = self.route.curves[part]
         if not isinstance(curve, Spiral):
             raise InputError(
-                _("{method} integrates the equation of a spiral; the head walks a {kind}").format(
-                    method=leader, kind=type(curve).__name__.lower()
-                )
+                _(
+                    "{method} integrates the equation of a spiral, and the head walks another curve"
+                ).format(method=leader)
             )
         start = self.start - float(self.route.joints[part])
         theta = head_angles(curve, self.profile, start, clock.tolist(), leader, step)
@@ -113,9 +113,9 @@ class Walk:
         clock = _clock(times)
         if clock.size * (len(self.dragon) + 1) > MOST_PLACES:
             raise InputError(
-                _("{asked} handles times times are more than one motion may hold ({most})").format(
-                    asked=clock.size * (len(self.dragon) + 1), most=MOST_PLACES
-                )
+                _(
+                    "{asked} places (handles by times) are more than one motion may hold ({most})"
+                ).format(asked=clock.size * (len(self.dragon) + 1), most=MOST_PLACES)
             )
         s = self.head_position(clock, leader, step)
         motion = _marched(self, clock, s, workers)

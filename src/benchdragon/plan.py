@@ -35,6 +35,7 @@ def _unit(units: dict[str, float]) -> BeforeValidator:
     return BeforeValidator(lambda value: quantity(value, units), json_schema_input_type=float | str)
 
 
+Number = Annotated[float, _unit({}), Field(allow_inf_nan=False)]
 Metres = Annotated[float, _unit(METRES), Field(allow_inf_nan=False)]
 Seconds = Annotated[float, _unit(SECONDS), Field(allow_inf_nan=False)]
 Degrees = Annotated[float, _unit(DEGREES), Field(allow_inf_nan=False)]
@@ -64,13 +65,13 @@ class BenchTable(Table):
     width: Length = 0.30
     front_inset: Annotated[Metres, Field(ge=0.0)] = 0.275
     rear_inset: Annotated[Metres, Field(ge=0.0)] = 0.275
-    count: Annotated[int, Field(ge=1, le=MOST_BENCHES)] = 1
+    count: Annotated[int, Field(ge=1, le=MOST_BENCHES, strict=True)] = 1
 
 
 class DragonTable(Table):
     """The dragon: one set of sizes, or `[[dragon.bench]]` for each bench its own."""
 
-    benches: Annotated[int, Field(ge=1, le=MOST_BENCHES)] = 223
+    benches: Annotated[int, Field(ge=1, le=MOST_BENCHES, strict=True)] = 223
     width: Length = 0.30
     head_length: Length = 3.41
     body_length: Length = 2.20
@@ -126,8 +127,8 @@ class ClothoidPart(Table):
 
     kind: Literal["clothoid"]
     length: Length
-    start_curvature: Annotated[float, Field(allow_inf_nan=False)] = 0.0
-    end_curvature: Annotated[float, Field(allow_inf_nan=False)] = 0.0
+    start_curvature: Number = 0.0
+    end_curvature: Number = 0.0
 
     def build(self) -> AnyCurve:
         """The curve, at the origin."""
@@ -159,7 +160,7 @@ class SpiralInRoute(Table):
 
     kind: Literal["spiral-in"]
     pitch: Length = 0.55
-    start_turn: Annotated[float, Field(gt=0.0, le=1e6)] = 16.0
+    start_turn: Annotated[Number, Field(gt=0.0, le=1e6)] = 16.0
     clockwise: bool = True
 
     def build(self, plan: "Plan") -> tuple[Route, float]:
@@ -226,7 +227,7 @@ class TurnTable(Table):
     """The turn inside the disc."""
 
     family: Literal["arc-arc"] = "arc-arc"
-    ratio: Annotated[float, Field(gt=0.0, allow_inf_nan=False)] = 2.0
+    ratio: Annotated[Number, Field(gt=0.0)] = 2.0
     entry_radius: Length | None = None
 
 
@@ -361,7 +362,7 @@ def _sentence(error: ErrorDetails, data: dict[str, Any]) -> str:
         came, where = json.dumps(context.get("tag"), ensure_ascii=False), f"{where}.kind"
     came = came if len(came) <= 60 else came[:57] + "..."
     return _("{where}: wanted {wanted}, not {came}").format(
-        where=where, wanted=wanted.format(**context), came=came
+        where=where, wanted=wanted.format(**context).replace(" or ", ", "), came=came
     )
 
 

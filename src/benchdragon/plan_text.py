@@ -108,8 +108,14 @@ def _inside(at: Any, name: str, key: str) -> Any:
 
 
 def quantity(text: object, units: dict[str, float]) -> object:
-    """A number in the first of `units` from text such as "3 min 12 s"; other things unchanged."""
-    if not isinstance(text, str):
+    """A number in the first of `units` from text such as "3 min 12 s"; other things unchanged.
+
+    Raises:
+        ValueError: for text without a known unit, and for true and false, which are no numbers.
+    """
+    if isinstance(text, bool):
+        raise ValueError(_("wanted a number, not {text}").format(text=str(text).lower()))
+    if not isinstance(text, str) or not units:
         return text
     pieces = re.findall(r"([-+]?[0-9.]+(?:e[-+]?\d+)?)\s*([^\s\d.+-]+)", text.strip(), re.IGNORECASE)
     rest = re.sub(r"([-+]?[0-9.]+(?:e[-+]?\d+)?)\s*([^\s\d.+-]+)", "", text, flags=re.IGNORECASE)

@@ -111,12 +111,18 @@ def write_xlsx(path: Path, what: Selection, advance: Advance) -> None:
         six = book.add_format({"num_format": "0.000000"})
         places = _sheet(book, _("Places"), times)
         for i, handle in enumerate(handles):
-            _write_row(places, 2 * i + 1, f"{names[handle]}x (m)", x[:, i], six)
-            _write_row(places, 2 * i + 2, f"{names[handle]}y (m)", y[:, i], six)
+            _write_row(
+                places, 2 * i + 1, _("{handle} x (m)").format(handle=names[handle]), x[:, i], six
+            )
+            _write_row(
+                places, 2 * i + 2, _("{handle} y (m)").format(handle=names[handle]), y[:, i], six
+            )
             advance(0.67 / len(handles))
         speeds = _sheet(book, _("Speeds"), times)
         for i, handle in enumerate(handles):
-            _write_row(speeds, i + 1, f"{names[handle]} (m/s)", speed[:, i], six)
+            _write_row(
+                speeds, i + 1, _("{handle} (m/s)").format(handle=names[handle]), speed[:, i], six
+            )
             advance(0.33 / len(handles))
         book.close()
 

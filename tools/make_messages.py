@@ -1,0 +1,90 @@
+"""Bring the Chinese catalogue up to date with what the program says, and compile it.
+
+Takes every `_("...")` and `N_("...")` of the package, and click's own sentences, which the program
+looks up in the same catalogue. Translations that are still wanted stay, others go, new ones stand
+empty. The same sources give the same bytes.
+
+Needs Babel. Run it as `make messages`.
+"""
+
+import sys
+from collections.abc import Iterator
+from io import BytesIO
+from pathlib import Path
+
+import click
+from babel.messages.catalog import Catalog
+from babel.messages.extract import extract_from_file
+from babel.messages.mofile import write_mo
+from babel.messages.pofile import read_po, write_po
+
+import benchdragon
+
+PACKAGE = Path(benchdragon.__file__).parent
+CATALOGUE = PACKAGE / "locale" / "zh_CN" / "LC_MESSAGES" / "benchdragon.po"
+# Those of click's files that speak to users; the others prompt, or draw bars, which we leave.
+CLICK_FILES = ("core", "decorators", "exceptions", "formatting", "parser", "types")
+KEYWORDS = {"_": None, "N_": None, "ngettext": (1, 2)}
+
+MessageId = str | tuple[str, ...]
+
+
+class PlainCatalog(Catalog):
+    """A catalogue whose header holds no dates and no names of programs."""
+
+    mime_headers = property(
+        lambda self: [
+            ("Language", str(self.locale_identifier)),
+            ("Plural-Forms", self.plural_forms),
+            ("MIME-Version", "1.0"),
+            ("Content-Type", "text/plain; charset=utf-8"),
+            ("Content-Transfer-Encoding", "8bit\n"),
+        ]
+    )
+
+
+def extracted() -> Iterator[MessageId]:
+    """Everything that users may read, our own and click's."""
+    sources = sorted(PACKAGE.rglob("*.py"))
+    sources += [Path(click.__file__).with_name(f"{name}.py") for name in CLICK_FILES]
+    for source in sources:
+        for _line, message, _comments, _context in extract_from_file("python", source, KEYWORDS):
+            if message:
+                yield message
+
+
+def updated(known: Catalog) -> Catalog:
+    """The catalogue of everything extracted, with the translations that are known."""
+    catalogue = PlainCatalog(
+        locale="zh_CN",
+        header_comment="# What the program says, in Simplified Chinese. Update: make messages",
+        fuzzy=False,
+    )
+    for message in extracted():
+        found = known.get(message)
+        if found and found.id == message:
+            catalogue.add(message, found.string, flags=found.flags)
+        else:
+            catalogue.add(message)
+    return catalogue
+
+
+def make(old: Path, new: Path) -> list[str]:
+    """Write `new` and the compiled catalogue beside it from the translations in `old`.
+
+    Returns:
+        The messages that have no translation yet.
+    """
+    with old.open("rb") as source:
+        catalogue = updated(read_po(source, locale="zh_CN"))
+    text, compiled = BytesIO(), BytesIO()
+    write_po(text, catalogue, sort_output=True, no_location=True)
+    write_mo(compiled, catalogue)
+    new.write_bytes(text.getvalue().rstrip(b"\n") + b"\n")
+    new.with_suffix(".mo").write_bytes(compiled.getvalue())
+    return [str(message.id) for message in catalogue if not any(message.string or "")]
+
+
+if __name__ == "__main__":
+    missing = make(CATALOGUE, CATALOGUE)
+    sys.exit("\n".join(["not translated:", *missing]) if missing else 0)
