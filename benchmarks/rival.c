@@ -79,8 +79,9 @@ static int link_back(int n, double k, double d2, double scale,
         large += fabs(change * change * change) > 8e-15 * h * h;
         double s_new = s - half * c, c_new = c + half * s;
         s2 = s_new * s_new;
-        b = a + h;
-        double tail = h - (b - a) + rest[i];
+        double shift = h + rest[i];
+        b = a + shift;
+        double tail = shift - (b - a);
         double common = h + 2.0 * a * b * s_new * c_new;
         double arc_a = 1.0 + a * a, arc_b = 1.0 + b * b;
         double below = (common + 2.0 * a * s2) * arc_a, shared = 1.0 / (below * b);

@@ -159,8 +159,9 @@ def halley_pass(
         half = 0.5 * change
         s2 = (s - half * c) * (s - half * c)
         sin_h = 2.0 * (s - half * c) * (c + half * s)
-        b = a + sigma * h
-        tail = sigma * h - (b - a) + state[REST + lane]
+        shift = sigma * h + state[REST + lane]
+        b = a + shift
+        tail = shift - (b - a)
         # db/da = -F_a / F_b; times the arc per angle at b over that at a, the ratio of speeds.
         common = sigma * h + a * b * sigma * sin_h
         # One division serves both this and a / b.
