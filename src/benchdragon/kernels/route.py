@@ -36,7 +36,7 @@ FOLD_COSINE = 1e-3
 ROUNDING = 4.5e-16
 # Safe steps per handle, besides one for each piece: honest searches take under 10, a fold stalls.
 MAX_STEPS = 200
-# Halvings that a bracket survives before it has no double left inside it.
+# Halvings that a bracket survives before it has no double left inside it; Newton needs about 4.
 MAX_POLISH = 80
 
 
@@ -103,7 +103,6 @@ def polish(rows: FloatArray, j: int, near: float, far: float, x: float, y: float
     Newton on the squared chord, kept inside the bracket by bisection to guarantee progress.
     """
     u = near
-    enough = 2.0 * link * ROUNDING * (abs(x) + abs(y) + link)
     for _ in range(MAX_POLISH):
         px, py, tx, ty = place(rows, j, u)
         dx, dy = x - px, y - py
@@ -112,13 +111,14 @@ def polish(rows: FloatArray, j: int, near: float, far: float, x: float, y: float
             near = u
         else:
             far = u
-        slope = -2.0 * (dx * tx + dy * ty) * stretch(rows, j, u) * walks_up(rows, j)
-        guess = u - error / slope
+        metres = stretch(rows, j, u)
+        step = error / (2.0 * (dx * tx + dy * ty) * metres * walks_up(rows, j))
+        guess = u + step
         if not min(near, far) <= guess <= max(near, far):
             guess = 0.5 * (near + far)
         u = guess
-        if abs(error) <= enough:
-            break
+        if abs(step) * metres <= ROUNDING * (abs(x) + abs(y) + link + abs(u) * metres):
+            break  # the step has been taken; another would only stir the last digits
     return u
 
 
