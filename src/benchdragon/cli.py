@@ -36,7 +36,7 @@ MOST_PLACES_JSON = 10_000_000
 MOST_ROWS_SHOWN = 400
 # Below this many handles times times, plain Python is done before numba would be imported
 # (design/cold_start.py).
-FEW_PLACES = 1_000
+FEW_PLACES = 5_000
 PAPER_HANDLES = (0, 1, 51, 101, 151, 201)
 TABLE_FORMATS = ("xlsx", "csv", "npz", "parquet", "nc")
 PICTURE_FORMATS = ("png", "svg", "pdf")

@@ -154,9 +154,8 @@ def _clock(times: npt.ArrayLike) -> FloatArray:
 def _marched(walk: Walk, clock: FloatArray, s: FloatArray, workers: int) -> "Motion":
     """March every time, in blocks whose borders do not depend on the number of workers."""
     shape = (len(walk.dragon) + 1, clock.size)
-    row = np.zeros(shape, dtype=np.int64)
-    u, x, y, ratio = (np.full(shape, np.nan) for _array in range(4))
-    failed = np.zeros((2, clock.size), dtype=np.int64)
+    row, failed = np.empty(shape, dtype=np.int64), np.empty((2, clock.size), dtype=np.int64)
+    u, x, y, ratio = (np.empty(shape) for _array in range(4))
     rows, links = walk.route.rows, walk.dragon.links
     if workers == 1 or clock.size <= LANES:
         march(rows, links, s, 0, clock.size, row, u, x, y, ratio, failed)

@@ -228,6 +228,7 @@ def head_angle_picture(motion: Motion, title: str = "") -> Figure:
         above, below = figure.subplots(2, 1, sharex=True)
         above.plot(motion.times, angle, color=HEAD, marker="." if len(angle) < 30 else None)
         above.set_ylabel(_("polar angle (degrees)"))
+        figure.align_ylabels()
         above.set_title(_("Polar angle of the head"))
         _name(figure, title)
         below.plot(motion.times, np.hypot(dx, dy), color=BODY, marker="." if len(angle) < 30 else None)
