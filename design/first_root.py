@@ -1,0 +1,113 @@
+"""Why the next handle is searched by steps of (link - chord), and where a longer step is allowed.
+
+Handle i + 1 is the place with the LARGEST s < s_i that lies one link away. The chord between two places
+is at most the arc between them, so from a place whose chord is c < link the next (link - c) metres back
+hold no root: stepping by them jumps over none. Alone that converges slowly where the route bends away.
+
+A Newton step may go farther where the chord provably grows all the way. With phi the angle between
+tangent and bench at the near end, and delta the arc stepped over, the tangent swings by at most the
+route's turning there and the bench by at most asin(delta / c); while phi + both < pi / 2 the chord is
+monotone, so a root inside is the only one and a far end with chord < link is passed in safety.
+"""
+
+import math
+import statistics
+
+import numpy as np
+
+from benchdragon import Arc, Clothoid, InputError, Line, Route, Spiral
+from benchdragon.curves import AnyCurve
+from benchdragon.kernels import route as kernel
+
+LINK = 1.65
+
+
+def newton_from_link(route: Route, s: float, link: float) -> float:
+    """What plain Newton on the chord finds, starting one link back along the route."""
+    front, back = route.point(s), s - link
+    for _pass in range(50):
+        delta = front - route.point(back)
+        heading = float(route.heading(back))
+        chord = float(np.hypot(*delta))
+        cosine = float(delta @ [math.cos(heading), math.sin(heading)]) / chord
+        back -= (link - chord) / cosine
+    return back
+
+
+def first_root(route: Route, s: float, link: float) -> float:
+    """Our search's answer as a route position, m."""
+    j, u, _status = kernel.locate(route.rows, s)
+    x, y = route.point(s)
+    row, place, status = kernel.next_handle(route.rows, j, u, x, y, link)
+    assert status == 0, status
+    out = np.empty(1)
+    kernel.positions(route.rows, np.array([row]), np.array([place]), out)
+    return float(out[0])
+
+
+def by_scan(route: Route, s: float, link: float) -> float:
+    """The first root by looking every 0.1 mm, to that accuracy."""
+    back = s - link + 1e-9 - np.arange(0.0, 40.0, 1e-4)
+    apart = np.hypot(*(route.point(back) - route.point(s)).T)
+    return float(back[np.argmax(apart >= link)])
+
+
+def looks(route: Route, s: float) -> int:
+    """How many places one search looks at, counted in its plain Python form."""
+    count = 0
+    kept = {name: getattr(kernel, name) for name in ("place", "polish", "next_handle")}
+    j, u, _status = kernel.locate(route.rows, s)
+    x, y = route.point(s)
+
+    def counted(*arguments: object) -> object:
+        nonlocal count
+        count += 1
+        return kept["place"](*arguments)
+
+    plain = {name: getattr(function, "py_func", function) for name, function in kept.items()}
+    setattr(kernel, "place", counted)  # noqa: B010 - the compiled names are put back below
+    setattr(kernel, "polish", plain["polish"])  # noqa: B010
+    try:
+        plain["next_handle"](route.rows, j, u, x, y, LINK)
+    finally:
+        for name, function in kept.items():
+            setattr(kernel, name, function)
+    return count
+
+
+def show_looks() -> None:
+    """Places looked at per handle on several curves."""
+    cases: dict[str, AnyCurve] = {
+        "line": Line(50.0),
+        "arc, radius 1.5 m": Arc(1.5, 20.0),
+        "arc, radius 0.84 m (nearly folded)": Arc(0.84, 20.0),
+        "spiral, pitch 0.55 m": Spiral(0.55, 60.0, 20.0),
+        "clothoid, radius 30 to 1 m": Clothoid(20.0, 1.0 / 30.0, 1.0),
+    }
+    for name, curve in cases.items():
+        route = Route((curve,))
+        places = np.linspace(min(5.0, 0.5 * route.length), route.length, 40)
+        counts = [looks(route, float(s)) for s in places]
+        print(f"{name}: {statistics.mean(counts):.1f} places a handle, at most {max(counts)}")
+
+
+def show_trap() -> None:
+    """A hairpin on which Newton from one link back finds a later root."""
+    route = Route.joined([Line(20.0), Arc(0.5, math.pi), Line(20.0)])
+    worst = 0.0
+    for s in np.linspace(21.0, 24.0, 61):
+        try:
+            newton = newton_from_link(route, float(s), LINK)
+        except InputError:  # Newton ran off the route altogether
+            newton = -math.inf
+        scan, ours = by_scan(route, float(s), LINK), first_root(route, float(s), LINK)
+        assert abs(scan - ours) < 2e-4
+        worst = max(worst, abs(newton - ours)) if math.isfinite(newton) else math.inf
+    print(
+        f"hairpin of radius 0.5 m: Newton from one link back is off by up to {worst:g} m, ours by none"
+    )
+
+
+if __name__ == "__main__":
+    show_looks()
+    show_trap()
