@@ -13,7 +13,7 @@ from typing import Self
 import numpy as np
 import numpy.typing as npt
 
-from benchdragon.errors import InputError, finite, positive
+from benchdragon.errors import InputError, finite, not_negative, positive
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import evaluate
@@ -82,7 +82,7 @@ class Curve:
         if off.any():
             raise InputError(
                 _("s must lie between {low} and {high} m, not at {value} m").format(
-                    low=f"{-self.extension:g}",
+                    low=f"{0.0 - self.extension:g}",
                     high=f"{self.length:.12g}",
                     value=f"{lengths.ravel()[off][0]:.12g}",
                 )
@@ -231,6 +231,9 @@ class Spiral(Curve):
         if self.start_angle == self.end_angle:
             raise InputError(_("a spiral must end at another angle than it starts at"))
         _size("radius", max(self.start_angle, self.end_angle) * self.k)
+        # The arc to the centre is at least this, and hardly more where it matters.
+        outer = max(self.start_angle, self.end_angle)
+        _size("length", 0.5 * self.k * outer * outer)
         _check_pose(self.centre, self.rotation)
 
     @classmethod
@@ -245,6 +248,8 @@ class Spiral(Curve):
     ) -> Self:
         """The spiral from one radius, m, to another."""
         k = _size("pitch", pitch) / (2.0 * math.pi)
+        for name, radius in (("start_radius", start_radius), ("end_radius", end_radius)):
+            not_negative(name, radius, "m")
         return cls(pitch, start_radius / k, end_radius / k, centre, rotation, mirrored)
 
     @property

@@ -51,8 +51,7 @@ class Dragon:
     """
 
     def __init__(self, benches: Sequence[Bench]) -> None:
-        columns = ([getattr(bench, name) for bench in benches] for name in _SIZES)
-        self._set(*columns)
+        self._set(*(_numbers(name, [getattr(bench, name) for bench in benches]) for name in _SIZES))
 
     @classmethod
     def of_sizes(
@@ -63,8 +62,16 @@ class Dragon:
         rear_inset: npt.ArrayLike = 0.275,
     ) -> Self:
         """A dragon from arrays of sizes, m, that broadcast to (benches,)."""
+        given = (length, width, front_inset, rear_inset)
+        columns = [_numbers(name, value) for name, value in zip(_SIZES, given, strict=True)]
+        try:
+            columns = list(np.broadcast_arrays(np.atleast_1d(columns[0]), *columns[1:]))
+        except ValueError:
+            columns = []
+        if not columns or columns[0].ndim != 1:
+            raise InputError(_("sizes must be lists of one length, one entry a bench"))
         dragon = cls.__new__(cls)
-        dragon._set(*np.broadcast_arrays(np.atleast_1d(length), width, front_inset, rear_inset))
+        dragon._set(*columns)
         return dragon
 
     @classmethod
@@ -79,7 +86,7 @@ class Dragon:
         rear_inset: float = 0.275,
     ) -> Self:
         """Head, equal bodies, tail, in metres; without arguments the dragon of CUMCM 2024 A."""
-        if not 1 <= benches <= MOST_BENCHES:
+        if not isinstance(benches, int) or not 1 <= benches <= MOST_BENCHES:
             raise InputError(_count_text(benches))
         length = np.full(benches, as_number("body_length", body_length))
         length[-1] = as_number("tail_length", tail_length)
@@ -146,5 +153,14 @@ class Dragon:
 _SIZES = ("length", "width", "front_inset", "rear_inset")
 
 
-def _count_text(count: int) -> str:
+def _numbers(name: str, values: npt.ArrayLike) -> FloatArray:
+    array = np.asarray(values)
+    if array.size and array.dtype.kind not in "fiu":
+        raise InputError(
+            _("{name} must be a number, not {value}").format(name=name, value=repr(values))
+        )
+    return array.astype(np.float64)
+
+
+def _count_text(count: object) -> str:
     return _("a dragon has 1 to {most} benches, not {count}").format(most=MOST_BENCHES, count=count)

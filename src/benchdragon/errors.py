@@ -107,6 +107,8 @@ def as_number(name: str, value: object) -> float:
         InputError: if it is no number.
     """
     try:
+        if isinstance(value, str | bytes | bool):
+            raise TypeError
         return float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError):
         raise InputError(

@@ -17,7 +17,7 @@ from benchdragon.kernels.curve import FloatArray, spiral_length
 from benchdragon.kernels.route import IntArray, positions
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.status import Status
-from benchdragon.leader import LeaderMethod, SpeedProfile, head_angles
+from benchdragon.leader import LEADER_METHODS, LeaderMethod, SpeedProfile, head_angles
 from benchdragon.messages import _
 
 if TYPE_CHECKING:
@@ -58,6 +58,12 @@ class Walk:
         """
         clock = _clock(times)
         exact = self.start + self.profile.distance(clock)
+        if leader not in LEADER_METHODS:
+            raise InputError(
+                _("leader must be one of {known}, not {method}").format(
+                    known=", ".join(LEADER_METHODS), method=leader
+                )
+            )
         if leader == "closed-form":
             return exact
         part = self._only_part(exact, leader)
@@ -111,6 +117,8 @@ class Walk:
             WalkError: with `throw`, for the first time in the list that fails.
         """
         clock = _clock(times)
+        if workers < 1:
+            raise InputError(_("workers must be at least 1, not {count}").format(count=workers))
         if clock.size * (len(self.dragon) + 1) > MOST_PLACES:
             raise InputError(
                 _(
@@ -128,9 +136,8 @@ class Walk:
     ) -> Iterator["Motion"]:
         """The same in slices of time that need bounded memory, in the order of `times`."""
         clock = _clock(times)
-        size = max(1, SLICE_PLACES // (len(self.dragon) + 1) // LANES) * LANES
-        if len(self.dragon) >= SLICE_PLACES:
-            size = 1
+        size = max(1, SLICE_PLACES // (len(self.dragon) + 1))
+        size -= size % LANES if size > LANES else 0
         for start in range(0, clock.size, size):
             yield self.motion(clock[start : start + size], throw=throw, workers=workers)
 

@@ -32,7 +32,7 @@ IntArray = npt.NDArray[np.int64]
 END_SLACK = 1e-9
 # A bench within this cosine of square to the route counts as folded: its speed ratio is over 1000.
 FOLD_COSINE = 1e-3
-# A chord this near to its link, relative to the coordinates' size, is met: 2 units of rounding.
+# What rounding leaves of a place, relative to the sizes that it is made from: 2 units.
 ROUNDING = 4.5e-16
 # Safe steps per handle, besides one for each piece: honest searches take under 10, a fold stalls.
 MAX_STEPS = 200
@@ -97,6 +97,12 @@ def step_back(rows: FloatArray, j: int, u: float, reach: float) -> float:
 
 
 @kernel
+def grain(x: float, y: float, link: float, arc: float) -> float:
+    """How far apart places can be told, m: rounding of coordinates, and of `arc`, |u| in metres."""
+    return ROUNDING * (abs(x) + abs(y) + link + arc)
+
+
+@kernel
 def polish(rows: FloatArray, j: int, near: float, far: float, x: float, y: float, link: float) -> float:
     """The one parameter between near (chord < link) and far (chord >= link) with chord = link.
 
@@ -117,7 +123,7 @@ def polish(rows: FloatArray, j: int, near: float, far: float, x: float, y: float
         if not min(near, far) <= guess <= max(near, far):
             guess = 0.5 * (near + far)
         u = guess
-        if abs(step) * metres <= ROUNDING * (abs(x) + abs(y) + link + abs(u) * metres):
+        if abs(step) * metres <= grain(x, y, link, abs(u) * metres):
             break  # the step has been taken; another would only stir the last digits
     return u
 
@@ -149,10 +155,11 @@ def next_handle(
         if chord == 0.0:
             continue
         cosine = min((dx * tx + dy * ty) / chord, 1.0)
-        if cosine < FOLD_COSINE and slack > 0.0:
+        if slack <= grain(x, y, link, abs(u) * stretch(rows, j, u)):
+            reach = max(slack, 0.0) / max(cosine, FOLD_COSINE)
+            return j, step_back(rows, j, u, reach), Status.OK
+        if cosine < FOLD_COSINE:
             continue
-        if slack <= ROUNDING * (abs(x) + abs(y) + link):
-            return j, step_back(rows, j, u, max(slack, 0.0)), Status.OK
         far = step_back(rows, j, u, 2.0 * slack / cosine)
         width = abs(far - u) * max(stretch(rows, j, u), stretch(rows, j, far))
         if width >= chord:
