@@ -80,7 +80,7 @@ def show_looks() -> None:
     cases: dict[str, AnyCurve] = {
         "line": Line(50.0),
         "arc, radius 1.5 m": Arc(1.5, 20.0),
-        "arc, radius 0.84 m (nearly folded)": Arc(0.84, 20.0),
+        "arc, radius 0.8251 m (nearly folded)": Arc(0.8251, 20.0),
         "spiral, pitch 0.55 m": Spiral(0.55, 60.0, 20.0),
         "clothoid, radius 30 to 1 m": Clothoid(20.0, 1.0 / 30.0, 1.0),
     }

@@ -12,6 +12,7 @@ from benchdragon.kernels.chain import cosines
 from benchdragon.kernels.curve import ARC, KIND, LENGTH, S_START, U_BACK, U_END, U_START, place
 from benchdragon.kernels.route import (
     END_SLACK,
+    FOLD_COSINE,
     evaluate,
     folded,
     locate,
@@ -291,6 +292,18 @@ def test_an_endless_circle_narrower_than_the_link_stalls_as_folded() -> None:
     _j, _u, rear, _v, status = behind(route, 5.0 + 0.5 * LINK * 4.5, LINK)
     assert status == Status.FOLDED
     assert rear == 1
+
+
+@pytest.mark.parametrize("cosine", [0.1, 0.02, 0.005, 2.0 * FOLD_COSINE])
+def test_a_handle_is_found_up_to_the_cosine_at_which_a_bench_counts_as_folded(cosine: float) -> None:
+    # A bench across a circle leans by this cosine from its tangents at both ends.
+    radius = 0.5 * LINK / math.sqrt(1.0 - cosine * cosine)
+    route = Route.joined([Line(5.0), Arc(radius, 12.0)])
+    j, u, rear, v, status = behind(route, 5.0 + 8.0 * radius, LINK)
+    assert status == Status.OK
+    ahead, behind_ = cosines(route.rows, j, u, rear, v, LINK)
+    assert ahead == pytest.approx(cosine, rel=1e-6)
+    assert behind_ == pytest.approx(cosine, rel=1e-6)
 
 
 def test_a_route_that_ends_before_the_link_does_is_too_short() -> None:

@@ -160,12 +160,17 @@ def next_handle(
             return j, step_back(rows, j, u, reach), Status.OK
         if cosine < FOLD_COSINE:
             continue
-        far = step_back(rows, j, u, 2.0 * slack / cosine)
+        # Beyond the root by Newton's measure, but no farther than half the swing that is allowed.
+        allowed = math.asin(cosine)
+        most = 0.5 * allowed / (abs(curvature(rows, j, u)) + 1.0 / chord)
+        if most <= slack:
+            continue
+        far = step_back(rows, j, u, min(2.0 * slack / cosine, most))
         width = abs(far - u) * max(stretch(rows, j, u), stretch(rows, j, far))
         if width >= chord:
             continue
         swing = turning_bound(rows, j, u, far) + math.asin(width / chord)
-        if math.acos(cosine) + swing >= 0.5 * math.pi:
+        if swing >= allowed:
             continue
         px, py, _, _ = place(rows, j, far)
         slack = link - math.hypot(x - px, y - py)
