@@ -94,17 +94,17 @@ def show_looks() -> None:
 def show_trap() -> None:
     """A hairpin on which Newton from one link back finds a later root."""
     route = Route.joined([Line(20.0), Arc(0.5, math.pi), Line(20.0)])
-    worst = 0.0
-    for s in np.linspace(21.0, 24.0, 61):
+    worst, lost, places = 0.0, 0, np.linspace(21.0, 24.0, 61)
+    for s in places:
+        ours = first_root(route, float(s), LINK)
+        assert abs(by_scan(route, float(s), LINK) - ours) < 2e-4
         try:
-            newton = newton_from_link(route, float(s), LINK)
+            worst = max(worst, abs(newton_from_link(route, float(s), LINK) - ours))
         except InputError:  # Newton ran off the route altogether
-            newton = -math.inf
-        scan, ours = by_scan(route, float(s), LINK), first_root(route, float(s), LINK)
-        assert abs(scan - ours) < 2e-4
-        worst = max(worst, abs(newton - ours)) if math.isfinite(newton) else math.inf
+            lost += 1
     print(
-        f"hairpin of radius 0.5 m: Newton from one link back is off by up to {worst:g} m, ours by none"
+        f"hairpin of radius 0.5 m: Newton from one link back is up to {worst:.2f} m off and leaves the "
+        f"route {lost} times in {len(places)}; ours is the first root each time"
     )
 
 

@@ -129,15 +129,36 @@ def polish(rows: FloatArray, j: int, near: float, far: float, x: float, y: float
 
 
 @kernel
+def growing_chord(
+    rows: FloatArray, j: int, u: float, chord: float, cosine: float, slack: float
+) -> float:
+    """A parameter up to which the chord provably grows behind u, by more than a safe step; else u.
+
+    There the tangent and the bench together swing by less than what is left to a right angle.
+    """
+    if cosine < FOLD_COSINE:
+        return u
+    # Beyond the root by Newton's measure, but no farther than half the swing that is allowed.
+    allowed = math.asin(cosine)
+    most = 0.5 * allowed / (abs(curvature(rows, j, u)) + 1.0 / chord)
+    if most <= slack:
+        return u
+    far = step_back(rows, j, u, min(2.0 * slack / cosine, most))
+    width = abs(far - u) * max(stretch(rows, j, u), stretch(rows, j, far))
+    if width >= chord:
+        return u
+    swing = turning_bound(rows, j, u, far) + math.asin(width / chord)
+    return far if swing < allowed else u
+
+
+@kernel
 def next_handle(
     rows: FloatArray, j: int, u: float, x: float, y: float, link: float
 ) -> tuple[int, float, Status]:
     """Row and parameter of the nearest place behind (j, u), at (x, y), that is one link away.
 
     No root is ever jumped over. Arc length bounds chord, so walking back by (link - chord) stays
-    short of the first root. A longer Newton step is taken only where the chord provably grows all
-    the way: the tangent and the bench's direction together swing by less than what is left to a
-    right angle.
+    short of the first root; a longer step is taken only where the chord provably grows all the way.
     """
     slack = link
     for _ in range(MAX_STEPS + 2 * rows.shape[0]):
@@ -158,19 +179,8 @@ def next_handle(
         if slack <= grain(x, y, link, abs(u) * stretch(rows, j, u)):
             reach = max(slack, 0.0) / max(cosine, FOLD_COSINE)
             return j, step_back(rows, j, u, reach), Status.OK
-        if cosine < FOLD_COSINE:
-            continue
-        # Beyond the root by Newton's measure, but no farther than half the swing that is allowed.
-        allowed = math.asin(cosine)
-        most = 0.5 * allowed / (abs(curvature(rows, j, u)) + 1.0 / chord)
-        if most <= slack:
-            continue
-        far = step_back(rows, j, u, min(2.0 * slack / cosine, most))
-        width = abs(far - u) * max(stretch(rows, j, u), stretch(rows, j, far))
-        if width >= chord:
-            continue
-        swing = turning_bound(rows, j, u, far) + math.asin(width / chord)
-        if swing >= allowed:
+        far = growing_chord(rows, j, u, chord, cosine, slack)
+        if far == u:
             continue
         px, py, _, _ = place(rows, j, far)
         slack = link - math.hypot(x - px, y - py)
