@@ -24,7 +24,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.optimize import fsolve
 
-from benchdragon import Dragon, Route, Spiral, TwoArcTurn, Walk
+from benchdragon import Dragon, Route, Spiral, TwoArcTurn, Walk, tightest_pairs
 from benchdragon.kernels.chain import march
 
 FloatArray = npt.NDArray[np.float64]
@@ -206,10 +206,13 @@ def growth(quick: bool) -> list[str]:
             lambda n: TURN.motion(np.linspace(-100.0, 100.0, n)),
         ),
     ]
+    coiled = {n: long_walk(n).motion([0.0]) for n in benches[: -1 if not quick else None]}
+    tightest_pairs(coiled[benches[0]])
+    cases.append(("benches, tightest pair", list(coiled), lambda n: tightest_pairs(coiled[n])))
     for name, sizes, job in cases:
         seconds = [fastest([partial(job, n)], 5 if n < 10**5 else 2)[0] for n in sizes]
         slope = math.log(seconds[-1] / seconds[-2]) / math.log(sizes[-1] / sizes[-2])
-        other = {"benches, one time": 1, "benches, 64 times": 64}.get(name, 224)
+        other = {"benches, 64 times": 64}.get(name, 1 if name.startswith("benches") else 224)
         each = [t / n / other * 1e9 for t, n in zip(seconds, sizes, strict=True)]
         lines.append(
             f"| {name} | {sizes[0]} .. {sizes[-1]} | {each[0]:.3g} .. {each[-1]:.3g} | {slope:.2f} |"

@@ -7,6 +7,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from benchdragon.contact import Nearness, clearances, tightest_pairs
     from benchdragon.curves import Arc, Clothoid, Line, Route, Spiral
     from benchdragon.dragon import Bench, Dragon
     from benchdragon.errors import BenchDragonError, InputError, WalkError
@@ -25,6 +26,7 @@ __all__ = [
     "InputError",
     "Line",
     "Motion",
+    "Nearness",
     "Route",
     "SpeedProfile",
     "Spiral",
@@ -32,6 +34,8 @@ __all__ = [
     "TwoArcTurn",
     "Walk",
     "WalkError",
+    "clearances",
+    "tightest_pairs",
 ]
 
 _ROOMS = {
@@ -50,6 +54,9 @@ _ROOMS = {
     "TwoArcTurn": "turns",
     "Walk": "motion",
     "WalkError": "errors",
+    "Nearness": "contact",
+    "clearances": "contact",
+    "tightest_pairs": "contact",
 }
 
 

@@ -1,0 +1,151 @@
+"""How near benches come to one another: clearance at an instant, over all pairs that count.
+
+Neighbours share a handle and lie at different heights, so they overlap by construction; every other
+pair counts, from |i - j| = 2 on.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from benchdragon.errors import InputError, WalkError
+from benchdragon.kernels import box as kernel
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.route import IntArray
+from benchdragon.messages import _
+from benchdragon.motion import Motion
+
+CORNERS = ("front left", "rear left", "rear right", "front right")
+# Pairs listed at most; each is described in a few hundred bytes.
+MOST_PAIRS = 100_000
+# Distances that agree to so many decimals, m, count as equal when pairs are put in order.
+TIE = 12
+
+
+@dataclass(frozen=True)
+class Nearness:
+    """How near two benches are.
+
+    Attributes:
+        benches: their numbers, 1..N, the smaller first.
+        distance: true distance, m; where they overlap, the gap.
+        gap: signed gap by the separating axis theorem, m; never above the distance, negative inside.
+        points: the point of each bench that is nearest to the other, m; of overlapping benches the
+            deepest corner twice.
+        features: what meets: the corner of one bench, and the side or the corner of the other, each
+            with the number of its bench.
+    """
+
+    benches: tuple[int, int]
+    distance: float
+    gap: float
+    points: tuple[tuple[float, float], tuple[float, float]]
+    features: tuple[tuple[int, str], tuple[int, str]]
+
+
+def boxes(motion: Motion, index: int) -> FloatArray:
+    """The rectangles of all benches at time number `index`, (N, BOX_COLUMNS) of kernels/box.py.
+
+    Raises:
+        WalkError: if the dragon could not stand at that time.
+    """
+    if motion.status[index]:
+        error: WalkError = motion.failure(index)
+        raise error
+    dragon = motion.walk.dragon
+    sizes = np.array([dragon.length, dragon.width, dragon.front_inset, dragon.rear_inset])
+    out = np.empty((len(dragon), kernel.BOX_COLUMNS))
+    x, y = motion.x[index : index + 1].T, motion.y[index : index + 1].T
+    kernel.boxes_at(sizes, np.ascontiguousarray(x), np.ascontiguousarray(y), 0, 0, len(dragon), out)
+    return out
+
+
+def nearness(table: FloatArray, i: int, j: int) -> Nearness:
+    """How near the benches in rows i and j of `boxes` are."""
+    distance, gap = kernel.box_distance(table, i, j), kernel.box_gap(table, i, j)
+    mine, which = kernel.nearest_corner(table, i, j)
+    owner, other = (i, j) if mine else (j, i)
+    x, y = kernel.corner(table, owner, which)
+    point, feature = _foot(table, other, x, y)
+    here = (x, y) if distance <= 0.0 else point
+    points = ((x, y), here) if mine else (here, (x, y))
+    return Nearness(
+        (min(i, j) + 1, max(i, j) + 1),
+        distance,
+        gap,
+        points if i < j else (points[1], points[0]),
+        ((owner + 1, CORNERS[which]), (other + 1, feature)),
+    )
+
+
+def _foot(table: FloatArray, j: int, x: float, y: float) -> tuple[tuple[float, float], str]:
+    """The point of box j nearest to (x, y), and whether it lies on a side or at a corner."""
+    along, across = kernel.offset(table, j, x, y)
+    half, wide = float(table[j, kernel.HALF_LENGTH]), float(table[j, kernel.HALF_WIDTH])
+    a, b = min(max(along, -half), half), min(max(across, -wide), wide)
+    ux, uy = float(table[j, kernel.UX]), float(table[j, kernel.UY])
+    point = (
+        float(table[j, kernel.CX]) + a * ux - b * uy,
+        float(table[j, kernel.CY]) + a * uy + b * ux,
+    )
+    ends, flanks = ("front", "rear"), ("left", "right")
+    if abs(along) > half and abs(across) > wide:
+        return point, f"{ends[along < 0.0]} {flanks[across < 0.0]}"
+    if abs(along) - half > abs(across) - wide:
+        return point, ends[along < 0.0]
+    return point, flanks[across < 0.0]
+
+
+def pairs_within(table: FloatArray, reach: float) -> tuple[IntArray, IntArray]:
+    """Rows of all pairs that are not neighbours and may be within `reach` metres: a superset."""
+    from scipy.spatial import cKDTree  # slow to import
+
+    radius = np.hypot(table[:, kernel.HALF_LENGTH], table[:, kernel.HALF_WIDTH])
+    tree = cKDTree(table[:, [kernel.CX, kernel.CY]])
+    pairs = tree.query_pairs(2.0 * float(radius.max()) + reach, output_type="ndarray")
+    first, second = pairs.min(axis=1), pairs.max(axis=1)
+    apart = np.hypot(*(table[first, :2] - table[second, :2]).T)
+    keep = (second - first >= 2) & (apart <= radius[first] + radius[second] + reach)
+    return first[keep].astype(np.int64), second[keep].astype(np.int64)
+
+
+def tightest_pairs(motion: Motion, index: int = 0, count: int = 1) -> list[Nearness]:
+    """The `count` pairs of benches with the smallest distance at time number `index`, tightest first.
+
+    Neighbours do not count. Fewer come back where the dragon has fewer pairs. Equal distances come in
+    the order of the benches. Cost grows nearly linearly in benches.
+
+    Raises:
+        InputError: for a count outside 1..MOST_PAIRS.
+        WalkError: if the dragon could not stand at that time.
+    """
+    if not 1 <= count <= MOST_PAIRS:
+        raise InputError(
+            _("count must lie between 1 and {most}, not at {count}").format(
+                most=MOST_PAIRS, count=count
+            )
+        )
+    table = boxes(motion, index)
+    wanted = min(count, (len(table) - 1) * (len(table) - 2) // 2)
+    reach = 0.25
+    while True:
+        first, second = pairs_within(table, reach)
+        gap, distance = np.empty(len(first)), np.empty(len(first))
+        kernel.pair_distances(table, first, second, gap, distance)
+        if (distance <= reach).sum() >= wanted:
+            break
+        reach *= 2.0
+    order = np.lexsort((second, first, np.round(distance, TIE)))[:wanted]
+    return [nearness(table, int(first[p]), int(second[p])) for p in order]
+
+
+def clearances(motion: Motion, indices: Sequence[int] | None = None) -> FloatArray:
+    """Smallest distance over all pairs that are not neighbours at each time, m, (T,).
+
+    Negative where benches overlap (the gap then), infinite for a dragon of one or two benches. A
+    check with room for people asks for at least that room.
+    """
+    chosen = range(len(motion.times)) if indices is None else indices
+    tightest = (tightest_pairs(motion, index) for index in chosen)
+    return np.array([pairs[0].distance if pairs else np.inf for pairs in tightest])

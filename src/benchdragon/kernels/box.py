@@ -1,0 +1,131 @@
+"""Oriented rectangles: signed gap, true distance, and where two of them are nearest.
+
+A table of boxes has one row a bench, its columns named below; the kernels take the table and two
+row numbers, so that no box is ever copied.
+"""
+
+import math
+
+import numpy as np
+
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.route import IntArray
+
+CX = 0  # centre, m
+CY = 1
+UX = 2  # unit vector along the bench, towards its front
+UY = 3
+HALF_LENGTH = 4  # m
+HALF_WIDTH = 5
+BOX_COLUMNS = 6
+
+# Corners in going round: front left, rear left, rear right, front right.
+ALONG = np.array([1.0, -1.0, -1.0, 1.0])
+ACROSS = np.array([1.0, 1.0, -1.0, -1.0])
+
+
+@kernel
+def boxes_at(
+    sizes: FloatArray, x: FloatArray, y: FloatArray, t: int, first: int, last: int, out: FloatArray
+) -> None:
+    """Fill rows first..last-1 of `out` with the boxes of these benches at time number t.
+
+    `sizes` is (4, benches): length, width, front inset, rear inset, m; x and y are (handles, times).
+    """
+    for i in range(first, last):
+        dx, dy = x[i, t] - x[i + 1, t], y[i, t] - y[i + 1, t]
+        link = sizes[0, i] - sizes[2, i] - sizes[3, i]
+        ux, uy = dx / link, dy / link
+        ahead = sizes[2, i] - 0.5 * sizes[0, i]
+        out[i, CX], out[i, CY] = x[i, t] + ahead * ux, y[i, t] + ahead * uy
+        out[i, UX], out[i, UY] = ux, uy
+        out[i, HALF_LENGTH], out[i, HALF_WIDTH] = 0.5 * sizes[0, i], 0.5 * sizes[1, i]
+
+
+@kernel
+def box_gap(boxes: FloatArray, i: int, j: int) -> float:
+    """Signed gap of two boxes, m: the largest separation along their four axes; negative inside.
+
+    Never larger than the distance, and negative exactly when the boxes overlap.
+    """
+    dx, dy = boxes[j, CX] - boxes[i, CX], boxes[j, CY] - boxes[i, CY]
+    ux, uy, vx, vy = boxes[i, UX], boxes[i, UY], boxes[j, UX], boxes[j, UY]
+    c, s = abs(ux * vx + uy * vy), abs(ux * vy - uy * vx)
+    a, b = boxes[i, HALF_LENGTH], boxes[i, HALF_WIDTH]
+    p, q = boxes[j, HALF_LENGTH], boxes[j, HALF_WIDTH]
+    along_i = abs(dx * ux + dy * uy) - a - p * c - q * s
+    across_i = abs(dy * ux - dx * uy) - b - p * s - q * c
+    along_j = abs(dx * vx + dy * vy) - p - a * c - b * s
+    across_j = abs(dy * vx - dx * vy) - q - a * s - b * c
+    return max(along_i, across_i, along_j, across_j)
+
+
+@kernel
+def corner(boxes: FloatArray, i: int, k: int) -> tuple[float, float]:
+    """Corner k of box i, m."""
+    a, b = ALONG[k] * boxes[i, HALF_LENGTH], ACROSS[k] * boxes[i, HALF_WIDTH]
+    ux, uy = boxes[i, UX], boxes[i, UY]
+    return boxes[i, CX] + a * ux - b * uy, boxes[i, CY] + a * uy + b * ux
+
+
+@kernel
+def offset(boxes: FloatArray, j: int, x: float, y: float) -> tuple[float, float]:
+    """Point (x, y) in box j's own frame, m: ahead of its centre, and to its left."""
+    dx, dy = x - boxes[j, CX], y - boxes[j, CY]
+    ux, uy = boxes[j, UX], boxes[j, UY]
+    return dx * ux + dy * uy, dy * ux - dx * uy
+
+
+@kernel
+def corner_distance(boxes: FloatArray, i: int, k: int, j: int) -> float:
+    """Distance from corner k of box i to box j, m; inside, minus the depth below the nearest side."""
+    x, y = corner(boxes, i, k)
+    along, across = offset(boxes, j, x, y)
+    ahead, aside = abs(along) - boxes[j, HALF_LENGTH], abs(across) - boxes[j, HALF_WIDTH]
+    if ahead <= 0.0 and aside <= 0.0:
+        return max(ahead, aside)
+    return math.hypot(max(ahead, 0.0), max(aside, 0.0))
+
+
+@kernel
+def box_distance(boxes: FloatArray, i: int, j: int) -> float:
+    """True distance of two boxes, m; where they overlap, the gap, which is negative.
+
+    Two convex polygons that are apart are nearest at a corner of one of them.
+    """
+    gap = box_gap(boxes, i, j)
+    if gap <= 0.0:
+        return gap
+    nearest = math.inf
+    for k in range(4):
+        nearest = min(nearest, corner_distance(boxes, i, k, j), corner_distance(boxes, j, k, i))
+    return nearest
+
+
+@kernel
+def nearest_corner(boxes: FloatArray, i: int, j: int) -> tuple[bool, int]:
+    """Where two boxes are nearest: whether at a corner of i (else of j), and at which corner.
+
+    Of overlapping boxes the corner that lies deepest inside the other; if none lies inside, the one
+    that lies nearest to it.
+    """
+    best, mine, which = math.inf, True, 0
+    for k in range(4):
+        apart = corner_distance(boxes, i, k, j)
+        if apart < best:
+            best, mine, which = apart, True, k
+        apart = corner_distance(boxes, j, k, i)
+        if apart < best:
+            best, mine, which = apart, False, k
+    return mine, which
+
+
+@kernel
+def pair_distances(
+    boxes: FloatArray, first: IntArray, second: IntArray, gap: FloatArray, distance: FloatArray
+) -> None:
+    """Fill gap[p] and distance[p] for the pairs of boxes (first[p], second[p])."""
+    for p in range(first.shape[0]):
+        gap[p] = box_gap(boxes, first[p], second[p])
+        distance[p] = box_distance(boxes, first[p], second[p])

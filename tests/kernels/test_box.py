@@ -1,0 +1,114 @@
+import math
+
+import numpy as np
+import pytest
+import shapely
+from hypothesis import given
+from hypothesis import strategies as st
+
+from benchdragon.kernels.box import (
+    BOX_COLUMNS,
+    box_distance,
+    box_gap,
+    boxes_at,
+    corner,
+    corner_distance,
+    nearest_corner,
+    pair_distances,
+)
+from benchdragon.kernels.curve import FloatArray
+
+
+def table(*rows: tuple[float, float, float, float, float]) -> FloatArray:
+    """Boxes from (x, y, heading, length, width)."""
+    return np.array(
+        [[x, y, math.cos(a), math.sin(a), 0.5 * length, 0.5 * width] for x, y, a, length, width in rows]
+    )
+
+
+def polygon(boxes: FloatArray, i: int) -> shapely.Polygon:
+    """The same box as shapely sees it."""
+    return shapely.Polygon([corner(boxes, i, k) for k in range(4)])
+
+
+PLACE = st.floats(-3.0, 3.0)
+SIZE = st.floats(0.05, 4.0)
+BOX = st.tuples(PLACE, PLACE, st.floats(-10.0, 10.0), SIZE, SIZE)
+
+
+@given(BOX, BOX)
+def test_distance_and_overlap_agree_with_shapely(
+    a: tuple[float, float, float, float, float], b: tuple[float, float, float, float, float]
+) -> None:
+    boxes = table(a, b)
+    first, second = polygon(boxes, 0), polygon(boxes, 1)
+    gap, distance = box_gap(boxes, 0, 1), box_distance(boxes, 0, 1)
+    assert gap <= distance + 1e-14
+    assert max(distance, 0.0) == pytest.approx(first.distance(second), abs=1e-13)
+    assert (gap < -1e-12) <= (first.intersection(second).area > 0.0)
+    assert (gap > 1e-12) <= first.disjoint(second)
+
+
+@given(BOX, BOX)
+def test_the_order_of_two_boxes_does_not_matter(
+    a: tuple[float, float, float, float, float], b: tuple[float, float, float, float, float]
+) -> None:
+    boxes = table(a, b)
+    assert box_gap(boxes, 0, 1) == pytest.approx(box_gap(boxes, 1, 0), abs=1e-14)
+    assert box_distance(boxes, 0, 1) == pytest.approx(box_distance(boxes, 1, 0), abs=1e-14)
+
+
+@given(BOX, BOX)
+def test_the_nearest_corner_is_as_near_as_the_boxes_when_apart(
+    a: tuple[float, float, float, float, float], b: tuple[float, float, float, float, float]
+) -> None:
+    boxes = table(a, b)
+    mine, which = nearest_corner(boxes, 0, 1)
+    apart = corner_distance(boxes, 0, which, 1) if mine else corner_distance(boxes, 1, which, 0)
+    if box_gap(boxes, 0, 1) > 0.0:
+        assert apart == box_distance(boxes, 0, 1)
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.5 * math.pi, math.pi, 0.3])
+@pytest.mark.parametrize("hair", [1e-12, -1e-12, 1e-9, -1e-9, 1e-15, -1e-15, 0.0])
+def test_boxes_a_hair_apart_or_inside_one_another_agree_with_shapely(turn: float, hair: float) -> None:
+    rng = np.random.default_rng(1)
+    for slide in rng.uniform(-1.0, 1.0, 20):
+        # How far the second box reaches down, and where along the first its lowest corner lies.
+        low = 1.1 * abs(math.sin(turn)) + 0.15 * abs(math.cos(turn))
+        foot = 1.1 * math.cos(0.3) - 0.15 * math.sin(0.3) if turn == 0.3 else 0.0
+        boxes = table((0.0, 0.0, 0.3, 2.2, 0.3), (0.0, 0.0, 0.3 + turn, 2.2, 0.3))
+        along, across = slide + foot, 0.15 + low + hair
+        boxes[1, 0] = along * math.cos(0.3) - across * math.sin(0.3)
+        boxes[1, 1] = along * math.sin(0.3) + across * math.cos(0.3)
+        assert box_gap(boxes, 0, 1) == pytest.approx(hair, abs=2e-15)
+        expected = polygon(boxes, 0).distance(polygon(boxes, 1))
+        assert max(box_distance(boxes, 0, 1), 0.0) == pytest.approx(expected, abs=2e-15)
+
+
+def test_the_gap_is_the_depth_of_an_overlap_and_falls_short_of_a_diagonal_distance() -> None:
+    boxes = table((0.0, 0.0, 0.0, 2.0, 1.0), (0.0, 0.9, 0.0, 2.0, 1.0), (5.0, 5.0, 0.0, 2.0, 1.0))
+    assert box_gap(boxes, 0, 1) == pytest.approx(-0.1)
+    assert box_distance(boxes, 0, 1) == pytest.approx(-0.1)
+    assert box_gap(boxes, 0, 2) == pytest.approx(4.0)
+    assert box_distance(boxes, 0, 2) == pytest.approx(5.0)
+
+
+def test_crossed_boxes_overlap_though_no_corner_lies_inside() -> None:
+    boxes = table((0.0, 0.0, 0.0, 4.0, 0.2), (0.0, 0.0, 0.5 * math.pi, 4.0, 0.2))
+    assert box_gap(boxes, 0, 1) == pytest.approx(0.1 - 2.0 - 0.2)
+    assert box_gap(boxes, 0, 1) < 0.0
+
+
+def test_boxes_come_from_handles_and_sizes() -> None:
+    sizes = np.array([[3.41, 2.2], [0.3, 0.4], [0.275, 0.1], [0.275, 0.5]])
+    x, y = np.array([[0.0], [-2.86], [-2.86]]), np.array([[0.0], [0.0], [1.6]])
+    boxes = np.empty((2, BOX_COLUMNS))
+    boxes_at(sizes, x, y, 0, 0, 2, boxes)
+    assert boxes[0] == pytest.approx([0.275 - 1.705, 0.0, 1.0, 0.0, 1.705, 0.15])
+    assert boxes[1] == pytest.approx([-2.86, -0.1 + 1.1, 0.0, -1.0, 1.1, 0.2])
+    assert corner(boxes, 0, 0) == pytest.approx((0.275, 0.15))
+    assert corner(boxes, 0, 2) == pytest.approx((0.275 - 3.41, -0.15))
+    gap, distance = np.empty(1), np.empty(1)
+    pair_distances(boxes, np.array([0]), np.array([1]), gap, distance)
+    assert (gap[0], distance[0]) == (box_gap(boxes, 0, 1), box_distance(boxes, 0, 1))

@@ -1,0 +1,113 @@
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+import shapely
+
+from benchdragon import Dragon, InputError, Line, Route, Spiral, Walk, WalkError
+from benchdragon.contact import Nearness, boxes, clearances, nearness, pairs_within, tightest_pairs
+from benchdragon.kernels.box import corner
+from benchdragon.plan import read_plan
+
+TRUTH = json.loads((Path(__file__).parent / "truth" / "contest.json").read_text("utf-8"))
+SPIRAL, TURN = read_plan("spiral-in").build(), read_plan("turn").build()
+
+
+def by_shapely(walk: Walk, t: float) -> list[tuple[float, int, int]]:
+    """Distances of all pairs that are not neighbours, smallest first, by another road."""
+    table = boxes(walk.motion([t]), 0)
+    shapes = [shapely.Polygon([corner(table, i, k) for k in range(4)]) for i in range(len(table))]
+    return sorted(
+        (shapes[i].distance(shapes[j]), i + 1, j + 1)
+        for i in range(len(shapes))
+        for j in range(i + 2, len(shapes))
+    )
+
+
+@pytest.mark.parametrize(("walk", "t"), [(SPIRAL, 0.0), (SPIRAL, 400.0), (TURN, 14.0), (TURN, 30.15)])
+def test_the_tightest_pairs_are_those_of_shapely(walk: Walk, t: float) -> None:
+    expected = by_shapely(walk, t)[:30]
+    found = tightest_pairs(walk.motion([t]), count=30)
+    assert [pair.distance for pair in found] == pytest.approx([row[0] for row in expected], abs=1e-12)
+    assert found[0].benches == expected[0][1:]
+
+
+def test_the_contests_dragon_touches_when_it_should() -> None:
+    moment = float(TRUTH["first_contact_s"])
+    before, at, after = tightest_pairs_at(SPIRAL, [moment - 1e-6, moment, moment + 1e-6])
+    assert before.distance > 1e-8
+    assert at.distance == pytest.approx(0.0, abs=1e-12)
+    assert after.distance < -1e-8
+    assert before.benches == at.benches == after.benches == (1, 9)
+    # The head's front outer corner meets the inner side of bench 9.
+    assert before.features == ((1, "front left"), (9, "right"))
+    assert before.points[0] == pytest.approx(before.points[1], abs=1e-6)
+
+
+def tightest_pairs_at(walk: Walk, times: list[float]) -> list[Nearness]:
+    """The tightest pair at each time."""
+    motion = walk.motion(times)
+    return [tightest_pairs(motion, i)[0] for i in range(len(times))]
+
+
+def test_the_papers_turn_is_tightest_between_benches_1_and_17() -> None:
+    pair = tightest_pairs(TURN.motion([30.15]))[0]
+    assert pair.benches == (1, 17)
+    assert pair.gap == pytest.approx(0.2791, abs=1e-4)
+
+
+def test_clearances_fall_as_the_dragon_coils_in() -> None:
+    found = clearances(SPIRAL.motion([0.0, 200.0, 400.0, 412.6]))
+    assert (np.diff(found) < 0.0).all()
+    assert found[0] > 0.1
+    assert found[-1] < 0.0
+
+
+def test_a_dragon_of_two_benches_has_no_pair_that_counts() -> None:
+    walk = Walk(Dragon.uniform(2), Route((Line(10.0),)))
+    assert tightest_pairs(walk.motion([0.0])) == []
+    assert clearances(walk.motion([0.0, 1.0])).tolist() == [math.inf, math.inf]
+
+
+def test_on_a_line_every_second_bench_is_one_bench_apart() -> None:
+    walk = Walk(Dragon.uniform(6, head_length=2.2), Route((Line(10.0),)))
+    pairs = tightest_pairs(walk.motion([0.0]), count=100)
+    assert len(pairs) == 10
+    assert [pair.benches for pair in pairs[:4]] == [(1, 3), (2, 4), (3, 5), (4, 6)]
+    # Two links less the insets between: 2 * 1.65 - 2.2.
+    assert [pair.distance for pair in pairs[:4]] == pytest.approx([1.1] * 4)
+    assert pairs[-1].benches == (1, 6)
+
+
+def test_points_and_features_lie_where_they_say() -> None:
+    motion = TURN.motion([25.0])
+    table = boxes(motion, 0)
+    for pair in tightest_pairs(motion, count=50):
+        (ax, ay), (bx, by) = pair.points
+        assert math.hypot(ax - bx, ay - by) == pytest.approx(pair.distance, abs=1e-12)
+        rows = [bench - 1 for bench in pair.benches]
+        shapes = [shapely.Polygon([corner(table, i, k) for k in range(4)]) for i in rows]
+        for shape, point in zip(shapes, pair.points, strict=True):
+            assert shape.boundary.distance(shapely.Point(point)) == pytest.approx(0.0, abs=1e-12)
+        again = nearness(table, pair.benches[1] - 1, pair.benches[0] - 1)
+        assert again.benches == pair.benches
+        assert again.distance == pytest.approx(pair.distance, abs=1e-14)
+
+
+def test_the_broad_phase_misses_no_pair() -> None:
+    rng = np.random.default_rng(3)
+    dragon = Dragon.of_sizes(rng.uniform(0.8, 4.0, 60), rng.uniform(0.1, 0.5, 60), 0.2, 0.1)
+    walk = Walk(dragon, Route((Spiral(0.9, 40.0, 5.0),)))
+    table = boxes(walk.motion([5.0]), 0)
+    near = {(i, j) for d, i, j in by_shapely(walk, 5.0) if d <= 0.5}
+    first, second = pairs_within(table, 0.5)
+    assert near <= set(zip((first + 1).tolist(), (second + 1).tolist(), strict=True))
+
+
+def test_wrong_counts_and_failed_times_are_refused() -> None:
+    with pytest.raises(InputError, match="count must lie between 1 and 100000, not at 0"):
+        tightest_pairs(SPIRAL.motion([0.0]), count=0)
+    with pytest.raises(WalkError, match="past the end of the route"):
+        clearances(SPIRAL.motion([900.0], throw=False))
