@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from benchdragon import __version__
-from benchdragon.cli import MOST_TIMES, parse_handles, parse_times, run
+from benchdragon.ask import MOST_TIMES, parse_handles, parse_times
+from benchdragon.cli import run
 from benchdragon.errors import InputError
 from benchdragon.plan import read_plan
 
@@ -62,7 +63,9 @@ def test_handles_are_checked_against_the_dragon() -> None:
 
 
 def test_motion_as_json_is_one_object_with_the_plans_name(capsys: pytest.CaptureFixture[str]) -> None:
-    code, out, err = answered(capsys, "motion", "spiral-in", "--at", "0,300", "--only", "0,1", "--json")
+    code, out, err = answered(
+        capsys, "motion", "spiral-in", "--at", "0,300", "--only", "0,1", "--json", "--quiet"
+    )
     answer = json.loads(out)
     assert (code, err) == (0, "")
     assert answer["time"] == [0.0, 300.0]
@@ -217,7 +220,9 @@ def test_an_interrupt_leaves_nothing_half_written(tmp_path: Path) -> None:
 
 
 def test_a_closed_pipe_is_no_error() -> None:
-    command = f"{sys.executable} -m benchdragon motion spiral-in --at 0:300:1 --json | head -c 9"
+    command = (
+        f"{sys.executable} -m benchdragon motion spiral-in --at 0:300:1 --json --quiet | head -c 9"
+    )
     done = subprocess.run(["sh", "-c", command], capture_output=True, text=True, check=False)
     assert done.stderr == ""
     assert done.stdout == '{"time": '

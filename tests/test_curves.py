@@ -172,6 +172,12 @@ def test_a_position_off_the_curve_is_refused(curve: Curve, s: float, wanted: str
             ask(s)
 
 
+def test_a_position_in_words_is_refused() -> None:
+    for ask in (CURVES["arc"].point, CURVES["arc"].heading, CURVES["arc"].curvature):
+        with pytest.raises(InputError, match=r"must be (a number|numbers), not "):
+            ask("half way")
+
+
 def test_a_route_without_extension_says_that_it_begins_at_zero() -> None:
     with pytest.raises(InputError, match=r"between 0 and 2 m"):
         Arc(2.0, 1.0).point(-0.1)

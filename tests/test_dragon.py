@@ -38,6 +38,11 @@ def test_a_single_bench_is_a_head() -> None:
     assert Dragon.uniform(1, head_length=3.0, tail_length=1.0).length.tolist() == [3.0]
 
 
+def test_the_number_of_benches_may_be_any_integer() -> None:
+    count: Any = np.int64(5)
+    assert len(Dragon.uniform(count)) == 5
+
+
 def test_the_same_sizes_make_the_same_dragon_by_either_road() -> None:
     benches = [Bench(3.0, 0.3, 0.2, 0.1), Bench(2.0, 0.5), Bench(1.0, 0.2, 0.0, 0.0)]
     one = Dragon(benches)
@@ -111,6 +116,7 @@ def test_the_largest_and_the_smallest_sizes_are_allowed() -> None:
 
 LONG: Any = "long"
 HALF: Any = 2.5
+RAGGED: Any = [[2.2], [2.2, 2.2]]
 
 
 @pytest.mark.parametrize(
@@ -136,6 +142,7 @@ def test_text_and_fractions_of_benches_are_refused_as_input(make: Callable[[], o
         lambda: Dragon.of_sizes([[2.2, 2.2], [2.2, 2.2]]),
         lambda: Dragon.of_sizes([2.2, 2.2], [[0.3], [0.3]]),
         lambda: Dragon.of_sizes([2.2, 2.2], [0.3, 0.3, 0.3]),
+        lambda: Dragon.of_sizes(RAGGED),
     ],
 )
 def test_sizes_that_are_no_list_of_benches_are_refused_as_input(make: Callable[[], object]) -> None:

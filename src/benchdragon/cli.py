@@ -8,20 +8,27 @@ import json
 import os
 import sys
 from collections.abc import Callable, Sequence
-from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from benchdragon import __version__
+from benchdragon.ask import PICTURE_FORMATS, parse_formats, parse_handles, parse_times
 from benchdragon.errors import BenchDragonError, InputError
 from benchdragon.messages import LANGUAGES, N_, _, language
 from benchdragon.plan_text import bench_count, read_toml
+from benchdragon.show import (
+    Advance,
+    print_files,
+    print_reproduction,
+    print_table,
+    progress,
+    six,
+)
 
 if TYPE_CHECKING:
     import numpy as np
-    from rich.console import Console
 
     from benchdragon.motion import Motion, Walk
     from benchdragon.plan import Plan
@@ -29,8 +36,6 @@ if TYPE_CHECKING:
 
 INTERRUPTED = 130
 USAGE = 2
-# Times in one call: a day and more, each tenth of a second.
-MOST_TIMES = 1_000_000
 # Handles times times of a JSON answer (1 GB of text at most) and of a table on the screen.
 MOST_PLACES_JSON = 10_000_000
 MOST_ROWS_SHOWN = 400
@@ -38,8 +43,6 @@ MOST_ROWS_SHOWN = 400
 # (design/cold_start.py).
 FEW_PLACES = 5_000
 PAPER_HANDLES = (0, 1, 51, 101, 151, 201)
-TABLE_FORMATS = ("xlsx", "csv", "npz", "parquet", "nc")
-PICTURE_FORMATS = ("png", "svg", "pdf")
 # Seconds of compiling after which a word is due.
 SLOW_COMPILE = 1.0
 
@@ -47,7 +50,6 @@ SLOW_COMPILE = 1.0
 TYPE_NAMES = (N_("float range"), N_("integer range"))
 
 Command = Callable[..., int]
-Advance = Callable[..., None]
 
 
 class HelpfulGroup(click.Group):
@@ -124,13 +126,13 @@ def reproduce(output: Path, force: bool, as_json: bool, quiet: bool) -> int:
     from benchdragon.reproduce import reproduce as reproduced
 
     _announce_compiling(quiet)
-    with _progress(quiet, STEPS) as advance:
+    with progress(quiet, STEPS) as advance:
         found = reproduced(output, force, lambda text: advance(1.0, text))
     if as_json:
         click.echo(json.dumps({**found.answers, "files": [str(path) for path in found.files]}))
         return 0
-    _print_reproduction(found.answers)
-    _print_files(found.files)
+    print_reproduction(found.answers)
+    print_files(found.files)
     return 0
 
 
@@ -256,74 +258,12 @@ def _choose_compiling(data: dict[str, Any], at: str | None, to_files: bool) -> N
         os.environ.setdefault("BENCHDRAGON_COMPILE", "never")
 
 
-def parse_times(text: str) -> "np.ndarray[Any, Any]":
-    """Times in "12.5", "3:12", "0:300:1" or several of these with commas, s, (T,).
-
-    Raises:
-        InputError: for anything else, or more than MOST_TIMES.
-    """
-    import numpy as np
-
-    found: list[float] = []
-    for item in text.split(","):
-        found.extend(_item_times(item.strip(), MOST_TIMES - len(found)))
-    return np.array(found)
-
-
-def _item_times(item: str, room: int) -> Sequence[float]:
-    try:
-        numbers = [float(number) for number in item.split(":")]
-    except ValueError:
-        numbers = []
-    if not 1 <= len(numbers) <= 3 or any(number - number != 0.0 for number in numbers):
-        raise InputError(
-            _("--at: wanted seconds, minutes:seconds or start:stop:step, not {text}").format(
-                text=repr(item)
-            )
-        )
-    if len(numbers) == 1:
-        return numbers
-    if len(numbers) == 2:
-        minutes, seconds = numbers
-        return [minutes * 60.0 + (-seconds if item.startswith("-") else seconds)]
-    start, stop, step = numbers
-    if step == 0.0 or (stop - start) / step < 0.0:
-        raise InputError(
-            _("--at: {text} never gets from its start to its stop").format(text=repr(item))
-        )
-    count = int(min((stop - start) / step + 1e-9, 1e18)) + 1
-    if count > room:
-        raise InputError(_("--at: at most {most} times, not {text}").format(most=MOST_TIMES, text=item))
-    return [start + step * i for i in range(count)]
-
-
 def _times(at: str | None, plan: "Plan") -> "np.ndarray[Any, Any]":
     if at is not None:
         return parse_times(at)
     if plan.walk.start is None or plan.walk.end is None:
         raise InputError(_("the plan does not say when the walk ends: give --at, or set walk.end"))
     return parse_times(f"{plan.walk.start!r}:{plan.walk.end!r}:1")
-
-
-def parse_handles(text: str | None, benches: int) -> list[int] | None:
-    """Handle numbers in "1,51,101"; None where nothing was asked.
-
-    Raises:
-        InputError: for what is not the number of a handle.
-    """
-    if text is None:
-        return None
-    try:
-        handles = [int(item) for item in text.split(",")]
-    except ValueError:
-        handles = [-1]
-    if any(not 0 <= handle <= benches for handle in handles):
-        raise InputError(
-            _("--only: wanted handle numbers from 0 to {most} with commas, not {text}").format(
-                most=benches, text=repr(text)
-            )
-        )
-    return handles
 
 
 def _moved(walk: "Walk", times: Any, options: dict[str, Any]) -> "Motion":
@@ -386,19 +326,14 @@ def _motion_table(
         (
             f"{t:.6g}",
             str(handle),
-            *(_six(table[i, handle]) for table in (found.x, found.y, found.speed)),
+            *(six(table[i, handle]) for table in (found.x, found.y, found.speed)),
         )
         for i, t in enumerate(times)
         for handle in chosen
     ]
-    _print_table(plan.title(language()), rows)
+    print_table(plan.title(language()), rows)
     _print_leader(walk, times, options)
     return _failures(found)
-
-
-def _six(value: float) -> str:
-    """Six decimals, without the sign of a zero."""
-    return f"{round(value, 6) + 0.0:.6f}"
 
 
 def _print_leader(walk: "Walk", times: Any, options: dict[str, Any]) -> None:
@@ -415,29 +350,11 @@ def _print_leader(walk: "Walk", times: Any, options: dict[str, Any]) -> None:
     )
 
 
-def _print_table(title: str, rows: Sequence[tuple[str, ...]]) -> None:
-    from rich.table import Table
-
-    table = Table(title=title)
-    for name in (_("time (s)"), _("handle"), _("x (m)"), _("y (m)"), _("speed (m/s)")):
-        table.add_column(name, justify="right", no_wrap=True)
-    for row in rows:
-        table.add_row(*row)
-    _console().print(table)
-
-
 def _motion_files(what: "Selection", plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
     from benchdragon.files import refuse_existing
     from benchdragon.tables import WRITERS
 
-    formats = [name.strip() for name in options["formats"].split(",")]
-    unknown = [name for name in formats if name not in TABLE_FORMATS + PICTURE_FORMATS]
-    if unknown:
-        raise InputError(
-            _("--format: wanted some of {known}, not {text}").format(
-                known=", ".join(TABLE_FORMATS + PICTURE_FORMATS), text=repr(unknown[0])
-            )
-        )
+    formats = parse_formats(options["formats"])
     if options["leader"] != "closed-form":
         raise InputError(_("files hold the closed form; --leader goes with the screen or --json"))
     folder: Path = options["output"]
@@ -445,13 +362,13 @@ def _motion_files(what: "Selection", plan: "Plan", options: dict[str, Any], quie
     kinds = [name for name in formats if name in PICTURE_FORMATS]
     names = [f"{name}.{kind}" for name in picture_names(what) for kind in kinds]
     refuse_existing([*tables, *(folder / name for name in names)], options["force"])
-    with _progress(quiet, len(tables) + len(names)) as advance:
+    with progress(quiet, len(tables) + len(names)) as advance:
         for path in tables:
             advance(0.0, path.name)
             WRITERS[path.suffix[1:]](path, what, advance)
         if names:
             _write_pictures(what, plan, folder, kinds, advance)
-    _print_files([*tables, *(folder / name for name in names)])
+    print_files([*tables, *(folder / name for name in names)])
     return _failures(next(iter(what.motions()))) if not what.throw else 0
 
 
@@ -473,96 +390,6 @@ def _write_pictures(
             advance(0.0, f"{name}.{kind}")
             write_picture(figures[name], folder / f"{name}.{kind}", title, plan.sha256)
             advance(1.0)
-
-
-def _print_files(files: Sequence[Path]) -> None:
-    click.echo(_("Written:"))
-    for path in files:
-        click.echo(f"  {path}")
-
-
-def _print_reproduction(answers: dict[str, Any]) -> None:
-    rows = [
-        (
-            f"{row['time_s']:g}",
-            str(row["handle"]),
-            *(_six(row[key]) for key in ("x_m", "y_m", "speed_m_s")),
-        )
-        for row in answers["table"]
-    ]
-    _print_table(_("The contest's table, pitch 0.55 m"), rows)
-    rk, turn = answers["runge_kutta"], answers["turn"]
-    lines = [
-        _("chords keep their length to {error} m").format(
-            error=f"{answers['largest_chord_error_m']:.1e}"
-        ),
-        _(
-            "head by Runge-Kutta and by the closed form: {rk4} m apart (RK4, steps of 0.1 s), "
-            "{adaptive} m apart (adaptive); measured order of RK4 {order}"
-        ).format(
-            rk4=f"{rk['rk4_step_0.1_s_m']:.1e}",
-            adaptive=f"{rk['adaptive_m']:.1e}",
-            order=f"{rk['rk4_order']:.2f}",
-        ),
-    ]
-    names = {"forward": _("forward"), "central": _("central"), "backward": _("backward")}
-    for scheme, found in answers["differences"].items():
-        lines.append(
-            _(
-                "head speed by {scheme} differences with a step of 1 s: {speed} m/s, off by at most "
-                "{error} m/s; measured order over all handles {order}"
-            ).format(
-                scheme=names[scheme],
-                speed=f"{found['head_speed_m_s']:.6f}",
-                error=f"{found['head_speed_error_m_s']:.1e}",
-                order=f"{found['order']:.2f}",
-            )
-        )
-    lines.append(
-        _("turn: radii {r1} m and {r2} m, length {length} m, boundary angles {angles}").format(
-            r1=f"{turn['radii_m'][0]:.6f}",
-            r2=f"{turn['radii_m'][1]:.6f}",
-            length=f"{turn['length_m']:.6f}",
-            angles=", ".join(
-                f"{turn[name]:.4f}" for name in ("theta_max1", "theta_min1", "theta_min2", "theta_max2")
-            ),
-        )
-    )
-    for line in lines:
-        click.echo(line)
-
-
-def _console(stderr: bool = False) -> "Console":
-    from rich.console import Console
-
-    wide = None if (sys.stderr if stderr else sys.stdout).isatty() else 100
-    return Console(stderr=stderr, width=wide)
-
-
-def _progress(quiet: bool, total: float) -> AbstractContextManager[Advance]:
-    """A bar on standard error; the block gets advance(share, text)."""
-    if quiet or not sys.stderr.isatty():
-        return nullcontext(lambda _share=0.0, _text="": None)
-    return _bar(total)
-
-
-class _bar:  # noqa: N801 - a context manager, used like a function
-    def __init__(self, total: float) -> None:
-        from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
-
-        columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
-        self._progress = Progress(*columns, console=_console(stderr=True), transient=True)
-        self._task = self._progress.add_task("", total=total)
-
-    def __enter__(self) -> Advance:
-        self._progress.start()
-        return self._advance
-
-    def __exit__(self, *_exception: object) -> None:
-        self._progress.stop()
-
-    def _advance(self, share: float, text: str | None = None) -> None:
-        self._progress.update(self._task, advance=share, description=text)
 
 
 def _announce_compiling(quiet: bool) -> None:

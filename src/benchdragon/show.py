@@ -1,0 +1,128 @@
+"""What users see in a terminal: tables, answers, files written, progress.
+
+rich is imported when something is shown, so that help need not wait for it.
+"""
+
+import sys
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from benchdragon.messages import _
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+Advance = Callable[..., None]
+
+
+def six(value: float) -> str:
+    """Six decimals, without the sign of a zero."""
+    return f"{round(value, 6) + 0.0:.6f}"
+
+
+def print_table(title: str, rows: Sequence[tuple[str, ...]]) -> None:
+    """Rows of time, handle, x, y, speed, each as text."""
+    from rich.table import Table
+
+    table = Table(title=title)
+    for name in (_("time (s)"), _("handle"), _("x (m)"), _("y (m)"), _("speed (m/s)")):
+        table.add_column(name, justify="right", no_wrap=True)
+    for row in rows:
+        table.add_row(*row)
+    _console().print(table)
+
+
+def print_files(files: Sequence[Path]) -> None:
+    """The files that were written."""
+    click.echo(_("Written:"))
+    for path in files:
+        click.echo(f"  {path}")
+
+
+def print_reproduction(answers: dict[str, Any]) -> None:
+    """The answers of `reproduce.reproduce`, as a table and sentences."""
+    rows = [
+        (
+            f"{row['time_s']:g}",
+            str(row["handle"]),
+            *(six(row[key]) for key in ("x_m", "y_m", "speed_m_s")),
+        )
+        for row in answers["table"]
+    ]
+    print_table(_("The contest's table, pitch 0.55 m"), rows)
+    rk, turn = answers["runge_kutta"], answers["turn"]
+    lines = [
+        _("chords keep their length to {error} m").format(
+            error=f"{answers['largest_chord_error_m']:.1e}"
+        ),
+        _(
+            "head by Runge-Kutta and by the closed form: {rk4} m apart (RK4, steps of 0.1 s), "
+            "{adaptive} m apart (adaptive); measured order of RK4 {order}"
+        ).format(
+            rk4=f"{rk['rk4_step_0.1_s_m']:.1e}",
+            adaptive=f"{rk['adaptive_m']:.1e}",
+            order=f"{rk['rk4_order']:.2f}",
+        ),
+    ]
+    names = {"forward": _("forward"), "central": _("central"), "backward": _("backward")}
+    for scheme, found in answers["differences"].items():
+        lines.append(
+            _(
+                "head speed by {scheme} differences with a step of 1 s: {speed} m/s, off by at most "
+                "{error} m/s; measured order over all handles {order}"
+            ).format(
+                scheme=names[scheme],
+                speed=f"{found['head_speed_m_s']:.6f}",
+                error=f"{found['head_speed_error_m_s']:.1e}",
+                order=f"{found['order']:.2f}",
+            )
+        )
+    lines.append(
+        _("turn: radii {r1} m and {r2} m, length {length} m, boundary angles {angles}").format(
+            r1=f"{turn['radii_m'][0]:.6f}",
+            r2=f"{turn['radii_m'][1]:.6f}",
+            length=f"{turn['length_m']:.6f}",
+            angles=", ".join(
+                f"{turn[name]:.4f}" for name in ("theta_max1", "theta_min1", "theta_min2", "theta_max2")
+            ),
+        )
+    )
+    for line in lines:
+        click.echo(line)
+
+
+def _console(stderr: bool = False) -> "Console":
+    from rich.console import Console
+
+    wide = None if (sys.stderr if stderr else sys.stdout).isatty() else 100
+    return Console(stderr=stderr, width=wide)
+
+
+def progress(quiet: bool, total: float) -> AbstractContextManager[Advance]:
+    """A bar on standard error; the block gets advance(share, text)."""
+    if quiet or not sys.stderr.isatty():
+        return nullcontext(lambda _share=0.0, _text="": None)
+    return _Bar(total)
+
+
+class _Bar:
+    def __init__(self, total: float) -> None:
+        from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+        columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
+        self._progress = Progress(*columns, console=_console(stderr=True), transient=True)
+        self._task = self._progress.add_task("", total=total)
+
+    def __enter__(self) -> Advance:
+        self._progress.start()
+        return self._advance
+
+    def __exit__(self, *_exception: object) -> None:
+        self._progress.stop()
+
+    def _advance(self, share: float, text: str | None = None) -> None:
+        self._progress.update(self._task, advance=share, description=text)
