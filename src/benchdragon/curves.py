@@ -13,6 +13,7 @@ from typing import Self
 import numpy as np
 import numpy.typing as npt
 
+from benchdragon.arrays import as_numbers
 from benchdragon.errors import InputError, finite, not_negative, positive
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels.curve import FloatArray
@@ -75,7 +76,7 @@ class Curve:
         return self._evaluate(s)[..., 3]
 
     def _evaluate(self, s: npt.ArrayLike) -> FloatArray:
-        lengths = np.asarray(s, dtype=np.float64)
+        lengths = as_numbers("s", s)
         out = np.empty((lengths.size, 4))
         evaluate(self.rows, lengths.ravel(), out)
         off = np.isnan(out[:, 0])
@@ -114,6 +115,8 @@ def _row(kind: float, length: float, start: Point, angle: float, p: float, q: fl
 
 
 def _check_pose(point: Point, heading: float) -> None:
+    if np.shape(point) != (2,):
+        raise InputError(_("a start or centre must be a pair (x, y), not {value}").format(value=point))
     for value in point:
         if abs(finite("start", value, "m")) > MOST_METRES:
             raise InputError(_("a start or centre must lie within 1e8 m of the origin"))
@@ -258,8 +261,8 @@ class Spiral(Curve):
         return self.pitch / (2.0 * math.pi)
 
     def angle(self, s: npt.ArrayLike) -> FloatArray:
-        """theta, rad, at arc lengths s from the start (m)."""
-        lengths = np.asarray(s, dtype=np.float64)
+        """theta, rad, at arc lengths s from the start (m), on the spiral or carried on beyond it."""
+        lengths = as_numbers("s", s)
         flat = [kernel.parameter_at(self.rows, 0, value) for value in lengths.ravel()]
         return np.array(flat).reshape(lengths.shape)
 

@@ -3,11 +3,13 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from operator import index
 from typing import Self
 
 import numpy as np
 import numpy.typing as npt
 
+from benchdragon.arrays import as_numbers
 from benchdragon.errors import InputError, as_number, not_negative, positive
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.messages import _
@@ -51,7 +53,7 @@ class Dragon:
     """
 
     def __init__(self, benches: Sequence[Bench]) -> None:
-        self._set(*(_numbers(name, [getattr(bench, name) for bench in benches]) for name in _SIZES))
+        self._set(*(as_numbers(name, [getattr(bench, name) for bench in benches]) for name in _SIZES))
 
     @classmethod
     def of_sizes(
@@ -63,7 +65,7 @@ class Dragon:
     ) -> Self:
         """A dragon from arrays of sizes, m, that broadcast to (benches,)."""
         given = (length, width, front_inset, rear_inset)
-        columns = [_numbers(name, value) for name, value in zip(_SIZES, given, strict=True)]
+        columns = [as_numbers(name, value) for name, value in zip(_SIZES, given, strict=True)]
         try:
             columns = list(np.broadcast_arrays(np.atleast_1d(columns[0]), *columns[1:]))
         except ValueError:
@@ -86,7 +88,11 @@ class Dragon:
         rear_inset: float = 0.275,
     ) -> Self:
         """Head, equal bodies, tail, in metres; without arguments the dragon of CUMCM 2024 A."""
-        if not isinstance(benches, int) or not 1 <= benches <= MOST_BENCHES:
+        try:
+            sound = 1 <= index(benches) <= MOST_BENCHES
+        except TypeError:
+            sound = False
+        if not sound:
             raise InputError(_count_text(benches))
         length = np.full(benches, as_number("body_length", body_length))
         length[-1] = as_number("tail_length", tail_length)
@@ -151,15 +157,6 @@ class Dragon:
 
 
 _SIZES = ("length", "width", "front_inset", "rear_inset")
-
-
-def _numbers(name: str, values: npt.ArrayLike) -> FloatArray:
-    array = np.asarray(values)
-    if array.size and array.dtype.kind not in "fiu":
-        raise InputError(
-            _("{name} must be a number, not {value}").format(name=name, value=repr(values))
-        )
-    return array.astype(np.float64)
 
 
 def _count_text(count: object) -> str:

@@ -15,6 +15,7 @@ from typing import Literal, Self
 import numpy as np
 import numpy.typing as npt
 
+from benchdragon.arrays import as_numbers
 from benchdragon.curves import Spiral
 from benchdragon.errors import InputError, finite, not_negative, positive
 from benchdragon.kernels.curve import FloatArray
@@ -42,6 +43,9 @@ class SpeedProfile:
     speeds: tuple[float, ...]
 
     def __post_init__(self) -> None:
+        for name in ("times", "speeds"):
+            knots = np.atleast_1d(as_numbers(name, getattr(self, name)))
+            object.__setattr__(self, name, tuple(knots.ravel().tolist()))
         if len(self.times) != len(self.speeds) or not self.times:
             raise InputError(
                 _(
@@ -63,7 +67,7 @@ class SpeedProfile:
 
     def speed(self, t: npt.ArrayLike) -> FloatArray:
         """Head speed at times t, m/s."""
-        return np.asarray(np.interp(np.asarray(t, dtype=np.float64), self.times, self.speeds))
+        return np.asarray(np.interp(as_numbers("times", t), self.times, self.speeds))
 
     def acceleration(self, t: npt.ArrayLike) -> FloatArray:
         """Rate of change of the head's speed, m/s^2; at a knot that of the span after it."""
@@ -71,7 +75,7 @@ class SpeedProfile:
 
     def distance(self, t: npt.ArrayLike) -> FloatArray:
         """Distance walked from time 0 to times t, m, exact; negative before 0."""
-        return self._from_first(np.asarray(t, dtype=np.float64)) - self._from_first(np.zeros(()))
+        return self._from_first(as_numbers("times", t)) - self._from_first(np.zeros(()))
 
     @cached_property
     def _slopes(self) -> FloatArray:

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
-from benchdragon.curves import Route, Spiral
+from benchdragon.arrays import as_numbers
+from benchdragon.curves import MOST_METRES, Route, Spiral
 from benchdragon.dragon import Dragon
 from benchdragon.errors import InputError, WalkError, finite
 from benchdragon.kernels.chain import march, rates
@@ -46,7 +47,8 @@ class Walk:
     start: float = 0.0
 
     def __post_init__(self) -> None:
-        finite("start", self.start, "m")
+        if abs(finite("start", self.start, "m")) > MOST_METRES:
+            raise InputError(_("start must lie within 1e8 m, not at {s} m").format(s=f"{self.start:g}"))
 
     def head_position(
         self, times: npt.ArrayLike, leader: LeaderMethod = "closed-form", step: float = 0.1
@@ -143,10 +145,7 @@ class Walk:
 
 
 def _clock(times: npt.ArrayLike) -> FloatArray:
-    try:
-        clock = np.array(times, dtype=np.float64, ndmin=1)
-    except (TypeError, ValueError):
-        raise InputError(_("times must be numbers, not {value}").format(value=repr(times))) from None
+    clock = np.atleast_1d(as_numbers("times", times))
     if clock.ndim > 1:
         raise InputError(
             _("times must be one list, not a table of shape {shape}").format(shape=clock.shape)

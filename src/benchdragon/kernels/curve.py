@@ -154,7 +154,7 @@ def spiral_length(k: float, theta: float) -> float:
 def spiral_angle(k: float, length: float) -> float:
     """The theta at which a spiral is `length` metres long: Newton on a convex function, from above."""
     theta = min(math.sqrt(2.0 * length / k), length / k)
-    for _ in range(MAX_NEWTON):
+    for _ in range(MAX_NEWTON):  # pragma: no branch - it always breaks
         step = (spiral_length(k, theta) - length) / (k * math.sqrt(1.0 + theta * theta))
         theta -= step
         if abs(step) <= 4e-16 * theta:

@@ -14,7 +14,7 @@ from typing import Any, TypeVar, cast
 
 COMPILED = os.environ.get("BENCHDRAGON_COMPILE", "always") != "never"
 if COMPILED:
-    import numba
+    import numba  # pragma: no cover - coverage is taken uncompiled
 
 Function = TypeVar("Function", bound=Callable[..., object])
 

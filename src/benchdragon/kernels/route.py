@@ -144,9 +144,7 @@ def growing_chord(
     if most <= slack:
         return u
     far = step_back(rows, j, u, min(2.0 * slack / cosine, most))
-    width = abs(far - u) * max(stretch(rows, j, u), stretch(rows, j, far))
-    if width >= chord:
-        return u
+    width = abs(far - u) * max(stretch(rows, j, u), stretch(rows, j, far))  # <= most < 0.8 chord
     swing = turning_bound(rows, j, u, far) + math.asin(width / chord)
     return far if swing < allowed else u
 
