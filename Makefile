@@ -1,9 +1,8 @@
 # `make demo` and `make test` set up everything they need in .venv/.
 PYTHON ?= python3
 BIN := .venv/bin
-LANGUAGE_OF_DEMO ?=
 
-.PHONY: demo test check bench messages lock fonts clean
+.PHONY: demo test bench messages lock fonts clean
 
 .venv/installed: requirements.lock pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed")'

@@ -226,3 +226,13 @@ def test_a_closed_pipe_is_no_error() -> None:
     done = subprocess.run(["sh", "-c", command], capture_output=True, text=True, check=False)
     assert done.stderr == ""
     assert done.stdout == '{"time": '
+
+
+def test_a_sign_that_cannot_be_drawn_is_named_once_in_a_plain_sentence(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    arguments = ["motion", str(EXAMPLES / "01_parade.dragon.toml"), "-o", str(tmp_path), "--quiet"]
+    arguments += ["--format", "png", "--set", 'meta.title="𠮷"']
+    code, _out, err = answered(capsys, *arguments)
+    assert code == 0
+    assert err == "Note: no font here has the signs 𠮷 (U+20BB7)\n"

@@ -7,6 +7,7 @@ import copy
 import json
 import os
 import sys
+import warnings
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -418,6 +419,11 @@ def translated(command: click.Command) -> click.Command:
     if isinstance(spoken, click.Group):
         spoken.commands = {name: translated(verb) for name, verb in spoken.commands.items()}
     return spoken
+
+
+def _note(message: Warning | str, *_place: object) -> None:
+    """Show a warning as a sentence, without the place in the code that it comes from."""
+    click.echo(_("Note: {text}").format(text=message), err=True)
 
 
 def run(arguments: Sequence[str]) -> int:
