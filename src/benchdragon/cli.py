@@ -421,15 +421,27 @@ def translated(command: click.Command) -> click.Command:
     return spoken
 
 
-def _note(message: Warning | str, *_place: object) -> None:
-    """Show a warning as a sentence, without the place in the code that it comes from."""
-    click.echo(_("Note: {text}").format(text=message), err=True)
+def _notes() -> Callable[..., None]:
+    """What shows each warning once, as a sentence, without the place in the code it comes from."""
+    shown: set[str] = set()
+
+    def note(message: Warning | str, *_place: object) -> None:
+        if str(message) not in shown:
+            shown.add(str(message))
+            click.echo(_("Note: {text}").format(text=message), err=True)
+
+    return note
 
 
 def run(arguments: Sequence[str]) -> int:
     """Run one command line; its exit code. Errors become one sentence on standard error."""
     try:
-        code = translated(program).main(list(arguments), prog_name="benchdragon", standalone_mode=False)
+        with warnings.catch_warnings():
+            warnings.simplefilter("always", UserWarning)
+            warnings.showwarning = _notes()
+            code = translated(program).main(
+                list(arguments), prog_name="benchdragon", standalone_mode=False
+            )
         sys.stdout.flush()
         return code if isinstance(code, int) else 0
     except click.ClickException as error:
