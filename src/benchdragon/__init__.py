@@ -7,7 +7,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from benchdragon.contact import Nearness, clearances, tightest_pairs
+    from benchdragon.clearance import Nearness, clearances, tightest_pairs
     from benchdragon.curves import Arc, Clothoid, Line, Route, Spiral
     from benchdragon.dragon import Bench, Dragon
     from benchdragon.errors import BenchDragonError, InputError, WalkError
@@ -54,9 +54,9 @@ _ROOMS = {
     "TwoArcTurn": "turns",
     "Walk": "motion",
     "WalkError": "errors",
-    "Nearness": "contact",
-    "clearances": "contact",
-    "tightest_pairs": "contact",
+    "Nearness": "clearance",
+    "clearances": "clearance",
+    "tightest_pairs": "clearance",
 }
 
 

@@ -7,7 +7,7 @@ import pytest
 import shapely
 
 from benchdragon import Dragon, InputError, Line, Route, Spiral, Walk, WalkError
-from benchdragon.contact import Nearness, boxes, clearances, nearness, pairs_within, tightest_pairs
+from benchdragon.clearance import Nearness, boxes, clearances, nearness, pairs_within, tightest_pairs
 from benchdragon.kernels.box import corner
 from benchdragon.plan import read_plan
 
