@@ -7,11 +7,11 @@ from pyarrow import parquet
 from python_calamine import CalamineWorkbook
 
 from benchdragon import Dragon, InputError, WalkError
+from benchdragon.errors import MissingExtraError
 from benchdragon.messages import use_language
 from benchdragon.plan import read_plan
 from benchdragon.tables import (
     WRITERS,
-    MissingExtraError,
     Selection,
     handle_names,
     write_csv,

@@ -7,10 +7,19 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from benchdragon.answer import Answer, Witness
     from benchdragon.clearance import Nearness, clearances, tightest_pairs
+    from benchdragon.contact import (
+        ClearanceCurve,
+        Window,
+        clearance_curve,
+        contact_windows,
+        first_contact,
+        least_clearance,
+    )
     from benchdragon.curves import Arc, Clothoid, Line, Route, Spiral
     from benchdragon.dragon import Bench, Dragon
-    from benchdragon.errors import BenchDragonError, InputError, WalkError
+    from benchdragon.errors import BenchDragonError, InputError, UnsureError, WalkError
     from benchdragon.kernels.status import Status
     from benchdragon.leader import SpeedProfile
     from benchdragon.motion import Motion, Walk
@@ -18,9 +27,11 @@ if TYPE_CHECKING:
 
 __version__ = "0.1.0"
 __all__ = [
+    "Answer",
     "Arc",
     "Bench",
     "BenchDragonError",
+    "ClearanceCurve",
     "Clothoid",
     "Dragon",
     "InputError",
@@ -32,30 +43,46 @@ __all__ = [
     "Spiral",
     "Status",
     "TwoArcTurn",
+    "UnsureError",
     "Walk",
     "WalkError",
+    "Window",
+    "Witness",
+    "clearance_curve",
     "clearances",
+    "contact_windows",
+    "first_contact",
+    "least_clearance",
     "tightest_pairs",
 ]
 
 _ROOMS = {
+    "Answer": "answer",
     "Arc": "curves",
     "Bench": "dragon",
     "BenchDragonError": "errors",
+    "ClearanceCurve": "contact",
     "Clothoid": "curves",
     "Dragon": "dragon",
     "InputError": "errors",
     "Line": "curves",
     "Motion": "motion",
+    "Nearness": "clearance",
     "Route": "curves",
     "SpeedProfile": "leader",
     "Spiral": "curves",
     "Status": "kernels.status",
     "TwoArcTurn": "turns",
+    "UnsureError": "errors",
     "Walk": "motion",
     "WalkError": "errors",
-    "Nearness": "clearance",
+    "Window": "contact",
+    "Witness": "answer",
+    "clearance_curve": "contact",
     "clearances": "clearance",
+    "contact_windows": "contact",
+    "first_contact": "contact",
+    "least_clearance": "contact",
     "tightest_pairs": "clearance",
 }
 

@@ -13,10 +13,11 @@ from benchdragon.errors import InputError, WalkError
 from benchdragon.kernels import box as kernel
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
-from benchdragon.messages import _
+from benchdragon.messages import N_, _
 from benchdragon.motion import Motion
 
-CORNERS = ("front left", "rear left", "rear right", "front right")
+CORNERS = (N_("front left"), N_("rear left"), N_("rear right"), N_("front right"))
+ENDS, FLANKS = (N_("front"), N_("rear")), (N_("left"), N_("right"))
 # Pairs listed at most; each is described in a few hundred bytes.
 MOST_PAIRS = 100_000
 # Distances that agree to so many decimals, m, count as equal when pairs are put in order.
@@ -54,10 +55,9 @@ def boxes(motion: Motion, index: int) -> FloatArray:
         error: WalkError = motion.failure(index)
         raise error
     dragon = motion.walk.dragon
-    sizes = np.array([dragon.length, dragon.width, dragon.front_inset, dragon.rear_inset])
     out = np.empty((len(dragon), kernel.BOX_COLUMNS))
     x, y = motion.x[index : index + 1].T, motion.y[index : index + 1].T
-    kernel.boxes_at(sizes, np.ascontiguousarray(x), np.ascontiguousarray(y), 0, 0, len(dragon), out)
+    kernel.boxes_at(dragon.sizes, np.ascontiguousarray(x), np.ascontiguousarray(y), 0, out)
     return out
 
 
@@ -89,12 +89,11 @@ def _foot(table: FloatArray, j: int, x: float, y: float) -> tuple[tuple[float, f
         float(table[j, kernel.CX]) + a * ux - b * uy,
         float(table[j, kernel.CY]) + a * uy + b * ux,
     )
-    ends, flanks = ("front", "rear"), ("left", "right")
     if abs(along) > half and abs(across) > wide:
-        return point, f"{ends[along < 0.0]} {flanks[across < 0.0]}"
+        return point, f"{ENDS[along < 0.0]} {FLANKS[across < 0.0]}"
     if abs(along) - half > abs(across) - wide:
-        return point, ends[along < 0.0]
-    return point, flanks[across < 0.0]
+        return point, ENDS[along < 0.0]
+    return point, FLANKS[across < 0.0]
 
 
 def pairs_within(table: FloatArray, reach: float) -> tuple[IntArray, IntArray]:
@@ -138,6 +137,14 @@ def tightest_pairs(motion: Motion, index: int = 0, count: int = 1) -> list[Nearn
         reach *= 2.0
     order = np.lexsort((second, first, np.round(distance, TIE)))[:wanted]
     return [nearness(table, int(first[p]), int(second[p])) for p in order]
+
+
+def pair_distances(motion: Motion, i: int, j: int) -> FloatArray:
+    """Distance of benches i and j (rows, from 0) at each time of a motion, m, (T,); minus a depth."""
+    out = np.empty(len(motion.times))
+    x, y = np.ascontiguousarray(motion.x.T), np.ascontiguousarray(motion.y.T)
+    kernel.distances_along(motion.walk.dragon.sizes, x, y, i, j, out)
+    return out
 
 
 def clearances(motion: Motion, indices: Sequence[int] | None = None) -> FloatArray:

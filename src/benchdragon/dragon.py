@@ -108,9 +108,16 @@ class Dragon:
         for array in arrays:
             array.flags.writeable = False
 
+    @cached_property
+    def sizes(self) -> FloatArray:
+        """Length, width, front inset and rear inset of every bench, m, (4, benches)."""
+        sizes = np.array([self.length, self.width, self.front_inset, self.rear_inset])
+        sizes.flags.writeable = False
+        return sizes
+
     def _check(self) -> None:
         """One vectorised look; only the bench it finds is described."""
-        sizes = np.array([self.length, self.width, self.front_inset, self.rear_inset])
+        sizes = self.sizes
         with np.errstate(invalid="ignore"):
             sound = np.isfinite(sizes).all(axis=0) & (sizes[:2] > 0.0).all(axis=0)
             sound &= (sizes[2:] >= 0.0).all(axis=0) & (sizes <= LONGEST_BENCH).all(axis=0)

@@ -33,6 +33,21 @@ class WalkError(BenchDragonError):
         super().__init__(_(ADVICE[status]).format(bench=bench, s=f"{s:.6g}", t=f"{t:.6g}", size=size))
 
 
+class UnsureError(BenchDragonError):
+    """A question that could not be decided within the budget."""
+
+    exit_code = 5
+
+
+class MissingExtraError(BenchDragonError):
+    """A library that an extra brings is not installed."""
+
+    def __init__(self, extra: str) -> None:
+        super().__init__(
+            _("this needs an extra: pip install 'benchdragon[{extra}]'").format(extra=extra)
+        )
+
+
 ADVICE = {
     Status.BEFORE_ROUTE: N_(
         "at t = {t} s the head would stand at s = {s} m, before the route starts; begin the walk later "

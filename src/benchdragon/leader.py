@@ -77,6 +77,26 @@ class SpeedProfile:
         """Distance walked from time 0 to times t, m, exact; negative before 0."""
         return self._from_first(as_numbers("times", t)) - self._from_first(np.zeros(()))
 
+    def time(self, distance: float) -> float:
+        """The first time, s, by which `distance` (m, from time 0) is walked: inverse of `distance`.
+
+        Infinite where the head stops for good before; minus infinite where it never started after.
+        """
+        wanted = distance + float(self._from_first(np.zeros(())))
+        times, speeds = self.times, self.speeds
+        n = int(np.searchsorted(self._sums, wanted, side="left"))
+        if n == 0 or n == len(times):
+            knot, speed = (0, speeds[0]) if n == 0 else (-1, speeds[-1])
+            ahead = wanted - float(self._sums[knot])
+            if ahead and not speed:
+                return math.copysign(math.inf, ahead)
+            return times[knot] + (ahead / speed if ahead else 0.0)
+        ahead, slope = wanted - float(self._sums[n - 1]), float(self._slopes[n])
+        # The stable root of slope t^2 / 2 + speed t = ahead.
+        speed = speeds[n - 1]
+        root = math.sqrt(max(speed * speed + 2.0 * slope * ahead, 0.0))
+        return min(times[n - 1] + 2.0 * ahead / (speed + root), times[n])
+
     @cached_property
     def _slopes(self) -> FloatArray:
         inner = np.diff(self.speeds) / np.diff(self.times)

@@ -83,6 +83,23 @@ class Walk:
         walked = way * (ahead - spiral_length(curve.k, curve.start_angle))
         return np.asarray(self.route.joints[part] + walked)
 
+    def head_where_tail(self, s: float) -> float:
+        """The head's route position, m, when the last handle has come to route position s (m).
+
+        Within 1e-9 m, and not before; the route's end if that comes first.
+        """
+        low, high = s, self.route.length
+        still = Walk(self.dragon, self.route)
+        while high - low > 1e-9:
+            middle = 0.5 * (low + high)
+            if still.motion([middle], throw=False).s[0, -1] >= s:
+                high = middle
+            else:
+                low = middle
+            if middle in (low, high) and high - low <= 4e-16 * abs(high):
+                break
+        return high
+
     def _only_part(self, s: FloatArray, leader: str) -> int:
         last = len(self.route.curves) - 1
         asked = np.append(s, self.start)
@@ -245,6 +262,10 @@ class Motion:
         positions(self.walk.route.rows, self._row[sound], self._u[sound], found)
         out[sound] = found
         return out.T
+
+    def state(self, i: int) -> tuple[IntArray, FloatArray]:
+        """Row and parameter of every handle at time number i, as the kernels hold them, (N + 1,)."""
+        return self._row[:, i], self._u[:, i]
 
     @cached_property
     def heading(self) -> FloatArray:

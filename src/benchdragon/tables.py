@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from benchdragon.errors import BenchDragonError, InputError
+from benchdragon.errors import InputError, MissingExtraError
 from benchdragon.files import whole_file
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.messages import _
@@ -65,15 +65,6 @@ class Selection:
 Writer = Callable[[Path, Selection, Advance], None]
 
 
-class MissingExtraError(BenchDragonError):
-    """A library that an extra brings is not installed."""
-
-    def __init__(self, extra: str) -> None:
-        super().__init__(
-            _("this needs an extra: pip install 'benchdragon[{extra}]'").format(extra=extra)
-        )
-
-
 def handle_names(handles: int) -> list[str]:
     """What the contest calls each of `handles` handles, head first."""
     bodies = [_("Body {number}").format(number=i) for i in range(1, handles - 2)]
@@ -124,6 +115,25 @@ def write_xlsx(path: Path, what: Selection, advance: Advance) -> None:
                 speeds, i + 1, _("{handle} (m/s)").format(handle=names[handle]), speed[:, i], six
             )
             advance(0.33 / len(handles))
+        book.close()
+
+
+def write_moment_xlsx(path: Path, motion: Motion) -> None:
+    """The contest's layout for the first time of `motion`: x, y and speed of each handle."""
+    import xlsxwriter  # slow to import
+
+    names = handle_names(motion.x.shape[1])
+    with whole_file(path) as temporary:
+        book = xlsxwriter.Workbook(temporary, {"constant_memory": True, "nan_inf_to_errors": False})
+        six = book.add_format({"num_format": "0.000000"})
+        sheet = book.add_worksheet("Sheet1")
+        sheet.freeze_panes(1, 1)
+        sheet.set_column(0, 3, 18)
+        sheet.write_row(0, 1, [_("x (m)"), _("y (m)"), _("speed (m/s)")])
+        columns = (motion.x[0], motion.y[0], motion.speed[0])
+        for i, name in enumerate(names):
+            sheet.write_string(i + 1, 0, name)
+            sheet.write_row(i + 1, 1, [float(values[i]) for values in columns], six)
         book.close()
 
 

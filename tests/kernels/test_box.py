@@ -104,7 +104,7 @@ def test_boxes_come_from_handles_and_sizes() -> None:
     sizes = np.array([[3.41, 2.2], [0.3, 0.4], [0.275, 0.1], [0.275, 0.5]])
     x, y = np.array([[0.0], [-2.86], [-2.86]]), np.array([[0.0], [0.0], [1.6]])
     boxes = np.empty((2, BOX_COLUMNS))
-    boxes_at(sizes, x, y, 0, 0, 2, boxes)
+    boxes_at(sizes, x, y, 0, boxes)
     assert boxes[0] == pytest.approx([0.275 - 1.705, 0.0, 1.0, 0.0, 1.705, 0.15])
     assert boxes[1] == pytest.approx([-2.86, -0.1 + 1.1, 0.0, -1.0, 1.1, 0.2])
     assert corner(boxes, 0, 0) == pytest.approx((0.275, 0.15))

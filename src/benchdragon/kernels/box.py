@@ -26,21 +26,26 @@ ACROSS = np.array([1.0, 1.0, -1.0, -1.0])
 
 
 @kernel
-def boxes_at(
-    sizes: FloatArray, x: FloatArray, y: FloatArray, t: int, first: int, last: int, out: FloatArray
+def set_box(
+    sizes: FloatArray, i: int, x: FloatArray, y: FloatArray, t: int, out: FloatArray, k: int
 ) -> None:
-    """Fill rows first..last-1 of `out` with the boxes of these benches at time number t.
+    """Fill row k of `out` with the box of bench i, whose handles stand at x[i..i+1, t], y[i..i+1, t].
 
-    `sizes` is (4, benches): length, width, front inset, rear inset, m; x and y are (handles, times).
+    `sizes` is (4, benches): length, width, front inset, rear inset, m.
     """
-    for i in range(first, last):
-        dx, dy = x[i, t] - x[i + 1, t], y[i, t] - y[i + 1, t]
-        link = sizes[0, i] - sizes[2, i] - sizes[3, i]
-        ux, uy = dx / link, dy / link
-        ahead = sizes[2, i] - 0.5 * sizes[0, i]
-        out[i, CX], out[i, CY] = x[i, t] + ahead * ux, y[i, t] + ahead * uy
-        out[i, UX], out[i, UY] = ux, uy
-        out[i, HALF_LENGTH], out[i, HALF_WIDTH] = 0.5 * sizes[0, i], 0.5 * sizes[1, i]
+    link = sizes[0, i] - sizes[2, i] - sizes[3, i]
+    ux, uy = (x[i, t] - x[i + 1, t]) / link, (y[i, t] - y[i + 1, t]) / link
+    ahead = sizes[2, i] - 0.5 * sizes[0, i]
+    out[k, CX], out[k, CY] = x[i, t] + ahead * ux, y[i, t] + ahead * uy
+    out[k, UX], out[k, UY] = ux, uy
+    out[k, HALF_LENGTH], out[k, HALF_WIDTH] = 0.5 * sizes[0, i], 0.5 * sizes[1, i]
+
+
+@kernel
+def boxes_at(sizes: FloatArray, x: FloatArray, y: FloatArray, t: int, out: FloatArray) -> None:
+    """Fill `out`, (benches, BOX_COLUMNS), with the boxes of all benches at time number t."""
+    for i in range(out.shape[0]):
+        set_box(sizes, i, x, y, t, out, i)
 
 
 @kernel
@@ -129,3 +134,15 @@ def pair_distances(
     for p in range(first.shape[0]):
         gap[p] = box_gap(boxes, first[p], second[p])
         distance[p] = box_distance(boxes, first[p], second[p])
+
+
+@kernel
+def distances_along(
+    sizes: FloatArray, x: FloatArray, y: FloatArray, i: int, j: int, out: FloatArray
+) -> None:
+    """Fill out[t] with the distance of benches i and j at each time; minus the depth of an overlap."""
+    boxes = np.empty((2, BOX_COLUMNS))
+    for t in range(out.shape[0]):
+        set_box(sizes, i, x, y, t, boxes, 0)
+        set_box(sizes, j, x, y, t, boxes, 1)
+        out[t] = box_distance(boxes, 0, 1)

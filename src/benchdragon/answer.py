@@ -1,0 +1,69 @@
+"""Answers: a number with the bracket that was established, how, and what shows it."""
+
+from dataclasses import dataclass, replace
+from typing import Any, Literal, Self
+
+Status = Literal["proved", "found", "infeasible", "undecided"]
+
+
+@dataclass(frozen=True)
+class Witness:
+    """Where and when an answer comes about.
+
+    Attributes:
+        time: s; None where time has no part in it.
+        s: route position of the head's handle then, m.
+        benches: the two benches, or the one, 1..N.
+        point: where they meet or are nearest (the corner's side), m.
+        gap: their signed gap by the separating axis theorem, m.
+        features: what meets: the corner of one bench, and the side or corner of the other.
+    """
+
+    time: float | None
+    s: float
+    benches: tuple[int, ...]
+    point: tuple[float, float]
+    gap: float
+    features: tuple[tuple[int, str], ...] = ()
+
+
+@dataclass(frozen=True)
+class Answer:
+    """A solved number.
+
+    Attributes:
+        value: the best estimate.
+        lower: with upper, the bracket that was established: lower <= value <= upper.
+        upper: see lower.
+        unit: of the three.
+        status: "proved" by rigorous arithmetic, "found" with bounds that hold but for rounding (which
+            they leave room for), "infeasible", or "undecided".
+        witness: what shows it.
+        assumptions: what it rests on.
+        looks: how many times the dragon was placed to find it.
+        seconds: how long that took.
+    """
+
+    value: float
+    lower: float
+    upper: float
+    unit: str
+    status: Status
+    witness: Witness | None = None
+    assumptions: tuple[str, ...] = ()
+    looks: int = 0
+    seconds: float = 0.0
+
+    def with_status(self, status: Status) -> Self:
+        """The same under another status."""
+        return replace(self, status=status)
+
+    def as_json(self, **more: Any) -> dict[str, Any]:
+        """The answer as plain data, with `more` beside it; infinite numbers become None."""
+        data = {name: getattr(self, name) for name in ("value", "lower", "upper", "unit", "status")}
+        for name in ("value", "lower", "upper"):
+            data[name] = data[name] if abs(data[name]) < float("inf") else None
+        witness = self.witness
+        data["witness"] = None if witness is None else dict(vars(witness))
+        data["assumptions"] = list(self.assumptions)
+        return {**data, "looks": self.looks, "seconds": self.seconds, **more}

@@ -1,0 +1,435 @@
+"""Contact over time: the first, all of them, and the least clearance of a walk.
+
+Time enters through the head's route position alone, so that all searches run over that and hold for
+any speed. No bench is assumed clear because it was looked at: what is passed over is clear by a bound
+that holds in between (kernels/sweep.py, design/first_contact.py).
+"""
+
+import math
+import time as clock
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+import numpy.typing as npt
+
+from benchdragon.answer import Answer, Status, Witness
+from benchdragon.clearance import boxes, nearness, pairs_within, tightest_pairs
+from benchdragon.errors import InputError, UnsureError, finite, not_negative
+from benchdragon.ground import Ground, Ledger, Step, merged
+from benchdragon.kernels import search as kernel
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.route import IntArray
+from benchdragon.messages import _
+from benchdragon.motion import Motion, Walk
+
+Advance = Callable[[float], None]
+
+# What computed distances may be off by, m: a few dozen roundings of coordinates of 50 m; farther out
+# it grows with them. A smaller one could call a graze clear, a larger one widens brackets.
+SLACK = 1e-13
+SLACK_REACH = 50.0
+# Parts of a step narrower than this, m, or than this many roundings of the head's position, are not
+# halved: contact times get no sharper.
+WIDTH, WIDTH_ROUNDINGS = 1e-13, 4.0
+# Chains marched in one step of a search; a graze takes some hundred.
+MOST_LOOKS = 200_000
+# Chains that a proof may log in one step: 30 MB for 223 benches.
+LOG = 4096
+# First guess of the least clearance, m, and what it is multiplied by until some pair comes nearer.
+FIRST_REACH, WIDER = 0.003, 6.0
+# Least clearances are bracketed to the last of these, m. The ones before only bring the least value
+# seen near enough for most steps to be passed over at once: 25,000 -> 2,000 looks for the contest's.
+TOLERANCES = (math.inf, 1e-5, 1e-12)
+# Samples of a clearance curve: each takes a millisecond for 223 benches.
+MOST_SAMPLES = 1_000_000
+
+
+@dataclass(frozen=True)
+class Window:
+    """A span of time through which some pair of benches touches (or is nearer than the margin).
+
+    Attributes:
+        opens: when it begins; status "undecided" for a graze that rounding leaves open.
+        closes: when it ends; None if it lasts to the end of what was searched.
+    """
+
+    opens: Answer
+    closes: Answer | None
+
+
+@dataclass(frozen=True)
+class ClearanceCurve:
+    """Clearance over time, with its local minima.
+
+    Attributes:
+        times: s, (T,).
+        clearance: least distance of any pair that are not neighbours, m, (T,); negative: overlap.
+        benches: the pair, (T, 2).
+        minima: for each sample that is lower than those beside it, the least clearance between these.
+    """
+
+    times: FloatArray
+    clearance: FloatArray
+    benches: IntArray
+    minima: list[Answer]
+
+
+@dataclass
+class Hunt:
+    """A search along a walk from one head position to another."""
+
+    walk: Walk
+    start: float  # head positions, m
+    end: float
+    margin: float
+    advance: Advance
+    slack: float = 0.0
+    ledger: Ledger | None = None
+    looks: int = 0
+    began: float = field(default_factory=clock.perf_counter)
+
+    def __post_init__(self) -> None:
+        extent = float(np.abs(self.motion(self.start).x).max(initial=0.0))
+        extent = max(extent, float(np.abs(self.motion(self.start).y).max(initial=0.0)))
+        self.slack = self.slack or SLACK * max(1.0, extent / SLACK_REACH)
+        self._room: kernel.Search | None = None
+        self._shape = (0, 0, 0)
+
+    def steps(self, reach: float) -> Iterator[Step]:
+        """The steps in which pairs may come within `reach`, in order; what lies between is clear.
+
+        Raises:
+            WalkError: after the last of them, if the dragon cannot walk on to the end.
+            UnsureError: likewise, if it could not be shown that it can.
+        """
+        walk = self.walk
+        ground = Ground(walk.dragon, walk.route, reach + self.slack, self.start, self.ledger)
+        done = self.start
+        while done < self.end:
+            upto = min(self.end, done + ground.stride(done))
+            ground.extend(upto)
+            sound = ground.sound_until(done, upto)
+            yield from merged(ground.steps(done, sound), ground.cell / 4.0, len(walk.dragon))
+            if sound < upto:
+                raise self.stopped(sound, ground.cell)
+            self.advance((upto - self.start) / (self.end - self.start))
+            done = upto
+
+    def stopped(self, sound: float, cell: float) -> Exception:
+        """Why the walk could not be followed past head position `sound`."""
+        ahead = np.linspace(sound, min(sound + 2.0 * cell, self.end), 65)
+        motion = self.motion(ahead)
+        failed = np.flatnonzero(motion.status)
+        if failed.size:
+            return motion.failure(int(failed[0]))
+        return UnsureError(
+            _("past t = {t} s it could not be shown that every bench follows without a leap").format(
+                t=f"{self.time(sound):.6g}"
+            )
+        )
+
+    def seek(
+        self, goal: int, step: Step, start: float, end: float, note: FloatArray, tolerance: float = 0.0
+    ) -> int:
+        """Run the kernel's search on part of a step; PAIR in `note` then counts pairs of the step.
+
+        `tolerance` is that of LEAST, m.
+        """
+        members, inverse = np.unique(np.concatenate([step.first, step.second]), return_inverse=True)
+        count = len(step.first)
+        handles = int(members[-1]) + 2
+        shape = (handles, len(members), count)
+        if self._room is None or any(a > b for a, b in zip(shape, self._shape, strict=True)):
+            wide, many, most = np.maximum(shape, self._shape).tolist()
+            self._shape = (wide, many, most)
+            self._room = kernel.room(*self._shape, 0 if self.ledger is None else LOG)
+        dragon = self.walk.dragon
+        width = max(WIDTH, WIDTH_ROUNDINGS * math.ulp(end))
+        before = note[kernel.LOOKS]
+        ending = kernel.seek(
+            self._room, goal, self.walk.route.rows, dragon.links[: handles - 1], dragon.sizes,
+            members, inverse[:count], inverse[count:], start, end,
+            self.margin, tolerance or self.slack, width, MOST_LOOKS, note,
+        )  # fmt: skip
+        self.looks += int(note[kernel.LOOKS] - before)
+        if self.ledger is not None:
+            count = int(self._room.logged[0])
+            if count > LOG:
+                raise UnsureError(_("a proof would need too many looks in one step"))
+            self.ledger.add_log(self._room.log[:count], handles)
+            self._room.logged[0] = 0
+        return ending
+
+    def time(self, s: float) -> float:
+        """When the head stands at route position s."""
+        return self.walk.profile.time(s - self.walk.start)
+
+    def motion(self, s: npt.ArrayLike) -> Motion:
+        """The dragon with its head at s, as if it walked at 1 m/s from route position 0."""
+        return Walk(self.walk.dragon, self.walk.route).motion(s, throw=False)
+
+    def witness(self, s: float, i: int, j: int) -> Witness:
+        """How benches i and j (rows, from 0) stand with the head at s."""
+        near = nearness(boxes(self.motion(s), 0), i, j)
+        owner = near.features[0][0]
+        point = near.points[near.benches.index(owner)]
+        return Witness(self.time(s), s, near.benches, point, near.gap, near.features)
+
+    def answer_at(self, lower: float, upper: float, status: Status, i: int, j: int) -> Answer:
+        """A time between those at which the head is at lower and at upper, benches i and j meeting."""
+        middle = 0.5 * (lower + upper)
+        early, late = self._not_after(lower), self._not_before(upper)
+        value = min(max(self.time(middle), early), late)
+        seconds = clock.perf_counter() - self.began
+        witness = self.witness(upper, i, j)
+        return Answer(value, early, late, "s", status, witness, self.assumed(), self.looks, seconds)
+
+    def assumed(self) -> tuple[str, ...]:
+        """What answers rest on."""
+        text = _("computed distances are within {slack} m of the exact ones")
+        return (text.format(slack=f"{self.slack:.1e}"),)
+
+    def _not_after(self, s: float) -> float:
+        """A time at which the head has come no farther than s."""
+        t = self.time(s)
+        while t > -math.inf and self.walk.start + float(self.walk.profile.distance(t)) > s:
+            t = math.nextafter(t, -math.inf)
+        return t
+
+    def _not_before(self, s: float) -> float:
+        """A time at which the head has come at least as far as s."""
+        t = self.time(s)
+        while t < math.inf and self.walk.start + float(self.walk.profile.distance(t)) < s:
+            t = math.nextafter(t, math.inf)
+        return t
+
+
+def _hunt(
+    walk: Walk,
+    start: float,
+    end: float,
+    margin: float,
+    advance: Advance | None,
+    slack: float = 0.0,
+    ledger: Ledger | None = None,
+) -> Hunt:
+    not_negative("margin", margin, "m")
+    if finite("end", end, "s") < finite("start", start, "s"):
+        raise InputError(
+            _("the end ({end} s) must not come before the start ({start} s)").format(
+                end=f"{end:g}", start=f"{start:g}"
+            )
+        )
+    walk.motion([start])  # raises where the dragon cannot stand at the start
+    a, b = walk.head_position([start, end]).tolist()
+    return Hunt(walk, a, b, margin, advance or (lambda _share: None), slack, ledger)
+
+
+def contact_windows(
+    walk: Walk,
+    start: float,
+    end: float,
+    *,
+    margin: float = 0.0,
+    most: int = 1000,
+    slack: float = 0.0,
+    ledger: Ledger | None = None,
+    advance: Advance | None = None,
+) -> list[Window]:
+    """All spans of time in start..end (s) in which two benches but neighbours are nearer than margin.
+
+    Never late and none left out, whatever the speed: what lies outside of all windows is clear by
+    bounds. A window whose opening is "undecided" is a graze: there a pair comes within rounding of the
+    margin. Stops after `most` windows. `slack` is what computed distances may be off by, m (0: 1e-13,
+    more far out), and `ledger` takes down all places that the answer rests on: see `prove`.
+
+    Raises:
+        InputError: for a negative margin or an end before the start.
+        WalkError: if the dragon cannot stand at some time, and no windows fill `most` before.
+        UnsureError: if it could not be shown that it can.
+    """
+    hunt = _hunt(walk, start, end, margin, advance, slack, ledger)
+    windows: list[Window] = []
+    opened = _touching_at_start(hunt)
+    if opened is not None:
+        windows.append(Window(opened, None))
+    touching = opened is not None
+    if touching and most <= 1:
+        return windows
+    for step in hunt.steps(margin):
+        at = step.start
+        while at < step.end:
+            note = np.zeros(kernel.NOTES)
+            goal = kernel.TOUCH_END if touching else kernel.FIRST_TOUCH
+            ending = hunt.seek(goal, step, at, step.end, note)
+            if ending == kernel.CLEAR:
+                break
+            if ending == kernel.FALLEN:
+                raise hunt.stopped(at, step.end - at)
+            lower, at, p = float(note[kernel.LOWER]), float(note[kernel.UPPER]), int(note[kernel.PAIR])
+            pair = int(step.first[p]), int(step.second[p])
+            sure = ending == kernel.FOUND
+            found = hunt.answer_at(lower, at, "found" if sure else "undecided", *pair)
+            if touching:
+                if not sure:
+                    break
+                windows[-1] = Window(windows[-1].opens, found)
+                touching = False
+                continue
+            windows.append(Window(found, None if sure else found))
+            touching = sure
+            if len(windows) >= most:
+                return windows
+    return windows
+
+
+def _touching_at_start(hunt: Hunt) -> Answer | None:
+    """The contact in which a walk starts, if it does."""
+    tightest = tightest_pairs(hunt.motion(hunt.start))
+    if not tightest or tightest[0].distance > hunt.margin - hunt.slack:
+        return None
+    i, j = tightest[0].benches
+    return hunt.answer_at(hunt.start, hunt.start, "found", i - 1, j - 1)
+
+
+def first_contact(
+    walk: Walk, start: float, end: float, *, margin: float = 0.0, advance: Advance | None = None
+) -> Answer | None:
+    """The first time in start..end, s, at which two benches but neighbours touch; None if never.
+
+    With a margin (m), the first time at which two are nearer than that. The answer's bracket: all is
+    clear up to `lower`, and at `upper` a pair surely touches. Status "undecided" means a graze within
+    rounding in the bracket (and clear up to it).
+
+    Raises:
+        InputError: for a negative margin or an end before the start.
+        WalkError: if no contact comes before a time at which the dragon cannot stand.
+        UnsureError: if that could not be decided.
+    """
+    windows = contact_windows(walk, start, end, margin=margin, most=1, advance=advance)
+    return windows[0].opens if windows else None
+
+
+def least_clearance(
+    walk: Walk,
+    start: float,
+    end: float,
+    *,
+    within: float = math.inf,
+    tolerances: Sequence[float] = TOLERANCES,
+    advance: Advance | None = None,
+) -> Answer:
+    """The least distance, m, that any two benches but neighbours keep from start to end (s).
+
+    0 where benches overlap; infinite for a dragon of one or two benches. The bracket is 1e-12 m wide,
+    wider where too many looks would be needed, or the last of `tolerances` is wider. Nothing beyond
+    `within` metres is looked for: then that is the lower end, and the upper is infinite.
+
+    Raises:
+        InputError: for an end before the start.
+        WalkError: if the dragon cannot stand at some time.
+        UnsureError: if that could not be decided.
+    """
+    hunt = _hunt(walk, start, end, 0.0, advance)
+    if len(walk.dragon) < 3:
+        return Answer(math.inf, math.inf, math.inf, "m", "found")
+    nearest = tightest_pairs(hunt.motion(hunt.start))[0]
+    best = Best(nearest.distance, hunt.start, (nearest.benches[0] - 1, nearest.benches[1] - 1))
+    reach = FIRST_REACH
+    while best.distance > 0.0:
+        reach = min(reach, best.distance, within)
+        steps = list(hunt.steps(reach))
+        for tolerance in tolerances:
+            best = _lowered(hunt, steps, best, min(reach, best.distance), tolerance)
+        if best.distance <= reach:
+            break
+        if reach >= within:
+            return Answer(math.inf, within, math.inf, "m", "found", None, hunt.assumed(), hunt.looks)
+        reach *= WIDER
+    return _clearance_answer(hunt, best)
+
+
+@dataclass(frozen=True)
+class Best:
+    """The least distance seen, m, at which head position, of which benches (rows, from 0).
+
+    No pair is nearer than `floor`.
+    """
+
+    distance: float
+    where: float
+    pair: tuple[int, int]
+    floor: float = 0.0
+
+
+def _lowered(hunt: Hunt, steps: Sequence[Step], best: Best, reach: float, tolerance: float) -> Best:
+    """`best`, or what is lower in the steps, which hold all pairs within `reach`."""
+    note = np.zeros(kernel.NOTES)
+    note[kernel.NEAREST], note[kernel.FLOOR] = reach, math.inf
+    for step in steps:
+        before = note[kernel.NEAREST]
+        ending = hunt.seek(kernel.LEAST, step, step.start, step.end, note, tolerance)
+        if ending == kernel.FALLEN:
+            raise hunt.stopped(step.start, step.end - step.start)
+        if note[kernel.NEAREST] < before:
+            p = int(note[kernel.PAIR])
+            best = Best(
+                max(float(note[kernel.NEAREST]), 0.0),
+                float(note[kernel.UPPER]),
+                (int(step.first[p]), int(step.second[p])),
+            )
+        if ending == kernel.FOUND:
+            return best
+    return replace(best, floor=min(float(note[kernel.FLOOR]), float(note[kernel.NEAREST]) - tolerance))
+
+
+def _clearance_answer(hunt: Hunt, best: Best) -> Answer:
+    seconds = clock.perf_counter() - hunt.began
+    lower = max(best.floor - hunt.slack, 0.0)
+    upper = best.distance + hunt.slack if best.distance else 0.0
+    witness = hunt.witness(best.where, *best.pair)
+    return Answer(
+        best.distance, lower, upper, "m", "found", witness, hunt.assumed(), hunt.looks, seconds
+    )
+
+
+def clearance_curve(walk: Walk, times: npt.ArrayLike) -> ClearanceCurve:
+    """Clearance at increasing `times` (s, T of them, at least 3), and its local minima between them.
+
+    A minimum narrower than the distance of two times can be missed; `least_clearance` misses none.
+
+    Raises:
+        InputError: for fewer than 3 times, too many, or times that do not increase.
+        WalkError: if the dragon cannot stand at some time.
+    """
+    motion = walk.motion(times)
+    at = motion.times
+    if not 3 <= len(at) <= MOST_SAMPLES or not (np.diff(at) > 0.0).all():
+        raise InputError(
+            _("a clearance curve needs 3 to {most} times that increase").format(most=MOST_SAMPLES)
+        )
+    if len(walk.dragon) < 3:
+        raise InputError(_("a dragon of one or two benches has no pair whose clearance counts"))
+    tightest = [tightest_pairs(motion, i)[0] for i in range(len(at))]
+    clearance = np.array([near.distance for near in tightest])
+    inner = np.flatnonzero((clearance[1:-1] <= clearance[:-2]) & (clearance[1:-1] < clearance[2:])) + 1
+    hunt = _hunt(walk, float(at[0]), float(at[-1]), 0.0, None)
+    minima = [_local_minimum(hunt, motion, int(i), clearance) for i in inner if clearance[i] > 0.0]
+    return ClearanceCurve(at, clearance, np.array([near.benches for near in tightest]), minima)
+
+
+def _local_minimum(hunt: Hunt, motion: Motion, i: int, clearance: FloatArray) -> Answer:
+    """The least clearance between the times beside number i."""
+    start, end = float(motion.head_s[i - 1]), float(motion.head_s[i + 1])
+    # No point of a bench moves by more than its handles' path and the swing that they give it.
+    sizes = motion.walk.dragon.sizes
+    lever = float((sizes[0] / (sizes[0] - sizes[2] - sizes[3])).max() * 2.0 + 1.0)
+    moved = lever * float(np.abs(motion.s[i + 1] - motion.s[i - 1]).max())
+    first, second = pairs_within(boxes(motion, i), float(clearance[i]) + 2.0 * moved)
+    near = tightest_pairs(motion, i)[0].benches
+    best = Best(float(clearance[i]), float(motion.head_s[i]), (near[0] - 1, near[1] - 1))
+    steps = [Step(start, end, first, second)]
+    for tolerance in TOLERANCES:
+        best = _lowered(hunt, steps, best, best.distance, tolerance)
+    return _clearance_answer(hunt, best)

@@ -1,0 +1,364 @@
+"""Where on a route the benches of a dragon can meet, and which pairs of them, step by step.
+
+The route is cut into cells, and what benches of each size sweep over in a cell is boxed once. Only
+cells whose boxes come within reach of one another are ever looked at again (kernels/cells.py).
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from benchdragon.curves import Route
+from benchdragon.dragon import Dragon
+from benchdragon.errors import InputError
+from benchdragon.kernels import cells as kernel
+from benchdragon.kernels.box import BOX_COLUMNS, CX, CY, HALF_LENGTH, HALF_WIDTH
+from benchdragon.kernels.cells import EDGE
+from benchdragon.kernels.chain import march
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.route import IntArray, positions
+from benchdragon.kernels.search import LOGGED
+from benchdragon.kernels.status import Status
+from benchdragon.kernels.sweep import empty_places, stand
+from benchdragon.messages import _
+
+# Cells are this share of the shortest link: shorter ones cost more boxes, longer ones looser boxes.
+CELL = 0.6
+# A cell whose boxes come near another's is cut into so many, and each of these again; steps of the
+# head are as long as the last. Fewer levels leave more pairs to the search, more cost more boxes.
+PARTS, LEVELS = 2, 4
+FINEST = PARTS**LEVELS
+# Cells in which it is unsure whether a bench can walk through are looked at in so many parts.
+CAREFUL_PARTS = 16
+# Benches are boxed in at most so many groups of sizes; more would mean more pairs of boxes.
+GROUPS = 3
+# Different sizes of benches whose contacts can be searched: each is boxed in each cell.
+MOST_SIZES = 2_000
+# Cells of a route: 1e6 cells need 100 MB.
+MOST_CELLS = 2_000_000
+# Head's walk, m, that is prepared at a time, or this share of the route that is known already.
+STRIDE, SHARE = 128.0, 0.1
+# Cells queried and places marched at a time: 100 MB.
+BLOCK, PLACES = 2048, 1_000_000
+
+
+@dataclass(frozen=True)
+class Step:
+    """A step of the head, m, and the pairs of benches (rows from 0) that may come within reach."""
+
+    start: float
+    end: float
+    first: IntArray
+    second: IntArray
+
+
+class Ledger:
+    """All chains that an answer rests on, as computed, for a proof to look over (see `prove`).
+
+    Attributes:
+        looks: (head positions, row, u, x, y) of chains of the search, the last four (T, handles).
+        grid: the same of whole dragons, whose places need to be known to EDGE only.
+        cells: (link, (front positions, row, u, x, y)) of single benches at the borders of cells,
+            needed to EDGE likewise.
+    """
+
+    def __init__(self) -> None:
+        self.looks: list[tuple[FloatArray, ...]] = []
+        self.grid: list[tuple[FloatArray, ...]] = []
+        self.cells: list[tuple[float, tuple[FloatArray, ...]]] = []
+
+    def add_log(self, log: FloatArray, handles: int) -> None:
+        """Take down chains from the log of a search."""
+        table = log[:, 1:].reshape(len(log), -1, LOGGED)[:, :handles]
+        self.looks.append((log[:, 0].copy(), *(table[:, :, n].copy() for n in range(LOGGED))))
+
+
+class Ground:
+    """The cells of a route that a dragon walks, from where its tail stands at first.
+
+    Args:
+        dragon: the benches.
+        route: what they walk on.
+        reach: distance of benches, m, within which pairs are wanted.
+        start: the head's first route position, m; the dragon must be able to stand there.
+        ledger: takes down what is computed, for a proof.
+    """
+
+    def __init__(
+        self, dragon: Dragon, route: Route, reach: float, start: float, ledger: Ledger | None = None
+    ) -> None:
+        self.dragon, self.route, self.reach, self.ledger = dragon, route, reach + EDGE, ledger
+        classes, self._class = np.unique(dragon.sizes, axis=1, return_inverse=True)
+        if classes.shape[1] > MOST_SIZES:
+            raise InputError(
+                _("contacts can be searched for at most {most} different sizes, not {count}").format(
+                    most=MOST_SIZES, count=classes.shape[1]
+                )
+            )
+        self._classes = np.ascontiguousarray(classes)
+        order = np.argsort(classes[0], kind="stable")
+        self._group_of = np.empty(classes.shape[1], dtype=np.int64)
+        for g, members in enumerate(np.array_split(order, min(GROUPS, len(order)))):
+            self._group_of[members] = g
+        self.group = self._group_of[self._class.ravel()]
+        self.groups = int(self._group_of.max()) + 1
+        self._between = self._least_ways()
+        self.cell = CELL * float(dragon.links.min())
+        s = self._positions(np.array([start]))[:, 0]
+        self.low = math.floor(s[-2] / self.cell) if len(dragon) > 1 else math.floor(s[0] / self.cell)
+        # Where each group's rearmost bench stands at first: it never comes behind that.
+        self._from = np.array(
+            [math.floor(s[:-1][self.group == g].min() / self.cell) for g in range(self.groups)]
+        )
+        self.hulls = np.empty((self.groups, 0, BOX_COLUMNS))
+        self.sound = np.empty((self.groups, 0))
+        self._fine: dict[tuple[int, int], FloatArray] = {}
+        self._pairs: list[IntArray] = []
+        self.extend(start)
+
+    def _least_ways(self) -> FloatArray:
+        """At most the route, m, from a bench of group a back to one of group b, not neighbours."""
+        ahead = np.concatenate([[0.0], np.cumsum(self.dragon.links)[:-1]])
+        ways = np.full((self.groups, self.groups), np.inf)
+        for b in range(self.groups):
+            members = np.flatnonzero(self.group == b)
+            for a in range(self.groups):
+                fronts = np.flatnonzero(self.group == a)
+                nearest = np.searchsorted(members, fronts + 2)
+                fronts = fronts[nearest < len(members)]
+                nearest = nearest[nearest < len(members)]
+                ways[a, b] = (ahead[members[nearest]] - ahead[fronts]).min(initial=np.inf)
+        return ways
+
+    @property
+    def count(self) -> int:
+        """Number of cells so far."""
+        return self.hulls.shape[1]
+
+    def stride(self, done: float) -> float:
+        """How far to extend next, m: less where benches can meet, since a search may end there."""
+        near = bool(self._pairs) and self._pairs[-1][1].max() >= (self.count - 1) * FINEST - FINEST
+        return (STRIDE / 16.0) if near else max(STRIDE, SHARE * (done - self.low * self.cell))
+
+    def sound_until(self, start: float, end: float) -> float:
+        """The head's position, m, up to which every bench surely follows; `end`, if all the way."""
+        if self.sound.all():
+            return end
+        s = self._positions(np.array([start]))[:, 0]
+        for g, c in np.argwhere(self.sound == 0.0):
+            back, ahead = (c + self.low) * self.cell, (c + self.low + 1) * self.cell
+            behind = np.flatnonzero((self.group == g) & (s[:-1] < ahead))
+            if len(behind):
+                end = min(end, self._arrival(int(behind[0]), back, start, end))
+        return end
+
+    def _arrival(self, i: int, back: float, start: float, end: float) -> float:
+        """At most the head's position in start..end at which handle i comes to `back`, m."""
+        if i == 0:
+            return min(max(back, start), end)
+        low, high = start, end
+        while high - low > 1e-6:
+            middle = 0.5 * (low + high)
+            stands, s = self._tried(np.array([middle]))
+            if stands and s[i, 0] < back:
+                low = middle
+            else:
+                high = middle
+        return low
+
+    def extend(self, end: float) -> None:
+        """Know the route up to position `end`, m."""
+        wanted = math.floor(end / self.cell) + 1 - self.low
+        if wanted > MOST_CELLS:
+            raise InputError(
+                _("the way is too long to be searched: {count} cells, at most {most}").format(
+                    count=wanted, most=MOST_CELLS
+                )
+            )
+        if wanted <= self.count:
+            return
+        old = self.count
+        fresh = np.full((self.groups, wanted - old, BOX_COLUMNS), np.nan)
+        self.hulls = np.concatenate([self.hulls, fresh], axis=1)
+        self.sound = np.concatenate([self.sound, np.ones((self.groups, wanted - old))], axis=1)
+        for g in range(self.groups):
+            numbers = np.arange(max(old, int(self._from[g]) - self.low), wanted)
+            self._box(g, numbers, 1, 1, self.hulls[g], self.sound[g], numbers)
+            self._look_closer(g, numbers[self.sound[g, numbers] == 0.0])
+        for a, b, *cells in self._near(old):
+            first, second = cells
+            for level in range(LEVELS):
+                first, second = self._refined(a, b, first, second, PARTS ** (level + 1))
+            if len(first):
+                groups = np.full((2, len(first)), [[a], [b]])
+                self._pairs.append(np.array([groups[0], first, groups[1], second]))
+
+    def _box(
+        self,
+        g: int,
+        numbers: IntArray,
+        whole: int,
+        parts: int,
+        hulls: FloatArray,
+        sound: FloatArray,
+        targets: IntArray,
+    ) -> None:
+        """Box group g in `parts` of each of `numbers` into rows `targets`; a cell has `whole`."""
+        if not len(numbers):
+            return
+        size = self.cell / whole
+        borders = (numbers[:, np.newaxis] + self.low * whole + np.arange(parts + 1) / parts) * size
+        at = np.minimum(borders.ravel(), self.route.length)
+        slots = (np.arange(len(numbers))[:, np.newaxis] * (parts + 1) + np.arange(parts)).ravel()
+        for n, k in enumerate(np.flatnonzero(self._group_of == g)):
+            places = empty_places(2, len(at))
+            bench = np.ascontiguousarray(self._classes[:, k : k + 1])
+            links = bench[0] - bench[2] - bench[3]
+            links.flags.writeable = False  # one kind of array, so that kernels are compiled once
+            stand(self.route.rows, links, at, 0, len(at), places)
+            if self.ledger is not None:
+                stood = places.failed[0] == Status.OK
+                tables = (places.row, places.u, places.x, places.y)
+                chains = (at[stood], *(table[:, stood].T.astype(np.float64) for table in tables))
+                self.ledger.cells.append((float(links[0]), chains))
+            kernel.sweep_cells(
+                self.route.rows, links, bench, 0, places, slots, targets, hulls, sound, n == 0
+            )
+
+    def _look_closer(self, g: int, numbers: IntArray) -> None:
+        """Decide in smaller parts whether benches of group g can walk through these cells."""
+        parts = CAREFUL_PARTS
+        hulls = np.empty((len(numbers) * parts, BOX_COLUMNS))
+        sound = np.ones(len(hulls))
+        self._box(g, numbers, 1, parts, hulls, sound, np.arange(len(hulls)))
+        self.sound[g, numbers] = sound.reshape(-1, parts).min(axis=1, initial=1.0)
+
+    def _near(self, old: int) -> Iterator[tuple[int, int, IntArray, IntArray]]:
+        """Groups a, b and cells k >= old, m <= k whose boxes are within reach, benches between them."""
+        from scipy.spatial import cKDTree  # slow to import
+
+        radius = np.hypot(self.hulls[..., HALF_LENGTH], self.hulls[..., HALF_WIDTH])
+        centres = self.hulls[..., [CX, CY]]
+        known = [np.flatnonzero(~np.isnan(radius[g])) for g in range(self.groups)]
+        trees = [cKDTree(centres[g, known[g]]) if len(known[g]) else None for g in range(self.groups)]
+        for a in range(self.groups):
+            fresh = known[a][known[a] >= old]
+            for start in range(0, len(fresh), BLOCK):
+                some = fresh[start : start + BLOCK]
+                tree = cKDTree(centres[a, some])
+                for b, other in enumerate(trees):
+                    if other is None or self._between[a, b] == np.inf:
+                        continue
+                    reach = float(radius[a, some].max() + radius[b, known[b]].max()) + self.reach
+                    near = tree.sparse_distance_matrix(other, reach, output_type="ndarray")
+                    k, m = some[near["i"]], known[b][near["j"]]
+                    keep = (k + 1 - m) * self.cell >= self._between[a, b]
+                    k, m = k[keep], m[keep]
+                    flags = np.empty(len(k), dtype=np.int64)
+                    kernel.near_pairs(self.hulls[a], self.hulls[b], k, m, self.reach, flags)
+                    yield a, b, k[flags > 0], m[flags > 0]
+
+    def _refined(
+        self, a: int, b: int, k: IntArray, m: IntArray, parts: int
+    ) -> tuple[IntArray, IntArray]:
+        """The pairs that are left when cells k and m are cut into PARTS: `parts` of a whole cell."""
+        if not len(k):
+            return k, m
+        for g, numbers in ((a, k), (b, m)):
+            self._refine(g, np.unique(numbers), parts)
+        part = np.arange(PARTS)
+        first = np.repeat((k[:, np.newaxis] * PARTS + part), PARTS, axis=1).ravel()
+        second = np.tile((m[:, np.newaxis] * PARTS + part), PARTS).ravel()
+        keep = (first + 1 - second) * self.cell / parts >= self._between[a, b]
+        first, second = first[keep], second[keep]
+        flags = np.empty(len(first), dtype=np.int64)
+        kernel.near_pairs(self._fine[parts, a], self._fine[parts, b], first, second, self.reach, flags)
+        return first[flags > 0], second[flags > 0]
+
+    def _refine(self, g: int, numbers: IntArray, parts: int) -> None:
+        """Box the parts of these cells or parts of group g, if that was not done before."""
+        size = self.count * parts
+        fine = self._fine.get((parts, g), np.empty((0, BOX_COLUMNS)))
+        if len(fine) < size:
+            fine = np.concatenate([fine, np.full((size - len(fine), BOX_COLUMNS), np.nan)])
+            self._fine[parts, g] = fine
+        numbers = numbers[np.isnan(fine[numbers * PARTS, CX])]
+        targets = (numbers[:, np.newaxis] * PARTS + np.arange(PARTS)).ravel()
+        whole = parts // PARTS
+        self._box(g, numbers, whole, PARTS, fine, np.ones(size), targets)
+
+    def steps(self, start: float, end: float) -> Iterator[Step]:
+        """Steps of the head within start..end, m, in order, in which pairs may come within reach.
+
+        What lies between them is clear.
+        """
+        pairs = np.concatenate([np.empty((4, 0), dtype=np.int64), *self._pairs], axis=1)
+        if not pairs.size:
+            return
+        cells, size = self.count * FINEST, self.cell / FINEST
+        keys = pairs[0] * cells + pairs[1]
+        order = np.argsort(keys, kind="stable")
+        partners = pairs[2, order] * cells + pairs[3, order]
+        offsets = np.searchsorted(keys[order], np.arange(self.groups * cells + 1)).astype(np.int64)
+        begin = max(start, (float(pairs[1].min()) + self.low * FINEST) * size - size)
+        if begin >= end:
+            return
+        grid = np.append(np.arange(begin, end, size), end)
+        span = max(1, PLACES // (len(self.dragon) + 1))
+        most = 64 * len(self.dragon)
+        for n in range(0, len(grid) - 1, span):
+            at = grid[n : n + span + 1]
+            s = self._positions(at)
+            for t in range(len(at) - 1):
+                while True:
+                    first, second = np.empty(most, dtype=np.int64), np.empty(most, dtype=np.int64)
+                    found = kernel.meeting_pairs(
+                        s, t, self.group, size, self.low * FINEST, offsets, partners, cells,
+                        first, second,
+                    )  # fmt: skip
+                    if found <= most:
+                        break
+                    most = 2 * found
+                if found:
+                    yield Step(float(at[t]), float(at[t + 1]), first[:found], second[:found])
+
+    def _positions(self, at: FloatArray) -> FloatArray:
+        """Route positions of all handles with the head at `at`, m, (handles, len(at))."""
+        stands, s = self._tried(at)
+        if not stands:
+            raise AssertionError("a dragon that was shown to stand does not")
+        return s
+
+    def _tried(self, at: FloatArray) -> tuple[bool, FloatArray]:
+        """Whether the dragon stands with its head at all of `at`, and where its handles are then."""
+        shape = (len(self.dragon) + 1, len(at))
+        row, failed = np.empty(shape, dtype=np.int64), np.empty((2, len(at)), dtype=np.int64)
+        u, x, y, ratio = (np.empty(shape) for _array in range(4))
+        march(self.route.rows, self.dragon.links, at, 0, len(at), row, u, x, y, ratio, failed)
+        if self.ledger is not None and (failed[0] == Status.OK).all():
+            chains = tuple(table.T.astype(np.float64) for table in (row, u, x, y))
+            self.ledger.grid.append((at, *chains))
+        out = np.empty(row.size)
+        positions(self.route.rows, row.ravel(), u.ravel(), out)
+        return bool((failed[0] == Status.OK).all()), out.reshape(shape)
+
+
+def merged(steps: Iterator[Step], most: float, benches: int) -> Iterator[Step]:
+    """The same with neighbouring steps joined to at most `most` metres, their pairs put together."""
+    held: list[Step] = []
+    for step in steps:
+        if held and (step.start > held[-1].end or step.end - held[0].start > most):
+            yield _joined(held, benches)
+            held = []
+        held.append(step)
+    if held:
+        yield _joined(held, benches)
+
+
+def _joined(steps: list[Step], benches: int) -> Step:
+    if len(steps) == 1:
+        return steps[0]
+    keys = np.unique(np.concatenate([step.first * benches + step.second for step in steps]))
+    return Step(steps[0].start, steps[-1].end, keys // benches, keys % benches)

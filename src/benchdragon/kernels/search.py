@@ -1,0 +1,376 @@
+"""The first contact of a walking chain, the end of a contact, and the least clearance of a walk.
+
+Each search opens the leftmost part of a step of the head first, carries along only the pairs of
+benches that could not be shown to keep apart, and halves the part while any are left. What it passes
+over is clear by a bound that holds for the whole of it (kernels/sweep.py), never by looking only.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from benchdragon.kernels.box import BOX_COLUMNS, box_distance, set_box
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.sweep import (
+    BENCH_COLUMNS,
+    HANDLE_COLUMNS,
+    PATH,
+    TRAVEL,
+    Places,
+    apart_bound,
+    bound_bench,
+    bound_handles,
+    empty_places,
+    stand,
+)
+
+# What a search is after.
+FIRST_TOUCH = 0  # the first head position at which a pair is nearer than the margin
+TOUCH_END = 1  # after a touch, the first at which no pair is
+LEAST = 2  # the least distance of any pair
+
+# How a search ended.
+CLEAR = 0  # the step is clear; TOUCH_END: touched throughout; LEAST: the bracket is closed
+FOUND = 1  # LEAST: benches overlap
+GRAZE = 2  # in the bracket a pair comes so near the margin that rounding hides on which side
+STUCK = 3  # too many looks; up to the bracket's lower end all is as for CLEAR
+FALLEN = 4  # the chain cannot stand at some place of the head
+# How a part of the step is judged, besides CLEAR, FOUND and GRAZE.
+UNSURE = 5  # only rounding is left to tell
+SPLIT = 6  # its halves must be looked at
+
+# What a search knows, a row of floats.
+LOWER = 0  # head position: as for CLEAR up to here, unless infinite
+UPPER = 1  # head position at which FOUND is sure, or at which LEAST was seen
+PAIR = 2  # number of the pair
+LOOKS = 3  # chains marched
+NEAREST = 4  # LEAST: the least distance seen, m
+LOWEST = 5  # LEAST: no pair alive comes nearer in the part at hand, m
+FLOOR = 6  # LEAST: no pair comes nearer in the parts that were given up, m
+NOTES = 7
+
+# Numbers that the log holds of a handle.
+LOGGED = 4
+# Halvings that may be open at once; 2^-60 of any step is below rounding.
+DEPTH = 60
+
+
+class Search(NamedTuple):
+    """What one search works on: open right ends in slots 1.., the left end in slot 0."""
+
+    at: FloatArray  # head positions, (DEPTH,)
+    places: Places
+    handles: FloatArray  # scratch, (handles, HANDLE_COLUMNS)
+    sweeps: FloatArray  # (members, BENCH_COLUMNS)
+    boxes: FloatArray  # (DEPTH * members, BOX_COLUMNS), slot by slot
+    alive: IntArray  # pairs not yet shown to keep apart in the part up to a slot, (DEPTH, pairs)
+    kept: IntArray  # how many, (DEPTH,)
+    logged: IntArray  # chains written into the log so far, (1,)
+    log: FloatArray  # for proofs: head position, then row, u, x, y of each handle, (chains, ...)
+
+
+@kernel
+def room(handles: int, members: int, pairs: int, chains: int) -> Search:
+    """Room for searches of up to so many handles, members and pairs; `chains` of them logged."""
+    return Search(
+        np.empty(DEPTH),
+        empty_places(handles, DEPTH),
+        np.empty((handles, HANDLE_COLUMNS)),
+        np.empty((members, BENCH_COLUMNS)),
+        np.empty((DEPTH * members, BOX_COLUMNS)),
+        np.empty((DEPTH, pairs), dtype=np.int64),
+        np.empty(DEPTH, dtype=np.int64),
+        np.zeros(1, dtype=np.int64),
+        np.empty((chains, 1 + LOGGED * handles)),
+    )
+
+
+@kernel
+def begin(search: Search, pairs: int, start: float, end: float) -> int:
+    """Open the step from head position start to end; the slot of its end, 0 if there is no pair."""
+    search.at[0], search.at[1] = start, end
+    search.alive[1, :pairs] = np.arange(pairs)
+    search.kept[1] = pairs
+    return min(pairs, 1)
+
+
+@kernel
+def write_log(search: Search, slot: int, handles: int) -> None:
+    """Log the chain in a slot, if there is room; it counts in any case."""
+    n = search.logged[0]
+    search.logged[0] = n + 1
+    if n >= search.log.shape[0]:
+        return
+    search.log[n] = 0.0
+    search.log[n, 0] = search.at[slot]
+    for i in range(handles):
+        search.log[n, 1 + LOGGED * i] = search.places.row[i, slot]
+        search.log[n, 2 + LOGGED * i] = search.places.u[i, slot]
+        search.log[n, 3 + LOGGED * i] = search.places.x[i, slot]
+        search.log[n, 4 + LOGGED * i] = search.places.y[i, slot]
+
+
+@kernel
+def look(
+    rows: FloatArray, links: FloatArray, sizes: FloatArray, members: IntArray, search: Search, slot: int
+) -> bool:
+    """March the chain at a slot and box its members; whether it can stand there."""
+    if not stand(rows, links, search.at, slot, slot + 1, search.places):
+        return False
+    write_log(search, slot, links.shape[0] + 1)
+    count = members.shape[0]
+    for m in range(count):
+        set_box(
+            sizes, members[m], search.places.x, search.places.y, slot, search.boxes, slot * count + m
+        )
+    return True
+
+
+@kernel
+def bound_members(
+    rows: FloatArray, links: FloatArray, sizes: FloatArray, members: IntArray, search: Search, top: int
+) -> None:
+    """Bounds on the benches' motion over the part from slot 0 to slot top."""
+    bound_handles(rows, links, search.places, 0, top, search.handles)
+    for m in range(members.shape[0]):
+        bound_bench(search.handles, members[m], sizes, members[m], search.sweeps[m])
+
+
+@kernel
+def close_left(search: Search, top: int, handles: int, members: int) -> None:
+    """Make the right end in slot top the new left end."""
+    search.at[0] = search.at[top]
+    for numbers in (
+        search.places.u, search.places.x, search.places.y,
+        search.places.ratio, search.places.tx, search.places.ty,
+    ):  # fmt: skip
+        numbers[:handles, 0] = numbers[:handles, top]
+    search.places.row[:handles, 0] = search.places.row[:handles, top]
+    search.boxes[:members] = search.boxes[top * members : (top + 1) * members]
+
+
+@kernel
+def halve(search: Search, top: int) -> int:
+    """Put the middle of the part into a new slot; both halves get the part's pairs."""
+    search.at[top + 1] = 0.5 * (search.at[0] + search.at[top])
+    count = search.kept[top]
+    search.kept[top + 1] = count
+    search.alive[top + 1, :count] = search.alive[top, :count]
+    return top + 1
+
+
+@kernel
+def end_distance(search: Search, slot: int, members: int, i: int, j: int) -> float:
+    """Distance of members i and j at a slot, m; minus the depth where they overlap."""
+    return box_distance(search.boxes, slot * members + i, slot * members + j)
+
+
+@kernel
+def keep_near(
+    search: Search, top: int, count: int, first: IntArray, second: IntArray, wanted: float
+) -> float:
+    """Leave alive the pairs that may come as near as `wanted` in the part; the least bound of them."""
+    h, kept, lowest = search.handles[0, PATH], 0, math.inf
+    for n in range(search.kept[top]):
+        p = search.alive[top, n]
+        i, j = first[p], second[p]
+        bound = apart_bound(
+            search.boxes, i, j, top * count + i, top * count + j, search.sweeps, i, j, h, wanted
+        )
+        if not bound > wanted:
+            search.alive[top, kept] = p
+            kept += 1
+            lowest = min(lowest, bound)
+    search.kept[top] = kept
+    return lowest
+
+
+@kernel
+def judge_touch(
+    search: Search,
+    top: int,
+    count: int,
+    first: IntArray,
+    second: IntArray,
+    margin: float,
+    slack: float,
+    note: FloatArray,
+) -> int:
+    """How the part up to slot `top` stands for FIRST_TOUCH."""
+    for n in range(search.kept[top]):
+        p = search.alive[top, n]
+        if end_distance(search, 0, count, first[p], second[p]) <= margin - slack:
+            note[UPPER], note[PAIR] = search.at[0], p
+            return FOUND
+    least = keep_near(search, top, count, first, second, margin + slack)
+    if search.kept[top] == 0:
+        note[UPPER] = search.at[0]
+        return GRAZE if note[LOWER] < math.inf else CLEAR
+    for n in range(search.kept[top]):
+        p = search.alive[top, n]
+        note[PAIR] = p
+        a = end_distance(search, 0, count, first[p], second[p])
+        b = end_distance(search, top, count, first[p], second[p])
+        if b <= margin - slack or max(a, b) > margin + 2.0 * slack or min(a, b) - least > 0.5 * slack:
+            return SPLIT
+    return UNSURE
+
+
+@kernel
+def judge_end(
+    search: Search,
+    top: int,
+    count: int,
+    first: IntArray,
+    second: IntArray,
+    margin: float,
+    slack: float,
+    note: FloatArray,
+) -> int:
+    """How the part stands for TOUCH_END: one pair must stay near; travel bounds how depth shrinks."""
+    nearest, held = math.inf, False
+    for p in range(first.shape[0]):
+        i, j = first[p], second[p]
+        a, b = end_distance(search, 0, count, i, j), end_distance(search, top, count, i, j)
+        spent = search.sweeps[i, TRAVEL] + search.sweeps[j, TRAVEL]
+        held = held or 0.5 * (a + b + spent) < margin - slack
+        if a < nearest:
+            nearest, note[PAIR] = a, p
+    if nearest > margin + slack:
+        note[UPPER] = search.at[0]
+        return FOUND
+    if held:
+        note[LOWER] = math.inf
+        return CLEAR
+    return SPLIT
+
+
+@kernel
+def judge_least(
+    search: Search,
+    top: int,
+    count: int,
+    first: IntArray,
+    second: IntArray,
+    tolerance: float,
+    note: FloatArray,
+) -> int:
+    """How the part stands for LEAST; the least distance seen may fall."""
+    for n in range(search.kept[top]):
+        p = search.alive[top, n]
+        for slot in (0, top):
+            apart = end_distance(search, slot, count, first[p], second[p])
+            if apart < note[NEAREST]:
+                note[NEAREST], note[UPPER], note[PAIR] = apart, search.at[slot], p
+    if note[NEAREST] <= 0.0:
+        return FOUND
+    note[LOWEST] = keep_near(search, top, count, first, second, note[NEAREST] - tolerance)
+    return CLEAR if search.kept[top] == 0 else SPLIT
+
+
+@kernel
+def judge(
+    search: Search,
+    goal: int,
+    top: int,
+    count: int,
+    first: IntArray,
+    second: IntArray,
+    margin: float,
+    slack: float,
+    note: FloatArray,
+) -> int:
+    """How the part up to slot `top` stands for the goal."""
+    if goal == FIRST_TOUCH:
+        return judge_touch(search, top, count, first, second, margin, slack, note)
+    if goal == TOUCH_END:
+        return judge_end(search, top, count, first, second, margin, slack, note)
+    return judge_least(search, top, count, first, second, slack, note)
+
+
+@kernel
+def seek(
+    search: Search,
+    goal: int,
+    rows: FloatArray,
+    links: FloatArray,
+    sizes: FloatArray,
+    members: IntArray,
+    first: IntArray,
+    second: IntArray,
+    start: float,
+    end: float,
+    margin: float,
+    slack: float,
+    width: float,
+    most: int,
+    note: FloatArray,
+) -> int:
+    """Search head positions start..end, m, for `goal`; how it ended. `note` receives what was found.
+
+    Pair p is benches members[first[p]] and members[second[p]], from 0, ascending; links are those of
+    the benches up to the last member. `slack` is what distances may be off by, m; for LEAST it is how
+    far below the least distance seen the bound may lie. Parts of at most `width` metres are not halved.
+    For LEAST note[NEAREST] and note[FLOOR] hold what earlier steps found; otherwise `note` is fresh.
+    """
+    count, handles = members.shape[0], links.shape[0] + 1
+    top = begin(search, first.shape[0], start, end)
+    ready, looks = top - 1, top - 1
+    note[LOWER] = math.inf
+    while top > 0:
+        while ready <= top:
+            if not look(rows, links, sizes, members, search, ready):
+                note[LOWER], note[UPPER] = min(note[LOWER], search.at[0]), search.at[ready]
+                return FALLEN
+            ready += 1
+            looks += 1
+            note[LOOKS] += 1.0
+        bound_members(rows, links, sizes, members, search, top)
+        verdict = judge(search, goal, top, count, first, second, margin, slack, note)
+        if verdict == SPLIT:
+            full = top + 2 >= DEPTH or looks >= most
+            if not full and search.at[top] - search.at[0] > width:
+                top = halve(search, top)
+                continue
+            verdict = STUCK if full and goal != LEAST else UNSURE
+        if verdict != CLEAR:
+            note[LOWER] = min(note[LOWER], search.at[0])
+        if verdict == STUCK:
+            note[UPPER] = search.at[top]
+        if verdict in (FOUND, GRAZE, STUCK):
+            return verdict
+        if verdict == UNSURE:
+            note[FLOOR] = min(note[FLOOR], note[LOWEST])
+        close_left(search, top, handles, count)
+        top -= 1
+        ready -= 1
+    return close(search, goal, count, first, second, margin, slack, note)
+
+
+@kernel
+def close(
+    search: Search,
+    goal: int,
+    count: int,
+    first: IntArray,
+    second: IntArray,
+    margin: float,
+    slack: float,
+    note: FloatArray,
+) -> int:
+    """How a search ended that came to the end of its step, which is the left end now."""
+    if goal == FIRST_TOUCH:
+        for p in range(first.shape[0]):
+            if end_distance(search, 0, count, first[p], second[p]) <= margin - slack:
+                note[LOWER], note[UPPER] = min(note[LOWER], search.at[0]), search.at[0]
+                note[PAIR] = p
+                return FOUND
+    if note[LOWER] < math.inf:
+        if goal != LEAST:
+            note[UPPER] = search.at[0]
+        return GRAZE
+    note[LOWER] = search.at[0]
+    return CLEAR

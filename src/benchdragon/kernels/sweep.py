@@ -1,0 +1,403 @@
+"""What benches sweep over while the head walks a step: bounds that hold for the whole of it.
+
+Everything is a function of the head's route position sigma. Every handle walks on along the route,
+so that its places at the two ends of a step enclose it in between; from those follow bounds on
+speeds and accelerations per metre of sigma, handle by handle down the chain. A quantity whose second
+derivative is at most M then stays within M h^2 / 8 of the straight line between its ends, which is
+what makes a few looks enough (design/first_contact.py).
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from benchdragon.kernels.box import (
+    CX,
+    CY,
+    HALF_LENGTH,
+    HALF_WIDTH,
+    UX,
+    UY,
+    box_distance,
+    corner,
+    nearest_corner,
+    offset,
+)
+from benchdragon.kernels.chain import march
+from benchdragon.kernels.curve import (
+    U_END,
+    U_START,
+    FloatArray,
+    curvature,
+    place,
+    stretch,
+    turning_bound,
+)
+from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.route import FOLD_COSINE, IntArray
+from benchdragon.kernels.status import Status
+
+# Columns of a table of handle bounds, one row a handle.
+PATH = 0  # arc length walked in the step, m
+SLOWEST = 1  # least ds_i / dsigma
+SPEED = 2  # greatest ds_i / dsigma
+CHANGE = 3  # greatest |d2 s_i / dsigma^2|, 1/m
+FORCE = 4  # greatest acceleration of the handle's point, 1/m
+SWAY = 5  # greatest turning rate of the bench before it, rad/m
+RIGHT = 6  # least curvature of its piece of route, 1/m
+LEFT = 7  # greatest
+BENT = 8  # at least what the heading varies by in all, rad
+HANDLE_COLUMNS = 9
+# Columns of a table of bench bounds, one row a bench. The first three hold for all of its points.
+TRAVEL = 0  # path length, m
+PACE = 1  # speed
+PULL = 2  # acceleration, 1/m
+TURN = 3  # turning rate, rad/m
+TWIST = 4  # rate of change of the turning rate, rad/m^2
+BENCH_COLUMNS = 5
+
+# Headings and places that differ by more than this at a joint, rad and m, count as a kink or a gap.
+SMOOTH = 1e-12
+# What bounds made of a hundred roundings are widened by.
+ROUNDED_UP = 1.0 + 1e-12
+# How often bounds on a bench's angles are drawn tighter by the rates that follow from them.
+PASSES = 3
+
+
+class Places(NamedTuple):
+    """Chains at several head positions, each array (handles, slots): see `chain.march`."""
+
+    row: IntArray
+    u: FloatArray
+    x: FloatArray
+    y: FloatArray
+    ratio: FloatArray
+    tx: FloatArray
+    ty: FloatArray
+    failed: IntArray
+
+
+@kernel
+def empty_places(handles: int, slots: int) -> Places:
+    """Room for chains of so many handles at so many head positions."""
+    return Places(
+        np.empty((handles, slots), dtype=np.int64),
+        np.empty((handles, slots)),
+        np.empty((handles, slots)),
+        np.empty((handles, slots)),
+        np.empty((handles, slots)),
+        np.empty((handles, slots)),
+        np.empty((handles, slots)),
+        np.empty((2, slots), dtype=np.int64),
+    )
+
+
+@kernel
+def stand(
+    rows: FloatArray, links: FloatArray, at: FloatArray, first: int, last: int, out: Places
+) -> bool:
+    """March the chain with its head at at[first..last-1]; whether it can stand at all of them."""
+    march(rows, links, at, first, last, out.row, out.u, out.x, out.y, out.ratio, out.failed)
+    sound = True
+    for t in range(first, last):
+        if out.failed[0, t] != Status.OK:
+            sound = False
+            continue
+        for i in range(links.shape[0] + 1):
+            _, _, out.tx[i, t], out.ty[i, t] = place(rows, out.row[i, t], out.u[i, t])
+    return sound
+
+
+@kernel
+def walked(rows: FloatArray, ja: int, ua: float, jb: int, ub: float) -> float:
+    """At least the path, m, from place (ja, ua) on to (jb, ub), gaps at joints included."""
+    if ja == jb:
+        return abs(ub - ua) * max(stretch(rows, ja, ua), stretch(rows, ja, ub))
+    end, start = rows[ja, U_END], rows[jb, U_START]
+    path = abs(end - ua) * max(stretch(rows, ja, ua), stretch(rows, ja, end))
+    path += abs(ub - start) * max(stretch(rows, jb, ub), stretch(rows, jb, start))
+    for j in range(ja, jb):
+        x, y, _, _ = place(rows, j, rows[j, U_END])
+        next_x, next_y, _, _ = place(rows, j + 1, rows[j + 1, U_START])
+        path += math.hypot(next_x - x, next_y - y)
+        if j > ja:
+            a, b = rows[j, U_START], rows[j, U_END]
+            path += abs(b - a) * max(stretch(rows, j, a), stretch(rows, j, b))
+    return path
+
+
+@kernel
+def bends(rows: FloatArray, ja: int, ua: float, jb: int, ub: float) -> tuple[float, float]:
+    """Least and greatest curvature from (ja, ua) to (jb, ub), 1/m; infinite across a kink or a gap.
+
+    On each kind of piece curvature is monotone in u.
+    """
+    ends = curvature(rows, ja, ua), curvature(rows, jb, ub)
+    low, high = min(ends), max(ends)
+    for j in range(ja, jb):
+        x, y, tx, ty = place(rows, j, rows[j, U_END])
+        next_x, next_y, next_tx, next_ty = place(rows, j + 1, rows[j + 1, U_START])
+        if max(abs(next_tx - tx), abs(next_ty - ty), abs(next_x - x), abs(next_y - y)) > SMOOTH:
+            return -math.inf, math.inf
+        before, after = curvature(rows, j, rows[j, U_END]), curvature(rows, j + 1, rows[j + 1, U_START])
+        low, high = min(low, before, after), max(high, before, after)
+    return low, high
+
+
+@kernel
+def turning(rows: FloatArray, ja: int, ua: float, jb: int, ub: float) -> float:
+    """At least the angle, rad, by which the heading varies in all from (ja, ua) on to (jb, ub)."""
+    if ja == jb:
+        return turning_bound(rows, ja, ua, ub)
+    total = turning_bound(rows, ja, ua, rows[ja, U_END])
+    total += turning_bound(rows, jb, rows[jb, U_START], ub)
+    for j in range(ja, jb):
+        _, _, tx, ty = place(rows, j, rows[j, U_END])
+        _, _, next_tx, next_ty = place(rows, j + 1, rows[j + 1, U_START])
+        total += abs(math.atan2(tx * next_ty - ty * next_tx, tx * next_tx + ty * next_ty))
+        if j > ja:
+            total += turning_bound(rows, j, rows[j, U_START], rows[j, U_END])
+    return total
+
+
+@kernel
+def leans(places: Places, i: int, t: int, link: float) -> tuple[float, float, float, float]:
+    """Sine and cosine of the angle from bench i to the route, at its front and at its rear handle."""
+    dx = (places.x[i, t] - places.x[i + 1, t]) / link
+    dy = (places.y[i, t] - places.y[i + 1, t]) / link
+    atx, aty = places.tx[i, t], places.ty[i, t]
+    btx, bty = places.tx[i + 1, t], places.ty[i + 1, t]
+    return dx * aty - dy * atx, dx * atx + dy * aty, dx * bty - dy * btx, dx * btx + dy * bty
+
+
+@kernel
+def times(low: float, high: float, least: float, most: float) -> tuple[float, float]:
+    """Least and greatest product of a number in low..high, not negative, and one in least..most."""
+    return (high if least < 0.0 else low) * least, (high if most > 0.0 else low) * most
+
+
+@kernel
+def size(low: float, high: float) -> float:
+    """The greatest absolute value between low and high."""
+    return max(abs(low), abs(high))
+
+
+@kernel
+def bound_handles(
+    rows: FloatArray, links: FloatArray, places: Places, a: int, b: int, bounds: FloatArray
+) -> None:
+    """Fill bounds, (handles, HANDLE_COLUMNS), for the head's step from slot a to slot b."""
+    ja, ua, jb, ub = places.row[0, a], places.u[0, a], places.row[0, b], places.u[0, b]
+    h = walked(rows, ja, ua, jb, ub)
+    low, high = bends(rows, ja, ua, jb, ub)
+    bounds[0, PATH], bounds[0, SLOWEST], bounds[0, SPEED], bounds[0, CHANGE] = h, 1.0, 1.0, 0.0
+    bounds[0, FORCE], bounds[0, SWAY] = size(low, high), 0.0
+    bounds[0, LEFT], bounds[0, RIGHT], bounds[0, BENT] = high, low, turning(rows, ja, ua, jb, ub)
+    for i in range(links.shape[0]):
+        ja, ua = places.row[i + 1, a], places.u[i + 1, a]
+        jb, ub = places.row[i + 1, b], places.u[i + 1, b]
+        bounds[i + 1, RIGHT], bounds[i + 1, LEFT] = bends(rows, ja, ua, jb, ub)
+        bounds[i + 1, BENT] = turning(rows, ja, ua, jb, ub)
+        bounds[i + 1, PATH] = walked(rows, ja, ua, jb, ub)
+        bound_next(links[i], places, i, a, b, h, bounds)
+
+
+@kernel
+def bound_next(
+    link: float, places: Places, i: int, a: int, b: int, h: float, bounds: FloatArray
+) -> None:
+    """Fill row i + 1 of bounds from row i; infinite where the bench may stand square to the route.
+
+    Let f, r be the angles from the bench to the route at its front and rear handle, v, w the handles'
+    speeds and tau the bench's turning rate. The rigid bench keeps w cos r = v cos f and
+    tau = (v sin f - w sin r) / link; hence f' = v curvature - tau, r' likewise, and
+    w' / w = v' / v - tan f f' + tan r r'. An angle that varies by V in all stays within V / 2 of what
+    it is at one of the two ends, and a narrower range of angles narrows their rates in turn.
+    """
+    sa, ca, ta, da = leans(places, i, a, link)
+    sb, cb, tb, db = leans(places, i, b, link)
+    slow, fast = bounds[i, SLOWEST], bounds[i, SPEED]
+    swing = (bounds[i, PATH] + bounds[i + 1, PATH]) / link
+    front, rear = 0.5 * (bounds[i, BENT] + swing), 0.5 * (bounds[i + 1, BENT] + swing)
+    bounds[i + 1, SLOWEST] = 0.0
+    bounds[i + 1, SPEED : SWAY + 1] = math.inf
+    for _ in range(PASSES):
+        f_low, f_high = max(min(sa, sb) - front, -1.0), min(max(sa, sb) + front, 1.0)
+        r_low, r_high = max(min(ta, tb) - rear, -1.0), min(max(ta, tb) + rear, 1.0)
+        front_sine, rear_sine = size(f_low, f_high), size(r_low, r_high)
+        front_cosine, rear_cosine = min(ca, cb) - front_sine * front, min(da, db) - rear_sine * rear
+        if not (min(front_cosine, rear_cosine) > FOLD_COSINE and fast < math.inf):
+            return
+        next_slow = slow * front_cosine / min(max(da, db) + rear_sine * rear, 1.0)
+        next_fast = fast * min(max(ca, cb) + front_sine * front, 1.0) / rear_cosine
+        low, high = times(slow, fast, f_low, f_high)
+        other_low, other_high = times(next_slow, next_fast, r_low, r_high)
+        turn_low, turn_high = (low - other_high) / link, (high - other_low) / link
+        low, high = times(slow, fast, bounds[i, RIGHT], bounds[i, LEFT])
+        front_rate = size(low - turn_high, high - turn_low)
+        low, high = times(next_slow, next_fast, bounds[i + 1, RIGHT], bounds[i + 1, LEFT])
+        rear_rate = size(low - turn_high, high - turn_low)
+        front, rear = min(front, 0.5 * front_rate * h), min(rear, 0.5 * rear_rate * h)
+        change = bounds[i, CHANGE] / slow if slow > 0.0 else math.inf
+        change += front_sine / front_cosine * front_rate + rear_sine / rear_cosine * rear_rate
+        change *= next_fast
+        ends = places.ratio[i + 1, a], places.ratio[i + 1, b]
+        next_fast = min(next_fast, max(ends) + 0.5 * change * h)
+        next_slow = max(next_slow, min(ends) - 0.5 * change * h)
+        bounds[i + 1, SLOWEST], bounds[i + 1, SPEED] = next_slow, next_fast
+        bounds[i + 1, CHANGE], bounds[i + 1, SWAY] = change, size(turn_low, turn_high)
+    bend = size(bounds[i + 1, RIGHT], bounds[i + 1, LEFT])
+    bounds[i + 1, FORCE] = bounds[i + 1, CHANGE] + bounds[i + 1, SPEED] ** 2 * bend
+
+
+@kernel
+def reach(front: float, rear: float, sizes: FloatArray, i: int) -> float:
+    """The most that any point of bench i moves when its handles move by at most front and rear.
+
+    A point (1 - l) front handle + l rear handle, h beside the link, is linear in both handles; the
+    bound is convex in the point, so that the corners suffice. For paths, speeds and accelerations.
+    """
+    link = sizes[0, i] - sizes[2, i] - sizes[3, i]
+    nose, tail = sizes[2, i] / link, sizes[3, i] / link
+    at_nose = (1.0 + nose) * front + nose * rear
+    at_tail = tail * front + (1.0 + tail) * rear
+    return max(at_nose, at_tail) + 0.5 * sizes[1, i] / link * (front + rear)
+
+
+@kernel
+def bound_bench(handles: FloatArray, i: int, sizes: FloatArray, k: int, out: FloatArray) -> None:
+    """Fill out, one row of BENCH_COLUMNS, for bench i of the chain, with the sizes in column k."""
+    link = sizes[0, k] - sizes[2, k] - sizes[3, k]
+    out[TRAVEL] = ROUNDED_UP * reach(handles[i, PATH], handles[i + 1, PATH], sizes, k)
+    out[PACE] = ROUNDED_UP * reach(handles[i, SPEED], handles[i + 1, SPEED], sizes, k)
+    out[PULL] = ROUNDED_UP * reach(handles[i, FORCE], handles[i + 1, FORCE], sizes, k)
+    out[TURN] = ROUNDED_UP * handles[i + 1, SWAY]
+    out[TWIST] = ROUNDED_UP * (handles[i, FORCE] + handles[i + 1, FORCE]) / link
+
+
+@kernel
+def separation(boxes: FloatArray, i: int, j: int, nx: float, ny: float) -> float:
+    """How far box j lies beyond box i along the unit vector (nx, ny), m; a lower bound of distance."""
+    total = (boxes[j, CX] - boxes[i, CX]) * nx + (boxes[j, CY] - boxes[i, CY]) * ny
+    for k in (i, j):
+        ux, uy = boxes[k, UX], boxes[k, UY]
+        total -= boxes[k, HALF_LENGTH] * abs(ux * nx + uy * ny)
+        total -= boxes[k, HALF_WIDTH] * abs(ux * ny - uy * nx)
+    return total
+
+
+@kernel
+def face_bound(
+    boxes: FloatArray,
+    ia: int,
+    ja: int,
+    ib: int,
+    jb: int,
+    sweeps: FloatArray,
+    i: int,
+    j: int,
+    h: float,
+) -> float:
+    """Least separation that a face of bench j keeps from bench i over a step, m.
+
+    Bench i has row ia of `boxes` at the start, ib at the end, and row i of `sweeps`. The height of a
+    corner P over a face with normal N and foot Y is (P - Y) . N, with second derivative at most
+    pull + 2 pace turn + |P - Y| (twist + turn^2).
+    """
+    along, across = offset(boxes, ja, boxes[ia, CX], boxes[ia, CY])
+    ahead = max(abs(along) - boxes[ja, HALF_LENGTH], 0.0)
+    aside = max(abs(across) - boxes[ja, HALF_WIDTH], 0.0)
+    pace = sweeps[i, PACE] + sweeps[j, PACE]
+    far = math.hypot(ahead, aside) + math.hypot(boxes[ia, HALF_LENGTH], boxes[ia, HALF_WIDTH])
+    turn = sweeps[j, TURN]
+    second = sweeps[i, PULL] + sweeps[j, PULL] + 2.0 * pace * turn
+    second += (far + pace * h) * (sweeps[j, TWIST] + turn * turn)
+    loss = 0.125 * second * h * h
+    ax, ay, bx, by = boxes[ja, UX], boxes[ja, UY], boxes[jb, UX], boxes[jb, UY]
+    front = min(separation(boxes, ja, ia, ax, ay), separation(boxes, jb, ib, bx, by))
+    rear = min(separation(boxes, ja, ia, -ax, -ay), separation(boxes, jb, ib, -bx, -by))
+    left = min(separation(boxes, ja, ia, -ay, ax), separation(boxes, jb, ib, -by, bx))
+    right = min(separation(boxes, ja, ia, ay, -ax), separation(boxes, jb, ib, by, -bx))
+    return max(front, rear, left, right) - loss
+
+
+@kernel
+def facing_bound(
+    boxes: FloatArray,
+    ia: int,
+    ja: int,
+    ib: int,
+    jb: int,
+    sweeps: FloatArray,
+    i: int,
+    j: int,
+    h: float,
+) -> float:
+    """The same along the fixed direction in which they are nearest at the start, m."""
+    mine, which = nearest_corner(boxes, ia, ja)
+    owner, other = (ia, ja) if mine else (ja, ia)
+    x, y = corner(boxes, owner, which)
+    along, across = offset(boxes, other, x, y)
+    half, wide = boxes[other, HALF_LENGTH], boxes[other, HALF_WIDTH]
+    ahead, aside = along - min(max(along, -half), half), across - min(max(across, -wide), wide)
+    apart = math.hypot(ahead, aside)
+    if apart == 0.0:
+        return -math.inf
+    ux, uy = boxes[other, UX], boxes[other, UY]
+    nx, ny = (ahead * ux - aside * uy) / apart, (ahead * uy + aside * ux) / apart
+    if mine:  # from i towards j
+        nx, ny = -nx, -ny
+    loss = 0.125 * (sweeps[i, PULL] + sweeps[j, PULL]) * h * h
+    return min(separation(boxes, ia, ja, nx, ny), separation(boxes, ib, jb, nx, ny)) - loss
+
+
+@kernel
+def apart_bound(
+    boxes: FloatArray,
+    ia: int,
+    ja: int,
+    ib: int,
+    jb: int,
+    sweeps: FloatArray,
+    i: int,
+    j: int,
+    h: float,
+    wanted: float,
+) -> float:
+    """At most the distance of benches i and j anywhere in a step, m; only as good as `wanted` needs.
+
+    Path lengths add, so that half the distances at both ends less half the travel is one bound; the
+    others follow faces and directions to second order.
+    """
+    start, end = box_distance(boxes, ia, ja), box_distance(boxes, ib, jb)
+    best = 0.5 * (start + end - sweeps[i, TRAVEL] - sweeps[j, TRAVEL])
+    smooth = math.isfinite(sweeps[i, PULL] + sweeps[j, PULL])
+    if best > wanted or min(start, end) <= wanted or not smooth:
+        return best
+    best = max(best, face_bound(boxes, ia, ja, ib, jb, sweeps, i, j, h))
+    if best <= wanted:
+        best = max(best, face_bound(boxes, ja, ia, jb, ib, sweeps, j, i, h))
+    if best <= wanted:
+        best = max(best, facing_bound(boxes, ia, ja, ib, jb, sweeps, i, j, h))
+    return best
+
+
+@kernel
+def fastest(
+    rows: FloatArray,
+    links: FloatArray,
+    places: Places,
+    slots: IntArray,
+    bounds: FloatArray,
+    handle: IntArray,
+) -> None:
+    """Fill bounds[n] with the most that any speed ratio reaches from slot slots[n] to the next.
+
+    handle[n] is the first handle that has the bound.
+    """
+    table = np.empty((links.shape[0] + 1, HANDLE_COLUMNS))
+    for n in range(slots.shape[0]):
+        bound_handles(rows, links, places, slots[n], slots[n] + 1, table)
+        handle[n] = np.argmax(table[:, SPEED])
+        bounds[n] = ROUNDED_UP * table[handle[n], SPEED]
