@@ -18,6 +18,7 @@ from benchdragon import __version__
 from benchdragon.ask import PICTURE_FORMATS, parse_formats, parse_handles, parse_times
 from benchdragon.errors import BenchDragonError, InputError
 from benchdragon.messages import LANGUAGES, N_, _, language
+from benchdragon.options import announce_compiling, plan_options, shared_options
 from benchdragon.plan_text import bench_count, read_toml
 from benchdragon.show import (
     Advance,
@@ -27,6 +28,7 @@ from benchdragon.show import (
     progress,
     six,
 )
+from benchdragon.verdicts import check, solve
 
 if TYPE_CHECKING:
     import numpy as np
@@ -44,13 +46,8 @@ MOST_ROWS_SHOWN = 400
 # (design/cold_start.py).
 FEW_PLACES = 5_000
 PAPER_HANDLES = (0, 1, 51, 101, 151, 201)
-# Seconds of compiling after which a word is due.
-SLOW_COMPILE = 1.0
-
 # What click calls the types of our options; `translated` puts them into the language in use.
 TYPE_NAMES = (N_("float range"), N_("integer range"))
-
-Command = Callable[..., int]
 
 
 class HelpfulGroup(click.Group):
@@ -60,31 +57,6 @@ class HelpfulGroup(click.Group):
         """Names of the verbs."""
         del ctx
         return list(self.commands)
-
-
-def shared_options(command: Command) -> Command:
-    """--lang and --quiet, which every verb takes."""
-    command = click.option(
-        "--quiet", is_flag=True, help=N_("No progress and no talk on standard error.")
-    )(command)
-    return click.option(
-        "--lang",
-        type=click.Choice(LANGUAGES),
-        expose_value=False,
-        help=N_("Language: zh or en. Default: BENCHDRAGON_LANG, else the locale."),
-    )(command)
-
-
-def plan_options(command: Command) -> Command:
-    """PLAN and --set."""
-    command = click.option(
-        "--set",
-        "settings",
-        multiple=True,
-        metavar="KEY=VALUE",
-        help=N_("Override a value of the plan, for example route.pitch=0.6; may be repeated."),
-    )(command)
-    return click.argument("plan", metavar="PLAN")(command)
 
 
 @click.group(
@@ -126,7 +98,7 @@ def reproduce(output: Path, force: bool, as_json: bool, quiet: bool) -> int:
     from benchdragon.reproduce import STEPS
     from benchdragon.reproduce import reproduce as reproduced
 
-    _announce_compiling(quiet)
+    announce_compiling(quiet)
     with progress(quiet, STEPS) as advance:
         found = reproduced(output, force, lambda text: advance(1.0, text))
     if as_json:
@@ -211,7 +183,7 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     walk = read.build()
     times = _times(options["at"], read)
     handles = parse_handles(options["only"], len(walk.dragon))
-    _announce_compiling(quiet)
+    announce_compiling(quiet)
     if options["output"]:
         everything = range(len(walk.dragon) + 1) if handles is None else handles
         what = Selection(walk, times, everything, not options["keep_going"], options["workers"])
@@ -219,6 +191,10 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     if options["as_json"]:
         return _motion_json(walk, read, times, handles, options)
     return _motion_table(walk, read, times, handles, options)
+
+
+for verb in (check, solve):
+    program.add_command(verb)
 
 
 @program.command(help=N_("The JSON Schema of plan files."))
@@ -391,15 +367,6 @@ def _write_pictures(
             advance(0.0, f"{name}.{kind}")
             write_picture(figures[name], folder / f"{name}.{kind}", title, plan.sha256)
             advance(1.0)
-
-
-def _announce_compiling(quiet: bool) -> None:
-    if quiet:
-        return
-    from benchdragon.kernels.jit import watch_compiling
-
-    text = _("compiling the kernels, once for this machine; this takes about ten seconds")
-    watch_compiling(lambda: click.echo(text, err=True), SLOW_COMPILE)
 
 
 def translated(command: click.Command) -> click.Command:

@@ -84,9 +84,13 @@ def drawable(text: str) -> str:
     return plain.replace("$", r"\$")
 
 
-def _figure(width: float, height: float) -> Figure:
+def named_figure(width: float, height: float, title: str) -> Figure:
+    """An empty figure, in inches, under a title; signs that cannot be drawn become "?"."""
     _use_fonts()
-    return Figure(figsize=(width, height))
+    figure = Figure(figsize=(width, height))
+    if title:
+        figure.suptitle(drawable(title))
+    return figure
 
 
 def dragon_picture(
@@ -103,21 +107,15 @@ def dragon_picture(
     columns = min(len(indices), 2)
     panels = -(-len(indices) // columns)
     with matplotlib.rc_context(STYLE):
-        figure = _figure(7.2 * columns, 7.0 * panels + 0.4)
+        figure = named_figure(7.2 * columns, 7.0 * panels + 0.4, title)
         axes = figure.subplots(panels, columns, squeeze=False).ravel()
         limits = _limits(motion, indices)
         for panel, index in zip(axes, indices, strict=False):
-            _draw_dragon(panel, motion, index, disc)
+            draw_dragon(panel, motion, index, disc)
             panel.set(xlim=limits[0], ylim=limits[1])
         for panel in axes[len(indices) :]:
             panel.set_axis_off()
-        _name(figure, title)
         return figure
-
-
-def _name(figure: Figure, title: str) -> None:
-    if title:
-        figure.suptitle(drawable(title))
 
 
 def _limits(motion: Motion, indices: Sequence[int]) -> tuple[tuple[float, float], ...]:
@@ -143,7 +141,8 @@ def bench_corners(motion: Motion, index: int) -> FloatArray:
     return np.stack([nose + side, end + side, end - side, nose - side], axis=1)
 
 
-def _draw_dragon(panel: Axes, motion: Motion, index: int, disc: float | None) -> None:
+def draw_dragon(panel: Axes, motion: Motion, index: int, disc: float | None) -> None:
+    """Draw the benches, the route and the disc into one panel."""
     route = _route_points(motion, index)
     panel.plot(route[:, 0], route[:, 1], color=ROUTE, lw=0.5, zorder=1, label=_("route"))
     if disc is not None:
@@ -192,7 +191,7 @@ def _centre(motion: Motion) -> tuple[float, float]:
 def speed_map(motion: Motion, title: str = "") -> Figure:
     """Speed of all handles over time, as a map: time to the right, handle 0 (the head) on top."""
     with matplotlib.rc_context(STYLE):
-        figure = _figure(9.0, 5.2)
+        figure = named_figure(9.0, 5.2, title)
         panel = figure.subplots()
         panel.grid(False)
         times = _edges(motion.times)
@@ -202,7 +201,6 @@ def speed_map(motion: Motion, title: str = "") -> Figure:
         panel.set_xlabel(_("time (s)"))
         panel.set_ylabel(_("handle (0 = head)"))
         panel.set_title(_("Speed of every handle"))
-        _name(figure, title)
         bar = figure.colorbar(mesh, ax=panel, pad=0.02)
         bar.set_label(_("speed (m/s)"))
         bar.formatter.set_useOffset(False)  # type: ignore[attr-defined]
@@ -224,13 +222,12 @@ def head_angle_picture(motion: Motion, title: str = "") -> Figure:
     dx, dy = motion.x[:, 0] - cx, motion.y[:, 0] - cy
     angle = np.degrees(np.unwrap(np.arctan2(dy, dx)))
     with matplotlib.rc_context(STYLE):
-        figure = _figure(8.0, 5.6)
+        figure = named_figure(8.0, 5.6, title)
         above, below = figure.subplots(2, 1, sharex=True)
         above.plot(motion.times, angle, color=HEAD, marker="." if len(angle) < 30 else None)
         above.set_ylabel(_("polar angle (degrees)"))
         figure.align_ylabels()
         above.set_title(_("Polar angle of the head"))
-        _name(figure, title)
         below.plot(motion.times, np.hypot(dx, dy), color=BODY, marker="." if len(angle) < 30 else None)
         below.set_ylabel(_("distance from the centre (m)"))
         below.set_xlabel(_("time (s)"))

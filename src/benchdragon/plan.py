@@ -8,7 +8,7 @@ import hashlib
 import json
 import math
 from collections.abc import Sequence
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 from pydantic_core import ErrorDetails
@@ -176,6 +176,10 @@ class SpiralInRoute(Table):
             )
         return Route((Spiral(self.pitch, start, end, mirrored=not self.clockwise),)), 0.0
 
+    def last_position(self, walk: Walk) -> float:
+        """The head's route position at the end of the walk, m."""
+        return walk.route.length
+
 
 class TurnRoute(Table):
     """In along a spiral, the turn of `[turn]` inside the disc, out along the spiral's twin."""
@@ -197,6 +201,10 @@ class TurnRoute(Table):
         route = turn.route(trail=plan.dragon_length + 1000.0)
         return route, float(route.joints[1])
 
+    def last_position(self, walk: Walk) -> float:
+        """The head's route position when the tail has left the turn, m."""
+        return walk.head_where_tail(float(walk.route.joints[3]))
+
 
 class PartsRoute(Table):
     """Any parts, each moved to where the one before it ends."""
@@ -215,6 +223,10 @@ class PartsRoute(Table):
                 heading = math.radians(self.heading)
             curves[0] = curves[0].moved(self.start or point, heading)
         return Route.joined(curves), 0.0
+
+    def last_position(self, walk: Walk) -> float:
+        """The head's route position at the end of the walk, m."""
+        return walk.route.length
 
 
 class DiscTable(Table):
@@ -254,6 +266,13 @@ class WalkTable(Table):
         return SpeedProfile(times, speeds)
 
 
+class LimitsTable(Table):
+    """What a walk must keep: greatest speed of any handle, and distance of benches but neighbours."""
+
+    speed: Annotated[Speed, Field(gt=0.0)] | None = None
+    margin: Annotated[Metres, Field(ge=0.0)] = 0.0
+
+
 class Plan(Table):
     """A whole plan."""
 
@@ -264,6 +283,7 @@ class Plan(Table):
     disc: DiscTable = DiscTable()
     turn: TurnTable = TurnTable()
     walk: WalkTable = WalkTable()
+    limits: LimitsTable = LimitsTable()
 
     @property
     def sha256(self) -> str:
@@ -280,6 +300,39 @@ class Plan(Table):
         """What to call it in a language, "en" or "zh"."""
         english, chinese = self.meta.title, self.meta.title_zh
         return (chinese or english) if language == "zh" else (english or chinese)
+
+    def value(self, key: str) -> float:
+        """The number under a dotted key.
+
+        Raises:
+            PlanError: if the plan does not say it.
+        """
+        at: Any = self
+        for name in key.split("."):
+            at = getattr(at, name, None)
+        if not isinstance(at, int | float):
+            raise PlanError(_("the plan does not say {key}: set it").format(key=key))
+        return float(at)
+
+    def with_value(self, key: str, value: float) -> Self:
+        """The same plan with another number under a dotted key."""
+        table, name = key.split(".")
+        changed = getattr(self, table).model_copy(update={name: value})
+        return self.model_copy(update={table: changed})
+
+    def span(self, walk: Walk) -> tuple[float, float]:
+        """Start and end of the whole walk, s: as the plan says, else as its route's kind says.
+
+        Raises:
+            PlanError: if the head never comes to the end.
+        """
+        start = 0.0 if self.walk.start is None else self.walk.start
+        if self.walk.end is not None:
+            return start, self.walk.end
+        end = walk.profile.time(self.route.last_position(walk) - walk.start)
+        if not math.isfinite(end):
+            raise PlanError(_("the head never comes to the end of its walk: set walk.end"))
+        return start, end
 
     def build(self) -> Walk:
         """The walk that the plan describes.
@@ -380,7 +433,8 @@ def _known_keys(path: list[str]) -> list[str]:
     """Keys allowed in the table at `path` of a plan."""
     tables: dict[str, type[Table]] = {
         "": Plan, "meta": MetaTable, "dragon": DragonTable, "disc": DiscTable, "turn": TurnTable,
-        "walk": WalkTable, "spiral-in": SpiralInRoute, "parts": PartsRoute, "bench": BenchTable,
+        "walk": WalkTable, "limits": LimitsTable, "spiral-in": SpiralInRoute, "parts": PartsRoute,
+        "bench": BenchTable,
         "line": LinePart, "arc": ArcPart, "clothoid": ClothoidPart, "spiral": SpiralPart,
     }  # fmt: skip
     names = [step for step in path if not step.isdigit()]

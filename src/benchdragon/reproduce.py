@@ -3,33 +3,49 @@
 import json
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from matplotlib.figure import Figure
 
 from benchdragon import __version__
+from benchdragon.check import Report, check
+from benchdragon.contact_pictures import clearance_picture, moment_picture, pitch_picture
 from benchdragon.differences import SCHEMES, difference_errors, difference_speeds, order
 from benchdragon.files import refuse_existing, whole_file
 from benchdragon.messages import _, language
 from benchdragon.motion import Motion, Walk
 from benchdragon.pictures import dragon_picture, head_angle_picture, speed_map, write_picture
 from benchdragon.plan import Plan, read_plan
-from benchdragon.tables import Selection, write_csv, write_npz, write_xlsx
+from benchdragon.solve import pitch_curve, smallest_pitch, traversed_pitch
+from benchdragon.tables import Selection, write_csv, write_moment_xlsx, write_npz, write_xlsx
 from benchdragon.turns import TwoArcTurn
+from benchdragon.verdict_files import curve, moment
 
 # The contest's own times and handles.
 TABLE_TIMES = (0.0, 60.0, 120.0, 180.0, 240.0, 300.0)
 TABLE_HANDLES = (0, 1, 51, 101, 151, 201, 223)
+CONTACT_HANDLES = (0, 1, 51, 101, 151, 201, 223)
 TURN_TIMES = (-50.0, 0.0, 14.0, 50.0)
 PICTURE_KINDS = ("png", "svg", "pdf")
 # Steps, s, at which differences and Runge-Kutta are compared; the fits use all of them.
 DIFFERENCE_STEPS = (0.4, 0.2, 0.1, 0.05)
 RUNGE_KUTTA_STEPS = (10.0, 5.0, 2.5)
 
+# Steps of the paper's traversal whose answers are compared, pitch (m) and time (s), and the first pitch
+# tried; the last looks at the moment alone at which the head reaches the disc.
+TRAVERSALS = (
+    (0.002, 1.0, 0.44), (0.001, 1.0, 0.44), (0.0005, 1.0, 0.448), (0.002, 0.2, 0.448), (0.001, 1e6, 0.41),
+)  # fmt: skip
+# Pitches of the paper's Fig 2, m.
+FIGURE_PITCHES, FIGURE_RESOLUTION = (0.43, 0.47, 41), 1e-4
+SPIRAL_PICTURES = ("spiral-dragon", "spiral-speeds", "spiral-head")
+CONTACT_PICTURES = ("contact", "clearance", "pitch")
+TURN_PICTURES = ("turn-dragon", "turn-speeds")
+
 # How often `reproduce` reports an advance.
-STEPS = 7 + len(PICTURE_KINDS)
+STEPS = 11 + len(PICTURE_KINDS)
 
 Advance = Callable[[str], None]
 
@@ -46,10 +62,10 @@ def planned_files(folder: Path) -> list[Path]:
     """The files that `reproduce` writes into `folder`."""
     pictures = [
         f"{name}.{kind}"
-        for name in ("spiral-dragon", "spiral-speeds", "spiral-head", "turn-dragon", "turn-speeds")
+        for name in (*SPIRAL_PICTURES, *CONTACT_PICTURES, *TURN_PICTURES)
         for kind in PICTURE_KINDS
     ]
-    names = ["result1.xlsx", "spiral.csv", "spiral.npz", *pictures, "answers.json"]
+    names = ["result1.xlsx", "result2.xlsx", "spiral.csv", "spiral.npz", *pictures, "answers.json"]
     return [folder / name for name in names]
 
 
@@ -66,7 +82,7 @@ def reproduce(folder: Path, force: bool = False, advance: Advance = lambda _text
     times, turn_times = np.arange(301.0), np.linspace(-100.0, 100.0, 2001)
     advance(_("walking"))
     motion, turn_motion = walk.motion(times), turn_walk.motion(turn_times)
-    answers = {
+    answers: dict[str, Any] = {
         "version": __version__,
         "plans": {"spiral-in": spiral.sha256, "turn": turn.sha256},
         "table": table(motion),
@@ -77,8 +93,19 @@ def reproduce(folder: Path, force: bool = False, advance: Advance = lambda _text
     advance(_("differences"))
     answers["differences"] = differences(walk)
     answers["turn"] = turn_answers(turn)
+    advance(_("contact"))
+    report = check(spiral)
+    answers["contact"] = contact_answers(report)
+    disc = read_plan("spiral-in", [f"disc.radius={turn.disc.radius}"])
+    answers["pitch"] = pitch_answers(disc, advance)
     _write_tables(folder, walk, times, advance)
-    _draw_all(folder, spiral, motion, turn, turn_motion, advance)
+    write_moment_xlsx(folder / "result2.xlsx", moment(report)[0])
+    figures = {
+        **_spiral_figures(spiral, motion),
+        **_contact_figures(report, disc, answers["pitch"]["smallest"]["value"], advance),
+        **_turn_figures(turn, turn_motion),
+    }
+    _write_pictures(folder, {"turn": turn, "pitch": disc}, spiral, figures, advance)
     with whole_file(folder / "answers.json") as temporary:
         temporary.write_text(json.dumps(answers, indent=1, ensure_ascii=False) + "\n", "utf-8")
     return Reproduction(answers, files)
@@ -156,24 +183,76 @@ def _write_tables(folder: Path, walk: Walk, times: np.ndarray[Any, Any], advance
         write(folder / name, what, lambda _share: None)
 
 
-def _draw_all(
-    folder: Path, spiral: Plan, motion: Motion, turn: Plan, turn_motion: Motion, advance: Advance
-) -> None:
-    title, turn_title = spiral.title(language()), turn.title(language())
-    at = partial(np.searchsorted, turn_motion.times)
-    advance(_("pictures"))
-    jobs = {
-        "spiral-dragon": (spiral, title, dragon_picture(motion, title, (0, 300))),
-        "spiral-speeds": (spiral, title, speed_map(motion, title)),
-        "spiral-head": (spiral, title, head_angle_picture(motion, title)),
-        "turn-dragon": (
-            turn,
-            turn_title,
-            dragon_picture(turn_motion, turn_title, [int(at(t)) for t in TURN_TIMES], turn.disc.radius),
-        ),
-        "turn-speeds": (turn, turn_title, speed_map(turn_motion, turn_title)),
+def contact_answers(report: Report) -> dict[str, Any]:
+    """The first contact, and the contest's table of places and speeds then."""
+    motion, answer = moment(report)
+    rows = [
+        {
+            "handle": handle,
+            "x_m": float(motion.x[0, handle]),
+            "y_m": float(motion.y[0, handle]),
+            "speed_m_s": float(motion.speed[0, handle]),
+        }
+        for handle in CONTACT_HANDLES
+    ]
+    return {"first": answer.as_json(), "table": rows}
+
+
+def pitch_answers(plan: Plan, advance: Advance) -> dict[str, Any]:
+    """The smallest pitch, and what the paper's traversal finds with several steps."""
+    advance(_("smallest pitch"))
+    answer = smallest_pitch(plan)
+    traversed = []
+    advance(_("traversal of pitches"))
+    for pitch_step, time_step, first in TRAVERSALS:
+        found = traversed_pitch(plan, pitch_step, time_step, first=first)
+        traversed.append({"pitch_step_m": pitch_step, "time_step_s": time_step, "pitch_m": found.value})
+    walk = plan.with_value("route.pitch", answer.value).build()
+    before = None if answer.witness is None else walk.route.length - answer.witness.s
+    return {"smallest": answer.as_json(), "before_disc_m": before, "traversal": traversed}
+
+
+def _spiral_figures(plan: Plan, motion: Motion) -> dict[str, Figure]:
+    title = plan.title(language())
+    return {
+        "spiral-dragon": dragon_picture(motion, title, (0, 300)),
+        "spiral-speeds": speed_map(motion, title),
+        "spiral-head": head_angle_picture(motion, title),
     }
+
+
+def _contact_figures(
+    report: Report, disc: Plan, smallest: float, advance: Advance
+) -> dict[str, Figure]:
+    title = report.plan.title(language())
+    advance(_("clearance"))
+    near = np.array([smallest - 1e-9, smallest + 1e-9])
+    low, high, count = FIGURE_PITCHES
+    pitches = np.concatenate([np.linspace(low, high, count), near])
+    advance(_("smallest pitch"))
+    drawn = pitch_curve(disc, pitches, resolution=FIGURE_RESOLUTION)
+    return {
+        "contact": moment_picture(*moment(report), title),
+        "clearance": clearance_picture(curve(report), report.plan.limits.margin, title),
+        "pitch": pitch_picture(drawn, smallest, title),
+    }
+
+
+def _turn_figures(plan: Plan, motion: Motion) -> dict[str, Figure]:
+    title = plan.title(language())
+    at = [int(np.searchsorted(motion.times, t)) for t in TURN_TIMES]
+    return {
+        "turn-dragon": dragon_picture(motion, title, at, plan.disc.radius),
+        "turn-speeds": speed_map(motion, title),
+    }
+
+
+def _write_pictures(
+    folder: Path, others: dict[str, Plan], spiral: Plan, figures: dict[str, Figure], advance: Advance
+) -> None:
     for kind in PICTURE_KINDS:
         advance(_("pictures") + f" ({kind})")
-        for name, (plan, about, figure) in jobs.items():
-            write_picture(figure, folder / f"{name}.{kind}", about, plan.sha256)
+        for name, figure in figures.items():
+            plan = others.get(name.partition("-")[0], spiral)
+            path = folder / f"{name}.{kind}"
+            write_picture(figure, path, plan.title(language()), plan.sha256)

@@ -91,8 +91,45 @@ def print_reproduction(answers: dict[str, Any]) -> None:
             ),
         )
     )
+    lines += _contact_lines(answers)
     for line in lines:
         click.echo(line)
+
+
+def _contact_lines(answers: dict[str, Any]) -> list[str]:
+    first, smallest = answers["contact"]["first"], answers["pitch"]["smallest"]
+    lines = [
+        _("first contact: {time} s, bench {a} with bench {b}, in a bracket of {width} s").format(
+            time=f"{first['value']:.10f}",
+            a=first["witness"]["benches"][0],
+            b=first["witness"]["benches"][1],
+            width=f"{first['upper'] - first['lower']:.1e}",
+        ),
+        _(
+            "smallest pitch: {pitch} m, bench {a} with bench {b}, {before} m before the disc, in a "
+            "bracket of {width} m"
+        ).format(
+            pitch=f"{smallest['value']:.13f}",
+            a=smallest["witness"]["benches"][0],
+            b=smallest["witness"]["benches"][1],
+            before=f"{answers['pitch']['before_disc_m']:.4f}",
+            width=f"{smallest['upper'] - smallest['lower']:.1e}",
+        ),
+    ]
+    for row in answers["pitch"]["traversal"]:
+        text = _("smallest pitch by traversal, steps of {pitch_step} m and {time_step} s: {pitch} m")
+        if row["time_step_s"] > 1e5:
+            text = _(
+                "smallest pitch by traversal, steps of {pitch_step} m, at the disc alone: {pitch} m"
+            )
+        lines.append(
+            text.format(
+                pitch_step=f"{row['pitch_step_m']:g}",
+                time_step=f"{row['time_step_s']:g}",
+                pitch=f"{row['pitch_m']:.4f}",
+            )
+        )
+    return lines
 
 
 def _console(stderr: bool = False) -> "Console":

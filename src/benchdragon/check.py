@@ -1,0 +1,176 @@
+"""Whether a walk is safe: first contact, least clearance and greatest speed against their limits."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from benchdragon.answer import Answer
+from benchdragon.contact import first_contact, least_clearance
+from benchdragon.messages import _
+from benchdragon.motion import Walk
+from benchdragon.plan import Plan
+from benchdragon.prove import prove_contact
+from benchdragon.speeds import greatest_speed
+
+Advance = Callable[[float, str], None]
+
+# The speed's bracket is drawn tighter, step by step, while a limit lies inside it.
+SPEED_TOLERANCES = (1e-3, 1e-6)
+# How often a check advances by 1.
+STEPS = 3
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Something that a walk must not do, or that could not be decided.
+
+    Attributes:
+        code: "contact", "margin", "speed" or "undecided".
+        text: the same as a sentence, in the language in use.
+        time: when, s.
+        benches: which.
+        value: what came out, m or m/s.
+        limit: what was to be kept.
+    """
+
+    code: str
+    text: str
+    time: float | None
+    benches: tuple[int, ...]
+    value: float
+    limit: float
+
+
+@dataclass(frozen=True)
+class Report:
+    """What a check found.
+
+    Attributes:
+        plan: what was checked.
+        start: of the walk, s.
+        end: of the walk, s; the answers but the first speak of it up to a contact, if there is one.
+        first_contact: when two benches but neighbours first touch, or come nearer than the margin.
+        clearance: the least distance that they keep, m; 0 where they touch.
+        greatest_speed: of any handle, m/s.
+        findings: empty if the walk is safe.
+        proved: whether what is said of contact was proved.
+    """
+
+    plan: Plan
+    start: float
+    end: float
+    first_contact: Answer | None
+    clearance: Answer
+    greatest_speed: Answer
+    findings: tuple[Finding, ...]
+    proved: bool = False
+
+    @property
+    def safe(self) -> bool:
+        """Whether nothing was found; a question left open counts as found."""
+        return not self.findings
+
+    @property
+    def decided(self) -> bool:
+        """Whether no question was left open that could change `safe`."""
+        codes = {finding.code for finding in self.findings}
+        return codes != {"undecided"}
+
+
+def check(plan: Plan, advance: Advance | None = None, *, prove: bool = False) -> Report:
+    """Check the whole walk of a plan against its margin and its limit of speed.
+
+    With `prove` it is proved when the first contact comes, or that none does (see `prove`).
+
+    Raises:
+        MissingExtraError: for a proof without python-flint.
+        WalkError: if no contact comes before the dragon cannot walk on.
+        UnsureError: if it could not be decided whether it can.
+    """
+    tell = advance or (lambda _share, _text: None)
+    walk = plan.build()
+    start, end = plan.span(walk)
+    margin = plan.limits.margin
+    tell(0.0, _("looking for contact"))
+    search = prove_contact if prove else first_contact
+    contact = search(walk, start, end, margin=margin, advance=_part(tell, _("contact")))
+    until = end if contact is None or contact.witness is None else contact.upper
+    clearance = _clearance(walk, start, until, contact, _part(tell, _("clearance")))
+    speed = _speed(walk, start, until, plan.limits.speed, _part(tell, _("greatest speed")))
+    findings = [*_contact_findings(contact, margin), *_speed_findings(speed, plan.limits.speed)]
+    return Report(plan, start, end, contact, clearance, speed, tuple(findings), proved=prove)
+
+
+def _part(tell: Advance, text: str) -> Callable[[float], None]:
+    """What turns the shares of one search into advances of a check."""
+    done = 0.0
+
+    def advance(share: float) -> None:
+        nonlocal done
+        if share > done:
+            tell(share - done, text)
+            done = share
+
+    return advance
+
+
+def _clearance(
+    walk: Walk, start: float, until: float, contact: Answer | None, advance: Callable[[float], None]
+) -> Answer:
+    if contact is None or contact.witness is None or contact.witness.gap > 0.0:
+        return least_clearance(walk, start, until, advance=advance)
+    return replace(contact, value=0.0, lower=0.0, upper=0.0, unit="m")
+
+
+def _speed(
+    walk: Walk, start: float, until: float, limit: float | None, advance: Callable[[float], None]
+) -> Answer:
+    answer = greatest_speed(walk, start, until, tolerance=SPEED_TOLERANCES[0], advance=advance)
+    for tolerance in SPEED_TOLERANCES[1:]:
+        if limit is None or not answer.lower <= limit < answer.upper:
+            break
+        answer = greatest_speed(walk, start, until, tolerance=tolerance)
+    return answer
+
+
+def _contact_findings(contact: Answer | None, margin: float) -> list[Finding]:
+    if contact is None or contact.witness is None:
+        return []
+    near = contact.witness
+    code = "undecided" if contact.status == "undecided" else "contact" if near.gap <= 0.0 else "margin"
+    texts = {
+        "contact": _("benches {a} and {b} touch at t = {t} s"),
+        "margin": _("benches {a} and {b} come nearer than {margin} m at t = {t} s"),
+        "undecided": _(
+            "benches {a} and {b} come to {margin} m of one another at t = {t} s, too exactly to tell "
+            "on which side"
+        ),
+    }
+    a, b = near.benches
+    text = texts[code].format(a=a, b=b, t=f"{contact.value:.6f}", margin=f"{margin:g}")
+    return [Finding(code, text, contact.value, near.benches, max(near.gap, 0.0), margin)]
+
+
+def _speed_findings(speed: Answer, limit: float | None) -> list[Finding]:
+    if limit is None or speed.upper <= limit or speed.witness is None:
+        return []
+    sure = speed.lower > limit
+    text = _("a handle of bench {bench} walks at {speed} m/s at t = {t} s, the limit being {limit} m/s")
+    if not sure:
+        text = _("whether every handle keeps to {limit} m/s is undecided: {speed} m/s was seen")
+    near = speed.witness
+    return [
+        Finding(
+            "speed" if sure else "undecided",
+            text.format(
+                bench=near.benches[0],
+                speed=f"{speed.value:.6f}",
+                limit=f"{limit:g}",
+                t="-" if near.time is None or math.isinf(near.time) else f"{near.time:.6f}",
+            ),
+            near.time,
+            near.benches,
+            speed.value,
+            limit,
+        )
+    ]

@@ -1,0 +1,69 @@
+"""Options that several verbs take."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import click
+
+from benchdragon.messages import LANGUAGES, N_, _
+
+Command = Callable[..., int]
+
+# Seconds of compiling after which a word is due.
+SLOW_COMPILE = 1.0
+
+
+def shared_options(command: Command) -> Command:
+    """--lang and --quiet, which every verb takes."""
+    command = click.option(
+        "--quiet", is_flag=True, help=N_("No progress and no talk on standard error.")
+    )(command)
+    return click.option(
+        "--lang",
+        type=click.Choice(LANGUAGES),
+        expose_value=False,
+        help=N_("Language: zh or en. Default: BENCHDRAGON_LANG, else the locale."),
+    )(command)
+
+
+def plan_options(command: Command) -> Command:
+    """PLAN and --set."""
+    command = click.option(
+        "--set",
+        "settings",
+        multiple=True,
+        metavar="KEY=VALUE",
+        help=N_("Override a value of the plan, for example route.pitch=0.6; may be repeated."),
+    )(command)
+    return click.argument("plan", metavar="PLAN")(command)
+
+
+def folder_option(command: Command) -> Command:
+    """--output and --force."""
+    command = click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))(
+        command
+    )
+    return click.option(
+        "-o",
+        "--output",
+        type=click.Path(path_type=Path, file_okay=False),
+        metavar="DIR",
+        help=N_("Folder for the files."),
+    )(command)
+
+
+def json_option(command: Command) -> Command:
+    """--json."""
+    return click.option(
+        "--json", "as_json", is_flag=True, help=N_("Print one JSON object and nothing else.")
+    )(command)
+
+
+def announce_compiling(quiet: bool) -> None:
+    """Say on standard error when compiling takes long, unless `quiet`."""
+    if quiet:
+        return
+    from benchdragon.kernels.jit import watch_compiling
+
+    text = _("compiling the kernels, once for this machine; this takes about ten seconds")
+    watch_compiling(lambda: click.echo(text, err=True), SLOW_COMPILE)

@@ -1,0 +1,576 @@
+"""Inverse answers: how small or large one size of a plan may be for the walk to stay clear.
+
+One mechanism for all of them. A walk is tried by the search that misses no contact. Where it fails,
+the pair that meets there gives a smooth function of the size, its least distance around that moment,
+whose root is where the search goes next; the answer is the root at which the whole walk passes.
+"""
+
+import itertools
+import math
+import time as clock
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+import numpy.typing as npt
+
+from benchdragon.answer import Answer
+from benchdragon.clearance import boxes, pair_distances, pairs_within
+from benchdragon.contact import SLACK, Hunt, first_contact, least_clearance
+from benchdragon.curves import Spiral
+from benchdragon.dragon import Dragon
+from benchdragon.errors import InputError, UnsureError, WalkError, positive
+from benchdragon.kernels.box import pair_distances as pair_gaps
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.messages import N_, _
+from benchdragon.motion import Walk
+from benchdragon.plan import Plan, SpiralInRoute
+from benchdragon.plan_text import PlanError
+from benchdragon.prove import prove_contact, prove_nearer, require_flint
+
+Advance = Callable[[str], None]
+
+# Brackets are at most so wide, m.
+TOLERANCE = 1e-12
+# Sizes tried at most; the contest's pitch takes 4.
+MOST_TRIALS = 80
+# Head positions at which a pair's distance is taken at once, and how often the range shrinks to the
+# neighbours of the least one.
+SAMPLES, SHRINKS = 64, 8
+# How often a bracket is doubled until it can be proved.
+MOST_WIDENINGS = 12
+# What a size is multiplied by, at most so often, until a walk passes; and how many times smaller (or
+# larger) than that sizes are of interest.
+GROWTH, MOST_GROWTHS = 1.25, 40
+FARTHEST = 100.0
+# A pair that comes no nearer than this beyond the margin, m, is no hint where the limit lies.
+NEARBY = 0.1
+# Roots of a pair that fail one after another, because another pair decides, before halving.
+MOST_FAILURES = 2
+# The secant method: its first step, when it has come to rest, and how far it may go at once, all
+# relative; steps at most.
+FIRST_STEP, SETTLED, LONGEST_SECANT, MOST_SECANTS = 1e-5, 1e-15, 1.1, 40
+MOST_COUNT = 10_000
+# Angles that differ by more than this from one pitch to the next, rad, are a jump and not a slope.
+JUMP = 0.5
+
+
+@dataclass(frozen=True)
+class Question:
+    """A size of a plan whose limit is sought.
+
+    Attributes:
+        name: what the command line calls it.
+        keys: the plan's keys that hold it.
+        sense: +1 where larger sizes are safer, -1 where smaller ones are.
+        text: what the answer is, in words.
+    """
+
+    name: str
+    keys: tuple[str, ...]
+    sense: float
+    text: str
+
+
+QUESTIONS = {
+    question.name: question
+    for question in (
+        Question("pitch", ("route.pitch",), 1.0, N_("smallest pitch")),
+        Question("disc", ("disc.radius",), 1.0, N_("smallest disc radius")),
+        Question("width", ("dragon.width",), -1.0, N_("widest bench")),
+        Question("length", ("dragon.body_length", "dragon.tail_length"), -1.0, N_("longest bench")),
+    )
+}
+
+
+@dataclass(frozen=True)
+class Meeting:
+    """Benches i and j (rows, from 0) of a walk whose head stands at s, m."""
+
+    s: float
+    i: int
+    j: int
+
+
+@dataclass(frozen=True)
+class Trial:
+    """How a walk of one size went: whether it stays clear, and the pair that decides."""
+
+    size: float
+    clear: bool
+    meeting: Meeting | None
+    looks: int
+    seconds: float
+
+
+@dataclass
+class Family:
+    """The walks of a plan in which one size varies."""
+
+    plan: Plan
+    question: Question
+    margin: float
+
+    def walk(self, size: float) -> tuple[Walk, float, float]:
+        """The walk of a size, and the times between which it must stay clear."""
+        plan = self.plan
+        for key in self.question.keys:
+            plan = plan.with_value(key, size)
+        walk = plan.build()
+        return walk, *plan.span(walk)
+
+    def trial(self, size: float) -> Trial:
+        """Walk it; what cannot be walked, or decided, is not clear."""
+        began = clock.perf_counter()
+        meeting, looks, clear = None, 0, False
+        try:
+            walk, start, end = self.walk(size)
+            contact = first_contact(walk, start, end, margin=self.margin)
+            clear = contact is None
+            if contact is not None and contact.witness is not None:
+                i, j = contact.witness.benches
+                meeting, looks = Meeting(contact.witness.s, i - 1, j - 1), contact.looks
+        except (WalkError, UnsureError, InputError, PlanError):
+            clear = False
+        return Trial(size, clear, meeting, looks, clock.perf_counter() - began)
+
+    def tightest(self, size: float) -> Meeting | None:
+        """About where which pair comes nearest in a walk that stays clear; None if none comes near."""
+        walk, start, end = self.walk(size)
+        near = least_clearance(walk, start, end, within=self.margin + NEARBY, tolerances=(math.inf,))
+        witness = near.witness
+        return None if witness is None else Meeting(witness.s, *(i - 1 for i in witness.benches))
+
+    def low_point(self, size: float, meeting: Meeting) -> tuple[float, float]:
+        """The least distance of a pair near a meeting, less the margin, m, and where the head is then.
+
+        What is near is within one and a half links, as far as the walk goes.
+        """
+        try:
+            walk, start, end = self.walk(size)
+        except (InputError, PlanError):
+            return math.nan, meeting.s
+        first, last = walk.head_position([start, end]).tolist()
+        links = walk.dragon.links
+        near = 1.5 * float(max(links[meeting.i], links[meeting.j]))
+        low, high = max(first, meeting.s - near), min(last, meeting.s + near)
+        dragon = walk.dragon
+        short = Walk(Dragon.of_sizes(*(dragon.sizes[n, : meeting.j + 1] for n in range(4))), walk.route)
+        where, least = meeting.s, math.inf
+        for _shrink in range(SHRINKS):
+            at = np.linspace(low, high, SAMPLES)
+            distance = pair_distances(short.motion(at, throw=False), meeting.i, meeting.j)
+            if np.isnan(distance).all():
+                return math.nan, where
+            n = int(np.nanargmin(distance))
+            least, where = min((least, where), (float(distance[n]), float(at[n])))
+            low, high = at[max(n - 1, 0)], at[min(n + 1, SAMPLES - 1)]
+        return least - self.margin, where
+
+
+def root_near(family: Family, meeting: Meeting, size: float) -> tuple[float, float, Meeting] | None:
+    """The size, near `size`, at which the meeting's pair just keeps the margin; slope there, and where.
+
+    The secant method on the pair's least distance near the meeting, m per unit of size; None if it
+    does not come to rest.
+    """
+    a, b = size, size * (1.0 + family.question.sense * FIRST_STEP)
+    fa = family.low_point(a, meeting)[0]
+    for _step in range(MOST_SECANTS):
+        fb, where = family.low_point(b, meeting)
+        if not math.isfinite(fb) or fb == fa or b <= 0.0:
+            return None
+        slope = (fb - fa) / (b - a)
+        meeting = replace(meeting, s=where)
+        a, fa, b = b, fb, min(max(b - fb / slope, b / LONGEST_SECANT), b * LONGEST_SECANT)
+        if abs(b - a) <= SETTLED * abs(a):
+            return b, slope, meeting
+    return None
+
+
+@dataclass
+class Limit:
+    """The bracket of a limit: a size that passes, and one that does not or has not been tried."""
+
+    family: Family
+    good: float
+    bad: float
+    tried: bool = False
+    looks: int = 0
+    caution: float = 2.5
+    failures: int = 0
+
+    def between(self, size: float) -> bool:
+        """Whether a size lies strictly inside the bracket."""
+        return min(self.good, self.bad) < size < max(self.good, self.bad)
+
+    def target(self, root: tuple[float, float, Meeting] | None) -> tuple[float, float]:
+        """The size to try next, and by how much it lies on the safe side of the root (0: no root)."""
+        if root is not None and self.failures < MOST_FAILURES:
+            size, slope, _meeting = root
+            shift = self.caution * SLACK / abs(slope) + 4.0 * math.ulp(size)
+            target = size + math.copysign(shift, self.family.question.sense)
+            if self.between(target):
+                return target, shift
+        self.failures = 0
+        if self.tried:
+            return math.sqrt(self.good * self.bad), 0.0
+        ahead = self.good * GROWTH**-self.family.question.sense
+        return ahead if self.between(ahead) else self.bad, 0.0
+
+    def closed(self) -> bool:
+        """Whether the bracket is as narrow as wanted, or as doubles allow."""
+        width = abs(self.good - self.bad)
+        return self.tried and width <= max(TOLERANCE, 4.0 * math.ulp(self.good))
+
+
+def limit(
+    plan: Plan,
+    name: str,
+    *,
+    margin: float | None = None,
+    end: float | None = None,
+    prove: bool = False,
+    advance: Advance | None = None,
+) -> Answer:
+    """The size of `plan` next to which a walk stops staying clear: see QUESTIONS for the names.
+
+    Args:
+        plan: all other sizes, and a first one of this: if it does not pass, safer ones are tried.
+        name: "pitch", "disc", "width" or "length".
+        margin: distance, m, that benches must keep; None: the plan's own.
+        end: the least safe size that is of interest, m.
+        prove: whether both ends of the bracket are established again by `prove`, which widens it.
+        advance: is told what is being tried.
+
+    Returns:
+        The limit, m. Its bracket: at one end the whole walk stays clear, at the other a pair comes
+        nearer than the margin (or the dragon cannot walk). Sizes beyond were not tried; see
+        `walkable_sizes`. Status "infeasible": no size passes. The witness is the pair that decides.
+
+    Raises:
+        InputError: for an unknown name, or a plan without that size.
+        MissingExtraError: for a proof without python-flint.
+        UnsureError: if the bracket could not be proved.
+    """
+    began = clock.perf_counter()
+    tell = advance or (lambda _text: None)
+    family = Family(plan, question(name), plan.limits.margin if margin is None else margin)
+    if prove:
+        require_flint()
+    answer = _limit(family, end, tell, began)
+    return _proved(family, answer, tell, began) if prove and answer.status == "found" else answer
+
+
+def _proved(family: Family, answer: Answer, tell: Advance, began: float) -> Answer:
+    """The answer with a bracket both ends of which are proved."""
+    near = answer.witness
+    if near is None or len(near.benches) != 2:
+        raise UnsureError(_("only a limit at which two benches meet can be proved"))
+    i, j = (number - 1 for number in near.benches)
+    half = 0.5 * (answer.upper - answer.lower)
+    for _trial in range(MOST_WIDENINGS):
+        good, bad = (answer.value + side * family.question.sense * half for side in (1.0, -1.0))
+        tell(_("proving at {size} m").format(size=f"{good:.16g}"))
+        _below, where = family.low_point(bad, Meeting(near.s, i, j))
+        walk, start, end = family.walk(good)
+        if prove_nearer(family.walk(bad)[0], where, i, j, family.margin) and (
+            prove_contact(walk, start, end, margin=family.margin) is None
+        ):
+            seconds = clock.perf_counter() - began
+            return replace(
+                answer, lower=min(good, bad), upper=max(good, bad), status="proved", seconds=seconds
+            )
+        half *= 2.0
+    raise UnsureError(_("the bracket could not be proved"))
+
+
+def _limit(family: Family, end: float | None, tell: Advance, began: float) -> Answer:
+    plan = family.plan
+    sense = family.question.sense
+    family.walk(plan.value(family.question.keys[0]))  # raises where the plan itself is wrong
+    good, failed = _first_clear(family, plan.value(family.question.keys[0]), tell)
+    if good is None:
+        return Answer(math.nan, -math.inf, math.inf, "m", "infeasible", None, _assumed(family))
+    bracket = Limit(family, good, good * FARTHEST**-sense if end is None else end)
+    meeting, at = family.tightest(good), good
+    if failed is not None:
+        bracket.bad, bracket.tried, meeting, at = failed.size, True, failed.meeting, failed.size
+    for _trial in range(MOST_TRIALS):
+        root = None if meeting is None else root_near(family, meeting, at)
+        size, shift = bracket.target(root)
+        tell(f"{size:.9g} m")
+        trial = family.trial(size)
+        bracket.looks += trial.looks
+        if trial.clear:
+            bracket.good, bracket.failures = size, 0
+            below = size - math.copysign(2.0 * shift, sense)
+            if shift and root and family.low_point(below, root[2])[0] < -SLACK:
+                bracket.bad, bracket.tried = below, True
+                return _limit_answer(bracket, root[0], root[2], began)
+            if not bracket.tried and size == bracket.bad:
+                return _limit_answer(bracket, size, None, began)
+            meeting, at = (family.tightest(size), size) if not shift else (None, size)
+        else:
+            if shift and meeting == trial.meeting:
+                bracket.caution *= 4.0
+            bracket.bad, bracket.tried = size, True
+            bracket.failures += 1
+            meeting, at = trial.meeting, size
+        if bracket.closed():
+            return _limit_answer(bracket, bracket.good, meeting, began)
+    return _limit_answer(bracket, bracket.good, meeting, began).with_status("undecided")
+
+
+def question(name: str) -> Question:
+    """The question of that name.
+
+    Raises:
+        InputError: if there is none.
+    """
+    if name not in QUESTIONS:
+        raise InputError(
+            _("wanted one of {known}, not {name}").format(known=", ".join(QUESTIONS), name=name)
+        )
+    return QUESTIONS[name]
+
+
+def _first_clear(family: Family, size: float, tell: Advance) -> tuple[float | None, Trial | None]:
+    """A size that passes, from `size` towards the safe side, if there is one; the last that did not."""
+    failed = None
+    for _growth in range(MOST_GROWTHS):
+        tell(f"{size:.9g} m")
+        trial = family.trial(size)
+        if trial.clear:
+            return size, failed
+        failed = trial
+        size *= GROWTH**family.question.sense
+    return None, failed
+
+
+def _limit_answer(bracket: Limit, value: float, meeting: Meeting | None, began: float) -> Answer:
+    family = bracket.family
+    lower, upper = sorted((bracket.good, bracket.bad))
+    witness = None
+    if meeting is not None:
+        walk, start, end = family.walk(bracket.bad)
+        first, last = walk.head_position([start, end]).tolist()
+        hunt = Hunt(walk, first, last, family.margin, lambda _share: None)
+        witness = hunt.witness(min(meeting.s, last), meeting.i, meeting.j)
+    return Answer(
+        min(max(value, lower), upper), lower, upper, "m", "found", witness,
+        _assumed(family), bracket.looks, clock.perf_counter() - began,
+    )  # fmt: skip
+
+
+def _assumed(family: Family) -> tuple[str, ...]:
+    return (
+        _("benches keep {margin} m").format(margin=f"{family.margin:g}"),
+        _("sizes beyond the bracket were not tried"),
+    )
+
+
+@dataclass(frozen=True)
+class Span:
+    """Sizes from low to high, m, between which every size tried was walkable."""
+
+    low: float
+    high: float
+
+
+def walkable_sizes(
+    plan: Plan,
+    name: str,
+    low: float,
+    high: float,
+    count: int = 50,
+    *,
+    margin: float | None = None,
+    advance: Advance | None = None,
+) -> list[Span]:
+    """The sizes between low and high (m) with which the walk stays clear, tried at `count` places.
+
+    The borders are found as by `limit`. Narrower spans than a step can be missed.
+
+    Raises:
+        InputError: for an unknown name, an empty range, or a count outside 2..10,000.
+    """
+    if not 0.0 < low < high < math.inf:
+        raise InputError(
+            _("wanted a range from a positive size to a larger one, not {low} to {high} m").format(
+                low=low, high=high
+            )
+        )
+    if not 2 <= count <= MOST_COUNT:
+        raise InputError(
+            _("count must lie between 2 and {most}, not at {count}").format(
+                most=MOST_COUNT, count=count
+            )
+        )
+    family = Family(plan, question(name), plan.limits.margin if margin is None else margin)
+    tell = advance or (lambda _text: None)
+    sizes = np.linspace(low, high, count).tolist()
+    clear = []
+    for size in sizes:
+        tell(f"{size:.9g} m")
+        clear.append(family.trial(size).clear)
+    spans, since = [], sizes[0] if clear[0] else None
+    for a, b, was, now in zip(sizes, sizes[1:], clear, clear[1:], strict=False):
+        if was == now:
+            continue
+        border = _border(family, *((b, a) if now else (a, b)))
+        if now:
+            since = border
+        elif since is not None:
+            spans.append(Span(since, border))
+            since = None
+    return spans if since is None else [*spans, Span(since, sizes[-1])]
+
+
+def _border(family: Family, good: float, bad: float) -> float:
+    """The size between one that passes and one that does not, from the passing side."""
+    bracket = Limit(family, good, bad, tried=True)
+    while not bracket.closed():
+        trial = family.trial(bracket.bad)
+        root = None if trial.meeting is None else root_near(family, trial.meeting, bracket.bad)
+        size, shift = bracket.target(root)
+        if family.trial(size).clear:
+            bracket.good = size
+            if shift:
+                return size
+        else:
+            bracket.caution *= 4.0 if shift else 1.0
+            bracket.bad = size
+    return bracket.good
+
+
+def smallest_pitch(plan: Plan, *, margin: float | None = None) -> Answer:
+    """The smallest spiral pitch, m, with which the head comes to the disc and no benches touch.
+
+    See `limit`, of which this is the question "pitch".
+    """
+    return limit(plan, "pitch", margin=margin)
+
+
+def traversed_pitch(
+    plan: Plan,
+    pitch_step: float,
+    time_step: float,
+    *,
+    first: float | None = None,
+    advance: Advance | None = None,
+) -> Answer:
+    """The smallest pitch as the paper finds it: pitches in steps, a flag at times in steps.
+
+    The flag rises when the gap of any two benches but neighbours is negative at a time that is looked
+    at, the last always among them; contact between two times, or a pitch between two steps, is not
+    seen. So the answer is "undecided" and depends on both steps (m and s): compare `smallest_pitch`.
+
+    Args:
+        plan: the rest of the walk.
+        pitch_step: pitches tried are its multiples, m.
+        time_step: s.
+        first: where the traversal begins, m; None: at four fifths of the plan's pitch.
+        advance: is told what is being tried.
+
+    Raises:
+        InputError: for steps that are not positive, or a plan without a pitch.
+    """
+    began = clock.perf_counter()
+    positive("pitch_step", pitch_step, "m")
+    positive("time_step", time_step, "s")
+    tell = advance or (lambda _text: None)
+    family = Family(plan, QUESTIONS["pitch"], 0.0)
+    n = math.ceil((0.8 * plan.value("route.pitch") if first is None else first) / pitch_step - 1e-9)
+    looks = 0
+    for tried in range(n, n + MOST_COUNT):
+        pitch = tried * pitch_step
+        tell(f"{pitch:.9g} m")
+        walk, start, end = family.walk(pitch)
+        times = np.append(np.arange(start, end, time_step), end)
+        looks += len(times)
+        if not _flag(walk, times):
+            break
+    return Answer(
+        pitch, pitch - pitch_step, pitch, "m", "undecided", None,
+        (
+            _("pitches in steps of {step} m").format(step=f"{pitch_step:g}"),
+            _("contact looked for each {step} s").format(step=f"{time_step:g}"),
+        ),
+        looks, clock.perf_counter() - began,
+    )  # fmt: skip
+
+
+def _flag(walk: Walk, times: FloatArray) -> bool:
+    """Whether benches but neighbours overlap at any of the times."""
+    for motion in walk.motions(times):
+        for index in range(len(motion.times) - 1, -1, -1):
+            table = boxes(motion, index)
+            first, second = pairs_within(table, 0.0)
+            gap, distance = np.empty(len(first)), np.empty(len(first))
+            pair_gaps(table, first, second, gap, distance)
+            if (gap < 0.0).any():
+                return True
+    return False
+
+
+@dataclass(frozen=True)
+class PitchCurve:
+    """What the paper draws over the pitch: angles about the spiral's centre, rad, (P,) each.
+
+    Attributes:
+        pitch: m.
+        disc_angle: of the place where the spiral meets the disc.
+        least_angle: the least that the head reaches, coming in, before two benches touch.
+    """
+
+    pitch: FloatArray
+    disc_angle: FloatArray
+    least_angle: FloatArray
+
+
+def pitch_curve(
+    plan: Plan,
+    pitches: npt.ArrayLike,
+    *,
+    resolution: float = math.inf,
+    advance: Advance | None = None,
+) -> PitchCurve:
+    """The two angles of the paper's Fig 2 at given pitches, m, for a spiral-in plan with a disc.
+
+    Where the least angle jumps from one pitch to the next, pitches between are added until the two
+    sides of the jump are at most `resolution` metres apart.
+
+    Raises:
+        PlanError: for another kind of route, or no disc.
+    """
+    radius = plan.value("disc.radius")
+    if not isinstance(plan.route, SpiralInRoute):
+        raise PlanError(_("this picture is for plans whose route.kind is spiral-in"))
+    tell = advance or (lambda _text: None)
+    inward = plan.model_copy(update={"disc": plan.disc.model_copy(update={"radius": None})})
+    family = Family(inward, QUESTIONS["pitch"], plan.limits.margin)
+    least: dict[float, float] = {}
+    wanted = np.unique(np.asarray(pitches, dtype=np.float64)).tolist()
+    while wanted:
+        for pitch in wanted:
+            tell(f"{pitch:.9g} m")
+            least[pitch] = _least_angle(family, pitch)
+        known = sorted(least)
+        wanted = [
+            0.5 * (a + b)
+            for a, b in itertools.pairwise(known)
+            if abs(least[a] - least[b]) > JUMP and b - a > resolution
+        ]
+    sizes = np.array(sorted(least))
+    angles = np.array([least[pitch] for pitch in sizes.tolist()])
+    return PitchCurve(sizes, 2.0 * math.pi * radius / sizes, angles)
+
+
+def _least_angle(family: Family, pitch: float) -> float:
+    """The spiral angle of the head at first contact, rad, or at the route's end."""
+    walk, start, end = family.walk(pitch)
+    contact = first_contact(walk, start, end, margin=family.margin)
+    s = walk.route.length if contact is None else float(walk.head_position([contact.upper])[0])
+    spiral = walk.route.curves[0]
+    return float(spiral.angle(s)) if isinstance(spiral, Spiral) else math.nan

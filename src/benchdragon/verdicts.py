@@ -1,0 +1,257 @@
+"""The verbs that judge a walk: check, and solve."""
+
+import json
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from benchdragon import __version__
+from benchdragon.answer import Answer
+from benchdragon.errors import InputError
+from benchdragon.messages import N_, _, language
+from benchdragon.options import (
+    announce_compiling,
+    folder_option,
+    json_option,
+    plan_options,
+    shared_options,
+)
+from benchdragon.show import print_files, progress
+
+if TYPE_CHECKING:
+    from benchdragon.check import Report
+    from benchdragon.plan import Plan
+
+UNSAFE, NO_SOLUTION, UNDECIDED = 1, 4, 5
+
+
+@click.command(
+    help=N_(
+        "Whether a walk is safe: no benches touch, margin and limits are kept.\n\nPLAN is a "
+        "*.dragon.toml file or the name of a built-in plan: spiral-in, turn. Exit code 0: safe; "
+        "1: not; 4: it cannot be walked; 5: undecided."
+    )
+)
+@plan_options
+@click.option("--prove", is_flag=True, help=N_("Establish the answer again in rigorous arithmetic."))
+@folder_option
+@click.option(
+    "--format",
+    "formats",
+    default="xlsx,png",
+    show_default=True,
+    metavar="LIST",
+    help=N_("What to write: xlsx, png, svg, pdf."),
+)
+@json_option
+@shared_options
+def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
+    """Print a report, as text or JSON, and write tables and pictures of it."""
+    from benchdragon.check import STEPS
+    from benchdragon.check import check as checked
+    from benchdragon.plan import read_plan
+
+    read = read_plan(plan, settings)
+    announce_compiling(quiet)
+    folder: Path | None = options["output"]
+    files: list[Path] = []
+    if folder is not None:
+        from benchdragon.verdict_files import planned_files, write_files
+
+        files = planned_files(folder, options["formats"].split(","), options["force"])
+    with progress(quiet, STEPS) as advance:
+        report = checked(read, advance, prove=options["prove"])
+        if files:
+            advance(0.0, _("writing"))
+            write_files(report, files)
+    if options["as_json"]:
+        click.echo(json.dumps(report_json(report)))
+    else:
+        print_report(report)
+        if files:
+            print_files(files)
+    return 0 if report.safe else UNSAFE if report.decided else UNDECIDED
+
+
+def report_json(report: "Report") -> dict[str, Any]:
+    """A report as plain data."""
+    about = {"plan_sha256": report.plan.sha256, "version": __version__}
+    contact = report.first_contact
+    return {
+        "safe": report.safe,
+        "proved": report.proved,
+        "start": report.start,
+        "end": report.end,
+        "first_contact": None if contact is None else contact.as_json(**about),
+        "clearance": report.clearance.as_json(**about),
+        "greatest_speed": report.greatest_speed.as_json(**about),
+        "findings": [dict(vars(finding)) for finding in report.findings],
+        **about,
+    }
+
+
+def print_report(report: "Report") -> None:
+    """A report for readers."""
+    click.echo(report.plan.title(language()))
+    if report.safe:
+        text = _("SAFE from t = {start} s to t = {end} s")
+        if report.proved:
+            text = _("SAFE from t = {start} s to t = {end} s: proved that no benches come too near")
+        click.echo(text.format(start=f"{report.start:g}", end=f"{report.end:.6g}"))
+    elif report.decided:
+        click.echo(_("NOT SAFE"))
+    else:
+        click.echo(_("UNDECIDED"))
+    for finding in report.findings:
+        click.echo(f"  {finding.text}")
+    if report.first_contact is not None:
+        print_answer(_("first contact"), report.first_contact)
+    print_answer(_("least clearance"), report.clearance)
+    print_answer(_("greatest speed of a handle"), report.greatest_speed)
+
+
+def print_answer(name: str, answer: Answer) -> None:
+    """An answer for readers: value, bracket, how it was established, where."""
+    words = {
+        "proved": _("proved"), "found": _("found"),
+        "infeasible": _("no solution"), "undecided": _("undecided"),
+    }  # fmt: skip
+    if not math.isfinite(answer.value):
+        text = words[answer.status] if answer.status == "infeasible" else _("no pair counts")
+        click.echo(f"{name}: {text}")
+        return
+    digits = 12 if answer.unit == "m" else 10
+    click.echo(
+        _("{name}: {value} {unit}  ({status}; between {lower} and {upper})").format(
+            name=name,
+            value=f"{answer.value:.{digits}g}",
+            unit=answer.unit,
+            status=words[answer.status],
+            lower=f"{answer.lower:.16g}",
+            upper=f"{answer.upper:.16g}",
+        )
+    )
+    near = answer.witness
+    if near is not None and len(near.benches) == 2:
+        features = "; ".join(
+            _("bench {bench}: {feature}").format(bench=bench, feature=_(feature))
+            for bench, feature in near.features
+        )
+        click.echo(
+            _("  benches {a} and {b} at t = {t} s, at ({x}, {y}) m; {features}").format(
+                a=near.benches[0],
+                b=near.benches[1],
+                t="-" if near.time is None else f"{near.time:.6f}",
+                x=f"{near.point[0]:.6f}",
+                y=f"{near.point[1]:.6f}",
+                features=features,
+            )
+        )
+
+
+@click.command(
+    help=N_(
+        "How small or large a size may be for the whole walk to stay clear.\n\nWHAT is pitch (the "
+        "smallest), disc (the smallest radius), width or length (the greatest of a bench). PLAN is a "
+        "*.dragon.toml file or the name of a built-in plan. Exit code 4: there is none."
+    )
+)
+@click.argument("what", metavar="WHAT")
+@plan_options
+@click.option(
+    "--method",
+    type=click.Choice(["exact", "traversal"]),
+    default="exact",
+    show_default=True,
+    help=N_("exact, or the paper's traversal of pitches in steps (pitch only)."),
+)
+@click.option(
+    "--pitch-step",
+    type=click.FloatRange(min=1e-4, max=1.0),
+    default=0.002,
+    show_default=True,
+    help=N_("Step of the traversal's pitches, in metres."),
+)
+@click.option(
+    "--time-step",
+    type=click.FloatRange(min=1e-2, max=100.0),
+    default=1.0,
+    show_default=True,
+    help=N_("Step of the traversal's looks for contact, in seconds."),
+)
+@click.option(
+    "--range",
+    "span",
+    metavar="LOW:HIGH",
+    help=N_("All sizes from LOW to HIGH, in metres, with which the walk stays clear."),
+)
+@click.option(
+    "--count",
+    type=click.IntRange(2, 10_000),
+    default=50,
+    show_default=True,
+    help=N_("Sizes tried by --range."),
+)
+@click.option("--prove", is_flag=True, help=N_("Establish the answer again in rigorous arithmetic."))
+@json_option
+@shared_options
+def solve(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
+    """Print an answer, as text or JSON."""
+    from benchdragon.plan import read_plan
+
+    read = read_plan(plan, settings)
+    announce_compiling(quiet)
+    if options["span"]:
+        return _print_sizes(read, options, quiet)
+    with progress(quiet, 1) as advance:
+        found = _solved(read, options, lambda text: advance(0.0, text))
+    if options["as_json"]:
+        about = {"plan_sha256": read.sha256, "version": __version__}
+        click.echo(json.dumps(found.as_json(**about)))
+    else:
+        from benchdragon.solve import question
+
+        click.echo(read.title(language()))
+        print_answer(_(question(options["what"]).text), found)
+        for text in found.assumptions:
+            click.echo(f"  {text}")
+    return {"infeasible": NO_SOLUTION, "undecided": UNDECIDED}.get(found.status, 0)
+
+
+def _solved(plan: "Plan", options: dict[str, Any], advance: Any) -> Answer:
+    from benchdragon.solve import limit, traversed_pitch
+
+    if options["method"] == "exact":
+        return limit(plan, options["what"], prove=options["prove"], advance=advance)
+    if options["what"] != "pitch" or options["prove"]:
+        raise InputError(_("the traversal answers for pitch alone, and proves nothing"))
+    return traversed_pitch(plan, options["pitch_step"], options["time_step"], advance=advance)
+
+
+def _print_sizes(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
+    from benchdragon.solve import walkable_sizes
+
+    try:
+        low, high = (float(text) for text in options["span"].split(":"))
+    except ValueError:
+        raise InputError(
+            _("--range wants LOW:HIGH in metres, not {text}").format(text=options["span"])
+        ) from None
+    with progress(quiet, options["count"]) as advance:
+        spans = walkable_sizes(
+            plan, options["what"], low, high, options["count"], advance=lambda text: advance(1.0, text)
+        )
+    if options["as_json"]:
+        about = {"plan_sha256": plan.sha256, "version": __version__}
+        click.echo(json.dumps({"walkable": [[span.low, span.high] for span in spans], **about}))
+    for span in [] if options["as_json"] else spans:
+        click.echo(
+            _("walkable from {low} m to {high} m").format(
+                low=f"{span.low:.12g}", high=f"{span.high:.12g}"
+            )
+        )
+    if not spans and not options["as_json"]:
+        click.echo(_("no size tried is walkable"))
+    return 0 if spans else NO_SOLUTION
