@@ -23,9 +23,13 @@ import numba
 import numpy as np
 import numpy.typing as npt
 from scipy.optimize import fsolve
+from textbook import Stepped
+from textbook import smallest_pitch as textbook_pitch
 
-from benchdragon import Dragon, Route, Spiral, TwoArcTurn, Walk, tightest_pairs
+from benchdragon import Dragon, Route, Spiral, TwoArcTurn, Walk, first_contact, tightest_pairs
 from benchdragon.kernels.chain import march
+from benchdragon.plan import read_plan
+from benchdragon.solve import smallest_pitch
 
 FloatArray = npt.NDArray[np.float64]
 HERE = Path(__file__).parent
@@ -292,6 +296,49 @@ def workers() -> list[str]:
     ]  # fmt: skip
 
 
+def contact_rows(quick: bool) -> list[str]:
+    """First contact and smallest pitch against the textbook's stepped search, and how cost grows."""
+    plan = read_plan("spiral-in")
+    walk, disc = plan.build(), read_plan("spiral-in", ["disc.radius=4.5"])
+    found, pitch = first_contact(walk, 0.0, 430.0), smallest_pitch(disc)
+    search = Stepped(walk)
+    textbook = search.first_contact(0.0, 430.0, 1.0, 1e-9)
+    their_pitch, chains = textbook_pitch(disc, 0.44, 0.46, 1.0, 0.01 if quick else 1e-4)
+    ours, theirs = fastest(
+        [
+            lambda: first_contact(walk, 0.0, 430.0),
+            lambda: Stepped(walk).first_contact(0.0, 430.0, 1.0, 1e-9),
+        ],
+        1 if quick else 3,
+    )
+    (our_pitch,) = fastest([lambda: smallest_pitch(disc)], 1 if quick else 5)
+    (their_time,) = fastest([lambda: textbook_pitch(disc, 0.44, 0.46, 1.0, 0.01 if quick else 1e-4)], 1)
+    looks = 0 if found is None else found.looks
+    lines = [
+        "| question | by | s | chains placed | answer |",
+        "|---|---|---|---|---|",
+        f"| first contact | ours | {ours:.3g} | {looks} | {found.value if found else 0.0:.13f} s |",
+        f"| | textbook: each second, then bisection to 1e-9 s | {theirs:.3g} | {search.chains} "
+        f"| {textbook or 0.0:.9f} s |",
+        f"| smallest pitch | ours, bracket {pitch.upper - pitch.lower:.0e} m | {our_pitch:.3g} | "
+        f"| {pitch.value:.13f} m |",
+        f"| | textbook: bisection to 1e-4 m, each second | {their_time:.3g} | {chains} "
+        f"| {their_pitch:.5f} m |",
+        "",
+        f"Textbook over ours: first contact {theirs / ours:.1f}, smallest pitch "
+        f"{their_time / our_pitch:.1f} (to four digits against thirteen).",
+        "",
+        "| benches | first contact, s | us a bench |",
+        "|---|---|---|",
+    ]
+    for benches in (100, 1000) if quick else (100, 1_000, 10_000, 100_000):
+        long = Walk(Dragon.uniform(benches), walk.route)
+        job: Callable[[], object] = partial(first_contact, long, 0.0, 430.0)
+        (seconds,) = fastest([job], 1 if benches > 1e4 else 2)
+        lines.append(f"| {benches:,} | {seconds:.3g} | {1e6 * seconds / benches:.3g} |")
+    return lines
+
+
 def machine() -> str:
     """What the figures were measured on."""
     name = platform.processor() or platform.machine()
@@ -319,6 +366,7 @@ def main() -> None:
         ["# Results of `make bench`", "", machine()],
         ["## The standard table", "", *standard_table(20 if options.quick else 100)],
         ["## Growth", "", *growth(options.quick)],
+        ["## Contact", "", *contact_rows(options.quick)],
         ["## Large jobs", "", *large_jobs(options.quick)],
         ["## Whole processes", "", *cold_starts()],
         ["## Threads", "", *workers()],

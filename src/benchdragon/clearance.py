@@ -90,10 +90,10 @@ def _foot(table: FloatArray, j: int, x: float, y: float) -> tuple[tuple[float, f
         float(table[j, kernel.CY]) + a * uy + b * ux,
     )
     if abs(along) > half and abs(across) > wide:
-        return point, f"{ENDS[along < 0.0]} {FLANKS[across < 0.0]}"
+        return point, f"{ENDS[int(along < 0.0)]} {FLANKS[int(across < 0.0)]}"
     if abs(along) - half > abs(across) - wide:
-        return point, ENDS[along < 0.0]
-    return point, FLANKS[across < 0.0]
+        return point, ENDS[int(along < 0.0)]
+    return point, FLANKS[int(across < 0.0)]
 
 
 def pairs_within(table: FloatArray, reach: float) -> tuple[IntArray, IntArray]:

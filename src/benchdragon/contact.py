@@ -19,7 +19,7 @@ from benchdragon.errors import InputError, UnsureError, finite, not_negative
 from benchdragon.ground import Ground, Ledger, Step, merged
 from benchdragon.kernels import search as kernel
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.route import END_SLACK, IntArray
 from benchdragon.messages import _
 from benchdragon.motion import Motion, Walk
 
@@ -32,6 +32,8 @@ SLACK_REACH = 50.0
 # Parts of a step narrower than this, m, or than this many roundings of the head's position, are not
 # halved: contact times get no sharper.
 WIDTH, WIDTH_ROUNDINGS = 1e-13, 4.0
+# Grazes nearer than this to the end of a window, s, belong to it.
+FRAYED = 1e-5
 # Chains marched in one step of a search; a graze takes some hundred.
 MOST_LOOKS = 200_000
 # Chains that a proof may log in one step: 30 MB for 223 benches.
@@ -40,7 +42,10 @@ LOG = 4096
 FIRST_REACH, WIDER = 0.003, 6.0
 # Least clearances are bracketed to the last of these, m. The ones before only bring the least value
 # seen near enough for most steps to be passed over at once: 25,000 -> 2,000 looks for the contest's.
-TOLERANCES = (math.inf, 1e-5, 1e-12)
+TOLERANCES = (math.inf, 1e-5, 1e-8, 1e-12)
+# Chains marched in one step for one of these; where benches keep the same distance for a while no
+# number would do for the last.
+MOST_LEAST_LOOKS = 2000
 # Samples of a clearance curve: each takes a millisecond for 223 benches.
 MOST_SAMPLES = 1_000_000
 
@@ -105,9 +110,9 @@ class Hunt:
         """
         walk = self.walk
         ground = Ground(walk.dragon, walk.route, reach + self.slack, self.start, self.ledger)
-        done = self.start
-        while done < self.end:
-            upto = min(self.end, done + ground.stride(done))
+        done, end = self.start, min(self.end, walk.route.length)
+        while done < end:
+            upto = min(end, done + ground.stride(done))
             ground.extend(upto)
             sound = ground.sound_until(done, upto)
             yield from merged(ground.steps(done, sound), ground.cell / 4.0, len(walk.dragon))
@@ -115,6 +120,8 @@ class Hunt:
                 raise self.stopped(sound, ground.cell)
             self.advance((upto - self.start) / (self.end - self.start))
             done = upto
+        if self.end > end + END_SLACK:
+            raise self.stopped(end, self.end - end)
 
     def stopped(self, sound: float, cell: float) -> Exception:
         """Why the walk could not be followed past head position `sound`."""
@@ -146,11 +153,11 @@ class Hunt:
             self._room = kernel.room(*self._shape, 0 if self.ledger is None else LOG)
         dragon = self.walk.dragon
         width = max(WIDTH, WIDTH_ROUNDINGS * math.ulp(end))
-        before = note[kernel.LOOKS]
+        before, most = note[kernel.LOOKS], MOST_LEAST_LOOKS if tolerance else MOST_LOOKS
         ending = kernel.seek(
             self._room, goal, self.walk.route.rows, dragon.links[: handles - 1], dragon.sizes,
             members, inverse[:count], inverse[count:], start, end,
-            self.margin, tolerance or self.slack, width, MOST_LOOKS, note,
+            self.margin, tolerance or self.slack, width, most, note,
         )  # fmt: skip
         self.looks += int(note[kernel.LOOKS] - before)
         if self.ledger is not None:
@@ -250,38 +257,55 @@ def contact_windows(
         UnsureError: if it could not be shown that it can.
     """
     hunt = _hunt(walk, start, end, margin, advance, slack, ledger)
-    windows: list[Window] = []
     opened = _touching_at_start(hunt)
-    if opened is not None:
-        windows.append(Window(opened, None))
-    touching = opened is not None
-    if touching and most <= 1:
+    windows = [] if opened is None else [Window(opened, None)]
+    if len(windows) >= most:
         return windows
     for step in hunt.steps(margin):
-        at = step.start
-        while at < step.end:
-            note = np.zeros(kernel.NOTES)
-            goal = kernel.TOUCH_END if touching else kernel.FIRST_TOUCH
-            ending = hunt.seek(goal, step, at, step.end, note)
-            if ending == kernel.CLEAR:
-                break
-            if ending == kernel.FALLEN:
-                raise hunt.stopped(at, step.end - at)
-            lower, at, p = float(note[kernel.LOWER]), float(note[kernel.UPPER]), int(note[kernel.PAIR])
-            pair = int(step.first[p]), int(step.second[p])
-            sure = ending == kernel.FOUND
-            found = hunt.answer_at(lower, at, "found" if sure else "undecided", *pair)
-            if touching:
-                if not sure:
-                    break
-                windows[-1] = Window(windows[-1].opens, found)
-                touching = False
-                continue
-            windows.append(Window(found, None if sure else found))
-            touching = sure
-            if len(windows) >= most:
-                return windows
+        _search_step(hunt, step, windows, most)
+        if len(windows) >= most:
+            break
     return windows
+
+
+def _search_step(hunt: Hunt, step: Step, windows: list[Window], most: int) -> None:
+    """Add to `windows` what opens and closes in a step, until there are `most`."""
+    at = step.start
+    while at < step.end and len(windows) < most:
+        touching = bool(windows) and windows[-1].closes is None
+        note = np.zeros(kernel.NOTES)
+        goal = kernel.TOUCH_END if touching else kernel.FIRST_TOUCH
+        ending = hunt.seek(goal, step, at, step.end, note)
+        if ending == kernel.CLEAR:
+            return
+        if ending == kernel.FALLEN:
+            raise hunt.stopped(at, step.end - at)
+        lower, at, p = float(note[kernel.LOWER]), float(note[kernel.UPPER]), int(note[kernel.PAIR])
+        status: Status = "found" if ending == kernel.FOUND else "undecided"
+        found = hunt.answer_at(lower, at, status, int(step.first[p]), int(step.second[p]))
+        if touching and status == "found":
+            windows[-1] = Window(windows[-1].opens, found)
+        elif not touching and status == "found":
+            windows.append(Window(found, None))
+        elif not touching and windows and _belongs(windows[-1], found):
+            windows[-1] = _widened(windows[-1], found)
+        elif not touching:
+            windows.append(Window(found, found))
+
+
+def _belongs(window: Window, graze: Answer) -> bool:
+    """Whether a graze is but the frayed end of a window just closed."""
+    return window.closes is not None and graze.lower - window.closes.upper <= FRAYED
+
+
+def _widened(window: Window, graze: Answer) -> Window:
+    """A window with a graze joined to its end; a graze itself if it was one."""
+    if window.opens.status == "undecided":
+        opens = replace(window.opens, upper=graze.upper)
+        return Window(opens, opens)
+    return Window(
+        window.opens, None if window.closes is None else replace(window.closes, upper=graze.upper)
+    )
 
 
 def _touching_at_start(hunt: Hunt) -> Answer | None:
@@ -294,20 +318,27 @@ def _touching_at_start(hunt: Hunt) -> Answer | None:
 
 
 def first_contact(
-    walk: Walk, start: float, end: float, *, margin: float = 0.0, advance: Advance | None = None
+    walk: Walk,
+    start: float,
+    end: float,
+    *,
+    margin: float = 0.0,
+    slack: float = 0.0,
+    advance: Advance | None = None,
 ) -> Answer | None:
     """The first time in start..end, s, at which two benches but neighbours touch; None if never.
 
     With a margin (m), the first time at which two are nearer than that. The answer's bracket: all is
-    clear up to `lower`, and at `upper` a pair surely touches. Status "undecided" means a graze within
-    rounding in the bracket (and clear up to it).
+    clear up to `lower`, and at `upper` a pair surely touches. `slack`, m, is what computed distances
+    may be off by (0: 1e-13, more far out); it decides how narrow the bracket gets.
+    Status "undecided" means a graze within rounding in the bracket (and clear up to it).
 
     Raises:
         InputError: for a negative margin or an end before the start.
         WalkError: if no contact comes before a time at which the dragon cannot stand.
         UnsureError: if that could not be decided.
     """
-    windows = contact_windows(walk, start, end, margin=margin, most=1, advance=advance)
+    windows = contact_windows(walk, start, end, margin=margin, most=1, slack=slack, advance=advance)
     return windows[0].opens if windows else None
 
 
@@ -322,9 +353,9 @@ def least_clearance(
 ) -> Answer:
     """The least distance, m, that any two benches but neighbours keep from start to end (s).
 
-    0 where benches overlap; infinite for a dragon of one or two benches. The bracket is 1e-12 m wide,
-    wider where too many looks would be needed, or the last of `tolerances` is wider. Nothing beyond
-    `within` metres is looked for: then that is the lower end, and the upper is infinite.
+    0 where benches overlap; infinite for a dragon of one or two benches. The bracket is 1e-12 m wide;
+    wider, 1e-8 or 1e-5 m, where benches keep one distance for a while, or `tolerances` ends earlier.
+    Nothing beyond `within` metres is looked for: then that is the lower end, the upper is infinite.
 
     Raises:
         InputError: for an end before the start.
@@ -365,7 +396,7 @@ class Best:
 
 def _lowered(hunt: Hunt, steps: Sequence[Step], best: Best, reach: float, tolerance: float) -> Best:
     """`best`, or what is lower in the steps, which hold all pairs within `reach`."""
-    note = np.zeros(kernel.NOTES)
+    known, note = best, np.zeros(kernel.NOTES)
     note[kernel.NEAREST], note[kernel.FLOOR] = reach, math.inf
     for step in steps:
         before = note[kernel.NEAREST]
@@ -378,9 +409,12 @@ def _lowered(hunt: Hunt, steps: Sequence[Step], best: Best, reach: float, tolera
                 max(float(note[kernel.NEAREST]), 0.0),
                 float(note[kernel.UPPER]),
                 (int(step.first[p]), int(step.second[p])),
+                known.floor,
             )
         if ending == kernel.FOUND:
             return best
+        if ending == kernel.GRAZE:
+            return replace(best, floor=known.floor)
     return replace(best, floor=min(float(note[kernel.FLOOR]), float(note[kernel.NEAREST]) - tolerance))
 
 
@@ -422,10 +456,7 @@ def clearance_curve(walk: Walk, times: npt.ArrayLike) -> ClearanceCurve:
 def _local_minimum(hunt: Hunt, motion: Motion, i: int, clearance: FloatArray) -> Answer:
     """The least clearance between the times beside number i."""
     start, end = float(motion.head_s[i - 1]), float(motion.head_s[i + 1])
-    # No point of a bench moves by more than its handles' path and the swing that they give it.
-    sizes = motion.walk.dragon.sizes
-    lever = float((sizes[0] / (sizes[0] - sizes[2] - sizes[3])).max() * 2.0 + 1.0)
-    moved = lever * float(np.abs(motion.s[i + 1] - motion.s[i - 1]).max())
+    moved = motion.walk.dragon.lever * float(np.abs(np.diff(motion.s[i - 1 : i + 2], axis=0)).max())
     first, second = pairs_within(boxes(motion, i), float(clearance[i]) + 2.0 * moved)
     near = tightest_pairs(motion, i)[0].benches
     best = Best(float(clearance[i]), float(motion.head_s[i]), (near[0] - 1, near[1] - 1))

@@ -127,12 +127,10 @@ def pitch_picture(curve: PitchCurve, pitch: float | None = None, title: str = ""
             size, curve.disc_angle, color=HEAD, lw=1.6, ls="--", label=_("where the disc begins")
         )
         breaks = np.flatnonzero(np.abs(np.diff(curve.least_angle)) > JUMP) + 1
-        for n, part in enumerate(np.split(np.arange(len(size)), breaks)):
-            panel.plot(
-                size[part], curve.least_angle[part], color=BODY, lw=1.6,
-                marker="." if len(part) < 3 else None,
-                label=_("least that the head reaches") if n == 0 else None,
-            )  # fmt: skip
+        for part in np.split(np.arange(len(size)), breaks):
+            mark = "." if len(part) == 1 else None
+            panel.plot(size[part], curve.least_angle[part], color=BODY, lw=1.6, marker=mark)
+        panel.plot([], [], color=BODY, lw=1.6, label=_("least that the head reaches"))
         if pitch is not None:
             panel.axvline(100.0 * pitch, color=ROUTE, lw=1.0, zorder=1)
             crossing = float(np.interp(pitch, curve.pitch, curve.disc_angle))

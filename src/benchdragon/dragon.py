@@ -156,6 +156,12 @@ class Dragon:
         return f"<Dragon of {len(self)} benches, {self.links.sum():.6g} m from handle to handle>"
 
     @cached_property
+    def lever(self) -> float:
+        """The most that any point of a bench moves when both its handles move by at most 1."""
+        insets = 2.0 * np.maximum(self.front_inset, self.rear_inset)
+        return float((1.0 + (insets + self.width) / self.links).max())
+
+    @cached_property
     def links(self) -> FloatArray:
         """Distance between each bench's two holes, m, (benches,)."""
         links = self.length - self.front_inset - self.rear_inset

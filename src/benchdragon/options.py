@@ -65,5 +65,5 @@ def announce_compiling(quiet: bool) -> None:
         return
     from benchdragon.kernels.jit import watch_compiling
 
-    text = _("compiling the kernels, once for this machine; this takes about ten seconds")
+    text = _("compiling the kernels, once for this machine; this takes up to a minute")
     watch_compiling(lambda: click.echo(text, err=True), SLOW_COMPILE)

@@ -4,7 +4,7 @@ A search concludes from computed chains by bounds that hold for exact ones, and 
 `slack` metres of error in every distance. So it is a proof once every chain that it used is known to
 lie near enough to the exact one. That is shown afterwards, handle by handle: the distance of two
 computed places is enclosed with 100 bits, and what it differs from the link by, with the error of the
-handle before, bounds how far the exact place can be (design/proof.md).
+handle before, bounds how far the exact place can be (design/proof.py).
 """
 
 import math
@@ -86,6 +86,10 @@ class Checker:
         self.rows = rows
         self._exact = [[arb(float(value)) for value in row] for row in rows]
         self.places = 0
+
+    def ball(self, value: float) -> "arb":
+        """A float as an exact ball."""
+        return self._arb(value)
 
     def place(self, j: int, at: "arb") -> tuple["arb", "arb"]:
         """The point at parameter u of row j, enclosed."""
@@ -226,11 +230,8 @@ def errors(walk: Walk, ledger: Ledger, advance: Advance | None = None) -> Errors
 
 def needed_slack(walk: Walk, found: Errors, extent: float) -> float:
     """The slack, m, that covers errors of places and the roundings behind them, `extent` m out."""
-    length, width, front, rear = walk.dragon.sizes
-    # What a point of a bench moves by when both handles move by 1 (see `sweep.reach`).
-    lever = float((1.0 + (2.0 * np.maximum(front, rear) + width) / walk.dragon.links).max())
-    extent += float(length.max())
-    return lever * (BESIDE * found.beside + ALONG * found.along) + ROUNDINGS * extent
+    extent += float(walk.dragon.length.max())
+    return walk.dragon.lever * (BESIDE * found.beside + ALONG * found.along) + ROUNDINGS * extent
 
 
 def prove_contact(

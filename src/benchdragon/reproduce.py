@@ -36,10 +36,11 @@ RUNGE_KUTTA_STEPS = (10.0, 5.0, 2.5)
 # Steps of the paper's traversal whose answers are compared, pitch (m) and time (s), and the first pitch
 # tried; the last looks at the moment alone at which the head reaches the disc.
 TRAVERSALS = (
-    (0.002, 1.0, 0.44), (0.001, 1.0, 0.44), (0.0005, 1.0, 0.448), (0.002, 0.2, 0.448), (0.001, 1e6, 0.41),
+    (0.002, 1.0, 0.44), (0.001, 1.0, 0.44), (0.0005, 1.0, 0.448), (0.002, 0.2, 0.448),
+    (0.001, 1e6, 0.41),
 )  # fmt: skip
 # Pitches of the paper's Fig 2, m.
-FIGURE_PITCHES, FIGURE_RESOLUTION = (0.43, 0.47, 41), 1e-4
+FIGURE_PITCHES, FIGURE_RESOLUTION = (0.43, 0.47, 21), 1e-4
 SPIRAL_PICTURES = ("spiral-dragon", "spiral-speeds", "spiral-head")
 CONTACT_PICTURES = ("contact", "clearance", "pitch")
 TURN_PICTURES = ("turn-dragon", "turn-speeds")

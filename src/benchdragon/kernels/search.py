@@ -24,6 +24,7 @@ from benchdragon.kernels.sweep import (
     bound_bench,
     bound_handles,
     empty_places,
+    gap_ceiling,
     stand,
 )
 
@@ -200,15 +201,20 @@ def judge_touch(
     note: FloatArray,
 ) -> int:
     """How the part up to slot `top` stands for FIRST_TOUCH."""
+    nearest = math.inf
     for n in range(search.kept[top]):
         p = search.alive[top, n]
-        if end_distance(search, 0, count, first[p], second[p]) <= margin - slack:
+        apart = end_distance(search, 0, count, first[p], second[p])
+        nearest = min(nearest, apart)
+        if apart <= margin - slack:
             note[UPPER], note[PAIR] = search.at[0], p
             return FOUND
     least = keep_near(search, top, count, first, second, margin + slack)
     if search.kept[top] == 0:
+        # A graze is over when it is left well behind: rounding makes distances flicker.
         note[UPPER] = search.at[0]
-        return GRAZE if note[LOWER] < math.inf else CLEAR
+        over = note[LOWER] < math.inf and nearest > margin + 3.0 * slack
+        return GRAZE if over else CLEAR
     for n in range(search.kept[top]):
         p = search.alive[top, n]
         note[PAIR] = p
@@ -230,22 +236,30 @@ def judge_end(
     slack: float,
     note: FloatArray,
 ) -> int:
-    """How the part stands for TOUCH_END: one pair must stay near; travel bounds how depth shrinks."""
-    nearest, held = math.inf, False
+    """How the part stands for TOUCH_END: one pair must stay near, by its travel or by its faces."""
+    nearest, held, rounding = math.inf, False, False
     for p in range(first.shape[0]):
         i, j = first[p], second[p]
         a, b = end_distance(search, 0, count, i, j), end_distance(search, top, count, i, j)
         spent = search.sweeps[i, TRAVEL] + search.sweeps[j, TRAVEL]
         held = held or 0.5 * (a + b + spent) < margin - slack
+        ceiling = math.inf
+        if not held and max(a, b) < margin + 2.0 * slack:
+            h = search.handles[0, PATH]
+            ceiling = gap_ceiling(
+                search.boxes, i, j, top * count + i, top * count + j, search.sweeps, i, j, h
+            )
+            held = ceiling < min(margin - slack, 0.0)
         if a < nearest:
             nearest, note[PAIR] = a, p
+            rounding = min(a, b) >= margin - 4.0 * slack and ceiling - max(a, b) <= 0.5 * slack
     if nearest > margin + slack:
         note[UPPER] = search.at[0]
         return FOUND
     if held:
         note[LOWER] = math.inf
         return CLEAR
-    return SPLIT
+    return UNSURE if rounding else SPLIT
 
 
 @kernel

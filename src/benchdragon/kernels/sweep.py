@@ -288,6 +288,27 @@ def separation(boxes: FloatArray, i: int, j: int, nx: float, ny: float) -> float
 
 
 @kernel
+def face_loss(
+    boxes: FloatArray, ia: int, ja: int, sweeps: FloatArray, i: int, j: int, h: float
+) -> float:
+    """What the height of a corner of bench i over a face of bench j may leave the straight line by, m.
+
+    Bench i has row ia of `boxes` at the start of the step and row i of `sweeps`. The height of a corner
+    P over a face with normal N and foot Y is (P - Y) . N, with second derivative at most
+    pull + 2 pace turn + |P - Y| (twist + turn^2).
+    """
+    along, across = offset(boxes, ja, boxes[ia, CX], boxes[ia, CY])
+    ahead = max(abs(along) - boxes[ja, HALF_LENGTH], 0.0)
+    aside = max(abs(across) - boxes[ja, HALF_WIDTH], 0.0)
+    pace = sweeps[i, PACE] + sweeps[j, PACE]
+    far = math.hypot(ahead, aside) + math.hypot(boxes[ia, HALF_LENGTH], boxes[ia, HALF_WIDTH])
+    turn = sweeps[j, TURN]
+    second = sweeps[i, PULL] + sweeps[j, PULL] + 2.0 * pace * turn
+    second += (far + pace * h) * (sweeps[j, TWIST] + turn * turn)
+    return 0.125 * second * h * h
+
+
+@kernel
 def face_bound(
     boxes: FloatArray,
     ia: int,
@@ -301,25 +322,63 @@ def face_bound(
 ) -> float:
     """Least separation that a face of bench j keeps from bench i over a step, m.
 
-    Bench i has row ia of `boxes` at the start, ib at the end, and row i of `sweeps`. The height of a
-    corner P over a face with normal N and foot Y is (P - Y) . N, with second derivative at most
-    pull + 2 pace turn + |P - Y| (twist + turn^2).
+    Benches have rows ia, ja of `boxes` at the start, ib, jb at the end, and i, j of `sweeps`.
     """
-    along, across = offset(boxes, ja, boxes[ia, CX], boxes[ia, CY])
-    ahead = max(abs(along) - boxes[ja, HALF_LENGTH], 0.0)
-    aside = max(abs(across) - boxes[ja, HALF_WIDTH], 0.0)
-    pace = sweeps[i, PACE] + sweeps[j, PACE]
-    far = math.hypot(ahead, aside) + math.hypot(boxes[ia, HALF_LENGTH], boxes[ia, HALF_WIDTH])
-    turn = sweeps[j, TURN]
-    second = sweeps[i, PULL] + sweeps[j, PULL] + 2.0 * pace * turn
-    second += (far + pace * h) * (sweeps[j, TWIST] + turn * turn)
-    loss = 0.125 * second * h * h
     ax, ay, bx, by = boxes[ja, UX], boxes[ja, UY], boxes[jb, UX], boxes[jb, UY]
     front = min(separation(boxes, ja, ia, ax, ay), separation(boxes, jb, ib, bx, by))
     rear = min(separation(boxes, ja, ia, -ax, -ay), separation(boxes, jb, ib, -bx, -by))
     left = min(separation(boxes, ja, ia, -ay, ax), separation(boxes, jb, ib, -by, bx))
     right = min(separation(boxes, ja, ia, ay, -ax), separation(boxes, jb, ib, by, -bx))
-    return max(front, rear, left, right) - loss
+    return max(front, rear, left, right) - face_loss(boxes, ia, ja, sweeps, i, j, h)
+
+
+@kernel
+def face_ceiling(
+    boxes: FloatArray,
+    ia: int,
+    ja: int,
+    ib: int,
+    jb: int,
+    sweeps: FloatArray,
+    i: int,
+    j: int,
+    h: float,
+) -> float:
+    """Greatest separation that any face of bench j reaches from bench i over a step, m.
+
+    A face is no farther off than any one corner is over it.
+    """
+    most = -math.inf
+    for face in range(4):
+        nearest = math.inf
+        for k in range(4):
+            height = -math.inf
+            for row, base in ((ia, ja), (ib, jb)):
+                x, y = corner(boxes, row, k)
+                along, across = offset(boxes, base, x, y)
+                out = along if face < 2 else across
+                half = boxes[base, HALF_LENGTH] if face < 2 else boxes[base, HALF_WIDTH]
+                height = max(height, (out if face % 2 == 0 else -out) - half)
+            nearest = min(nearest, height)
+        most = max(most, nearest)
+    return most + face_loss(boxes, ia, ja, sweeps, i, j, h)
+
+
+@kernel
+def gap_ceiling(
+    boxes: FloatArray,
+    ia: int,
+    ja: int,
+    ib: int,
+    jb: int,
+    sweeps: FloatArray,
+    i: int,
+    j: int,
+    h: float,
+) -> float:
+    """At least the signed gap of benches i and j anywhere in a step, m: negative if they overlap."""
+    one = face_ceiling(boxes, ia, ja, ib, jb, sweeps, i, j, h)
+    return max(one, face_ceiling(boxes, ja, ia, jb, ib, sweeps, j, i, h))
 
 
 @kernel
@@ -373,7 +432,7 @@ def apart_bound(
     start, end = box_distance(boxes, ia, ja), box_distance(boxes, ib, jb)
     best = 0.5 * (start + end - sweeps[i, TRAVEL] - sweeps[j, TRAVEL])
     smooth = math.isfinite(sweeps[i, PULL] + sweeps[j, PULL])
-    if best > wanted or min(start, end) <= wanted or not smooth:
+    if best > wanted or not smooth:
         return best
     best = max(best, face_bound(boxes, ia, ja, ib, jb, sweeps, i, j, h))
     if best <= wanted:

@@ -1,0 +1,104 @@
+"""Why contact is searched with two bounds, cells of route, and the head's position instead of time.
+
+A search that looks at times can miss a contact between them: the contest's dragon passes 0.9 mm and
+3 mm clear of one before it touches, and its smallest pitch grazes for milliseconds. So each step that
+is passed over needs a bound that holds for all of it. Everything below is a function of the head's
+route position sigma; speed has no part in it.
+
+1. Travel. Path lengths add: distance >= (d_start + d_end - D_i - D_j) / 2, with D what a point of a
+   bench travels at most, a sum over its handles' arc lengths. It needs nothing but order along the
+   route, kinks included, but loses in first order: near a contact steps shrink with the gap.
+2. Faces. The height of a corner over a face of the other bench, both moving, has a second derivative of
+   at most M, so that over a step h it stays within M h^2 / 8 of the straight line between its ends. M
+   follows from enclosures of angles, speeds and accelerations, bench by bench down the chain. It loses
+   in second order: a graze (a quadratic minimum) needs a number of looks that does not grow with
+digits.
+3. Cells. What all benches of one size sweep while their front handle walks through a cell of route is
+   boxed once. Two benches can meet only where two such boxes come near one another, whatever the time.
+
+Below: looks needed by either bound alone for the pair that touches first, down to brackets of several
+widths; how many pairs of benches and steps are left after each level of cells; and what looking each
+second, each 0.1 s would have said.
+"""
+
+import numpy as np
+
+from benchdragon import Walk, clearances, contact_windows
+from benchdragon.ground import FINEST, LEVELS, PARTS, Ground
+from benchdragon.kernels import search as kernel
+from benchdragon.kernels import sweep
+from benchdragon.plan import read_plan
+
+
+def looks_for(walk: Walk, slack: float, smooth: bool) -> int:
+    """Chains marched until benches 1 and 9 touch, from 412 m on, by both bounds or by travel."""
+    search = kernel.room(10, 2, 1, 0)
+    members, first, second = np.array([0, 8]), np.array([0]), np.array([1])
+    note = np.zeros(kernel.NOTES)
+    rows, links, sizes = walk.route.rows, walk.dragon.links[:9], walk.dragon.sizes
+    if smooth:
+        kernel.seek(
+            search, kernel.FIRST_TOUCH, rows, links, sizes, members, first, second,
+            412.0, 412.5, 0.0, slack, slack, 1_000_000, note,
+        )  # fmt: skip
+        return int(note[kernel.LOOKS])
+    return travel_only(walk, slack)
+
+
+def travel_only(walk: Walk, slack: float) -> int:
+    """The same by the travel bound alone: leftmost halves first."""
+    still, looks = Walk(walk.dragon, walk.route), 0
+    places = sweep.empty_places(10, 2)
+    handles, bench = np.empty((10, sweep.HANDLE_COLUMNS)), np.empty(sweep.BENCH_COLUMNS)
+    stack, at = [412.5], 412.0
+    while stack:
+        end = stack[-1]
+        looks += 1
+        ends = np.array([at, end])
+        sweep.stand(walk.route.rows, walk.dragon.links[:9], ends, 0, 2, places)
+        sweep.bound_handles(walk.route.rows, walk.dragon.links[:9], places, 0, 1, handles)
+        spent = 0.0
+        for i in (0, 8):
+            sweep.bound_bench(handles, i, walk.dragon.sizes, i, bench)
+            spent += bench[sweep.TRAVEL]
+        a, b = clearances(still.motion(ends))
+        if a <= slack:
+            return looks
+        if 0.5 * (a + b - spent) > 0.0:
+            at = stack.pop()
+        elif end - at < slack or looks > 20_000:
+            return looks
+        else:
+            stack.append(0.5 * (at + end))
+    return looks
+
+
+def main() -> None:
+    """Print the three tables."""
+    walk = read_plan("spiral-in").build()
+    print("bracket, m   looks by travel alone   by both bounds")
+    for slack in (1e-3, 1e-5, 1e-7):
+        print(f"{slack:8.0e} {looks_for(walk, slack, False):20d} {looks_for(walk, slack, True):17d}")
+    for slack in (1e-10, 1e-13):
+        print(f"{slack:8.0e} {'-':>20s} {looks_for(walk, slack, True):17d}")
+
+    ground = Ground(walk.dragon, walk.route, 1e-6, 0.0)
+    ground.extend(413.0)
+    steps = list(ground.steps(0.0, 413.0))
+    benches, every = len(walk.dragon), int(413.0 / (ground.cell / FINEST))
+    pairs = sum(len(step.first) for step in steps)
+    print(f"\ncells of {ground.cell:.3g} m, cut {LEVELS} times into {PARTS}: {ground.count} cells")
+    print(f"pairs of benches times steps: {(benches - 1) * (benches - 2) // 2 * every:,} in all")
+    print(f"left to the search: {pairs:,}, from head position {steps[0].start:.1f} m on")
+
+    print("\nstep, s   first sample that overlaps, s")
+    for step in (1.0, 0.1, 0.01):
+        times = np.arange(400.0, 420.0, step)
+        low = clearances(walk.motion(times)) < 0.0
+        print(f"{step:7g} {times[low][0]:17.2f}")
+    (window,) = contact_windows(walk, 400.0, 413.0)
+    print(f"  exact {window.opens.value:.10f}, {window.opens.looks} looks")
+
+
+if __name__ == "__main__":
+    main()

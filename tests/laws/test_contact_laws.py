@@ -1,0 +1,157 @@
+"""Brute force never beats the search: sampling finds no contact before the first, and one after."""
+
+import math
+
+import numpy as np
+import pytest
+import shapely
+
+from benchdragon import (
+    Arc,
+    Clothoid,
+    Dragon,
+    Line,
+    Route,
+    SpeedProfile,
+    Spiral,
+    Walk,
+    WalkError,
+    contact_windows,
+    first_contact,
+    least_clearance,
+)
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.pictures import bench_corners
+
+SEEDS = range(40)
+# Samples of the walk before the contact, and just around it.
+SAMPLES = 200
+
+
+def random_dragon(rng: np.random.Generator) -> Dragon:
+    count = int(rng.integers(5, 61))
+    length = rng.uniform(0.8, 2.6, count)
+    length[0] *= rng.uniform(1.0, 1.8)
+    inset = rng.uniform(0.05, 0.15) * length
+    return Dragon.of_sizes(length, rng.uniform(0.15, 0.8), inset, 0.5 * inset)
+
+
+def random_route(rng: np.random.Generator) -> Route:
+    kind = int(rng.integers(4))
+    if kind == 0:
+        pitch = rng.uniform(0.5, 1.6)
+        return Route((Spiral.between(pitch, rng.uniform(5.0, 9.0), rng.uniform(1.5, 3.0)),))
+    if kind == 1:  # a hairpin or a loop
+        radius = rng.uniform(1.2, 4.0)
+        return Route.joined([Line(40.0), Arc(radius, rng.uniform(2.0, 6.0)), Line(40.0)])
+    if kind == 2:  # an S
+        a, b = rng.uniform(1.5, 4.0, 2)
+        arcs = Arc(a, rng.uniform(2.0, 4.5)), Arc(b, -rng.uniform(2.0, 4.5))
+        return Route.joined([Line(30.0), *arcs, Line(30.0)])
+    turn, bend = rng.uniform(3.0, 7.0), rng.uniform(0.3, 0.7)
+    ease = Clothoid(3.0, 0.0, bend), Clothoid(3.0, bend, 0.0)
+    return Route.joined([Line(30.0), ease[0], Arc(1.0 / bend, turn), ease[1], Line(30.0)])
+
+
+def random_walk(seed: int) -> tuple[Walk, float, float, float]:
+    """A walk, the times between which it goes, and a margin."""
+    rng = np.random.default_rng(seed)
+    dragon, route = random_dragon(rng), random_route(rng)
+    profile = SpeedProfile.constant(1.0)
+    if rng.random() < 0.3:
+        profile = SpeedProfile((0.0, 5.0, 10.0, 12.0), (0.5, 1.8, 0.0, 1.0))
+    walk = Walk(dragon, route, profile, start=0.0)
+    end = profile.time(0.98 * route.length)
+    margin = float(rng.choice([0.0, 0.0, 0.05, 0.2]))
+    return walk, 0.0, end, margin
+
+
+def nearest(walk: Walk, times: FloatArray) -> FloatArray:
+    """Least distance by shapely at each time, over all pairs but neighbours, m; 0: overlap."""
+    motion = walk.motion(times)
+    i, j = np.triu_indices(len(walk.dragon), 2)
+    least = np.full(len(times), math.inf)
+    for t in range(len(times)):
+        corners = bench_corners(motion, t)
+        benches = np.array([shapely.Polygon(corner) for corner in corners], dtype=object)
+        middles = corners.mean(axis=1)
+        near = np.hypot(*(middles[i] - middles[j]).T) < 6.0
+        if near.any():
+            least[t] = shapely.distance(benches[i[near]], benches[j[near]]).min()
+    return least
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_sampling_never_finds_a_contact_before_the_first_and_finds_one_after(seed: int) -> None:
+    walk, start, end, margin = random_walk(seed)
+    try:
+        found = first_contact(walk, start, end, margin=margin)
+    except WalkError as error:
+        # It cannot be walked on: up to there nothing touches.
+        times = np.linspace(start, error.t - 0.01, SAMPLES)
+        assert (
+            nearest(walk, times[walk.motion(times, throw=False).status == 0]) >= margin - 1e-9
+        ).all()
+        return
+    if found is None:
+        assert (nearest(walk, np.linspace(start, end, SAMPLES)) >= margin - 1e-9).all()
+        return
+    assert found.lower <= found.value <= found.upper
+    if found.lower > start:
+        assert found.upper - found.lower <= 1e-9
+        before = found.lower - np.geomspace(1e-9, found.lower - start, SAMPLES)
+        assert (nearest(walk, before) >= margin - 1e-9).all()
+    # Right after it they are nearer, unless the walk ends there or they only graze.
+    windows = contact_windows(walk, start, min(end, found.upper + 1.0), margin=margin, most=1)
+    assert windows[0].opens.value == found.value
+    if found.status == "found":
+        assert nearest(walk, np.array([found.upper]))[0] <= max(margin, 1e-12)
+
+
+def test_the_random_walks_are_worth_trying() -> None:
+    endings = {"contact": 0, "clear": 0, "cannot": 0}
+    for seed in SEEDS:
+        walk, start, end, margin = random_walk(seed)
+        try:
+            found = first_contact(walk, start, end, margin=margin)
+        except WalkError:
+            endings["cannot"] += 1
+        else:
+            at_start = found is not None and found.lower <= start
+            endings["clear" if found is None else "contact"] += 0 if at_start else 1
+    assert endings["contact"] >= 15
+    assert endings["clear"] >= 8
+
+
+@pytest.mark.parametrize("seed", [4, 8, 12, 16, 20, 24, 27, 28, 36])
+def test_no_sample_is_below_the_least_clearance(seed: int) -> None:
+    walk, start, end, _margin = random_walk(seed)
+    try:
+        found = least_clearance(walk, start, end)
+    except WalkError:
+        return
+    assert found.lower <= found.value <= found.upper
+    sampled = nearest(walk, np.linspace(start, end, SAMPLES))
+    assert sampled.min() >= found.lower - 1e-9
+    if found.witness is not None and found.value > 0.0:
+        assert found.witness.time is not None
+        assert nearest(walk, np.array([found.witness.time]))[0] == pytest.approx(found.value, abs=1e-9)
+
+
+@pytest.mark.parametrize("seed", [1, 5, 9, 13, 17, 21, 25, 33])
+def test_windows_are_where_sampling_sees_overlaps(seed: int) -> None:
+    walk, start, end, margin = random_walk(seed)
+    try:
+        windows = contact_windows(walk, start, end, margin=margin, most=200)
+    except WalkError:
+        return
+    times = np.linspace(start, end, SAMPLES)
+    inside = np.zeros(len(times), dtype=bool)
+    unsure = np.zeros(len(times), dtype=bool)
+    for window in windows:
+        closes = end if window.closes is None else window.closes.upper
+        inside |= (times >= window.opens.upper) & (times <= closes)
+        unsure |= np.abs(times - window.opens.value) < 1e-9
+        unsure |= np.abs(times - closes) < 1e-9
+    seen = nearest(walk, times) < margin if margin > 0.0 else nearest(walk, times) <= 0.0
+    assert (seen == inside)[~unsure].all()
