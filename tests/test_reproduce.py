@@ -88,3 +88,30 @@ def test_the_command_prints_answers_and_files(
     assert str(tmp_path / "a" / "result1.xlsx") in out
     assert run(["reproduce", "-o", str(tmp_path / "a"), "--json", "--force"]) == 0
     assert json.loads(capsys.readouterr().out)["files"][0].endswith("result1.xlsx")
+
+
+def test_contact_and_pitch_come_out_as_the_truth_has_them(folder: Path) -> None:
+    found = json.loads((folder / "answers.json").read_text("utf-8"))
+    assert found["contact"]["first"]["value"] == pytest.approx(
+        float(TRUTH["first_contact_s"]), abs=1e-11
+    )
+    for row in found["contact"]["table"]:
+        x, y, speed = (float(number) for number in TRUTH["at_first_contact"][str(row["handle"])])
+        assert row["x_m"] == pytest.approx(x, abs=1e-10)
+        assert row["y_m"] == pytest.approx(y, abs=1e-10)
+        assert row["speed_m_s"] == pytest.approx(speed, abs=1e-10)
+    pitch = found["pitch"]
+    assert pitch["smallest"]["value"] == pytest.approx(float(TRUTH["smallest_pitch_m"]), abs=1e-13)
+    assert pitch["before_disc_m"] == pytest.approx(4.595723632, abs=2e-6)
+    traversed = {
+        (row["pitch_step_m"], row["time_step_s"]): row["pitch_m"] for row in pitch["traversal"]
+    }
+    assert traversed[0.002, 1.0] == pytest.approx(0.452)
+    assert traversed[0.001, 1.0] == pytest.approx(0.451)
+
+
+def test_the_moment_of_contact_is_in_the_contests_layout(folder: Path) -> None:
+    rows = CalamineWorkbook.from_path(folder / "result2.xlsx").get_sheet_by_index(0).to_python()
+    assert (len(rows), len(rows[0])) == (225, 4)
+    x, y, speed = (float(number) for number in TRUTH["at_first_contact"]["223"])
+    assert rows[-1][1:] == pytest.approx([x, y, speed], abs=1e-9)

@@ -348,6 +348,7 @@ def least_clearance(
     end: float,
     *,
     within: float = math.inf,
+    reach: float = FIRST_REACH,
     tolerances: Sequence[float] = TOLERANCES,
     advance: Advance | None = None,
 ) -> Answer:
@@ -356,6 +357,7 @@ def least_clearance(
     0 where benches overlap; infinite for a dragon of one or two benches. The bracket is 1e-12 m wide;
     wider, 1e-8 or 1e-5 m, where benches keep one distance for a while, or `tolerances` ends earlier.
     Nothing beyond `within` metres is looked for: then that is the lower end, the upper is infinite.
+    `reach` is a first guess, m: a good one saves time.
 
     Raises:
         InputError: for an end before the start.
@@ -367,7 +369,6 @@ def least_clearance(
         return Answer(math.inf, math.inf, math.inf, "m", "found")
     nearest = tightest_pairs(hunt.motion(hunt.start))[0]
     best = Best(nearest.distance, hunt.start, (nearest.benches[0] - 1, nearest.benches[1] - 1))
-    reach = FIRST_REACH
     while best.distance > 0.0:
         reach = min(reach, best.distance, within)
         steps = list(hunt.steps(reach))

@@ -25,10 +25,10 @@ from benchdragon.kernels.sweep import empty_places, stand
 from benchdragon.messages import _
 
 # Cells are this share of the shortest link: shorter ones cost more boxes, longer ones looser boxes.
-CELL = 0.6
+CELL = 0.45
 # A cell whose boxes come near another's is cut into so many, and each of these again; steps of the
 # head are as long as the last. Fewer levels leave more pairs to the search, more cost more boxes.
-PARTS, LEVELS = 2, 4
+PARTS, LEVELS = 4, 2
 FINEST = PARTS**LEVELS
 # Cells in which it is unsure whether a bench can walk through are looked at in so many parts.
 CAREFUL_PARTS = 16

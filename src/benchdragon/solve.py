@@ -137,7 +137,8 @@ class Family:
     def tightest(self, size: float) -> Meeting | None:
         """About where which pair comes nearest in a walk that stays clear; None if none comes near."""
         walk, start, end = self.walk(size)
-        near = least_clearance(walk, start, end, within=self.margin + NEARBY, tolerances=(math.inf,))
+        reach = self.margin + NEARBY
+        near = least_clearance(walk, start, end, within=reach, reach=reach, tolerances=(math.inf,))
         witness = near.witness
         return None if witness is None else Meeting(witness.s, *(i - 1 for i in witness.benches))
 
