@@ -66,4 +66,11 @@ def announce_compiling(quiet: bool) -> None:
     from benchdragon.kernels.jit import watch_compiling
 
     text = _("compiling the kernels, once for this machine; this takes up to a minute")
-    watch_compiling(lambda: click.echo(text, err=True), SLOW_COMPILE)
+    said: list[str] = []
+
+    def say() -> None:
+        if not said:
+            said.append(text)
+            click.echo(text, err=True)
+
+    watch_compiling(say, SLOW_COMPILE)
