@@ -267,3 +267,12 @@ def test_wrong_questions_are_refused_in_a_sentence(contest: Walk, call: object, 
     assert callable(call)
     with pytest.raises(InputError, match=text):
         call(contest)
+
+
+@pytest.mark.parametrize("room", [1e-6, 0.3, 1.2])
+def test_a_tail_at_the_very_start_of_a_route_that_does_not_run_on_is_no_hindrance(room: float) -> None:
+    """The cell in which its front handle stands reaches back to where no bench could stand."""
+    route = Route.joined([Arc(5.0, 4.0), Line(40.0)])
+    dragon = Dragon.uniform(10)
+    back = Walk(dragon, route).head_where_tail(room)
+    assert first_contact(Walk(dragon, route, start=back), 0.0, 15.0) is None

@@ -109,9 +109,7 @@ class Ground:
         s = self._positions(np.array([start]))[:, 0]
         self.low = math.floor(s[-2] / self.cell) if len(dragon) > 1 else math.floor(s[0] / self.cell)
         # Where each group's rearmost bench stands at first: it never comes behind that.
-        self._from = np.array(
-            [math.floor(s[:-1][self.group == g].min() / self.cell) for g in range(self.groups)]
-        )
+        self._rear = np.array([s[:-1][self.group == g].min() for g in range(self.groups)])
         self.hulls = np.empty((self.groups, 0, BOX_COLUMNS))
         self.sound = np.empty((self.groups, 0))
         self._fine: dict[tuple[int, int], FloatArray] = {}
@@ -184,7 +182,8 @@ class Ground:
         self.hulls = np.concatenate([self.hulls, fresh], axis=1)
         self.sound = np.concatenate([self.sound, np.ones((self.groups, wanted - old))], axis=1)
         for g in range(self.groups):
-            numbers = np.arange(max(old, int(self._from[g]) - self.low), wanted)
+            rear = math.floor(self._rear[g] / self.cell) - self.low
+            numbers = np.arange(max(old, rear), wanted)
             self._box(g, numbers, 1, 1, self.hulls[g], self.sound[g], numbers)
             self._look_closer(g, numbers[self.sound[g, numbers] == 0.0])
         for a, b, *cells in self._near(old):
@@ -210,7 +209,7 @@ class Ground:
             return
         size = self.cell / whole
         borders = (numbers[:, np.newaxis] + self.low * whole + np.arange(parts + 1) / parts) * size
-        at = np.minimum(borders.ravel(), self.route.length)
+        at = np.clip(borders.ravel(), self._rear[g], self.route.length)
         slots = (np.arange(len(numbers))[:, np.newaxis] * (parts + 1) + np.arange(parts)).ravel()
         for n, k in enumerate(np.flatnonzero(self._group_of == g)):
             places = empty_places(2, len(at))
