@@ -305,16 +305,19 @@ class Ground:
         if begin >= end:
             return
         grid = np.append(np.arange(begin, end, size), end)
-        span = max(1, PLACES // (len(self.dragon) + 1))
+        # Benches that have not come so far by the end cannot meet any other.
+        back = (float(pairs[3].min()) + self.low * FINEST) * size - EDGE
+        benches = int((self._positions(grid[-1:])[:-1, 0] >= back).sum())
+        span = max(1, PLACES // (benches + 1))
         most = 64 * len(self.dragon)
         for n in range(0, len(grid) - 1, span):
             at = grid[n : n + span + 1]
-            s = self._positions(at)
+            s = self._positions(at, benches)
             for t in range(len(at) - 1):
                 while True:
                     first, second = np.empty(most, dtype=np.int64), np.empty(most, dtype=np.int64)
                     found = kernel.meeting_pairs(
-                        s, t, self.group, size, self.low * FINEST, offsets, partners, cells,
+                        s, t, self.group[:benches], size, self.low * FINEST, offsets, partners, cells,
                         first, second,
                     )  # fmt: skip
                     if found <= most:
@@ -323,19 +326,20 @@ class Ground:
                 if found:
                     yield Step(float(at[t]), float(at[t + 1]), first[:found], second[:found])
 
-    def _positions(self, at: FloatArray) -> FloatArray:
-        """Route positions of all handles with the head at `at`, m, (handles, len(at))."""
-        stands, s = self._tried(at)
+    def _positions(self, at: FloatArray, benches: int | None = None) -> FloatArray:
+        """Route positions of the handles of all, or the first, benches with the head at `at`, m."""
+        stands, s = self._tried(at, benches)
         if not stands:
             raise AssertionError("a dragon that was shown to stand does not")
         return s
 
-    def _tried(self, at: FloatArray) -> tuple[bool, FloatArray]:
-        """Whether the dragon stands with its head at all of `at`, and where its handles are then."""
-        shape = (len(self.dragon) + 1, len(at))
+    def _tried(self, at: FloatArray, benches: int | None = None) -> tuple[bool, FloatArray]:
+        """Whether they stand with the head at all of `at`, and where, m, (handles, len(at))."""
+        links = self.dragon.links[:benches]
+        shape = (len(links) + 1, len(at))
         row, failed = np.empty(shape, dtype=np.int64), np.empty((2, len(at)), dtype=np.int64)
         u, x, y, ratio = (np.empty(shape) for _array in range(4))
-        march(self.route.rows, self.dragon.links, at, 0, len(at), row, u, x, y, ratio, failed)
+        march(self.route.rows, links, at, 0, len(at), row, u, x, y, ratio, failed)
         if self.ledger is not None and (failed[0] == Status.OK).all():
             chains = tuple(table.T.astype(np.float64) for table in (row, u, x, y))
             self.ledger.grid.append((at, *chains))
