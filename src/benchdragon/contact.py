@@ -15,7 +15,7 @@ import numpy.typing as npt
 
 from benchdragon.answer import Answer, Status, Witness
 from benchdragon.clearance import boxes, nearness, pairs_within, tightest_pairs
-from benchdragon.errors import InputError, UnsureError, finite, not_negative
+from benchdragon.errors import InputError, UnsureError, in_order, not_negative
 from benchdragon.ground import Ground, Ledger, Step, merged
 from benchdragon.kernels import search as kernel
 from benchdragon.kernels.curve import FloatArray
@@ -222,12 +222,7 @@ def _hunt(
     ledger: Ledger | None = None,
 ) -> Hunt:
     not_negative("margin", margin, "m")
-    if finite("end", end, "s") < finite("start", start, "s"):
-        raise InputError(
-            _("the end ({end} s) must not come before the start ({start} s)").format(
-                end=f"{end:g}", start=f"{start:g}"
-            )
-        )
+    in_order(start, end)
     walk.motion([start])  # raises where the dragon cannot stand at the start
     a, b = walk.head_position([start, end]).tolist()
     return Hunt(walk, a, b, margin, advance or (lambda _share: None), slack, ledger)

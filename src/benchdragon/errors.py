@@ -115,6 +115,20 @@ def not_negative(name: str, value: float, unit: str = "") -> float:
     return number
 
 
+def in_order(start: float, end: float) -> None:
+    """Check two times, s.
+
+    Raises:
+        InputError: if one is not finite, or the end comes before the start.
+    """
+    if finite("end", end, "s") < finite("start", start, "s"):
+        raise InputError(
+            _("the end ({end} s) must not come before the start ({start} s)").format(
+                end=f"{end:g}", start=f"{start:g}"
+            )
+        )
+
+
 def as_number(name: str, value: object) -> float:
     """`value` as a float.
 

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from benchdragon.answer import Answer, Witness
-from benchdragon.errors import InputError, finite
+from benchdragon.errors import InputError, in_order
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.sweep import empty_places, fastest, stand
 from benchdragon.messages import _
@@ -46,12 +46,7 @@ def greatest_speed(
         raise InputError(
             _("tolerance must lie between 1e-9 and 1, not at {value}").format(value=tolerance)
         )
-    if finite("end", end, "s") < finite("start", start, "s"):
-        raise InputError(
-            _("the end ({end} s) must not come before the start ({start} s)").format(
-                end=f"{end:g}", start=f"{start:g}"
-            )
-        )
+    in_order(start, end)
     first, last = walk.head_position([start, end]).tolist()
     step = STEP * float(walk.dragon.links.min())
     count = max(1, math.ceil((last - first) / step))
