@@ -14,11 +14,10 @@ from benchdragon.plan_text import PlanError
 from benchdragon.solve import (
     QUESTIONS,
     limit,
-    pitch_curve,
     smallest_pitch,
-    traversed_pitch,
     walkable_sizes,
 )
+from benchdragon.traversal import pitch_curve, traversed_pitch
 
 SMALLEST_PITCH = 0.4503373930271955
 

@@ -22,7 +22,7 @@ from benchdragon.pictures import (
     draw_dragon,
     named_figure,
 )
-from benchdragon.solve import JUMP, PitchCurve
+from benchdragon.traversal import JUMP, PitchCurve
 
 # Vermilion for what touches, told apart by hatching too.
 TOUCH = "#D55E00"

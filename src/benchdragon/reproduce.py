@@ -18,8 +18,9 @@ from benchdragon.messages import _, language
 from benchdragon.motion import Motion, Walk
 from benchdragon.pictures import dragon_picture, head_angle_picture, speed_map, write_picture
 from benchdragon.plan import Plan, read_plan
-from benchdragon.solve import pitch_curve, smallest_pitch, traversed_pitch
+from benchdragon.solve import smallest_pitch
 from benchdragon.tables import Selection, write_csv, write_moment_xlsx, write_npz, write_xlsx
+from benchdragon.traversal import pitch_curve, traversed_pitch
 from benchdragon.turns import TwoArcTurn
 from benchdragon.verdict_files import curve, moment
 

@@ -221,7 +221,8 @@ def solve(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
 
 
 def _solved(plan: "Plan", options: dict[str, Any], advance: Any) -> Answer:
-    from benchdragon.solve import limit, traversed_pitch
+    from benchdragon.solve import limit
+    from benchdragon.traversal import traversed_pitch
 
     if options["method"] == "exact":
         return limit(plan, options["what"], prove=options["prove"], advance=advance)
