@@ -18,6 +18,7 @@ import time
 from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
+from unittest import mock
 
 import numba
 import numpy as np
@@ -26,7 +27,16 @@ from scipy.optimize import fsolve
 from textbook import Stepped
 from textbook import smallest_pitch as textbook_pitch
 
-from benchdragon import Dragon, Route, Spiral, TwoArcTurn, Walk, first_contact, tightest_pairs
+from benchdragon import (
+    Dragon,
+    Route,
+    Spiral,
+    TwoArcTurn,
+    Walk,
+    first_contact,
+    ground,
+    tightest_pairs,
+)
 from benchdragon.kernels.chain import march
 from benchdragon.plan import read_plan
 from benchdragon.solve import smallest_pitch
@@ -296,6 +306,12 @@ def workers() -> list[str]:
     ]  # fmt: skip
 
 
+def unsheltered(job: Callable[[], object]) -> None:
+    """Run a search that boxes every cell, as on curves that are no spirals."""
+    with mock.patch.object(ground, "sheltered", return_value=np.empty((0, 2))):
+        job()
+
+
 def contact_rows(quick: bool) -> list[str]:
     """First contact and smallest pitch against the textbook's stepped search, and how cost grows."""
     plan = read_plan("spiral-in")
@@ -304,24 +320,30 @@ def contact_rows(quick: bool) -> list[str]:
     search = Stepped(walk)
     textbook = search.first_contact(0.0, 430.0, 1.0, 1e-9)
     their_pitch, chains = textbook_pitch(disc, 0.44, 0.46, 1.0, 0.01 if quick else 1e-4)
-    ours, theirs = fastest(
+    ours, bare, theirs = fastest(
         [
             lambda: first_contact(walk, 0.0, 430.0),
+            lambda: unsheltered(lambda: first_contact(walk, 0.0, 430.0)),
             lambda: Stepped(walk).first_contact(0.0, 430.0, 1.0, 1e-9),
         ],
         1 if quick else 3,
     )
-    (our_pitch,) = fastest([lambda: smallest_pitch(disc)], 1 if quick else 5)
+    our_pitch, bare_pitch = fastest(
+        [lambda: smallest_pitch(disc), lambda: unsheltered(lambda: smallest_pitch(disc))],
+        1 if quick else 5,
+    )
     (their_time,) = fastest([lambda: textbook_pitch(disc, 0.44, 0.46, 1.0, 0.01 if quick else 1e-4)], 1)
     looks = 0 if found is None else found.looks
     lines = [
         "| question | by | s | chains placed | answer |",
         "|---|---|---|---|---|",
         f"| first contact | ours | {ours:.3g} | {looks} | {found.value if found else 0.0:.13f} s |",
+        f"| | ours, as if no turns were sheltered | {bare:.3g} | {looks} | the same |",
         f"| | textbook: each second, then bisection to 1e-9 s | {theirs:.3g} | {search.chains} "
         f"| {textbook or 0.0:.9f} s |",
         f"| smallest pitch | ours, bracket {pitch.upper - pitch.lower:.0e} m | {our_pitch:.3g} | "
         f"| {pitch.value:.13f} m |",
+        f"| | ours, as if no turns were sheltered | {bare_pitch:.3g} | | the same |",
         f"| | textbook: bisection to 1e-4 m, each second | {their_time:.3g} | {chains} "
         f"| {their_pitch:.5f} m |",
         "",

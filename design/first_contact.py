@@ -24,7 +24,7 @@ second, each 0.1 s would have said.
 import numpy as np
 
 from benchdragon import Walk, clearances, contact_windows
-from benchdragon.ground import FINEST, LEVELS, PARTS, Ground
+from benchdragon.ground import PARTS, Ground
 from benchdragon.kernels import search as kernel
 from benchdragon.kernels import sweep
 from benchdragon.plan import read_plan
@@ -85,9 +85,9 @@ def main() -> None:
     ground = Ground(walk.dragon, walk.route, 1e-6, 0.0)
     ground.extend(413.0)
     steps = list(ground.steps(0.0, 413.0))
-    benches, every = len(walk.dragon), int(413.0 / (ground.cell / FINEST))
+    benches, every = len(walk.dragon), int(413.0 / (ground.cell / PARTS))
     pairs = sum(len(step.first) for step in steps)
-    print(f"\ncells of {ground.cell:.3g} m, cut {LEVELS} times into {PARTS}: {ground.count} cells")
+    print(f"\ncells of {ground.cell:.3g} m, cut into {PARTS}: {ground.count} cells")
     print(f"pairs of benches times steps: {(benches - 1) * (benches - 2) // 2 * every:,} in all")
     print(f"left to the search: {pairs:,}, from head position {steps[0].start:.1f} m on")
 

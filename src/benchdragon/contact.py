@@ -16,7 +16,7 @@ import numpy.typing as npt
 from benchdragon.answer import Answer, Status, Witness
 from benchdragon.clearance import boxes, nearness, pairs_within, tightest_pairs
 from benchdragon.errors import InputError, UnsureError, in_order, not_negative
-from benchdragon.ground import Ground, Ledger, Step, merged
+from benchdragon.ground import Ground, Ledger, Step
 from benchdragon.kernels import search as kernel
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import END_SLACK, IntArray
@@ -110,16 +110,13 @@ class Hunt:
         """
         walk = self.walk
         ground = Ground(walk.dragon, walk.route, reach + self.slack, self.start, self.ledger)
-        done, end = self.start, min(self.end, walk.route.length)
-        while done < end:
-            upto = min(end, done + ground.stride(done))
-            ground.extend(upto)
+        end = min(self.end, walk.route.length)
+        for done, upto in ground.strides(self.start, end):
             sound = ground.sound_until(done, upto)
-            yield from merged(ground.steps(done, sound), ground.cell / 4.0, len(walk.dragon))
+            yield from ground.steps(done, sound)
             if sound < upto:
                 raise self.stopped(sound, ground.cell)
             self.advance((upto - self.start) / (self.end - self.start))
-            done = upto
         if self.end > end + END_SLACK:
             raise self.stopped(end, self.end - end)
 

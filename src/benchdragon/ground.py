@@ -1,7 +1,8 @@
 """Where on a route the benches of a dragon can meet, and which pairs of them, step by step.
 
 The route is cut into cells, and what benches of each size sweep over in a cell is boxed once. Only
-cells whose boxes come within reach of one another are ever looked at again (kernels/cells.py).
+cells whose boxes come within reach of one another are ever looked at again (kernels/cells.py). Cells
+of a spiral that lie outside the radius of `shelter` are boxed only where another part comes near.
 """
 
 import math
@@ -9,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from benchdragon.curves import Route
 from benchdragon.dragon import Dragon
@@ -23,13 +25,15 @@ from benchdragon.kernels.search import LOGGED
 from benchdragon.kernels.status import Status
 from benchdragon.kernels.sweep import empty_places, stand
 from benchdragon.messages import _
+from benchdragon.shelter import Shape, sheltered
 
 # Cells are this share of the shortest link: shorter ones cost more boxes, longer ones looser boxes.
 CELL = 0.45
-# A cell whose boxes come near another's is cut into so many, and each of these again; steps of the
-# head are as long as the last. Fewer levels leave more pairs to the search, more cost more boxes.
-PARTS, LEVELS = 4, 2
-FINEST = PARTS**LEVELS
+# A cell whose boxes come near another's is cut into so many; steps of the head are as long. Fewer
+# leave more pairs to the search, more cost more boxes.
+PARTS = 4
+# Where at most so many pairs of parts a cell are left, they are cut once more: it may be none.
+SPARSE = 40
 # Cells in which it is unsure whether a bench can walk through are looked at in so many parts.
 CAREFUL_PARTS = 16
 # Benches are boxed in at most so many groups of sizes; more would mean more pairs of boxes.
@@ -38,8 +42,9 @@ GROUPS = 3
 MOST_SIZES = 2_000
 # Cells of a route: 1e6 cells need 100 MB.
 MOST_CELLS = 2_000_000
-# Head's walk, m, that is prepared at a time, or this share of the route that is known already.
-STRIDE, SHARE = 128.0, 0.1
+# Head's walk, m, that is prepared at a time: the least at first and when benches first can meet, for
+# there a search may end; then doubled, up to this or this share of the route that is known already.
+LEAST_STRIDE, STRIDE, SHARE = 8.0, 128.0, 0.1
 # Cells queried and places marched at a time: 100 MB.
 BLOCK, PLACES = 2048, 1_000_000
 
@@ -106,13 +111,15 @@ class Ground:
         self.groups = int(self._group_of.max()) + 1
         self._between = self._least_ways()
         self.cell = CELL * float(dragon.links.min())
+        self._shelters = self._find_shelters()
+        self._shelter = np.empty((self.groups, self.groups, 0), dtype=np.int64)  # see _shelters_of
         s = self._positions(np.array([start]))[:, 0]
         self.low = math.floor(s[-2] / self.cell) if len(dragon) > 1 else math.floor(s[0] / self.cell)
         # Where each group's rearmost bench stands at first: it never comes behind that.
         self._rear = np.array([s[:-1][self.group == g].min() for g in range(self.groups)])
         self.hulls = np.empty((self.groups, 0, BOX_COLUMNS))
         self.sound = np.empty((self.groups, 0))
-        self._fine: dict[tuple[int, int], FloatArray] = {}
+        self._fine: dict[tuple[int, int], FloatArray] = {}  # by parts of a cell, and group
         self._pairs: list[IntArray] = []
         self.extend(start)
 
@@ -130,15 +137,45 @@ class Ground:
                 ways[a, b] = (ahead[members[nearest]] - ahead[fronts]).min(initial=np.inf)
         return ways
 
+    def _find_shelters(self) -> dict[tuple[int, int], FloatArray]:
+        """The shelters of benches of groups a and, behind them, b, where there are such."""
+        shapes = [
+            Shape.of(self._classes[:, self._group_of == g], 0.5 * self.reach)
+            for g in range(self.groups)
+        ]
+        between = float(self.dragon.links.min())
+        return {
+            (a, b): sheltered(self.route, shapes[a], shapes[b], between)
+            for a, b in zip(*np.nonzero(np.isfinite(self._between)), strict=True)
+        } or {(a, a): np.empty((0, 2)) for a in range(self.groups)}
+
     @property
     def count(self) -> int:
         """Number of cells so far."""
         return self.hulls.shape[1]
 
-    def stride(self, done: float) -> float:
-        """How far to extend next, m: less where benches can meet, since a search may end there."""
-        near = bool(self._pairs) and self._pairs[-1][1].max() >= (self.count - 1) * FINEST - FINEST
-        return (STRIDE / 16.0) if near else max(STRIDE, SHARE * (done - self.low * self.cell))
+    def strides(self, start: float, end: float) -> Iterator[tuple[float, float]]:
+        """Parts of start..end, m, to be extended by one after another: short where a search may end."""
+        done, stride, met = start, LEAST_STRIDE, False
+        while done < end:
+            upto = min(end, max(done + stride, self._shelter_end(done)))
+            self.extend(upto)
+            yield done, upto
+            first = bool(self._pairs) and not met
+            met = met or first
+            most = max(STRIDE, SHARE * (upto - self.low * self.cell))
+            stride = LEAST_STRIDE if first else min(2.0 * stride, most)
+            done = upto
+
+    def _shelter_end(self, s: float) -> float:
+        """Up to where the head surely meets no other, standing at s, m; not more than s if nowhere."""
+        head = int(self.group[0])
+        ends = [
+            max((end for start, end in parts if start <= s), default=s)
+            for (a, _b), parts in self._shelters.items()
+            if a == head
+        ]
+        return min(ends, default=s)
 
     def sound_until(self, start: float, end: float) -> float:
         """The head's position, m, up to which every bench surely follows; `end`, if all the way."""
@@ -181,34 +218,69 @@ class Ground:
         fresh = np.full((self.groups, wanted - old, BOX_COLUMNS), np.nan)
         self.hulls = np.concatenate([self.hulls, fresh], axis=1)
         self.sound = np.concatenate([self.sound, np.ones((self.groups, wanted - old))], axis=1)
+        shelter = self._shelters_of(np.arange(old, wanted))
+        self._shelter = np.concatenate([self._shelter, shelter], axis=2)
+        exposed = self._exposed()
         for g in range(self.groups):
             rear = math.floor(self._rear[g] / self.cell) - self.low
-            numbers = np.arange(max(old, rear), wanted)
-            self._box(g, numbers, 1, 1, self.hulls[g], self.sound[g], numbers)
+            numbers = np.flatnonzero(exposed[g] & np.isnan(self.hulls[g, :, CX]))
+            numbers = numbers[numbers >= rear]
+            self._box(g, numbers, (1, 1), self.hulls[g], self.sound[g], numbers)
             self._look_closer(g, numbers[self.sound[g, numbers] == 0.0])
-        for a, b, *cells in self._near(old):
-            first, second = cells
-            for level in range(LEVELS):
-                first, second = self._refined(a, b, first, second, PARTS ** (level + 1))
+        for a, b, k, m in self._near(old):
+            first, second = self._refined(a, b, k, m, PARTS)
+            if 0 < len(first) <= SPARSE * (wanted - old):
+                first, second = self._sifted(a, b, first, second)
             if len(first):
                 groups = np.full((2, len(first)), [[a], [b]])
                 self._pairs.append(np.array([groups[0], first, groups[1], second]))
+
+    def _shelters_of(self, cells: IntArray) -> IntArray:
+        """In which shelter of each pair of groups these cells lie, borders included; -1: in none."""
+        found = np.full((self.groups, self.groups, len(cells)), -1)
+        back, ahead = ((cells + self.low + n) * self.cell for n in (0, 1))
+        for (a, b), parts in self._shelters.items():
+            for n, (start, end) in enumerate(parts):
+                found[a, b, (back - EDGE >= start) & (ahead + EDGE <= end)] = n
+        return found
+
+    def _exposed(self) -> npt.NDArray[np.bool_]:
+        """Which cells to box, (groups, count): where a bench may come near one of another shelter."""
+        exposed = np.zeros((self.groups, self.count), dtype=bool)
+        arms = np.array([self._arm(g) for g in range(self.groups)])
+        middle = (np.arange(self.count) + self.low + 0.5) * self.cell
+        places = self.route.point(np.clip(middle, self._rear.min(), self.route.length))
+        for (a, b), parts in self._shelters.items():
+            reach = arms[a] + arms[b] + self.reach
+            for n in range(-1, len(parts)):
+                inside = self._shelter[a, b] == n
+                near = inside if n < 0 else _near_others(places, inside, reach)
+                exposed[a, near] = exposed[b, near] = True
+        return exposed
+
+    def _arm(self, g: int) -> float:
+        """How far benches of group g reach from the middle of a cell with their front handle, m."""
+        length, width, front, _rear = self._classes[:, self._group_of == g]
+        return float(np.hypot(np.maximum(front, length - front), 0.5 * width).max()) + self.cell
 
     def _box(
         self,
         g: int,
         numbers: IntArray,
-        whole: int,
-        parts: int,
+        cut: tuple[int, int],
         hulls: FloatArray,
         sound: FloatArray,
         targets: IntArray,
     ) -> None:
-        """Box group g in `parts` of each of `numbers` into rows `targets`; a cell has `whole`."""
+        """Box group g in parts of these cells, into rows `targets` of hulls and sound.
+
+        `cut`: how many of what is numbered a cell has, and into how many each of these is cut.
+        """
         if not len(numbers):
             return
-        size = self.cell / whole
-        borders = (numbers[:, np.newaxis] + self.low * whole + np.arange(parts + 1) / parts) * size
+        whole, parts = cut
+        numbers = numbers + self.low * whole
+        borders = (numbers[:, np.newaxis] + np.arange(parts + 1) / parts) * (self.cell / whole)
         at = np.clip(borders.ravel(), self._rear[g], self.route.length)
         slots = (np.arange(len(numbers))[:, np.newaxis] * (parts + 1) + np.arange(parts)).ravel()
         for n, k in enumerate(np.flatnonzero(self._group_of == g)):
@@ -231,7 +303,7 @@ class Ground:
         parts = CAREFUL_PARTS
         hulls = np.empty((len(numbers) * parts, BOX_COLUMNS))
         sound = np.ones(len(hulls))
-        self._box(g, numbers, 1, parts, hulls, sound, np.arange(len(hulls)))
+        self._box(g, numbers, (1, parts), hulls, sound, np.arange(len(hulls)))
         self.sound[g, numbers] = sound.reshape(-1, parts).min(axis=1, initial=1.0)
 
     def _near(self, old: int) -> Iterator[tuple[int, int, IntArray, IntArray]]:
@@ -254,6 +326,8 @@ class Ground:
                     near = tree.sparse_distance_matrix(other, reach, output_type="ndarray")
                     k, m = some[near["i"]], known[b][near["j"]]
                     keep = (k + 1 - m) * self.cell >= self._between[a, b]
+                    shelter = self._shelter[a, b]
+                    keep &= (shelter[k] < 0) | (shelter[k] != shelter[m])
                     k, m = k[keep], m[keep]
                     flags = np.empty(len(k), dtype=np.int64)
                     kernel.near_pairs(self.hulls[a], self.hulls[b], k, m, self.reach, flags)
@@ -262,7 +336,7 @@ class Ground:
     def _refined(
         self, a: int, b: int, k: IntArray, m: IntArray, parts: int
     ) -> tuple[IntArray, IntArray]:
-        """The pairs that are left when cells k and m are cut into PARTS: `parts` of a whole cell."""
+        """The pairs within reach when cells k and m are cut into PARTS: `parts` of a whole cell."""
         if not len(k):
             return k, m
         for g, numbers in ((a, k), (b, m)):
@@ -276,17 +350,22 @@ class Ground:
         kernel.near_pairs(self._fine[parts, a], self._fine[parts, b], first, second, self.reach, flags)
         return first[flags > 0], second[flags > 0]
 
+    def _sifted(self, a: int, b: int, k: IntArray, m: IntArray) -> tuple[IntArray, IntArray]:
+        """The pairs of parts of which a part of each is within reach."""
+        first, second = (cells // PARTS for cells in self._refined(a, b, k, m, PARTS * PARTS))
+        cells = self.count * PARTS
+        keys = np.unique(first * cells + second)
+        return keys // cells, keys % cells
+
     def _refine(self, g: int, numbers: IntArray, parts: int) -> None:
         """Box the parts of these cells or parts of group g, if that was not done before."""
-        size = self.count * parts
         fine = self._fine.get((parts, g), np.empty((0, BOX_COLUMNS)))
-        if len(fine) < size:
-            fine = np.concatenate([fine, np.full((size - len(fine), BOX_COLUMNS), np.nan)])
-            self._fine[parts, g] = fine
+        if len(fine) < self.count * parts:
+            more = np.full((self.count * parts - len(fine), BOX_COLUMNS), np.nan)
+            self._fine[parts, g] = fine = np.concatenate([fine, more])
         numbers = numbers[np.isnan(fine[numbers * PARTS, CX])]
         targets = (numbers[:, np.newaxis] * PARTS + np.arange(PARTS)).ravel()
-        whole = parts // PARTS
-        self._box(g, numbers, whole, PARTS, fine, np.ones(size), targets)
+        self._box(g, numbers, (parts // PARTS, PARTS), fine, np.ones(len(fine)), targets)
 
     def steps(self, start: float, end: float) -> Iterator[Step]:
         """Steps of the head within start..end, m, in order, in which pairs may come within reach.
@@ -296,17 +375,17 @@ class Ground:
         pairs = np.concatenate([np.empty((4, 0), dtype=np.int64), *self._pairs], axis=1)
         if not pairs.size:
             return
-        cells, size = self.count * FINEST, self.cell / FINEST
+        cells, size = self.count * PARTS, self.cell / PARTS
         keys = pairs[0] * cells + pairs[1]
         order = np.argsort(keys, kind="stable")
         partners = pairs[2, order] * cells + pairs[3, order]
         offsets = np.searchsorted(keys[order], np.arange(self.groups * cells + 1)).astype(np.int64)
-        begin = max(start, (float(pairs[1].min()) + self.low * FINEST) * size - size)
+        begin = max(start, (float(pairs[1].min()) + self.low * PARTS) * size - size)
         if begin >= end:
             return
         grid = np.append(np.arange(begin, end, size), end)
         # Benches that have not come so far by the end cannot meet any other.
-        back = (float(pairs[3].min()) + self.low * FINEST) * size - EDGE
+        back = (float(pairs[3].min()) + self.low * PARTS) * size - EDGE
         benches = int((self._positions(grid[-1:])[:-1, 0] >= back).sum())
         span = max(1, PLACES // (benches + 1))
         most = 64 * len(self.dragon)
@@ -317,7 +396,7 @@ class Ground:
                 while True:
                     first, second = np.empty(most, dtype=np.int64), np.empty(most, dtype=np.int64)
                     found = kernel.meeting_pairs(
-                        s, t, self.group[:benches], size, self.low * FINEST, offsets, partners, cells,
+                        s, t, self.group[:benches], size, self.low * PARTS, offsets, partners, cells,
                         first, second,
                     )  # fmt: skip
                     if found <= most:
@@ -348,20 +427,15 @@ class Ground:
         return bool((failed[0] == Status.OK).all()), out.reshape(shape)
 
 
-def merged(steps: Iterator[Step], most: float, benches: int) -> Iterator[Step]:
-    """The same with neighbouring steps joined to at most `most` metres, their pairs put together."""
-    held: list[Step] = []
-    for step in steps:
-        if held and (step.start > held[-1].end or step.end - held[0].start > most):
-            yield _joined(held, benches)
-            held = []
-        held.append(step)
-    if held:
-        yield _joined(held, benches)
+def _near_others(
+    places: FloatArray, inside: npt.NDArray[np.bool_], reach: float
+) -> npt.NDArray[np.bool_]:
+    """Which of the places inside are within reach of one that is not."""
+    from scipy.spatial import cKDTree  # slow to import
 
-
-def _joined(steps: list[Step], benches: int) -> Step:
-    if len(steps) == 1:
-        return steps[0]
-    keys = np.unique(np.concatenate([step.first * benches + step.second for step in steps]))
-    return Step(steps[0].start, steps[-1].end, keys // benches, keys % benches)
+    near = np.zeros(len(places), dtype=bool)
+    if inside.any() and not inside.all():
+        tree = cKDTree(places[~inside])
+        away, _nearest = tree.query(places[inside], distance_upper_bound=reach)
+        near[inside] = np.isfinite(away)
+    return near

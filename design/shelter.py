@@ -1,0 +1,71 @@
+"""Why turns of a spiral are sheltered by a closed form: how near it comes, and what it saves.
+
+The other ways to the same end: box every cell (what other curves need), or follow the excess of the
+corners over the angle numerically, which would need a proof that it falls all the way out.
+"""
+
+import math
+import time
+from unittest import mock
+
+import numpy as np
+
+from benchdragon import Dragon, first_contact, ground, tightest_pairs
+from benchdragon.kernels.curve import P
+from benchdragon.motion import Walk
+from benchdragon.plan import read_plan
+from benchdragon.shelter import Shape, sheltered, sheltered_radius
+
+WITH = sheltered
+
+
+def nearest_to_meeting(walk: Walk, radius: float) -> float:
+    """The least distance of the head from any bench while it comes from 2 m farther out to radius."""
+    theta = np.linspace(radius + 2.0, radius, 400) / walk.route.rows[0, P]
+    spiral = walk.route.rows
+    start = [walk.route.length - 0.5 * spiral[0, P] * angle * angle for angle in theta]
+    motion = Walk(walk.dragon, walk.route).motion(np.array(start))
+    return min(tightest_pairs(motion, t)[0].distance for t in range(len(start)))
+
+
+def seconds(walk: Walk, end: float) -> float:
+    """The least time of five searches, s."""
+    spent = []
+    for _repeat in range(5):
+        began = time.perf_counter()
+        first_contact(walk, 0.0, end)
+        spent.append(time.perf_counter() - began)
+    return min(spent)
+
+
+def main() -> None:
+    """Print the two tables."""
+    dragon = Dragon.uniform()
+    head, body = (Shape.of(dragon.sizes[:, part], 0.0) for part in (slice(1), slice(1, 2)))
+    between = float(dragon.links.min())
+    print("pitch, m   head sheltered from, m   bodies, m   least distance of the head there, m")
+    for pitch in (0.45, 0.5, 0.55, 0.7, 1.0, 1.7):
+        b = pitch / (2.0 * math.pi)
+        radius = sheltered_radius(b, head, body, between)
+        bodies = sheltered_radius(b, body, body, between)
+        walk = read_plan("spiral-in", [f"route.pitch={pitch}"]).build()
+        near = nearest_to_meeting(walk, radius)
+        print(f"{pitch:8g} {radius:24.3f} {bodies:11.3f} {near:37.3f}")
+
+    print("\nplan, until       search with it, ms   without, ms")
+    for name, settings, end in (
+        ("spiral-in", [], 430.0),
+        ("spiral-in", ["route.pitch=0.4504", "disc.radius=4.5"], 221.0),
+        ("turn", [], 300.0),
+    ):
+        walk = read_plan(name, settings).build()
+        first_contact(walk, 0.0, end)
+        times = []
+        for way in (WITH, lambda *_arguments: np.empty((0, 2))):
+            with mock.patch.object(ground, "sheltered", way):
+                times.append(1e3 * seconds(walk, end))
+        print(f"{name:10s} {end:5g} s {times[0]:18.1f} {times[1]:13.1f}")
+
+
+if __name__ == "__main__":
+    main()
