@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from benchdragon.answer import Answer
+from benchdragon.answer import Answer, Witness
 from benchdragon.clearance import pair_distances
 from benchdragon.contact import SLACK, Hunt, first_contact, least_clearance
 from benchdragon.dragon import Dragon
@@ -30,8 +30,8 @@ TOLERANCE = 1e-12
 # Sizes tried at most; the contest's pitch takes 4.
 MOST_TRIALS = 80
 # Head positions at which a pair's distance is taken at once, and how often the range shrinks to the
-# neighbours of the least one.
-SAMPLES, SHRINKS = 64, 8
+# neighbours of the least one, unless distances are level to so many m.
+SAMPLES, SHRINKS, LEVEL = 64, 8, 2e-15
 # How often a bracket is doubled until it can be proved.
 MOST_WIDENINGS = 12
 # What a size is multiplied by, at most so often, until a walk passes; and how many times smaller (or
@@ -42,9 +42,9 @@ FARTHEST = 100.0
 NEARBY = 0.1
 # Roots of a pair that fail one after another, because another pair decides, before halving.
 MOST_FAILURES = 2
-# The secant method: its first step, when it has come to rest, and how far it may go at once, all
-# relative; steps at most.
-FIRST_STEP, SETTLED, LONGEST_SECANT, MOST_SECANTS = 1e-5, 1e-15, 1.1, 40
+# The secant method: its first step, the least from which a slope is taken, when it has come to rest,
+# and how far it may go at once, all relative; steps at most.
+FIRST_STEP, SHARP, SETTLED, LONGEST_SECANT, MOST_SECANTS = 1e-5, 1e-7, 1e-15, 1.1, 40
 MOST_COUNT = 10_000
 
 
@@ -78,9 +78,10 @@ QUESTIONS = {
 
 @dataclass(frozen=True)
 class Meeting:
-    """Benches i and j (rows, from 0) of a walk whose head stands at s, m."""
+    """Benches i and j (rows, from 0) of a walk whose head stands at s, m, `left` before its end."""
 
     s: float
+    left: float
     i: int
     j: int
 
@@ -121,8 +122,7 @@ class Family:
             contact = first_contact(walk, start, end, margin=self.margin)
             clear = contact is None
             if contact is not None and contact.witness is not None:
-                i, j = contact.witness.benches
-                meeting, looks = Meeting(contact.witness.s, i - 1, j - 1), contact.looks
+                meeting, looks = _meeting(walk, end, contact.witness), contact.looks
         except (WalkError, UnsureError, InputError, PlanError):
             clear = False
         return Trial(size, clear, meeting, looks, clock.perf_counter() - began)
@@ -132,34 +132,52 @@ class Family:
         walk, start, end = self.walk(size)
         reach = self.margin + NEARBY
         near = least_clearance(walk, start, end, within=reach, reach=reach, tolerances=(math.inf,))
-        witness = near.witness
-        return None if witness is None else Meeting(witness.s, *(i - 1 for i in witness.benches))
+        return None if near.witness is None else _meeting(walk, end, near.witness)
 
-    def low_point(self, size: float, meeting: Meeting) -> tuple[float, float]:
-        """The least distance of a pair near a meeting, less the margin, m, and where the head is then.
+    def low_point(self, size: float, meeting: Meeting) -> tuple[float, Meeting]:
+        """The least distance of a pair near a meeting, less the margin, m, and the meeting there.
 
-        What is near is within one and a half links, as far as the walk goes.
+        What is near is within one and a half links, as far as the walk goes. In the walk of another
+        size that is as far from the start, or from the end: whichever is nearer to touching.
         """
         try:
             walk, start, end = self.walk(size)
         except (InputError, PlanError):
-            return math.nan, meeting.s
+            return math.nan, meeting
         first, last = walk.head_position([start, end]).tolist()
-        links = walk.dragon.links
-        near = 1.5 * float(max(links[meeting.i], links[meeting.j]))
-        low, high = max(first, meeting.s - near), min(last, meeting.s + near)
         dragon = walk.dragon
+        near = 1.5 * float(max(dragon.links[meeting.i], dragon.links[meeting.j]))
         short = Walk(Dragon.of_sizes(*(dragon.sizes[n, : meeting.j + 1] for n in range(4))), walk.route)
-        where, least = meeting.s, math.inf
-        for _shrink in range(SHRINKS):
-            at = np.linspace(low, high, SAMPLES)
-            distance = pair_distances(short.motion(at, throw=False), meeting.i, meeting.j)
-            if np.isnan(distance).all():
-                return math.nan, where
-            n = int(np.nanargmin(distance))
-            least, where = min((least, where), (float(distance[n]), float(at[n])))
-            low, high = at[max(n - 1, 0)], at[min(n + 1, SAMPLES - 1)]
-        return least - self.margin, where
+        centres = [meeting.s]
+        if abs(last - meeting.left - meeting.s) > 0.1 * near:
+            centres.append(last - meeting.left)
+        least, where = min(
+            _lowest(short, meeting, max(first, centre - near), min(last, centre + near))
+            for centre in centres
+        )
+        distance = least - self.margin if math.isfinite(least) else math.nan
+        return distance, replace(meeting, s=where, left=last - where)
+
+
+def _meeting(walk: Walk, end: float, witness: Witness) -> Meeting:
+    i, j = (number - 1 for number in witness.benches)
+    return Meeting(witness.s, float(walk.head_position([end])[0]) - witness.s, i, j)
+
+
+def _lowest(walk: Walk, meeting: Meeting, low: float, high: float) -> tuple[float, float]:
+    """The least distance of a pair with the head between low and high, m, and where; inf if nowhere."""
+    least, where = math.inf, meeting.s
+    for _shrink in range(SHRINKS if low < high else 0):
+        at = np.linspace(low, high, SAMPLES)
+        distance = pair_distances(walk.motion(at, throw=False), meeting.i, meeting.j)
+        if np.isnan(distance).all():
+            break
+        n = int(np.nanargmin(distance))
+        least, where = min((least, where), (float(distance[n]), float(at[n])))
+        if np.nanmax(distance) - distance[n] <= LEVEL:
+            break
+        low, high = at[max(n - 1, 0)], at[min(n + 1, SAMPLES - 1)]
+    return least, where
 
 
 def root_near(family: Family, meeting: Meeting, size: float) -> tuple[float, float, Meeting] | None:
@@ -169,13 +187,14 @@ def root_near(family: Family, meeting: Meeting, size: float) -> tuple[float, flo
     does not come to rest.
     """
     a, b = size, size * (1.0 + family.question.sense * FIRST_STEP)
-    fa = family.low_point(a, meeting)[0]
+    slope = math.nan
+    fa, meeting = family.low_point(a, meeting)
     for _step in range(MOST_SECANTS):
-        fb, where = family.low_point(b, meeting)
+        fb, meeting = family.low_point(b, meeting)
         if not math.isfinite(fb) or fb == fa or b <= 0.0:
             return None
-        slope = (fb - fa) / (b - a)
-        meeting = replace(meeting, s=where)
+        if abs(b - a) > SHARP * abs(a):
+            slope = (fb - fa) / (b - a)
         a, fa, b = b, fb, min(max(b - fb / slope, b / LONGEST_SECANT), b * LONGEST_SECANT)
         if abs(b - a) <= SETTLED * abs(a):
             return b, slope, meeting
@@ -266,9 +285,9 @@ def _proved(family: Family, answer: Answer, tell: Advance, began: float) -> Answ
     for _trial in range(MOST_WIDENINGS):
         good, bad = (answer.value + side * family.question.sense * half for side in (1.0, -1.0))
         tell(_("proving at {size} m").format(size=f"{good:.16g}"))
-        _below, where = family.low_point(bad, Meeting(near.s, i, j))
         walk, start, end = family.walk(good)
-        if prove_nearer(family.walk(bad)[0], where, i, j, family.margin) and (
+        _below, meeting = family.low_point(bad, _meeting(walk, end, near))
+        if prove_nearer(family.walk(bad)[0], meeting.s, i, j, family.margin) and (
             prove_contact(walk, start, end, margin=family.margin) is None
         ):
             seconds = clock.perf_counter() - began
