@@ -71,13 +71,14 @@ def test_bounds_hold_everywhere_in_a_step(name: str, h: float) -> None:
     assert (paths <= bounds[:, sweep.PATH] + 1e-12).all()
     assert (places.ratio <= bounds[:, [sweep.SPEED]] + 1e-12).all()
     assert (places.ratio >= bounds[:, [sweep.SLOWEST]] - 1e-12).all()
-    rates = np.abs(np.diff(places.ratio, axis=1)).max(axis=1) / (at[1] - at[0])
-    assert (rates <= bounds[:, sweep.CHANGE] + 1e-6).all()
+    rates = np.diff(np.log(places.ratio), axis=1) / (at[1] - at[0])
+    assert (rates <= bounds[:, [sweep.GROW]] + 1e-6).all()
+    assert (rates >= bounds[:, [sweep.FADE]] - 1e-6).all()
     direction = np.unwrap(np.arctan2(-np.diff(places.y, axis=0), -np.diff(places.x, axis=0)), axis=1)
     sway = np.abs(np.diff(direction, axis=1)).max(axis=1) / (at[1] - at[0])
     assert (sway <= bounds[1:, sweep.SWAY] + 1e-9).all()
     assert math.isfinite(bounds[-1, sweep.SPEED])
-    assert math.isfinite(bounds[-1, sweep.CHANGE]) == (name != "kink")
+    assert math.isfinite(bounds[-1, sweep.GROW]) == (name != "kink")
 
 
 @pytest.mark.parametrize("name", ROUTES)

@@ -42,13 +42,14 @@ from benchdragon.kernels.status import Status
 PATH = 0  # arc length walked in the step, m
 SLOWEST = 1  # least ds_i / dsigma
 SPEED = 2  # greatest ds_i / dsigma
-CHANGE = 3  # greatest |d2 s_i / dsigma^2|, 1/m
-FORCE = 4  # greatest acceleration of the handle's point, 1/m
-SWAY = 5  # greatest turning rate of the bench before it, rad/m
-RIGHT = 6  # least curvature of its piece of route, 1/m
-LEFT = 7  # greatest
-BENT = 8  # at least what the heading varies by in all, rad
-HANDLE_COLUMNS = 9
+FADE = 3  # least d log(ds_i / dsigma) / dsigma, 1/m
+GROW = 4  # greatest
+FORCE = 5  # greatest acceleration of the handle's point, 1/m
+SWAY = 6  # greatest turning rate of the bench before it, rad/m
+RIGHT = 7  # least curvature of its piece of route, 1/m
+LEFT = 8  # greatest
+BENT = 9  # at least what the heading varies by in all, rad
+HANDLE_COLUMNS = 10
 # Columns of a table of bench bounds, one row a bench. The first three hold for all of its points.
 TRAVEL = 0  # path length, m
 PACE = 1  # speed
@@ -178,6 +179,37 @@ def times(low: float, high: float, least: float, most: float) -> tuple[float, fl
 
 
 @kernel
+def product(low: float, high: float, least: float, most: float) -> tuple[float, float]:
+    """Least and greatest product of a number in low..high and one in least..most; 0 times inf is 0."""
+    if low >= 0.0:
+        return times(low, high, least, most)
+    if high <= 0.0:
+        greatest, smallest = times(-high, -low, least, most)
+        return -smallest, -greatest
+    a, b = times(0.0, -low, least, most)
+    c, d = times(0.0, high, least, most)
+    return min(c, -b), max(d, -a)
+
+
+@kernel
+def tangents(low: float, high: float, least: float, most: float) -> tuple[float, float]:
+    """Least and greatest tangent of an angle with its sine in low..high, its cosine in least..most."""
+    return low / (least if low < 0.0 else most), high / (least if high > 0.0 else most)
+
+
+@kernel
+def peak(start: float, end: float, low: float, high: float, h: float) -> float:
+    """At most what a function reaches over a step h from start to end, its slope in low..high."""
+    if high <= 0.0:
+        return start
+    if low >= 0.0:
+        return end
+    if not high - low < math.inf:
+        return math.inf
+    return max(start, end, start + high * (end - start - low * h) / (high - low))
+
+
+@kernel
 def size(low: float, high: float) -> float:
     """The greatest absolute value between low and high."""
     return max(abs(low), abs(high))
@@ -191,7 +223,8 @@ def bound_handles(
     ja, ua, jb, ub = places.row[0, a], places.u[0, a], places.row[0, b], places.u[0, b]
     h = walked(rows, ja, ua, jb, ub)
     low, high = bends(rows, ja, ua, jb, ub)
-    bounds[0, PATH], bounds[0, SLOWEST], bounds[0, SPEED], bounds[0, CHANGE] = h, 1.0, 1.0, 0.0
+    bounds[0, PATH], bounds[0, SLOWEST], bounds[0, SPEED] = h, 1.0, 1.0
+    bounds[0, FADE], bounds[0, GROW] = 0.0, 0.0
     bounds[0, FORCE], bounds[0, SWAY] = size(low, high), 0.0
     bounds[0, LEFT], bounds[0, RIGHT], bounds[0, BENT] = high, low, turning(rows, ja, ua, jb, ub)
     for i in range(links.shape[0]):
@@ -220,8 +253,8 @@ def bound_next(
     slow, fast = bounds[i, SLOWEST], bounds[i, SPEED]
     swing = (bounds[i, PATH] + bounds[i + 1, PATH]) / link
     front, rear = 0.5 * (bounds[i, BENT] + swing), 0.5 * (bounds[i + 1, BENT] + swing)
-    bounds[i + 1, SLOWEST] = 0.0
-    bounds[i + 1, SPEED : SWAY + 1] = math.inf
+    bounds[i + 1, SLOWEST], bounds[i + 1, FADE] = 0.0, -math.inf
+    bounds[i + 1, SPEED] = bounds[i + 1, GROW] = bounds[i + 1, FORCE] = bounds[i + 1, SWAY] = math.inf
     for _ in range(PASSES):
         f_low, f_high = max(min(sa, sb) - front, -1.0), min(max(sa, sb) + front, 1.0)
         r_low, r_high = max(min(ta, tb) - rear, -1.0), min(max(ta, tb) + rear, 1.0)
@@ -229,26 +262,34 @@ def bound_next(
         front_cosine, rear_cosine = min(ca, cb) - front_sine * front, min(da, db) - rear_sine * rear
         if not (min(front_cosine, rear_cosine) > FOLD_COSINE and fast < math.inf):
             return
-        next_slow = slow * front_cosine / min(max(da, db) + rear_sine * rear, 1.0)
-        next_fast = fast * min(max(ca, cb) + front_sine * front, 1.0) / rear_cosine
+        front_most = min(max(ca, cb) + front_sine * front, 1.0)
+        rear_most = min(max(da, db) + rear_sine * rear, 1.0)
+        next_slow, next_fast = slow * front_cosine / rear_most, fast * front_most / rear_cosine
         low, high = times(slow, fast, f_low, f_high)
         other_low, other_high = times(next_slow, next_fast, r_low, r_high)
         turn_low, turn_high = (low - other_high) / link, (high - other_low) / link
         low, high = times(slow, fast, bounds[i, RIGHT], bounds[i, LEFT])
-        front_rate = size(low - turn_high, high - turn_low)
+        front_low, front_high = low - turn_high, high - turn_low
         low, high = times(next_slow, next_fast, bounds[i + 1, RIGHT], bounds[i + 1, LEFT])
-        rear_rate = size(low - turn_high, high - turn_low)
-        front, rear = min(front, 0.5 * front_rate * h), min(rear, 0.5 * rear_rate * h)
-        change = bounds[i, CHANGE] / slow if slow > 0.0 else math.inf
-        change += front_sine / front_cosine * front_rate + rear_sine / rear_cosine * rear_rate
-        change *= next_fast
-        ends = places.ratio[i + 1, a], places.ratio[i + 1, b]
-        next_fast = min(next_fast, max(ends) + 0.5 * change * h)
-        next_slow = max(next_slow, min(ends) - 0.5 * change * h)
+        rear_low, rear_high = low - turn_high, high - turn_low
+        front = min(front, 0.5 * size(front_low, front_high) * h)
+        rear = min(rear, 0.5 * size(rear_low, rear_high) * h)
+        low, high = tangents(f_low, f_high, front_cosine, front_most)
+        front_low, front_high = product(low, high, front_low, front_high)
+        low, high = tangents(r_low, r_high, rear_cosine, rear_most)
+        rear_low, rear_high = product(low, high, rear_low, rear_high)
+        fade = bounds[i, FADE] - front_high + rear_low
+        grow = bounds[i, GROW] - front_low + rear_high
+        wa, wb = places.ratio[i + 1, a], places.ratio[i + 1, b]
+        low, high = times(next_slow, next_fast, fade, grow)
+        next_fast = min(next_fast, peak(wa, wb, low, high, h))
+        next_slow = max(next_slow, -peak(-wa, -wb, -high, -low, h))
         bounds[i + 1, SLOWEST], bounds[i + 1, SPEED] = next_slow, next_fast
-        bounds[i + 1, CHANGE], bounds[i + 1, SWAY] = change, size(turn_low, turn_high)
+        bounds[i + 1, FADE], bounds[i + 1, GROW] = fade, grow
+        bounds[i + 1, SWAY] = size(turn_low, turn_high)
     bend = size(bounds[i + 1, RIGHT], bounds[i + 1, LEFT])
-    bounds[i + 1, FORCE] = bounds[i + 1, CHANGE] + bounds[i + 1, SPEED] ** 2 * bend
+    speed = bounds[i + 1, SPEED]
+    bounds[i + 1, FORCE] = speed * size(fade, grow) + speed * speed * bend
 
 
 @kernel
