@@ -1,5 +1,6 @@
 """Answers: a number with the bracket that was established, how, and what shows it."""
 
+import math
 from dataclasses import dataclass, replace
 from typing import Any, Literal, Self
 
@@ -15,7 +16,7 @@ class Witness:
         s: route position of the head's handle then, m.
         benches: the two benches, or the one, 1..N.
         point: where they meet or are nearest (the corner's side), m.
-        gap: their signed gap by the separating axis theorem, m.
+        gap: their signed gap by the separating axis theorem, m; NaN for one bench.
         features: what meets: the corner of one bench, and the side or corner of the other.
     """
 
@@ -59,11 +60,13 @@ class Answer:
         return replace(self, status=status)
 
     def as_json(self, **more: Any) -> dict[str, Any]:
-        """The answer as plain data, with `more` beside it; infinite numbers become None."""
+        """The answer as plain data, with `more` beside it; numbers that are not finite become None."""
         data = {name: getattr(self, name) for name in ("value", "lower", "upper", "unit", "status")}
         for name in ("value", "lower", "upper"):
             data[name] = data[name] if abs(data[name]) < float("inf") else None
         witness = self.witness
         data["witness"] = None if witness is None else dict(vars(witness))
+        if witness is not None and math.isnan(witness.gap):
+            data["witness"]["gap"] = None
         data["assumptions"] = list(self.assumptions)
         return {**data, "looks": self.looks, "seconds": self.seconds, **more}

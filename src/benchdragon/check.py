@@ -14,8 +14,6 @@ from benchdragon.speeds import greatest_speed
 
 Advance = Callable[[float, str], None]
 
-# The speed's bracket is drawn tighter, step by step, while a limit lies inside it.
-SPEED_TOLERANCES = (1e-3, 1e-6)
 # How often a check advances by 1.
 STEPS = 3
 
@@ -96,7 +94,7 @@ def check(plan: Plan, advance: Advance | None = None, *, prove: bool = False) ->
     contact = search(walk, start, end, margin=margin, advance=_part(tell, _("contact")))
     until = end if contact is None or contact.witness is None else contact.upper
     clearance = _clearance(walk, start, until, contact, _part(tell, _("clearance")))
-    speed = _speed(walk, start, until, plan.limits.speed, _part(tell, _("greatest speed")))
+    speed = greatest_speed(walk, start, until, advance=_part(tell, _("greatest speed")))
     findings = [*_contact_findings(contact, margin), *_speed_findings(speed, plan.limits.speed)]
     return Report(plan, start, end, contact, clearance, speed, tuple(findings), proved=prove)
 
@@ -120,17 +118,6 @@ def _clearance(
     if contact is None or contact.witness is None or contact.witness.gap > 0.0:
         return least_clearance(walk, start, until, advance=advance)
     return replace(contact, value=0.0, lower=0.0, upper=0.0, unit="m")
-
-
-def _speed(
-    walk: Walk, start: float, until: float, limit: float | None, advance: Callable[[float], None]
-) -> Answer:
-    answer = greatest_speed(walk, start, until, tolerance=SPEED_TOLERANCES[0], advance=advance)
-    for tolerance in SPEED_TOLERANCES[1:]:
-        if limit is None or not answer.lower <= limit < answer.upper:
-            break
-        answer = greatest_speed(walk, start, until, tolerance=tolerance)
-    return answer
 
 
 def _contact_findings(contact: Answer | None, margin: float) -> list[Finding]:

@@ -267,9 +267,16 @@ class WalkTable(Table):
 
 
 class LimitsTable(Table):
-    """What a walk must keep: greatest speed of any handle, and distance of benches but neighbours."""
+    """What a walk must keep.
+
+    Greatest speed and acceleration (m/s^2) of any handle, turning rate (degrees a second) of any bench,
+    change of the head's own speed (m/s^2), and distance of benches but neighbours.
+    """
 
     speed: Annotated[Speed, Field(gt=0.0)] | None = None
+    acceleration: Annotated[Number, Field(gt=0.0)] | None = None
+    turning_rate: Annotated[Degrees, Field(gt=0.0)] | None = None
+    head_acceleration: Annotated[Number, Field(gt=0.0)] = 0.5
     margin: Annotated[Metres, Field(ge=0.0)] = 0.0
 
 
@@ -313,6 +320,12 @@ class Plan(Table):
         if not isinstance(at, int | float):
             raise PlanError(_("the plan does not say {key}: set it").format(key=key))
         return float(at)
+
+    def toml(self) -> str:
+        """The plan as a plan file; what is as by default is left out."""
+        import tomlkit  # needed by what writes plans alone
+
+        return tomlkit.dumps(self.model_dump(mode="json", by_alias=True, exclude_defaults=True))
 
     def with_value(self, key: str, value: float) -> Self:
         """The same plan with another number under a dotted key."""

@@ -1,26 +1,75 @@
-"""The greatest speed of any handle over a whole walk, bracketed by bounds that hold between looks."""
+"""The greatest speed, acceleration or turning rate over a whole walk, and how fast the head may walk.
+
+All of them are bracketed by bounds that hold between looks. With a head that walks steadily at v
+they are v, v^2 and v times what the route makes of a head at 1 m/s.
+"""
 
 import math
 import time as clock
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
 from benchdragon.answer import Answer, Witness
 from benchdragon.errors import InputError, in_order
+from benchdragon.kernels import sweep
+from benchdragon.kernels.chain import rates
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.sweep import empty_places, fastest, stand
-from benchdragon.messages import _
+from benchdragon.kernels.route import IntArray
+from benchdragon.leader import SpeedProfile
+from benchdragon.messages import N_, _
 from benchdragon.motion import Walk
 
 Advance = Callable[[float], None]
 
-# The bracket's width, as a share of the greatest speed.
-TOLERANCE = 1e-3
+# The bracket's width, as a share of the value; rounding allows no narrower than the least.
+TOLERANCE, LEAST_TOLERANCE = 1e-10, 1e-12
 # First steps of the head, as a share of the shortest link; halvings of a step at most.
-STEP, DEPTH = 0.15, 24
+STEP, DEPTH = 0.1, 50
+# Handles times steps that are halved at once; more are left, and the bracket stays wider, where a
+# walk keeps its greatest value for long.
+MOST_OPEN = 5_000_000
+# A ceiling may lie so much above what is seen at the ends of its step, relative, before that is halved,
+# and so often.
+LOOSE, MOST_HALVINGS = 1e-4, 10
 # Handles times head positions at a time: 60 MB.
 PLACES = 1_000_000
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """What is limited, for a head at 1 m/s: its column in the kernels, and its power of head speed."""
+
+    name: str
+    column: int
+    power: int
+    unit: str
+    text: str
+
+
+QUANTITIES = {
+    quantity.name: quantity
+    for quantity in (
+        Quantity("speed", sweep.SPEED, 1, "m/s", N_("speed of a handle")),
+        Quantity("acceleration", sweep.FORCE, 2, "m/s^2", N_("acceleration of a handle")),
+        Quantity("turning_rate", sweep.SWAY, 1, "rad/s", N_("turning rate of a bench")),
+    )
+}
+
+
+@dataclass(frozen=True)
+class Peak:
+    """The greatest of a quantity: never more than `upper`.
+
+    It was seen with the head at s, m, on handle or bench `row` (from 0).
+    """
+
+    value: float
+    upper: float
+    s: float
+    row: int
+    looks: int
 
 
 def greatest_speed(
@@ -33,100 +82,193 @@ def greatest_speed(
 ) -> Answer:
     """The greatest speed of any handle from start to end (s), m/s, over continuous time.
 
-    The bracket is at most `tolerance` times the answer wide: its lower end is a speed that was seen,
+    The bracket is `tolerance` times the answer wide (wider where
+    the greatest speed lasts): its lower end is a speed that was seen,
     its upper end one that no handle exceeds, by a bound on how speeds change (kernels/sweep.py). The
     witness names the handle's bench (handle i leads bench i + 1) and its place.
 
     Raises:
-        InputError: for an end before the start, or a tolerance that is not between 1e-9 and 1.
+        InputError: for an end before the start, or a tolerance that is not between 1e-12 and 1.
         WalkError: if the dragon cannot stand at some time that was looked at.
     """
     began = clock.perf_counter()
-    if not 1e-9 <= tolerance <= 1.0:
-        raise InputError(
-            _("tolerance must lie between 1e-9 and 1, not at {value}").format(value=tolerance)
-        )
     in_order(start, end)
     first, last = walk.head_position([start, end]).tolist()
-    step = STEP * float(walk.dragon.links.min())
-    count = max(1, math.ceil((last - first) / step))
-    grid = np.linspace(first, last, count + 1)
-    per = max(1, PLACES // (len(walk.dragon) + 1))
-    best = _Fastest(walk, tolerance)
-    for n in range(0, count, per):
-        at = grid[n : n + per + 1]
-        best.search(at[:-1], at[1:])
-        if advance:
-            advance(min(1.0, (n + per) / count))
-    return best.answer(start, clock.perf_counter() - began)
+    search = _Search(walk, QUANTITIES["speed"], tolerance, walk.profile)
+    peak = search.over(first, last, advance)
+    witness = _witness(walk, peak, start)
+    seconds = clock.perf_counter() - began
+    return Answer(peak.value, peak.value, peak.upper, "m/s", "found", witness, (), peak.looks, seconds)
 
 
-class _Fastest:
-    """The greatest speed seen so far, and what no handle exceeds."""
+def greatest_of(
+    walk: Walk,
+    quantity: Quantity,
+    first: float,
+    last: float,
+    *,
+    tolerance: float = TOLERANCE,
+    advance: Advance | None = None,
+) -> Peak:
+    """The greatest of a quantity while a head at 1 m/s walks from position first to last, m.
 
-    def __init__(self, walk: Walk, tolerance: float) -> None:
-        self.walk, self.tolerance = walk, tolerance
-        self.seen, self.where, self.handle, self.upper, self.looks = -1.0, 0.0, 0, 0.0, 0
+    The bracket is `tolerance` times the value wide; infinite across a kink of the route. Where the
+    route's curvature jumps accelerations jump, and their bracket is some tenth of the value wide.
 
-    def search(self, a: FloatArray, b: FloatArray) -> None:
-        """Look through steps from a to b, m, halving those that may hold a greater speed."""
-        for _depth in range(DEPTH):
-            bounds = self._bounds(a, b)
-            open_ = bounds > self.seen * (1.0 + self.tolerance)
-            self.upper = max(self.upper, float(bounds[~open_].max(initial=0.0)))
-            if not open_.any():
-                return
-            a, b, bounds = a[open_], b[open_], bounds[open_]
-            middle = 0.5 * (a + b)
-            a, b = np.concatenate([a, middle]), np.concatenate([middle, b])
-        self.upper = max(self.upper, float(bounds.max(initial=0.0)))
+    Raises:
+        InputError: for a tolerance that is not between 1e-12 and 1.
+        WalkError: if the dragon cannot stand at some position that was looked at.
+    """
+    return _Search(walk, quantity, tolerance, None).over(first, last, advance)
 
-    def _bounds(self, a: FloatArray, b: FloatArray) -> FloatArray:
-        """The most that any handle's speed reaches in each step; what is seen there is kept."""
-        out = np.empty(len(a))
-        per = max(1, PLACES // (len(self.walk.dragon) + 1) // 2)
-        for n in range(0, len(a), per):
-            out[n : n + per] = self._some_bounds(a[n : n + per], b[n : n + per])
+
+def ceilings(
+    walk: Walk, quantity: Quantity, first: float, last: float
+) -> tuple[FloatArray, FloatArray]:
+    """Head positions from first to last, m, and what the quantity exceeds in no step between them.
+
+    For a head at 1 m/s; one bound fewer than positions.
+
+    Raises:
+        WalkError: if the dragon cannot stand at one of the positions.
+    """
+    search = _Search(walk, quantity, TOLERANCE, None)
+    blocks = [(at, search.ceilings(at, *bounds)) for at, *bounds in search.blocks(first, last)]
+    at, ceilings = ([block[n] for block in blocks] for n in range(2))
+    return np.append(np.concatenate([some[:-1] for some in at]), last), np.concatenate(ceilings)
+
+
+def _witness(walk: Walk, peak: Peak, start: float) -> Witness:
+    time = max(walk.profile.time(peak.s - walk.start), start)
+    motion = Walk(walk.dragon, walk.route).motion([peak.s])
+    point = float(motion.x[0, peak.row]), float(motion.y[0, peak.row])
+    return Witness(time, peak.s, (min(peak.row + 1, len(walk.dragon)),), point, math.nan)
+
+
+class _Search:
+    """Branch and bound over the head's position."""
+
+    def __init__(
+        self, walk: Walk, quantity: Quantity, tolerance: float, profile: SpeedProfile | None
+    ) -> None:
+        if not LEAST_TOLERANCE <= tolerance <= 1.0:
+            raise InputError(
+                _("tolerance must lie between {least} and 1, not at {value}").format(
+                    least=f"{LEAST_TOLERANCE:g}", value=tolerance
+                )
+            )
+        self.walk, self.quantity, self.tolerance, self.profile = walk, quantity, tolerance, profile
+        self.seen, self.where, self.row, self.upper, self.looks = -1.0, 0.0, 0, 0.0, 0
+        self._per = max(3, PLACES // (len(walk.dragon) + 1))
+
+    def over(self, first: float, last: float, advance: Advance | None) -> Peak:
+        """The greatest value with the head between first and last, m."""
+        for at, bounds, _ends in self.blocks(first, last):
+            self._search(at[:-1], at[1:], bounds)
+            if advance and last > first:
+                advance((float(at[-1]) - first) / (last - first))
+        return Peak(self.seen, max(self.upper, self.seen), self.where, self.row, self.looks)
+
+    def blocks(self, first: float, last: float) -> Iterator[tuple[FloatArray, ...]]:
+        """First steps, as many as fit the memory.
+
+        Head positions, m; the most that is reached between each two; the greater at both of them.
+        """
+        count = max(1, math.ceil((last - first) / (STEP * float(self.walk.dragon.links.min()))))
+        grid = np.linspace(first, last, count + 1)
+        for n in range(0, count, self._per - 1):
+            at = grid[n : n + self._per]
+            yield at, *self._bounds(at, np.arange(len(at) - 1))
+
+    def ceilings(self, at: FloatArray, bounds: FloatArray, ends: FloatArray) -> FloatArray:
+        """The bounds between neighbours in `at`, made tighter by halving where they are loose."""
+        out, which = np.zeros(len(bounds)), np.arange(len(bounds))
+        a, b = at[:-1], at[1:]
+        for _halving in range(MOST_HALVINGS):
+            loose = bounds > ends * (1.0 + LOOSE)
+            np.maximum.at(out, which[~loose], bounds[~loose])
+            which = np.repeat(which[loose], 2)
+            if not len(which):
+                return out
+            a, b, bounds, ends = self.halved(a[loose], b[loose])
+        np.maximum.at(out, which, bounds)
         return out
 
-    def _some_bounds(self, a: FloatArray, b: FloatArray) -> FloatArray:
-        walk = self.walk
-        at = np.column_stack([a, b]).ravel()
-        places = empty_places(len(walk.dragon) + 1, len(at))
-        if not stand(walk.route.rows, walk.dragon.links, at, 0, len(at), places):
+    def _search(self, a: FloatArray, b: FloatArray, bounds: FloatArray) -> None:
+        """Look through steps from a to b, m, halving those that may hold a greater value."""
+        for _depth in range(DEPTH):
+            open_ = bounds > self.seen * (1.0 + self.tolerance)
+            self.upper = max(self.upper, float(bounds[~open_].max(initial=0.0)))
+            if not open_.any() or open_.sum() * len(self.walk.dragon) > MOST_OPEN:
+                break
+            a, b, bounds, _ends = self.halved(a[open_], b[open_])
+        self.upper = max(self.upper, float(bounds.max(initial=0.0)))
+
+    def halved(self, a: FloatArray, b: FloatArray) -> tuple[FloatArray, ...]:
+        """The halves of steps from a to b, m: from where, to where, and see `blocks`."""
+        middle, per = 0.5 * (a + b), self._per // 3
+        parts = [
+            self._halves(*(edge[n : n + per] for edge in (a, middle, b))) for n in range(0, len(a), per)
+        ]
+        starts, stops = np.column_stack([a, middle]).ravel(), np.column_stack([middle, b]).ravel()
+        bounds, ends = (np.concatenate([part[n] for part in parts]) for n in range(2))
+        return starts, stops, bounds, ends
+
+    def _halves(
+        self, a: FloatArray, middle: FloatArray, b: FloatArray
+    ) -> tuple[FloatArray, FloatArray]:
+        slots = np.arange(len(a))[:, np.newaxis] * 3 + np.arange(2)
+        return self._bounds(np.column_stack([a, middle, b]).ravel(), slots.ravel())
+
+    def _bounds(self, at: FloatArray, slots: IntArray) -> tuple[FloatArray, FloatArray]:
+        """The most that is reached from at[slots[n]] to the next, and at both; what is seen is kept."""
+        walk, rows = self.walk, self.walk.route.rows
+        places = sweep.empty_places(len(walk.dragon) + 1, len(at))
+        if not sweep.stand(rows, walk.dragon.links, at, 0, len(at), places):
             Walk(walk.dragon, walk.route).motion(at)  # raises
         self.looks += len(at)
-        bounds, handle = np.empty(len(a)), np.empty(len(a), dtype=np.int64)
-        slots = np.arange(0, len(at), 2)
-        fastest(walk.route.rows, walk.dragon.links, places, slots, bounds, handle)
-        speeds = self._head_speeds(at)
-        ratio = places.ratio.max(axis=0)
-        n = int(np.argmax(ratio * speeds))
-        if ratio[n] * speeds[n] > self.seen:
-            self.seen, self.where = float(ratio[n] * speeds[n]), float(at[n])
-            self.handle = int(np.argmax(places.ratio[:, n]))
-        return bounds * self._most_head_speeds(a, b)
+        bounds = np.empty(len(slots))
+        sweep.ceilings(rows, walk.dragon.links, places, slots, self.quantity.column, bounds)
+        values = self._values(places)
+        factors = np.ones(len(at))
+        if self.profile is not None:
+            factors = self._head_speeds(self.profile, at)
+            bounds *= self._most_head_speeds(self.profile, at, slots, factors)
+        greatest = values.max(axis=0) * factors
+        n = int(np.argmax(greatest))
+        if greatest[n] > self.seen:
+            self.seen, self.where = float(greatest[n]), float(at[n])
+            self.row = int(np.argmax(values[:, n]))
+        return bounds, np.maximum(greatest[slots], greatest[slots + 1])
 
-    def _head_speeds(self, at: FloatArray) -> FloatArray:
-        profile = self.walk.profile
+    def _values(self, places: sweep.Places) -> FloatArray:
+        """The quantity at each slot, (handles or benches, slots)."""
+        if self.quantity.column == sweep.SPEED:
+            return places.ratio
+        rows, links = self.walk.route.rows, self.walk.dragon.links
+        change, turn = np.empty(places.u.shape), np.empty((len(links), places.u.shape[1]))
+        rates(
+            rows, links, places.row, places.u, places.x, places.y, places.ratio, change, turn
+        )  # fmt: skip
+        if self.quantity.column == sweep.SWAY:
+            return np.abs(turn)
+        out = np.empty(change.shape)
+        sweep.forces(rows, places, change, out)
+        return out
+
+    def _head_speeds(self, profile: SpeedProfile, at: FloatArray) -> FloatArray:
+        if len(profile.times) == 1:
+            return np.full(len(at), profile.speeds[0])
         times = np.array([profile.time(s - self.walk.start) for s in at.tolist()])
         return profile.speed(np.where(np.isfinite(times), times, profile.times[-1]))
 
-    def _most_head_speeds(self, a: FloatArray, b: FloatArray) -> FloatArray:
+    def _most_head_speeds(
+        self, profile: SpeedProfile, at: FloatArray, slots: IntArray, speeds: FloatArray
+    ) -> FloatArray:
         """The head's greatest speed in each step: at an end, or at a knot of its profile between."""
-        most = np.maximum(self._head_speeds(a), self._head_speeds(b))
-        knots = self.walk.start + self.walk.profile.distance(self.walk.profile.times)
-        for s, speed in zip(knots.tolist(), self.walk.profile.speeds, strict=True):
+        a, b = at[slots], at[slots + 1]
+        most = np.maximum(speeds[slots], speeds[slots + 1])
+        knots = self.walk.start + profile.distance(profile.times)
+        for s, speed in zip(knots.tolist(), profile.speeds, strict=True):
             most = np.where((a <= s) & (s <= b), np.maximum(most, speed), most)
         return most
-
-    def answer(self, start: float, seconds: float) -> Answer:
-        """What came out."""
-        walk = self.walk
-        time = max(walk.profile.time(self.where - walk.start), start)
-        motion = Walk(walk.dragon, walk.route).motion([self.where])
-        point = float(motion.x[0, self.handle]), float(motion.y[0, self.handle])
-        bench = min(self.handle + 1, len(walk.dragon))
-        witness = Witness(time, self.where, (bench,), point, math.nan)
-        upper = max(self.upper, self.seen)
-        return Answer(self.seen, self.seen, upper, "m/s", "found", witness, (), self.looks, seconds)

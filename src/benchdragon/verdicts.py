@@ -134,6 +134,16 @@ def print_answer(name: str, answer: Answer) -> None:
         )
     )
     near = answer.witness
+    if near is not None and len(near.benches) == 1:
+        click.echo(
+            _("  bench {a} at t = {t} s, head at {s} m of the route, at ({x}, {y}) m").format(
+                a=near.benches[0],
+                t="-" if near.time is None or math.isinf(near.time) else f"{near.time:.6f}",
+                s=f"{near.s:.6f}",
+                x=f"{near.point[0]:.6f}",
+                y=f"{near.point[1]:.6f}",
+            )
+        )
     if near is not None and len(near.benches) == 2:
         features = "; ".join(
             _("bench {bench}: {feature}").format(bench=bench, feature=_(feature))
@@ -153,9 +163,10 @@ def print_answer(name: str, answer: Answer) -> None:
 
 @click.command(
     help=N_(
-        "How small or large a size may be for the whole walk to stay clear.\n\nWHAT is pitch (the "
-        "smallest), disc (the smallest radius), width or length (the greatest of a bench). PLAN is a "
-        "*.dragon.toml file or the name of a built-in plan. Exit code 4: there is none."
+        "What a plan may be at its limits.\n\nWHAT is pitch (the smallest with which the whole walk "
+        "stays clear), disc (the smallest radius), width or length (the greatest of a bench), or speed "
+        "(the greatest constant head speed that keeps the plan's limits). PLAN is a *.dragon.toml file "
+        "or the name of a built-in plan. Exit code 4: there is none."
     )
 )
 @click.argument("what", metavar="WHAT")
@@ -195,6 +206,17 @@ def print_answer(name: str, answer: Answer) -> None:
     help=N_("Sizes tried by --range."),
 )
 @click.option("--prove", is_flag=True, help=N_("Establish the answer again in rigorous arithmetic."))
+@click.option(
+    "--pace",
+    "pace_file",
+    type=click.Path(path_type=Path, dir_okay=False),
+    metavar="FILE",
+    help=N_(
+        "With speed: write the plan walked at its own head speed, slowed down only where a limit "
+        "wants it."
+    ),
+)
+@click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))
 @json_option
 @shared_options
 def solve(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
@@ -205,19 +227,58 @@ def solve(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     announce_compiling(quiet)
     if options["span"]:
         return _print_sizes(read, options, quiet)
+    if options["what"] == "speed":
+        return _print_speed(read, options, quiet)
+    if options["pace_file"]:
+        raise InputError(_("--pace goes with speed"))
     with progress(quiet, 1) as advance:
         found = _solved(read, options, lambda text: advance(0.0, text))
-    if options["as_json"]:
-        about = {"plan_sha256": read.sha256, "version": __version__}
-        click.echo(json.dumps(found.as_json(**about)))
-    else:
-        from benchdragon.solve import question
+    from benchdragon.solve import question
 
-        click.echo(read.title(language()))
-        print_answer(_(question(options["what"]).text), found)
-        for text in found.assumptions:
-            click.echo(f"  {text}")
+    _print_solved(read, _(question(options["what"]).text), found, options["as_json"])
     return {"infeasible": NO_SOLUTION, "undecided": UNDECIDED}.get(found.status, 0)
+
+
+def _print_solved(plan: "Plan", name: str, found: Answer, as_json: bool, **more: Any) -> None:
+    """An answer as JSON, with `more` beside it, or for readers."""
+    if as_json:
+        about = {"plan_sha256": plan.sha256, "version": __version__}
+        click.echo(json.dumps(found.as_json(**more, **about)))
+        return
+    click.echo(plan.title(language()))
+    print_answer(name, found)
+    for text in found.assumptions:
+        click.echo(f"  {text}")
+
+
+def _print_speed(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
+    """The greatest head speed; with --pace also a pace, as a plan of its own."""
+    from benchdragon.files import refuse_existing, whole_file
+    from benchdragon.pace import greatest_head_speed, slowed, with_pace
+
+    if options["method"] != "exact" or options["prove"]:
+        raise InputError(_("speed is found exactly, by one method, and not proved"))
+    path: Path | None = options["pace_file"]
+    if path is None:
+        with progress(quiet, 1) as advance:
+            found = greatest_head_speed(plan, advance=advance)
+        _print_solved(plan, _("greatest head speed"), found, options["as_json"])
+        return UNDECIDED if found.status == "undecided" else 0
+    refuse_existing([path], options["force"])
+    with progress(quiet, 1) as advance:
+        pace = slowed(plan, advance=advance)
+    with whole_file(path) as temporary:
+        temporary.write_text(with_pace(plan, pace).toml(), encoding="utf-8")
+    more = {"pace": {"seconds": pace.seconds, "saved": pace.saved, "file": str(path)}}
+    _print_solved(plan, _("greatest head speed"), pace.steady, options["as_json"], **more)
+    if not options["as_json"]:
+        click.echo(
+            _("slowing down only where it must the walk takes {seconds} s, {saved} s less").format(
+                seconds=f"{pace.seconds:.2f}", saved=f"{pace.saved:.2f}"
+            )
+        )
+        print_files([path])
+    return 0
 
 
 def _solved(plan: "Plan", options: dict[str, Any], advance: Any) -> Answer:

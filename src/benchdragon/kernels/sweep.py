@@ -289,7 +289,7 @@ def bound_next(
         bounds[i + 1, SWAY] = size(turn_low, turn_high)
     bend = size(bounds[i + 1, RIGHT], bounds[i + 1, LEFT])
     speed = bounds[i + 1, SPEED]
-    bounds[i + 1, FORCE] = speed * size(fade, grow) + speed * speed * bend
+    bounds[i + 1, FORCE] = math.hypot(speed * size(fade, grow), speed * speed * bend)
 
 
 @kernel
@@ -484,20 +484,25 @@ def apart_bound(
 
 
 @kernel
-def fastest(
+def ceilings(
     rows: FloatArray,
     links: FloatArray,
     places: Places,
     slots: IntArray,
+    column: int,
     bounds: FloatArray,
-    handle: IntArray,
 ) -> None:
-    """Fill bounds[n] with the most that any speed ratio reaches from slot slots[n] to the next.
-
-    handle[n] is the first handle that has the bound.
-    """
+    """Fill bounds[n] with the most that a column of any handle reaches from slots[n] to the next."""
     table = np.empty((links.shape[0] + 1, HANDLE_COLUMNS))
     for n in range(slots.shape[0]):
         bound_handles(rows, links, places, slots[n], slots[n] + 1, table)
-        handle[n] = np.argmax(table[:, SPEED])
-        bounds[n] = ROUNDED_UP * table[handle[n], SPEED]
+        bounds[n] = ROUNDED_UP * table[:, column].max()
+
+
+@kernel
+def forces(rows: FloatArray, places: Places, change: FloatArray, out: FloatArray) -> None:
+    """Fill out with the accelerations of the handles' points, 1/m, from change = d2 s_i / dsigma^2."""
+    for i in range(out.shape[0]):
+        for t in range(out.shape[1]):
+            bend = curvature(rows, places.row[i, t], places.u[i, t])
+            out[i, t] = math.hypot(change[i, t], places.ratio[i, t] ** 2 * bend)
