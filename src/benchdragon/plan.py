@@ -20,10 +20,15 @@ from benchdragon.leader import SpeedProfile
 from benchdragon.messages import _
 from benchdragon.motion import Walk
 from benchdragon.plan_text import PlanError, quantity, read_toml
-from benchdragon.turns import TwoArcTurn
+from benchdragon.turns import Turn, three_pieces, two_arcs
 
 # A spiral or a profile of more than this many parts is a mistake, not a dance.
 MOST_PARTS = 10_000
+
+# Radii of arcs that a plan does not say are this share of what two equal arcs alone would have.
+ROOMY = 0.9
+# A turn may reach so far out of its disc, m: rounding, and what lies between samples.
+FITS = 1e-3
 
 METRES = {"m": 1.0, "cm": 0.01, "mm": 0.001, "km": 1000.0, "米": 1.0, "厘米": 0.01}
 SECONDS = {"s": 1.0, "min": 60.0, "h": 3600.0, "ms": 0.001, "秒": 1.0, "分": 60.0}
@@ -189,21 +194,49 @@ class TurnRoute(Table):
 
     def build(self, plan: "Plan") -> tuple[Route, float]:
         """The route, and where on it the head stands at time 0: where the turn begins."""
-        disc = 4.5 if plan.disc.radius is None else plan.disc.radius
-        entry = disc if plan.turn.entry_radius is None else plan.turn.entry_radius
-        if entry > disc:
-            raise InputError(
-                _("turn.entry_radius ({entry} m) must not exceed disc.radius ({disc} m)").format(
-                    entry=f"{entry:g}", disc=f"{disc:g}"
-                )
-            )
-        turn = TwoArcTurn(self.pitch, entry, plan.turn.ratio)
+        turn = self.turn(plan)
         route = turn.route(trail=plan.dragon_length + 1000.0)
         return route, float(route.joints[1])
 
+    def turn(self, plan: "Plan") -> Turn:
+        """The turn itself.
+
+        Raises:
+            InputError: if there is no such turn, it does not fit the disc, or no bench could follow.
+        """
+        disc = self.disc(plan)
+        turn = plan.turn.build(self.pitch, disc)
+        for name in ("entry_radius", "exit_radius"):
+            if getattr(turn, name) > disc:
+                raise InputError(
+                    _("turn.{name} ({radius} m) must not exceed disc.radius ({disc} m)").format(
+                        name=name, radius=f"{getattr(turn, name):g}", disc=f"{disc:g}"
+                    )
+                )
+        if turn.extent > disc + FITS:
+            raise InputError(
+                _("the turn reaches {reach} m from the centre, out of a disc of {disc} m").format(
+                    reach=f"{turn.extent:.4g}", disc=f"{disc:g}"
+                )
+            )
+        link = float(plan.dragon.build().links.max())
+        if 2.0 * turn.least_radius <= link:
+            raise InputError(
+                _(
+                    "a bench with {link} m between its handles cannot follow a bend of {radius} m "
+                    "radius: it must be wider than {least} m"
+                ).format(link=f"{link:g}", radius=f"{turn.least_radius:.4g}", least=f"{0.5 * link:g}")
+            )
+        return turn
+
+    @staticmethod
+    def disc(plan: "Plan") -> float:
+        """Radius of the turning space, m: the paper's, if the plan does not say."""
+        return 4.5 if plan.disc.radius is None else plan.disc.radius
+
     def last_position(self, walk: Walk) -> float:
         """The head's route position when the tail has left the turn, m."""
-        return walk.head_where_tail(float(walk.route.joints[3]))
+        return walk.head_where_tail(float(walk.route.joints[-2]))
 
 
 class PartsRoute(Table):
@@ -236,11 +269,33 @@ class DiscTable(Table):
 
 
 class TurnTable(Table):
-    """The turn inside the disc."""
+    """The turn inside the disc: what lies between the joints with the spirals.
 
-    family: Literal["arc-arc"] = "arc-arc"
+    `ratio` belongs to arc-arc, `radii` (of the first and the last arc) to the other families, and
+    `curvature` (of the middle arc, 1/m, left positive) to arc-arc-arc. Clothoids of `ease` metres make
+    the curvature continuous.
+    """
+
+    family: Literal["arc-arc", "arc-line-arc", "arc-arc-arc"] = "arc-arc"
     ratio: Annotated[Number, Field(gt=0.0)] = 2.0
+    radii: tuple[Length, Length] | None = None
+    curvature: Number = 0.0
     entry_radius: Length | None = None
+    exit_radius: Length | None = None
+    ease: Annotated[Metres, Field(ge=0.0)] = 0.0
+
+    def build(self, pitch: float, disc: float) -> Turn:
+        """The turn between spirals of this pitch, m, in a disc of this radius, m."""
+        entry = disc if self.entry_radius is None else self.entry_radius
+        exit_ = entry if self.exit_radius is None else self.exit_radius
+        if self.family == "arc-arc":
+            return two_arcs(pitch, entry, exit_, self.ratio, self.ease)
+        radii = self.radii
+        if radii is None:
+            radius = ROOMY * min(two_arcs(pitch, entry, exit_, 1.0).least_radius, 0.5 * disc)
+            radii = radius, radius
+        bend = self.curvature if self.family == "arc-arc-arc" else 0.0
+        return three_pieces(pitch, entry, exit_, radii, bend, self.ease)
 
 
 class WalkTable(Table):
