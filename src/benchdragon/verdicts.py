@@ -164,9 +164,10 @@ def print_answer(name: str, answer: Answer) -> None:
 @click.command(
     help=N_(
         "What a plan may be at its limits.\n\nWHAT is pitch (the smallest with which the whole walk "
-        "stays clear), disc (the smallest radius), width or length (the greatest of a bench), or speed "
-        "(the greatest constant head speed that keeps the plan's limits). PLAN is a *.dragon.toml file "
-        "or the name of a built-in plan. Exit code 4: there is none."
+        "stays clear), disc (the smallest radius), width or length (the greatest of a bench), speed "
+        "(the greatest constant head speed that keeps the plan's limits), or turn (the best turn of "
+        "the plan's family). PLAN is a *.dragon.toml file or the name of a built-in plan. Exit code "
+        "4: there is none."
     )
 )
 @click.argument("what", metavar="WHAT")
@@ -216,6 +217,38 @@ def print_answer(name: str, answer: Answer) -> None:
         "wants it."
     ),
 )
+@click.option(
+    "--objective",
+    type=click.Choice(["way", "length", "speed", "disc", "acceleration"]),
+    default="way",
+    show_default=True,
+    help=N_(
+        "With turn: the shortest way inside the disc, the shortest turn itself, the greatest head "
+        "speed, the smallest disc, or the least peak acceleration."
+    ),
+)
+@click.option(
+    "--least-radius",
+    type=click.FloatRange(min=0.0, max=1e6),
+    default=0.0,
+    help=N_("With turn: no bend is tighter, in metres."),
+)
+@click.option(
+    "--longest",
+    type=click.FloatRange(min=0.0, min_open=True, max=1e6),
+    help=N_("With turn: the turn itself is no longer, in metres."),
+)
+@click.option(
+    "--longest-way",
+    type=click.FloatRange(min=0.0, min_open=True, max=1e6),
+    help=N_("With turn: the whole way inside the disc is no longer, in metres."),
+)
+@click.option(
+    "--plan-file",
+    type=click.Path(path_type=Path, dir_okay=False),
+    metavar="FILE",
+    help=N_("With turn: write the plan with the turn that was found."),
+)
 @click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))
 @json_option
 @shared_options
@@ -231,6 +264,8 @@ def solve(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
         return _print_speed(read, options, quiet)
     if options["pace_file"]:
         raise InputError(_("--pace goes with speed"))
+    if options["what"] == "turn":
+        return _print_turn(read, options, quiet)
     with progress(quiet, 1) as advance:
         found = _solved(read, options, lambda text: advance(0.0, text))
     from benchdragon.solve import question
@@ -277,6 +312,43 @@ def _print_speed(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
                 seconds=f"{pace.seconds:.2f}", saved=f"{pace.saved:.2f}"
             )
         )
+        print_files([path])
+    return 0
+
+
+def _print_turn(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
+    """The best turn; with --plan-file also the plan with it."""
+    from benchdragon.best_turn import OBJECTIVES, STAGES, Wish, best_turn
+    from benchdragon.files import refuse_existing, whole_file
+
+    wish = Wish(
+        options["objective"],
+        options["least_radius"],
+        options["longest"] or math.inf,
+        options["longest_way"] or math.inf,
+    )
+    path: Path | None = options["plan_file"]
+    refuse_existing([] if path is None else [path], options["force"])
+    with progress(quiet, STAGES) as advance:
+        best = best_turn(plan, wish, advance=advance)
+    if path is not None:
+        with whole_file(path) as temporary:
+            temporary.write_text(best.plan.toml(), encoding="utf-8")
+    if options["as_json"]:
+        about = {"plan_sha256": plan.sha256, "version": __version__}
+        click.echo(json.dumps({**best.as_json(), **about}))
+        return 0
+    click.echo(plan.title(language()))
+    click.echo(
+        _("{name}: {value} {unit}  (best found)").format(
+            name=_(OBJECTIVES[wish.objective]),
+            value=f"{best.objective.value:.6f}",
+            unit=best.objective.unit,
+        )
+    )
+    for line in best.lines():
+        click.echo(f"  {line}")
+    if path is not None:
         print_files([path])
     return 0
 

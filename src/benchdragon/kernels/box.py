@@ -146,3 +146,23 @@ def distances_along(
         set_box(sizes, i, x, y, t, boxes, 0)
         set_box(sizes, j, x, y, t, boxes, 1)
         out[t] = box_distance(boxes, 0, 1)
+
+
+@kernel
+def least_distance(sizes: FloatArray, x: FloatArray, y: FloatArray) -> float:
+    """The least distance of any two benches but neighbours at any time, m; minus the depth inside.
+
+    x and y are (handles, times). All pairs are looked at: for a few dozen benches.
+    """
+    boxes = np.empty((sizes.shape[1], BOX_COLUMNS))
+    least = math.inf
+    for t in range(x.shape[1]):
+        boxes_at(sizes, x, y, t, boxes)
+        for j in range(2, boxes.shape[0]):
+            for i in range(j - 1):
+                far = math.hypot(boxes[j, CX] - boxes[i, CX], boxes[j, CY] - boxes[i, CY])
+                arms = math.hypot(boxes[i, HALF_LENGTH], boxes[i, HALF_WIDTH])
+                arms += math.hypot(boxes[j, HALF_LENGTH], boxes[j, HALF_WIDTH])
+                if far - arms < least:
+                    least = min(least, box_distance(boxes, i, j))
+    return least

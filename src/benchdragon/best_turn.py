@@ -1,0 +1,527 @@
+"""Better turns: a global search over a family, then a local one, then exact figures of what it found.
+
+While it searches, a turn is judged by sampling the first benches of the dragon: all later ones walk
+through it as those do. What comes out is judged by `pace` and `contact`, over continuous time and
+with the whole dragon, and searched anew with narrower limits where sampling had flattered it.
+"""
+
+import math
+import time as clock
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from benchdragon.answer import Answer
+from benchdragon.contact import least_clearance
+from benchdragon.curves import Route
+from benchdragon.dragon import Dragon
+from benchdragon.errors import InputError, WalkError, finite, positive
+from benchdragon.kernels import sweep
+from benchdragon.kernels.box import least_distance
+from benchdragon.kernels.chain import rates
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.messages import N_, _
+from benchdragon.pace import greatest_head_speed
+from benchdragon.plan import Plan, TurnRoute
+from benchdragon.speeds import QUANTITIES, greatest_of
+from benchdragon.turns import Turn
+
+Advance = Callable[[float, str], None]
+
+# Benches that are walked through a turn while searching, and how far the head goes at a time, m: in
+# the global search and in the local one.
+BENCHES, STEPS = 24, (0.2, 0.05)
+# Benches and step, m, for their distances: one turn farther out is some 17 benches away.
+CLEAR_BENCHES, CLEAR_STEP = 40, 0.4
+# Differential evolution: members for each unknown, generations, and the seed of its random numbers.
+MEMBERS, GENERATIONS, SEED = 10, 40, 1
+# How many of them, so far apart (as a share of each range), the local search starts from.
+STARTS, DIFFERENT = 3, 0.01
+# How often a search advances by 1.
+STAGES = 1
+# Least spread of the population, relative, at which it stops.
+SPREAD = 1e-4
+# Evaluations of the local search; how often limits are narrowed after exact figures, and by what share
+# more than those tell, twice as much each time.
+LOCAL, NARROWINGS, PRUDENCE = 200, 8, 5e-5
+# A limit that is kept to within this share counts as active; it may be exceeded by the other.
+ACTIVE, EXCEEDED = 2e-3, 1e-7
+# What a turn that does not exist is worth, and the worst of a limit that is exceeded by all of itself.
+NOWHERE, WORSE = 1e6, 1e3
+# Joints lie no deeper than this share of the disc's radius, arcs are no wider than the other;
+# clothoids are no longer, m.
+DEEPEST, WIDEST, LONGEST_EASE = 0.3, 0.75, 4.0
+# A bend is wider than half a link by this share: at that the last bench would stand square to it.
+WIDER = 1.001
+
+OBJECTIVES = {
+    "length": N_("shortest turn"),
+    "way": N_("shortest way inside the disc"),
+    "speed": N_("greatest head speed"),
+    "disc": N_("smallest disc"),
+    "acceleration": N_("least peak acceleration"),
+}
+
+
+# What limits are called; the keys are those of `Judge.rooms`.
+LIMITS = {
+    "radius": N_("radius of the tightest bend"),
+    "disc": N_("radius of the disc"),
+    "length": N_("length of the turn"),
+    "way": N_("way inside the disc"),
+    "speed": N_("speed of a handle"),
+    "acceleration": N_("acceleration of a handle"),
+    "clearance": N_("distance of benches"),
+}
+
+
+@dataclass(frozen=True)
+class Wish:
+    """What is sought of a turn, and what it must keep besides the plan's limits.
+
+    Attributes:
+        objective: one of OBJECTIVES.
+        least_radius: of any bend, m.
+        longest: length of the turn itself, m.
+        longest_way: whole way inside the disc, m.
+    """
+
+    objective: str = "way"
+    least_radius: float = 0.0
+    longest: float = math.inf
+    longest_way: float = math.inf
+
+    def __post_init__(self) -> None:
+        if self.objective not in OBJECTIVES:
+            raise InputError(
+                _("wanted one of {known}, not {name}").format(
+                    known=", ".join(OBJECTIVES), name=self.objective
+                )
+            )
+        finite("least_radius", self.least_radius, "m")
+        for name in ("longest", "longest_way"):
+            if math.isfinite(getattr(self, name)):
+                positive(name, getattr(self, name), "m")
+
+
+@dataclass(frozen=True)
+class BestTurn:
+    """The best turn that was found.
+
+    Attributes:
+        plan: the plan with this turn.
+        turn: the turn itself.
+        objective: its value; no bound on better ones is known.
+        length: of the turn itself, m.
+        way: whole way inside the disc, m.
+        head_speed: the greatest constant head speed under the plan's limits; None without a limit.
+        clearance: the least distance of benches over the whole manoeuvre.
+        active: names of the limits that it just keeps.
+    """
+
+    plan: Plan
+    turn: Turn
+    objective: Answer
+    length: float
+    way: float
+    head_speed: Answer | None
+    clearance: Answer
+    active: tuple[str, ...]
+
+    def as_json(self) -> dict[str, Any]:
+        """Everything as plain data; the turn as a plan says it, and piece by piece."""
+        speed = self.head_speed
+        return {
+            **self.objective.as_json(),
+            "turn": self.plan.turn.model_dump(mode="json"),
+            "pieces": [
+                {"length": length, "start_curvature": a, "end_curvature": b}
+                for length, a, b in self.turn.pieces
+            ],
+            "length": self.length,
+            "way": self.way,
+            "least_radius": self.turn.least_radius,
+            "greatest_head_speed": None if speed is None else speed.as_json(),
+            "clearance": self.clearance.as_json(),
+            "active": list(self.active),
+        }
+
+    def lines(self) -> list[str]:
+        """The turn in words, a line each, in the language in use."""
+        found = [
+            _("turn {length} m long, whole way inside the disc {way} m").format(
+                length=f"{self.length:.4f}", way=f"{self.way:.4f}"
+            ),
+            _("leaves the spiral at radius {a} m, joins the other at {b} m").format(
+                a=f"{self.turn.entry_radius:.4f}", b=f"{self.turn.exit_radius:.4f}"
+            ),
+            *(_piece_text(*piece) for piece in self.turn.pieces),
+        ]
+        if self.head_speed is not None:
+            found.append(
+                _("the head may walk at {speed} m/s ({why})").format(
+                    speed=f"{self.head_speed.value:.6f}", why="; ".join(self.head_speed.assumptions)
+                )
+            )
+        nearest = self.clearance.lower
+        found.append(_("benches stay {gap} m apart or more").format(gap=f"{nearest:.4f}"))
+        if self.active:
+            names = ", ".join(_(LIMITS[name]) for name in self.active)
+            found.append(_("limits that decide: {names}").format(names=names))
+        return [*found, *self.objective.assumptions]
+
+
+def _piece_text(length: float, a: float, b: float) -> str:
+    """One piece of a turn in words."""
+    if a != b:
+        return _("clothoid, {length} m, from curvature {a} 1/m to {b} 1/m").format(
+            length=f"{length:.4f}", a=f"{a:.4f}", b=f"{b:.4f}"
+        )
+    if not a:
+        return _("line, {length} m").format(length=f"{length:.4f}")
+    text = _("arc to the left, radius {radius} m, {length} m, {angle} degrees")
+    if a < 0.0:
+        text = _("arc to the right, radius {radius} m, {length} m, {angle} degrees")
+    return text.format(
+        radius=f"{1.0 / abs(a):.4f}",
+        length=f"{length:.4f}",
+        angle=f"{math.degrees(length * abs(a)):.2f}",
+    )
+
+
+@dataclass
+class Judge:
+    """Judges turns of a plan's family by sampling."""
+
+    plan: Plan
+    wish: Wish
+    # What sampling is corrected by: the exact figure is so many times the sampled one.
+    factors: dict[str, float] = field(default_factory=dict)
+    step: float = STEPS[0]
+    looks: int = 0
+
+    def __post_init__(self) -> None:
+        route = self.plan.route
+        if not isinstance(route, TurnRoute):
+            raise InputError(_("a best turn is sought for plans whose route is a turn"))
+        self.pitch, self.disc = route.pitch, route.disc(self.plan)
+        dragon = self.plan.dragon.build()
+        sizes = dragon.sizes
+        self.few, self.more = (
+            Dragon.of_sizes(*(size[:count] for size in sizes)) for count in (BENCHES, CLEAR_BENCHES)
+        )
+        self.narrowest = max(WIDER * 0.5 * float(dragon.links.max()), self.wish.least_radius)
+
+    @property
+    def bounds(self) -> list[tuple[float, float]]:
+        """Ranges of the unknowns: joints, what the family has, and the clothoids' length if free."""
+        table, disc = self.plan.turn, self.disc
+        joints = [
+            (DEEPEST * disc, disc) if radius is None else (radius, radius)
+            for radius in (table.entry_radius, table.exit_radius)
+        ]
+        radius = (self.narrowest, max(WIDEST * disc, 1.01 * self.narrowest))
+        inner = {
+            "arc-arc": [(math.log(0.2), math.log(5.0))],
+            "arc-line-arc": [radius, radius],
+            "arc-arc-arc": [radius, (-1.0 / self.narrowest, 1.0 / self.narrowest), radius],
+        }[table.family]
+        ease = [(0.0, LONGEST_EASE)] if self.wish.objective == "acceleration" else []
+        return [*joints, *inner, *ease]
+
+    def table(self, x: Sequence[float]) -> dict[str, object]:
+        """What the unknowns say in a plan's [turn]."""
+        family = self.plan.turn.family
+        entry, exit_, *inner = (float(value) for value in x)
+        said: dict[str, object] = {"entry_radius": entry, "exit_radius": exit_}
+        if self.wish.objective == "acceleration":
+            said["ease"] = inner.pop()
+        if family == "arc-arc":
+            return {**said, "ratio": math.exp(inner[0])}
+        if family == "arc-arc-arc":
+            said["curvature"] = inner.pop(1)
+        return {**said, "radii": (inner[0], inner[1])}
+
+    def turn(self, x: Sequence[float]) -> Turn:
+        """The turn of these unknowns.
+
+        Raises:
+            InputError: if there is none.
+        """
+        table = self.plan.turn.model_copy(update=self.table(x))
+        return table.build(self.pitch, self.disc)
+
+    def figures(self, x: Sequence[float], complete: bool) -> dict[str, float] | None:
+        """What a turn comes to, by name; clearance only if the rest is within limits, or `complete`."""
+        self.looks += 1
+        try:
+            turn = self.turn(x)
+            route = turn.route(lead=1.0, trail=1000.0)
+        except InputError:
+            return None
+        found = {
+            "length": turn.length,
+            "way": turn.way(self.disc),
+            "disc": max(turn.extent, turn.entry_radius, turn.exit_radius),
+            "radius": turn.least_radius,
+        }
+        if turn.least_radius < 0.98 * self.narrowest:
+            return found
+        found |= self._rates(route)
+        if complete or all(value >= 0.0 for value in self.rooms(found).values()):
+            found["clearance"] = self._clearance(route)
+        return found
+
+    def _rates(self, route: Route) -> dict[str, float]:
+        places = self._places(route, self.few, self.step)
+        if places is None:
+            return {"speed": math.inf, "acceleration": math.inf}
+        found = {"speed": float(places.ratio.max())}
+        if self.wish.objective == "acceleration" or self.plan.limits.acceleration is not None:
+            links, rows = self.few.links, route.rows
+            change, turning = np.empty(places.u.shape), np.empty((len(links), places.u.shape[1]))
+            rates(rows, links, *places[:5], change, turning)
+            sweep.forces(rows, places, change, force := np.empty(change.shape))
+            found["acceleration"] = float(force.max())
+        return {name: value * self.factors.get(name, 1.0) for name, value in found.items()}
+
+    def _clearance(self, route: Route) -> float:
+        places = self._places(route, self.more, CLEAR_STEP)
+        if places is None:
+            return -1.0
+        near = least_distance(self.more.sizes, places.x, places.y)
+        return near + self.factors.get("clearance", 0.0)
+
+    def _places(self, route: Route, dragon: Dragon, step: float) -> sweep.Places | None:
+        """The dragon from where its head enters the turn to where its tail has left it."""
+        first = float(route.joints[1])
+        last = float(route.joints[-2] + dragon.links.sum())
+        at = np.linspace(first, last, math.ceil((last - first) / step) + 1)
+        places = sweep.empty_places(len(dragon) + 1, len(at))
+        stands = sweep.stand(route.rows, dragon.links, at, 0, len(at), places)
+        return places if stands else None
+
+    def rooms(self, found: dict[str, float]) -> dict[str, float]:
+        """What is left of each limit, as a share of it; negative where it is exceeded."""
+        plan, wish, head = self.plan, self.wish, self.plan.walk.speed
+        rooms = {"radius": found["radius"] / self.narrowest - 1.0}
+        if wish.objective != "disc":
+            rooms["disc"] = 1.0 - found["disc"] / self.disc
+        if math.isfinite(wish.longest):
+            rooms["length"] = 1.0 - found["length"] / wish.longest
+        if math.isfinite(wish.longest_way):
+            rooms["way"] = 1.0 - found["way"] / wish.longest_way
+        if plan.limits.speed is not None and wish.objective != "speed":
+            rooms["speed"] = 1.0 - found.get("speed", math.inf) * head / plan.limits.speed
+        if plan.limits.acceleration is not None and wish.objective != "acceleration":
+            limit = plan.limits.acceleration
+            rooms["acceleration"] = 1.0 - found.get("acceleration", math.inf) * head**2 / limit
+        if "clearance" in found:
+            rooms["clearance"] = (found["clearance"] - plan.limits.margin) / self.few.width[0]
+        return {name: max(room, -1.0) for name, room in rooms.items()}
+
+    def score(self, x: Sequence[float]) -> float:
+        """What the global search makes small: the objective, or how far limits are exceeded."""
+        found = self.figures(x, complete=False)
+        if found is None:  # small radii and short clothoids are likelier to exist
+            return NOWHERE * (1.0 + sum(abs(value) for value in x[2:]))
+        exceeded = -sum(min(room + EXCEEDED, 0.0) for room in self.rooms(found).values())
+        return WORSE * (1.0 + exceeded) if exceeded > 0.0 else found[self.wish.objective]
+
+
+def best_turn(plan: Plan, wish: Wish | None = None, *, advance: Advance | None = None) -> BestTurn:
+    """The best turn of the plan's family for a wish, under the plan's limits.
+
+    Limits are limits.speed with the head at walk.speed (or as fast as it may, if that is the wish),
+    limits.acceleration, and limits.margin over the whole manoeuvre, until the tail is out. Joints that
+    the plan says stay. The search is the same each time; that nothing better exists is not shown.
+
+    Raises:
+        InputError: for a plan without a turn, or if no turn keeps the limits.
+    """
+    began = clock.perf_counter()
+    judge = Judge(plan, wish or Wish())
+    tell = advance or (lambda _share, _text: None)
+    starts = _global_search(judge, tell)
+    judge.step = STEPS[1]
+    tell(0.0, _("local search"))
+    x = min((_local_search(judge, start) for start in starts), key=judge.score)
+    return _settled(judge, x, tell, began)
+
+
+def _settled(judge: Judge, x: Sequence[float], tell: Advance, began: float) -> BestTurn:
+    """The local optimum near x, by exact figures."""
+    judge.step = STEPS[1]
+    for narrowing in range(NARROWINGS):
+        tell(0.0, _("local search"))
+        x = _local_search(judge, x)
+        tell(0.0, _("exact figures"))
+        best, exceeded = _exact(judge, x, began, PRUDENCE * 2.0**narrowing)
+        if not exceeded:
+            return best
+    raise InputError(_("no turn of this family was found that keeps the limits"))
+
+
+def _global_search(judge: Judge, tell: Advance) -> list[list[float]]:
+    """The best turns found all over the family that differ, the best one first."""
+    from scipy.optimize import Bounds, OptimizeResult, differential_evolution  # slow to import
+
+    def score(x: FloatArray) -> float:
+        return judge.score(x.tolist())
+
+    def callback(intermediate_result: OptimizeResult) -> None:
+        del intermediate_result
+        tell(1.0 / GENERATIONS, _("global search"))
+
+    found = differential_evolution(
+        score, Bounds(*np.array(judge.bounds).T), popsize=MEMBERS, maxiter=GENERATIONS, tol=SPREAD,
+        rng=SEED, polish=False, callback=callback, init="sobol",
+    )  # fmt: skip
+    if found.fun >= WORSE:
+        raise InputError(_("no turn of this family was found that keeps the limits"))
+    order = np.argsort(found.population_energies, kind="stable")
+    low, high = np.array(judge.bounds).T
+    starts: list[FloatArray] = []
+    for x in found.population[order]:
+        apart = [float(np.abs((x - start) / np.maximum(high - low, 1e-9)).max()) for start in starts]
+        if len(starts) < STARTS and min(apart, default=math.inf) > DIFFERENT:
+            starts.append(x)
+    return [start.tolist() for start in starts]
+
+
+def _local_search(judge: Judge, x: Sequence[float]) -> list[float]:
+    """The local optimum by COBYQA, in unknowns from 0 to 1."""
+    from scipy.optimize import Bounds, NonlinearConstraint, minimize  # slow to import
+
+    low, high = np.array(judge.bounds).T
+    width = np.where(high > low, high - low, 1.0)
+    seen: dict[bytes, dict[str, float]] = {}
+    names = list(judge.rooms(_complete(judge, x)))
+
+    def figures(z: FloatArray) -> dict[str, float]:
+        key = z.tobytes()
+        if key not in seen:
+            seen[key] = _complete(judge, low + width * z)
+        return seen[key]
+
+    def goal(z: FloatArray) -> float:
+        return figures(z)[judge.wish.objective]
+
+    result = minimize(
+        goal,
+        (np.asarray(x) - low) / width,
+        method="COBYQA",
+        bounds=Bounds(np.zeros(len(low)), np.where(high > low, 1.0, 0.0)),
+        constraints=NonlinearConstraint(
+            lambda z: [judge.rooms(figures(z))[name] for name in names], 0.0, np.inf
+        ),
+        options={"maxfev": LOCAL, "initial_tr_radius": 0.02, "final_tr_radius": 1e-7},
+    )
+    found: list[float] = (low + width * np.clip(result.x, 0.0, 1.0)).tolist()
+    return min(list(x), found, key=judge.score)
+
+
+def _complete(judge: Judge, x: Sequence[float]) -> dict[str, float]:
+    """All figures; of a turn that does not exist, hopeless ones."""
+    bad = dict.fromkeys(("length", "way", "disc", "speed", "acceleration"), 100.0 * judge.disc)
+    bad |= {"radius": 0.0, "clearance": -1.0}
+    return {**bad, **(judge.figures(x, complete=True) or {})}
+
+
+def _exact(judge: Judge, x: Sequence[float], began: float, prudence: float) -> tuple[BestTurn, bool]:
+    """The turn's exact figures, and whether one exceeds a limit; `judge` is corrected by them."""
+    plan, wish = judge.plan, judge.wish
+    table = plan.turn.model_copy(update=judge.table(x))
+    plan = plan.model_copy(update={"turn": table})
+    turn, sampled = judge.turn(x), _complete(judge, x)
+    walk = plan.build()
+    first = float(walk.route.joints[1])
+    ends = first, walk.head_where_tail(float(walk.route.joints[-2]))
+    times = [walk.profile.time(s - walk.start) for s in ends]
+    exact = dict(sampled)
+    for name in ("speed", "acceleration"):
+        if name in sampled and sampled[name] < 100.0 * judge.disc:
+            exact[name] = greatest_of(walk, QUANTITIES[name], *ends, tolerance=1e-6).upper
+    clearance = least_clearance(
+        walk, *times, within=_enough(judge, sampled), tolerances=(math.inf, 1e-5)
+    )
+    exact["clearance"] = clearance.lower
+    rooms = judge.rooms(exact)
+    exceeded = any(room < -EXCEEDED for room in rooms.values())
+    for name in ("speed", "acceleration"):
+        if exact[name] < math.inf and sampled.get(name):
+            judge.factors[name] = (
+                judge.factors.get(name, 1.0) * exact[name] / sampled[name] * (1.0 + prudence)
+            )
+    judge.factors["clearance"] = judge.factors.get("clearance", 0.0) + min(
+        exact["clearance"] - sampled["clearance"] - prudence, 0.0
+    )
+    active = tuple(name for name, room in rooms.items() if room <= ACTIVE)
+    speed = greatest_head_speed(plan) if plan.limits.speed is not None else None
+    value, unit = exact[wish.objective], "m"
+    if wish.objective == "speed" and speed is not None:
+        value, unit = speed.value, "m/s"
+    elif wish.objective == "acceleration":
+        value, unit = exact["acceleration"] * plan.walk.speed**2, "m/s^2"
+    answer = Answer(
+        value, value, value, unit, "found", None,
+        (_("best that was found in this family; better ones may exist"),),
+        judge.looks, clock.perf_counter() - began,
+    )  # fmt: skip
+    best = BestTurn(plan, turn, answer, turn.length, turn.way(judge.disc), speed, clearance, active)
+    return best, exceeded
+
+
+def _enough(judge: Judge, sampled: dict[str, float]) -> float:
+    """How far to look for the least clearance, m: somewhat farther than what sampling saw."""
+    return max(1.2 * sampled["clearance"], judge.plan.limits.margin, 0.05)
+
+
+def pareto_front(
+    plan: Plan, speeds: Sequence[float], wish: Wish | None = None, *, advance: Advance | None = None
+) -> list[BestTurn]:
+    """Shortest turns for head speeds (m/s, increasing) that they must allow under limits.speed.
+
+    Each is sought near the one before it; the list ends where none is found. `wish` says what is to
+    be short, and the other limits.
+
+    Raises:
+        InputError: without limits.speed, or if not even the first speed is possible.
+    """
+    if plan.limits.speed is None:
+        raise InputError(_("the plan has no limit of speed: set limits.speed=2, for example"))
+    wished = wish or Wish()
+    tell = advance or (lambda _share, _text: None)
+    found: list[BestTurn] = []
+    x: list[float] | None = None
+    for speed in speeds:
+        began = clock.perf_counter()
+        judge = Judge(plan.with_value("walk.speed", positive("speed", speed, "m/s")), wished)
+        tell(1.0, _("turns for {speed} m/s").format(speed=f"{speed:.3f}"))
+        try:
+            if x is None:
+                x = _global_search(judge, lambda _share, text: tell(0.0, text))[0]
+            best = _settled(judge, x, lambda _share, text: tell(0.0, text), began)
+        except (InputError, WalkError):
+            if not found:
+                raise
+            break
+        found.append(best)
+        x = _unknowns(judge, best)
+    return found
+
+
+def _unknowns(judge: Judge, best: BestTurn) -> list[float]:
+    """The unknowns of a turn: inverse of `Judge.table`."""
+    table = best.plan.turn
+    if table.entry_radius is None or table.exit_radius is None:
+        raise AssertionError("a best turn says its joints")
+    x = [table.entry_radius, table.exit_radius]
+    if table.family == "arc-arc":
+        x.append(math.log(table.ratio))
+    elif table.radii is not None:
+        middle = [table.curvature] if table.family == "arc-arc-arc" else []
+        x += [table.radii[0], *middle, table.radii[1]]
+    return [*x, table.ease] if judge.wish.objective == "acceleration" else x
