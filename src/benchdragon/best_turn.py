@@ -17,7 +17,7 @@ from benchdragon.answer import Answer
 from benchdragon.contact import least_clearance
 from benchdragon.curves import Route
 from benchdragon.dragon import Dragon
-from benchdragon.errors import InputError, WalkError, finite, positive
+from benchdragon.errors import InputError, finite, positive
 from benchdragon.kernels import sweep
 from benchdragon.kernels.box import least_distance
 from benchdragon.kernels.chain import rates
@@ -32,9 +32,9 @@ Advance = Callable[[float, str], None]
 
 # Benches that are walked through a turn while searching, and how far the head goes at a time, m: in
 # the global search and in the local one.
-BENCHES, STEPS = 24, (0.2, 0.05)
+BENCHES, STEPS = 16, (0.2, 0.08)
 # Benches and step, m, for their distances: one turn farther out is some 17 benches away.
-CLEAR_BENCHES, CLEAR_STEP = 40, 0.4
+CLEAR_BENCHES, CLEAR_STEP = 40, 0.6
 # Differential evolution: members for each unknown, generations, and the seed of its random numbers.
 MEMBERS, GENERATIONS, SEED = 10, 40, 1
 # How many of them, so far apart (as a share of each range), the local search starts from.
@@ -497,23 +497,33 @@ def pareto_front(
     found: list[BestTurn] = []
     x: list[float] | None = None
     for speed in speeds:
-        began = clock.perf_counter()
-        judge = Judge(plan.with_value("walk.speed", positive("speed", speed, "m/s")), wished)
+        changed = plan.with_value("walk.speed", positive("speed", speed, "m/s"))
         tell(1.0, _("turns for {speed} m/s").format(speed=f"{speed:.3f}"))
-        try:
-            if x is None:
-                x = _global_search(judge, lambda _share, text: tell(0.0, text))[0]
-            best = _settled(judge, x, lambda _share, text: tell(0.0, text), began)
-        except (InputError, WalkError):
-            if not found:
-                raise
+        best = _continued(Judge(changed, wished), x, lambda _share, text: tell(0.0, text))
+        if best is None:
             break
         found.append(best)
-        x = _unknowns(judge, best)
+        x = _unknowns(best, wished)
+    if not found:
+        raise InputError(_("no turn of this family was found that keeps the limits"))
     return found
 
 
-def _unknowns(judge: Judge, best: BestTurn) -> list[float]:
+def _continued(judge: Judge, x: Sequence[float] | None, tell: Advance) -> BestTurn | None:
+    """The best turn near x; if there is none that keeps the limits, the best one anywhere, or None."""
+    began = clock.perf_counter()
+    for start in (x, None):
+        try:
+            if start is not None:
+                return _settled(judge, start, tell, began)
+            judge.step = STEPS[0]
+            return _settled(judge, _global_search(judge, tell)[0], tell, began)
+        except InputError:
+            judge.factors.clear()
+    return None
+
+
+def _unknowns(best: BestTurn, wish: Wish) -> list[float]:
     """The unknowns of a turn: inverse of `Judge.table`."""
     table = best.plan.turn
     if table.entry_radius is None or table.exit_radius is None:
@@ -524,4 +534,4 @@ def _unknowns(judge: Judge, best: BestTurn) -> list[float]:
     elif table.radii is not None:
         middle = [table.curvature] if table.family == "arc-arc-arc" else []
         x += [table.radii[0], *middle, table.radii[1]]
-    return [*x, table.ease] if judge.wish.objective == "acceleration" else x
+    return [*x, table.ease] if wish.objective == "acceleration" else x
