@@ -23,7 +23,8 @@ if TYPE_CHECKING:
     from benchdragon.kernels.status import Status
     from benchdragon.leader import SpeedProfile
     from benchdragon.motion import Motion, Walk
-    from benchdragon.turns import TwoArcTurn
+    from benchdragon.speeds import greatest_speed
+    from benchdragon.turns import Turn, TwoArcTurn, three_pieces, two_arcs
 
 __version__ = "0.1.0"
 __all__ = [
@@ -42,6 +43,7 @@ __all__ = [
     "SpeedProfile",
     "Spiral",
     "Status",
+    "Turn",
     "TwoArcTurn",
     "UnsureError",
     "Walk",
@@ -52,8 +54,11 @@ __all__ = [
     "clearances",
     "contact_windows",
     "first_contact",
+    "greatest_speed",
     "least_clearance",
+    "three_pieces",
     "tightest_pairs",
+    "two_arcs",
 ]
 
 _ROOMS = {
@@ -72,6 +77,7 @@ _ROOMS = {
     "SpeedProfile": "leader",
     "Spiral": "curves",
     "Status": "kernels.status",
+    "Turn": "turns",
     "TwoArcTurn": "turns",
     "UnsureError": "errors",
     "Walk": "motion",
@@ -82,8 +88,11 @@ _ROOMS = {
     "clearances": "clearance",
     "contact_windows": "contact",
     "first_contact": "contact",
+    "greatest_speed": "speeds",
     "least_clearance": "contact",
+    "three_pieces": "turns",
     "tightest_pairs": "clearance",
+    "two_arcs": "turns",
 }
 
 

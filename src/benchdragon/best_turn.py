@@ -35,15 +35,16 @@ Advance = Callable[[float, str], None]
 BENCHES, STEPS = 16, (0.2, 0.08)
 # Benches and step, m, for their distances: one turn farther out is some 17 benches away.
 CLEAR_BENCHES, CLEAR_STEP = 40, 0.6
-# Differential evolution: members for each unknown, generations, and the seed of its random numbers.
-MEMBERS, GENERATIONS, SEED = 10, 40, 1
-# How many of them, so far apart (as a share of each range), the local search starts from.
-STARTS, DIFFERENT = 3, 0.01
+# Differential evolution: members for each unknown, generations, and the seeds of its random numbers: a
+# few short searches end in more valleys than a long one. The local search starts from each.
+MEMBERS, GENERATIONS, SEEDS = 10, 22, (1, 2)
 # How often a search advances by 1.
 STAGES = 1
 # Least spread of the population, relative, at which it stops.
 SPREAD = 1e-4
-# Evaluations of the local search; how often limits are narrowed after exact figures, and by what share
+# Edge of the first simplex, as a share of each range.
+SIMPLEX = 0.02
+# Evaluations of each local search; how often limits are narrowed after exact figures, and by what share
 # more than those tell, twice as much each time.
 LOCAL, NARROWINGS, PRUDENCE = 200, 8, 5e-5
 # A limit that is kept to within this share counts as active; it may be exceeded by the other.
@@ -341,10 +342,13 @@ def best_turn(plan: Plan, wish: Wish | None = None, *, advance: Advance | None =
     Raises:
         InputError: for a plan without a turn, or if no turn keeps the limits.
     """
+    return _best(Judge(plan, wish or Wish()), advance or (lambda _share, _text: None))
+
+
+def _best(judge: Judge, tell: Advance, near: Sequence[float] | None = None) -> BestTurn:
+    """The best turn; one `near` it may be known."""
     began = clock.perf_counter()
-    judge = Judge(plan, wish or Wish())
-    tell = advance or (lambda _share, _text: None)
-    starts = _global_search(judge, tell)
+    starts = _global_search(judge, tell, near)
     judge.step = STEPS[1]
     tell(0.0, _("local search"))
     x = min((_local_search(judge, start) for start in starts), key=judge.score)
@@ -353,7 +357,6 @@ def best_turn(plan: Plan, wish: Wish | None = None, *, advance: Advance | None =
 
 def _settled(judge: Judge, x: Sequence[float], tell: Advance, began: float) -> BestTurn:
     """The local optimum near x, by exact figures."""
-    judge.step = STEPS[1]
     for narrowing in range(NARROWINGS):
         tell(0.0, _("local search"))
         x = _local_search(judge, x)
@@ -364,8 +367,8 @@ def _settled(judge: Judge, x: Sequence[float], tell: Advance, began: float) -> B
     raise InputError(_("no turn of this family was found that keeps the limits"))
 
 
-def _global_search(judge: Judge, tell: Advance) -> list[list[float]]:
-    """The best turns found all over the family that differ, the best one first."""
+def _global_search(judge: Judge, tell: Advance, near: Sequence[float] | None) -> list[list[float]]:
+    """The best turns that are found all over the family, by one search after another."""
     from scipy.optimize import Bounds, OptimizeResult, differential_evolution  # slow to import
 
     def score(x: FloatArray) -> float:
@@ -373,26 +376,23 @@ def _global_search(judge: Judge, tell: Advance) -> list[list[float]]:
 
     def callback(intermediate_result: OptimizeResult) -> None:
         del intermediate_result
-        tell(1.0 / GENERATIONS, _("global search"))
+        tell(1.0 / (GENERATIONS * len(SEEDS)), _("global search"))
 
-    found = differential_evolution(
-        score, Bounds(*np.array(judge.bounds).T), popsize=MEMBERS, maxiter=GENERATIONS, tol=SPREAD,
-        rng=SEED, polish=False, callback=callback, init="sobol",
-    )  # fmt: skip
-    if found.fun >= WORSE:
+    starts: list[list[float]] = []
+    for seed in SEEDS:
+        found = differential_evolution(
+            score, Bounds(*np.array(judge.bounds).T), popsize=MEMBERS, maxiter=GENERATIONS, tol=SPREAD,
+            rng=seed, polish=False, callback=callback, init="sobol", x0=near,
+        )  # fmt: skip
+        if found.fun < WORSE:
+            starts.append([float(value) for value in found.x])
+    if not starts:
         raise InputError(_("no turn of this family was found that keeps the limits"))
-    order = np.argsort(found.population_energies, kind="stable")
-    low, high = np.array(judge.bounds).T
-    starts: list[FloatArray] = []
-    for x in found.population[order]:
-        apart = [float(np.abs((x - start) / np.maximum(high - low, 1e-9)).max()) for start in starts]
-        if len(starts) < STARTS and min(apart, default=math.inf) > DIFFERENT:
-            starts.append(x)
-    return [start.tolist() for start in starts]
+    return starts
 
 
 def _local_search(judge: Judge, x: Sequence[float]) -> list[float]:
-    """The local optimum by COBYQA, in unknowns from 0 to 1."""
+    """A local optimum by COBYQA, in unknowns from 0 to 1, and downhill from there."""
     from scipy.optimize import Bounds, NonlinearConstraint, minimize  # slow to import
 
     low, high = np.array(judge.bounds).T
@@ -420,7 +420,31 @@ def _local_search(judge: Judge, x: Sequence[float]) -> list[float]:
         options={"maxfev": LOCAL, "initial_tr_radius": 0.02, "final_tr_radius": 1e-7},
     )
     found: list[float] = (low + width * np.clip(result.x, 0.0, 1.0)).tolist()
-    return min(list(x), found, key=judge.score)
+    return _descended(judge, min(list(x), found, key=judge.score))
+
+
+def _descended(judge: Judge, x: list[float]) -> list[float]:
+    """Downhill from x by Nelder and Mead's simplex, over the edges where one limit takes over."""
+    from scipy.optimize import minimize  # slow to import
+
+    low, high = np.array(judge.bounds).T
+    corners = [np.asarray(x)]
+    for n in range(len(x)):
+        step = SIMPLEX * (high[n] - low[n])
+        corners.append(corners[0].copy())
+        corners[-1][n] += step if x[n] + step <= high[n] else -step
+
+    def inside(x: FloatArray) -> list[float]:
+        return [float(value) for value in np.clip(x, low, high)]
+
+    def score(x: FloatArray) -> float:
+        return judge.score(inside(x))
+
+    result = minimize(
+        score, corners[0], method="Nelder-Mead",
+        options={"initial_simplex": corners, "maxfev": LOCAL, "xatol": 1e-5, "fatol": 1e-6},
+    )  # fmt: skip
+    return min(x, inside(result.x), key=judge.score)
 
 
 def _complete(judge: Judge, x: Sequence[float]) -> dict[str, float]:
@@ -484,7 +508,7 @@ def pareto_front(
 ) -> list[BestTurn]:
     """Shortest turns for head speeds (m/s, increasing) that they must allow under limits.speed.
 
-    Each is sought near the one before it; the list ends where none is found. `wish` says what is to
+    Each search knows the turn before it; the list ends where none is found. `wish` says what is to
     be short, and the other limits.
 
     Raises:
@@ -499,28 +523,15 @@ def pareto_front(
     for speed in speeds:
         changed = plan.with_value("walk.speed", positive("speed", speed, "m/s"))
         tell(1.0, _("turns for {speed} m/s").format(speed=f"{speed:.3f}"))
-        best = _continued(Judge(changed, wished), x, lambda _share, text: tell(0.0, text))
-        if best is None:
+        try:
+            best = _best(Judge(changed, wished), lambda _share, text: tell(0.0, text), x)
+        except InputError:
             break
         found.append(best)
         x = _unknowns(best, wished)
     if not found:
         raise InputError(_("no turn of this family was found that keeps the limits"))
     return found
-
-
-def _continued(judge: Judge, x: Sequence[float] | None, tell: Advance) -> BestTurn | None:
-    """The best turn near x; if there is none that keeps the limits, the best one anywhere, or None."""
-    began = clock.perf_counter()
-    for start in (x, None):
-        try:
-            if start is not None:
-                return _settled(judge, start, tell, began)
-            judge.step = STEPS[0]
-            return _settled(judge, _global_search(judge, tell)[0], tell, began)
-        except InputError:
-            judge.factors.clear()
-    return None
 
 
 def _unknowns(best: BestTurn, wish: Wish) -> list[float]:

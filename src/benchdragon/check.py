@@ -6,14 +6,18 @@ from dataclasses import dataclass, replace
 
 from benchdragon.answer import Answer
 from benchdragon.contact import first_contact, least_clearance
+from benchdragon.errors import InputError
 from benchdragon.messages import _
 from benchdragon.motion import Walk
+from benchdragon.pace import given_limits
 from benchdragon.plan import Plan
 from benchdragon.prove import prove_contact
-from benchdragon.speeds import greatest_speed
+from benchdragon.speeds import QUANTITIES, greatest_of, greatest_speed
 
 Advance = Callable[[float, str], None]
 
+# Width of the brackets of accelerations and turning rates, relative.
+RATE_TOLERANCE = 1e-6
 # How often a check advances by 1.
 STEPS = 3
 
@@ -23,11 +27,11 @@ class Finding:
     """Something that a walk must not do, or that could not be decided.
 
     Attributes:
-        code: "contact", "margin", "speed" or "undecided".
+        code: "contact", "margin", "speed", "acceleration", "turning_rate" or "undecided".
         text: the same as a sentence, in the language in use.
         time: when, s.
         benches: which.
-        value: what came out, m or m/s.
+        value: what came out, m, m/s, m/s^2 or rad/s.
         limit: what was to be kept.
     """
 
@@ -95,7 +99,11 @@ def check(plan: Plan, advance: Advance | None = None, *, prove: bool = False) ->
     until = end if contact is None or contact.witness is None else contact.upper
     clearance = _clearance(walk, start, until, contact, _part(tell, _("clearance")))
     speed = greatest_speed(walk, start, until, advance=_part(tell, _("greatest speed")))
-    findings = [*_contact_findings(contact, margin), *_speed_findings(speed, plan.limits.speed)]
+    findings = [
+        *_contact_findings(contact, margin),
+        *_speed_findings(speed, plan.limits.speed),
+        *_rate_findings(plan, walk, start, until),
+    ]
     return Report(plan, start, end, contact, clearance, speed, tuple(findings), proved=prove)
 
 
@@ -136,6 +144,40 @@ def _contact_findings(contact: Answer | None, margin: float) -> list[Finding]:
     a, b = near.benches
     text = texts[code].format(a=a, b=b, t=f"{contact.value:.6f}", margin=f"{margin:g}")
     return [Finding(code, text, contact.value, near.benches, max(near.gap, 0.0), margin)]
+
+
+def _rate_findings(plan: Plan, walk: Walk, start: float, until: float) -> list[Finding]:
+    """Limits of acceleration and turning rate that are exceeded, or could not be decided.
+
+    Raises:
+        InputError: for such a limit on a head whose speed changes.
+    """
+    limits = {name: limit for name, limit in given_limits(plan).items() if name != "speed"}
+    if limits and len(walk.profile.speeds) > 1:
+        raise InputError(
+            _("limits.acceleration and limits.turning_rate are checked for a steady head alone")
+        )
+    head, findings = walk.profile.speeds[0], []
+    first, last = walk.head_position([start, until]).tolist()
+    for name, limit in limits.items():
+        quantity = QUANTITIES[name]
+        peak = greatest_of(walk, quantity, first, last, tolerance=RATE_TOLERANCE)
+        value, upper = (size * head**quantity.power for size in (peak.value, peak.upper))
+        if upper <= limit:
+            continue
+        text = _(
+            "{what} at bench {bench} is {value} {unit} at t = {t} s, the limit being {limit} {unit}"
+        )
+        if value <= limit:
+            text = _("whether the {what} keeps to {limit} {unit} is undecided: {value} {unit} was seen")
+        bench, time = min(peak.row + 1, len(walk.dragon)), walk.profile.time(peak.s - walk.start)
+        text = text.format(
+            what=_(quantity.text), bench=bench, value=f"{value:.6g}", limit=f"{limit:.6g}",
+            unit=quantity.unit, t=f"{time:.6f}",
+        )  # fmt: skip
+        code = name if value > limit else "undecided"
+        findings.append(Finding(code, text, time, (bench,), value, limit))
+    return findings
 
 
 def _speed_findings(speed: Answer, limit: float | None) -> list[Finding]:

@@ -41,12 +41,8 @@ class Pace:
     saved: float
 
 
-def limits_of(plan: Plan) -> dict[str, float]:
-    """The plan's limits on what benches do, by the name of the quantity, in SI units.
-
-    Raises:
-        InputError: if it has none.
-    """
+def given_limits(plan: Plan) -> dict[str, float]:
+    """The plan's limits on what benches do, by the name of the quantity, in SI units."""
     limits = plan.limits
     rate = limits.turning_rate
     given = {
@@ -54,7 +50,12 @@ def limits_of(plan: Plan) -> dict[str, float]:
         "acceleration": limits.acceleration,
         "turning_rate": None if rate is None else math.radians(rate),
     }
-    found = {name: value for name, value in given.items() if value is not None}
+    return {name: value for name, value in given.items() if value is not None}
+
+
+def _limits_of(plan: Plan) -> dict[str, float]:
+    """The same, of a plan that has some."""
+    found = given_limits(plan)
     if not found:
         raise InputError(
             _("the plan has no limit that a head speed could keep: set limits.speed=2, for example")
@@ -76,7 +77,7 @@ def greatest_head_speed(
         WalkError: if the dragon cannot walk all the way.
     """
     began = clock.perf_counter()
-    limits = limits_of(plan)
+    limits = _limits_of(plan)
     walk = plan.build()
     first, last = walk.head_position(plan.span(walk)).tolist()
     speeds: dict[str, tuple[float, float]] = {}
@@ -155,7 +156,7 @@ def slowed(plan: Plan, *, advance: Advance | None = None) -> Pace:
     steady = greatest_head_speed(plan, advance=advance)
     walk = plan.build()
     first, last = walk.head_position(plan.span(walk)).tolist()
-    at, allowed = _coarser(*_allowed(walk, limits_of(plan), first, last))
+    at, allowed = _coarser(*_allowed(walk, _limits_of(plan), first, last))
     speeds = np.minimum(np.append(allowed, math.inf), np.append(math.inf, allowed))
     speeds = _eased(np.minimum(speeds, plan.walk.speed), np.diff(at), plan.limits.head_acceleration)
     times = np.concatenate([[0.0], np.cumsum(2.0 * np.diff(at) / (speeds[1:] + speeds[:-1]))])
@@ -178,7 +179,7 @@ def _allowed(
         these = (1.0 - PRUDENCE) * (limit / bounds) ** (1.0 / quantity.power)
         allowed = these if allowed is None else np.minimum(allowed, these)
     if allowed is None:
-        raise AssertionError("limits_of refuses a plan without limits")
+        raise AssertionError("_limits_of refuses a plan without limits")
     return at, allowed
 
 

@@ -188,8 +188,11 @@ def _centre(motion: Motion) -> tuple[float, float]:
     return 0.0, 0.0
 
 
-def speed_map(motion: Motion, title: str = "") -> Figure:
-    """Speed of all handles over time, as a map: time to the right, handle 0 (the head) on top."""
+def speed_map(motion: Motion, title: str = "", joints: Sequence[float] = ()) -> Figure:
+    """Speed of all handles over time, as a map: time to the right, handle 0 (the head) on top.
+
+    Lines show when each handle passes the route positions `joints`, m.
+    """
     with matplotlib.rc_context(STYLE):
         figure = named_figure(9.0, 5.2, title)
         panel = figure.subplots()
@@ -197,6 +200,12 @@ def speed_map(motion: Motion, title: str = "") -> Figure:
         times = _edges(motion.times)
         handles = np.arange(motion.x.shape[1] + 1) - 0.5
         mesh = panel.pcolormesh(times, handles, motion.speed.T, cmap="cividis", rasterized=True)
+        for n, joint in enumerate(joints):
+            passed = [np.interp(joint, s, motion.times, np.nan, np.nan) for s in motion.s.T]
+            name = _("passing a joint of the route") if n == 0 else None
+            panel.plot(passed, range(len(passed)), color="white", lw=0.8, ls="--", label=name)
+        if joints:
+            panel.legend(loc="lower left", fontsize="small", facecolor="#555555", labelcolor="white")
         panel.invert_yaxis()
         panel.set_xlabel(_("time (s)"))
         panel.set_ylabel(_("handle (0 = head)"))

@@ -1,7 +1,7 @@
 """The paper again, from one call: its tables, its pictures, its checks, and how far each is exact."""
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -10,17 +10,20 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from benchdragon import __version__
+from benchdragon.best_turn import BestTurn, Wish, pareto_front
 from benchdragon.check import Report, check
 from benchdragon.contact_pictures import clearance_picture, moment_picture, pitch_picture
 from benchdragon.differences import SCHEMES, difference_errors, difference_speeds, order
 from benchdragon.files import refuse_existing, whole_file
 from benchdragon.messages import _, language
 from benchdragon.motion import Motion, Walk
+from benchdragon.pace import greatest_head_speed
 from benchdragon.pictures import dragon_picture, head_angle_picture, speed_map, write_picture
 from benchdragon.plan import Plan, read_plan
 from benchdragon.solve import smallest_pitch
 from benchdragon.tables import Selection, write_csv, write_moment_xlsx, write_npz, write_xlsx
 from benchdragon.traversal import pitch_curve, traversed_pitch
+from benchdragon.turn_pictures import ShownTurn, front_picture, turns_picture
 from benchdragon.turns import TwoArcTurn
 from benchdragon.verdict_files import curve, moment
 
@@ -29,6 +32,8 @@ TABLE_TIMES = (0.0, 60.0, 120.0, 180.0, 240.0, 300.0)
 TABLE_HANDLES = (0, 1, 51, 101, 151, 201, 223)
 CONTACT_HANDLES = (0, 1, 51, 101, 151, 201, 223)
 TURN_TIMES = (-50.0, 0.0, 14.0, 50.0)
+# The contest's times of the turn's table.
+MOTION_TIMES = (-100.0, -50.0, 0.0, 14.0, 50.0, 100.0)
 PICTURE_KINDS = ("png", "svg", "pdf")
 # Steps, s, at which differences and Runge-Kutta are compared; the fits use all of them.
 DIFFERENCE_STEPS = (0.4, 0.2, 0.1, 0.05)
@@ -44,10 +49,12 @@ TRAVERSALS = (
 FIGURE_PITCHES, FIGURE_RESOLUTION = (0.43, 0.47, 21), 1e-4
 SPIRAL_PICTURES = ("spiral-dragon", "spiral-speeds", "spiral-head")
 CONTACT_PICTURES = ("contact", "clearance", "pitch")
-TURN_PICTURES = ("turn-dragon", "turn-speeds")
+TURN_PICTURES = ("turn-disc", "turn-dragon", "turn-speeds", "turn-better", "turn-front")
+# Head speeds, m/s, for which the shortest turn is sought; bends are no tighter than the paper's.
+FRONT_SPEEDS = (1.3, 1.5, 1.7)
 
 # How often `reproduce` reports an advance.
-STEPS = 11 + len(PICTURE_KINDS)
+STEPS = 13 + len(FRONT_SPEEDS) + len(PICTURE_KINDS)
 
 Advance = Callable[[str], None]
 
@@ -67,7 +74,15 @@ def planned_files(folder: Path) -> list[Path]:
         for name in (*SPIRAL_PICTURES, *CONTACT_PICTURES, *TURN_PICTURES)
         for kind in PICTURE_KINDS
     ]
-    names = ["result1.xlsx", "result2.xlsx", "spiral.csv", "spiral.npz", *pictures, "answers.json"]
+    names = [
+        "result1.xlsx",
+        "result2.xlsx",
+        "result4.xlsx",
+        "spiral.csv",
+        "spiral.npz",
+        *pictures,
+        "answers.json",
+    ]
     return [folder / name for name in names]
 
 
@@ -87,14 +102,17 @@ def reproduce(folder: Path, force: bool = False, advance: Advance = lambda _text
     answers: dict[str, Any] = {
         "version": __version__,
         "plans": {"spiral-in": spiral.sha256, "turn": turn.sha256},
-        "table": table(motion),
+        "table": table(motion, TABLE_TIMES),
         "largest_chord_error_m": max(motion.chord_error, turn_motion.chord_error),
     }
     advance(_("Runge-Kutta"))
     answers["runge_kutta"] = runge_kutta(walk, times)
     advance(_("differences"))
     answers["differences"] = differences(walk)
-    answers["turn"] = turn_answers(turn)
+    advance(_("turn"))
+    turn_report = check(turn)
+    front = _front(turn, advance)
+    answers["turn"] = turn_answers(turn_report, front)
     advance(_("contact"))
     report = check(spiral)
     answers["contact"] = contact_answers(report)
@@ -102,10 +120,12 @@ def reproduce(folder: Path, force: bool = False, advance: Advance = lambda _text
     answers["pitch"] = pitch_answers(disc, advance)
     _write_tables(folder, walk, times, advance)
     write_moment_xlsx(folder / "result2.xlsx", moment(report)[0])
+    whole = Selection(turn_walk, np.arange(-100.0, 101.0), range(len(turn_walk.dragon) + 1))
+    write_xlsx(folder / "result4.xlsx", whole, lambda _share: None)
     figures = {
         **_spiral_figures(spiral, motion),
         **_contact_figures(report, disc, answers["pitch"]["smallest"]["value"], advance),
-        **_turn_figures(turn, turn_motion),
+        **_turn_figures(turn, turn_motion, answers["turn"]["greatest_head_speed"]["value"], front),
     }
     _write_pictures(folder, {"turn": turn, "pitch": disc}, spiral, figures, advance)
     with whole_file(folder / "answers.json") as temporary:
@@ -113,17 +133,17 @@ def reproduce(folder: Path, force: bool = False, advance: Advance = lambda _text
     return Reproduction(answers, files)
 
 
-def table(motion: Motion) -> list[dict[str, float]]:
-    """The contest's table: six times by seven handles, x, y (m) and speed (m/s)."""
+def table(motion: Motion, times: Sequence[float]) -> list[dict[str, float]]:
+    """The contest's table: so many of the motion's times by seven handles, x, y (m), speed (m/s)."""
     return [
         {
             "time_s": t,
             "handle": handle,
-            "x_m": float(motion.x[int(t), handle]),
-            "y_m": float(motion.y[int(t), handle]),
-            "speed_m_s": float(motion.speed[int(t), handle]),
+            "x_m": float(motion.x[row, handle]),
+            "y_m": float(motion.y[row, handle]),
+            "speed_m_s": float(motion.speed[row, handle]),
         }
-        for t in TABLE_TIMES
+        for t, row in ((t, int(np.searchsorted(motion.times, t))) for t in times)
         for handle in TABLE_HANDLES
     ]
 
@@ -159,14 +179,31 @@ def differences(walk: Walk) -> dict[str, dict[str, float]]:
     return found
 
 
-def turn_answers(plan: Plan) -> dict[str, Any]:
-    """Radii, length and boundary angles of the paper's turn."""
+def _front(plan: Plan, advance: Advance) -> list[BestTurn]:
+    """Shortest turns with a line between the arcs, for each of FRONT_SPEEDS."""
+    table = plan.turn.model_copy(update={"family": "arc-line-arc"})
+    wish = Wish("way", least_radius=TwoArcTurn(1.7).radii[1])
+
+    def tell(share: float, text: str) -> None:
+        if share:
+            advance(text)
+
+    return pareto_front(plan.model_copy(update={"turn": table}), FRONT_SPEEDS, wish, advance=tell)
+
+
+def turn_answers(report: Report, front: Sequence[BestTurn]) -> dict[str, Any]:
+    """The paper's turn: sizes, motion, greatest head speed, clearance; and better turns."""
+    plan = report.plan
     turn = TwoArcTurn(1.7, plan.disc.radius or 4.5, plan.turn.ratio)
     names = ("theta_max1", "theta_min1", "theta_min2", "theta_max2")
     return {
         "radii_m": list(turn.radii),
         "length_m": turn.length,
         **dict(zip(names, turn.boundary_angles(), strict=True)),
+        "table": table(plan.build().motion(MOTION_TIMES), MOTION_TIMES),
+        "greatest_head_speed": greatest_head_speed(plan, tolerance=1e-12).as_json(),
+        "clearance": report.clearance.as_json(),
+        "better": [best.as_json() for best in front],
     }
 
 
@@ -240,12 +277,24 @@ def _contact_figures(
     }
 
 
-def _turn_figures(plan: Plan, motion: Motion) -> dict[str, Figure]:
-    title = plan.title(language())
+def _turn_figures(
+    plan: Plan, motion: Motion, head_speed: float, front: Sequence[BestTurn]
+) -> dict[str, Figure]:
+    title, disc = plan.title(language()), plan.disc.radius or 4.5
     at = [int(np.searchsorted(motion.times, t)) for t in TURN_TIMES]
+    paper = ShownTurn(_("the paper's two arcs"), plan.turn.build(1.7, disc), head_speed)
+    allowed = [best.head_speed.value if best.head_speed else 0.0 for best in front]
+    better = [
+        ShownTurn(_("arc, line, arc"), best.turn, speed)
+        for best, speed in zip(front, allowed, strict=True)
+    ]
+    points = [(speed, best.way, best.length) for best, speed in zip(front, allowed, strict=True)]
     return {
-        "turn-dragon": dragon_picture(motion, title, at, plan.disc.radius),
-        "turn-speeds": speed_map(motion, title),
+        "turn-disc": turns_picture([paper], disc, title),
+        "turn-dragon": dragon_picture(motion, title, at, disc),
+        "turn-speeds": speed_map(motion, title, motion.walk.route.joints[1:-1].tolist()),
+        "turn-better": turns_picture([paper, better[0], better[-1]], disc, title),
+        "turn-front": front_picture(points, (head_speed, paper.turn.length), title),
     }
 
 

@@ -91,9 +91,43 @@ def print_reproduction(answers: dict[str, Any]) -> None:
             ),
         )
     )
+    lines += _turn_lines(turn)
     lines += _contact_lines(answers)
     for line in lines:
         click.echo(line)
+
+
+def _turn_lines(turn: dict[str, Any]) -> list[str]:
+    speed, near = turn["greatest_head_speed"], turn["clearance"]
+    lines = [
+        _(
+            "greatest head speed with no handle above 2 m/s: {speed} m/s, in a bracket of {width} m/s, "
+            "decided at t = {time} s"
+        ).format(
+            speed=f"{speed['value']:.12f}",
+            width=f"{speed['upper'] - speed['lower']:.1e}",
+            time=f"{speed['witness']['time']:.6f}",
+        ),
+        _("turning, benches {a} and {b} come nearest: {gap} m at t = {time} s").format(
+            a=near["witness"]["benches"][0],
+            b=near["witness"]["benches"][1],
+            gap=f"{near['value']:.4f}",
+            time=f"{near['witness']['time']:.2f}",
+        ),
+    ]
+    text = _(
+        "shorter turn (arc, line, arc): {length} m, way inside the disc {way} m, radii from {radius} "
+        "m, greatest head speed {speed} m/s"
+    )
+    return lines + [
+        text.format(
+            length=f"{best['length']:.4f}",
+            way=f"{best['way']:.4f}",
+            radius=f"{best['least_radius']:.4f}",
+            speed=f"{best['greatest_head_speed']['value']:.4f}",
+        )
+        for best in turn["better"]
+    ]
 
 
 def _contact_lines(answers: dict[str, Any]) -> list[str]:
