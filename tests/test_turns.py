@@ -7,8 +7,20 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from benchdragon import InputError, TwoArcTurn
+from benchdragon import (
+    BenchDragonError,
+    InputError,
+    Spiral,
+    Turn,
+    TwoArcTurn,
+    first_contact,
+    three_pieces,
+    two_arcs,
+)
 from benchdragon.curves import JOINT_GAP, Point
+from benchdragon.plan import read_plan
+from benchdragon.solve import limit
+from benchdragon.turns import spiral_curvature
 
 TRUTH = json.loads((Path(__file__).parent / "truth" / "contest.json").read_text(encoding="utf-8"))
 PAPER = TwoArcTurn(1.7)
@@ -135,3 +147,112 @@ def test_a_turn_too_near_the_centre_is_refused() -> None:
     with pytest.raises(InputError, match=wanted):
         TwoArcTurn(1.7, 0.1)
     assert TwoArcTurn(1.7, 0.14).route().length > 0.0
+
+
+def ends_in_place(turn: Turn) -> bool:
+    """Whether its route is joined without gap or kink, at the radii that it says."""
+    route = turn.route(lead=20.0, trail=20.0)  # raises at a gap or a kink
+    radii = [float(np.hypot(*route.point(s))) for s in (route.joints[1], route.joints[-2])]
+    return radii == pytest.approx([turn.entry_radius, turn.exit_radius], abs=1e-9)
+
+
+@pytest.mark.parametrize("ratio", [0.4, 1.0, 2.0])
+def test_two_arcs_between_equal_joints_are_the_paper_s(ratio: float) -> None:
+    turn, paper = two_arcs(1.7, 4.5, 4.5, ratio), TwoArcTurn(1.7, ratio=ratio)
+    assert turn.length == pytest.approx(paper.length, abs=1e-12)
+    radii = [1.0 / abs(a) for _length, a, _b in turn.pieces]
+    assert radii == pytest.approx(paper.radii, abs=1e-12)
+    assert turn.way(4.5) == turn.length
+
+
+def test_deeper_joints_shorten_the_turn_and_lengthen_the_way() -> None:
+    # Figures of the contest's field: 12.9359 m at r = 4.2815 m, 8.4430 m at r = 2.8472 m
+    turns = [two_arcs(1.7, 4.2815, 4.2815, 2.0), two_arcs(1.7, 2.8472, 2.8472, 1.0)]
+    assert [turn.length for turn in turns] == pytest.approx([12.9361, 8.4431], abs=2e-4)
+    assert [turn.least_radius for turn in turns] == pytest.approx([1.43, 1.43], abs=1e-4)
+    spiral = Spiral.between(1.7, 4.5, 4.2815)
+    assert turns[0].way(4.5) == pytest.approx(turns[0].length + 2.0 * spiral.length, abs=1e-12)
+    assert turns[1].way(4.5) > 50.0
+    assert all(ends_in_place(turn) for turn in turns)
+
+
+def random_turns(rng: np.random.Generator) -> list[Turn]:
+    """Of two random turns, one of two arcs and one of three pieces, those that exist."""
+    entry, exit_ = rng.uniform(3.2, 5.0, 2)
+    ease = float(rng.choice([0.0, rng.uniform(0.05, 1.0)]))
+    bend = float(rng.choice([0.0, rng.uniform(-0.5, 0.5)]))
+    ratio, *radii = rng.uniform(0.5, 2.0), *rng.uniform(1.2, 2.0, 2)
+    found = []
+    for family in range(2):
+        try:
+            if family:
+                found.append(three_pieces(1.7, entry, exit_, (radii[0], radii[1]), bend, ease))
+            else:
+                found.append(two_arcs(1.7, entry, exit_, ratio, ease))
+        except InputError:
+            continue
+    return found
+
+
+def test_random_turns_of_all_families_end_in_place() -> None:
+    rng = np.random.default_rng(4)
+    turns = [turn for _trial in range(60) for turn in random_turns(rng)]
+    assert len(turns) > 80
+    for turn in turns:
+        assert ends_in_place(turn)
+        assert all(length > 0.0 for length, _a, _b in turn.pieces)
+        bends = [end for _length, *ends in turn.pieces for end in ends]
+        if bends[0] != bends[1]:  # eased
+            assert bends[0] == -spiral_curvature(1.7, turn.entry_radius)
+            assert bends[-1] == spiral_curvature(1.7, turn.exit_radius)
+            assert bends[1:-1:2] == bends[2:-1:2]  # continuous where pieces meet
+
+
+def test_a_line_between_equal_arcs_shortens_the_turn() -> None:
+    turn = three_pieces(1.7, 4.5, 4.5, (1.8, 1.8))
+    assert turn.length < PAPER.length - 1.5
+    (one, line, two) = turn.pieces
+    assert one[0] == pytest.approx(two[0], abs=1e-12)  # it is point-symmetric
+    assert line[1:] == (0.0, 0.0)
+    halfway = turn.route().point(100.0 + 0.5 * turn.length)
+    assert halfway == pytest.approx([0.0, 0.0], abs=1e-12)
+
+
+def test_curvature_of_the_spiral_is_that_of_its_curve() -> None:
+    spiral = Spiral.between(1.7, 4.0, 6.0)
+    assert spiral_curvature(1.7, 4.0) == pytest.approx(float(spiral.curvature(0.0)), rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("settings", "text"),
+    [
+        (["turn.radii=[4, 4]"], "leave no line"),
+        (["turn.radii=[1.4, 2]"], "cannot follow a bend"),
+        (["turn.exit_radius=4.6"], "exit_radius"),
+        (["turn.ease=3"], "ease|clothoids|eased"),
+        (["turn.ease=-1"], "at least 0"),
+        (["turn.family=arc-arc", "turn.ratio=3"], "cannot follow a bend of 1.127"),
+        (["turn.family=arc-arc-arc", "turn.curvature=0.01", "turn.radii=[4, 4]"], "no circle|wider"),
+        (["disc.radius=4.5", "route.pitch=60"], "farther out"),
+    ],
+)
+def test_turns_that_cannot_be_are_refused_with_the_reason(settings: list[str], text: str) -> None:
+    with pytest.raises(BenchDragonError, match=text):
+        read_plan("turn", ["turn.family=arc-line-arc", *settings]).build()
+
+
+@pytest.mark.parametrize("what", ["pitch", "disc"])
+def test_the_smallest_pitch_and_disc_of_the_whole_dance(what: str) -> None:
+    plan = read_plan("turn", ["dragon.benches=40", "turn.ratio=1"])
+    found = limit(plan, what)
+    assert found.status == "found"
+    assert found.upper - found.lower < 1e-9
+    key = {"pitch": "route.pitch", "disc": "disc.radius"}[what]
+    for size, clear in ((found.upper + 1e-6, True), (found.lower - 1e-6, False)):
+        try:
+            walk = plan.with_value(key, size).build()
+            contact = first_contact(walk, *plan.with_value(key, size).span(walk))
+        except BenchDragonError:
+            assert not clear
+        else:
+            assert (contact is None) == clear
