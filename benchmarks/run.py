@@ -37,7 +37,9 @@ from benchdragon import (
     ground,
     tightest_pairs,
 )
+from benchdragon.best_turn import Wish, best_turn
 from benchdragon.kernels.chain import march
+from benchdragon.pace import greatest_head_speed
 from benchdragon.plan import read_plan
 from benchdragon.solve import smallest_pitch
 
@@ -361,6 +363,30 @@ def contact_rows(quick: bool) -> list[str]:
     return lines
 
 
+def turn_rows(quick: bool) -> list[str]:
+    """Greatest head speed, how its cost grows, and a best turn, in a warm process."""
+    turn = read_plan("turn")
+    greatest_head_speed(turn)
+    lines = ["| question | benches | s | answer |", "|---|---|---|---|"]
+    for benches in (100, 223) if quick else (100, 223, 1000, 3000):
+        plan = turn.with_value("dragon.benches", benches)
+        (seconds,) = fastest([partial(greatest_head_speed, plan, tolerance=1e-12)], 1 if quick else 2)
+        found = greatest_head_speed(plan, tolerance=1e-12)
+        lines.append(
+            f"| greatest head speed, bracket {found.upper - found.lower:.0e} m/s | {benches:,} "
+            f"| {seconds:.3g} | {found.value:.13f} m/s |"
+        )
+    if not quick:
+        plan = read_plan("turn", ["turn.family=arc-line-arc", "walk.speed=1.3"])
+        began = time.perf_counter()
+        best = best_turn(plan, Wish("way", least_radius=1.5027))
+        seconds = time.perf_counter() - began
+        lines.append(
+            f"| best turn, arc-line-arc, at 1.3 m/s | 223 | {seconds:.3g} | {best.way:.4f} m |"
+        )
+    return lines
+
+
 def machine() -> str:
     """What the figures were measured on."""
     name = platform.processor() or platform.machine()
@@ -389,6 +415,7 @@ def main() -> None:
         ["## The standard table", "", *standard_table(20 if options.quick else 100)],
         ["## Growth", "", *growth(options.quick)],
         ["## Contact", "", *contact_rows(options.quick)],
+        ["## Turns", "", *turn_rows(options.quick)],
         ["## Large jobs", "", *large_jobs(options.quick)],
         ["## Whole processes", "", *cold_starts()],
         ["## Threads", "", *workers()],

@@ -1,11 +1,13 @@
 """Whether walks are safe, as the report and the command line say it."""
 
 import json
+import math
 from pathlib import Path
 
 import pytest
 from python_calamine import CalamineWorkbook
 
+from benchdragon import InputError
 from benchdragon.check import check
 from benchdragon.cli import run
 from benchdragon.messages import use_language
@@ -163,3 +165,33 @@ def test_all_walkable_pitches_are_printed(capsys: pytest.CaptureFixture[str]) ->
     assert high == 0.46
     code, out, _err = spoken(capsys, *words, "--range", "0.40:0.41")
     assert (code, out.strip()) == (4, "no size tried is walkable")
+
+
+def test_limits_of_acceleration_and_turning_rate_are_checked() -> None:
+    settings = ["dragon.benches=20", "walk.speed=1.0", "turn.ease=1.0"]
+    report = check(read_plan("turn", [*settings, "limits.turning_rate=20"]))
+    assert [finding.code for finding in report.findings] == ["turning_rate"]
+    found = report.findings[0]
+    assert found.limit == pytest.approx(math.radians(20.0))
+    assert found.value > found.limit
+    assert check(read_plan("turn", [*settings, "limits.turning_rate=90"])).safe
+    report = check(read_plan("turn", [*settings, "limits.acceleration=0.1"]))
+    assert [finding.code for finding in report.findings] == ["acceleration"]
+    with pytest.raises(InputError, match="steady head"):
+        check(read_plan("turn", [*settings, "limits.acceleration=9", "walk.profile=[[0,1],[9,1.2]]"]))
+
+
+def test_the_greatest_head_speed_is_on_the_command_line(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    code, out, _err = spoken(capsys, "solve", "speed", "turn", "--json")
+    assert code == 0
+    assert json.loads(out)["value"] == pytest.approx(1.246266358157487, abs=1e-9)
+    path = tmp_path / "paced.dragon.toml"
+    words = ["solve", "speed", "turn", "--set", "walk.speed=1.5", "--set", "dragon.benches=20"]
+    code, out, _err = spoken(capsys, *words, "--pace", str(path))
+    assert code == 0
+    assert "slowing down only where it must" in out
+    assert check(read_plan(str(path))).safe
+    assert spoken(capsys, "solve", "speed", "spiral-in")[0] == 2
+    assert spoken(capsys, "solve", "pitch", "spiral-in", "--pace", str(path))[0] == 2

@@ -4,11 +4,18 @@ from pathlib import Path
 import pytest
 from python_calamine import CalamineWorkbook
 
+from benchdragon import best_turn
 from benchdragon.cli import run
 from benchdragon.files import FileRefusedError
-from benchdragon.reproduce import STEPS, planned_files, reproduce
+from benchdragon.reproduce import FRONT_SPEEDS, STEPS, planned_files, reproduce
 
 TRUTH = json.loads((Path(__file__).parent / "truth" / "contest.json").read_text("utf-8"))
+
+
+def shorten_searches(patch: pytest.MonkeyPatch) -> None:
+    """Searches for better turns need not be as long in a test."""
+    for name, value in (("SEEDS", (1,)), ("GENERATIONS", 12), ("LOCAL", 100)):
+        patch.setattr(best_turn, name, value)
 
 
 @pytest.fixture(scope="module")
@@ -16,7 +23,9 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder that `reproduce` has filled."""
     folder = tmp_path_factory.mktemp("out")
     told: list[str] = []
-    found = reproduce(folder, advance=told.append)
+    with pytest.MonkeyPatch.context() as patch:
+        shorten_searches(patch)
+        found = reproduce(folder, advance=told.append)
     assert found.files == planned_files(folder)
     assert len(told) == STEPS
     return folder
@@ -79,8 +88,9 @@ def test_a_second_run_is_refused_unless_forced(folder: Path) -> None:
 
 
 def test_the_command_prints_answers_and_files(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    shorten_searches(monkeypatch)
     assert run(["reproduce", "-o", str(tmp_path / "a")]) == 0
     out = capsys.readouterr().out
     assert "measured order of RK4 3.98" in out
@@ -115,3 +125,40 @@ def test_the_moment_of_contact_is_in_the_contests_layout(folder: Path) -> None:
     assert (len(rows), len(rows[0])) == (225, 4)
     x, y, speed = (float(number) for number in TRUTH["at_first_contact"]["223"])
     assert rows[-1][1:] == pytest.approx([x, y, speed], abs=1e-9)
+
+
+def test_the_turn_s_motion_speed_and_clearance_are_the_truth(folder: Path) -> None:
+    turn = json.loads((folder / "answers.json").read_text("utf-8"))["turn"]
+    assert len(turn["table"]) == 42
+    for row in turn["table"]:
+        truth = TRUTH["two_arc_motion"][str(int(row["time_s"]))][str(row["handle"])]
+        x, y, speed = (float(number) for number in truth)
+        assert row["x_m"] == pytest.approx(x, abs=1e-11)
+        assert row["y_m"] == pytest.approx(y, abs=1e-11)
+        assert row["speed_m_s"] == pytest.approx(speed, abs=1e-11)
+    head = turn["greatest_head_speed"]
+    assert head["value"] == pytest.approx(float(TRUTH["greatest_head_speed"]), abs=1e-12)
+    assert head["witness"]["time"] == pytest.approx(float(TRUTH["greatest_ratio_at_s"]), abs=1e-6)
+    near = turn["clearance"]
+    assert near["witness"]["gap"] == pytest.approx(0.2791, abs=1e-4)
+    assert near["witness"]["benches"] == [1, 17]
+    assert near["witness"]["time"] == pytest.approx(30.15, abs=0.3)
+
+
+def test_shorter_turns_come_out_faster(folder: Path) -> None:
+    turn = json.loads((folder / "answers.json").read_text("utf-8"))["turn"]
+    for wanted, best in zip(FRONT_SPEEDS, turn["better"], strict=True):
+        assert best["greatest_head_speed"]["lower"] >= wanted * (1.0 - 1e-6)
+        assert best["length"] <= best["way"] < turn["length_m"]
+        assert best["least_radius"] >= min(turn["radii_m"]) * (1.0 - 1e-6)
+        assert best["clearance"]["lower"] > 0.2
+
+
+def test_the_turn_s_spreadsheet_holds_all_handles_and_seconds(folder: Path) -> None:
+    book = CalamineWorkbook.from_path(folder / "result4.xlsx")
+    places, speeds = (book.get_sheet_by_index(i).to_python() for i in (0, 1))
+    assert (len(places), len(places[0])) == (449, 202)
+    assert (len(speeds), len(speeds[0])) == (225, 202)
+    x, y, _speed = (float(number) for number in TRUTH["two_arc_motion"]["100"]["223"])
+    assert places[-2][-1] == round(x, 6)
+    assert places[-1][-1] == round(y, 6)

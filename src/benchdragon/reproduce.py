@@ -120,6 +120,7 @@ def reproduce(folder: Path, force: bool = False, advance: Advance = lambda _text
     answers["pitch"] = pitch_answers(disc, advance)
     _write_tables(folder, walk, times, advance)
     write_moment_xlsx(folder / "result2.xlsx", moment(report)[0])
+    advance("result4.xlsx")
     whole = Selection(turn_walk, np.arange(-100.0, 101.0), range(len(turn_walk.dragon) + 1))
     write_xlsx(folder / "result4.xlsx", whole, lambda _share: None)
     figures = {
