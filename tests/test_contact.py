@@ -25,6 +25,7 @@ from benchdragon import (
     first_contact,
     least_clearance,
 )
+from benchdragon.contact import Hunt
 from benchdragon.plan import read_plan
 
 TRUTH = json.loads((Path(__file__).parent / "truth" / "contest.json").read_text("utf-8"))
@@ -276,3 +277,21 @@ def test_a_tail_at_the_very_start_of_a_route_that_does_not_run_on_is_no_hindranc
     dragon = Dragon.uniform(10)
     back = Walk(dragon, route).head_where_tail(room)
     assert first_contact(Walk(dragon, route, start=back), 0.0, 15.0) is None
+
+
+def test_a_bench_that_can_meet_no_other_must_follow_too() -> None:
+    # The middle one of three has no pair; between two narrow bends it cannot follow.
+    left, right = Arc(0.3, 0.5 * math.pi), Arc(0.3, -math.pi)
+    route = Route.joined([Line(30.0), left, Line(1.0), right, Line(1.0), left, Line(30.0)])
+    walk = Walk(Dragon.of_sizes([0.7, 2.05, 0.7], 0.1), route)
+    with pytest.raises(WalkError, match="bench 2 cannot follow"):
+        first_contact(walk, 0.0, 60.0)
+
+
+def test_brackets_end_where_the_head_stands() -> None:
+    profile = SpeedProfile((0.0, 10.0, 20.0), (1.0, 0.0, 0.0))
+    walk = Walk(Dragon.uniform(20), Route((Spiral(0.55, 12.0 * math.pi, 0.0),)), profile)
+    hunt = Hunt(walk, 0.0, 5.0, 0.0, lambda _share: None)
+    for s in (5.0, math.nextafter(5.0, 0.0), math.nextafter(5.0, 9.0)):
+        answer = hunt.answer_at(s, s, "found", 0, 8)
+        assert answer.lower <= answer.value <= answer.upper

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from benchdragon import InputError
+from benchdragon import Dragon, InputError, Route, SpeedProfile, Spiral, Walk, greatest_speed
 from benchdragon.check import check
 from benchdragon.pace import greatest_head_speed, slowed, with_pace
 from benchdragon.plan import Plan, checked, read_plan
@@ -127,3 +127,19 @@ def test_what_a_pace_cannot_do_is_refused(settings: list[str], text: str) -> Non
 def test_a_plan_without_limits_has_no_greatest_speed() -> None:
     with pytest.raises(InputError, match=r"limits\.speed"):
         greatest_head_speed(read_plan("spiral-in"))
+
+
+def test_what_a_route_never_asks_for_has_no_limit() -> None:
+    data = {"schema": 1, "dragon": {"benches": 6}, "limits": {"acceleration": 1.0}}
+    data["route"] = {"part": [{"kind": "line", "length": 40.0}]}
+    found = greatest_head_speed(checked(data, "straight"))
+    assert found.status == "unlimited"
+    assert found.looks < 10_000
+
+
+def test_a_head_that_stands_before_its_walk_is_not_taken_for_one_that_runs() -> None:
+    profile = SpeedProfile((-19.4, -10.0, 7.0), (0.0, 0.32, 2.72))
+    route = Route((Spiral(0.55, 24.0 * math.pi, 0.0),))
+    for start in (-40.0, -19.4, -15.0):
+        found = greatest_speed(Walk(Dragon.uniform(10), route, profile, 20.0), start, -10.0)
+        assert found.value == pytest.approx(0.32, rel=1e-6)

@@ -8,8 +8,8 @@ import shapely
 
 from benchdragon.answer import Answer
 from benchdragon.contact import first_contact, least_clearance
-from benchdragon.errors import InputError
-from benchdragon.plan import Plan, read_plan
+from benchdragon.errors import BenchDragonError, InputError
+from benchdragon.plan import Plan, checked, read_plan
 from benchdragon.plan_text import PlanError
 from benchdragon.solve import (
     QUESTIONS,
@@ -180,3 +180,22 @@ def test_a_plan_without_the_size_says_so() -> None:
         limit(read_plan("spiral-in"), "disc")
     with pytest.raises(PlanError, match=r"disc\.radius"):
         pitch_curve(read_plan("spiral-in"), [0.5])
+
+
+def test_where_there_is_no_limit_the_answer_says_so() -> None:
+    answer = limit(read_plan("turn", ["dragon.benches=2"]), "width")
+    assert answer.status == "unlimited"
+    assert answer.value == pytest.approx(30.0)
+
+
+def test_questions_that_say_nothing_about_a_plan_are_refused() -> None:
+    line = {"kind": "line", "length": 40.0}
+    data = {"schema": 1, "disc": {"radius": 3.0}, "route": {"part": [line]}}
+    with pytest.raises(BenchDragonError, match="no part in a route of parts"):
+        limit(checked(data, "straight"), "disc")
+    benches = [{"length": 3.41}, {"length": 2.2, "count": 20}]
+    listed = checked({**data, "dragon": {"bench": benches}}, "listed")
+    with pytest.raises(BenchDragonError, match=r"lists every bench|does not say"):
+        limit(listed, "width")
+    with pytest.raises(BenchDragonError, match=r"take dragon\.width out"):
+        checked({**data, "dragon": {"bench": benches, "width": 5.0}}, "both")

@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass, replace
 from typing import Any, Literal, Self
 
-Status = Literal["proved", "found", "infeasible", "undecided"]
+Status = Literal["proved", "found", "infeasible", "undecided", "unlimited"]
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Answer:
         upper: see lower.
         unit: of the three.
         status: "proved" by rigorous arithmetic, "found" with bounds that hold but for rounding (which
-            they leave room for), "infeasible", or "undecided".
+            they leave room for), "infeasible", "undecided", or "unlimited" (none met up to the value).
         witness: what shows it.
         assumptions: what it rests on.
         looks: how many times the dragon was placed to find it.

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from benchdragon.answer import Answer
-from benchdragon.contact import first_contact, least_clearance
+from benchdragon.contact import contact_windows, first_contact, least_clearance
 from benchdragon.errors import InputError
 from benchdragon.messages import _
 from benchdragon.motion import Walk
@@ -18,6 +18,8 @@ Advance = Callable[[float, str], None]
 
 # Width of the brackets of accelerations and turning rates, relative.
 RATE_TOLERANCE = 1e-6
+# Grazes that a check looks past for a sure contact.
+MOST_GRAZES = 100
 # How often a check advances by 1.
 STEPS = 3
 
@@ -96,6 +98,8 @@ def check(plan: Plan, advance: Advance | None = None, *, prove: bool = False) ->
     tell(0.0, _("looking for contact"))
     search = prove_contact if prove else first_contact
     contact = search(walk, start, end, margin=margin, advance=_part(tell, _("contact")))
+    if contact is not None and contact.status == "undecided":
+        contact = _sure_contact(walk, start, end, margin) or contact
     until = end if contact is None or contact.witness is None else contact.upper
     clearance = _clearance(walk, start, until, contact, _part(tell, _("clearance")))
     speed = greatest_speed(walk, start, until, advance=_part(tell, _("greatest speed")))
@@ -105,6 +109,12 @@ def check(plan: Plan, advance: Advance | None = None, *, prove: bool = False) ->
         *_rate_findings(plan, walk, start, until),
     ]
     return Report(plan, start, end, contact, clearance, speed, tuple(findings), proved=prove)
+
+
+def _sure_contact(walk: Walk, start: float, end: float, margin: float) -> Answer | None:
+    """The first contact that is none of the grazes before it, if there is one."""
+    windows = contact_windows(walk, start, end, margin=margin, most=MOST_GRAZES)
+    return next((window.opens for window in windows if window.opens.status == "found"), None)
 
 
 def _part(tell: Advance, text: str) -> Callable[[float], None]:

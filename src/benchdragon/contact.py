@@ -197,15 +197,17 @@ class Hunt:
     def _not_after(self, s: float) -> float:
         """A time at which the head has come no farther than s."""
         t = self.time(s)
+        step = math.ulp(t) if math.isfinite(t) else 0.0
         while t > -math.inf and self.walk.start + float(self.walk.profile.distance(t)) > s:
-            t = math.nextafter(t, -math.inf)
+            t, step = t - step, 2.0 * step
         return t
 
     def _not_before(self, s: float) -> float:
         """A time at which the head has come at least as far as s."""
         t = self.time(s)
+        step = math.ulp(t) if math.isfinite(t) else 0.0
         while t < math.inf and self.walk.start + float(self.walk.profile.distance(t)) < s:
-            t = math.nextafter(t, math.inf)
+            t, step = t + step, 2.0 * step
         return t
 
 

@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from benchdragon.curves import Route
 from benchdragon.dragon import Dragon
-from benchdragon.errors import InputError
+from benchdragon.errors import InputError, UnsureError
 from benchdragon.kernels import cells as kernel
 from benchdragon.kernels.box import BOX_COLUMNS, CX, CY, HALF_LENGTH, HALF_WIDTH
 from benchdragon.kernels.cells import EDGE
@@ -144,10 +144,11 @@ class Ground:
             for g in range(self.groups)
         ]
         between = float(self.dragon.links.min())
-        return {
-            (a, b): sheltered(self.route, shapes[a], shapes[b], between)
-            for a, b in zip(*np.nonzero(np.isfinite(self._between)), strict=True)
-        } or {(a, a): np.empty((0, 2)) for a in range(self.groups)}
+        pairs = list(zip(*np.nonzero(np.isfinite(self._between)), strict=True))
+        found = {(a, b): sheltered(self.route, shapes[a], shapes[b], between) for a, b in pairs}
+        # Benches that can meet no other must follow too: nothing shelters their cells.
+        alone = set(range(self.groups)).difference(*pairs)
+        return {**found, **{(g, g): np.empty((0, 2)) for g in alone}}
 
     @property
     def count(self) -> int:
@@ -409,7 +410,7 @@ class Ground:
         """Route positions of the handles of all, or the first, benches with the head at `at`, m."""
         stands, s = self._tried(at, benches)
         if not stands:
-            raise AssertionError("a dragon that was shown to stand does not")
+            raise UnsureError(_("it could not be shown that the dragon stands all along"))
         return s
 
     def _tried(self, at: FloatArray, benches: int | None = None) -> tuple[bool, FloatArray]:

@@ -112,7 +112,10 @@ class SpeedProfile:
         knot = np.maximum(np.searchsorted(self.times, t, side="right") - 1, 0)
         dt = t - np.asarray(self.times)[knot]
         slope = np.where(dt < 0.0, 0.0, self._slopes[knot + 1])
-        return np.asarray(self._sums[knot] + dt * (np.asarray(self.speeds)[knot] + 0.5 * slope * dt))
+        # Who stands does not move in an infinite time either.
+        speed = np.asarray(self.speeds)[knot]
+        speed = speed + 0.5 * slope * np.where(slope == 0.0, 0.0, dt)
+        return np.asarray(self._sums[knot] + speed * np.where(speed == 0.0, 0.0, dt))
 
 
 def head_angles(

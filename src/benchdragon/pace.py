@@ -10,7 +10,7 @@ import numpy as np
 from benchdragon.answer import Answer, Witness
 from benchdragon.errors import InputError
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.leader import SpeedProfile
+from benchdragon.leader import MOST_SPEED, SpeedProfile
 from benchdragon.messages import _
 from benchdragon.motion import Walk
 from benchdragon.plan import Plan
@@ -93,6 +93,8 @@ def greatest_head_speed(
         )
     active = min(speeds, key=lambda name: speeds[name][1])
     lower, upper = min(low for low, _high in speeds.values()), speeds[active][1]
+    if lower > MOST_SPEED:  # what is limited hardly occurs
+        return Answer(MOST_SPEED, MOST_SPEED, upper, "m/s", "unlimited")
     return Answer(
         upper if lower > 0.0 else math.nan,
         lower,

@@ -10,7 +10,7 @@ import math
 from collections.abc import Sequence
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 from pydantic_core import ErrorDetails
 
 from benchdragon.curves import AnyCurve, Arc, Clothoid, Line, Route, Spiral
@@ -84,6 +84,17 @@ class DragonTable(Table):
     front_inset: Annotated[Metres, Field(ge=0.0)] = 0.275
     rear_inset: Annotated[Metres, Field(ge=0.0)] = 0.275
     bench: list[BenchTable] = Field(default_factory=list)
+
+    @model_validator(mode="after")
+    def _one_way_of_sizes(self) -> Self:
+        others = self.model_fields_set - {"bench"}
+        if self.bench and others:
+            raise ValueError(
+                _("dragon.bench lists every bench: take {names} out").format(
+                    names=", ".join(f"dragon.{name}" for name in sorted(others))
+                )
+            )
+        return self
 
     def build(self) -> Dragon:
         """The dragon."""
@@ -383,8 +394,14 @@ class Plan(Table):
         return tomlkit.dumps(self.model_dump(mode="json", by_alias=True, exclude_defaults=True))
 
     def with_value(self, key: str, value: float) -> Self:
-        """The same plan with another number under a dotted key."""
+        """The same plan with another number under a dotted key.
+
+        Raises:
+            PlanError: for a size of the dragon where the plan lists every bench.
+        """
         table, name = key.split(".")
+        if table == "dragon" and self.dragon.bench:
+            raise PlanError(_("the plan lists every bench: {key} says nothing there").format(key=key))
         changed = getattr(self, table).model_copy(update={name: value})
         return self.model_copy(update={table: changed})
 

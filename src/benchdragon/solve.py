@@ -259,7 +259,8 @@ def limit(
     Returns:
         The limit, m. Its bracket: at one end the whole walk stays clear, at the other a pair comes
         nearer than the margin (or the dragon cannot walk). Sizes beyond were not tried; see
-        `walkable_sizes`. Status "infeasible": no size passes. The witness is the pair that decides.
+        `walkable_sizes`. Status "infeasible": no size passes; "unlimited": all that were tried do,
+        to `end` or a hundredth (or hundred times) of the plan's. The witness is the pair that decides.
 
     Raises:
         InputError: for an unknown name, or a plan without that size.
@@ -269,6 +270,8 @@ def limit(
     began = clock.perf_counter()
     tell = advance or (lambda _text: None)
     family = Family(plan, question(name), plan.limits.margin if margin is None else margin)
+    if name == "disc" and plan.route.kind == "parts":
+        raise InputError(_("the disc plays no part in a route of parts"))
     if prove:
         require_flint()
     answer = _limit(family, end, tell, began)
@@ -322,7 +325,7 @@ def _limit(family: Family, end: float | None, tell: Advance, began: float) -> An
                 bracket.bad, bracket.tried = below, True
                 return _limit_answer(bracket, root[0], root[2], began)
             if not bracket.tried and size == bracket.bad:
-                return _limit_answer(bracket, size, None, began)
+                return _limit_answer(bracket, size, None, began).with_status("unlimited")
             meeting, at = (family.tightest(size), size) if not shift else (None, size)
         else:
             if shift and meeting == trial.meeting:

@@ -30,6 +30,8 @@ STEP, DEPTH = 0.1, 50
 # Handles times steps that are halved at once; more are left, and the bracket stays wider, where a
 # walk keeps its greatest value for long.
 MOST_OPEN = 5_000_000
+# What is never greater than this, in SI units for a head at 1 m/s, counts as nothing.
+NOTHING = 1e-9
 # A ceiling may lie so much above what is seen at the ends of its step, relative, before that is halved,
 # and so often.
 LOOSE, MOST_HALVINGS = 1e-4, 10
@@ -197,7 +199,7 @@ class _Search:
     def _search(self, a: FloatArray, b: FloatArray, bounds: FloatArray) -> None:
         """Look through steps from a to b, m, halving those that may hold a greater value."""
         for _depth in range(DEPTH):
-            open_ = bounds > self.seen * (1.0 + self.tolerance)
+            open_ = bounds > max(self.seen * (1.0 + self.tolerance), NOTHING)
             self.upper = max(self.upper, float(bounds[~open_].max(initial=0.0)))
             if not open_.any() or open_.sum() * len(self.walk.dragon) > MOST_OPEN:
                 break
@@ -260,7 +262,7 @@ class _Search:
         if len(profile.times) == 1:
             return np.full(len(at), profile.speeds[0])
         times = np.array([profile.time(s - self.walk.start) for s in at.tolist()])
-        return profile.speed(np.where(np.isfinite(times), times, profile.times[-1]))
+        return profile.speed(np.clip(times, profile.times[0], profile.times[-1]))
 
     def _most_head_speeds(
         self, profile: SpeedProfile, at: FloatArray, slots: IntArray, speeds: FloatArray

@@ -92,9 +92,15 @@ def report_json(report: "Report") -> dict[str, Any]:
     }
 
 
+def print_title(plan: "Plan") -> None:
+    """What people call a plan, if it says."""
+    if title := plan.title(language()):
+        click.echo(title)
+
+
 def print_report(report: "Report") -> None:
     """A report for readers."""
-    click.echo(report.plan.title(language()))
+    print_title(report.plan)
     if report.safe:
         text = _("SAFE from t = {start} s to t = {end} s")
         if report.proved:
@@ -119,10 +125,14 @@ def print_answer(name: str, answer: Answer) -> None:
         "infeasible": _("no solution"), "undecided": _("undecided"),
     }  # fmt: skip
     if not math.isfinite(answer.value):
-        text = words[answer.status] if answer.status == "infeasible" else _("no pair counts")
+        text = _("no pair counts") if answer.status == "found" else words[answer.status]
         click.echo(f"{name}: {text}")
         return
     digits = 12 if answer.unit == "m" else 10
+    if answer.status == "unlimited":
+        text = _("{name}: no limit was met up to {value} {unit}")
+        click.echo(text.format(name=name, value=f"{answer.value:.{digits}g}", unit=answer.unit))
+        return
     click.echo(
         _("{name}: {value} {unit}  ({status}; between {lower} and {upper})").format(
             name=name,
@@ -164,10 +174,10 @@ def print_answer(name: str, answer: Answer) -> None:
 @click.command(
     help=N_(
         "What a plan may be at its limits.\n\nWHAT is pitch (the smallest with which the whole walk "
-        "stays clear), disc (the smallest radius), width or length (the greatest of a bench), speed "
-        "(the greatest constant head speed that keeps the plan's limits), or turn (the best turn of "
-        "the plan's family). PLAN is a *.dragon.toml file or the name of a built-in plan. Exit code "
-        "4: there is none."
+        "stays clear), disc (the smallest radius), width or length (the greatest of a bench; the "
+        "head's length stays), speed (the greatest constant head speed that keeps the plan's limits), "
+        "or turn (the best turn of the plan's family). PLAN is a *.dragon.toml file or the name of a "
+        "built-in plan. Exit code 4: there is none."
     )
 )
 @click.argument("what", metavar="WHAT")
@@ -280,7 +290,7 @@ def _print_solved(plan: "Plan", name: str, found: Answer, as_json: bool, **more:
         about = {"plan_sha256": plan.sha256, "version": __version__}
         click.echo(json.dumps(found.as_json(**more, **about)))
         return
-    click.echo(plan.title(language()))
+    print_title(plan)
     print_answer(name, found)
     for text in found.assumptions:
         click.echo(f"  {text}")
@@ -338,7 +348,7 @@ def _print_turn(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
         about = {"plan_sha256": plan.sha256, "version": __version__}
         click.echo(json.dumps({**best.as_json(), **about}))
         return 0
-    click.echo(plan.title(language()))
+    print_title(plan)
     click.echo(
         _("{name}: {value} {unit}  (best found)").format(
             name=_(OBJECTIVES[wish.objective]),

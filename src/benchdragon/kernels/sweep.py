@@ -180,7 +180,7 @@ def times(low: float, high: float, least: float, most: float) -> tuple[float, fl
 
 @kernel
 def product(low: float, high: float, least: float, most: float) -> tuple[float, float]:
-    """Least and greatest product of a number in low..high and one in least..most; 0 times inf is 0."""
+    """Least and greatest product of a number in low..high and one in least..most."""
     if low >= 0.0:
         return times(low, high, least, most)
     if high <= 0.0:
