@@ -101,8 +101,10 @@ def _draw_arc(panel: Axes, arc: Arc) -> None:
     text = _("r = {radius} m\n{angle}°").format(
         radius=f"{arc.radius:.4f}", angle=f"{math.degrees(abs(arc.sweep)):.2f}"
     )
+    left = arc.sweep > 0.0  # away from the arc's own side
     panel.annotate(
-        text, (cx, cy), xytext=(6, 6), textcoords="offset points", fontsize="small",
+        text, (cx, cy), xytext=(-6 if left else 6, 6), textcoords="offset points", fontsize="small",
+        ha="right" if left else "left",
         bbox={"fc": "white", "ec": "none", "alpha": 0.75, "pad": 1.0},
     )  # fmt: skip
 
