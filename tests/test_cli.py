@@ -208,6 +208,8 @@ def test_a_small_question_is_answered_without_numba() -> None:
 def test_an_interrupt_leaves_nothing_half_written(tmp_path: Path) -> None:
     script = (
         "import os, signal, sys; import benchdragon.tables as tables; from benchdragon.cli import run\n"
+        # A background job of a shell is born deaf to SIGINT.
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
         "def stop(*_): os.kill(os.getpid(), signal.SIGINT)\n"
         "tables._long = lambda *a: stop()\n"
         f"sys.exit(run(['motion', 'spiral-in', '--at', '0:9:1', '-o', {str(tmp_path)!r}]))"
