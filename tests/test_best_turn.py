@@ -126,6 +126,14 @@ def test_wishes_that_cannot_be_are_said_so(settings: list[str], wish: Wish, text
         sought(plan(*settings), wish)
 
 
+def test_the_smallest_disc_is_put_into_the_plan() -> None:
+    best = sought(plan("walk.speed=1.0"), Wish("disc"))
+    assert best.objective.value < 3.5
+    assert best.plan.disc.radius == best.objective.value
+    best.plan.build()
+    assert best.clearance.lower > 0.0
+
+
 def test_only_turns_have_a_best_turn() -> None:
     with pytest.raises(BenchDragonError, match="route is a turn"):
         sought(read_plan("spiral-in"))

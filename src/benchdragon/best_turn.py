@@ -342,7 +342,10 @@ def best_turn(plan: Plan, wish: Wish | None = None, *, advance: Advance | None =
     Raises:
         InputError: for a plan without a turn, or if no turn keeps the limits.
     """
-    return _best(Judge(plan, wish or Wish()), advance or (lambda _share, _text: None))
+    wished = wish or Wish()
+    if wished.objective == "speed" and plan.limits.speed is None:
+        raise InputError(_("the plan has no limit of speed: set limits.speed=2, for example"))
+    return _best(Judge(plan, wished), advance or (lambda _share, _text: None))
 
 
 def _best(judge: Judge, tell: Advance, near: Sequence[float] | None = None) -> BestTurn:
@@ -456,46 +459,50 @@ def _complete(judge: Judge, x: Sequence[float]) -> dict[str, float]:
 
 def _exact(judge: Judge, x: Sequence[float], began: float, prudence: float) -> tuple[BestTurn, bool]:
     """The turn's exact figures, and whether one exceeds a limit; `judge` is corrected by them."""
-    plan, wish = judge.plan, judge.wish
-    table = plan.turn.model_copy(update=judge.table(x))
-    plan = plan.model_copy(update={"turn": table})
-    turn, sampled = judge.turn(x), _complete(judge, x)
-    walk = plan.build()
-    first = float(walk.route.joints[1])
-    ends = first, walk.head_where_tail(float(walk.route.joints[-2]))
-    times = [walk.profile.time(s - walk.start) for s in ends]
-    exact = dict(sampled)
-    for name in ("speed", "acceleration"):
-        if name in sampled and sampled[name] < 100.0 * judge.disc:
-            exact[name] = greatest_of(walk, QUANTITIES[name], *ends, tolerance=1e-6).upper
-    clearance = least_clearance(
-        walk, *times, within=_enough(judge, sampled), tolerances=(math.inf, 1e-5)
-    )
-    exact["clearance"] = clearance.lower
+    sampled = _complete(judge, x)
+    plan = judge.plan.model_copy(update={"turn": judge.plan.turn.model_copy(update=judge.table(x))})
+    exact, clearance = _exact_figures(plan, sampled, _enough(judge, sampled))
     rooms = judge.rooms(exact)
-    exceeded = any(room < -EXCEEDED for room in rooms.values())
-    for name in ("speed", "acceleration"):
-        if exact[name] < math.inf and sampled.get(name):
-            judge.factors[name] = (
-                judge.factors.get(name, 1.0) * exact[name] / sampled[name] * (1.0 + prudence)
-            )
-    judge.factors["clearance"] = judge.factors.get("clearance", 0.0) + min(
-        exact["clearance"] - sampled["clearance"] - prudence, 0.0
-    )
-    active = tuple(name for name, room in rooms.items() if room <= ACTIVE)
+    _correct(judge, sampled, exact, prudence)
+    if judge.wish.objective == "disc":
+        plan = plan.with_value("disc.radius", exact["disc"])
     speed = greatest_head_speed(plan) if plan.limits.speed is not None else None
-    value, unit = exact[wish.objective], "m"
-    if wish.objective == "speed" and speed is not None:
-        value, unit = speed.value, "m/s"
-    elif wish.objective == "acceleration":
+    value, unit = exact[judge.wish.objective], "m"
+    if judge.wish.objective == "speed":
+        value, unit = (math.nan if speed is None else speed.value), "m/s"
+    elif judge.wish.objective == "acceleration":
         value, unit = exact["acceleration"] * plan.walk.speed**2, "m/s^2"
     answer = Answer(
         value, value, value, unit, "found", None,
         (_("best that was found in this family; better ones may exist"),),
         judge.looks, clock.perf_counter() - began,
     )  # fmt: skip
-    best = BestTurn(plan, turn, answer, turn.length, turn.way(judge.disc), speed, clearance, active)
-    return best, exceeded
+    turn, disc = judge.turn(x), plan.disc.radius or judge.disc
+    active = tuple(name for name, room in rooms.items() if room <= ACTIVE)
+    best = BestTurn(plan, turn, answer, turn.length, turn.way(disc), speed, clearance, active)
+    return best, any(room < -EXCEEDED for room in rooms.values())
+
+
+def _exact_figures(
+    plan: Plan, sampled: dict[str, float], within: float
+) -> tuple[dict[str, float], Answer]:
+    """Sampled figures made exact, on the safe side, and the least clearance (`within` so many m)."""
+    walk, exact = plan.build(), dict(sampled)
+    ends = float(walk.route.joints[1]), walk.head_where_tail(float(walk.route.joints[-2]))
+    for name in ("speed", "acceleration"):
+        exact[name] = greatest_of(walk, QUANTITIES[name], *ends, tolerance=1e-6).upper
+    times = [walk.profile.time(s - walk.start) for s in ends]
+    clearance = least_clearance(walk, *times, within=within, tolerances=(math.inf, 1e-5))
+    return {**exact, "clearance": clearance.lower}, clearance
+
+
+def _correct(judge: Judge, sampled: dict[str, float], exact: dict[str, float], prudence: float) -> None:
+    """Tell the judge by how much sampling flatters a turn like this, and somewhat more."""
+    for name in ("speed", "acceleration"):
+        change = exact[name] / sampled[name] * (1.0 + prudence)
+        judge.factors[name] = judge.factors.get(name, 1.0) * change
+    less = min(exact["clearance"] - sampled["clearance"] - prudence, 0.0)
+    judge.factors["clearance"] = judge.factors.get("clearance", 0.0) + less
 
 
 def _enough(judge: Judge, sampled: dict[str, float]) -> float:

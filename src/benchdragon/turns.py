@@ -150,7 +150,8 @@ class Turn:
         """The whole way inside a disc of this radius, m: the spirals inside it, and the turn."""
         spirals = 0.0
         for joint in (self.entry_radius, self.exit_radius):
-            spirals += Spiral.between(self.pitch, radius, joint).length if joint < radius else 0.0
+            if radius - joint > NOTHING:
+                spirals += Spiral.between(self.pitch, radius, joint).length
         return spirals + self.length
 
     @property
