@@ -51,6 +51,8 @@ LOCAL, NARROWINGS, PRUDENCE = 200, 8, 5e-5
 ACTIVE, EXCEEDED = 2e-3, 1e-7
 # What a turn that does not exist is worth, and the worst of a limit that is exceeded by all of itself.
 NOWHERE, WORSE = 1e6, 1e3
+# Figures of a turn that does not exist, in SI units.
+HOPELESS = 1e4
 # Joints lie no deeper than this share of the disc's radius, arcs are no wider than the other;
 # clothoids are no longer, m.
 DEEPEST, WIDEST, LONGEST_EASE = 0.3, 0.75, 4.0
@@ -452,7 +454,7 @@ def _descended(judge: Judge, x: list[float]) -> list[float]:
 
 def _complete(judge: Judge, x: Sequence[float]) -> dict[str, float]:
     """All figures; of a turn that does not exist, hopeless ones."""
-    bad = dict.fromkeys(("length", "way", "disc", "speed", "acceleration"), 100.0 * judge.disc)
+    bad = dict.fromkeys(("length", "way", "disc", "speed", "acceleration"), HOPELESS)
     bad |= {"radius": 0.0, "clearance": -1.0}
     return {**bad, **(judge.figures(x, complete=True) or {})}
 
@@ -489,16 +491,21 @@ def _exact_figures(
     """Sampled figures made exact, on the safe side, and the least clearance (`within` so many m)."""
     walk, exact = plan.build(), dict(sampled)
     ends = float(walk.route.joints[1]), walk.head_where_tail(float(walk.route.joints[-2]))
-    for name in ("speed", "acceleration"):
+    for name in _judged(sampled):
         exact[name] = greatest_of(walk, QUANTITIES[name], *ends, tolerance=1e-6).upper
     times = [walk.profile.time(s - walk.start) for s in ends]
     clearance = least_clearance(walk, *times, within=within, tolerances=(math.inf, 1e-5))
     return {**exact, "clearance": clearance.lower}, clearance
 
 
+def _judged(sampled: dict[str, float]) -> list[str]:
+    """Which of the sampled figures can be made exact: accelerations only where they are asked for."""
+    return [name for name in ("speed", "acceleration") if sampled[name] < HOPELESS]
+
+
 def _correct(judge: Judge, sampled: dict[str, float], exact: dict[str, float], prudence: float) -> None:
     """Tell the judge by how much sampling flatters a turn like this, and somewhat more."""
-    for name in ("speed", "acceleration"):
+    for name in _judged(sampled):
         change = exact[name] / sampled[name] * (1.0 + prudence)
         judge.factors[name] = judge.factors.get(name, 1.0) * change
     less = min(exact["clearance"] - sampled["clearance"] - prudence, 0.0)
