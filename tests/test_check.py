@@ -195,3 +195,23 @@ def test_the_greatest_head_speed_is_on_the_command_line(
     assert check(read_plan(str(path))).safe
     assert spoken(capsys, "solve", "speed", "spiral-in")[0] == 2
     assert spoken(capsys, "solve", "pitch", "spiral-in", "--pace", str(path))[0] == 2
+
+
+@pytest.mark.parametrize(
+    ("what", "option"),
+    [
+        ("pitch", "--plan-file=x.toml"),
+        ("pitch", "--longest=12"),
+        ("disc", "--objective=speed"),
+        ("turn", "--pace=x.toml"),
+        ("turn", "--prove"),
+        ("speed", "--method=traversal"),
+        ("speed", "--range=1:2"),
+    ],
+)
+def test_options_that_say_nothing_there_are_refused(
+    capsys: pytest.CaptureFixture[str], what: str, option: str
+) -> None:
+    code, out, err = spoken(capsys, "solve", what, "turn", option)
+    assert (code, out) == (2, "")
+    assert f"{option.partition('=')[0]} does not go with {what}" in err

@@ -68,18 +68,6 @@ OBJECTIVES = {
 }
 
 
-# What limits are called; the keys are those of `Judge.rooms`.
-LIMITS = {
-    "radius": N_("radius of the tightest bend"),
-    "disc": N_("radius of the disc"),
-    "length": N_("length of the turn"),
-    "way": N_("way inside the disc"),
-    "speed": N_("speed of a handle"),
-    "acceleration": N_("acceleration of a handle"),
-    "clearance": N_("distance of benches"),
-}
-
-
 @dataclass(frozen=True)
 class Wish:
     """What is sought of a turn, and what it must keep besides the plan's limits.
@@ -121,7 +109,7 @@ class BestTurn:
         way: whole way inside the disc, m.
         head_speed: the greatest constant head speed under the plan's limits; None without a limit.
         clearance: the least distance of benches over the whole manoeuvre.
-        active: names of the limits that it just keeps.
+        active: names of the limits that it just keeps: keys of `Judge.rooms`.
     """
 
     plan: Plan
@@ -150,48 +138,6 @@ class BestTurn:
             "clearance": self.clearance.as_json(),
             "active": list(self.active),
         }
-
-    def lines(self) -> list[str]:
-        """The turn in words, a line each, in the language in use."""
-        found = [
-            _("turn {length} m long, whole way inside the disc {way} m").format(
-                length=f"{self.length:.4f}", way=f"{self.way:.4f}"
-            ),
-            _("leaves the spiral at radius {a} m, joins the other at {b} m").format(
-                a=f"{self.turn.entry_radius:.4f}", b=f"{self.turn.exit_radius:.4f}"
-            ),
-            *(_piece_text(*piece) for piece in self.turn.pieces),
-        ]
-        if self.head_speed is not None:
-            found.append(
-                _("the head may walk at {speed} m/s ({why})").format(
-                    speed=f"{self.head_speed.value:.6f}", why="; ".join(self.head_speed.assumptions)
-                )
-            )
-        nearest = self.clearance.lower
-        found.append(_("benches stay {gap} m apart or more").format(gap=f"{nearest:.4f}"))
-        if self.active:
-            names = ", ".join(_(LIMITS[name]) for name in self.active)
-            found.append(_("limits that decide: {names}").format(names=names))
-        return [*found, *self.objective.assumptions]
-
-
-def _piece_text(length: float, a: float, b: float) -> str:
-    """One piece of a turn in words."""
-    if a != b:
-        return _("clothoid, {length} m, from curvature {a} 1/m to {b} 1/m").format(
-            length=f"{length:.4f}", a=f"{a:.4f}", b=f"{b:.4f}"
-        )
-    if not a:
-        return _("line, {length} m").format(length=f"{length:.4f}")
-    text = _("arc to the left, radius {radius} m, {length} m, {angle} degrees")
-    if a < 0.0:
-        text = _("arc to the right, radius {radius} m, {length} m, {angle} degrees")
-    return text.format(
-        radius=f"{1.0 / abs(a):.4f}",
-        length=f"{length:.4f}",
-        angle=f"{math.degrees(length * abs(a)):.2f}",
-    )
 
 
 @dataclass

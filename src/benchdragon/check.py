@@ -12,7 +12,7 @@ from benchdragon.motion import Walk
 from benchdragon.pace import given_limits
 from benchdragon.plan import Plan
 from benchdragon.prove import prove_contact
-from benchdragon.speeds import QUANTITIES, greatest_of, greatest_speed
+from benchdragon.speeds import QUANTITIES, greatest_of, greatest_speed, part_of
 
 Advance = Callable[[float, str], None]
 
@@ -97,12 +97,12 @@ def check(plan: Plan, advance: Advance | None = None, *, prove: bool = False) ->
     margin = plan.limits.margin
     tell(0.0, _("looking for contact"))
     search = prove_contact if prove else first_contact
-    contact = search(walk, start, end, margin=margin, advance=_part(tell, _("contact")))
+    contact = search(walk, start, end, margin=margin, advance=part_of(tell, _("contact")))
     if contact is not None and contact.status == "undecided":
         contact = _sure_contact(walk, start, end, margin) or contact
     until = end if contact is None or contact.witness is None else contact.upper
-    clearance = _clearance(walk, start, until, contact, _part(tell, _("clearance")))
-    speed = greatest_speed(walk, start, until, advance=_part(tell, _("greatest speed")))
+    clearance = _clearance(walk, start, until, contact, part_of(tell, _("clearance")))
+    speed = greatest_speed(walk, start, until, advance=part_of(tell, _("greatest speed")))
     findings = [
         *_contact_findings(contact, margin),
         *_speed_findings(speed, plan.limits.speed),
@@ -115,19 +115,6 @@ def _sure_contact(walk: Walk, start: float, end: float, margin: float) -> Answer
     """The first contact that is none of the grazes before it, if there is one."""
     windows = contact_windows(walk, start, end, margin=margin, most=MOST_GRAZES)
     return next((window.opens for window in windows if window.opens.status == "found"), None)
-
-
-def _part(tell: Advance, text: str) -> Callable[[float], None]:
-    """What turns the shares of one search into advances of a check."""
-    done = 0.0
-
-    def advance(share: float) -> None:
-        nonlocal done
-        if share > done:
-            tell(share - done, text)
-            done = share
-
-    return advance
 
 
 def _clearance(

@@ -7,14 +7,23 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from benchdragon.answer import Answer, Witness
-from benchdragon.errors import InputError
+from benchdragon.answer import Answer
+from benchdragon.errors import InputError, UnsureError
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.leader import MOST_SPEED, SpeedProfile
 from benchdragon.messages import _
 from benchdragon.motion import Walk
 from benchdragon.plan import Plan
-from benchdragon.speeds import QUANTITIES, TOLERANCE, Peak, Quantity, ceilings, greatest_of
+from benchdragon.speeds import (
+    QUANTITIES,
+    TOLERANCE,
+    Peak,
+    Quantity,
+    ceilings,
+    greatest_of,
+    part_of,
+    witness_of,
+)
 
 Advance = Callable[[float, str], None]
 
@@ -84,7 +93,7 @@ def greatest_head_speed(
     peaks: dict[str, Peak] = {}
     for name, allowed in limits.items():
         quantity = QUANTITIES[name]
-        tell = _part(advance, _(quantity.text), len(limits))
+        tell = part_of(advance, _(quantity.text), len(limits))
         peak = greatest_of(walk, quantity, first, last, tolerance=tolerance, advance=tell)
         peaks[name] = peak
         speeds[name] = (
@@ -101,7 +110,7 @@ def greatest_head_speed(
         upper,
         "m/s",
         "found" if lower > 0.0 else "undecided",
-        _witness(walk, peaks[active]),
+        witness_of(walk, peaks[active]),
         (_assumed(QUANTITIES[active], limits[active]),),
         sum(peak.looks for peak in peaks.values()),
         clock.perf_counter() - began,
@@ -118,27 +127,6 @@ def _assumed(quantity: Quantity, allowed: float) -> str:
     )
 
 
-def _witness(walk: Walk, peak: Peak) -> Witness:
-    motion = Walk(walk.dragon, walk.route).motion([peak.s])
-    point = float(motion.x[0, peak.row]), float(motion.y[0, peak.row])
-    bench = min(peak.row + 1, len(walk.dragon))
-    time = walk.profile.time(peak.s - walk.start)
-    return Witness(time if math.isfinite(time) else None, peak.s, (bench,), point, math.nan)
-
-
-def _part(advance: Advance | None, text: str, parts: int) -> Callable[[float], None] | None:
-    if advance is None:
-        return None
-    done = 0.0
-
-    def tell(share: float) -> None:
-        nonlocal done
-        advance((share - done) / parts, text)
-        done = share
-
-    return tell
-
-
 def slowed(plan: Plan, *, advance: Advance | None = None) -> Pace:
     """A pace at the plan's own head speed that slows down only where a limit would be exceeded.
 
@@ -150,12 +138,15 @@ def slowed(plan: Plan, *, advance: Advance | None = None) -> Pace:
         InputError: without a limit of speed or turning rate, with one of acceleration, or with a
             plan that has a profile already.
         WalkError: if the dragon cannot walk all the way.
+        UnsureError: if that could not be decided.
     """
     if plan.limits.acceleration is not None:
         raise InputError(_("a pace that slows down keeps no limits.acceleration: take it out"))
     if plan.walk.profile:
         raise InputError(_("the plan has a profile of its own: take walk.profile out"))
     steady = greatest_head_speed(plan, advance=advance)
+    if steady.status == "undecided":
+        raise UnsureError(_("it could not be shown that the dragon stands all along"))
     walk = plan.build()
     first, last = walk.head_position(plan.span(walk)).tolist()
     at, allowed = _coarser(*_allowed(walk, _limits_of(plan), first, last))

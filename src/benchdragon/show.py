@@ -3,6 +3,7 @@
 rich is imported when something is shown, so that help need not wait for it.
 """
 
+import math
 import sys
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
@@ -11,10 +12,12 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from benchdragon.messages import _
+from benchdragon.messages import N_, _
 
 if TYPE_CHECKING:
     from rich.console import Console
+
+    from benchdragon.best_turn import BestTurn
 
 Advance = Callable[..., None]
 
@@ -197,3 +200,58 @@ class _Bar:
 
     def _advance(self, share: float, text: str | None = None) -> None:
         self._progress.update(self._task, advance=share, description=text)
+
+
+# What limits are called; the keys are those of `Judge.rooms`.
+LIMITS = {
+    "radius": N_("radius of the tightest bend"),
+    "disc": N_("radius of the disc"),
+    "length": N_("length of the turn"),
+    "way": N_("way inside the disc"),
+    "speed": N_("speed of a handle"),
+    "acceleration": N_("acceleration of a handle"),
+    "clearance": N_("distance of benches"),
+}
+
+
+def turn_lines(best: "BestTurn") -> list[str]:
+    """The turn in words, a line each, in the language in use."""
+    found = [
+        _("turn {length} m long, whole way inside the disc {way} m").format(
+            length=f"{best.length:.4f}", way=f"{best.way:.4f}"
+        ),
+        _("leaves the spiral at radius {a} m, joins the other at {b} m").format(
+            a=f"{best.turn.entry_radius:.4f}", b=f"{best.turn.exit_radius:.4f}"
+        ),
+        *(_piece_text(*piece) for piece in best.turn.pieces),
+    ]
+    if best.head_speed is not None:
+        found.append(
+            _("the head may walk at {speed} m/s ({why})").format(
+                speed=f"{best.head_speed.value:.6f}", why="; ".join(best.head_speed.assumptions)
+            )
+        )
+    nearest = best.clearance.lower
+    found.append(_("benches stay {gap} m apart or more").format(gap=f"{nearest:.4f}"))
+    if best.active:
+        names = ", ".join(_(LIMITS[name]) for name in best.active)
+        found.append(_("limits that decide: {names}").format(names=names))
+    return [*found, *best.objective.assumptions]
+
+
+def _piece_text(length: float, a: float, b: float) -> str:
+    """One piece of a turn in words."""
+    if a != b:
+        return _("clothoid, {length} m, from curvature {a} 1/m to {b} 1/m").format(
+            length=f"{length:.4f}", a=f"{a:.4f}", b=f"{b:.4f}"
+        )
+    if not a:
+        return _("line, {length} m").format(length=f"{length:.4f}")
+    text = _("arc to the left, radius {radius} m, {length} m, {angle} degrees")
+    if a < 0.0:
+        text = _("arc to the right, radius {radius} m, {length} m, {angle} degrees")
+    return text.format(
+        radius=f"{1.0 / abs(a):.4f}",
+        length=f"{length:.4f}",
+        angle=f"{math.degrees(length * abs(a)):.2f}",
+    )

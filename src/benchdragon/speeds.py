@@ -7,7 +7,7 @@ they are v, v^2 and v times what the route makes of a head at 1 m/s.
 import math
 import time as clock
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -98,7 +98,9 @@ def greatest_speed(
     first, last = walk.head_position([start, end]).tolist()
     search = _Search(walk, QUANTITIES["speed"], tolerance, walk.profile)
     peak = search.over(first, last, advance)
-    witness = _witness(walk, peak, start)
+    witness = witness_of(walk, peak)
+    if witness.time is None:  # the head stands there all along
+        witness = replace(witness, time=start)
     seconds = clock.perf_counter() - began
     return Answer(peak.value, peak.value, peak.upper, "m/s", "found", witness, (), peak.looks, seconds)
 
@@ -140,11 +142,28 @@ def ceilings(
     return np.append(np.concatenate([some[:-1] for some in at]), last), np.concatenate(ceilings)
 
 
-def _witness(walk: Walk, peak: Peak, start: float) -> Witness:
-    time = max(walk.profile.time(peak.s - walk.start), start)
+def witness_of(walk: Walk, peak: Peak) -> Witness:
+    """Where a peak comes about: its bench, and when a head at the walk's own speed is there."""
     motion = Walk(walk.dragon, walk.route).motion([peak.s])
     point = float(motion.x[0, peak.row]), float(motion.y[0, peak.row])
-    return Witness(time, peak.s, (min(peak.row + 1, len(walk.dragon)),), point, math.nan)
+    time = walk.profile.time(peak.s - walk.start)
+    benches = (min(peak.row + 1, len(walk.dragon)),)
+    return Witness(time if math.isfinite(time) else None, peak.s, benches, point, math.nan)
+
+
+def part_of(
+    advance: Callable[[float, str], None] | None, text: str, parts: int = 1
+) -> Callable[[float], None]:
+    """What turns the growing share of one search of `parts` into advances under a text."""
+    done = 0.0
+
+    def tell(share: float) -> None:
+        nonlocal done
+        if advance is not None and share > done:
+            advance((share - done) / parts, text)
+            done = share
+
+    return tell
 
 
 class _Search:

@@ -18,7 +18,7 @@ from benchdragon.options import (
     plan_options,
     shared_options,
 )
-from benchdragon.show import print_files, progress
+from benchdragon.show import print_files, progress, turn_lines
 
 if TYPE_CHECKING:
     from benchdragon.check import Report
@@ -266,14 +266,13 @@ def solve(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     """Print an answer, as text or JSON."""
     from benchdragon.plan import read_plan
 
+    _refuse_strays(options)
     read = read_plan(plan, settings)
     announce_compiling(quiet)
     if options["span"]:
         return _print_sizes(read, options, quiet)
     if options["what"] == "speed":
         return _print_speed(read, options, quiet)
-    if options["pace_file"]:
-        raise InputError(_("--pace goes with speed"))
     if options["what"] == "turn":
         return _print_turn(read, options, quiet)
     with progress(quiet, 1) as advance:
@@ -282,6 +281,24 @@ def solve(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
 
     _print_solved(read, _(question(options["what"]).text), found, options["as_json"])
     return {"infeasible": NO_SOLUTION, "undecided": UNDECIDED}.get(found.status, 0)
+
+
+def _refuse_strays(options: dict[str, Any]) -> None:
+    """Refuse options that say nothing about what is asked for, rather than overlook them."""
+    what = options["what"]
+    for name, given, goes in (
+        ("--pace", options["pace_file"], what == "speed"),
+        ("--objective", options["objective"] != "way", what == "turn"),
+        ("--least-radius", options["least_radius"], what == "turn"),
+        ("--longest", options["longest"], what == "turn"),
+        ("--longest-way", options["longest_way"], what == "turn"),
+        ("--plan-file", options["plan_file"], what == "turn"),
+        ("--prove", options["prove"], what not in {"speed", "turn"}),
+        ("--method", options["method"] != "exact", what not in {"speed", "turn"}),
+        ("--range", options["span"], what not in {"speed", "turn"}),
+    ):
+        if given and not goes:
+            raise InputError(_("{option} does not go with {what}").format(option=name, what=what))
 
 
 def _print_solved(plan: "Plan", name: str, found: Answer, as_json: bool, **more: Any) -> None:
@@ -301,8 +318,6 @@ def _print_speed(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
     from benchdragon.files import refuse_existing, whole_file
     from benchdragon.pace import greatest_head_speed, slowed, with_pace
 
-    if options["method"] != "exact" or options["prove"]:
-        raise InputError(_("speed is found exactly, by one method, and not proved"))
     path: Path | None = options["pace_file"]
     if path is None:
         with progress(quiet, 1) as advance:
@@ -356,7 +371,7 @@ def _print_turn(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
             unit=best.objective.unit,
         )
     )
-    for line in best.lines():
+    for line in turn_lines(best):
         click.echo(f"  {line}")
     if path is not None:
         print_files([path])
