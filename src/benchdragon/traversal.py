@@ -9,11 +9,10 @@ import numpy as np
 import numpy.typing as npt
 
 from benchdragon.answer import Answer
-from benchdragon.clearance import boxes, pairs_within
 from benchdragon.contact import first_contact
 from benchdragon.curves import Spiral
 from benchdragon.errors import positive
-from benchdragon.kernels.box import pair_distances
+from benchdragon.kernels.box import least_distance
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.messages import _
 from benchdragon.motion import Walk
@@ -62,7 +61,7 @@ def traversed_pitch(
         walk, start, end = family.walk(pitch)
         times = np.append(np.arange(start, end, time_step), end)
         looks += len(times)
-        if not _flag(walk, times):
+        if first_overlap(walk, times[::-1]) is None:
             break
     return Answer(
         pitch, pitch - pitch_step, pitch, "m", "undecided", None,
@@ -74,17 +73,17 @@ def traversed_pitch(
     )  # fmt: skip
 
 
-def _flag(walk: Walk, times: FloatArray) -> bool:
-    """Whether benches but neighbours overlap at any of the times."""
+def first_overlap(walk: Walk, times: FloatArray) -> float | None:
+    """The first in the list `times` (s) at which two benches but neighbours overlap; None if none.
+
+    The paper's flag: the separating axis theorem at each time, and nothing said of what lies between.
+    """
     for motion in walk.motions(times):
-        for index in range(len(motion.times) - 1, -1, -1):
-            table = boxes(motion, index)
-            first, second = pairs_within(table, 0.0)
-            gap, distance = np.empty(len(first)), np.empty(len(first))
-            pair_distances(table, first, second, gap, distance)
-            if (gap < 0.0).any():
-                return True
-    return False
+        for n, t in enumerate(motion.times):
+            x, y = (np.ascontiguousarray(table[n, :, np.newaxis]) for table in (motion.x, motion.y))
+            if least_distance(walk.dragon.sizes, x, y) < 0.0:
+                return float(t)
+    return None
 
 
 @dataclass(frozen=True)

@@ -152,17 +152,23 @@ def distances_along(
 def least_distance(sizes: FloatArray, x: FloatArray, y: FloatArray) -> float:
     """The least distance of any two benches but neighbours at any time, m; minus the depth inside.
 
-    x and y are (handles, times). All pairs are looked at: for a few dozen benches.
+    x and y are (handles, times). All pairs are looked at, but only those whose circles come nearer
+    than the least so far in full.
     """
-    boxes = np.empty((sizes.shape[1], BOX_COLUMNS))
+    count = sizes.shape[1]
+    boxes = np.empty((count, BOX_COLUMNS))
+    cx, cy, apart = np.empty(count), np.empty(count), np.empty(count)
+    radius = 0.5 * np.sqrt(sizes[0] * sizes[0] + sizes[1] * sizes[1])
     least = math.inf
     for t in range(x.shape[1]):
         boxes_at(sizes, x, y, t, boxes)
-        for j in range(2, boxes.shape[0]):
-            for i in range(j - 1):
-                far = math.hypot(boxes[j, CX] - boxes[i, CX], boxes[j, CY] - boxes[i, CY])
-                arms = math.hypot(boxes[i, HALF_LENGTH], boxes[i, HALF_WIDTH])
-                arms += math.hypot(boxes[j, HALF_LENGTH], boxes[j, HALF_WIDTH])
-                if far - arms < least:
-                    least = min(least, box_distance(boxes, i, j))
+        cx[:], cy[:] = boxes[:, CX], boxes[:, CY]
+        for i in range(2, count):
+            for j in range(i - 1):  # without a branch, so that it becomes SIMD
+                apart[j] = (cx[j] - cx[i]) ** 2 + (cy[j] - cy[i]) ** 2
+            for j in range(i - 1):
+                near = radius[i] + radius[j] + least
+                if apart[j] < near * near and near > 0.0:
+                    if box_gap(boxes, i, j) < least:
+                        least = min(least, box_distance(boxes, i, j))
     return least
