@@ -1,0 +1,152 @@
+"""Random dances: links, offsets, chances and their bounds."""
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.stats import binomtest
+
+from benchdragon.cli import run
+from benchdragon.contact import first_contact
+from benchdragon.dragon import Dragon
+from benchdragon.errors import InputError, UnsureError
+from benchdragon.imprecision import CASES, Draw, Margins, Slips, least_clearance, margins
+from benchdragon.plan import Plan, read_plan
+from benchdragon.solve import limit
+
+
+def disc(pitch: float = 0.55, benches: int = 223) -> Plan:
+    return read_plan(
+        "spiral-in", [f"route.pitch={pitch}", "disc.radius=4.5", f"dragon.benches={benches}"]
+    )
+
+
+def test_without_slips_a_dance_is_the_plan_s_own() -> None:
+    pitch = limit(disc(), "pitch").value
+    assert least_clearance(disc(pitch), Draw(Slips(), 1, 0)) == pytest.approx(0.0, abs=2e-4)
+    fine = least_clearance(disc(pitch), Draw(Slips(), 1, 0), (0.02, 0.5))
+    assert fine == pytest.approx(0.0, abs=1e-6)
+
+
+def test_finer_looks_find_the_same_to_a_tenth_of_a_millimetre() -> None:
+    for number in range(4):
+        draw = Draw(CASES["all"].slips, 3, number)
+        coarse, fine = least_clearance(disc(0.5), draw), least_clearance(disc(0.5), draw, (0.1, 0.1))
+        assert fine <= coarse <= fine + 3e-4
+
+
+def test_longer_benches_need_what_the_exact_search_says() -> None:
+    """Sizes alone are random here: the exact search walks the same benches, each with its own size."""
+    draw = Draw(Slips(length=0.02, width=0.005), 5, 0)
+    plain = disc(benches=60)
+    needed = margins(plain, draw.slips, 1, seed=5).needed[0]
+    for side, clear in ((-5e-4, False), (5e-4, True)):
+        walk = plain.with_value("route.pitch", float(needed) + side).build()
+        dragon = draw.dragon(walk.dragon)
+        own = type(walk)(dragon, walk.route, walk.profile, walk.start)
+        end = walk.profile.time(walk.route.length)
+        assert (first_contact(own, 0.0, end) is None) is clear
+
+
+def test_each_slip_changes_what_it_says() -> None:
+    plain = Dragon.uniform(2000)
+
+    def drawn(**slips: float) -> Dragon:
+        return Draw(Slips(**slips), 1, 0).dragon(plain)
+
+    assert np.std(drawn(length=0.02).length - plain.length) == pytest.approx(0.02, rel=0.1)
+    assert np.std(drawn(width=0.01).width - plain.width) == pytest.approx(0.01, rel=0.1)
+    play = drawn(play=0.01)
+    assert np.std(play.links - plain.links) == pytest.approx(0.01, rel=0.1)
+    assert (play.length == plain.length).all()
+    level = drawn(height=0.1)
+    assert (level.links <= plain.links).all()
+    assert np.mean(plain.links - level.links) == pytest.approx(0.5 * 0.1**2 / 1.65, rel=0.1)
+
+
+def test_the_trodden_line_strays_as_far_as_it_should_and_smoothly() -> None:
+    spread, steps = [], []
+    for number in range(40):
+        lane, step = Draw(Slips(stray=0.02), 1, number).lane(400.0)
+        spread.append(lane.std())
+        steps.append(np.abs(np.diff(lane)).max() / step)
+    assert np.mean(spread) == pytest.approx(0.02, rel=0.1)
+    assert max(steps) < 0.02  # m per m: no kinks
+    long, short = (Draw(Slips(stray=0.02), 1, 0).lane(way)[0] for way in (400.0, 100.0))
+    assert long[: short.size] == pytest.approx(short)
+
+
+def test_a_seed_gives_the_same_dances_for_any_number_of_threads() -> None:
+    plan = disc(benches=60)
+    one, two = (margins(plan, CASES["all"].slips, 6, seed=9, workers=n) for n in (1, 2))
+    assert (one.needed == two.needed).all()
+    more = margins(plan, CASES["all"].slips, 8, seed=9)
+    assert set(one.needed) < set(more.needed)
+    other = margins(plan, CASES["all"].slips, 6, seed=10)
+    assert not set(one.needed) & set(other.needed)
+
+
+def test_a_larger_pitch_than_needed_stays_clear_and_a_smaller_one_does_not() -> None:
+    plan, slips = disc(benches=80), CASES["all"].slips
+    needed = margins(plan, slips, 5, seed=4).needed
+    for more in (-0.03, -0.001, 0.001, 0.03, 0.1):
+        for number, pitch in enumerate(needed):
+            at = plan.with_value("route.pitch", float(pitch) + more)
+            clear = [least_clearance(at, Draw(slips, 4, n)) > 0.0 for n in range(5)]
+            # Sorted: the dances that need less stay clear, and with more pitch this one does too.
+            assert sum(clear) >= number + 1 if more > 0.0 else sum(clear) <= number
+
+
+def test_the_bounds_of_a_chance_are_those_of_clopper_and_pearson() -> None:
+    found = Margins(Slips(), 1, 0.45, np.linspace(0.45, 0.55, 101))
+    for pitch in (0.44, 0.5, 0.545, 0.56):
+        share, low, high = found.touching(pitch)
+        hits = int((found.needed > pitch).sum())
+        interval = binomtest(hits, 101).proportion_ci(0.95, "exact")
+        assert (share, low, high) == pytest.approx((hits / 101, interval.low, interval.high))
+
+
+def test_a_pitch_for_a_risk_is_sure_as_often_as_is_said() -> None:
+    """Of many samples from a known distribution, at most 5 % may promise too small a pitch."""
+    random = np.random.default_rng(3)
+    wrong = 0
+    for _trial in range(2000):
+        needed = np.sort(random.random(100))
+        wrong += Margins(Slips(), 1, 0.0, needed).pitch_for(0.1) < 0.9
+    assert 0.01 < wrong / 2000 < 0.065
+    assert math.isinf(Margins(Slips(), 1, 0.0, np.linspace(0, 1, 20)).pitch_for(0.1))
+    assert Margins(Slips(), 1, 0.0, np.linspace(0, 1, 59)).pitch_for(0.05) == 1.0
+
+
+def test_wrong_slips_and_draws_are_refused() -> None:
+    with pytest.raises(InputError, match="at most 1 m"):
+        Slips(aside=1.5)
+    with pytest.raises(InputError, match="negative"):
+        Slips(width=-0.1)
+    with pytest.raises(InputError, match="draws must be"):
+        margins(disc(), Slips(), 0)
+    with pytest.raises(UnsureError, match="no pitch was found"):
+        margins(read_plan("spiral-in", ["disc.radius=4.5", "limits.margin=60"]), Slips(), 1)
+
+
+def test_the_verb_tells_pitches_and_chances(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["margins", "spiral-in", "--set", "disc.radius=4.5", "--set", "dragon.benches=60"]
+    words += ["--draws", "20", "--quiet"]
+    assert run([*words, "--aside", "0.02", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)["cases"]["given"]
+    assert found["draws"] == len(found["needed"]) == 20
+    assert found["slips"]["aside"] == 0.02
+    assert found["touching"]["pitch"] == 0.55
+    assert found["pitch_for"]["0.02"] is None  # twenty dances are too few for one in fifty
+    assert found["pitch_for"]["0.5"] in found["needed"]
+    assert run([*words, "-o", str(tmp_path)]) == 0
+    out = capsys.readouterr().out
+    assert all(case.text[:12] in out for case in CASES.values())
+    assert sorted(path.name for path in tmp_path.iterdir()) == [
+        "margins.pdf", "margins.png", "margins.svg",
+    ]  # fmt: skip
+    assert run([*words, "-o", str(tmp_path)]) == 2
+    assert run(["margins", "examples/01_parade.dragon.toml", "--quiet"]) != 0
+    assert "route.pitch" in capsys.readouterr().err
