@@ -1,6 +1,13 @@
-"""One hypothesis profile for all tests: the same examples each time, however slow the compiler."""
+"""For all tests: one hypothesis profile, the same examples each time; and the paper's results."""
 
+from pathlib import Path
+
+import pytest
 from hypothesis import HealthCheck, settings
+
+from benchdragon import reproduce as reproducing
+from benchdragon import results
+from benchdragon.results import Results
 
 settings.register_profile(
     "benchdragon",
@@ -11,3 +18,28 @@ settings.register_profile(
     suppress_health_check=[HealthCheck.too_slow],
 )
 settings.load_profile("benchdragon")
+
+
+@pytest.fixture(scope="session")
+def found() -> Results:
+    """What the paper comes to; fewer turns and fewer dances will do in a test."""
+    told: list[str] = []
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(results, "FRONT_SPEEDS", (1.3,))
+        patch.setattr(results, "DRAWS", 12)
+        computed = results.results(told.append)
+    assert len(told) == results.STEPS
+    return computed
+
+
+@pytest.fixture(scope="session")
+def folder(tmp_path_factory: pytest.TempPathFactory, found: Results) -> Path:
+    """A folder that `reproduce` has filled."""
+    folder = tmp_path_factory.mktemp("out")
+    told: list[str] = []
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(reproducing, "results", lambda _advance: found)
+        written = reproducing.reproduce(folder, advance=told.append)
+    assert written.files == reproducing.planned_files(folder)
+    assert len(told) == reproducing.STEPS - results.STEPS
+    return folder

@@ -8,7 +8,7 @@ from benchdragon.answer import Answer
 from benchdragon.contact import contact_windows, first_contact, least_clearance
 from benchdragon.errors import InputError
 from benchdragon.messages import _
-from benchdragon.motion import Walk
+from benchdragon.motion import Motion, Walk
 from benchdragon.pace import given_limits
 from benchdragon.plan import Plan
 from benchdragon.prove import prove_contact
@@ -200,3 +200,18 @@ def _speed_findings(speed: Answer, limit: float | None) -> list[Finding]:
             limit,
         )
     ]
+
+
+def moment(report: Report) -> tuple[Motion, Answer]:
+    """The dragon at first contact, or where the walk is tightest; and the answer that says so.
+
+    Raises:
+        InputError: for a dragon without pairs that count.
+    """
+    contact = report.first_contact
+    answer = report.clearance if contact is None else contact
+    if answer.witness is None or answer.witness.time is None:
+        raise InputError(_("a dragon of one or two benches has no pair whose clearance counts"))
+    walk = report.plan.build()
+    time = answer.witness.time if contact is None else contact.value
+    return walk.motion([time]), answer

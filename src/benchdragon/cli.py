@@ -16,6 +16,8 @@ import click
 
 from benchdragon import __version__
 from benchdragon.ask import PICTURE_FORMATS, parse_formats, parse_handles, parse_times
+from benchdragon.chances import margins
+from benchdragon.document import decimals
 from benchdragon.errors import BenchDragonError, InputError
 from benchdragon.messages import LANGUAGES, N_, _, language
 from benchdragon.options import announce_compiling, plan_options, shared_options
@@ -26,7 +28,6 @@ from benchdragon.show import (
     print_reproduction,
     print_table,
     progress,
-    six,
 )
 from benchdragon.verdicts import check, solve
 
@@ -77,8 +78,8 @@ def program() -> None:
 
 @program.command(
     help=N_(
-        "Repeat the paper's walks: the contest's tables, the pictures, and the checks of each "
-        "method against the exact one."
+        "Repeat the paper, claim by claim, and write a report: the contest's answers, tables and "
+        "pictures, how far off each method is, and what imprecise people need."
     )
 )
 @click.option(
@@ -91,16 +92,21 @@ def program() -> None:
     help=N_("Folder for the files."),
 )
 @click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))
+@click.option(
+    "--docs",
+    metavar="PLACE",
+    help=N_("Folder or address of the documentation's pages, for links in the report."),
+)
 @click.option("--json", "as_json", is_flag=True, help=N_("Print one JSON object and nothing else."))
 @shared_options
-def reproduce(output: Path, force: bool, as_json: bool, quiet: bool) -> int:
+def reproduce(output: Path, force: bool, docs: str | None, as_json: bool, quiet: bool) -> int:
     """Write the paper's files and print the answers."""
     from benchdragon.reproduce import STEPS
     from benchdragon.reproduce import reproduce as reproduced
 
     announce_compiling(quiet)
     with progress(quiet, STEPS) as advance:
-        found = reproduced(output, force, lambda text: advance(1.0, text))
+        found = reproduced(output, force, lambda text: advance(1.0, text), docs)
     if as_json:
         click.echo(json.dumps({**found.answers, "files": [str(path) for path in found.files]}))
         return 0
@@ -193,7 +199,7 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     return _motion_table(walk, read, times, handles, options)
 
 
-for verb in (check, solve):
+for verb in (check, solve, margins):
     program.add_command(verb)
 
 
@@ -303,7 +309,7 @@ def _motion_table(
         (
             f"{t:.6g}",
             str(handle),
-            *(six(table[i, handle]) for table in (found.x, found.y, found.speed)),
+            *(decimals(table[i, handle]) for table in (found.x, found.y, found.speed)),
         )
         for i, t in enumerate(times)
         for handle in chosen

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from benchdragon.document import decimals
 from benchdragon.messages import N_, _
 
 if TYPE_CHECKING:
@@ -22,18 +23,19 @@ if TYPE_CHECKING:
 Advance = Callable[..., None]
 
 
-def six(value: float) -> str:
-    """Six decimals, without the sign of a zero."""
-    return f"{round(value, 6) + 0.0:.6f}"
-
-
 def print_table(title: str, rows: Sequence[tuple[str, ...]]) -> None:
     """Rows of time, handle, x, y, speed, each as text."""
+    columns = (_("time (s)"), _("handle"), _("x (m)"), _("y (m)"), _("speed (m/s)"))
+    print_rows(title, columns, rows)
+
+
+def print_rows(title: str, columns: Sequence[str], rows: Sequence[tuple[str, ...]]) -> None:
+    """A table of words: those of the first column may break, the others stand to the right."""
     from rich.table import Table
 
     table = Table(title=title)
-    for name in (_("time (s)"), _("handle"), _("x (m)"), _("y (m)"), _("speed (m/s)")):
-        table.add_column(name, justify="right", no_wrap=True)
+    for n, name in enumerate(columns):
+        table.add_column(name, justify="right" if n else "left", no_wrap=n > 0)
     for row in rows:
         table.add_row(*row)
     _console().print(table)
@@ -52,7 +54,7 @@ def print_reproduction(answers: dict[str, Any]) -> None:
         (
             f"{row['time_s']:g}",
             str(row["handle"]),
-            *(six(row[key]) for key in ("x_m", "y_m", "speed_m_s")),
+            *(decimals(row[key]) for key in ("x_m", "y_m", "speed_m_s")),
         )
         for row in answers["table"]
     ]

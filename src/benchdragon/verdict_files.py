@@ -5,14 +5,12 @@ from pathlib import Path
 
 import numpy as np
 
-from benchdragon.answer import Answer
-from benchdragon.check import Report
+from benchdragon.check import Report, moment
 from benchdragon.contact import ClearanceCurve, clearance_curve
 from benchdragon.contact_pictures import clearance_picture, moment_picture
 from benchdragon.errors import InputError
 from benchdragon.files import refuse_existing
 from benchdragon.messages import _, language
-from benchdragon.motion import Motion
 from benchdragon.pictures import write_picture
 from benchdragon.tables import write_moment_xlsx
 
@@ -42,21 +40,6 @@ def planned_files(folder: Path, formats: Sequence[str], force: bool) -> list[Pat
             files += [folder / f"contact.{kind}", folder / f"clearance.{kind}"]
     refuse_existing(files, force)
     return files
-
-
-def moment(report: Report) -> tuple[Motion, Answer]:
-    """The dragon at first contact, or where the walk is tightest; and the answer that says so.
-
-    Raises:
-        InputError: for a dragon without pairs that count.
-    """
-    contact = report.first_contact
-    answer = report.clearance if contact is None else contact
-    if answer.witness is None or answer.witness.time is None:
-        raise InputError(_("a dragon of one or two benches has no pair whose clearance counts"))
-    walk = report.plan.build()
-    time = answer.witness.time if contact is None else contact.value
-    return walk.motion([time]), answer
 
 
 def curve(report: Report) -> ClearanceCurve:
