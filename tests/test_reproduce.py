@@ -78,7 +78,7 @@ def test_the_command_prints_answers_and_files(
     monkeypatch.setattr(reproducing, "results", lambda _advance: found)
     assert run(["reproduce", "-o", str(tmp_path / "a")]) == 0
     out = capsys.readouterr().out
-    assert "measured order of RK4 3.98" in out
+    assert "measured order of RK4 3.97" in out
     assert "4.0055, 0.9841, -2.1575, 0.8639" in out
     assert str(tmp_path / "a" / "result1.xlsx") in out
 

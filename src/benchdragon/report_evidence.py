@@ -4,6 +4,8 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+import numpy as np
+
 from benchdragon.answer import Answer
 from benchdragon.document import (
     Block,
@@ -227,18 +229,10 @@ def people(found: Results) -> Iterable[Block]:
     rows = []
     for name, one in found.margins.items():
         slips = ", ".join(f"{100.0 * size:g}" for size in vars(one.slips).values() if size)
-        tenth, twentieth = one.pitch_for(0.1), one.pitch_for(0.05)
-        median = float(one.needed[one.needed.size // 2])
-        rows.append(
-            (
-                _(CASES[name].text),
-                slips,
-                f"{median:.4f}",
-                f"{tenth:.4f}",
-                f"{twentieth:.4f}",
-                f"{100.0 * (twentieth - found.smallest.value):.1f}",
-            )
-        )
+        median, tenth, twentieth = np.median(one.needed), one.pitch_for(0.1), one.pitch_for(0.05)
+        room = 100.0 * (twentieth - found.smallest.value)
+        numbers = (_known(median), _known(tenth), _known(twentieth), _known(room, 1))
+        rows.append((_(CASES[name].text), slips, *numbers))
     yield Table(columns, (2.4, 1.0, 0.8, 1.0, 1.0, 1.0), tuple(rows))
     yield say(
         _(
@@ -247,6 +241,11 @@ def people(found: Results) -> Iterable[Block]:
             "strays it must measure itself."
         )
     )
+
+
+def _known(value: float, count: int = 4) -> str:
+    """A number, or a dash where the draws were too few to say."""
+    return decimals(value, count) if math.isfinite(value) else "-"
 
 
 def roads(found: Results, docs: str | None) -> Iterable[Block]:
