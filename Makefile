@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: demo test bench messages lock fonts clean
+.PHONY: demo test bench truth messages lock fonts clean
 
 .venv/installed: requirements.lock pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed")'
@@ -24,6 +24,9 @@ test: .venv/installed
 
 bench: .venv/installed
 	$(BIN)/python benchmarks/run.py
+
+truth: .venv/installed
+	$(BIN)/python -m tests.truth.make_truth
 
 messages: .venv/installed
 	$(BIN)/python tools/make_messages.py
