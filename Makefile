@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: demo test bench truth messages lock fonts clean
+.PHONY: demo test docs bench truth messages lock fonts clean
 
 .venv/installed: requirements.lock pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed")'
@@ -22,6 +22,10 @@ test: .venv/installed
 	BENCHDRAGON_COMPILE=never $(BIN)/python -m pytest -q -n auto tests/kernels --cov --cov-report=term-missing --cov-fail-under=95
 	$(BIN)/python -m pytest -q -n auto
 
+docs: .venv/installed
+	$(BIN)/sphinx-build --quiet --fresh-env --fail-on-warning --keep-going -c docs docs/en docs/_build/html/en
+	$(BIN)/sphinx-build --quiet --fresh-env --fail-on-warning --keep-going -c docs -D language=zh_CN docs/zh docs/_build/html/zh
+
 bench: .venv/installed
 	$(BIN)/python benchmarks/run.py
 
@@ -36,7 +40,7 @@ fonts: .venv/installed
 
 lock:
 	uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-annotate --no-header \
-	  --python-version 3.11 --extra data --extra prove --group dev --group build pyproject.toml -o requirements.lock
+	  --python-version 3.11 --extra data --extra prove --group dev --group build --group docs pyproject.toml -o requirements.lock
 
 clean:
 	rm -rf .venv out .coverage .mypy_cache .pytest_cache .ruff_cache

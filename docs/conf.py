@@ -1,0 +1,117 @@
+"""Sphinx for both languages: docs/en, and docs/zh with `-D language=zh_CN`.
+
+Pages need no network, neither here nor when they are read: formulas become MathML, and all scripts and
+fonts lie beside the pages. Cells run each time, so that every number is today's.
+"""
+
+import os
+import re
+from typing import Any
+
+from docutils import nodes
+from docutils.utils.math.latex2mathml import tex2mathml
+from sphinx.application import Sphinx
+from sphinx.config import Config
+from sphinx.search.zh import SearchChinese
+from sphinx.util.docutils import SphinxRole
+from sphinx.writers.html5 import HTML5Translator
+
+from benchdragon import __version__
+
+author = "The benchdragon developers"
+project = "benchdragon"
+copyright = author
+version = release = __version__
+
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.viewcode"]
+templates_path = ["_templates"]
+html_static_path = ["_static"]
+html_css_files = ["site.css"]
+html_math_renderer = "mathml"
+html_copy_source = False
+html_show_sphinx = False
+
+myst_enable_extensions = ["dollarmath"]
+myst_ref_domains = ["std"]
+nb_execution_mode = "force"
+nb_execution_raise_on_error = True
+nb_execution_timeout = 600
+nb_merge_streams = True
+nb_ipywidgets_js: dict[str, dict[str, str]] = {}
+
+default_role = "literal"
+autodoc_default_options = {"members": True, "exclude-members": "model_config"}
+autodoc_member_order = "bysource"
+autodoc_typehints = "none"
+autodoc_preserve_defaults = True
+napoleon_use_ivar = True
+
+html_theme = "pydata_sphinx_theme"
+html_theme_options: dict[str, Any] = {
+    "navbar_center": [],
+    "navbar_end": ["language", "theme-switcher"],
+    "secondary_sidebar_items": ["page-toc"],
+    "footer_start": ["copyright"],
+    "footer_end": [],
+    "pygments_light_style": "a11y-high-contrast-light",
+    "pygments_dark_style": "a11y-high-contrast-dark",
+    "show_toc_level": 2,
+}
+html_sidebars = {"**": ["pages"]}
+
+
+class Listing(SphinxRole):
+    """`{view}` with room:name: the listing of that name, as viewcode writes it beside the API."""
+
+    def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
+        """A link to the listing."""
+        room, _colon, name = self.text.partition(":")
+        address = f"_modules/benchdragon/{room.replace('.', '/')}.html#{name}"
+        text = nodes.literal("", f"{room}.{name}")
+        return [nodes.reference(self.rawtext, "", text, refuri=address, internal=True)], []
+
+
+class Search(SearchChinese):
+    """Chinese by single signs, pairs and whole runs of them, so that any word of a page is found."""
+
+    def split(self, text: str) -> list[str]:
+        """The words of a text."""
+        words = super().split(text)
+        for run in re.findall(r"[\u4e00-\u9fff]+", text):
+            words += [run, *run, *(run[n : n + 2] for n in range(len(run) - 1))]
+        return words
+
+
+def visit_math(self: HTML5Translator, node: nodes.math) -> None:
+    """A formula in a line."""
+    self.body.append(tex2mathml(node.astext()))
+    raise nodes.SkipNode
+
+
+def visit_display(self: HTML5Translator, node: nodes.math_block) -> None:
+    """A formula of its own."""
+    self.body.append(f'<div class="formula">{tex2mathml(node.astext(), as_block=True)}</div>')
+    raise nodes.SkipNode
+
+
+def escape(*event: Any) -> None:
+    """Leave the bars of |x| in a docstring, the last of the event's parts, as they are."""
+    lines = event[-1]
+    lines[:] = [line.replace("|", r"\|") for line in lines]
+
+
+def speak(_app: Sphinx, config: Config) -> None:
+    """Set what depends on the language; pictures in cells follow BENCHDRAGON_LANG."""
+    chinese = config.language == "zh_CN"
+    os.environ["BENCHDRAGON_LANG"] = "zh" if chinese else "en"
+    config.html_title = "benchdragon 板凳龙" if chinese else "benchdragon"
+    config.html_theme_options["search_bar_text"] = "搜索" if chinese else "Search"
+
+
+def setup(app: Sphinx) -> None:
+    """Add the role, the formulas, the search and the language."""
+    app.add_role("view", Listing())
+    app.add_html_math_renderer("mathml", (visit_math, None), (visit_display, None))
+    app.add_search_language(Search)
+    app.connect("autodoc-process-docstring", escape)
+    app.connect("config-inited", speak)
