@@ -23,6 +23,7 @@ test: .venv/installed
 	$(BIN)/python -m pytest -q -n auto
 
 docs: .venv/installed
+	rm -rf docs/_build
 	$(BIN)/sphinx-build --quiet --fresh-env --fail-on-warning --keep-going -c docs docs/en docs/_build/html/en
 	$(BIN)/sphinx-build --quiet --fresh-env --fail-on-warning --keep-going -c docs -D language=zh_CN docs/zh docs/_build/html/zh
 
@@ -43,4 +44,4 @@ lock:
 	  --python-version 3.11 --extra data --extra prove --group dev --group build --group docs pyproject.toml -o requirements.lock
 
 clean:
-	rm -rf .venv out .coverage .mypy_cache .pytest_cache .ruff_cache
+	rm -rf .venv out docs/_build .coverage .mypy_cache .pytest_cache .ruff_cache

@@ -39,6 +39,10 @@ nb_execution_timeout = 600
 nb_merge_streams = True
 nb_ipywidgets_js: dict[str, dict[str, str]] = {}
 
+# Ends of lines that leave no gap: between Chinese signs, or after a Chinese mark and before other text.
+MARK, SIGN = r"\u3000-\u303f\uff00-\uffef", r"\u4e00-\u9fff"
+SEAMLESS = re.compile(rf"(?<=[{MARK}{SIGN}])\n *(?=[{MARK}{SIGN}])|(?<=[{MARK}])\n *(?=[A-Za-z{{\[])")
+
 default_role = "literal"
 autodoc_default_options = {"members": True, "exclude-members": "model_config"}
 autodoc_member_order = "bysource"
@@ -77,7 +81,7 @@ class Search(SearchChinese):
     def split(self, text: str) -> list[str]:
         """The words of a text."""
         words = super().split(text)
-        for run in re.findall(r"[\u4e00-\u9fff]+", text):
+        for run in re.findall(f"[{SIGN}]+", text):
             words += [run, *run, *(run[n : n + 2] for n in range(len(run) - 1))]
         return words
 
@@ -100,6 +104,11 @@ def escape(*event: Any) -> None:
     lines[:] = [line.replace("|", r"\|") for line in lines]
 
 
+def join(_app: Sphinx, _page: str, source: list[str]) -> None:
+    """Join lines of Chinese, which browsers would part by a space."""
+    source[0] = SEAMLESS.sub("", source[0])
+
+
 def speak(_app: Sphinx, config: Config) -> None:
     """Set what depends on the language; pictures in cells follow BENCHDRAGON_LANG."""
     chinese = config.language == "zh_CN"
@@ -114,4 +123,5 @@ def setup(app: Sphinx) -> None:
     app.add_html_math_renderer("mathml", (visit_math, None), (visit_display, None))
     app.add_search_language(Search)
     app.connect("autodoc-process-docstring", escape)
+    app.connect("source-read", join)
     app.connect("config-inited", speak)

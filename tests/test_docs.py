@@ -1,0 +1,205 @@
+"""The site: the same pages in two languages, whose numbers lead to formulas, code and tests."""
+
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from bs4 import BeautifulSoup, Tag
+
+import benchdragon
+from tests.test_examples import shell_lines
+
+ROOT = Path(__file__).parent.parent
+LANGUAGES = {"en": "en", "zh": "zh_CN"}
+PAGES = sorted(path.name for path in (ROOT / "docs" / "en").glob("*.md"))
+FENCE = re.compile(r"^```(\S+)[^\n]*\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+# What makes a browser fetch something by itself.
+LOADS = {
+    "script": "src",
+    "img": "src",
+    "link": "href",
+    "iframe": "src",
+    "source": "src",
+    "object": "data",
+}
+
+
+def source(language: str, page: str) -> str:
+    return (ROOT / "docs" / language / page).read_text("utf-8")
+
+
+def blocks(text: str, kind: str) -> list[str]:
+    """Bodies of fenced blocks of a kind, without their options."""
+    bodies = [body for found, body in FENCE.findall(text) if found == kind]
+    bodies = [re.sub(r"\A---\n.*?^---\n", "", body, flags=re.DOTALL | re.MULTILINE) for body in bodies]
+    return [re.sub(r"\A(:.*\n)*", "", body) for body in bodies]
+
+
+def commands(text: str) -> list[str]:
+    lines = [line for block in blocks(text, "sh") for line in block.splitlines()]
+    return [line.split("#")[0].strip() for line in lines]
+
+
+def test_both_languages_have_the_same_pages() -> None:
+    chinese = sorted(path.name for path in (ROOT / "docs" / "zh").glob("*.md"))
+    assert chinese == PAGES
+    assert {"index.md", "established.md", "evidence.md", "question-3.md"} < set(PAGES)
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_both_languages_run_the_same_code_and_lead_to_the_same_places(page: str) -> None:
+    english, chinese = source("en", page), source("zh", page)
+    assert blocks(english, "{code-cell}") == blocks(chinese, "{code-cell}")
+    assert blocks(english, "{eval-rst}") == blocks(chinese, "{eval-rst}")
+    assert commands(english) == commands(chinese)
+    for pattern in (r"{view}`(.*?)`", r"\]\((#.*?)\)", r"^\((.*?)\)=$", r"^```{literalinclude} (.*)$"):
+        found = [sorted(re.findall(pattern, text, re.MULTILINE)) for text in (english, chinese)]
+        assert found[0] == found[1], pattern
+
+
+def test_the_commands_are_those_of_the_readme_which_are_run() -> None:
+    readme = shell_lines((ROOT / "README.md").read_text("utf-8"))
+    assert shell_lines(source("en", "commands.md")) == readme
+    for page in PAGES:
+        assert set(shell_lines(source("en", page))) <= set(readme), page
+
+
+def test_files_and_tests_that_the_steps_of_an_extension_name_are_there() -> None:
+    names = set(re.findall(r"`([\w/.]+)`", source("en", "extend.md")))
+    files = [name for name in names if "/" in name or name.endswith(".py")]
+    assert len(files) > 10
+    for name in files:
+        assert (ROOT / name).exists() or (ROOT / "src" / "benchdragon" / name).exists(), name
+    tests = "".join(path.read_text("utf-8") for path in (ROOT / "tests").glob("*.py"))
+    for name in names:
+        assert not name.startswith("test_") or f"def {name}(" in tests, name
+
+
+def built(language: str, folder: Path) -> dict[str, BeautifulSoup]:
+    """Build a language without a warning; its pages by their names."""
+    done = subprocess.run(
+        [
+            sys.executable, "-m", "sphinx", "--quiet", "--fail-on-warning", "--keep-going",
+            "-D", f"language={LANGUAGES[language]}", "-d", str(folder / "trees"),
+            "-c", "docs", f"docs/{language}", str(folder / "html"),
+        ],
+        cwd=ROOT, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    paths = sorted((folder / "html").rglob("*.html"))
+    return {
+        path.relative_to(folder / "html").as_posix(): BeautifulSoup(
+            path.read_text("utf-8"), "html.parser"
+        )
+        for path in paths
+        if "_static" not in path.parts
+    }
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_site_is_built_offline_and_whole(language: str, tmp_path: Path) -> None:
+    site = built(language, tmp_path)
+    assert {page.replace(".md", ".html") for page in PAGES} < set(site)
+    assert_nothing_is_fetched(tmp_path / "html", site)
+    assert_links_hold(language, tmp_path / "html", site)
+    assert_the_smallest_pitch_leads_to_its_test(site)
+    assert_every_public_name_is_described(site)
+    assert_every_figure_says_what_it_shows(site)
+
+
+def assert_nothing_is_fetched(folder: Path, site: dict[str, BeautifulSoup]) -> None:
+    """All that pages load lies beside them."""
+    for name, page in site.items():
+        for kind, attribute in LOADS.items():
+            for tag in page.find_all(kind):
+                address = str(tag.get(attribute) or "").split("?")[0].split("#")[0]
+                assert "//" not in address, (name, address)
+                if address and tag.get("rel") not in (["next"], ["prev"]):
+                    assert ((folder / name).parent / address).exists(), (name, address)
+    for style in folder.rglob("*.css"):
+        assert not re.search(r"(url\(|@import)\s*['\"]?(https?:)?//", style.read_text("utf-8")), style
+
+
+def links(page: BeautifulSoup | Tag) -> Iterator[str]:
+    for tag in page.find_all("a", href=True):
+        yield str(tag["href"])
+
+
+def target(name: str, link: str) -> tuple[str, str]:
+    """The page and the anchor to which a link leads from a page."""
+    path, _hash, anchor = link.partition("#")
+    parts = name.split("/")[:-1] if path else name.split("/")
+    for step in path.split("/") if path else []:
+        if step == "..":
+            parts = parts[:-1] if parts and parts[-1] != ".." else [*parts, ".."]
+        elif step != ".":
+            parts.append(step)
+    return "/".join(parts), anchor
+
+
+def assert_links_hold(language: str, folder: Path, site: dict[str, BeautifulSoup]) -> None:
+    """Each link leads to a page, and to an anchor in it; each page to its twin."""
+    other = "zh" if language == "en" else "en"
+    anchors = {name: {tag["id"] for tag in page.find_all(id=True)} for name, page in site.items()}
+    for name, page in site.items():
+        switched = False
+        for link in links(page):
+            assert ":" not in link.split("#")[0], (name, link)
+            path, anchor = target(name, link)
+            if path.startswith(f"../{other}/"):
+                assert path == f"../{other}/{name}"
+                switched = True
+                continue
+            assert (folder / path).is_file(), (name, link)
+            assert not anchor or anchor in anchors[path], (name, link)
+        assert switched, name
+
+
+def section(site: dict[str, BeautifulSoup], name: str, anchor: str) -> Tag:
+    """The section of a page to which an anchor belongs."""
+    found = site[name].find(id=anchor)
+    assert found is not None
+    whole = found if found.name == "section" else found.find_parent("section")
+    assert whole is not None
+    return whole
+
+
+def assert_the_smallest_pitch_leads_to_its_test(site: dict[str, BeautifulSoup]) -> None:
+    """From the number to the formulas, to the code and to the test, by links alone."""
+    question = site["question-3.html"].find("article")
+    assert isinstance(question, Tag)
+    assert "0.450337393027" in question.get_text()
+    step = ("established.html", "smallest-pitch")
+    assert step in {target("question-3.html", link) for link in links(question)}
+    method = section(site, *step)
+    assert method.find("math") is not None
+    steps = {target("established.html", link) for link in links(method)}
+    listing, test = (
+        ("_modules/benchdragon/solve.html", "limit"),
+        ("evidence.html", "test-smallest-pitch"),
+    )
+    assert {listing, test} <= steps
+    code = site[listing[0]].find(id=listing[1])
+    assert code is not None
+    assert "def limit(" in code.get_text()
+    evidence = section(site, *test).get_text()
+    assert "def test_the_smallest_pitch_is_the_true_one(" in evidence
+    assert "SMALLEST_PITCH = 0.450337393027" in evidence
+
+
+def assert_every_public_name_is_described(site: dict[str, BeautifulSoup]) -> None:
+    for name in benchdragon.__all__:
+        room = getattr(benchdragon, name).__module__
+        assert site["api.html"].find(id=f"{room}.{name}") is not None, name
+
+
+def assert_every_figure_says_what_it_shows(site: dict[str, BeautifulSoup]) -> None:
+    for number in range(1, 6):
+        article = site[f"question-{number}.html"].find("article")
+        assert isinstance(article, Tag)
+        figures = article.find_all("img")
+        assert figures
+        assert all(len(str(figure.get("alt"))) > 5 for figure in figures)
