@@ -30,6 +30,7 @@ html_css_files = ["site.css"]
 html_math_renderer = "mathml"
 html_copy_source = False
 html_show_sphinx = False
+html_show_search_summary = False  # it would be fetched, which browsers forbid to pages on a disk
 
 myst_enable_extensions = ["dollarmath"]
 myst_ref_domains = ["std"]
@@ -77,6 +78,8 @@ class Listing(SphinxRole):
 
 class Search(SearchChinese):
     """Chinese by single signs, pairs and whole runs of them, so that any word of a page is found."""
+
+    language_name = "English"  # that of the stemmer which Sphinx gives to browsers for Chinese too
 
     def split(self, text: str) -> list[str]:
         """The words of a text."""

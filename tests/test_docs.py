@@ -1,5 +1,6 @@
 """The site: the same pages in two languages, whose numbers lead to formulas, code and tests."""
 
+import json
 import re
 import subprocess
 import sys
@@ -108,6 +109,7 @@ def test_a_site_is_built_offline_and_whole(language: str, tmp_path: Path) -> Non
     assert_the_smallest_pitch_leads_to_its_test(site)
     assert_every_public_name_is_described(site)
     assert_every_figure_says_what_it_shows(site)
+    assert_words_are_found(language, tmp_path / "html")
 
 
 def assert_nothing_is_fetched(folder: Path, site: dict[str, BeautifulSoup]) -> None:
@@ -194,6 +196,19 @@ def assert_every_public_name_is_described(site: dict[str, BeautifulSoup]) -> Non
     for name in benchdragon.__all__:
         room = getattr(benchdragon, name).__module__
         assert site["api.html"].find(id=f"{room}.{name}") is not None, name
+
+
+def assert_words_are_found(language: str, folder: Path) -> None:
+    """The index holds words of the language, and the browser has the stemmer that it is told to use."""
+    words = {"en": ("pitch", "clearanc"), "zh": ("螺距", "最小螺距", "pitch")}[language]
+    index = (folder / "searchindex.js").read_text("utf-8")
+    terms = json.loads(index.removeprefix("Search.setIndex(").removesuffix(")"))["terms"]
+    for word in words:
+        assert len(terms[word]) > 1, word
+    script = (folder / "_static" / "language_data.js").read_text("utf-8")
+    stemmer = re.search(r"window\.Stemmer = (\w+);", script)
+    assert stemmer is not None
+    assert f"{stemmer[1]}=function" in script
 
 
 def assert_every_figure_says_what_it_shows(site: dict[str, BeautifulSoup]) -> None:
