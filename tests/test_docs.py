@@ -204,7 +204,7 @@ def assert_words_are_found(language: str, folder: Path) -> None:
     index = (folder / "searchindex.js").read_text("utf-8")
     terms = json.loads(index.removeprefix("Search.setIndex(").removesuffix(")"))["terms"]
     for word in words:
-        assert len(terms[word]) > 1, word
+        assert word in terms
     script = (folder / "_static" / "language_data.js").read_text("utf-8")
     stemmer = re.search(r"window\.Stemmer = (\w+);", script)
     assert stemmer is not None
