@@ -24,8 +24,9 @@ test: .venv/installed
 
 docs: .venv/installed
 	rm -rf docs/_build
-	$(BIN)/sphinx-build --quiet --fresh-env --fail-on-warning --keep-going -c docs docs/en docs/_build/html/en
-	$(BIN)/sphinx-build --quiet --fresh-env --fail-on-warning --keep-going -c docs -D language=zh_CN docs/zh docs/_build/html/zh
+	$(BIN)/sphinx-build -q -W --keep-going -c docs -d docs/_build/trees/en docs/en docs/_build/html/en
+	$(BIN)/sphinx-build -q -W --keep-going -c docs -d docs/_build/trees/zh -D language=zh_CN docs/zh docs/_build/html/zh
+	rm -r docs/_build/html/jupyter_execute
 
 bench: .venv/installed
 	$(BIN)/python benchmarks/run.py
