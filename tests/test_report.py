@@ -71,7 +71,7 @@ def test_every_key_number_of_the_run_stands_in_both_files(folder: Path) -> None:
         f"{turn['length_m']:.10f}",
         f"{turn['better'][0]['way']:.4f}",
         f"{answers['margins']['all']['median_m']:.4f}",
-        f"{answers['rates']['smallest_pitch'][1]['exact'] * 10.0:.6f}",
+        f"{answers['rates']['smallest_pitch'][1]['exact'] * 10.0:.8f}",
     ]
     page = "".join(Page((folder / "report.html").read_text("utf-8")).words)
     pages = "".join(page.extract_text() for page in PdfReader(folder / "report.pdf").pages)
