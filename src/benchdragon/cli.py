@@ -20,10 +20,11 @@ from benchdragon.chances import margins
 from benchdragon.document import decimals
 from benchdragon.errors import BenchDragonError, InputError
 from benchdragon.messages import LANGUAGES, N_, _, language
-from benchdragon.options import announce_compiling, plan_options, shared_options
+from benchdragon.options import announce_compiling, explain_option, plan_options, shared_options
 from benchdragon.plan_text import bench_count, read_toml
 from benchdragon.show import (
     Advance,
+    print_explanation,
     print_files,
     print_reproduction,
     print_table,
@@ -98,8 +99,11 @@ def program() -> None:
     help=N_("Folder or address of the documentation's pages, for links in the report."),
 )
 @click.option("--json", "as_json", is_flag=True, help=N_("Print one JSON object and nothing else."))
+@explain_option
 @shared_options
-def reproduce(output: Path, force: bool, docs: str | None, as_json: bool, quiet: bool) -> int:
+def reproduce(
+    output: Path, force: bool, docs: str | None, as_json: bool, explain: bool, quiet: bool
+) -> int:
     """Write the paper's files and print the answers."""
     from benchdragon.reproduce import STEPS
     from benchdragon.reproduce import reproduce as reproduced
@@ -107,11 +111,17 @@ def reproduce(output: Path, force: bool, docs: str | None, as_json: bool, quiet:
     announce_compiling(quiet)
     with progress(quiet, STEPS) as advance:
         found = reproduced(output, force, lambda text: advance(1.0, text), docs)
+    answer: dict[str, Any] = {**found.answers, "files": [str(path) for path in found.files]}
+    if explain:
+        from benchdragon.explain_answers import reproduce_lines
+
+        answer["explanation"] = reproduce_lines(found.answers)
     if as_json:
-        click.echo(json.dumps({**found.answers, "files": [str(path) for path in found.files]}))
+        click.echo(json.dumps(answer))
         return 0
     print_reproduction(found.answers)
     print_files(found.files)
+    print_explanation(answer.get("explanation", []))
     return 0
 
 
@@ -177,6 +187,7 @@ def reproduce(output: Path, force: bool, docs: str | None, as_json: bool, quiet:
     show_default=True,
     help=N_("Threads; the answers do not depend on it."),
 )
+@explain_option
 @shared_options
 def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Answer on the screen, as JSON, or as files."""
@@ -285,6 +296,8 @@ def _motion_json(
         answer[name] = [[_number(value) for value in row] for row in values[:, chosen].tolist()]
     answer["status"] = [int(status) for status in found.status]
     answer.update(plan_sha256=plan.sha256, version=__version__)
+    if options["explain"]:
+        answer["explanation"] = _explained(found, options)
     click.echo(json.dumps(answer))
     return _failures(found)
 
@@ -316,7 +329,17 @@ def _motion_table(
     ]
     print_table(plan.title(language()), rows)
     _print_leader(walk, times, options)
+    print_explanation(_explained(found, options))
     return _failures(found)
+
+
+def _explained(found: "Motion", options: dict[str, Any]) -> list[str]:
+    """The lines of --explain; none if it was not asked for."""
+    if not options["explain"]:
+        return []
+    from benchdragon.explain import motion_lines
+
+    return motion_lines(found, options["leader"])
 
 
 def _print_leader(walk: "Walk", times: Any, options: dict[str, Any]) -> None:
@@ -352,6 +375,8 @@ def _motion_files(what: "Selection", plan: "Plan", options: dict[str, Any], quie
         if names:
             _write_pictures(what, plan, folder, kinds, advance)
     print_files([*tables, *(folder / name for name in names)])
+    if options["explain"]:
+        print_explanation(_explained(what.walk.motion(what.times[:1], throw=what.throw), options))
     return _failures(next(iter(what.motions()))) if not what.throw else 0
 
 

@@ -59,6 +59,15 @@ def json_option(command: Command) -> Command:
     )(command)
 
 
+def explain_option(command: Command) -> Command:
+    """--explain."""
+    return click.option(
+        "--explain",
+        is_flag=True,
+        help=N_("Say how the answer came about: each formula with its numbers, step by step."),
+    )(command)
+
+
 def announce_compiling(quiet: bool) -> None:
     """Say on standard error when compiling takes long, unless `quiet`."""
     if quiet:

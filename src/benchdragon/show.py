@@ -48,6 +48,15 @@ def print_files(files: Sequence[Path]) -> None:
         click.echo(f"  {path}")
 
 
+def print_explanation(lines: Sequence[str]) -> None:
+    """How an answer came about, numbered; nothing without lines."""
+    if not lines:
+        return
+    click.echo("\n" + _("Step by step (metres, seconds, radians):"))
+    for n, line in enumerate(lines, start=1):
+        click.echo(f"{n:3}. {line}")
+
+
 def print_reproduction(answers: dict[str, Any]) -> None:
     """The answers of `reproduce.reproduce`, as a table and sentences."""
     rows = [

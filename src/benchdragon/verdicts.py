@@ -13,15 +13,17 @@ from benchdragon.errors import InputError
 from benchdragon.messages import N_, _, language
 from benchdragon.options import (
     announce_compiling,
+    explain_option,
     folder_option,
     json_option,
     plan_options,
     shared_options,
 )
-from benchdragon.show import print_files, progress, turn_lines
+from benchdragon.show import print_explanation, print_files, progress, turn_lines
 
 if TYPE_CHECKING:
     from benchdragon.check import Report
+    from benchdragon.pace import Pace
     from benchdragon.plan import Plan
 
 UNSAFE, NO_SOLUTION, UNDECIDED = 1, 4, 5
@@ -46,6 +48,7 @@ UNSAFE, NO_SOLUTION, UNDECIDED = 1, 4, 5
     help=N_("What to write: xlsx, png, svg, pdf."),
 )
 @json_option
+@explain_option
 @shared_options
 def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print a report, as text or JSON, and write tables and pictures of it."""
@@ -66,13 +69,24 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
         if files:
             advance(0.0, _("writing"))
             write_files(report, files)
+    lines: list[str] = []
+    if options["explain"]:
+        from benchdragon.explain_contact import check_lines
+
+        lines = check_lines(report)
     if options["as_json"]:
-        click.echo(json.dumps(report_json(report)))
+        click.echo(json.dumps({**report_json(report), **_explained(lines)}))
     else:
         print_report(report)
         if files:
             print_files(files)
+        print_explanation(lines)
     return 0 if report.safe else UNSAFE if report.decided else UNDECIDED
+
+
+def _explained(lines: list[str]) -> dict[str, list[str]]:
+    """The lines of --explain as a part of JSON, if there are any."""
+    return {"explanation": lines} if lines else {}
 
 
 def report_json(report: "Report") -> dict[str, Any]:
@@ -261,6 +275,7 @@ def print_answer(name: str, answer: Answer) -> None:
 )
 @click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))
 @json_option
+@explain_option
 @shared_options
 def solve(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print an answer, as text or JSON."""
@@ -275,11 +290,18 @@ def solve(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
         return _print_speed(read, options, quiet)
     if options["what"] == "turn":
         return _print_turn(read, options, quiet)
+    tried: list[str] = []
     with progress(quiet, 1) as advance:
-        found = _solved(read, options, lambda text: advance(0.0, text))
+
+        def tell(text: str) -> None:
+            tried.append(text)
+            advance(0.0, text)
+
+        found = _solved(read, options, tell)
     from benchdragon.solve import question
 
-    _print_solved(read, _(question(options["what"]).text), found, options["as_json"])
+    lines = _solved_lines(read, options, found, tried) if options["explain"] else []
+    _print_solved(read, _(question(options["what"]).text), found, options["as_json"], lines)
     return {"infeasible": NO_SOLUTION, "undecided": UNDECIDED}.get(found.status, 0)
 
 
@@ -301,16 +323,28 @@ def _refuse_strays(options: dict[str, Any]) -> None:
             raise InputError(_("{option} does not go with {what}").format(option=name, what=what))
 
 
-def _print_solved(plan: "Plan", name: str, found: Answer, as_json: bool, **more: Any) -> None:
+def _solved_lines(plan: "Plan", options: dict[str, Any], found: Answer, tried: list[str]) -> list[str]:
+    """The lines of --explain for a limit."""
+    from benchdragon.explain_answers import limit_lines, traversal_lines
+
+    if options["method"] == "exact":
+        return limit_lines(plan, options["what"], found, tried)
+    return traversal_lines(found, options["pitch_step"], options["time_step"], tried)
+
+
+def _print_solved(
+    plan: "Plan", name: str, found: Answer, as_json: bool, lines: list[str], **more: Any
+) -> None:
     """An answer as JSON, with `more` beside it, or for readers."""
     if as_json:
-        about = {"plan_sha256": plan.sha256, "version": __version__}
+        about = {**_explained(lines), "plan_sha256": plan.sha256, "version": __version__}
         click.echo(json.dumps(found.as_json(**more, **about)))
         return
     print_title(plan)
     print_answer(name, found)
     for text in found.assumptions:
         click.echo(f"  {text}")
+    print_explanation(lines)
 
 
 def _print_speed(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
@@ -322,7 +356,8 @@ def _print_speed(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
     if path is None:
         with progress(quiet, 1) as advance:
             found = greatest_head_speed(plan, advance=advance)
-        _print_solved(plan, _("greatest head speed"), found, options["as_json"])
+        lines = _speed_lines(plan, found, None) if options["explain"] else []
+        _print_solved(plan, _("greatest head speed"), found, options["as_json"], lines)
         return UNDECIDED if found.status == "undecided" else 0
     refuse_existing([path], options["force"])
     with progress(quiet, 1) as advance:
@@ -330,7 +365,9 @@ def _print_speed(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
     with whole_file(path) as temporary:
         temporary.write_text(with_pace(plan, pace).toml(), encoding="utf-8")
     more = {"pace": {"seconds": pace.seconds, "saved": pace.saved, "file": str(path)}}
-    _print_solved(plan, _("greatest head speed"), pace.steady, options["as_json"], **more)
+    lines = _speed_lines(plan, pace.steady, pace) if options["explain"] else []
+    json_lines = lines if options["as_json"] else []
+    _print_solved(plan, _("greatest head speed"), pace.steady, options["as_json"], json_lines, **more)
     if not options["as_json"]:
         click.echo(
             _("slowing down only where it must the walk takes {seconds} s, {saved} s less").format(
@@ -338,7 +375,15 @@ def _print_speed(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
             )
         )
         print_files([path])
+        print_explanation(lines)
     return 0
+
+
+def _speed_lines(plan: "Plan", found: Answer, pace: "Pace | None") -> list[str]:
+    """The lines of --explain for a head speed."""
+    from benchdragon.explain_answers import speed_lines
+
+    return speed_lines(plan, found, pace)
 
 
 def _print_turn(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
@@ -359,8 +404,13 @@ def _print_turn(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
     if path is not None:
         with whole_file(path) as temporary:
             temporary.write_text(best.plan.toml(), encoding="utf-8")
+    lines: list[str] = []
+    if options["explain"]:
+        from benchdragon import explain_answers
+
+        lines = explain_answers.turn_lines(best)
     if options["as_json"]:
-        about = {"plan_sha256": plan.sha256, "version": __version__}
+        about = {**_explained(lines), "plan_sha256": plan.sha256, "version": __version__}
         click.echo(json.dumps({**best.as_json(), **about}))
         return 0
     print_title(plan)
@@ -375,6 +425,7 @@ def _print_turn(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
         click.echo(f"  {line}")
     if path is not None:
         print_files([path])
+    print_explanation(lines)
     return 0
 
 
@@ -402,8 +453,13 @@ def _print_sizes(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
         spans = walkable_sizes(
             plan, options["what"], low, high, options["count"], advance=lambda text: advance(1.0, text)
         )
+    lines: list[str] = []
+    if options["explain"]:
+        from benchdragon.explain_answers import spans_lines
+
+        lines = spans_lines(spans, low, high, options["count"])
     if options["as_json"]:
-        about = {"plan_sha256": plan.sha256, "version": __version__}
+        about = {**_explained(lines), "plan_sha256": plan.sha256, "version": __version__}
         click.echo(json.dumps({"walkable": [[span.low, span.high] for span in spans], **about}))
     for span in [] if options["as_json"] else spans:
         click.echo(
@@ -413,4 +469,6 @@ def _print_sizes(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
         )
     if not spans and not options["as_json"]:
         click.echo(_("no size tried is walkable"))
+    if not options["as_json"]:
+        print_explanation(lines)
     return 0 if spans else NO_SOLUTION
