@@ -1,5 +1,6 @@
-"""For all tests: one hypothesis profile, the same examples each time; and the paper's results."""
+"""For all tests: one hypothesis profile, the same examples each time; languages; the paper's results."""
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -7,6 +8,7 @@ from hypothesis import HealthCheck, settings
 
 from benchdragon import reproduce as reproducing
 from benchdragon import results
+from benchdragon.messages import use_language
 from benchdragon.results import Results
 
 settings.register_profile(
@@ -43,3 +45,11 @@ def folder(tmp_path_factory: pytest.TempPathFactory, found: Results) -> Path:
     assert written.files == reproducing.planned_files(folder)
     assert len(told) == reproducing.STEPS - results.STEPS
     return folder
+
+
+@pytest.fixture(params=["en", "zh"])
+def spoken(request: pytest.FixtureRequest) -> Iterator[str]:
+    """A language, spoken for the length of a test."""
+    use_language(request.param)
+    yield request.param
+    use_language("en")

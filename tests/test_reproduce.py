@@ -6,9 +6,12 @@ from python_calamine import CalamineWorkbook
 
 from benchdragon import reproduce as reproducing
 from benchdragon.cli import run
+from benchdragon.explain import number
+from benchdragon.explain_answers import reproduce_lines
 from benchdragon.files import FileRefusedError
 from benchdragon.reproduce import planned_files, reproduce
 from benchdragon.results import Results
+from tests.calculator import agree, chinese_or_not
 
 TRUTH = json.loads((Path(__file__).parent / "truth" / "contest.json").read_text("utf-8"))
 
@@ -76,11 +79,24 @@ def test_the_command_prints_answers_and_files(
     found: Results,
 ) -> None:
     monkeypatch.setattr(reproducing, "results", lambda _advance: found)
-    assert run(["reproduce", "-o", str(tmp_path / "a")]) == 0
+    assert run(["reproduce", "-o", str(tmp_path / "a"), "--explain"]) == 0
     out = capsys.readouterr().out
     assert "measured order of RK4 3.97" in out
     assert "4.0055, 0.9841, -2.1575, 0.8639" in out
     assert str(tmp_path / "a" / "result1.xlsx") in out
+    assert run(["reproduce", "-o", str(tmp_path / "a"), "--json", "--force", "--explain"]) == 0
+    answer = json.loads(capsys.readouterr().out)
+    assert answer["files"][0].endswith("result1.xlsx")
+    explained = [f"{n:3}. {line}" for n, line in enumerate(answer["explanation"], start=1)]
+    assert out.splitlines()[-len(explained) :] == explained
+
+
+def test_each_part_is_explained(folder: Path, spoken: str) -> None:
+    found = json.loads((folder / "answers.json").read_text("utf-8"))
+    lines = reproduce_lines(found)
+    agree(lines, 13)
+    chinese_or_not(lines, spoken)
+    assert f"{number(found['turn']['greatest_head_speed']['value'])} m/s" in " ".join(lines)
 
 
 def test_contact_and_pitch_come_out_as_the_truth_has_them(folder: Path) -> None:
