@@ -1,4 +1,4 @@
-"""For all tests: one hypothesis profile, the same examples each time; languages; the paper's results."""
+"""For all tests: one hypothesis profile, the same examples each time; languages; results."""
 
 from collections.abc import Iterator
 from pathlib import Path
