@@ -159,3 +159,12 @@ def test_the_command_line_finds_writes_and_says_it(
     assert found["way"] == pytest.approx(found["value"])
     assert read_plan(str(path)).turn.radii == pytest.approx(found["turn"]["radii"])
     assert run(["check", str(path), "--quiet"]) == 0
+
+
+def test_one_joint_may_stay_while_the_other_moves() -> None:
+    plan = read_plan("turn", ["turn.entry_radius=4.2"])
+    best = best_turn(plan)
+    assert best.turn.entry_radius == 4.2
+    assert best.turn.exit_radius <= 4.5
+    assert best.head_speed is not None
+    assert best.head_speed.lower >= 1.0

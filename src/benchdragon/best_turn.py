@@ -347,14 +347,19 @@ def _local_search(judge: Judge, x: Sequence[float]) -> list[float]:
     from scipy.optimize import Bounds, NonlinearConstraint, minimize  # slow to import
 
     low, high = np.array(judge.bounds).T
-    width = np.where(high > low, high - low, 1.0)
+    free = high > low  # joints that the plan says stay
     seen: dict[bytes, dict[str, float]] = {}
     names = list(judge.rooms(_complete(judge, x)))
+
+    def unknowns(z: FloatArray) -> FloatArray:
+        whole = low.copy()
+        whole[free] += (high - low)[free] * z
+        return whole
 
     def figures(z: FloatArray) -> dict[str, float]:
         key = z.tobytes()
         if key not in seen:
-            seen[key] = _complete(judge, low + width * z)
+            seen[key] = _complete(judge, unknowns(z).tolist())
         return seen[key]
 
     def goal(z: FloatArray) -> float:
@@ -362,15 +367,15 @@ def _local_search(judge: Judge, x: Sequence[float]) -> list[float]:
 
     result = minimize(
         goal,
-        (np.asarray(x) - low) / width,
+        ((np.asarray(x) - low)[free] / (high - low)[free]),
         method="COBYQA",
-        bounds=Bounds(np.zeros(len(low)), np.where(high > low, 1.0, 0.0)),
+        bounds=Bounds(0.0, 1.0),
         constraints=NonlinearConstraint(
             lambda z: [judge.rooms(figures(z))[name] for name in names], 0.0, np.inf
         ),
         options={"maxfev": LOCAL, "initial_tr_radius": 0.02, "final_tr_radius": 1e-7},
     )
-    found: list[float] = (low + width * np.clip(result.x, 0.0, 1.0)).tolist()
+    found: list[float] = unknowns(np.clip(result.x, 0.0, 1.0)).tolist()
     return _descended(judge, min(list(x), found, key=judge.score))
 
 
@@ -378,21 +383,20 @@ def _descended(judge: Judge, x: list[float]) -> list[float]:
     """Downhill from x by Nelder and Mead's simplex, over the edges where one limit takes over."""
     from scipy.optimize import minimize  # slow to import
 
-    low, high = np.array(judge.bounds).T
-    corners = [np.asarray(x)]
-    for n in range(len(x)):
-        step = SIMPLEX * (high[n] - low[n])
-        corners.append(corners[0].copy())
-        corners[-1][n] += step if x[n] + step <= high[n] else -step
+    bounds = np.array(judge.bounds)
+    free = bounds[:, 1] > bounds[:, 0]
+    low, high = bounds[free].T
+    start = np.asarray(x)[free]
+    step = np.where(start + SIMPLEX * (high - low) <= high, 1.0, -1.0) * SIMPLEX * (high - low)
+    corners = np.vstack([start, start + np.diag(step)])
 
-    def inside(x: FloatArray) -> list[float]:
-        return [float(value) for value in np.clip(x, low, high)]
-
-    def score(x: FloatArray) -> float:
-        return judge.score(inside(x))
+    def inside(z: FloatArray) -> list[float]:
+        whole = np.array(x)
+        whole[free] = np.clip(z, low, high)
+        return [float(value) for value in whole]
 
     result = minimize(
-        score, corners[0], method="Nelder-Mead",
+        lambda z: judge.score(inside(z)), start, method="Nelder-Mead",
         options={"initial_simplex": corners, "maxfev": LOCAL, "xatol": 1e-5, "fatol": 1e-6},
     )  # fmt: skip
     return min(x, inside(result.x), key=judge.score)
