@@ -163,7 +163,7 @@ def test_the_command_line_finds_writes_and_says_it(
 
 def test_one_joint_may_stay_while_the_other_moves() -> None:
     plan = read_plan("turn", ["turn.entry_radius=4.2"])
-    best = best_turn(plan)
+    best = best_turn.best_turn(plan)
     assert best.turn.entry_radius == 4.2
     assert best.turn.exit_radius <= 4.5
     assert best.head_speed is not None

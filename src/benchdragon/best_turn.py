@@ -354,7 +354,7 @@ def _local_search(judge: Judge, x: Sequence[float]) -> list[float]:
     def unknowns(z: FloatArray) -> FloatArray:
         whole = low.copy()
         whole[free] += (high - low)[free] * z
-        return whole
+        return np.asarray(whole)
 
     def figures(z: FloatArray) -> dict[str, float]:
         key = z.tobytes()
@@ -395,8 +395,11 @@ def _descended(judge: Judge, x: list[float]) -> list[float]:
         whole[free] = np.clip(z, low, high)
         return [float(value) for value in whole]
 
+    def score(z: FloatArray) -> float:
+        return judge.score(inside(z))
+
     result = minimize(
-        lambda z: judge.score(inside(z)), start, method="Nelder-Mead",
+        score, start, method="Nelder-Mead",
         options={"initial_simplex": corners, "maxfev": LOCAL, "xatol": 1e-5, "fatol": 1e-6},
     )  # fmt: skip
     return min(x, inside(result.x), key=judge.score)
