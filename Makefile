@@ -24,9 +24,11 @@ test: .venv/installed
 
 docs: .venv/installed
 	rm -rf docs/_build
-	$(BIN)/sphinx-build -q -W --keep-going -c docs -d docs/_build/trees/en docs/en docs/_build/html/en
-	$(BIN)/sphinx-build -q -W --keep-going -c docs -d docs/_build/trees/zh -D language=zh_CN docs/zh docs/_build/html/zh
+	$(BIN)/sphinx-build -q -W --keep-going -t report -c docs -d docs/_build/trees/en docs/en docs/_build/html/en
+	$(BIN)/sphinx-build -q -W --keep-going -t report -c docs -d docs/_build/trees/zh -D language=zh_CN docs/zh docs/_build/html/zh
 	rm -r docs/_build/html/jupyter_execute
+	$(BIN)/benchdragon --lang en reproduce --docs .. -o docs/_build/html/en/report
+	$(BIN)/benchdragon --lang zh reproduce --docs .. -o docs/_build/html/zh/report
 
 bench: .venv/installed
 	$(BIN)/python benchmarks/run.py

@@ -13,6 +13,9 @@ from bs4 import BeautifulSoup, Tag
 import benchdragon
 from tests.test_examples import shell_lines
 
+# One build after the other: their kernels would race for ports.
+pytestmark = pytest.mark.xdist_group("docs")
+
 ROOT = Path(__file__).parent.parent
 LANGUAGES = {"en": "en", "zh": "zh_CN"}
 PAGES = sorted(path.name for path in (ROOT / "docs" / "en").glob("*.md"))

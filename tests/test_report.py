@@ -14,6 +14,8 @@ from benchdragon.report import report
 from benchdragon.report_files import breakable, write_html, write_pdf
 from benchdragon.results import Results
 
+pytestmark = pytest.mark.xdist_group("paper")
+
 ENGLISH = re.compile(r"[A-Za-z]{3,} [a-z]{3,} [a-z]{3,}")
 
 

@@ -26,7 +26,7 @@ from benchdragon.motion import MOST_PLACES, Walk
 from benchdragon.plan import Plan
 
 # Looks along the walk, m apart: within its last so many metres, where a spiral is tightest, and before.
-# A graze between two looks is missed by some 0.1 mm (design/imprecision.py).
+# A graze between two looks is missed by less than 1 mm (design/imprecision.py).
 LOOK_STEPS, LAST_WAY = (1.0, 2.0), 60.0
 # A trodden line strays smoothly: metres of way over which it forgets where it was, and entries of its
 # table in that length.
@@ -232,11 +232,11 @@ def margins(
         raise InputError(
             _("draws must be 1 to {most}, not {count}").format(most=MOST_DRAWS, count=draws)
         )
-    exact = _needed(plan, Draw(Slips(), seed, 0), plan.value("route.pitch"))
+    exact = needed_pitch(plan, Draw(Slips(), seed, 0), plan.value("route.pitch"))
     tell = advance or (lambda _share: None)
 
     def one(number: int) -> float:
-        needed = _needed(plan, Draw(slips, seed, number), exact)
+        needed = needed_pitch(plan, Draw(slips, seed, number), exact)
         tell(1.0 / draws)
         return needed
 
@@ -245,14 +245,20 @@ def margins(
     return Margins(slips, seed, exact, needed)
 
 
-def _needed(plan: Plan, draw: Draw, guess: float) -> float:
-    """The pitch, m, with which a dance just keeps the plan's margin, by secants of slope 1 at first."""
+def needed_pitch(
+    plan: Plan, draw: Draw, guess: float, steps: tuple[float, float] = LOOK_STEPS
+) -> float:
+    """The pitch, m, with which a dance just keeps the plan's margin, by secants of slope 1 at first.
+
+    Raises:
+        UnsureError: where none is found near the guess.
+    """
     margin = plan.limits.margin
     a, fa, b = guess, math.nan, guess
     for _step in range(MOST_SECANTS):
         if not NARROWEST * guess < b < WIDEST * guess:
             break
-        fb = least_clearance(plan.with_value("route.pitch", b), draw) - margin
+        fb = least_clearance(plan.with_value("route.pitch", b), draw, steps) - margin
         slope = 1.0 if math.isnan(fa) else (fb - fa) / (b - a)
         step = -fb / min(max(slope, LEAST_SLOPE), MOST_SLOPE)
         a, fa, b = b, fb, b + step

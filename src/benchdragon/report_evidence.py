@@ -212,7 +212,7 @@ def people(found: Results) -> Iterable[Block]:
             "play no part (2), that the pitch does not vary (3), that heights do not matter (4). "
             "Here each is dropped in turn: {draws} dances are drawn at random (seed {seed}) and "
             "walked, benches rigid and joined, and the pitch that each needs is sought. Lengths "
-            "are standard deviations. A look each metre finds contacts to 0.1 mm."
+            "are standard deviations. A look each metre finds contacts to less than 1 mm."
         ),
         draws=DRAWS,
         seed=SEED,
