@@ -61,7 +61,7 @@ def parallel() -> None:
     row, u = np.ascontiguousarray(row)[:, np.newaxis], np.ascontiguousarray(u)[:, np.newaxis]
     back, x, y = np.ascontiguousarray(s - motion.s.T), np.empty(u.shape), np.empty(u.shape)
     for width in (0.01, 0.02, 0.05):
-        aside = width * np.random.default_rng(1).standard_normal(u.shape[0])
+        aside = np.asarray(width * np.random.default_rng(1).standard_normal(len(u)))
         sway(walk.route.rows, walk.dragon.links, row, u, back, aside, np.zeros(2), 1.0, x, y)
         near = np.linspace(-0.4, 0.4, 8001)
         off = []
