@@ -4,8 +4,16 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from benchdragon.answer import Answer
-from benchdragon.contact import contact_windows, first_contact, least_clearance
+from benchdragon.contact import (
+    ClearanceCurve,
+    clearance_curve,
+    contact_windows,
+    first_contact,
+    least_clearance,
+)
 from benchdragon.errors import InputError
 from benchdragon.messages import _
 from benchdragon.motion import Motion, Walk
@@ -20,6 +28,9 @@ Advance = Callable[[float, str], None]
 RATE_TOLERANCE = 1e-6
 # Grazes that a check looks past for a sure contact.
 MOST_GRAZES = 100
+# Samples of the clearance drawn, and seconds shown after a contact.
+SAMPLES = 1000
+AFTER = 3.0
 # How often a check advances by 1.
 STEPS = 3
 
@@ -215,3 +226,15 @@ def moment(report: Report) -> tuple[Motion, Answer]:
     walk = report.plan.build()
     time = answer.witness.time if contact is None else contact.value
     return walk.motion([time]), answer
+
+
+def clearance_over(report: Report) -> ClearanceCurve:
+    """Clearance over the whole walk, or until shortly after a contact."""
+    walk, end = report.plan.build(), report.end
+    contact = report.first_contact
+    if contact is not None:
+        end = min(end, contact.upper + AFTER)
+    times = np.linspace(report.start, end, SAMPLES)
+    while walk.motion(times, throw=False).status.any():  # the walk falls shortly after the contact
+        times = times[:-1]
+    return clearance_curve(walk, times)

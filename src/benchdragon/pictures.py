@@ -275,6 +275,13 @@ def _spread(times: FloatArray, most: int) -> FloatArray:
     return chosen
 
 
+def lay_out(figure: Figure) -> None:
+    """Find room for everything once and for all, before a figure is saved in several formats."""
+    with matplotlib.rc_context(STYLE):
+        figure.draw_without_rendering()
+    figure.set_layout_engine("none")
+
+
 def write_picture(figure: Figure, path: Path, title: str, plan_sha256: str) -> None:
     """Save `figure` as the suffix of `path` says; the file holds the plan's hash and the version."""
     program, about = f"benchdragon {__version__}", f"plan sha256 {plan_sha256}"

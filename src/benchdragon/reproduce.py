@@ -21,14 +21,13 @@ from benchdragon.evidence_pictures import (
 from benchdragon.files import refuse_existing, whole_file
 from benchdragon.imprecision import CASES
 from benchdragon.messages import _, language
-from benchdragon.pictures import dragon_picture, head_angle_picture, speed_map, write_picture
+from benchdragon.pictures import dragon_picture, head_angle_picture, lay_out, speed_map, write_picture
 from benchdragon.report import FLOW, report
 from benchdragon.report_files import write_html, write_pdf
 from benchdragon.results import STEPS as RESULT_STEPS
 from benchdragon.results import Results, as_json, results
 from benchdragon.tables import Selection, write_csv, write_moment_xlsx, write_npz, write_xlsx
 from benchdragon.turn_pictures import ShownTurn, front_picture, turns_picture
-from benchdragon.verdict_files import curve
 
 TURN_TIMES = (-50.0, 0.0, 14.0, 50.0)
 PICTURE_KINDS = ("png", "svg", "pdf")
@@ -119,7 +118,7 @@ def _spiral_figures(found: Results) -> dict[str, Figure]:
         "spiral-speeds": speed_map(found.motion, title),
         "spiral-head": head_angle_picture(found.motion, title),
         "contact": moment_picture(*moment(found.report), title),
-        "clearance": clearance_picture(curve(found.report), plan.limits.margin, title),
+        "clearance": clearance_picture(found.clearance, plan.limits.margin, title),
         "pitch": pitch_picture(found.curve, found.smallest.value, title),
     }
 
@@ -164,6 +163,8 @@ def _evidence_figures(found: Results) -> dict[str, Figure]:
 
 def _write_pictures(folder: Path, found: Results, figures: dict[str, Figure], advance: Advance) -> None:
     others = {"turn": found.turn, "pitch": found.disc, "margins": found.disc}
+    for figure in figures.values():
+        lay_out(figure)
     for kind in PICTURE_KINDS:
         advance(_("pictures") + f" ({kind})")
         for name, figure in figures.items():

@@ -3,10 +3,7 @@
 from collections.abc import Sequence
 from pathlib import Path
 
-import numpy as np
-
-from benchdragon.check import Report, moment
-from benchdragon.contact import ClearanceCurve, clearance_curve
+from benchdragon.check import Report, clearance_over, moment
 from benchdragon.contact_pictures import clearance_picture, moment_picture
 from benchdragon.errors import InputError
 from benchdragon.files import refuse_existing
@@ -15,9 +12,6 @@ from benchdragon.pictures import write_picture
 from benchdragon.tables import write_moment_xlsx
 
 FORMATS = ("xlsx", "png", "svg", "pdf")
-# Samples of the clearance drawn, and seconds shown after a contact.
-SAMPLES = 1000
-AFTER = 3.0
 
 
 def planned_files(folder: Path, formats: Sequence[str], force: bool) -> list[Path]:
@@ -42,25 +36,13 @@ def planned_files(folder: Path, formats: Sequence[str], force: bool) -> list[Pat
     return files
 
 
-def curve(report: Report) -> ClearanceCurve:
-    """Clearance over the whole walk, or until shortly after a contact."""
-    walk, end = report.plan.build(), report.end
-    contact = report.first_contact
-    if contact is not None:
-        end = min(end, contact.upper + AFTER)
-    times = np.linspace(report.start, end, SAMPLES)
-    while walk.motion(times, throw=False).status.any():  # the walk falls shortly after the contact
-        times = times[:-1]
-    return clearance_curve(walk, times)
-
-
 def write_files(report: Report, files: Sequence[Path]) -> None:
     """Write the planned files."""
     if not files:
         return
     motion, answer = moment(report)
     title, plan = report.plan.title(language()), report.plan
-    clearances = curve(report)
+    clearances = clearance_over(report)
     figures = {
         "contact": moment_picture(motion, answer, title, plan.disc.radius),
         "clearance": clearance_picture(clearances, plan.limits.margin, title),
