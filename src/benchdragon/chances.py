@@ -15,6 +15,7 @@ from benchdragon.options import (
     json_option,
     plan_options,
     shared_options,
+    workers_option,
 )
 from benchdragon.show import print_files, print_rows, progress
 
@@ -57,14 +58,7 @@ def slip_options(command: Any) -> Any:
 @click.option(
     "--seed", type=click.IntRange(0, 2**31), default=1, show_default=True, help=N_("Of the draws.")
 )
-@click.option(
-    "-j",
-    "--workers",
-    type=click.IntRange(1, 64),
-    default=2,
-    show_default=True,
-    help=N_("Threads; the answers do not depend on it."),
-)
+@workers_option(2)
 @folder_option
 @json_option
 @shared_options

@@ -20,7 +20,13 @@ from benchdragon.chances import margins
 from benchdragon.document import decimals
 from benchdragon.errors import BenchDragonError, InputError
 from benchdragon.messages import LANGUAGES, N_, _, language
-from benchdragon.options import announce_compiling, explain_option, plan_options, shared_options
+from benchdragon.options import (
+    announce_compiling,
+    explain_option,
+    plan_options,
+    shared_options,
+    workers_option,
+)
 from benchdragon.plan_text import bench_count, read_toml
 from benchdragon.show import (
     Advance,
@@ -179,14 +185,7 @@ def reproduce(
     is_flag=True,
     help=N_("Give what is sound where the dragon cannot stand, instead of stopping."),
 )
-@click.option(
-    "-j",
-    "--workers",
-    type=click.IntRange(1, 64),
-    default=1,
-    show_default=True,
-    help=N_("Threads; the answers do not depend on it."),
-)
+@workers_option(1)
 @explain_option
 @shared_options
 def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:

@@ -68,6 +68,18 @@ def explain_option(command: Command) -> Command:
     )(command)
 
 
+def workers_option(default: int) -> Callable[[Command], Command]:
+    """-j, where threads may help."""
+    return click.option(
+        "-j",
+        "--workers",
+        type=click.IntRange(1, 64),
+        default=default,
+        show_default=True,
+        help=N_("Threads; the answers do not depend on it."),
+    )
+
+
 def announce_compiling(quiet: bool) -> None:
     """Say on standard error when compiling takes long, unless `quiet`."""
     if quiet:

@@ -188,7 +188,8 @@ def results(advance: Advance = lambda _text: None) -> Results:
     return Results(
         spiral, disc, turn, motion, turn_motion, report, clearance, turn_report, head_speed,
         smallest, front, curve, traversal, stepped, head_order, speed_orders,
-        head_errors(walk, motion.times), accumulated(still), bisected(still), chord_residuals(motion), rates, drawn, equations(turn),
+        head_errors(walk, motion.times), accumulated(still), bisected(still),
+        chord_residuals(motion), rates, drawn, equations(turn),
     )  # fmt: skip
 
 
