@@ -12,7 +12,7 @@ BIN := .venv/bin
 	touch $@
 
 demo: .venv/installed
-	$(BIN)/benchdragon reproduce -o out --force
+	$(BIN)/benchdragon reproduce -o out --force $(if $(wildcard docs/_build/html/en/established.html),--docs docs/_build/html/en)
 
 test: .venv/installed
 	$(BIN)/ruff format --check .
@@ -27,8 +27,8 @@ docs: .venv/installed
 	$(BIN)/sphinx-build -q -W --keep-going -t report -c docs -d docs/_build/trees/en docs/en docs/_build/html/en
 	$(BIN)/sphinx-build -q -W --keep-going -t report -c docs -d docs/_build/trees/zh -D language=zh_CN docs/zh docs/_build/html/zh
 	rm -r docs/_build/html/jupyter_execute
-	$(BIN)/benchdragon --lang en reproduce --docs .. -o docs/_build/html/en/report
-	$(BIN)/benchdragon --lang zh reproduce --docs .. -o docs/_build/html/zh/report
+	$(BIN)/benchdragon --lang en reproduce --docs docs/_build/html/en -o docs/_build/html/en/report
+	$(BIN)/benchdragon --lang zh reproduce --docs docs/_build/html/zh -o docs/_build/html/zh/report
 
 bench: .venv/installed
 	$(BIN)/python benchmarks/run.py

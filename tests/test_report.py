@@ -1,6 +1,7 @@
 """The report: links lead somewhere, numbers are the run's, in both languages, as HTML and PDF."""
 
 import json
+import multiprocessing
 import re
 from html.parser import HTMLParser
 from pathlib import Path
@@ -8,11 +9,15 @@ from pathlib import Path
 import pytest
 from pypdf import PdfReader
 
+from benchdragon import reproduce as reproducing
 from benchdragon.document import Heading, Link, Paragraph, Picture, Table, Words
+from benchdragon.errors import InputError, UnsureError
 from benchdragon.messages import use_language
+from benchdragon.plan import read_plan
 from benchdragon.report import report
 from benchdragon.report_files import breakable, write_html, write_pdf
-from benchdragon.results import Results
+from benchdragon.reproduce import pages_from, reproduce
+from benchdragon.results import Results, _beside
 
 pytestmark = pytest.mark.xdist_group("paper")
 
@@ -126,7 +131,8 @@ def test_the_report_speaks_chinese(folder: Path, found: Results, tmp_path: Path)
     )
     assert "最小螺距" in words
     pages = "".join(page.extract_text() for page in PdfReader(tmp_path / "report.pdf").pages)
-    assert "最小螺距" in pages.replace("\u200b", "").replace("\n", "")
+    assert "\u200b" not in pages
+    assert "最小螺距" in pages
 
 
 def test_both_languages_say_the_same_blocks(found: Results) -> None:
@@ -153,3 +159,39 @@ def test_chinese_lines_may_break_after_signs_but_not_before_stops() -> None:
 @pytest.mark.parametrize("name", ["report.html", "report.pdf"])
 def test_files_are_not_huge(folder: Path, name: str) -> None:
     assert 100_000 < (folder / name).stat().st_size < 12_000_000
+
+
+def test_a_written_report_leads_to_pages_that_are_there(
+    folder: Path, found: Results, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pages = tmp_path / "pages"
+    pages.mkdir()
+    (pages / "established.html").write_text("here", "utf-8")
+    monkeypatch.setattr(reproducing, "results", lambda _advance: found)
+    monkeypatch.setattr(reproducing, "PICTURE_KINDS", ("png",))
+    monkeypatch.chdir(tmp_path)
+    out = Path("deep/out")
+    reproduce(out, docs="pages")
+    page = Page((out / "report.html").read_text("utf-8"))
+    away = [link for link in page.links if not link.startswith("#")]
+    assert away
+    assert all((out / link.partition("#")[0]).resolve().is_file() for link in away)
+    assert pages_from(out, "https://example.org/manual") == "https://example.org/manual"
+    with pytest.raises(InputError, match="no pages"):
+        reproduce(tmp_path / "other", docs="nowhere")
+    assert not (tmp_path / "other").exists()
+
+
+def test_a_search_that_dies_is_told_and_none_outlives_the_run() -> None:
+    plan = read_plan("turn")
+    with _beside(plan, (1.3,), "en") as better:
+        (child,) = multiprocessing.active_children()
+        child.kill()
+        with pytest.raises(UnsureError, match="died"):
+            better()
+    with _beside(plan, (1.3,), "en"):
+        (child,) = multiprocessing.active_children()
+    assert not child.is_alive()
+    free = plan.model_copy(update={"limits": plan.limits.model_copy(update={"speed": None})})
+    with _beside(free, (1.3,), "en") as better, pytest.raises(InputError, match="limit of speed"):
+        better()

@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from benchdragon.curves import Arc, Clothoid, Line, Route, Spiral
     from benchdragon.dragon import Bench, Dragon
     from benchdragon.errors import BenchDragonError, InputError, UnsureError, WalkError
-    from benchdragon.imprecision import Margins, Slips, margins
     from benchdragon.kernels.status import Status
     from benchdragon.leader import SpeedProfile
     from benchdragon.motion import Motion, Walk
@@ -38,11 +37,9 @@ __all__ = [
     "Dragon",
     "InputError",
     "Line",
-    "Margins",
     "Motion",
     "Nearness",
     "Route",
-    "Slips",
     "SpeedProfile",
     "Spiral",
     "Status",
@@ -59,7 +56,6 @@ __all__ = [
     "first_contact",
     "greatest_speed",
     "least_clearance",
-    "margins",
     "three_pieces",
     "tightest_pairs",
     "two_arcs",
@@ -75,11 +71,9 @@ _ROOMS = {
     "Dragon": "dragon",
     "InputError": "errors",
     "Line": "curves",
-    "Margins": "imprecision",
     "Motion": "motion",
     "Nearness": "clearance",
     "Route": "curves",
-    "Slips": "imprecision",
     "SpeedProfile": "leader",
     "Spiral": "curves",
     "Status": "kernels.status",
@@ -96,7 +90,6 @@ _ROOMS = {
     "first_contact": "contact",
     "greatest_speed": "speeds",
     "least_clearance": "contact",
-    "margins": "imprecision",
     "three_pieces": "turns",
     "tightest_pairs": "clearance",
     "two_arcs": "turns",

@@ -16,9 +16,9 @@ import click
 
 from benchdragon import __version__
 from benchdragon.ask import PICTURE_FORMATS, parse_formats, parse_handles, parse_times
-from benchdragon.chances import margins
 from benchdragon.document import decimals
 from benchdragon.errors import BenchDragonError, InputError
+from benchdragon.margins_verb import margins
 from benchdragon.messages import LANGUAGES, N_, _, language
 from benchdragon.options import (
     announce_compiling,

@@ -1,5 +1,6 @@
 """A document: headings, words with links, tables, formulas and names of pictures, in one language."""
 
+import math
 from dataclasses import dataclass
 
 
@@ -75,3 +76,13 @@ class Document:
 def decimals(value: float, count: int = 6) -> str:
     """So many decimals, without the sign of a zero."""
     return f"{round(value, count) + 0.0:.{count}f}"
+
+
+def finite_or_none(value: float) -> float | None:
+    """A number for JSON, which knows no infinity."""
+    return value if math.isfinite(value) else None
+
+
+def decimals_or_dash(value: float, count: int = 4) -> str:
+    """A number, or a dash where there is none."""
+    return decimals(value, count) if math.isfinite(value) else "-"

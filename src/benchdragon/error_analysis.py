@@ -12,7 +12,7 @@ from benchdragon.errors import InputError, positive
 from benchdragon.kernels.curve import FloatArray, spiral_length
 from benchdragon.messages import _
 from benchdragon.motion import Motion, Walk
-from benchdragon.sensitivity import Drift, Stand, changed
+from benchdragon.sensitivity import Drift, Stand, changed, dot
 
 # Steps, s, at which methods are compared. Runge-Kutta is fitted where rounding does not show.
 DIFFERENCE_STEPS = (0.8, 0.4, 0.2, 0.1, 0.05, 0.025)
@@ -73,7 +73,9 @@ def chord_residuals(motion: Motion) -> FloatArray:
 
 
 def accumulated(motion: Motion) -> FloatArray:
-    """How far each handle of the one time of a motion is from its exact place, m, (N + 1,).
+    """How far each handle of a motion's one time is from its exact place on the route, m, (N + 1,).
+
+    Exact for the sizes as they are stored: 1.65 m is stored 4e-16 m off.
 
     The residual of every chord, in extended precision where the machine has it, is sent down the chain
     by the law that says how handles follow a link that is a little longer: what is left is of second
@@ -82,18 +84,39 @@ def accumulated(motion: Motion) -> FloatArray:
     Raises:
         InputError: for a route that is not one spiral.
     """
-    spiral = _spiral(motion.walk)
-    hand = -1.0 if spiral.mirrored else 1.0
-    theta = motion.state(0)[1].astype(np.longdouble)
-    k = np.longdouble(spiral.pitch) / (2.0 * np.arctan2(np.longdouble(0.0), np.longdouble(-1.0)))
-    x, y = k * theta * np.cos(theta), hand * k * theta * np.sin(theta)
+    x, y = (table[0].astype(np.longdouble) for table in (motion.x, motion.y))
     residual = np.hypot(np.diff(x), np.diff(y)) - motion.walk.dragon.links
-    handles = len(theta)
+    handles = len(x)
     sizes = np.zeros((4, handles - 1))
     sizes[0] = -residual.astype(np.float64)
-    # What would make the links as long as they should be moves each handle by its error.
-    error = changed(Stand.of(motion), Drift(np.zeros((handles, 2)), np.zeros(handles), sizes))
-    return np.asarray(np.abs(error.along))
+    # What would put the head and the links right moves each handle by its error.
+    stand, (px, py) = Stand.of(motion), _head_place(motion)
+    apart = complex(float(px - x[0]), float(py - y[0]))
+    head = dot(apart, stand.tangent[0])
+    moved = Drift(np.zeros((handles, 2)), np.zeros(handles), sizes, head)
+    return np.asarray(np.abs(changed(stand, moved).along))
+
+
+def _head_place(motion: Motion) -> tuple[np.longdouble, np.longdouble]:
+    """Where the head's handle should stand, m, in extended precision: Newton for theta."""
+    spiral = _spiral(motion.walk)
+    pi = np.arctan2(np.longdouble(0.0), np.longdouble(-1.0))
+    k = np.longdouble(spiral.pitch) / (2.0 * pi)
+    theta = np.longdouble(motion.state(0)[1][0])
+    start = np.longdouble(spiral.start_angle)
+    way = 1.0 if spiral.end_angle > spiral.start_angle else -1.0
+    for _step in range(3):
+        walked = way * (_metres(k, theta) - _metres(k, start)) - np.longdouble(motion.head_s[0])
+        theta -= way * walked / (k * np.sqrt(1.0 + theta * theta))
+    turned = (-1.0 if spiral.mirrored else 1.0) * theta + np.longdouble(spiral.rotation)
+    cx, cy = spiral.centre
+    return cx + k * theta * np.cos(turned), cy + k * theta * np.sin(turned)
+
+
+def _metres(k: np.longdouble, theta: np.longdouble) -> np.longdouble:
+    """Arc length of a spiral from its centre to theta, m."""
+    root = np.sqrt(1.0 + theta * theta)
+    return np.longdouble(0.5 * k * (theta * root + np.log(theta + root)))
 
 
 def bisected(motion: Motion, tolerance: float = BISECTION) -> FloatArray:

@@ -18,7 +18,7 @@ from benchdragon.pictures import BODY, DISC, HEAD, ROUTE, STYLE, named_figure
 # Okabe and Ito's colours and marks that differ too.
 SERIES = (
     (HEAD, "o", "-"), (BODY, "s", "--"), (DISC, "^", "-."), ("#CC79A7", "D", ":"),
-    ("#E69F00", "v", "--"), ("#000000", "x", "-"),
+    ("#E69F00", "v", (0, (5, 1, 1, 1, 1, 1))), ("#000000", "x", "-"),
 )  # fmt: skip
 # Sizes of a flow chart, in its own units.
 BOX_WIDTH, BOX_HEIGHT, COLUMN, ROW = 4.6, 0.8, 5.2, 1.25
@@ -59,7 +59,7 @@ def _draw_order(panel: Axes, found: Convergence, name: str, series: int) -> None
     style = {"color": colour, "mfc": "none", "ms": 8 - 2 * series}
     panel.loglog(steps, errors, mark, label=label, **style)
     slope, height = np.polyfit(np.log(steps), np.log(errors), 1)
-    panel.loglog(steps, np.exp(height) * steps**slope, dashes, color=colour, lw=1.2)
+    panel.loglog(steps, np.exp(height) * steps**slope, ls=dashes, color=colour, lw=1.2)
     if not good.all():
         rest = found.steps[~good], found.errors[~good]
         panel.loglog(*rest, "o", color=ROUTE, label=_("rounding, left out of the fit"))
@@ -173,7 +173,9 @@ def margin_picture(found: Mapping[str, Margins], names: Mapping[str, str], title
         for n, (name, one) in enumerate(found.items()):
             colour, _mark, dashes = SERIES[n % len(SERIES)]
             chance = np.array([one.touching(pitch) for pitch in pitches])
-            panel.plot(100.0 * pitches, chance[:, 0], dashes, color=colour, lw=1.5, label=names[name])
+            panel.plot(
+                100.0 * pitches, chance[:, 0], ls=dashes, color=colour, lw=1.5, label=names[name]
+            )
             panel.fill_between(
                 100.0 * pitches, chance[:, 1], chance[:, 2], color=colour, alpha=0.12, lw=0.0
             )

@@ -15,28 +15,32 @@ from scipy.ndimage import gaussian_filter1d
 from scipy.stats import beta, binom
 
 from benchdragon.dragon import Dragon
-from benchdragon.errors import InputError, UnsureError, not_negative
+from benchdragon.errors import InputError, UnsureError, in_order, not_negative
 from benchdragon.kernels.box import least_distance
 from benchdragon.kernels.chain import march
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import positions
 from benchdragon.kernels.sway import sway
 from benchdragon.messages import N_, _
-from benchdragon.motion import MOST_PLACES, Walk
+from benchdragon.motion import Walk
 from benchdragon.plan import Plan
+from benchdragon.solve import limit
 
 # Looks along the walk, m apart: within its last so many metres, where a spiral is tightest, and before.
 # A graze between two looks is missed by less than 1 mm (design/imprecision.py).
 LOOK_STEPS, LAST_WAY = (1.0, 2.0), 60.0
-# A trodden line strays smoothly: metres of way over which it forgets where it was, and entries of its
-# table in that length.
+# A trodden line strays smoothly: places d apart are correlated by exp(-d^2 / (2 STRAY_LENGTH^2)), m;
+# entries of its table in that length.
 STRAY_LENGTH, STRAY_ENTRIES = 10.0, 20
 # Pitches are sought to this, m, by at most so many secants, whose slopes (m of distance per m of pitch)
 # are kept within bounds: near 1 on a spiral.
 TOLERANCE, MOST_SECANTS, LEAST_SLOPE, MOST_SLOPE = 5e-5, 30, 0.5, 3.0
-# What a pitch may come to be, times the one with which its search begins.
+# What a pitch may come to be, times the one that exact people need.
 NARROWEST, WIDEST = 0.7, 4.0
 MOST_DRAWS = 100_000
+# Limits of one dance: handles times looks (40 bytes each, in every thread), and pairs times looks
+# (some ten seconds).
+MOST_PLACES, MOST_PAIRS = 5_000_000, 1e10
 CONFIDENCE = 0.95
 
 Advance = Callable[[float], None]
@@ -109,7 +113,14 @@ class Draw:
         level = np.sqrt(np.maximum(link * link - height * height, 0.0)) - link
         # Pins with play move the benches, not their edges: the rear inset takes it up.
         longer = slips.play * self.noise(2, n) + level
-        return Dragon.of_sizes(length, width, plain.front_inset, plain.rear_inset - longer)
+        try:
+            return Dragon.of_sizes(length, width, plain.front_inset, plain.rear_inset - longer)
+        except InputError as error:
+            raise InputError(
+                _("dance {number} has a bench that cannot be: {why}; make the slips smaller").format(
+                    number=self.number + 1, why=error
+                )
+            ) from None
 
     def lane(self, way: float) -> tuple[FloatArray, float]:
         """How far aside the trodden line lies, m, from the end of `way` (m) back, and its step, m."""
@@ -133,7 +144,9 @@ def least_clearance(plan: Plan, draw: Draw, steps: tuple[float, float] = LOOK_ST
     """
     walk = plan.build()
     dragon = draw.dragon(walk.dragon)
-    start, end = walk.head_position(list(plan.span(walk))).tolist()
+    times = plan.span(walk)
+    in_order(*times)
+    start, end = walk.head_position(list(times)).tolist()
     # A spiral is tightest at its inner end; elsewhere that is not known.
     border = max(start, end - LAST_WAY) if plan.route.kind == "spiral-in" else start
     near, far = steps
@@ -141,7 +154,7 @@ def least_clearance(plan: Plan, draw: Draw, steps: tuple[float, float] = LOOK_ST
         np.arange(start, border, far), np.linspace(border, end, 2 + int((end - border) / near))
     )
     shape = (len(dragon) + 1, s.size)
-    if shape[0] * shape[1] > MOST_PLACES:
+    if shape[0] * shape[1] > MOST_PLACES or 0.5 * shape[0] ** 2 * shape[1] > MOST_PAIRS:
         raise InputError(_("the walk is too long, or the dragon, for random dances"))
     row, failed = np.empty(shape, dtype=np.int64), np.empty((2, s.size), dtype=np.int64)
     u, x, y, ratio = (np.empty(shape) for _array in range(4))
@@ -166,7 +179,7 @@ class Margins:
     Attributes:
         slips: how far from exact they are.
         seed: of the draws.
-        exact: the smallest pitch without slips, looked for in the same way, m.
+        exact: the smallest pitch without slips, m.
         needed: m, in increasing order, (draws,).
     """
 
@@ -224,7 +237,8 @@ def margins(
         advance: is told the share done since it was last told.
 
     Raises:
-        InputError: for a number of draws out of range, or a plan without a pitch.
+        InputError: for a number of draws out of range, a plan without a pitch, or one of whose
+            dragon no benches can touch.
         WalkError: where a dance cannot stand.
         UnsureError: where no pitch was found.
     """
@@ -232,7 +246,7 @@ def margins(
         raise InputError(
             _("draws must be 1 to {most}, not {count}").format(most=MOST_DRAWS, count=draws)
         )
-    exact = needed_pitch(plan, Draw(Slips(), seed, 0), plan.value("route.pitch"))
+    exact = _exact_pitch(plan)
     tell = advance or (lambda _share: None)
 
     def one(number: int) -> float:
@@ -243,6 +257,17 @@ def margins(
     with ThreadPoolExecutor(workers) as pool:
         needed = np.sort(list(pool.map(one, range(draws))))
     return Margins(slips, seed, exact, needed)
+
+
+def _exact_pitch(plan: Plan) -> float:
+    if plan.route.kind == "spiral-in" and plan.disc.radius is None and plan.walk.end is None:
+        raise InputError(_("say how far in the head comes: set disc.radius=4.5, for example"))
+    if len(plan.dragon.build()) < 3:
+        raise InputError(_("no benches of this dragon can touch: it has no two but neighbours"))
+    found = limit(plan, "pitch")
+    if found.status in {"found", "unlimited"}:
+        return found.value
+    raise UnsureError(_("no pitch was found with which this dragon stays clear"))
 
 
 def needed_pitch(
@@ -265,5 +290,7 @@ def needed_pitch(
         if abs(step) <= TOLERANCE:
             return b
     raise UnsureError(
-        _("no pitch was found with which dance {number} stays clear").format(number=draw.number)
+        _("no pitch near {guess} m was found with which dance {number} just stays clear").format(
+            guess=f"{guess:.4g}", number=draw.number + 1
+        )
     )

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from benchdragon.curves import Arc
 from benchdragon.errors import InputError
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.leader import SpeedProfile
 from benchdragon.messages import N_, _
 from benchdragon.motion import Walk
 from benchdragon.plan import Plan, TurnRoute
@@ -56,6 +57,8 @@ def equations(plan: Plan) -> list[Equation]:
     """
     if plan.route.kind != "turn" or plan.turn.family != "arc-arc":
         raise InputError(_("the paper's equations are those of a turn of two arcs"))
+    if plan.walk.build() != SpeedProfile.constant(HEAD_SPEED):
+        raise InputError(_("the paper's equations are those of a head at 1 m/s"))
     radius = TurnRoute.disc(plan)
     turn = TwoArcTurn(plan.route.pitch, radius, plan.turn.ratio)
     walk = plan.build()
@@ -80,15 +83,15 @@ def equations(plan: Plan) -> list[Equation]:
 
 
 def _third(walk: Walk, turn: TwoArcTurn) -> Equation:
-    """d theta / dt on the way out, from the head's own polar angle."""
-    step = 1e-3
-    x, y = (table[:, 0] for table in _at(walk, [ON_WAY_OUT - step, ON_WAY_OUT + step]))
-    swing = cmath.phase(complex(x[1], y[1]) / complex(x[0], y[0]))
+    """d theta / dt on the way out: the head's velocity about the centre."""
+    motion = walk.motion([ON_WAY_OUT])
+    place = complex(motion.x[0, 0], motion.y[0, 0])
+    velocity = cmath.exp(1j * float(walk.route.heading(motion.s[0, 0]))) * float(motion.speed[0, 0])
     k = turn.pitch / (2.0 * math.pi)
-    theta = math.hypot(x.mean(), y.mean()) / k
+    theta = abs(place) / k
     return Equation(
         3, N_("d theta/dt on the way out"), 1.0 / (k * math.sqrt(1.0 + theta * theta)),
-        swing / (2.0 * step), "rad/s", N_("right on the way out; the way in needs a minus sign"),
+        (velocity / place).imag, "rad/s", N_("right on the way out; the way in needs a minus sign"),
     )  # fmt: skip
 
 
@@ -126,7 +129,7 @@ def _sixth(walk: Walk, turn: TwoArcTurn) -> Equation:
     return Equation(
         6, N_("cosine of the angle at the centre of the first arc"),
         (d1 * d1 + r1 * r1 - d * d) / (2.0 * d1 * r1), math.cos(cmath.phase(front / rear)), "1",
-        N_("right"),
+        N_("right as printed"),
     )  # fmt: skip
 
 

@@ -21,6 +21,7 @@ from benchdragon.document import (
     Table,
     Words,
     decimals,
+    decimals_or_dash,
 )
 from benchdragon.messages import N_, _, language
 from benchdragon.report_evidence import (
@@ -141,16 +142,13 @@ def _walk_claims(found: Results) -> Iterable[tuple[Words, ...]]:
             _("closed form; chords to {error} m").format(error=f"{found.motion.chord_error:.0e}"),
         ),
     )
-    error = found.speed_orders["forward"]
     yield (
         "2, 3",
         _("speeds by differences; the head's is 1 m/s"),
         f"{paper.HEAD_SPEED:g} m/s",
         "1 m/s",
-        _("up to {error} m/s").format(error=f"{float(error.errors[-1]):.1e}"),
-        _("differences cut corners: with a step of {step} s velocities are off by that much").format(
-            step=f"{float(error.steps[-1]):g}"
-        ),
+        _("up to {error} m/s").format(error=f"{found.speed_error:.1e}"),
+        _("differences of places a second apart cut corners: the head seems slower by that much"),
         _how("speeds", _("exact, from rigid benches")),
     )
 
@@ -206,8 +204,8 @@ def _turn_claims(found: Results) -> Iterable[tuple[Words, ...]]:
     yield (
         _("abstract, 4"),
         _("the turn cannot be made shorter"),
-        _("its length: {length} m").format(length=f"{arcs.length:.4f}"),
-        f"{best.way:.4f} m",
+        _("fixed by (1) and (2), no value printed"),
+        _("{way} m instead of {length} m").format(way=f"{best.way:.4f}", length=f"{arcs.length:.4f}"),
         f"{arcs.length - best.way:.4f} m",
         _(
             "not so: with a line between two arcs no bend is tighter than the paper's, and the "
@@ -263,7 +261,9 @@ def _other_claims(found: Results) -> Iterable[tuple[Words, ...]]:
         "2",
         _("assumptions 1 to 4: people are exact"),
         _("neglected"),
-        _("{pitch} m for nine dances of ten").format(pitch=f"{aside.pitch_for(0.1):.3f}"),
+        _("{pitch} m, for nine dances of ten, with 95 % confidence").format(
+            pitch=decimals_or_dash(aside.pitch_for(0.1), 3)
+        ),
         "",
         _("with handles {slip} cm off the line, to either side, as a standard deviation").format(
             slip=f"{100.0 * aside.slips.aside:g}"

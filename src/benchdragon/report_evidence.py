@@ -17,10 +17,11 @@ from benchdragon.document import (
     Table,
     Words,
     decimals,
+    decimals_or_dash,
 )
 from benchdragon.imprecision import CASES
 from benchdragon.messages import N_, _
-from benchdragon.results import DIFFERENCE_STEP, DRAWS, SEED, Rate, Results
+from benchdragon.results import DIFFERENCE_STEP, Rate, Results
 
 
 @dataclass(frozen=True)
@@ -206,6 +207,7 @@ def _rate_row(rate: Rate, scale: float) -> tuple[Words, ...]:
 def people(found: Results) -> Iterable[Block]:
     """What imprecise people need."""
     yield Heading(_("When people are not exact"), "people")
+    some = found.margins["all"]
     yield say(
         _(
             "The paper assumes that every handle keeps to the line (1), that pull and friction "
@@ -214,8 +216,8 @@ def people(found: Results) -> Iterable[Block]:
             "walked, benches rigid and joined, and the pitch that each needs is sought. Lengths "
             "are standard deviations. A look each metre finds contacts to less than 1 mm."
         ),
-        draws=DRAWS,
-        seed=SEED,
+        draws=some.needed.size,
+        seed=some.seed,
     )
     yield Picture("margins", _("The chance that benches touch, over the pitch."))
     columns = (
@@ -231,7 +233,12 @@ def people(found: Results) -> Iterable[Block]:
         slips = ", ".join(f"{100.0 * size:g}" for size in vars(one.slips).values() if size)
         median, tenth, twentieth = np.median(one.needed), one.pitch_for(0.1), one.pitch_for(0.05)
         room = 100.0 * (twentieth - found.smallest.value)
-        numbers = (_known(median), _known(tenth), _known(twentieth), _known(room, 1))
+        numbers = (
+            decimals_or_dash(median),
+            decimals_or_dash(tenth),
+            decimals_or_dash(twentieth),
+            decimals_or_dash(room, 1),
+        )
         rows.append((_(CASES[name].text), slips, *numbers))
     yield Table(columns, (2.4, 1.0, 0.8, 1.0, 1.0, 1.0), tuple(rows))
     yield say(
@@ -241,11 +248,6 @@ def people(found: Results) -> Iterable[Block]:
             "strays it must measure itself."
         )
     )
-
-
-def _known(value: float, count: int = 4) -> str:
-    """A number, or a dash where the draws were too few to say."""
-    return decimals(value, count) if math.isfinite(value) else "-"
 
 
 def roads(found: Results, docs: str | None) -> Iterable[Block]:
@@ -276,7 +278,7 @@ def _derivations(found: Results) -> dict[str, tuple[tuple[str, ...], str]]:
     return {
         "chain": (
             (
-                f"k = p/2π = {k:.12f} m;  s(θ) = k/2 (θ√(1+θ²) + asinh θ)",
+                f"k = p/2π = {k:.12f} m;  s(θ) = k/2 (θ sqrt(1+θ²) + asinh θ)",
                 f"|P(s_i) - P(s_i+1)| = d_i,  d_0 = {links[0]:g} m,  d_i = {links[1]:g} m",
             ),
             _(
@@ -326,7 +328,7 @@ def _derivations(found: Results) -> dict[str, tuple[tuple[str, ...], str]]:
             ),
         ),
         "greatest-head-speed": (
-            (f"v = {found.turn.limits.speed:g} / {ratio:.15f} = {found.head_speed.value:.15f} m/s",),
+            (f"v = {found.turn.limits.speed:g} / {ratio:.12f} = {found.head_speed.value:.12f} m/s",),
             _(
                 "The greatest ratio of a handle's speed to the head's, over all handles and all "
                 "times, by bounds on how ratios change: what is not looked at cannot exceed the "

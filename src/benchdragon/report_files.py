@@ -3,10 +3,12 @@
 import base64
 import re
 from pathlib import Path
+from typing import Any
 
 from fpdf import FPDF, FontFace
 from fpdf.enums import TableHeadingsDisplay
 from fpdf.image_parsing import preload_image
+from fpdf.line_break import TextLine
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from matplotlib import font_manager
 
@@ -28,7 +30,7 @@ from benchdragon.pictures import FONT_FILES
 # Sizes of the PDF: mm, and points of type.
 MARGIN, LINE = 15.0, 5.2
 TEXT_SIZE, TABLE_SIZE, HEAD_SIZES = 9.5, 7.0, {1: 15.0, 2: 11.5}
-TALLEST_PICTURE = 100.0
+TALLEST_PICTURE = 88.0
 EDGE, SHADE, LINK_COLOUR = (150, 150, 150), (235, 235, 235), (0, 84, 148)
 WEIGHTS = {"": "normal", "B": "bold"}
 # Chinese text may break after any sign; fpdf2 breaks where this stands, for which Noto has no glyph.
@@ -76,6 +78,12 @@ class Pages(FPDF):
         # A link must lead somewhere before its chapter is set: to the first page until then.
         self._links = {block.anchor: self.add_link(page=1) for block in headings}
 
+    def _render_styled_text_line(self, text_line: TextLine, *details: Any, **more: Any) -> bool:
+        """Set a line without its marks: lines are broken by now, and who searches finds whole words."""
+        for fragment in text_line.fragments:
+            fragment.characters = [sign for sign in fragment.characters if sign != BREAK]
+        return super()._render_styled_text_line(text_line, *details, **more)
+
     def footer(self) -> None:
         """Put the page's number at its foot."""
         self.set_y(-MARGIN + 4.0)
@@ -108,7 +116,7 @@ class Pages(FPDF):
                 self._picture(block)
 
     def _heading(self, block: Heading) -> None:
-        if self.get_y() > (0.65 if block.level == 1 else 0.85) * self.h:
+        if self.get_y() > (0.75 if block.level == 1 else 0.85) * self.h:
             self.add_page()
         self.ln(3.0)
         self.set_link(self._links[block.anchor], page=self.page_no(), y=self.get_y())

@@ -1,6 +1,7 @@
 """The paper again, from one call: its tables, pictures and answers, and a report on all of them."""
 
 import json
+import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,6 +12,7 @@ from matplotlib.figure import Figure
 
 from benchdragon.check import moment
 from benchdragon.contact_pictures import clearance_picture, moment_picture, pitch_picture
+from benchdragon.errors import InputError
 from benchdragon.evidence_pictures import (
     accumulation_picture,
     convergence_picture,
@@ -72,8 +74,9 @@ def reproduce(
 
     Raises:
         FileRefusedError: if a file is there already and `force` is not set.
+        InputError: for a folder of pages that is not there.
     """
-    files = planned_files(folder)
+    files, pages = planned_files(folder), None if docs is None else pages_from(folder, docs)
     refuse_existing(files, force)
     found = results(advance)
     advance(_("tables"))
@@ -83,12 +86,27 @@ def reproduce(
     _write_pictures(folder, found, figures, advance)
     answers = as_json(found)
     advance(_("report"))
-    written = report(found, docs)
+    written = report(found, pages)
     write_html(folder / "report.html", written, folder)
     write_pdf(folder / "report.pdf", written, folder)
     with whole_file(folder / "answers.json") as temporary:
         temporary.write_text(json.dumps(answers, indent=1, ensure_ascii=False) + "\n", "utf-8")
     return Reproduction(answers, files)
+
+
+def pages_from(folder: Path, docs: str) -> str:
+    """The address of the documentation's pages as a link from `folder`.
+
+    Raises:
+        InputError: for a folder that holds no such pages.
+    """
+    if "://" in docs:
+        return docs
+    if not (Path(docs) / "established.html").is_file():
+        raise InputError(
+            _("--docs: there are no pages in {folder}; `make docs` builds them").format(folder=docs)
+        )
+    return Path(os.path.relpath(docs, folder)).as_posix()
 
 
 def _write_tables(folder: Path, found: Results) -> None:
@@ -151,10 +169,10 @@ def _evidence_figures(found: Results) -> dict[str, Figure]:
     by_pitch = [(p, answer.value) for p, t, answer in found.traversal if t == 1.0]
     flow = [(_(paper), _(here)) for paper, here in FLOW]
     return {
-        "flow": flow_picture(flow, title),
-        "errors-orders": convergence_picture(found.head_order, found.speed_orders, title),
-        "errors-chain": accumulation_picture(found.off, found.off_bisected, found.residuals, title),
-        "errors-steps": stepping_picture(found.stepped, by_pitch, exact, title),
+        "flow": flow_picture(flow),
+        "errors-orders": convergence_picture(found.head_order, found.speed_orders),
+        "errors-chain": accumulation_picture(found.off, found.off_bisected, found.residuals),
+        "errors-steps": stepping_picture(found.stepped, by_pitch, exact),
         "margins": margin_picture(
             found.margins, {name: _(case.text) for name, case in CASES.items()}, title
         ),

@@ -3,10 +3,12 @@
 import multiprocessing
 import os
 import signal
-from collections.abc import Callable, Sequence
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib.util import find_spec
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -16,6 +18,7 @@ from benchdragon.best_turn import BestTurn, Wish, pareto_front
 from benchdragon.check import Report, check, clearance_over, moment
 from benchdragon.contact import ClearanceCurve, first_contact
 from benchdragon.differences import SCHEMES, difference_errors, difference_speeds
+from benchdragon.document import finite_or_none
 from benchdragon.error_analysis import (
     Convergence,
     accumulated,
@@ -24,6 +27,7 @@ from benchdragon.error_analysis import (
     difference_convergence,
     runge_kutta_convergence,
 )
+from benchdragon.errors import BenchDragonError, UnsureError
 from benchdragon.imprecision import CASES, Margins, margins
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.messages import _, language, use_language
@@ -35,6 +39,9 @@ from benchdragon.sensitivity import contact_rates, limit_rates, sizes_of, speed_
 from benchdragon.solve import limit, smallest_pitch
 from benchdragon.traversal import PitchCurve, first_overlap, pitch_curve, traversed_pitch
 from benchdragon.turns import TwoArcTurn
+
+if TYPE_CHECKING:
+    from multiprocessing.connection import Connection
 
 # The contest's own times and handles.
 TABLE_TIMES = (0.0, 60.0, 120.0, 180.0, 240.0, 300.0)
@@ -97,6 +104,7 @@ class Results:
         traversal: (pitch step, m; time step, s; answer), stepped: (time step, s; contact seen, s).
         head_order: of Runge-Kutta, speed_orders: of each difference formula.
         head_errors: of the head's place, m, by step of each road beside the closed form.
+        speed_error: of the head's speed from forward differences a second apart, m/s.
         off, off_bisected: how far handles are from their exact places, m; residuals: of chords, m.
         rates: how answers move with sizes, by name of the answer.
         margins: of imprecise dances, by name of the case.
@@ -120,6 +128,7 @@ class Results:
     head_order: Convergence
     speed_orders: dict[str, Convergence]
     head_errors: dict[str, float]
+    speed_error: float
     off: FloatArray
     off_bisected: FloatArray
     residuals: FloatArray
@@ -151,9 +160,7 @@ def results(advance: Advance = lambda _text: None) -> Results:
     disc = read_plan("spiral-in", [f"disc.radius={turn.disc.radius}"])
     workers = min(2, os.cpu_count() or 1)
     prove = find_spec("flint") is not None
-    context = multiprocessing.get_context("spawn")
-    with context.Pool(1, _ignore_interrupts) as pool:
-        beside = pool.apply_async(better_turns, (turn, FRONT_SPEEDS, language()))
+    with _beside(turn, FRONT_SPEEDS, language()) as better:
         advance(_("walking"))
         walk = spiral.build()
         motion = walk.motion(np.arange(301.0))
@@ -183,19 +190,72 @@ def results(advance: Advance = lambda _text: None) -> Results:
                 advance(_("imprecise dances"))
             drawn[name] = margins(disc, case.slips, DRAWS, seed=SEED, workers=workers)
         advance(_("better turns"))
-        front = beside.get()
+        front = better()
     advance(_("equations"))
     return Results(
         spiral, disc, turn, motion, turn_motion, report, clearance, turn_report, head_speed,
         smallest, front, curve, traversal, stepped, head_order, speed_orders,
-        head_errors(walk, motion.times), accumulated(still), bisected(still),
+        head_errors(walk, motion.times), speed_error(walk), accumulated(still), bisected(still),
         chord_residuals(motion), rates, drawn, equations(turn),
     )  # fmt: skip
 
 
-def _ignore_interrupts() -> None:
-    """Leave an interrupt to the process that asked; it ends this one."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+@contextmanager
+def _beside(plan: Plan, speeds: Sequence[float], spoken: str) -> Iterator[Callable[[], list[BestTurn]]]:
+    """`better_turns` in a process that ends with the block, or with this process, however that ends.
+
+    Raises:
+        UnsureError: from what the block gets, if the process died.
+    """
+    context = multiprocessing.get_context("spawn")
+    ours, theirs = context.Pipe(duplex=False)
+    process = context.Process(target=_search_beside, args=(theirs, plan, speeds, spoken), daemon=True)
+    with _interrupts_held():
+        process.start()
+    theirs.close()
+
+    def found() -> list[BestTurn]:
+        try:
+            answer: list[BestTurn] | BenchDragonError = ours.recv()
+        except EOFError:
+            raise UnsureError(_("the search for better turns died; is there enough memory?")) from None
+        if isinstance(answer, BenchDragonError):
+            raise answer
+        return answer
+
+    try:
+        yield found
+    finally:
+        process.kill()
+        process.join()
+
+
+@contextmanager
+def _interrupts_held() -> Iterator[None]:
+    """Processes started in the block never hear Ctrl-C: it is for the one that asked."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _search_beside(pipe: "Connection", plan: Plan, speeds: Sequence[float], spoken: str) -> None:
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    try:
+        pipe.send(better_turns(plan, speeds, spoken))
+    except BenchDragonError as error:
+        pipe.send(error)
+
+
+def _end_with_parent() -> None:
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
 
 
 def better_turns(plan: Plan, speeds: Sequence[float], spoken: str) -> list[BestTurn]:
@@ -213,6 +273,12 @@ def head_errors(walk: Walk, times: FloatArray) -> dict[str, float]:
         "rk4_step_0.1_s_m": _largest(walk.head_position(times, "rk4", SHORT_STEP) - exact),
         "adaptive_m": _largest(walk.head_position(times, "adaptive") - exact),
     }
+
+
+def speed_error(walk: Walk) -> float:
+    """How far the head's speed from forward differences a second apart is off at most, m/s."""
+    head = difference_speeds(walk, DIFFERENCE_TIMES, 1.0, "forward")[:, 0]
+    return _largest(head - walk.profile.speed(DIFFERENCE_TIMES))
 
 
 def stepped_contacts(walk: Walk, start: float, report: Report) -> list[tuple[float, float]]:
@@ -351,5 +417,5 @@ def _margin(one: Margins) -> dict[str, Any]:
         "seed": one.seed,
         "exact_m": one.exact,
         "median_m": float(np.median(one.needed)),
-        **{f"pitch_for_{risk:g}_m": one.pitch_for(risk) for risk in (0.5, 0.1, 0.05)},
+        **{f"pitch_for_{risk:g}_m": finite_or_none(one.pitch_for(risk)) for risk in (0.5, 0.1, 0.05)},
     }

@@ -12,7 +12,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from benchdragon.answer import Answer, Witness
-from benchdragon.errors import InputError
+from benchdragon.errors import InputError, WalkError
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.messages import _
 from benchdragon.motion import Motion, Walk
@@ -350,5 +350,5 @@ def _level(slope: Callable[[float], float], time: float) -> float:
     """
     try:
         return float(brentq(slope, time - NEAR, time + NEAR, xtol=1e-15, rtol=1e-15))
-    except ValueError:
+    except (ValueError, WalkError):
         raise InputError(_("only at a smooth minimum or peak are these derivatives known")) from None

@@ -3,21 +3,27 @@
 import json
 from dataclasses import fields
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from benchdragon import __version__
+from benchdragon.document import decimals_or_dash, finite_or_none
 from benchdragon.messages import N_, _, language
 from benchdragon.options import (
     announce_compiling,
+    explain_option,
     folder_option,
     json_option,
     plan_options,
     shared_options,
     workers_option,
 )
-from benchdragon.show import print_files, print_rows, progress
+from benchdragon.show import print_explanation, print_files, print_rows, progress
+
+if TYPE_CHECKING:
+    from benchdragon.imprecision import Margins
+    from benchdragon.plan import Plan
 
 # Chances of touching for which a pitch is told.
 RISKS = (0.5, 0.1, 0.05, 0.02)
@@ -43,7 +49,8 @@ def slip_options(command: Any) -> Any:
         "How much room imprecise people need: the pitch at which benches rarely touch.\n\nRandom "
         "dances are walked, handles off the line, lines that drift, benches that vary, and the "
         "smallest pitch that each needs is sought. Without options each slip is tried by itself, "
-        "then all together. PLAN is a *.dragon.toml file or the name of a built-in plan."
+        "then all together. PLAN is a *.dragon.toml file or the name of a built-in plan; a spiral "
+        "needs an end: --set disc.radius=4.5, for example."
     )
 )
 @plan_options
@@ -61,54 +68,79 @@ def slip_options(command: Any) -> Any:
 @workers_option(2)
 @folder_option
 @json_option
+@explain_option
 @shared_options
 def margins(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print pitches and chances, as a table or JSON, and draw them."""
     from benchdragon.files import refuse_existing
-    from benchdragon.imprecision import CASES, Case, Slips
-    from benchdragon.imprecision import margins as found_margins
     from benchdragon.plan import read_plan
-    from benchdragon.speeds import part_of
 
     read = read_plan(plan, settings)
     announce_compiling(quiet)
-    given = {name: options[name] for name in SLIPS if options[name] is not None}
-    cases = {"given": Case(N_("as given"), Slips(**given))} if given else CASES
     folder: Path | None = options["output"]
     files = [] if folder is None else [folder / f"margins.{kind}" for kind in ("png", "svg", "pdf")]
     refuse_existing(files, options["force"])
-    found = {}
-    with progress(quiet, len(cases)) as advance:
-        for name, case in cases.items():
-            found[name] = found_margins(
-                read, case.slips, options["draws"], seed=options["seed"], workers=options["workers"],
-                advance=part_of(advance, _(case.text)),
-            )  # fmt: skip
-    texts = {name: _(case.text) for name, case in cases.items()}
-    if files:
-        from benchdragon.evidence_pictures import margin_picture
-        from benchdragon.pictures import write_picture
-
-        title = read.title(language())
-        for path in files:
-            write_picture(margin_picture(found, texts, title), path, title, read.sha256)
+    found, texts = _walked(read, options, quiet)
+    _write_pictures(read, found, texts, files)
     pitch = read.value("route.pitch")
+    lines = _lines(read, found, texts, pitch) if options["explain"] else []
     if options["as_json"]:
-        about = {"plan_sha256": read.sha256, "version": __version__, "seed": options["seed"]}
-        click.echo(
-            json.dumps({"cases": {name: as_json(one, pitch) for name, one in found.items()}, **about})
-        )
+        about: dict[str, Any] = {"explanation": lines} if lines else {}
+        about |= {"plan_sha256": read.sha256, "version": __version__, "seed": options["seed"]}
+        cases = {name: as_json(one, pitch) for name, one in found.items()}
+        click.echo(json.dumps({"cases": cases, **about}))
         return 0
-    print_margins(found, texts, pitch)
+    print_margins(found, texts, pitch, read.limits.margin)
     if files:
         print_files(files)
+    print_explanation(lines)
     return 0
 
 
-def as_json(one: Any, pitch: float) -> dict[str, Any]:
+def _walked(
+    plan: "Plan", options: dict[str, Any], quiet: bool
+) -> tuple[dict[str, "Margins"], dict[str, str]]:
+    """What each case needs, and what to call it."""
+    from benchdragon.imprecision import CASES, Case, Slips, margins
+    from benchdragon.speeds import part_of
+
+    given = {name: options[name] for name in SLIPS if options[name] is not None}
+    cases = {"given": Case(N_("as given"), Slips(**given))} if given else CASES
+    found = {}
+    with progress(quiet, len(cases)) as advance:
+        for name, case in cases.items():
+            found[name] = margins(
+                plan, case.slips, options["draws"], seed=options["seed"], workers=options["workers"],
+                advance=part_of(advance, _(case.text)),
+            )  # fmt: skip
+    return found, {name: _(case.text) for name, case in cases.items()}
+
+
+def _write_pictures(
+    plan: "Plan", found: dict[str, "Margins"], texts: dict[str, str], files: list[Path]
+) -> None:
+    if not files:
+        return
+    from benchdragon.evidence_pictures import margin_picture
+    from benchdragon.pictures import write_picture
+
+    title = plan.title(language())
+    for path in files:
+        write_picture(margin_picture(found, texts, title), path, title, plan.sha256)
+
+
+def _lines(plan: "Plan", found: dict[str, "Margins"], texts: dict[str, str], pitch: float) -> list[str]:
+    """How the last case came about, which is all slips together if none was given."""
+    from benchdragon.explain_margins import margin_lines
+
+    name, one = list(found.items())[-1]
+    return [f"{texts[name]}:", *margin_lines(plan, one, pitch)]
+
+
+def as_json(one: "Margins", pitch: float) -> dict[str, Any]:
     """One case as plain data, in metres."""
     share, low, high = one.touching(pitch)
-    safe = {f"{risk:g}": _finite(one.pitch_for(risk)) for risk in RISKS}
+    safe = {f"{risk:g}": finite_or_none(one.pitch_for(risk)) for risk in RISKS}
     return {
         "slips": {field.name: getattr(one.slips, field.name) for field in fields(one.slips)},
         "draws": one.needed.size,
@@ -119,11 +151,9 @@ def as_json(one: Any, pitch: float) -> dict[str, Any]:
     }
 
 
-def _finite(value: float) -> float | None:
-    return value if value < float("inf") else None
-
-
-def print_margins(found: dict[str, Any], texts: dict[str, str], pitch: float) -> None:
+def print_margins(
+    found: dict[str, "Margins"], texts: dict[str, str], pitch: float, margin: float
+) -> None:
     """A row a case: chance at the plan's pitch, pitches for smaller chances."""
     columns = [
         _("slips"),
@@ -134,7 +164,7 @@ def print_margins(found: dict[str, Any], texts: dict[str, str], pitch: float) ->
     for name, one in found.items():
         chance = "{:.1f} ({:.1f}..{:.1f})".format(*(100.0 * part for part in one.touching(pitch)))
         safe = [one.pitch_for(risk) for risk in RISKS]
-        rows.append((texts[name], chance, *(f"{size:.4f}" if _finite(size) else "-" for size in safe)))
+        rows.append((texts[name], chance, *(decimals_or_dash(size) for size in safe)))
     title = _(
         "Chance that benches touch; pitch (m) at which they touch no more often, with 95 % confidence"
     )
@@ -146,3 +176,9 @@ def print_margins(found: dict[str, Any], texts: dict[str, str], pitch: float) ->
             "few to say)"
         ).format(pitch=f"{first.exact:.4f}", draws=first.needed.size)
     )
+    if margin:
+        click.echo(
+            _("benches count as touching where they come nearer than {margin} m").format(
+                margin=f"{margin:g}"
+            )
+        )
