@@ -154,7 +154,8 @@ class Results:
 def results(advance: Advance = lambda _text: None) -> Results:
     """Walk the paper's two parts, search, try, draw: about a minute on two cores.
 
-    The search for better turns runs beside the rest in a process of its own.
+    The search for better turns runs beside the rest in a process of its own; so a script that calls
+    this does so under `if __name__ == "__main__":`.
     """
     spiral, turn = read_plan("spiral-in"), read_plan("turn")
     disc = read_plan("spiral-in", [f"disc.radius={turn.disc.radius}"])
