@@ -20,7 +20,7 @@ test: .venv/installed
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-logo
 	BENCHDRAGON_COMPILE=never $(BIN)/python -m pytest -q -n auto tests/kernels --cov --cov-report=term-missing --cov-fail-under=95
-	$(BIN)/python -m pytest -q -n auto
+	$(BIN)/python -m pytest -q -n auto --dist loadgroup
 
 docs: .venv/installed
 	rm -rf docs/_build

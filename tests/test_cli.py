@@ -238,3 +238,14 @@ def test_a_sign_that_cannot_be_drawn_is_named_once_in_a_plain_sentence(
     code, _out, err = answered(capsys, *arguments)
     assert code == 0
     assert err == "Note: no font here has the signs 𠮷 (U+20BB7)\n"
+
+
+def test_what_one_command_line_chose_does_not_reach_the_next(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    before = os.environ.get("BENCHDRAGON_COMPILE")
+    assert (
+        run(["motion", "spiral-in", "--at", "3", "--only", "0"]) == 0
+    )  # so little that nothing is compiled
+    capsys.readouterr()
+    assert os.environ.get("BENCHDRAGON_COMPILE") == before

@@ -45,6 +45,7 @@ if TYPE_CHECKING:
     from benchdragon.plan import Plan
     from benchdragon.tables import Selection
 
+COMPILE = "BENCHDRAGON_COMPILE"
 INTERRUPTED = 130
 USAGE = 2
 # Handles times times of a JSON answer (1 GB of text at most) and of a table on the screen.
@@ -248,7 +249,7 @@ def _choose_compiling(data: dict[str, Any], at: str | None, to_files: bool) -> N
     if to_files or at is None or count is None:
         return
     if len(parse_times(at)) * count <= FEW_PLACES:
-        os.environ.setdefault("BENCHDRAGON_COMPILE", "never")
+        os.environ.setdefault(COMPILE, "never")
 
 
 def _times(at: str | None, plan: "Plan") -> "np.ndarray[Any, Any]":
@@ -432,6 +433,7 @@ def _notes() -> Callable[..., None]:
 
 def run(arguments: Sequence[str]) -> int:
     """Run one command line; its exit code. Errors become one sentence on standard error."""
+    compiling = os.environ.get(COMPILE)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("always", UserWarning)
@@ -456,3 +458,6 @@ def run(arguments: Sequence[str]) -> int:
     except OSError as error:
         click.echo(_("Error: {text}").format(text=error), err=True)
         return USAGE
+    finally:  # what `_choose_compiling` chose was for this command line alone
+        if compiling is None:
+            os.environ.pop(COMPILE, None)
