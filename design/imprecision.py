@@ -57,17 +57,16 @@ def parallel() -> None:
     walk = disc(0.5).build()
     s = walk.route.length
     motion = walk.motion([s])
-    row, u = motion.state(0)
-    row, u = np.ascontiguousarray(row)[:, np.newaxis], np.ascontiguousarray(u)[:, np.newaxis]
-    back, x, y = np.ascontiguousarray(s - motion.s.T), np.empty(u.shape), np.empty(u.shape)
+    at = np.ascontiguousarray(motion.s.T)
+    x, y = np.empty(at.shape), np.empty(at.shape)
     for width in (0.01, 0.02, 0.05):
-        aside = np.asarray(width * np.random.default_rng(1).standard_normal(len(u)))
-        sway(walk.route.rows, walk.dragon.links, row, u, back, aside, np.zeros(2), 1.0, x, y)
+        aside = np.asarray(width * np.random.default_rng(1).standard_normal(len(at)))
+        sway(walk.route.rows, walk.dragon.links, at, s, aside, np.zeros(2), 1.0, x, y)
         near = np.linspace(-0.4, 0.4, 8001)
         off = []
-        for i in range(u.shape[0]):
-            at = np.minimum(motion.s[0, i] + near, s)
-            reach = np.hypot(*(walk.route.point(at) - [x[i, 0], y[i, 0]]).T)
+        for i in range(len(at)):
+            beside = np.minimum(motion.s[0, i] + near, s)
+            reach = np.hypot(*(walk.route.point(beside) - [x[i, 0], y[i, 0]]).T)
             off.append(abs(float(reach.min()) - abs(aside[i])))
         print(f"   {100 * width:g} cm aside: greatest {1e3 * max(off):.4f}")
 

@@ -3,11 +3,13 @@
 import json
 import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from scipy.stats import binomtest
 
+from benchdragon import imprecision
 from benchdragon.cli import run
 from benchdragon.contact import first_contact
 from benchdragon.dragon import Dragon
@@ -15,6 +17,7 @@ from benchdragon.errors import BenchDragonError, InputError, UnsureError
 from benchdragon.explain import number as shown
 from benchdragon.explain_margins import margin_lines
 from benchdragon.imprecision import CASES, Draw, Margins, Slips, least_clearance, margins
+from benchdragon.kernels.sway import sway
 from benchdragon.plan import Plan, read_plan
 from benchdragon.solve import limit
 from tests.calculator import agree, chinese_or_not
@@ -200,3 +203,24 @@ def test_the_verb_tells_pitches_and_chances(tmp_path: Path, capsys: pytest.Captu
     assert run([*words, "-o", str(tmp_path)]) == 2
     assert run(["margins", "examples/01_parade.dragon.toml", "--quiet"]) != 0
     assert "route.pitch" in capsys.readouterr().err
+
+
+def test_benches_keep_their_links_however_far_the_line_strays(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A line that strays is longer or shorter than the drawn one: the tail comes to stand a metre off.
+
+    In dance 69 handles once ran away to 1e69 m, put aside from places that far from their own.
+    """
+    worst = []
+
+    def watched(*arguments: Any) -> None:
+        sway(*arguments)
+        links, x, y = arguments[1], *arguments[-2:]
+        chords = np.hypot(np.diff(x, axis=0), np.diff(y, axis=0))
+        worst.append(float(np.abs(chords - links[:, np.newaxis]).max()))
+
+    monkeypatch.setattr(imprecision, "sway", watched)
+    for n in range(66, 71):
+        least_clearance(disc(0.45), Draw(CASES["stray"].slips, 1, n))
+        least_clearance(disc(0.45), Draw(Slips(stray=0.2, aside=0.05), 1, n))
+    assert len(worst) == 10
+    assert max(worst) < 1e-9

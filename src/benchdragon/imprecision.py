@@ -165,10 +165,10 @@ def least_clearance(plan: Plan, draw: Draw, steps: tuple[float, float] = LOOK_ST
     if slips.aside or slips.stray:
         at = np.empty(row.size)
         positions(walk.route.rows, row.ravel(), u.ravel(), at)
-        back = s[-1] - at.reshape(shape)
-        lane, lane_step = draw.lane(float(back.max()))
+        at, end = at.reshape(shape), float(s[-1])
+        lane, lane_step = draw.lane(end - float(at.min()) + STRAY_LENGTH)
         aside = slips.aside * draw.noise(4, shape[0])
-        sway(walk.route.rows, dragon.links, row, u, back, aside, lane, lane_step, x, y)
+        sway(walk.route.rows, dragon.links, at, end, aside, lane, lane_step, x, y)
     return float(least_distance(dragon.sizes, x, y))
 
 
@@ -280,15 +280,27 @@ def needed_pitch(
     """
     margin = plan.limits.margin
     a, fa, b = guess, math.nan, guess
+    clear, touching = (
+        math.inf,
+        0.0,
+    )  # nearest pitches on either side; looks make distances jump a little
     for _step in range(MOST_SECANTS):
         if not NARROWEST * guess < b < WIDEST * guess:
             break
         fb = least_clearance(plan.with_value("route.pitch", b), draw, steps) - margin
-        slope = 1.0 if math.isnan(fa) else (fb - fa) / (b - a)
+        if fb < 0.0:
+            touching, clear = max(touching, b), clear if b < clear else math.inf
+        elif b > touching:
+            clear = min(clear, b)
+        if clear - touching <= TOLERANCE:
+            return clear
+        slope = 1.0 if math.isnan(fa) or b == a else (fb - fa) / (b - a)
         step = -fb / min(max(slope, LEAST_SLOPE), MOST_SLOPE)
-        a, fa, b = b, fb, b + step
         if abs(step) <= TOLERANCE:
-            return b
+            return b + step
+        a, fa, b = b, fb, b + step
+        if math.isfinite(clear) and touching and not touching < b < clear:
+            b = 0.5 * (touching + clear)
     raise UnsureError(
         _("no pitch near {guess} m was found with which dance {number} just stays clear").format(
             guess=f"{guess:.4g}", number=draw.number + 1

@@ -21,11 +21,9 @@ ROUTES = {
 
 def swayed(walk: Walk, s: float, aside: Float, lane: list[float]) -> Complex:
     motion = walk.motion([s])
-    row, u = motion.state(0)
-    row, u = np.ascontiguousarray(row)[:, np.newaxis], np.ascontiguousarray(u)[:, np.newaxis]
-    x, y = np.empty(u.shape), np.empty(u.shape)
-    back = np.ascontiguousarray(s - motion.s.T)
-    sway(walk.route.rows, walk.dragon.links, row, u, back, aside, np.array(lane), 30.0, x, y)
+    at = np.ascontiguousarray(motion.s.T)
+    x, y = np.empty(at.shape), np.empty(at.shape)
+    sway(walk.route.rows, walk.dragon.links, at, s, aside, np.array(lane), 30.0, x, y)
     return np.asarray(x[:, 0] + 1j * y[:, 0])
 
 

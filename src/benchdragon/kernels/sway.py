@@ -4,7 +4,7 @@ import math
 
 from benchdragon.kernels.curve import FloatArray, curvature, place
 from benchdragon.kernels.jit import kernel
-from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.route import locate
 
 # Newton steps for the way along the route by which a handle gives; each doubles the digits, and
 # with places a few centimetres aside the third ends below 1e-9 m.
@@ -28,29 +28,30 @@ def table_at(table: FloatArray, step: float, back: float) -> tuple[float, float]
 def sway(
     rows: FloatArray,
     links: FloatArray,
-    row: IntArray,
-    u: FloatArray,
-    back: FloatArray,
+    s: FloatArray,
+    end: float,
     aside: FloatArray,
     lane: FloatArray,
     lane_step: float,
     x: FloatArray,
     y: FloatArray,
 ) -> None:
-    """Fill x, y, (handles, times), with a dragon whose handles stand aside of the places (row, u).
+    """Fill x, y, (handles, times), with a dragon whose handles stand aside of route positions s.
 
     Handle i stands aside[i] to the left of the line, m, and the line itself lies aside of the route
-    by the table `lane`, whose entries are lane_step metres apart, from the end of the way backwards;
-    `back` is how far each place is from that end, m. The head keeps its place along the route; every
-    other handle gives along it, by d metres, until its bench is as long as it is: the route near the
-    place is P + d t + d^2 k n / 2, its normal n - d k t.
+    by the table `lane`, whose entries are lane_step metres apart, from route position `end` backwards.
+    The head keeps its place along the route; every other handle gives along it as the one before does,
+    and by d metres more, until its bench is as long as it is: near its place the route is
+    P + d t + d^2 k n / 2, its normal n - d k t.
     """
-    for t in range(u.shape[1]):
-        fx, fy = 0.0, 0.0
-        for i in range(u.shape[0]):
-            px, py, tx, ty = place(rows, row[i, t], u[i, t])
-            bend = curvature(rows, row[i, t], u[i, t])
-            off, slope = table_at(lane, lane_step, back[i, t])
+    for t in range(s.shape[1]):
+        fx, fy, shift = 0.0, 0.0, 0.0
+        for i in range(s.shape[0]):
+            at = s[i, t] + shift
+            j, u, _ = locate(rows, at)
+            px, py, tx, ty = place(rows, j, u)
+            bend = curvature(rows, j, u)
+            off, slope = table_at(lane, lane_step, end - at)
             off += aside[i]
             # Tangential and normal parts of the place: both polynomials of d.
             straight, turned = 1.0 - off * bend, 0.5 * bend
@@ -62,6 +63,7 @@ def sway(
                     a, b = along + d * straight, across + off + d * (slope + d * turned)
                     excess = a * a + b * b - links[i - 1] * links[i - 1]
                     d -= excess / (2.0 * (a * straight + b * (slope + 2.0 * d * turned)))
+            shift += d
             a, b = d * straight, off + d * (slope + d * turned)
             fx, fy = px + a * tx - b * ty, py + a * ty + b * tx
             x[i, t], y[i, t] = fx, fy
