@@ -24,6 +24,7 @@ from benchdragon.files import refuse_existing, whole_file
 from benchdragon.imprecision import CASES
 from benchdragon.messages import _, language
 from benchdragon.pictures import dragon_picture, head_angle_picture, lay_out, speed_map, write_picture
+from benchdragon.plan import TurnRoute
 from benchdragon.report import FLOW, report
 from benchdragon.report_files import write_html, write_pdf
 from benchdragon.results import STEPS as RESULT_STEPS
@@ -143,7 +144,7 @@ def _spiral_figures(found: Results) -> dict[str, Figure]:
 
 def _turn_figures(found: Results) -> dict[str, Figure]:
     plan, motion, front = found.turn, found.turn_motion, found.front
-    title, disc = plan.title(language()), plan.disc.radius or 4.5
+    title, disc = plan.title(language()), TurnRoute.disc(plan)
     at = [int(np.searchsorted(motion.times, t)) for t in TURN_TIMES]
     turn, fastest = plan.turn.build(plan.value("route.pitch"), disc), found.head_speed.value
     paper = ShownTurn(_("the paper's two arcs"), turn, fastest)

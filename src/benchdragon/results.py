@@ -34,7 +34,7 @@ from benchdragon.messages import _, language, use_language
 from benchdragon.motion import Motion, Walk
 from benchdragon.pace import greatest_head_speed
 from benchdragon.paper import Equation, equations
-from benchdragon.plan import Plan, read_plan
+from benchdragon.plan import Plan, TurnRoute, read_plan
 from benchdragon.sensitivity import contact_rates, limit_rates, sizes_of, speed_rates
 from benchdragon.solve import limit, smallest_pitch
 from benchdragon.traversal import PitchCurve, first_overlap, pitch_curve, traversed_pitch
@@ -140,7 +140,7 @@ class Results:
     def two_arcs(self) -> TwoArcTurn:
         """The paper's turn."""
         return TwoArcTurn(
-            self.turn.value("route.pitch"), self.turn.disc.radius or 4.5, self.turn.turn.ratio
+            self.turn.value("route.pitch"), TurnRoute.disc(self.turn), self.turn.turn.ratio
         )
 
     @property
