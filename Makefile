@@ -44,7 +44,7 @@ fonts: .venv/installed
 
 lock:
 	uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-annotate --no-header \
-	  --python-version 3.11 --extra data --extra prove --group dev --group build --group docs pyproject.toml -o requirements.lock
+	  --python-version 3.11 --extra data --extra prove --extra studio --extra video --group dev --group build --group docs pyproject.toml -o requirements.lock
 
 clean:
 	rm -rf .venv out docs/_build .coverage .mypy_cache .pytest_cache .ruff_cache
