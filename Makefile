@@ -1,6 +1,7 @@
 # `make demo` and `make test` set up everything they need in .venv/.
 PYTHON ?= python3
 BIN := .venv/bin
+NPM := $(shell command -v npm 2>/dev/null)
 
 .PHONY: demo test docs bench truth messages lock fonts clean
 
@@ -11,10 +12,14 @@ BIN := .venv/bin
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
 	touch $@
 
+node_modules/installed: package.json package-lock.json .npmrc
+	npm ci --no-audit --no-fund
+	touch $@
+
 demo: .venv/installed
 	$(BIN)/benchdragon reproduce -o out --force $(if $(wildcard docs/_build/html/en/established.html),--docs docs/_build/html/en)
 
-test: .venv/installed
+test: .venv/installed $(if $(NPM),node_modules/installed)
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
 	$(BIN)/mypy
@@ -47,4 +52,4 @@ lock:
 	  --python-version 3.11 --extra data --extra prove --extra studio --extra video --group dev --group build --group docs pyproject.toml -o requirements.lock
 
 clean:
-	rm -rf .venv out docs/_build .coverage .mypy_cache .pytest_cache .ruff_cache
+	rm -rf .venv node_modules out docs/_build .coverage .mypy_cache .pytest_cache .ruff_cache
