@@ -3,7 +3,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 NPM := $(shell command -v npm 2>/dev/null)
 
-.PHONY: demo test docs bench truth messages lock fonts clean
+.PHONY: demo test docs bench truth messages types lock fonts clean
 
 .venv/installed: requirements.lock pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed")'
@@ -43,6 +43,9 @@ truth: .venv/installed
 
 messages: .venv/installed
 	$(BIN)/python tools/make_messages.py
+
+types: .venv/installed
+	$(BIN)/python tools/make_types.py
 
 fonts: .venv/installed
 	$(BIN)/python tools/make_fonts.py
