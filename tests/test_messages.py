@@ -123,6 +123,30 @@ def test_the_tool_keeps_what_is_wanted_drops_what_is_not_and_names_what_is_missi
     assert "Places" not in missing
 
 
+def test_what_pages_say_is_wanted_too(tmp_path: Path) -> None:
+    script = tmp_path / "web" / "page.js"
+    script.parent.mkdir()
+    script.write_text(
+        "const lines = a <b && /it's/.test(c);\n"
+        'show(_("Faster than " + "before"), `${_("Slower")} ${x}`, NAMES[N_(\'Turn\')], _(given));\n'
+        'show(ngettext("%d dance", "%d dances", n)));\n',
+        encoding="utf-8",
+    )
+    ours = set(TOOL.extracted(tmp_path)) - set(TOOL.extracted(tmp_path / "empty"))
+    assert ours == {"Faster than before", "Slower", "Turn", ("%d dance", "%d dances")}
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["`<b title=\"${_('Unseen')}\"></b>`", '1 /* _("Never said") */', "_(`${n} benches`)"],
+)
+def test_a_text_that_could_not_be_translated_is_an_error(tmp_path: Path, line: str) -> None:
+    script = tmp_path / "page.js"
+    script.write_text(f"show({line});\n", encoding="utf-8")
+    with pytest.raises(ValueError, match=r"page\.js: [01] of 1 texts"):
+        TOOL.script_messages(script)
+
+
 def test_every_sign_of_the_translations_can_be_drawn() -> None:
     known = set(FT2Font(str(FONT_FOLDER / "NotoSansSC-Regular.ttf")).get_charmap())
     text = "".join(form for message in messages() for form in forms(message.string))

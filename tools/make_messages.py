@@ -1,12 +1,13 @@
 """Bring the Chinese catalogue up to date with what the program says, and compile it.
 
-Takes every `_("...")` and `N_("...")` of the package, and click's own sentences, which the program
-looks up in the same catalogue. Translations that are still wanted stay, others go, new ones stand
-empty. The same sources give the same bytes.
+Takes every `_("...")` and `N_("...")` of the package, its pages' JavaScript too, and click's own
+sentences, which the program looks up in the same catalogue. Translations that are still wanted stay,
+others go, new ones stand empty. The same sources give the same bytes.
 
 Needs Babel. Run it as `make messages`.
 """
 
+import re
 import sys
 from collections.abc import Iterator
 from io import BytesIO
@@ -25,6 +26,9 @@ CATALOGUE = PACKAGE / "locale" / "zh_CN" / "LC_MESSAGES" / "benchdragon.po"
 # Those of click's files that speak to users; the others prompt, or draw bars, which we leave.
 CLICK_FILES = ("core", "decorators", "exceptions", "formatting", "parser", "types")
 KEYWORDS = {"_": None, "N_": None, "ngettext": (1, 2)}
+SCRIPT_OPTIONS = {"jsx": False, "parse_template_string": True}
+# A text for users in a script, as it stands there.
+SCRIPT_TEXT = re.compile(r"""(?<![\w$])(?:_|N_|ngettext)\(\s*["'`]""")
 
 MessageId = str | tuple[str, ...]
 
@@ -43,14 +47,33 @@ class PlainCatalog(Catalog):
     )
 
 
-def extracted() -> Iterator[MessageId]:
+def script_messages(script: Path) -> list[MessageId]:
+    """What users may read of one script.
+
+    Raises:
+        ValueError: Babel does not see every text, or one holds a value already.
+    """
+    found = extract_from_file("javascript", script, KEYWORDS, options=SCRIPT_OPTIONS)
+    messages = [message for _line, message, _comments, _context in found]
+    texts = len(SCRIPT_TEXT.findall(script.read_text("utf-8")))
+    if len(messages) != texts or any("${" in str(message) for message in messages):
+        raise ValueError(
+            f"{script.name}: {len(messages)} of {texts} texts can be translated; "
+            "keep _() out of comments and templates, and values out of texts"
+        )
+    return messages
+
+
+def extracted(package: Path = PACKAGE) -> Iterator[MessageId]:
     """Everything that users may read, our own and click's."""
-    sources = sorted(PACKAGE.rglob("*.py"))
+    sources = sorted(package.rglob("*.py"))
     sources += [Path(click.__file__).with_name(f"{name}.py") for name in CLICK_FILES]
     for source in sources:
         for _line, message, _comments, _context in extract_from_file("python", source, KEYWORDS):
             if message:
                 yield message
+    for script in sorted((package / "web").glob("*.js")):
+        yield from script_messages(script)
 
 
 def updated(known: Catalog) -> Catalog:
