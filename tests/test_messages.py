@@ -1,9 +1,11 @@
+import asyncio
 import importlib.util
 import os
 import re
 import subprocess
 import sys
 from collections.abc import Iterable
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +14,14 @@ from babel.messages.catalog import Catalog, Message
 from babel.messages.pofile import read_po
 from matplotlib.ft2font import FT2Font
 
-from benchdragon.messages import LOCALE_FOLDER, preferred_language
+from benchdragon.messages import (
+    LOCALE_FOLDER,
+    _,
+    language,
+    preferred_language,
+    spoken_in,
+    use_language,
+)
 from benchdragon.pictures import FONT_FOLDER
 
 ROOT = Path(__file__).parent.parent
@@ -170,6 +179,32 @@ def test_the_language_is_what_was_asked_then_what_the_surroundings_say(
         assert preferred_language() == language
         assert preferred_language("zh") == "zh"
         assert preferred_language("en") == "en"
+
+
+def test_tasks_and_threads_may_speak_languages_of_their_own() -> None:
+    async def said_in(spoken: str, other: asyncio.Event, mine: asyncio.Event) -> tuple[str, str]:
+        with spoken_in(spoken):
+            mine.set()
+            await other.wait()
+            return language(), _("Places")
+
+    async def both() -> list[tuple[str, str]]:
+        a, b = asyncio.Event(), asyncio.Event()
+        return list(await asyncio.gather(said_in("en", b, a), said_in("zh", a, b)))
+
+    assert asyncio.run(both()) == [("en", "Places"), ("zh", "位置")]
+    with spoken_in("zh"), ThreadPoolExecutor(1) as pool:
+        assert _("Places") == "位置"
+        assert pool.submit(_, "Places").result() == "Places"
+    assert language() == "en"
+
+
+def test_a_language_of_ones_own_yields_to_no_default() -> None:
+    with spoken_in("en"):
+        use_language("zh")
+        assert _("Places") == "Places"
+    assert _("Places") == "位置"
+    use_language("en")
 
 
 @pytest.mark.parametrize("name", COMMAND_LINES)

@@ -1,14 +1,24 @@
-"""What users read, in English or Simplified Chinese: one gettext catalogue, chosen once."""
+"""What users read, in English or Simplified Chinese: one gettext catalogue.
+
+The language is chosen once for the process; a server's answers may each speak their own (`spoken_in`).
+"""
 
 import gettext
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from functools import cache
 from pathlib import Path
 
 LANGUAGES = ("en", "zh")
 LOCALE_FOLDER = Path(__file__).parent / "locale"
 
-_current: gettext.NullTranslations = gettext.NullTranslations()
+CATALOGUES = {"en": "en", "zh": "zh_CN"}
+
 _language = "en"
+# What is spoken here instead: in one task, or one thread, alone.
+_here: ContextVar[str | None] = ContextVar("language", default=None)
 
 
 def preferred_language(asked: str | None = None) -> str:
@@ -21,23 +31,37 @@ def preferred_language(asked: str | None = None) -> str:
 
 def use_language(language: str) -> None:
     """Speak `language`, one of LANGUAGES, from here on; click's own sentences follow."""
-    global _current, _language  # noqa: PLW0603 - the language is one for the process
-    names = {"en": ["en"], "zh": ["zh_CN"]}[language]
-    _current = gettext.translation("benchdragon", LOCALE_FOLDER, names, fallback=True)
+    global _language  # noqa: PLW0603 - the language is one for the process
+    name = CATALOGUES[language]
     _language = language
-    os.environ["LANGUAGE"] = names[0]
+    os.environ["LANGUAGE"] = name
     gettext.bindtextdomain("benchdragon", LOCALE_FOLDER)
     gettext.textdomain("benchdragon")
 
 
+@contextmanager
+def spoken_in(language: str) -> Iterator[None]:
+    """Speak `language` inside the block, in this task or thread; others go on in theirs."""
+    token = _here.set(language)
+    try:
+        yield
+    finally:
+        _here.reset(token)
+
+
 def language() -> str:
     """The language in use, "en" or "zh"."""
-    return _language
+    return _here.get() or _language
+
+
+@cache
+def _catalogue(language: str) -> gettext.NullTranslations:
+    return gettext.translation("benchdragon", LOCALE_FOLDER, [CATALOGUES[language]], fallback=True)
 
 
 def _(text: str) -> str:
     """`text` in the language in use."""
-    return _current.gettext(text) if text else text
+    return _catalogue(language()).gettext(text) if text else text
 
 
 def N_(text: str) -> str:
