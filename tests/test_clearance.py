@@ -7,8 +7,17 @@ import pytest
 import shapely
 
 from benchdragon import Dragon, InputError, Line, Route, Spiral, Walk, WalkError
-from benchdragon.clearance import Nearness, boxes, clearances, nearness, pairs_within, tightest_pairs
-from benchdragon.kernels.box import corner
+from benchdragon.clearance import (
+    Nearness,
+    boxes,
+    clearances,
+    nearest_each,
+    nearness,
+    pairs_within,
+    tightest_pairs,
+)
+from benchdragon.kernels.box import box_distance, corner
+from benchdragon.kernels.curve import FloatArray
 from benchdragon.plan import read_plan
 
 TRUTH = json.loads((Path(__file__).parent / "truth" / "contest.json").read_text("utf-8"))
@@ -104,6 +113,58 @@ def test_the_broad_phase_misses_no_pair() -> None:
     near = {(i, j) for d, i, j in by_shapely(walk, 5.0) if d <= 0.5}
     first, second = pairs_within(table, 0.5)
     assert near <= set(zip((first + 1).tolist(), (second + 1).tolist(), strict=True))
+
+
+def by_brute_force(table: FloatArray, reach: float) -> tuple[FloatArray, FloatArray]:
+    """All distances of pairs that count, and each bench's least one within reach."""
+    count = len(table)
+    apart = np.full((count, count), math.inf)
+    for i in range(count):
+        for j in range(i + 2, count):
+            apart[i, j] = apart[j, i] = box_distance(table, i, j)
+    least = apart.min(axis=1)
+    return apart, np.where(least <= reach, least, math.inf)
+
+
+@pytest.mark.parametrize(
+    ("walk", "times"), [(SPIRAL, [0.0, 390.0, 412.6]), (TURN, [-50.0, 14.0, 30.15, 120.0])]
+)
+@pytest.mark.parametrize("reach", [0.3, 1.0])
+def test_each_bench_finds_its_nearest(walk: Walk, times: list[float], reach: float) -> None:
+    motion = walk.motion(times)
+    distance, partner = nearest_each(motion, reach)
+    assert distance.shape == partner.shape == (len(times), len(walk.dragon))
+    for t in range(len(times)):
+        apart, least = by_brute_force(boxes(motion, t), reach)
+        np.testing.assert_array_equal(distance[t], least)
+        near = np.flatnonzero(partner[t])
+        np.testing.assert_array_equal(near, np.flatnonzero(np.isfinite(least)))
+        np.testing.assert_array_equal(apart[near, partner[t, near] - 1], least[near])
+
+
+def test_uneven_benches_find_their_nearest() -> None:
+    rng = np.random.default_rng(5)
+    dragon = Dragon.of_sizes(rng.uniform(0.8, 4.0, 60), rng.uniform(0.1, 0.9, 60), 0.2, 0.1)
+    motion = Walk(dragon, Route((Spiral(0.9, 40.0, 5.0),))).motion([0.0, 20.0])
+    distance, _partner = nearest_each(motion)
+    assert distance.min() < 0.0
+    for t in range(2):
+        np.testing.assert_array_equal(distance[t], by_brute_force(boxes(motion, t), 1.0)[1])
+
+
+def test_who_does_not_stand_has_no_nearest() -> None:
+    distance, partner = nearest_each(SPIRAL.motion([0.0, 900.0], throw=False))
+    assert np.isfinite(distance[0]).all()
+    assert np.isnan(distance[1]).all()
+    assert not partner[1].any()
+    with pytest.raises(InputError, match="reach must not be negative"):
+        nearest_each(SPIRAL.motion([0.0]), -1.0)
+
+
+def test_two_benches_have_no_others() -> None:
+    distance, partner = nearest_each(Walk(Dragon.uniform(2), Route((Line(10.0),))).motion([0.0]))
+    assert np.isposinf(distance).all()
+    assert not partner.any()
 
 
 def test_wrong_counts_and_failed_times_are_refused() -> None:

@@ -9,10 +9,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from benchdragon.errors import InputError, WalkError
+from benchdragon.errors import InputError, WalkError, not_negative
 from benchdragon.kernels import box as kernel
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.status import Status
 from benchdragon.messages import N_, _
 from benchdragon.motion import Motion
 
@@ -145,6 +146,24 @@ def pair_distances(motion: Motion, i: int, j: int) -> FloatArray:
     x, y = np.ascontiguousarray(motion.x.T), np.ascontiguousarray(motion.y.T)
     kernel.distances_along(motion.walk.dragon.sizes, x, y, i, j, out)
     return out
+
+
+def nearest_each(motion: Motion, reach: float = 1.0) -> tuple[FloatArray, IntArray]:
+    """Each bench's distance to the nearest bench that is no neighbour, m, and that bench's number.
+
+    Both are (T, N). Beyond `reach`, m, they are infinite and 0; the distance is minus the depth where
+    benches overlap, and NaN at times at which the dragon does not stand.
+
+    Raises:
+        InputError: for a negative reach.
+    """
+    not_negative("reach", reach, "m")
+    shape = len(motion.times), len(motion.walk.dragon)
+    distance, partner = np.full(shape, np.nan), np.full(shape, -1, dtype=np.int64)
+    x, y = np.ascontiguousarray(motion.x.T), np.ascontiguousarray(motion.y.T)
+    for t in np.flatnonzero(motion.status == Status.OK).tolist():
+        kernel.nearest_each(motion.walk.dragon.sizes, x, y, t, reach, distance, partner)
+    return distance, partner + 1
 
 
 def clearances(motion: Motion, indices: Sequence[int] | None = None) -> FloatArray:

@@ -14,6 +14,7 @@ from benchdragon.kernels.box import (
     corner,
     corner_distance,
     nearest_corner,
+    nearest_each,
     pair_distances,
 )
 from benchdragon.kernels.curve import FloatArray
@@ -112,3 +113,17 @@ def test_boxes_come_from_handles_and_sizes() -> None:
     gap, distance = np.empty(1), np.empty(1)
     pair_distances(boxes, np.array([0]), np.array([1]), gap, distance)
     assert (gap[0], distance[0]) == (box_gap(boxes, 0, 1), box_distance(boxes, 0, 1))
+
+
+def test_nearest_each_sees_overlaps_and_leaves_out_neighbours() -> None:
+    """Four benches of 1 m along a line folded back upon itself, the last on top of the first."""
+    sizes = np.array([[1.0] * 4, [0.2] * 4, [0.0] * 4, [0.0] * 4])
+    x = np.array([[0.0, 0.0], [-1.0, -1.0], [-2.0, -2.0], [-1.0, -3.0], [0.0, -4.0]])
+    y = np.zeros_like(x)
+    distance, partner = np.full((2, 4), np.nan), np.zeros((2, 4), dtype=np.int64)
+    for t in range(2):
+        nearest_each(sizes, x, y, t, 1.0, distance, partner)
+    assert distance[0] == pytest.approx([-0.2, 0.0, 0.0, -0.2])
+    assert partner[0].tolist() == [3, 3, 0, 0]
+    assert distance[1] == pytest.approx([1.0, 1.0, 1.0, 1.0])
+    assert partner[1].tolist() == [2, 3, 0, 1]

@@ -172,3 +172,47 @@ def least_distance(sizes: FloatArray, x: FloatArray, y: FloatArray) -> float:
                     if box_gap(boxes, i, j) < least:
                         least = min(least, box_distance(boxes, i, j))
     return least
+
+
+@kernel
+def nearest_each(
+    sizes: FloatArray,
+    x: FloatArray,
+    y: FloatArray,
+    t: int,
+    reach: float,
+    distance: FloatArray,
+    partner: IntArray,
+) -> None:
+    """Fill row t with each bench's least distance to any but itself and its neighbours, and to which.
+
+    Beyond `reach`, m, that is infinite and -1; minus the depth inside. x and y are (handles, times).
+    """
+    count = sizes.shape[1]
+    boxes = np.empty((count, BOX_COLUMNS))
+    boxes_at(sizes, x, y, t, boxes)
+    cx, cy, apart = boxes[:, CX].copy(), boxes[:, CY].copy(), np.empty(count)
+    radius = 0.5 * np.sqrt(sizes[0] * sizes[0] + sizes[1] * sizes[1])
+    distance[t, :], partner[t, :] = math.inf, -1
+    widest = radius.max() + reach
+    for i in range(2, count):
+        for j in range(i - 1):  # without a branch, so that it becomes SIMD
+            apart[j] = (cx[j] - cx[i]) ** 2 + (cy[j] - cy[i]) ** 2
+        far = (radius[i] + widest) ** 2
+        for j in range(i - 1):
+            if apart[j] <= far:
+                most = min(max(distance[t, i], distance[t, j]), reach)
+                near = radius[i] + radius[j] + most
+                if near > 0.0 and apart[j] <= near * near and box_gap(boxes, j, i) <= most:
+                    meet(box_distance(boxes, j, i), i, j, t, reach, distance, partner)
+
+
+@kernel
+def meet(
+    apart: float, i: int, j: int, t: int, reach: float, distance: FloatArray, partner: IntArray
+) -> None:
+    """Take down in row t that benches i and j are `apart` metres apart, where that is the least."""
+    if apart <= reach and apart < distance[t, i]:
+        distance[t, i], partner[t, i] = apart, j
+    if apart <= reach and apart < distance[t, j]:
+        distance[t, j], partner[t, j] = apart, i
