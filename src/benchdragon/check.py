@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -15,7 +16,7 @@ from benchdragon.contact import (
     least_clearance,
 )
 from benchdragon.errors import InputError
-from benchdragon.messages import _
+from benchdragon.messages import N_, _
 from benchdragon.motion import Motion, Walk
 from benchdragon.pace import given_limits
 from benchdragon.plan import Plan
@@ -41,19 +42,31 @@ class Finding:
 
     Attributes:
         code: "contact", "margin", "speed", "acceleration", "turning_rate" or "undecided".
-        text: the same as a sentence, in the language in use.
         time: when, s.
         benches: which.
         value: what came out, m, m/s, m/s^2 or rad/s.
         limit: what was to be kept.
+        sentence: the same in words, to be translated, with places for `words`, translated too.
+        words: see `sentence`.
     """
 
     code: str
-    text: str
     time: float | None
     benches: tuple[int, ...]
     value: float
     limit: float
+    sentence: str
+    words: dict[str, str]
+
+    @property
+    def text(self) -> str:
+        """The finding as a sentence, in the language in use."""
+        return _(self.sentence).format(**{name: _(word) for name, word in self.words.items()})
+
+    def as_json(self) -> dict[str, Any]:
+        """The finding as plain data, its text in the language in use."""
+        names = ("code", "text", "time", "benches", "value", "limit")
+        return {name: getattr(self, name) for name in names}
 
 
 @dataclass(frozen=True)
@@ -141,17 +154,17 @@ def _contact_findings(contact: Answer | None, margin: float) -> list[Finding]:
         return []
     near = contact.witness
     code = "undecided" if contact.status == "undecided" else "contact" if near.gap <= 0.0 else "margin"
-    texts = {
-        "contact": _("benches {a} and {b} touch at t = {t} s"),
-        "margin": _("benches {a} and {b} come nearer than {margin} m at t = {t} s"),
-        "undecided": _(
+    sentence = {
+        "contact": N_("benches {a} and {b} touch at t = {t} s"),
+        "margin": N_("benches {a} and {b} come nearer than {margin} m at t = {t} s"),
+        "undecided": N_(
             "benches {a} and {b} come to {margin} m of one another at t = {t} s, too exactly to tell "
             "on which side"
         ),
-    }
+    }[code]
     a, b = near.benches
-    text = texts[code].format(a=a, b=b, t=f"{contact.value:.6f}", margin=f"{margin:g}")
-    return [Finding(code, text, contact.value, near.benches, max(near.gap, 0.0), margin)]
+    words = {"a": str(a), "b": str(b), "t": f"{contact.value:.6f}", "margin": f"{margin:g}"}
+    return [Finding(code, contact.value, near.benches, max(near.gap, 0.0), margin, sentence, words)]
 
 
 def _rate_findings(plan: Plan, walk: Walk, start: float, until: float) -> list[Finding]:
@@ -173,18 +186,20 @@ def _rate_findings(plan: Plan, walk: Walk, start: float, until: float) -> list[F
         value, upper = (size * head**quantity.power for size in (peak.value, peak.upper))
         if upper <= limit:
             continue
-        text = _(
+        sentence = N_(
             "{what} at bench {bench} is {value} {unit} at t = {t} s, the limit being {limit} {unit}"
         )
         if value <= limit:
-            text = _("whether the {what} keeps to {limit} {unit} is undecided: {value} {unit} was seen")
+            sentence = N_(
+                "whether the {what} keeps to {limit} {unit} is undecided: {value} {unit} was seen"
+            )
         bench, time = min(peak.row + 1, len(walk.dragon)), walk.profile.time(peak.s - walk.start)
-        text = text.format(
-            what=_(quantity.text), bench=bench, value=f"{value:.6g}", limit=f"{limit:.6g}",
-            unit=quantity.unit, t=f"{time:.6f}",
-        )  # fmt: skip
+        words = {
+            "what": quantity.text, "bench": str(bench), "value": f"{value:.6g}",
+            "limit": f"{limit:.6g}", "unit": quantity.unit, "t": f"{time:.6f}",
+        }  # fmt: skip
         code = name if value > limit else "undecided"
-        findings.append(Finding(code, text, time, (bench,), value, limit))
+        findings.append(Finding(code, time, (bench,), value, limit, sentence, words))
     return findings
 
 
@@ -192,25 +207,64 @@ def _speed_findings(speed: Answer, limit: float | None) -> list[Finding]:
     if limit is None or speed.upper <= limit or speed.witness is None:
         return []
     sure = speed.lower > limit
-    text = _("a handle of bench {bench} walks at {speed} m/s at t = {t} s, the limit being {limit} m/s")
+    sentence = N_(
+        "a handle of bench {bench} walks at {speed} m/s at t = {t} s, the limit being {limit} m/s"
+    )
     if not sure:
-        text = _("whether every handle keeps to {limit} m/s is undecided: {speed} m/s was seen")
+        sentence = N_("whether every handle keeps to {limit} m/s is undecided: {speed} m/s was seen")
     near = speed.witness
-    return [
-        Finding(
-            "speed" if sure else "undecided",
-            text.format(
-                bench=near.benches[0],
-                speed=f"{speed.value:.6f}",
-                limit=f"{limit:g}",
-                t="-" if near.time is None or math.isinf(near.time) else f"{near.time:.6f}",
-            ),
-            near.time,
-            near.benches,
-            speed.value,
-            limit,
+    words = {
+        "bench": str(near.benches[0]),
+        "speed": f"{speed.value:.6f}",
+        "limit": f"{limit:g}",
+        "t": "-" if near.time is None or math.isinf(near.time) else f"{near.time:.6f}",
+    }
+    code = "speed" if sure else "undecided"
+    return [Finding(code, near.time, near.benches, speed.value, limit, sentence, words)]
+
+
+def sentence(report: Report) -> str:
+    """A verdict in one sentence, in the language in use."""
+    if report.safe:
+        return _("Walkable: {tightest}").format(tightest=_kept(report))
+    first = report.findings[0]
+    text = first.text
+    if first.code in {"contact", "margin"} and first.time is not None:
+        text = _("benches {a} and {b} touch at {t} s")
+        if first.code == "margin":
+            text = _("benches {a} and {b} come nearer than the {margin} cm asked for at {t} s")
+        a, b = first.benches
+        text = text.format(a=a, b=b, t=f"{first.time:.1f}", margin=f"{100.0 * first.limit:g}")
+    more = len(report.findings) - 1
+    if more:
+        text = _("{finding}; findings besides: {count}").format(finding=text, count=more)
+    if not report.decided:
+        return _("Undecided: {finding}").format(finding=text)
+    return _("Not walkable: {finding}").format(finding=text)
+
+
+def _kept(report: Report) -> str:
+    """What a safe walk keeps: the tightest place, and margin and speed beside what was asked for."""
+    near, limits = report.clearance.witness, report.plan.limits
+    said = [_("no two benches come near one another")]
+    if near is not None and near.time is not None and len(near.benches) == 2:
+        said = [
+            _("tightest {gap} cm, bench {a} with bench {b}, at {t} s").format(
+                gap=f"{100.0 * report.clearance.value:.3g}",
+                a=near.benches[0],
+                b=near.benches[1],
+                t=f"{near.time:.1f}",
+            )
+        ]
+    if limits.margin:
+        said.append(_("{margin} cm were asked for").format(margin=f"{100.0 * limits.margin:g}"))
+    if limits.speed is not None:
+        said.append(
+            _("fastest handle {speed} m/s of {limit} m/s allowed").format(
+                speed=f"{report.greatest_speed.value:.3g}", limit=f"{limits.speed:g}"
+            )
         )
-    ]
+    return _("; ").join(said)
 
 
 def moment(report: Report) -> tuple[Motion, Answer]:

@@ -101,7 +101,7 @@ def report_json(report: "Report") -> dict[str, Any]:
         "first_contact": None if contact is None else contact.as_json(**about),
         "clearance": report.clearance.as_json(**about),
         "greatest_speed": report.greatest_speed.as_json(**about),
-        "findings": [dict(vars(finding)) for finding in report.findings],
+        "findings": [finding.as_json() for finding in report.findings],
         **about,
     }
 

@@ -1,0 +1,55 @@
+// Elements of the page, made in one line each.
+
+/**
+ * An element with attributes and children; `on…` attributes are listeners.
+ * @template {keyof HTMLElementTagNameMap} Tag
+ * @param {Tag} tag
+ * @param {Record<string, string | boolean | ((event: Event) => void)>} attributes
+ * @param {(Node | string)[]} children
+ * @returns {HTMLElementTagNameMap[Tag]}
+ */
+export function make(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (typeof value === "function") element.addEventListener(name.slice(2), value);
+    else if (typeof value === "boolean") element.toggleAttribute(name, value);
+    else element.setAttribute(name, value);
+  }
+  element.append(...children);
+  return element;
+}
+
+/**
+ * A button with a sign on it and a name for those who cannot see it.
+ * @param {string} sign
+ * @param {string} name
+ * @param {() => void} action
+ * @param {Record<string, string>} [attributes]
+ */
+export function signButton(sign, name, action, attributes = {}) {
+  return make("button", { type: "button", title: name, "aria-label": name, onclick: action, ...attributes }, sign);
+}
+
+/**
+ * A choice from a list.
+ * @param {string} name
+ * @param {[string, string][]} options value and text of each
+ * @param {string} chosen
+ * @param {(value: string) => void} action
+ */
+export function choice(name, options, chosen, action) {
+  const select = make("select", { "aria-label": name, onchange: () => action(select.value) });
+  for (const [value, text] of options) select.append(make("option", { value, selected: value === chosen }, text));
+  return select;
+}
+
+/**
+ * A box to tick.
+ * @param {string} name
+ * @param {boolean} on
+ * @param {(on: boolean) => void} action
+ */
+export function tick(name, on, action) {
+  const box = make("input", { type: "checkbox", checked: on, onchange: () => action(box.checked) });
+  return make("label", { class: "tick" }, box, name);
+}

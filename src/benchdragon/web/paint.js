@@ -1,0 +1,366 @@
+// Draws a dance at one instant onto a canvas: ground, route, benches to scale, what is tight.
+
+import { shade, shades, TOUCH } from "./colours.js";
+import { _, shortLength } from "./words.js";
+
+/** @typedef {import("./scene.js").Scene} Scene */
+/** @typedef {import("./scene.js").Stand} Stand */
+/** @typedef {import("./nearness.js").Boxes} Boxes */
+/** @typedef {import("./nearness.js").Pair} Pair */
+/** @typedef {import("./camera.js").Camera} Camera */
+/** @typedef {import("./colours.js").Scale} Scale */
+
+/**
+ * What is to be drawn.
+ * @typedef {object} Picture
+ * @property {Scene} scene
+ * @property {Stand} stand
+ * @property {Boxes} boxes
+ * @property {Pair | null} tightest
+ * @property {Camera} camera
+ * @property {Scale | null} scale
+ * @property {number} chosen number of the chosen bench from 0, or -1
+ * @property {boolean} trails
+ * @property {boolean} disc
+ * @property {boolean} route
+ * @property {[number, number][]} ruler two points on the ground, or none
+ */
+
+/** Colours of a theme, read from the style sheet. @typedef {Record<"ground" | "ink" | "faint" | "body" | "head" | "disc" | "mark" | "trail", string>} Inks */
+
+const HEAD_NAMES = /** @type {const} */ (["ground", "ink", "faint", "body", "head", "disc", "mark", "trail"]);
+/** Seconds of trail, and points drawn of it. */
+const TRAIL = 20;
+const TRAIL_POINTS = 80;
+/** CSS pixels from which handles and numbers are drawn, per bench. */
+const HANDLES_FROM = 40;
+const NUMBERS_FROM = 46;
+const FONT = '"Noto Sans SC", "PingFang SC", "Microsoft YaHei", "Noto Sans CJK SC", system-ui, sans-serif';
+
+/** @param {Element} element @returns {Inks} */
+export function inks(element) {
+  const style = getComputedStyle(element);
+  const found = HEAD_NAMES.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]);
+  return /** @type {Inks} */ (Object.fromEntries(found));
+}
+
+export class Painter {
+  /** @param {HTMLCanvasElement} canvas */
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.ctx = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+    /** @type {Inks} */
+    this.inks = inks(canvas);
+    /** @type {Scene | null} */
+    this.routeOf = null;
+    this.routePath = new Path2D();
+    this.hatch = this.#hatching();
+  }
+
+  /** Read the theme again. */
+  dress() {
+    this.inks = inks(this.canvas);
+  }
+
+  /** Lines at an angle, for what touches. */
+  #hatching() {
+    const tile = document.createElement("canvas");
+    [tile.width, tile.height] = [6, 6];
+    const ctx = /** @type {CanvasRenderingContext2D} */ (tile.getContext("2d"));
+    ctx.strokeStyle = "#000";
+    ctx.lineWidth = 1.6;
+    ctx.beginPath();
+    for (const shift of [-6, 0, 6]) {
+      ctx.moveTo(shift, 6);
+      ctx.lineTo(shift + 6, 0);
+    }
+    ctx.stroke();
+    return /** @type {CanvasPattern} */ (ctx.createPattern(tile, "repeat"));
+  }
+
+  /** @param {Picture} picture */
+  paint(picture) {
+    const { ctx, canvas } = this;
+    const { camera } = picture;
+    const density = canvas.width / camera.width;
+    ctx.setTransform(density, 0, 0, density, 0, 0);
+    ctx.fillStyle = this.inks.ground;
+    ctx.fillRect(0, 0, camera.width, camera.height);
+    if (picture.route) this.#route(picture, density);
+    if (picture.disc) this.#disc(picture);
+    if (picture.trails) this.#trails(picture);
+    this.#benches(picture);
+    this.#touches(picture);
+    this.#chosen(picture);
+    this.#tightest(picture);
+    this.#scaleBar(camera);
+    this.#ruler(picture);
+  }
+
+  /** @param {Picture} picture @param {number} density */
+  #route({ scene, camera }, density) {
+    if (this.routeOf !== scene) {
+      this.routeOf = scene;
+      this.routePath = new Path2D();
+      for (const { start, step, nodes } of scene.stretches) {
+        const fine = Math.max(Math.ceil(step / 0.25), 1);
+        for (let n = 0; n <= (nodes - 1) * fine; n++) {
+          const [x, y] = scene.point(start + (n * step) / fine);
+          if (n || start !== scene.stretches[0].start) this.routePath.lineTo(x, y);
+          else this.routePath.moveTo(x, y);
+        }
+      }
+    }
+    const { ctx } = this;
+    const k = camera.scale * density;
+    ctx.setTransform(k, 0, 0, -k, (0.5 * camera.width - camera.x * camera.scale) * density, (0.5 * camera.height + camera.y * camera.scale) * density);
+    ctx.strokeStyle = this.inks.faint;
+    ctx.lineWidth = 1 / camera.scale;
+    ctx.stroke(this.routePath);
+    ctx.setTransform(density, 0, 0, density, 0, 0);
+  }
+
+  /** @param {Picture} picture */
+  #disc({ scene, camera }) {
+    if (scene.sent.disc === null) return;
+    const { ctx } = this;
+    const [x, y] = camera.toScreen(...scene.sent.centre);
+    ctx.strokeStyle = this.inks.disc;
+    ctx.lineWidth = 2;
+    ctx.setLineDash([8, 5]);
+    ctx.beginPath();
+    ctx.arc(x, y, scene.sent.disc * camera.scale, 0, 2 * Math.PI);
+    ctx.stroke();
+    ctx.setLineDash([]);
+  }
+
+  /** The way that the head and the chosen bench came in the last seconds. @param {Picture} picture */
+  #trails({ scene, stand, camera, chosen }) {
+    const { ctx } = this;
+    ctx.strokeStyle = this.inks.trail;
+    ctx.lineCap = "round";
+    for (const handle of new Set([0, Math.max(chosen, 0)])) {
+      const back = Math.max(stand.v[handle], 0.05) * TRAIL;
+      for (let n = 0; n < TRAIL_POINTS; n++) {
+        const [from, to] = [n, n + 1].map((m) => stand.s[handle] - back * (1 - m / TRAIL_POINTS));
+        if (from < scene.stretches[0].start) continue;
+        ctx.globalAlpha = (n + 1) / TRAIL_POINTS;
+        ctx.lineWidth = Math.max(0.12 * camera.scale, 3);
+        ctx.beginPath();
+        ctx.moveTo(...camera.toScreen(...scene.point(from)));
+        ctx.lineTo(...camera.toScreen(...scene.point(to)));
+        ctx.stroke();
+      }
+    }
+    ctx.globalAlpha = 1;
+    ctx.lineCap = "butt";
+  }
+
+  /** Put the outline of a bench into the path. @param {Boxes} boxes @param {Camera} camera @param {number} i */
+  #outline(boxes, camera, i) {
+    const { ctx } = this;
+    const px = 0.5 * camera.width + (boxes.x[i] - camera.x) * camera.scale;
+    const py = 0.5 * camera.height - (boxes.y[i] - camera.y) * camera.scale;
+    const ax = boxes.ux[i] * boxes.half[i] * camera.scale;
+    const ay = -boxes.uy[i] * boxes.half[i] * camera.scale;
+    const bx = -boxes.uy[i] * boxes.wide[i] * camera.scale;
+    const by = -boxes.ux[i] * boxes.wide[i] * camera.scale;
+    ctx.moveTo(px + ax + bx, py + ay + by);
+    ctx.lineTo(px - ax + bx, py - ay + by);
+    ctx.lineTo(px - ax - bx, py - ay - by);
+    ctx.lineTo(px + ax - bx, py + ay - by);
+    ctx.closePath();
+  }
+
+  /** Benches that the canvas shows. @param {Boxes} boxes @param {Camera} camera */
+  #seen(boxes, camera) {
+    const right = (0.5 * camera.width) / camera.scale;
+    const top = (0.5 * camera.height) / camera.scale;
+    const seen = [];
+    for (let i = 0; i < boxes.count; i++) {
+      const room = boxes.radius[i];
+      if (Math.abs(boxes.x[i] - camera.x) < right + room && Math.abs(boxes.y[i] - camera.y) < top + room) seen.push(i);
+    }
+    return seen;
+  }
+
+  /** @param {Picture} picture */
+  #benches({ boxes, camera, scale, stand }) {
+    const { ctx } = this;
+    const seen = this.#seen(boxes, camera);
+    /** @type {Map<string, number[]>} */
+    const groups = new Map();
+    const colours = scale ? shades(scale) : [];
+    for (const i of seen) {
+      const colour = scale ? colours[shade(scale, scale.value(i))] : i ? this.inks.body : this.inks.head;
+      const group = groups.get(colour);
+      if (group) group.push(i);
+      else groups.set(colour, [i]);
+    }
+    ctx.strokeStyle = this.inks.ink;
+    ctx.lineWidth = Math.min(Math.max(0.02 * camera.scale, 0.4), 1.5);
+    for (const [colour, group] of groups) {
+      ctx.fillStyle = colour;
+      ctx.beginPath();
+      for (const i of group) this.#outline(boxes, camera, i);
+      ctx.fill();
+      ctx.stroke();
+    }
+    this.#head(boxes, camera);
+    this.#closeUps(boxes, camera, stand, seen);
+  }
+
+  /** The head's outline, and its brow. @param {Boxes} boxes @param {Camera} camera */
+  #head(boxes, camera) {
+    const { ctx } = this;
+    ctx.beginPath();
+    this.#outline(boxes, camera, 0);
+    ctx.strokeStyle = this.inks.head;
+    ctx.lineWidth = Math.max(0.05 * camera.scale, 2.5);
+    ctx.stroke();
+    const size = Math.max(boxes.wide[0], 6 / camera.scale);
+    ctx.beginPath();
+    ctx.moveTo(...camera.toScreen(...boxes.point(0, boxes.half[0] + 1.6 * size, 0)));
+    ctx.lineTo(...camera.toScreen(...boxes.point(0, boxes.half[0], size)));
+    ctx.lineTo(...camera.toScreen(...boxes.point(0, boxes.half[0], -size)));
+    ctx.closePath();
+    ctx.fillStyle = this.inks.head;
+    ctx.fill();
+  }
+
+  /** Handles and numbers, when benches are large enough. @param {Boxes} boxes @param {Camera} camera @param {Stand} stand @param {number[]} seen */
+  #closeUps(boxes, camera, stand, seen) {
+    const { ctx } = this;
+    if (2 * boxes.half[0] * camera.scale < HANDLES_FROM) return;
+    ctx.fillStyle = this.inks.ink;
+    ctx.beginPath();
+    for (const i of seen) {
+      const [x, y] = camera.toScreen(stand.x[i], stand.y[i]);
+      const radius = Math.max(0.0275 * camera.scale, 1.2);
+      ctx.moveTo(x + radius, y);
+      ctx.arc(x, y, radius, 0, 2 * Math.PI);
+    }
+    ctx.fill();
+    ctx.font = `600 ${Math.min(0.5 * camera.scale * 0.45, 15)}px ${FONT}`;
+    ctx.textAlign = "center";
+    ctx.textBaseline = "middle";
+    ctx.lineWidth = 3;
+    ctx.strokeStyle = this.inks.ground;
+    for (const i of seen) {
+      if (2 * boxes.half[i] * camera.scale < NUMBERS_FROM) continue;
+      const [x, y] = camera.toScreen(boxes.x[i], boxes.y[i]);
+      ctx.strokeText(String(i + 1), x, y);
+      ctx.fillText(String(i + 1), x, y);
+    }
+  }
+
+  /** Benches that touch: colour, and hatch. @param {Picture} picture */
+  #touches({ boxes, camera }) {
+    const { ctx } = this;
+    ctx.beginPath();
+    let any = false;
+    for (let i = 0; i < boxes.count; i++) {
+      if (boxes.nearest[i] > 0) continue;
+      this.#outline(boxes, camera, i);
+      any = true;
+    }
+    if (!any) return;
+    ctx.fillStyle = TOUCH;
+    ctx.fill();
+    ctx.fillStyle = this.hatch;
+    ctx.fill();
+    ctx.strokeStyle = this.inks.ink;
+    ctx.lineWidth = 1;
+    ctx.stroke();
+  }
+
+  /** @param {Picture} picture */
+  #chosen({ boxes, camera, chosen }) {
+    if (chosen < 0) return;
+    const { ctx } = this;
+    ctx.beginPath();
+    this.#outline(boxes, camera, chosen);
+    ctx.lineJoin = "round";
+    ctx.strokeStyle = this.inks.ground;
+    ctx.lineWidth = 6;
+    ctx.stroke();
+    ctx.strokeStyle = this.inks.ink;
+    ctx.lineWidth = 3;
+    ctx.stroke();
+  }
+
+  /** @param {Picture} picture */
+  #tightest({ camera, tightest }) {
+    if (!tightest) return;
+    const { ctx } = this;
+    const [x0, y0] = camera.toScreen(...tightest.from);
+    const [x1, y1] = camera.toScreen(...tightest.to);
+    const [x, y] = [0.5 * (x0 + x1), 0.5 * (y0 + y1)];
+    const radius = 0.5 * Math.hypot(x1 - x0, y1 - y0) + 12;
+    ctx.strokeStyle = this.inks.mark;
+    ctx.lineWidth = 2.5;
+    ctx.beginPath();
+    ctx.arc(x, y, radius, 0, 2 * Math.PI);
+    ctx.moveTo(x0, y0);
+    ctx.lineTo(x1, y1);
+    ctx.stroke();
+    const gap = tightest.distance > 0 ? shortLength(tightest.distance) : _("overlap {depth}", { depth: shortLength(-tightest.distance) });
+    this.#label(`${gap}  (${tightest.i + 1}, ${tightest.j + 1})`, x, y - radius - 12, camera);
+  }
+
+  /** A label that stays on the canvas. @param {string} text @param {number} x @param {number} y @param {Camera} camera */
+  #label(text, x, y, camera) {
+    const { ctx } = this;
+    ctx.font = `600 14px ${FONT}`;
+    ctx.textAlign = "center";
+    ctx.textBaseline = "middle";
+    const half = 0.5 * ctx.measureText(text).width + 6;
+    const left = Math.min(Math.max(x, half + 4), camera.width - half - 4);
+    const top = Math.min(Math.max(y, 16), camera.height - 16);
+    ctx.fillStyle = this.inks.ground;
+    ctx.globalAlpha = 0.88;
+    ctx.fillRect(left - half, top - 11, 2 * half, 22);
+    ctx.globalAlpha = 1;
+    ctx.fillStyle = this.inks.mark;
+    ctx.fillText(text, left, top);
+  }
+
+  /** @param {Camera} camera */
+  #scaleBar(camera) {
+    const { ctx } = this;
+    const most = Math.min(160, 0.3 * camera.width) / camera.scale;
+    const unit = 10 ** Math.floor(Math.log10(most));
+    const metres = (most >= 5 * unit ? 5 : most >= 2 * unit ? 2 : 1) * unit;
+    const [x, y] = [16, camera.height - 14];
+    ctx.strokeStyle = this.inks.ink;
+    ctx.lineWidth = 2;
+    ctx.beginPath();
+    ctx.moveTo(x, y - 6);
+    ctx.lineTo(x, y);
+    ctx.lineTo(x + metres * camera.scale, y);
+    ctx.lineTo(x + metres * camera.scale, y - 6);
+    ctx.stroke();
+    ctx.fillStyle = this.inks.ink;
+    ctx.font = `600 13px ${FONT}`;
+    ctx.textAlign = "left";
+    ctx.textBaseline = "alphabetic";
+    ctx.fillText(metres < 1 ? `${Math.round(100 * metres)} cm` : `${metres} m`, x + 4, y - 8);
+  }
+
+  /** @param {Picture} picture */
+  #ruler({ ruler, camera }) {
+    if (ruler.length < 2) return;
+    const { ctx } = this;
+    const [a, b] = ruler.map((point) => camera.toScreen(...point));
+    ctx.strokeStyle = this.inks.ink;
+    ctx.lineWidth = 2;
+    ctx.setLineDash([4, 3]);
+    ctx.beginPath();
+    ctx.moveTo(...a);
+    ctx.lineTo(...b);
+    ctx.stroke();
+    ctx.setLineDash([]);
+    const length = Math.hypot(ruler[1][0] - ruler[0][0], ruler[1][1] - ruler[0][1]);
+    this.#label(shortLength(length), 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]) - 16, camera);
+  }
+}

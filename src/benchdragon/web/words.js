@@ -1,0 +1,49 @@
+// What people read, in English or Chinese: English sentences are the keys.
+
+/** @type {Record<string, string>} */
+let chinese = {};
+/** @type {"en" | "zh"} */
+let spoken = "en";
+
+/** @param {Record<string, string>} table Chinese for each English sentence. */
+export function useWords(table) {
+  chinese = table;
+}
+
+/** @param {"en" | "zh"} language */
+export function speak(language) {
+  spoken = language;
+  document.documentElement.lang = language === "zh" ? "zh-CN" : "en";
+}
+
+/** @returns {"en" | "zh"} */
+export function language() {
+  return spoken;
+}
+
+/**
+ * A sentence in the language in use.
+ * @param {string} text
+ * @param {Record<string, string | number>} [values] what stands for {name}.
+ */
+export function _(text, values = {}) {
+  const said = spoken === "zh" ? (chinese[text] ?? text) : text;
+  return said.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+}
+
+/**
+ * A number with so many decimals, and a true minus sign.
+ * @param {number} value
+ * @param {number} digits
+ */
+export function decimals(value, digits) {
+  return value.toFixed(digits).replace("-", "\u2212");
+}
+
+/**
+ * A length for people: centimetres below a metre.
+ * @param {number} metres
+ */
+export function shortLength(metres) {
+  return metres < 1 ? `${decimals(100 * metres, 1)} cm` : `${decimals(metres, 2)} m`;
+}
