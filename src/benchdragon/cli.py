@@ -28,6 +28,7 @@ from benchdragon.options import (
     workers_option,
 )
 from benchdragon.plan_text import bench_count, read_toml
+from benchdragon.screen_verbs import view
 from benchdragon.show import (
     Advance,
     print_explanation,
@@ -210,7 +211,7 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     return _motion_table(walk, read, times, handles, options)
 
 
-for verb in (check, solve, margins):
+for verb in (check, solve, margins, view):
     program.add_command(verb)
 
 

@@ -11,14 +11,18 @@ import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
+import numpy.typing as npt
 
 from benchdragon.errors import InputError
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
 from benchdragon.messages import _
 from benchdragon.motion import Walk
+
+Nodes = npt.NDArray[np.float32]
 
 # Route positions are kept to this, m, and speeds, m/s.
 QUANTUM = 1e-4
@@ -44,7 +48,7 @@ class Frames:
         step: s.
         places: route positions in QUANTUM, (handles, frames).
         speeds: in QUANTUM a second, (handles, frames).
-        error: the largest distance of an interpolated route position from the exact one, m, as looked at.
+        error: the largest distance of an interpolated route position from the exact one, m.
         leap: whether the frames end because a bench leaps, or finds no place, soon after.
     """
 
@@ -67,7 +71,9 @@ class Frames:
 
     def positions(self, share: float) -> FloatArray:
         """Route positions so far (0..1) between each frame and the next, m, (handles, frames - 1)."""
-        return between(self.places * QUANTUM, self.speeds * (QUANTUM * self.step), share)
+        s = np.asarray(self.places * QUANTUM, dtype=np.float64)
+        rise = np.asarray(self.speeds * (QUANTUM * self.step), dtype=np.float64)
+        return between(s, rise, share)
 
 
 def between(s: FloatArray, rise: FloatArray, share: float) -> FloatArray:
@@ -80,7 +86,9 @@ def between(s: FloatArray, rise: FloatArray, share: float) -> FloatArray:
     )
 
 
-def frames(walk: Walk, start: float, end: float, most_error: float, looks: tuple[float, ...] = LOOKS) -> Frames:
+def frames(
+    walk: Walk, start: float, end: float, most_error: float, looks: tuple[float, ...] = LOOKS
+) -> Frames:
     """The fewest frames between two times, s, that are nowhere farther off than `most_error`, m.
 
     They end early where the dragon can no longer stand, or a bench leaps.
@@ -123,16 +131,19 @@ def _shot(
 
     NaN where the dragon does not stand all along.
     """
-    times = start + step * np.arange(count)
+    times = np.linspace(start, start + step * (count - 1), count)
     s, v = (np.concatenate(parts, axis=1) for parts in zip(*_slices(walk, times), strict=True))
-    quanta = tuple(np.nan_to_num(np.rint(table / QUANTUM)).astype(np.int64) for table in (s, v))
-    shot = Frames(start, step, *quanta, math.nan, False)
+    shot = Frames(start, step, _quanta(s), _quanta(v), math.nan, False)
     errors = np.where(np.isnan(s).any(axis=0), np.nan, 0.0)
     errors = errors[:-1] + errors[1:]
     for share in looks:
         exact = np.concatenate([part[0] for part in _slices(walk, times[:-1] + share * step)], axis=1)
         errors = np.maximum(errors, np.abs(shot.positions(share) - exact).max(axis=0))
     return (shot.places, shot.speeds), errors
+
+
+def _quanta(table: FloatArray) -> IntArray:
+    return np.nan_to_num(np.rint(table / QUANTUM)).astype(np.int64)
 
 
 def _slices(walk: Walk, times: FloatArray) -> Iterator[tuple[FloatArray, FloatArray]]:
@@ -155,10 +166,11 @@ def packed_frames(frames: Frames) -> str:
 
 def walked(speeds: IntArray, step: float) -> IntArray:
     """About how far each handle goes from frame to frame, in quanta, (handles, frames - 1)."""
-    return np.floor((speeds[:, :-1] + speeds[:, 1:]) * (0.5 * step) + 0.5).astype(np.int64)
+    walked: FloatArray = np.floor((speeds[:, :-1] + speeds[:, 1:]) * (0.5 * step) + 0.5)
+    return walked.astype(np.int64)
 
 
-def packed_bytes(numbers: np.ndarray[tuple[int, ...], np.dtype[np.int32 | np.float32]]) -> str:
+def packed_bytes(numbers: npt.NDArray[np.int32] | Nodes) -> str:
     """Numbers of four bytes as text: first bytes first, then second ones; deflated, in base64."""
     planes = numbers.view(np.uint8).reshape(-1, 4).T
     squeezed = zlib.compressobj(6, zlib.DEFLATED, -zlib.MAX_WBITS)
@@ -181,7 +193,7 @@ class Course:
     starts: FloatArray
     steps: FloatArray
     counts: IntArray
-    nodes: np.ndarray[tuple[int, ...], np.dtype[np.float32]]
+    nodes: Nodes
     origin: tuple[float, float]
     error: float
 
@@ -226,7 +238,7 @@ def course(walk: Walk, low: float, high: float) -> Course:
         parts = max(math.ceil((border - edges[-1]) / STRETCH), 1)
         edges += np.linspace(edges[-1], border, parts + 1)[1:].tolist()
     origin = tuple(np.round(walk.route.point(np.array([high]))[0], 3).tolist())
-    found = [_stretch(walk, a, b, origin) for a, b in zip(edges, edges[1:], strict=False)]
+    found = [_stretch(walk, a, b, origin) for a, b in pairwise(edges)]
     counts = np.array([nodes.shape[1] for nodes, _error in found])
     return Course(
         np.array(edges[:-1]),
@@ -238,16 +250,15 @@ def course(walk: Walk, low: float, high: float) -> Course:
     )
 
 
-def _stretch(
-    walk: Walk, low: float, high: float, origin: tuple[float, float]
-) -> tuple[np.ndarray[tuple[int, ...], np.dtype[np.float32]], float]:
+def _stretch(walk: Walk, low: float, high: float, origin: tuple[float, float]) -> tuple[Nodes, float]:
     """Nodes of one stretch, (3, nodes), as many as its cubics need; and how far these are off, m."""
     count, inside = 2, (high - low) * 1e-9  # headings at a joint are those of this side
     while True:
         s = np.linspace(low + inside, high - inside, count)
-        nodes = np.vstack([(walk.route.point(s) - origin).T, np.unwrap(walk.route.heading(s))])
-        nodes = nodes.astype(np.float32)
-        piece = Course(np.array([low]), np.array([(high - low) / (count - 1)]), np.array([count]), nodes, origin, 0.0)
+        exact = np.vstack([(walk.route.point(s) - origin).T, np.unwrap(walk.route.heading(s))])
+        nodes = exact.astype(np.float32)
+        step = np.array([(high - low) / (count - 1)])
+        piece = Course(np.array([low]), step, np.array([count]), nodes, origin, 0.0)
         looks = np.linspace(low, high, 4 * (count - 1) + 1)
         error = float(np.hypot(*(piece.place(looks) - walk.route.point(looks)).T).max())
         if error <= STRETCH_ERROR or count > 4096:

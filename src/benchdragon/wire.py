@@ -41,18 +41,19 @@ class Stretch(Wire):
 class Course(Wire):
     """The route as cubics between nodes.
 
-    `packed` holds x, y (m) and heading (rad) of every node as float32, x of all nodes first; see
-    `dance.packed_bytes`.
+    `packed` holds x, y (m, from `origin`) and heading (rad) of every node as float32, x of all nodes
+    first; see `frames.packed_bytes`.
     """
 
     stretches: list[Stretch]
+    origin: tuple[float, float]
     packed: str
 
 
 class Frames(Wire):
     """Route positions and speeds of all handles at evenly spaced times, packed.
 
-    Handle by handle; see `dance.packed_frames`. Between them both are interpolated by cubics, and no
+    Handle by handle; see `frames.packed_frames`. Between them both are interpolated by cubics, and no
     handle is then farther than `largest_error` (m) from its place, as looked at between frames.
     """
 
@@ -76,7 +77,8 @@ class Occasion(Wire):
 class Nearest(Wire):
     """When each bench comes nearest to one that is not its neighbour, as far as looked at.
 
-    Distance, m (-1: it never comes within `reach`), time, s, and number of the other bench.
+    Distance, m (minus the depth of an overlap), time, s, and number of the other bench; 0 where it
+    never comes within `reach`.
     """
 
     reach: float

@@ -1,12 +1,11 @@
 // The time axis: clearance over time, what happens when, and where we are.
 
-import { make } from "./elements.js";
+import { draw, make } from "./elements.js";
 import { _, decimals, language, shortLength } from "./words.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
 /** @typedef {import("./wire").Occasion} Occasion */
 
-const SVG = "http://www.w3.org/2000/svg";
 /** What marks look like; joints are small ones. */
 const SIGNS = { contact: "\u2716", tightest: "\u25b2", fastest: "\u26a1\ufe0e", joint: "", end: "\u25a0" };
 
@@ -43,22 +42,13 @@ export class Axis {
 
   #curve() {
     const { tightness, nearest, margin } = this.scene.sent;
-    const svg = document.createElementNS(SVG, "svg");
-    svg.setAttribute("viewBox", "0 0 1000 100");
-    svg.setAttribute("preserveAspectRatio", "none");
-    svg.setAttribute("role", "img");
-    svg.setAttribute("aria-label", _("distance of the tightest pair over time, from 0 below to {most} above", { most: shortLength(nearest.reach) }));
-    const height = (/** @type {number} */ distance) => (100 - (95 * Math.min(Math.max(distance, 0), nearest.reach)) / nearest.reach).toFixed(2);
+    const height = (/** @type {number} */ distance) => (100 - 95 * Math.sqrt(Math.min(Math.max(distance, 0), nearest.reach) / nearest.reach)).toFixed(2);
     const points = tightness.distance.map((distance, n) => `${(1000 * this.#share(tightness.start + n * tightness.step)).toFixed(2)},${height(distance)}`);
     const last = points.length ? points[points.length - 1].split(",")[0] : "0";
-    const area = document.createElementNS(SVG, "polygon");
-    area.setAttribute("points", `0,100 ${points.join(" ")} ${last},100`);
-    svg.append(area);
-    if (margin > 0) {
-      const line = document.createElementNS(SVG, "line");
-      for (const [name, value] of [["x1", "0"], ["x2", "1000"], ["y1", height(margin)], ["y2", height(margin)]]) line.setAttribute(name, value);
-      svg.append(line);
-    }
+    const area = draw("polygon", { points: `0,100 ${points.join(" ")} ${last},100` });
+    const name = _("distance of the tightest pair over time, from 0 below to {most} above", { most: shortLength(nearest.reach) });
+    const svg = draw("svg", { viewBox: "0 0 1000 100", preserveAspectRatio: "none", role: "img", "aria-label": name }, area);
+    if (margin > 0) svg.append(draw("line", { x1: "0", x2: "1000", y1: height(margin), y2: height(margin) }));
     return svg;
   }
 

@@ -32,20 +32,20 @@ export class Card {
     this.element.hidden = bench < 0;
     if (bench < 0) return;
     const { nearest, benches } = scene.sent;
-    const near = nearest.distance[bench];
     const now = (/** @type {string} */ name) => (this.cells[name] = make("dd"));
     const at = (/** @type {string} */ text, /** @type {number} */ time) =>
       make("dd", {}, text, " ", make("button", { type: "button", onclick: () => this.jump(time) }, clock(time)));
     const far = _("never within {reach}", { reach: shortLength(nearest.reach) });
-    const other = { gap: shortLength(Math.max(near, 0)), other: nearest.other[bench] };
+    const other = nearest.other[bench];
     this.element.replaceChildren(
       make("header", {}, make("h2", {}, benchName(bench + 1, scene.benches)), signButton("\u2715", _("close"), () => this.choose(-1))),
       make("dl", {},
-        make("dt", {}, _("front handle now")), now("front"),
-        make("dt", {}, _("rear handle now")), now("rear"),
-        make("dt", {}, _("its largest")), at(`${decimals(scene.fastest.speed[bench], 3)} m/s`, scene.fastest.time[bench]),
-        make("dt", {}, _("nearest now")), now("nearest"),
-        make("dt", {}, _("its tightest moment")), near < 0 ? make("dd", {}, far) : at(_("{gap} to bench {other}", other), nearest.time[bench]),
+        make("dt", {}, _("front handle")), now("front"),
+        make("dt", {}, _("rear handle")), now("rear"),
+        make("dt", {}, _("change of speed")), now("change"),
+        make("dt", {}, _("its fastest moment")), at(speedText(scene.fastest.speed[bench]), scene.fastest.time[bench]),
+        make("dt", {}, _("nearest")), now("nearest"),
+        make("dt", {}, _("its tightest moment")), other ? at(nearText(nearest.distance[bench], other), nearest.time[bench]) : make("dd", {}, far),
         make("dt", {}, _("size")), make("dd", {}, `${decimals(benches.length[bench], 2)} m \u00d7 ${decimals(benches.width[bench], 2)} m`),
       ),
       make("nav", {}, ...this.#neighbours(scene, bench)),
@@ -55,24 +55,30 @@ export class Card {
   /** @param {Scene} scene @param {number} bench */
   #neighbours(scene, bench) {
     const found = [];
-    if (bench > 0) found.push(make("button", { type: "button", onclick: () => this.choose(bench - 1) }, `\u2190 ${_("Bench {bench}", { bench })}`));
-    if (bench + 1 < scene.benches) found.push(make("button", { type: "button", onclick: () => this.choose(bench + 1) }, `${_("Bench {bench}", { bench: bench + 2 })} \u2192`));
+    const button = (/** @type {number} */ other, /** @type {string} */ text) =>
+      make("button", { type: "button", onclick: () => this.choose(other) }, text);
+    if (bench > 0) found.push(button(bench - 1, _("\u2190 Bench {bench}", { bench })));
+    if (bench + 1 < scene.benches) found.push(button(bench + 1, _("Bench {bench} \u2192", { bench: bench + 2 })));
     return found;
   }
 
   /** What changes from instant to instant. @param {Stand} stand @param {Boxes} boxes @param {number} bench */
   show(stand, boxes, bench) {
     if (bench < 0) return;
-    this.cells.front.textContent = handleText(stand, bench);
-    this.cells.rear.textContent = handleText(stand, bench + 1);
-    const other = boxes.other[bench];
-    const gap = boxes.nearest[bench];
-    this.cells.nearest.textContent =
-      other < 0 ? "\u2013" : gap > 0 ? _("{gap} to bench {other}", { gap: shortLength(gap), other: other + 1 }) : _("touches bench {other}", { other: other + 1 });
+    this.cells.front.textContent = speedText(stand.v[bench]);
+    this.cells.rear.textContent = speedText(stand.v[bench + 1]);
+    this.cells.change.textContent = `${decimals(stand.a[bench], 3)} m/s\u00b2`;
+    const other = boxes.other[bench] + 1;
+    this.cells.nearest.textContent = other ? nearText(boxes.nearest[bench], other) : "\u2013";
   }
 }
 
-/** @param {Stand} stand @param {number} handle */
-function handleText(stand, handle) {
-  return `${decimals(stand.v[handle], 3)} m/s, ${decimals(stand.a[handle], 3)} m/s\u00b2`;
+/** @param {number} speed m/s */
+function speedText(speed) {
+  return `${decimals(speed, 3)} m/s`;
+}
+
+/** @param {number} gap m @param {number} other number of the other bench */
+function nearText(gap, other) {
+  return gap > 0 ? _("{gap} to bench {other}", { gap: shortLength(gap), other }) : _("touches bench {other}", { other });
 }

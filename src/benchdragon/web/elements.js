@@ -21,13 +21,36 @@ export function make(tag, attributes = {}, ...children) {
 
 /**
  * A button with a sign on it and a name for those who cannot see it.
- * @param {string} sign
+ * @param {Node | string} sign
  * @param {string} name
  * @param {() => void} action
  * @param {Record<string, string>} [attributes]
  */
 export function signButton(sign, name, action, attributes = {}) {
   return make("button", { type: "button", title: name, "aria-label": name, onclick: action, ...attributes }, sign);
+}
+
+/**
+ * An element of a drawing.
+ * @template {keyof SVGElementTagNameMap} Tag
+ * @param {Tag} tag
+ * @param {Record<string, string>} attributes
+ * @param {Node[]} children
+ * @returns {SVGElementTagNameMap[Tag]}
+ */
+export function draw(tag, attributes, ...children) {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  element.append(...children);
+  return element;
+}
+
+/**
+ * A sign drawn as a path in a square of 24, for those that fonts may lack.
+ * @param {string} path
+ */
+export function drawnSign(path) {
+  return draw("svg", { viewBox: "0 0 24 24", class: "sign", "aria-hidden": "true" }, draw("path", { d: path }));
 }
 
 /**

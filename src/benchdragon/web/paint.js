@@ -33,7 +33,7 @@ const HEAD_NAMES = /** @type {const} */ (["ground", "ink", "faint", "body", "hea
 const TRAIL = 20;
 const TRAIL_POINTS = 80;
 /** CSS pixels from which handles and numbers are drawn, per bench. */
-const HANDLES_FROM = 40;
+const HANDLES_FROM = 70;
 const NUMBERS_FROM = 46;
 const FONT = '"Noto Sans SC", "PingFang SC", "Microsoft YaHei", "Noto Sans CJK SC", system-ui, sans-serif';
 

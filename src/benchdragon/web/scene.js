@@ -71,7 +71,9 @@ export class Scene {
     this.places = new Int32Array(this.handles * count);
     this.#foretell(told);
     this.fastest = this.#fastest();
-    [this.speedRange, this.greatestChange] = this.#ranges();
+    const { range, change } = this.#ranges();
+    this.speedRange = range;
+    this.greatestChange = change;
   }
 
   /** @param {Int32Array} told */
@@ -123,7 +125,7 @@ export class Scene {
     }
     /** @type {[number, number]} */
     const range = [low * this.quantum, high * this.quantum];
-    return /** @type {const} */ ([range, (change * this.quantum) / this.step]);
+    return { range, change: (change * this.quantum) / this.step };
   }
 
   /** Room for what `stand` finds. @returns {Stand} */

@@ -37,7 +37,8 @@ export function _(text, values = {}) {
  * @param {number} digits
  */
 export function decimals(value, digits) {
-  return value.toFixed(digits).replace("-", "\u2212");
+  const text = value.toFixed(digits);
+  return Number(text) === 0 ? (0).toFixed(digits) : text.replace("-", "\u2212");
 }
 
 /**

@@ -1,0 +1,218 @@
+"""A dance as a page shows it: frames, route, sizes, what happens when, what is tight."""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from benchdragon import __version__, wire
+from benchdragon.check import Report, sentence
+from benchdragon.clearance import nearest_each
+from benchdragon.curves import Spiral
+from benchdragon.errors import InputError
+from benchdragon.frames import LOOKS, QUANTUM, Frames, course, frames, packed_bytes, packed_frames
+from benchdragon.messages import LANGUAGES, _, spoken_in
+from benchdragon.motion import Walk
+
+Advance = Callable[[float, str], None]
+
+# What a page may show off its place, m.
+MOST_ERROR = 1e-3
+# How far benches are looked at for their nearest, m; at how many times at most, and places.
+REACH = 1.0
+MOST_TIMES, MOST_LOOKS = 1500, 3_000_000
+# Route drawn before the tail and past the head, m.
+AROUND = 5.0
+MOST_BENCHES = 5_000
+MOST_JOINTS = 200
+# How often a dance advances by 1.
+STEPS = 3
+
+
+@dataclass(frozen=True)
+class Span:
+    """What part of a walk is shown: from start to end, s; how far off at most, m; looks a frame."""
+
+    start: float
+    end: float
+    most_error: float = MOST_ERROR
+    looks: tuple[float, ...] = LOOKS
+
+
+def both(say: Callable[[], str]) -> wire.Texts:
+    """What `say` says in both languages."""
+    said = {}
+    for name in LANGUAGES:
+        with spoken_in(name):
+            said[name] = say()
+    return wire.Texts(**said)
+
+
+def checked_dance(
+    report: Report, span: Span | None = None, advance: Advance | None = None
+) -> wire.Dance:
+    """The dance of a plan that was checked, with what the check found.
+
+    Raises:
+        InputError: for more than MOST_BENCHES, or more frames than a page holds.
+    """
+    plan = report.plan
+    walk = plan.build()
+    shown = span or Span(report.start, report.end)
+    found = [occasion for occasion in _answers(report) if shown.start <= occasion.time <= shown.end]
+    dance = plain_dance(walk, shown, advance)
+    title = wire.Texts(en=plan.title("en"), zh=plan.title("zh"))
+    ruling = wire.Ruling(safe=report.safe, decided=report.decided, text=both(lambda: sentence(report)))
+    return dance.model_copy(
+        update={
+            "plan_sha256": plan.sha256,
+            "title": title,
+            "disc": plan.disc.radius,
+            "margin": plan.limits.margin,
+            "speed_limit": plan.limits.speed,
+            "ruling": ruling,
+            "occasions": sorted([*found, *dance.occasions], key=lambda occasion: occasion.time),
+        }
+    )
+
+
+def plain_dance(walk: Walk, span: Span, advance: Advance | None = None) -> wire.Dance:
+    """The dance of a walk; the tightest moment and the fastest one are those of its frames.
+
+    Raises:
+        InputError: see `checked_dance`.
+    """
+    if len(walk.dragon) > MOST_BENCHES:
+        raise InputError(
+            _("a player shows at most {most} benches, not {count}").format(
+                most=MOST_BENCHES, count=len(walk.dragon)
+            )
+        )
+    tell = advance or (lambda _share, _text: None)
+    tell(0.0, _("placing the benches"))
+    shot = frames(walk, span.start, span.end, 0.9 * span.most_error, span.looks)
+    tell(1.0, _("looking who is near whom"))
+    nearest, tightness = _nearness(walk, shot)
+    tell(1.0, _("drawing the route"))
+    low, high = (float(quanta) * QUANTUM for quanta in (shot.places.min(), shot.places.max()))
+    way = course(walk, max(low - AROUND, -walk.route.extension), min(high + AROUND, walk.route.length))
+    tell(1.0, _("packing"))
+    sizes = {name: np.round(getattr(walk.dragon, name), 6).tolist() for name in wire.Sizes.model_fields}
+    stretches = zip(way.starts.tolist(), way.steps.tolist(), way.counts.tolist(), strict=True)
+    return wire.Dance(
+        version=__version__,
+        plan_sha256="",
+        title=wire.Texts(en="", zh=""),
+        benches=wire.Sizes(**sizes),
+        disc=None,
+        centre=_centre(walk),
+        course=wire.Course(
+            stretches=[wire.Stretch(start=a, step=b, nodes=n) for a, b, n in stretches],
+            origin=way.origin,
+            packed=packed_bytes(way.nodes.ravel()),
+        ),
+        frames=wire.Frames(
+            start=shot.start, step=shot.step, count=shot.count, quantum=QUANTUM,
+            packed=packed_frames(shot), largest_error=shot.error + way.error,
+        ),
+        occasions=[*_joints(walk, shot), *_end(shot)],
+        nearest=nearest,
+        tightness=tightness,
+        margin=0.0,
+        speed_limit=None,
+        ruling=None,
+    )  # fmt: skip
+
+
+def _centre(walk: Walk) -> tuple[float, float]:
+    """Centre of the route's first spiral, else the origin, m."""
+    return next((curve.centre for curve in walk.route.curves if isinstance(curve, Spiral)), (0.0, 0.0))
+
+
+def _nearness(walk: Walk, shot: Frames) -> tuple[wire.Nearest, wire.Tightness]:
+    """Each bench's tightest moment, and the tightest pair over time, at evenly spread times."""
+    benches = len(walk.dragon)
+    count = int(min(MOST_TIMES, max(2, MOST_LOOKS // benches), max(2, 4 * (shot.end - shot.start))))
+    times = np.linspace(shot.start, shot.end, count)
+    best, when = np.full(benches, np.inf), np.zeros(benches)
+    other, over_time = np.zeros(benches, dtype=np.int64), []
+    for motion in walk.motions(times, throw=False):
+        distance, partner = nearest_each(motion, REACH)
+        over_time.append(np.minimum(distance.min(axis=1), REACH))
+        first = distance.argmin(axis=0)
+        rows = np.arange(benches)
+        least = distance[first, rows]
+        closer = least < best
+        best = np.where(closer, least, best)
+        when = np.where(closer, motion.times[first], when)
+        other = np.where(closer, partner[first, rows], other)
+    near = wire.Nearest(
+        reach=REACH,
+        distance=np.where(np.isfinite(best), np.round(best, 5), 0.0).tolist(),
+        time=np.round(when, 4).tolist(),
+        other=other.tolist(),
+    )
+    distance = np.round(np.concatenate(over_time), 4).tolist()
+    return near, wire.Tightness(start=shot.start, step=float(times[1] - times[0]), distance=distance)
+
+
+def _answers(report: Report) -> list[wire.Occasion]:
+    """First contact, tightest moment and fastest moment of a check."""
+    contact, near, speed = report.first_contact, report.clearance.witness, report.greatest_speed
+    found = []
+    if contact is not None and contact.witness is not None:
+        name = both(lambda: _("first contact") if not report.plan.limits.margin else _("margin broken"))
+        found.append(_occasion("contact", contact.value, name, contact.witness.benches))
+    elif near is not None and near.time is not None:
+        gap = f"{100.0 * report.clearance.value:.3g}"
+        name = both(lambda: _("tightest moment: {gap} cm").format(gap=gap))
+        found.append(_occasion("tightest", near.time, name, near.benches))
+    if (
+        speed.witness is not None
+        and speed.witness.time is not None
+        and math.isfinite(speed.witness.time)
+    ):
+        fast = f"{speed.value:.4g}"
+        name = both(lambda: _("fastest moment: {speed} m/s").format(speed=fast))
+        found.append(_occasion("fastest", speed.witness.time, name, speed.witness.benches))
+    return found
+
+
+def _joints(walk: Walk, shot: Frames) -> list[wire.Occasion]:
+    """When head and tail pass the joints of the route; none where there are too many."""
+    joints = walk.route.joints[1:-1]
+    if len(joints) > MOST_JOINTS:
+        return []
+    times = shot.start + shot.step * np.arange(shot.count)
+    found = []
+    for handle, head in ((0, True), (-1, False)):
+        s = shot.places[handle] * QUANTUM
+        passed = np.interp(joints, s, times, math.nan, math.nan)
+        for n, time in enumerate(passed.tolist(), start=1):
+            if math.isfinite(time):
+                found.append(_occasion("joint", time, _joint_text(n, head), ()))
+    return found
+
+
+def _joint_text(n: int, head: bool) -> wire.Texts:
+    return both(
+        lambda: (
+            _("the head passes joint {n} of the route")
+            if head
+            else _("the tail passes joint {n} of the route")
+        ).format(n=n)
+    )
+
+
+def _end(shot: Frames) -> list[wire.Occasion]:
+    """Why the frames end, where that is not the end of the walk."""
+    if not shot.leap:
+        return []
+    return [_occasion("end", shot.end, both(lambda: _("from here on the benches cannot follow")), ())]
+
+
+def _occasion(kind: str, time: float, text: wire.Texts, benches: Sequence[int]) -> wire.Occasion:
+    return wire.Occasion.model_validate(
+        {"kind": kind, "time": time, "text": text, "benches": list(benches)}
+    )

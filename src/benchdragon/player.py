@@ -1,0 +1,126 @@
+"""The player as one HTML file: the page's own modules, style and words put into it, and the dance.
+
+The file fetches nothing, and its content security policy forbids it.
+"""
+
+import base64
+import hashlib
+import html
+import json
+import re
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+
+from benchdragon import __version__, wire
+from benchdragon.errors import InputError
+from benchdragon.files import whole_file
+from benchdragon.messages import _, language, spoken_in
+
+WEB = Path(__file__).parent / "web"
+# Modules may import others so, and in no other way, so that joining them is all that inlining takes.
+IMPORT = re.compile(r'^import \{[^}]*\} from "\./(\w+\.js)";\n', re.MULTILINE)
+EXPORT = re.compile(r"^export (?=const|let|class|function|async function)", re.MULTILINE)
+STRAY = re.compile(r"^\s*(?:import|export)\b.*", re.MULTILINE)
+TEXT = re.compile(r'(?<![\w$.])_\(\s*("(?:[^"\\]|\\.)*")')
+# Bytes that a file may have for up to 1,000 benches; larger dragons get this for each thousand.
+MOST_BYTES = 10_000_000
+
+
+class ScriptError(ValueError):
+    """A module of the page that cannot be put into one file."""
+
+
+@cache
+def inlined(entry: str) -> str:
+    """A module of the page and all it imports as one script, each before those that need it.
+
+    Raises:
+        ScriptError: for an import or an export of another form.
+    """
+    done: dict[str, str] = {}
+
+    def add(name: str) -> None:
+        if name in done:
+            return
+        text = (WEB / name).read_text("utf-8")
+        done[name] = ""  # which ends a circle of imports
+        for needed in IMPORT.findall(text):
+            add(needed)
+        text = EXPORT.sub("", IMPORT.sub("", text))
+        if stray := STRAY.search(text):
+            raise ScriptError(f"{name}: {stray.group().strip()}")
+        del done[name]
+        done[name] = text
+
+    add(entry)
+    return "\n".join(done.values())
+
+
+@cache
+def chinese(entry: str) -> dict[str, str]:
+    """Chinese for every sentence of a script."""
+    with spoken_in("zh"):
+        return {text: _(text) for text in map(json.loads, TEXT.findall(inlined(entry)))}
+
+
+def player_page(dance: wire.Dance, spoken: str | None = None) -> str:
+    """The page that shows a dance, beginning in a language ("en" or "zh"; None: that in use)."""
+    script = inlined("start.js") + "\nawait start();\n"
+    style = (WEB / "style.css").read_text("utf-8")
+    environment = Environment(
+        loader=PackageLoader("benchdragon"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+    )
+    spoken = spoken or language()
+    return environment.get_template("player.html.jinja").render(
+        language=spoken,
+        title=getattr(dance.title, spoken) or "benchdragon",
+        version=__version__,
+        hashes={"script": _hash(script), "style": _hash(style)},
+        script=script,
+        style=style,
+        words=inert(chinese("start.js")),
+        spoken=inert(spoken),
+        dance=inert(dance.model_dump(mode="json")),
+    )
+
+
+def inert(data: Any) -> str:
+    """Data as JSON that may stand inside a script element."""
+    return json.dumps(data, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
+
+
+def _hash(text: str) -> str:
+    return "sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
+
+
+def write_player(path: Path, dance: wire.Dance) -> None:
+    """Write the player of a dance.
+
+    Raises:
+        InputError: if it would grow beyond MOST_BYTES for each thousand benches.
+    """
+    page = player_page(dance).encode()
+    most = MOST_BYTES * max(1.0, len(dance.benches.length) / 1000.0)
+    if len(page) > most:
+        raise InputError(
+            _("the player would have {size} MB, more than {most} MB: choose a shorter time").format(
+                size=f"{len(page) / 1e6:.1f}", most=f"{most / 1e6:.1f}"
+            )
+        )
+    with whole_file(path) as temporary:
+        temporary.write_bytes(page)
+
+
+def framed(dance: wire.Dance, height: int = 560) -> str:
+    """The player inside a frame, for a page that is not ours: a notebook."""
+    page = html.escape(player_page(dance), quote=True)
+    return (
+        f'<iframe sandbox="allow-scripts" title="benchdragon" srcdoc="{page}" '
+        f'style="width:100%;height:{height}px;border:0"></iframe>'
+    )

@@ -1,0 +1,169 @@
+// What the player looks like for one dance in one language: all its elements, and their words.
+
+import { Axis, clock, occasionText } from "./axis.js";
+import { Card } from "./card.js";
+import { endTexts, kindName, KINDS } from "./colours.js";
+import { choice, drawnSign, make, signButton, tick } from "./elements.js";
+import { Painter } from "./paint.js";
+import { _, decimals, language } from "./words.js";
+
+/** @typedef {import("./player.js").Player} Player */
+/** @typedef {import("./colours.js").Kind} Kind */
+/** @typedef {import("./colours.js").Scale} Scale */
+
+const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 30];
+/** A film's frame, s. */
+export const FRAME = 1 / 25;
+const PLAY = "M7 4v16l13-8z";
+const PAUSE = "M6 4h4v16H6zM14 4h4v16h-4z";
+const BEFORE = "M4 4h3v16H4zM20 4v16L8 12z";
+const NEXT = "M17 4h3v16h-3zM4 4v16l12-8z";
+const HALF = "M12 3a9 9 0 1 0 0 18zM12 3a9 9 0 0 1 0 18v-2a7 7 0 0 0 0-14z";
+
+export class Face {
+  /** @param {Player} player */
+  constructor(player) {
+    this.player = player;
+    this.scene = player.scene;
+    this.canvas = make("canvas", { role: "img", tabindex: "0" });
+    this.painter = new Painter(this.canvas);
+    this.axis = new Axis(this.scene, (time) => player.jump(time));
+    this.card = new Card((bench) => player.choose(bench), (time) => player.jump(time));
+    this.legend = make("div", { class: "legend" });
+    this.clock = make("output", { class: "clock" });
+    this.tight = make("output", { class: "tight" });
+    this.spoken = make("p", { class: "spoken", "aria-live": "polite" });
+    this.playButton = signButton(drawnSign(PLAY), _("play"), () => player.play(!player.playing), { class: "play" });
+    this.number = this.#numberBox();
+    this.followBox = tick(_("follow it (the head, if none)"), player.follows, (on) => player.follow(on));
+    this.ruleBox = tick(_("ruler: drag to measure"), player.ruling, (on) => player.rule(on));
+    this.trailBox = tick(_("trails"), player.look.trails, (on) => player.see("trails", on));
+    this.kinds = choice(_("colour by"), KINDS.map((kind) => [kind, kindName(kind)]), player.kind, (kind) => player.paintBy(/** @type {Kind} */ (kind)));
+    this.stage = make("div", { class: "stage" }, this.canvas, this.legend, this.#views());
+    const middle = make("div", { class: "middle" }, this.stage, this.card.element);
+    this.elements = [this.#header(), middle, this.axis.element, this.#controls(), this.#footer(), this.spoken];
+  }
+
+  #numberBox() {
+    const chosen = this.player.chosen;
+    const number = make("input", {
+      type: "number", min: "1", max: String(this.scene.benches), step: "1", inputmode: "numeric", value: chosen < 0 ? "" : String(chosen + 1),
+      onchange: () => { if (number.checkValidity() && number.value) this.player.choose(Number(number.value) - 1); },
+    });
+    return number;
+  }
+
+  #header() {
+    const { title, ruling } = this.scene.sent;
+    const header = make("header", { class: "bar" }, make("h1", {}, title[language()] || "benchdragon"));
+    if (ruling) {
+      const state = !ruling.decided ? "open" : ruling.safe ? "safe" : "unsafe";
+      const sign = { open: "?", safe: "\u2713", unsafe: "\u2716" }[state];
+      header.append(make("p", { class: `ruling ${state}` }, make("span", { "aria-hidden": "true" }, sign), ` ${ruling.text[language()]}`));
+    }
+    header.append(
+      make("div", { class: "tools" },
+        make("button", { type: "button", lang: language() === "zh" ? "en" : "zh", onclick: () => this.player.translate() }, language() === "zh" ? "English" : "\u4e2d\u6587"),
+        signButton(drawnSign(HALF), _("light or dark"), () => this.player.nextTheme()),
+        signButton("?", _("keys"), () => this.#help()),
+      ),
+    );
+    return header;
+  }
+
+  #controls() {
+    return make("div", { class: "controls", role: "group", "aria-label": _("playing") },
+      signButton(drawnSign(BEFORE), _("to the previous event"), () => this.player.event(-1), { class: "wide" }),
+      signButton("\u22121 s", _("one second back"), () => this.player.step(-1)),
+      signButton("\u2039", _("one frame back"), () => this.player.step(-FRAME)),
+      this.playButton,
+      signButton("\u203a", _("one frame on"), () => this.player.step(FRAME)),
+      signButton("+1 s", _("one second on"), () => this.player.step(1)),
+      signButton(drawnSign(NEXT), _("to the next event"), () => this.player.event(1), { class: "wide" }),
+      this.clock,
+      choice(_("speed of play"), SPEEDS.map((speed) => [String(speed), `${speed}\u00d7`]), String(this.player.speed), (value) => { this.player.speed = Number(value); }),
+      this.tight,
+      this.#events(),
+    );
+  }
+
+  /** The list of all that happens. */
+  #events() {
+    const list = make("ol", {}, ...this.scene.sent.occasions.map((occasion) =>
+      make("li", {}, make("button", { type: "button", onclick: () => { details.open = false; this.player.jump(occasion.time, occasion.benches); } },
+        make("time", {}, clock(occasion.time, 2)), ` ${occasionText(occasion)}`))));
+    const details = make("details", { class: "events" }, make("summary", {}, _("Events")), list);
+    return details;
+  }
+
+  #views() {
+    return make("details", { class: "views" },
+      make("summary", {}, _("View")),
+      make("label", {}, _("colour by"), this.kinds),
+      make("label", {}, _("bench"), this.number),
+      this.followBox,
+      this.trailBox,
+      tick(_("route"), this.player.look.route, (on) => this.player.see("route", on)),
+      ...(this.scene.sent.disc === null ? [] : [tick(_("turning disc"), this.player.look.disc, (on) => this.player.see("disc", on))]),
+      this.ruleBox,
+      make("div", { class: "zooms" },
+        signButton("+", _("nearer"), () => this.player.zoom(1.4)),
+        signButton("\u2212", _("farther"), () => this.player.zoom(1 / 1.4)),
+        make("button", { type: "button", onclick: () => this.player.fit() }, _("show all")),
+      ),
+    );
+  }
+
+  #footer() {
+    const { frames, plan_sha256: hash, version } = this.scene.sent;
+    const error = decimals(1000 * frames.largest_error, 2);
+    return make("footer", {}, _("Between its frames a place is off by at most {error} mm. benchdragon {version}, plan {hash}", { error, version, hash: hash.slice(0, 12) }));
+  }
+
+  #help() {
+    const keys = /** @type {[string, string][]} */ ([
+      [_("space"), _("play or pause")], ["\u2190 \u2192", _("one second back or on")], [", .", _("one frame back or on")], ["p n", _("to the previous or next event")],
+      ["+ \u2212 0", _("nearer, farther, show all")], ["[ ]", _("the bench before or behind")], ["f", _("follow")], ["c", _("colour by something else")],
+      ["t", _("trails")], ["r", _("ruler")], [_("Home, End"), _("to the beginning, to the end")], ["Esc", _("close the card")],
+    ]);
+    const dialog = make("dialog", { "aria-label": _("keys"), onclose: () => dialog.remove() },
+      make("table", {}, ...keys.map(([key, text]) => make("tr", {}, make("th", { scope: "row" }, key), make("td", {}, text)))),
+      make("form", { method: "dialog" }, make("button", {}, _("close"))));
+    this.player.root.append(dialog);
+    dialog.showModal();
+  }
+
+  /** @param {boolean} playing */
+  showPlaying(playing) {
+    this.playButton.replaceChildren(drawnSign(playing ? PAUSE : PLAY));
+    const name = playing ? _("pause") : _("play");
+    this.playButton.title = name;
+    this.playButton.setAttribute("aria-label", name);
+  }
+
+  /** @param {number} bench from 0, or -1 */
+  showChosen(bench) {
+    this.card.open(this.scene, bench);
+    this.number.value = bench < 0 ? "" : String(bench + 1);
+  }
+
+  #legendOf = "";
+
+  /** @param {Scale | null} scale */
+  showLegend(scale) {
+    const [low, high] = scale ? endTexts(scale) : ["", ""];
+    const text = scale ? `${language()} ${scale.name} ${low} ${high}` : "";
+    this.legend.hidden = !scale;
+    if (!scale || (this.#legendOf === text && this.legend.childElementCount)) return;
+    this.#legendOf = text;
+    const strip = make("div", { class: "strip" });
+    strip.style.background = `linear-gradient(to right, ${scale.colours.join(", ")})`;
+    this.legend.replaceChildren(make("span", {}, scale.name), strip, make("span", { class: "ends" }, make("span", {}, low), make("span", {}, high)));
+  }
+}
+
+/** @param {HTMLElement} label @param {boolean} on */
+export function ticked(label, on) {
+  const box = label.querySelector("input");
+  if (box) box.checked = on;
+}
