@@ -101,3 +101,9 @@ def test_a_page_may_ask_its_own_server_and_no_other(pages: Pages, server: str, t
     page.evaluate("fetch('http://127.0.0.1:9/').catch(() => 0)")
     assert pages.faults.pop(0) == "request: http://127.0.0.1:9/"
     pages.faults.clear()
+
+
+def test_one_process_has_all_tests_of_pages(request: pytest.FixtureRequest) -> None:
+    if not request.config.getoption("loadgroup", False):
+        pytest.skip("only where tests are spread over processes by group")
+    assert request.node.nodeid.endswith("@browser")
