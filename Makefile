@@ -24,6 +24,7 @@ test: .venv/installed $(if $(NPM),node_modules/installed)
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-logo
+	$(if $(NPM),node_modules/.bin/tsc -p .,@echo "no npm here: the types of the pages' JavaScript are not checked")
 	BENCHDRAGON_COMPILE=never $(BIN)/python -m pytest -q -n auto tests/kernels --cov --cov-report=term-missing --cov-fail-under=95
 	$(BIN)/python -m pytest -q -n auto --dist loadgroup
 

@@ -1,5 +1,6 @@
 """The front end's types: what the models of the wire are in TypeScript, and that its checker agrees."""
 
+import importlib
 import subprocess
 import sys
 from enum import StrEnum
@@ -9,7 +10,7 @@ from typing import Any, Literal, NamedTuple
 
 import pytest
 from pydantic import BaseModel, ConfigDict, Field, RootModel
-from tools.make_types import types
+from tools.make_types import MODULE, TYPES, types
 
 ROOT = Path(__file__).parent.parent
 TSC = ROOT / "node_modules" / ".bin" / "tsc"
@@ -136,6 +137,10 @@ def module_of(model: type[BaseModel]) -> ModuleType:
 
 def test_models_become_interfaces() -> None:
     assert types(sys.modules[__name__]) == DECLARED
+
+
+def test_the_committed_interfaces_are_those_of_the_models() -> None:
+    assert TYPES.read_text("utf-8") == types(importlib.import_module(MODULE)), "run `make types`"
 
 
 def test_what_has_no_plain_type_is_an_error() -> None:
