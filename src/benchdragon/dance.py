@@ -40,13 +40,13 @@ class Span:
     looks: tuple[float, ...] = LOOKS
 
 
-def both(say: Callable[[], str]) -> wire.Texts:
+def both(say: Callable[[], str]) -> wire.Words:
     """What `say` says in both languages."""
     said = {}
     for name in LANGUAGES:
         with spoken_in(name):
             said[name] = say()
-    return wire.Texts(**said)
+    return wire.Words(**said)
 
 
 def checked_dance(
@@ -62,7 +62,7 @@ def checked_dance(
     shown = span or Span(report.start, report.end)
     found = [occasion for occasion in _answers(report) if shown.start <= occasion.time <= shown.end]
     dance = plain_dance(walk, shown, advance)
-    title = wire.Texts(en=plan.title("en"), zh=plan.title("zh"))
+    title = wire.Words(en=plan.title("en"), zh=plan.title("zh"))
     ruling = wire.Ruling(safe=report.safe, decided=report.decided, text=both(lambda: sentence(report)))
     return dance.model_copy(
         update={
@@ -103,7 +103,7 @@ def plain_dance(walk: Walk, span: Span, advance: Advance | None = None) -> wire.
     return wire.Dance(
         version=__version__,
         plan_sha256="",
-        title=wire.Texts(en="", zh=""),
+        title=wire.Words(en="", zh=""),
         benches=wire.Sizes(**sizes),
         disc=None,
         centre=_centre(walk),
@@ -195,7 +195,7 @@ def _joints(walk: Walk, shot: Frames) -> list[wire.Occasion]:
     return found
 
 
-def _joint_text(n: int, head: bool) -> wire.Texts:
+def _joint_text(n: int, head: bool) -> wire.Words:
     return both(
         lambda: (
             _("the head passes joint {n} of the route")
@@ -212,7 +212,7 @@ def _end(shot: Frames) -> list[wire.Occasion]:
     return [_occasion("end", shot.end, both(lambda: _("from here on the benches cannot follow")), ())]
 
 
-def _occasion(kind: str, time: float, text: wire.Texts, benches: Sequence[int]) -> wire.Occasion:
+def _occasion(kind: str, time: float, text: wire.Words, benches: Sequence[int]) -> wire.Occasion:
     return wire.Occasion.model_validate(
         {"kind": kind, "time": time, "text": text, "benches": list(benches)}
     )

@@ -1,27 +1,307 @@
-"""What goes over the wire to a page: models that the front end's types are made from.
+"""What goes over the wire between pages and programs: dances, bodies, answers, problems.
 
-Metres, seconds, metres a second. `tools/make_types.py` turns them into `web/wire.d.ts`.
+Metres, seconds, metres a second. Numbers that are not finite come as null: JSON knows none.
+`tools/make_types.py` turns the models into `web/wire.d.ts`.
 """
 
-from typing import Literal
+import json
+import math
+from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, PlainSerializer
+
+from benchdragon.messages import _
+from benchdragon.plan import Plan, checked
+from benchdragon.plan_text import PlanError
 
 
-class Wire(BaseModel):
-    """Something sent to a page; nothing else may stand in it."""
+def _finite_or_none(value: object) -> object:
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+Finite = Annotated[float, Field(allow_inf_nan=False)]
+Spread = Annotated[Finite, Field(ge=0.0, le=1.0)]
+Number = Annotated[float | None, BeforeValidator(_finite_or_none)]
+LimitName = Literal["pitch", "disc", "width", "length"]
+Question = Literal["turn", "prove", "speed", "pace", "margins"]
+ExportName = Literal["motion.xlsx", "motion.csv", "motion.npz", "check.xlsx", "png", "svg", "pdf"]
+
+
+def plan_data(plan: Plan) -> dict[str, Any]:
+    """All keys of a plan as plain data that reads as the same plan."""
+    data = plan.model_dump(mode="json", by_alias=True)
+    sizes: dict[str, Any] = data["dragon"]
+    if plan.dragon.bench:  # which leaves no room for the sizes of all
+        data["dragon"] = {"bench": sizes["bench"]}
+    return data
+
+
+def _as_plan(data: object) -> Plan:
+    """The plan in a body; what is wrong is said in the command line's words."""
+    if not isinstance(data, dict):
+        came = json.dumps(data)[:60]
+        text = _("{where}: wanted {wanted}, not {came}")
+        raise PlanError(text.format(where="plan", wanted=_("a table"), came=came))
+    return checked(data, "plan")
+
+
+AskedPlan = Annotated[Plan, BeforeValidator(_as_plan)]
+SentPlan = Annotated[Plan, PlainSerializer(plan_data, return_type=dict[str, Any])]
+
+
+class Body(BaseModel):
+    """What a page sends: unknown keys are errors."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
 
-class Texts(Wire):
-    """A sentence in both languages."""
+class PlanBody(Body):
+    """A plan, to be asked about."""
+
+    plan: AskedPlan
+
+
+class TextBody(Body):
+    """The text of a plan file."""
+
+    toml: str
+
+
+class ExportBody(PlanBody):
+    """A plan, and the language of the file; without one that of the request."""
+
+    lang: Literal["en", "zh"] | None = None
+
+
+class JobOptions(Body):
+    """What a long question may be told.
+
+    Attributes:
+        objective: of "turn": see `solve turn`.
+        least_radius: of "turn": no bend is tighter, m.
+        longest: of "turn": the turn itself is no longer, m.
+        longest_way: of "turn": the whole way inside the disc is no longer, m.
+        draws: of "margins": random dances.
+        seed: of "margins".
+        aside: of "margins", like the following: standard deviations, m; see `Slips`.
+    """
+
+    objective: Literal["way", "length", "speed", "disc", "acceleration"] = "way"
+    least_radius: Annotated[Finite, Field(ge=0.0, le=1e6)] = 0.0
+    longest: Annotated[Finite, Field(gt=0.0, le=1e6)] | None = None
+    longest_way: Annotated[Finite, Field(gt=0.0, le=1e6)] | None = None
+    draws: Annotated[int, Field(ge=1, le=100_000)] = 200
+    seed: Annotated[int, Field(ge=0, le=2**31)] = 1
+    aside: Spread = 0.0
+    stray: Spread = 0.0
+    play: Spread = 0.0
+    height: Spread = 0.0
+    length: Spread = 0.0
+    width: Spread = 0.0
+
+
+class JobBody(PlanBody):
+    """A long question about a plan."""
+
+    question: Question
+    options: JobOptions = JobOptions()
+
+
+class Sent(BaseModel):
+    """What a page gets."""
+
+    model_config = ConfigDict(frozen=True)
+
+
+class Problem(Sent):
+    """What went wrong, as one sentence in the language asked for."""
+
+    error: str
+
+
+class Words(Sent):
+    """The same words in both languages."""
 
     en: str
     zh: str
 
 
-class Sizes(Wire):
+class Witness(Sent):
+    """Where and when an answer comes about: see `answer.Witness`."""
+
+    time: Number
+    s: Number
+    benches: list[int]
+    point: tuple[Number, Number]
+    gap: Number
+    features: list[tuple[int, str]]
+
+
+class Answer(Sent):
+    """A solved number and the bracket that was established: see `answer.Answer`."""
+
+    value: Number
+    lower: Number
+    upper: Number
+    unit: str
+    status: Literal["proved", "found", "infeasible", "undecided", "unlimited"]
+    witness: Witness | None
+    assumptions: list[str]
+    looks: int
+    seconds: float
+    plan_sha256: str
+    version: str
+
+
+class Finding(Sent):
+    """Something that a walk must not do, or that could not be decided."""
+
+    code: str
+    text: str
+    time: Number
+    benches: list[int]
+    value: Number
+    limit: Number
+
+
+class Verdict(Sent):
+    """Whether a walk is safe, in one sentence and in full.
+
+    Attributes:
+        safe: whether nothing was found.
+        decided: whether no open question could change `safe`.
+        proved: whether what is said of contact was proved.
+        sentence: the verdict for readers.
+        start: of the walk, s.
+        end: of the walk, s.
+        seconds: how long it took.
+    """
+
+    safe: bool
+    decided: bool
+    proved: bool
+    sentence: str
+    start: Number
+    end: Number
+    first_contact: Answer | None
+    clearance: Answer
+    greatest_speed: Answer
+    findings: list[Finding]
+    seconds: float
+    plan_sha256: str
+    version: str
+
+
+class OpenedPlan(Sent):
+    """A plan file, read: every key, those left out as by default."""
+
+    plan: SentPlan
+
+
+class TurnFound(Sent):
+    """The best turn found, and the plan with it: see `best_turn.BestTurn`."""
+
+    plan: SentPlan
+    objective: Answer
+    length: Number
+    way: Number
+    least_radius: Number
+    head_speed: Answer | None
+    clearance: Answer
+    active: list[str]
+
+
+class PaceFound(Sent):
+    """The plan walked at its own head speed, slowed down only where a limit wants it."""
+
+    plan: SentPlan
+    steady: Answer
+    seconds: Number
+    saved: Number
+
+
+class PitchFor(Sent):
+    """The pitch, m, at which benches touch with at most that chance, with 95 % confidence."""
+
+    risk: float
+    pitch: Number
+
+
+class MarginsFound(Sent):
+    """What imprecise dances need: see `imprecision.Margins`; chance at the plan's own pitch."""
+
+    draws: int
+    exact: Number
+    pitch: float
+    chance: float
+    chance_lower: float
+    chance_upper: float
+    pitch_for: list[PitchFor]
+
+
+Result = Verdict | TurnFound | PaceFound | MarginsFound | Answer
+
+
+class JobStarted(Sent):
+    """A long question that was taken on."""
+
+    id: str
+
+
+class JobState(Sent):
+    """How a long question stands.
+
+    Attributes:
+        share: of the work, 0 to 1, as far as can be told.
+        text: what is being done.
+        result: once it is done.
+        error: why there is none, if it failed.
+    """
+
+    id: str
+    question: Question
+    state: Literal["waiting", "running", "done", "failed", "cancelled"]
+    share: float
+    text: str
+    result: Result | None = None
+    error: str | None = None
+
+
+class Figure(Sent):
+    """One figure of a preset: its key in the plan, and where it comes from."""
+
+    key: str
+    status: Literal["measured", "reported", "derived", "assumed"]
+
+
+class Preset(Sent):
+    """A dance to begin with."""
+
+    name: str
+    title: Words
+    source: Words
+    figures: list[Figure]
+    plan: SentPlan
+
+
+class Lane(Sent):
+    """Workers of one kind of question."""
+
+    workers: int
+    ready: int
+    busy: int
+    waiting: int
+
+
+class Health(Sent):
+    """How the studio stands."""
+
+    status: Literal["ok"]
+    version: str
+    workers: dict[str, Lane]
+
+
+class Sizes(Sent):
     """Sizes of every bench, m, bench 1 first."""
 
     length: list[float]
@@ -30,7 +310,7 @@ class Sizes(Wire):
     rear_inset: list[float]
 
 
-class Stretch(Wire):
+class Stretch(Sent):
     """Nodes of a stretch of the route, evenly spaced: the next stretch begins where this ends."""
 
     start: float
@@ -38,7 +318,7 @@ class Stretch(Wire):
     nodes: int
 
 
-class Course(Wire):
+class Course(Sent):
     """The route as cubics between nodes.
 
     `packed` holds x, y (m, from `origin`) and heading (rad) of every node as float32, x of all nodes
@@ -50,7 +330,7 @@ class Course(Wire):
     packed: str
 
 
-class Frames(Wire):
+class Frames(Sent):
     """Route positions and speeds of all handles at evenly spaced times, packed.
 
     Handle by handle; see `frames.packed_frames`. Between them both are interpolated by cubics, and no
@@ -65,16 +345,16 @@ class Frames(Wire):
     largest_error: float
 
 
-class Occasion(Wire):
+class Occasion(Sent):
     """Something that happens at a time; `benches` are numbers from 1."""
 
     kind: Literal["contact", "tightest", "fastest", "joint", "end"]
     time: float
-    text: Texts
+    text: Words
     benches: list[int]
 
 
-class Nearest(Wire):
+class Nearest(Sent):
     """When each bench comes nearest to one that is not its neighbour, as far as looked at.
 
     Distance, m (minus the depth of an overlap), time, s, and number of the other bench; 0 where it
@@ -87,7 +367,7 @@ class Nearest(Wire):
     other: list[int]
 
 
-class Tightness(Wire):
+class Tightness(Sent):
     """Distance of the tightest pair, m, at evenly spaced times; capped at `Nearest.reach`."""
 
     start: float
@@ -95,20 +375,20 @@ class Tightness(Wire):
     distance: list[float]
 
 
-class Ruling(Wire):
+class Ruling(Sent):
     """Whether a walk is safe, in one sentence; `decided` is false where that is open."""
 
     safe: bool
     decided: bool
-    text: Texts
+    text: Words
 
 
-class Dance(Wire):
+class Dance(Sent):
     """A whole dance, as a player shows it."""
 
     version: str
     plan_sha256: str
-    title: Texts
+    title: Words
     benches: Sizes
     disc: float | None
     centre: tuple[float, float]

@@ -1,0 +1,196 @@
+// The plan as controls: a slider and a number for each size.
+
+import { choice, make } from "./elements.js";
+import { _, language } from "./words.js";
+
+/** @typedef {import("./wire").Preset} Preset */
+/**
+ * A plan as plain data; values stand under dotted names.
+ * @typedef {Record<string, any>} Plan
+ */
+
+/**
+ * A number of the plan.
+ * @typedef {object} Field
+ * @property {string} key
+ * @property {() => string} text
+ * @property {string} unit
+ * @property {number} low of the slider; the number may lie beyond
+ * @property {number} high
+ * @property {number} step
+ * @property {number} [begin] what it begins with where the plan leaves it open; without it, it may not
+ * @property {(plan: Plan) => boolean} [when] whether it says anything
+ */
+
+/** @param {Plan} plan */
+const sized = (plan) => !plan.dragon.bench?.length;
+/** @param {Plan} plan */
+const spiral = (plan) => plan.route.kind !== "parts";
+/** @param {Plan} plan */
+const turning = (plan) => plan.route.kind === "turn";
+/** @param {Plan} plan */
+const twoArcs = (plan) => turning(plan) && plan.turn.family === "arc-arc";
+/** @param {Plan} plan */
+const threePieces = (plan) => turning(plan) && plan.turn.family !== "arc-arc";
+
+/** @type {{name: () => string, fields: Field[], when?: (plan: Plan) => boolean}[]} */
+const GROUPS = [
+  {
+    name: () => _("Dragon"),
+    fields: [
+      { key: "dragon.benches", text: () => _("benches"), unit: "", low: 2, high: 400, step: 1, when: sized },
+      { key: "dragon.head_length", text: () => _("length of the head"), unit: "m", low: 0.8, high: 5, step: 0.01, when: sized },
+      { key: "dragon.body_length", text: () => _("length of a bench"), unit: "m", low: 0.8, high: 4, step: 0.01, when: sized },
+      { key: "dragon.width", text: () => _("width of a bench"), unit: "m", low: 0.1, high: 0.8, step: 0.01, when: sized },
+    ],
+  },
+  {
+    name: () => _("Route"),
+    fields: [
+      { key: "route.pitch", text: () => _("spiral pitch"), unit: "m", low: 0.3, high: 3, step: 0.002, when: spiral },
+      { key: "route.start_turn", text: () => _("turns at the start"), unit: "", low: 4, high: 30, step: 0.25, when: (plan) => plan.route.kind === "spiral-in" },
+      { key: "disc.radius", text: () => _("radius of the turning disc"), unit: "m", low: 1, high: 10, step: 0.05, begin: 4.5, when: spiral },
+    ],
+  },
+  {
+    name: () => _("Turn"),
+    when: turning,
+    fields: [
+      { key: "turn.ratio", text: () => _("ratio of the radii"), unit: "", low: 0.5, high: 4, step: 0.01, when: twoArcs },
+      { key: "turn.radii.0", text: () => _("first radius"), unit: "m", low: 1, high: 5, step: 0.01, begin: 2, when: threePieces },
+      { key: "turn.radii.1", text: () => _("last radius"), unit: "m", low: 1, high: 5, step: 0.01, begin: 2, when: threePieces },
+      { key: "turn.curvature", text: () => _("curvature of the middle arc"), unit: "1/m", low: -0.5, high: 0.5, step: 0.005, when: (plan) => plan.turn.family === "arc-arc-arc" },
+      { key: "turn.entry_radius", text: () => _("leaves the spiral at radius"), unit: "m", low: 1, high: 10, step: 0.01, begin: 4.5 },
+      { key: "turn.exit_radius", text: () => _("joins the other at radius"), unit: "m", low: 1, high: 10, step: 0.01, begin: 4.5 },
+      { key: "turn.ease", text: () => _("clothoids between"), unit: "m", low: 0, high: 2, step: 0.01 },
+    ],
+  },
+  {
+    name: () => _("Walk and limits"),
+    fields: [
+      { key: "walk.speed", text: () => _("head speed"), unit: "m/s", low: 0.1, high: 3, step: 0.01, when: (plan) => !plan.walk.profile?.length },
+      { key: "limits.margin", text: () => _("room to keep between benches"), unit: "m", low: 0, high: 0.5, step: 0.005 },
+      { key: "limits.speed", text: () => _("greatest speed of a handle"), unit: "m/s", low: 0.2, high: 4, step: 0.05, begin: 2 },
+    ],
+  },
+];
+
+/** A plan as text for the page's address. @param {Plan} plan */
+export function planText(plan) {
+  const bytes = new TextEncoder().encode(JSON.stringify(plan, (_key, value) => value ?? undefined));
+  return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join("")).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+}
+
+const TABLES = ["dragon", "route", "disc", "turn", "walk", "limits"];
+
+/** The plan in such a text; null if it holds none. @param {string} text @returns {Plan | null} */
+export function textPlan(text) {
+  try {
+    const bytes = Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (sign) => sign.charCodeAt(0));
+    const plan = JSON.parse(new TextDecoder().decode(bytes));
+    return TABLES.every((name) => plan[name] instanceof Object) ? plan : null;
+  } catch (error) {
+    if (error instanceof SyntaxError || error instanceof DOMException || error instanceof TypeError) return null;
+    throw error;
+  }
+}
+
+
+/** What a key stands for in a plan; undefined where it does not say. @param {Plan} plan @param {string} key */
+export function valueOf(plan, key) {
+  return key.split(".").reduce((/** @type {any} */ at, name) => at?.[name], plan);
+}
+
+/** The plan with another value under a key. @param {Plan} plan @param {string} key @param {unknown} value @returns {Plan} */
+export function withValue(plan, key, value) {
+  const copy = structuredClone(plan);
+  const [table, name, place] = key.split(".");
+  copy[table] ??= {};
+  if (place === undefined) copy[table][name] = value;
+  else if (value === null) copy[table][name] = null;
+  else {
+    const pair = copy[table][name] ?? [value, value];
+    pair[Number(place)] = value;
+    copy[table][name] = pair;
+  }
+  if (key === "dragon.body_length" && copy.dragon.tail_length === plan.dragon.body_length) copy.dragon.tail_length = value;
+  return copy;
+}
+
+/** One number: a slider, a box, and where the plan may leave it open a tick. */
+class NumberControl {
+  /** @param {Field} field @param {(key: string, value: number | null, final: boolean) => void} changed */
+  constructor(field, changed) {
+    this.field = field;
+    const name = field.text();
+    const told = (/** @type {boolean} */ final) => (/** @type {Event} */ event) => {
+      const input = /** @type {HTMLInputElement} */ (event.target);
+      if (!Number.isFinite(input.valueAsNumber)) return;
+      changed(field.key, input.valueAsNumber, final);
+    };
+    const limits = { min: String(field.low), max: String(field.high), step: String(field.step) };
+    this.slider = make("input", { type: "range", ...limits, "aria-label": name, oninput: told(false), onchange: told(true) });
+    this.box = make("input", { type: "number", step: "any", "aria-label": name, onchange: told(true) });
+    this.open = field.begin !== undefined && make("input", {
+      type: "checkbox", "aria-label": _("set {name}", { name }),
+      onchange: () => changed(field.key, this.open && this.open.checked ? (field.begin ?? 0) : null, true),
+    });
+    const label = make("span", { class: "name" }, ...(this.open ? [this.open] : []), name);
+    this.element = make("div", { class: "field" }, label, this.slider, make("span", { class: "box" }, this.box, make("span", { class: "unit" }, field.unit)));
+  }
+
+  /** @param {Plan} plan */
+  show(plan) {
+    const value = valueOf(plan, this.field.key);
+    const given = typeof value === "number";
+    this.element.hidden = this.field.when ? !this.field.when(plan) : false;
+    if (this.open) this.open.checked = given;
+    for (const input of [this.slider, this.box]) {
+      input.disabled = !given;
+      if (given && input.valueAsNumber !== value) input.value = String(Number(value.toFixed(9)));
+      if (!given && input === this.box) input.value = "";
+    }
+  }
+}
+
+export class PlanForm {
+  /**
+   * @param {Preset[]} presets
+   * @param {(plan: Plan, final: boolean) => void} changed
+   */
+  constructor(presets, changed) {
+    this.presets = presets;
+    this.changed = changed;
+    /** @type {Plan} */
+    this.plan = {};
+    const told = (/** @type {string} */ key, /** @type {unknown} */ value, /** @type {boolean} */ final) => changed(withValue(this.plan, key, value), final);
+    this.controls = GROUPS.map((group) => group.fields.map((field) => new NumberControl(field, told)));
+    this.preset = choice(_("preset"), [["", _("choose one")], ...presets.map(({ name, title }) => /** @type {[string, string]} */ ([name, title[language()]]))], "", (name) => this.#take(name));
+    this.source = make("p", { class: "source" });
+    this.family = choice(_("kind of turn"), [["arc-arc", _("two arcs")], ["arc-line-arc", _("arc, line, arc")], ["arc-arc-arc", _("three arcs")]], "arc-arc", (family) => told("turn.family", family, true));
+    this.parts = make("p", { class: "source" }, _("The route of this plan is a list of parts: change it in the plan file."));
+    this.groups = GROUPS.map((group, n) => make("fieldset", {}, make("legend", {}, group.name()), ...(n === 2 ? [make("label", { class: "field" }, make("span", { class: "name" }, _("kind of turn")), this.family)] : []), ...(n === 1 ? [this.parts] : []), ...this.controls[n].map(({ element }) => element)));
+    this.element = make("form", { class: "form", onsubmit: (event) => event.preventDefault() }, make("label", { class: "field" }, make("span", { class: "name" }, _("begin with")), this.preset), this.source, ...this.groups);
+  }
+
+  /** Take the plan of a preset. @param {string} name */
+  #take(name) {
+    const found = this.presets.find((preset) => preset.name === name);
+    if (found) this.changed(structuredClone(/** @type {Plan} */ (found.plan)), true);
+  }
+
+  /** @param {Plan} plan */
+  show(plan) {
+    this.plan = plan;
+    const same = this.presets.find((preset) => planText(preset.plan) === planText(plan));
+    this.preset.value = same?.name ?? "";
+    if (same) this.source.textContent = same.source[language()];
+    this.source.hidden = !same;
+    this.parts.hidden = plan.route.kind !== "parts";
+    this.family.value = plan.turn?.family ?? "arc-arc";
+    GROUPS.forEach((group, n) => {
+      this.groups[n].hidden = group.when ? !group.when(plan) : false;
+      for (const control of this.controls[n]) control.show(plan);
+    });
+  }
+}

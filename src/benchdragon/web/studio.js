@@ -1,0 +1,276 @@
+// The studio: a plan as controls, its verdict as it changes, the player, long questions, files.
+
+import { Refusal, Standing, asked } from "./asking.js";
+import { make } from "./elements.js";
+import { evidenceDialog, statusText, valueText } from "./evidence.js";
+import { JobList, questionText } from "./jobs.js";
+import { planText, PlanForm, textPlan } from "./plan_form.js";
+import { Player } from "./player.js";
+import { unpackedScene } from "./scene.js";
+import { _, language, speak, useWords } from "./words.js";
+
+/** @typedef {import("./wire").Answer} Answer */
+/** @typedef {import("./wire").Dance} Dance */
+/** @typedef {import("./wire").Preset} Preset */
+/** @typedef {import("./wire").Verdict} Verdict */
+/** @typedef {import("./plan_form.js").Plan} Plan */
+
+/** A change rests for so long before the dance is drawn anew, ms. */
+const REST = 180;
+const MOST_STEPS_BACK = 200;
+const FIRST = "spiral-in";
+const QUESTIONS = /** @type {const} */ (["turn", "prove", "speed", "pace", "margins"]);
+const FILES = ["player.html", "motion.xlsx", "motion.csv", "motion.npz", "check.xlsx", "png", "svg", "pdf"];
+
+class Studio {
+  /** @param {Preset[]} presets @param {Plan} plan */
+  constructor(presets, plan) {
+    this.presets = presets;
+    /** @type {Plan[]} */
+    this.past = [];
+    /** @type {Plan[]} */
+    this.future = [];
+    this.plan = plan;
+    this.settled = plan;
+    this.first = plan;
+    /** @type {Verdict | null} */
+    this.verdict = null;
+    /** @type {Answer | null} */
+    this.pitch = null;
+    /** @type {Player | null} */
+    this.player = null;
+    this.rest = 0;
+    this.jobs = new JobList((found) => this.change(found, true));
+    this.verdicts = new Standing((signal) => this.#answer("/api/verdict", signal), (found) => this.#judged(found), (error) => this.#refused(error));
+    this.pitches = new Standing((signal) => this.#answer("/api/limit/pitch", signal), (found) => this.#limited(found), (error) => this.#unlimited(error));
+    this.dances = new Standing((signal) => this.#answer("/api/dance", signal), (found) => this.#danced(found), (error) => this.#refused(error));
+    this.root = /** @type {HTMLElement} */ (document.getElementById("studio"));
+    this.stage = make("main", { id: "player", class: "player" });
+    this.#build();
+    addEventListener("keydown", (event) => this.#key(event));
+    this.#ask();
+  }
+
+  /** @param {string} path @param {AbortSignal} signal */
+  async #answer(path, signal) {
+    return (await asked(path, { plan: this.plan }, { signal })).json();
+  }
+
+  /** Build the page, in the language in use. */
+  #build() {
+    document.title = _("Bench dragon studio");
+    this.line = make("button", { type: "button", class: "verdict", "aria-live": "polite", title: _("show the evidence"), onclick: () => this.#evidence() }, _("looking ..."));
+    this.limitLine = make("output", { class: "limit" });
+    this.form = new PlanForm(this.presets, (plan, final) => this.change(plan, final));
+    this.undoButton = make("button", { type: "button", onclick: () => this.undo() }, _("undo"));
+    this.redoButton = make("button", { type: "button", onclick: () => this.redo() }, _("redo"));
+    const reset = make("button", { type: "button", onclick: () => this.change(structuredClone(this.first), true) }, _("reset"));
+    const steps = make("div", { class: "row" }, this.undoButton, this.redoButton, reset);
+    const panel = make("section", { class: "panel", "aria-label": _("plan") }, steps, this.form.element, this.#long(), this.#files());
+    this.root.replaceChildren(make("header", { class: "verdicts" }, this.line, this.limitLine), panel, this.stage);
+    this.#shown();
+  }
+
+  /** Long questions. */
+  #long() {
+    const buttons = QUESTIONS.map((question) => make("button", { type: "button", "data-question": question, onclick: () => this.jobs.start(question, this.plan) }, questionText(question)));
+    this.turnButton = buttons[0];
+    return make("fieldset", {}, make("legend", {}, _("Long questions")), make("div", { class: "row" }, ...buttons), this.jobs.element);
+  }
+
+  /** Files in and out. */
+  #files() {
+    const file = make("input", { type: "file", accept: ".toml", hidden: true, onchange: () => this.#open(file) });
+    const open = make("button", { type: "button", onclick: () => file.click() }, _("open a plan file"));
+    const save = make("button", { type: "button", onclick: () => this.#download("/api/toml", {}) }, _("save the plan file"));
+    const names = { "player.html": _("player (a page)"), "motion.xlsx": _("places, spreadsheet"), "motion.csv": _("places, CSV"), "motion.npz": _("places, NumPy"), "check.xlsx": _("moment of contact, spreadsheet"), png: _("pictures, PNG"), svg: _("pictures, SVG"), pdf: _("pictures, PDF") };
+    const kinds = make("select", { "aria-label": _("file to export") }, ...FILES.map((kind) => make("option", { value: kind }, names[/** @type {keyof typeof names} */ (kind)])));
+    const get = make("button", { type: "button", onclick: () => this.#download(`/api/export/${kinds.value}`, { lang: language() }) }, _("export"));
+    this.fileLine = make("output", { class: "told" });
+    return make("fieldset", {}, make("legend", {}, _("Files")), make("div", { class: "row" }, file, open, save), make("div", { class: "row" }, kinds, get), this.fileLine);
+  }
+
+  /** @param {HTMLInputElement} input */
+  async #open(input) {
+    const file = input.files?.[0];
+    input.value = "";
+    if (!file) return;
+    await this.#tried(async () => {
+      const { plan } = await (await asked("/api/plan", { toml: await file.text() })).json();
+      this.change(plan, true);
+      return file.name;
+    });
+  }
+
+  /** @param {string} path @param {object} more */
+  async #download(path, more) {
+    await this.#tried(async () => {
+      const response = await asked(path, { plan: this.plan, ...more });
+      const name = /filename="([^"]+)"/.exec(response.headers.get("Content-Disposition") ?? "")?.[1] ?? "benchdragon";
+      const url = URL.createObjectURL(await response.blob());
+      make("a", { href: url, download: name }).click();
+      setTimeout(() => URL.revokeObjectURL(url), 60_000);
+      return name;
+    });
+  }
+
+  /** Do something with files, and say how it went. @param {() => Promise<string>} action */
+  async #tried(action) {
+    const line = /** @type {HTMLElement} */ (this.fileLine);
+    line.textContent = _("working ...");
+    try {
+      line.textContent = await action();
+    } catch (error) {
+      if (!(error instanceof Error)) throw error;
+      line.textContent = error.message;
+    }
+  }
+
+  /** Another plan. @param {Plan} plan @param {boolean} final whether it is a step of its own */
+  change(plan, final) {
+    this.plan = plan;
+    if (final && JSON.stringify(plan) !== JSON.stringify(this.settled)) {
+      this.past.push(this.settled);
+      if (this.past.length > MOST_STEPS_BACK) this.past.shift();
+      this.future = [];
+      this.settled = plan;
+    }
+    this.#shown();
+    this.#ask();
+  }
+
+  undo() {
+    const before = this.past.pop();
+    if (before) this.#step(before, this.future);
+  }
+
+  redo() {
+    const next = this.future.pop();
+    if (next) this.#step(next, this.past);
+  }
+
+  /** @param {Plan} plan @param {Plan[]} left */
+  #step(plan, left) {
+    left.push(this.settled);
+    this.settled = plan;
+    this.plan = plan;
+    this.#shown();
+    this.#ask();
+  }
+
+  /** Show the plan in the controls and in the address. */
+  #shown() {
+    this.form?.show(this.plan);
+    if (this.undoButton) this.undoButton.disabled = !this.past.length;
+    if (this.redoButton) this.redoButton.disabled = !this.future.length;
+    if (this.turnButton) this.turnButton.disabled = this.plan.route.kind !== "turn";
+    this.#remember();
+  }
+
+  #remember() {
+    const values = new URLSearchParams(location.hash.slice(1));
+    values.set("plan", planText(this.plan));
+    values.set("lang", language());
+    if (this.player) {
+      values.set("t", String(Number(this.player.time.toFixed(3))));
+      if (this.player.chosen >= 0) values.set("bench", String(this.player.chosen + 1));
+      else values.delete("bench");
+    }
+    history.replaceState(null, "", `#${values}`);
+  }
+
+  /** Ask all that follows from the plan. */
+  #ask() {
+    this.verdicts.renew();
+    if (this.plan.route.kind === "parts") this.#noLimit();
+    else this.pitches.renew();
+    clearTimeout(this.rest);
+    this.rest = setTimeout(() => this.dances.renew(), REST);
+  }
+
+  /** @param {Verdict} found */
+  #judged(found) {
+    this.verdict = found;
+    this.#say(found.decided ? (found.safe ? "safe" : "unsafe") : "open", found.sentence);
+  }
+
+  /** @param {Error} error */
+  #refused(error) {
+    this.verdict = null;
+    this.#say("open", error instanceof Refusal ? error.message : _("The studio does not answer: {error}", { error: error.message }));
+  }
+
+  /** @param {"safe" | "unsafe" | "open"} state @param {string} text */
+  #say(state, text) {
+    const line = /** @type {HTMLElement} */ (this.line);
+    const sign = { open: "?", safe: "\u2713", unsafe: "\u2716" }[state];
+    line.className = `verdict ${state}`;
+    line.replaceChildren(make("span", { "aria-hidden": "true" }, `${sign} `), text);
+  }
+
+  /** @param {Answer} found */
+  #limited(found) {
+    this.pitch = found;
+    const line = /** @type {HTMLElement} */ (this.limitLine);
+    line.textContent = _("smallest pitch: {value} ({how})", { value: valueText(found), how: statusText(found.status) });
+  }
+
+  /** @param {Error} error */
+  #unlimited(error) {
+    this.#noLimit();
+    /** @type {HTMLElement} */ (this.limitLine).textContent = error.message;
+  }
+
+  #noLimit() {
+    this.pitch = null;
+    /** @type {HTMLElement} */ (this.limitLine).textContent = "";
+  }
+
+  #evidence() {
+    if (!this.verdict) return;
+    const dialog = evidenceDialog(this.verdict, this.pitch, (time) => this.player?.jump(time));
+    this.root.append(dialog);
+    dialog.showModal();
+  }
+
+  /** @param {Dance} sent */
+  async #danced(sent) {
+    const scene = await unpackedScene({ ...sent, ruling: null });
+    if (this.player) return this.player.show(scene);
+    const player = new Player(this.stage, scene);
+    this.player = player;
+    const values = new URLSearchParams(location.hash.slice(1));
+    if (values.has("bench")) player.choose(Math.round(Number(values.get("bench"))) - 1);
+    if (values.has("t")) player.jump(Number(values.get("t")));
+    player.onSettled = () => this.#remember();
+    player.onTranslated = () => this.#translated();
+  }
+
+  #translated() {
+    this.#build();
+    this.#ask();
+  }
+
+  /** @param {KeyboardEvent} event */
+  #key(event) {
+    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
+    event.preventDefault();
+    if (event.shiftKey) this.redo();
+    else this.undo();
+  }
+}
+
+/** Begin with the plan of the address, or the first preset. */
+async function open() {
+  const values = new URLSearchParams(location.hash.slice(1));
+  speak((values.get("lang") ?? navigator.language).startsWith("zh") ? "zh" : "en");
+  useWords(await (await asked("/api/words", null)).json());
+  /** @type {Preset[]} */
+  const presets = await (await asked("/api/presets", null)).json();
+  const first = /** @type {Plan} */ (presets.find(({ name }) => name === FIRST)?.plan ?? presets[0].plan);
+  const text = values.get("plan");
+  const studio = new Studio(presets, (text && textPlan(text)) || first);
+  Object.assign(globalThis, { benchdragon: studio }); // for the browser's console
+}
+
+await open();
