@@ -37,6 +37,7 @@ from benchdragon.show import (
     print_table,
     progress,
 )
+from benchdragon.studio_verb import studio
 from benchdragon.verdicts import check, solve
 
 if TYPE_CHECKING:
@@ -211,7 +212,7 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     return _motion_table(walk, read, times, handles, options)
 
 
-for verb in (check, solve, margins, view):
+for verb in (check, solve, margins, view, studio):
     program.add_command(verb)
 
 

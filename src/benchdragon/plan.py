@@ -454,11 +454,11 @@ def checked(data: dict[str, Any], source: str) -> Plan:
     try:
         return Plan.model_validate(data)
     except ValidationError as error:
-        raise PlanError(f"{source}: {_sentence(error.errors()[0], data)}") from None
+        raise PlanError(f"{source}: {sentence(error.errors()[0], data)}") from None
 
 
-def _sentence(error: ErrorDetails, data: dict[str, Any]) -> str:
-    """One validation error in the language in use."""
+def sentence(error: ErrorDetails, data: dict[str, Any]) -> str:
+    """One validation error of `data` in the language in use."""
     path = [str(step) for step in error["loc"]]
     where = ".".join(step for i, step in enumerate(path) if not _is_tag(path, i, data))
     kind, context = error["type"], error.get("ctx", {})
@@ -482,6 +482,7 @@ def _sentence(error: ErrorDetails, data: dict[str, Any]) -> str:
         "bool_type": _("true or false"),
         "bool_parsing": _("true or false"),
         "string_type": _("text"),
+        "string_pattern_mismatch": _("text like {pattern}"),
         "list_type": _("a list"),
         "tuple_type": _("a list"),
         "literal_error": "{expected}",

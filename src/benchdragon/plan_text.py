@@ -58,7 +58,7 @@ def _parsed(path: Path, source: str) -> dict[str, Any]:
     try:
         if path.stat().st_size > MOST_BYTES:
             raise PlanError(_("{source} is too large for a plan").format(source=source))
-        return tomllib.loads(path.read_text(encoding="utf-8"))
+        text = path.read_text(encoding="utf-8")
     except FileNotFoundError:
         near = difflib.get_close_matches(source, built_in_names(), 1)
         hint = _("; did you mean {name}?").format(name=near[0]) if near else ""
@@ -70,10 +70,23 @@ def _parsed(path: Path, source: str) -> dict[str, Any]:
         ) from None
     except UnicodeDecodeError:
         raise PlanError(_("{source} is not UTF-8 text").format(source=source)) from None
-    except tomllib.TOMLDecodeError as error:
-        raise PlanError(_("{source} is not TOML: {error}").format(source=source, error=error)) from None
     except OSError as error:
         raise PlanError(f"{source}: {error.strerror}") from None
+    return parsed(text, source)
+
+
+def parsed(text: str, source: str) -> dict[str, Any]:
+    """The tables in the text of a plan file; `source` is named in errors.
+
+    Raises:
+        PlanError: for what is not TOML.
+    """
+    try:
+        return tomllib.loads(text)
+    except RecursionError:
+        raise PlanError(_("{source} is nested too deeply").format(source=source)) from None
+    except tomllib.TOMLDecodeError as error:
+        raise PlanError(_("{source} is not TOML: {error}").format(source=source, error=error)) from None
 
 
 def _lay_over(data: dict[str, Any], setting: str) -> None:

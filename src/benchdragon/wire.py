@@ -24,7 +24,9 @@ Spread = Annotated[Finite, Field(ge=0.0, le=1.0)]
 Number = Annotated[float | None, BeforeValidator(_finite_or_none)]
 LimitName = Literal["pitch", "disc", "width", "length"]
 Question = Literal["turn", "prove", "speed", "pace", "margins"]
-ExportName = Literal["motion.xlsx", "motion.csv", "motion.npz", "check.xlsx", "png", "svg", "pdf"]
+ExportName = Literal[
+    "player.html", "motion.xlsx", "motion.csv", "motion.npz", "check.xlsx", "png", "svg", "pdf"
+]
 
 
 def plan_data(plan: Plan) -> dict[str, Any]:

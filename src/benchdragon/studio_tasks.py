@@ -1,0 +1,379 @@
+"""What the studio's workers compute: a table from the name of a question to the function for it.
+
+A question is named by its kind, or kind/detail: "verdict", "limit/pitch", "export/png", "job/turn".
+"""
+
+import io
+import tempfile
+import time as clock
+import zipfile
+from collections.abc import Callable
+from dataclasses import dataclass, field, fields
+from functools import partial
+from pathlib import Path
+from typing import Any, get_args
+
+import numpy as np
+
+from benchdragon import __version__, answer, wire
+from benchdragon.best_turn import STAGES, Wish, best_turn
+from benchdragon.check import STEPS, Report, check, sentence
+from benchdragon.dance import Span, checked_dance
+from benchdragon.errors import InputError
+from benchdragon.imprecision import Slips, margins
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.messages import _, language
+from benchdragon.motion import Walk
+from benchdragon.pace import greatest_head_speed, slowed, with_pace
+from benchdragon.plan import Plan, checked, read_plan
+from benchdragon.plan_text import parsed
+from benchdragon.player import write_player
+from benchdragon.solve import limit
+from benchdragon.speeds import part_of
+from benchdragon.studio_settings import Settings, too_much
+from benchdragon.tables import WRITERS, Selection
+
+Advance = Callable[[float, str], None]
+
+# Chances of touching for which a pitch is told.
+RISKS = (0.5, 0.1, 0.05, 0.02)
+# Steps of an exported motion, s: the first that gives few enough places, times ten and so on.
+EXPORT_STEPS = (1.0, 2.0, 5.0)
+# Looks between two frames of a dance that may change at once again.
+FEW_LOOKS = (0.25, 0.5)
+MEDIA = {
+    "html": "text/html; charset=utf-8",
+    "xlsx": "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet",
+    "csv": "text/csv; charset=utf-8",
+    "npz": "application/octet-stream",
+    "toml": "application/toml",
+    "zip": "application/zip",
+}
+
+
+@dataclass(frozen=True)
+class Ask:
+    """A question put to a worker.
+
+    Attributes:
+        name: in TASKS.
+        language: of all sentences.
+        plan: what is asked about; None for "open".
+        text: of the plan file, for "open".
+        options: of a long question.
+        settings: of the studio, for its limits.
+    """
+
+    name: str
+    language: str
+    settings: Settings
+    plan: Plan | None = None
+    text: str = ""
+    options: wire.JobOptions = field(default_factory=wire.JobOptions)
+
+    @property
+    def whole(self) -> Plan:
+        """The plan of a question that has one."""
+        if self.plan is None:
+            raise AssertionError("only a plan file is asked about without a plan")
+        return self.plan
+
+
+@dataclass(frozen=True)
+class Made:
+    """What a worker made: bytes, their media type, and a file's name, if it is one."""
+
+    data: bytes
+    media: str = "application/json"
+    name: str | None = None
+
+
+def sent(found: wire.Sent) -> Made:
+    """An answer as JSON."""
+    return Made(found.model_dump_json(by_alias=True).encode())
+
+
+def answer_of(found: answer.Answer, plan: Plan) -> wire.Answer:
+    """An answer as it is sent."""
+    near = found.witness
+    seen = None if near is None else wire.Witness.model_validate(vars(near))
+    data = {field.name: getattr(found, field.name) for field in fields(found)}
+    about = {"witness": seen, "plan_sha256": plan.sha256, "version": __version__}
+    return wire.Answer.model_validate({**data, **about})
+
+
+def report_of(plan: Plan) -> Report:
+    """What a verdict is made of."""
+    return check(plan)
+
+
+def verdict_of(report: Report, seconds: float) -> wire.Verdict:
+    """A report as it is sent."""
+    plan, contact = report.plan, report.first_contact
+    return wire.Verdict(
+        safe=report.safe,
+        decided=report.decided,
+        proved=report.proved,
+        sentence=sentence(report),
+        start=report.start,
+        end=report.end,
+        first_contact=None if contact is None else answer_of(contact, plan),
+        clearance=answer_of(report.clearance, plan),
+        greatest_speed=answer_of(report.greatest_speed, plan),
+        findings=[wire.Finding.model_validate(finding.as_json()) for finding in report.findings],
+        seconds=seconds,
+        plan_sha256=plan.sha256,
+        version=__version__,
+    )
+
+
+def opened(ask: Ask, _advance: Advance) -> Made:
+    """The plan in the text of a plan file."""
+    data = parsed(ask.text, "plan")
+    check_depth(data, ask.settings.depth)
+    plan = checked(data, "plan")
+    check_plan(plan, ask.settings)
+    return sent(wire.OpenedPlan(plan=plan))
+
+
+def written(ask: Ask, _advance: Advance) -> Made:
+    """The plan as a plan file."""
+    return Made(ask.whole.toml().encode(), MEDIA["toml"], "dance.dragon.toml")
+
+
+def judged(ask: Ask, _advance: Advance) -> Made:
+    """Whether the walk is safe."""
+    began = clock.perf_counter()
+    report = report_of(ask.whole)
+    return sent(verdict_of(report, clock.perf_counter() - began))
+
+
+def danced(ask: Ask, advance: Advance) -> Made:
+    """The dance as the player shows it."""
+    report = report_of(ask.whole)
+    return sent(checked_dance(report, Span(report.start, report.end, looks=FEW_LOOKS), advance))
+
+
+def limited(name: str, ask: Ask, _advance: Advance) -> Made:
+    """How small or large one size may be."""
+    return sent(answer_of(limit(ask.whole, name), ask.whole))
+
+
+def check_depth(data: Any, most: int) -> None:
+    """Refuse data nested deeper than `most`.
+
+    Raises:
+        InputError: if it is.
+    """
+    level, depth = [data], 0
+    while level:
+        if depth > most:
+            raise InputError(_("wanted brackets at most {most} deep").format(most=most))
+        inner = (list(at.values()) if isinstance(at, dict) else at for at in level)
+        level = [one for values in inner for one in values if isinstance(one, dict | list)]
+        depth += 1
+
+
+def check_plan(plan: Plan, settings: Settings) -> None:
+    """Refuse a plan that asks for more than the studio bears.
+
+    Raises:
+        InputError: for the first thing that is too much.
+    """
+    limits = settings.plans
+    own = plan.dragon.bench
+    counts = {
+        _("benches"): (
+            sum(bench.count for bench in own) if own else plan.dragon.benches,
+            limits.benches,
+        ),
+        _("kinds of benches"): (len(own), limits.benches),
+        _("parts of a route"): (len(getattr(plan.route, "part", ())), limits.parts),
+        _("points of a profile"): (len(plan.walk.profile), limits.profile),
+    }
+    for wanted, (count, most) in counts.items():
+        if count > most:
+            raise too_much(wanted, most, count)
+    for number in _numbers(plan.model_dump(mode="python")):
+        if number and not limits.smallest <= abs(number) <= limits.largest:
+            raise InputError(
+                _("the studio takes numbers from {least} to {most}, and 0, not {number}").format(
+                    least=f"{limits.smallest:g}", most=f"{limits.largest:g}", number=f"{number:g}"
+                )
+            )
+
+
+def _numbers(data: Any) -> list[float]:
+    """All numbers in plain data."""
+    if isinstance(data, dict):
+        data = list(data.values())
+    if isinstance(data, list | tuple):
+        return [number for one in data for number in _numbers(one)]
+    return [float(data)] if isinstance(data, int | float) else []
+
+
+def export_times(plan: Plan, walk: Walk, places: int) -> FloatArray:
+    """Times, s, of an exported motion: all along the walk, as far as the dragon can walk on.
+
+    Raises:
+        WalkError: if it cannot stand at the start.
+    """
+    start, end = plan.span(walk)
+    most = max(2, places // (len(walk.dragon) + 1))
+    step, decade = 1.0, 1.0
+    while (end - start) / step + 1.0 > most:
+        larger = [size * decade for size in EXPORT_STEPS if size * decade > step]
+        decade *= 1.0 if larger else 10.0
+        step = larger[0] if larger else decade
+    times = np.append(np.arange(start, end, step), end)
+    failed = np.concatenate([motion.status for motion in walk.motions(times, throw=False)]) != 0
+    if failed[0]:
+        walk.motion(times[:1])
+    return times[: int(np.argmax(failed))] if failed.any() else times
+
+
+def exported(name: str, ask: Ask, advance: Advance) -> Made:
+    """A table or the pictures of a dance, as a file."""
+    plan = ask.whole
+    with tempfile.TemporaryDirectory() as folder:
+        if name in {"png", "svg", "pdf"}:
+            return Made(_pictures(plan, name, Path(folder), ask.settings), MEDIA["zip"], f"{name}.zip")
+        path = Path(folder) / name
+        if name == "player.html":
+            write_player(path, checked_dance(report_of(plan), advance=advance))
+        elif name == "check.xlsx":
+            from benchdragon.verdict_files import write_files
+
+            write_files(report_of(plan), [path])
+        else:
+            walk = plan.build()
+            times = export_times(plan, walk, ask.settings.places)
+            what = Selection(walk, times, range(len(walk.dragon) + 1))
+            WRITERS[path.suffix[1:]](path, what, lambda share: advance(share, name))
+        return Made(path.read_bytes(), MEDIA[path.suffix[1:]], name)
+
+
+def _pictures(plan: Plan, kind: str, folder: Path, settings: Settings) -> bytes:
+    """The pictures of a motion and of a check, zipped."""
+    from benchdragon.pictures import walk_pictures, write_picture  # only one lane draws
+    from benchdragon.verdict_files import write_files
+
+    walk, title = plan.build(), plan.title(language())
+    times = export_times(plan, walk, settings.places)
+    for name, figure in walk_pictures(walk, times, title, plan.disc.radius).items():
+        write_picture(figure, folder / f"{name}.{kind}", title, plan.sha256)
+    if len(walk.dragon) > 2:
+        write_files(report_of(plan), [folder / f"{name}.{kind}" for name in ("contact", "clearance")])
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as out:
+        for path in sorted(folder.iterdir()):
+            out.write(path, path.name)
+    return packed.getvalue()
+
+
+def _portion(advance: Advance, parts: int) -> Advance:
+    """Shares of a search that advances by `parts` in all."""
+    return lambda share, text: advance(share / parts, text)
+
+
+def best(ask: Ask, advance: Advance) -> Made:
+    """The best turn."""
+    options, plan = ask.options, ask.whole
+    wish = Wish(
+        options.objective,
+        options.least_radius,
+        options.longest or float("inf"),
+        options.longest_way or float("inf"),
+    )
+    found = best_turn(plan, wish, advance=_portion(advance, STAGES))
+    speed = found.head_speed
+    return sent(
+        wire.TurnFound(
+            plan=found.plan,
+            objective=answer_of(found.objective, plan),
+            length=found.length,
+            way=found.way,
+            least_radius=found.turn.least_radius,
+            head_speed=None if speed is None else answer_of(speed, plan),
+            clearance=answer_of(found.clearance, plan),
+            active=list(found.active),
+        )
+    )
+
+
+def proved(ask: Ask, advance: Advance) -> Made:
+    """Whether the walk is safe, proved."""
+    began = clock.perf_counter()
+    report = check(ask.whole, _portion(advance, STEPS), prove=True)
+    return sent(verdict_of(report, clock.perf_counter() - began))
+
+
+def head_speed(ask: Ask, advance: Advance) -> Made:
+    """How fast the head may walk."""
+    return sent(answer_of(greatest_head_speed(ask.whole, advance=advance), ask.whole))
+
+
+def paced(ask: Ask, advance: Advance) -> Made:
+    """A pace that slows down only where it must."""
+    plan = ask.whole
+    pace = slowed(plan, advance=advance)
+    steady = answer_of(pace.steady, plan)
+    slow = with_pace(plan, pace)
+    return sent(wire.PaceFound(plan=slow, steady=steady, seconds=pace.seconds, saved=pace.saved))
+
+
+def room_needed(ask: Ask, advance: Advance) -> Made:
+    """How much room imprecise people need."""
+    options, plan = ask.options, ask.whole
+    if options.draws > ask.settings.draws:
+        raise too_much(_("random dances"), ask.settings.draws, options.draws)
+    slips = Slips(**{field.name: getattr(options, field.name) for field in fields(Slips)})
+    tell = part_of(advance, _("random dances"))
+    done = 0.0
+
+    def count(share: float) -> None:
+        nonlocal done
+        done += share
+        tell(done)
+
+    found = margins(plan, slips, options.draws, seed=options.seed, advance=count)
+    pitch = plan.value("route.pitch")
+    chance, lower, upper = found.touching(pitch)
+    pitches = [wire.PitchFor(risk=risk, pitch=found.pitch_for(risk)) for risk in RISKS]
+    return sent(
+        wire.MarginsFound(
+            draws=options.draws, exact=found.exact, pitch=pitch, chance=chance, chance_lower=lower,
+            chance_upper=upper, pitch_for=pitches,
+        )
+    )  # fmt: skip
+
+
+TASKS: dict[str, Callable[[Ask, Advance], Made]] = {
+    "open": opened,
+    "toml": written,
+    "verdict": judged,
+    "dance": danced,
+    **{f"limit/{name}": partial(limited, name) for name in get_args(wire.LimitName)},
+    **{f"export/{name}": partial(exported, name) for name in get_args(wire.ExportName)},
+    "job/turn": best,
+    "job/prove": proved,
+    "job/speed": head_speed,
+    "job/pace": paced,
+    "job/margins": room_needed,
+}
+
+
+def warm(lane: str, settings: Settings) -> None:
+    """One dry answer of what a lane is asked most, so that the first asker need not wait."""
+    plan = read_plan("spiral-in", ["dragon.benches=40", "disc.radius=4.5", "route.start_turn=10"])
+    turn = read_plan("turn", ["dragon.benches=10", "walk.start=-5"])
+    names = {
+        "quick": ["verdict", "limit/pitch", "dance"],
+        "files": ["export/png"],
+        "jobs": ["job/speed"],
+    }[lane]
+    for name in names:
+        for one in (plan, turn):
+            if name == "job/speed" and one.limits.speed is None:
+                continue
+            TASKS[name](Ask(name, "en", settings, one), lambda _share, _text: None)

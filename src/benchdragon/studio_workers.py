@@ -1,0 +1,431 @@
+"""The studio's workers: processes that compute, a thread each that minds them, lanes of questions.
+
+A worker that is over its time or dies is replaced; whoever asked gets a `RefusedError`, a sentence. A
+worker ends by itself when the studio's end of its pipe is gone, however that came about.
+"""
+
+import atexit
+import logging
+import multiprocessing
+import os
+import queue
+import shutil
+import signal
+import tempfile
+import threading
+import time as clock
+import traceback
+import warnings
+from collections import deque
+from collections.abc import Iterator
+from concurrent.futures import Future, InvalidStateError
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, field
+from multiprocessing.connection import Connection
+from multiprocessing.process import BaseProcess
+from pathlib import Path
+
+from benchdragon.errors import BenchDragonError
+from benchdragon.messages import N_, _, spoken_in, use_language
+from benchdragon.studio_settings import Settings
+from benchdragon.studio_tasks import TASKS, Ask, Made, check_plan, warm
+
+LOG = logging.getLogger(__name__)
+# How often a busy worker's minder looks whether it is to stop, and an idle one's whether it lives, s.
+LOOK, IDLE_LOOK = 0.05, 1.0
+# Progress is told at most so often, s.
+TELL = 0.1
+# Seconds until a client that was turned away may come again.
+RETRY = 2
+
+SUPERSEDED = N_("a newer question of yours took this one's place")
+CROWDED = N_("too many questions are waiting: ask again in a moment")
+WITHDRAWN = N_("the question was withdrawn")
+CANCELLED = N_("cancelled")
+OVERDUE = N_("no answer within {seconds} s: ask for a smaller dance, or use the command line")
+DIED = N_("what computed the answer broke down, perhaps for want of memory; it was replaced")
+CLOSING = N_("the studio is closing")
+BROKEN = N_("something is wrong with the studio itself; its log says what")
+NO_WORKERS = N_("the studio's workers do not start; its log says why")
+ARITHMETIC = N_("the numbers of this plan are too large, or too small, to be reckoned with")
+
+
+class RefusedError(Exception):
+    """No answer: an HTTP status, and a sentence in the asker's language."""
+
+    def __init__(self, status: int, text: str, retry: int | None = None) -> None:
+        self.status, self.text, self.retry = status, text, retry
+        super().__init__(text)
+
+
+@dataclass(eq=False)
+class Work:
+    """A question on its way.
+
+    Attributes:
+        ask: what is asked.
+        client: who asks, as far as they say.
+        future: the answer, or a RefusedError.
+        share: of the work, 0 to 1, as far as told.
+        text: what is being done.
+        running: whether a worker has it.
+        stop: why it is to be stopped, if it is.
+    """
+
+    ask: Ask
+    client: str | None = None
+    future: Future[Made] = field(default_factory=Future)
+    share: float = 0.0
+    text: str = ""
+    running: bool = False
+    stop: tuple[int, str] | None = None
+
+    def refuse(self, status: int, text: str, retry: int | None = None, **values: object) -> None:
+        """Answer with a sentence, in the asker's language, if there is no answer yet."""
+        with spoken_in(self.ask.language):
+            refusal = RefusedError(status, _(text).format(**values), retry)
+        with suppress(InvalidStateError):  # who asked may have gone
+            self.future.set_exception(refusal)
+
+
+# --- in the worker's process
+
+
+def work(connection: Connection, lane: str, settings: Settings, folder: str) -> None:
+    """Answer what comes through the pipe, one after another, until it closes."""
+    for name in (signal.SIGINT, signal.SIGTERM):  # they are for the studio, which ends its workers
+        signal.signal(name, signal.SIG_IGN)
+    tempfile.tempdir = folder
+    warnings.simplefilter("ignore")
+    inbox: queue.SimpleQueue[Ask] = queue.SimpleQueue()
+    threading.Thread(target=_listen, args=(connection, inbox, folder), daemon=True).start()
+    warm(lane, settings)
+    _bound_memory(settings.memory)
+    connection.send(("ready", None, None))
+    while True:
+        outcome = _outcome(connection, inbox.get())
+        connection.send(outcome)
+
+
+def _listen(connection: Connection, inbox: "queue.SimpleQueue[Ask]", folder: str) -> None:
+    """Hand on what comes; when the studio is gone, go too, in the middle of whatever it is."""
+    try:
+        while True:
+            inbox.put(connection.recv())
+    except (EOFError, OSError):
+        shutil.rmtree(folder, ignore_errors=True)
+        os._exit(0)
+
+
+def _bound_memory(more: int) -> None:
+    """Let the process take so many bytes beyond what it has, where the system can see to that."""
+    try:
+        import resource  # not on every system
+
+        pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[5])
+        _soft, hard = resource.getrlimit(resource.RLIMIT_DATA)
+        resource.setrlimit(resource.RLIMIT_DATA, (pages * resource.getpagesize() + more, hard))
+    except (ImportError, ValueError, OSError):
+        LOG.debug("memory of workers stays unbounded here")
+
+
+def _outcome(connection: Connection, ask: Ask) -> tuple[str, object, object]:
+    """("made", Made, None), ("refused", status, sentence) or ("broken", traceback, None)."""
+    use_language(ask.language)
+    told = [0.0, 0.0]
+
+    def advance(share: float, text: str) -> None:
+        told[0] += share
+        if clock.monotonic() - told[1] >= TELL:
+            told[1] = clock.monotonic()
+            connection.send(("advance", min(told[0], 1.0), text))
+
+    try:
+        if ask.plan is not None:
+            check_plan(ask.plan, ask.settings)
+        return "made", TASKS[ask.name](ask, advance), None
+    except BenchDragonError as error:
+        return "refused", 422, str(error)
+    except (ArithmeticError, MemoryError):
+        LOG.info("not reckoned with", exc_info=True)
+        return "refused", 422, _(ARITHMETIC)
+    except Exception:
+        return "broken", traceback.format_exc(), None
+
+
+# --- in the studio's process
+
+
+@dataclass
+class Minded:
+    """A worker's process, and the studio's end of its pipe."""
+
+    process: BaseProcess
+    connection: Connection
+    folder: str
+
+    def end(self) -> None:
+        """End it now, whatever it does; its temporary files go too."""
+        self.process.kill()
+        self.process.join()
+        self.connection.close()
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+
+class Lane:
+    """Questions of one kind that wait for the workers of that kind."""
+
+    def __init__(self, name: str, count: int, room: int, settings: Settings, first: "First") -> None:
+        self.name, self.count, self.room, self.settings = name, count, room, settings
+        self.ready = 0
+        self._first = first
+        self._waiting: deque[Work] = deque()
+        self._running: set[Work] = set()
+        self._changed = threading.Condition()
+        self._closing = self._broken = False
+        self._minders = [
+            threading.Thread(target=self._mind, name=f"{name} {n}", daemon=True) for n in range(count)
+        ]
+
+    def start(self) -> None:
+        """Start the workers."""
+        for minder in self._minders:
+            minder.start()
+
+    @property
+    def waiting(self) -> int:
+        """How many questions wait."""
+        return len(self._waiting)
+
+    @property
+    def busy(self) -> int:
+        """How many questions are being answered."""
+        return len(self._running)
+
+    def put(self, work: Work, *, newest: bool = True) -> None:
+        """Have a question wait; `newest`: instead of its client's older ones of the same name.
+
+        Raises:
+            RefusedError: if too many wait, or there is nobody to answer.
+        """
+        with self._changed, spoken_in(work.ask.language):
+            if self._closing:
+                raise RefusedError(503, _(CLOSING))
+            if self._broken:
+                raise RefusedError(503, _(NO_WORKERS))
+            if newest and work.client is not None:
+                for old in [old for old in self._waiting if _same(old, work)]:
+                    self._waiting.remove(old)
+                    old.refuse(409, SUPERSEDED)
+            if len(self._waiting) >= self.room:
+                raise RefusedError(429, _(CROWDED), RETRY)
+            self._waiting.append(work)
+            self._changed.notify()
+
+    def withdraw(self, work: Work, status: int = 409, text: str = WITHDRAWN) -> bool:
+        """Take back a question that still waits; whether it did."""
+        with self._changed:
+            if work not in self._waiting:
+                return False
+            self._waiting.remove(work)
+        work.refuse(status, text, RETRY)
+        return True
+
+    def stop(self, work: Work, status: int, text: str) -> None:
+        """Stop a question, waiting or running; the worker that has it is replaced."""
+        if not self.withdraw(work, status, text):
+            work.stop = status, text
+
+    def retire(self) -> None:
+        """Take no more questions, and tell those who wait."""
+        with self._changed:
+            self._closing = True
+            waiting = list(self._waiting)
+            self._waiting.clear()
+            self._changed.notify_all()
+        for work in waiting:
+            work.refuse(503, CLOSING)
+
+    def end(self) -> None:
+        """End all workers of a lane that has retired; those whose questions run are told."""
+        for work in list(self._running):
+            work.stop = 503, CLOSING
+        for minder in self._minders:
+            minder.join()
+
+    def _mind(self) -> None:
+        """Keep one worker at work."""
+        while not self._closing and not self._broken:
+            minded = self._spawned()
+            if minded is None:
+                continue
+            with self._changed:
+                self.ready += 1
+            while (work := self._next(minded)) is not None and self._fit(minded, work):
+                pass
+            with self._changed:
+                self.ready -= 1
+            minded.end()
+
+    def _next(self, minded: Minded) -> Work | None:
+        """The next question, marked as running; None once the lane closes or the worker is dead."""
+        with self._changed:
+            while not self._closing and minded.process.is_alive():
+                if self._waiting:
+                    work = self._waiting.popleft()
+                    if not work.future.set_running_or_notify_cancel():
+                        continue
+                    work.running = True
+                    self._running.add(work)
+                    return work
+                self._changed.wait(IDLE_LOOK)
+        return None
+
+    def _fit(self, minded: Minded, work: Work) -> bool:
+        """Have a worker answer; whether it can go on to the next question."""
+        try:
+            return self._answered(minded, work)
+        except (EOFError, OSError):
+            LOG.warning("a worker died over %s", work.ask.name)
+            work.refuse(503, DIED, RETRY)
+            return False
+        finally:
+            self._running.discard(work)
+
+    def _answered(self, minded: Minded, work: Work) -> bool:
+        seconds = self.settings.time_limit(work.ask.name)
+        until = clock.monotonic() + seconds
+        minded.connection.send(work.ask)
+        while True:
+            if work.stop is not None:
+                work.refuse(*work.stop)
+                return False
+            if clock.monotonic() > until:
+                work.refuse(504, OVERDUE, seconds=f"{seconds:g}")
+                return False
+            if not minded.connection.poll(LOOK):
+                continue
+            kind, one, two = minded.connection.recv()
+            if kind == "advance":
+                work.share, work.text = one, two
+            elif kind == "made":
+                work.future.set_result(one)
+                return True
+            elif kind == "refused":
+                work.future.set_exception(RefusedError(one, two))
+                return True
+            else:
+                LOG.error("%s failed:\n%s", work.ask.name, one)
+                work.refuse(500, BROKEN)
+                return True
+
+    def _spawned(self) -> Minded | None:
+        """A worker that is ready; None if the lane closes, or it died before."""
+        minded: Minded | None = None
+        with self._first.turn():
+            try:
+                while not self._closing:
+                    minded = minded or self._started()
+                    if minded.connection.poll(LOOK):
+                        minded.connection.recv()
+                        self._first.done(self.name)
+                        return minded
+            except (EOFError, OSError):
+                LOG.exception("a worker of the lane %s died before it was ready", self.name)
+                self._give_up_in_time()
+            if minded is not None:
+                minded.end()
+        return None
+
+    def _started(self) -> Minded:
+        context = multiprocessing.get_context("spawn")
+        ours, theirs = context.Pipe()
+        folder = tempfile.mkdtemp(prefix="benchdragon-studio-")
+        process = context.Process(
+            target=work, args=(theirs, self.name, self.settings, folder), daemon=True
+        )
+        process.start()
+        theirs.close()
+        return Minded(process, ours, folder)
+
+    def _give_up_in_time(self) -> None:
+        """Give the lane up when workers die again and again before they are ready."""
+        if self._first.failed(self.name) < self.settings.spawns:
+            return
+        with self._changed:
+            self._broken = True
+            waiting = list(self._waiting)
+            self._waiting.clear()
+        for work in waiting:
+            work.refuse(503, NO_WORKERS)
+
+
+def _same(old: Work, new: Work) -> bool:
+    return old.client == new.client and old.ask.name == new.ask.name
+
+
+class First:
+    """Lets one worker compile the kernels, and the others start once they can load them."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._warm = threading.Event()
+        self._failures: dict[str, int] = {}
+
+    @contextmanager
+    def turn(self) -> Iterator[None]:
+        """Where a worker may start: one by one until the first is ready, then any."""
+        while not self._warm.is_set():
+            if self._lock.acquire(timeout=LOOK):
+                try:
+                    if not self._warm.is_set():
+                        yield
+                        return
+                finally:
+                    self._lock.release()
+        yield
+
+    def done(self, lane: str) -> None:
+        """A worker of the lane is ready."""
+        self._failures[lane] = 0
+        self._warm.set()
+
+    def failed(self, lane: str) -> int:
+        """How many workers of the lane have died in a row, this one too."""
+        self._failures[lane] = self._failures.get(lane, 0) + 1
+        return self._failures[lane]
+
+
+class Pool:
+    """All lanes of a studio: quick answers, files, long questions."""
+
+    def __init__(self, settings: Settings) -> None:
+        first = First()
+        self.settings = settings
+        self.lanes = {
+            "quick": Lane("quick", settings.workers, settings.queue, settings, first),
+            "files": Lane("files", 1, settings.queue, settings, first),
+            "jobs": Lane("jobs", 1, settings.jobs, settings, first),
+        }
+
+    def start(self) -> None:
+        """Start all workers; none outlives this process, however it ends."""
+        atexit.register(self.close, 0.0)
+        for lane in self.lanes.values():
+            lane.start()
+
+    def lane(self, name: str) -> Lane:
+        """The lane for a question of that name."""
+        kind = name.partition("/")[0]
+        return self.lanes[{"export": "files", "job": "jobs"}.get(kind, "quick")]
+
+    def close(self, grace: float | None = None) -> None:
+        """End all workers, running questions after `grace` seconds; those who wait are told."""
+        until = clock.monotonic() + (self.settings.grace if grace is None else grace)
+        for lane in self.lanes.values():
+            lane.retire()
+        while any(lane.busy for lane in self.lanes.values()) and clock.monotonic() < until:
+            clock.sleep(LOOK)
+        for lane in self.lanes.values():
+            lane.end()
+        atexit.unregister(self.close)
