@@ -30,7 +30,8 @@ function whereText({ witness }) {
 /** @param {string} name @param {Answer | null} answer @param {(time: number) => void} jump */
 function row(name, answer, jump) {
   if (!answer) return make("tr", {}, make("th", { scope: "row" }, name), make("td", { colspan: "4" }, _("none")));
-  const bracket = answer.lower === null || answer.upper === null ? "\u2013" : `${answer.lower} \u2026 ${answer.upper}`;
+  const { lower, upper } = answer;
+  const bracket = lower === null || upper === null ? "\u2013" : make("span", {}, String(lower), make("br"), String(upper));
   const time = answer.witness?.time ?? null;
   const where = time === null ? whereText(answer) : make("button", { type: "button", onclick: () => jump(time) }, whereText(answer));
   return make("tr", {}, make("th", { scope: "row" }, name), ...[valueText(answer), bracket, statusText(answer.status), where].map((cell) => make("td", {}, cell)));
@@ -49,7 +50,7 @@ export function evidenceDialog(verdict, pitch, jump) {
     row(_("first contact"), verdict.first_contact, go),
     row(_("least clearance"), verdict.clearance, go),
     row(_("greatest speed of a handle"), verdict.greatest_speed, go),
-    ...(pitch ? [row(_("smallest pitch"), pitch, go)] : []),
+    ...(pitch && pitch.plan_sha256 === verdict.plan_sha256 ? [row(_("smallest pitch"), pitch, go)] : []),
   ];
   const dialog = make("dialog", { class: "evidence", "aria-label": _("evidence"), onclose: () => dialog.remove() },
     make("h2", {}, verdict.sentence),

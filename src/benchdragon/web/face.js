@@ -39,7 +39,8 @@ export class Face {
     this.ruleBox = tick(_("ruler: drag to measure"), player.ruling, (on) => player.rule(on));
     this.trailBox = tick(_("trails"), player.look.trails, (on) => player.see("trails", on));
     this.kinds = choice(_("colour by"), KINDS.map((kind) => [kind, kindName(kind)]), player.kind, (kind) => player.paintBy(/** @type {Kind} */ (kind)));
-    this.stage = make("div", { class: "stage" }, this.canvas, this.legend, this.#views());
+    this.lists = [this.#views(), this.#events()];
+    this.stage = make("div", { class: "stage" }, this.canvas, this.legend, this.lists[0]);
     const middle = make("div", { class: "middle" }, this.stage, this.card.element);
     this.elements = [this.#header(), middle, this.axis.element, this.#controls(), this.#footer(), this.spoken];
   }
@@ -83,7 +84,7 @@ export class Face {
       this.clock,
       choice(_("speed of play"), SPEEDS.map((speed) => [String(speed), `${speed}\u00d7`]), String(this.player.speed), (value) => { this.player.speed = Number(value); }),
       this.tight,
-      this.#events(),
+      this.lists[1],
     );
   }
 

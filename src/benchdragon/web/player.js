@@ -62,7 +62,14 @@ export class Player {
     this.boxes = new Boxes(scene);
     this.time = Math.min(Math.max(this.time, scene.start), scene.end);
     if (this.chosen >= scene.benches) this.chosen = -1;
+    this.#newFace();
+  }
+
+  /** Another face, whose lists are open where they were. */
+  #newFace() {
+    const open = this.face.lists.map((list) => list.open);
     this.face = new Face(this);
+    this.face.lists.forEach((list, n) => { list.open = open[n]; });
     this.#attach();
   }
 
@@ -113,8 +120,7 @@ export class Player {
 
   translate() {
     speak(language() === "zh" ? "en" : "zh");
-    this.face = new Face(this);
-    this.#attach();
+    this.#newFace();
     this.onTranslated?.();
   }
 

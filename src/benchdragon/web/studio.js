@@ -181,6 +181,7 @@ class Studio {
 
   /** Ask all that follows from the plan. */
   #ask() {
+    this.root.setAttribute("aria-busy", "true");
     this.verdicts.renew();
     if (this.plan.route.kind === "parts") this.#noLimit();
     else this.pitches.renew();
@@ -197,6 +198,7 @@ class Studio {
   /** @param {Error} error */
   #refused(error) {
     this.verdict = null;
+    this.root.setAttribute("aria-busy", "false");
     this.#say("open", error instanceof Refusal ? error.message : _("The studio does not answer: {error}", { error: error.message }));
   }
 
@@ -236,6 +238,7 @@ class Studio {
   /** @param {Dance} sent */
   async #danced(sent) {
     const scene = await unpackedScene({ ...sent, ruling: null });
+    this.root.setAttribute("aria-busy", "false");
     if (this.player) return this.player.show(scene);
     const player = new Player(this.stage, scene);
     this.player = player;
