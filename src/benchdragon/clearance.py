@@ -4,18 +4,20 @@ Neighbours share a handle and lie at different heights, so they overlap by const
 pair counts, from |i - j| = 2 on.
 """
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from benchdragon.dragon import Dragon
 from benchdragon.errors import InputError, WalkError, not_negative
 from benchdragon.kernels import box as kernel
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.status import Status
 from benchdragon.messages import N_, _
-from benchdragon.motion import Motion
+from benchdragon.motion import Motion, Walk
 
 CORNERS = (N_("front left"), N_("rear left"), N_("rear right"), N_("front right"))
 ENDS, FLANKS = (N_("front"), N_("rear")), (N_("left"), N_("right"))
@@ -23,6 +25,9 @@ ENDS, FLANKS = (N_("front"), N_("rear")), (N_("left"), N_("right"))
 MOST_PAIRS = 100_000
 # Distances that agree to so many decimals, m, count as equal when pairs are put in order.
 TIE = 12
+# Head positions at which a pair's distance is taken at once, and how often the range shrinks to the
+# neighbours of the least one, unless distances are level to so many m.
+SAMPLES, SHRINKS, LEVEL = 64, 8, 2e-15
 
 
 @dataclass(frozen=True)
@@ -164,6 +169,29 @@ def nearest_each(motion: Motion, reach: float = 1.0) -> tuple[FloatArray, IntArr
     for t in np.flatnonzero(motion.status == Status.OK).tolist():
         kernel.nearest_each(motion.walk.dragon.sizes, x, y, t, reach, distance, partner)
     return distance, partner + 1
+
+
+def low_point(
+    walk: Walk, i: int, j: int, low: float, high: float, shrinks: int = SHRINKS
+) -> tuple[float, float]:
+    """The least distance of benches i < j (rows, from 0) with the head between low and high, m; where.
+
+    It is looked for, not bounded; infinite where the dragon stands nowhere. Minus a depth inside.
+    """
+    dragon = Dragon.of_sizes(*(walk.dragon.sizes[n, : j + 1] for n in range(4)))
+    short = Walk(dragon, walk.route)
+    least, where = math.inf, 0.5 * (low + high)
+    for _shrink in range(shrinks if low < high else 0):
+        at = np.linspace(low, high, SAMPLES)
+        distance = pair_distances(short.motion(at, throw=False), i, j)
+        if np.isnan(distance).all():
+            break
+        n = int(np.nanargmin(distance))
+        least, where = min((least, where), (float(distance[n]), float(at[n])))
+        if np.nanmax(distance) - distance[n] <= LEVEL:
+            break
+        low, high = at[max(n - 1, 0)], at[min(n + 1, SAMPLES - 1)]
+    return least, where
 
 
 def clearances(motion: Motion, indices: Sequence[int] | None = None) -> FloatArray:

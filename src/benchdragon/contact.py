@@ -5,6 +5,7 @@ any speed. No bench is assumed clear because it was looked at: what is passed ov
 that holds in between (kernels/sweep.py, design/first_contact.py).
 """
 
+import collections
 import math
 import time as clock
 from collections.abc import Callable, Iterator, Sequence
@@ -14,10 +15,11 @@ import numpy as np
 import numpy.typing as npt
 
 from benchdragon.answer import Answer, Status, Witness
-from benchdragon.clearance import boxes, nearness, pairs_within, tightest_pairs
+from benchdragon.clearance import boxes, low_point, nearness, pairs_within, tightest_pairs
 from benchdragon.errors import InputError, UnsureError, in_order, not_negative
 from benchdragon.ground import Ground, Ledger, Step
 from benchdragon.kernels import search as kernel
+from benchdragon.kernels.box import nearest_pair
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import END_SLACK, IntArray
 from benchdragon.messages import _
@@ -38,7 +40,11 @@ FRAYED = 1e-5
 MOST_LOOKS = 200_000
 # Chains that a proof may log in one step: 30 MB for 223 benches.
 LOG = 4096
-# First guess of the least clearance, m, and what it is multiplied by until some pair comes nearer.
+# Head positions at which a first least clearance is looked for, in dragons of at most so many benches,
+# and how often the range about the least is then shrunk.
+SAMPLES, MOST_SAMPLED, SHRINKS = 128, 1000, 3
+# Longer dragons: first guess of the least clearance, m, and what it is multiplied by until some pair
+# comes nearer.
 FIRST_REACH, WIDER = 0.003, 6.0
 # Least clearances are bracketed to the last of these, m. The ones before only bring the least value
 # seen near enough for most steps to be passed over at once: 25,000 -> 2,000 looks for the contest's.
@@ -342,7 +348,6 @@ def least_clearance(
     end: float,
     *,
     within: float = math.inf,
-    reach: float = FIRST_REACH,
     tolerances: Sequence[float] = TOLERANCES,
     advance: Advance | None = None,
 ) -> Answer:
@@ -351,7 +356,6 @@ def least_clearance(
     0 where benches overlap; infinite for a dragon of one or two benches. The bracket is 1e-12 m wide;
     wider, 1e-8 or 1e-5 m, where benches keep one distance for a while, or `tolerances` ends earlier.
     Nothing beyond `within` metres is looked for: then that is the lower end, the upper is infinite.
-    `reach` is a first guess, m: a good one saves time.
 
     Raises:
         InputError: for an end before the start.
@@ -361,8 +365,10 @@ def least_clearance(
     hunt = _hunt(walk, start, end, 0.0, advance)
     if len(walk.dragon) < 3:
         return Answer(math.inf, math.inf, math.inf, "m", "found")
-    nearest = tightest_pairs(hunt.motion(hunt.start))[0]
-    best = Best(nearest.distance, hunt.start, (nearest.benches[0] - 1, nearest.benches[1] - 1))
+    best = _guess(hunt)
+    reach = best.distance if len(walk.dragon) <= MOST_SAMPLED else FIRST_REACH
+    if not best.distance:
+        collections.deque(hunt.steps(0.0), maxlen=0)  # whether the dragon can walk all the way
     while best.distance > 0.0:
         reach = min(reach, best.distance, within)
         steps = list(hunt.steps(reach))
@@ -387,6 +393,22 @@ class Best:
     where: float
     pair: tuple[int, int]
     floor: float = 0.0
+
+
+def _guess(hunt: Hunt) -> Best:
+    """A low distance, looked for here and there, so that what is farther need not be searched."""
+    dragon = hunt.walk.dragon
+    if len(dragon) > MOST_SAMPLED:
+        nearest = tightest_pairs(hunt.motion(hunt.start))[0]
+        return Best(
+            max(nearest.distance, 0.0), hunt.start, (nearest.benches[0] - 1, nearest.benches[1] - 1)
+        )
+    at = np.linspace(hunt.start, hunt.end, SAMPLES)
+    motion = hunt.motion(at)
+    distance, t, i, j = nearest_pair(dragon.sizes, motion.x.T, motion.y.T)
+    around = float(at[max(t - 1, 0)]), float(at[min(t + 1, SAMPLES - 1)])
+    distance, where = min((distance, float(at[t])), low_point(hunt.walk, i, j, *around, SHRINKS))
+    return Best(max(distance, 0.0), where, (i, j))
 
 
 def _lowered(hunt: Hunt, steps: Sequence[Step], best: Best, reach: float, tolerance: float) -> Best:

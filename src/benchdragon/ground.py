@@ -382,6 +382,9 @@ class Ground:
         partners = pairs[2, order] * cells + pairs[3, order]
         offsets = np.searchsorted(keys[order], np.arange(self.groups * cells + 1)).astype(np.int64)
         begin = max(start, (float(pairs[1].min()) + self.low * PARTS) * size - size)
+        if (self.group == self.group[0]).sum() == 1 and (pairs[0] == self.group[0]).all():
+            # Only the head is like itself, and only it meets any: until it has passed the last place.
+            end = min(end, (float(pairs[1].max()) + self.low * PARTS + 2.0) * size)
         if begin >= end:
             return
         grid = np.append(np.arange(begin, end, size), end)

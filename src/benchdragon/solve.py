@@ -13,9 +13,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from benchdragon.answer import Answer, Witness
-from benchdragon.clearance import pair_distances
+from benchdragon.clearance import low_point
 from benchdragon.contact import SLACK, Hunt, first_contact, least_clearance
-from benchdragon.dragon import Dragon
 from benchdragon.errors import InputError, UnsureError, WalkError
 from benchdragon.messages import N_, _
 from benchdragon.motion import Walk
@@ -29,9 +28,6 @@ Advance = Callable[[str], None]
 TOLERANCE = 1e-12
 # Sizes tried at most; the contest's pitch takes 4.
 MOST_TRIALS = 80
-# Head positions at which a pair's distance is taken at once, and how often the range shrinks to the
-# neighbours of the least one, unless distances are level to so many m.
-SAMPLES, SHRINKS, LEVEL = 64, 8, 2e-15
 # How often a bracket is doubled until it can be proved.
 MOST_WIDENINGS = 12
 # What a size is multiplied by, at most so often, until a walk passes; and how many times smaller (or
@@ -130,8 +126,8 @@ class Family:
     def tightest(self, size: float) -> Meeting | None:
         """About where which pair comes nearest in a walk that stays clear; None if none comes near."""
         walk, start, end = self.walk(size)
-        reach = self.margin + NEARBY
-        near = least_clearance(walk, start, end, within=reach, reach=reach, tolerances=(math.inf,))
+        within = self.margin + NEARBY
+        near = least_clearance(walk, start, end, within=within, tolerances=(math.inf,))
         return None if near.witness is None else _meeting(walk, end, near.witness)
 
     def low_point(self, size: float, meeting: Meeting) -> tuple[float, Meeting]:
@@ -147,12 +143,11 @@ class Family:
         first, last = walk.head_position([start, end]).tolist()
         dragon = walk.dragon
         near = 1.5 * float(max(dragon.links[meeting.i], dragon.links[meeting.j]))
-        short = Walk(Dragon.of_sizes(*(dragon.sizes[n, : meeting.j + 1] for n in range(4))), walk.route)
         centres = [meeting.s]
         if abs(last - meeting.left - meeting.s) > 0.1 * near:
             centres.append(last - meeting.left)
         least, where = min(
-            _lowest(short, meeting, max(first, centre - near), min(last, centre + near))
+            low_point(walk, meeting.i, meeting.j, max(first, centre - near), min(last, centre + near))
             for centre in centres
         )
         distance = least - self.margin if math.isfinite(least) else math.nan
@@ -162,22 +157,6 @@ class Family:
 def _meeting(walk: Walk, end: float, witness: Witness) -> Meeting:
     i, j = (number - 1 for number in witness.benches)
     return Meeting(witness.s, float(walk.head_position([end])[0]) - witness.s, i, j)
-
-
-def _lowest(walk: Walk, meeting: Meeting, low: float, high: float) -> tuple[float, float]:
-    """The least distance of a pair with the head between low and high, m, and where; inf if nowhere."""
-    least, where = math.inf, meeting.s
-    for _shrink in range(SHRINKS if low < high else 0):
-        at = np.linspace(low, high, SAMPLES)
-        distance = pair_distances(walk.motion(at, throw=False), meeting.i, meeting.j)
-        if np.isnan(distance).all():
-            break
-        n = int(np.nanargmin(distance))
-        least, where = min((least, where), (float(distance[n]), float(at[n])))
-        if np.nanmax(distance) - distance[n] <= LEVEL:
-            break
-        low, high = at[max(n - 1, 0)], at[min(n + 1, SAMPLES - 1)]
-    return least, where
 
 
 def root_near(family: Family, meeting: Meeting, size: float) -> tuple[float, float, Meeting] | None:

@@ -5,6 +5,7 @@ they are v, v^2 and v times what the route makes of a head at 1 m/s.
 """
 
 import math
+import sys
 import time as clock
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -13,7 +14,8 @@ import numpy as np
 
 from benchdragon.answer import Answer, Witness
 from benchdragon.errors import InputError, in_order
-from benchdragon.kernels import sweep
+from benchdragon.kernels import sieve, sweep
+from benchdragon.kernels.cells import EDGE
 from benchdragon.kernels.chain import rates
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
@@ -35,6 +37,9 @@ NOTHING = 1e-9
 # A ceiling may lie so much above what is seen at the ends of its step, relative, before that is halved,
 # and so often.
 LOOSE, MOST_HALVINGS = 1e-4, 10
+# Steps and cells of a sieve, as shares of the shortest link, and what one cell costs, in handles
+# bounded (design/sieve.py).
+SIEVE_STEPS, SIEVE_CELL, CELL_COST = (0.8, 0.2, 0.05), 0.05, 3.0
 # Handles times head positions at a time: 60 MB.
 PLACES = 1_000_000
 
@@ -180,25 +185,68 @@ class _Search:
             )
         self.walk, self.quantity, self.tolerance, self.profile = walk, quantity, tolerance, profile
         self.seen, self.where, self.row, self.upper, self.looks = -1.0, 0.0, 0, 0.0, 0
+        self._links = walk.dragon.links
         self._per = max(3, PLACES // (len(walk.dragon) + 1))
 
     def over(self, first: float, last: float, advance: Advance | None) -> Peak:
         """The greatest value with the head between first and last, m."""
-        for at, bounds, _ends in self.blocks(first, last):
-            self._search(at[:-1], at[1:], bounds)
-            if advance and last > first:
-                advance((float(at[-1]) - first) / (last - first))
+        for start, end, links in self._parts(first, last):
+            self._links = links
+            for at, bounds, _ends in self.blocks(start, end):
+                self._search(at[:-1], at[1:], bounds)
+                if advance and last > first:
+                    advance((float(at[-1]) - first) / (last - first))
+        if advance and last > first:
+            advance(1.0)
         return Peak(self.seen, max(self.upper, self.seen), self.where, self.row, self.looks)
+
+    def _parts(self, first: float, last: float) -> list[tuple[float, float, FloatArray]]:
+        """Where the greatest value may be: from head position to head position, m, on which links."""
+        parts = [(first, last, self.walk.dragon.links)]
+        if self.quantity.column == sweep.SPEED and sieve_pays(self.walk, last - first):
+            cells = _Sieve(self.walk, first, last)
+            for step in SIEVE_STEPS:
+                parts = [finer for part in parts for finer in self._open_parts(cells, *part[:2], step)]
+        return parts
+
+    def _open_parts(
+        self, cells: "_Sieve", first: float, last: float, step: float
+    ) -> Iterator[tuple[float, float, FloatArray]]:
+        """What a sieve lets through of a part of the walk, in steps of `step` shortest links."""
+        for at in self._grids(first, last, step):
+            handles = self._sifted(cells, at)
+            borders = np.flatnonzero(np.diff(np.concatenate([[0], handles > 0, [0]])))
+            for a, b in borders.reshape(-1, 2):
+                most = max(int(handles[a:b].max()) - 1, 1)
+                yield float(at[a]), float(at[b]), self.walk.dragon.links[:most]
+
+    def _grids(self, first: float, last: float, step: float) -> Iterator[FloatArray]:
+        """Head positions in steps of `step` shortest links, as many as fit the memory."""
+        count = max(1, math.ceil((last - first) / (step * float(self.walk.dragon.links.min()))))
+        grid = np.linspace(first, last, count + 1)
+        for n in range(0, count, self._per - 1):
+            yield grid[n : n + self._per]
+
+    def _sifted(self, cells: "_Sieve", at: FloatArray) -> IntArray:
+        """Handles from the head on that may exceed what is seen in each step; 0 where none does."""
+        motion = Walk(self.walk.dragon, self.walk.route).motion(at)
+        factors, most = np.ones(len(at)), np.ones(len(at) - 1)
+        if self.profile is not None:
+            factors = self._head_speeds(self.profile, at)
+            most = self._most_head_speeds(self.profile, at, np.arange(len(at) - 1), factors)
+        self.looks += len(at)
+        self._note(at, motion.speed_ratio.T, factors)
+        wanted = self.seen * max(1.0, (1.0 + self.tolerance) / sweep.ROUNDED_UP)
+        steps = cells.steps(motion.s.T, max(wanted, NOTHING) / np.maximum(most, sys.float_info.min))
+        self.upper = max(self.upper, sweep.ROUNDED_UP * float((steps[:, sieve.SETTLED] * most).max()))
+        return steps[:, sieve.OPEN].astype(np.int64)
 
     def blocks(self, first: float, last: float) -> Iterator[tuple[FloatArray, ...]]:
         """First steps, as many as fit the memory.
 
         Head positions, m; the most that is reached between each two; the greater at both of them.
         """
-        count = max(1, math.ceil((last - first) / (STEP * float(self.walk.dragon.links.min()))))
-        grid = np.linspace(first, last, count + 1)
-        for n in range(0, count, self._per - 1):
-            at = grid[n : n + self._per]
+        for at in self._grids(first, last, STEP):
             yield at, *self._bounds(at, np.arange(len(at) - 1))
 
     def ceilings(self, at: FloatArray, bounds: FloatArray, ends: FloatArray) -> FloatArray:
@@ -243,30 +291,35 @@ class _Search:
 
     def _bounds(self, at: FloatArray, slots: IntArray) -> tuple[FloatArray, FloatArray]:
         """The most that is reached from at[slots[n]] to the next, and at both; what is seen is kept."""
-        walk, rows = self.walk, self.walk.route.rows
-        places = sweep.empty_places(len(walk.dragon) + 1, len(at))
-        if not sweep.stand(rows, walk.dragon.links, at, 0, len(at), places):
-            Walk(walk.dragon, walk.route).motion(at)  # raises
+        rows, links = self.walk.route.rows, self._links
+        places = sweep.empty_places(len(links) + 1, len(at))
+        if not sweep.stand(rows, links, at, 0, len(at), places):
+            Walk(self.walk.dragon, self.walk.route).motion(at)  # raises
         self.looks += len(at)
         bounds = np.empty(len(slots))
-        sweep.ceilings(rows, walk.dragon.links, places, slots, self.quantity.column, bounds)
+        sweep.ceilings(rows, links, places, slots, self.quantity.column, bounds)
         values = self._values(places)
         factors = np.ones(len(at))
         if self.profile is not None:
             factors = self._head_speeds(self.profile, at)
             bounds *= self._most_head_speeds(self.profile, at, slots, factors)
-        greatest = values.max(axis=0) * factors
+        greatest = self._note(at, values, factors)
+        return bounds, np.maximum(greatest[slots], greatest[slots + 1])
+
+    def _note(self, at: FloatArray, values: FloatArray, factors: FloatArray) -> FloatArray:
+        """The greatest value at each head position, what is seen being kept."""
+        greatest: FloatArray = values.max(axis=0) * factors
         n = int(np.argmax(greatest))
         if greatest[n] > self.seen:
             self.seen, self.where = float(greatest[n]), float(at[n])
             self.row = int(np.argmax(values[:, n]))
-        return bounds, np.maximum(greatest[slots], greatest[slots + 1])
+        return greatest
 
     def _values(self, places: sweep.Places) -> FloatArray:
         """The quantity at each slot, (handles or benches, slots)."""
         if self.quantity.column == sweep.SPEED:
             return places.ratio
-        rows, links = self.walk.route.rows, self.walk.dragon.links
+        rows, links = self.walk.route.rows, self._links
         change, turn = np.empty(places.u.shape), np.empty((len(links), places.u.shape[1]))
         rates(
             rows, links, places.row, places.u, places.x, places.y, places.ratio, change, turn
@@ -293,3 +346,38 @@ class _Search:
         for s, speed in zip(knots.tolist(), profile.speeds, strict=True):
             most = np.where((a <= s) & (s <= b), np.maximum(most, speed), most)
         return most
+
+
+def sieve_pays(walk: Walk, way: float) -> bool:
+    """Whether a sieve costs less than a look along the whole `way` of the head, m."""
+    links = walk.dragon.links
+    cells = len(np.unique(links)) * (way + float(links.sum())) / SIEVE_CELL
+    return CELL_COST * cells < len(links) * way / STEP
+
+
+class _Sieve:
+    """The greatest speed ratios in cells of the route, for the benches of each link: see the kernel."""
+
+    def __init__(self, walk: Walk, first: float, last: float) -> None:
+        links, self._group = np.unique(walk.dragon.links, return_inverse=True)
+        s = Walk(walk.dragon, walk.route).motion([first, last]).s[:, :-1]
+        self._cell = SIEVE_CELL * float(links[0])
+        self._low = math.floor(s[0, -1] / self._cell)
+        count = math.floor(last / self._cell) + 1 - self._low
+        self._ratios = np.full((len(links), count), math.inf)
+        for g in range(len(links)):
+            members = np.flatnonzero(self._group == g)
+            back, ahead = (float(s[0, members[-1]]) - EDGE, float(s[1, members[0]]) + EDGE)
+            a = max(math.floor(back / self._cell) - self._low, 0)
+            b = min(math.floor(ahead / self._cell) + 1 - self._low, count)
+            borders = np.clip((np.arange(a, b + 1) + self._low) * self._cell, s[0, -1], last)
+            link = walk.dragon.links[members[0] : members[0] + 1]
+            places = sweep.empty_places(2, len(borders))
+            sweep.stand(walk.route.rows, link, borders, 0, len(borders), places)
+            sieve.cell_ratios(walk.route.rows, link, places, self._ratios[g, a:b])
+
+    def steps(self, s: FloatArray, limits: FloatArray) -> FloatArray:
+        """What they say of the steps between positions s, m, (handles, T), (T - 1, STEP_COLUMNS)."""
+        out = np.empty((len(limits), sieve.STEP_COLUMNS))
+        sieve.bound_steps(s, self._group, self._ratios, self._cell, self._low, limits, out)
+        return out

@@ -149,17 +149,17 @@ def distances_along(
 
 
 @kernel
-def least_distance(sizes: FloatArray, x: FloatArray, y: FloatArray) -> float:
-    """The least distance of any two benches but neighbours at any time, m; minus the depth inside.
+def nearest_pair(sizes: FloatArray, x: FloatArray, y: FloatArray) -> tuple[float, int, int, int]:
+    """The least distance of any two benches but neighbours at any time, m; which time and benches.
 
-    x and y are (handles, times). All pairs are looked at, but only those whose circles come nearer
-    than the least so far in full.
+    Minus the depth inside. x and y are (handles, times). All pairs are looked at, but only those
+    whose circles come nearer than the least so far in full.
     """
     count = sizes.shape[1]
     boxes = np.empty((count, BOX_COLUMNS))
     cx, cy, apart = np.empty(count), np.empty(count), np.empty(count)
     radius = 0.5 * np.sqrt(sizes[0] * sizes[0] + sizes[1] * sizes[1])
-    least = math.inf
+    least, when, first, second = math.inf, 0, 0, 0
     for t in range(x.shape[1]):
         boxes_at(sizes, x, y, t, boxes)
         cx[:], cy[:] = boxes[:, CX], boxes[:, CY]
@@ -170,8 +170,16 @@ def least_distance(sizes: FloatArray, x: FloatArray, y: FloatArray) -> float:
                 near = radius[i] + radius[j] + least
                 if apart[j] < near * near and near > 0.0:
                     if box_gap(boxes, i, j) < least:
-                        least = min(least, box_distance(boxes, i, j))
-    return least
+                        distance = box_distance(boxes, i, j)
+                        if distance < least:
+                            least, when, first, second = distance, t, j, i
+    return least, when, first, second
+
+
+@kernel
+def least_distance(sizes: FloatArray, x: FloatArray, y: FloatArray) -> float:
+    """The least distance alone, m: see nearest_pair."""
+    return nearest_pair(sizes, x, y)[0]
 
 
 @kernel
