@@ -122,31 +122,46 @@ def check(plan: Plan, advance: Advance | None = None, *, prove: bool = False) ->
     tell(0.0, _("looking for contact"))
     search = prove_contact if prove else first_contact
     contact = search(walk, start, end, margin=margin, advance=part_of(tell, _("contact")))
-    if contact is not None and contact.status == "undecided":
-        contact = _sure_contact(walk, start, end, margin) or contact
+    contact = sure_contact(walk, start, end, margin, contact)
     until = end if contact is None or contact.witness is None else contact.upper
-    clearance = _clearance(walk, start, until, contact, part_of(tell, _("clearance")))
+    clearance = touching(contact)
+    if clearance is None:
+        clearance = least_clearance(walk, start, until, advance=part_of(tell, _("clearance")))
     speed = greatest_speed(walk, start, until, advance=part_of(tell, _("greatest speed")))
-    findings = [
-        *_contact_findings(contact, margin),
-        *_speed_findings(speed, plan.limits.speed),
-        *_rate_findings(plan, walk, start, until),
-    ]
-    return Report(plan, start, end, contact, clearance, speed, tuple(findings), proved=prove)
+    findings = all_findings(plan, walk, (start, until), contact, speed)
+    return Report(plan, start, end, contact, clearance, speed, findings, proved=prove)
 
 
-def _sure_contact(walk: Walk, start: float, end: float, margin: float) -> Answer | None:
-    """The first contact that is none of the grazes before it, if there is one."""
+def sure_contact(
+    walk: Walk, start: float, end: float, margin: float, first: Answer | None
+) -> Answer | None:
+    """The first contact, or if that is a graze one that is none, if there is one."""
+    if first is None or first.status != "undecided":
+        return first
     windows = contact_windows(walk, start, end, margin=margin, most=MOST_GRAZES)
-    return next((window.opens for window in windows if window.opens.status == "found"), None)
+    return next((window.opens for window in windows if window.opens.status == "found"), first)
 
 
-def _clearance(
-    walk: Walk, start: float, until: float, contact: Answer | None, advance: Callable[[float], None]
-) -> Answer:
+def touching(contact: Answer | None) -> Answer | None:
+    """The least clearance where benches touch: none; None where they do not."""
     if contact is None or contact.witness is None or contact.witness.gap > 0.0:
-        return least_clearance(walk, start, until, advance=advance)
+        return None
     return replace(contact, value=0.0, lower=0.0, upper=0.0, unit="m")
+
+
+def all_findings(
+    plan: Plan, walk: Walk, span: tuple[float, float], contact: Answer | None, speed: Answer
+) -> tuple[Finding, ...]:
+    """What a walk does that its plan forbids, from the first time of the span, s, to the second.
+
+    Raises:
+        InputError: for a limit of acceleration or turning rate on a head whose speed changes.
+    """
+    return (
+        *_contact_findings(contact, plan.limits.margin),
+        *_speed_findings(speed, plan.limits.speed),
+        *_rate_findings(plan, walk, *span),
+    )
 
 
 def _contact_findings(contact: Answer | None, margin: float) -> list[Finding]:

@@ -28,6 +28,9 @@ TIE = 12
 # Head positions at which a pair's distance is taken at once, and how often the range shrinks to the
 # neighbours of the least one, unless distances are level to so many m.
 SAMPLES, SHRINKS, LEVEL = 64, 8, 2e-15
+# Head positions at which all pairs are looked at for a hint, and how often the range about the least
+# distance is then shrunk.
+PLACES, HINT_SHRINKS = 128, 3
 
 
 @dataclass(frozen=True)
@@ -192,6 +195,21 @@ def low_point(
             break
         low, high = at[max(n - 1, 0)], at[min(n + 1, SAMPLES - 1)]
     return least, where
+
+
+def low_pair(walk: Walk, first: float, last: float) -> tuple[float, float, int, int]:
+    """A low distance with the head between first and last, m; where, and of which benches (rows).
+
+    It is looked for at PLACES head positions, and about the least of them: a hint, no bound. Minus a
+    depth inside; infinite where the dragon stands nowhere. Cost grows with the square of benches.
+    """
+    at = np.linspace(first, last, PLACES)
+    motion = Walk(walk.dragon, walk.route).motion(at, throw=False)
+    distance, t, i, j = kernel.nearest_pair(walk.dragon.sizes, motion.x.T, motion.y.T)
+    if not math.isfinite(distance):
+        return math.inf, first, 0, 0
+    around = float(at[max(t - 1, 0)]), float(at[min(t + 1, PLACES - 1)])
+    return *min((distance, float(at[t])), low_point(walk, i, j, *around, HINT_SHRINKS)), i, j
 
 
 def clearances(motion: Motion, indices: Sequence[int] | None = None) -> FloatArray:

@@ -15,11 +15,10 @@ import numpy as np
 import numpy.typing as npt
 
 from benchdragon.answer import Answer, Status, Witness
-from benchdragon.clearance import boxes, low_point, nearness, pairs_within, tightest_pairs
+from benchdragon.clearance import boxes, low_pair, nearness, pairs_within, tightest_pairs
 from benchdragon.errors import InputError, UnsureError, in_order, not_negative
 from benchdragon.ground import Ground, Ledger, Step
 from benchdragon.kernels import search as kernel
-from benchdragon.kernels.box import nearest_pair
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import END_SLACK, IntArray
 from benchdragon.messages import _
@@ -40,12 +39,9 @@ FRAYED = 1e-5
 MOST_LOOKS = 200_000
 # Chains that a proof may log in one step: 30 MB for 223 benches.
 LOG = 4096
-# Head positions at which a first least clearance is looked for, in dragons of at most so many benches,
-# and how often the range about the least is then shrunk.
-SAMPLES, MOST_SAMPLED, SHRINKS = 128, 1000, 3
-# Longer dragons: first guess of the least clearance, m, and what it is multiplied by until some pair
-# comes nearer.
-FIRST_REACH, WIDER = 0.003, 6.0
+# In dragons of at most so many benches low distances are looked for before bounds are sought; of longer
+# ones the first guess, m, is multiplied by so much until some pair comes nearer.
+MOST_SAMPLED, FIRST_REACH, WIDER = 1000, 0.003, 6.0
 # Least clearances are bracketed to the last of these, m. The ones before only bring the least value
 # seen near enough for most steps to be passed over at once: 25,000 -> 2,000 looks for the contest's.
 TOLERANCES = (math.inf, 1e-5, 1e-8, 1e-12)
@@ -84,6 +80,19 @@ class ClearanceCurve:
     clearance: FloatArray
     benches: IntArray
     minima: list[Answer]
+
+
+@dataclass(frozen=True)
+class Best:
+    """The least distance seen, m, at which head position, of which benches (rows, from 0).
+
+    No pair is nearer than `floor`.
+    """
+
+    distance: float
+    where: float
+    pair: tuple[int, int]
+    floor: float = 0.0
 
 
 @dataclass
@@ -365,8 +374,37 @@ def least_clearance(
     hunt = _hunt(walk, start, end, 0.0, advance)
     if len(walk.dragon) < 3:
         return Answer(math.inf, math.inf, math.inf, "m", "found")
+    return _least(hunt, _guess(hunt), within, tolerances)
+
+
+def clearance_above(
+    walk: Walk,
+    start: float,
+    end: float,
+    margin: float,
+    *,
+    tolerances: Sequence[float] = TOLERANCES,
+) -> Answer | None:
+    """The least clearance, m, if it surely exceeds the margin, m; None, soon, if it may not.
+
+    Raises:
+        InputError: for a negative margin or an end before the start.
+        WalkError: if the dragon cannot stand at some time, and no low distance was met before.
+        UnsureError: if that could not be decided.
+    """
+    hunt = _hunt(walk, start, end, margin, None)
+    if len(walk.dragon) < 3:
+        return Answer(math.inf, math.inf, math.inf, "m", "found")
     best = _guess(hunt)
-    reach = best.distance if len(walk.dragon) <= MOST_SAMPLED else FIRST_REACH
+    if best.distance <= margin:
+        return None
+    found = _least(hunt, best, math.inf, tolerances)
+    return found if found.lower > margin else None
+
+
+def _least(hunt: Hunt, best: Best, within: float, tolerances: Sequence[float]) -> Answer:
+    """The least clearance, some distance being known: see `least_clearance`."""
+    reach = best.distance if len(hunt.walk.dragon) <= MOST_SAMPLED else FIRST_REACH
     if not best.distance:
         collections.deque(hunt.steps(0.0), maxlen=0)  # whether the dragon can walk all the way
     while best.distance > 0.0:
@@ -382,19 +420,6 @@ def least_clearance(
     return _clearance_answer(hunt, best)
 
 
-@dataclass(frozen=True)
-class Best:
-    """The least distance seen, m, at which head position, of which benches (rows, from 0).
-
-    No pair is nearer than `floor`.
-    """
-
-    distance: float
-    where: float
-    pair: tuple[int, int]
-    floor: float = 0.0
-
-
 def _guess(hunt: Hunt) -> Best:
     """A low distance, looked for here and there, so that what is farther need not be searched."""
     dragon = hunt.walk.dragon
@@ -403,11 +428,7 @@ def _guess(hunt: Hunt) -> Best:
         return Best(
             max(nearest.distance, 0.0), hunt.start, (nearest.benches[0] - 1, nearest.benches[1] - 1)
         )
-    at = np.linspace(hunt.start, hunt.end, SAMPLES)
-    motion = hunt.motion(at)
-    distance, t, i, j = nearest_pair(dragon.sizes, motion.x.T, motion.y.T)
-    around = float(at[max(t - 1, 0)]), float(at[min(t + 1, SAMPLES - 1)])
-    distance, where = min((distance, float(at[t])), low_point(hunt.walk, i, j, *around, SHRINKS))
+    distance, where, i, j = low_pair(hunt.walk, hunt.start, hunt.end)
     return Best(max(distance, 0.0), where, (i, j))
 
 

@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from benchdragon.answer import Answer, Witness
-from benchdragon.clearance import low_point
-from benchdragon.contact import SLACK, Hunt, first_contact, least_clearance
+from benchdragon.clearance import low_pair, low_point
+from benchdragon.contact import MOST_SAMPLED, SLACK, Hunt, first_contact, least_clearance
 from benchdragon.errors import InputError, UnsureError, WalkError
 from benchdragon.messages import N_, _
 from benchdragon.motion import Walk
@@ -41,6 +41,8 @@ MOST_FAILURES = 2
 # The secant method: its first step, the least from which a slope is taken, when it has come to rest,
 # and how far it may go at once, all relative; steps at most.
 FIRST_STEP, SHARP, SETTLED, LONGEST_SECANT, MOST_SECANTS = 1e-5, 1e-7, 1e-15, 1.1, 40
+# How near to a root of a pair, as a share of the bracket's width, counts likewise.
+AT_REST = 1e-4
 MOST_COUNT = 10_000
 
 
@@ -100,6 +102,7 @@ class Family:
     plan: Plan
     question: Question
     margin: float
+    tolerance: float = TOLERANCE
 
     def walk(self, size: float) -> tuple[Walk, float, float]:
         """The walk of a size, and the times between which it must stay clear."""
@@ -124,11 +127,29 @@ class Family:
         return Trial(size, clear, meeting, looks, clock.perf_counter() - began)
 
     def tightest(self, size: float) -> Meeting | None:
-        """About where which pair comes nearest in a walk that stays clear; None if none comes near."""
+        """About where which pair comes nearest in a walk; None if none comes near."""
         walk, start, end = self.walk(size)
+        if 3 <= len(walk.dragon) <= MOST_SAMPLED:
+            return self.low_meeting(walk, start, end)
         within = self.margin + NEARBY
         near = least_clearance(walk, start, end, within=within, tolerances=(math.inf,))
         return None if near.witness is None else _meeting(walk, end, near.witness)
+
+    def deepest(self, failed: Trial, before: Meeting | None) -> Meeting | None:
+        """The pair to go by after a failure: the deepest, or the first if that was gone by before."""
+        walk, start, end = self.walk(failed.size)
+        if failed.meeting is None or len(walk.dragon) > MOST_SAMPLED:
+            return failed.meeting
+        deepest = self.low_meeting(walk, start, end)
+        if deepest is None or (before and (deepest.i, deepest.j) == (before.i, before.j)):
+            return failed.meeting
+        return deepest
+
+    def low_meeting(self, walk: Walk, start: float, end: float) -> Meeting | None:
+        """About where which pair is nearest or deepest between two times; None if none comes near."""
+        first, last = walk.head_position([start, end]).tolist()
+        distance, s, i, j = low_pair(walk, first, last)
+        return Meeting(s, last - s, i, j) if distance <= self.margin + NEARBY else None
 
     def low_point(self, size: float, meeting: Meeting) -> tuple[float, Meeting]:
         """The least distance of a pair near a meeting, less the margin, m, and the meeting there.
@@ -175,7 +196,7 @@ def root_near(family: Family, meeting: Meeting, size: float) -> tuple[float, flo
         if abs(b - a) > SHARP * abs(a):
             slope = (fb - fa) / (b - a)
         a, fa, b = b, fb, min(max(b - fb / slope, b / LONGEST_SECANT), b * LONGEST_SECANT)
-        if abs(b - a) <= SETTLED * abs(a):
+        if abs(b - a) <= max(SETTLED * abs(a), AT_REST * family.tolerance):
             return b, slope, meeting
     return None
 
@@ -201,6 +222,7 @@ class Limit:
         if root is not None and self.failures < MOST_FAILURES:
             size, slope, _meeting = root
             shift = self.caution * SLACK / abs(slope) + 4.0 * math.ulp(size)
+            shift = max(shift, 0.25 * self.family.tolerance)
             target = size + math.copysign(shift, self.family.question.sense)
             if self.between(target):
                 return target, shift
@@ -213,7 +235,7 @@ class Limit:
     def closed(self) -> bool:
         """Whether the bracket is as narrow as wanted, or as doubles allow."""
         width = abs(self.good - self.bad)
-        return self.tried and width <= max(TOLERANCE, 4.0 * math.ulp(self.good))
+        return self.tried and width <= max(TOLERANCE, self.family.tolerance, 4.0 * math.ulp(self.good))
 
 
 def limit(
@@ -222,6 +244,7 @@ def limit(
     *,
     margin: float | None = None,
     end: float | None = None,
+    tolerance: float = TOLERANCE,
     prove: bool = False,
     advance: Advance | None = None,
 ) -> Answer:
@@ -232,6 +255,7 @@ def limit(
         name: "pitch", "disc", "width" or "length".
         margin: distance, m, that benches must keep; None: the plan's own.
         end: the least safe size that is of interest, m.
+        tolerance: how wide the bracket may be, m; no narrower than 1e-12 can be had.
         prove: whether both ends of the bracket are established again by `prove`, which widens it.
         advance: is told what is being tried.
 
@@ -248,7 +272,7 @@ def limit(
     """
     began = clock.perf_counter()
     tell = advance or (lambda _text: None)
-    family = Family(plan, question(name), plan.limits.margin if margin is None else margin)
+    family = Family(plan, question(name), plan.limits.margin if margin is None else margin, tolerance)
     if name == "disc" and plan.route.kind == "parts":
         raise InputError(_("the disc plays no part in a route of parts"))
     if prove:
@@ -288,9 +312,11 @@ def _limit(family: Family, end: float | None, tell: Advance, began: float) -> An
     if good is None:
         return Answer(math.nan, -math.inf, math.inf, "m", "infeasible", None, _assumed(family))
     bracket = Limit(family, good, good * FARTHEST**-sense if end is None else end)
-    meeting, at = family.tightest(good), good
-    if failed is not None:
-        bracket.bad, bracket.tried, meeting, at = failed.size, True, failed.meeting, failed.size
+    if failed is None:
+        meeting, at = family.tightest(good), good
+    else:
+        meeting, at = family.deepest(failed, None), failed.size
+        bracket.bad, bracket.tried = at, True
     for _trial in range(MOST_TRIALS):
         root = None if meeting is None else root_near(family, meeting, at)
         size, shift = bracket.target(root)
@@ -311,7 +337,7 @@ def _limit(family: Family, end: float | None, tell: Advance, began: float) -> An
                 bracket.caution *= 4.0
             bracket.bad, bracket.tried = size, True
             bracket.failures += 1
-            meeting, at = trial.meeting, size
+            meeting, at = family.deepest(trial, meeting), size
         if bracket.closed():
             return _limit_answer(bracket, bracket.good, meeting, began)
     return _limit_answer(bracket, bracket.good, meeting, began).with_status("undecided")

@@ -1,0 +1,58 @@
+"""Quick answers, for a slider that is being dragged: the same questions with wider brackets.
+
+Brackets are established by the same bounds as everywhere, and the first contact is as exact as ever.
+What has a limit that lies inside of a wide bracket is asked again to the last digit.
+"""
+
+from benchdragon.answer import Answer
+from benchdragon.check import Report, all_findings, sure_contact, touching
+from benchdragon.contact import clearance_above, first_contact, least_clearance
+from benchdragon.errors import UnsureError, WalkError
+from benchdragon.motion import Walk
+from benchdragon.plan import Plan
+from benchdragon.solve import limit
+from benchdragon.speeds import greatest_speed
+
+# How wide brackets may be: of clearances, m, of speeds, relative, and of sizes, m.
+CLEARANCE, SPEED, SIZE = 1e-3, 1e-4, 1e-5
+
+
+def quick_verdict(plan: Plan) -> Report:
+    """What `check` finds, with a clearance to 1 mm and a greatest speed to 1e-4 of itself.
+
+    Raises:
+        InputError: for a limit of acceleration or turning rate on a head whose speed changes.
+        WalkError: if no contact comes before the dragon cannot walk on.
+        UnsureError: if it could not be decided whether it can.
+    """
+    walk, margin = plan.build(), plan.limits.margin
+    start, end = plan.span(walk)
+    contact, until, clearance = None, end, _clearance(walk, start, end, margin)
+    if clearance is None:
+        contact = first_contact(walk, start, end, margin=margin)
+        contact = sure_contact(walk, start, end, margin, contact)
+        until = end if contact is None or contact.witness is None else contact.upper
+        clearance = touching(contact) or least_clearance(walk, start, until, tolerances=(CLEARANCE,))
+    speed = greatest_speed(walk, start, until, tolerance=SPEED)
+    allowed = plan.limits.speed
+    if allowed is not None and speed.lower <= allowed < speed.upper:
+        speed = greatest_speed(walk, start, until)
+    findings = all_findings(plan, walk, (start, until), contact, speed)
+    return Report(plan, start, end, contact, clearance, speed, findings)
+
+
+def _clearance(walk: Walk, start: float, end: float, margin: float) -> Answer | None:
+    """The least clearance of a walk that needs no search for contact; None if it may need one."""
+    try:
+        return clearance_above(walk, start, end, margin, tolerances=(CLEARANCE,))
+    except (WalkError, UnsureError):
+        return None
+
+
+def quick_limit(plan: Plan, name: str) -> Answer:
+    """The limit of a size of the plan, "pitch" for example, to 0.01 mm: see `solve.limit`.
+
+    Raises:
+        InputError: for an unknown name, or a plan without that size.
+    """
+    return limit(plan, name, tolerance=SIZE)
