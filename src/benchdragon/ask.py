@@ -1,4 +1,4 @@
-"""Reading what users write behind options: times, handles, formats.
+"""Reading what users write behind options: times, sizes, handles, formats.
 
 Light to import; numpy comes only with the times.
 """
@@ -30,6 +30,42 @@ def parse_times(text: str) -> "np.ndarray[Any, Any]":
     for item in text.split(","):
         found.extend(_item_times(item.strip(), MOST_TIMES - len(found)))
     return np.array(found)
+
+
+def parse_time(option: str, text: str) -> float:
+    """One time in "12.5" or "3:12", s.
+
+    Raises:
+        InputError: naming the option, for anything else.
+    """
+    try:
+        times = parse_times(text).tolist()
+    except InputError:
+        times = []
+    if len(times) != 1:
+        raise InputError(
+            _("{option}: wanted seconds or minutes:seconds, not {text}").format(
+                option=option, text=repr(text)
+            )
+        )
+    return float(times[0])
+
+
+def parse_sides(option: str, text: str) -> tuple[int, int]:
+    """Two whole numbers in "1920x1080".
+
+    Raises:
+        InputError: naming the option, for anything else.
+    """
+    try:
+        across, down = (int(number) for number in text.lower().replace("×", "x").split("x"))
+    except ValueError:
+        raise InputError(
+            _("{option}: wanted two whole numbers with an x between, not {text}").format(
+                option=option, text=repr(text)
+            )
+        ) from None
+    return across, down
 
 
 def _item_times(item: str, room: int) -> Sequence[float]:

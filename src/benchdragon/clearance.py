@@ -31,6 +31,8 @@ SAMPLES, SHRINKS, LEVEL = 64, 8, 2e-15
 # Head positions at which all pairs are looked at for a hint, and how often the range about the least
 # distance is then shrunk.
 PLACES, HINT_SHRINKS = 128, 3
+# Benches no farther apart than this, m, touch.
+TOUCHING = 1e-9
 
 
 @dataclass(frozen=True)
@@ -146,6 +148,20 @@ def tightest_pairs(motion: Motion, index: int = 0, count: int = 1) -> list[Nearn
         reach *= 2.0
     order = np.lexsort((second, first, np.round(distance, TIE)))[:wanted]
     return [nearness(table, int(first[p]), int(second[p])) for p in order]
+
+
+def touching(motion: Motion, index: int = 0) -> IntArray:
+    """Rows of all benches that touch or overlap another but a neighbour at time number `index`.
+
+    Raises:
+        WalkError: if the dragon could not stand at that time.
+    """
+    table = boxes(motion, index)
+    first, second = pairs_within(table, TOUCHING)
+    gap, distance = np.empty(len(first)), np.empty(len(first))
+    kernel.pair_distances(table, first, second, gap, distance)
+    meet = distance <= TOUCHING
+    return np.union1d(first[meet], second[meet])
 
 
 def pair_distances(motion: Motion, i: int, j: int) -> FloatArray:

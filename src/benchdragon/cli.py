@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon import __version__
+from benchdragon.animate_verb import animate
 from benchdragon.ask import PICTURE_FORMATS, parse_formats, parse_handles, parse_times
 from benchdragon.document import decimals
 from benchdragon.errors import BenchDragonError, InputError
@@ -212,7 +213,7 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     return _motion_table(walk, read, times, handles, options)
 
 
-for verb in (check, solve, margins, view, studio):
+for verb in (check, solve, margins, view, studio, animate):
     program.add_command(verb)
 
 

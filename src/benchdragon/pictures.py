@@ -20,7 +20,7 @@ from matplotlib.ft2font import FT2Font
 from matplotlib.patches import Circle
 
 from benchdragon import __version__
-from benchdragon.curves import Spiral
+from benchdragon.curves import Route, Spiral
 from benchdragon.errors import InputError
 from benchdragon.files import whole_file
 from benchdragon.kernels.curve import FloatArray
@@ -143,11 +143,14 @@ def bench_corners(motion: Motion, index: int) -> FloatArray:
 
 def draw_dragon(panel: Axes, motion: Motion, index: int, disc: float | None) -> None:
     """Draw the benches, the route and the disc into one panel."""
-    route = _route_points(motion, index)
+    tail = float(np.nanmin(motion.s[index], initial=0.0))
+    head = float(np.nanmax(motion.s[index], initial=0.0))
+    end = route_ahead(motion.walk.route, tail, head)
+    route = route_points(motion.walk.route, tail, end)
     panel.plot(route[:, 0], route[:, 1], color=ROUTE, lw=0.5, zorder=1, label=_("route"))
     if disc is not None:
         circle = Circle(
-            _centre(motion), disc, fill=False, ec=DISC, lw=1.2, ls="--", zorder=2, label=_("disc")
+            centre_of(motion.walk.route), disc, fill=False, ec=DISC, lw=1.2, ls="--", zorder=2, label=_("disc")
         )
         panel.add_patch(circle)
     corners = bench_corners(motion, index)
@@ -169,20 +172,21 @@ def draw_dragon(panel: Axes, motion: Motion, index: int, disc: float | None) -> 
     panel.legend(loc="upper right", fontsize="small", framealpha=0.9)
 
 
-def _route_points(motion: Motion, index: int) -> FloatArray:
-    """The route from where the tail stands to its end, or a dragon and a half ahead, m, (n, 2)."""
-    route = motion.walk.route
-    tail = float(np.nanmin(motion.s[index], initial=0.0))
-    head = float(np.nanmax(motion.s[index], initial=0.0))
-    end = min(route.length, head + 1.5 * (head - tail) + 20.0)
-    count = int(min(max((end - tail) / ROUTE_STEP, 2), MOST_ROUTE_POINTS))
-    points: FloatArray = route.point(np.linspace(tail, end, count))
+def route_ahead(route: Route, tail: float, head: float) -> float:
+    """How far the route is drawn, m: to its end, or a dragon and a half ahead of `head`."""
+    return min(route.length, head + 1.5 * (head - tail) + 20.0)
+
+
+def route_points(route: Route, start: float, end: float) -> FloatArray:
+    """Points of the route from one position to another, m, (n, 2)."""
+    count = int(min(max((end - start) / ROUTE_STEP, 2), MOST_ROUTE_POINTS))
+    points: FloatArray = route.point(np.linspace(start, end, count))
     return points
 
 
-def _centre(motion: Motion) -> tuple[float, float]:
+def centre_of(route: Route) -> tuple[float, float]:
     """Centre of the route's first spiral, else the origin."""
-    for curve in motion.walk.route.curves:
+    for curve in route.curves:
         if isinstance(curve, Spiral):
             return curve.centre
     return 0.0, 0.0
@@ -227,7 +231,7 @@ def _edges(times: FloatArray) -> FloatArray:
 
 def head_angle_picture(motion: Motion, title: str = "") -> Figure:
     """Polar angle and radius of the head about the first spiral's centre, over time."""
-    cx, cy = _centre(motion)
+    cx, cy = centre_of(motion.walk.route)
     dx, dy = motion.x[:, 0] - cx, motion.y[:, 0] - cy
     angle = np.degrees(np.unwrap(np.arctan2(dy, dx)))
     with matplotlib.rc_context(STYLE):
@@ -282,8 +286,13 @@ def lay_out(figure: Figure) -> None:
     figure.set_layout_engine("none")
 
 
-def write_picture(figure: Figure, path: Path, title: str, plan_sha256: str) -> None:
-    """Save `figure` as the suffix of `path` says; the file holds the plan's hash and the version."""
+def write_picture(
+    figure: Figure, path: Path, title: str, plan_sha256: str, *, as_sized: bool = False
+) -> None:
+    """Save `figure` as the suffix of `path` says; the file holds the plan's hash and the version.
+
+    With `as_sized` its size and its dots an inch stay as they are; else it is cut to what is drawn.
+    """
     program, about = f"benchdragon {__version__}", f"plan sha256 {plan_sha256}"
     metadata: dict[str, dict[str, str | None]] = {
         ".png": {"Title": title, "Description": about, "Software": program},
@@ -291,4 +300,7 @@ def write_picture(figure: Figure, path: Path, title: str, plan_sha256: str) -> N
         ".pdf": {"Title": title, "Subject": about, "Creator": program, "CreationDate": None},
     }
     with whole_file(path) as temporary, matplotlib.rc_context(STYLE):
-        figure.savefig(temporary, dpi=150, bbox_inches="tight", metadata=metadata[path.suffix])
+        size: dict[str, Any] = {"dpi": 150, "bbox_inches": "tight"}
+        if as_sized:
+            size = {"dpi": figure.dpi}
+        figure.savefig(temporary, metadata=metadata[path.suffix], **size)

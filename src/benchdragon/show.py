@@ -187,18 +187,30 @@ def _console(stderr: bool = False) -> "Console":
     return Console(stderr=stderr, width=wide)
 
 
-def progress(quiet: bool, total: float) -> AbstractContextManager[Advance]:
-    """A bar on standard error; the block gets advance(share, text)."""
+def progress(
+    quiet: bool, total: float, *, remaining: bool = False
+) -> AbstractContextManager[Advance]:
+    """A bar on standard error; the block gets advance(share, text).
+
+    With `remaining` it tells how long it will yet take, for work whose steps take equally long.
+    """
     if quiet or not sys.stderr.isatty():
         return nullcontext(lambda _share=0.0, _text="": None)
-    return _Bar(total)
+    return _Bar(total, remaining)
 
 
 class _Bar:
-    def __init__(self, total: float) -> None:
-        from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+    def __init__(self, total: float, remaining: bool) -> None:
+        from rich.progress import (
+            BarColumn,
+            Progress,
+            TextColumn,
+            TimeElapsedColumn,
+            TimeRemainingColumn,
+        )
 
-        columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
+        left = (TextColumn(_("left:")), TimeRemainingColumn()) if remaining else ()
+        columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn(), *left)
         self._progress = Progress(*columns, console=_console(stderr=True), transient=True)
         self._task = self._progress.add_task("", total=total)
 

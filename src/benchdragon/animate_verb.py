@@ -1,0 +1,204 @@
+"""The verb `animate`: the dance as a film, as stills, or as a contact sheet."""
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from benchdragon import __version__
+from benchdragon.ask import PICTURE_FORMATS, parse_sides, parse_time, parse_times
+from benchdragon.errors import InputError
+from benchdragon.messages import N_, _
+from benchdragon.options import announce_compiling, json_option, plan_options, shared_options
+from benchdragon.show import print_files, progress
+
+if TYPE_CHECKING:
+    from benchdragon.plan import Plan
+    from benchdragon.scene import Look
+
+# Options that say nothing about the other kind of file, or without another option.
+FOR_FILMS = ("fps", "speed_up")
+FOR_PICTURES = ("at", "sheet")
+
+
+@click.command(
+    help=N_(
+        "The dance as a film, a still, or a sheet of stills; the name of the file says which.\n\n"
+        "turn.mp4 or turn.gif is a film; turn.png, turn.svg or turn.pdf a still, or with --sheet many "
+        "of them side by side. PLAN is a *.dragon.toml file or the name of a built-in plan: "
+        "spiral-in, turn. For example: benchdragon animate turn -o turn.mp4 --start -5 --end 20"
+    )
+)
+@plan_options
+@click.option(
+    "-o",
+    "--output",
+    required=True,
+    type=click.Path(path_type=Path, dir_okay=False),
+    metavar="FILE",
+    help=N_("File to write: .mp4, .gif, .png, .svg or .pdf."),
+)
+@click.option(
+    "--start",
+    metavar="TIME",
+    help=N_(
+        "Where it begins: seconds of the dance (12.5), or minutes and seconds (3:12). Default: as "
+        "the plan says."
+    ),
+)
+@click.option(
+    "--end",
+    metavar="TIME",
+    help=N_(
+        "Where it ends, likewise. Default: as the plan says, or where the dragon can no longer stand."
+    ),
+)
+@click.option(
+    "--speed-up",
+    type=click.FloatRange(1e-3, 1e4),
+    metavar="NUMBER",
+    help=N_("Seconds of the dance in a second of the film; 0.5 is slow motion. Default: 1."),
+)
+@click.option(
+    "--fps",
+    type=click.IntRange(1, 120),
+    help=N_("Frames a second. Default: 30, for a GIF 20."),
+)
+@click.option(
+    "--at",
+    metavar="TIMES",
+    help=N_(
+        "Instants of stills, for example 14 or 0,60,3:12; several make several files, or fill a "
+        "sheet. Default: where it begins; for a sheet spread evenly."
+    ),
+)
+@click.option(
+    "--sheet",
+    metavar="COLUMNSxROWS",
+    help=N_("Stills side by side in one picture, for example 4x3."),
+)
+@click.option(
+    "--size",
+    metavar="WIDTHxHEIGHT",
+    help=N_("Size in pixels, even numbers. Default: 1920x1080, for a GIF 960x540."),
+)
+@click.option(
+    "--theme",
+    type=click.Choice(["light", "dark"]),
+    default="light",
+    show_default=True,
+    help=N_("Dark on light, or light on dark."),
+)
+@click.option(
+    "--follow",
+    type=click.IntRange(1, 1_000_000),
+    metavar="BENCH",
+    help=N_("Keep this bench in the middle; 1 is the head."),
+)
+@click.option(
+    "--span",
+    type=click.FloatRange(0.1, 1e5),
+    metavar="METRES",
+    help=N_("With --follow: metres from the left edge to the right. Default: 12."),
+)
+@click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))
+@json_option
+@shared_options
+def animate(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
+    """Write the files and name them, as text or JSON."""
+    path: Path = options["output"]
+    picture = path.suffix[1:] in PICTURE_FORMATS
+    _refuse_strays(options, picture)
+    from benchdragon.plan import read_plan
+
+    read = read_plan(plan, settings)
+    announce_compiling(quiet)
+    files, about = (_write_pictures if picture else _write_film)(read, path, options, quiet)
+    if options["as_json"]:
+        about |= {"plan_sha256": read.sha256, "version": __version__}
+        click.echo(json.dumps({"files": [str(file) for file in files], **about}))
+        return 0
+    print_files(files)
+    return 0
+
+
+def _refuse_strays(options: dict[str, Any], picture: bool) -> None:
+    """Refuse options that say nothing about what is asked for, rather than overlook them."""
+    strays = [name for name in (FOR_FILMS if picture else FOR_PICTURES) if options[name] is not None]
+    kind = options["output"].suffix or options["output"].name
+    if options["span"] is not None and options["follow"] is None:
+        raise InputError(_("--span goes with --follow"))
+    for name in strays:
+        raise InputError(
+            _("{option} does not go with {what}").format(
+                option="--" + name.replace("_", "-"), what=kind
+            )
+        )
+
+
+def _span(options: dict[str, Any]) -> tuple[float | None, float | None]:
+    """What --start and --end say."""
+    start, end = (
+        None if options[name] is None else parse_time(f"--{name}", options[name])
+        for name in ("start", "end")
+    )
+    return start, end
+
+
+def _look(options: dict[str, Any], size: tuple[int, int]) -> "Look":
+    """What the options say of the look; `size` is taken where they say none."""
+    from benchdragon.scene import SPAN, Look
+
+    if options["size"] is not None:
+        size = parse_sides("--size", options["size"])
+    return Look(size, options["theme"], options["follow"], options["span"] or SPAN)
+
+
+def _write_film(
+    plan: "Plan", asked: Path, options: dict[str, Any], quiet: bool
+) -> tuple[list[Path], dict[str, Any]]:
+    """The film; and what it holds."""
+    from benchdragon.files import refuse_existing
+    from benchdragon.film import RATES, SIZES, Film, film_path, write_film
+
+    path = film_path(asked)
+    look = _look(options, SIZES[path.suffix])
+    film = Film(
+        plan, *_span(options), options["fps"] or RATES[path.suffix], options["speed_up"] or 1.0
+    )
+    refuse_existing([path], options["force"])
+    with progress(quiet, len(film.times), remaining=True) as advance:
+        write_film(film, path, look, advance)
+    return [path], {
+        "frames": len(film.times),
+        "fps": film.fps,
+        "size": look.size,
+        "start": float(film.times[0]),
+        "end": float(film.times[-1]),
+    }
+
+
+def _write_pictures(
+    plan: "Plan", path: Path, options: dict[str, Any], quiet: bool
+) -> tuple[list[Path], dict[str, Any]]:
+    """The still or stills, or the sheet; and what they hold."""
+    import numpy as np
+
+    from benchdragon.files import refuse_existing
+    from benchdragon.film import SIZES, spread_times, still_paths, write_sheet, write_stills
+
+    look = _look(options, SIZES[".mp4"])
+    grid = parse_sides("--sheet", options["sheet"]) if options["sheet"] else (1, 1)
+    if options["at"] is None:
+        times = spread_times(plan, *_span(options), grid[0] * grid[1])
+    else:
+        times = np.array(list(dict.fromkeys(parse_times(options["at"]).tolist())))
+    files = [path] if options["sheet"] else still_paths(path, times.tolist())
+    refuse_existing(files, options["force"])
+    with progress(quiet, len(files), remaining=len(files) > 1) as advance:
+        if options["sheet"]:
+            write_sheet(plan, times, path, look, *grid)
+        else:
+            write_stills(plan, times, files, look, advance)
+    return files, {"times": times.tolist(), "size": look.size}
