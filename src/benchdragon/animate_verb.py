@@ -17,10 +17,6 @@ if TYPE_CHECKING:
     from benchdragon.plan import Plan
     from benchdragon.scene import Look
 
-# Options that say nothing about the other kind of file, or without another option.
-FOR_FILMS = ("fps", "speed_up")
-FOR_PICTURES = ("at", "sheet")
-
 
 @click.command(
     help=N_(
@@ -125,16 +121,22 @@ def animate(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -
 
 def _refuse_strays(options: dict[str, Any], picture: bool) -> None:
     """Refuse options that say nothing about what is asked for, rather than overlook them."""
-    strays = [name for name in (FOR_FILMS if picture else FOR_PICTURES) if options[name] is not None]
     kind = options["output"].suffix or options["output"].name
+    still = options["sheet"] is None
+    for name, goes, what in (
+        ("fps", not picture, kind),
+        ("speed_up", not picture, kind),
+        ("at", picture, kind),
+        ("sheet", picture, kind),
+        ("end", not (picture and still), kind),
+        ("start", options["at"] is None, "--at"),
+        ("end", options["at"] is None, "--at"),
+    ):
+        if options[name] is not None and not goes:
+            option = "--" + name.replace("_", "-")
+            raise InputError(_("{option} does not go with {what}").format(option=option, what=what))
     if options["span"] is not None and options["follow"] is None:
         raise InputError(_("--span goes with --follow"))
-    for name in strays:
-        raise InputError(
-            _("{option} does not go with {what}").format(
-                option="--" + name.replace("_", "-"), what=kind
-            )
-        )
 
 
 def _span(options: dict[str, Any]) -> tuple[float | None, float | None]:
@@ -164,9 +166,7 @@ def _write_film(
 
     path = film_path(asked)
     look = _look(options, SIZES[path.suffix])
-    film = Film(
-        plan, *_span(options), options["fps"] or RATES[path.suffix], options["speed_up"] or 1.0
-    )
+    film = Film(plan, *_span(options), options["fps"] or RATES[path.suffix], options["speed_up"] or 1.0)
     refuse_existing([path], options["force"])
     with progress(quiet, len(film.times), remaining=True) as advance:
         write_film(film, path, look, advance)

@@ -1,5 +1,6 @@
 """Frames into films: H.264 in MP4 through ffmpeg, animated GIF through Pillow."""
 
+import itertools
 import shutil
 import subprocess
 from collections.abc import Callable, Iterator
@@ -7,13 +8,18 @@ from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryFile
-from typing import IO
+from typing import IO, Any
 
 from benchdragon.errors import BenchDragonError
 from benchdragon.messages import _
 
 # Quality of H.264: 18 shows no difference to the eye.
 QUALITY = 18
+# Told which colours they are, players show those that were drawn.
+COLOURS = (
+    "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p,"
+    "setparams=colorspace=bt709:color_primaries=bt709:color_trc=bt709"
+)
 
 
 class EncoderError(BenchDragonError):
@@ -61,10 +67,9 @@ def encode_mp4(path: Path, reel: Reel) -> None:
     command = [find_ffmpeg() or "ffmpeg", "-v", "error", "-nostdin", "-y"]
     command += ["-f", "rawvideo", "-pix_fmt", "rgba", "-s", "{}x{}".format(*reel.size)]
     command += ["-r", str(reel.fps), "-i", "pipe:0", "-an"]
-    # Told which colours they are, players show those that were drawn.
-    command += ["-vf", "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p"]
-    command += ["-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709"]
-    command += ["-c:v", "libx264", "-crf", str(QUALITY), "-tune", "animation"]
+    command += ["-vf", COLOURS, "-c:v", "libx264", "-crf", str(QUALITY), "-tune", "animation"]
+    # For flat colours half the time of the default, in as large a file.
+    command += ["-preset", "veryfast"]
     command += ["-movflags", "+faststart"]
     command += ["-metadata", f"title={reel.title}", "-metadata", f"comment={reel.about}"]
     with TemporaryFile() as said:
@@ -102,14 +107,15 @@ def encode_gif(path: Path, reel: Reel) -> None:
 
     def images() -> Iterator[Image.Image]:
         palette: Image.Image | None = None
-        for frame in reel.frames:
-            image = Image.frombuffer("RGBA", reel.size, frame, "raw", "RGBA", 0, 1).convert("RGB")
+        pixels: Any
+        for pixels in reel.frames:
+            image = Image.frombuffer("RGBA", reel.size, pixels, "raw", "RGBA", 0, 1).convert("RGB")
             palette = palette or image.quantize(256)
             yield image.quantize(palette=palette, dither=Image.Dither.NONE)
 
     # A GIF counts hundredths of a second: shares that do not come out even are made up for.
     ends = [round(100.0 * n / reel.fps) for n in range(reel.count + 1)]
-    durations = [10 * (b - a) for a, b in zip(ends[:-1], ends[1:], strict=True)]
+    durations = [10 * (b - a) for a, b in itertools.pairwise(ends)]
     every = images()
     next(every).save(
         path, "GIF", save_all=True, append_images=every, duration=durations, loop=0, comment=reel.about

@@ -103,13 +103,11 @@ class Film:
         Raises:
             WalkError: if it cannot stand at the first.
         """
-        frames = np.arange(int(self.asked_frames))
-        return sound_times(self.walk, self.asked_span[0] + frames * (self.speed_up / self.fps))
+        seconds = np.arange(self.asked_frames, dtype=np.float64) * (self.speed_up / self.fps)
+        return sound_times(self.walk, self.asked_span[0] + seconds)
 
 
-def asked_span(
-    plan: Plan, walk: Walk, start: float | None, end: float | None
-) -> tuple[float, float]:
+def asked_span(plan: Plan, walk: Walk, start: float | None, end: float | None) -> tuple[float, float]:
     """From `start` to `end`, s; what is None is as the plan says.
 
     Raises:
@@ -147,9 +145,7 @@ def sound_times(walk: Walk, times: FloatArray) -> FloatArray:
     return times
 
 
-def spread_times(
-    plan: Plan, start: float | None, end: float | None, count: int
-) -> FloatArray:
+def spread_times(plan: Plan, start: float | None, end: float | None, count: int) -> FloatArray:
     """So many times, s, evenly spread over the dance or a part of it, as far as the dragon stands.
 
     Raises:
@@ -220,9 +216,7 @@ def write_film(film: Film, path: Path, look: Look, advance: Advance | None = Non
 
     about = f"plan sha256 {plan.sha256}; benchdragon {__version__}"
     with whole_file(path) as temporary:
-        ENCODERS[path.suffix](
-            temporary, Reel(look.size, film.fps, len(times), frames(), title, about)
-        )
+        ENCODERS[path.suffix](temporary, Reel(look.size, film.fps, len(times), frames(), title, about))
 
 
 def _check_gif(film: Film, look: Look) -> None:
@@ -239,9 +233,7 @@ def _check_gif(film: Film, look: Look) -> None:
             _(
                 "a GIF of {width}x{height} pixels has at most {most} frames, not {count}: show a "
                 "shorter part, speed it up, take a smaller size or fewer frames a second, or MP4"
-            ).format(
-                width=look.size[0], height=look.size[1], most=most, count=f"{film.asked_frames:g}"
-            )
+            ).format(width=look.size[0], height=look.size[1], most=most, count=f"{film.asked_frames:g}")
         )
 
 
@@ -287,9 +279,7 @@ def write_stills(
         tell(1.0, path.name)
 
 
-def write_sheet(
-    plan: Plan, times: FloatArray, path: Path, look: Look, columns: int, rows: int
-) -> None:
+def write_sheet(plan: Plan, times: FloatArray, path: Path, look: Look, columns: int, rows: int) -> None:
     """Write all of `times` (s) as small pictures side by side, row by row.
 
     Raises:

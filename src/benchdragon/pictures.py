@@ -144,13 +144,20 @@ def bench_corners(motion: Motion, index: int) -> FloatArray:
 def draw_dragon(panel: Axes, motion: Motion, index: int, disc: float | None) -> None:
     """Draw the benches, the route and the disc into one panel."""
     tail = float(np.nanmin(motion.s[index], initial=0.0))
-    head = float(np.nanmax(motion.s[index], initial=0.0))
-    end = route_ahead(motion.walk.route, tail, head)
+    front = float(np.nanmax(motion.s[index], initial=0.0))
+    end = min(motion.walk.route.length, front + 1.5 * (front - tail) + 20.0)
     route = route_points(motion.walk.route, tail, end)
     panel.plot(route[:, 0], route[:, 1], color=ROUTE, lw=0.5, zorder=1, label=_("route"))
     if disc is not None:
         circle = Circle(
-            centre_of(motion.walk.route), disc, fill=False, ec=DISC, lw=1.2, ls="--", zorder=2, label=_("disc")
+            centre_of(motion.walk.route),
+            disc,
+            fill=False,
+            ec=DISC,
+            lw=1.2,
+            ls="--",
+            zorder=2,
+            label=_("disc"),
         )
         panel.add_patch(circle)
     corners = bench_corners(motion, index)
@@ -170,11 +177,6 @@ def draw_dragon(panel: Axes, motion: Motion, index: int, disc: float | None) -> 
     clock = f"{motion.times[index]:g}".replace("-", "\N{MINUS SIGN}")
     panel.set_title(_("t = {t} s").format(t=clock))
     panel.legend(loc="upper right", fontsize="small", framealpha=0.9)
-
-
-def route_ahead(route: Route, tail: float, head: float) -> float:
-    """How far the route is drawn, m: to its end, or a dragon and a half ahead of `head`."""
-    return min(route.length, head + 1.5 * (head - tail) + 20.0)
 
 
 def route_points(route: Route, start: float, end: float) -> FloatArray:

@@ -6,7 +6,7 @@ whichever is less, so that a picture of any size shows the same things.
 
 import math
 from dataclasses import dataclass
-from typing import Self
+from typing import Any, Self
 
 import matplotlib
 import numpy as np
@@ -36,7 +36,6 @@ from benchdragon.pictures import (
     centre_of,
     drawable,
     named_figure,
-    route_ahead,
     route_points,
 )
 
@@ -49,6 +48,13 @@ MARGIN, HEADER, FOOTER, GAP = 40.0, 76.0, 72.0, 16.0
 TITLE, PLAIN, LEAST_TEXT = 34.0, 28.0, 16.0
 # Widest scale bar, where the legend begins, and how far its entries and its words stand off.
 LONGEST_BAR, LEGEND, SWATCH, WORD = 240.0, 440.0, 46.0, 12.0
+# Across the marks of the head's handle and of the tightest pair; their least share in small views.
+NOSE, RING, LEAST_MARK = 13.0, 34.0, 0.4
+# Line about a bench, as a share of its width.
+OUTLINE = 0.06
+# The route is drawn on past the dragon by so many times what it covers: beyond the edges of a picture
+# that is twice as wide as high, on a spiral.
+AHEAD = 3.5
 # Metres across a picture that follows a bench, if none are given.
 SPAN = 12.0
 
@@ -113,12 +119,14 @@ class Place:
         route: points of the route, m, (n, 2).
         centre: of the disc, m.
         disc: its radius, m.
+        bench_width: of most benches, m.
         bounds: least x, least y, greatest x, greatest y of all that is to be seen, m.
     """
 
     route: FloatArray
     centre: tuple[float, float]
     disc: float | None
+    bench_width: float
     bounds: tuple[float, float, float, float]
 
     @classmethod
@@ -144,8 +152,10 @@ class Place:
         if disc is not None:
             low = np.minimum(low, np.array(centre) - disc - room)
             high = np.maximum(high, np.array(centre) + disc + room)
-        seen = route_points(walk.route, tail, route_ahead(walk.route, tail, head))
-        return cls(seen, centre, disc, (*low.tolist(), *high.tolist()))
+        end = min(walk.route.length, head + AHEAD * (head - tail))
+        seen = route_points(walk.route, tail, end)
+        width = float(np.median(walk.dragon.width))
+        return cls(seen, centre, disc, width, (*low.tolist(), *high.tolist()))
 
 
 @dataclass(frozen=True)
@@ -181,13 +191,18 @@ class Panel:
         self._centre_on(0.5 * (x0 + x1), 0.5 * (y0 + y1))
         self._draw_place(place)
         ink = THEMES[look.theme].ink
-        self.body = PolyCollection([], fc=BODY, ec="black", lw=0.8, zorder=3)
-        self.touching = PolyCollection([], fc=TOUCH, ec="black", lw=0.8, hatch="xx", zorder=4)
-        self.head = PolyCollection([], fc=HEAD, ec="black", lw=0.8, zorder=5)
-        self.nose = Line2D([], [], marker="o", ms=13.0, mfc=HEAD, mec=ink, mew=2.0, zorder=6)
-        self.ring = Line2D([], [], marker="o", ms=34.0, mfc="none", mec=ink, mew=2.5, zorder=7)
-        for collection in (self.body, self.touching, self.head):
-            self.axes.add_collection(collection, autolim=False)
+        # Thin lines about benches that are drawn small, small marks in small views.
+        outline = min(0.8, OUTLINE * place.bench_width * self.scale)
+        mark = min(1.0, max(LEAST_MARK, box.height / UNITS_HIGH))
+        self.body = PolyCollection([], fc=BODY, ec="black", lw=outline, zorder=3)
+        self.touching = PolyCollection([], fc=TOUCH, ec="black", lw=outline, hatch="xx", zorder=4)
+        self.head = PolyCollection([], fc=HEAD, ec="black", lw=outline, zorder=5)
+        self.nose, self.ring = (
+            Line2D([], [], marker="o", ms=size * mark, mfc=face, mec=ink, mew=2.0 * mark, zorder=6)
+            for size, face in ((NOSE, HEAD), (RING, "none"))
+        )
+        for benches in (self.body, self.touching, self.head):
+            self.axes.add_collection(benches, autolim=False)
         for line in (self.nose, self.ring):
             self.axes.add_line(line)
 
@@ -214,7 +229,7 @@ class Panel:
         Raises:
             WalkError: if it cannot stand then.
         """
-        corners = bench_corners(motion, index)
+        corners: Any = bench_corners(motion, index)
         nearest = next(iter(tightest_pairs(motion, index)), None)
         meet = np.zeros(len(corners), dtype=bool)
         if nearest is not None and nearest.distance <= TOUCHING:
@@ -247,7 +262,7 @@ class Layout:
         self.figure.set_layout_engine("none")
         self.figure.set_dpi(72.0 * look.unit)
         self.figure.set_facecolor(self.theme.paper)
-        self.canvas = FigureCanvasAgg(self.figure)
+        self.canvas: Any = FigureCanvasAgg(self.figure)  # matplotlib says no types of it
         self.units: Transform = Affine2D().scale(1.0 / 72.0) + self.figure.dpi_scale_trans
         self.top = self.high - 0.5 * HEADER
         self.title = drawable(" ".join(title.split()))
@@ -321,9 +336,7 @@ class Scene(Layout):
     def __init__(self, look: Look, place: Place, title: str, pace: str = "") -> None:
         with matplotlib.rc_context(STYLE):
             super().__init__(look, title)
-            box = Box(
-                MARGIN, FOOTER, self.wide - 2.0 * MARGIN, self.high - HEADER - FOOTER
-            )
+            box = Box(0.0, FOOTER, self.wide, self.high - HEADER - FOOTER)
             self.panel = Panel(self.figure, box, look, place)
             right = self.wide - MARGIN
             self.clock = self.write(right, self.top, clock_text(-99999.9), TITLE, "right")
@@ -374,12 +387,11 @@ class Frames(Scene):
                 self.figure.draw_artist(artist)
         else:
             self.canvas.draw()
-        return self.canvas.buffer_rgba()
+        pixels: memoryview = self.canvas.buffer_rgba()
+        return pixels
 
 
-def sheet(
-    look: Look, place: Place, title: str, motion: Motion, columns: int, rows: int
-) -> Figure:
+def sheet(look: Look, place: Place, title: str, motion: Motion, columns: int, rows: int) -> Figure:
     """All times of a motion side by side, row by row, to one scale.
 
     Raises:
@@ -390,17 +402,21 @@ def sheet(
         layout.write_title(layout.wide - 2.0 * MARGIN)
         width = (layout.wide - 2.0 * MARGIN - (columns - 1) * GAP) / columns
         height = (layout.high - HEADER - FOOTER - (rows - 1) * GAP) / rows
-        size = min(PLAIN, 0.052 * width)
-        scale = 1.0
-        for index in range(len(motion.times)):
+        size = min(PLAIN, 0.06 * width)
+        captions, scale = [], 1.0
+        for index, t in enumerate(motion.times.tolist()):
             row, column = divmod(index, columns)
             left = MARGIN + column * (width + GAP)
             bottom = FOOTER + (rows - 1 - row) * (height + GAP)
             panel = Panel(layout.figure, Box(left, bottom, width, height - 1.6 * size), look, place)
-            nearest, scale = panel.show(motion, index), panel.scale
+            near, scale = near_text(panel.show(motion, index)), panel.scale
             y = bottom + height - 0.8 * size
-            layout.write(left, y, clock_text(float(motion.times[index])), size)
-            layout.write(left + width, y, near_text(nearest), size, "right")
+            captions.append(layout.write(left, y, clock_text(t), size))
+            captions.append(layout.write(left + width, y, near, size, "right"))
+        wide = [layout.width(text) for text in captions]
+        fit = min((width - 2.0 * WORD) / (a + b) for a, b in zip(wide[::2], wide[1::2], strict=True))
+        for text in captions:
+            text.set_fontsize(size * min(1.0, fit))
         layout.draw_scale_bar(scale)
         layout.write(layout.draw_legend(), 0.5 * FOOTER, _("tightest pair"), PLAIN)
         return layout.figure

@@ -187,9 +187,7 @@ def _console(stderr: bool = False) -> "Console":
     return Console(stderr=stderr, width=wide)
 
 
-def progress(
-    quiet: bool, total: float, *, remaining: bool = False
-) -> AbstractContextManager[Advance]:
+def progress(quiet: bool, total: float, *, remaining: bool = False) -> AbstractContextManager[Advance]:
     """A bar on standard error; the block gets advance(share, text).
 
     With `remaining` it tells how long it will yet take, for work whose steps take equally long.
