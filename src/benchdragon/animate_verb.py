@@ -13,6 +13,8 @@ from benchdragon.messages import N_, _
 from benchdragon.options import announce_compiling, json_option, plan_options, shared_options
 from benchdragon.show import print_files, progress
 
+FILM_FORMATS = ("mp4", "gif")
+
 if TYPE_CHECKING:
     from benchdragon.plan import Plan
     from benchdragon.scene import Look
@@ -104,7 +106,14 @@ if TYPE_CHECKING:
 def animate(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Write the files and name them, as text or JSON."""
     path: Path = options["output"]
-    picture = path.suffix[1:] in PICTURE_FORMATS
+    kind = path.suffix[1:]
+    if kind not in FILM_FORMATS + PICTURE_FORMATS:
+        raise InputError(
+            _("-o: wanted a name that ends in .mp4, .gif, .png, .svg or .pdf, not {name}").format(
+                name=path.name
+            )
+        )
+    picture = kind in PICTURE_FORMATS
     _refuse_strays(options, picture)
     from benchdragon.plan import read_plan
 
@@ -121,7 +130,7 @@ def animate(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -
 
 def _refuse_strays(options: dict[str, Any], picture: bool) -> None:
     """Refuse options that say nothing about what is asked for, rather than overlook them."""
-    kind = options["output"].suffix or options["output"].name
+    kind = options["output"].suffix
     still = options["sheet"] is None
     for name, goes, what in (
         ("fps", not picture, kind),

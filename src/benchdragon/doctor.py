@@ -6,13 +6,17 @@ from dataclasses import dataclass
 from importlib import metadata, util
 
 from benchdragon import __version__
+from benchdragon.encoders import find_ffmpeg
 from benchdragon.kernels.jit import CACHE_FOLDER, COMPILED
 from benchdragon.messages import N_, _, language
 from benchdragon.pictures import FONT_FILES
 
 LIBRARIES = ("numpy", "numba", "scipy", "matplotlib", "pydantic", "click", "rich", "XlsxWriter")
-EXTRAS = {N_("extra data"): ("xarray", "pyarrow", "h5netcdf", "h5py")}
-PROGRAMS = {"ffmpeg": ("ffmpeg",), N_("browser"): ("chromium", "google-chrome", "firefox")}
+EXTRAS = {
+    N_("extra data"): ("xarray", "pyarrow", "h5netcdf", "h5py"),
+    N_("extra video"): ("imageio_ffmpeg",),
+}
+PROGRAMS = {N_("browser"): ("chromium", "google-chrome", "firefox")}
 
 
 @dataclass(frozen=True)
@@ -51,6 +55,8 @@ def findings() -> list[Finding]:
     )
     compiled = cache if COMPILED else _("kernels are left uncompiled")
     found.append(Finding(N_("kernels"), compiled, COMPILED and CACHE_FOLDER is not None))
+    ffmpeg = find_ffmpeg()
+    found.append(Finding("ffmpeg", ffmpeg or _("not found: films become GIFs"), ffmpeg is not None))
     for name, programs in PROGRAMS.items():
         path = next((place for place in map(shutil.which, programs) if place), None)
         found.append(Finding(name, path or _("not found (nothing needs it yet)"), path is not None))

@@ -110,16 +110,18 @@ def encode_gif(path: Path, reel: Reel) -> None:
         pixels: Any
         for pixels in reel.frames:
             image = Image.frombuffer("RGBA", reel.size, pixels, "raw", "RGBA", 0, 1).convert("RGB")
-            palette = palette or image.quantize(256)
+            palette = palette or image.quantize(256, kmeans=1)  # else white is not quite white
             yield image.quantize(palette=palette, dither=Image.Dither.NONE)
 
     # A GIF counts hundredths of a second: shares that do not come out even are made up for.
     ends = [round(100.0 * n / reel.fps) for n in range(reel.count + 1)]
     durations = [10 * (b - a) for a, b in itertools.pairwise(ends)]
     every = images()
-    next(every).save(
-        path, "GIF", save_all=True, append_images=every, duration=durations, loop=0, comment=reel.about
-    )
+    with path.open("wb") as file:  # Pillow would leave it open where it is interrupted
+        next(every).save(
+            file, "GIF", save_all=True, append_images=every, duration=durations, loop=0,
+            comment=reel.about,
+        )  # fmt: skip
 
 
 ENCODERS: dict[str, Callable[[Path, Reel], None]] = {".mp4": encode_mp4, ".gif": encode_gif}

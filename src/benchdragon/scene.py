@@ -282,14 +282,15 @@ class Layout:
 
     def write_title(self, room: float) -> None:
         """The title, in smaller letters, and then cut short, where there is too little room."""
-        text = self.write(MARGIN, self.top, self.title, TITLE)
-        wide = self.width(text)
-        if wide > room:
-            size = max(TITLE * room / wide, LEAST_TEXT)
-            text.set_fontsize(size)
-            keep = math.floor(len(self.title) * room * TITLE / (wide * size))
-            if keep < len(self.title):
-                text.set_text(self.title[: keep - 1].rstrip("\\ ") + "…")
+        words, size = self.title, TITLE
+        text = self.write(MARGIN, self.top, words, size)
+        while (wide := self.width(text)) > room and words:
+            if size > LEAST_TEXT:
+                size = max(LEAST_TEXT, 0.99 * size * room / wide)
+                text.set_fontsize(size)
+            else:
+                words = words[: min(int(len(words) * room / wide), len(words) - 1)]
+                text.set_text(words.rstrip("\\ ") + "…")
 
     def draw_scale_bar(self, scale: float) -> None:
         """A bar of a round length, for a scale in units a metre."""
