@@ -6,6 +6,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -23,7 +24,7 @@ from benchdragon.clearance import touching
 from benchdragon.cli import run
 from benchdragon.encoders import EncoderError, Reel, encode_mp4, find_ffmpeg
 from benchdragon.film import Film, FilmWarning, film_path, spread_times, still_paths, write_film
-from benchdragon.pictures import HEAD
+from benchdragon.pictures import HEAD, MissingGlyphWarning
 from benchdragon.plan import Plan, read_plan
 from benchdragon.scene import (
     THEMES,
@@ -33,6 +34,7 @@ from benchdragon.scene import (
     Place,
     Scene,
     clock_text,
+    near_text,
     round_length,
     sheet,
 )
@@ -175,6 +177,16 @@ def test_the_ffmpeg_on_the_path_is_the_second_choice(
     assert find_ffmpeg() == str(other)
 
 
+def test_odd_names_and_titles_do_no_harm(tmp_path: Path) -> None:
+    plan = read_plan("turn", ["dragon.benches=3", 'meta.title="-a\\u0007\\nb$ %d"'])
+    path = tmp_path / "-a:b %d.mp4"
+    with pytest.warns(MissingGlyphWarning):
+        write_film(Film(plan, 0.0, 0.1), path, Look(SMALL))
+    about, frames = decoded(path)
+    assert len(frames) == 4
+    assert "-ab$ %d" in about
+
+
 @pytest.mark.parametrize("suffix", [".mp4", ".gif"])
 def test_an_interrupt_leaves_no_file_and_no_program(tmp_path: Path, suffix: str) -> None:
     begun: list[str] = []
@@ -258,6 +270,24 @@ def test_the_tightest_pair_is_ringed_and_its_gap_is_told(spoken: str) -> None:
     assert set(wanted) <= set(words_of(scene))
     x, y = (np.asarray(data, dtype=np.float64) for data in scene.panel.ring.get_data())
     assert np.hypot(x[0] - motion.x[0, 0], y[0] - motion.y[0, 0]) < 0.6
+
+
+@pytest.mark.parametrize(
+    ("distance", "words"),
+    [
+        (0.33449, "benches 1 and 9: 33.4 cm apart"),
+        (0.00042, "benches 1 and 9: 0.42 mm apart"),
+        (1e-10, "benches 1 and 9 touch"),
+        (-0.0081, "benches 1 and 9 overlap by 8.1 mm"),
+        (-0.05, "benches 1 and 9 overlap by 5.0 cm"),
+    ],
+)
+def test_gaps_are_told_as_people_measure_them(distance: float, words: str) -> None:
+    scene, motion = scene_of(TURN, [14.0], Look(SMALL))
+    nearest = scene.panel.show(motion, 0)
+    assert nearest is not None
+    assert near_text(replace(nearest, benches=(1, 9), distance=distance)) == words
+    assert near_text(None) == ""
 
 
 def test_a_dragon_of_two_benches_has_no_tightest_pair() -> None:

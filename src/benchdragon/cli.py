@@ -29,7 +29,6 @@ from benchdragon.options import (
     workers_option,
 )
 from benchdragon.plan_text import bench_count, read_toml
-from benchdragon.screen_verbs import view
 from benchdragon.show import (
     Advance,
     print_explanation,
@@ -40,6 +39,7 @@ from benchdragon.show import (
 )
 from benchdragon.studio_verb import studio
 from benchdragon.verdicts import check, solve
+from benchdragon.view_verb import view
 
 if TYPE_CHECKING:
     import numpy as np

@@ -73,7 +73,7 @@ def encode_mp4(path: Path, reel: Reel) -> None:
     command += ["-movflags", "+faststart"]
     command += ["-metadata", f"title={reel.title}", "-metadata", f"comment={reel.about}"]
     with TemporaryFile() as said:
-        code = _piped([*command, "-f", "mp4", str(path)], reel.frames, said)
+        code = _piped([*command, "-f", "mp4", f"file:{path}"], reel.frames, said)
         if code:
             said.seek(0)
             lines = said.read().decode(errors="replace").split("\n")

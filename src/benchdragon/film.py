@@ -215,8 +215,9 @@ def write_film(film: Film, path: Path, look: Look, advance: Advance | None = Non
                 tell(1.0, _("frame {n} of {count}").format(n=done, count=len(times)))
 
     about = f"plan sha256 {plan.sha256}; benchdragon {__version__}"
+    name = "".join(sign for sign in title if sign.isprintable())
     with whole_file(path) as temporary:
-        ENCODERS[path.suffix](temporary, Reel(look.size, film.fps, len(times), frames(), title, about))
+        ENCODERS[path.suffix](temporary, Reel(look.size, film.fps, len(times), frames(), name, about))
 
 
 def _check_gif(film: Film, look: Look) -> None:

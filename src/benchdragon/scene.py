@@ -439,10 +439,11 @@ def near_text(nearest: Nearness | None) -> str:
     """How near the tightest pair is; empty where none counts."""
     if nearest is None:
         return ""
-    text = _("benches {a} and {b}: {gap} cm apart")
-    if abs(nearest.distance) <= TOUCHING:
+    text, size = _("benches {a} and {b}: {gap} apart"), abs(nearest.distance)
+    if size <= TOUCHING:
         text = _("benches {a} and {b} touch")
     elif nearest.distance < 0.0:
-        text = _("benches {a} and {b} overlap by {gap} cm")
+        text = _("benches {a} and {b} overlap by {gap}")
     a, b = nearest.benches
-    return text.format(a=a, b=b, gap=f"{100.0 * abs(nearest.distance):.1f}")
+    gap = f"{100.0 * size:.1f} cm" if size >= 0.01 else f"{1000.0 * size:.2g} mm"
+    return text.format(a=a, b=b, gap=gap)
