@@ -13,6 +13,7 @@ from benchdragon.plan import Plan, checked, read_plan
 from benchdragon.plan_text import PlanError
 from benchdragon.solve import (
     QUESTIONS,
+    TOLERANCE,
     limit,
     smallest_pitch,
     walkable_sizes,
@@ -199,3 +200,13 @@ def test_questions_that_say_nothing_about_a_plan_are_refused() -> None:
         limit(listed, "width")
     with pytest.raises(BenchDragonError, match=r"take dragon\.width out"):
         checked({**data, "dragon": {"bench": benches, "width": 5.0}}, "both")
+
+
+@pytest.mark.parametrize("tolerance", [TOLERANCE, 1e-5])
+def test_a_limit_below_which_there_is_no_walk_needs_no_pair(tolerance: float) -> None:
+    """With ten turns of 0.45 m the head would start on the disc's rim."""
+    plan = read_plan("spiral-in", ["dragon.benches=40", "disc.radius=4.5", "route.start_turn=10"])
+    answer = limit(plan, "pitch", tolerance=tolerance)
+    assert answer.lower <= 0.45 <= answer.upper < 0.45 + 2.0 * tolerance
+    assert answer.status == "found"
+    assert answer.witness is None

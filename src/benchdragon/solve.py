@@ -137,8 +137,10 @@ class Family:
 
     def deepest(self, failed: Trial, before: Meeting | None) -> Meeting | None:
         """The pair to go by after a failure: the deepest, or the first if that was gone by before."""
+        if failed.meeting is None:  # nothing met: there may be no such walk
+            return None
         walk, start, end = self.walk(failed.size)
-        if failed.meeting is None or len(walk.dragon) > MOST_SAMPLED:
+        if len(walk.dragon) > MOST_SAMPLED:
             return failed.meeting
         deepest = self.low_meeting(walk, start, end)
         if deepest is None or (before and (deepest.i, deepest.j) == (before.i, before.j)):
@@ -372,16 +374,23 @@ def _first_clear(family: Family, size: float, tell: Advance) -> tuple[float | No
 def _limit_answer(bracket: Limit, value: float, meeting: Meeting | None, began: float) -> Answer:
     family = bracket.family
     lower, upper = sorted((bracket.good, bracket.bad))
-    witness = None
-    if meeting is not None:
-        walk, start, end = family.walk(bracket.bad)
-        first, last = walk.head_position([start, end]).tolist()
-        hunt = Hunt(walk, first, last, family.margin, lambda _share: None)
-        witness = hunt.witness(min(meeting.s, last), meeting.i, meeting.j)
     return Answer(
-        min(max(value, lower), upper), lower, upper, "m", "found", witness,
+        min(max(value, lower), upper), lower, upper, "m", "found", _witness(family, bracket.bad, meeting),
         _assumed(family), bracket.looks, clock.perf_counter() - began,
     )  # fmt: skip
+
+
+def _witness(family: Family, size: float, meeting: Meeting | None) -> Witness | None:
+    """What shows that a size does not pass; None where no pair does, or there is no such walk."""
+    if meeting is None:
+        return None
+    try:
+        walk, start, end = family.walk(size)
+    except (InputError, PlanError):
+        return None
+    first, last = walk.head_position([start, end]).tolist()
+    hunt = Hunt(walk, first, last, family.margin, lambda _share: None)
+    return hunt.witness(min(meeting.s, last), meeting.i, meeting.j)
 
 
 def _assumed(family: Family) -> tuple[str, ...]:

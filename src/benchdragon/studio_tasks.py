@@ -28,7 +28,7 @@ from benchdragon.pace import greatest_head_speed, slowed, with_pace
 from benchdragon.plan import Plan, checked, read_plan
 from benchdragon.plan_text import parsed
 from benchdragon.player import write_player
-from benchdragon.solve import limit
+from benchdragon.quick import quick_limit, quick_verdict
 from benchdragon.speeds import part_of
 from benchdragon.studio_settings import Settings, too_much
 from benchdragon.tables import WRITERS, Selection
@@ -102,11 +102,6 @@ def answer_of(found: answer.Answer, plan: Plan) -> wire.Answer:
     return wire.Answer.model_validate({**data, **about})
 
 
-def report_of(plan: Plan) -> Report:
-    """What a verdict is made of."""
-    return check(plan)
-
-
 def verdict_of(report: Report, seconds: float) -> wire.Verdict:
     """A report as it is sent."""
     plan, contact = report.plan, report.first_contact
@@ -144,19 +139,19 @@ def written(ask: Ask, _advance: Advance) -> Made:
 def judged(ask: Ask, _advance: Advance) -> Made:
     """Whether the walk is safe."""
     began = clock.perf_counter()
-    report = report_of(ask.whole)
+    report = quick_verdict(ask.whole)
     return sent(verdict_of(report, clock.perf_counter() - began))
 
 
 def danced(ask: Ask, advance: Advance) -> Made:
     """The dance as the player shows it."""
-    report = report_of(ask.whole)
+    report = quick_verdict(ask.whole)
     return sent(checked_dance(report, Span(report.start, report.end, looks=FEW_LOOKS), advance))
 
 
 def limited(name: str, ask: Ask, _advance: Advance) -> Made:
     """How small or large one size may be."""
-    return sent(answer_of(limit(ask.whole, name), ask.whole))
+    return sent(answer_of(quick_limit(ask.whole, name), ask.whole))
 
 
 def check_depth(data: Any, most: int) -> None:
@@ -240,11 +235,11 @@ def exported(name: str, ask: Ask, advance: Advance) -> Made:
             return Made(_pictures(plan, name, Path(folder), ask.settings), MEDIA["zip"], f"{name}.zip")
         path = Path(folder) / name
         if name == "player.html":
-            write_player(path, checked_dance(report_of(plan), advance=advance))
+            write_player(path, checked_dance(check(plan), advance=advance))
         elif name == "check.xlsx":
             from benchdragon.verdict_files import write_files
 
-            write_files(report_of(plan), [path])
+            write_files(check(plan), [path])
         else:
             walk = plan.build()
             times = export_times(plan, walk, ask.settings.places)
@@ -263,7 +258,7 @@ def _pictures(plan: Plan, kind: str, folder: Path, settings: Settings) -> bytes:
     for name, figure in walk_pictures(walk, times, title, plan.disc.radius).items():
         write_picture(figure, folder / f"{name}.{kind}", title, plan.sha256)
     if len(walk.dragon) > 2:
-        write_files(report_of(plan), [folder / f"{name}.{kind}" for name in ("contact", "clearance")])
+        write_files(check(plan), [folder / f"{name}.{kind}" for name in ("contact", "clearance")])
     packed = io.BytesIO()
     with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as out:
         for path in sorted(folder.iterdir()):
