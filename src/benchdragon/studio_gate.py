@@ -183,7 +183,7 @@ def _check_json(body: bytes, depth: int) -> None:
     """
     try:
         data = json.loads(body.decode("utf-8"), parse_constant=_refuse_constant)
-        check_depth([data], depth + 1)
+        check_depth(data, depth)
         json.dumps(data, ensure_ascii=False).encode("utf-8")
     except (InputError, RecursionError):
         text = _("wanted brackets at most {most} deep").format(most=depth)

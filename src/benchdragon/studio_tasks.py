@@ -155,17 +155,17 @@ def limited(name: str, ask: Ask, _advance: Advance) -> Made:
 
 
 def check_depth(data: Any, most: int) -> None:
-    """Refuse data nested deeper than `most`.
+    """Refuse lists and tables nested deeper than `most`.
 
     Raises:
-        InputError: if it is.
+        InputError: if they are.
     """
-    level, depth = [data], 0
-    while level:
-        if depth > most:
+    level: list[Any] = [[data]]
+    depth = 0
+    while level := [one for values in level for one in values if isinstance(one, dict | list)]:
+        if depth == most:
             raise InputError(_("wanted brackets at most {most} deep").format(most=most))
-        inner = (list(at.values()) if isinstance(at, dict) else at for at in level)
-        level = [one for values in inner for one in values if isinstance(one, dict | list)]
+        level = [list(at.values()) if isinstance(at, dict) else at for at in level]
         depth += 1
 
 
@@ -359,16 +359,14 @@ TASKS: dict[str, Callable[[Ask, Advance], Made]] = {
 
 
 def warm(lane: str, settings: Settings) -> None:
-    """One dry answer of what a lane is asked most, so that the first asker need not wait."""
-    plan = read_plan("spiral-in", ["dragon.benches=40", "disc.radius=4.5", "route.start_turn=10"])
+    """Dry answers of what a lane is asked most, so that the first asker need not wait."""
+    coil = read_plan("spiral-in", ["dragon.benches=40", "disc.radius=4.5", "route.start_turn=10"])
     turn = read_plan("turn", ["dragon.benches=10", "walk.start=-5"])
-    names = {
-        "quick": ["verdict", "limit/pitch", "dance"],
-        "files": ["export/png"],
-        "jobs": ["job/speed"],
-    }[lane]
-    for name in names:
-        for one in (plan, turn):
-            if name == "job/speed" and one.limits.speed is None:
-                continue
-            TASKS[name](Ask(name, "en", settings, one), lambda _share, _text: None)
+    few = read_plan("spiral-in", ["dragon.benches=4", "disc.radius=4.5", "route.start_turn=9"])
+    asked = {
+        "quick": [("verdict", coil), ("verdict", turn), ("limit/pitch", coil), ("dance", coil)],
+        "files": [("export/png", few)],
+        "jobs": [("job/speed", turn)],
+    }
+    for name, plan in asked[lane]:
+        TASKS[name](Ask(name, "en", settings, plan), lambda _share, _text: None)

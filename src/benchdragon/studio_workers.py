@@ -342,7 +342,10 @@ class Lane:
         ours, theirs = context.Pipe()
         folder = tempfile.mkdtemp(prefix="benchdragon-studio-")
         process = context.Process(
-            target=work, args=(theirs, self.name, self.settings, folder), daemon=True
+            target=work,
+            args=(theirs, self.name, self.settings, folder),
+            daemon=True,
+            name=f"benchdragon {self.name}",
         )
         process.start()
         theirs.close()
