@@ -2,8 +2,8 @@
 
 The ratio of the speeds at a bench's two handles depends on its link and on where its front handle
 stands, and on nothing else. The greatest in each cell of the route is found once; the product down a
-chain then bounds all of its speeds over a step of the head, at a tenth of the cost of a chain's own
-bounds. That is looser, but sees where a greatest speed cannot be (design/sieve.py).
+chain then bounds all of its speeds over a long step of the head. That is looser than a chain's own
+bounds, but far cheaper, and sees where a greatest speed cannot be (design/sieve.py).
 """
 
 import math
