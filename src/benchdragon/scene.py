@@ -44,7 +44,7 @@ LEAST_SIDE, MOST_SIDE = 64, 4096
 # Okabe and Ito's yellow, for benches that touch; they are hatched too.
 TOUCH = "#F0E442"
 UNITS_WIDE, UNITS_HIGH = 1920.0, 1080.0
-MARGIN, HEADER, FOOTER, GAP = 40.0, 76.0, 72.0, 16.0
+MARGIN, HEADER, FOOTER, GAP = 40.0, 76.0, 72.0, 36.0
 TITLE, PLAIN, LEAST_TEXT = 34.0, 28.0, 16.0
 # Widest scale bar, where the legend begins, and how far its entries and its words stand off.
 LONGEST_BAR, LEGEND, SWATCH, WORD = 240.0, 440.0, 46.0, 12.0
@@ -256,7 +256,7 @@ class Layout:
     def __init__(self, look: Look, title: str) -> None:
         self.look, self.theme = look, THEMES[look.theme]
         self.wide, self.high = (side / look.unit for side in look.size)
-        # A hundredth of a pixel more, so that rounding down gives the size that was asked.
+        # A hundredth of a pixel more: before matplotlib 3.11 sizes are rounded down.
         inches = [(side + 0.01) / (72.0 * look.unit) for side in look.size]
         self.figure = named_figure(inches[0], inches[1], "")
         self.figure.set_layout_engine("none")
