@@ -189,11 +189,11 @@ class Panel:
         if look.follow is not None:
             self.scale = box.width / look.span
         self._centre_on(0.5 * (x0 + x1), 0.5 * (y0 + y1))
-        self._draw_place(place)
         ink = THEMES[look.theme].ink
         # Thin lines about benches that are drawn small, small marks in small views.
         outline = min(0.8, OUTLINE * place.bench_width * self.scale)
         mark = min(1.0, max(LEAST_MARK, box.height / UNITS_HIGH))
+        self._draw_place(place, mark)
         self.body = PolyCollection([], fc=BODY, ec="black", lw=outline, zorder=3)
         self.touching = PolyCollection([], fc=TOUCH, ec="black", lw=outline, hatch="xx", zorder=4)
         self.head = PolyCollection([], fc=HEAD, ec="black", lw=outline, zorder=5)
@@ -211,12 +211,12 @@ class Panel:
         """All that `show` changes, as it is drawn from below to above."""
         return [self.body, self.touching, self.head, self.nose, self.ring]
 
-    def _draw_place(self, place: Place) -> None:
+    def _draw_place(self, place: Place, mark: float) -> None:
         route = THEMES[self.look.theme].route
-        self.axes.add_line(Line2D(*place.route.T, color=route, lw=1.2, zorder=1))
+        self.axes.add_line(Line2D(*place.route.T, color=route, lw=1.2 * mark, zorder=1))
         if place.disc is not None:
             self.axes.add_patch(
-                Circle(place.centre, place.disc, fill=False, ec=DISC, lw=2.5, ls="--", zorder=2)
+                Circle(place.centre, place.disc, fill=False, ec=DISC, lw=2.5 * mark, ls="--", zorder=2)
             )
 
     def _centre_on(self, x: float, y: float) -> None:
