@@ -374,8 +374,9 @@ def _first_clear(family: Family, size: float, tell: Advance) -> tuple[float | No
 def _limit_answer(bracket: Limit, value: float, meeting: Meeting | None, began: float) -> Answer:
     family = bracket.family
     lower, upper = sorted((bracket.good, bracket.bad))
+    witness = _witness(family, bracket.bad, meeting)
     return Answer(
-        min(max(value, lower), upper), lower, upper, "m", "found", _witness(family, bracket.bad, meeting),
+        min(max(value, lower), upper), lower, upper, "m", "found", witness,
         _assumed(family), bracket.looks, clock.perf_counter() - began,
     )  # fmt: skip
 

@@ -165,7 +165,7 @@ export class PlanForm {
     this.plan = {};
     const told = (/** @type {string} */ key, /** @type {unknown} */ value, /** @type {boolean} */ final) => changed(withValue(this.plan, key, value), final);
     this.controls = GROUPS.map((group) => group.fields.map((field) => new NumberControl(field, told)));
-    this.preset = choice(_("preset"), [["", _("choose one")], ...presets.map(({ name, title }) => /** @type {[string, string]} */ ([name, title[language()]]))], "", (name) => this.#take(name));
+    this.preset = choice(_("begin with"), [["", _("choose one")], ...presets.map(({ name, title }) => /** @type {[string, string]} */ ([name, title[language()]]))], "", (name) => this.#take(name));
     this.source = make("p", { class: "source" });
     this.family = choice(_("kind of turn"), [["arc-arc", _("two arcs")], ["arc-line-arc", _("arc, line, arc")], ["arc-arc-arc", _("three arcs")]], "arc-arc", (family) => told("turn.family", family, true));
     this.parts = make("p", { class: "source" }, _("The route of this plan is a list of parts: change it in the plan file."));

@@ -1,0 +1,190 @@
+"""The studio in a browser: a plan is changed, judged, watched, asked about at length, saved, opened."""
+
+import re
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Locator, Page, expect
+
+from benchdragon.plan import read_plan
+from tests.browser.pages import Device, Language, Pages
+from tests.studio_servers import process
+
+# Milliseconds after which an answer counts as none: kernels may have to be compiled before it.
+LONG = 90_000
+SENTENCES = {
+    "en": ("Walkable: tightest", "Not walkable: benches"),
+    "zh": ("可行：最紧处", "不可行：第"),
+}
+PITCH = {"en": "spiral pitch", "zh": "螺距"}
+
+
+@pytest.fixture(scope="module")
+def studio() -> Iterator[str]:
+    """The address of a studio."""
+    with process("--workers", "1") as (_process, address):
+        yield address
+
+
+Opened = Callable[..., Page]
+
+
+@pytest.fixture
+def opened(pages: Pages, studio: str) -> Opened:
+    """Opens the studio, and waits for its first dance."""
+
+    def open_page(device: Device = "desktop", language: Language = "en", where: str = "") -> Page:
+        page = pages.open(f"{studio}/{where}", device, language)
+        expect(page.locator("canvas")).to_be_visible(timeout=LONG)
+        return page
+
+    return open_page
+
+
+def verdict(page: Page) -> Locator:
+    return page.locator(".verdict")
+
+
+def number(page: Page, name: str) -> Locator:
+    return page.get_by_role("spinbutton", name=name, exact=True)
+
+
+def settle(page: Page, pattern: str) -> None:
+    """Wait for a verdict that reads so."""
+    expect(verdict(page)).to_have_text(re.compile(pattern), timeout=LONG)
+
+
+@pytest.mark.parametrize(("device", "language"), [("desktop", "en"), ("phone", "zh")])
+def test_the_verdict_turns_between_a_pitch_of_46_and_of_44_cm(
+    opened: Opened, device: Device, language: Language
+) -> None:
+    """The disc has a radius of 4.5 m; the smallest pitch lies between."""
+    page = opened(device, language)
+    good, bad = SENTENCES[language]
+    slider = page.get_by_role("slider", name=PITCH[language])
+    slider.fill("0.46")
+    settle(page, f"{good} (9.6|0.96)")
+    slider.fill("0.44")
+    settle(page, f"{bad}.*181.2 s")
+    expect(verdict(page)).to_have_class("verdict unsafe")
+    expect(page.locator(".limit")).to_have_text(re.compile(r"0\.4503"), timeout=LONG)
+    slider.fill("0.46")
+    settle(page, good)
+    wide = page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+    assert wide
+
+
+def test_the_evidence_is_one_click_away_and_leads_to_the_moment(opened: Opened) -> None:
+    page = opened()
+    number(page, "spiral pitch").fill("0.44")
+    number(page, "spiral pitch").press("Enter")
+    settle(page, "Not walkable")
+    expect(page.locator("#studio")).to_have_attribute("aria-busy", "false", timeout=LONG)
+    verdict(page).click()
+    dialog = page.get_by_role("dialog")
+    expect(dialog).to_contain_text("181.196253")
+    expect(dialog).to_contain_text("found")
+    dialog.get_by_role("button", name=re.compile("benches 1 and 19")).first.click()
+    expect(dialog).to_have_count(0)
+    expect(page.locator(".clock")).to_have_text("t = 181.20 s")
+
+
+def test_steps_go_back_and_forth_and_all_stands_in_the_address(opened: Opened) -> None:
+    page = opened()
+    benches = number(page, "benches")
+    undo, redo = (page.get_by_role("button", name=name) for name in ("undo", "redo"))
+    expect(undo).to_be_disabled()
+    benches.fill("60")
+    benches.press("Enter")
+    expect(undo).to_be_enabled()
+    undo.click()
+    expect(benches).to_have_value("223")
+    redo.click()
+    expect(benches).to_have_value("60")
+    settle(page, "Walkable")
+    expect(page.locator("#studio")).to_have_attribute("aria-busy", "false", timeout=LONG)
+    page.reload()
+    expect(number(page, "benches")).to_have_value("60", timeout=LONG)
+    page.get_by_role("button", name="中文").click()
+    expect(page.get_by_role("button", name="撤销")).to_be_visible()
+    settle(page, "可行")
+    assert "lang=zh" in page.url
+
+
+def test_a_wrong_plan_is_told_in_one_sentence_and_loses_nothing(opened: Opened, pages: Pages) -> None:
+    page = opened()
+    width = number(page, "width of a bench")
+    width.fill("-1")
+    width.press("Enter")
+    settle(page, r"dragon\.width: wanted more than 0")
+    expect(page.locator("canvas")).to_be_visible()
+    page.get_by_role("button", name="undo").click()
+    settle(page, "Walkable")
+    assert pages.faults
+    assert all("422" in fault for fault in pages.faults)
+    pages.faults.clear()
+
+
+def test_a_long_question_is_followed_and_cancelled(opened: Opened) -> None:
+    page = opened()
+    page.get_by_label("begin with").select_option("turn")
+    settle(page, "Walkable: tightest 27.9 cm, bench 1 with bench 17")
+    page.get_by_role("button", name="best turn").click()
+    job = page.locator(".jobs li").first
+    expect(job.get_by_role("progressbar")).to_be_visible()
+    expect(job).to_have_attribute("data-state", "running", timeout=LONG)
+    job.get_by_role("button", name="cancel").click()
+    expect(job).to_contain_text("cancelled", timeout=LONG)
+    page.get_by_role("button", name="greatest head speed").click()
+    expect(page.locator(".jobs li").first).to_contain_text("1.246266358 m/s (found)", timeout=LONG)
+
+
+def test_a_plan_is_saved_and_opened_again(opened: Opened, tmp_path: Path, pages: Pages) -> None:
+    page = opened()
+    number(page, "spiral pitch").fill("0.61")
+    number(page, "spiral pitch").press("Enter")
+    with page.expect_download() as saved:
+        page.get_by_role("button", name="save the plan file").click()
+    path = tmp_path / saved.value.suggested_filename
+    saved.value.save_as(path)
+    assert path.name == "dance.dragon.toml"
+    assert read_plan(str(path)).value("route.pitch") == 0.61
+    page.get_by_role("button", name="reset").click()
+    expect(number(page, "spiral pitch")).to_have_value("0.55")
+    with page.expect_file_chooser() as chooser:
+        page.get_by_role("button", name="open a plan file").click()
+    chooser.value.set_files(path)
+    expect(number(page, "spiral pitch")).to_have_value("0.61")
+    path.write_text("schema = 1\n[route]\nkind = 'spiral-in'\npich = 1\n", "utf-8")
+    with page.expect_file_chooser() as chooser:
+        page.get_by_role("button", name="open a plan file").click()
+    chooser.value.set_files(path)
+    expect(page.locator("output.told").last).to_contain_text("did you mean pitch")
+    expect(number(page, "spiral pitch")).to_have_value("0.61")
+    pages.faults.clear()  # the refusal is on the console
+
+
+def test_the_player_is_exported_as_a_page_of_its_own(
+    opened: Opened, tmp_path: Path, pages: Pages
+) -> None:
+    page = opened()
+    page.get_by_label("file to export").select_option("player.html")
+    with page.expect_download(timeout=LONG) as saved:
+        page.get_by_role("button", name="export", exact=True).click()
+    path = tmp_path / saved.value.suggested_filename
+    saved.value.save_as(path)
+    alone = pages.open(path.as_uri())
+    expect(alone.locator("canvas")).to_be_visible()
+    expect(alone.locator(".ruling")).to_contain_text("Walkable: tightest 9.94 cm")
+
+
+def test_every_control_has_a_name(opened: Opened) -> None:
+    page = opened()
+    nameless = page.evaluate(
+        """() => [...document.querySelectorAll("button, select, input:not([hidden])")]
+          .filter((one) => one.checkVisibility() && !one.ariaLabel && !one.textContent.trim())
+          .filter((one) => !one.labels?.[0]?.textContent.trim())
+          .map((one) => one.outerHTML)"""
+    )
+    assert nameless == []
