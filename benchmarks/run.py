@@ -33,14 +33,18 @@ from benchdragon import (
     Spiral,
     TwoArcTurn,
     Walk,
+    clearances,
     first_contact,
     ground,
     tightest_pairs,
 )
 from benchdragon.best_turn import Wish, best_turn
+from benchdragon.check import check
+from benchdragon.clearance import nearest_each
 from benchdragon.kernels.chain import march
 from benchdragon.pace import greatest_head_speed
 from benchdragon.plan import read_plan
+from benchdragon.quick import quick_limit, quick_verdict
 from benchdragon.solve import smallest_pitch
 
 FloatArray = npt.NDArray[np.float64]
@@ -387,6 +391,47 @@ def turn_rows(quick: bool) -> list[str]:
     return lines
 
 
+def quick_rows(quick: bool) -> list[str]:
+    """Quick answers beside exact ones: all of a verdict, and the smallest pitch."""
+    disc = "disc.radius=4.5"
+    lines = ["| plan | verdict: exact, ms | quick, ms | exact over quick |", "|---|---|---|---|"]
+    for source, *settings in (
+        ["spiral-in"], ["spiral-in", disc], ["spiral-in", disc, "route.pitch=0.46"],
+        ["spiral-in", disc, "route.pitch=0.44"], ["turn"], ["turn", "turn.family=arc-line-arc"],
+        ["turn", "turn.ease=0.3"], ["turn", "dragon.head_length=2.2"],
+    ):  # fmt: skip
+        plan = read_plan(source, settings)
+        lines.append(
+            beside(source, settings, [partial(check, plan), partial(quick_verdict, plan)], quick)
+        )
+    lines += [
+        "",
+        "| plan | smallest pitch: exact, ms | quick, ms | exact over quick |",
+        "|---|---|---|---|",
+    ]
+    for settings in ([], ["route.pitch=0.44"], ["route.pitch=0.6"], ["dragon.width=0.5"]):
+        plan = read_plan("spiral-in", [disc, *settings])
+        jobs = [partial(smallest_pitch, plan), partial(quick_limit, plan, "pitch")]
+        lines.append(beside("spiral-in", [disc, *settings], jobs, quick))
+    motion = WALK.motion(np.linspace(0.0, 400.0, 64))
+    each, tree = fastest([partial(nearest_each, motion), partial(clearances, motion)], 5)
+    return [
+        *lines, "", "| 223 benches in a coil | ms a time |", "|---|---|",
+        f"| each bench's nearest | {1e3 * each / 64:.3f} |",
+        f"| the nearest pair, by a k-d tree | {1e3 * tree / 64:.3f} |",
+    ]  # fmt: skip
+
+
+def beside(
+    source: str, settings: Sequence[str], jobs: Sequence[Callable[[], object]], quick: bool
+) -> str:
+    """A row of two jobs that take turns."""
+    for job in jobs:
+        job()
+    exact, loose = (1e3 * seconds for seconds in fastest(jobs, 1 if quick else 5))
+    return f"| {' '.join([source, *settings])} | {exact:.0f} | {loose:.0f} | {exact / loose:.1f} |"
+
+
 def machine() -> str:
     """What the figures were measured on."""
     name = platform.processor() or platform.machine()
@@ -416,6 +461,7 @@ def main() -> None:
         ["## Growth", "", *growth(options.quick)],
         ["## Contact", "", *contact_rows(options.quick)],
         ["## Turns", "", *turn_rows(options.quick)],
+        ["## Quick answers", "", *quick_rows(options.quick)],
         ["## Large jobs", "", *large_jobs(options.quick)],
         ["## Whole processes", "", *cold_starts()],
         ["## Threads", "", *workers()],

@@ -11,8 +11,11 @@ from benchdragon.clearance import (
     Nearness,
     boxes,
     clearances,
+    low_pair,
+    low_point,
     nearest_each,
     nearness,
+    pair_distances,
     pairs_within,
     tightest_pairs,
 )
@@ -165,6 +168,34 @@ def test_two_benches_have_no_others() -> None:
     distance, partner = nearest_each(Walk(Dragon.uniform(2), Route((Line(10.0),))).motion([0.0]))
     assert np.isposinf(distance).all()
     assert not partner.any()
+
+
+@pytest.mark.parametrize("walk", [SPIRAL, TURN])
+def test_a_low_pair_is_as_near_as_it_says_and_no_sample_is_much_nearer(walk: Walk) -> None:
+    first, last = 150.0, 400.0
+    distance, where, i, j = low_pair(walk, first, last)
+    still = Walk(walk.dragon, walk.route)
+    motion = still.motion([where])
+    assert first <= where <= last
+    assert pair_distances(motion, i, j)[0] == pytest.approx(distance, abs=1e-12)
+    assert distance == pytest.approx(clearances(motion)[0], abs=1e-12)
+    assert distance <= clearances(still.motion(np.linspace(first, last, 128))).min()
+
+
+def test_a_low_pair_is_sought_where_the_dragon_stands() -> None:
+    length = SPIRAL.route.length
+    assert low_pair(SPIRAL, 400.0, length + 500.0)[0] < 0.0
+    assert low_pair(SPIRAL, length + 1.0, length + 2.0)[0] == math.inf
+    assert low_pair(SPIRAL, 100.0, 100.0)[0] == pytest.approx(clearances(SPIRAL.motion([100.0]))[0])
+
+
+def test_a_pairs_low_point_is_that_of_dense_samples() -> None:
+    least, where = low_point(TURN, 0, 16, 135.0, 165.0)
+    still = Walk(TURN.dragon, TURN.route)
+    dense = pair_distances(still.motion(np.linspace(135.0, 165.0, 3001)), 0, 16)
+    assert dense.min() - 1e-3 < least <= dense.min()
+    assert pair_distances(still.motion([where]), 0, 16)[0] == pytest.approx(least, abs=1e-12)
+    assert low_point(TURN, 0, 16, 1e7, 2e7)[0] == math.inf
 
 
 def test_wrong_counts_and_failed_times_are_refused() -> None:

@@ -21,11 +21,12 @@ from benchdragon import (
     WalkError,
     clearance_curve,
     clearances,
+    contact,
     contact_windows,
     first_contact,
     least_clearance,
 )
-from benchdragon.contact import Hunt
+from benchdragon.contact import Hunt, clearance_above
 from benchdragon.plan import read_plan
 
 TRUTH = json.loads((Path(__file__).parent / "truth" / "contest.json").read_text("utf-8"))
@@ -295,3 +296,34 @@ def test_brackets_end_where_the_head_stands() -> None:
     for s in (5.0, math.nextafter(5.0, 0.0), math.nextafter(5.0, 9.0)):
         answer = hunt.answer_at(s, s, "found", 0, 8)
         assert answer.lower <= answer.value <= answer.upper
+
+
+def test_a_clearance_above_a_margin_says_that_there_is_no_contact(contest: Walk) -> None:
+    least = least_clearance(contest, 395.0, 405.0)
+    above = clearance_above(contest, 395.0, 405.0, least.value - 1e-6)
+    assert above is not None
+    assert (above.lower, above.value, above.upper) == (least.lower, least.value, least.upper)
+    assert clearance_above(contest, 395.0, 405.0, least.value) is None
+    assert clearance_above(contest, 395.0, 405.0, least.value - 1e-6, tolerances=(1e-3,)) is None
+    assert clearance_above(contest, 395.0, 413.0, 0.0) is None
+    pair = Walk(Dragon.uniform(2), contest.route)
+    assert clearance_above(pair, 0.0, 10.0, 5.0) == least_clearance(pair, 0.0, 10.0)
+    with pytest.raises(InputError):
+        clearance_above(contest, 0.0, 1.0, -1.0)
+
+
+def test_a_walk_that_overlaps_and_then_falls_is_one_that_falls(contest: Walk) -> None:
+    with pytest.raises(WalkError):
+        least_clearance(contest, 405.0, contest.route.length + 30.0)
+
+
+def test_longer_dragons_are_searched_without_a_hint(
+    contest: Walk, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    hinted = least_clearance(contest, 395.0, 405.0)
+    monkeypatch.setattr(contact, "MOST_SAMPLED", 100)
+    plain = least_clearance(contest, 395.0, 405.0)
+    assert plain.value == pytest.approx(hinted.value, abs=1e-12)
+    assert plain.witness is not None
+    assert hinted.witness is not None
+    assert plain.witness.benches == hinted.witness.benches

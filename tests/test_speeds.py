@@ -13,6 +13,7 @@ PLANS = {
     "turn": ["turn", "dragon.benches=60"],
     "three arcs": ["turn", "dragon.benches=60", "turn.family=arc-arc-arc", "turn.curvature=0.1"],
     "alike": ["turn", "dragon.benches=40", "dragon.head_length=2.2"],
+    "far out": ["spiral-in", "route.start_turn=40", "disc.radius=20", "dragon.benches=60"],
     "eased": ["turn", "dragon.benches=60", "turn.ease=0.3"],
 }
 UNEVEN = Dragon.of_sizes(np.repeat([3.0, 2.2, 1.4, 2.6], [1, 30, 30, 1]), 0.3, 0.2, 0.2)

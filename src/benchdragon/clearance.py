@@ -165,7 +165,10 @@ def touching(motion: Motion, index: int = 0) -> IntArray:
 
 
 def pair_distances(motion: Motion, i: int, j: int) -> FloatArray:
-    """Distance of benches i and j (rows, from 0) at each time of a motion, m, (T,); minus a depth."""
+    """Distance of benches i and j (rows, from 0) at each time of a motion, m, (T,); minus a depth.
+
+    Infinite where the dragon does not stand.
+    """
     out = np.empty(len(motion.times))
     x, y = np.ascontiguousarray(motion.x.T), np.ascontiguousarray(motion.y.T)
     kernel.distances_along(motion.walk.dragon.sizes, x, y, i, j, out)
@@ -203,11 +206,11 @@ def low_point(
     for _shrink in range(shrinks if low < high else 0):
         at = np.linspace(low, high, SAMPLES)
         distance = pair_distances(short.motion(at, throw=False), i, j)
-        if np.isnan(distance).all():
+        n = int(np.argmin(distance))  # infinite where the dragon does not stand
+        if not math.isfinite(distance[n]):
             break
-        n = int(np.nanargmin(distance))
         least, where = min((least, where), (float(distance[n]), float(at[n])))
-        if np.nanmax(distance) - distance[n] <= LEVEL:
+        if distance.max() - distance[n] <= LEVEL:
             break
         low, high = at[max(n - 1, 0)], at[min(n + 1, SAMPLES - 1)]
     return least, where

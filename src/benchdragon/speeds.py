@@ -37,9 +37,10 @@ NOTHING = 1e-9
 # A ceiling may lie so much above what is seen at the ends of its step, relative, before that is halved,
 # and so often.
 LOOSE, MOST_HALVINGS = 1e-4, 10
-# Steps and cells of a sieve, as shares of the shortest link, and what one cell costs, in handles
-# bounded (design/sieve.py).
-SIEVE_STEPS, SIEVE_CELL, CELL_COST = (0.8, 0.2, 0.05), 0.05, 3.0
+# Steps of a sieve, and its cells, as shares of the shortest link; the share of a walk that the first
+# ones may let through before finer ones are tried; what a cell costs, in handles bounded
+# (design/sieve.py).
+SIEVE_STEPS, SIEVE_CELLS, ROUGH, CELL_COST = (0.8, 0.2, 0.05), (0.05, 0.025, 0.0125), 0.25, 3.0
 # Handles times head positions at a time: 60 MB.
 PLACES = 1_000_000
 
@@ -204,8 +205,13 @@ class _Search:
         """Where the greatest value may be: from head position to head position, m, on which links."""
         parts = [(first, last, self.walk.dragon.links)]
         if self.quantity.column == sweep.SPEED and sieve_pays(self.walk, last - first):
-            cells = _Sieve(self.walk, first, last)
-            for step in SIEVE_STEPS:
+            for share in SIEVE_CELLS:
+                cells = _Sieve(self.walk, first, last, share)
+                parts = list(self._open_parts(cells, first, last, SIEVE_STEPS[0]))
+                # Where the head is fastest all along, as on a spiral inward, no cell may be loose.
+                if self.row or sum(end - start for start, end, _ in parts) <= ROUGH * (last - first):
+                    break
+            for step in SIEVE_STEPS[1:]:
                 parts = [finer for part in parts for finer in self._open_parts(cells, *part[:2], step)]
         return parts
 
@@ -351,17 +357,17 @@ class _Search:
 def sieve_pays(walk: Walk, way: float) -> bool:
     """Whether a sieve costs less than a look along the whole `way` of the head, m."""
     links = walk.dragon.links
-    cells = len(np.unique(links)) * (way + float(links.sum())) / SIEVE_CELL
+    cells = len(np.unique(links)) * (way + float(links.sum())) / SIEVE_CELLS[0]
     return CELL_COST * cells < len(links) * way / STEP
 
 
 class _Sieve:
     """The greatest speed ratios in cells of the route, for the benches of each link: see the kernel."""
 
-    def __init__(self, walk: Walk, first: float, last: float) -> None:
+    def __init__(self, walk: Walk, first: float, last: float, share: float) -> None:
         links, self._group = np.unique(walk.dragon.links, return_inverse=True)
         s = Walk(walk.dragon, walk.route).motion([first, last]).s[:, :-1]
-        self._cell = SIEVE_CELL * float(links[0])
+        self._cell = share * float(links[0])
         self._low = math.floor(s[0, -1] / self._cell)
         count = math.floor(last / self._cell) + 1 - self._low
         self._ratios = np.full((len(links), count), math.inf)
