@@ -172,6 +172,16 @@ def part_of(
     return tell
 
 
+@dataclass(frozen=True)
+class _Part:
+    """Head positions, m, between which the links' handles need a look: no value is above the bound."""
+
+    start: float
+    end: float
+    links: FloatArray
+    bound: float
+
+
 class _Search:
     """Branch and bound over the head's position."""
 
@@ -191,40 +201,51 @@ class _Search:
 
     def over(self, first: float, last: float, advance: Advance | None) -> Peak:
         """The greatest value with the head between first and last, m."""
-        for start, end, links in self._parts(first, last):
-            self._links = links
-            for at, bounds, _ends in self.blocks(start, end):
+        parts = self._parts(first, last)
+        for n, part in enumerate(self._worthwhile(parts)):
+            self._links = part.links
+            for at, bounds, _ends in self.blocks(part.start, part.end):
                 self._search(at[:-1], at[1:], bounds)
                 if advance and last > first:
-                    advance((float(at[-1]) - first) / (last - first))
+                    done = (float(at[-1]) - part.start) / (part.end - part.start)
+                    advance((n + done) / len(parts))
         if advance and last > first:
             advance(1.0)
         return Peak(self.seen, max(self.upper, self.seen), self.where, self.row, self.looks)
 
-    def _parts(self, first: float, last: float) -> list[tuple[float, float, FloatArray]]:
-        """Where the greatest value may be: from head position to head position, m, on which links."""
-        parts = [(first, last, self.walk.dragon.links)]
-        if self.quantity.column == sweep.SPEED and sieve_pays(self.walk, last - first):
-            for share in SIEVE_CELLS:
-                cells = _Sieve(self.walk, first, last, share)
-                parts = list(self._open_parts(cells, first, last, SIEVE_STEPS[0]))
-                # Where the head is fastest all along, as on a spiral inward, no cell may be loose.
-                if self.row or sum(end - start for start, end, _ in parts) <= ROUGH * (last - first):
-                    break
-            for step in SIEVE_STEPS[1:]:
-                parts = [finer for part in parts for finer in self._open_parts(cells, *part[:2], step)]
+    def _parts(self, first: float, last: float) -> list["_Part"]:
+        """Where the greatest value may be."""
+        whole = _Part(first, last, self.walk.dragon.links, math.inf)
+        if self.quantity.column != sweep.SPEED or not sieve_pays(self.walk, last - first):
+            return [whole]
+        for share in SIEVE_CELLS:
+            cells = _Sieve(self.walk, first, last, share)
+            parts = list(self._open_parts(cells, whole, SIEVE_STEPS[0]))
+            # Where the head is fastest all along, as on a spiral inward, no cell may be loose.
+            if self.row or sum(part.end - part.start for part in parts) <= ROUGH * (last - first):
+                break
+        for step in SIEVE_STEPS[1:]:
+            coarse = self._worthwhile(parts)
+            parts = [finer for part in coarse for finer in self._open_parts(cells, part, step)]
         return parts
 
-    def _open_parts(
-        self, cells: "_Sieve", first: float, last: float, step: float
-    ) -> Iterator[tuple[float, float, FloatArray]]:
+    def _worthwhile(self, parts: list["_Part"]) -> Iterator["_Part"]:
+        """The parts that may still hold a greater value than is seen, the most promising ones first."""
+        for part in sorted(parts, key=lambda part: -part.bound):
+            if part.bound > max(self.seen * (1.0 + self.tolerance), NOTHING):
+                yield part
+            else:
+                self.upper = max(self.upper, part.bound)
+
+    def _open_parts(self, cells: "_Sieve", part: "_Part", step: float) -> Iterator["_Part"]:
         """What a sieve lets through of a part of the walk, in steps of `step` shortest links."""
-        for at in self._grids(first, last, step):
-            handles = self._sifted(cells, at)
+        links = self.walk.dragon.links
+        for at in self._grids(part.start, part.end, step):
+            handles, bounds = self._sifted(cells, at)
             borders = np.flatnonzero(np.diff(np.concatenate([[0], handles > 0, [0]])))
             for a, b in borders.reshape(-1, 2):
-                most = max(int(handles[a:b].max()) - 1, 1)
-                yield float(at[a]), float(at[b]), self.walk.dragon.links[:most]
+                short = links[: max(int(handles[a:b].max()) - 1, 1)]
+                yield _Part(float(at[a]), float(at[b]), short, float(bounds[a:b].max()))
 
     def _grids(self, first: float, last: float, step: float) -> Iterator[FloatArray]:
         """Head positions in steps of `step` shortest links, as many as fit the memory."""
@@ -233,8 +254,11 @@ class _Search:
         for n in range(0, count, self._per - 1):
             yield grid[n : n + self._per]
 
-    def _sifted(self, cells: "_Sieve", at: FloatArray) -> IntArray:
-        """Handles from the head on that may exceed what is seen in each step; 0 where none does."""
+    def _sifted(self, cells: "_Sieve", at: FloatArray) -> tuple[IntArray, FloatArray]:
+        """Handles from the head on that may exceed what is seen, in each step, and bounds on all.
+
+        0 where none may.
+        """
         motion = Walk(self.walk.dragon, self.walk.route).motion(at)
         factors, most = np.ones(len(at)), np.ones(len(at) - 1)
         if self.profile is not None:
@@ -245,7 +269,7 @@ class _Search:
         wanted = self.seen * max(1.0, (1.0 + self.tolerance) / sweep.ROUNDED_UP)
         steps = cells.steps(motion.s.T, max(wanted, NOTHING) / np.maximum(most, sys.float_info.min))
         self.upper = max(self.upper, sweep.ROUNDED_UP * float((steps[:, sieve.SETTLED] * most).max()))
-        return steps[:, sieve.OPEN].astype(np.int64)
+        return steps[:, sieve.OPEN].astype(np.int64), sweep.ROUNDED_UP * steps[:, sieve.MOST] * most
 
     def blocks(self, first: float, last: float) -> Iterator[tuple[FloatArray, ...]]:
         """First steps, as many as fit the memory.
