@@ -19,9 +19,11 @@ from benchdragon import (
     contact_windows,
     first_contact,
     least_clearance,
+    speeds,
 )
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.pictures import bench_corners
+from benchdragon.speeds import greatest_speed
 
 SEEDS = range(40)
 # Samples of the walk before the contact, and just around it.
@@ -155,3 +157,19 @@ def test_windows_are_where_sampling_sees_overlaps(seed: int) -> None:
         unsure |= np.abs(times - closes) < 1e-9
     seen = nearest(walk, times) < margin if margin > 0.0 else nearest(walk, times) <= 0.0
     assert (seen == inside)[~unsure].all()
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_no_sample_is_above_the_greatest_speed(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(speeds, "sieve_pays", lambda _walk, _way: True)
+    walk, start, end, _margin = random_walk(seed)
+    try:
+        found = greatest_speed(walk, start, end, tolerance=1e-4)
+    except WalkError:
+        return
+    assert found.lower == found.value <= found.upper
+    sampled = walk.motion(np.linspace(start, end, 20 * SAMPLES), throw=False).speed
+    assert np.nanmax(sampled) <= found.upper
+    assert found.witness is not None
+    assert found.witness.time is not None
+    assert walk.motion([found.witness.time]).speed.max() == pytest.approx(found.value, rel=1e-6)
