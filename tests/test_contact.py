@@ -27,6 +27,7 @@ from benchdragon import (
     least_clearance,
 )
 from benchdragon.contact import Hunt, clearance_above
+from benchdragon.kernels.box import least_distance
 from benchdragon.plan import read_plan
 
 TRUTH = json.loads((Path(__file__).parent / "truth" / "contest.json").read_text("utf-8"))
@@ -327,3 +328,15 @@ def test_longer_dragons_are_searched_without_a_hint(
     assert plain.witness is not None
     assert hinted.witness is not None
     assert plain.witness.benches == hinted.witness.benches
+
+
+@pytest.mark.parametrize("family", ["arc-arc", "arc-line-arc"])
+def test_a_turns_least_clearance_is_just_below_all_samples(family: str) -> None:
+    plan = read_plan("turn", [f"turn.family={family}"])
+    walk = plan.build()
+    start, end = plan.span(walk)
+    found = least_clearance(walk, start, end)
+    motion = walk.motion(np.linspace(start, end, 6000))
+    sampled = least_distance(walk.dragon.sizes, motion.x.T, motion.y.T)
+    assert found.upper - found.lower < 1.3e-12
+    assert found.value <= sampled < found.value + 1e-3
