@@ -330,7 +330,7 @@ class Lane:
                         minded.connection.recv()
                         self._first.done(self.name)
                         return minded
-            except (EOFError, OSError):
+            except (EOFError, OSError, RuntimeError):  # the last from a script without a guard
                 LOG.exception("a worker of the lane %s died before it was ready", self.name)
                 self._give_up_in_time()
             if minded is not None:
