@@ -9,6 +9,7 @@ import sys
 import threading
 import zipfile
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import httpx
@@ -605,6 +606,35 @@ def test_a_studio_for_everybody_goes_by_any_address_but_only_by_the_names_given(
     assert statuses(Settings(host="10.1.2.3"), *hosts) == [204, 204, 421, 421, 421]
     everybody = Settings(host="0.0.0.0", names=("Dragon.example",))
     assert statuses(everybody, *hosts) == [204, 204, 204, 204, 421]
+
+
+def test_no_other_protocol_is_spoken() -> None:
+    said: list[Any] = []
+
+    async def nothing(*_arguments: Any) -> Any:
+        raise AssertionError("the gate lets nothing through")
+
+    async def send(message: Any) -> None:
+        said.append(message)
+
+    asyncio.run(Gate(nothing, Settings())({"type": "websocket"}, nothing, send))
+    assert said == [{"type": "websocket.close", "code": 1008}]
+
+
+@pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="memory is bounded on Linux alone")
+def test_a_worker_gets_no_more_memory_than_it_may_have() -> None:
+    lines = [
+        "import numpy as np",
+        "from benchdragon.studio_workers import _bound_memory",
+        "_bound_memory(100_000_000)",
+        "print(np.ones(5_000_000).sum())",
+        "np.ones(50_000_000)",
+    ]
+    done = subprocess.run(
+        [sys.executable, "-c", "\n".join(lines)], capture_output=True, text=True, check=False
+    )
+    assert done.stdout == "5000000.0\n"
+    assert "MemoryError" in done.stderr
 
 
 def test_what_goes_wrong_inside_is_a_sentence_and_a_line_in_the_log(
