@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from functools import cached_property
+from importlib import import_module
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -227,6 +228,11 @@ class Motion:
     def __repr__(self) -> str:
         handles, times = self._x.shape
         return f"<Motion of {handles} handles at {times} times>"
+
+    def _repr_html_(self) -> str:
+        """The walk in a player, for notebooks."""
+        # By name, at the last moment: the player stands above this room, and knows motions itself.
+        return str(import_module("benchdragon.player").framed_motion(self))
 
     @property
     def x(self) -> FloatArray:

@@ -14,10 +14,15 @@ from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
+import numpy as np
+
 from benchdragon import __version__, wire
-from benchdragon.errors import InputError
+from benchdragon.dance import Span, plain_dance
+from benchdragon.errors import BenchDragonError, InputError
 from benchdragon.files import whole_file
+from benchdragon.kernels.status import Status
 from benchdragon.messages import _, language, spoken_in
+from benchdragon.motion import Motion
 
 WEB = Path(__file__).parent / "web"
 # Modules may import others so, and in no other way, so that joining them is all that inlining takes.
@@ -27,6 +32,11 @@ STRAY = re.compile(r"^\s*(?:import|export)\b.*", re.MULTILINE)
 TEXT = re.compile(r'(?<![\w$.])_\(\s*("(?:[^"\\]|\\.)*")')
 # Bytes that a file may have for up to 1,000 benches; larger dragons get this for each thousand.
 MOST_BYTES = 10_000_000
+# In a notebook: bytes, and benches times seconds (about 10 s of work).
+MOST_FRAMED, MOST_SHOWN = 3_000_000, 500_000
+# Of a motion at one time, so many seconds are shown before and after it, as far as so many looks see
+# the dragon stand.
+BESIDE, TRIED = 5.0, 50
 
 
 class ScriptError(ValueError):
@@ -124,3 +134,52 @@ def framed(dance: wire.Dance, height: int = 560) -> str:
         f'<iframe sandbox="allow-scripts" title="benchdragon" srcdoc="{page}" '
         f'style="width:100%;height:{height}px;border:0"></iframe>'
     )
+
+
+def framed_motion(motion: Motion) -> str:
+    """The walk of a motion, from its first time to its last, as a notebook shows it.
+
+    Of one time alone the seconds around it are shown. What cannot be shown comes as text, with why.
+    """
+    try:
+        return framed(_dance(motion))
+    except BenchDragonError as error:
+        return f"<pre>{html.escape(repr(motion))}\n{html.escape(str(error))}</pre>"
+
+
+def _dance(motion: Motion) -> wire.Dance:
+    """A motion as a dance.
+
+    Raises:
+        InputError: if it is too large for a notebook.
+        WalkError: if the dragon stands at no time.
+    """
+    too_large = InputError(
+        _("this dance is too large for a notebook: take a shorter time or fewer benches")
+    )
+    span = _span(motion)
+    if (span.end - span.start) * len(motion.walk.dragon) > MOST_SHOWN:
+        raise too_large
+    dance = plain_dance(motion.walk, span)
+    if len(dance.frames.packed) + len(dance.course.packed) > MOST_FRAMED:
+        raise too_large
+    return dance
+
+
+def _span(motion: Motion) -> Span:
+    """From the first to the last time at which the dragon stands; around it, if that is one."""
+    sound = motion.times[motion.status == Status.OK]
+    if not sound.size:
+        motion.check()
+        raise InputError(_("there is no time to show"))
+    start, end = float(sound.min()), float(sound.max())
+    if end - start > 1e-3:
+        return Span(start, end)
+    around = start + BESIDE * np.linspace(-1.0, 1.0, 2 * TRIED + 1)
+    stands = motion.walk.motion(around, throw=False).status == Status.OK
+    failed = np.flatnonzero(~stands) - TRIED
+    low = int(failed[failed < 0].max(initial=-TRIED - 1)) + 1
+    high = int(failed[failed > 0].min(initial=TRIED + 1)) - 1
+    if low >= high:
+        raise InputError(_("there is no time to show"))
+    return Span(float(around[TRIED + low]), float(around[TRIED + high]))

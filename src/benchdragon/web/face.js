@@ -118,7 +118,8 @@ export class Face {
   #footer() {
     const { frames, plan_sha256: hash, version } = this.scene.sent;
     const error = decimals(1000 * frames.largest_error, 2);
-    return make("footer", {}, _("Between its frames a place is off by at most {error} mm. benchdragon {version}, plan {hash}", { error, version, hash: hash.slice(0, 12) }));
+    const made = hash ? _("benchdragon {version}, plan {hash}", { version, hash: hash.slice(0, 12) }) : `benchdragon ${version}`;
+    return make("footer", {}, _("Between its frames a place is off by at most {error} mm.", { error }), ` ${made}`);
   }
 
   #help() {
@@ -129,7 +130,7 @@ export class Face {
     ]);
     const dialog = make("dialog", { "aria-label": _("keys"), onclose: () => dialog.remove() },
       make("table", {}, ...keys.map(([key, text]) => make("tr", {}, make("th", { scope: "row" }, key), make("td", {}, text)))),
-      make("form", { method: "dialog" }, make("button", {}, _("close"))));
+      make("p", {}, make("button", { type: "button", onclick: () => dialog.close() }, _("close"))));
     this.player.root.append(dialog);
     dialog.showModal();
   }
