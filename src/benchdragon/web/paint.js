@@ -89,9 +89,11 @@ export class Painter {
     if (picture.route) this.#route(picture, density);
     if (picture.disc) this.#disc(picture);
     if (picture.trails) this.#trails(picture);
-    this.#benches(picture);
-    this.#touches(picture);
+    const seen = this.#seen(picture.boxes, camera);
+    this.#benches(picture, seen);
     this.#chosen(picture);
+    this.#touches(picture);
+    this.#closeUps(picture, seen);
     this.#tightest(picture);
     this.#scaleBar(camera);
     this.#ruler(picture);
@@ -184,15 +186,14 @@ export class Painter {
     return seen;
   }
 
-  /** @param {Picture} picture */
-  #benches({ boxes, camera, scale, stand }) {
+  /** @param {Picture} picture @param {number[]} seen */
+  #benches({ boxes, camera, scale }, seen) {
     const { ctx } = this;
-    const seen = this.#seen(boxes, camera);
     /** @type {Map<string, number[]>} */
     const groups = new Map();
     const colours = scale ? shades(scale) : [];
     for (const i of seen) {
-      const colour = scale ? colours[shade(scale, scale.value(i))] : i ? this.inks.body : this.inks.head;
+      const colour = this.#colour(scale, colours, i);
       const group = groups.get(colour);
       if (group) group.push(i);
       else groups.set(colour, [i]);
@@ -207,7 +208,11 @@ export class Painter {
       ctx.stroke();
     }
     this.#head(boxes, camera);
-    this.#closeUps(boxes, camera, stand, seen);
+  }
+
+  /** @param {Scale | null} scale @param {string[]} colours of the scale @param {number} i */
+  #colour(scale, colours, i) {
+    return scale ? colours[shade(scale, scale.value(i))] : i ? this.inks.body : this.inks.head;
   }
 
   /** The head's outline, and its brow. @param {Boxes} boxes @param {Camera} camera */
@@ -228,8 +233,8 @@ export class Painter {
     ctx.fill();
   }
 
-  /** Handles and numbers, when benches are large enough. @param {Boxes} boxes @param {Camera} camera @param {Stand} stand @param {number[]} seen */
-  #closeUps(boxes, camera, stand, seen) {
+  /** Handles and numbers, when benches are large enough. @param {Picture} picture @param {number[]} seen */
+  #closeUps({ boxes, camera, stand }, seen) {
     const { ctx } = this;
     if (2 * boxes.half[0] * camera.scale < HANDLES_FROM) return;
     ctx.fillStyle = this.inks.ink;
@@ -274,19 +279,22 @@ export class Painter {
     ctx.stroke();
   }
 
-  /** @param {Picture} picture */
-  #chosen({ boxes, camera, chosen }) {
+  /** A ring about the chosen bench, which keeps its colour however small it is. @param {Picture} picture */
+  #chosen({ boxes, camera, chosen, scale }) {
     if (chosen < 0) return;
     const { ctx } = this;
     ctx.beginPath();
     this.#outline(boxes, camera, chosen);
     ctx.lineJoin = "round";
     ctx.strokeStyle = this.inks.ground;
-    ctx.lineWidth = 6;
+    ctx.lineWidth = 9;
     ctx.stroke();
     ctx.strokeStyle = this.inks.ink;
-    ctx.lineWidth = 3;
+    ctx.lineWidth = 5;
     ctx.stroke();
+    ctx.fillStyle = this.#colour(scale, scale ? shades(scale) : [], chosen);
+    ctx.fill();
+    ctx.lineJoin = "miter";
   }
 
   /** @param {Picture} picture */
@@ -297,6 +305,7 @@ export class Painter {
     const [x1, y1] = camera.toScreen(...tightest.to);
     const [x, y] = [0.5 * (x0 + x1), 0.5 * (y0 + y1)];
     const radius = 0.5 * Math.hypot(x1 - x0, y1 - y0) + 12;
+    if (x < -radius || y < -radius || x > camera.width + radius || y > camera.height + radius) return;
     ctx.strokeStyle = this.inks.mark;
     ctx.lineWidth = 2.5;
     ctx.beginPath();
@@ -332,6 +341,10 @@ export class Painter {
     const unit = 10 ** Math.floor(Math.log10(most));
     const metres = (most >= 5 * unit ? 5 : most >= 2 * unit ? 2 : 1) * unit;
     const [x, y] = [16, camera.height - 14];
+    ctx.fillStyle = this.inks.ground;
+    ctx.globalAlpha = 0.88;
+    ctx.fillRect(x - 8, y - 26, metres * camera.scale + 16, 34);
+    ctx.globalAlpha = 1;
     ctx.strokeStyle = this.inks.ink;
     ctx.lineWidth = 2;
     ctx.beginPath();

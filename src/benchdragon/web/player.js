@@ -46,7 +46,7 @@ export class Player {
     this.face = new Face(this);
     this.#watch = new ResizeObserver(() => this.#resize());
     this.#attach();
-    this.fit();
+    this.fit(this.#times());
     document.addEventListener("keydown", (event) => this.#key(event));
     this.#dark.addEventListener("change", () => this.#dressed());
     requestAnimationFrame((now) => this.#turn(now));
@@ -95,9 +95,8 @@ export class Player {
     const density = devicePixelRatio || 1;
     const { canvas } = this.face;
     [canvas.width, canvas.height] = [Math.max(Math.round(box.width * density), 1), Math.max(Math.round(box.height * density), 1)];
-    const first = this.camera.width <= 1;
     this.camera.resize(Math.max(box.width, 1), Math.max(box.height, 1));
-    if (first) this.fit();
+    if (this.#fitted.length) this.fit(this.#fitted);
     this.#touch();
   }
 
@@ -149,7 +148,10 @@ export class Player {
       this.#pose();
       const bench = benches[0] - 1;
       const [px, py] = this.camera.toScreen(this.boxes.x[bench], this.boxes.y[bench]);
-      if (px < 0 || py < 0 || px > this.camera.width || py > this.camera.height) [this.camera.x, this.camera.y] = [this.boxes.x[bench], this.boxes.y[bench]];
+      if (px < 0 || py < 0 || px > this.camera.width || py > this.camera.height) {
+        this.#fitted = [];
+        [this.camera.x, this.camera.y] = [this.boxes.x[bench], this.boxes.y[bench]];
+      }
     }
     if (!this.playing) this.#settled();
   }
@@ -172,6 +174,7 @@ export class Player {
   /** @param {boolean} on */
   follow(on) {
     this.follows = on;
+    if (on) this.#fitted = [];
     ticked(this.face.followBox, on);
     this.#touch();
   }
@@ -205,14 +208,20 @@ export class Player {
     this.#touched();
   }
 
-  /** Show the whole dragon as it stands, and the disc. */
-  fit() {
-    this.#pose();
-    const { x, y } = this.stand;
+  /** Show the whole dragon as it stands, or as it does at some times, and the disc. @param {number[]} [times] */
+  fit(times = [this.time]) {
+    this.#fitted = times;
     const { disc, centre } = this.scene.sent;
     const room = this.boxes.half[0] * 2;
-    const across = [Math.min(...x), Math.max(...x)];
-    const up = [Math.min(...y), Math.max(...y)];
+    /** @type {number[]} */
+    const across = [];
+    /** @type {number[]} */
+    const up = [];
+    for (const time of times) {
+      const { x, y } = this.scene.stand(time, this.stand);
+      across.push(Math.min(...x), Math.max(...x));
+      up.push(Math.min(...y), Math.max(...y));
+    }
     if (disc !== null) {
       across.push(centre[0] - disc, centre[0] + disc);
       up.push(centre[1] - disc, centre[1] + disc);
@@ -221,8 +230,18 @@ export class Player {
     this.#touch();
   }
 
+  /** Times whose places the camera was fitted to, and is again when the page changes its size. @type {number[]} */
+  #fitted = [];
+
+  /** Times spread over the whole dance. */
+  #times() {
+    const { start, end } = this.scene;
+    return Array.from({ length: 9 }, (_unused, n) => start + (n / 8) * (end - start));
+  }
+
   /** A gesture moved the camera: stop following. */
   #touched() {
+    this.#fitted = [];
     if (this.follows) this.follow(false);
     this.#touch();
   }

@@ -156,6 +156,7 @@ export class Scene {
       this.#put(out.s[i], i, out.x, out.y);
     }
     out.time = time;
+    return out;
   }
 
   /**
