@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from benchdragon import Dragon, InputError, Line, Route, SpeedProfile, Spiral, Walk
+from benchdragon import Dragon, InputError, Line, Route, SpeedProfile, Spiral, Walk, WalkError
 from benchdragon import frames as door
 from benchdragon.curves import Arc
 from benchdragon.frames import (
@@ -226,7 +226,7 @@ def test_limits_refuse_with_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_a_walk_that_cannot_begin_is_refused() -> None:
     walk = Walk(Dragon.uniform(3), Route((Line(30.0),)))
-    with pytest.raises(InputError, match="choose a shorter time"):
+    with pytest.raises(WalkError, match="at t = 40 s the head would stand at s = 40 m, past the end"):
         frames(walk, 40.0, 50.0, ERROR)
 
 

@@ -10,7 +10,7 @@ from benchdragon import __version__, wire
 from benchdragon.check import Report, sentence
 from benchdragon.clearance import nearest_each
 from benchdragon.curves import Spiral
-from benchdragon.errors import InputError
+from benchdragon.errors import InputError, finite
 from benchdragon.frames import LOOKS, QUANTUM, Frames, course, frames, packed_bytes, packed_frames
 from benchdragon.messages import LANGUAGES, _, spoken_in
 from benchdragon.motion import Walk
@@ -39,6 +39,14 @@ class Span:
     most_error: float = MOST_ERROR
     looks: tuple[float, ...] = LOOKS
 
+    def __post_init__(self) -> None:
+        if finite("start", self.start, "s") >= finite("end", self.end, "s"):
+            raise InputError(
+                _("the dance would end at {end} s, before it starts at {start} s").format(
+                    end=f"{self.end:g}", start=f"{self.start:g}"
+                )
+            )
+
 
 def both(say: Callable[[], str]) -> wire.Words:
     """What `say` says in both languages."""
@@ -56,6 +64,7 @@ def checked_dance(
 
     Raises:
         InputError: for more than MOST_BENCHES, or more frames than a page holds.
+        WalkError: if the dragon does not stand at the start.
     """
     plan = report.plan
     walk = plan.build()

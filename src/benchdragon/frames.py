@@ -94,8 +94,10 @@ def frames(
     They end early where the dragon can no longer stand, or a bench leaps.
 
     Raises:
-        InputError: for a walk that needs more than MOST_PLACES, or cannot begin.
+        InputError: for a walk that needs more than MOST_PLACES.
+        WalkError: if the dragon does not stand at the start.
     """
+    walk.motion([start])
     until, leap = end, False
     for step in STEPS:
         count = max(math.ceil((until - start) / step - 1e-9), 1) + 1

@@ -5,8 +5,7 @@ from typing import Any
 
 import click
 
-from benchdragon.errors import InputError
-from benchdragon.messages import N_, _
+from benchdragon.messages import N_
 from benchdragon.options import announce_compiling, plan_options, shared_options
 from benchdragon.show import print_files, progress
 
@@ -42,12 +41,6 @@ def view(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> i
         report = check.check(read, advance)
         start = report.start if options["start"] is None else options["start"]
         end = report.end if options["end"] is None else options["end"]
-        if not start < end:
-            raise InputError(
-                _("the dance would end at {end} s, before it starts at {start} s").format(
-                    end=f"{end:g}", start=f"{start:g}"
-                )
-            )
         shown = dance.checked_dance(report, dance.Span(start, end), advance)
         write_player(path, shown)
     print_files([path])
