@@ -66,7 +66,7 @@ def test_the_contests_first_contact_is_an_occasion() -> None:
     dance = danced("spiral-in")
     (contact,) = occasions(dance, "contact")
     assert contact.time == pytest.approx(float(TRUTH["first_contact_s"]), abs=1e-6)
-    assert (contact.benches, contact.text) == ([1, 9], wire.Texts(en="first contact", zh="首次碰撞"))
+    assert (contact.benches, contact.text) == ([1, 9], wire.Words(en="first contact", zh="首次碰撞"))
     assert occasions(dance, "tightest") == []
     assert dance.ruling is not None
     assert (dance.ruling.safe, dance.ruling.decided) == (False, True)
@@ -187,8 +187,8 @@ def test_the_ruling_is_in_both_languages_whichever_is_spoken(spoken: str) -> Non
             assert getattr(dance.ruling.text, language) == sentence(report)
     assert dance.ruling.text.en.startswith("Walkable: ")
     assert dance.ruling.text.zh.startswith("可行")
-    assert dance.title == wire.Texts(en="Turning", zh="调头")
-    assert both(lambda: _("first contact")) == wire.Texts(en="first contact", zh="首次碰撞")
+    assert dance.title == wire.Words(en="Turning", zh="调头")
+    assert both(lambda: _("first contact")) == wire.Words(en="first contact", zh="首次碰撞")
 
 
 def test_what_is_sent_survives_the_wire() -> None:

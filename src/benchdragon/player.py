@@ -12,9 +12,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
-
 import numpy as np
+from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from benchdragon import __version__, wire
 from benchdragon.dance import Span, plain_dance

@@ -95,8 +95,10 @@ export class Player {
     const density = devicePixelRatio || 1;
     const { canvas } = this.face;
     [canvas.width, canvas.height] = [Math.max(Math.round(box.width * density), 1), Math.max(Math.round(box.height * density), 1)];
-    this.camera.resize(Math.max(box.width, 1), Math.max(box.height, 1));
-    if (this.#fitted.length) this.fit(this.#fitted);
+    const [width, height] = [Math.max(box.width, 1), Math.max(box.height, 1)];
+    const other = width !== this.camera.width || height !== this.camera.height;
+    this.camera.resize(width, height);
+    if (other && this.#fitted.length) this.fit(this.#fitted);
     this.#touch();
   }
 
