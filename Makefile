@@ -18,6 +18,7 @@ node_modules/installed: package.json package-lock.json .npmrc
 
 demo: .venv/installed
 	$(BIN)/benchdragon reproduce -o out --force $(if $(wildcard docs/_build/html/en/established.html),--docs docs/_build/html/en)
+	$(BIN)/benchdragon view turn -o out/turn.html --force
 
 test: .venv/installed $(if $(NPM),node_modules/installed)
 	$(BIN)/ruff format --check .
