@@ -205,8 +205,13 @@ def test_an_interrupt_leaves_no_file_and_no_program(tmp_path: Path, suffix: str)
 @pytest.mark.skipif(os.name == "nt", reason="signals")
 def test_ctrl_c_ends_with_130_and_leaves_nothing(tmp_path: Path) -> None:
     path = tmp_path / "a.mp4"
-    command = [sys.executable, "-m", "benchdragon", "animate", "turn", "-o", str(path), "--quiet"]
-    with subprocess.Popen(command, stderr=subprocess.PIPE) as process:
+    script = (
+        "import signal, sys; from benchdragon.cli import run\n"
+        # A background job of a shell is born deaf to SIGINT.
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+        f"sys.exit(run(['animate', 'turn', '-o', {str(path)!r}, '--quiet']))"
+    )
+    with subprocess.Popen([sys.executable, "-c", script], stderr=subprocess.PIPE) as process:
         while not list(tmp_path.iterdir()):
             assert process.poll() is None
             time.sleep(0.05)
