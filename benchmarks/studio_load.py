@@ -1,9 +1,10 @@
 """A minute of fifty people at one studio, each moving a slider: errors, and how long answers take.
 
-Run it as `python benchmarks/studio_load.py [--clients 50] [--seconds 60] [--workers N]`. A client asks
-for a verdict on the contest's dragon with another pitch each time its slider moves, a few times a
-second while it moves, then rests and looks. As on the page, each move asks anew whether the last
-answer has come or not; questions that a newer one replaced (409) are counted apart.
+Run it as `python benchmarks/studio_load.py [--clients 50] [--seconds 60] [--workers N] [--digits 3]`.
+A client asks for a verdict on the contest's dragon with another pitch each time its slider moves, a
+few times a second while it moves, then rests and looks. As on the page, each move asks anew whether
+the last answer has come or not; questions that a newer one replaced (409) are counted apart. First one
+person alone moves a slider, waiting for each answer: what else the machine does slows down both.
 """
 
 import argparse
@@ -27,7 +28,9 @@ from benchdragon.wire import plan_data
 # Seconds between moves of a slider, and moves until the hand rests; seconds of rest.
 MOVE, MOVES, REST = 0.15, (3, 12), (1.0, 6.0)
 PITCHES = (0.46, 0.60)
-SUPERSEDED, BUSY = 409, 429
+SUPERSEDED = 409
+# Moves of the person who is alone first.
+ALONE = 40
 
 
 @dataclass
@@ -50,8 +53,14 @@ class Tally:
             self.seconds.append(time.perf_counter() - began)
 
 
+def with_pitch(plan: dict[str, Any], dice: random.Random, digits: int) -> dict[str, Any]:
+    """The plan with another pitch."""
+    pitch = round(dice.uniform(*PITCHES), digits)
+    return {**plan, "route": {**plan["route"], "pitch": pitch}}
+
+
 async def person(
-    number: int, client: httpx.AsyncClient, plan: dict[str, Any], tally: Tally, end: float
+    number: int, client: httpx.AsyncClient, plan: dict[str, Any], tally: Tally, end: float, digits: int
 ) -> None:
     """Move the slider, rest, move it again, until the end."""
     dice = random.Random(number)
@@ -59,8 +68,7 @@ async def person(
     await asyncio.sleep(dice.uniform(0.0, REST[1]))
     while time.monotonic() < end:
         for _move in range(dice.randint(*MOVES)):
-            pitch = round(dice.uniform(*PITCHES), 3)
-            moved = {**plan, "route": {**plan["route"], "pitch": pitch}}
+            moved = with_pitch(plan, dice, digits)
             task = asyncio.create_task(tally.ask(client, moved, f"person-{number}"))
             asked.add(task)
             task.add_done_callback(asked.discard)
@@ -69,16 +77,31 @@ async def person(
         await asyncio.sleep(dice.uniform(*REST))
 
 
-async def load(base: str, clients: int, seconds: float) -> Tally:
+async def ready(client: httpx.AsyncClient) -> bool:
+    """Whether all workers are."""
+    lanes = (await client.get("/healthz")).json()["workers"].values()
+    return all(lane["ready"] == lane["workers"] for lane in lanes)
+
+
+async def alone(client: httpx.AsyncClient, plan: dict[str, Any], digits: int) -> None:
+    """One person who waits for each answer; how long those take."""
+    tally, dice = Tally(), random.Random("alone")
+    for _move in range(ALONE):
+        await tally.ask(client, with_pitch(plan, dice, digits), "alone")
+    print(f"alone: median {1e3 * statistics.median(tally.seconds):.0f} ms, {dict(tally.statuses)}")
+
+
+async def load(base: str, clients: int, seconds: float, digits: int) -> Tally:
     """All of them at once."""
     plan = plan_data(read_plan("spiral-in", ["disc.radius=4.5"]))
     tally = Tally()
     limits = httpx.Limits(max_connections=None, max_keepalive_connections=400)
     async with httpx.AsyncClient(base_url=base, timeout=120.0, limits=limits) as client:
-        while (await client.get("/healthz")).json()["workers"]["quick"]["ready"] == 0:
+        while not await ready(client):
             await asyncio.sleep(0.2)
+        await alone(client, plan, digits)
         end = time.monotonic() + seconds
-        await asyncio.gather(*(person(n, client, plan, tally, end) for n in range(clients)))
+        await asyncio.gather(*(person(n, client, plan, tally, end, digits) for n in range(clients)))
     return tally
 
 
@@ -87,6 +110,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--clients", type=int, default=50)
     parser.add_argument("--seconds", type=float, default=60.0)
+    parser.add_argument("--digits", type=int, default=9, help="of a pitch; 3: many are asked again")
     parser.add_argument("--workers", type=int, default=os.cpu_count())
     options = parser.parse_args()
     command = [
@@ -104,7 +128,7 @@ def main() -> int:
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server:
         try:
             base = (server.stdout.readline() if server.stdout else "").split(" at ")[1].split()[0]
-            tally = asyncio.run(load(base, options.clients, options.seconds))
+            tally = asyncio.run(load(base, options.clients, options.seconds, options.digits))
         finally:
             server.terminate()
     good, replaced = tally.statuses.pop("200", 0), tally.statuses.pop(str(SUPERSEDED), 0)

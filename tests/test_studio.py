@@ -665,6 +665,21 @@ def test_answers_are_kept_until_there_are_too_many_bytes() -> None:
     assert answers.get("too large") is None
 
 
+def test_a_newer_question_takes_the_place_of_the_older_and_does_not_queue_again() -> None:
+    lane = Lane("quick", 1, 2, Settings(), First())
+    asked = [
+        Work(Ask(name, "en", Settings()), client)
+        for name, client in (("verdict", "a"), ("verdict", "b"), ("verdict", "a"), ("dance", "a"))
+    ]
+    for work in asked[:3]:
+        lane.put(work)
+    assert list(lane._waiting) == [asked[2], asked[1]]
+    with pytest.raises(RefusedError, match="a newer question"):
+        asked[0].future.result()
+    with pytest.raises(RefusedError, match="too many"):
+        lane.put(asked[3])
+
+
 def test_a_lane_whose_workers_never_start_gives_up(caplog: pytest.LogCaptureFixture) -> None:
     lane = Lane("no such lane", 1, 8, Settings(spawns=1), First())
     ask = Ask("verdict", "en", Settings(), read_plan("turn"))

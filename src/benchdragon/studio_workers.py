@@ -203,7 +203,7 @@ class Lane:
         return len(self._running)
 
     def put(self, work: Work, *, newest: bool = True) -> None:
-        """Have a question wait; `newest`: instead of its client's older ones of the same name.
+        """Have a question wait; `newest`: in the place of its client's older one of the same name.
 
         Raises:
             RefusedError: if too many wait, or there is nobody to answer.
@@ -213,10 +213,11 @@ class Lane:
                 raise RefusedError(503, _(CLOSING))
             if self._broken:
                 raise RefusedError(503, _(NO_WORKERS))
-            if newest and work.client is not None:
-                for old in [old for old in self._waiting if _same(old, work)]:
-                    self._waiting.remove(old)
+            for place, old in enumerate(self._waiting):
+                if newest and _same(old, work):
+                    self._waiting[place] = work  # not behind all others, each time anew
                     old.refuse(409, SUPERSEDED)
+                    return
             if len(self._waiting) >= self.room:
                 raise RefusedError(429, _(CROWDED), RETRY)
             self._waiting.append(work)
@@ -364,7 +365,7 @@ class Lane:
 
 
 def _same(old: Work, new: Work) -> bool:
-    return old.client == new.client and old.ask.name == new.ask.name
+    return old.client is not None and (old.client, old.ask.name) == (new.client, new.ask.name)
 
 
 class First:
