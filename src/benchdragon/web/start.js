@@ -10,7 +10,7 @@ export function held(id) {
 }
 
 /** Time and bench in an address such as #t=192&bench=37; null where it does not say. */
-export function asked() {
+export function addressed() {
   const values = new URLSearchParams(location.hash.slice(1));
   const number = (/** @type {string} */ name) => (Number.isFinite(Number.parseFloat(values.get(name) ?? "")) ? Number.parseFloat(values.get(name) ?? "") : null);
   return { time: number("t"), bench: number("bench") };
@@ -18,7 +18,7 @@ export function asked() {
 
 /** Go where the address says. @param {Player} player */
 function obey(player) {
-  const { time, bench } = asked();
+  const { time, bench } = addressed();
   if (bench !== null) player.choose(Math.round(bench) - 1);
   if (time !== null) player.jump(time);
 }
