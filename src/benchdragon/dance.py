@@ -32,12 +32,21 @@ STEPS = 3
 
 @dataclass(frozen=True)
 class Span:
-    """What part of a walk is shown: from start to end, s; how far off at most, m; looks a frame."""
+    """What part of a walk is shown, and how carefully.
+
+    Attributes:
+        start: s.
+        end: s.
+        most_error: how far a place may be off between frames, m.
+        looks: where between two frames that is looked at, as shares of a step.
+        times: at how many times at most it is looked who is near whom.
+    """
 
     start: float
     end: float
     most_error: float = MOST_ERROR
     looks: tuple[float, ...] = LOOKS
+    times: int = MOST_TIMES
 
     def __post_init__(self) -> None:
         if finite("start", self.start, "s") >= finite("end", self.end, "s"):
@@ -102,7 +111,7 @@ def plain_dance(walk: Walk, span: Span, advance: Advance | None = None) -> wire.
     tell(0.0, _("placing the benches"))
     shot = frames(walk, span.start, span.end, 0.9 * span.most_error, span.looks)
     tell(1.0, _("looking who is near whom"))
-    nearest, tightness = _nearness(walk, shot)
+    nearest, tightness = _nearness(walk, shot, span.times)
     tell(1.0, _("drawing the route"))
     low, high = (float(quanta) * QUANTUM for quanta in (shot.places.min(), shot.places.max()))
     way = course(walk, max(low - AROUND, -walk.route.extension), min(high + AROUND, walk.route.length))
@@ -139,10 +148,10 @@ def _centre(walk: Walk) -> tuple[float, float]:
     return next((curve.centre for curve in walk.route.curves if isinstance(curve, Spiral)), (0.0, 0.0))
 
 
-def _nearness(walk: Walk, shot: Frames) -> tuple[wire.Nearest, wire.Tightness]:
+def _nearness(walk: Walk, shot: Frames, most: int) -> tuple[wire.Nearest, wire.Tightness]:
     """Each bench's tightest moment, and the tightest pair over time, at evenly spread times."""
     benches = len(walk.dragon)
-    count = int(min(MOST_TIMES, max(2, MOST_LOOKS // benches), max(2, 4 * (shot.end - shot.start))))
+    count = int(min(most, max(2, MOST_LOOKS // benches), max(2, 4 * (shot.end - shot.start))))
     times = np.linspace(shot.start, shot.end, count)
     best, when = np.full(benches, np.inf), np.zeros(benches)
     other, over_time = np.zeros(benches, dtype=np.int64), []

@@ -30,10 +30,14 @@ QUANTUM = 1e-4
 STEPS = tuple(2.0**n for n in range(2, -7, -1))
 # Looks between two frames, as shares of the step.
 LOOKS = (0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875)
+# Frames looked at first, to see whether a step can do at all.
+TRIED = 40
 # With frames so near to one another, s, a handle that is so far from its cubic, m, has leapt.
 NEAR, LEAP = 0.125, 0.25
 # Handles times frames: 8 bytes each in a page's memory.
 MOST_PLACES = 12_000_000
+# Of deflating: larger ones take up to twenty times as long for a third less.
+LEVEL = 4
 # A stretch of route has evenly spaced nodes and is at most so long, m; its cubics are within the error.
 STRETCH, STRETCH_ERROR = 20.0, 2e-5
 MOST_STRETCHES = 20_000
@@ -104,6 +108,9 @@ def frames(
         if count * (len(walk.dragon) + 1) > MOST_PLACES:
             break
         even = (until - start) / (count - 1)
+        hopeless = step > NEAR and count > 4 * TRIED and _tried(walk, start, even, count) > most_error
+        if hopeless:
+            continue
         found, errors = _shot(walk, start, even, count, looks)
         far = np.flatnonzero(~(errors <= LEAP))
         if far.size and step > NEAR:
@@ -124,6 +131,16 @@ def frames(
             most=MOST_PLACES,
         )
     )  # fmt: skip
+
+
+def _tried(walk: Walk, start: float, step: float, count: int) -> float:
+    """The largest error halfway between TRIED frames and the next, m: no more than that of all."""
+    before = start + step * np.linspace(0, count - 2, TRIED).round()
+    ends = walk.motion(np.stack([before, before + step], axis=1).ravel(), throw=False)
+    s, rise = (table.T.reshape(-1, 2) for table in (ends.s, ends.speed * step))
+    exact = walk.motion(before + 0.5 * step, throw=False).s.T.reshape(-1, 1)
+    errors = np.abs(between(s, rise, 0.5) - exact)
+    return float(np.nanmax(errors, initial=0.0))
 
 
 def _shot(
@@ -175,7 +192,7 @@ def walked(speeds: IntArray, step: float) -> IntArray:
 def packed_bytes(numbers: npt.NDArray[np.int32] | Nodes) -> str:
     """Numbers of four bytes as text: first bytes first, then second ones; deflated, in base64."""
     planes = numbers.view(np.uint8).reshape(-1, 4).T
-    squeezed = zlib.compressobj(6, zlib.DEFLATED, -zlib.MAX_WBITS)
+    squeezed = zlib.compressobj(LEVEL, zlib.DEFLATED, -zlib.MAX_WBITS)
     return base64.b64encode(squeezed.compress(planes.tobytes()) + squeezed.flush()).decode()
 
 

@@ -39,8 +39,9 @@ Advance = Callable[[float, str], None]
 RISKS = (0.5, 0.1, 0.05, 0.02)
 # Steps of an exported motion, s: the first that gives few enough places, times ten and so on.
 EXPORT_STEPS = (1.0, 2.0, 5.0)
-# Looks between two frames of a dance that may change at once again.
-FEW_LOOKS = (0.25, 0.5)
+# Looks between two frames of a dance that may change at once again, and times at which it is looked
+# who is near whom.
+FEW_LOOKS, FEW_TIMES = (0.5,), 500
 MEDIA = {
     "html": "text/html; charset=utf-8",
     "xlsx": "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet",
@@ -146,7 +147,8 @@ def judged(ask: Ask, _advance: Advance) -> Made:
 def danced(ask: Ask, advance: Advance) -> Made:
     """The dance as the player shows it."""
     report = quick_verdict(ask.whole)
-    return sent(checked_dance(report, Span(report.start, report.end, looks=FEW_LOOKS), advance))
+    sketch = Span(report.start, report.end, looks=FEW_LOOKS, times=FEW_TIMES)
+    return sent(checked_dance(report, sketch, advance))
 
 
 def limited(name: str, ask: Ask, _advance: Advance) -> Made:
