@@ -539,7 +539,7 @@ def test_a_signal_ends_the_studio_and_tells_those_who_wait() -> None:
         assert server.returncode == 0, err
         assert out == "The studio is closed.\n"
         assert err == ""
-        assert alive(workers) == set()
+        wait_for(lambda: not alive(workers))
 
 
 def test_ctrl_c_ends_a_studio_that_has_only_begun_to_start() -> None:
@@ -549,7 +549,7 @@ def test_ctrl_c_ends_a_studio_that_has_only_begun_to_start() -> None:
         server.send_signal(signal.SIGINT)
         out, err = server.communicate()
         assert (server.returncode, out, err) == (0, "The studio is closed.\n", "")
-        assert alive(workers) == set()
+        wait_for(lambda: not alive(workers))
 
 
 def test_no_worker_outlives_a_studio_that_is_killed() -> None:
