@@ -348,7 +348,11 @@ class Lane:
             daemon=True,
             name=f"benchdragon {self.name}",
         )
-        process.start()
+        try:
+            process.start()
+        except BaseException:
+            shutil.rmtree(folder, ignore_errors=True)
+            raise
         theirs.close()
         return Minded(process, ours, folder)
 
