@@ -1,12 +1,13 @@
 """Tests of pages: one Chromium for all of them, and no page that fails unseen."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, sync_playwright
 
 from tests.browser.pages import FLAGS, Pages, browser_path, clean_pages
+from tests.browser.players import Scene
 
 
 @pytest.hookimpl(tryfirst=True)
@@ -35,3 +36,26 @@ def pages(browser: Browser) -> Iterator[Pages]:
     """Opens pages; the test fails if anything goes wrong in one."""
     with clean_pages(browser) as opened:
         yield opened
+
+
+@pytest.fixture(scope="package")
+def scenes(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Scene]:
+    """Scenes by name, each made once."""
+    folder, made = tmp_path_factory.mktemp("players"), {}
+
+    def scene(name: str) -> Scene:
+        if name not in made:
+            made[name] = Scene(folder, name)
+        return made[name]
+
+    return scene
+
+
+@pytest.fixture
+def turn(scenes: Callable[[str], Scene]) -> Scene:
+    return scenes("turn")
+
+
+@pytest.fixture
+def contact(scenes: Callable[[str], Scene]) -> Scene:
+    return scenes("contact")

@@ -42,7 +42,12 @@ export async function start() {
     root.textContent = _("This browser is too old to show the dance: it takes one of 2023 or newer.");
     return;
   }
-  const player = new Player(root, await unpackedScene(held("dance")));
+  const scene = await unpackedScene(held("dance")).catch(() => null);
+  if (!scene) {
+    root.textContent = _("This file is damaged: the dance in it cannot be read.");
+    return;
+  }
+  const player = new Player(root, scene);
   obey(player);
   player.onSettled = remember;
   addEventListener("hashchange", () => obey(player));

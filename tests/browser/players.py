@@ -1,0 +1,131 @@
+"""The player as tests open it: dances, pages, and what can be asked of one."""
+
+from pathlib import Path
+from typing import Any
+
+from playwright.sync_api import Locator, Page
+
+from benchdragon import Walk, wire
+from benchdragon.check import check
+from benchdragon.dance import Span, checked_dance
+from benchdragon.plan import read_plan
+from benchdragon.player import player_page
+from tests.browser.pages import Colours, Device, Language, Pages
+
+PLANS = {
+    "turn": ("turn", ("dragon.benches=60", "walk.start=-20", "walk.end=70"), None),
+    "contact": ("spiral-in", ("dragon.benches=40", "limits.margin=0"), Span(405.0, 420.0)),
+    "single": ("spiral-in", ("dragon.benches=1", "walk.end=50"), None),
+    "parade": (str(Path(__file__).parents[2] / "examples" / "01_parade.dragon.toml"), (), None),
+}
+
+
+LOOKS: list[tuple[Device, Language, Colours]] = [
+    ("phone", "zh", "light"),
+    ("phone", "en", "dark"),
+    ("desktop", "en", "light"),
+    ("desktop", "zh", "dark"),
+]
+
+
+DESK, HAND = LOOKS[2], LOOKS[0]
+
+
+class Scene:
+    """A walk, its dance, and its page in both languages."""
+
+    def __init__(self, folder: Path, name: str) -> None:
+        source, settings, span = PLANS[name]
+        self.plan = read_plan(source, settings)
+        self.walk: Walk = self.plan.build()
+        self.dance: wire.Dance = checked_dance(check(self.plan), span)
+        self.start = self.dance.frames.start
+        self.end = self.start + self.dance.frames.step * (self.dance.frames.count - 1)
+        self.files = {}
+        for language in ("en", "zh"):
+            path = folder / f"{name}-{language}.html"
+            path.write_text(player_page(self.dance, language), "utf-8")
+            self.files[language] = path.as_uri()
+
+
+def opened(
+    pages: Pages, scene: Scene, look: tuple[Device, Language, Colours] = DESK, where: str = ""
+) -> Page:
+    """The page of a scene, ready."""
+    device, language, colours = look
+    page = pages.open(scene.files[language] + where, device, language, colours)
+    until(page, "globalThis.benchdragon?.root.dataset.time !== undefined")
+    return page
+
+
+def until(page: Page, said: str) -> None:
+    """Wait until something is so; the page's policy keeps others from asking in it."""
+    for _look in range(400):
+        if page.evaluate(said):
+            return
+        page.wait_for_timeout(10)
+    raise AssertionError(said)
+
+
+def seconds(time: float, digits: int = 2) -> str:
+    """A time as the page writes it."""
+    return f"{round(time, digits) + 0.0:.{digits}f} s".replace("-", "\u2212")
+
+
+def time_of(page: Page) -> float:
+    """Time that the player is at, s."""
+    return float(page.evaluate("benchdragon.time"))
+
+
+def drawn(page: Page) -> None:
+    """Wait until what was asked for is on the canvas."""
+    page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+
+
+def state(page: Page, what: str) -> Any:
+    """A value of the player."""
+    return page.evaluate(f"benchdragon.{what}")
+
+
+def on_screen(page: Page, bench: int, along: float = 0.0, across: float = 0.0) -> tuple[float, float]:
+    """Where a point of a bench (from 1; m from its centre) is on the page."""
+    box = page.locator("canvas").bounding_box()
+    assert box is not None
+    x, y = page.evaluate(
+        "([i, a, b]) => benchdragon.camera.toScreen(...benchdragon.boxes.point(i, a, b))",
+        [bench - 1, along, across],
+    )
+    return box["x"] + x, box["y"] + y
+
+
+def look_at(page: Page, bench: int, scale: float) -> None:
+    """Put a bench in the middle, so many pixels a metre."""
+    page.evaluate(
+        "([i, scale]) => { const { camera, boxes } = benchdragon;"
+        " [camera.x, camera.y, camera.scale] = [boxes.x[i], boxes.y[i], scale]; benchdragon.zoom(1); }",
+        [bench - 1, scale],
+    )
+    drawn(page)
+
+
+def pixels(page: Page, places: list[tuple[float, float]]) -> list[list[int]]:
+    """Red, green and blue of the canvas at places of the page."""
+    return page.evaluate(  # type: ignore[no-any-return]
+        """(places) => {
+          const canvas = document.querySelector("canvas");
+          const box = canvas.getBoundingClientRect();
+          const dots = canvas.width / box.width;
+          return places.map(([x, y]) => [...canvas.getContext("2d").getImageData(
+            Math.round((x - box.left) * dots), Math.round((y - box.top) * dots), 1, 1,
+          ).data].slice(0, 3));
+        }""",
+        places,
+    )
+
+
+def views(page: Page) -> Locator:
+    """The panel of what is shown, opened."""
+    panel = page.locator("details.views")
+    if panel.get_attribute("open") is None:
+        panel.locator("summary").click()
+    return panel

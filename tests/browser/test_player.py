@@ -1,0 +1,434 @@
+"""The player in a browser: what people do with it, on a phone and at a desk, in both languages."""
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from playwright.sync_api import Page
+
+from benchdragon.clearance import nearest_each
+from benchdragon.player import player_page
+from tests.browser.pages import Colours, Device, Language, Pages
+from tests.browser.players import (
+    DESK,
+    HAND,
+    LOOKS,
+    Scene,
+    drawn,
+    look_at,
+    on_screen,
+    opened,
+    seconds,
+    state,
+    time_of,
+    until,
+    views,
+)
+
+
+@pytest.mark.parametrize("name", ["turn", "contact", "single", "parade"])
+def test_handles_are_drawn_within_a_millimetre_of_their_places(
+    pages: Pages, scenes: Callable[[str], Scene], name: str
+) -> None:
+    scene = scenes(name)
+    page = opened(pages, scene)
+    times = np.sort(np.random.default_rng(2).uniform(scene.start, scene.end, 25)).tolist()
+    found = page.evaluate(
+        """(times) => times.map((time) => {
+          const { x, y, v } = benchdragon.scene.stand(time, benchdragon.scene.room());
+          return [[...x], [...y], [...v]];
+        })""",
+        times,
+    )
+    motion = scene.walk.motion(times)
+    x, y, v = np.array(found).transpose(1, 0, 2)
+    assert np.hypot(x - motion.x, y - motion.y).max() <= 1e-3
+    assert np.abs(v - motion.speed).max() <= 0.02
+    assert state(page, "scene.sent.frames.largest_error") <= 1e-3
+
+
+@pytest.mark.parametrize("look", LOOKS, ids="-".join)
+def test_it_plays_and_pauses(pages: Pages, turn: Scene, look: tuple[Device, Language, Colours]) -> None:
+    page = opened(pages, turn, look)
+    play, pause = {"en": ("play", "pause"), "zh": ("播放", "暂停")}[look[1]]
+    assert time_of(page) == turn.start
+    page.get_by_role("button", name=play, exact=True).click()
+    until(page, f"benchdragon.time > {turn.start + 0.1}")
+    page.get_by_role("button", name=pause, exact=True).click()
+    stopped = time_of(page)
+    drawn(page)
+    assert turn.start < time_of(page) == stopped < turn.end
+    assert page.locator("output.clock").inner_text() == f"t = {seconds(stopped)}"
+    assert page.get_by_role("button", name=play, exact=True).is_visible()
+
+
+def test_it_stops_at_the_end_and_begins_anew(pages: Pages, turn: Scene) -> None:
+    page = opened(pages, turn)
+    page.locator("select").last.select_option("30")
+    page.evaluate(f"benchdragon.jump({turn.end - 0.5})")
+    page.keyboard.press("Space")
+    until(page, "benchdragon.time === benchdragon.scene.end && !benchdragon.playing")
+    page.keyboard.press("Space")
+    until(page, f"benchdragon.playing && benchdragon.time < {turn.end - 1}")
+
+
+@pytest.mark.parametrize("look", [HAND, DESK], ids="-".join)
+def test_time_is_moved_by_the_axis(
+    pages: Pages, turn: Scene, look: tuple[Device, Language, Colours]
+) -> None:
+    page = opened(pages, turn, look)
+    axis = page.get_by_role("slider")
+    box = axis.bounding_box()
+    assert box is not None
+    span = turn.end - turn.start
+    for share in (0.5, 0.25):
+        page.mouse.move(box["x"] + 0.1 * box["width"], box["y"] + 0.5 * box["height"])
+        page.mouse.down()
+        page.mouse.move(box["x"] + share * box["width"], box["y"] + 0.5 * box["height"])
+        page.mouse.up()
+        assert time_of(page) == pytest.approx(turn.start + share * span, abs=0.02 * span)
+    axis.focus()
+    before = time_of(page)
+    page.keyboard.press("ArrowRight")
+    assert time_of(page) == pytest.approx(before + 1.0)
+    page.keyboard.press("End")
+    assert time_of(page) == turn.end
+    assert axis.get_attribute("aria-valuetext") is not None
+    drawn(page)
+    assert axis.get_attribute("aria-valuetext") == f"{turn.end:.1f} s"
+
+
+@pytest.mark.parametrize("look", [HAND, DESK], ids="-".join)
+def test_steps_of_a_second_and_of_a_frame(
+    pages: Pages, turn: Scene, look: tuple[Device, Language, Colours]
+) -> None:
+    page = opened(pages, turn, look)
+    names = {
+        "en": ("one second on", "one frame on", "one frame back", "one second back"),
+        "zh": ("前进一秒", "前进一帧", "后退一帧", "后退一秒"),
+    }[look[1]]
+    page.evaluate("benchdragon.jump(10)")
+    for name, time in zip(names, (11.0, 11.04, 11.0, 10.0), strict=True):
+        page.get_by_role("button", name=name, exact=True).click()
+        assert time_of(page) == pytest.approx(time)
+
+
+def test_the_wheel_zooms_about_the_pointer_and_dragging_pans(pages: Pages, turn: Scene) -> None:
+    page = opened(pages, turn)
+    canvas = page.locator("canvas").bounding_box()
+    assert canvas is not None
+    x, y = canvas["x"] + 300.0, canvas["y"] + 200.0
+    before, scale = page.evaluate("[benchdragon.camera.toGround(300, 200), benchdragon.camera.scale]")
+    page.mouse.move(x, y)
+    page.mouse.wheel(0, -300)
+    until(page, f"benchdragon.camera.scale > {1.2 * scale}")
+    assert page.evaluate("benchdragon.camera.toGround(300, 200)") == pytest.approx(before, abs=1e-9)
+    page.mouse.down()
+    page.mouse.move(x + 60.0, y - 20.0, steps=5)
+    page.mouse.up()
+    # The first few pixels, which may still be a tap, move nothing.
+    moved = page.evaluate("(place) => benchdragon.camera.toScreen(...place)", before)
+    assert moved == pytest.approx([360.0, 180.0], abs=16.0)
+    assert state(page, "chosen") == -1
+    page.get_by_text("View", exact=True).click()
+    page.get_by_role("button", name="show all").click()
+    x0, x1 = page.evaluate(
+        """[Math.min, Math.max].map((end) => {
+          const { camera, stand } = benchdragon;
+          return camera.toScreen(end(...stand.x), 0)[0];
+        })"""
+    )
+    assert 0.0 < x0 < x1 < canvas["width"]
+
+
+def touch(page: Page, steps: list[list[tuple[float, float]]]) -> None:
+    """Fingers that go down at the first places, move over the others, and lift."""
+    client = page.context.new_cdp_session(page)
+    for n, places in enumerate([*steps, []]):
+        kind = "touchEnd" if not places else "touchMove" if n else "touchStart"
+        points = [{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(places)]
+        client.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+    drawn(page)
+
+
+def test_two_fingers_zoom_and_one_pans_and_taps(pages: Pages, turn: Scene) -> None:
+    page = opened(pages, turn, HAND)
+    box = page.locator("canvas").bounding_box()
+    assert box is not None
+    x, y = box["x"] + 190.0, box["y"] + 200.0
+    middle, scale = page.evaluate("[benchdragon.camera.toGround(190, 200), benchdragon.camera.scale]")
+    touch(page, [[(x - d, y), (x + d, y)] for d in (40.0, 50.0, 60.0, 70.0, 80.0)])
+    assert state(page, "camera.scale") == pytest.approx(2.0 * scale, rel=0.05)
+    assert page.evaluate("benchdragon.camera.toGround(190, 200)") == pytest.approx(middle, abs=0.5)
+    assert state(page, "chosen") == -1
+    before = page.evaluate("[benchdragon.camera.x, benchdragon.camera.y, benchdragon.camera.scale]")
+    touch(page, [[(x, y)], [(x + 20.0, y)], [(x + 60.0, y + 30.0)]])
+    after = page.evaluate("[benchdragon.camera.x, benchdragon.camera.y, benchdragon.camera.scale]")
+    assert after[2] == before[2]
+    assert (before[0] - after[0]) * after[2] == pytest.approx(60.0, abs=25.0)
+    assert (after[1] - before[1]) * after[2] == pytest.approx(30.0, abs=15.0)
+    look_at(page, 7, 60.0)
+    touch(page, [[on_screen(page, 7)]])
+    assert state(page, "chosen") == 6
+
+
+@pytest.mark.parametrize("look", LOOKS, ids="-".join)
+def test_events_are_jumped_to_from_the_list(
+    pages: Pages, turn: Scene, look: tuple[Device, Language, Colours]
+) -> None:
+    page = opened(pages, turn, look)
+    events = page.locator("details.events")
+    events.locator("summary").click()
+    rows = events.get_by_role("listitem")
+    assert rows.count() == len(turn.dance.occasions)
+    for n, occasion in enumerate(turn.dance.occasions):
+        if n:
+            events.locator("summary").click()
+        text = rows.nth(n).inner_text()
+        assert getattr(occasion.text, look[1]) in text
+        assert seconds(occasion.time) in text
+        rows.nth(n).get_by_role("button").click()
+        assert time_of(page) == pytest.approx(occasion.time)
+        assert events.get_attribute("open") is None
+
+
+def test_events_are_jumped_to_from_their_marks_and_buttons(pages: Pages, contact: Scene) -> None:
+    page = opened(pages, contact)
+    (first,) = [one for one in contact.dance.occasions if one.kind == "contact"]
+    page.locator(".mark.contact").click()
+    assert time_of(page) == pytest.approx(first.time)
+    assert page.locator(".mark.contact").get_attribute("title") == f"first contact ({first.time:.2f} s)"
+    page.get_by_role("button", name="to the previous event").click()
+    before = [one.time for one in contact.dance.occasions if one.time < first.time - 1e-6]
+    assert time_of(page) == pytest.approx(max(before, default=first.time))
+    page.evaluate("benchdragon.jump(0)")
+    page.get_by_role("button", name="to the next event").click()
+    assert time_of(page) == pytest.approx(
+        min(o.time for o in contact.dance.occasions if o.time > contact.start + 1e-6)
+    )
+
+
+def test_an_event_out_of_sight_is_brought_into_sight(pages: Pages, contact: Scene) -> None:
+    page = opened(pages, contact)
+    look_at(page, 40, 300.0)
+    page.keyboard.press("n")
+    drawn(page)
+    x, y = on_screen(page, contact.dance.occasions[0].benches[0])
+    box = page.locator("canvas").bounding_box()
+    assert box is not None
+    assert box["x"] <= x <= box["x"] + box["width"]
+    assert box["y"] <= y <= box["y"] + box["height"]
+
+
+@pytest.mark.parametrize("look", LOOKS, ids="-".join)
+def test_a_tapped_bench_shows_its_card_with_the_right_numbers(
+    pages: Pages, turn: Scene, look: tuple[Device, Language, Colours]
+) -> None:
+    page = opened(pages, turn, look)
+    time, bench = 31.0, 17
+    page.evaluate(f"benchdragon.jump({time})")
+    look_at(page, bench, 80.0)
+    (page.mouse.click if look[0] == "desktop" else page.touchscreen.tap)(*on_screen(page, bench))
+    drawn(page)
+    card = page.locator("aside.card")
+    assert card.locator("h2").inner_text() == {"en": "Bench 17", "zh": "第 17 节"}[look[1]]
+    motion = turn.walk.motion([time])
+    told = [cell.replace("\u2212", "-") for cell in card.locator("dd").all_inner_texts()]
+    number = [float(re.findall(r"(-?\d+\.?\d*) (?:m|cm)\b", text)[0]) for text in told]
+    assert number[0] == pytest.approx(motion.speed[0, bench - 1], abs=2e-3)
+    assert number[1] == pytest.approx(motion.speed[0, bench], abs=2e-3)
+    assert number[2] == pytest.approx(motion.acceleration[0, bench - 1], abs=5e-2)
+    distance, other = nearest_each(motion, 1.0)
+    assert number[4] == pytest.approx(100.0 * distance[0, bench - 1], abs=0.15)
+    assert str(other[0, bench - 1]) in re.findall(r"\d+", told[4])
+    assert number[5] == pytest.approx(100.0 * turn.dance.nearest.distance[bench - 1], abs=0.06)
+    assert number[6] == 2.2
+    # Where its tightest moment is, one click away; its neighbours too; and away again.
+    card.locator("dd button").last.click()
+    assert time_of(page) == pytest.approx(turn.dance.nearest.time[bench - 1])
+    card.locator("nav button").last.click()
+    assert state(page, "chosen") == bench
+    card.locator("header button").click()
+    assert (state(page, "chosen"), card.is_visible()) == (-1, False)
+
+
+def test_the_first_and_the_last_bench_have_one_neighbour(pages: Pages, turn: Scene) -> None:
+    page = opened(pages, turn)
+    for bench, name in ((1, "Bench 1 (head)"), (60, "Bench 60 (tail)")):
+        views(page).get_by_role("spinbutton").fill(str(bench))
+        page.keyboard.press("Tab")
+        assert page.locator("aside h2").inner_text() == name
+        assert page.locator("aside nav button").count() == 1
+    views(page).get_by_role("spinbutton").fill("61")
+    page.keyboard.press("Tab")
+    assert state(page, "chosen") == 59
+
+
+def test_the_view_follows_a_bench_until_a_gesture(pages: Pages, turn: Scene) -> None:
+    page = opened(pages, turn)
+    page.evaluate("benchdragon.choose(4)")
+    box = views(page).get_by_label("follow it")
+    box.check()
+    for time in (0.0, 33.0):
+        page.evaluate(f"benchdragon.jump({time})")
+        drawn(page)
+        middle = page.evaluate("[benchdragon.camera.x, benchdragon.camera.y]")
+        assert middle == page.evaluate("[benchdragon.boxes.x[4], benchdragon.boxes.y[4]]")
+    page.locator("canvas").hover(position={"x": 100, "y": 100})
+    page.mouse.wheel(0, 100)
+    until(page, "!benchdragon.follows")
+    assert not box.is_checked()
+
+
+def test_a_ruler_measures_the_ground(pages: Pages, turn: Scene) -> None:
+    page = opened(pages, turn)
+    views(page).get_by_label("ruler").check()
+    box = page.locator("canvas").bounding_box()
+    assert box is not None
+    before = page.evaluate("[benchdragon.camera.x, benchdragon.camera.y]")
+    page.mouse.move(box["x"] + 100.0, box["y"] + 100.0)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 400.0, box["y"] + 300.0, steps=4)
+    page.mouse.up()
+    (x0, y0), (x1, y1) = state(page, "ruler")
+    scale = state(page, "camera.scale")
+    assert (x1 - x0, y0 - y1) == pytest.approx((300.0 / scale, 200.0 / scale))
+    assert page.evaluate("[benchdragon.camera.x, benchdragon.camera.y]") == before
+    page.keyboard.press("r")
+    assert state(page, "ruler") == []
+
+
+def test_an_address_says_time_and_bench_and_the_page_writes_it(pages: Pages, turn: Scene) -> None:
+    page = opened(pages, turn, where="#t=33.25&bench=12")
+    assert (time_of(page), state(page, "chosen")) == (33.25, 11)
+    page.keyboard.press("ArrowRight")
+    assert page.evaluate("location.hash") == "#t=34.25&bench=12"
+    page.keyboard.press("Escape")
+    assert page.evaluate("location.hash") == "#t=34.25"
+    page.evaluate("location.hash = '#t=-7&bench=3'")
+    until(page, "benchdragon.time === -7 && benchdragon.chosen === 2")
+
+
+@pytest.mark.parametrize("where", ["#t=soon&bench=x", "#t=1e9&bench=99999", "#bench=-4", "#%E0%A4%A"])
+def test_odd_addresses_do_no_harm(pages: Pages, turn: Scene, where: str) -> None:
+    page = opened(pages, turn, where=where)
+    assert turn.start <= time_of(page) <= turn.end
+    assert -1 <= state(page, "chosen") < 60
+
+
+def test_keys_do_what_the_list_of_keys_says(pages: Pages, turn: Scene) -> None:
+    page = opened(pages, turn, where="#t=10")
+    for key, what, value in (
+        ("ArrowRight", "time", 11.0), ("ArrowLeft", "time", 10.0), (".", "time", 10.04),
+        (",", "time", 10.0), ("Home", "time", turn.start), ("End", "time", turn.end),
+        ("]", "chosen", 0), ("]", "chosen", 1), ("[", "chosen", 0), ("Escape", "chosen", -1),
+        ("f", "follows", True), ("f", "follows", False), ("t", "look.trails", True),
+        ("t", "look.trails", False), ("r", "ruling", True), ("r", "ruling", False),
+        ("c", "kind", "speed"), ("c", "kind", "clearance"),
+        (" ", "playing", True), (" ", "playing", False),
+    ):  # fmt: skip
+        page.keyboard.press(key)
+        assert state(page, what) == (pytest.approx(value) if what == "time" else value), key
+    occasions = [one.time for one in turn.dance.occasions]
+    page.evaluate("benchdragon.jump(benchdragon.scene.start)")
+    for time in sorted({round(one, 6) for one in occasions if one > turn.start + 1e-6})[:3]:
+        page.keyboard.press("n")
+        assert time_of(page) == pytest.approx(time, abs=1e-5)
+    scale = state(page, "camera.scale")
+    page.keyboard.press("+")
+    assert state(page, "camera.scale") == pytest.approx(1.4 * scale)
+    page.keyboard.press("-")
+    page.keyboard.press("Control+ArrowRight")
+    assert time_of(page) == pytest.approx(time, abs=1e-5)
+
+
+@pytest.mark.parametrize("look", [HAND, DESK], ids="-".join)
+def test_the_list_of_keys_opens_and_closes(
+    pages: Pages, turn: Scene, look: tuple[Device, Language, Colours]
+) -> None:
+    page = opened(pages, turn, look)
+    page.locator(".tools button").last.click()
+    dialog = page.get_by_role("dialog")
+    assert dialog.get_by_role("row").count() == 12
+    page.keyboard.press("ArrowRight")
+    assert time_of(page) == turn.start
+    dialog.get_by_role("button").click()
+    assert dialog.count() == 0
+    page.locator(".tools button").last.click()
+    page.keyboard.press("Escape")
+    assert dialog.count() == 0
+
+
+def test_with_reduced_motion_time_goes_on_in_whole_seconds(pages: Pages, turn: Scene) -> None:
+    page = opened(pages, turn)
+    page.emulate_media(reduced_motion="reduce")
+    page.evaluate(
+        """() => {
+          globalThis.times = [];
+          const watch = () => { times.push(benchdragon.time); requestAnimationFrame(watch); };
+          watch();
+        }"""
+    )
+    page.keyboard.press("Space")
+    until(page, f"benchdragon.time > {turn.start + 1.5}")
+    steps = set(page.evaluate("times"))
+    assert {round(step - turn.start, 9) for step in steps} <= {0.0, 1.0, 2.0, 3.0}
+
+
+def test_a_notebook_shows_the_player_in_its_sandbox(pages: Pages, turn: Scene, tmp_path: Path) -> None:
+    notebook = tmp_path / "notebook.html"
+    shown = turn.walk.motion([3.0, 9.0])._repr_html_()
+    head = '<!doctype html><meta charset="utf-8"><link rel="icon" href="data:,"><p>Out [1]</p>'
+    notebook.write_text(f"{head}{shown}", "utf-8")
+    page = pages.open(notebook.as_uri())
+    inside = page.frame_locator("iframe")
+    inside.get_by_role("button", name="play", exact=True).click()
+    inside.get_by_role("button", name="pause", exact=True).click()
+    clock = inside.locator("output.clock")
+    assert 3.0 <= float(clock.inner_text().split()[2]) <= 9.0
+    inside.get_by_role("button", name="keys").click()
+    dialog = inside.get_by_role("dialog")
+    assert dialog.is_visible()
+    dialog.get_by_role("button").click()
+    dialog.wait_for(state="detached")
+    inside.locator(".tools button").first.click()
+    assert inside.get_by_role("button", name="播放", exact=True).is_visible()
+    assert inside.locator("footer").inner_text().endswith(wire_version(turn))
+
+
+def wire_version(scene: Scene) -> str:
+    """Name and version of what wrote the page."""
+    return f"benchdragon {scene.dance.version}"
+
+
+def test_an_old_browser_is_told_so(pages: Pages, turn: Scene, tmp_path: Path) -> None:
+    path = tmp_path / "old.html"
+    page = player_page(turn.dance, "zh")
+    path.write_text(
+        page.replace("<head>", "<head><script>delete globalThis.DecompressionStream</script>"), "utf-8"
+    )
+    assert "2023" in pages.open(path.as_uri()).locator("main").inner_text()
+
+
+@pytest.mark.parametrize(("language", "said"), [("en", "damaged"), ("zh", "损坏")])
+def test_a_spoilt_file_is_told_of(
+    pages: Pages, turn: Scene, tmp_path: Path, language: Language, said: str
+) -> None:
+    path = tmp_path / "spoilt.html"
+    frames = turn.dance.frames.model_copy(update={"packed": turn.dance.frames.packed[:-800]})
+    path.write_text(player_page(turn.dance.model_copy(update={"frames": frames}), language), "utf-8")
+    page = pages.open(path.as_uri())
+    until(page, "!document.querySelector('.waiting')")
+    assert said in page.locator("main").inner_text()
+
+
+def test_a_page_whose_script_does_not_run_says_what_to_do(
+    pages: Pages, turn: Scene, tmp_path: Path
+) -> None:
+    path = tmp_path / "cut.html"
+    path.write_text(player_page(turn.dance, "en").split('<script type="module">')[0], "utf-8")
+    page = pages.open(path.as_uri())
+    page.get_by_text("open this file in a browser").wait_for()
+    page.get_by_text("请用浏览器打开").wait_for()
