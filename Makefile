@@ -1,6 +1,7 @@
 # `make demo` and `make test` set up everything they need in .venv/.
 PYTHON ?= python3
 BIN := .venv/bin
+PAGES := 'src/benchdragon/web/*.js' 'src/benchdragon/web/*.css'
 NPM := $(shell command -v npm 2>/dev/null)
 
 .PHONY: demo test docs bench truth messages types lock fonts clean
@@ -25,7 +26,8 @@ test: .venv/installed $(if $(NPM),node_modules/installed)
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-logo
-	$(if $(NPM),node_modules/.bin/tsc -p .,@echo "no npm here: the types of the pages' JavaScript are not checked")
+	$(if $(NPM),node_modules/.bin/tsc -p .,@echo "no npm here: the pages' JavaScript is not checked")
+	$(if $(NPM),node_modules/.bin/prettier --check --log-level warn $(PAGES))
 	BENCHDRAGON_COMPILE=never $(BIN)/python -m pytest -q -n auto tests/kernels --cov --cov-report=term-missing --cov-fail-under=95
 	$(BIN)/python -m pytest -q -n auto --dist loadgroup
 

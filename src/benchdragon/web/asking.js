@@ -24,7 +24,12 @@ export class Refusal extends Error {
 export async function asked(path, body, { method = body ? "POST" : "GET", signal } = {}) {
   const headers = { "Content-Type": "application/json", "X-Client": CLIENT };
   const sent = body === null ? null : JSON.stringify(body);
-  const response = await fetch(`${path}?lang=${language()}`, { method, headers, body: sent, signal: signal ?? null });
+  const response = await fetch(`${path}?lang=${language()}`, {
+    method,
+    headers,
+    body: sent,
+    signal: signal ?? null,
+  });
   if (response.ok) return response;
   const problem = await response.json().catch(() => ({}));
   throw new Refusal(response.status, problem.error ?? `${response.status} ${response.statusText}`);
@@ -76,7 +81,8 @@ export class Standing {
         this.answered(answer);
       } catch (error) {
         if (!(error instanceof Error)) throw error;
-        const replaced = error.name === "AbortError" || (error instanceof Refusal && error.status === REPLACED);
+        const replaced =
+          error.name === "AbortError" || (error instanceof Refusal && error.status === REPLACED);
         if (!replaced) this.failed(error);
       }
     }

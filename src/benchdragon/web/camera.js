@@ -26,12 +26,18 @@ export class Camera {
 
   /** @param {number} x @param {number} y m @returns {[number, number]} CSS pixels */
   toScreen(x, y) {
-    return [0.5 * this.width + (x - this.x) * this.scale, 0.5 * this.height - (y - this.y) * this.scale];
+    return [
+      0.5 * this.width + (x - this.x) * this.scale,
+      0.5 * this.height - (y - this.y) * this.scale,
+    ];
   }
 
   /** @param {number} px @param {number} py CSS pixels @returns {[number, number]} m */
   toGround(px, py) {
-    return [this.x + (px - 0.5 * this.width) / this.scale, this.y - (py - 0.5 * this.height) / this.scale];
+    return [
+      this.x + (px - 0.5 * this.width) / this.scale,
+      this.y - (py - 0.5 * this.height) / this.scale,
+    ];
   }
 
   /** Zoom about a point of the canvas. @param {number} factor @param {number} px @param {number} py */
@@ -111,7 +117,8 @@ export function listen(canvas, camera, hands) {
     if (!down.delete(event.pointerId)) return;
     const { x, y } = at(event);
     const measured = hands.measured(x, y, true, false);
-    if (event.type === "pointerup" && !measured && fingers === 1 && travelled <= TAP) hands.tapped(x, y);
+    if (event.type === "pointerup" && !measured && fingers === 1 && travelled <= TAP)
+      hands.tapped(x, y);
   };
   canvas.addEventListener("pointerup", up);
   canvas.addEventListener("pointercancel", up);

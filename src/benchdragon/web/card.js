@@ -34,19 +34,43 @@ export class Card {
     const { nearest, benches } = scene.sent;
     const now = (/** @type {string} */ name) => (this.cells[name] = make("dd"));
     const at = (/** @type {string} */ text, /** @type {number} */ time) =>
-      make("dd", {}, text, " ", make("button", { type: "button", onclick: () => this.jump(time) }, clock(time)));
+      make(
+        "dd",
+        {},
+        text,
+        " ",
+        make("button", { type: "button", onclick: () => this.jump(time) }, clock(time)),
+      );
     const far = _("never within {reach}", { reach: shortLength(nearest.reach) });
     const other = nearest.other[bench];
     this.element.replaceChildren(
-      make("header", {}, make("h2", {}, benchName(bench + 1, scene.benches)), signButton("\u2715", _("close"), () => this.choose(-1))),
-      make("dl", {},
-        make("dt", {}, _("front handle")), now("front"),
-        make("dt", {}, _("rear handle")), now("rear"),
-        make("dt", {}, _("change of speed")), now("change"),
-        make("dt", {}, _("its fastest moment")), at(speedText(scene.fastest.speed[bench]), scene.fastest.time[bench]),
-        make("dt", {}, _("nearest")), now("nearest"),
-        make("dt", {}, _("its tightest moment")), other ? at(nearText(nearest.distance[bench], other), nearest.time[bench]) : make("dd", {}, far),
-        make("dt", {}, _("size")), make("dd", {}, `${decimals(benches.length[bench], 2)} m \u00d7 ${decimals(benches.width[bench], 2)} m`),
+      make(
+        "header",
+        {},
+        make("h2", {}, benchName(bench + 1, scene.benches)),
+        signButton("\u2715", _("close"), () => this.choose(-1)),
+      ),
+      make(
+        "dl",
+        {},
+        make("dt", {}, _("front handle")),
+        now("front"),
+        make("dt", {}, _("rear handle")),
+        now("rear"),
+        make("dt", {}, _("change of speed")),
+        now("change"),
+        make("dt", {}, _("its fastest moment")),
+        at(speedText(scene.fastest.speed[bench]), scene.fastest.time[bench]),
+        make("dt", {}, _("nearest")),
+        now("nearest"),
+        make("dt", {}, _("its tightest moment")),
+        other ? at(nearText(nearest.distance[bench], other), nearest.time[bench]) : make("dd", {}, far),
+        make("dt", {}, _("size")),
+        make(
+          "dd",
+          {},
+          `${decimals(benches.length[bench], 2)} m \u00d7 ${decimals(benches.width[bench], 2)} m`,
+        ),
       ),
       make("nav", {}, ...this.#neighbours(scene, bench)),
     );
@@ -58,7 +82,8 @@ export class Card {
     const button = (/** @type {number} */ other, /** @type {string} */ text) =>
       make("button", { type: "button", onclick: () => this.choose(other) }, text);
     if (bench > 0) found.push(button(bench - 1, _("\u2190 Bench {bench}", { bench })));
-    if (bench + 1 < scene.benches) found.push(button(bench + 1, _("Bench {bench} \u2192", { bench: bench + 2 })));
+    if (bench + 1 < scene.benches)
+      found.push(button(bench + 1, _("Bench {bench} \u2192", { bench: bench + 2 })));
     return found;
   }
 
@@ -80,5 +105,7 @@ function speedText(speed) {
 
 /** @param {number} gap m @param {number} other number of the other bench */
 function nearText(gap, other) {
-  return gap > 0 ? _("{gap} to bench {other}", { gap: shortLength(gap), other }) : _("touches bench {other}", { other });
+  return gap > 0
+    ? _("{gap} to bench {other}", { gap: shortLength(gap), other })
+    : _("touches bench {other}", { other });
 }

@@ -30,7 +30,12 @@ export const KINDS = /** @type {const} */ (["plain", "speed", "clearance", "acce
 
 /** @param {Kind} kind */
 export function kindName(kind) {
-  return { plain: _("none"), speed: _("speed"), clearance: _("clearance"), acceleration: _("acceleration") }[kind];
+  return {
+    plain: _("none"),
+    speed: _("speed"),
+    clearance: _("clearance"),
+    acceleration: _("acceleration"),
+  }[kind];
 }
 
 /**
@@ -44,7 +49,14 @@ export function kindName(kind) {
 export function scaleOf(kind, scene, stand, boxes) {
   if (kind === "speed") {
     const [low, high] = roundRange(...scene.speedRange);
-    return { name: _("speed of the front handle"), low, high, unit: "m/s", colours: EVEN, value: (i) => stand.v[i] };
+    return {
+      name: _("speed of the front handle"),
+      low,
+      high,
+      unit: "m/s",
+      colours: EVEN,
+      value: (i) => stand.v[i],
+    };
   }
   if (kind === "acceleration") {
     const most = roundUp(scene.greatestChange);
@@ -53,7 +65,14 @@ export function scaleOf(kind, scene, stand, boxes) {
   }
   if (kind === "clearance") {
     const high = scene.sent.nearest.reach;
-    return { name: _("distance to the nearest bench"), low: 0, high, unit: "m", colours: NEAR, value: (i) => boxes.nearest[i] };
+    return {
+      name: _("distance to the nearest bench"),
+      low: 0,
+      high,
+      unit: "m",
+      colours: NEAR,
+      value: (i) => boxes.nearest[i],
+    };
   }
   return null;
 }
@@ -63,7 +82,10 @@ function roundRange(low, high) {
   const middle = 0.5 * (low + high);
   const half = Math.max(0.5 * (high - low), 0.005);
   const unit = 10 ** Math.floor(Math.log10(half));
-  return [Math.max(Math.floor((middle - half) / unit) * unit, 0), Math.ceil((middle + half) / unit) * unit];
+  return [
+    Math.max(Math.floor((middle - half) / unit) * unit, 0),
+    Math.ceil((middle + half) / unit) * unit,
+  ];
 }
 
 /** @param {number} value */

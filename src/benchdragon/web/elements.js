@@ -27,7 +27,11 @@ export function make(tag, attributes = {}, ...children) {
  * @param {Record<string, string>} [attributes]
  */
 export function signButton(sign, name, action, attributes = {}) {
-  return make("button", { type: "button", title: name, "aria-label": name, onclick: action, ...attributes }, sign);
+  return make(
+    "button",
+    { type: "button", title: name, "aria-label": name, onclick: action, ...attributes },
+    sign,
+  );
 }
 
 /**
@@ -50,7 +54,11 @@ export function draw(tag, attributes, ...children) {
  * @param {string} path
  */
 export function drawnSign(path) {
-  return draw("svg", { viewBox: "0 0 24 24", class: "sign", "aria-hidden": "true" }, draw("path", { d: path }));
+  return draw(
+    "svg",
+    { viewBox: "0 0 24 24", class: "sign", "aria-hidden": "true" },
+    draw("path", { d: path }),
+  );
 }
 
 /**
@@ -62,7 +70,8 @@ export function drawnSign(path) {
  */
 export function choice(name, options, chosen, action) {
   const select = make("select", { "aria-label": name, onchange: () => action(select.value) });
-  for (const [value, text] of options) select.append(make("option", { value, selected: value === chosen }, text));
+  for (const [value, text] of options)
+    select.append(make("option", { value, selected: value === chosen }, text));
   return select;
 }
 

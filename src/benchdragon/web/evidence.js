@@ -8,12 +8,19 @@ import { _, decimals } from "./words.js";
 
 /** @param {Answer["status"]} status */
 export function statusText(status) {
-  return { proved: _("proved"), found: _("found"), infeasible: _("no solution"), undecided: _("undecided"), unlimited: _("no limit met") }[status];
+  return {
+    proved: _("proved"),
+    found: _("found"),
+    infeasible: _("no solution"),
+    undecided: _("undecided"),
+    unlimited: _("no limit met"),
+  }[status];
 }
 
 /** An answer's value, as far as its bracket says. @param {Answer} answer */
 export function valueText(answer) {
-  if (answer.value === null) return answer.status === "found" ? _("no pair counts") : statusText(answer.status);
+  if (answer.value === null)
+    return answer.status === "found" ? _("no pair counts") : statusText(answer.status);
   const width = answer.lower === null || answer.upper === null ? 0 : answer.upper - answer.lower;
   const digits = width > 0 ? Math.min(Math.max(Math.ceil(-Math.log10(width)), 2), 9) : 6;
   return `${decimals(answer.value, digits)} ${answer.unit}`;
@@ -24,17 +31,33 @@ function whereText({ witness }) {
   if (!witness) return "";
   const [a, b] = witness.benches;
   const time = witness.time === null ? "\u2013" : decimals(witness.time, 3);
-  return b ? _("benches {a} and {b}, t = {time} s", { a, b, time }) : _("bench {a}, t = {time} s", { a, time });
+  return b
+    ? _("benches {a} and {b}, t = {time} s", { a, b, time })
+    : _("bench {a}, t = {time} s", { a, time });
 }
 
 /** @param {string} name @param {Answer | null} answer @param {(time: number) => void} jump */
 function row(name, answer, jump) {
-  if (!answer) return make("tr", {}, make("th", { scope: "row" }, name), make("td", { colspan: "4" }, _("none")));
+  if (!answer)
+    return make("tr", {}, make("th", { scope: "row" }, name), make("td", { colspan: "4" }, _("none")));
   const { lower, upper } = answer;
-  const bracket = lower === null || upper === null ? "\u2013" : make("span", {}, String(lower), make("br"), String(upper));
+  const bracket =
+    lower === null || upper === null
+      ? "\u2013"
+      : make("span", {}, String(lower), make("br"), String(upper));
   const time = answer.witness?.time ?? null;
-  const where = time === null ? whereText(answer) : make("button", { type: "button", onclick: () => jump(time) }, whereText(answer));
-  return make("tr", {}, make("th", { scope: "row" }, name), ...[valueText(answer), bracket, statusText(answer.status), where].map((cell) => make("td", {}, cell)));
+  const where =
+    time === null
+      ? whereText(answer)
+      : make("button", { type: "button", onclick: () => jump(time) }, whereText(answer));
+  return make(
+    "tr",
+    {},
+    make("th", { scope: "row" }, name),
+    ...[valueText(answer), bracket, statusText(answer.status), where].map((cell) =>
+      make("td", {}, cell),
+    ),
+  );
 }
 
 /**
@@ -44,19 +67,48 @@ function row(name, answer, jump) {
  * @param {(time: number) => void} jump
  */
 export function evidenceDialog(verdict, pitch, jump) {
-  const go = (/** @type {number} */ time) => { dialog.close(); jump(time); };
+  const go = (/** @type {number} */ time) => {
+    dialog.close();
+    jump(time);
+  };
   const heads = [_("answer"), _("value"), _("between"), _("how established"), _("where and when")];
   const rows = [
     row(_("first contact"), verdict.first_contact, go),
     row(_("least clearance"), verdict.clearance, go),
     row(_("greatest speed of a handle"), verdict.greatest_speed, go),
-    ...(pitch && pitch.plan_sha256 === verdict.plan_sha256 ? [row(_("smallest pitch"), pitch, go)] : []),
+    ...(pitch && pitch.plan_sha256 === verdict.plan_sha256
+      ? [row(_("smallest pitch"), pitch, go)]
+      : []),
   ];
-  const dialog = make("dialog", { class: "evidence", "aria-label": _("evidence"), onclose: () => dialog.remove() },
+  const dialog = make(
+    "dialog",
+    { class: "evidence", "aria-label": _("evidence"), onclose: () => dialog.remove() },
     make("h2", {}, verdict.sentence),
     ...verdict.findings.map(({ text }) => make("p", {}, text)),
-    make("div", { class: "scroll" }, make("table", {}, make("thead", {}, make("tr", {}, ...heads.map((head) => make("th", { scope: "col" }, head)))), make("tbody", {}, ...rows))),
-    make("p", { class: "source" }, _("Found: every bracket holds by bounds that leave room for rounding; nothing is sampled. Proved: established again in rigorous arithmetic. Walk from {start} s to {end} s; plan {hash}, benchdragon {version}.", { start: decimals(verdict.start ?? 0, 1), end: decimals(verdict.end ?? 0, 1), hash: verdict.plan_sha256.slice(0, 12), version: verdict.version })),
-    make("form", { method: "dialog" }, make("button", {}, _("close"))));
+    make(
+      "div",
+      { class: "scroll" },
+      make(
+        "table",
+        {},
+        make("thead", {}, make("tr", {}, ...heads.map((head) => make("th", { scope: "col" }, head)))),
+        make("tbody", {}, ...rows),
+      ),
+    ),
+    make(
+      "p",
+      { class: "source" },
+      _(
+        "Found: every bracket holds by bounds that leave room for rounding; nothing is sampled. Proved: established again in rigorous arithmetic. Walk from {start} s to {end} s; plan {hash}, benchdragon {version}.",
+        {
+          start: decimals(verdict.start ?? 0, 1),
+          end: decimals(verdict.end ?? 0, 1),
+          hash: verdict.plan_sha256.slice(0, 12),
+          version: verdict.version,
+        },
+      ),
+    ),
+    make("form", { method: "dialog" }, make("button", {}, _("close"))),
+  );
   return dialog;
 }

@@ -28,28 +28,54 @@ export class Face {
     this.canvas = make("canvas", { role: "img", tabindex: "0" });
     this.painter = new Painter(this.canvas);
     this.axis = new Axis(this.scene, (time) => player.jump(time));
-    this.card = new Card((bench) => player.choose(bench), (time) => player.jump(time));
+    this.card = new Card(
+      (bench) => player.choose(bench),
+      (time) => player.jump(time),
+    );
     this.legend = make("div", { class: "legend" });
     this.clock = make("output", { class: "clock" });
     this.tight = make("output", { class: "tight" });
     this.spoken = make("p", { class: "spoken", "aria-live": "polite" });
-    this.playButton = signButton(drawnSign(PLAY), _("play"), () => player.play(!player.playing), { class: "play" });
+    this.playButton = signButton(drawnSign(PLAY), _("play"), () => player.play(!player.playing), {
+      class: "play",
+    });
     this.number = this.#numberBox();
-    this.followBox = tick(_("follow it (the head, if none)"), player.follows, (on) => player.follow(on));
+    this.followBox = tick(_("follow it (the head, if none)"), player.follows, (on) =>
+      player.follow(on),
+    );
     this.ruleBox = tick(_("ruler: drag to measure"), player.ruling, (on) => player.rule(on));
     this.trailBox = tick(_("trails"), player.look.trails, (on) => player.see("trails", on));
-    this.kinds = choice(_("colour by"), KINDS.map((kind) => [kind, kindName(kind)]), player.kind, (kind) => player.paintBy(/** @type {Kind} */ (kind)));
+    this.kinds = choice(
+      _("colour by"),
+      KINDS.map((kind) => [kind, kindName(kind)]),
+      player.kind,
+      (kind) => player.paintBy(/** @type {Kind} */ (kind)),
+    );
     this.lists = [this.#views(), this.#events()];
     this.stage = make("div", { class: "stage" }, this.canvas, this.legend, this.lists[0]);
     const middle = make("div", { class: "middle" }, this.stage, this.card.element);
-    this.elements = [this.#header(), middle, this.axis.element, this.#controls(), this.#footer(), this.spoken];
+    this.elements = [
+      this.#header(),
+      middle,
+      this.axis.element,
+      this.#controls(),
+      this.#footer(),
+      this.spoken,
+    ];
   }
 
   #numberBox() {
     const chosen = this.player.chosen;
     const number = make("input", {
-      type: "number", min: "1", max: String(this.scene.benches), step: "1", inputmode: "numeric", value: chosen < 0 ? "" : String(chosen + 1),
-      onchange: () => { if (number.checkValidity() && number.value) this.player.choose(Number(number.value) - 1); },
+      type: "number",
+      min: "1",
+      max: String(this.scene.benches),
+      step: "1",
+      inputmode: "numeric",
+      value: chosen < 0 ? "" : String(chosen + 1),
+      onchange: () => {
+        if (number.checkValidity() && number.value) this.player.choose(Number(number.value) - 1);
+      },
     });
     return number;
   }
@@ -60,11 +86,28 @@ export class Face {
     if (ruling) {
       const state = !ruling.decided ? "open" : ruling.safe ? "safe" : "unsafe";
       const sign = { open: "?", safe: "\u2713", unsafe: "\u2716" }[state];
-      header.append(make("p", { class: `ruling ${state}` }, make("span", { "aria-hidden": "true" }, sign), ` ${ruling.text[language()]}`));
+      header.append(
+        make(
+          "p",
+          { class: `ruling ${state}` },
+          make("span", { "aria-hidden": "true" }, sign),
+          ` ${ruling.text[language()]}`,
+        ),
+      );
     }
     header.append(
-      make("div", { class: "tools" },
-        make("button", { type: "button", lang: language() === "zh" ? "en" : "zh", onclick: () => this.player.translate() }, language() === "zh" ? "English" : "\u4e2d\u6587"),
+      make(
+        "div",
+        { class: "tools" },
+        make(
+          "button",
+          {
+            type: "button",
+            lang: language() === "zh" ? "en" : "zh",
+            onclick: () => this.player.translate(),
+          },
+          language() === "zh" ? "English" : "\u4e2d\u6587",
+        ),
         signButton(drawnSign(HALF), _("light or dark"), () => this.player.nextTheme()),
         signButton("?", _("keys"), () => this.#help()),
       ),
@@ -73,16 +116,29 @@ export class Face {
   }
 
   #controls() {
-    return make("div", { class: "controls", role: "group", "aria-label": _("playing") },
-      signButton(drawnSign(BEFORE), _("to the previous event"), () => this.player.event(-1), { class: "wide" }),
+    return make(
+      "div",
+      { class: "controls", role: "group", "aria-label": _("playing") },
+      signButton(drawnSign(BEFORE), _("to the previous event"), () => this.player.event(-1), {
+        class: "wide",
+      }),
       signButton("\u22121 s", _("one second back"), () => this.player.step(-1)),
       signButton("\u2039", _("one frame back"), () => this.player.step(-FRAME)),
       this.playButton,
       signButton("\u203a", _("one frame on"), () => this.player.step(FRAME)),
       signButton("+1 s", _("one second on"), () => this.player.step(1)),
-      signButton(drawnSign(NEXT), _("to the next event"), () => this.player.event(1), { class: "wide" }),
+      signButton(drawnSign(NEXT), _("to the next event"), () => this.player.event(1), {
+        class: "wide",
+      }),
       this.clock,
-      choice(_("speed of play"), SPEEDS.map((speed) => [String(speed), `${speed}\u00d7`]), String(this.player.speed), (value) => { this.player.speed = Number(value); }),
+      choice(
+        _("speed of play"),
+        SPEEDS.map((speed) => [String(speed), `${speed}\u00d7`]),
+        String(this.player.speed),
+        (value) => {
+          this.player.speed = Number(value);
+        },
+      ),
       this.tight,
       this.lists[1],
     );
@@ -90,24 +146,49 @@ export class Face {
 
   /** The list of all that happens. */
   #events() {
-    const list = make("ol", {}, ...this.scene.sent.occasions.map((occasion) =>
-      make("li", {}, make("button", { type: "button", onclick: () => { details.open = false; this.player.jump(occasion.time, occasion.benches); } },
-        make("time", {}, clock(occasion.time, 2)), ` ${occasionText(occasion)}`))));
+    const list = make(
+      "ol",
+      {},
+      ...this.scene.sent.occasions.map((occasion) =>
+        make(
+          "li",
+          {},
+          make(
+            "button",
+            {
+              type: "button",
+              onclick: () => {
+                details.open = false;
+                this.player.jump(occasion.time, occasion.benches);
+              },
+            },
+            make("time", {}, clock(occasion.time, 2)),
+            ` ${occasionText(occasion)}`,
+          ),
+        ),
+      ),
+    );
     const details = make("details", { class: "events" }, make("summary", {}, _("Events")), list);
     return details;
   }
 
   #views() {
-    return make("details", { class: "views" },
+    return make(
+      "details",
+      { class: "views" },
       make("summary", {}, _("View")),
       make("label", {}, _("colour by"), this.kinds),
       make("label", {}, _("bench"), this.number),
       this.followBox,
       this.trailBox,
       tick(_("route"), this.player.look.route, (on) => this.player.see("route", on)),
-      ...(this.scene.sent.disc === null ? [] : [tick(_("turning disc"), this.player.look.disc, (on) => this.player.see("disc", on))]),
+      ...(this.scene.sent.disc === null
+        ? []
+        : [tick(_("turning disc"), this.player.look.disc, (on) => this.player.see("disc", on))]),
       this.ruleBox,
-      make("div", { class: "zooms" },
+      make(
+        "div",
+        { class: "zooms" },
         signButton("+", _("nearer"), () => this.player.zoom(1.4)),
         signButton("\u2212", _("farther"), () => this.player.zoom(1 / 1.4)),
         make("button", { type: "button", onclick: () => this.player.fit() }, _("show all")),
@@ -118,19 +199,44 @@ export class Face {
   #footer() {
     const { frames, plan_sha256: hash, version } = this.scene.sent;
     const error = decimals(1000 * frames.largest_error, 2);
-    const made = hash ? _("benchdragon {version}, plan {hash}", { version, hash: hash.slice(0, 12) }) : `benchdragon ${version}`;
-    return make("footer", {}, _("Between its frames a place is off by at most {error} mm.", { error }), ` ${made}`);
+    const made = hash
+      ? _("benchdragon {version}, plan {hash}", { version, hash: hash.slice(0, 12) })
+      : `benchdragon ${version}`;
+    return make(
+      "footer",
+      {},
+      _("Between its frames a place is off by at most {error} mm.", { error }),
+      ` ${made}`,
+    );
   }
 
   #help() {
     const keys = /** @type {[string, string][]} */ ([
-      [_("space"), _("play or pause")], ["\u2190 \u2192", _("one second back or on")], [", .", _("one frame back or on")], ["p n", _("to the previous or next event")],
-      ["+ \u2212 0", _("nearer, farther, show all")], ["[ ]", _("the bench before or behind")], ["f", _("follow")], ["c", _("colour by something else")],
-      ["t", _("trails")], ["r", _("ruler")], [_("Home, End"), _("to the beginning, to the end")], ["Esc", _("close the card")],
+      [_("space"), _("play or pause")],
+      ["\u2190 \u2192", _("one second back or on")],
+      [", .", _("one frame back or on")],
+      ["p n", _("to the previous or next event")],
+      ["+ \u2212 0", _("nearer, farther, show all")],
+      ["[ ]", _("the bench before or behind")],
+      ["f", _("follow")],
+      ["c", _("colour by something else")],
+      ["t", _("trails")],
+      ["r", _("ruler")],
+      [_("Home, End"), _("to the beginning, to the end")],
+      ["Esc", _("close the card")],
     ]);
-    const dialog = make("dialog", { "aria-label": _("keys"), onclose: () => dialog.remove() },
-      make("table", {}, ...keys.map(([key, text]) => make("tr", {}, make("th", { scope: "row" }, key), make("td", {}, text)))),
-      make("p", {}, make("button", { type: "button", onclick: () => dialog.close() }, _("close"))));
+    const dialog = make(
+      "dialog",
+      { "aria-label": _("keys"), onclose: () => dialog.remove() },
+      make(
+        "table",
+        {},
+        ...keys.map(([key, text]) =>
+          make("tr", {}, make("th", { scope: "row" }, key), make("td", {}, text)),
+        ),
+      ),
+      make("p", {}, make("button", { type: "button", onclick: () => dialog.close() }, _("close"))),
+    );
     this.player.root.append(dialog);
     dialog.showModal();
   }
@@ -160,7 +266,11 @@ export class Face {
     this.#legendOf = text;
     const strip = make("div", { class: "strip" });
     strip.style.background = `linear-gradient(to right, ${scale.colours.join(", ")})`;
-    this.legend.replaceChildren(make("span", {}, scale.name), strip, make("span", { class: "ends" }, make("span", {}, low), make("span", {}, high)));
+    this.legend.replaceChildren(
+      make("span", {}, scale.name),
+      strip,
+      make("span", { class: "ends" }, make("span", {}, low), make("span", {}, high)),
+    );
   }
 }
 

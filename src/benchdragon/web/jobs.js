@@ -14,15 +14,34 @@ const LOOK_EACH = 400;
 
 /** @param {Question} question */
 export function questionText(question) {
-  return { turn: _("best turn"), prove: _("prove the verdict"), speed: _("greatest head speed"), pace: _("slow down only where it must"), margins: _("room for people who are not exact") }[question];
+  return {
+    turn: _("best turn"),
+    prove: _("prove the verdict"),
+    speed: _("greatest head speed"),
+    pace: _("slow down only where it must"),
+    margins: _("room for people who are not exact"),
+  }[question];
 }
 
 /** What came out, in words. @param {NonNullable<JobState["result"]>} result */
 function resultText(result) {
-  if ("sentence" in result) return result.proved ? _("Proved. {sentence}", { sentence: result.sentence }) : result.sentence;
-  if ("objective" in result) return _("turn {length} m, whole way inside the disc {way} m", { length: decimals(result.length ?? 0, 3), way: decimals(result.way ?? 0, 3) });
-  if ("steady" in result) return _("steady {speed}; slowing down only where it must saves {saved} s", { speed: valueText(result.steady), saved: decimals(result.saved ?? 0, 1) });
-  if ("draws" in result) return _("{chance} % of {draws} random dances touch", { chance: decimals(100 * result.chance, 1), draws: result.draws });
+  if ("sentence" in result)
+    return result.proved ? _("Proved. {sentence}", { sentence: result.sentence }) : result.sentence;
+  if ("objective" in result)
+    return _("turn {length} m, whole way inside the disc {way} m", {
+      length: decimals(result.length ?? 0, 3),
+      way: decimals(result.way ?? 0, 3),
+    });
+  if ("steady" in result)
+    return _("steady {speed}; slowing down only where it must saves {saved} s", {
+      speed: valueText(result.steady),
+      saved: decimals(result.saved ?? 0, 1),
+    });
+  if ("draws" in result)
+    return _("{chance} % of {draws} random dances touch", {
+      chance: decimals(100 * result.chance, 1),
+      draws: result.draws,
+    });
   return `${valueText(result)} (${statusText(result.status)})`;
 }
 
@@ -50,7 +69,11 @@ export class JobList {
   async #follow(id, question, item) {
     const bar = make("progress", { max: "1", "aria-label": questionText(question) });
     const told = make("span", { class: "told" });
-    const cancel = make("button", { type: "button", onclick: () => asked(`/api/jobs/${id}`, null, { method: "DELETE" }) }, _("cancel"));
+    const cancel = make(
+      "button",
+      { type: "button", onclick: () => asked(`/api/jobs/${id}`, null, { method: "DELETE" }) },
+      _("cancel"),
+    );
     item.replaceChildren(make("strong", {}, questionText(question)), bar, told, cancel);
     for (;;) {
       /** @type {JobState} */
@@ -66,15 +89,31 @@ export class JobList {
   /** @param {JobState} job @param {Question} question @param {HTMLElement} item */
   #ended(job, question, item) {
     const name = make("strong", {}, questionText(question));
-    const text = job.result ? resultText(job.result) : job.state === "cancelled" ? _("cancelled") : (job.error ?? "");
+    const text = job.result
+      ? resultText(job.result)
+      : job.state === "cancelled"
+        ? _("cancelled")
+        : (job.error ?? "");
     item.replaceChildren(name, make("span", { class: "told" }, text));
     const found = job.result && "plan" in job.result ? /** @type {Plan} */ (job.result.plan) : null;
-    if (found) item.append(make("button", { type: "button", onclick: () => this.take(found) }, _("take this plan")));
+    if (found)
+      item.append(
+        make("button", { type: "button", onclick: () => this.take(found) }, _("take this plan")),
+      );
     item.append(this.#away(item));
   }
 
   /** @param {HTMLElement} item */
   #away(item) {
-    return make("button", { type: "button", "aria-label": _("clear away"), title: _("clear away"), onclick: () => item.remove() }, "\u2715");
+    return make(
+      "button",
+      {
+        type: "button",
+        "aria-label": _("clear away"),
+        title: _("clear away"),
+        onclick: () => item.remove(),
+      },
+      "\u2715",
+    );
   }
 }

@@ -61,7 +61,7 @@ export class Boxes {
     const widest = this.radius.reduce((a, b) => Math.max(a, b), 0);
     for (let i = 0; i + 2 < this.count; i++) {
       const far = this.radius[i] + widest + reach;
-      for (let j = i + 2; j < this.count; ) {
+      for (let j = i + 2; j < this.count;) {
         const apart = Math.hypot(this.x[j] - this.x[i], this.y[j] - this.y[i]);
         if (apart > far) {
           // No centre comes nearer than by a stride a bench.
@@ -145,7 +145,10 @@ export class Boxes {
     /** @type {Pair} */
     const found = { i, j, distance: this.distance(i, j), from: [0, 0], to: [0, 0] };
     let least = Infinity;
-    for (const [mine, its] of [[i, j], [j, i]]) {
+    for (const [mine, its] of [
+      [i, j],
+      [j, i],
+    ]) {
       for (let n = 0; n < 4; n++) {
         const corner = this.corner(its, n);
         const [along, across] = this.#offset(mine, ...corner);

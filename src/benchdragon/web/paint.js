@@ -28,14 +28,24 @@ import { _, shortLength } from "./words.js";
 
 /** Colours of a theme, read from the style sheet. @typedef {Record<"ground" | "ink" | "faint" | "body" | "head" | "disc" | "mark" | "trail", string>} Inks */
 
-const HEAD_NAMES = /** @type {const} */ (["ground", "ink", "faint", "body", "head", "disc", "mark", "trail"]);
+const HEAD_NAMES = /** @type {const} */ ([
+  "ground",
+  "ink",
+  "faint",
+  "body",
+  "head",
+  "disc",
+  "mark",
+  "trail",
+]);
 /** Seconds of trail, and points drawn of it. */
 const TRAIL = 20;
 const TRAIL_POINTS = 80;
 /** CSS pixels from which handles and numbers are drawn, per bench. */
 const HANDLES_FROM = 70;
 const NUMBERS_FROM = 46;
-const FONT = '"Noto Sans SC", "PingFang SC", "Microsoft YaHei", "Noto Sans CJK SC", system-ui, sans-serif';
+const FONT =
+  '"Noto Sans SC", "PingFang SC", "Microsoft YaHei", "Noto Sans CJK SC", system-ui, sans-serif';
 
 /** @param {Element} element @returns {Inks} */
 export function inks(element) {
@@ -115,7 +125,14 @@ export class Painter {
     }
     const { ctx } = this;
     const k = camera.scale * density;
-    ctx.setTransform(k, 0, 0, -k, (0.5 * camera.width - camera.x * camera.scale) * density, (0.5 * camera.height + camera.y * camera.scale) * density);
+    ctx.setTransform(
+      k,
+      0,
+      0,
+      -k,
+      (0.5 * camera.width - camera.x * camera.scale) * density,
+      (0.5 * camera.height + camera.y * camera.scale) * density,
+    );
     ctx.strokeStyle = this.inks.faint;
     ctx.lineWidth = 1 / camera.scale;
     ctx.stroke(this.routePath);
@@ -181,7 +198,11 @@ export class Painter {
     const seen = [];
     for (let i = 0; i < boxes.count; i++) {
       const room = boxes.radius[i];
-      if (Math.abs(boxes.x[i] - camera.x) < right + room && Math.abs(boxes.y[i] - camera.y) < top + room) seen.push(i);
+      if (
+        Math.abs(boxes.x[i] - camera.x) < right + room &&
+        Math.abs(boxes.y[i] - camera.y) < top + room
+      )
+        seen.push(i);
     }
     return seen;
   }
@@ -313,7 +334,10 @@ export class Painter {
     ctx.moveTo(x0, y0);
     ctx.lineTo(x1, y1);
     ctx.stroke();
-    const gap = tightest.distance > 0 ? shortLength(tightest.distance) : _("overlap {depth}", { depth: shortLength(-tightest.distance) });
+    const gap =
+      tightest.distance > 0
+        ? shortLength(tightest.distance)
+        : _("overlap {depth}", { depth: shortLength(-tightest.distance) });
     this.#label(`${gap}  (${tightest.i + 1}, ${tightest.j + 1})`, x, y - radius - 12, camera);
   }
 

@@ -38,39 +38,169 @@ const GROUPS = [
   {
     name: () => _("Dragon"),
     fields: [
-      { key: "dragon.benches", text: () => _("benches"), unit: "", low: 2, high: 400, step: 1, when: sized },
-      { key: "dragon.head_length", text: () => _("length of the head"), unit: "m", low: 0.8, high: 5, step: 0.01, when: sized },
-      { key: "dragon.body_length", text: () => _("length of a bench"), unit: "m", low: 0.8, high: 4, step: 0.01, when: sized },
-      { key: "dragon.width", text: () => _("width of a bench"), unit: "m", low: 0.1, high: 0.8, step: 0.01, when: sized },
+      {
+        key: "dragon.benches",
+        text: () => _("benches"),
+        unit: "",
+        low: 2,
+        high: 400,
+        step: 1,
+        when: sized,
+      },
+      {
+        key: "dragon.head_length",
+        text: () => _("length of the head"),
+        unit: "m",
+        low: 0.8,
+        high: 5,
+        step: 0.01,
+        when: sized,
+      },
+      {
+        key: "dragon.body_length",
+        text: () => _("length of a bench"),
+        unit: "m",
+        low: 0.8,
+        high: 4,
+        step: 0.01,
+        when: sized,
+      },
+      {
+        key: "dragon.width",
+        text: () => _("width of a bench"),
+        unit: "m",
+        low: 0.1,
+        high: 0.8,
+        step: 0.01,
+        when: sized,
+      },
     ],
   },
   {
     name: () => _("Route"),
     fields: [
-      { key: "route.pitch", text: () => _("spiral pitch"), unit: "m", low: 0.3, high: 3, step: 0.002, when: spiral },
-      { key: "route.start_turn", text: () => _("turns at the start"), unit: "", low: 4, high: 30, step: 0.25, when: (plan) => plan.route.kind === "spiral-in" },
-      { key: "disc.radius", text: () => _("radius of the turning disc"), unit: "m", low: 1, high: 10, step: 0.05, begin: 4.5, when: spiral },
+      {
+        key: "route.pitch",
+        text: () => _("spiral pitch"),
+        unit: "m",
+        low: 0.3,
+        high: 3,
+        step: 0.002,
+        when: spiral,
+      },
+      {
+        key: "route.start_turn",
+        text: () => _("turns at the start"),
+        unit: "",
+        low: 4,
+        high: 30,
+        step: 0.25,
+        when: (plan) => plan.route.kind === "spiral-in",
+      },
+      {
+        key: "disc.radius",
+        text: () => _("radius of the turning disc"),
+        unit: "m",
+        low: 1,
+        high: 10,
+        step: 0.05,
+        begin: 4.5,
+        when: spiral,
+      },
     ],
   },
   {
     name: () => _("Turn"),
     when: turning,
     fields: [
-      { key: "turn.ratio", text: () => _("ratio of the radii"), unit: "", low: 0.5, high: 4, step: 0.01, when: twoArcs },
-      { key: "turn.radii.0", text: () => _("first radius"), unit: "m", low: 1, high: 5, step: 0.01, begin: 2, when: threePieces },
-      { key: "turn.radii.1", text: () => _("last radius"), unit: "m", low: 1, high: 5, step: 0.01, begin: 2, when: threePieces },
-      { key: "turn.curvature", text: () => _("curvature of the middle arc"), unit: "1/m", low: -0.5, high: 0.5, step: 0.005, when: (plan) => plan.turn.family === "arc-arc-arc" },
-      { key: "turn.entry_radius", text: () => _("leaves the spiral at radius"), unit: "m", low: 1, high: 10, step: 0.01, begin: 4.5 },
-      { key: "turn.exit_radius", text: () => _("joins the other at radius"), unit: "m", low: 1, high: 10, step: 0.01, begin: 4.5 },
+      {
+        key: "turn.ratio",
+        text: () => _("ratio of the radii"),
+        unit: "",
+        low: 0.5,
+        high: 4,
+        step: 0.01,
+        when: twoArcs,
+      },
+      {
+        key: "turn.radii.0",
+        text: () => _("first radius"),
+        unit: "m",
+        low: 1,
+        high: 5,
+        step: 0.01,
+        begin: 2,
+        when: threePieces,
+      },
+      {
+        key: "turn.radii.1",
+        text: () => _("last radius"),
+        unit: "m",
+        low: 1,
+        high: 5,
+        step: 0.01,
+        begin: 2,
+        when: threePieces,
+      },
+      {
+        key: "turn.curvature",
+        text: () => _("curvature of the middle arc"),
+        unit: "1/m",
+        low: -0.5,
+        high: 0.5,
+        step: 0.005,
+        when: (plan) => plan.turn.family === "arc-arc-arc",
+      },
+      {
+        key: "turn.entry_radius",
+        text: () => _("leaves the spiral at radius"),
+        unit: "m",
+        low: 1,
+        high: 10,
+        step: 0.01,
+        begin: 4.5,
+      },
+      {
+        key: "turn.exit_radius",
+        text: () => _("joins the other at radius"),
+        unit: "m",
+        low: 1,
+        high: 10,
+        step: 0.01,
+        begin: 4.5,
+      },
       { key: "turn.ease", text: () => _("clothoids between"), unit: "m", low: 0, high: 2, step: 0.01 },
     ],
   },
   {
     name: () => _("Walk and limits"),
     fields: [
-      { key: "walk.speed", text: () => _("head speed"), unit: "m/s", low: 0.1, high: 3, step: 0.01, when: (plan) => !plan.walk.profile?.length },
-      { key: "limits.margin", text: () => _("room to keep between benches"), unit: "m", low: 0, high: 0.5, step: 0.005 },
-      { key: "limits.speed", text: () => _("greatest speed of a handle"), unit: "m/s", low: 0.2, high: 4, step: 0.05, begin: 2 },
+      {
+        key: "walk.speed",
+        text: () => _("head speed"),
+        unit: "m/s",
+        low: 0.1,
+        high: 3,
+        step: 0.01,
+        when: (plan) => !plan.walk.profile?.length,
+      },
+      {
+        key: "limits.margin",
+        text: () => _("room to keep between benches"),
+        unit: "m",
+        low: 0,
+        high: 0.5,
+        step: 0.005,
+      },
+      {
+        key: "limits.speed",
+        text: () => _("greatest speed of a handle"),
+        unit: "m/s",
+        low: 0.2,
+        high: 4,
+        step: 0.05,
+        begin: 2,
+      },
     ],
   },
 ];
@@ -78,7 +208,10 @@ const GROUPS = [
 /** A plan as text for the page's address. @param {Plan} plan */
 export function planText(plan) {
   const bytes = new TextEncoder().encode(JSON.stringify(plan, (_key, value) => value ?? undefined));
-  return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join("")).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+  return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""))
+    .replaceAll("+", "-")
+    .replaceAll("/", "_")
+    .replaceAll("=", "");
 }
 
 const TABLES = ["dragon", "route", "disc", "turn", "walk", "limits"];
@@ -86,15 +219,17 @@ const TABLES = ["dragon", "route", "disc", "turn", "walk", "limits"];
 /** The plan in such a text; null if it holds none. @param {string} text @returns {Plan | null} */
 export function textPlan(text) {
   try {
-    const bytes = Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (sign) => sign.charCodeAt(0));
+    const bytes = Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (sign) =>
+      sign.charCodeAt(0),
+    );
     const plan = JSON.parse(new TextDecoder().decode(bytes));
     return TABLES.every((name) => plan[name] instanceof Object) ? plan : null;
   } catch (error) {
-    if (error instanceof SyntaxError || error instanceof DOMException || error instanceof TypeError) return null;
+    if (error instanceof SyntaxError || error instanceof DOMException || error instanceof TypeError)
+      return null;
     throw error;
   }
 }
-
 
 /** What a key stands for in a plan; undefined where it does not say. @param {Plan} plan @param {string} key */
 export function valueOf(plan, key) {
@@ -113,7 +248,8 @@ export function withValue(plan, key, value) {
     pair[Number(place)] = value;
     copy[table][name] = pair;
   }
-  if (key === "dragon.body_length" && copy.dragon.tail_length === plan.dragon.body_length) copy.dragon.tail_length = value;
+  if (key === "dragon.body_length" && copy.dragon.tail_length === plan.dragon.body_length)
+    copy.dragon.tail_length = value;
   return copy;
 }
 
@@ -129,14 +265,30 @@ class NumberControl {
       changed(field.key, input.valueAsNumber, final);
     };
     const limits = { min: String(field.low), max: String(field.high), step: String(field.step) };
-    this.slider = make("input", { type: "range", ...limits, "aria-label": name, oninput: told(false), onchange: told(true) });
-    this.box = make("input", { type: "number", step: "any", "aria-label": name, onchange: told(true) });
-    this.open = field.begin !== undefined && make("input", {
-      type: "checkbox", "aria-label": _("set {name}", { name }),
-      onchange: () => changed(field.key, this.open && this.open.checked ? (field.begin ?? 0) : null, true),
+    this.slider = make("input", {
+      type: "range",
+      ...limits,
+      "aria-label": name,
+      oninput: told(false),
+      onchange: told(true),
     });
+    this.box = make("input", { type: "number", step: "any", "aria-label": name, onchange: told(true) });
+    this.open =
+      field.begin !== undefined &&
+      make("input", {
+        type: "checkbox",
+        "aria-label": _("set {name}", { name }),
+        onchange: () =>
+          changed(field.key, this.open && this.open.checked ? (field.begin ?? 0) : null, true),
+      });
     const label = make("span", { class: "name" }, ...(this.open ? [this.open] : []), name);
-    this.element = make("div", { class: "field" }, label, this.slider, make("span", { class: "box" }, this.box, make("span", { class: "unit" }, field.unit)));
+    this.element = make(
+      "div",
+      { class: "field" },
+      label,
+      this.slider,
+      make("span", { class: "box" }, this.box, make("span", { class: "unit" }, field.unit)),
+    );
   }
 
   /** @param {Plan} plan */
@@ -163,14 +315,65 @@ export class PlanForm {
     this.changed = changed;
     /** @type {Plan} */
     this.plan = {};
-    const told = (/** @type {string} */ key, /** @type {unknown} */ value, /** @type {boolean} */ final) => changed(withValue(this.plan, key, value), final);
+    const told = (
+      /** @type {string} */ key,
+      /** @type {unknown} */ value,
+      /** @type {boolean} */ final,
+    ) => changed(withValue(this.plan, key, value), final);
     this.controls = GROUPS.map((group) => group.fields.map((field) => new NumberControl(field, told)));
-    this.preset = choice(_("begin with"), [["", _("choose one")], ...presets.map(({ name, title }) => /** @type {[string, string]} */ ([name, title[language()]]))], "", (name) => this.#take(name));
+    this.preset = choice(
+      _("begin with"),
+      [
+        ["", _("choose one")],
+        ...presets.map(
+          ({ name, title }) => /** @type {[string, string]} */ ([name, title[language()]]),
+        ),
+      ],
+      "",
+      (name) => this.#take(name),
+    );
     this.source = make("p", { class: "source" });
-    this.family = choice(_("kind of turn"), [["arc-arc", _("two arcs")], ["arc-line-arc", _("arc, line, arc")], ["arc-arc-arc", _("three arcs")]], "arc-arc", (family) => told("turn.family", family, true));
-    this.parts = make("p", { class: "source" }, _("The route of this plan is a list of parts: change it in the plan file."));
-    this.groups = GROUPS.map((group, n) => make("fieldset", {}, make("legend", {}, group.name()), ...(n === 2 ? [make("label", { class: "field" }, make("span", { class: "name" }, _("kind of turn")), this.family)] : []), ...(n === 1 ? [this.parts] : []), ...this.controls[n].map(({ element }) => element)));
-    this.element = make("form", { class: "form", onsubmit: (event) => event.preventDefault() }, make("label", { class: "field" }, make("span", { class: "name" }, _("begin with")), this.preset), this.source, ...this.groups);
+    this.family = choice(
+      _("kind of turn"),
+      [
+        ["arc-arc", _("two arcs")],
+        ["arc-line-arc", _("arc, line, arc")],
+        ["arc-arc-arc", _("three arcs")],
+      ],
+      "arc-arc",
+      (family) => told("turn.family", family, true),
+    );
+    this.parts = make(
+      "p",
+      { class: "source" },
+      _("The route of this plan is a list of parts: change it in the plan file."),
+    );
+    this.groups = GROUPS.map((group, n) =>
+      make(
+        "fieldset",
+        {},
+        make("legend", {}, group.name()),
+        ...(n === 2
+          ? [
+              make(
+                "label",
+                { class: "field" },
+                make("span", { class: "name" }, _("kind of turn")),
+                this.family,
+              ),
+            ]
+          : []),
+        ...(n === 1 ? [this.parts] : []),
+        ...this.controls[n].map(({ element }) => element),
+      ),
+    );
+    this.element = make(
+      "form",
+      { class: "form", onsubmit: (event) => event.preventDefault() },
+      make("label", { class: "field" }, make("span", { class: "name" }, _("begin with")), this.preset),
+      this.source,
+      ...this.groups,
+    );
   }
 
   /** Take the plan of a preset. @param {string} name */

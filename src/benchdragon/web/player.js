@@ -69,7 +69,9 @@ export class Player {
   #newFace() {
     const open = this.face.lists.map((list) => list.open);
     this.face = new Face(this);
-    this.face.lists.forEach((list, n) => { list.open = open[n]; });
+    this.face.lists.forEach((list, n) => {
+      list.open = open[n];
+    });
     this.#attach();
   }
 
@@ -80,7 +82,8 @@ export class Player {
     this.face.showChosen(this.chosen);
     listen(canvas, this.camera, {
       moved: () => this.#touched(),
-      tapped: (px, py) => this.choose(this.boxes.at(...this.camera.toGround(px, py), 12 / this.camera.scale)),
+      tapped: (px, py) =>
+        this.choose(this.boxes.at(...this.camera.toGround(px, py), 12 / this.camera.scale)),
       measured: (px, py, ended, began) => this.#measured(px, py, ended, began),
     });
     this.#watch.disconnect();
@@ -94,7 +97,10 @@ export class Player {
     const box = this.face.stage.getBoundingClientRect();
     const density = devicePixelRatio || 1;
     const { canvas } = this.face;
-    [canvas.width, canvas.height] = [Math.max(Math.round(box.width * density), 1), Math.max(Math.round(box.height * density), 1)];
+    [canvas.width, canvas.height] = [
+      Math.max(Math.round(box.width * density), 1),
+      Math.max(Math.round(box.height * density), 1),
+    ];
     const [width, height] = [Math.max(box.width, 1), Math.max(box.height, 1)];
     const other = width !== this.camera.width || height !== this.camera.height;
     this.camera.resize(width, height);
@@ -228,7 +234,12 @@ export class Player {
       across.push(centre[0] - disc, centre[0] + disc);
       up.push(centre[1] - disc, centre[1] + disc);
     }
-    this.camera.fit(Math.min(...across) - room, Math.min(...up) - room, Math.max(...across) + room, Math.max(...up) + room);
+    this.camera.fit(
+      Math.min(...across) - room,
+      Math.min(...up) - room,
+      Math.max(...across) + room,
+      Math.max(...up) + room,
+    );
     this.#touch();
   }
 
@@ -260,8 +271,12 @@ export class Player {
 
   /** @param {KeyboardEvent} event */
   #key(event) {
-    const target = /** @type {Element | null} */ (event.target instanceof Element ? event.target : null);
-    const typing = target?.closest("select, textarea, dialog, input:not([type=range], [type=checkbox])");
+    const target = /** @type {Element | null} */ (
+      event.target instanceof Element ? event.target : null
+    );
+    const typing = target?.closest(
+      "select, textarea, dialog, input:not([type=range], [type=checkbox])",
+    );
     if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
     const space = event.key === " " && !target?.closest("button, summary, input");
     const action = space ? () => this.play(!this.playing) : this.#keys[event.key];

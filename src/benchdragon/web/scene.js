@@ -37,7 +37,10 @@ async function unpacked(packed) {
  * @param {Dance} sent
  */
 export async function unpackedScene(sent) {
-  const [course, frames] = await Promise.all([unpacked(sent.course.packed), unpacked(sent.frames.packed)]);
+  const [course, frames] = await Promise.all([
+    unpacked(sent.course.packed),
+    unpacked(sent.frames.packed),
+  ]);
   return new Scene(sent, new Float32Array(course), new Int32Array(frames));
 }
 
@@ -193,8 +196,13 @@ export class Scene {
     const [ox, oy] = this.sent.course.origin;
     const x0 = this.node[first];
     const y0 = this.node[this.nodes + first];
-    x[i] = ox + x0 + blend * (this.node[first + 1] - x0) + reach * (rest * Math.cos(h0) - f * Math.cos(h1));
-    y[i] = oy + y0 + blend * (this.node[this.nodes + first + 1] - y0) + reach * (rest * Math.sin(h0) - f * Math.sin(h1));
+    x[i] =
+      ox + x0 + blend * (this.node[first + 1] - x0) + reach * (rest * Math.cos(h0) - f * Math.cos(h1));
+    y[i] =
+      oy +
+      y0 +
+      blend * (this.node[this.nodes + first + 1] - y0) +
+      reach * (rest * Math.sin(h0) - f * Math.sin(h1));
   }
 
   /** Number of the stretch that a route position lies on. @param {number} s */

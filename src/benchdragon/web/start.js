@@ -12,7 +12,10 @@ export function held(id) {
 /** Time and bench in an address such as #t=192&bench=37; null where it does not say. */
 export function addressed() {
   const values = new URLSearchParams(location.hash.slice(1));
-  const number = (/** @type {string} */ name) => (Number.isFinite(Number.parseFloat(values.get(name) ?? "")) ? Number.parseFloat(values.get(name) ?? "") : null);
+  const number = (/** @type {string} */ name) =>
+    Number.isFinite(Number.parseFloat(values.get(name) ?? ""))
+      ? Number.parseFloat(values.get(name) ?? "")
+      : null;
   return { time: number("t"), bench: number("bench") };
 }
 

@@ -20,7 +20,16 @@ const REST = 180;
 const MOST_STEPS_BACK = 200;
 const FIRST = "spiral-in";
 const QUESTIONS = /** @type {const} */ (["turn", "prove", "speed", "pace", "margins"]);
-const FILES = ["player.html", "motion.xlsx", "motion.csv", "motion.npz", "check.xlsx", "png", "svg", "pdf"];
+const FILES = [
+  "player.html",
+  "motion.xlsx",
+  "motion.csv",
+  "motion.npz",
+  "check.xlsx",
+  "png",
+  "svg",
+  "pdf",
+];
 
 class Studio {
   /** @param {Preset[]} presets @param {Plan} plan */
@@ -41,9 +50,21 @@ class Studio {
     this.player = null;
     this.rest = 0;
     this.jobs = new JobList((found) => this.change(found, true));
-    this.verdicts = new Standing((signal) => this.#answer("/api/verdict", signal), (found) => this.#judged(found), (error) => this.#refused(error));
-    this.pitches = new Standing((signal) => this.#answer("/api/limit/pitch", signal), (found) => this.#limited(found), (error) => this.#unlimited(error));
-    this.dances = new Standing((signal) => this.#answer("/api/dance", signal), (found) => this.#danced(found), (error) => this.#refused(error));
+    this.verdicts = new Standing(
+      (signal) => this.#answer("/api/verdict", signal),
+      (found) => this.#judged(found),
+      (error) => this.#refused(error),
+    );
+    this.pitches = new Standing(
+      (signal) => this.#answer("/api/limit/pitch", signal),
+      (found) => this.#limited(found),
+      (error) => this.#unlimited(error),
+    );
+    this.dances = new Standing(
+      (signal) => this.#answer("/api/dance", signal),
+      (found) => this.#danced(found),
+      (error) => this.#refused(error),
+    );
     this.root = /** @type {HTMLElement} */ (document.getElementById("studio"));
     this.stage = make("main", { id: "player", class: "player" });
     this.#build();
@@ -59,35 +80,114 @@ class Studio {
   /** Build the page, in the language in use. */
   #build() {
     document.title = _("Bench dragon studio");
-    this.line = make("button", { type: "button", class: "verdict", "aria-live": "polite", title: _("show the evidence"), onclick: () => this.#evidence() }, _("looking ..."));
+    this.line = make(
+      "button",
+      {
+        type: "button",
+        class: "verdict",
+        "aria-live": "polite",
+        title: _("show the evidence"),
+        onclick: () => this.#evidence(),
+      },
+      _("looking ..."),
+    );
     this.limitLine = make("output", { class: "limit" });
     this.form = new PlanForm(this.presets, (plan, final) => this.change(plan, final));
     this.undoButton = make("button", { type: "button", onclick: () => this.undo() }, _("undo"));
     this.redoButton = make("button", { type: "button", onclick: () => this.redo() }, _("redo"));
-    const reset = make("button", { type: "button", onclick: () => this.change(structuredClone(this.first), true) }, _("reset"));
+    const reset = make(
+      "button",
+      { type: "button", onclick: () => this.change(structuredClone(this.first), true) },
+      _("reset"),
+    );
     const steps = make("div", { class: "row" }, this.undoButton, this.redoButton, reset);
-    const panel = make("section", { class: "panel", "aria-label": _("plan") }, steps, this.form.element, this.#long(), this.#files());
-    this.root.replaceChildren(make("header", { class: "verdicts" }, this.line, this.limitLine), panel, this.stage);
+    const panel = make(
+      "section",
+      { class: "panel", "aria-label": _("plan") },
+      steps,
+      this.form.element,
+      this.#long(),
+      this.#files(),
+    );
+    this.root.replaceChildren(
+      make("header", { class: "verdicts" }, this.line, this.limitLine),
+      panel,
+      this.stage,
+    );
     this.#shown();
   }
 
   /** Long questions. */
   #long() {
-    const buttons = QUESTIONS.map((question) => make("button", { type: "button", "data-question": question, onclick: () => this.jobs.start(question, this.plan) }, questionText(question)));
+    const buttons = QUESTIONS.map((question) =>
+      make(
+        "button",
+        {
+          type: "button",
+          "data-question": question,
+          onclick: () => this.jobs.start(question, this.plan),
+        },
+        questionText(question),
+      ),
+    );
     this.turnButton = buttons[0];
-    return make("fieldset", {}, make("legend", {}, _("Long questions")), make("div", { class: "row" }, ...buttons), this.jobs.element);
+    return make(
+      "fieldset",
+      {},
+      make("legend", {}, _("Long questions")),
+      make("div", { class: "row" }, ...buttons),
+      this.jobs.element,
+    );
   }
 
   /** Files in and out. */
   #files() {
-    const file = make("input", { type: "file", accept: ".toml", hidden: true, onchange: () => this.#open(file) });
+    const file = make("input", {
+      type: "file",
+      accept: ".toml",
+      hidden: true,
+      onchange: () => this.#open(file),
+    });
     const open = make("button", { type: "button", onclick: () => file.click() }, _("open a plan file"));
-    const save = make("button", { type: "button", onclick: () => this.#download("/api/toml", {}) }, _("save the plan file"));
-    const names = { "player.html": _("player (a page)"), "motion.xlsx": _("places, spreadsheet"), "motion.csv": _("places, CSV"), "motion.npz": _("places, NumPy"), "check.xlsx": _("moment of contact, spreadsheet"), png: _("pictures, PNG"), svg: _("pictures, SVG"), pdf: _("pictures, PDF") };
-    const kinds = make("select", { "aria-label": _("file to export") }, ...FILES.map((kind) => make("option", { value: kind }, names[/** @type {keyof typeof names} */ (kind)])));
-    const get = make("button", { type: "button", onclick: () => this.#download(`/api/export/${kinds.value}`, { lang: language() }) }, _("export"));
+    const save = make(
+      "button",
+      { type: "button", onclick: () => this.#download("/api/toml", {}) },
+      _("save the plan file"),
+    );
+    const names = {
+      "player.html": _("player (a page)"),
+      "motion.xlsx": _("places, spreadsheet"),
+      "motion.csv": _("places, CSV"),
+      "motion.npz": _("places, NumPy"),
+      "check.xlsx": _("moment of contact, spreadsheet"),
+      png: _("pictures, PNG"),
+      svg: _("pictures, SVG"),
+      pdf: _("pictures, PDF"),
+    };
+    const kinds = make(
+      "select",
+      { "aria-label": _("file to export") },
+      ...FILES.map((kind) =>
+        make("option", { value: kind }, names[/** @type {keyof typeof names} */ (kind)]),
+      ),
+    );
+    const get = make(
+      "button",
+      {
+        type: "button",
+        onclick: () => this.#download(`/api/export/${kinds.value}`, { lang: language() }),
+      },
+      _("export"),
+    );
     this.fileLine = make("output", { class: "told" });
-    return make("fieldset", {}, make("legend", {}, _("Files")), make("div", { class: "row" }, file, open, save), make("div", { class: "row" }, kinds, get), this.fileLine);
+    return make(
+      "fieldset",
+      {},
+      make("legend", {}, _("Files")),
+      make("div", { class: "row" }, file, open, save),
+      make("div", { class: "row" }, kinds, get),
+      this.fileLine,
+    );
   }
 
   /** @param {HTMLInputElement} input */
@@ -106,7 +206,9 @@ class Studio {
   async #download(path, more) {
     await this.#tried(async () => {
       const response = await asked(path, { plan: this.plan, ...more });
-      const name = /filename="([^"]+)"/.exec(response.headers.get("Content-Disposition") ?? "")?.[1] ?? "benchdragon";
+      const name =
+        /filename="([^"]+)"/.exec(response.headers.get("Content-Disposition") ?? "")?.[1] ??
+        "benchdragon";
       const url = URL.createObjectURL(await response.blob());
       make("a", { href: url, download: name }).click();
       setTimeout(() => URL.revokeObjectURL(url), 60_000);
@@ -199,7 +301,12 @@ class Studio {
   #refused(error) {
     this.verdict = null;
     this.root.setAttribute("aria-busy", "false");
-    this.#say("open", error instanceof Refusal ? error.message : _("The studio does not answer: {error}", { error: error.message }));
+    this.#say(
+      "open",
+      error instanceof Refusal
+        ? error.message
+        : _("The studio does not answer: {error}", { error: error.message }),
+    );
   }
 
   /** @param {"safe" | "unsafe" | "open"} state @param {string} text */
@@ -214,7 +321,10 @@ class Studio {
   #limited(found) {
     this.pitch = found;
     const line = /** @type {HTMLElement} */ (this.limitLine);
-    line.textContent = _("smallest pitch: {value} ({how})", { value: valueText(found), how: statusText(found.status) });
+    line.textContent = _("smallest pitch: {value} ({how})", {
+      value: valueText(found),
+      how: statusText(found.status),
+    });
   }
 
   /** @param {Error} error */
@@ -270,7 +380,9 @@ async function open() {
   useWords(await (await asked("/api/words", null)).json());
   /** @type {Preset[]} */
   const presets = await (await asked("/api/presets", null)).json();
-  const first = /** @type {Plan} */ (presets.find(({ name }) => name === FIRST)?.plan ?? presets[0].plan);
+  const first = /** @type {Plan} */ (
+    presets.find(({ name }) => name === FIRST)?.plan ?? presets[0].plan
+  );
   const text = values.get("plan");
   const studio = new Studio(presets, (text && textPlan(text)) || first);
   Object.assign(globalThis, { benchdragon: studio }); // for the browser's console
