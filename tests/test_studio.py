@@ -176,6 +176,9 @@ def test_files_are_made(studio: Served) -> None:
         "motion.xlsx": b"PK",
         "motion.csv": b"\xef\xbb\xbf",
         "motion.npz": b"PK",
+        "motion.parquet": b"PAR1",
+        "motion.nc": b"\x89HDF",
+        "player.html": b"<!DOCTYPE html>",
         "check.xlsx": b"PK",
     }
     for name, start in names.items():

@@ -14,6 +14,8 @@ from benchdragon.pictures import FONT_FILES
 LIBRARIES = ("numpy", "numba", "scipy", "matplotlib", "pydantic", "click", "rich", "XlsxWriter")
 EXTRAS = {
     N_("extra data"): ("xarray", "pyarrow", "h5netcdf", "h5py"),
+    N_("extra prove"): ("flint",),
+    N_("extra studio"): ("fastapi", "uvicorn"),
     N_("extra video"): ("imageio_ffmpeg",),
 }
 PROGRAMS = {N_("browser"): ("chromium", "google-chrome", "firefox")}

@@ -47,6 +47,8 @@ MEDIA = {
     "xlsx": "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet",
     "csv": "text/csv; charset=utf-8",
     "npz": "application/octet-stream",
+    "parquet": "application/vnd.apache.parquet",
+    "nc": "application/x-netcdf",
     "toml": "application/toml",
     "zip": "application/zip",
 }

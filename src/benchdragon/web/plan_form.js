@@ -29,6 +29,8 @@ const spiral = (plan) => plan.route.kind !== "parts";
 /** @param {Plan} plan */
 const turning = (plan) => plan.route.kind === "turn";
 /** @param {Plan} plan */
+const steady = (plan) => !plan.walk.profile?.length;
+/** @param {Plan} plan */
 const twoArcs = (plan) => turning(plan) && plan.turn.family === "arc-arc";
 /** @param {Plan} plan */
 const threePieces = (plan) => turning(plan) && plan.turn.family !== "arc-arc";
@@ -182,7 +184,7 @@ const GROUPS = [
         low: 0.1,
         high: 3,
         step: 0.01,
-        when: (plan) => !plan.walk.profile?.length,
+        when: steady,
       },
       {
         key: "limits.margin",
@@ -200,6 +202,26 @@ const GROUPS = [
         high: 4,
         step: 0.05,
         begin: 2,
+      },
+      {
+        key: "limits.acceleration",
+        text: () => _("greatest acceleration of a handle"),
+        unit: "m/s\u00b2",
+        low: 0.05,
+        high: 5,
+        step: 0.05,
+        begin: 1,
+        when: steady,
+      },
+      {
+        key: "limits.turning_rate",
+        text: () => _("greatest turning rate of a bench"),
+        unit: "\u00b0/s",
+        low: 5,
+        high: 180,
+        step: 1,
+        begin: 60,
+        when: steady,
       },
     ],
   },

@@ -20,16 +20,6 @@ const REST = 180;
 const MOST_STEPS_BACK = 200;
 const FIRST = "spiral-in";
 const QUESTIONS = /** @type {const} */ (["turn", "prove", "speed", "pace", "margins"]);
-const FILES = [
-  "player.html",
-  "motion.xlsx",
-  "motion.csv",
-  "motion.npz",
-  "check.xlsx",
-  "png",
-  "svg",
-  "pdf",
-];
 
 class Studio {
   /** @param {Preset[]} presets @param {Plan} plan */
@@ -159,18 +149,15 @@ class Studio {
       "motion.xlsx": _("places, spreadsheet"),
       "motion.csv": _("places, CSV"),
       "motion.npz": _("places, NumPy"),
+      "motion.parquet": _("places, Parquet"),
+      "motion.nc": _("places, NetCDF"),
       "check.xlsx": _("moment of contact, spreadsheet"),
       png: _("pictures, PNG"),
       svg: _("pictures, SVG"),
       pdf: _("pictures, PDF"),
     };
-    const kinds = make(
-      "select",
-      { "aria-label": _("file to export") },
-      ...FILES.map((kind) =>
-        make("option", { value: kind }, names[/** @type {keyof typeof names} */ (kind)]),
-      ),
-    );
+    const options = Object.entries(names).map(([value, name]) => make("option", { value }, name));
+    const kinds = make("select", { "aria-label": _("file to export") }, ...options);
     const get = make(
       "button",
       {
