@@ -25,8 +25,8 @@ Number = Annotated[float | None, BeforeValidator(_finite_or_none)]
 LimitName = Literal["pitch", "disc", "width", "length"]
 Question = Literal["turn", "prove", "speed", "pace", "margins"]
 ExportName = Literal[
-    "player.html", "motion.xlsx", "motion.csv", "motion.npz", "motion.parquet", "motion.nc", "check.xlsx",
-    "png", "svg", "pdf",
+    "player.html", "motion.xlsx", "motion.csv", "motion.npz", "motion.parquet", "motion.nc",
+    "check.xlsx", "png", "svg", "pdf",
 ]  # fmt: skip
 
 
