@@ -447,6 +447,13 @@ def machine() -> str:
     )
 
 
+def printed(name: str) -> list[str]:
+    """The table that another script of this folder prints."""
+    command = [sys.executable, "-m", f"benchmarks.{name}"]
+    done = subprocess.run(command, cwd=HERE.parent, capture_output=True, text=True, check=True)
+    return done.stdout.splitlines()
+
+
 def main() -> None:
     """Measure, print, and with --write keep the tables."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -465,6 +472,9 @@ def main() -> None:
         ["## Large jobs", "", *large_jobs(options.quick)],
         ["## Whole processes", "", *cold_starts()],
         ["## Threads", "", *workers()],
+        ["## The player's frames, in Chromium that draws without a GPU", "", *printed("frame_time")],
+        ["## The studio, one person moving a slider", "", *printed("sliders")],
+        ["## The studio, fifty people moving sliders", "", *printed("studio_load")],
     ]
     text = "\n".join("\n".join([*part, ""]) for part in parts)
     print(text)

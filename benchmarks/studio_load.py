@@ -1,6 +1,6 @@
 """A minute of fifty people at one studio, each moving a slider: errors, and how long answers take.
 
-Run it as `python benchmarks/studio_load.py [--clients 50] [--seconds 60] [--workers N] [--digits 3]`.
+Run it as `python -m benchmarks.studio_load [--clients 50] [--seconds 60] [--workers N] [--digits 3]`.
 A client asks for a verdict on the contest's dragon with another pitch each time its slider moves, a
 few times a second while it moves, then rests and looks. As on the page, each move asks anew whether
 the last answer has come or not; questions that a newer one replaced (409) are counted apart. First one
