@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 MOST_PLACES = 50_000_000
 # The same for one slice of `Walk.motions`: 40 to 100 MB.
 SLICE_PLACES = 1_000_000
+# How exactly it is told where the head is when the tail comes somewhere, m.
+TAIL_TOLERANCE = 1e-9
 
 
 @dataclass(frozen=True)
@@ -89,16 +91,20 @@ class Walk:
 
         Within 1e-9 m, and not before; the route's end if that comes first.
         """
-        low, high = s, self.route.length
         still = Walk(self.dragon, self.route)
-        while high - low > 1e-9:
-            middle = 0.5 * (low + high)
-            if still.motion([middle], throw=False).s[0, -1] >= s:
-                high = middle
-            else:
-                low = middle
-            if middle in (low, high) and high - low <= 4e-16 * abs(high):
-                break
+        low, high = s, self.route.length
+        at = s + float(self.dragon.links.sum())
+        while high - low > TAIL_TOLERANCE:
+            if not low < at < high:
+                at = 0.5 * (low + high)
+                if at in (low, high):
+                    break
+            stand = still.motion([at], throw=False)
+            ahead, slope = float(stand.s[0, -1]) - s, float(stand.speed_ratio[0, -1])
+            low, high = (low, at) if ahead >= 0.0 else (at, high)  # NaN counts as not yet there
+            # Newton's step, a little to the other side of the place sought.
+            side = -0.4 if ahead >= 0.0 else 0.4
+            at += side * TAIL_TOLERANCE - ahead / (slope or np.nan)
         return high
 
     def _only_part(self, s: FloatArray, leader: str) -> int:

@@ -172,6 +172,11 @@ class Minded:
         shutil.rmtree(self.folder, ignore_errors=True)
 
 
+def _slow(work: Work) -> bool:
+    """Whether a quick question takes several times as long as a verdict."""
+    return work.ask.name.partition("/")[0] in {"limit", "dance"}
+
+
 class Lane:
     """Questions of one kind that wait for the workers of that kind."""
 
@@ -272,8 +277,9 @@ class Lane:
         """The next question, marked as running; None once the lane closes or the worker is dead."""
         with self._changed:
             while not self._closing and minded.process.is_alive():
-                if self._waiting:
-                    work = self._waiting.popleft()
+                work = next(filter(self._may_run, self._waiting), None)
+                if work is not None:
+                    self._waiting.remove(work)
                     if not work.future.set_running_or_notify_cancel():
                         continue
                     work.running = True
@@ -281,6 +287,10 @@ class Lane:
                     return work
                 self._changed.wait(IDLE_LOOK)
         return None
+
+    def _may_run(self, work: Work) -> bool:
+        """Whether a question may run now: those that take long leave a worker to the others."""
+        return not _slow(work) or sum(map(_slow, self._running)) < max(self.count - 1, 1)
 
     def _fit(self, minded: Minded, work: Work) -> bool:
         """Have a worker answer; whether it can go on to the next question."""
