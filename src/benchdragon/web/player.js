@@ -370,7 +370,7 @@ export class Player {
     this.#painted = this.time;
     face.axis.show(this.time);
     face.clock.textContent = `t = ${clock(this.time, 2)}`;
-    face.tight.textContent = tightestText(tightest, reach);
+    face.tight.textContent = tightestText(tightest, scene);
     face.card.show(stand, boxes, chosen);
     face.showLegend(scale);
     this.root.dataset.time = this.time.toFixed(3);
@@ -379,8 +379,8 @@ export class Player {
   /** Tell what the canvas shows to those who cannot see it. @param {number} now ms */
   #say(now) {
     this.#spokenAt = now;
-    const reach = this.scene.sent.nearest.reach;
-    const text = `t = ${clock(this.time)}. ${tightestText(this.boxes.measure(reach), reach)}`;
+    const pair = this.boxes.measure(this.scene.sent.nearest.reach);
+    const text = `t = ${clock(this.time)}. ${tightestText(pair, this.scene)}`;
     this.face.canvas.setAttribute("aria-label", `${_("the dragon from above")}: ${text}`);
     this.face.spoken.textContent = text;
   }
@@ -396,8 +396,10 @@ export class Player {
   onSettled;
 }
 
-/** @param {import("./nearness.js").Pair | null} pair @param {number} reach */
-function tightestText(pair, reach) {
+/** @param {import("./nearness.js").Pair | null} pair @param {Scene} scene */
+function tightestText(pair, scene) {
+  const { reach } = scene.sent.nearest;
+  if (scene.benches < 3) return _("no pair counts");
   if (!pair) return _("all benches more than {reach} apart", { reach: shortLength(reach) });
   const benches = { a: pair.i + 1, b: pair.j + 1 };
   if (pair.distance <= 0) return _("benches {a} and {b} touch", benches);
