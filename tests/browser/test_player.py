@@ -311,6 +311,13 @@ def test_an_address_says_time_and_bench_and_the_page_writes_it(pages: Pages, tur
     until(page, "benchdragon.time === -7 && benchdragon.chosen === 2")
 
 
+def test_every_time_is_drawn_a_second_before_0_too(pages: Pages, turn: Scene) -> None:
+    page = opened(pages, turn, where="#t=-2")
+    for time in ("-1.000", "0.000"):
+        page.keyboard.press("ArrowRight")
+        until(page, f"benchdragon.root.dataset.time === '{time}'")
+
+
 @pytest.mark.parametrize("where", ["#t=soon&bench=x", "#t=1e9&bench=99999", "#bench=-4", "#%E0%A4%A"])
 def test_odd_addresses_do_no_harm(pages: Pages, turn: Scene, where: str) -> None:
     page = opened(pages, turn, where=where)

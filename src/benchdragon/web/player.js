@@ -310,11 +310,11 @@ export class Player {
 
   /** Something changed: draw at the next turn of the loop. */
   #touch() {
-    this.#painted = -1;
+    this.#painted = NaN;
   }
 
-  /** Time that is on the canvas, or -1. */
-  #painted = -1;
+  /** Time that is on the canvas; NaN, which is no time, where that is out of date. */
+  #painted = NaN;
   #before = 0;
 
   /** One turn of the loop. @param {number} now ms */
