@@ -336,8 +336,8 @@ class Course(Sent):
 class Frames(Sent):
     """Route positions and speeds of all handles at evenly spaced times, packed.
 
-    Handle by handle; see `frames.packed_frames`. Between them both are interpolated by cubics, and no
-    handle is then farther than `largest_error` (m) from its place, as looked at between frames.
+    Handle by handle; see `frames.packed_frames`. Between them positions go along cubics, speeds along
+    lines; where that was looked at, no handle was farther than `largest_error` (m) from its place.
     """
 
     start: float

@@ -198,14 +198,14 @@ export class Face {
 
   #footer() {
     const { frames, plan_sha256: hash, version } = this.scene.sent;
-    const error = decimals(1000 * frames.largest_error, 2);
+    const error = decimals(0.01 * Math.ceil(1e5 * frames.largest_error), 2);
     const made = hash
       ? _("benchdragon {version}, plan {hash}", { version, hash: hash.slice(0, 12) })
       : `benchdragon ${version}`;
     return make(
       "footer",
       {},
-      _("Between its frames a place is off by at most {error} mm.", { error }),
+      _("Looked at between its frames, no place was off by more than {error} mm.", { error }),
       ` ${made}`,
     );
   }
