@@ -1,8 +1,8 @@
 """A dance as evenly spaced frames small enough to send, and how far they are off in between.
 
 Stored is how far along the route each handle is, and how fast; cubics fill in the times between, and
-every handle is on the route by construction (design/frames.py). All numbers are whole multiples of a quantum, packed so
-that a page unpacks exactly these.
+every handle is on the route by construction (design/frames.py). All numbers are whole multiples of a
+quantum, packed so that a page unpacks exactly these.
 """
 
 import base64
