@@ -109,7 +109,7 @@ def test_steps_go_back_and_forth_and_all_stands_in_the_address(opened: Opened) -
     page.get_by_role("button", name="中文").click()
     expect(page.get_by_role("button", name="撤销")).to_be_visible()
     settle(page, "可行")
-    assert "lang=zh" in page.url
+    expect(page).to_have_url(re.compile("&lang=zh"))
 
 
 def test_a_wrong_plan_is_told_in_one_sentence_and_loses_nothing(opened: Opened, pages: Pages) -> None:

@@ -25,7 +25,8 @@ export class Face {
   constructor(player) {
     this.player = player;
     this.scene = player.scene;
-    this.canvas = make("canvas", { role: "img", tabindex: "0" });
+    const seen = _("the dragon from above");
+    this.canvas = make("canvas", { role: "img", tabindex: "0", "aria-label": seen });
     this.painter = new Painter(this.canvas);
     this.axis = new Axis(this.scene, (time) => player.jump(time));
     this.card = new Card(

@@ -15,6 +15,8 @@ const LONGEST_TURN = 0.1;
 const THEMES = /** @type {const} */ (["auto", "light", "dark"]);
 /** The page speaks to screen readers this often while it plays, ms. */
 const SPOKEN_EACH = 5000;
+/** What stays for so long is at rest, ms: browsers refuse to write an address a hundred times in a row. */
+export const REST = 180;
 /** Frame times kept, ms. */
 const TIMES_KEPT = 600;
 
@@ -385,12 +387,17 @@ export class Player {
     this.face.spoken.textContent = text;
   }
 
-  /** The page came to rest: tell it, and put it into the address. */
+  /** The page may have come to rest: once it has, tell it, and put it into the address. */
   #settled() {
     this.#pose();
-    this.#say(performance.now());
-    this.onSettled?.(this.time, this.chosen);
+    clearTimeout(this.#resting);
+    this.#resting = setTimeout(() => {
+      this.#say(performance.now());
+      this.onSettled?.(this.time, this.chosen);
+    }, REST);
   }
+
+  #resting = 0;
 
   /** Called when the page has come to rest. @type {((time: number, bench: number) => void) | undefined} */
   onSettled;

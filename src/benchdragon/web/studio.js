@@ -5,7 +5,7 @@ import { make } from "./elements.js";
 import { evidenceDialog, statusText, valueText } from "./evidence.js";
 import { JobList, questionText } from "./jobs.js";
 import { planText, PlanForm, textPlan } from "./plan_form.js";
-import { Player } from "./player.js";
+import { Player, REST } from "./player.js";
 import { unpackedScene } from "./scene.js";
 import { _, language, speak, useWords } from "./words.js";
 
@@ -15,8 +15,6 @@ import { _, language, speak, useWords } from "./words.js";
 /** @typedef {import("./wire").Verdict} Verdict */
 /** @typedef {import("./plan_form.js").Plan} Plan */
 
-/** A change rests for so long before the dance is drawn anew, ms. */
-const REST = 180;
 const MOST_STEPS_BACK = 200;
 const FIRST = "spiral-in";
 const QUESTIONS = /** @type {const} */ (["turn", "prove", "speed", "pace", "margins"]);
@@ -247,15 +245,15 @@ class Studio {
     this.#ask();
   }
 
-  /** Show the plan in the controls and in the address. */
+  /** Show the plan in the controls. */
   #shown() {
     this.form?.show(this.plan);
     if (this.undoButton) this.undoButton.disabled = !this.past.length;
     if (this.redoButton) this.redoButton.disabled = !this.future.length;
     if (this.turnButton) this.turnButton.disabled = this.plan.route.kind !== "turn";
-    this.#remember();
   }
 
+  /** Put the plan into the address, and where the player stands. */
   #remember() {
     const values = new URLSearchParams(location.hash.slice(1));
     values.set("plan", planText(this.plan));
@@ -268,14 +266,17 @@ class Studio {
     history.replaceState(null, "", `#${values}`);
   }
 
-  /** Ask all that follows from the plan. */
+  /** Ask all that follows from the plan; the dance once a change has come to rest. */
   #ask() {
     this.root.setAttribute("aria-busy", "true");
     this.verdicts.renew();
     if (this.plan.route.kind === "parts") this.#noLimit();
     else this.pitches.renew();
     clearTimeout(this.rest);
-    this.rest = setTimeout(() => this.dances.renew(), REST);
+    this.rest = setTimeout(() => {
+      this.#remember();
+      this.dances.renew();
+    }, REST);
   }
 
   /** @param {Verdict} found */
