@@ -188,3 +188,8 @@ def test_every_control_has_a_name(opened: Opened) -> None:
           .map((one) => one.outerHTML)"""
     )
     assert nameless == []
+
+
+def test_an_odd_address_does_no_harm(opened: Opened) -> None:
+    page = opened(where="#t=soon&bench=x&plan=!")
+    expect(page.locator(".clock")).to_have_text("t = 0.00 s")

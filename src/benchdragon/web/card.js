@@ -9,7 +9,7 @@ import { _, decimals, shortLength } from "./words.js";
 /** @typedef {import("./nearness.js").Boxes} Boxes */
 
 /** @param {number} bench number from 1 @param {number} benches */
-export function benchName(bench, benches) {
+function benchName(bench, benches) {
   if (bench === 1) return _("Bench 1 (head)");
   return bench === benches ? _("Bench {bench} (tail)", { bench }) : _("Bench {bench}", { bench });
 }

@@ -48,7 +48,7 @@ const FONT =
   '"Noto Sans SC", "PingFang SC", "Microsoft YaHei", "Noto Sans CJK SC", system-ui, sans-serif';
 
 /** @param {Element} element @returns {Inks} */
-export function inks(element) {
+function inks(element) {
   const style = getComputedStyle(element);
   const found = HEAD_NAMES.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]);
   return /** @type {Inks} */ (Object.fromEntries(found));

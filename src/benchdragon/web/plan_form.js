@@ -254,12 +254,12 @@ export function textPlan(text) {
 }
 
 /** What a key stands for in a plan; undefined where it does not say. @param {Plan} plan @param {string} key */
-export function valueOf(plan, key) {
+function valueOf(plan, key) {
   return key.split(".").reduce((/** @type {any} */ at, name) => at?.[name], plan);
 }
 
 /** The plan with another value under a key. @param {Plan} plan @param {string} key @param {unknown} value @returns {Plan} */
-export function withValue(plan, key, value) {
+function withValue(plan, key, value) {
   const copy = structuredClone(plan);
   const [table, name, place] = key.split(".");
   copy[table] ??= {};

@@ -393,13 +393,13 @@ export class Player {
     clearTimeout(this.#resting);
     this.#resting = setTimeout(() => {
       this.#say(performance.now());
-      this.onSettled?.(this.time, this.chosen);
+      this.onSettled?.();
     }, REST);
   }
 
   #resting = 0;
 
-  /** Called when the page has come to rest. @type {((time: number, bench: number) => void) | undefined} */
+  /** Called when the page has come to rest. @type {(() => void) | undefined} */
   onSettled;
 }
 

@@ -1,5 +1,6 @@
 // The studio: a plan as controls, its verdict as it changes, the player, long questions, files.
 
+import { addressed, obey, remember } from "./address.js";
 import { Refusal, Standing, asked } from "./asking.js";
 import { make } from "./elements.js";
 import { evidenceDialog, statusText, valueText } from "./evidence.js";
@@ -255,15 +256,7 @@ class Studio {
 
   /** Put the plan into the address, and where the player stands. */
   #remember() {
-    const values = new URLSearchParams(location.hash.slice(1));
-    values.set("plan", planText(this.plan));
-    values.set("lang", language());
-    if (this.player) {
-      values.set("t", String(Number(this.player.time.toFixed(3))));
-      if (this.player.chosen >= 0) values.set("bench", String(this.player.chosen + 1));
-      else values.delete("bench");
-    }
-    history.replaceState(null, "", `#${values}`);
+    remember(this.player, { plan: planText(this.plan), lang: language() });
   }
 
   /** Ask all that follows from the plan; the dance once a change has come to rest. */
@@ -340,9 +333,7 @@ class Studio {
     if (this.player) return this.player.show(scene);
     const player = new Player(this.stage, scene);
     this.player = player;
-    const values = new URLSearchParams(location.hash.slice(1));
-    if (values.has("bench")) player.choose(Math.round(Number(values.get("bench"))) - 1);
-    if (values.has("t")) player.jump(Number(values.get("t")));
+    obey(player);
     player.onSettled = () => this.#remember();
     player.onTranslated = () => this.#translated();
   }
@@ -363,7 +354,7 @@ class Studio {
 
 /** Begin with the plan of the address, or the first preset. */
 async function open() {
-  const values = new URLSearchParams(location.hash.slice(1));
+  const values = addressed();
   speak((values.get("lang") ?? navigator.language).startsWith("zh") ? "zh" : "en");
   useWords(await (await asked("/api/words", null)).json());
   /** @type {Preset[]} */

@@ -1,0 +1,29 @@
+// The page's address: where the player stands, and what else a page keeps in it.
+
+/** @typedef {import("./player.js").Player} Player */
+
+/** What stands in an address such as #t=192&bench=37. */
+export function addressed() {
+  return new URLSearchParams(location.hash.slice(1));
+}
+
+/** Go where the address says; what it does not say as a number is left as it is. @param {Player} player */
+export function obey(player) {
+  const values = addressed();
+  const [bench, time] = ["bench", "t"].map((name) => Number.parseFloat(values.get(name) ?? ""));
+  if (Number.isFinite(bench)) player.choose(Math.round(bench) - 1);
+  if (Number.isFinite(time)) player.jump(time);
+}
+
+/** Put time and bench into the address, and more. @param {Player | null} player @param {Record<string, string>} [more] */
+export function remember(player, more = {}) {
+  if (location.protocol === "about:") return; // inside a notebook the page has no address
+  const values = addressed();
+  for (const [name, value] of Object.entries(more)) values.set(name, value);
+  if (player) {
+    values.set("t", String(Number(player.time.toFixed(3))));
+    if (player.chosen >= 0) values.set("bench", String(player.chosen + 1));
+    else values.delete("bench");
+  }
+  history.replaceState(null, "", `#${values}`);
+}
