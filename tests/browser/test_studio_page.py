@@ -126,6 +126,21 @@ def test_a_wrong_plan_is_told_in_one_sentence_and_loses_nothing(opened: Opened, 
     pages.faults.clear()
 
 
+def test_a_dance_that_cannot_be_shown_is_said_beside_its_verdict(opened: Opened, pages: Pages) -> None:
+    page = opened()
+    settle(page, "Walkable")
+    page.route("**/api/dance*", lambda route: route.fulfill(status=422, json={"error": "too long"}))
+    width = number(page, "width of a bench")
+    width.fill("0.31")
+    width.press("Enter")
+    expect(page.locator(".verdicts")).to_contain_text("This plan cannot be shown: too long")
+    settle(page, "Walkable")
+    page.unroute("**/api/dance*")
+    page.get_by_role("button", name="undo").click()
+    expect(page.locator(".verdicts")).not_to_contain_text("cannot be shown", timeout=LONG)
+    pages.faults.clear()  # the refusal is on the console
+
+
 def test_a_long_question_is_followed_and_cancelled(opened: Opened) -> None:
     page = opened()
     page.get_by_label("begin with").select_option("turn")

@@ -37,7 +37,7 @@ export async function asked(path, body, { method = body ? "POST" : "GET", signal
 
 /** How long a question may be on its way before a newer one takes its place, ms. */
 const PATIENCE = 250;
-/** Statuses that say: a newer question is on its way, or come back later. */
+/** The status that says: a newer question is on its way. */
 const REPLACED = 409;
 
 /**

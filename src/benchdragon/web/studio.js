@@ -11,9 +11,9 @@ import { unpackedScene } from "./scene.js";
 import { _, language, speak, useWords } from "./words.js";
 
 /** @typedef {import("./wire").Answer} Answer */
-/** @typedef {import("./wire").Dance} Dance */
 /** @typedef {import("./wire").Preset} Preset */
 /** @typedef {import("./wire").Verdict} Verdict */
+/** @typedef {import("./scene.js").Scene} Scene */
 /** @typedef {import("./plan_form.js").Plan} Plan */
 
 const MOST_STEPS_BACK = 200;
@@ -49,10 +49,11 @@ class Studio {
       (found) => this.#limited(found),
       (error) => this.#unlimited(error),
     );
+    // Unpacked before it counts as answered, so that no older one can come in late.
     this.dances = new Standing(
-      (signal) => this.#answer("/api/dance", signal),
-      (found) => this.#danced(found),
-      (error) => this.#refused(error),
+      async (signal) => unpackedScene({ ...(await this.#answer("/api/dance", signal)), ruling: null }),
+      (scene) => this.#danced(scene),
+      (error) => this.#undanced(error),
     );
     this.root = /** @type {HTMLElement} */ (document.getElementById("studio"));
     this.stage = make("main", { id: "player", class: "player" });
@@ -81,6 +82,7 @@ class Studio {
       _("looking ..."),
     );
     this.limitLine = make("output", { class: "limit" });
+    this.danceLine = make("output");
     this.form = new PlanForm(this.presets, (plan, final) => this.change(plan, final));
     this.undoButton = make("button", { type: "button", onclick: () => this.undo() }, _("undo"));
     this.redoButton = make("button", { type: "button", onclick: () => this.redo() }, _("redo"));
@@ -99,7 +101,7 @@ class Studio {
       this.#files(),
     );
     this.root.replaceChildren(
-      make("header", { class: "verdicts" }, this.line, this.limitLine),
+      make("header", { class: "verdicts" }, this.line, this.limitLine, this.danceLine),
       panel,
       this.stage,
     );
@@ -290,6 +292,15 @@ class Studio {
     );
   }
 
+  /** Say why the player shows no new dance, beside a verdict where there is one. @param {Error} error */
+  #undanced(error) {
+    if (!this.verdict) return this.#refused(error);
+    this.root.setAttribute("aria-busy", "false");
+    /** @type {HTMLElement} */ (this.danceLine).textContent = _("This plan cannot be shown: {error}", {
+      error: error.message,
+    });
+  }
+
   /** @param {"safe" | "unsafe" | "open"} state @param {string} text */
   #say(state, text) {
     const line = /** @type {HTMLElement} */ (this.line);
@@ -326,10 +337,10 @@ class Studio {
     dialog.showModal();
   }
 
-  /** @param {Dance} sent */
-  async #danced(sent) {
-    const scene = await unpackedScene({ ...sent, ruling: null });
+  /** @param {Scene} scene */
+  #danced(scene) {
     this.root.setAttribute("aria-busy", "false");
+    /** @type {HTMLElement} */ (this.danceLine).textContent = "";
     if (this.player) return this.player.show(scene);
     const player = new Player(this.stage, scene);
     this.player = player;
