@@ -221,8 +221,8 @@ def test_limits_refuse_with_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(InputError, match="off by more than 1e-07 m"):
         frames(walk, 0.0, 1.0, 1e-7)
     line = Walk(Dragon.uniform(1), Route((Line(1e6),)))
-    with pytest.raises(InputError, match="500000 m of route are more than a player holds"):
-        course(line, 0.0, 5e5)
+    with pytest.raises(InputError, match="shows 200000 m of a route, and this walk goes to 250000 m"):
+        frames(line, 2.4e5, 2.5e5, ERROR)
 
 
 def test_a_walk_that_cannot_begin_is_refused() -> None:

@@ -38,9 +38,10 @@ NEAR, LEAP = 0.125, 0.25
 MOST_PLACES = 12_000_000
 # Of deflating: larger ones take up to twenty times as long for a third less.
 LEVEL = 4
+# Route positions, m, whose quanta fit four bytes.
+FARTHEST = 200_000.0
 # A stretch of route has evenly spaced nodes and is at most so long, m; its cubics are within the error.
 STRETCH, STRETCH_ERROR = 20.0, 2e-5
-MOST_STRETCHES = 20_000
 
 
 @dataclass(frozen=True)
@@ -98,10 +99,13 @@ def frames(
     They end early where the dragon can no longer stand, or a bench leaps.
 
     Raises:
-        InputError: for a walk that needs more than MOST_PLACES.
+        InputError: for a walk that needs more than MOST_PLACES, or goes beyond FARTHEST.
         WalkError: if the dragon does not stand at the start.
     """
-    walk.motion([start])
+    farthest = max(-float(walk.motion([start]).s.min()), float(walk.head_position([end])[0]))
+    if farthest > FARTHEST:
+        text = _("a player shows {most} m of a route, and this walk goes to {far} m")
+        raise InputError(text.format(most=f"{FARTHEST:g}", far=f"{farthest:g}"))
     until, leap = end, False
     for step in STEPS:
         count = max(math.ceil((until - start) / step - 1e-9), 1) + 1
@@ -240,17 +244,7 @@ class Course:
 
 
 def course(walk: Walk, low: float, high: float) -> Course:
-    """The route from position low to high, m, in cubics within STRETCH_ERROR.
-
-    Raises:
-        InputError: for more than MOST_STRETCHES of STRETCH metres.
-    """
-    if high - low > MOST_STRETCHES * STRETCH:
-        raise InputError(
-            _("{length} m of route are more than a player holds ({most} m)").format(
-                length=f"{high - low:g}", most=f"{MOST_STRETCHES * STRETCH:g}"
-            )
-        )
+    """The route from position low to high, m, in cubics within STRETCH_ERROR."""
     joints = [joint for joint in walk.route.joints.tolist() if low < joint < high]
     edges = [low]
     for border in [*joints, high]:
