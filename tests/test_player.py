@@ -223,7 +223,7 @@ def test_view_writes_the_same_page_each_time(
     tmp_path: Path, spoken: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "new" / "dance.html"
-    command = ["view", "turn", "--set", "dragon.benches=9", "--start", "-3", "--end", "40"]
+    command = ["view", "turn", "--set", "dragon.benches=9", "--start", "-3", "--end", "0:40"]
     assert run([*command, "-o", str(path)]) == 0
     first = path.read_bytes()
     assert str(path) in capsys.readouterr().out.replace("\n  ", "")
@@ -242,9 +242,9 @@ def test_view_writes_the_same_page_each_time(
     ("options", "said", "code"),
     [
         (["--start", "9", "--end", "5"], "would end at 5 s, before it starts at 9 s", 2),
-        (["--end", "inf"], "end must be finite, not inf s", 2),
-        (["--start", "nan"], "start must be finite, not nan s", 2),
-        (["--start", "soon"], "'soon' is not a valid float", 2),
+        (["--end", "inf"], "--end: wanted seconds or minutes:seconds, not 'inf'", 2),
+        (["--start", "nan"], "--start: wanted seconds or minutes:seconds, not 'nan'", 2),
+        (["--start", "soon"], "--start: wanted seconds or minutes:seconds, not 'soon'", 2),
         (["--start", "-1e9"], "this walk goes to 1e+09 m", 2),
         (["--start", "2000", "--end", "2001"], "past the end of the route", 4),
         (["--set", "dragon.benches=0"], "dragon.benches: wanted at least 1", 3),

@@ -7,10 +7,16 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon import __version__
-from benchdragon.ask import PICTURE_FORMATS, parse_sides, parse_time, parse_times
+from benchdragon.ask import PICTURE_FORMATS, parse_sides, parse_span, parse_times
 from benchdragon.errors import InputError
 from benchdragon.messages import N_, _
-from benchdragon.options import announce_compiling, json_option, plan_options, shared_options
+from benchdragon.options import (
+    announce_compiling,
+    json_option,
+    plan_options,
+    shared_options,
+    span_options,
+)
 from benchdragon.show import print_files, progress
 
 FILM_FORMATS = ("mp4", "gif")
@@ -37,21 +43,7 @@ if TYPE_CHECKING:
     metavar="FILE",
     help=N_("File to write: .mp4, .gif, .png, .svg or .pdf."),
 )
-@click.option(
-    "--start",
-    metavar="TIME",
-    help=N_(
-        "Where it begins: seconds of the dance (12.5), or minutes and seconds (3:12). Default: as "
-        "the plan says."
-    ),
-)
-@click.option(
-    "--end",
-    metavar="TIME",
-    help=N_(
-        "Where it ends, likewise. Default: as the plan says, or where the dragon can no longer stand."
-    ),
-)
+@span_options
 @click.option(
     "--speed-up",
     type=click.FloatRange(1e-3, 1e4),
@@ -148,15 +140,6 @@ def _refuse_strays(options: dict[str, Any], picture: bool) -> None:
         raise InputError(_("--span goes with --follow"))
 
 
-def _span(options: dict[str, Any]) -> tuple[float | None, float | None]:
-    """What --start and --end say."""
-    start, end = (
-        None if options[name] is None else parse_time(f"--{name}", options[name])
-        for name in ("start", "end")
-    )
-    return start, end
-
-
 def _look(options: dict[str, Any], size: tuple[int, int]) -> "Look":
     """What the options say of the look; `size` is taken where they say none."""
     from benchdragon.scene import SPAN, Look
@@ -175,7 +158,9 @@ def _write_film(
 
     path = film_path(asked)
     look = _look(options, SIZES[path.suffix])
-    film = Film(plan, *_span(options), options["fps"] or RATES[path.suffix], options["speed_up"] or 1.0)
+    film = Film(
+        plan, *parse_span(options), options["fps"] or RATES[path.suffix], options["speed_up"] or 1.0
+    )
     refuse_existing([path], options["force"])
     with progress(quiet, len(film.times), remaining=True) as advance:
         write_film(film, path, look, advance)
@@ -200,7 +185,7 @@ def _write_pictures(
     look = _look(options, SIZES[".mp4"])
     grid = parse_sides("--sheet", options["sheet"]) if options["sheet"] else (1, 1)
     if options["at"] is None:
-        times = spread_times(plan, *_span(options), grid[0] * grid[1])
+        times = spread_times(plan, *parse_span(options), grid[0] * grid[1])
     else:
         times = np.array(list(dict.fromkeys(parse_times(options["at"]).tolist())))
     files = [path] if options["sheet"] else still_paths(path, times.tolist())

@@ -51,6 +51,19 @@ def parse_time(option: str, text: str) -> float:
     return float(times[0])
 
 
+def parse_span(options: dict[str, Any]) -> tuple[float | None, float | None]:
+    """What --start and --end say, s; None where they are not given.
+
+    Raises:
+        InputError: for anything but a time.
+    """
+    start, end = (
+        None if options[name] is None else parse_time(f"--{name}", options[name])
+        for name in ("start", "end")
+    )
+    return start, end
+
+
 def parse_sides(option: str, text: str) -> tuple[int, int]:
     """Two whole numbers in "1920x1080".
 

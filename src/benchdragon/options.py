@@ -38,6 +38,26 @@ def plan_options(command: Command) -> Command:
     return click.argument("plan", metavar="PLAN")(command)
 
 
+def span_options(command: Command) -> Command:
+    """--start and --end, which `ask.parse_span` reads."""
+    command = click.option(
+        "--end",
+        metavar="TIME",
+        help=N_(
+            "Where it ends, likewise. Default: as the plan says, or where the dragon can no longer "
+            "stand."
+        ),
+    )(command)
+    return click.option(
+        "--start",
+        metavar="TIME",
+        help=N_(
+            "Where it begins: seconds of the dance (12.5), or minutes and seconds (3:12). Default: as "
+            "the plan says."
+        ),
+    )(command)
+
+
 def folder_option(command: Command) -> Command:
     """--output and --force."""
     command = click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))(

@@ -1,12 +1,13 @@
-"""The verbs that show a dance: view."""
+"""The verb `view`: the dance as one page for any browser."""
 
 from pathlib import Path
 from typing import Any
 
 import click
 
+from benchdragon.ask import parse_span
 from benchdragon.messages import N_
-from benchdragon.options import announce_compiling, plan_options, shared_options
+from benchdragon.options import announce_compiling, plan_options, shared_options, span_options
 from benchdragon.show import print_files, progress
 
 
@@ -23,8 +24,7 @@ from benchdragon.show import print_files, progress
     help=N_("The file to write, for example dance.html."),
 )  # fmt: skip
 @click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))
-@click.option("--start", type=float, help=N_("First time shown, in seconds."))
-@click.option("--end", type=float, help=N_("Last time shown, in seconds."))
+@span_options
 @shared_options
 def view(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Write the player."""
@@ -36,12 +36,13 @@ def view(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> i
     read = read_plan(plan, settings)
     path: Path = options["output"]
     refuse_existing([path], options["force"])
+    first, last = parse_span(options)
     announce_compiling(quiet)
+    start, end = read.span(read.build())
+    span = dance.Span(start if first is None else first, end if last is None else last)
     with progress(quiet, check.STEPS + dance.STEPS) as advance:
         report = check.check(read, advance)
-        start = report.start if options["start"] is None else options["start"]
-        end = report.end if options["end"] is None else options["end"]
-        shown = dance.checked_dance(report, dance.Span(start, end), advance)
+        shown = dance.checked_dance(report, span, advance)
         write_player(path, shown)
     print_files([path])
     return 0
