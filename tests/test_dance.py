@@ -19,7 +19,6 @@ from benchdragon.dance import (
     REACH,
     STEPS,
     Span,
-    both,
     checked_dance,
     plain_dance,
 )
@@ -188,7 +187,7 @@ def test_the_ruling_is_in_both_languages_whichever_is_spoken(spoken: str) -> Non
     assert dance.ruling.text.en.startswith("Walkable: ")
     assert dance.ruling.text.zh.startswith("可行")
     assert dance.title == wire.Words(en="Turning", zh="调头")
-    assert both(lambda: _("first contact")) == wire.Words(en="first contact", zh="首次碰撞")
+    assert wire.both(lambda: _("first contact")) == wire.Words(en="first contact", zh="首次碰撞")
 
 
 def test_what_is_sent_survives_the_wire() -> None:

@@ -377,6 +377,11 @@ class Route(Curve):
         """Route positions of the curves' ends, m, (len(curves) + 1,), from 0 to the length."""
         return np.concatenate([[0.0], np.cumsum([curve.length for curve in self.curves])])
 
+    @property
+    def centre(self) -> tuple[float, float]:
+        """Centre of the first spiral, else the origin, m."""
+        return next((curve.centre for curve in self.curves if isinstance(curve, Spiral)), (0.0, 0.0))
+
     def _check_joint(self, i: int) -> None:
         (ax, ay), a = self.curves[i - 1].end_pose
         (bx, by), b = self.curves[i].start_pose

@@ -9,11 +9,11 @@ import numpy as np
 from benchdragon import __version__, wire
 from benchdragon.check import Report, sentence
 from benchdragon.clearance import nearest_each
-from benchdragon.curves import Spiral
 from benchdragon.errors import InputError, finite
 from benchdragon.frames import LOOKS, QUANTUM, Frames, course, frames, packed_bytes, packed_frames
-from benchdragon.messages import LANGUAGES, _, spoken_in
+from benchdragon.messages import _
 from benchdragon.motion import Walk
+from benchdragon.wire import both
 
 Advance = Callable[[float, str], None]
 
@@ -55,15 +55,6 @@ class Span:
                     end=f"{self.end:g}", start=f"{self.start:g}"
                 )
             )
-
-
-def both(say: Callable[[], str]) -> wire.Words:
-    """What `say` says in both languages."""
-    said = {}
-    for name in LANGUAGES:
-        with spoken_in(name):
-            said[name] = say()
-    return wire.Words(**said)
 
 
 def checked_dance(
@@ -124,7 +115,7 @@ def plain_dance(walk: Walk, span: Span, advance: Advance | None = None) -> wire.
         title=wire.Words(en="", zh=""),
         benches=wire.Sizes(**sizes),
         disc=None,
-        centre=_centre(walk),
+        centre=walk.route.centre,
         course=wire.Course(
             stretches=[wire.Stretch(start=a, step=b, nodes=n) for a, b, n in stretches],
             origin=way.origin,
@@ -141,11 +132,6 @@ def plain_dance(walk: Walk, span: Span, advance: Advance | None = None) -> wire.
         speed_limit=None,
         ruling=None,
     )  # fmt: skip
-
-
-def _centre(walk: Walk) -> tuple[float, float]:
-    """Centre of the route's first spiral, else the origin, m."""
-    return next((curve.centre for curve in walk.route.curves if isinstance(curve, Spiral)), (0.0, 0.0))
 
 
 def _nearness(walk: Walk, shot: Frames, most: int) -> tuple[wire.Nearest, wire.Tightness]:

@@ -20,7 +20,7 @@ from matplotlib.ft2font import FT2Font
 from matplotlib.patches import Circle
 
 from benchdragon import __version__
-from benchdragon.curves import Route, Spiral
+from benchdragon.curves import Route
 from benchdragon.errors import InputError
 from benchdragon.files import whole_file
 from benchdragon.kernels.curve import FloatArray
@@ -150,7 +150,7 @@ def draw_dragon(panel: Axes, motion: Motion, index: int, disc: float | None) -> 
     panel.plot(route[:, 0], route[:, 1], color=ROUTE, lw=0.5, zorder=1, label=_("route"))
     if disc is not None:
         circle = Circle(
-            centre_of(motion.walk.route),
+            motion.walk.route.centre,
             disc,
             fill=False,
             ec=DISC,
@@ -184,14 +184,6 @@ def route_points(route: Route, start: float, end: float) -> FloatArray:
     count = int(min(max((end - start) / ROUTE_STEP, 2), MOST_ROUTE_POINTS))
     points: FloatArray = route.point(np.linspace(start, end, count))
     return points
-
-
-def centre_of(route: Route) -> tuple[float, float]:
-    """Centre of the route's first spiral, else the origin."""
-    for curve in route.curves:
-        if isinstance(curve, Spiral):
-            return curve.centre
-    return 0.0, 0.0
 
 
 def speed_map(motion: Motion, title: str = "", joints: Sequence[float] = ()) -> Figure:
@@ -233,7 +225,7 @@ def _edges(times: FloatArray) -> FloatArray:
 
 def head_angle_picture(motion: Motion, title: str = "") -> Figure:
     """Polar angle and radius of the head about the first spiral's centre, over time."""
-    cx, cy = centre_of(motion.walk.route)
+    cx, cy = motion.walk.route.centre
     dx, dy = motion.x[:, 0] - cx, motion.y[:, 0] - cy
     angle = np.degrees(np.unwrap(np.arctan2(dy, dx)))
     with matplotlib.rc_context(STYLE):

@@ -16,7 +16,7 @@ import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from benchdragon import __version__, wire
-from benchdragon.dance import Span, both, plain_dance
+from benchdragon.dance import Span, plain_dance
 from benchdragon.errors import BenchDragonError, InputError
 from benchdragon.files import whole_file
 from benchdragon.kernels.status import Status
@@ -93,7 +93,7 @@ def player_page(dance: wire.Dance, spoken: str | None = None) -> str:
         hashes={"script": _hash(script), "style": _hash(style)},
         script=script,
         style=style,
-        waiting=both(
+        waiting=wire.both(
             lambda: _("Nothing moves? Then open this file in a browser: previews do not run it.")
         ).model_dump(),
         words=inert(chinese("start.js")),

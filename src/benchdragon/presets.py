@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any, Literal
 
-from benchdragon.messages import N_, _, spoken_in
+from benchdragon.messages import N_, _
 from benchdragon.plan import Plan, read_plan
-from benchdragon.wire import Figure, Preset, Words
+from benchdragon.wire import Figure, Preset, Words, both
 
 Status = Literal["measured", "reported", "derived", "assumed"]
 
@@ -75,19 +75,10 @@ VILLAGES = (
 )  # fmt: skip
 
 
-def _words(text: str, **values: str) -> Words:
-    """A text in both languages; so are the texts put into it."""
-    said = {}
-    for language in ("en", "zh"):
-        with spoken_in(language):
-            said[language] = _(text).format(**{name: _(value) for name, value in values.items()})
-    return Words(**said)
-
-
 def _village(village: Village) -> Preset:
     link = 2.0 - 2.0 * INSET if village.length is None else village.length / village.benches
     board = round(link + 2.0 * INSET, 2)
-    title = _words(village.title)
+    title = both(lambda: _(village.title))
     data = {
         "schema": 1,
         "meta": {"title": title.en, "title_zh": title.zh},
@@ -115,7 +106,7 @@ def _village(village: Village) -> Preset:
     return Preset(
         name=village.name,
         title=title,
-        source=_words(text, source=village.source),
+        source=both(lambda: _(text).format(source=_(village.source))),
         figures=figures,
         plan=Plan.model_validate(data),
     )
@@ -128,7 +119,7 @@ def _contest(name: str, plan: Plan) -> Preset:
     return Preset(
         name=name,
         title=Words(en=plan.title("en"), zh=plan.title("zh")),
-        source=_words(CONTEST),
+        source=both(lambda: _(CONTEST)),
         figures=[Figure(key=key, status="reported") for key in sorted(keys)],
         plan=plan,
     )

@@ -33,7 +33,6 @@ from benchdragon.pictures import (
     ROUTE,
     STYLE,
     bench_corners,
-    centre_of,
     drawable,
     named_figure,
     route_points,
@@ -146,7 +145,7 @@ class Place:
         motion.check()
         tail, head = float(motion.s.min()), float(motion.s.max())
         covered = route_points(walk.route, tail, head)
-        centre = centre_of(walk.route)
+        centre = walk.route.centre
         room = float(walk.dragon.sizes[1:].max()) + 0.2
         low, high = covered.min(axis=0) - room, covered.max(axis=0) + room
         if disc is not None:

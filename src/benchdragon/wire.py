@@ -6,11 +6,12 @@ Metres, seconds, metres a second. Numbers that are not finite come as null: JSON
 
 import json
 import math
+from collections.abc import Callable
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, PlainSerializer
 
-from benchdragon.messages import _
+from benchdragon.messages import LANGUAGES, _, spoken_in
 from benchdragon.plan import Plan, checked
 from benchdragon.plan_text import PlanError
 
@@ -127,6 +128,15 @@ class Words(Sent):
 
     en: str
     zh: str
+
+
+def both(say: Callable[[], str]) -> Words:
+    """What `say` says in both languages."""
+    said = {}
+    for name in LANGUAGES:
+        with spoken_in(name):
+            said[name] = say()
+    return Words(**said)
 
 
 class Witness(Sent):
