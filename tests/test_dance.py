@@ -87,6 +87,20 @@ def test_a_safe_walk_has_a_tightest_and_a_fastest_moment() -> None:
     assert (dance.disc, dance.margin, dance.speed_limit) == (4.5, 0.0, 2.0)
 
 
+def test_a_benchs_own_tightest_moment_is_no_looser_than_the_checks() -> None:
+    """Few looks would pass the tightest moment by 2 cm here; the card of a bench must not say so."""
+    report = check(read_plan("turn", ["dragon.benches=60", "walk.speed=2"]))
+    near = report.clearance.witness
+    assert near is not None
+    sketch = checked_dance(report, Span(report.start, report.end, looks=(0.5,), times=200)).nearest
+    for bench, other in (near.benches, near.benches[::-1]):
+        assert sketch.distance[bench - 1] <= report.clearance.value + 1e-5
+        assert sketch.other[bench - 1] == other
+        assert sketch.time[bench - 1] == pytest.approx(near.time, abs=1e-3)
+    before = checked_dance(report, Span(report.start, -40.0)).nearest
+    assert not any(0.0 < distance <= report.clearance.value for distance in before.distance)
+
+
 def test_a_broken_margin_is_named_as_such() -> None:
     dance = danced(*TURN, "limits.margin=0.5")
     (broken,) = occasions(dance, "contact")

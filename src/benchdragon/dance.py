@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from benchdragon import __version__, wire
+from benchdragon.answer import Answer
 from benchdragon.check import Report, sentence
 from benchdragon.clearance import nearest_each
 from benchdragon.errors import InputError, finite
@@ -69,8 +70,9 @@ def checked_dance(
     plan = report.plan
     walk = plan.build()
     shown = span or Span(report.start, report.end)
-    found = [occasion for occasion in _answers(report) if shown.start <= occasion.time <= shown.end]
     dance = plain_dance(walk, shown, advance)
+    last = dance.frames.start + dance.frames.step * (dance.frames.count - 1)
+    found = [occasion for occasion in _answers(report) if shown.start <= occasion.time <= last]
     title = wire.Words(en=plan.title("en"), zh=plan.title("zh"))
     ruling = wire.Ruling(safe=report.safe, decided=report.decided, text=both(lambda: sentence(report)))
     return dance.model_copy(
@@ -81,13 +83,14 @@ def checked_dance(
             "margin": plan.limits.margin,
             "speed_limit": plan.limits.speed,
             "ruling": ruling,
+            "nearest": _with_tightest(dance.nearest, report.clearance, (shown.start, last)),
             "occasions": sorted([*found, *dance.occasions], key=lambda occasion: occasion.time),
         }
     )
 
 
 def plain_dance(walk: Walk, span: Span, advance: Advance | None = None) -> wire.Dance:
-    """The dance of a walk; the tightest moment and the fastest one are those of its frames.
+    """The dance of a walk: its only occasions are joints, and an end where the benches cannot follow.
 
     Raises:
         InputError: see `checked_dance`.
@@ -137,7 +140,9 @@ def plain_dance(walk: Walk, span: Span, advance: Advance | None = None) -> wire.
 def _nearness(walk: Walk, shot: Frames, most: int) -> tuple[wire.Nearest, wire.Tightness]:
     """Each bench's tightest moment, and the tightest pair over time, at evenly spread times."""
     benches = len(walk.dragon)
-    count = int(min(most, max(2, MOST_LOOKS // benches), max(2, 4 * (shot.end - shot.start))))
+    walked = QUANTUM * float(shot.places[0, -1] - shot.places[0, 0])
+    wanted = 4.0 * max(walked, shot.end - shot.start, 0.5)  # a look each 0.25 m, and each 0.25 s
+    count = int(min(most, max(2, MOST_LOOKS // benches), wanted))
     times = np.linspace(shot.start, shot.end, count)
     best, when = np.full(benches, np.inf), np.zeros(benches)
     other, over_time = np.zeros(benches, dtype=np.int64), []
@@ -161,12 +166,26 @@ def _nearness(walk: Walk, shot: Frames, most: int) -> tuple[wire.Nearest, wire.T
     return near, wire.Tightness(start=shot.start, step=float(times[1] - times[0]), distance=distance)
 
 
+def _with_tightest(nearest: wire.Nearest, clearance: Answer, span: tuple[float, float]) -> wire.Nearest:
+    """The same, with the tightest pair of all as the check found it, which looks closer."""
+    found, near = nearest.model_copy(deep=True), clearance.witness
+    if near is None or near.time is None or not span[0] <= near.time <= span[1]:
+        return nearest
+    for bench, other in (near.benches, near.benches[::-1]):
+        seen = found.distance[bench - 1] if found.other[bench - 1] else found.reach
+        if clearance.value < seen:
+            found.distance[bench - 1] = round(clearance.value, 5)
+            found.time[bench - 1], found.other[bench - 1] = round(near.time, 4), other
+    return found
+
+
 def _answers(report: Report) -> list[wire.Occasion]:
     """First contact, tightest moment and fastest moment of a check."""
     contact, near, speed = report.first_contact, report.clearance.witness, report.greatest_speed
     found = []
     if contact is not None and contact.witness is not None:
-        name = both(lambda: _("first contact") if not report.plan.limits.margin else _("margin broken"))
+        apart = contact.witness.gap > 0.0 and report.plan.limits.margin > 0.0
+        name = both(lambda: _("margin broken") if apart else _("first contact"))
         found.append(_occasion("contact", contact.value, name, contact.witness.benches))
     elif near is not None and near.time is not None:
         gap = f"{100.0 * report.clearance.value:.3g}"
