@@ -328,6 +328,14 @@ def test_the_address_is_written_once_a_hand_rests(pages: Pages, turn: Scene) -> 
     assert page.evaluate("written") == 1
 
 
+def test_benches_touch_at_the_first_contact(pages: Pages, contact: Scene) -> None:
+    """The page shows them off by fractions of a millimetre, here 8 micrometres apart."""
+    (first,) = (occasion for occasion in contact.dance.occasions if occasion.kind == "contact")
+    page = opened(pages, contact, where=f"#t={first.time!r}")
+    a, b = first.benches
+    until(page, f"document.querySelector('.tight').textContent === 'benches {a} and {b} touch'")
+
+
 def test_every_time_is_drawn_a_second_before_0_too(pages: Pages, turn: Scene) -> None:
     page = opened(pages, turn, where="#t=-2")
     for time in ("-1.000", "0.000"):

@@ -94,7 +94,9 @@ export class Card {
     this.cells.rear.textContent = speedText(stand.v[bench + 1]);
     this.cells.change.textContent = `${decimals(stand.a[bench], 3)} m/s\u00b2`;
     const other = boxes.other[bench] + 1;
-    this.cells.nearest.textContent = other ? nearText(boxes.nearest[bench], other) : "\u2013";
+    this.cells.nearest.textContent = other
+      ? nearText(boxes.nearest[bench], other, boxes.touch)
+      : "\u2013";
   }
 }
 
@@ -103,9 +105,9 @@ function speedText(speed) {
   return `${decimals(speed, 3)} m/s`;
 }
 
-/** @param {number} gap m @param {number} other number of the other bench */
-function nearText(gap, other) {
-  return gap > 0
+/** @param {number} gap m @param {number} other number of the other bench @param {number} [touch] m */
+function nearText(gap, other, touch = 0) {
+  return gap > touch
     ? _("{gap} to bench {other}", { gap: shortLength(gap), other })
     : _("touches bench {other}", { other });
 }

@@ -25,6 +25,9 @@ export class Boxes {
     this.inset = Float64Array.from(sizes.front_inset);
     this.radius = this.half.map((half, i) => Math.hypot(half, this.wide[i]));
     this.stride = 0;
+    /** Benches no farther apart, m, count as touching: a page shows places no better. */
+    this.reach = scene.sent.nearest.reach;
+    this.touch = scene.sent.frames.largest_error;
     /** Distance of each bench to its nearest, m; infinite beyond the reach. */
     this.nearest = array();
     this.other = new Int32Array(scene.benches);
@@ -51,10 +54,10 @@ export class Boxes {
 
   /**
    * Fill `nearest` and `other` for benches within `reach`, m; the tightest pair, if there is one.
-   * @param {number} reach
    * @returns {Pair | null}
    */
-  measure(reach) {
+  measure() {
+    const { reach } = this;
     this.nearest.fill(Infinity);
     this.other.fill(-1);
     let [best, first, second] = [Infinity, -1, -1];

@@ -286,7 +286,7 @@ export class Painter {
     ctx.beginPath();
     let any = false;
     for (let i = 0; i < boxes.count; i++) {
-      if (boxes.nearest[i] > 0) continue;
+      if (boxes.nearest[i] > boxes.touch) continue;
       this.#outline(boxes, camera, i);
       any = true;
     }

@@ -360,8 +360,7 @@ export class Player {
 
   #draw() {
     this.#pose();
-    const reach = this.scene.sent.nearest.reach;
-    const tightest = this.boxes.measure(reach);
+    const tightest = this.boxes.measure();
     if (this.follows) {
       const bench = Math.max(this.chosen, 0);
       [this.camera.x, this.camera.y] = [this.boxes.x[bench], this.boxes.y[bench]];
@@ -372,7 +371,7 @@ export class Player {
     this.#painted = this.time;
     face.axis.show(this.time);
     face.clock.textContent = `t = ${clock(this.time, 2)}`;
-    face.tight.textContent = tightestText(tightest, scene);
+    face.tight.textContent = tightestText(tightest, this.boxes);
     face.card.show(stand, boxes, chosen);
     face.showLegend(scale);
     this.root.dataset.time = this.time.toFixed(3);
@@ -381,8 +380,8 @@ export class Player {
   /** Tell what the canvas shows to those who cannot see it. @param {number} now ms */
   #say(now) {
     this.#spokenAt = now;
-    const pair = this.boxes.measure(this.scene.sent.nearest.reach);
-    const text = `t = ${clock(this.time)}. ${tightestText(pair, this.scene)}`;
+    const tightest = this.boxes.measure();
+    const text = `t = ${clock(this.time)}. ${tightestText(tightest, this.boxes)}`;
     this.face.canvas.setAttribute("aria-label", `${_("the dragon from above")}: ${text}`);
     this.face.spoken.textContent = text;
   }
@@ -403,12 +402,11 @@ export class Player {
   onSettled;
 }
 
-/** @param {import("./nearness.js").Pair | null} pair @param {Scene} scene */
-function tightestText(pair, scene) {
-  const { reach } = scene.sent.nearest;
-  if (scene.benches < 3) return _("no pair counts");
+/** @param {import("./nearness.js").Pair | null} pair @param {Boxes} boxes */
+function tightestText(pair, { count, reach, touch }) {
+  if (count < 3) return _("no pair counts");
   if (!pair) return _("all benches more than {reach} apart", { reach: shortLength(reach) });
   const benches = { a: pair.i + 1, b: pair.j + 1 };
-  if (pair.distance <= 0) return _("benches {a} and {b} touch", benches);
+  if (pair.distance <= touch) return _("benches {a} and {b} touch", benches);
   return _("tightest {gap}: benches {a} and {b}", { gap: shortLength(pair.distance), ...benches });
 }
