@@ -268,7 +268,7 @@ def test_view_refuses_files_that_are_there_and_unknown_plans(
     for command, said, code in (
         (["view", "turn", "-o", str(path)], "is there already; use --force", 2),
         (["view", "turn", "-o", str(tmp_path)], "is a directory", 2),
-        (["view", "turn", "-o", str(path / "below.html")], f"{path}: ", 2),
+        (["view", "turn", "-o", str(path / "below.html")], f"{path} is not a folder", 2),
         (["view", "nosuch", "-o", str(path)], "there is no plan nosuch", 3),
         (["view", "turn"], "Missing option", 2),
     ):

@@ -27,6 +27,8 @@ def refuse_existing(paths: Iterable[Path], force: bool) -> None:
             )
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
+        except (FileExistsError, NotADirectoryError):
+            raise FileRefusedError(_("{path} is not a folder").format(path=path.parent)) from None
         except OSError as error:
             raise FileRefusedError(f"{path.parent}: {error.strerror}") from None
         if path.is_dir() or not os.access(path.parent, os.W_OK):
