@@ -208,3 +208,26 @@ def test_every_control_has_a_name(opened: Opened) -> None:
 def test_an_odd_address_does_no_harm(opened: Opened) -> None:
     page = opened(where="#t=soon&bench=x&plan=!")
     expect(page.locator(".clock")).to_have_text("t = 0.00 s")
+
+
+def test_keys_move_a_slider_of_the_plan_and_not_the_time(opened: Opened) -> None:
+    page = opened()
+    slider = page.get_by_role("slider", name="spiral pitch")
+    for _n in range(3):
+        slider.press("ArrowRight")
+    expect(number(page, "spiral pitch")).to_have_value("0.556")
+    expect(page.locator(".clock")).to_have_text("t = 0.00 s")
+
+
+def test_another_dance_is_in_sight(opened: Opened) -> None:
+    """The dragon of Nanchang is twice as wide as the contest's."""
+    page = opened()
+    page.get_by_label("begin with").select_option("nanchang")
+    expect(page.locator("h1")).to_have_text("Nanchang", timeout=LONG)
+    far = page.evaluate(
+        """() => { const { boxes, camera } = benchdragon.player;
+          return Array.from(boxes.x, (x, n) => camera.toScreen(x, boxes.y[n]))
+            .filter(([px, py]) => Math.min(px, py) < 0 || px > camera.width || py > camera.height)
+            .length; }"""
+    )
+    assert far == 0

@@ -19,6 +19,8 @@ const SPOKEN_EACH = 5000;
 export const REST = 180;
 /** Frame times kept, ms. */
 const TIMES_KEPT = 600;
+/** A dance that fills less of the canvas is drawn larger when another plan comes. */
+const LEAST_FILLED = 0.5;
 
 export class Player {
   /**
@@ -59,12 +61,24 @@ export class Player {
 
   /** Show another dance, at the same time and place. @param {Scene} scene */
   show(scene) {
+    const other = scene.sent.title.en !== this.scene.sent.title.en;
     this.scene = scene;
     this.stand = scene.room();
     this.boxes = new Boxes(scene);
     this.time = Math.min(Math.max(this.time, scene.start), scene.end);
     if (this.chosen >= scene.benches) this.chosen = -1;
     this.#newFace();
+    if (!this.follows && (other || (this.#fitted.length && !this.#fits()))) this.fit(this.#times());
+  }
+
+  /** Whether the whole dance is in sight, and fills a good part of it. */
+  #fits() {
+    const [left, bottom, right, top] = this.#room(this.#times());
+    const { width, height, scale } = this.camera;
+    const [west, south] = this.camera.toGround(0, height);
+    const [east, north] = this.camera.toGround(width, 0);
+    const inside = left >= west && bottom >= south && right <= east && top <= north;
+    return inside && scale * Math.max((right - left) / width, (top - bottom) / height) > LEAST_FILLED;
   }
 
   /** Another face, whose lists are open where they were. */
@@ -221,6 +235,12 @@ export class Player {
   /** Show the whole dragon as it stands, or as it does at some times, and the disc. @param {number[]} [times] */
   fit(times = [this.time]) {
     this.#fitted = times;
+    this.camera.fit(...this.#room(times));
+    this.#touch();
+  }
+
+  /** Ground that the dragon takes at some times, and the disc: left, bottom, right, top. @param {number[]} times @returns {[number, number, number, number]} */
+  #room(times) {
     const { disc, centre } = this.scene.sent;
     const room = this.boxes.half[0] * 2;
     /** @type {number[]} */
@@ -236,13 +256,12 @@ export class Player {
       across.push(centre[0] - disc, centre[0] + disc);
       up.push(centre[1] - disc, centre[1] + disc);
     }
-    this.camera.fit(
+    return [
       Math.min(...across) - room,
       Math.min(...up) - room,
       Math.max(...across) + room,
       Math.max(...up) + room,
-    );
-    this.#touch();
+    ];
   }
 
   /** Times whose places the camera was fitted to, and is again when the page changes its size. @type {number[]} */
@@ -279,7 +298,8 @@ export class Player {
     const typing = target?.closest(
       "select, textarea, dialog, input:not([type=range], [type=checkbox])",
     );
-    if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
+    const other = target?.closest("input") && !this.root.contains(target); // a slider of the plan
+    if (typing || other || event.ctrlKey || event.metaKey || event.altKey) return;
     const space = event.key === " " && !target?.closest("button, summary, input");
     const action = space ? () => this.play(!this.playing) : this.#keys[event.key];
     if (!action) return;
