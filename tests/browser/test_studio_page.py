@@ -219,6 +219,14 @@ def test_keys_move_a_slider_of_the_plan_and_not_the_time(opened: Opened) -> None
     expect(page.locator(".clock")).to_have_text("t = 0.00 s")
 
 
+def test_an_emptied_box_shows_the_plan_again(opened: Opened) -> None:
+    page = opened()
+    width = number(page, "width of a bench")
+    width.fill("")
+    width.press("Enter")
+    expect(width).to_have_value("0.3")
+
+
 def test_another_dance_is_in_sight(opened: Opened) -> None:
     """The dragon of Nanchang is twice as wide as the contest's."""
     page = opened()
@@ -231,3 +239,45 @@ def test_another_dance_is_in_sight(opened: Opened) -> None:
             .length; }"""
     )
     assert far == 0
+
+
+def test_what_is_refused_is_said_once_and_its_old_picture_too(opened: Opened, pages: Pages) -> None:
+    page = opened()
+    number(page, "benches").fill("1e9")
+    number(page, "benches").press("Enter")
+    settle(page, "wanted at most 1000000")
+    expect(page.locator(".limit")).to_have_text("the picture is of the plan before")
+    page.locator("h1").click()
+    page.keyboard.press("Control+z")
+    settle(page, "Walkable")
+    expect(page.locator(".limit")).to_have_text("smallest pitch: 0.450337 m (found)", timeout=LONG)
+    pages.faults.clear()  # the refusal is on the console
+
+
+def test_an_address_put_into_the_same_window_is_gone_to(opened: Opened) -> None:
+    page = opened()
+    before = page.url
+    number(page, "benches").fill("60")
+    number(page, "benches").press("Enter")
+    page.goto(before)
+    expect(number(page, "benches")).to_have_value("223")
+    page.goto(before.split("#")[0] + "#plan=nothing")
+    expect(page.locator("output.told").last).to_have_text("The plan in the address cannot be read.")
+    expect(number(page, "benches")).to_have_value("223")
+
+
+def test_a_long_question_changes_its_language_with_the_page(opened: Opened) -> None:
+    page = opened()
+    page.get_by_role("button", name="prove the verdict").click()
+    job = page.locator(".jobs li")
+    expect(job).to_contain_text("Proved", timeout=LONG)
+    page.get_by_role("button", name="中文").click()
+    expect(job).to_contain_text("证明判断")
+    expect(job).to_contain_text("已证明")
+
+
+def test_the_evidence_of_a_dance_without_contact(opened: Opened) -> None:
+    page = opened("desktop", "zh")
+    settle(page, "可行")
+    verdict(page).click()
+    expect(page.get_by_role("row", name="首次碰撞")).to_contain_text("不会发生")

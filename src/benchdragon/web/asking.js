@@ -1,11 +1,11 @@
 // Questions to the studio's server, and what it refuses.
 
-import { language } from "./words.js";
+import { _, language } from "./words.js";
 
 /** This page, to the server: its newer questions replace its older ones. */
 const CLIENT = crypto.randomUUID();
 
-/** The server said no; `message` is its sentence. */
+/** The server said no, or nothing (status 0); `message` is the sentence for it. */
 export class Refusal extends Error {
   /** @param {number} status @param {string} message */
   constructor(status, message) {
@@ -29,6 +29,9 @@ export async function asked(path, body, { method = body ? "POST" : "GET", signal
     headers,
     body: sent,
     signal: signal ?? null,
+  }).catch((error) => {
+    if (error.name === "AbortError") throw error;
+    throw new Refusal(0, _("The studio does not answer: {error}", { error: error.message }));
   });
   if (response.ok) return response;
   const problem = await response.json().catch(() => ({}));

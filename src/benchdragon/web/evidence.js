@@ -26,6 +26,13 @@ export function valueText(answer) {
   return `${decimals(answer.value, digits)} ${answer.unit}`;
 }
 
+/** An answer's value and how it was established. @param {Answer} answer */
+export function answerText(answer) {
+  const value = valueText(answer);
+  if (answer.value === null) return value;
+  return _("{value} ({how})", { value, how: statusText(answer.status) });
+}
+
 /** @param {Answer} answer */
 function whereText({ witness }) {
   if (!witness) return "";
@@ -39,7 +46,12 @@ function whereText({ witness }) {
 /** @param {string} name @param {Answer | null} answer @param {(time: number) => void} jump */
 function row(name, answer, jump) {
   if (!answer)
-    return make("tr", {}, make("th", { scope: "row" }, name), make("td", { colspan: "4" }, _("none")));
+    return make(
+      "tr",
+      {},
+      make("th", { scope: "row" }, name),
+      make("td", { colspan: "4" }, _("does not happen")),
+    );
   const { lower, upper } = answer;
   const bracket =
     lower === null || upper === null

@@ -2,7 +2,7 @@
 
 import { asked } from "./asking.js";
 import { make } from "./elements.js";
-import { statusText, valueText } from "./evidence.js";
+import { answerText, valueText } from "./evidence.js";
 import { _, decimals } from "./words.js";
 
 /** @typedef {import("./wire").JobState} JobState */
@@ -42,14 +42,27 @@ function resultText(result) {
       chance: decimals(100 * result.chance, 1),
       draws: result.draws,
     });
-  return `${valueText(result)} (${statusText(result.status)})`;
+  return answerText(result);
 }
 
 export class JobList {
   /** @param {(plan: Plan) => void} take takes the plan that a long question found */
   constructor(take) {
     this.take = take;
+    /** What says an item's own words again. @type {Map<HTMLElement, () => void>} */
+    this.words = new Map();
     this.element = make("ul", { class: "jobs", "aria-live": "polite" });
+  }
+
+  /** Say everything in the language in use; sentences of the server stay as they came. */
+  retell() {
+    for (const say of this.words.values()) say();
+  }
+
+  /** Say an item's words, now and whenever the language changes. @param {HTMLElement} item @param {() => void} say */
+  #say(item, say) {
+    this.words.set(item, say);
+    say();
   }
 
   /** Ask a long question. @param {Question} question @param {Plan} plan */
@@ -61,27 +74,36 @@ export class JobList {
       await this.#follow(id, question, item);
     } catch (error) {
       if (!(error instanceof Error)) throw error;
-      item.replaceChildren(`${questionText(question)}: ${error.message} `, this.#away(item));
+      const name = make("strong", {});
+      const told = make("span", { class: "told" }, error.message);
+      this.#say(item, () => {
+        name.textContent = questionText(question);
+        item.replaceChildren(name, told, this.#away(item));
+      });
     }
   }
 
   /** @param {string} id @param {Question} question @param {HTMLElement} item */
   async #follow(id, question, item) {
-    const bar = make("progress", { max: "1", "aria-label": questionText(question) });
+    const name = make("strong", {});
+    const bar = make("progress", { max: "1" });
     const told = make("span", { class: "told" });
-    const cancel = make(
-      "button",
-      { type: "button", onclick: () => asked(`/api/jobs/${id}`, null, { method: "DELETE" }) },
-      _("cancel"),
-    );
-    item.replaceChildren(make("strong", {}, questionText(question)), bar, told, cancel);
+    // Where the server does not hear it, the next look says so.
+    const stop = () => asked(`/api/jobs/${id}`, null, { method: "DELETE" }).catch(() => null);
+    const cancel = make("button", { type: "button", onclick: stop });
+    item.replaceChildren(name, bar, told, cancel);
+    this.#say(item, () => {
+      name.textContent = bar.ariaLabel = questionText(question);
+      cancel.textContent = _("cancel");
+    });
     for (;;) {
       /** @type {JobState} */
       const job = await (await asked(`/api/jobs/${id}`, null)).json();
       item.dataset.state = job.state;
       bar.value = job.share;
       told.textContent = job.state === "waiting" ? _("waiting") : job.text;
-      if (!["waiting", "running"].includes(job.state)) return this.#ended(job, question, item);
+      if (!["waiting", "running"].includes(job.state))
+        return this.#say(item, () => this.#ended(job, question, item));
       await new Promise((done) => setTimeout(done, LOOK_EACH));
     }
   }
@@ -111,7 +133,10 @@ export class JobList {
         type: "button",
         "aria-label": _("clear away"),
         title: _("clear away"),
-        onclick: () => item.remove(),
+        onclick: () => {
+          this.words.delete(item);
+          item.remove();
+        },
       },
       "\u2715",
     );

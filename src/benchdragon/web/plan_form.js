@@ -280,10 +280,12 @@ class NumberControl {
   /** @param {Field} field @param {(key: string, value: number | null, final: boolean) => void} changed */
   constructor(field, changed) {
     this.field = field;
+    /** @type {Plan} */
+    this.plan = {};
     const name = field.text();
     const told = (/** @type {boolean} */ final) => (/** @type {Event} */ event) => {
       const input = /** @type {HTMLInputElement} */ (event.target);
-      if (!Number.isFinite(input.valueAsNumber)) return;
+      if (!Number.isFinite(input.valueAsNumber)) return this.show(this.plan);
       changed(field.key, input.valueAsNumber, final);
     };
     const limits = { min: String(field.low), max: String(field.high), step: String(field.step) };
@@ -315,6 +317,7 @@ class NumberControl {
 
   /** @param {Plan} plan */
   show(plan) {
+    this.plan = plan;
     const value = valueOf(plan, this.field.key);
     const given = typeof value === "number";
     this.element.hidden = this.field.when ? !this.field.when(plan) : false;

@@ -1,9 +1,9 @@
 // The studio: a plan as controls, its verdict as it changes, the player, long questions, files.
 
 import { addressed, obey, remember } from "./address.js";
-import { Refusal, Standing, asked } from "./asking.js";
+import { Standing, asked } from "./asking.js";
 import { make } from "./elements.js";
-import { evidenceDialog, statusText, valueText } from "./evidence.js";
+import { answerText, evidenceDialog } from "./evidence.js";
 import { JobList, questionText } from "./jobs.js";
 import { planText, PlanForm, textPlan } from "./plan_form.js";
 import { Player, REST } from "./player.js";
@@ -59,6 +59,7 @@ class Studio {
     this.stage = make("main", { id: "player", class: "player" });
     this.#build();
     addEventListener("keydown", (event) => this.#key(event));
+    addEventListener("hashchange", () => this.#obey());
     this.#ask();
   }
 
@@ -256,6 +257,22 @@ class Studio {
     if (this.turnButton) this.turnButton.disabled = this.plan.route.kind !== "turn";
   }
 
+  /** Another address was put into the same window: go there. */
+  #obey() {
+    const text = addressed().get("plan");
+    const plan = text ? textPlan(text) : null;
+    if (text && !plan) this.unread();
+    if (this.player) obey(this.player);
+    if (plan && planText(plan) !== planText(this.plan)) this.change(plan, true);
+    else this.#remember();
+  }
+
+  /** The address holds a plan that cannot be read. */
+  unread() {
+    const line = /** @type {HTMLElement} */ (this.fileLine);
+    line.textContent = _("The plan in the address cannot be read.");
+  }
+
   /** Put the plan into the address, and where the player stands. */
   #remember() {
     remember(this.player, { plan: planText(this.plan), lang: language() });
@@ -264,6 +281,7 @@ class Studio {
   /** Ask all that follows from the plan; the dance once a change has come to rest. */
   #ask() {
     this.root.setAttribute("aria-busy", "true");
+    for (const line of [this.line, this.limitLine]) if (line) line.dataset.stale = "";
     this.verdicts.renew();
     if (this.plan.route.kind === "parts") this.#noLimit();
     else this.pitches.renew();
@@ -284,12 +302,10 @@ class Studio {
   #refused(error) {
     this.verdict = null;
     this.root.setAttribute("aria-busy", "false");
-    this.#say(
-      "open",
-      error instanceof Refusal
-        ? error.message
-        : _("The studio does not answer: {error}", { error: error.message }),
-    );
+    this.root.dataset.picture = "old";
+    this.#say("open", error.message);
+    const line = /** @type {HTMLElement} */ (this.limitLine);
+    if (["", error.message].includes(line.textContent ?? "")) line.textContent = this.#oldPicture();
   }
 
   /** Say why the player shows no new dance, beside a verdict where there is one. @param {Error} error */
@@ -305,6 +321,8 @@ class Studio {
   #say(state, text) {
     const line = /** @type {HTMLElement} */ (this.line);
     const sign = { open: "?", safe: "\u2713", unsafe: "\u2716" }[state];
+    this.told = text;
+    delete line.dataset.stale;
     line.className = `verdict ${state}`;
     line.replaceChildren(make("span", { "aria-hidden": "true" }, `${sign} `), text);
   }
@@ -313,21 +331,26 @@ class Studio {
   #limited(found) {
     this.pitch = found;
     const line = /** @type {HTMLElement} */ (this.limitLine);
-    line.textContent = _("smallest pitch: {value} ({how})", {
-      value: valueText(found),
-      how: statusText(found.status),
-    });
+    delete line.dataset.stale;
+    line.textContent = _("smallest pitch: {answer}", { answer: answerText(found) });
   }
 
   /** @param {Error} error */
   #unlimited(error) {
-    this.#noLimit();
-    /** @type {HTMLElement} */ (this.limitLine).textContent = error.message;
+    const told = error.message === this.told ? this.#oldPicture() : error.message;
+    this.#noLimit(told);
   }
 
-  #noLimit() {
+  #noLimit(told = "") {
+    const line = /** @type {HTMLElement} */ (this.limitLine);
     this.pitch = null;
-    /** @type {HTMLElement} */ (this.limitLine).textContent = "";
+    delete line.dataset.stale;
+    line.textContent = told;
+  }
+
+  /** What to say beside a refusal: the picture is not of this plan. */
+  #oldPicture() {
+    return this.player ? _("the picture is of the plan before") : "";
   }
 
   #evidence() {
@@ -340,6 +363,7 @@ class Studio {
   /** @param {Scene} scene */
   #danced(scene) {
     this.root.setAttribute("aria-busy", "false");
+    delete this.root.dataset.picture;
     /** @type {HTMLElement} */ (this.danceLine).textContent = "";
     if (this.player) return this.player.show(scene);
     const player = new Player(this.stage, scene);
@@ -351,14 +375,16 @@ class Studio {
 
   #translated() {
     this.#build();
+    this.jobs.retell();
     this.#ask();
   }
 
   /** @param {KeyboardEvent} event */
   #key(event) {
-    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
+    const key = event.key.toLowerCase();
+    if (!(event.ctrlKey || event.metaKey) || !["y", "z"].includes(key)) return;
     event.preventDefault();
-    if (event.shiftKey) this.redo();
+    if (key === "y" || event.shiftKey) this.redo();
     else this.undo();
   }
 }
@@ -374,7 +400,9 @@ async function open() {
     presets.find(({ name }) => name === FIRST)?.plan ?? presets[0].plan
   );
   const text = values.get("plan");
-  const studio = new Studio(presets, (text && textPlan(text)) || first);
+  const plan = text ? textPlan(text) : null;
+  const studio = new Studio(presets, plan ?? first);
+  if (text && !plan) studio.unread();
   Object.assign(globalThis, { benchdragon: studio }); // for the browser's console
 }
 
