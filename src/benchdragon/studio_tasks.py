@@ -20,7 +20,7 @@ from benchdragon.best_turn import STAGES, Wish, best_turn
 from benchdragon.check import STEPS, Report, check, sentence
 from benchdragon.dance import Span, checked_dance
 from benchdragon.errors import InputError
-from benchdragon.imprecision import Slips, margins
+from benchdragon.imprecision import CASES, Slips, margins
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.messages import _, language
 from benchdragon.motion import Walk
@@ -322,11 +322,13 @@ def paced(ask: Ask, advance: Advance) -> Made:
 
 
 def room_needed(ask: Ask, advance: Advance) -> Made:
-    """How much room imprecise people need."""
+    """How much room imprecise people need; with no slip given, those of all cases together."""
     options, plan = ask.options, ask.whole
     if options.draws > ask.settings.draws:
         raise too_much(_("random dances"), ask.settings.draws, options.draws)
     slips = Slips(**{field.name: getattr(options, field.name) for field in fields(Slips)})
+    if slips == Slips():
+        slips = CASES["all"].slips
     tell = part_of(advance, _("random dances"))
     done = 0.0
 

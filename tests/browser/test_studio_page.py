@@ -281,3 +281,15 @@ def test_the_evidence_of_a_dance_without_contact(opened: Opened) -> None:
     settle(page, "可行")
     verdict(page).click()
     expect(page.get_by_role("row", name="首次碰撞")).to_contain_text("不会发生")
+
+
+def test_people_who_are_not_exact_need_more_than_a_millimetre(opened: Opened) -> None:
+    """With 0.7 mm between benches random dances touch."""
+    page = opened()
+    number(page, "spiral pitch").fill("0.451")
+    number(page, "spiral pitch").press("Enter")
+    page.get_by_role("button", name="room for people who are not exact").click()
+    job = page.locator(".jobs li")
+    expect(job).to_contain_text(
+        re.compile(r"[1-9].* % of 200 random dances touch; at most"), timeout=LONG
+    )

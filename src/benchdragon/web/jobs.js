@@ -38,10 +38,18 @@ function resultText(result) {
       saved: decimals(result.saved ?? 0, 1),
     });
   if ("draws" in result)
-    return _("{chance} % of {draws} random dances touch", {
-      chance: decimals(100 * result.chance, 1),
-      draws: result.draws,
-    });
+    return [
+      _("{chance} % of {draws} random dances touch", {
+        chance: decimals(100 * result.chance, 1),
+        draws: result.draws,
+      }),
+      ...result.pitch_for.map(({ risk, pitch }) =>
+        _("at most {risk} % with a pitch of {pitch} m", {
+          risk: decimals(100 * risk, 0),
+          pitch: pitch === null ? "\u2013" : decimals(pitch, 3),
+        }),
+      ),
+    ].join("; ");
   return answerText(result);
 }
 

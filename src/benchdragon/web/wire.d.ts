@@ -151,7 +151,8 @@ export interface JobBody {
  *     longest_way: of "turn": the whole way inside the disc is no longer, m.
  *     draws: of "margins": random dances.
  *     seed: of "margins".
- *     aside: of "margins", like the following: standard deviations, m; see `Slips`.
+ *     aside: of "margins", like the following: standard deviations, m; see `Slips`. Where all are
+ *         0, those that `imprecision.CASES` takes together.
  */
 export interface JobOptions {
   objective?: "way" | "length" | "speed" | "disc" | "acceleration";
