@@ -24,13 +24,11 @@ from benchdragon.clearance import touching
 from benchdragon.cli import run
 from benchdragon.encoders import EncoderError, Reel, encode_mp4, find_ffmpeg
 from benchdragon.film import Film, FilmWarning, film_path, spread_times, still_paths, write_film
-from benchdragon.pictures import HEAD, MissingGlyphWarning
-from benchdragon.plan import Plan, read_plan
-from benchdragon.scene import (
+from benchdragon.film_scene import (
     THEMES,
     TOUCH,
-    Frames,
     Look,
+    MovingScene,
     Place,
     Scene,
     clock_text,
@@ -38,6 +36,8 @@ from benchdragon.scene import (
     round_length,
     sheet,
 )
+from benchdragon.pictures import HEAD, MissingGlyphWarning
+from benchdragon.plan import Plan, read_plan
 
 SMALL = (320, 180)
 TURN = read_plan("turn")
@@ -118,7 +118,7 @@ def test_frames_are_drawn_as_whole_pictures_are() -> None:
     walk = TURN.build()
     motion = walk.motion([0.0, 13.0])
     place = Place.of(walk, motion, 4.5)
-    frames, fresh = Frames(Look(SMALL), place, "x"), Scene(Look(SMALL), place, "x")
+    frames, fresh = MovingScene(Look(SMALL), place, "x"), Scene(Look(SMALL), place, "x")
     frames.frame(motion, 0)
     laid = np.array(frames.frame(motion, 1), dtype=np.float64)
     fresh.show(motion, 1)
@@ -130,7 +130,7 @@ def test_frames_are_drawn_as_whole_pictures_are() -> None:
 def test_frames_are_exactly_as_large_as_asked(size: tuple[int, int]) -> None:
     walk = TURN.build()
     motion = walk.motion([0.0])
-    pixels = Frames(Look(size), Place.of(walk, motion, None), "x").frame(motion, 0)
+    pixels = MovingScene(Look(size), Place.of(walk, motion, None), "x").frame(motion, 0)
     assert pixels.shape == (size[1], size[0], 4)
 
 
@@ -341,7 +341,7 @@ def test_everything_stays_in_view_and_to_scale() -> None:
 def test_a_bench_that_is_followed_stays_in_the_middle() -> None:
     walk, look = TURN.build(), Look(SMALL, follow=3, span=8.0)
     motion = walk.motion([0.0, 9.0])
-    frames = Frames(look, Place.of(walk, motion, 4.5), "x")
+    frames = MovingScene(look, Place.of(walk, motion, 4.5), "x")
     seen = [np.array(frames.frame(motion, n)) for n in (0, 1)]
     assert (seen[0] != seen[1]).any()
     middle = [np.mean(frames.panel.axes.get_xlim()), np.mean(frames.panel.axes.get_ylim())]

@@ -22,8 +22,8 @@ from benchdragon.show import print_files, progress
 FILM_FORMATS = ("mp4", "gif")
 
 if TYPE_CHECKING:
+    from benchdragon.film_scene import Look
     from benchdragon.plan import Plan
-    from benchdragon.scene import Look
 
 
 @click.command(
@@ -142,7 +142,7 @@ def _refuse_strays(options: dict[str, Any], picture: bool) -> None:
 
 def _look(options: dict[str, Any], size: tuple[int, int]) -> "Look":
     """What the options say of the look; `size` is taken where they say none."""
-    from benchdragon.scene import SPAN, Look
+    from benchdragon.film_scene import SPAN, Look
 
     if options["size"] is not None:
         size = parse_sides("--size", options["size"])

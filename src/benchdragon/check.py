@@ -124,7 +124,7 @@ def check(plan: Plan, advance: Advance | None = None, *, prove: bool = False) ->
     contact = search(walk, start, end, margin=margin, advance=part_of(tell, _("contact")))
     contact = sure_contact(walk, start, end, margin, contact)
     until = end if contact is None or contact.witness is None else contact.upper
-    clearance = touching(contact)
+    clearance = no_clearance(contact)
     if clearance is None:
         clearance = least_clearance(walk, start, until, advance=part_of(tell, _("clearance")))
     speed = greatest_speed(walk, start, until, advance=part_of(tell, _("greatest speed")))
@@ -142,7 +142,7 @@ def sure_contact(
     return next((window.opens for window in windows if window.opens.status == "found"), first)
 
 
-def touching(contact: Answer | None) -> Answer | None:
+def no_clearance(contact: Answer | None) -> Answer | None:
     """The least clearance where benches touch: none; None where they do not."""
     if contact is None or contact.witness is None or contact.witness.gap > 0.0:
         return None

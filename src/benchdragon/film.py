@@ -16,12 +16,12 @@ from benchdragon import __version__
 from benchdragon.encoders import ENCODERS, Reel, find_ffmpeg
 from benchdragon.errors import InputError, in_order, positive
 from benchdragon.files import whole_file
+from benchdragon.film_scene import Look, MovingScene, Place, Scene, sheet
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.messages import _, language
 from benchdragon.motion import Walk
 from benchdragon.pictures import write_picture
 from benchdragon.plan import Plan
-from benchdragon.scene import Frames, Look, Place, Scene, sheet
 
 Advance = Callable[[float, str], None]
 
@@ -203,7 +203,7 @@ def write_film(film: Film, path: Path, look: Look, advance: Advance | None = Non
     times, plan = film.times, film.plan
     title = plan.title(language())
     place = Place.of(film.walk, film.walk.motion(times[[0, -1]]), plan.disc.radius)
-    scene = Frames(look, place, title, pace_text(film.speed_up))
+    scene = MovingScene(look, place, title, pace_text(film.speed_up))
     tell = advance or (lambda _share, _text: None)
 
     def frames() -> Iterator[memoryview]:

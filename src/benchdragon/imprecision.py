@@ -42,6 +42,8 @@ MOST_DRAWS = 100_000
 # (some ten seconds).
 MOST_PLACES, MOST_PAIRS = 5_000_000, 1e10
 CONFIDENCE = 0.95
+# Chances of touching for which a pitch is told.
+RISKS = (0.5, 0.1, 0.05, 0.02)
 
 Advance = Callable[[float], None]
 

@@ -25,8 +25,6 @@ if TYPE_CHECKING:
     from benchdragon.imprecision import Margins
     from benchdragon.plan import Plan
 
-# Chances of touching for which a pitch is told.
-RISKS = (0.5, 0.1, 0.05, 0.02)
 SLIPS = {
     "aside": N_("Handles off the line, to either side: standard deviation in metres."),
     "stray": N_("The trodden line off the drawn one, smoothly, in metres."),
@@ -139,6 +137,8 @@ def _lines(plan: "Plan", found: dict[str, "Margins"], texts: dict[str, str], pit
 
 def as_json(one: "Margins", pitch: float) -> dict[str, Any]:
     """One case as plain data, in metres."""
+    from benchdragon.imprecision import RISKS
+
     share, low, high = one.touching(pitch)
     safe = {f"{risk:g}": finite_or_none(one.pitch_for(risk)) for risk in RISKS}
     return {
@@ -155,6 +155,8 @@ def print_margins(
     found: dict[str, "Margins"], texts: dict[str, str], pitch: float, margin: float
 ) -> None:
     """A row a case: chance at the plan's pitch, pitches for smaller chances."""
+    from benchdragon.imprecision import RISKS
+
     columns = [
         _("slips"),
         _("chance at {pitch} m (%)").format(pitch=f"{pitch:g}"),

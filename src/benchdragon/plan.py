@@ -454,10 +454,10 @@ def checked(data: dict[str, Any], source: str) -> Plan:
     try:
         return Plan.model_validate(data)
     except ValidationError as error:
-        raise PlanError(f"{source}: {sentence(error.errors()[0], data)}") from None
+        raise PlanError(f"{source}: {error_sentence(error.errors()[0], data)}") from None
 
 
-def sentence(error: ErrorDetails, data: dict[str, Any]) -> str:
+def error_sentence(error: ErrorDetails, data: dict[str, Any]) -> str:
     """One validation error of `data` in the language in use."""
     path = [str(step) for step in error["loc"]]
     where = ".".join(step for i, step in enumerate(path) if not _is_tag(path, i, data))

@@ -5,7 +5,7 @@ What has a limit that lies inside of a wide bracket is asked again to the last d
 """
 
 from benchdragon.answer import Answer
-from benchdragon.check import Report, all_findings, sure_contact, touching
+from benchdragon.check import Report, all_findings, no_clearance, sure_contact
 from benchdragon.contact import clearance_above, first_contact, least_clearance
 from benchdragon.errors import UnsureError, WalkError
 from benchdragon.motion import Walk
@@ -32,7 +32,9 @@ def quick_verdict(plan: Plan) -> Report:
         contact = first_contact(walk, start, end, margin=margin)
         contact = sure_contact(walk, start, end, margin, contact)
         until = end if contact is None or contact.witness is None else contact.upper
-        clearance = touching(contact) or least_clearance(walk, start, until, tolerances=(CLEARANCE,))
+        clearance = no_clearance(contact) or least_clearance(
+            walk, start, until, tolerances=(CLEARANCE,)
+        )
     speed = greatest_speed(walk, start, until, tolerance=SPEED)
     allowed = plan.limits.speed
     if allowed is not None and speed.lower <= allowed < speed.upper:

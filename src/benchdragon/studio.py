@@ -20,7 +20,7 @@ from pydantic_core import ErrorDetails
 from benchdragon import __version__, wire
 from benchdragon.errors import BenchDragonError, InputError, MissingExtraError
 from benchdragon.messages import _, language
-from benchdragon.plan import Plan, sentence
+from benchdragon.plan import Plan, error_sentence
 from benchdragon.player import chinese
 from benchdragon.presets import presets
 from benchdragon.studio_gate import ANYWHERE, Gate
@@ -351,7 +351,7 @@ async def _invalid(_request: Request, error: Exception) -> JSONResponse:
     if first["type"] == "extra_forbidden":
         return _problem(422, _("{where} is not a known key").format(where=where))
     details = cast("ErrorDetails", {**first, "loc": tuple(first["loc"][1:]) or first["loc"]})
-    return _problem(422, sentence(details, {}))
+    return _problem(422, error_sentence(details, {}))
 
 
 class _Server(uvicorn.Server):

@@ -20,7 +20,7 @@ from benchdragon.best_turn import STAGES, Wish, best_turn
 from benchdragon.check import STEPS, Report, check, sentence
 from benchdragon.dance import Span, checked_dance
 from benchdragon.errors import InputError
-from benchdragon.imprecision import CASES, Slips, margins
+from benchdragon.imprecision import CASES, RISKS, Slips, margins
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.messages import _, language
 from benchdragon.motion import Walk
@@ -35,8 +35,6 @@ from benchdragon.tables import WRITERS, Selection
 
 Advance = Callable[[float, str], None]
 
-# Chances of touching for which a pitch is told.
-RISKS = (0.5, 0.1, 0.05, 0.02)
 # Steps of an exported motion, s: the first that gives few enough places, times ten and so on.
 EXPORT_STEPS = (1.0, 2.0, 5.0)
 # Looks between two frames of a dance that may change at once again, and times at which it is looked

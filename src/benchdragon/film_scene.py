@@ -358,7 +358,7 @@ class Scene(Layout):
         self.near.set_text(near_text(nearest))
 
 
-class Frames(Scene):
+class MovingScene(Scene):
     """A scene that gives its pixels: what stays is drawn once, and laid under what moves.
 
     Where the picture follows a bench, nothing stays, and all is drawn each time.
