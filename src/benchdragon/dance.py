@@ -10,10 +10,11 @@ from benchdragon import __version__, wire
 from benchdragon.answer import Answer
 from benchdragon.check import Report, sentence
 from benchdragon.clearance import nearest_each
-from benchdragon.errors import InputError, finite
+from benchdragon.errors import InputError, WalkError, finite
 from benchdragon.frames import LOOKS, QUANTUM, Frames, course, frames, packed_bytes, packed_frames
 from benchdragon.messages import _
 from benchdragon.motion import Walk
+from benchdragon.plan import Plan
 from benchdragon.wire import both
 
 Advance = Callable[[float, str], None]
@@ -73,17 +74,48 @@ def checked_dance(
     dance = plain_dance(walk, shown, advance)
     last = dance.frames.start + dance.frames.step * (dance.frames.count - 1)
     found = [occasion for occasion in _answers(report) if shown.start <= occasion.time <= last]
-    title = wire.Words(en=plan.title("en"), zh=plan.title("zh"))
     ruling = wire.Ruling(safe=report.safe, decided=report.decided, text=both(lambda: sentence(report)))
+    nearest = _with_tightest(dance.nearest, report.clearance, (shown.start, last))
+    return _of_plan(plan, dance, ruling, found).model_copy(update={"nearest": nearest})
+
+
+def judged_dance(
+    plan: Plan,
+    judge: Callable[[Plan], Report],
+    span: Span | None = None,
+    advance: Advance | None = None,
+) -> wire.Dance:
+    """The dance of a plan, judged; one that cannot be walked to its end as far as it can.
+
+    Raises:
+        InputError: see `checked_dance`.
+        WalkError: if the dragon does not stand at the start.
+    """
+    try:
+        report = judge(plan)
+    except WalkError as error:
+        dance = plain_dance(plan.build(), span or Span(*plan.span(plan.build())), advance)
+        return _of_plan(plan, dance, _fallen(error), [])
+    return checked_dance(report, span, advance)
+
+
+def _fallen(error: WalkError) -> wire.Ruling:
+    text = both(lambda: _("Not walkable: {finding}").format(finding=error))
+    return wire.Ruling(safe=False, decided=True, text=text)
+
+
+def _of_plan(
+    plan: Plan, dance: wire.Dance, ruling: wire.Ruling, found: list[wire.Occasion]
+) -> wire.Dance:
+    """A dance with what its plan says, and what was found."""
     return dance.model_copy(
         update={
             "plan_sha256": plan.sha256,
-            "title": title,
+            "title": wire.Words(en=plan.title("en"), zh=plan.title("zh")),
             "disc": plan.disc.radius,
             "margin": plan.limits.margin,
             "speed_limit": plan.limits.speed,
             "ruling": ruling,
-            "nearest": _with_tightest(dance.nearest, report.clearance, (shown.start, last)),
             "occasions": sorted([*found, *dance.occasions], key=lambda occasion: occasion.time),
         }
     )

@@ -24,13 +24,20 @@ class WalkError(BenchDragonError):
         bench: number of the bench, 1..N; 0 for the head's handle.
         s: route position of that bench's front handle, m.
         t: time, s.
+        size: of the route, or of the bench's link, in words.
     """
 
     exit_code = 4
 
     def __init__(self, status: Status, bench: int, s: float, t: float, size: str) -> None:
-        self.status, self.bench, self.s, self.t = status, bench, s, t
-        super().__init__(_(ADVICE[status]).format(bench=bench, s=f"{s:.6g}", t=f"{t:.6g}", size=size))
+        self.status, self.bench, self.s, self.t, self.size = status, bench, s, t, size
+        super().__init__(status, bench, s, t, size)
+
+    def __str__(self) -> str:
+        """What went wrong, with advice, in the language in use."""
+        return _(ADVICE[self.status]).format(
+            bench=self.bench, s=f"{self.s:.6g}", t=f"{self.t:.6g}", size=self.size
+        )
 
 
 class UnsureError(BenchDragonError):

@@ -18,14 +18,14 @@ import numpy as np
 from benchdragon import __version__, answer, wire
 from benchdragon.best_turn import STAGES, Wish, best_turn
 from benchdragon.check import STEPS, Report, check, sentence
-from benchdragon.dance import Span, checked_dance
+from benchdragon.dance import Span, judged_dance
 from benchdragon.errors import InputError
 from benchdragon.imprecision import CASES, RISKS, Slips, margins
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.messages import _, language
 from benchdragon.motion import Walk
 from benchdragon.pace import greatest_head_speed, slowed, with_pace
-from benchdragon.plan import Plan, checked, read_plan
+from benchdragon.plan import Plan, TurnRoute, checked, read_plan
 from benchdragon.plan_text import parsed
 from benchdragon.player import write_player
 from benchdragon.quick import quick_limit, quick_verdict
@@ -146,9 +146,9 @@ def judged(ask: Ask, _advance: Advance) -> Made:
 
 def danced(ask: Ask, advance: Advance) -> Made:
     """The dance as the player shows it."""
-    report = quick_verdict(ask.whole)
-    sketch = Span(report.start, report.end, looks=FEW_LOOKS, times=FEW_TIMES)
-    return sent(checked_dance(report, sketch, advance))
+    plan = ask.whole
+    sketch = Span(*plan.span(plan.build()), looks=FEW_LOOKS, times=FEW_TIMES)
+    return sent(judged_dance(plan, quick_verdict, sketch, advance))
 
 
 def limited(name: str, ask: Ask, _advance: Advance) -> Made:
@@ -237,7 +237,7 @@ def exported(name: str, ask: Ask, advance: Advance) -> Made:
             return Made(_pictures(plan, name, Path(folder), ask.settings), MEDIA["zip"], f"{name}.zip")
         path = Path(folder) / name
         if name == "player.html":
-            write_player(path, checked_dance(check(plan), advance=advance))
+            write_player(path, judged_dance(plan, check, advance=advance))
         elif name == "check.xlsx":
             from benchdragon.verdict_files import write_files
 
@@ -283,13 +283,15 @@ def best(ask: Ask, advance: Advance) -> Made:
         options.longest_way or float("inf"),
     )
     found = best_turn(plan, wish, advance=_portion(advance, STAGES))
-    speed = found.head_speed
+    speed, route = found.head_speed, plan.route
+    before = route.turn(plan).way(route.disc(plan)) if isinstance(route, TurnRoute) else None
     return sent(
         wire.TurnFound(
             plan=found.plan,
             objective=answer_of(found.objective, plan),
             length=found.length,
             way=found.way,
+            way_before=before,
             least_radius=found.turn.least_radius,
             head_speed=None if speed is None else answer_of(speed, plan),
             clearance=answer_of(found.clearance, plan),

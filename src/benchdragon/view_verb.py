@@ -41,8 +41,7 @@ def view(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> i
     start, end = read.span(read.build())
     span = dance.Span(start if first is None else first, end if last is None else last)
     with progress(quiet, check.STEPS + dance.STEPS) as advance:
-        report = check.check(read, advance)
-        shown = dance.checked_dance(report, span, advance)
+        shown = dance.judged_dance(read, lambda plan: check.check(plan, advance), span, advance)
         write_player(path, shown)
     print_files([path])
     return 0

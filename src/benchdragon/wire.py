@@ -213,12 +213,16 @@ class OpenedPlan(Sent):
 
 
 class TurnFound(Sent):
-    """The best turn found, and the plan with it: see `best_turn.BestTurn`."""
+    """The best turn found, and the plan with it: see `best_turn.BestTurn`.
+
+    `way_before` is the way inside the disc of the turn that the plan had, m.
+    """
 
     plan: SentPlan
     objective: Answer
     length: Number
     way: Number
+    way_before: Number
     least_radius: Number
     head_speed: Answer | None
     clearance: Answer

@@ -92,7 +92,7 @@ def test_the_evidence_is_one_click_away_and_leads_to_the_moment(opened: Opened) 
 
 def test_steps_go_back_and_forth_and_all_stands_in_the_address(opened: Opened) -> None:
     page = opened()
-    benches = number(page, "benches")
+    benches = number(page, "number of benches")
     undo, redo = (page.get_by_role("button", name=name) for name in ("undo", "redo"))
     expect(undo).to_be_disabled()
     benches.fill("60")
@@ -105,7 +105,7 @@ def test_steps_go_back_and_forth_and_all_stands_in_the_address(opened: Opened) -
     settle(page, "Walkable")
     expect(page.locator("#studio")).to_have_attribute("aria-busy", "false", timeout=LONG)
     page.reload()
-    expect(number(page, "benches")).to_have_value("60", timeout=LONG)
+    expect(number(page, "number of benches")).to_have_value("60", timeout=LONG)
     page.get_by_role("button", name="中文").click()
     expect(page.get_by_role("button", name="撤销")).to_be_visible()
     settle(page, "可行")
@@ -243,8 +243,8 @@ def test_another_dance_is_in_sight(opened: Opened) -> None:
 
 def test_what_is_refused_is_said_once_and_its_old_picture_too(opened: Opened, pages: Pages) -> None:
     page = opened()
-    number(page, "benches").fill("1e9")
-    number(page, "benches").press("Enter")
+    number(page, "number of benches").fill("1e9")
+    number(page, "number of benches").press("Enter")
     settle(page, "wanted at most 1000000")
     expect(page.locator(".limit")).to_have_text("the picture is of the plan before")
     page.locator("h1").click()
@@ -257,13 +257,13 @@ def test_what_is_refused_is_said_once_and_its_old_picture_too(opened: Opened, pa
 def test_an_address_put_into_the_same_window_is_gone_to(opened: Opened) -> None:
     page = opened()
     before = page.url
-    number(page, "benches").fill("60")
-    number(page, "benches").press("Enter")
+    number(page, "number of benches").fill("60")
+    number(page, "number of benches").press("Enter")
     page.goto(before)
-    expect(number(page, "benches")).to_have_value("223")
+    expect(number(page, "number of benches")).to_have_value("223")
     page.goto(before.split("#")[0] + "#plan=nothing")
     expect(page.locator("output.told").last).to_have_text("The plan in the address cannot be read.")
-    expect(number(page, "benches")).to_have_value("223")
+    expect(number(page, "number of benches")).to_have_value("223")
 
 
 def test_a_long_question_changes_its_language_with_the_page(opened: Opened) -> None:

@@ -38,7 +38,8 @@ export async function asked(path, body, { method = body ? "POST" : "GET", signal
   throw new Refusal(response.status, problem.error ?? `${response.status} ${response.statusText}`);
 }
 
-/** How long a question may be on its way before a newer one takes its place, ms. */
+/** How long a question may be on its way before a newer one takes its place, ms: so long, or twice as
+ * long as the last answer took, and twice as long again after each that was given up. */
 const PATIENCE = 250;
 /** The status that says: a newer question is on its way. */
 const REPLACED = 409;
@@ -62,6 +63,7 @@ export class Standing {
     this.flying = null;
     this.since = 0;
     this.stale = false;
+    this.patience = PATIENCE;
     /** Times from a question to its answer, ms. @type {number[]} */
     this.times = [];
   }
@@ -70,7 +72,10 @@ export class Standing {
   renew() {
     this.stale = true;
     if (!this.flying) this.#go();
-    else if (performance.now() - this.since > PATIENCE) this.flying.abort();
+    else if (performance.now() - this.since > this.patience) {
+      this.patience *= 2;
+      this.flying.abort();
+    }
   }
 
   async #go() {
@@ -80,7 +85,9 @@ export class Standing {
       this.since = performance.now();
       try {
         const answer = await this.ask(this.flying.signal);
-        this.times.push(performance.now() - this.since);
+        const time = performance.now() - this.since;
+        this.times.push(time);
+        this.patience = Math.max(PATIENCE, 2 * time);
         this.answered(answer);
       } catch (error) {
         if (!(error instanceof Error)) throw error;

@@ -6,6 +6,7 @@ import { answerText, valueText } from "./evidence.js";
 import { _, decimals } from "./words.js";
 
 /** @typedef {import("./wire").JobState} JobState */
+/** @typedef {import("./wire").TurnFound} TurnFound */
 /** @typedef {JobState["question"]} Question */
 /** @typedef {import("./plan_form.js").Plan} Plan */
 
@@ -23,15 +24,34 @@ export function questionText(question) {
   }[question];
 }
 
+/** Ways inside the disc, and times, that are as good as equal, m, s. */
+const EQUAL = 1e-3;
+
+/** @param {TurnFound} found */
+function turnText(found) {
+  const [way, before] = [found.way ?? 0, found.way_before ?? 0];
+  const lengths = {
+    way: decimals(way, 3),
+    before: decimals(before, 3),
+    gap: decimals(100 * (found.clearance.lower ?? 0), 1),
+  };
+  if (before - way < EQUAL)
+    return _("no turn of this kind with a shorter way than {before} m was found", lengths);
+  return _("way inside the disc {way} m, {before} m before; benches at least {gap} cm apart", lengths);
+}
+
+/** The plan that was found, if it is any better. @param {JobState["result"]} result */
+function betterPlan(result) {
+  if (!result || !("plan" in result)) return null;
+  const gain = "saved" in result ? (result.saved ?? 0) : (result.way_before ?? 0) - (result.way ?? 0);
+  return gain < EQUAL ? null : /** @type {Plan} */ (result.plan);
+}
+
 /** What came out, in words. @param {NonNullable<JobState["result"]>} result */
 function resultText(result) {
   if ("sentence" in result)
     return result.proved ? _("Proved. {sentence}", { sentence: result.sentence }) : result.sentence;
-  if ("objective" in result)
-    return _("turn {length} m, whole way inside the disc {way} m", {
-      length: decimals(result.length ?? 0, 3),
-      way: decimals(result.way ?? 0, 3),
-    });
+  if ("objective" in result) return turnText(result);
   if ("steady" in result)
     return _("steady {speed}; slowing down only where it must saves {saved} s", {
       speed: valueText(result.steady),
@@ -125,7 +145,7 @@ export class JobList {
         ? _("cancelled")
         : (job.error ?? "");
     item.replaceChildren(name, make("span", { class: "told" }, text));
-    const found = job.result && "plan" in job.result ? /** @type {Plan} */ (job.result.plan) : null;
+    const found = betterPlan(job.result);
     if (found)
       item.append(
         make("button", { type: "button", onclick: () => this.take(found) }, _("take this plan")),

@@ -42,7 +42,7 @@ const GROUPS = [
     fields: [
       {
         key: "dragon.benches",
-        text: () => _("benches"),
+        text: () => _("number of benches"),
         unit: "",
         low: 2,
         high: 400,

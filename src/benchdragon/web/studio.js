@@ -1,7 +1,7 @@
 // The studio: a plan as controls, its verdict as it changes, the player, long questions, files.
 
 import { addressed, obey, remember } from "./address.js";
-import { Standing, asked } from "./asking.js";
+import { Refusal, Standing, asked } from "./asking.js";
 import { make } from "./elements.js";
 import { answerText, evidenceDialog } from "./evidence.js";
 import { JobList, questionText } from "./jobs.js";
@@ -16,9 +16,16 @@ import { _, language, speak, useWords } from "./words.js";
 /** @typedef {import("./scene.js").Scene} Scene */
 /** @typedef {import("./plan_form.js").Plan} Plan */
 
+/** The status that says: this plan cannot be walked, or is none. */
+const UNUSABLE = 422;
 const MOST_STEPS_BACK = 200;
 const FIRST = "spiral-in";
 const QUESTIONS = /** @type {const} */ (["turn", "prove", "speed", "pace", "margins"]);
+
+/** A plan's smallest pitch says something: its spiral ends at a disc. @param {Plan} plan */
+function hasPitch(plan) {
+  return plan.route.kind === "turn" || (plan.route.kind === "spiral-in" && plan.disc.radius != null);
+}
 
 class Studio {
   /** @param {Preset[]} presets @param {Plan} plan */
@@ -283,8 +290,8 @@ class Studio {
     this.root.setAttribute("aria-busy", "true");
     for (const line of [this.line, this.limitLine]) if (line) line.dataset.stale = "";
     this.verdicts.renew();
-    if (this.plan.route.kind === "parts") this.#noLimit();
-    else this.pitches.renew();
+    if (hasPitch(this.plan)) this.pitches.renew();
+    else this.#noLimit();
     clearTimeout(this.rest);
     this.rest = setTimeout(() => {
       this.#remember();
@@ -298,23 +305,22 @@ class Studio {
     this.#say(found.decided ? (found.safe ? "safe" : "unsafe") : "open", found.sentence);
   }
 
-  /** @param {Error} error */
+  /** No verdict: the plan cannot be walked, or read, or there is no answer. @param {Error} error */
   #refused(error) {
     this.verdict = null;
     this.root.setAttribute("aria-busy", "false");
-    this.root.dataset.picture = "old";
-    this.#say("open", error.message);
-    const line = /** @type {HTMLElement} */ (this.limitLine);
-    if (["", error.message].includes(line.textContent ?? "")) line.textContent = this.#oldPicture();
+    this.#say(error instanceof Refusal && error.status === UNUSABLE ? "unsafe" : "open", error.message);
   }
 
-  /** Say why the player shows no new dance, beside a verdict where there is one. @param {Error} error */
+  /** Say why the player shows no new dance, unless the verdict does. @param {Error} error */
   #undanced(error) {
-    if (!this.verdict) return this.#refused(error);
     this.root.setAttribute("aria-busy", "false");
-    /** @type {HTMLElement} */ (this.danceLine).textContent = _("This plan cannot be shown: {error}", {
-      error: error.message,
-    });
+    this.root.dataset.picture = "old";
+    const line = /** @type {HTMLElement} */ (this.danceLine);
+    const same = error.message === this.told;
+    line.textContent = same
+      ? _("the picture is of the plan before")
+      : _("This plan cannot be shown: {error}", { error: error.message });
   }
 
   /** @param {"safe" | "unsafe" | "open"} state @param {string} text */
@@ -337,8 +343,7 @@ class Studio {
 
   /** @param {Error} error */
   #unlimited(error) {
-    const told = error.message === this.told ? this.#oldPicture() : error.message;
-    this.#noLimit(told);
+    this.#noLimit(error.message === this.told ? "" : error.message);
   }
 
   #noLimit(told = "") {
@@ -346,11 +351,6 @@ class Studio {
     this.pitch = null;
     delete line.dataset.stale;
     line.textContent = told;
-  }
-
-  /** What to say beside a refusal: the picture is not of this plan. */
-  #oldPicture() {
-    return this.player ? _("the picture is of the plan before") : "";
   }
 
   #evidence() {

@@ -374,12 +374,17 @@ export interface Tightness {
   distance: Array<number>;
 }
 
-/** The best turn found, and the plan with it: see `best_turn.BestTurn`. */
+/**
+ * The best turn found, and the plan with it: see `best_turn.BestTurn`.
+ *
+ * `way_before` is the way inside the disc of the turn that the plan had, m.
+ */
 export interface TurnFound {
   plan: Record<string, unknown>;
   objective: Answer;
   length: number | null;
   way: number | null;
+  way_before: number | null;
   least_radius: number | null;
   head_speed: Answer | null;
   clearance: Answer;
