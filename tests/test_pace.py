@@ -33,7 +33,7 @@ def smooth(**limits: float) -> Plan:
 def test_the_turns_greatest_head_speed_is_the_truth() -> None:
     found = greatest_head_speed(turn(), tolerance=1e-12)
     assert found.value == pytest.approx(HEAD_SPEED, abs=1e-12)
-    assert found.lower <= HEAD_SPEED <= found.upper + 1e-14
+    assert found.lower <= HEAD_SPEED <= found.upper
     assert found.upper - found.lower < 3e-12
     assert found.witness is not None
     assert found.witness.time == pytest.approx(TIME, abs=1e-6)
