@@ -24,7 +24,7 @@ from benchdragon.studio import Answers
 from benchdragon.studio_gate import HEADERS, Gate, accepted_language
 from benchdragon.studio_settings import PlanLimits, Settings
 from benchdragon.studio_tasks import TASKS, Ask, Made, export_times
-from benchdragon.studio_workers import First, Lane, RefusedError, Work, _outcome
+from benchdragon.studio_workers import First, Lane, Minded, RefusedError, Work, _outcome
 from tests.studio_servers import (
     PLAN,
     TURN,
@@ -749,3 +749,36 @@ def test_the_description_of_the_addresses_holds(studio: Served) -> None:
 
             holds()
     assert {"POST /api/verdict", "DELETE /api/jobs/{name}"} <= set(asked)
+
+
+@pytest.fixture
+def lane() -> Lane:
+    """A lane of two workers that were not started."""
+    settings = Settings(abandoned_seconds=0.0)
+    return Lane("quick", 2, 8, settings, First())
+
+
+def asked(name: str, client: str | None) -> Work:
+    return Work(Ask(name, "en", Settings(), Plan.model_validate(PLAN)), client)
+
+
+def test_what_runs_on_for_nobody_is_stopped(lane: Lane) -> None:
+    ours, theirs = multiprocessing.Pipe()
+    minded = Minded(multiprocessing.Process(), ours, "")
+    work = asked("verdict", None)
+    lane.abandon(work)
+    assert not lane._answered(minded, work)
+    assert theirs.recv() == work.ask
+    with pytest.raises(RefusedError, match="withdrawn") as refused:
+        work.future.result(0)
+    assert refused.value.status == 409
+
+
+def test_a_client_runs_one_question_of_a_name_and_long_ones_leave_a_worker_free(lane: Lane) -> None:
+    lane._running.add(asked("verdict", "a"))
+    assert not lane._may_run(asked("verdict", "a"))
+    assert lane._may_run(asked("verdict", "b"))
+    assert lane._may_run(asked("verdict", None))
+    assert lane._may_run(asked("dance", "a"))
+    lane._running.add(asked("dance", "a"))
+    assert not lane._may_run(asked("limit/pitch", "b"))

@@ -139,7 +139,7 @@ class Studio:
             if not done and not lane.withdraw(work, 503, CROWDED):
                 await asyncio.wait(both, return_when=asyncio.FIRST_COMPLETED)
             if gone.done():
-                lane.withdraw(work)
+                lane.abandon(work)
             return await future
         finally:
             gone.cancel()

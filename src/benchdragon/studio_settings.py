@@ -56,6 +56,8 @@ class Settings:
             waits some seconds.
         wait_seconds: a request that has waited so long is told to come back.
         seconds: run time of each kind of question; the worker is then replaced.
+        abandoned_seconds: a question whose client is gone may run on for so long, since a new worker
+            takes some seconds to start; then it is stopped, and its worker replaced.
         jobs: long questions that may wait; each may run for minutes.
         jobs_each: of one client, waiting or running, so that nobody fills the queue alone.
         kept_jobs: ended jobs whose results can still be fetched; a result is some 100 KB at most.
@@ -84,6 +86,7 @@ class Settings:
         ("open", 5.0), ("toml", 5.0), ("verdict", 60.0), ("limit", 60.0), ("dance", 60.0),
         ("export", 120.0), ("job", 900.0),
     )  # fmt: skip
+    abandoned_seconds: float = 3.0
     jobs: int = 8
     jobs_each: int = 2
     kept_jobs: int = 64

@@ -69,6 +69,7 @@ class Work:
         share: of the work, 0 to 1, as far as told.
         text: what is being done.
         running: whether a worker has it.
+        abandoned: whether nobody waits for the answer any more.
         stop: why it is to be stopped, if it is.
     """
 
@@ -78,6 +79,7 @@ class Work:
     share: float = 0.0
     text: str = ""
     running: bool = False
+    abandoned: bool = False
     stop: tuple[int, str] | None = None
 
     def refuse(self, status: int, text: str, retry: int | None = None, **values: object) -> None:
@@ -237,6 +239,11 @@ class Lane:
         work.refuse(status, text, RETRY)
         return True
 
+    def abandon(self, work: Work) -> None:
+        """Take back a question that nobody waits for; one that runs ends soon, or is stopped."""
+        if not self.withdraw(work):
+            work.abandoned = True
+
     def stop(self, work: Work, status: int, text: str) -> None:
         """Stop a question, waiting or running; the worker that has it is replaced."""
         if not self.withdraw(work, status, text):
@@ -289,7 +296,9 @@ class Lane:
         return None
 
     def _may_run(self, work: Work) -> bool:
-        """Whether a question may run now: those that take long leave a worker to the others."""
+        """Whether a question may run now: one of a name a client, and long ones leave a worker free."""
+        if any(_same(old, work) for old in self._running):
+            return False
         return not _slow(work) or sum(map(_slow, self._running)) < max(self.count - 1, 1)
 
     def _fit(self, minded: Minded, work: Work) -> bool:
@@ -305,11 +314,15 @@ class Lane:
 
     def _answered(self, minded: Minded, work: Work) -> bool:
         seconds = self.settings.time_limit(work.ask.name)
-        until = clock.monotonic() + seconds
+        began = clock.monotonic()
+        until = began + seconds
         minded.connection.send(work.ask)
         while True:
             if work.stop is not None:
                 work.refuse(*work.stop)
+                return False
+            if work.abandoned and clock.monotonic() > began + self.settings.abandoned_seconds:
+                work.refuse(409, WITHDRAWN, RETRY)
                 return False
             if clock.monotonic() > until:
                 work.refuse(504, OVERDUE, seconds=f"{seconds:g}")

@@ -1,6 +1,6 @@
 // Long questions: started, followed, cancelled.
 
-import { asked } from "./asking.js";
+import { asked, Refusal } from "./asking.js";
 import { make } from "./elements.js";
 import { answerText, valueText } from "./evidence.js";
 import { _, decimals } from "./words.js";
@@ -73,6 +73,28 @@ function resultText(result) {
   return answerText(result);
 }
 
+/** Statuses after which it is asked again: no answer, too many questions, a server that is closing. */
+const AGAIN = [0, 429, 503];
+
+/**
+ * How a long question stands; asked until the server answers.
+ * @param {string} id
+ * @param {(error: Error) => void} told of each time it does not
+ * @returns {Promise<JobState>}
+ * @throws {Refusal} where it knows of no such question any more
+ */
+async function jobState(id, told) {
+  for (;;) {
+    try {
+      return await (await asked(`/api/jobs/${id}`, null)).json();
+    } catch (error) {
+      if (!(error instanceof Refusal) || !AGAIN.includes(error.status)) throw error;
+      told(error);
+    }
+    await new Promise((done) => setTimeout(done, 5 * LOOK_EACH));
+  }
+}
+
 export class JobList {
   /** @param {(plan: Plan) => void} take takes the plan that a long question found */
   constructor(take) {
@@ -125,8 +147,9 @@ export class JobList {
       cancel.textContent = _("cancel");
     });
     for (;;) {
-      /** @type {JobState} */
-      const job = await (await asked(`/api/jobs/${id}`, null)).json();
+      const job = await jobState(id, (error) => {
+        told.textContent = error.message;
+      });
       item.dataset.state = job.state;
       bar.value = job.share;
       told.textContent = job.state === "waiting" ? _("waiting") : job.text;
