@@ -261,6 +261,7 @@ def test_an_address_put_into_the_same_window_is_gone_to(opened: Opened) -> None:
     before = page.url
     number(page, "number of benches").fill("60")
     number(page, "number of benches").press("Enter")
+    page.wait_for_url(lambda url: url != before)
     page.goto(before)
     expect(number(page, "number of benches")).to_have_value("223")
     page.goto(before.split("#")[0] + "#plan=nothing")
