@@ -97,3 +97,13 @@ def test_other_sizes_have_quick_limits(name: str) -> None:
     quick, exact = quick_limit(plan, name), limit(plan, name)
     assert quick.lower <= exact.value <= quick.upper
     assert quick.upper - quick.lower <= SIZE
+
+
+def test_the_longest_dragon_reported_is_judged_as_well() -> None:
+    """3,500 benches turn as 223 do: the pair that comes nearest is the same."""
+    few, many = (quick_verdict(read_plan("turn", [f"dragon.benches={n}"])) for n in (223, 3_500))
+    assert many.safe
+    assert many.clearance.lower <= few.clearance.upper
+    assert few.clearance.lower <= many.clearance.upper
+    assert many.clearance.witness is not None
+    assert many.clearance.witness.benches == (1, 17)

@@ -41,7 +41,7 @@ MOST_LOOKS = 200_000
 LOG = 4096
 # In dragons of at most so many benches low distances are looked for before bounds are sought; of longer
 # ones the first guess, m, is multiplied by so much until some pair comes nearer.
-MOST_SAMPLED, FIRST_REACH, WIDER = 1000, 0.003, 6.0
+MOST_SAMPLED, FIRST_REACH, WIDER = 5_000, 0.003, 6.0
 # Least clearances are bracketed to the last of these, m. The ones before only bring the least value
 # seen near enough for most steps to be passed over at once: 25,000 -> 2,000 looks for the contest's.
 TOLERANCES = (math.inf, 1e-5, 1e-8, 1e-12)
