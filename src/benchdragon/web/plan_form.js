@@ -35,7 +35,10 @@ const twoArcs = (plan) => turning(plan) && plan.turn.family === "arc-arc";
 /** @param {Plan} plan */
 const threePieces = (plan) => turning(plan) && plan.turn.family !== "arc-arc";
 
-/** @type {{name: () => string, fields: Field[], when?: (plan: Plan) => boolean}[]} */
+/**
+ * Numbers that belong together; `first` names what stands above them.
+ * @type {{name: () => string, first?: "parts" | "family", fields: Field[], when?: (plan: Plan) => boolean}[]}
+ */
 const GROUPS = [
   {
     name: () => _("Dragon"),
@@ -80,6 +83,7 @@ const GROUPS = [
   },
   {
     name: () => _("Route"),
+    first: "parts",
     fields: [
       {
         key: "route.pitch",
@@ -113,6 +117,7 @@ const GROUPS = [
   },
   {
     name: () => _("Turn"),
+    first: "family",
     when: turning,
     fields: [
       {
@@ -373,22 +378,19 @@ export class PlanForm {
       { class: "source" },
       _("The route of this plan is a list of parts: change it in the plan file."),
     );
+    const kind = make(
+      "label",
+      { class: "field" },
+      make("span", { class: "name" }, _("kind of turn")),
+      this.family,
+    );
+    const first = { parts: [this.parts], family: [kind] };
     this.groups = GROUPS.map((group, n) =>
       make(
         "fieldset",
         {},
         make("legend", {}, group.name()),
-        ...(n === 2
-          ? [
-              make(
-                "label",
-                { class: "field" },
-                make("span", { class: "name" }, _("kind of turn")),
-                this.family,
-              ),
-            ]
-          : []),
-        ...(n === 1 ? [this.parts] : []),
+        ...(group.first ? first[group.first] : []),
         ...this.controls[n].map(({ element }) => element),
       ),
     );
