@@ -4,7 +4,7 @@ BIN := .venv/bin
 PAGES := 'src/benchdragon/web/*.js' 'src/benchdragon/web/*.css'
 NPM := $(shell command -v npm 2>/dev/null)
 
-.PHONY: demo test docs bench truth messages types lock fonts clean
+.PHONY: demo test docs bench truth mutants messages keys types lock fonts clean
 
 .venv/installed: requirements.lock pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed")'
@@ -45,8 +45,14 @@ bench: .venv/installed
 truth: .venv/installed
 	$(BIN)/python -m tests.truth.make_truth
 
+mutants: .venv/installed
+	$(BIN)/python tools/mutants.py
+
 messages: .venv/installed
 	$(BIN)/python tools/make_messages.py
+
+keys: .venv/installed
+	$(BIN)/python tools/make_keys.py
 
 types: .venv/installed
 	$(BIN)/python tools/make_types.py

@@ -23,7 +23,6 @@ from typing import Any
 import httpx
 
 from benchdragon.plan import read_plan
-from benchdragon.wire import plan_data
 
 # Seconds between moves of a slider, and moves until the hand rests; seconds of rest.
 MOVE, MOVES, REST = 0.15, (3, 12), (1.0, 6.0)
@@ -93,7 +92,7 @@ async def alone(client: httpx.AsyncClient, plan: dict[str, Any], digits: int) ->
 
 async def load(base: str, clients: int, seconds: float, digits: int) -> Tally:
     """All of them at once."""
-    plan = plan_data(read_plan("spiral-in", ["disc.radius=4.5"]))
+    plan = read_plan("spiral-in", ["disc.radius=4.5"]).data()
     tally = Tally()
     limits = httpx.Limits(max_connections=None, max_keepalive_connections=400)
     async with httpx.AsyncClient(base_url=base, timeout=120.0, limits=limits) as client:

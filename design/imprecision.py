@@ -1,90 +1,86 @@
-"""How coarsely may random dances be looked at, and how roughly may handles be put aside?
+"""How densely must random dances be evaluated, and what does it cost that no contact is missed?
 
 Run: python design/imprecision.py
 
-1. Between two looks benches slide along one another by centimetres, while their distance changes in
-   the second order only. So looks each metre, each two metres far from the end, lose little, less than
-   a millimetre: printed is how much nearer benches come with looks each 5 cm.
-2. A spiral is tightest at its inner end, but a line that strays may be tightest anywhere: looking at
-   the last 60 m alone would call some dances clear that are not.
-3. A handle gives along the route by a polynomial of second order. Printed is how far it then stands
-   from the true parallel curve, over the width by which handles are put aside.
-4. What that comes to in the answer: the pitch needed with coarse and with fine looks.
+1. Evaluations each metre of the head lose little on a spiral, less than a millimetre, because benches
+   of neighbouring turns slide along one another. Round a turn a corner passes a bench within
+   decimetres: there they lose centimetres. No fixed distance keeps a stated error on every route.
+2. So handles walk on curves parallel to the route, which makes the bounds of exact dances hold for
+   them (kernels/sway.py): what a step may hide is bounded and halved. Boxing cells of the route for
+   each bench, as for exact dances, would cost benches times cells; all pairs of a step cost less.
+   Steps of an eighth of the shortest link are best: longer ones leave bounds too loose for the tail.
+3. The pitch needed is sought with evaluations here and there, which is cheap, and the search that
+   misses nothing is asked once or twice, at the end. With no slips it gives what `solve pitch` gives.
 """
+
+import time
 
 import numpy as np
 
-from benchdragon import imprecision
-from benchdragon.imprecision import CASES, LAST_WAY, Draw, Slips, least_clearance
-from benchdragon.kernels.sway import sway
-from benchdragon.plan import Plan, read_plan
+from benchdragon import rehearsal as module
+from benchdragon.imprecision import CASES, Draw, Slips, needed_pitch, rehearsal
+from benchdragon.plan import read_plan
+from benchdragon.rehearsal import Rehearsal
+from benchdragon.solve import limit
 
-DRAWS = 20
-
-
-def disc(pitch: float) -> Plan:
-    """The contest's walk to the disc."""
-    return read_plan("spiral-in", ["disc.radius=4.5", f"route.pitch={pitch}"])
-
-
-def looks() -> None:
-    """How much is lost between looks."""
-    print("1. how much nearer benches come with looks each 5 cm, mm")
-    for name in ("aside", "stray", "all"):
-        lost = []
-        for number in range(DRAWS):
-            draw = Draw(CASES[name].slips, 1, number)
-            lost.append(
-                least_clearance(disc(0.5), draw) - least_clearance(disc(0.5), draw, (0.05, 0.05))
-            )
-        print(f"   {name:6} median {1e3 * np.median(lost):.4f}, greatest {1e3 * max(lost):.4f}")
+DRAWS = 5
+PLANS = {
+    "spiral-in": ("spiral-in", ["disc.radius=4.5", "route.pitch=0.55"]),
+    "turn": ("turn", ["route.pitch=1.4"]),
+}
 
 
-def whole_walk() -> None:
-    """How much lies before the end of the walk."""
-    print(f"2. how much nearer benches come before the last {LAST_WAY:g} m, mm")
-    for name in ("aside", "stray"):
-        lost = []
-        for number in range(DRAWS):
-            draw = Draw(CASES[name].slips, 1, number)
-            lost.append(least_clearance(disc(0.5), draw, (1.0, 1e4)) - least_clearance(disc(0.5), draw))
-        print(f"   {name:6} median {1e3 * np.median(lost):.2f}, greatest {1e3 * max(lost):.2f}")
+def evaluated(dance: Rehearsal, step: float) -> float:
+    """The least distance at places of the head so far apart, m."""
+    grid = np.linspace(dance.start, dance.end, 2 + int((dance.end - dance.start) / step))
+    return min(dance.nearest(at)[0].distance for at in np.array_split(grid, 1 + len(grid) // 500))
 
 
-def parallel() -> None:
-    """How far handles stand from where they should."""
-    print("3. distance of swayed handles from their parallel curves, mm")
-    walk = disc(0.5).build()
-    s = walk.route.length
-    motion = walk.motion([s])
-    at = np.ascontiguousarray(motion.s.T)
-    x, y = np.empty(at.shape), np.empty(at.shape)
-    for width in (0.01, 0.02, 0.05):
-        aside = np.asarray(width * np.random.default_rng(1).standard_normal(len(at)))
-        sway(walk.route.rows, walk.dragon.links, at, s, aside, np.zeros(2), 1.0, x, y)
-        near = np.linspace(-0.4, 0.4, 8001)
-        off = []
-        for i in range(len(at)):
-            beside = np.minimum(motion.s[0, i] + near, s)
-            reach = np.hypot(*(walk.route.point(beside) - [x[i, 0], y[i, 0]]).T)
-            off.append(abs(float(reach.min()) - abs(aside[i])))
-        print(f"   {100 * width:g} cm aside: greatest {1e3 * max(off):.4f}")
+def losses() -> None:
+    """How much evaluations miss."""
+    print("1. how much nearer benches come than evaluations say, mm: median, greatest")
+    for name, (kind, settings) in PLANS.items():
+        dances = [
+            rehearsal(read_plan(kind, settings), Draw(CASES["aside"].slips, 1, n)) for n in range(DRAWS)
+        ]
+        true = [dance.least() for dance in dances]
+        for step in (1.0, 0.2, 0.05):
+            lost = [
+                1e3 * (evaluated(dance, step) - least)
+                for dance, least in zip(dances, true, strict=True)
+            ]
+            print(f"   {name:10} each {step:4g} m: {np.median(lost):9.4f} {max(lost):9.4f}")
 
 
-def answers() -> None:
-    """What becomes of the pitch."""
-    print("4. the pitch needed, m: coarse looks, fine looks")
-    for number in range(4):
-        draw = Draw(CASES["all"].slips, 1, number)
-        coarse = imprecision.needed_pitch(disc(0.55), draw, 0.5)
-        fine = imprecision.needed_pitch(disc(0.55), draw, 0.5, (0.1, 0.1))
-        print(f"   {coarse:.5f} {fine:.5f}")
-    plain = imprecision.needed_pitch(disc(0.55), Draw(Slips(), 1, 0), 0.45)
-    print(f"   {plain:.5f} without slips")
+def steps() -> None:
+    """What the search costs by the length of its steps."""
+    print("2. seconds of a search that misses nothing, by steps as a share of the shortest link")
+    chosen = module.STEP
+    for name, (kind, settings) in PLANS.items():
+        dance = rehearsal(read_plan(kind, settings), Draw(CASES["aside"].slips, 1, 0))
+        dance.touch()
+        for share in (0.06, 0.09, 0.125, 0.18, 0.25):
+            module.STEP = share
+            began = time.thread_time()
+            dance.touch()
+            print(f"   {name:10} {share:5g}: {time.thread_time() - began:.3f}")
+    module.STEP = chosen
+
+
+def pitches() -> None:
+    """Pitches needed, and what each costs."""
+    print("3. the pitch needed, m, and seconds a dance; the first line without slips")
+    for name, (kind, settings) in PLANS.items():
+        plan = read_plan(kind, settings)
+        exact = limit(plan, "pitch").value
+        print(f"   {name}: solve pitch says {exact:.6f}")
+        for case in (Slips(), CASES["aside"].slips, CASES["stray"].slips, CASES["all"].slips):
+            began = time.thread_time()
+            needed = needed_pitch(plan, Draw(case, 1, 0), exact)
+            print(f"   {needed:.6f} {time.thread_time() - began:.2f}")
 
 
 if __name__ == "__main__":
-    looks()
-    whole_walk()
-    parallel()
-    answers()
+    losses()
+    steps()
+    pitches()

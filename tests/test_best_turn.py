@@ -12,6 +12,7 @@ from benchdragon import BenchDragonError, InputError, best_turn
 from benchdragon.best_turn import BestTurn, Judge, Wish, pareto_front
 from benchdragon.best_turn import best_turn as sought
 from benchdragon.cli import run
+from benchdragon.errors import NoSolutionError
 from benchdragon.motion import Motion
 from benchdragon.pace import greatest_head_speed
 from benchdragon.pictures import bench_corners
@@ -122,8 +123,9 @@ def test_unknowns_and_tables_are_inverses(family: str, objective: str) -> None:
     ],
 )
 def test_wishes_that_cannot_be_are_said_so(settings: list[str], wish: Wish, text: str) -> None:
-    with pytest.raises(InputError, match=text):
+    with pytest.raises(NoSolutionError, match=text):
         sought(plan(*settings), wish)
+    assert NoSolutionError.exit_code == 4
 
 
 def test_the_smallest_disc_is_put_into_the_plan() -> None:
@@ -139,6 +141,13 @@ def test_only_turns_have_a_best_turn() -> None:
         sought(read_plan("spiral-in"))
     with pytest.raises(InputError, match="wanted one of"):
         Wish("beauty")
+
+
+def test_a_turn_that_is_not_there_ends_as_the_help_says(capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["solve", "turn", "turn", "--set", "turn.family=arc-line-arc", "--longest-way", "5"]
+    assert run([*words, "--set", "dragon.benches=20", "--json"]) == 4
+    out, err = capsys.readouterr()
+    assert (out, err) == ("", "Error: no turn of this family was found that keeps the limits\n")
 
 
 def test_the_command_line_finds_writes_and_says_it(

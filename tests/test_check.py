@@ -7,12 +7,14 @@ from pathlib import Path
 import pytest
 from python_calamine import CalamineWorkbook
 
-from benchdragon import InputError
-from benchdragon.check import check
+from benchdragon.answer import Answer, Witness
+from benchdragon.check import all_findings, check, sentence
 from benchdragon.cli import run
+from benchdragon.document import figures
 from benchdragon.messages import use_language
-from benchdragon.plan import read_plan
-from benchdragon.speeds import greatest_speed
+from benchdragon.plan import checked, read_plan
+from benchdragon.speeds import QUANTITIES, greatest, greatest_speed
+from benchdragon.verdicts import print_answer
 
 
 def spoken(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
@@ -127,7 +129,7 @@ def test_files_show_the_moment_of_contact(capsys: pytest.CaptureFixture[str], tm
         (("check", "spiral-in", "--set", "walk.end=-5"), 2, "must not come before"),
         (("solve", "colour", "spiral-in"), 2, "wanted one of pitch"),
         (("solve", "disc", "spiral-in"), 3, "disc.radius"),
-        (("solve", "pitch", "spiral-in", "--range", "a:b"), 2, "LOW:HIGH"),
+        (("solve", "pitch", "spiral-in", "--range", "a:b"), 2, "LOW..HIGH"),
         (("solve", "width", "spiral-in", "--method", "traversal"), 2, "pitch alone"),
     ],
 )
@@ -149,7 +151,11 @@ def test_the_smallest_pitch_is_solved_from_the_command_line(
     assert code == 0
     assert found["value"] == pytest.approx(0.4503373930271955, abs=1e-13)
     code, out, _err = spoken(capsys, *words)
-    assert "smallest pitch: 0.450337393027 m" in out
+    assert "smallest pitch: 0.45034 m (found)\n" in out  # rounded up: 0.45033 m would touch
+    assert "in 0.450337" not in out
+    code, out, _err = spoken(capsys, *words, "--brackets")
+    value, lower, upper = found["value"], found["lower"], found["upper"]
+    assert f"smallest pitch: {value!r} m (found; between {lower!r} and {upper!r})\n" in out
     code, out, _err = spoken(capsys, *words, "--method", "traversal", "--json")
     found = json.loads(out)
     assert (code, found["status"]) == (5, "undecided")
@@ -158,12 +164,18 @@ def test_the_smallest_pitch_is_solved_from_the_command_line(
 
 def test_all_walkable_pitches_are_printed(capsys: pytest.CaptureFixture[str]) -> None:
     words = ["solve", "pitch", "spiral-in", "--set", "disc.radius=4.5", "--count", "3"]
-    code, out, _err = spoken(capsys, *words, "--range", "0.44:0.46", "--json")
+    code, out, _err = spoken(capsys, *words, "--range", "0.44..0.46", "--json")
     assert code == 0
     ((low, high),) = json.loads(out)["walkable"]
     assert low == pytest.approx(0.4503373930271955, abs=2e-12)
     assert high == 0.46
-    code, out, _err = spoken(capsys, *words, "--range", "0.40:0.41")
+    assert json.loads(out)["borders"] == [[low]]
+    code, out, _err = spoken(capsys, *words, "--range", "0.44..0.46")
+    assert out.splitlines() == [
+        f"walkable from {low:.12g} m to 0.46 m (sizes tried there: 1, 0.01 m apart)",
+        f"  {low:.12g} m is a border: just beyond it the walk fails",
+    ]
+    code, out, _err = spoken(capsys, *words, "--range", "0.40..0.41")
     assert (code, out.strip()) == (4, "no size tried is walkable")
 
 
@@ -177,8 +189,80 @@ def test_limits_of_acceleration_and_turning_rate_are_checked() -> None:
     assert check(read_plan("turn", [*settings, "limits.turning_rate=90"])).safe
     report = check(read_plan("turn", [*settings, "limits.acceleration=0.1"]))
     assert [finding.code for finding in report.findings] == ["acceleration"]
-    with pytest.raises(InputError, match="steady head"):
-        check(read_plan("turn", [*settings, "limits.acceleration=9", "walk.profile=[[0,1],[9,1.2]]"]))
+
+
+COIL = ["disc.radius=5", "dragon.benches=20"]
+
+
+def test_a_head_that_changes_its_speed_too_fast_is_found(capsys: pytest.CaptureFixture[str]) -> None:
+    jolt = ["--set", "walk.profile=[[0, 0], [0.1, 1]]", *(w for s in COIL for w in ("--set", s))]
+    limit = ["--set", "limits.head_acceleration=0.01"]
+    code, out, _err = spoken(capsys, "check", "spiral-in", *jolt, *limit, "--json")
+    (found,) = json.loads(out)["findings"]
+    assert (code, found["code"]) == (1, "head_acceleration")
+    assert (found["value"], found["limit"], found["time"]) == (pytest.approx(10.0), 0.01, 0.0)
+    assert "10 m/s^2 from t = 0.000000 s on, the limit being 0.01 m/s^2" in found["text"]
+    assert spoken(capsys, "check", "spiral-in", *jolt)[0] == 1  # 0.5 m/s^2 where the plan does not say
+    assert spoken(capsys, "check", "spiral-in", *jolt, "--set", "limits.head_acceleration=10")[0] == 0
+    assert spoken(capsys, "check", "spiral-in", *jolt, *limit, "--set", "walk.start=0.1")[0] == 0
+
+
+def test_a_head_that_stops_too_fast_is_found() -> None:
+    profile = "walk.profile=[[0, 0], [3, 1], [20, 1], [21, 0], [22, 0], [25, 1]]"
+    plan = read_plan("spiral-in", [*COIL, profile])
+    (found,) = check(plan).findings
+    assert (found.code, found.value, found.time) == ("head_acceleration", 1.0, 20.0)
+
+
+def test_what_is_not_decided_is_said_and_not_taken_for_kept() -> None:
+    plan = read_plan("spiral-in", [*COIL, "limits.acceleration=2", "limits.speed=2"])
+    walk = plan.build()
+    near = Witness(7.0, 7.0, (3,), (0.0, 0.0), math.nan)
+    for lower, upper, code in ((1.9, 2.1, "undecided"), (2.1, 2.2, ""), (1.8, 1.9, None)):
+        open_ = Answer(lower, lower, upper, "", "found", near)
+        found = all_findings(plan, walk, (0.0, 9.0), None, {"speed": open_, "acceleration": open_})
+        codes = [] if code is None else [code or name for name in ("speed", "acceleration")]
+        assert [finding.code for finding in found] == codes
+
+
+@pytest.mark.parametrize("name", [name for name in QUANTITIES if name != "speed"])
+def test_every_limit_holds_while_the_head_starts_and_stops(name: str) -> None:
+    profile = "[[-20, 0], [-17, 1], [3, 1], [5, 0], [9, 0], [12, 1]]"
+    settings = ["dragon.benches=15", f"walk.profile={profile}", "walk.end=30"]
+    plan = read_plan("turn", settings)
+    walk = plan.build()
+    peak = greatest(walk, QUANTITIES[name], *plan.span(walk), tolerance=1e-7)
+    unit = math.degrees(1.0) if name == "turning_rate" else 1.0
+    for change, safe in ((1e-6, True), (-1e-6, False)):
+        limit = peak.upper * unit * (1.0 + change)
+        report = check(read_plan("turn", [*settings, f"limits.{name}={limit!r}"]))
+        assert report.safe is safe
+        assert [finding.code for finding in report.findings] == ([] if safe else [name])
+        assert report.peaks[name].lower <= peak.upper
+        assert report.peaks[name].upper >= peak.lower
+    assert QUANTITIES[name].text in report.findings[0].text
+
+
+def test_what_is_just_as_fast_as_it_may_be_keeps_its_limit() -> None:
+    even = check(read_plan("spiral-in", [*COIL, "limits.speed=1"]))
+    assert (even.safe, even.greatest_speed.value) == (True, 1.0)
+    parts = [{"kind": "line", "length": 60.0}]
+    limits = {"acceleration": 0.25, "total_acceleration": 0.25, "head_acceleration": 0.25}
+    data = {"schema": 1, "dragon": {"benches": 4}, "route": {"part": parts}, "limits": limits}
+    data["walk"] = {"profile": [[0.1, 0.0], [4.1, 1.0]], "position": 20.0}
+    assert check(checked(data, "line")).safe
+
+
+def test_limits_are_told_of_where_they_are_kept(capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["check", "spiral-in", "--set", "limits.lateral_acceleration=0.5"]
+    words += [word for setting in COIL for word in ("--set", setting)]
+    code, out, _err = spoken(capsys, *words, "--json")
+    peak = json.loads(out)["peaks"]["lateral_acceleration"]
+    assert (code, peak["unit"], peak["status"]) == (0, "m/s^2", "found")
+    assert 0.19 < peak["lower"] <= peak["upper"] < 0.21
+    assert "greatest lateral acceleration of a handle: 0.2" in spoken(capsys, *words)[1]
+    report = check(read_plan("spiral-in", [*COIL, "limits.lateral_acceleration=0.5"]))
+    assert "lateral acceleration of a handle at most 0.2 m/s^2 of 0.5 m/s^2 allowed" in sentence(report)
 
 
 def test_the_greatest_head_speed_is_on_the_command_line(
@@ -205,8 +289,9 @@ def test_the_greatest_head_speed_is_on_the_command_line(
         ("disc", "--objective=speed"),
         ("turn", "--pace=x.toml"),
         ("turn", "--prove"),
+        ("turn", "--brackets"),
         ("speed", "--method=traversal"),
-        ("speed", "--range=1:2"),
+        ("speed", "--range=1..2"),
     ],
 )
 def test_options_that_say_nothing_there_are_refused(
@@ -215,3 +300,72 @@ def test_options_that_say_nothing_there_are_refused(
     code, out, err = spoken(capsys, "solve", what, "turn", option)
     assert (code, out) == (2, "")
     assert f"{option.partition('=')[0]} does not go with {what}" in err
+
+
+@pytest.mark.parametrize(
+    ("value", "up", "text"),
+    [
+        (0.4503373930271955, True, "0.45034"),
+        (0.4503373930271955, False, "0.45033"),
+        (1.246266358157487, False, "1.2462"),
+        (412.4738376821147, False, "412.47"),
+        (0.45, True, "0.45"),
+        (2.0, False, "2.0"),
+        (-0.000123456, True, "-0.00012345"),
+        (1234567.0, True, "1234600"),
+        (0.0, True, "0.0"),
+    ],
+)
+def test_figures_are_rounded_to_the_side_that_stays_true(value: float, up: bool, text: str) -> None:
+    assert figures(value, up=up) == text
+
+
+def test_what_rounding_alone_adds_to_a_bracket_is_not_shown(capsys: pytest.CaptureFixture[str]) -> None:
+    """A head at 1 m/s is the fastest handle; its bracket ends at 1.000000000001, not at 1.0001."""
+    print_answer("speed", answer_with(1.0, 1.0, 1.0 + 1e-12), up=True, brackets=False)
+    print_answer("speed", answer_with(1.0, 1.0, 1.0 + 1e-9), up=True, brackets=False)
+    print_answer("room", answer_with(0.5 - 1e-12, 0.5, 0.5), up=False, brackets=False)
+    print_answer("room", answer_with(0.5 - 1e-9, 0.5, 0.5), up=False, brackets=False)
+    lines = [line for line in capsys.readouterr().out.splitlines() if not line.startswith(" ")]
+    assert [line.split()[1] for line in lines] == ["1.0", "1.0001", "0.5", "0.49999"]
+
+
+def test_what_holds_up_to_a_contact_alone_is_said_to(capsys: pytest.CaptureFixture[str]) -> None:
+    """Up to the first time within the margin 5 cm are kept; later these benches touch."""
+    words = ["check", "spiral-in", "--set", "dragon.benches=30"]
+    _code, out, _err = spoken(capsys, *words, "--set", "limits.margin=0.05")
+    lines = [line for line in out.splitlines() if not line.startswith(" ")]
+    assert [line.partition(":")[0] for line in lines[2:]] == [
+        "first contact", "until then", "least clearance", "greatest speed of a handle",
+    ]  # fmt: skip
+    _code, out, _err = spoken(capsys, *words, "--set", "disc.radius=6")
+    assert "until then" not in out
+
+
+def test_a_speed_that_is_kept_is_not_said_to_exceed_its_limit() -> None:
+    """1.246266 m/s of 1.24627 m/s allowed: in three digits 1.25 m/s were walked."""
+    report = check(read_plan("spiral-in", [*COIL, "limits.speed=1.24627", "walk.speed=1.246266"]))
+    assert report.safe
+    assert "fastest handle 1.24627 m/s of 1.24627 m/s allowed" in sentence(report)
+
+
+def answer_with(lower: float, value: float, upper: float) -> Answer:
+    witness = Witness(412.4738376, 412.4738376, (1, 9), (1.23456, -7.891), -1e-17)
+    return Answer(value, lower, upper, "m", "found", witness)
+
+
+@pytest.mark.parametrize(
+    ("up", "shown"), [(True, "size: 0.45001 m (found)"), (False, "size: 0.44999 m (found)")]
+)
+def test_readers_get_the_end_of_the_bracket_that_is_surely_true(
+    capsys: pytest.CaptureFixture[str], up: bool, shown: str
+) -> None:
+    print_answer("size", answer_with(0.44999999, 0.45, 0.45000001), up=up, brackets=False)
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0] == shown
+    assert lines[1].startswith("  benches 1 and 9 at t = 412.47 s, at (1.23, -7.89) m")
+
+
+def test_an_open_bracket_shows_the_value(capsys: pytest.CaptureFixture[str]) -> None:
+    print_answer("size", answer_with(0.1, 0.45, math.inf), up=True, brackets=False)
+    assert capsys.readouterr().out.startswith("size: 0.45 m (found)")

@@ -199,7 +199,7 @@ def test_a_pairs_low_point_is_that_of_dense_samples() -> None:
 
 
 def test_wrong_counts_and_failed_times_are_refused() -> None:
-    with pytest.raises(InputError, match="count must lie between 1 and 100000, not at 0"):
+    with pytest.raises(InputError, match="count must be a whole number from 1 to 100000, not 0"):
         tightest_pairs(SPIRAL.motion([0.0]), count=0)
     with pytest.raises(WalkError, match="past the end of the route"):
         clearances(SPIRAL.motion([900.0], throw=False))

@@ -3,6 +3,8 @@
 import itertools
 import json
 import math
+from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +19,7 @@ from benchdragon import (
     Route,
     SpeedProfile,
     Spiral,
+    UnsureError,
     Walk,
     WalkError,
     clearance_curve,
@@ -29,6 +32,7 @@ from benchdragon import (
 from benchdragon.contact import Hunt, clearance_above
 from benchdragon.kernels.box import least_distance
 from benchdragon.plan import read_plan
+from benchdragon.speeds import greatest_speed
 
 TRUTH = json.loads((Path(__file__).parent / "truth" / "contest.json").read_text("utf-8"))
 FIRST_CONTACT = 412.4738376821147
@@ -290,6 +294,30 @@ def test_a_bench_that_can_meet_no_other_must_follow_too() -> None:
         first_contact(walk, 0.0, 60.0)
 
 
+def test_what_lies_behind_a_bench_in_its_cell_must_be_followed_by_the_next() -> None:
+    # Round this bend a bench cannot go: its rear would have to walk back. The head has passed it.
+    link, short = 1.65, 0.2
+    radius = 0.5 * math.sqrt(link**2 - short**2)
+    bend = Route.joined([Line(5.0), Arc(radius, math.pi), Line(20.0)])
+    beyond = float(bend.joints[2]) + 0.25
+    walk = Walk(Dragon.of_sizes([2.2] * 4, 0.05, 0.275, 0.275), bend, start=beyond)
+    walk.motion([0.0])
+    with pytest.raises(WalkError, match="bench 2"):
+        first_contact(walk, 0.0, 8.0)
+
+
+@pytest.mark.parametrize(("rest", "start"), [(False, 0.0), (False, 7.0), (True, 5.0), (True, 12.0)])
+def test_who_stands_in_contact_touches_from_the_start_on(rest: bool, start: float) -> None:
+    # The head stands until 20 s, at `rest` after it has walked; the benches overlap all the while.
+    knots = ((0.0, 5.0, 20.0, 30.0), (1.0, 0.0, 0.0, 1.0)) if rest else ((20.0, 30.0), (0.0, 1.0))
+    route = Route((Spiral(0.3, 24.0 * math.pi, 4.0 * math.pi),))
+    walk = Walk(Dragon.uniform(30), route, SpeedProfile(*knots), 5.0)
+    found = first_contact(walk, start, 40.0)
+    assert found is not None
+    assert found.witness is not None
+    assert (found.lower, found.value, found.upper, found.witness.time) == (start,) * 4
+
+
 def test_brackets_end_where_the_head_stands() -> None:
     profile = SpeedProfile((0.0, 10.0, 20.0), (1.0, 0.0, 0.0))
     walk = Walk(Dragon.uniform(20), Route((Spiral(0.55, 12.0 * math.pi, 0.0),)), profile)
@@ -297,6 +325,18 @@ def test_brackets_end_where_the_head_stands() -> None:
     for s in (5.0, math.nextafter(5.0, 0.0), math.nextafter(5.0, 9.0)):
         answer = hunt.answer_at(s, s, "found", 0, 8)
         assert answer.lower <= answer.value <= answer.upper
+
+
+@pytest.mark.parametrize("profile", [((0.1, 3.3, 7.7), (0.3, 1.7, 0.01)), ((0.3, 1e3), (0.7, 1.3))])
+def test_brackets_are_sure_without_rounding(profile: tuple[tuple[float, ...], ...]) -> None:
+    route = Route((Spiral(0.55, 32.0 * math.pi, 0.0),))
+    walk = Walk(Dragon.uniform(20), route, SpeedProfile(*profile), 0.1)
+    hunt = Hunt(walk, 0.1, 9.0, 0.0, lambda _share: None)
+    for s in np.random.default_rng(3).uniform(1.0, 9.0, 60).tolist():
+        answer = hunt.answer_at(s, s, "found", 0, 8)
+        assert walk.exact_head_position(answer.lower) <= s <= walk.exact_head_position(answer.upper)
+        assert answer.lower <= answer.value <= answer.upper
+        assert answer.upper - answer.lower < 1e-11
 
 
 def test_a_clearance_above_a_margin_says_that_there_is_no_contact(contest: Walk) -> None:
@@ -340,3 +380,96 @@ def test_a_turns_least_clearance_is_just_below_all_samples(family: str) -> None:
     sampled = least_distance(walk.dragon.sizes, motion.x.T, motion.y.T)
     assert found.upper - found.lower < 1.3e-12
     assert found.value <= sampled < found.value + 1e-3
+
+
+# A bench of two metres and a half folds in the second arc, 20.9 m along; and a route that just ends.
+FOLDING = Walk(Dragon.uniform(8), Route.joined([Line(20.0), Arc(0.9, -3.0), Arc(0.9, 3.0), Line(20.0)]))
+ENDING = Walk(Dragon.uniform(8), Route.joined([Line(21.0)]))
+SPEEDS = {
+    "slow": SpeedProfile.constant(0.5),
+    "fast": SpeedProfile.constant(2.0),
+    "stop and go": SpeedProfile((0.0, 4.0, 6.0, 9.0, 12.0), (2.0, 2.0, 0.0, 0.0, 3.0)),
+}
+SEARCHES = {
+    "first contact": first_contact,
+    "windows": contact_windows,
+    "least clearance": least_clearance,
+    "greatest speed": greatest_speed,
+}
+
+
+@pytest.mark.parametrize("search", SEARCHES.values(), ids=SEARCHES)
+@pytest.mark.parametrize("profile", SPEEDS.values(), ids=SPEEDS)
+@pytest.mark.parametrize("still", [FOLDING, ENDING], ids=["folding", "ending"])
+def test_a_failure_is_told_when_it_happens_whatever_the_speed(
+    still: Walk, profile: SpeedProfile, search: Callable[..., object]
+) -> None:
+    walk = replace(still, profile=profile)
+    with pytest.raises(WalkError) as caught:
+        search(walk, 0.0, profile.time(40.0))
+    error = caught.value
+    assert error.t == pytest.approx(profile.time(error.head), abs=1e-9)
+    # The earliest such time, up to a few nanometres of the head's way.
+    assert walk.placement([error.head - 3e-9]).status.tolist() == [0]
+    past = walk.placement([error.head + 1e-6], throw=False)
+    assert past.failure(0).status == error.status
+    assert f"at t = {error.t:.6g} s " in str(error)
+
+
+def test_a_walk_past_the_routes_end_fails_where_the_route_ends() -> None:
+    with pytest.raises(WalkError) as caught:
+        first_contact(ENDING, 0.0, 1000.0)
+    assert (caught.value.t, caught.value.s, caught.value.bench) == (21.0, 21.0, 0)
+
+
+# Twelve benches of 0.8 m and a tail of 5 m, too long for a hairpin of 0.6 m; it comes there at 28.26 m.
+TAILED = Walk(
+    Dragon.of_sizes([0.8] * 12 + [5.0], 0.2, 0.1, 0.1),
+    Route.joined([Line(20.0), Arc(0.6, math.pi), Line(20.0)]),
+)
+
+
+@pytest.mark.parametrize("end", [21.5, 23.0, 25.0, 28.2])
+def test_a_tail_that_does_not_come_to_a_bend_too_tight_for_it_is_no_hindrance(end: float) -> None:
+    assert least_clearance(TAILED, 14.0, end).value == pytest.approx(0.32342, abs=5e-5)
+    assert first_contact(TAILED, 14.0, end, margin=0.3) is None
+
+
+def test_a_tail_that_comes_there_is_named_where_it_does() -> None:
+    with pytest.raises(WalkError) as caught:
+        first_contact(TAILED, 14.0, 31.0)
+    assert caught.value.bench == 13
+    assert TAILED.placement([caught.value.head - 3e-9]).status.tolist() == [0]
+
+
+def test_a_failure_far_past_what_was_searched_leaves_the_walk_undecided() -> None:
+    hunt = Hunt(FOLDING, 0.0, 40.0, 0.0, lambda _share: None)
+    with pytest.raises(WalkError) as caught:
+        first_contact(FOLDING, 0.0, 40.0)
+    fails = caught.value.head
+    assert isinstance(hunt.stopped(fails, 40.0), WalkError)
+    undecided = hunt.stopped(fails - 0.1, 40.0)
+    assert isinstance(undecided, UnsureError)
+    assert f"past t = {fails - 0.1:.6g} s" in str(undecided)
+
+
+def test_a_least_clearance_leaves_room_below(contest: Walk) -> None:
+    found = least_clearance(contest, 395.0, 405.0)
+    assert 1e-12 <= found.value - found.lower < 1.3e-12
+
+
+def test_benches_in_two_shelters_come_near() -> None:
+    """A wide head on its way out, past benches on their way in: turns of two spirals."""
+    walk = read_plan("turn").build()
+    width = np.full(223, 0.3)
+    width[0] = 0.85
+    sizes = walk.dragon.sizes
+    wide = Walk(Dragon.of_sizes(sizes[0], width, *sizes[2:]), walk.route, walk.profile, walk.start)
+    least = least_clearance(wide, 60.0, 61.0)
+    assert least.witness is not None
+    assert 1 in least.witness.benches
+    margin = least.value + 1e-6
+    found = first_contact(wide, 60.0, 61.0, margin=margin)
+    low = clearances(wide.motion(np.linspace(60.0, 61.0, 201))) < margin - 1e-9
+    assert low[0] == (found is not None and found.upper == 60.0)
+    assert found is not None

@@ -83,13 +83,21 @@ def test_every_failure_has_its_advice_and_only_they() -> None:
 
 @pytest.mark.parametrize("status", ADVICE)
 def test_a_walk_error_carries_and_says_what_befell(status: Status) -> None:
-    error = WalkError(status, 17, 12.3456789, -4.5, "1.65 m")
+    error = WalkError(status, 17, 12.3456789, 30.5, "1.65 m").at(-4.5)
     assert (error.status, error.bench, error.s, error.t) == (status, 17, 12.3456789, -4.5)
     text = str(error)
-    assert "t = -4.5 s" in text
+    assert text.startswith("at t = -4.5 s ")
     assert "s = 12.3457 m" in text
     fields = {name for _, name, _, _ in string.Formatter().parse(ADVICE[status]) if name}
-    assert {"t", "s"} <= fields <= {"t", "s", "bench", "size"}
+    assert {"when", "s"} <= fields <= {"when", "s", "bench", "size"}
     assert ("bench 17" in text) == ("bench" in fields)
     assert ("1.65 m" in text) == ("size" in fields)
     assert "; " in text  # what befell; what to do
+
+
+def test_a_failure_without_a_walk_tells_where_the_head_is_and_no_time() -> None:
+    error = WalkError(Status.FOLDED, 17, 12.3456789, 30.5, "1.65 m")
+    assert error.t is None
+    assert str(error).startswith("with the head at s = 30.5 m ")
+    assert " t = " not in str(error)
+    assert error.at(math.inf).t is None  # a time that never comes

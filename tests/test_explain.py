@@ -237,8 +237,8 @@ def test_the_traversal_and_the_range_are_explained(
     agree(lines, 1)
     chinese_or_not(lines, spoken)
     assert "0.46" in lines[1]
-    found = json_of(capsys, *plain, "--range", "0.44:0.47", "--count", "4")
-    spans, lines = found["walkable"], lines_of(capsys, *plain, "--range", "0.44:0.47", "--count", "4")
+    found = json_of(capsys, *plain, "--range", "0.44..0.47", "--count", "4")
+    spans, lines = found["walkable"], lines_of(capsys, *plain, "--range", "0.44..0.47", "--count", "4")
     agree(lines, 2)
     chinese_or_not(lines, spoken)
     assert isinstance(spans, list)

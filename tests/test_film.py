@@ -410,7 +410,7 @@ def test_a_sheet_has_a_panel_and_a_clock_for_each_instant() -> None:
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
-        ("a.avi", "-o: wanted a name that ends in .mp4, .gif, .png, .svg or .pdf, not a.avi"),
+        ("a.avi", "-o: wanted a name that ends in .mp4, .gif, .png, .svg, .pdf, not a.avi"),
         ("a.mp4 --size 33", "--size: wanted two whole numbers with an x between, not '33'"),
         ("a.mp4 --size 1921x1080", "a size is two even numbers from 64 to 4096, not 1921x1080"),
         ("a.mp4 --size 99999x2", "a size is two even numbers from 64 to 4096, not 99999x2"),
@@ -423,7 +423,7 @@ def test_a_sheet_has_a_panel_and_a_clock_for_each_instant() -> None:
         ("a.mp4 --span 3", "--span goes with --follow"),
         ("a.mp4 --follow 224", "benches have numbers from 1 to 223, not 224"),
         ("a.png --at 0 --follow 224", "benches have numbers from 1 to 223, not 224"),
-        ("a.mp4 --start x", "--start: wanted seconds or minutes:seconds, not 'x'"),
+        ("a.mp4 --start x", "--start: wanted seconds (12.5), a clock time"),
         ("a.mp4 --start 5 --end 4", "the end (4 s) must not come before the start (5 s)"),
         ("a.mp4 --speed-up 0.001", "a film has at most 36000 frames, not 14498621"),
         ("a.mp4 --end 1e300", "a film has at most 36000 frames, not 3e+301"),
@@ -431,7 +431,7 @@ def test_a_sheet_has_a_panel_and_a_clock_for_each_instant() -> None:
         ("a.gif", "a GIF of 960x540 pixels has at most 771 frames, not 9666"),
         ("a.png --sheet 11x1", "a sheet has 1 to 10 columns and rows, not 11x1"),
         ("a.png --sheet 2x1 --at 1,2,3", "3 instants do not fit a sheet of 2x1"),
-        ("a.png --at 0:101:1", "at most 100 stills, not 102"),
+        ("a.png --at 0..101", "at most 100 stills, not 102"),
         ("a.png --at 0 --set dragon.benches=20001", "a picture shows at most 20000 benches"),
     ],
 )

@@ -227,7 +227,9 @@ def test_limits_refuse_with_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_a_walk_that_cannot_begin_is_refused() -> None:
     walk = Walk(Dragon.uniform(3), Route((Line(30.0),)))
-    with pytest.raises(WalkError, match="at t = 40 s the head would stand at s = 40 m, past the end"):
+    with pytest.raises(
+        WalkError, match="at t = 40 s the head would walk past the end of the route, which is 30 m"
+    ):
         frames(walk, 40.0, 50.0, ERROR)
 
 

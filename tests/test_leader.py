@@ -3,6 +3,7 @@
 import itertools
 import math
 from collections.abc import Callable
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -30,6 +31,17 @@ def integral(profile: SpeedProfile, t: float) -> float:
 @pytest.mark.parametrize("t", [-50.0, -3.0, -1.0, 0.0, 1.0, 2.0, 2.2, 2.5, 5.0, 7.0, 8.0, 9.0, 40.0])
 def test_distance_is_the_integral_of_the_speed(t: float) -> None:
     assert UNEVEN.distance(t) == pytest.approx(integral(UNEVEN, t), rel=1e-13, abs=1e-13)
+
+
+@pytest.mark.parametrize(
+    ("t", "distance"),
+    [(-5.0, "-4.55"), (-3.0, "-2.55"), (0.0, "0"), (1.0, "0.65"), (2.0, "1.2"), (2.25, "1.29375"),
+     (2.5, "1.325"), (7.0, "1.325"), (8.0, "1.825"), (9.0, "3.325"), (10.5, "6.325")],
+)  # fmt: skip
+def test_the_exact_distance_has_no_rounding(t: float, distance: str) -> None:
+    profile = SpeedProfile((-3.0, 2.0, 2.5, 7.0, 9.0), (1.0, 0.5, 0.0, 0.0, 2.0))
+    assert profile.exact_distance(t) == Fraction(distance)
+    assert profile.distance(t) == pytest.approx(float(distance), rel=1e-14)
 
 
 @given(
@@ -181,3 +193,14 @@ def test_more_steps_than_a_minute_of_work_are_refused() -> None:
     wanted = rf"^Runge-Kutta with a step of 1e-07 s would take over {MOST_STEPS} steps$"
     with pytest.raises(InputError, match=wanted):
         head_angles(SPIRAL, RAMP, 15.0, [1.0], "rk4", 1e-7)
+
+
+def test_stretches_tell_when_the_head_is_where() -> None:
+    profile = SpeedProfile((0.0, 2.0, 5.0, 6.0, 7.0), (0.4, 1.2, 0.3, 0.0, 0.8))
+    stretches = profile.stretches(-1.0, 8.0).moved(3.0)
+    assert stretches.times.tolist() == [[-1, 0], [0, 2], [2, 5], [5, 6], [6, 7], [7, 8]]
+    assert stretches.rates == pytest.approx([0.0, 0.4, -0.3, -0.3, 0.8, 0.0])
+    for n, (start, end) in enumerate(stretches.times):
+        for t in np.linspace(start, end, 7).tolist():
+            way = 3.0 + float(profile.distance(t))
+            assert stretches.time(n, way) == pytest.approx(t, abs=1e-7)

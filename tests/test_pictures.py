@@ -4,7 +4,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from matplotlib.collections import PolyCollection
+from matplotlib.collections import PolyCollection, QuadMesh
+from matplotlib.figure import Figure
 from PIL import Image
 from pypdf import PdfReader
 
@@ -17,6 +18,7 @@ from benchdragon.pictures import (
     drawable,
     head_angle_picture,
     speed_map,
+    speed_scale,
     walk_pictures,
     write_picture,
 )
@@ -111,6 +113,88 @@ def test_pictures_of_one_time_leave_out_the_maps() -> None:
         "speeds",
         "head-angle",
     ]
+
+
+def colours_of(figure: Figure) -> tuple[QuadMesh, str]:
+    """The mesh of a map of speeds, and at which ends its colour bar goes on."""
+    (mesh,) = (one for one in figure.axes[0].collections if isinstance(one, QuadMesh))
+    assert mesh.colorbar is not None
+    return mesh, mesh.colorbar.extend
+
+
+def test_speeds_near_the_centre_leave_the_rest_readable(spoken: str) -> None:
+    """The fold in the middle is four times as fast; the scale is that of the walk before it."""
+    motion = WALK.motion(np.linspace(0.0, 442.0, 500), throw=False)
+    assert np.nanmax(motion.speed) > 4.0
+    figure = speed_map(motion)
+    mesh, extend = colours_of(figure)
+    low, high = mesh.get_clim()
+    assert extend == "both"
+    usual = motion.speed[motion.times <= 400.0]
+    assert low <= usual.min()
+    assert usual.max() <= high
+    assert np.ptp(usual) > 0.5 * (high - low)
+    title = figure.axes[0].get_title()
+    time, handle = np.unravel_index(np.nanargmax(motion.speed), motion.speed.shape)
+    told = f"{motion.speed[time, handle]:.4g} m/s", f"{motion.times[time]:.4g} s"
+    for text in (*told, f"{np.nanmin(motion.speed):.4g} m/s"):
+        assert text in title
+    assert {"en": f"handle {handle}", "zh": f"{handle} 号把手"}[spoken] in title
+    assert mesh.cmap(2.0) != mesh.cmap(1.0)
+    assert mesh.cmap(-1.0) != mesh.cmap(0.0)
+
+
+def test_speeds_without_a_peak_have_the_whole_scale() -> None:
+    motion = WALK.motion(np.linspace(0.0, 300.0, 100))
+    figure = speed_map(motion)
+    mesh, extend = colours_of(figure)
+    assert mesh.get_clim() == (motion.speed.min(), motion.speed.max())
+    assert extend == "neither"
+    assert figure.axes[0].get_title() == "Speed of every handle"
+
+
+def table_of(usual: float, peak: float) -> np.ndarray[tuple[int, int], np.dtype[np.float64]]:
+    """Speeds of 3 handles at 100 times: 1 m/s and around, and one instant beyond it."""
+    table = np.ones((100, 3))
+    table[:, 1] += usual
+    table[50, 2] += peak
+    return table
+
+
+@pytest.mark.parametrize(
+    ("usual", "peak", "scale"),
+    [
+        (0.01, 1.0, (1.0, 1.01)),
+        (0.01, -0.5, (1.0, 1.01)),
+        (0.01, 0.03, (1.0, 1.03)),
+        (0.0, 1.0, (1.0, 2.0)),  # nothing but the peak to be told apart
+        (1e-9, 1.0, (1.0, 2.0)),
+        (0.0, 0.0, (0.99, 1.01)),
+        (1e-15, 0.0, (0.99, 1.01)),
+    ],
+)
+def test_the_scale_of_speeds_is_that_of_most_instants(
+    usual: float, peak: float, scale: tuple[float, float]
+) -> None:
+    assert speed_scale(table_of(usual, peak)) == pytest.approx(scale, abs=1e-12)
+
+
+def test_scales_of_dragons_that_stand_still_or_stand_nowhere() -> None:
+    assert speed_scale(np.zeros((9, 3))) == (0.0, 0.01)
+    assert speed_scale(np.full((9, 3), np.nan)) == (0.0, 1.0)
+    half = np.full((9, 3), np.nan)
+    half[:4, :2] = [1.0, 1.5]
+    assert speed_scale(half) == (1.0, 1.5)
+    lost = Walk(WALK.dragon, Route(read_plan("turn").build().route.curves[1:]))
+    mesh, extend = colours_of(speed_map(lost.motion([1e6, 1e6 + 1.0], throw=False)))
+    assert (mesh.get_clim(), extend) == ((0.0, 1.0), "neither")
+
+
+@pytest.mark.parametrize(("peak", "end"), [(1.0, "max"), (-0.5, "min")])
+def test_the_bar_goes_on_only_where_speeds_do(peak: float, end: str) -> None:
+    motion = WALK.motion(np.linspace(0.0, 300.0, 100))
+    motion.__dict__["speed"] = table_of(0.01, peak).repeat(75, axis=1)[:, :224]
+    assert colours_of(speed_map(motion))[1] == end
 
 
 def test_a_dragon_too_long_to_be_seen_is_refused() -> None:

@@ -1,12 +1,24 @@
 import math
+import re
 from pathlib import Path
 
 import jsonschema
 import pytest
 
 from benchdragon import Arc, Clothoid, Line, Spiral
-from benchdragon.plan import DEGREES, METRES, SECONDS, Plan, checked, read_plan
-from benchdragon.plan_text import PlanError, bench_count, built_in_names, quantity, read_toml
+from benchdragon.plan import Plan, checked, read_plan
+from benchdragon.plan_text import (
+    ACCELERATIONS,
+    ANGULAR_SPEEDS,
+    DEGREES,
+    METRES,
+    SECONDS,
+    PlanError,
+    bench_count,
+    built_in_names,
+    quantity,
+    read_toml,
+)
 
 ROUTE = {"kind": "parts", "part": [{"kind": "line", "length": 5}]}
 
@@ -31,6 +43,12 @@ def test_built_in_plans_are_the_papers_two_parts() -> None:
         ("-100 s", SECONDS, -100.0),
         ("90 deg", DEGREES, 90.0),
         ("2 米", METRES, 2.0),
+        ("1h2min 3s", SECONDS, 3723.0),
+        ("2 m/s^2", ACCELERATIONS, 2.0),
+        ("20cm/s^2 3 m/s²", ACCELERATIONS, 3.2),
+        ("20 deg/s", ANGULAR_SPEEDS, 20.0),
+        ("90°/s", ANGULAR_SPEEDS, 90.0),
+        ("1 rad/s", ANGULAR_SPEEDS, 180.0 / math.pi),
     ],
 )
 def test_a_quantity_may_carry_a_unit(text: str, units: dict[str, float], value: float) -> None:
@@ -46,8 +64,8 @@ def test_a_quantity_without_a_known_unit_is_refused(text: str) -> None:
 @pytest.mark.parametrize(
     ("setting", "sentence"),
     [
-        ("dragon.bences=3", "dragon.bences is not a known key; did you mean benches?"),
-        ("route.pitc=3", "route.pitc is not a known key; did you mean pitch?"),
+        ("dragon.bences=3", "dragon.bences is not a known key; did you mean dragon.benches?"),
+        ("route.pitc=3", "route.pitc is not a known key; did you mean route.pitch?"),
         ("wak.speed=3", "wak is not a known key; did you mean walk?"),
         ("route.pitch=-1", "route.pitch: wanted more than 0.0, not -1"),
         ("route.pitch=nan", "route.pitch: wanted a finite number, not NaN"),
@@ -77,12 +95,26 @@ def test_a_bad_value_in_a_list_is_named_by_its_number() -> None:
         checked({"schema": 1, "route": route}, "x")
 
 
+def test_limits_take_the_units_of_what_they_limit() -> None:
+    settings = ["acceleration='50 cm/s^2'", "turning_rate='1 rad/s'", "head_acceleration='0.2 m/s²'"]
+    limits = read_plan("turn", [f"limits.{setting}" for setting in settings]).limits
+    found = (limits.acceleration, limits.turning_rate, limits.head_acceleration)
+    assert found == pytest.approx((0.5, 180.0 / math.pi, 0.2))
+    for setting in ("acceleration='1 m/s'", "turning_rate='20 deg'", "head_acceleration='2 m/s^3'"):
+        with pytest.raises(PlanError, match=r"wanted a number, or text with a unit of (m/s\^2|deg/s)"):
+            read_plan("turn", [f"limits.{setting}"])
+
+
 def test_settings_reach_into_lists() -> None:
     path = Path(__file__).parent.parent / "examples" / "01_parade.dragon.toml"
     walk = read_plan(str(path), ["route.part.0.length=50", "route.part.2.length='30 m'"]).build()
     assert walk.route.length == pytest.approx(80.0 + 4.0 * math.pi)
-    with pytest.raises(PlanError, match=r"there is no route\.part\.7\.length to set"):
-        read_plan(str(path), ["route.part.7.length=50"])
+    for key in ("route.part.7.length", "route.part.7", "route.part.one", "route.part.0.length.x"):
+        with pytest.raises(PlanError, match=rf"there is no {re.escape(key)} to set"):
+            read_plan(str(path), [f"{key}=50"])
+    for key in ("walk.profile.0.1.x", "walk.profile.0.1.x.y"):
+        with pytest.raises(PlanError, match=rf"there is no {re.escape(key)} to set"):
+            read_plan(str(path), ["walk.profile=[[0, 1]]", f"{key}=50"])
 
 
 def test_sizes_that_cannot_be_are_a_plan_error() -> None:
@@ -163,7 +195,7 @@ def test_a_title_falls_back_to_the_other_language() -> None:
 @pytest.mark.parametrize(
     ("content", "sentence"),
     [
-        (b"schema = 1\nroute = [", "is not TOML: "),
+        (b"schema = 1\nroute = [", "is not TOML: at its end: a value is wanted here"),
         (b"\xff\xfe\x00", "is not UTF-8 text"),
         (b"schema = 1", "route is missing"),
         (b"schema = 1\n[route]\npitch = 1", "route: wanted a table with the key kind"),
@@ -180,12 +212,10 @@ def test_a_file_that_is_no_plan_is_told_why(tmp_path: Path, content: bytes, sent
 def test_a_missing_plan_names_the_nearest_built_in() -> None:
     with pytest.raises(PlanError, match=r"there is no plan spiral-on: .*did you mean spiral-in\?"):
         read_plan("spiral-on")
-    with pytest.raises(PlanError, match=r"tests|directory"):
-        read_plan(str(Path(__file__).parent))
 
 
 def test_the_count_of_benches_is_known_before_the_check() -> None:
-    assert bench_count(read_toml("turn", ["dragon.benches=7"])) == 7
+    assert bench_count(read_toml("turn", ["dragon.benches=7"])[0]) == 7
     assert bench_count({}) == 223
     assert bench_count({"dragon": {"benches": "many"}}) is None
     assert bench_count({"dragon": {"bench": []}}) is None
@@ -194,6 +224,6 @@ def test_the_count_of_benches_is_known_before_the_check() -> None:
 def test_the_schema_accepts_the_built_in_plans_and_refuses_others() -> None:
     schema = Plan.model_json_schema()
     for name in built_in_names():
-        jsonschema.validate(read_toml(name), schema)
+        jsonschema.validate(read_toml(name)[0], schema)
     with pytest.raises(jsonschema.ValidationError):
-        jsonschema.validate(read_toml("turn", ["dragon.benches=-1"]), schema)
+        jsonschema.validate(read_toml("turn", ["dragon.benches=-1"])[0], schema)

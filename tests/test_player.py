@@ -242,9 +242,9 @@ def test_view_writes_the_same_page_each_time(
     ("options", "said", "code"),
     [
         (["--start", "9", "--end", "5"], "would end at 5 s, before it starts at 9 s", 2),
-        (["--end", "inf"], "--end: wanted seconds or minutes:seconds, not 'inf'", 2),
-        (["--start", "nan"], "--start: wanted seconds or minutes:seconds, not 'nan'", 2),
-        (["--start", "soon"], "--start: wanted seconds or minutes:seconds, not 'soon'", 2),
+        (["--end", "inf"], "(3:12 or 1:02:03) or units (3 min 12 s), not 'inf'", 2),
+        (["--start", "nan"], "(3:12 or 1:02:03) or units (3 min 12 s), not 'nan'", 2),
+        (["--start", "soon"], "(3:12 or 1:02:03) or units (3 min 12 s), not 'soon'", 2),
         (["--start", "-1e9"], "this walk goes to 1e+09 m", 2),
         (["--start", "2000", "--end", "2001"], "past the end of the route", 4),
         (["--set", "dragon.benches=0"], "dragon.benches: wanted at least 1", 3),

@@ -139,7 +139,9 @@ def test_the_turn_s_motion_speed_and_clearance_are_the_truth(folder: Path) -> No
         assert row["y_m"] == pytest.approx(y, abs=1e-11)
         assert row["speed_m_s"] == pytest.approx(speed, abs=1e-11)
     head = turn["greatest_head_speed"]
-    assert head["value"] == pytest.approx(float(TRUTH["greatest_head_speed"]), abs=1e-12)
+    allowed = float(TRUTH["greatest_head_speed"])
+    assert head["value"] == head["lower"] <= allowed <= head["upper"]
+    assert head["value"] == pytest.approx(allowed, abs=3e-12)
     assert head["witness"]["time"] == pytest.approx(float(TRUTH["greatest_ratio_at_s"]), abs=1e-6)
     near = turn["clearance"]
     assert near["witness"]["gap"] == pytest.approx(0.2791, abs=1e-4)

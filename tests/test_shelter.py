@@ -64,6 +64,14 @@ def test_the_bound_is_near_the_truth() -> None:
     assert nearest(b, 2.2, head, body) < 0.0  # where benches touch there is no shelter
 
 
+def test_narrow_turns_shelter_only_where_benches_keep_apart() -> None:
+    sizes = np.array([1.4, 0.3, 0.2, 0.2])
+    b, shape = 0.42 / (2.0 * math.pi), Shape.of(sizes.reshape(4, 1), 0.0)
+    radius = sheltered_radius(b, shape, shape, 1.0)
+    assert radius < 2.5
+    assert nearest(b, 1.07, sizes, sizes) < 0.0 < nearest(b, radius, sizes, sizes)
+
+
 def test_parts_of_a_route() -> None:
     inward = Spiral(0.55, 32.0 * math.pi, 0.0)
     route = Route((inward,))
@@ -102,3 +110,16 @@ def test_answers_are_the_same_without_shelter(
     assert (contact is None) == (other is None) == (spiral.end_angle > spiral.start_angle)
     if contact is not None and other is not None:
         assert contact.value == pytest.approx(other.value, abs=2e-11)
+
+
+def test_benches_that_reach_past_the_link_between_have_no_shelter() -> None:
+    short, long = Shape(1.0, 1.0, 0.3, 0.1), Shape(1.0, 1.0, 0.6, 0.1)
+    assert math.isfinite(sheltered_radius(0.2, short, short, 1.0))
+    assert sheltered_radius(0.2, long, long, 1.0) == math.inf
+
+
+def test_benches_that_may_leap_have_no_shelter() -> None:
+    shape = Shape(1.0, 1.0, 0.1, 0.1)
+    assert shape.follows(1.0, 3.0)
+    assert not shape.follows(2.0, 1.01)
+    assert not shape.follows(0.1, 0.99)

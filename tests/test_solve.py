@@ -6,19 +6,17 @@ import numpy as np
 import pytest
 import shapely
 
+from benchdragon import clearances, solve, trials
 from benchdragon.answer import Answer
 from benchdragon.contact import first_contact, least_clearance
-from benchdragon.errors import BenchDragonError, InputError
+from benchdragon.curves import Spiral
+from benchdragon.errors import BenchDragonError, InputError, UnsureError
+from benchdragon.motion import Walk
 from benchdragon.plan import Plan, checked, read_plan
 from benchdragon.plan_text import PlanError
-from benchdragon.solve import (
-    QUESTIONS,
-    TOLERANCE,
-    limit,
-    smallest_pitch,
-    walkable_sizes,
-)
+from benchdragon.solve import Span, limit, smallest_pitch, walkable_sizes
 from benchdragon.traversal import pitch_curve, traversed_pitch
+from benchdragon.trials import QUESTIONS, TOLERANCE, Family, Meeting, root_near
 
 SMALLEST_PITCH = 0.4503373930271955
 
@@ -119,10 +117,125 @@ def test_no_size_at_all_is_infeasible() -> None:
 
 
 def test_walkable_pitches_begin_at_the_smallest(disc: Plan) -> None:
-    (span,) = walkable_sizes(disc, "pitch", 0.43, 0.47, 5)
+    found = walkable_sizes(disc, "pitch", 0.43, 0.47, 5)
+    (span,) = found.spans
     assert span.low == pytest.approx(SMALLEST_PITCH, abs=2e-12)
-    assert span.high == 0.47
-    assert walkable_sizes(disc, "pitch", 0.40, 0.43, 3) == []
+    assert (span.high, span.tried) == (0.47, 2)
+    assert found.step == pytest.approx(0.01)
+    assert found.undecided == ()
+    assert walkable_sizes(disc, "pitch", 0.40, 0.43, 3).spans == ()
+
+
+def undecided(monkeypatch: pytest.MonkeyPatch, low: float, high: float) -> None:
+    """Let no search decide walks whose pitch lies between these, m."""
+    real = first_contact
+
+    def search(walk: Walk, start: float, end: float, *, margin: float) -> Answer | None:
+        curve = walk.route.curves[0]
+        assert isinstance(curve, Spiral)
+        if low < curve.pitch < high:
+            raise UnsureError("not this one")
+        return real(walk, start, end, margin=margin)
+
+    monkeypatch.setattr(trials, "first_contact", search)
+
+
+@pytest.mark.parametrize("band", [(0.49, 0.51), (0.46, 0.47), (0.50, 0.60), (0.3, 0.4)])
+def test_undecided_sizes_are_no_end_of_a_bracket(
+    disc: Plan, monkeypatch: pytest.MonkeyPatch, band: tuple[float, float]
+) -> None:
+    undecided(monkeypatch, *band)
+    found = limit(disc, "pitch")
+    assert found.value == pytest.approx(SMALLEST_PITCH, abs=1e-9)
+    assert found.status == "found"
+
+
+def test_the_last_size_tried_beside_undecided_ones_may_be_the_one_beyond_them(
+    disc: Plan, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    undecided(monkeypatch, 0.52, 0.6)
+    monkeypatch.setattr(solve, "MOST_BESIDE", 3)
+    found = limit(disc.with_value("dragon.benches", 40), "pitch")
+    assert found.status == "found"
+    assert found.upper - found.lower <= 1e-12
+
+
+@pytest.mark.parametrize("band", [(0.44, 0.46), (0.449, 0.451), (0.45, 0.50)])
+def test_where_it_cannot_be_decided_the_bracket_stays_as_wide(
+    disc: Plan, monkeypatch: pytest.MonkeyPatch, band: tuple[float, float]
+) -> None:
+    undecided(monkeypatch, *band)
+    found = limit(disc, "pitch")
+    assert found.status == "undecided"
+    assert found.lower <= band[0]
+    assert found.upper == found.value >= band[1]
+    # No wider than by a tenth on either side.
+    assert found.lower > 0.9 * band[0]
+    assert found.upper < 1.1 * band[1]
+    assert "could not be decided" in found.assumptions[-1]
+
+
+def test_where_nothing_can_be_decided_nothing_is_found(
+    disc: Plan, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    undecided(monkeypatch, 0.0, math.inf)
+    found = limit(disc, "pitch")
+    assert found.status == "undecided"
+    assert math.isnan(found.value)
+
+
+@pytest.mark.parametrize("band", [(0.455, 0.465), (0.459, 0.461)])
+def test_undecided_sizes_of_a_range_are_told_and_end_a_span(
+    disc: Plan, monkeypatch: pytest.MonkeyPatch, band: tuple[float, float]
+) -> None:
+    undecided(monkeypatch, *band)
+    found = walkable_sizes(disc, "pitch", 0.43, 0.49, 7)
+    assert found.spans == (Span(0.47, 0.49, 3, ()),)
+    assert found.undecided == pytest.approx((0.46,))
+
+
+def test_the_unsafe_end_of_a_bracket_is_where_the_pair_was_seen_to_touch(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A first root that is off by a micrometre on the safe side ends no search."""
+    offsets = [1e-6]
+
+    def off(family: Family, meeting: Meeting, size: float) -> tuple[float, float, Meeting] | None:
+        root = root_near(family, meeting, size)
+        return root and (root[0] + (offsets.pop() if offsets else 0.0), *root[1:])
+
+    monkeypatch.setattr(solve, "root_near", off)
+    found = limit(read_plan("spiral-in", ["disc.radius=4.5", "dragon.benches=40"]), "pitch")
+    assert not offsets
+    assert found.status == "found"
+    assert found.lower < SMALLEST_PITCH < found.upper <= found.lower + 1e-12
+
+
+def test_a_long_tail_does_not_end_the_search_for_a_pitch() -> None:
+    """By brute force 0.7 m touches, 0.8 m is clear. The answer was 2.1047 m once."""
+    keys = "dragon.benches=40", "dragon.tail_length=3.0", "disc.radius=1.0"
+    lengths = "dragon.body_length=0.8", "dragon.head_length=0.8"
+    insets = "dragon.front_inset=0.1", "dragon.rear_inset=0.1"
+    plan = read_plan("spiral-in", [*keys, *lengths, *insets])
+    found = limit(plan, "pitch")
+    assert found.status == "found"
+    passes = plan.with_value("route.pitch", found.upper).build()
+    assert first_contact(passes, 0.0, passes.route.length) is None
+    assert 0.7 < found.value < 0.8
+    sampled = clearances(passes.motion(np.linspace(0.0, passes.route.length, 400)))
+    assert sampled.min() >= 0.0
+    touches = plan.with_value("route.pitch", found.value - 0.01).build()
+    sampled = clearances(touches.motion(np.linspace(0.0, touches.route.length, 4000)))
+    assert sampled.min() < 0.0
+
+
+@pytest.mark.parametrize("name", ["pitch", "width", "length"])
+def test_a_head_that_walks_to_the_centre_is_refused(name: str) -> None:
+    with pytest.raises(InputError, match=r"say how far in the head comes: set disc\.radius"):
+        limit(read_plan("spiral-in"), name)
+    with pytest.raises(InputError, match="say how far in"):
+        walkable_sizes(read_plan("spiral-in"), name, 0.5, 0.6)
+    assert limit(read_plan("spiral-in", ["walk.end=100"]), "width").status == "found"
 
 
 def test_the_traversal_finds_the_papers_pitch_with_its_coarse_steps(disc: Plan) -> None:
@@ -191,14 +304,16 @@ def test_where_there_is_no_limit_the_answer_says_so() -> None:
 
 def test_questions_that_say_nothing_about_a_plan_are_refused() -> None:
     line = {"kind": "line", "length": 40.0}
-    data = {"schema": 1, "disc": {"radius": 3.0}, "route": {"part": [line]}}
-    with pytest.raises(BenchDragonError, match="no part in a route of parts"):
+    data = {"schema": 1, "route": {"part": [line]}}
+    with pytest.raises(BenchDragonError, match=r"disc\.radius, which means nothing beside route\.kind"):
         limit(checked(data, "straight"), "disc")
     benches = [{"length": 3.41}, {"length": 2.2, "count": 20}]
     listed = checked({**data, "dragon": {"bench": benches}}, "listed")
-    with pytest.raises(BenchDragonError, match=r"lists every bench|does not say"):
+    with pytest.raises(
+        BenchDragonError, match=r"dragon\.width, which means nothing beside \[\[dragon\.bench\]\]"
+    ):
         limit(listed, "width")
-    with pytest.raises(BenchDragonError, match=r"take dragon\.width out"):
+    with pytest.raises(BenchDragonError, match=r"dragon\.width has no effect beside"):
         checked({**data, "dragon": {"bench": benches, "width": 5.0}}, "both")
 
 

@@ -9,11 +9,11 @@ from python_calamine import CalamineWorkbook
 from benchdragon import Dragon, InputError, WalkError
 from benchdragon.errors import MissingExtraError
 from benchdragon.messages import use_language
+from benchdragon.numbering import handle_names
 from benchdragon.plan import read_plan
 from benchdragon.tables import (
     WRITERS,
     Selection,
-    handle_names,
     write_csv,
     write_netcdf,
     write_npz,
@@ -37,8 +37,8 @@ def test_the_spreadsheet_has_the_contests_layout(tmp_path: Path) -> None:
     finally:
         use_language("en")
     book = CalamineWorkbook.from_path(tmp_path / "a.xlsx")
-    assert book.sheet_names == ["位置", "速度"]
-    places, speeds = (book.get_sheet_by_name(name).to_python() for name in book.sheet_names)
+    assert book.sheet_names == ["位置", "速度", "编号"]
+    places, speeds = (book.get_sheet_by_name(name).to_python() for name in book.sheet_names[:2])
     assert places[0] == ["", "0 s", "60.5 s", "300 s"]
     names = [row[0] for row in places[1:]]
     assert names[:4] == ["龙头x (m)", "龙头y (m)", "第1节龙身x (m)", "第1节龙身y (m)"]
@@ -114,8 +114,10 @@ def test_more_than_a_format_holds_is_refused(tmp_path: Path) -> None:
     for times, handles in ((many, [0]), (many[:10_000], ALL)):
         with pytest.raises(InputError, match="choose fewer"):
             write_xlsx(tmp_path / "a.xlsx", Selection(WALK, times, handles), silent)
-    with pytest.raises(InputError, match="an NPZ holds at most 40000000 places"):
+    with pytest.raises(InputError, match="such a file holds at most 40000000 places"):
         write_npz(tmp_path / "a.npz", Selection(WALK, np.arange(200_000.0), ALL), silent)
+    with pytest.raises(InputError, match="such a file holds at most 40000000 places"):
+        write_netcdf(tmp_path / "a.nc", Selection(WALK, np.arange(200_000.0), ALL), silent)
     assert not list(tmp_path.iterdir())
 
 

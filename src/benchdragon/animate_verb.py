@@ -7,13 +7,16 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon import __version__
-from benchdragon.ask import PICTURE_FORMATS, parse_sides, parse_span, parse_times
-from benchdragon.errors import InputError
-from benchdragon.messages import N_, _
+from benchdragon.ask import PICTURE_FORMATS, check_ending, parse_sides, parse_span, parse_times
+from benchdragon.messages import N_
 from benchdragon.options import (
+    BESIDE,
+    FILE,
+    WITHOUT,
     announce_compiling,
     json_option,
     plan_options,
+    refuse_strays,
     shared_options,
     span_options,
 )
@@ -39,7 +42,7 @@ if TYPE_CHECKING:
     "-o",
     "--output",
     required=True,
-    type=click.Path(path_type=Path, dir_okay=False),
+    type=FILE,
     metavar="FILE",
     help=N_("File to write: .mp4, .gif, .png, .svg or .pdf."),
 )
@@ -99,12 +102,7 @@ def animate(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -
     """Write the files and name them, as text or JSON."""
     path: Path = options["output"]
     kind = path.suffix[1:]
-    if kind not in FILM_FORMATS + PICTURE_FORMATS:
-        raise InputError(
-            _("-o: wanted a name that ends in .mp4, .gif, .png, .svg or .pdf, not {name}").format(
-                name=path.name
-            )
-        )
+    check_ending("-o", path, [f".{name}" for name in FILM_FORMATS + PICTURE_FORMATS])
     picture = kind in PICTURE_FORMATS
     _refuse_strays(options, picture)
     from benchdragon.plan import read_plan
@@ -124,20 +122,13 @@ def _refuse_strays(options: dict[str, Any], picture: bool) -> None:
     """Refuse options that say nothing about what is asked for, rather than overlook them."""
     kind = options["output"].suffix
     still = options["sheet"] is None
-    for name, goes, what in (
-        ("fps", not picture, kind),
-        ("speed_up", not picture, kind),
-        ("at", picture, kind),
-        ("sheet", picture, kind),
-        ("end", not (picture and still), kind),
-        ("start", options["at"] is None, "--at"),
-        ("end", options["at"] is None, "--at"),
-    ):
-        if options[name] is not None and not goes:
-            option = "--" + name.replace("_", "-")
-            raise InputError(_("{option} does not go with {what}").format(option=option, what=what))
-    if options["span"] is not None and options["follow"] is None:
-        raise InputError(_("--span goes with --follow"))
+    refuse_strays(
+        *((name, not picture, BESIDE, kind) for name in ("fps", "speed_up")),
+        *((name, picture, BESIDE, kind) for name in ("at", "sheet")),
+        ("end", not (picture and still), BESIDE, kind),
+        *((name, options["at"] is None, BESIDE, "--at") for name in ("start", "end")),
+        ("span", options["follow"] is not None, WITHOUT, "--follow"),
+    )
 
 
 def _look(options: dict[str, Any], size: tuple[int, int]) -> "Look":

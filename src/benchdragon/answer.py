@@ -4,6 +4,9 @@ import math
 from dataclasses import dataclass, replace
 from typing import Any, Literal, Self
 
+# What exceeds a limit by less than this share keeps to it: bounds leave a tenth of it for rounding.
+ROUNDING = 1e-11
+
 Status = Literal["proved", "found", "infeasible", "undecided", "unlimited"]
 
 
@@ -37,8 +40,9 @@ class Answer:
         lower: with upper, the bracket that was established: lower <= value <= upper.
         upper: see lower.
         unit: of the three.
-        status: "proved" by rigorous arithmetic, "found" with bounds that hold but for rounding (which
-            they leave room for), "infeasible", "undecided", or "unlimited" (none met up to the value).
+        status: "found" with bounds that hold but for rounding (which they leave room for), "proved" if
+            all places behind it were enclosed in ball arithmetic besides, "infeasible", "undecided", or
+            "unlimited" (none met up to the value).
         witness: what shows it.
         assumptions: what it rests on.
         looks: how many times the dragon was placed to find it.
@@ -58,6 +62,19 @@ class Answer:
     def with_status(self, status: Status) -> Self:
         """The same under another status."""
         return replace(self, status=status)
+
+    def sure(self, *, up: bool) -> float:
+        """The upper or lower end of the bracket; the value where rounding alone lies between them."""
+        end = self.upper if up else self.lower
+        near = abs(end - self.value) <= ROUNDING * abs(self.value)
+        return self.value if near or not math.isfinite(end) else end
+
+    def keeps(self, limit: float) -> bool | None:
+        """Whether the number is at most a limit, but for rounding; None where that is open."""
+        most = limit * (1.0 + ROUNDING)
+        if self.lower > most:
+            return False
+        return True if self.upper <= most else None
 
     def as_json(self, **more: Any) -> dict[str, Any]:
         """The answer as plain data, with `more` beside it; numbers that are not finite become None."""

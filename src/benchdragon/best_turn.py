@@ -17,15 +17,14 @@ from benchdragon.answer import Answer
 from benchdragon.contact import least_clearance
 from benchdragon.curves import Route
 from benchdragon.dragon import Dragon
-from benchdragon.errors import InputError, finite, positive
+from benchdragon.errors import InputError, NoSolutionError, finite, positive
 from benchdragon.kernels import sweep
 from benchdragon.kernels.box import least_distance
-from benchdragon.kernels.chain import rates
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.messages import N_, _
-from benchdragon.pace import greatest_head_speed
+from benchdragon.pace import given_limits, greatest_head_speed
 from benchdragon.plan import Plan, TurnRoute
-from benchdragon.speeds import QUANTITIES, greatest_of
+from benchdragon.speeds import QUANTITIES, greatest_of, values_at
 from benchdragon.turns import Turn
 
 Advance = Callable[[float, str], None]
@@ -64,7 +63,7 @@ OBJECTIVES = {
     "way": N_("shortest way inside the disc"),
     "speed": N_("greatest head speed"),
     "disc": N_("smallest disc"),
-    "acceleration": N_("least peak acceleration"),
+    "acceleration": N_("least peak total acceleration"),
 }
 
 
@@ -164,6 +163,18 @@ class Judge:
         self.narrowest = max(WIDER * 0.5 * float(dragon.links.max()), self.wish.least_radius)
 
     @property
+    def sought(self) -> str:
+        """The figure that is to be small."""
+        objective = self.wish.objective
+        return "total_acceleration" if objective == "acceleration" else objective
+
+    @property
+    def judged(self) -> list[str]:
+        """Quantities that a turn is judged by: speed, what is limited, and what is sought."""
+        wanted = {"speed", self.sought, *given_limits(self.plan)}
+        return [name for name in QUANTITIES if name in wanted]
+
+    @property
     def bounds(self) -> list[tuple[float, float]]:
         """Ranges of the unknowns: joints, what the family has, and the clothoids' length if free."""
         table, disc = self.plan.turn, self.disc
@@ -226,15 +237,15 @@ class Judge:
     def _rates(self, route: Route) -> dict[str, float]:
         places = self._places(route, self.few, self.step)
         if places is None:
-            return {"speed": math.inf, "acceleration": math.inf}
-        found = {"speed": float(places.ratio.max())}
-        if self.wish.objective == "acceleration" or self.plan.limits.acceleration is not None:
-            links, rows = self.few.links, route.rows
-            change, turning = np.empty(places.u.shape), np.empty((len(links), places.u.shape[1]))
-            rates(rows, links, *places[:5], change, turning)
-            sweep.forces(rows, places, change, force := np.empty(change.shape))
-            found["acceleration"] = float(force.max())
-        return {name: value * self.factors.get(name, 1.0) for name, value in found.items()}
+            return dict.fromkeys(self.judged, math.inf)
+        slots = np.arange(places.u.shape[1] - 1)
+        steady = np.tile([1.0, 1.0, 0.0], (len(slots), 1))
+        found = {}
+        for name in self.judged:
+            kind = QUANTITIES[name].kind
+            values = values_at(route.rows, self.few.links, places, slots, steady, kind)[0]
+            found[name] = float(values.max()) * self.factors.get(name, 1.0)
+        return found
 
     def _clearance(self, route: Route) -> float:
         places = self._places(route, self.more, CLEAR_STEP)
@@ -262,11 +273,10 @@ class Judge:
             rooms["length"] = 1.0 - found["length"] / wish.longest
         if math.isfinite(wish.longest_way):
             rooms["way"] = 1.0 - found["way"] / wish.longest_way
-        if plan.limits.speed is not None and wish.objective != "speed":
-            rooms["speed"] = 1.0 - found.get("speed", math.inf) * head / plan.limits.speed
-        if plan.limits.acceleration is not None and wish.objective != "acceleration":
-            limit = plan.limits.acceleration
-            rooms["acceleration"] = 1.0 - found.get("acceleration", math.inf) * head**2 / limit
+        for name, limit in given_limits(plan).items():
+            if name != self.sought:
+                peak = found.get(name, math.inf) * head ** QUANTITIES[name].power
+                rooms[name] = 1.0 - peak / limit
         if "clearance" in found:
             rooms["clearance"] = (found["clearance"] - plan.limits.margin) / self.few.width[0]
         return {name: max(room, -1.0) for name, room in rooms.items()}
@@ -277,15 +287,16 @@ class Judge:
         if found is None:  # small radii and short clothoids are likelier to exist
             return NOWHERE * (1.0 + sum(abs(value) for value in x[2:]))
         exceeded = -sum(min(room + EXCEEDED, 0.0) for room in self.rooms(found).values())
-        return WORSE * (1.0 + exceeded) if exceeded > 0.0 else found[self.wish.objective]
+        return WORSE * (1.0 + exceeded) if exceeded > 0.0 else found[self.sought]
 
 
 def best_turn(plan: Plan, wish: Wish | None = None, *, advance: Advance | None = None) -> BestTurn:
     """The best turn of the plan's family for a wish, under the plan's limits.
 
     Limits are limits.speed with the head at walk.speed (or as fast as it may, if that is the wish),
-    limits.acceleration, and limits.margin over the whole manoeuvre, until the tail is out. Joints that
-    the plan says stay. The search is the same each time; that nothing better exists is not shown.
+    those of accelerations and turning rates, and limits.margin over the whole manoeuvre, until the
+    tail is out. Joints that the plan says stay. The search is the same each time; that nothing better
+    exists is not shown.
 
     Raises:
         InputError: for a plan without a turn, or if no turn keeps the limits.
@@ -315,7 +326,7 @@ def _settled(judge: Judge, x: Sequence[float], tell: Advance, began: float) -> B
         best, exceeded = _exact(judge, x, began, PRUDENCE * 2.0**narrowing)
         if not exceeded:
             return best
-    raise InputError(_("no turn of this family was found that keeps the limits"))
+    raise NoSolutionError(_("no turn of this family was found that keeps the limits"))
 
 
 def _global_search(judge: Judge, tell: Advance, near: Sequence[float] | None) -> list[list[float]]:
@@ -338,7 +349,7 @@ def _global_search(judge: Judge, tell: Advance, near: Sequence[float] | None) ->
         if found.fun < WORSE:
             starts.append([float(value) for value in found.x])
     if not starts:
-        raise InputError(_("no turn of this family was found that keeps the limits"))
+        raise NoSolutionError(_("no turn of this family was found that keeps the limits"))
     return starts
 
 
@@ -363,7 +374,7 @@ def _local_search(judge: Judge, x: Sequence[float]) -> list[float]:
         return seen[key]
 
     def goal(z: FloatArray) -> float:
-        return figures(z)[judge.wish.objective]
+        return figures(z)[judge.sought]
 
     result = minimize(
         goal,
@@ -407,7 +418,7 @@ def _descended(judge: Judge, x: list[float]) -> list[float]:
 
 def _complete(judge: Judge, x: Sequence[float]) -> dict[str, float]:
     """All figures; of a turn that does not exist, hopeless ones."""
-    bad = dict.fromkeys(("length", "way", "disc", "speed", "acceleration"), HOPELESS)
+    bad = dict.fromkeys(("length", "way", "disc", *judge.judged), HOPELESS)
     bad |= {"radius": 0.0, "clearance": -1.0}
     return {**bad, **(judge.figures(x, complete=True) or {})}
 
@@ -422,11 +433,11 @@ def _exact(judge: Judge, x: Sequence[float], began: float, prudence: float) -> t
     if judge.wish.objective == "disc":
         plan = plan.with_value("disc.radius", exact["disc"])
     speed = greatest_head_speed(plan) if plan.limits.speed is not None else None
-    value, unit = exact[judge.wish.objective], "m"
+    value, unit = exact[judge.sought], "m"
     if judge.wish.objective == "speed":
         value, unit = (math.nan if speed is None else speed.value), "m/s"
     elif judge.wish.objective == "acceleration":
-        value, unit = exact["acceleration"] * plan.walk.speed**2, "m/s^2"
+        value, unit = exact[judge.sought] * plan.walk.speed**2, "m/s^2"
     answer = Answer(
         value, value, value, unit, "found", None,
         (_("best that was found in this family; better ones may exist"),),
@@ -446,14 +457,14 @@ def _exact_figures(
     ends = float(walk.route.joints[1]), walk.head_where_tail(float(walk.route.joints[-2]))
     for name in _judged(sampled):
         exact[name] = greatest_of(walk, QUANTITIES[name], *ends, tolerance=1e-6).upper
-    times = [walk.profile.time(s - walk.start) for s in ends]
+    times = [walk.time_at(s) for s in ends]
     clearance = least_clearance(walk, *times, within=within, tolerances=(math.inf, 1e-5))
     return {**exact, "clearance": clearance.lower}, clearance
 
 
 def _judged(sampled: dict[str, float]) -> list[str]:
-    """Which of the sampled figures can be made exact: accelerations only where they are asked for."""
-    return [name for name in ("speed", "acceleration") if sampled[name] < HOPELESS]
+    """Which of the sampled figures can be made exact: speeds and what else is limited or sought."""
+    return [name for name in QUANTITIES if sampled.get(name, HOPELESS) < HOPELESS]
 
 
 def _correct(judge: Judge, sampled: dict[str, float], exact: dict[str, float], prudence: float) -> None:
@@ -497,7 +508,7 @@ def pareto_front(
         found.append(best)
         x = _unknowns(best, wished)
     if not found:
-        raise InputError(_("no turn of this family was found that keeps the limits"))
+        raise NoSolutionError(_("no turn of this family was found that keeps the limits"))
     return found
 
 

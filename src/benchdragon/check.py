@@ -1,13 +1,12 @@
-"""Whether a walk is safe: first contact, least clearance and greatest speed against their limits."""
+"""Whether a walk is safe: first contact, least clearance, speeds and accelerations against limits."""
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from benchdragon.answer import Answer
+from benchdragon.answer import ROUNDING, Answer
 from benchdragon.contact import (
     ClearanceCurve,
     clearance_curve,
@@ -21,19 +20,17 @@ from benchdragon.motion import Motion, Walk
 from benchdragon.pace import given_limits
 from benchdragon.plan import Plan
 from benchdragon.prove import prove_contact
-from benchdragon.speeds import QUANTITIES, greatest_of, greatest_speed, part_of
+from benchdragon.speeds import QUANTITIES, RATE_TOLERANCE, greatest, greatest_speed, part_of
 
 Advance = Callable[[float, str], None]
 
-# Width of the brackets of accelerations and turning rates, relative.
-RATE_TOLERANCE = 1e-6
 # Grazes that a check looks past for a sure contact.
 MOST_GRAZES = 100
 # Samples of the clearance drawn, and seconds shown after a contact.
 SAMPLES = 1000
 AFTER = 3.0
 # How often a check advances by 1.
-STEPS = 3
+STEPS = 4
 
 
 @dataclass(frozen=True)
@@ -41,7 +38,8 @@ class Finding:
     """Something that a walk must not do, or that could not be decided.
 
     Attributes:
-        code: "contact", "margin", "speed", "acceleration", "turning_rate" or "undecided".
+        code: "contact", "margin", "speed" or another limited quantity, "head_acceleration" or
+            "undecided".
         time: when, s.
         benches: which.
         value: what came out, m, m/s, m/s^2 or rad/s.
@@ -80,6 +78,7 @@ class Report:
         first_contact: when two benches but neighbours first touch, or come nearer than the margin.
         clearance: the least distance that they keep, m; 0 where they touch.
         greatest_speed: of any handle, m/s.
+        peaks: the greatest of what else is limited, by the names of the limits, in SI units.
         findings: empty if the walk is safe.
         proved: whether what is said of contact was proved.
     """
@@ -90,6 +89,7 @@ class Report:
     first_contact: Answer | None
     clearance: Answer
     greatest_speed: Answer
+    peaks: dict[str, Answer]
     findings: tuple[Finding, ...]
     proved: bool = False
 
@@ -106,9 +106,10 @@ class Report:
 
 
 def check(plan: Plan, advance: Advance | None = None, *, prove: bool = False) -> Report:
-    """Check the whole walk of a plan against its margin and its limit of speed.
+    """Check the whole walk of a plan against its margin and its limits.
 
-    With `prove` it is proved when the first contact comes, or that none does (see `prove`).
+    With `prove` it is proved when the first contact comes, or that none does (see `prove`); where two
+    benches come within rounding of the margin first, nothing is.
 
     Raises:
         MissingExtraError: for a proof without python-flint.
@@ -128,8 +129,11 @@ def check(plan: Plan, advance: Advance | None = None, *, prove: bool = False) ->
     if clearance is None:
         clearance = least_clearance(walk, start, until, advance=part_of(tell, _("clearance")))
     speed = greatest_speed(walk, start, until, advance=part_of(tell, _("greatest speed")))
-    findings = all_findings(plan, walk, (start, until), contact, speed)
-    return Report(plan, start, end, contact, clearance, speed, findings, proved=prove)
+    speed = decided_speed(plan, walk, (start, until), speed)
+    peaks = limited_peaks(plan, walk, (start, until), part_of(tell, _("other limits")))
+    findings = all_findings(plan, walk, (start, until), contact, {"speed": speed, **peaks})
+    proved = prove and (contact is None or contact.status == "proved")
+    return Report(plan, start, end, contact, clearance, speed, peaks, findings, proved=proved)
 
 
 def sure_contact(
@@ -149,18 +153,53 @@ def no_clearance(contact: Answer | None) -> Answer | None:
     return replace(contact, value=0.0, lower=0.0, upper=0.0, unit="m")
 
 
+def decided_speed(plan: Plan, walk: Walk, span: tuple[float, float], speed: Answer) -> Answer:
+    """The greatest speed over a span of the walk, s, asked again where its bracket holds the limit."""
+    limit = plan.limits.speed
+    if limit is None or speed.keeps(limit) is not None:
+        return speed
+    return greatest(walk, QUANTITIES["speed"], *span, limit=limit * (1.0 + ROUNDING))
+
+
+def limited_peaks(
+    plan: Plan,
+    walk: Walk,
+    span: tuple[float, float],
+    advance: Callable[[float], None] | None = None,
+) -> dict[str, Answer]:
+    """The greatest of each quantity but speed that the plan limits, over a span of the walk, s.
+
+    Brackets are as narrow as it takes to compare them with their limits (see `speeds.greatest`).
+    """
+    limits = {name: limit for name, limit in given_limits(plan).items() if name != "speed"}
+    peaks = {}
+    for n, (name, limit) in enumerate(limits.items()):
+        peaks[name] = greatest(
+            walk, QUANTITIES[name], *span, tolerance=RATE_TOLERANCE, limit=limit * (1.0 + ROUNDING)
+        )
+        if advance:
+            advance((n + 1) / len(limits))
+    if advance:
+        advance(1.0)
+    return peaks
+
+
 def all_findings(
-    plan: Plan, walk: Walk, span: tuple[float, float], contact: Answer | None, speed: Answer
+    plan: Plan,
+    walk: Walk,
+    span: tuple[float, float],
+    contact: Answer | None,
+    peaks: dict[str, Answer],
 ) -> tuple[Finding, ...]:
     """What a walk does that its plan forbids, from the first time of the span, s, to the second.
 
-    Raises:
-        InputError: for a limit of acceleration or turning rate on a head whose speed changes.
+    `peaks` are the greatest speed and what `limited_peaks` found.
     """
+    limits = given_limits(plan)
     return (
         *_contact_findings(contact, plan.limits.margin),
-        *_speed_findings(speed, plan.limits.speed),
-        *_rate_findings(plan, walk, *span),
+        *_head_findings(walk, span, plan.limits.head_acceleration),
+        *(found for name in limits for found in _limit_findings(name, peaks[name], limits[name])),
     )
 
 
@@ -182,60 +221,52 @@ def _contact_findings(contact: Answer | None, margin: float) -> list[Finding]:
     return [Finding(code, contact.value, near.benches, max(near.gap, 0.0), margin, sentence, words)]
 
 
-def _rate_findings(plan: Plan, walk: Walk, start: float, until: float) -> list[Finding]:
-    """Limits of acceleration and turning rate that are exceeded, or could not be decided.
+def _head_findings(walk: Walk, span: tuple[float, float], limit: float) -> list[Finding]:
+    """Whether the head changes its speed faster than it may: its acceleration is known exactly."""
+    stretches = walk.profile.stretches(*span)
+    n = int(np.argmax(np.abs(stretches.rates)))
+    value, time = abs(float(stretches.rates[n])), float(stretches.times[n, 0])
+    if value <= limit * (1.0 + ROUNDING):
+        return []
+    sentence = N_(
+        "the head changes its speed by {value} m/s^2 from t = {t} s on, the limit being {limit} m/s^2"
+    )
+    words = {"t": f"{time:.6f}", **_told_apart(value, limit)}
+    return [Finding("head_acceleration", time, (1,), value, limit, sentence, words)]
 
-    Raises:
-        InputError: for such a limit on a head whose speed changes.
-    """
-    limits = {name: limit for name, limit in given_limits(plan).items() if name != "speed"}
-    if limits and len(walk.profile.speeds) > 1:
-        raise InputError(
-            _("limits.acceleration and limits.turning_rate are checked for a steady head alone")
-        )
-    head, findings = walk.profile.speeds[0], []
-    first, last = walk.head_position([start, until]).tolist()
-    for name, limit in limits.items():
-        quantity = QUANTITIES[name]
-        peak = greatest_of(walk, quantity, first, last, tolerance=RATE_TOLERANCE)
-        value, upper = (size * head**quantity.power for size in (peak.value, peak.upper))
-        if upper <= limit:
-            continue
+
+def _told_apart(value: float, limit: float) -> dict[str, str]:
+    """A value and its limit with six digits, or as many as show the difference."""
+    digits = next((n for n in range(6, 17) if f"{value:.{n}g}" != f"{limit:.{n}g}"), 6)
+    return {"value": f"{value:.{digits}g}", "limit": f"{limit:.6g}"}
+
+
+def _limit_findings(name: str, peak: Answer, limit: float) -> list[Finding]:
+    """Whether what is limited exceeds its limit, or may."""
+    near, quantity = peak.witness, QUANTITIES[name]
+    kept = peak.keeps(limit)
+    if kept or near is None:
+        return []
+    sentence = N_("whether the {what} keeps to {limit} {unit} is undecided: {value} {unit} was seen")
+    if kept is False:
         sentence = N_(
             "{what} at bench {bench} is {value} {unit} at t = {t} s, the limit being {limit} {unit}"
         )
-        if value <= limit:
-            sentence = N_(
-                "whether the {what} keeps to {limit} {unit} is undecided: {value} {unit} was seen"
-            )
-        bench, time = min(peak.row + 1, len(walk.dragon)), walk.profile.time(peak.s - walk.start)
-        words = {
-            "what": quantity.text, "bench": str(bench), "value": f"{value:.6g}",
-            "limit": f"{limit:.6g}", "unit": quantity.unit, "t": f"{time:.6f}",
-        }  # fmt: skip
-        code = name if value > limit else "undecided"
-        findings.append(Finding(code, time, (bench,), value, limit, sentence, words))
-    return findings
-
-
-def _speed_findings(speed: Answer, limit: float | None) -> list[Finding]:
-    if limit is None or speed.upper <= limit or speed.witness is None:
-        return []
-    sure = speed.lower > limit
-    sentence = N_(
-        "a handle of bench {bench} walks at {speed} m/s at t = {t} s, the limit being {limit} m/s"
-    )
-    if not sure:
-        sentence = N_("whether every handle keeps to {limit} m/s is undecided: {speed} m/s was seen")
-    near = speed.witness
+    if kept is False and name == "speed":
+        sentence = N_(
+            "a handle of bench {bench} walks at {value} m/s at t = {t} s, the limit being {limit} m/s"
+        )
     words = {
-        "bench": str(near.benches[0]),
-        "speed": f"{speed.value:.6f}",
-        "limit": f"{limit:g}",
-        "t": "-" if near.time is None or math.isinf(near.time) else f"{near.time:.6f}",
-    }
-    code = "speed" if sure else "undecided"
-    return [Finding(code, near.time, near.benches, speed.value, limit, sentence, words)]
+        "what": quantity.text, "bench": str(near.benches[0]), "unit": quantity.unit,
+        "t": f"{near.time:.6f}", **_told_apart(peak.value, limit),
+    }  # fmt: skip
+    code = "undecided" if kept is None else name
+    return [Finding(code, near.time, near.benches, peak.value, limit, sentence, words)]
+
+
+def peak_text(name: str) -> str:
+    """What the greatest of a limited quantity is called, in the language in use."""
+    return _("greatest {what}").format(what=_(QUANTITIES[name].text))
 
 
 def sentence(report: Report) -> str:
@@ -276,7 +307,17 @@ def _kept(report: Report) -> str:
     if limits.speed is not None:
         said.append(
             _("fastest handle {speed} m/s of {limit} m/s allowed").format(
-                speed=f"{report.greatest_speed.value:.3g}", limit=f"{limits.speed:g}"
+                speed=f"{report.greatest_speed.value:.6g}", limit=f"{limits.speed:g}"
+            )
+        )
+    for name, peak in report.peaks.items():
+        quantity = QUANTITIES[name]
+        said.append(
+            _("{what} at most {most} {unit} of {limit} {unit} allowed").format(
+                what=_(quantity.text),
+                most=f"{peak.upper:.3g}",
+                limit=f"{given_limits(report.plan)[name]:.3g}",
+                unit=quantity.unit,
             )
         )
     return _("; ").join(said)

@@ -10,14 +10,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from benchdragon.dragon import Dragon
-from benchdragon.errors import InputError, WalkError, not_negative
+from benchdragon.errors import not_negative, of_kind, whole
 from benchdragon.kernels import box as kernel
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.status import Status
-from benchdragon.messages import N_, _
-from benchdragon.motion import Motion, Walk
+from benchdragon.messages import N_
+from benchdragon.motion import Walk
+from benchdragon.placement import Placement
 
 CORNERS = (N_("front left"), N_("rear left"), N_("rear right"), N_("front right"))
 ENDS, FLANKS = (N_("front"), N_("rear")), (N_("left"), N_("right"))
@@ -56,18 +56,18 @@ class Nearness:
     features: tuple[tuple[int, str], tuple[int, str]]
 
 
-def boxes(motion: Motion, index: int) -> FloatArray:
-    """The rectangles of all benches at time number `index`, (N, BOX_COLUMNS) of kernels/box.py.
+def boxes(placed: Placement, index: int) -> FloatArray:
+    """The rectangles of all benches of placement number `index`, (N, BOX_COLUMNS) of kernels/box.py.
 
     Raises:
-        WalkError: if the dragon could not stand at that time.
+        WalkError: if the dragon cannot stand there.
     """
-    if motion.status[index]:
-        error: WalkError = motion.failure(index)
-        raise error
-    dragon = motion.walk.dragon
+    of_kind("placed", placed, Placement)
+    if placed.status[whole("index", index, 0, len(placed.status) - 1)]:
+        raise placed.failure(index)
+    dragon = placed.dragon
     out = np.empty((len(dragon), kernel.BOX_COLUMNS))
-    x, y = motion.x[index : index + 1].T, motion.y[index : index + 1].T
+    x, y = placed.x[index : index + 1].T, placed.y[index : index + 1].T
     kernel.boxes_at(dragon.sizes, np.ascontiguousarray(x), np.ascontiguousarray(y), 0, out)
     return out
 
@@ -120,7 +120,7 @@ def pairs_within(table: FloatArray, reach: float) -> tuple[IntArray, IntArray]:
     return first[keep].astype(np.int64), second[keep].astype(np.int64)
 
 
-def tightest_pairs(motion: Motion, index: int = 0, count: int = 1) -> list[Nearness]:
+def tightest_pairs(placed: Placement, index: int = 0, count: int = 1) -> list[Nearness]:
     """The `count` pairs of benches with the smallest distance at time number `index`, tightest first.
 
     Neighbours do not count. Fewer come back where the dragon has fewer pairs. Equal distances come in
@@ -128,15 +128,10 @@ def tightest_pairs(motion: Motion, index: int = 0, count: int = 1) -> list[Nearn
 
     Raises:
         InputError: for a count outside 1..MOST_PAIRS.
-        WalkError: if the dragon could not stand at that time.
+        WalkError: if the dragon cannot stand there.
     """
-    if not 1 <= count <= MOST_PAIRS:
-        raise InputError(
-            _("count must lie between 1 and {most}, not at {count}").format(
-                most=MOST_PAIRS, count=count
-            )
-        )
-    table = boxes(motion, index)
+    whole("count", count, 1, MOST_PAIRS)
+    table = boxes(placed, index)
     wanted = min(count, (len(table) - 1) * (len(table) - 2) // 2)
     reach = 0.25
     while True:
@@ -150,13 +145,13 @@ def tightest_pairs(motion: Motion, index: int = 0, count: int = 1) -> list[Nearn
     return [nearness(table, int(first[p]), int(second[p])) for p in order]
 
 
-def touching(motion: Motion, index: int = 0) -> IntArray:
+def touching(placed: Placement, index: int = 0) -> IntArray:
     """Rows of all benches that touch or overlap another but a neighbour at time number `index`.
 
     Raises:
-        WalkError: if the dragon could not stand at that time.
+        WalkError: if the dragon cannot stand there.
     """
-    table = boxes(motion, index)
+    table = boxes(placed, index)
     first, second = pairs_within(table, TOUCHING)
     gap, distance = np.empty(len(first)), np.empty(len(first))
     kernel.pair_distances(table, first, second, gap, distance)
@@ -164,18 +159,18 @@ def touching(motion: Motion, index: int = 0) -> IntArray:
     return np.union1d(first[meet], second[meet])
 
 
-def pair_distances(motion: Motion, i: int, j: int) -> FloatArray:
-    """Distance of benches i and j (rows, from 0) at each time of a motion, m, (T,); minus a depth.
+def pair_distances(placed: Placement, i: int, j: int) -> FloatArray:
+    """Distance of benches i and j (rows, from 0) at each placement, m, (T,); minus a depth.
 
     Infinite where the dragon does not stand.
     """
-    out = np.empty(len(motion.times))
-    x, y = np.ascontiguousarray(motion.x.T), np.ascontiguousarray(motion.y.T)
-    kernel.distances_along(motion.walk.dragon.sizes, x, y, i, j, out)
+    out = np.empty(len(placed.head_s))
+    x, y = np.ascontiguousarray(placed.x.T), np.ascontiguousarray(placed.y.T)
+    kernel.distances_along(placed.dragon.sizes, x, y, i, j, out)
     return out
 
 
-def nearest_each(motion: Motion, reach: float = 1.0) -> tuple[FloatArray, IntArray]:
+def nearest_each(placed: Placement, reach: float = 1.0) -> tuple[FloatArray, IntArray]:
     """Each bench's distance to the nearest bench that is no neighbour, m, and that bench's number.
 
     Both are (T, N). Beyond `reach`, m, they are infinite and 0; the distance is minus the depth where
@@ -185,11 +180,11 @@ def nearest_each(motion: Motion, reach: float = 1.0) -> tuple[FloatArray, IntArr
         InputError: for a negative reach.
     """
     not_negative("reach", reach, "m")
-    shape = len(motion.times), len(motion.walk.dragon)
+    shape = len(placed.head_s), len(placed.dragon)
     distance, partner = np.full(shape, np.nan), np.full(shape, -1, dtype=np.int64)
-    x, y = np.ascontiguousarray(motion.x.T), np.ascontiguousarray(motion.y.T)
-    for t in np.flatnonzero(motion.status == Status.OK).tolist():
-        kernel.nearest_each(motion.walk.dragon.sizes, x, y, t, reach, distance, partner)
+    x, y = np.ascontiguousarray(placed.x.T), np.ascontiguousarray(placed.y.T)
+    for t in np.flatnonzero(placed.status == Status.OK).tolist():
+        kernel.nearest_each(placed.dragon.sizes, x, y, t, reach, distance, partner)
     return distance, partner + 1
 
 
@@ -200,12 +195,11 @@ def low_point(
 
     It is looked for, not bounded; infinite where the dragon stands nowhere. Minus a depth inside.
     """
-    dragon = Dragon.of_sizes(*(walk.dragon.sizes[n, : j + 1] for n in range(4)))
-    short = Walk(dragon, walk.route)
+    dragon = walk.dragon.first(j + 1)
     least, where = math.inf, 0.5 * (low + high)
     for _shrink in range(shrinks if low < high else 0):
         at = np.linspace(low, high, SAMPLES)
-        distance = pair_distances(short.motion(at, throw=False), i, j)
+        distance = pair_distances(Placement(dragon, walk.route, at), i, j)
         n = int(np.argmin(distance))  # infinite where the dragon does not stand
         if not math.isfinite(distance[n]):
             break
@@ -223,20 +217,21 @@ def low_pair(walk: Walk, first: float, last: float) -> tuple[float, float, int, 
     depth inside; infinite where the dragon stands nowhere. Cost grows with the square of benches.
     """
     at = np.linspace(first, last, PLACES)
-    motion = Walk(walk.dragon, walk.route).motion(at, throw=False)
-    distance, t, i, j = kernel.nearest_pair(walk.dragon.sizes, motion.x.T, motion.y.T)
+    placed = walk.placement(at, throw=False)
+    distance, t, i, j = kernel.nearest_pair(walk.dragon.sizes, placed.x.T, placed.y.T)
     if not math.isfinite(distance):
         return math.inf, first, 0, 0
     around = float(at[max(t - 1, 0)]), float(at[min(t + 1, PLACES - 1)])
     return *min((distance, float(at[t])), low_point(walk, i, j, *around, HINT_SHRINKS)), i, j
 
 
-def clearances(motion: Motion, indices: Sequence[int] | None = None) -> FloatArray:
+def clearances(placed: Placement, indices: Sequence[int] | None = None) -> FloatArray:
     """Smallest distance over all pairs that are not neighbours at each time, m, (T,).
 
     Negative where benches overlap (the gap then), infinite for a dragon of one or two benches. A
     check with room for people asks for at least that room.
     """
-    chosen = range(len(motion.times)) if indices is None else indices
-    tightest = (tightest_pairs(motion, index) for index in chosen)
+    of_kind("placed", placed, Placement)
+    chosen = range(len(placed.head_s)) if indices is None else indices
+    tightest = (tightest_pairs(placed, index) for index in chosen)
     return np.array([pairs[0].distance if pairs else np.inf for pairs in tightest])

@@ -6,29 +6,42 @@ Help must come fast, so everything heavier than click is imported by the verb th
 import copy
 import json
 import os
+import signal
 import sys
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+from unicodedata import east_asian_width
 
 import click
 
 from benchdragon import __version__
 from benchdragon.animate_verb import animate
-from benchdragon.ask import PICTURE_FORMATS, parse_formats, parse_handles, parse_times
-from benchdragon.document import decimals
-from benchdragon.errors import BenchDragonError, InputError
+from benchdragon.ask import (
+    PICTURE_FORMATS,
+    TABLE_FORMATS,
+    parse_formats,
+    parse_handles,
+    parse_times,
+    spread,
+)
+from benchdragon.errors import BenchDragonError, InputError, MachineError, reason
 from benchdragon.margins_verb import margins
 from benchdragon.messages import LANGUAGES, N_, _, language
 from benchdragon.options import (
+    FOLDER,
+    WITHOUT,
     announce_compiling,
     explain_option,
     plan_options,
+    refuse_strays,
     shared_options,
     workers_option,
 )
 from benchdragon.plan_text import bench_count, read_toml
+from benchdragon.plan_verb import plan, schema
 from benchdragon.show import (
     Advance,
     print_explanation,
@@ -49,17 +62,50 @@ if TYPE_CHECKING:
     from benchdragon.tables import Selection
 
 COMPILE = "BENCHDRAGON_COMPILE"
-INTERRUPTED = 130
-USAGE = 2
+# As shells report programs that a signal ended.
+INTERRUPTED = 128 + signal.SIGINT
+NOBODY_READS = 128 + 13
 # Handles times times of a JSON answer (1 GB of text at most) and of a table on the screen.
 MOST_PLACES_JSON = 10_000_000
 MOST_ROWS_SHOWN = 400
+# Without --at a screen shows the whole walk in the first of these steps, s, that needs no more times.
+SCREEN_STEPS, SCREEN_TIMES = (1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 120.0, 300.0, 600.0, 1800.0, 3600.0), 12
 # Below this many handles times times, plain Python is done before numba would be imported
 # (design/cold_start.py).
 FEW_PLACES = 5_000
+PAD = "\0"
 PAPER_HANDLES = (0, 1, 51, 101, 151, 201)
 # What click calls the types of our options; `translated` puts them into the language in use.
 TYPE_NAMES = (N_("float range"), N_("integer range"))
+
+
+class WideFormatter(click.HelpFormatter):
+    """Gives a Chinese sign the two columns that it takes; click would count one."""
+
+    def write_text(self, text: str) -> None:
+        """Write a paragraph."""
+        super().write_text(_padded(text))
+
+    def write_dl(
+        self, rows: Iterable[tuple[str, str]], col_max: int = 30, col_spacing: int = 2
+    ) -> None:
+        """Write terms and what they mean."""
+        super().write_dl([(_padded(a), _padded(b)) for a, b in rows], col_max, col_spacing)
+
+    def getvalue(self) -> str:
+        """What was written."""
+        return super().getvalue().replace(PAD, "")
+
+
+def _padded(text: str) -> str:
+    """`text` with a sign that is not printed behind each that takes two columns."""
+    return "".join(sign + PAD * (east_asian_width(sign) in "WF") for sign in text)
+
+
+class WideContext(click.Context):
+    """Formats help as WideFormatter does."""
+
+    formatter_class = WideFormatter
 
 
 class HelpfulGroup(click.Group):
@@ -96,7 +142,7 @@ def program() -> None:
 @click.option(
     "-o",
     "--output",
-    type=click.Path(path_type=Path, file_okay=False),
+    type=FOLDER,
     metavar="DIR",
     default=Path("out"),
     show_default=True,
@@ -146,17 +192,20 @@ def reproduce(
     "--at",
     metavar="TIMES",
     help=N_(
-        "Times: seconds (12.5), minutes and seconds (3:12), a range start:stop:step in seconds "
-        "(0:300:1), or several with commas. Default: each second from walk.start to walk.end."
+        "Times: seconds (12.5), a clock time (3:12 or 1:02:03), units (3 min 12 s), a range "
+        "start..stop..step (0..300..1; a step of 1 s may be left out), or several with commas. "
+        "Default: each second of the walk that check judges; on the screen a dozen times of it."
     ),
 )
 @click.option(
-    "--only", metavar="HANDLES", help=N_("Handles to give, for example 1,51,101; 0 is the head.")
+    "--only",
+    metavar="HANDLES",
+    help=N_("Handles to give, for example 1,51,101; handle 0 is the head's front."),
 )
 @click.option(
     "-o",
     "--output",
-    type=click.Path(path_type=Path, file_okay=False),
+    type=FOLDER,
     metavar="DIR",
     help=N_("Folder for the files."),
 )
@@ -194,14 +243,15 @@ def reproduce(
 @shared_options
 def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Answer on the screen, as JSON, or as files."""
-    data = read_toml(plan, settings)
+    _refuse_strays(options)
+    data, source = read_toml(plan, settings)
     _choose_compiling(data, options["at"], bool(options["output"]))
     from benchdragon.plan import checked
     from benchdragon.tables import Selection
 
-    read = checked(data, plan)
+    read = checked(data, source)
     walk = read.build()
-    times = _times(options["at"], read)
+    times = _times(options, read, walk)
     handles = parse_handles(options["only"], len(walk.dragon))
     announce_compiling(quiet)
     if options["output"]:
@@ -213,19 +263,8 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     return _motion_table(walk, read, times, handles, options)
 
 
-for verb in (check, solve, margins, view, studio, animate):
+for verb in (check, solve, margins, view, studio, animate, plan, schema):
     program.add_command(verb)
-
-
-@program.command(help=N_("The JSON Schema of plan files."))
-@shared_options
-def schema(quiet: bool) -> int:
-    """Print the schema; it is JSON already."""
-    del quiet
-    from benchdragon.plan import Plan
-
-    click.echo(json.dumps(Plan.model_json_schema(), indent=1, ensure_ascii=False))
-    return 0
 
 
 @program.command(help=N_("Versions, fonts, cache folder, and what else is there to work with."))
@@ -246,6 +285,16 @@ def doctor(as_json: bool, quiet: bool) -> int:
     return 0
 
 
+def _refuse_strays(options: dict[str, Any]) -> None:
+    to_files = options["output"] is not None
+    formats = set(parse_formats(options["formats"])) if to_files else set(TABLE_FORMATS)
+    refuse_strays(
+        *((name, to_files, WITHOUT, "-o") for name in ("formats", "force")),
+        ("only", bool(formats & set(TABLE_FORMATS)), WITHOUT, ", ".join(TABLE_FORMATS)),
+        ("step", options["leader"] == "rk4", WITHOUT, "--leader rk4"),
+    )
+
+
 def _choose_compiling(data: dict[str, Any], at: str | None, to_files: bool) -> None:
     """Leave the kernels plain for a job that is over before numba would be imported."""
     count = bench_count(data)
@@ -255,12 +304,16 @@ def _choose_compiling(data: dict[str, Any], at: str | None, to_files: bool) -> N
         os.environ.setdefault(COMPILE, "never")
 
 
-def _times(at: str | None, plan: "Plan") -> "np.ndarray[Any, Any]":
-    if at is not None:
-        return parse_times(at)
-    if plan.walk.start is None or plan.walk.end is None:
-        raise InputError(_("the plan does not say when the walk ends: give --at, or set walk.end"))
-    return parse_times(f"{plan.walk.start!r}:{plan.walk.end!r}:1")
+def _times(options: dict[str, Any], plan: "Plan", walk: "Walk") -> "np.ndarray[Any, Any]":
+    """The times asked for; else all of the walk, each second, or as many as a screen holds."""
+    if options["at"] is not None:
+        return parse_times(options["at"])
+    import numpy as np
+
+    start, stop = plan.span(walk)
+    on_screen = not (options["output"] or options["as_json"])
+    step = next((step for step in SCREEN_STEPS if stop - start <= step * SCREEN_TIMES), stop - start)
+    return np.array(spread(start, stop, step if on_screen else 1.0))
 
 
 def _moved(walk: "Walk", times: Any, options: dict[str, Any]) -> "Motion":
@@ -273,13 +326,19 @@ def _moved(walk: "Walk", times: Any, options: dict[str, Any]) -> "Motion":
     )
 
 
-def _failures(motion: "Motion") -> int:
-    """Say on standard error what failed under --keep-going; the exit code."""
-    failed = [i for i, status in enumerate(motion.status) if status]
-    if failed:
-        click.echo(str(motion.failure(failed[0])), err=True)
-        return motion.failure(failed[0]).exit_code
-    return 0
+def _failures(motions: "Iterable[Motion]") -> int:
+    """Say on standard error at how many times --keep-going found no dragon, and why; the exit code."""
+    first, failed, count = None, 0, 0
+    for motion in motions:
+        bad = motion.status.nonzero()[0]
+        if first is None and bad.size:
+            first = motion.failure(int(bad[0]))
+        failed, count = failed + bad.size, count + len(motion.times)
+    if first is None:
+        return 0
+    text = _("{failed} of {count} times are incomplete; the first: {why}")
+    click.echo(text.format(failed=failed, count=count, why=first), err=True)
+    return first.exit_code
 
 
 def _motion_json(
@@ -302,7 +361,7 @@ def _motion_json(
     if options["explain"]:
         answer["explanation"] = _explained(found, options)
     click.echo(json.dumps(answer))
-    return _failures(found)
+    return _failures([found])
 
 
 def _number(value: float) -> float | None:
@@ -316,24 +375,21 @@ def _motion_table(
     chosen = handles or sorted({*(h for h in PAPER_HANDLES if h < benches), benches})
     if len(times) * len(chosen) > MOST_ROWS_SHOWN:
         raise InputError(
-            _("{rows} rows are too many for a screen (at most {most}): use -o DIR or --json").format(
-                rows=len(times) * len(chosen), most=MOST_ROWS_SHOWN
-            )
+            _(
+                "{rows} rows are too many for a screen (at most {most}): choose times with --at, or "
+                "use -o DIR or --json"
+            ).format(rows=len(times) * len(chosen), most=MOST_ROWS_SHOWN)
         )
     found = _moved(walk, times, options)
     rows = [
-        (
-            f"{t:.6g}",
-            str(handle),
-            *(decimals(table[i, handle]) for table in (found.x, found.y, found.speed)),
-        )
+        (t, handle, [table[i, handle] for table in (found.x, found.y, found.speed)])
         for i, t in enumerate(times)
         for handle in chosen
     ]
-    print_table(plan.title(language()), rows)
+    print_table(plan.title(language()), benches, rows)
     _print_leader(walk, times, options)
     print_explanation(_explained(found, options))
-    return _failures(found)
+    return _failures([found])
 
 
 def _explained(found: "Motion", options: dict[str, Any]) -> list[str]:
@@ -377,10 +433,17 @@ def _motion_files(what: "Selection", plan: "Plan", options: dict[str, Any], quie
             WRITERS[path.suffix[1:]](path, what, advance)
         if names:
             _write_pictures(what, plan, folder, kinds, advance)
-    print_files([*tables, *(folder / name for name in names)])
-    if options["explain"]:
-        print_explanation(_explained(what.walk.motion(what.times[:1], throw=what.throw), options))
-    return _failures(next(iter(what.motions()))) if not what.throw else 0
+    files = [*tables, *(folder / name for name in names)]
+    first = what.walk.motion(what.times[:1], throw=what.throw) if options["explain"] else None
+    lines = [] if first is None else _explained(first, options)
+    if options["as_json"]:
+        about: dict[str, Any] = {"explanation": lines} if lines else {}
+        about |= {"plan_sha256": plan.sha256, "version": __version__}
+        click.echo(json.dumps({"files": [str(path) for path in files], **about}))
+    else:
+        print_files(files)
+        print_explanation(lines)
+    return _failures(what.motions()) if not what.throw else 0
 
 
 def picture_names(what: "Selection") -> list[str]:
@@ -408,9 +471,9 @@ def translated(command: click.Command) -> click.Command:
     spoken = copy.copy(command)
     if spoken.help:
         spoken.help = _(spoken.help)
-    # click counts a Chinese sign as one column where the screen needs two.
-    width = 60 if language() == "zh" else 100
-    spoken.context_settings = {**spoken.context_settings, "max_content_width": width}
+        spoken.short_help = spoken.help.split("\n\n")[0]  # click would cut it short
+    spoken.context_class = WideContext
+    spoken.context_settings = {**spoken.context_settings, "max_content_width": 100}
     spoken.params = [copy.copy(parameter) for parameter in spoken.params]
     for parameter in spoken.params:
         parameter.type = copy.copy(parameter.type)
@@ -447,20 +510,33 @@ def run(arguments: Sequence[str]) -> int:
         sys.stdout.flush()
         return code if isinstance(code, int) else 0
     except click.ClickException as error:
-        error.show()
+        with suppress(OSError):  # nobody is left to be told
+            error.show()
         return error.exit_code
     except BenchDragonError as error:
-        click.echo(_("Error: {text}").format(text=error), err=True)
-        return error.exit_code
-    except (KeyboardInterrupt, click.Abort):
-        click.echo(_("interrupted; nothing half-written is left"), err=True)
-        return INTERRUPTED
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 0
+        return _failed(str(error), error.exit_code)
+    except (KeyboardInterrupt, click.Abort) as error:
+        _say(_("interrupted; nothing half-written is left"))
+        number = getattr(error.__cause__ or error, "args", ())
+        return 128 + number[0] if number else INTERRUPTED
+    except (BrokenPipeError, SystemExit):  # click ends with the latter where a pipe is closed
+        return NOBODY_READS
     except OSError as error:
-        click.echo(_("Error: {text}").format(text=error), err=True)
-        return USAGE
+        where = "" if error.filename is None else f"{error.filename}: "
+        return _failed(where + reason(error), MachineError.exit_code)
+    except MemoryError:
+        return _failed(_("memory ran out"), MachineError.exit_code)
     finally:  # what `_choose_compiling` chose was for this command line alone
         if compiling is None:
             os.environ.pop(COMPILE, None)
+
+
+def _failed(text: str, code: int) -> int:
+    _say(_("Error: {text}").format(text=text))
+    return code
+
+
+def _say(text: str) -> None:
+    """Tell standard error, if there is anyone to read it."""
+    with suppress(OSError):
+        click.echo(text, err=True)

@@ -10,19 +10,21 @@ import math
 import time as clock
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 
 import numpy as np
 import numpy.typing as npt
 
 from benchdragon.answer import Answer, Status, Witness
 from benchdragon.clearance import boxes, low_pair, nearness, pairs_within, tightest_pairs
-from benchdragon.errors import InputError, UnsureError, in_order, not_negative
-from benchdragon.ground import Ground, Ledger, Step
+from benchdragon.errors import InputError, UnsureError, in_order, not_negative, of_kind
+from benchdragon.ground import PARTS, PLACES, Ground, Ledger, Step
 from benchdragon.kernels import search as kernel
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import END_SLACK, IntArray
 from benchdragon.messages import _
 from benchdragon.motion import Motion, Walk
+from benchdragon.placement import Placement
 
 Advance = Callable[[float], None]
 
@@ -48,6 +50,10 @@ TOLERANCES = (math.inf, 1e-5, 1e-8, 1e-12)
 # Chains marched in one step for one of these; where benches keep the same distance for a while no
 # number would do for the last.
 MOST_LEAST_LOOKS = 2000
+# Places looked at for why a walk could not be followed.
+LOOKS_AHEAD = 65
+# The head's way between what was searched and a failure, m: more, and it is not known what comes first.
+UNKNOWN = 1e-6
 # Samples of a clearance curve: each takes a millisecond for 223 benches.
 MOST_SAMPLES = 1_000_000
 
@@ -106,12 +112,13 @@ class Hunt:
     advance: Advance
     slack: float = 0.0
     ledger: Ledger | None = None
+    since: float = -math.inf  # the time at which it begins, s
     looks: int = 0
     began: float = field(default_factory=clock.perf_counter)
 
     def __post_init__(self) -> None:
-        extent = float(np.abs(self.motion(self.start).x).max(initial=0.0))
-        extent = max(extent, float(np.abs(self.motion(self.start).y).max(initial=0.0)))
+        placed = self.placement(self.start)
+        extent = float(np.abs([placed.x, placed.y]).max())
         self.slack = self.slack or SLACK * max(1.0, extent / SLACK_REACH)
         self._room: kernel.Search | None = None
         self._shape = (0, 0, 0)
@@ -127,24 +134,42 @@ class Hunt:
         ground = Ground(walk.dragon, walk.route, reach + self.slack, self.start, self.ledger)
         end = min(self.end, walk.route.length)
         for done, upto in ground.strides(self.start, end):
-            sound = ground.sound_until(done, upto)
-            yield from ground.steps(done, sound)
+            known, sound = ground.sound_until(done, upto)
+            yield from ground.steps(done, known)
+            yield from self._small_steps(known, sound, ground.reach, ground.cell / PARTS)
             if sound < upto:
-                raise self.stopped(sound, ground.cell)
+                raise self.stopped(sound, sound + 2.0 * ground.cell)
             self.advance((upto - self.start) / (self.end - self.start))
         if self.end > end + END_SLACK:
-            raise self.stopped(end, self.end - end)
+            raise self.stopped(end, self.end)
 
-    def stopped(self, sound: float, cell: float) -> Exception:
-        """Why the walk could not be followed past head position `sound`."""
-        ahead = np.linspace(sound, min(sound + 2.0 * cell, self.end), 65)
-        motion = self.motion(ahead)
-        failed = np.flatnonzero(motion.status)
-        if failed.size:
-            return motion.failure(int(failed[0]))
+    def _small_steps(self, start: float, end: float, reach: float, size: float) -> Iterator[Step]:
+        """Steps of at most `size`, m, with all pairs that may come within reach by their travel."""
+        grid = np.linspace(start, end, math.ceil((end - start) / size) + 1)
+        per = max(1, PLACES // (len(self.walk.dragon) + 1))
+        for n in range(0, len(grid) - 1, per):
+            at = grid[n : n + per + 1]
+            placed = self.placement(at)
+            if placed.status.any():
+                raise self.stopped(start, end)
+            if self.ledger is not None:
+                self.ledger.add_grid(placed)
+            travel = self.walk.dragon.lever * np.diff(placed.s, axis=0).max(axis=1)
+            for t in range(len(at) - 1):
+                first, second = pairs_within(boxes(placed, t), reach + 2.0 * float(travel[t]))
+                if len(first):
+                    yield Step(float(at[t]), float(at[t + 1]), first, second)
+
+    def stopped(self, sound: float, until: float) -> Exception:
+        """Why the walk could not be followed past head position `sound`, looked for up to `until`."""
+        # A bench may stand square to the route for a tenth of a millimetre only, and then leap.
+        ahead = np.geomspace(UNKNOWN, max(min(until, self.end) - sound, UNKNOWN), LOOKS_AHEAD)
+        error = self.walk.first_failure(np.concatenate([[sound], sound + ahead]))
+        if error is not None and error.head <= sound + 2.0 * UNKNOWN:
+            return error
         return UnsureError(
             _("past t = {t} s it could not be shown that every bench follows without a leap").format(
-                t=f"{self.time(sound):.6g}"
+                t=f"{self.time_at(sound):.6g}"
             )
         )
 
@@ -180,26 +205,22 @@ class Hunt:
             self._room.logged[0] = 0
         return ending
 
-    def time(self, s: float) -> float:
-        """When the head stands at route position s."""
-        return self.walk.profile.time(s - self.walk.start)
-
-    def motion(self, s: npt.ArrayLike) -> Motion:
-        """The dragon with its head at s, as if it walked at 1 m/s from route position 0."""
-        return Walk(self.walk.dragon, self.walk.route).motion(s, throw=False)
+    def placement(self, s: npt.ArrayLike) -> Placement:
+        """The dragon with its head at s, whether it can stand there or not."""
+        return self.walk.placement(s, throw=False)
 
     def witness(self, s: float, i: int, j: int) -> Witness:
         """How benches i and j (rows, from 0) stand with the head at s."""
-        near = nearness(boxes(self.motion(s), 0), i, j)
+        near = nearness(boxes(self.placement(s), 0), i, j)
         owner = near.features[0][0]
         point = near.points[near.benches.index(owner)]
-        return Witness(self.time(s), s, near.benches, point, near.gap, near.features)
+        return Witness(self.time_at(s), s, near.benches, point, near.gap, near.features)
 
     def answer_at(self, lower: float, upper: float, status: Status, i: int, j: int) -> Answer:
         """A time between those at which the head is at lower and at upper, benches i and j meeting."""
         middle = 0.5 * (lower + upper)
         early, late = self._not_after(lower), self._not_before(upper)
-        value = min(max(self.time(middle), early), late)
+        value = min(max(self.time_at(middle), early), late)
         seconds = clock.perf_counter() - self.began
         witness = self.witness(upper, i, j)
         return Answer(value, early, late, "s", status, witness, self.assumed(), self.looks, seconds)
@@ -209,21 +230,31 @@ class Hunt:
         text = _("computed distances are within {slack} m of the exact ones")
         return (text.format(slack=f"{self.slack:.1e}"),)
 
+    def time_at(self, s: float) -> float:
+        """The first time of the search, s, at which the head stands at s."""
+        return self.since if s <= self.start else max(self.walk.time_at(s), self.since)
+
     def _not_after(self, s: float) -> float:
-        """A time at which the head has come no farther than s."""
-        t = self.time(s)
+        """A time at which the head has come no farther than s; not before the search begins."""
+        t = self.time_at(s)
         step = math.ulp(t) if math.isfinite(t) else 0.0
-        while t > -math.inf and self.walk.start + float(self.walk.profile.distance(t)) > s:
+        while t > self.since and self._lead(t, s) > 0:
             t, step = t - step, 2.0 * step
-        return t
+        return max(t, self.since)
 
     def _not_before(self, s: float) -> float:
         """A time at which the head has come at least as far as s."""
-        t = self.time(s)
+        t = self.time_at(s)
         step = math.ulp(t) if math.isfinite(t) else 0.0
-        while t < math.inf and self.walk.start + float(self.walk.profile.distance(t)) < s:
+        while s > self.start and t < math.inf and self._lead(t, s) < 0:
             t, step = t + step, 2.0 * step
         return t
+
+    def _lead(self, t: float, s: float) -> float | Fraction:
+        """How far past s the head stands at time t, m; not rounded, so that brackets are sure."""
+        if math.isinf(t):
+            return self.walk.start + float(self.walk.profile.distance(t)) - s
+        return self.walk.exact_head_position(t) - Fraction(s)
 
 
 def _hunt(
@@ -235,11 +266,12 @@ def _hunt(
     slack: float = 0.0,
     ledger: Ledger | None = None,
 ) -> Hunt:
+    of_kind("walk", walk, Walk)
     not_negative("margin", margin, "m")
     in_order(start, end)
     walk.motion([start])  # raises where the dragon cannot stand at the start
     a, b = walk.head_position([start, end]).tolist()
-    return Hunt(walk, a, b, margin, advance or (lambda _share: None), slack, ledger)
+    return Hunt(walk, a, b, margin, advance or (lambda _share: None), slack, ledger, start)
 
 
 def contact_windows(
@@ -288,7 +320,7 @@ def _search_step(hunt: Hunt, step: Step, windows: list[Window], most: int) -> No
         if ending == kernel.CLEAR:
             return
         if ending == kernel.FALLEN:
-            raise hunt.stopped(at, step.end - at)
+            raise hunt.stopped(float(note[kernel.LOWER]), step.end)
         lower, at, p = float(note[kernel.LOWER]), float(note[kernel.UPPER]), int(note[kernel.PAIR])
         status: Status = "found" if ending == kernel.FOUND else "undecided"
         found = hunt.answer_at(lower, at, status, int(step.first[p]), int(step.second[p]))
@@ -319,9 +351,12 @@ def _widened(window: Window, graze: Answer) -> Window:
 
 def _touching_at_start(hunt: Hunt) -> Answer | None:
     """The contact in which a walk starts, if it does."""
-    tightest = tightest_pairs(hunt.motion(hunt.start))
+    placed = hunt.placement(hunt.start)
+    tightest = tightest_pairs(placed)
     if not tightest or tightest[0].distance > hunt.margin - hunt.slack:
         return None
+    if hunt.ledger is not None:
+        hunt.ledger.add_placement(placed)
     i, j = tightest[0].benches
     return hunt.answer_at(hunt.start, hunt.start, "found", i - 1, j - 1)
 
@@ -424,7 +459,7 @@ def _guess(hunt: Hunt) -> Best:
     """A low distance, looked for here and there, so that what is farther need not be searched."""
     dragon = hunt.walk.dragon
     if len(dragon) > MOST_SAMPLED:
-        nearest = tightest_pairs(hunt.motion(hunt.start))[0]
+        nearest = tightest_pairs(hunt.placement(hunt.start))[0]
         return Best(
             max(nearest.distance, 0.0), hunt.start, (nearest.benches[0] - 1, nearest.benches[1] - 1)
         )
@@ -440,7 +475,7 @@ def _lowered(hunt: Hunt, steps: Sequence[Step], best: Best, reach: float, tolera
         before = note[kernel.NEAREST]
         ending = hunt.seek(kernel.LEAST, step, step.start, step.end, note, tolerance)
         if ending == kernel.FALLEN:
-            raise hunt.stopped(step.start, step.end - step.start)
+            raise hunt.stopped(float(note[kernel.LOWER]), step.end)
         if note[kernel.NEAREST] < before:
             p = int(note[kernel.PAIR])
             best = Best(
@@ -475,6 +510,7 @@ def clearance_curve(walk: Walk, times: npt.ArrayLike) -> ClearanceCurve:
         InputError: for fewer than 3 times, too many, or times that do not increase.
         WalkError: if the dragon cannot stand at some time.
     """
+    of_kind("walk", walk, Walk)
     motion = walk.motion(times)
     at = motion.times
     if not 3 <= len(at) <= MOST_SAMPLES or not (np.diff(at) > 0.0).all():

@@ -20,13 +20,14 @@ from benchdragon.pictures import (
     STYLE,
     bench_corners,
     draw_dragon,
+    framing_of,
     named_figure,
 )
 from benchdragon.traversal import JUMP, PitchCurve
 
 # Vermilion for what touches, told apart by hatching too.
 TOUCH = "#D55E00"
-# Half the close-up's side, m.
+# Ground about the two points of a close-up, m.
 CLOSE = 0.6
 
 
@@ -45,11 +46,11 @@ def moment_picture(
     with matplotlib.rc_context(STYLE):
         figure = named_figure(14.4, 7.6, title)
         whole, close = figure.subplots(1, 2)
-        draw_dragon(whole, motion, 0, disc)
         middle = np.mean(near.points, axis=0)
+        draw_dragon(whole, motion, 0, disc, framing_of(motion, [0], disc, [tuple(middle)]))
         whole.plot(*middle, "s", ms=14, mfc="none", mec=TOUCH, mew=2.0, zorder=5)
         whole.set_title(_("t = {t} s").format(t=f"{motion.times[0]:.9g}".replace("-", "−")))
-        _draw_close(close, motion, (i, j), middle)
+        _draw_close(close, motion, (i, j), middle, CLOSE + 0.5 * max(near.distance, 0.0))
         (ax, ay), (bx, by) = near.points
         close.plot([ax, bx], [ay, by], color="black", lw=1.2, zorder=6)
         close.plot([ax, bx], [ay, by], "o", color="black", ms=4, zorder=6)
@@ -67,7 +68,9 @@ def _distance_text(distance: float) -> str:
     return _("{gap} mm apart").format(gap=f"{1e3 * distance:.4g}")
 
 
-def _draw_close(panel: Axes, motion: Motion, pair: tuple[int, int], middle: FloatArray) -> None:
+def _draw_close(
+    panel: Axes, motion: Motion, pair: tuple[int, int], middle: FloatArray, half: float
+) -> None:
     corners = bench_corners(motion, 0)
     others = [corners[n] for n in range(len(corners)) if n not in pair]
     panel.add_collection(PolyCollection(others, fc="#DDDDDD", ec="#888888", lw=0.5, zorder=2))
@@ -78,7 +81,7 @@ def _draw_close(panel: Axes, motion: Motion, pair: tuple[int, int], middle: Floa
         )
         bench.set_label(label)
         panel.add_collection(bench)
-    panel.set(xlim=(middle[0] - CLOSE, middle[0] + CLOSE), ylim=(middle[1] - CLOSE, middle[1] + CLOSE))
+    panel.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] - half, middle[1] + half))
     panel.set_aspect("equal")
     panel.set_xlabel(_("x (m)"))
     panel.set_ylabel(_("y (m)"))

@@ -5,7 +5,7 @@ radians; x right, y up, counter-clockwise positive, so that a left turn has posi
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Self
@@ -29,6 +29,8 @@ JOINT_KINK = 1e-9
 MOST_CLOTHOID_TURN = 1e4
 # Sizes and coordinates, m: beyond it doubles no longer hold a micrometre.
 MOST_METRES = 1e8
+# Pitches and radii, m: their inverses spoil sums where they are smaller.
+LEAST_METRES = 1e-6
 
 
 class Curve:
@@ -123,6 +125,17 @@ def _check_pose(point: Point, heading: float) -> None:
     finite("heading", heading, "rad")
 
 
+def _bend(name: str, value: float) -> float:
+    """A pitch or a radius, m."""
+    if positive(name, value, "m") < LEAST_METRES:
+        raise InputError(
+            _("{name} must be at least {least} m, not {value} m").format(
+                name=name, least=f"{LEAST_METRES:g}", value=f"{value:g}"
+            )
+        )
+    return _size(name, value)
+
+
 def _size(name: str, value: float) -> float:
     if positive(name, value, "m") > MOST_METRES:
         raise InputError(
@@ -178,7 +191,7 @@ class Arc(Curve):
     start_heading: float = 0.0
 
     def __post_init__(self) -> None:
-        _size("radius", self.radius)
+        _bend("radius", self.radius)
         if finite("sweep", self.sweep, "rad") == 0.0:
             raise InputError(_("an arc must turn by an angle other than 0"))
         _size("length", self.radius * abs(self.sweep))
@@ -223,7 +236,7 @@ class Spiral(Curve):
     mirrored: bool = False
 
     def __post_init__(self) -> None:
-        _size("pitch", self.pitch)
+        _bend("pitch", self.pitch)
         for name, angle in (("start_angle", self.start_angle), ("end_angle", self.end_angle)):
             if finite(name, angle, "rad") < 0.0:
                 raise InputError(
@@ -250,7 +263,7 @@ class Spiral(Curve):
         mirrored: bool = False,
     ) -> Self:
         """The spiral from one radius, m, to another."""
-        k = _size("pitch", pitch) / (2.0 * math.pi)
+        k = _bend("pitch", pitch) / (2.0 * math.pi)
         for name, radius in (("start_radius", start_radius), ("end_radius", end_radius)):
             not_negative(name, radius, "m")
         return cls(pitch, start_radius / k, end_radius / k, centre, rotation, mirrored)
@@ -358,11 +371,34 @@ class Route(Curve):
     kinks: bool = False
 
     def __post_init__(self) -> None:
+        if not isinstance(self.curves, Iterable):
+            raise InputError(
+                _("curves must be a list of curves, not {value}").format(value=repr(self.curves)[:80])
+            )
         object.__setattr__(self, "curves", tuple(self.curves))
+        for i, curve in enumerate(self.curves, start=1):
+            if not isinstance(curve, AnyCurve):
+                raise InputError(
+                    _("curve {number} must be a Line, Arc, Spiral or Clothoid, not {value}").format(
+                        number=i, value=repr(curve)[:80]
+                    )
+                )
         if not self.curves:
             raise InputError(_("a route needs at least one curve"))
         for i in range(1, len(self.curves)):
             self._check_joint(i)
+
+    def __len__(self) -> int:
+        """Number of curves."""
+        return len(self.curves)
+
+    def __getitem__(self, i: int) -> AnyCurve:
+        """Curve number i, from 0."""
+        return self.curves[i]
+
+    def __iter__(self) -> Iterator[AnyCurve]:
+        """The curves in walking order."""
+        return iter(self.curves)
 
     @classmethod
     def joined(cls, curves: Sequence[AnyCurve]) -> Self:

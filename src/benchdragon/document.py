@@ -1,5 +1,6 @@
 """A document: headings, words with links, tables, formulas and names of pictures, in one language."""
 
+import decimal
 import math
 from dataclasses import dataclass
 
@@ -76,6 +77,12 @@ class Document:
 def decimals(value: float, count: int = 6) -> str:
     """So many decimals, without the sign of a zero."""
     return f"{round(value, count) + 0.0:.{count}f}"
+
+
+def figures(value: float, *, up: bool) -> str:
+    """Five significant figures, rounded up or down: to the side on which what is said stays true."""
+    rounding = decimal.ROUND_CEILING if up else decimal.ROUND_FLOOR
+    return f"{decimal.Context(prec=5, rounding=rounding).create_decimal(repr(value)):f}"
 
 
 def finite_or_none(value: float) -> float | None:

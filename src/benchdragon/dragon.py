@@ -1,6 +1,6 @@
 """Bench, Dragon, the contest's dragon: sizes only."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from operator import index
@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from benchdragon.arrays import as_numbers
-from benchdragon.errors import InputError, as_number, not_negative, positive
+from benchdragon.errors import InputError, as_number, not_negative, of_kind, positive
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.messages import _
 
@@ -18,6 +18,8 @@ MOST_BENCHES = 1_000_000
 # m; the longest that is still a bench and the shortest link that chords of 1e-12 m can resolve.
 LONGEST_BENCH = 1e4
 SHORTEST_LINK = 1e-3
+# Benches that cannot be and are described at once.
+MOST_FAULTS = 20
 
 
 @dataclass(frozen=True)
@@ -36,14 +38,32 @@ class Bench:
     front_inset: float = 0.275
     rear_inset: float = 0.275
 
+    def __post_init__(self) -> None:
+        for name in _SIZES:
+            as_number(name, getattr(self, name))
+
     @property
     def link(self) -> float:
         """Distance between the two holes, m."""
         return self.length - self.front_inset - self.rear_inset
 
 
+class SizeError(InputError):
+    """Sizes that cannot be.
+
+    Attributes:
+        faults: bench (a row, from 0), size and sentence of each, benches of the same sizes once.
+    """
+
+    def __init__(self, faults: list[tuple[int, str, str]]) -> None:
+        super().__init__(faults[0][2])
+        self.faults = faults
+
+
 class Dragon:
     """Benches in walking order, bench 1 the head: their sizes as read-only arrays, (benches,), m.
+
+    As a sequence it holds a `Bench` each, from 0; dragons of the same sizes are equal.
 
     Args:
         benches: at least 1, at most a million; any sizes.
@@ -52,7 +72,20 @@ class Dragon:
         InputError: naming the first bench whose sizes cannot be.
     """
 
-    def __init__(self, benches: Sequence[Bench]) -> None:
+    length: FloatArray
+    width: FloatArray
+    front_inset: FloatArray
+    rear_inset: FloatArray
+
+    def __init__(self, benches: Iterable[Bench]) -> None:
+        if not isinstance(benches, Iterable):
+            raise InputError(
+                _("benches must be a list of Bench, not {value}").format(value=repr(benches)[:80])
+            )
+        benches = list(benches)
+        for n, bench in enumerate(benches, start=1):
+            if not isinstance(bench, Bench):
+                of_kind(_("bench {number}").format(number=n), bench, Bench)
         self._set(*(as_numbers(name, [getattr(bench, name) for bench in benches]) for name in _SIZES))
 
     @classmethod
@@ -75,6 +108,10 @@ class Dragon:
         dragon = cls.__new__(cls)
         dragon._set(*columns)
         return dragon
+
+    def first(self, benches: int) -> Self:
+        """The dragon of its first benches alone."""
+        return type(self).of_sizes(*self.sizes[:, :benches])
 
     @classmethod
     def uniform(
@@ -101,7 +138,7 @@ class Dragon:
 
     def _set(self, *columns: npt.ArrayLike) -> None:
         arrays = [np.array(column, dtype=np.float64) for column in columns]
-        self.length, self.width, self.front_inset, self.rear_inset = arrays
+        self.__dict__.update(zip(_SIZES, arrays, strict=True))
         if not 1 <= len(self) <= MOST_BENCHES:
             raise InputError(_count_text(len(self)))
         self._check()
@@ -116,41 +153,65 @@ class Dragon:
         return sizes
 
     def _check(self) -> None:
-        """One vectorised look; only the bench it finds is described."""
+        """One vectorised look; only what it finds is described, benches of the same sizes once."""
         sizes = self.sizes
         with np.errstate(invalid="ignore"):
             sound = np.isfinite(sizes).all(axis=0) & (sizes[:2] > 0.0).all(axis=0)
             sound &= (sizes[2:] >= 0.0).all(axis=0) & (sizes <= LONGEST_BENCH).all(axis=0)
             sound &= self.links >= SHORTEST_LINK
         if not sound.all():
-            self._describe(int(np.argmin(sound)))
+            wrong = np.flatnonzero(~sound)
+            _sizes, first = np.unique(sizes[:, wrong], axis=1, return_index=True)
+            raise SizeError([self._fault(int(i)) for i in wrong[np.sort(first)[:MOST_FAULTS]]])
 
-    def _describe(self, i: int) -> None:
+    def _fault(self, i: int) -> tuple[int, str, str]:
         where = _("bench {number}: {size}")
         for name in _SIZES:
             check = positive if name in ("length", "width") else not_negative
-            label = where.format(number=i + 1, size=name)
-            if check(label, float(getattr(self, name)[i]), "m") > LONGEST_BENCH:
-                raise InputError(
-                    _("{name} must be at most {most} m, not {value} m").format(
-                        name=label, most=f"{LONGEST_BENCH:g}", value=f"{getattr(self, name)[i]:g}"
-                    )
-                )
-        raise InputError(
-            _(
-                "bench {number}: its insets ({front} m and {rear} m) leave no link "
-                "in a length of {length} m"
-            ).format(
-                number=i + 1,
-                front=f"{self.front_inset[i]:g}",
-                rear=f"{self.rear_inset[i]:g}",
-                length=f"{self.length[i]:g}",
-            )
+            label, value = where.format(number=i + 1, size=name), float(getattr(self, name)[i])
+            try:
+                check(label, value, "m")
+            except InputError as error:
+                return i, name, str(error)
+            if value > LONGEST_BENCH:
+                text = _("{name} must be at most {most} m, not {value} m")
+                return i, name, text.format(name=label, most=f"{LONGEST_BENCH:g}", value=f"{value:g}")
+        text = _(
+            "bench {number}: its insets ({front} m and {rear} m) leave no link "
+            "in a length of {length} m"
         )
+        said = (f"{getattr(self, name)[i]:g}" for name in ("front_inset", "rear_inset", "length"))
+        front, rear, length = said
+        return i, "length", text.format(number=i + 1, front=front, rear=rear, length=length)
 
     def __len__(self) -> int:
         """Number of benches."""
         return len(self.length)
+
+    def __getitem__(self, i: int) -> Bench:
+        """Bench in row i, from 0; from the tail where negative."""
+        row = range(len(self))[i]
+        return Bench(*self.sizes[:, row].tolist())
+
+    def __iter__(self) -> Iterator[Bench]:
+        """The benches, head first."""
+        return (Bench(*sizes) for sizes in self.sizes.T.tolist())
+
+    def __eq__(self, other: object) -> bool:
+        """Whether all sizes are the same."""
+        return np.array_equal(self.sizes, other.sizes) if isinstance(other, Dragon) else NotImplemented
+
+    def __hash__(self) -> int:
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
+        return hash((self.sizes + 0.0).tobytes())  # -0.0 is equal to 0.0
+
+    def __setattr__(self, name: str, value: object) -> None:
+        """Refuse: a dragon stays as it is, so that it may be a key."""
+        del value
+        raise AttributeError(_("a dragon cannot be changed ({name}): make another").format(name=name))
 
     def __repr__(self) -> str:
         return f"<Dragon of {len(self)} benches, {self.links.sum():.6g} m from handle to handle>"

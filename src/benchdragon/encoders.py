@@ -10,7 +10,7 @@ from pathlib import Path
 from tempfile import TemporaryFile
 from typing import IO, Any
 
-from benchdragon.errors import BenchDragonError
+from benchdragon.errors import MachineError
 from benchdragon.messages import _
 
 # Quality of H.264: 18 shows no difference to the eye.
@@ -22,7 +22,7 @@ COLOURS = (
 )
 
 
-class EncoderError(BenchDragonError):
+class EncoderError(MachineError):
     """ffmpeg did not do what it was asked for."""
 
 

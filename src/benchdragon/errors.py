@@ -1,6 +1,10 @@
 """Everything that can go wrong, in words: checks at the door, and Status -> advice."""
 
+import errno
 import math
+import socket
+from operator import index
+from typing import Self
 
 from benchdragon.kernels.status import Status
 from benchdragon.messages import N_, _
@@ -23,20 +27,32 @@ class WalkError(BenchDragonError):
         status: how it failed.
         bench: number of the bench, 1..N; 0 for the head's handle.
         s: route position of that bench's front handle, m.
-        t: time, s.
+        head: route position of the head's handle, m.
         size: of the route, or of the bench's link, in words.
+        t: time, s; None where no walk says when.
     """
 
     exit_code = 4
 
-    def __init__(self, status: Status, bench: int, s: float, t: float, size: str) -> None:
-        self.status, self.bench, self.s, self.t, self.size = status, bench, s, t, size
-        super().__init__(status, bench, s, t, size)
+    def __init__(
+        self, status: Status, bench: int, s: float, head: float, size: str, t: float | None = None
+    ) -> None:
+        self.status, self.bench, self.s, self.head, self.size, self.t = status, bench, s, head, size, t
+        super().__init__(status, bench, s, head, size, t)
+
+    def at(self, t: float) -> Self:
+        """The same error at a time, s; one that never comes stays untold."""
+        when = t if math.isfinite(t) else None
+        return type(self)(self.status, self.bench, self.s, self.head, self.size, when)
 
     def __str__(self) -> str:
         """What went wrong, with advice, in the language in use."""
+        if self.t is None:
+            when = _("with the head at s = {head} m").format(head=f"{self.head:.6g}")
+        else:
+            when = _("at t = {t} s").format(t=f"{self.t:.6g}")
         return _(ADVICE[self.status]).format(
-            bench=self.bench, s=f"{self.s:.6g}", t=f"{self.t:.6g}", size=self.size
+            when=when, bench=self.bench, s=f"{self.s:.6g}", size=self.size
         )
 
 
@@ -44,6 +60,18 @@ class UnsureError(BenchDragonError):
     """A question that could not be decided within the budget."""
 
     exit_code = 5
+
+
+class NoSolutionError(InputError):
+    """What was sought is not there."""
+
+    exit_code = 4
+
+
+class MachineError(BenchDragonError):
+    """What the machine could not do: a disk that is full, memory that ran out."""
+
+    exit_code = 6
 
 
 class MissingExtraError(BenchDragonError):
@@ -57,27 +85,62 @@ class MissingExtraError(BenchDragonError):
 
 ADVICE = {
     Status.BEFORE_ROUTE: N_(
-        "at t = {t} s the head would stand at s = {s} m, before the route starts; begin the walk later "
+        "{when} the head would stand at s = {s} m, before the route starts; begin the walk later "
         "or begin the route with a line or an inward spiral, which run on behind their start"
     ),
     Status.AFTER_ROUTE: N_(
-        "at t = {t} s the head would stand at s = {s} m, past the end of the route ({size}); "
+        "{when} the head would walk past the end of the route, which is {size} long (s = {s} m); "
         "end the walk earlier or lengthen the route"
     ),
     Status.ROUTE_TOO_SHORT: N_(
-        "at t = {t} s bench {bench} has no place: its front handle stands at s = {s} m and no point of "
+        "{when} bench {bench} has no place: its front handle stands at s = {s} m and no point of "
         "the route behind it is one link ({size}) away; shorten the dragon, or begin the route with a "
         "line or an inward spiral, which run on behind their start"
     ),
     Status.FOLDED: N_(
-        "at t = {t} s bench {bench} (link {size}) folds: with its front handle at s = {s} m it stands "
+        "{when} bench {bench} (link {size}) folds: with its front handle at s = {s} m it stands "
         "square to the route, where the speed ratio runs away; use gentler curves or shorter benches"
     ),
     Status.LINK_OVER_DIAMETER: N_(
-        "at t = {t} s bench {bench} cannot follow an arc: with its front handle at s = {s} m its link "
+        "{when} bench {bench} cannot follow an arc: with its front handle at s = {s} m its link "
         "({size}) is longer than the arc's diameter; use a larger radius or shorter benches"
     ),
 }
+
+
+# What the system says, so that it is said in both languages.
+REASONS = {
+    errno.EPERM: N_("that is not permitted"),
+    errno.EACCES: N_("permission denied"),
+    errno.ENOENT: N_("there is no such file or folder"),
+    errno.EIO: N_("the device failed"),
+    errno.EBADF: N_("it is closed"),
+    errno.ENOMEM: N_("memory ran out"),
+    errno.EBUSY: N_("it is in use"),
+    errno.EEXIST: N_("it is there already"),
+    errno.ENODEV: N_("there is no such device"),
+    errno.ENOTDIR: N_("it is not a folder"),
+    errno.EISDIR: N_("it is a folder"),
+    errno.EINVAL: N_("it does not take that"),
+    errno.EMFILE: N_("too many files are open"),
+    errno.EFBIG: N_("the file would be larger than is allowed"),
+    errno.ENOSPC: N_("the disk is full"),
+    errno.EROFS: N_("the disk can only be read"),
+    errno.ELOOP: N_("links lead in a circle"),
+    errno.ENAMETOOLONG: N_("the name is too long"),
+    errno.EADDRINUSE: N_("the address is in use"),
+    errno.EADDRNOTAVAIL: N_("this machine does not have that address"),
+    socket.EAI_NONAME: N_("there is no machine of that name"),
+}
+
+
+def reason(error: OSError) -> str:
+    """Why the system refused, in the language in use."""
+    if error.errno in REASONS:
+        return _(REASONS[error.errno])
+    if error.errno is None:
+        return str(error)
+    return _("system error {number}").format(number=f"{error.errno} ({error.strerror})")
 
 
 def finite(name: str, value: float, unit: str = "") -> float:
@@ -150,6 +213,37 @@ def as_number(name: str, value: object) -> float:
         raise InputError(
             _("{name} must be a number, not {value}").format(name=name, value=repr(value))
         ) from None
+
+
+def of_kind(name: str, value: object, kind: type, hint: str = "") -> None:
+    """Check that `value` is a `kind`; `hint` says how to make one.
+
+    Raises:
+        InputError: if not.
+    """
+    if not isinstance(value, kind):
+        text = _("{name} must be a {kind}, not {value}")
+        said = text.format(name=name, kind=kind.__name__, value=repr(value)[:80])
+        raise InputError(f"{said}: {hint}" if hint else said)
+
+
+def whole(name: str, value: object, least: int, most: int) -> int:
+    """`value`, if it is a whole number from `least` to `most`.
+
+    Raises:
+        InputError: if not.
+    """
+    try:
+        number = index(value)  # type: ignore[arg-type]
+    except TypeError:
+        number = least - 1
+    if not least <= number <= most:
+        raise InputError(
+            _("{name} must be a whole number from {least} to {most}, not {value}").format(
+                name=name, least=least, most=most, value=repr(value)[:80]
+            )
+        )
+    return number
 
 
 def _with(value: object, unit: str) -> str:

@@ -94,7 +94,7 @@ def accumulation_picture(
             lw=1.2,
             label=_("chord less link, here"),
         )
-        panel.set_xlabel(_("handle"))
+        panel.set_xlabel(_("handle (0: the head's front)"))
         panel.set_ylabel(_("error (m)"))
         panel.set_title(_("What adds up along the benches"))
         panel.legend(fontsize="small", framealpha=0.9)

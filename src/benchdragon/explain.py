@@ -315,7 +315,7 @@ def _simpson_line(start: tuple[float, float], angles: tuple[float, ...], u: floa
 def _link_line(walk: Walk) -> str:
     length, _width, front, rear = (float(size) for size in walk.dragon.sizes[:, 0])
     text = _(
-        "Handle 1 is the other end of bench 1: d = length - insets = {link} m from the head in a "
+        "Handle 1 is the rear of bench 1: d = length - insets = {link} m from the head in a "
         "straight line. It stands at the first such place behind the head. The search goes back by "
         "what the distance still lacks to d; that is never too far, as no way is shorter than a "
         "straight line."

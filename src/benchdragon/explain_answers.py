@@ -15,8 +15,9 @@ from benchdragon.messages import _
 from benchdragon.motion import Walk
 from benchdragon.pace import Pace, given_limits
 from benchdragon.plan import Plan, TurnRoute, read_plan
-from benchdragon.solve import Family, Meeting, Span, question, root_near
+from benchdragon.solve import WalkableSizes, undecided_text
 from benchdragon.speeds import QUANTITIES
+from benchdragon.trials import Family, Meeting, question, root_near
 from benchdragon.turns import TwoArcTurn
 
 # How far from a limit the pair's distance is looked at, m of the size.
@@ -104,7 +105,7 @@ def _pair_lines(family: Family, answer: Answer, near: Witness) -> list[str]:
                 slope=number(root[1]), numbers=step, value=f"{answer.value:.13g}",
             )
         )  # fmt: skip
-    return [*lines, *gap_lines(Walk(walk.dragon, walk.route).motion([meeting.s]), i, j)]
+    return [*lines, *gap_lines(walk.placement([meeting.s]), i, j)]
 
 
 def traversal_lines(
@@ -129,19 +130,24 @@ def traversal_lines(
     ]  # fmt: skip
 
 
-def spans_lines(spans: Sequence[Span], low: float, high: float, count: int) -> list[str]:
+def spans_lines(sizes: WalkableSizes, low: float, high: float, count: int) -> list[str]:
     """How all walkable sizes of a range are found."""
-    step = (high - low) / (count - 1)
-    numbers = f"({number(high)} - {number(low)})/({count} - 1) = {number(step)}"
+    numbers = f"({number(high)} - {number(low)})/({count} - 1) = {number(sizes.step)}"
     lines = [
         _("{count} sizes were tried, {step} m apart, each on the whole walk.").format(
             count=count, step=numbers
         )
     ]
-    text = _("From {low} m to {high} m all pass: {width} m. Borders inside the range are exact.")
-    for span in spans:
+    text = _(
+        "From {low} m to {high} m all {tried} that were tried pass: {width} m. Where a span ends at a "
+        "size that does not pass, its end is exact."
+    )
+    for span in sizes.spans:
         width = f"{number(span.high)} - {number(span.low)} = {number(span.high - span.low)}"
-        lines.append(text.format(low=number(span.low), high=number(span.high), width=width))
+        ends = {"low": number(span.low), "high": number(span.high)}
+        lines.append(text.format(**ends, tried=span.tried, width=width))
+    if sizes.undecided:
+        lines.append(undecided_text(sizes.undecided) + ".")
     return [*lines, _("A gap narrower than a step can be missed.")]
 
 
@@ -183,13 +189,16 @@ def speed_lines(plan: Plan, answer: Answer, pace: Pace | None = None) -> list[st
 
 def _deciding(plan: Plan, walk: Walk, answer: Answer, near: Witness) -> tuple[str, float, float]:
     """The limit that decides, and the peak of what it limits for a head at 1 m/s, in SI units."""
-    one = Walk(walk.dragon, walk.route).motion([near.s])
+    one = walk.placement([near.s])
     bend = walk.route.curvature(one.s) * one.speed_ratio**2
-    peaks = {
-        "speed": float(one.speed_ratio.max()),
-        "acceleration": float(np.hypot(one.acceleration, bend).max()),
-        "turning_rate": float(np.abs(one.turning_rate).max()),
+    sizes = {
+        "speed": one.speed_ratio,
+        "turning_rate": one.turn_rate,
+        "lateral_acceleration": bend,
+        "total_acceleration": np.hypot(one.ratio_rate, bend),
+        "acceleration": one.ratio_rate,
     }
+    peaks = {name: float(np.abs(values).max()) for name, values in sizes.items()}
     limits = given_limits(plan)
 
     def off(name: str) -> float:

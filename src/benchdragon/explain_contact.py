@@ -10,7 +10,9 @@ from benchdragon.clearance import boxes, nearness
 from benchdragon.dragon import Dragon
 from benchdragon.explain import cross_text, distance_text, dot_text, number, pair, signed, tiny
 from benchdragon.messages import _
-from benchdragon.motion import Motion, Walk
+from benchdragon.motion import Walk
+from benchdragon.numbering import handle_place
+from benchdragon.placement import Placement
 
 # The travel bound is shown this far before a meeting, m of the head's way, where benches are at
 # least so far apart, m.
@@ -40,7 +42,7 @@ def check_lines(report: Report) -> list[str]:
     if answer.witness is not None and pairs:
         lines += _bound_lines(walk, first, answer.witness, margin)
         lines += _contact_lines(contact, margin)
-        still = Walk(walk.dragon, walk.route).motion([answer.witness.s])
+        still = walk.placement([answer.witness.s])
         lines += gap_lines(still, *(bench - 1 for bench in answer.witness.benches))
     if pairs and clearance.value > 0.0 and clearance.witness is not None:
         lines.append(_clearance_line(walk, clearance, clearance.witness))
@@ -68,12 +70,12 @@ def _bound_lines(walk: Walk, first: float, near: Witness, margin: float) -> list
 
 def _example_lines(walk: Walk, first: float, near: Witness, margin: float) -> list[str]:
     """A step that ends before a meeting; none where the benches are that near already."""
-    still, at = Walk(walk.dragon, walk.route), max(first, near.s - BEFORE)
+    at = max(first, near.s - BEFORE)
     i, j = (bench - 1 for bench in near.benches)
-    room = nearness(boxes(still.motion([at]), 0), i, j).distance - margin
+    room = nearness(boxes(walk.placement([at]), 0), i, j).distance - margin
     levers = [_lever(walk.dragon, bench) for bench in (i, j)]
     step = room / (4.0 * max(levers))
-    two = still.motion([at, at + step], throw=False)
+    two = walk.placement([at, at + step], throw=False)
     if room < ENOUGH or two.status.any():
         return []
     apart = [nearness(boxes(two, n), i, j).distance for n in range(2)]
@@ -154,9 +156,9 @@ class _Box(NamedTuple):
         return self.ux, self.uy
 
 
-def gap_lines(motion: Motion, i: int, j: int) -> list[str]:
-    """The separating axis theorem for benches i and j (rows, from 0) at a motion's first time."""
-    table = boxes(motion, 0)
+def gap_lines(placed: Placement, i: int, j: int) -> list[str]:
+    """The separating axis theorem for benches i and j (rows, from 0) at a first placement."""
+    table = boxes(placed, 0)
     one, two = (_Box(n + 1, *table[n].tolist()) for n in (i, j))
     lines = []
     text = _(
@@ -210,7 +212,7 @@ def _free_lines(one: _Box, two: _Box) -> list[str]:
 def _clearance_line(walk: Walk, answer: Answer, near: Witness) -> str:
     """The least distance, from point to point."""
     i, j = (bench - 1 for bench in near.benches)
-    still = Walk(walk.dragon, walk.route).motion([near.s])
+    still = walk.placement([near.s])
     points = nearness(boxes(still, 0), i, j).points
     text = _(
         "Least distance: benches {a} and {b}, nearest points {p} and {q} m: {numbers}; bracket "
@@ -233,9 +235,10 @@ def _greatest_speed_lines(walk: Walk, answer: Answer, limit: float | None) -> li
     lines.append(text.format(numbers=numbers, width=tiny(answer.upper - answer.lower)))
     if limit is not None:
         text = _("The limit is {limit} m/s; it is kept.")
-        if answer.upper > limit:
+        kept = answer.keeps(limit)
+        if kept is None:
             text = _("The limit is {limit} m/s; that it is kept could not be shown.")
-        if answer.lower > limit:
+        if kept is False:
             text = _("The limit is {limit} m/s; it is broken.")
         lines.append(text.format(limit=number(limit)))
     return lines
@@ -244,7 +247,7 @@ def _greatest_speed_lines(walk: Walk, answer: Answer, limit: float | None) -> li
 def ratio_lines(walk: Walk, near: Witness) -> tuple[float, list[str]]:
     """The greatest speed ratio with the head where a witness says, and how it comes about."""
     s, row = near.s, near.benches[0] - 1
-    ratios = Walk(walk.dragon, walk.route).motion([s]).speed_ratio[0]
+    ratios = walk.placement([s]).speed_ratio[0]
     if ratios[row] < ratios.max() * (1.0 - EQUAL):  # the last bench has a handle at its rear, too
         row = int(np.argmax(ratios))
     ratio = float(ratios[row])
@@ -260,6 +263,7 @@ def ratio_lines(walk: Walk, near: Witness) -> tuple[float, list[str]]:
     text = _(
         "A bench hands speed on from its front to its rear: v' = v·(t·w)/(t'·w), with w its "
         "direction, t and t' those of the route at its two ends. With the head at {s} m of the route "
-        "handle {i} is the fastest: ratio to the head's speed = {numbers}."
+        "handle {i} ({where}) is the fastest: ratio to the head's speed = {numbers}."
     )
-    return ratio, [text.format(s=number(s), i=row, numbers=numbers)]
+    where = handle_place(row, len(walk.dragon))
+    return ratio, [text.format(s=number(s), i=row, where=where, numbers=numbers)]

@@ -6,7 +6,7 @@ from dataclasses import fields
 from scipy.stats import binom
 
 from benchdragon.explain import number, signed
-from benchdragon.imprecision import CONFIDENCE, Draw, Margins, needed_pitch
+from benchdragon.imprecision import CONFIDENCE, TOLERANCE, Draw, Margins, needed_pitch
 from benchdragon.messages import _
 from benchdragon.plan import Plan
 
@@ -14,12 +14,16 @@ from benchdragon.plan import Plan
 RISK = 0.05
 
 
-def margin_lines(plan: Plan, found: Margins, pitch: float) -> list[str]:
-    """One step a line: a dance, its pitch, the chance at `pitch` (m), the pitch for a small chance."""
+def margin_lines(plan: Plan, found: Margins) -> list[str]:
+    """One step a line: a dance, its pitch, the chance at the plan's own, the pitch for a small chance.
+
+    Raises:
+        InputError: if the dances were not walked at the plan's own pitch.
+    """
     return [
         _("Exact people need {pitch} m: the answer of solve pitch.").format(pitch=number(found.exact)),
         *_dance_lines(plan, found),
-        *_chance_lines(found, pitch),
+        *_chance_lines(found, plan.value("route.pitch")),
         *_risk_lines(found),
     ]
 
@@ -44,30 +48,32 @@ def _dance_lines(plan: Plan, found: Margins) -> list[str]:
             count=found.needed.size, slips=slips or "0"
         ),
         _(
-            "For example dance 1, bench {bench}: length {length} m, handle {height} m higher or "
-            "lower, play {play} m. Seen from above its link is √((length - insets)² - height²) + "
-            "play = √(({length} - {front} - {rear})² - {height}²) + {play} = {link} m."
+            "For example dance 1, bench {bench}: length {length} m, its rear handle stands {height} m "
+            "higher or lower than its front one, play {play} m. Seen from above its link is √((length "
+            "- insets)² - height²) + play = √(({length} - {front} - {rear})² - {height}²) + {play} = "
+            "{link} m."
         ).format(
             bench=n + 1, length=number(length), height=number(abs(height)), front=number(front),
             rear=number(rear), play=signed(play), link=number(float(drawn.links[n])),
         ),
-        _("Its handle {handle} stands {aside} m aside of the trodden line, all along.").format(
+        _("Its front, handle {handle}, stands {aside} m aside of the trodden line, all along.").format(
             handle=n, aside=number(found.slips.aside * float(draw.noise(4, len(plain) + 1)[n]))
         ),
-        _("Walked with several pitches, dance 1 just stays clear with {pitch} m.").format(
-            pitch=number(needed)
-        ),
+        _(
+            "Walked with several pitches, dance 1 stays clear with {pitch} m, and touches with "
+            "{less} m less. That it stays clear with all larger ones is taken for granted."
+        ).format(pitch=number(needed), less=number(TOLERANCE)),
     ]  # fmt: skip
 
 
 def _chance_lines(found: Margins, pitch: float) -> list[str]:
     """The share that touches, and the tails that bound the chance."""
     count = found.needed.size
-    share, low, high = found.touching(pitch)
+    share, low, high = found.touching()
     hits = round(share * count)
     tail = 0.5 * (1.0 - CONFIDENCE)
     lines = [
-        _("{hits} of {count} need more than {pitch} m: {hits}/{count} = {share}.").format(
+        _("Walked with {pitch} m, {hits} of {count} touch: {hits}/{count} = {share}.").format(
             hits=hits, count=count, pitch=number(pitch), share=number(share)
         )
     ]

@@ -5,7 +5,7 @@ whichever is less, so that a picture of any size shows the same things.
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Self
 
 import matplotlib
@@ -22,6 +22,7 @@ from matplotlib.transforms import Affine2D, Transform
 
 from benchdragon.clearance import TOUCHING, Nearness, tightest_pairs, touching
 from benchdragon.errors import InputError, positive
+from benchdragon.framing import Area, Framing, framing, inset
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.messages import _
 from benchdragon.motion import Motion, Walk
@@ -32,7 +33,9 @@ from benchdragon.pictures import (
     MOST_BENCHES,
     ROUTE,
     STYLE,
+    Overview,
     bench_corners,
+    disc_corners,
     drawable,
     named_figure,
     route_points,
@@ -54,6 +57,8 @@ OUTLINE = 0.06
 # The route is drawn on past the dragon by so many times what it covers: beyond the edges of a picture
 # that is twice as wide as high, on a spiral.
 AHEAD = 3.5
+# About all that is seen, m; corners that an overview may take, as `framing.inset` has them.
+ROOM, CORNERS = 0.2, ((0, 0), (1, 0), (0, 1), (1, 1))
 # Metres across a picture that follows a bench, if none are given.
 SPAN = 12.0
 
@@ -119,14 +124,14 @@ class Place:
         centre: of the disc, m.
         disc: its radius, m.
         bench_width: of most benches, m.
-        bounds: least x, least y, greatest x, greatest y of all that is to be seen, m.
+        framed: what is to be seen.
     """
 
     route: FloatArray
     centre: tuple[float, float]
     disc: float | None
     bench_width: float
-    bounds: tuple[float, float, float, float]
+    framed: Framing
 
     @classmethod
     def of(cls, walk: Walk, motion: Motion, disc: float | None) -> Self:
@@ -144,17 +149,16 @@ class Place:
             )
         motion.check()
         tail, head = float(motion.s.min()), float(motion.s.max())
-        covered = route_points(walk.route, tail, head)
-        centre = walk.route.centre
-        room = float(walk.dragon.sizes[1:].max()) + 0.2
-        low, high = covered.min(axis=0) - room, covered.max(axis=0) + room
-        if disc is not None:
-            low = np.minimum(low, np.array(centre) - disc - room)
-            high = np.maximum(high, np.array(centre) + disc + room)
-        end = min(walk.route.length, head + AHEAD * (head - tail))
-        seen = route_points(walk.route, tail, end)
-        width = float(np.median(walk.dragon.width))
-        return cls(seen, centre, disc, width, (*low.tolist(), *high.tolist()))
+        dragon, route = walk.dragon, walk.route
+        framed = framing(
+            route,
+            np.array([[tail, head]]),
+            float(dragon.sizes[1:].max()) + ROOM,
+            disc_corners(route, disc),
+            float(dragon.length.max()),
+        )
+        seen = route_points(route, tail, min(route.length, head + AHEAD * (head - tail)))
+        return cls(seen, route.centre, disc, float(np.median(dragon.width)), framed)
 
 
 @dataclass(frozen=True)
@@ -165,6 +169,10 @@ class Box:
     bottom: float
     width: float
     height: float
+
+
+# Left, bottom, width and height, as shares of a figure.
+Share = tuple[float, float, float, float]
 
 
 class Panel:
@@ -183,11 +191,12 @@ class Panel:
         share = (box.left / wide, box.bottom / high, box.width / wide, box.height / high)
         self.axes: Axes = figure.add_axes(share)
         self.axes.set_axis_off()
-        x0, y0, x1, y1 = place.bounds
-        self.scale = min(box.width / (x1 - x0), box.height / (y1 - y0))  # units in a metre
-        if look.follow is not None:
-            self.scale = box.width / look.span
-        self._centre_on(0.5 * (x0 + x1), 0.5 * (y0 + y1))
+        self.framed, aspect = place.framed, box.width / box.height
+        if look.follow is None:
+            self._look_at(self.framed.frame(aspect, np.empty((0, 2))))
+        else:
+            self._look_at(Area((0.0, 0.0), look.span, look.span / aspect))
+        self.scale = box.width / self.frame.width  # units in a metre
         ink = THEMES[look.theme].ink
         # Thin lines about benches that are drawn small, small marks in small views.
         outline = min(0.8, OUTLINE * place.bench_width * self.scale)
@@ -204,11 +213,24 @@ class Panel:
             self.axes.add_collection(benches, autolim=False)
         for line in (self.nose, self.ring):
             self.axes.add_line(line)
+        self.overview = self._overview(figure, share, place.route)
+
+    def _overview(self, figure: Figure, share: Share, route: FloatArray) -> Overview | None:
+        """A small picture of all in a corner, where the view is cut."""
+        if self.look.follow is not None or not self.framed.cut(self.frame.width / self.frame.height):
+            return None
+        ground, (left, bottom, width, height) = inset(self.framed, self.frame, route, CORNERS)
+        x, y, wide, high = share
+        place = (x + left * wide, y + bottom * high, width * wide, height * high)
+        theme = THEMES[self.look.theme]
+        axes = figure.add_axes(place, facecolor=theme.paper, zorder=1)
+        return Overview(axes, ground, route, theme.route, theme.ink)
 
     @property
     def moving(self) -> list[Artist]:
         """All that `show` changes, as it is drawn from below to above."""
-        return [self.body, self.touching, self.head, self.nose, self.ring]
+        overview = [] if self.overview is None else [self.overview.axes]
+        return [self.body, self.touching, self.head, self.nose, self.ring, *overview]
 
     def _draw_place(self, place: Place, mark: float) -> None:
         route = THEMES[self.look.theme].route
@@ -218,9 +240,9 @@ class Panel:
                 Circle(place.centre, place.disc, fill=False, ec=DISC, lw=2.5 * mark, ls="--", zorder=2)
             )
 
-    def _centre_on(self, x: float, y: float) -> None:
-        half_x, half_y = 0.5 * self.box.width / self.scale, 0.5 * self.box.height / self.scale
-        self.axes.set(xlim=(x - half_x, x + half_x), ylim=(y - half_y, y + half_y))
+    def _look_at(self, frame: Area) -> None:
+        self.frame = frame
+        self.axes.set(xlim=frame.limits[0], ylim=frame.limits[1])
 
     def show(self, motion: Motion, index: int) -> Nearness | None:
         """Move the dragon to time number `index`; its tightest pair, if one counts.
@@ -239,8 +261,14 @@ class Panel:
         self.nose.set_data(motion.x[index, :1], motion.y[index, :1])
         middle = np.empty((0, 2)) if nearest is None else np.mean(nearest.points, axis=0)[np.newaxis]
         self.ring.set_data(*middle.T)
-        if self.look.follow is not None:
-            self._centre_on(*corners[self.look.follow - 1].mean(axis=0).tolist())
+        if self.look.follow is None:
+            handles = np.stack([motion.x[index], motion.y[index]], axis=-1)
+            self._look_at(self.framed.frame(self.frame.width / self.frame.height, handles))
+        else:
+            followed = tuple(corners[self.look.follow - 1].mean(axis=0).tolist())
+            self._look_at(replace(self.frame, middle=followed))
+        if self.overview is not None:
+            self.overview.show(motion, index, self.frame)
         return nearest
 
 
@@ -361,16 +389,19 @@ class Scene(Layout):
 class MovingScene(Scene):
     """A scene that gives its pixels: what stays is drawn once, and laid under what moves.
 
-    Where the picture follows a bench, nothing stays, and all is drawn each time.
+    It is drawn again where the view moves.
     """
 
     def __init__(self, look: Look, place: Place, title: str, pace: str = "") -> None:
         super().__init__(look, place, title, pace)
         self._moving: list[Artist] = [*self.panel.moving, self.clock, self.near]
         for artist in self._moving:
-            artist.set_animated(look.follow is None)
+            artist.set_animated(True)
+        self._draw_still()
+
+    def _draw_still(self) -> None:
         self.canvas.draw()
-        self._still = self.canvas.copy_from_bbox(self.figure.bbox)
+        self._still, self._seen = self.canvas.copy_from_bbox(self.figure.bbox), self.panel.frame
 
     def frame(self, motion: Motion, index: int) -> memoryview:
         """The pixels at time number `index`, red, green, blue, opacity, row by row from above.
@@ -381,12 +412,12 @@ class MovingScene(Scene):
             WalkError: if the dragon cannot stand then.
         """
         self.show(motion, index)
-        if self.look.follow is None:
+        if self.panel.frame == self._seen:
             self.canvas.restore_region(self._still)
-            for artist in self._moving:
-                self.figure.draw_artist(artist)
         else:
-            self.canvas.draw()
+            self._draw_still()
+        for artist in self._moving:
+            self.figure.draw_artist(artist)
         pixels: memoryview = self.canvas.buffer_rgba()
         return pixels
 

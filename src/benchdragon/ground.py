@@ -18,13 +18,13 @@ from benchdragon.errors import InputError, UnsureError
 from benchdragon.kernels import cells as kernel
 from benchdragon.kernels.box import BOX_COLUMNS, CX, CY, HALF_LENGTH, HALF_WIDTH
 from benchdragon.kernels.cells import EDGE
-from benchdragon.kernels.chain import march
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.route import IntArray, positions
+from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import LOGGED
 from benchdragon.kernels.status import Status
 from benchdragon.kernels.sweep import empty_places, stand
 from benchdragon.messages import _
+from benchdragon.placement import Placement
 from benchdragon.shelter import Shape, sheltered
 
 # Cells are this share of the shortest link: shorter ones cost more boxes, longer ones looser boxes.
@@ -34,8 +34,9 @@ CELL = 0.45
 PARTS = 4
 # Where at most so many pairs of parts a cell are left, they are cut once more: it may be none.
 SPARSE = 40
-# Cells in which it is unsure whether a bench can walk through are looked at in so many parts.
-CAREFUL_PARTS = 16
+# Cells in which it is unsure whether a bench can walk through are looked at in so many parts at first,
+# then in finer ones, down to this, m: far coarser, and overlaps just before a fold would stay unknown.
+CAREFUL_PARTS, FINEST = 16, 1e-9
 # Benches are boxed in at most so many groups of sizes; more would mean more pairs of boxes.
 GROUPS = 3
 # Different sizes of benches whose contacts can be searched: each is boxed in each cell.
@@ -74,10 +75,21 @@ class Ledger:
         self.grid: list[tuple[FloatArray, ...]] = []
         self.cells: list[tuple[float, tuple[FloatArray, ...]]] = []
 
+    def add_grid(self, placed: Placement) -> None:
+        """Take down whole dragons, which need to be known to EDGE only."""
+        chains = (table.T.astype(np.float64) for table in placed.tables)
+        self.grid.append((placed.head_s, *chains))
+
     def add_log(self, log: FloatArray, handles: int) -> None:
         """Take down chains from the log of a search."""
         table = log[:, 1:].reshape(len(log), -1, LOGGED)[:, :handles]
         self.looks.append((log[:, 0].copy(), *(table[:, :, n].copy() for n in range(LOGGED))))
+
+    def add_placement(self, placed: Placement) -> None:
+        """Take down the first chain of a placement that distances were taken from."""
+        row, u = placed.state(0)
+        chain = (row.astype(np.float64), u, placed.x[0], placed.y[0])
+        self.looks.append((placed.head_s[:1], *(table[np.newaxis] for table in chain)))
 
 
 class Ground:
@@ -95,7 +107,8 @@ class Ground:
         self, dragon: Dragon, route: Route, reach: float, start: float, ledger: Ledger | None = None
     ) -> None:
         self.dragon, self.route, self.reach, self.ledger = dragon, route, reach + EDGE, ledger
-        classes, self._class = np.unique(dragon.sizes, axis=1, return_inverse=True)
+        classes, kinds = np.unique(dragon.sizes, axis=1, return_inverse=True)
+        self._class = kinds.ravel()
         if classes.shape[1] > MOST_SIZES:
             raise InputError(
                 _("contacts can be searched for at most {most} different sizes, not {count}").format(
@@ -107,7 +120,7 @@ class Ground:
         self._group_of = np.empty(classes.shape[1], dtype=np.int64)
         for g, members in enumerate(np.array_split(order, min(GROUPS, len(order)))):
             self._group_of[members] = g
-        self.group = self._group_of[self._class.ravel()]
+        self.group = self._group_of[self._class]
         self.groups = int(self._group_of.max()) + 1
         self._between = self._least_ways()
         self.cell = CELL * float(dragon.links.min())
@@ -118,7 +131,8 @@ class Ground:
         # Where each group's rearmost bench stands at first: it never comes behind that.
         self._rear = np.array([s[:-1][self.group == g].min() for g in range(self.groups)])
         self.hulls = np.empty((self.groups, 0, BOX_COLUMNS))
-        self.sound = np.empty((self.groups, 0))
+        # Classes of sizes and cells of which it is not known yet whether the benches can walk through.
+        self.doubts: set[tuple[int, int]] = set()
         self._fine: dict[tuple[int, int], FloatArray] = {}  # by parts of a cell, and group
         self._pairs: list[IntArray] = []
         self.extend(start)
@@ -178,30 +192,66 @@ class Ground:
         ]
         return min(ends, default=s)
 
-    def sound_until(self, start: float, end: float) -> float:
-        """The head's position, m, up to which every bench surely follows; `end`, if all the way."""
-        if self.sound.all():
-            return end
-        s = self._positions(np.array([start]))[:, 0]
-        for g, c in np.argwhere(self.sound == 0.0):
-            back, ahead = (c + self.low) * self.cell, (c + self.low + 1) * self.cell
-            behind = np.flatnonzero((self.group == g) & (s[:-1] < ahead))
-            if len(behind):
-                end = min(end, self._arrival(int(behind[0]), back, start, end))
+    def sound_until(self, start: float, end: float) -> tuple[float, float]:
+        """Up to which head position, m, `steps` knows all benches, and up to which all surely follow.
+
+        Both are `end`, if that is so all the way; the second is not before the first.
+        """
+        known = sound = end
+        s = self._positions(np.array([start]))[:-1, 0] if self.doubts else np.empty(0)
+        for i, k, c in self._first_to_come(s):
+            back, ahead = (max(s[i], (c + self.low + n) * self.cell) for n in range(2))
+            arrival = self._arrival(i, back, start, sound)
+            if arrival >= sound:
+                continue
+            place = self._follows_until(k, back, ahead)
+            if place < ahead:
+                known, sound = min(known, arrival), self._arrival(i, place, start, sound)
+            elif back > s[i]:
+                self.doubts.discard((k, c))
+        return min(known, sound), sound
+
+    def _first_to_come(self, s: FloatArray) -> list[tuple[int, int, int]]:
+        """The first bench, from positions s (m) of the front handles on, in each doubtful cell.
+
+        And the next, where the first stands inside: it comes through what lies behind that one.
+        """
+        found = []
+        for k, c in self.doubts:
+            back, ahead = ((c + self.low + n) * self.cell for n in range(2))
+            coming = np.flatnonzero((self._class == k) & (s < ahead))
+            inside = int((s[coming[:1]] > back).sum())
+            found += [(int(i), k, c) for i in coming[: 1 + inside]]
+        return sorted(found, key=lambda meeting: meeting[2])
+
+    def _follows_until(self, k: int, start: float, end: float) -> float:
+        """The place up to which benches of class k surely follow, their front handle from start, m.
+
+        The way is halved where it is unsure, down to FINEST; `end`, if all the way.
+        """
+        at, step = start, (end - start) / CAREFUL_PARTS
+        while at < end:
+            ahead = min(end, at + step)
+            if self._swept(k, np.array([at, ahead]), np.full((1, BOX_COLUMNS), np.nan)).all():
+                at, step = ahead, 2.0 * step
+            elif step > _finest(at):
+                step *= 0.5
+            else:
+                return at
         return end
 
     def _arrival(self, i: int, back: float, start: float, end: float) -> float:
         """At most the head's position in start..end at which handle i comes to `back`, m."""
         if i == 0:
             return min(max(back, start), end)
-        low, high = start, end
-        while high - low > 1e-6:
-            middle = 0.5 * (low + high)
-            stands, s = self._tried(np.array([middle]))
+        low, high, middle = start, end, end  # it may not come so far
+        while low < middle:
+            stands, s = self._tried(np.array([middle]), i)
             if stands and s[i, 0] < back:
                 low = middle
             else:
                 high = middle
+            middle = 0.5 * (low + high) if high - low > _finest(high) else low
         return low
 
     def extend(self, end: float) -> None:
@@ -218,7 +268,6 @@ class Ground:
         old = self.count
         fresh = np.full((self.groups, wanted - old, BOX_COLUMNS), np.nan)
         self.hulls = np.concatenate([self.hulls, fresh], axis=1)
-        self.sound = np.concatenate([self.sound, np.ones((self.groups, wanted - old))], axis=1)
         shelter = self._shelters_of(np.arange(old, wanted))
         self._shelter = np.concatenate([self._shelter, shelter], axis=2)
         exposed = self._exposed()
@@ -226,8 +275,7 @@ class Ground:
             rear = math.floor(self._rear[g] / self.cell) - self.low
             numbers = np.flatnonzero(exposed[g] & np.isnan(self.hulls[g, :, CX]))
             numbers = numbers[numbers >= rear]
-            self._box(g, numbers, (1, 1), self.hulls[g], self.sound[g], numbers)
-            self._look_closer(g, numbers[self.sound[g, numbers] == 0.0])
+            self.doubts.update(self._box(g, numbers, (1, 1), self.hulls[g], numbers))
         for a, b, k, m in self._near(old):
             first, second = self._refined(a, b, k, m, PARTS)
             if 0 < len(first) <= SPARSE * (wanted - old):
@@ -270,42 +318,51 @@ class Ground:
         numbers: IntArray,
         cut: tuple[int, int],
         hulls: FloatArray,
-        sound: FloatArray,
         targets: IntArray,
-    ) -> None:
-        """Box group g in parts of these cells, into rows `targets` of hulls and sound.
+    ) -> list[tuple[int, int]]:
+        """Box group g in parts of these cells, into rows `targets` of hulls.
 
         `cut`: how many of what is numbered a cell has, and into how many each of these is cut.
+
+        Returns:
+            Classes of sizes, and targets in which it is not sure that such benches can walk through.
         """
         if not len(numbers):
-            return
+            return []
         whole, parts = cut
         numbers = numbers + self.low * whole
         borders = (numbers[:, np.newaxis] + np.arange(parts + 1) / parts) * (self.cell / whole)
-        at = np.clip(borders.ravel(), self._rear[g], self.route.length)
-        slots = (np.arange(len(numbers))[:, np.newaxis] * (parts + 1) + np.arange(parts)).ravel()
-        for n, k in enumerate(np.flatnonzero(self._group_of == g)):
-            places = empty_places(2, len(at))
-            bench = np.ascontiguousarray(self._classes[:, k : k + 1])
-            links = bench[0] - bench[2] - bench[3]
-            links.flags.writeable = False  # one kind of array, so that kernels are compiled once
-            stand(self.route.rows, links, at, 0, len(at), places)
-            if self.ledger is not None:
-                stood = places.failed[0] == Status.OK
-                tables = (places.row, places.u, places.x, places.y)
-                chains = (at[stood], *(table[:, stood].T.astype(np.float64) for table in tables))
-                self.ledger.cells.append((float(links[0]), chains))
-            kernel.sweep_cells(
-                self.route.rows, links, bench, 0, places, slots, targets, hulls, sound, n == 0
-            )
+        at = np.clip(borders, self._rear[g], self.route.length)
+        unsure = []
+        for k in np.flatnonzero(self._group_of == g).tolist():
+            sound = self._swept(k, at, hulls, targets)
+            unsure += [(k, c) for c in targets[sound == 0.0].tolist()]
+        return unsure
 
-    def _look_closer(self, g: int, numbers: IntArray) -> None:
-        """Decide in smaller parts whether benches of group g can walk through these cells."""
-        parts = CAREFUL_PARTS
-        hulls = np.empty((len(numbers) * parts, BOX_COLUMNS))
-        sound = np.ones(len(hulls))
-        self._box(g, numbers, (1, parts), hulls, sound, np.arange(len(hulls)))
-        self.sound[g, numbers] = sound.reshape(-1, parts).min(axis=1, initial=1.0)
+    def _swept(
+        self, k: int, borders: FloatArray, hulls: FloatArray, targets: IntArray | None = None
+    ) -> FloatArray:
+        """Widen rows of hulls by benches of class k between neighbours in each row of borders, m.
+
+        1 for each where they surely can walk through, else 0.
+        """
+        at = borders.ravel()
+        many = borders.shape[-1]
+        slots = (np.arange(0, at.size, many)[:, np.newaxis] + np.arange(many - 1)).ravel()
+        places = empty_places(2, len(at))
+        bench = np.ascontiguousarray(self._classes[:, k : k + 1])
+        links = bench[0] - bench[2] - bench[3]
+        links.flags.writeable = False  # one kind of array, so that kernels are compiled once
+        stand(self.route.rows, links, at, 0, len(at), places)
+        if self.ledger is not None:
+            stood = places.failed[0] == Status.OK
+            tables = (places.row, places.u, places.x, places.y)
+            chains = (at[stood], *(table[:, stood].T.astype(np.float64) for table in tables))
+            self.ledger.cells.append((float(links[0]), chains))
+        sound = np.empty(len(slots))
+        rows = np.arange(len(slots)) if targets is None else targets
+        kernel.sweep_cells(self.route.rows, links, bench, 0, places, slots, rows, hulls, sound)
+        return sound
 
     def _near(self, old: int) -> Iterator[tuple[int, int, IntArray, IntArray]]:
         """Groups a, b and cells k >= old, m <= k whose boxes are within reach, benches between them."""
@@ -366,7 +423,7 @@ class Ground:
             self._fine[parts, g] = fine = np.concatenate([fine, more])
         numbers = numbers[np.isnan(fine[numbers * PARTS, CX])]
         targets = (numbers[:, np.newaxis] * PARTS + np.arange(PARTS)).ravel()
-        self._box(g, numbers, (parts // PARTS, PARTS), fine, np.ones(len(fine)), targets)
+        self._box(g, numbers, (parts // PARTS, PARTS), fine, targets)
 
     def steps(self, start: float, end: float) -> Iterator[Step]:
         """Steps of the head within start..end, m, in order, in which pairs may come within reach.
@@ -418,17 +475,17 @@ class Ground:
 
     def _tried(self, at: FloatArray, benches: int | None = None) -> tuple[bool, FloatArray]:
         """Whether they stand with the head at all of `at`, and where, m, (handles, len(at))."""
-        links = self.dragon.links[:benches]
-        shape = (len(links) + 1, len(at))
-        row, failed = np.empty(shape, dtype=np.int64), np.empty((2, len(at)), dtype=np.int64)
-        u, x, y, ratio = (np.empty(shape) for _array in range(4))
-        march(self.route.rows, links, at, 0, len(at), row, u, x, y, ratio, failed)
-        if self.ledger is not None and (failed[0] == Status.OK).all():
-            chains = tuple(table.T.astype(np.float64) for table in (row, u, x, y))
-            self.ledger.grid.append((at, *chains))
-        out = np.empty(row.size)
-        positions(self.route.rows, row.ravel(), u.ravel(), out)
-        return bool((failed[0] == Status.OK).all()), out.reshape(shape)
+        dragon = self.dragon if benches is None else self.dragon.first(benches)
+        placed = Placement(dragon, self.route, at)
+        stands = not placed.status.any()
+        if self.ledger is not None and stands:
+            self.ledger.add_grid(placed)
+        return stands, placed.s.T
+
+
+def _finest(s: float) -> float:
+    """The finest step at route position s, m, that rounding allows."""
+    return max(FINEST, 4.0 * math.ulp(s))
 
 
 def _near_others(

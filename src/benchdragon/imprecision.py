@@ -8,39 +8,31 @@ joined; the dances of one seed are the same for all sizes of a plan, so that a s
 import math
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields
 
 import numpy as np
+from scipy.interpolate import CubicSpline
 from scipy.ndimage import gaussian_filter1d
 from scipy.stats import beta, binom
 
 from benchdragon.dragon import Dragon
-from benchdragon.errors import InputError, UnsureError, in_order, not_negative
-from benchdragon.kernels.box import least_distance
-from benchdragon.kernels.chain import march
+from benchdragon.errors import InputError, UnsureError, WalkError, in_order, not_negative
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.route import positions
-from benchdragon.kernels.sway import sway
 from benchdragon.messages import N_, _
-from benchdragon.motion import Walk
 from benchdragon.plan import Plan
+from benchdragon.rehearsal import GRAZE, CannotFollowError, Hint, Rehearsal, strayed
 from benchdragon.solve import limit
 
-# Looks along the walk, m apart: within its last so many metres, where a spiral is tightest, and before.
-# A graze between two looks is missed by less than 1 mm (design/imprecision.py).
-LOOK_STEPS, LAST_WAY = (1.0, 2.0), 60.0
 # A trodden line strays smoothly: places d apart are correlated by exp(-d^2 / (2 STRAY_LENGTH^2)), m;
 # entries of its table in that length.
 STRAY_LENGTH, STRAY_ENTRIES = 10.0, 20
-# Pitches are sought to this, m, by at most so many secants, whose slopes (m of distance per m of pitch)
-# are kept within bounds: near 1 on a spiral.
-TOLERANCE, MOST_SECANTS, LEAST_SLOPE, MOST_SLOPE = 5e-5, 30, 0.5, 3.0
+# Pitches are sought to this, m, by at most so many trials, along secants whose slopes (m of distance
+# per m of pitch) are kept within bounds: near 1 on a spiral. A pitch with which a bench cannot follow
+# is multiplied by UNWALKABLE.
+TOLERANCE, MOST_TRIALS, LEAST_SLOPE, MOST_SLOPE, UNWALKABLE = 1e-5, 60, 0.5, 3.0, 1.01
 # What a pitch may come to be, times the one that exact people need.
 NARROWEST, WIDEST = 0.7, 4.0
 MOST_DRAWS = 100_000
-# Limits of one dance: handles times looks (40 bytes each, in every thread), and pairs times looks
-# (some ten seconds).
-MOST_PLACES, MOST_PAIRS = 5_000_000, 1e10
 CONFIDENCE = 0.95
 # Chances of touching for which a pitch is told.
 RISKS = (0.5, 0.1, 0.05, 0.02)
@@ -69,9 +61,9 @@ class Slips:
     width: float = 0.0
 
     def __post_init__(self) -> None:
-        for field in fields(self):
-            if not_negative(field.name, getattr(self, field.name), "m") > 1.0:
-                raise InputError(_("{name} must be at most 1 m").format(name=field.name))
+        for slip in fields(self):
+            if not_negative(slip.name, getattr(self, slip.name), "m") > 1.0:
+                raise InputError(_("{name} must be at most 1 m").format(name=slip.name))
 
 
 @dataclass(frozen=True)
@@ -136,42 +128,54 @@ class Draw:
         return self.slips.stray * smooth * (4.0 * math.pi * spread**2) ** 0.25, step
 
 
-def least_clearance(plan: Plan, draw: Draw, steps: tuple[float, float] = LOOK_STEPS) -> float:
-    """The least distance of benches but neighbours in one dance, m; minus the depth of an overlap.
-
-    Looked for along the whole walk of the plan, each so many metres: towards its end, and before.
+def rehearsal(plan: Plan, draw: Draw) -> Rehearsal:
+    """One dance of a plan, drawn at random, from the start of its walk to the end.
 
     Raises:
-        WalkError: where a drawn dragon cannot stand.
+        WalkError: where the exact dragon cannot stand at the start.
     """
     walk = plan.build()
     dragon = draw.dragon(walk.dragon)
     times = plan.span(walk)
     in_order(*times)
     start, end = walk.head_position(list(times)).tolist()
-    # A spiral is tightest at its inner end; elsewhere that is not known.
-    border = max(start, end - LAST_WAY) if plan.route.kind == "spiral-in" else start
-    near, far = steps
-    s = np.append(
-        np.arange(start, border, far), np.linspace(border, end, 2 + int((end - border) / near))
-    )
-    shape = (len(dragon) + 1, s.size)
-    if shape[0] * shape[1] > MOST_PLACES or 0.5 * shape[0] ** 2 * shape[1] > MOST_PAIRS:
-        raise InputError(_("the walk is too long, or the dragon, for random dances"))
-    row, failed = np.empty(shape, dtype=np.int64), np.empty((2, s.size), dtype=np.int64)
-    u, x, y, ratio = (np.empty(shape) for _array in range(4))
-    march(walk.route.rows, dragon.links, s, 0, s.size, row, u, x, y, ratio, failed)
-    if failed[0].any():
-        Walk(dragon, walk.route).motion(s)  # raises, in words
-    slips = draw.slips
-    if slips.aside or slips.stray:
-        at = np.empty(row.size)
-        positions(walk.route.rows, row.ravel(), u.ravel(), at)
-        at, end = at.reshape(shape), float(s[-1])
-        lane, lane_step = draw.lane(end - float(at.min()) + STRAY_LENGTH)
-        aside = slips.aside * draw.noise(4, shape[0])
-        sway(walk.route.rows, dragon.links, at, end, aside, lane, lane_step, x, y)
-    return float(least_distance(dragon.sizes, x, y))
+    slips, rows = draw.slips, walk.route.rows
+    if slips.stray:
+        low = float(walk.motion(times[:1]).s.min()) - STRAY_LENGTH
+        lane, step = draw.lane(end - low)
+        curve = CubicSpline(step * np.arange(lane.size), lane)
+        rows, drawn, along = strayed(
+            walk.route, lambda s: (curve(end - s), -curve(end - s, 1)), low, end
+        )
+        start, end = np.interp([start, end], drawn, along).tolist()
+    beside = slips.aside or slips.stray
+    aside = slips.aside * draw.noise(4, len(dragon) + 1) if beside else np.empty(0)
+    return Rehearsal(dragon, rows, aside, start, end)
+
+
+def least_clearance(plan: Plan, draw: Draw) -> float:
+    """The least distance of benches but neighbours in one dance, m; minus the depth of an overlap.
+
+    See `Rehearsal.least`.
+
+    Raises:
+        WalkError: where the exact dragon cannot stand at the start.
+        CannotFollowError: where the drawn one cannot walk.
+    """
+    return rehearsal(plan, draw).least()
+
+
+def touches(plan: Plan, draw: Draw) -> bool:
+    """Whether benches of one dance come nearer than the plan's margin, or one cannot follow.
+
+    No contact is missed; a pair within 1e-7 m of the margin counts.
+    """
+    try:
+        dance = rehearsal(plan, draw)
+        low = dance.low_meeting().distance
+        return low <= plan.limits.margin or dance.touch(plan.limits.margin) is not None
+    except (WalkError, CannotFollowError):
+        return True
 
 
 @dataclass(frozen=True)
@@ -183,20 +187,30 @@ class Margins:
         seed: of the draws.
         exact: the smallest pitch without slips, m.
         needed: m, in increasing order, (draws,).
+        hits: dances that touch at the plan's own pitch; None if they were not walked at it.
     """
 
     slips: Slips
     seed: int
     exact: float
     needed: FloatArray
+    hits: int | None = None
 
-    def touching(self, pitch: float, confidence: float = CONFIDENCE) -> tuple[float, float, float]:
+    def touching(
+        self, pitch: float | None = None, confidence: float = CONFIDENCE
+    ) -> tuple[float, float, float]:
         """Share of the dances that touch at a pitch (m), and bounds of the probability.
 
+        Those touch that need more; without a pitch, those that were found to touch at the plan's own.
         The bounds are those of Clopper and Pearson: they hold with at least that confidence.
         """
         count = self.needed.size
-        hits = count - int(np.searchsorted(self.needed, pitch, side="right"))
+        if pitch is not None:
+            hits = count - int(np.searchsorted(self.needed, pitch, side="right"))
+        elif self.hits is not None:
+            hits = self.hits
+        else:
+            raise InputError(_("the dances were not walked at the plan's own pitch"))
         tail = 0.5 * (1.0 - confidence)
         low = float(beta.ppf(tail, hits, count - hits + 1)) if hits else 0.0
         high = float(beta.ppf(1.0 - tail, hits + 1, count - hits)) if hits < count else 1.0
@@ -219,29 +233,31 @@ class Margins:
 def margins(
     plan: Plan,
     slips: Slips,
-    draws: int = 200,
+    draws: int = 100,
     *,
     seed: int = 1,
     workers: int = 1,
+    own: bool = False,
     advance: Advance | None = None,
 ) -> Margins:
-    """The smallest pitch that each of so many random dances needs: see `Margins`.
+    """The pitch that each of so many random dances needs: see `Margins`.
 
-    The numbers do not depend on `workers`. A dance's pitch is the root of its least distance less the
-    plan's margin; that it stays clear with larger ones is taken for granted.
+    The numbers do not depend on `workers`. Each pitch is one next to which the dance stops keeping the
+    plan's margin, see `needed_pitch`, sought from the exact one, see `solve.limit`; that the dance
+    keeps it with all larger ones, so that the pitches tell chances, is taken for granted.
 
     Args:
-        plan: the dance; its pitch is where the search begins.
+        plan: the dance; the exact pitch is sought from its own.
         slips: how far from exact.
         draws: dances, 1 to 100,000.
         seed: of the random numbers.
         workers: threads.
+        own: whether each dance is walked at the plan's own pitch, too.
         advance: is told the share done since it was last told.
 
     Raises:
         InputError: for a number of draws out of range, a plan without a pitch, or one of whose
             dragon no benches can touch.
-        WalkError: where a dance cannot stand.
         UnsureError: where no pitch was found.
     """
     if not 1 <= draws <= MOST_DRAWS:
@@ -251,14 +267,15 @@ def margins(
     exact = _exact_pitch(plan)
     tell = advance or (lambda _share: None)
 
-    def one(number: int) -> float:
-        needed = needed_pitch(plan, Draw(slips, seed, number), exact)
+    def one(number: int) -> tuple[float, bool]:
+        draw = Draw(slips, seed, number)
+        found = needed_pitch(plan, draw, exact), own and touches(plan, draw)
         tell(1.0 / draws)
-        return needed
+        return found
 
     with ThreadPoolExecutor(workers) as pool:
-        needed = np.sort(list(pool.map(one, range(draws))))
-    return Margins(slips, seed, exact, needed)
+        needed, hits = zip(*pool.map(one, range(draws)), strict=True)
+    return Margins(slips, seed, exact, np.sort(needed), sum(hits) if own else None)
 
 
 def _exact_pitch(plan: Plan) -> float:
@@ -272,39 +289,84 @@ def _exact_pitch(plan: Plan) -> float:
     raise UnsureError(_("no pitch was found with which this dragon stays clear"))
 
 
-def needed_pitch(
-    plan: Plan, draw: Draw, guess: float, steps: tuple[float, float] = LOOK_STEPS
-) -> float:
-    """The pitch, m, with which a dance just keeps the plan's margin, by secants of slope 1 at first.
+@dataclass
+class Trials:
+    """One dance, tried with several pitches.
+
+    Attributes:
+        plan: its other sizes, and the margin that benches must keep.
+        draw: what is random in it.
+        hints: where benches came nearest, or touched where they were not looked for.
+    """
+
+    plan: Plan
+    draw: Draw
+    hints: list[Hint] = field(default_factory=list)
+
+    def room(self, pitch: float) -> float:
+        """A low distance of benches less the margin, m; NaN where a bench cannot follow.
+
+        Above TOLERANCE it is that of places evaluated here and there. From 0 to TOLERANCE no pair
+        anywhere comes nearer than the margin; below 0 some pair does.
+        """
+        margin = self.plan.limits.margin
+        try:
+            dance = rehearsal(self.plan.with_value("route.pitch", pitch), self.draw)
+            known = [dance.meeting_near(hint) for hint in self.hints]
+            if not known or min(known).distance >= margin:
+                known.append(dance.low_meeting())
+            low = min(known)
+            self.hints = [dance.hint(low.s), *self.hints[1:]]
+            if not 0.0 <= low.distance - margin <= TOLERANCE:
+                return low.distance - margin
+            place = dance.touch(margin)
+            if place is None:
+                return low.distance - margin
+            self.hints.append(dance.hint(place))
+            return min(dance.meeting_near(self.hints[-1]).distance - margin, -GRAZE)
+        except (WalkError, CannotFollowError):
+            return math.nan
+
+
+def needed_pitch(plan: Plan, draw: Draw, guess: float) -> float:
+    """The pitch, m, next to which a dance stops keeping the plan's margin, sought from a guess.
+
+    With that pitch no pair comes nearer than the margin; with one smaller by TOLERANCE some pair does,
+    or a bench cannot follow. Pitches beyond are not tried.
 
     Raises:
         UnsureError: where none is found near the guess.
     """
-    margin = plan.limits.margin
-    a, fa, b = guess, math.nan, guess
-    clear, touching = (
-        math.inf,
-        0.0,
-    )  # nearest pitches on either side; looks make distances jump a little
-    for _step in range(MOST_SECANTS):
+    trials = Trials(plan, draw)
+    touching, clear = 0.0, math.inf
+    a, fa, b, slope = guess, math.nan, guess, 1.0
+    for _trial in range(MOST_TRIALS):
         if not NARROWEST * guess < b < WIDEST * guess:
             break
-        fb = least_clearance(plan.with_value("route.pitch", b), draw, steps) - margin
-        if fb < 0.0:
-            touching, clear = max(touching, b), clear if b < clear else math.inf
-        elif b > touching:
+        fb = trials.room(b)
+        if not fb >= 0.0:
+            touching, clear = max(touching, b), clear if clear > b else math.inf
+        elif fb <= TOLERANCE and b > touching:
             clear = min(clear, b)
         if clear - touching <= TOLERANCE:
             return clear
-        slope = 1.0 if math.isnan(fa) or b == a else (fb - fa) / (b - a)
-        step = -fb / min(max(slope, LEAST_SLOPE), MOST_SLOPE)
-        if abs(step) <= TOLERANCE:
-            return b + step
-        a, fa, b = b, fb, b + step
-        if math.isfinite(clear) and touching and not touching < b < clear:
-            b = 0.5 * (touching + clear)
+        if math.isfinite(fb) and math.isfinite(fa) and b != a:
+            slope = min(max((fb - fa) / (b - a), LEAST_SLOPE), MOST_SLOPE)
+        a, fa, b = b, fb, _next(b, fb, slope, touching, clear)
     raise UnsureError(
         _("no pitch near {guess} m was found with which dance {number} just stays clear").format(
             guess=f"{guess:.4g}", number=draw.number + 1
         )
     )
+
+
+def _next(pitch: float, room: float, slope: float, touching: float, clear: float) -> float:
+    """The pitch to try next, m: where the room would be half of TOLERANCE, or just not any more."""
+    if math.isnan(room):
+        ahead = UNWALKABLE * pitch
+    elif clear < math.inf:
+        ahead = clear - max(0.9 * TOLERANCE, room / slope)
+    else:
+        ahead = pitch + (0.5 * TOLERANCE - room) / slope
+    between = touching < ahead < clear
+    return ahead if between else 0.5 * (touching + min(clear, max(pitch, touching)))

@@ -7,17 +7,18 @@ d theta / dt = -v / (k sqrt(1 + theta^2)) instead; both are here, so that they c
 
 import itertools
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
-from typing import Literal, Self
+from typing import Literal, NamedTuple, Self
 
 import numpy as np
 import numpy.typing as npt
 
 from benchdragon.arrays import as_numbers
 from benchdragon.curves import Spiral
-from benchdragon.errors import InputError, finite, not_negative, positive
+from benchdragon.errors import InputError, as_number, finite, not_negative, positive
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.messages import _
 
@@ -28,6 +29,34 @@ LEADER_METHODS: tuple[LeaderMethod, ...] = ("closed-form", "rk4", "adaptive")
 MOST_SPEED = 100.0
 # Fixed Runge-Kutta steps allowed in all: a minute or so of work.
 MOST_STEPS = 5_000_000
+
+
+class Stretches(NamedTuple):
+    """A walk cut where the head's acceleration jumps: rows of N stretches, each from start to end."""
+
+    times: FloatArray  # s, (N, 2)
+    ways: FloatArray  # distance walked from time 0 on, m, (N, 2)
+    speeds: FloatArray  # of the head, m/s, (N, 2)
+    rates: FloatArray  # its acceleration, m/s^2, (N,)
+
+    def moved(self, way: float) -> Self:
+        """The same with `way`, m, added to all ways."""
+        return self._replace(ways=self.ways + way)
+
+    def time(self, n: int, way: float) -> float:
+        """When the head comes to `way` on stretch n, s."""
+        ahead, (slow, fast) = way - float(self.ways[n, 0]), self.speeds[n].tolist()
+        if ahead <= 0.0:
+            return float(self.times[n, 0])
+        length = float(self.ways[n, 1] - self.ways[n, 0])
+        speed = math.sqrt(slow * slow + min(ahead / length, 1.0) * (fast * fast - slow * slow))
+        start, end = self.times[n].tolist()
+        return float(min(start + 2.0 * ahead / (slow + speed), end))
+
+
+def _ends(values: FloatArray) -> FloatArray:
+    """The values at the two ends of the spans between them, (spans, 2)."""
+    return np.column_stack([values[:-1], values[1:]])
 
 
 @dataclass(frozen=True)
@@ -65,24 +94,50 @@ class SpeedProfile:
         """The same speed, m/s, at all times."""
         return cls((0.0,), (speed,))
 
+    def __len__(self) -> int:
+        """Number of knots."""
+        return len(self.times)
+
+    def __getitem__(self, i: int) -> tuple[float, float]:
+        """Time, s, and speed, m/s, of knot number i, from 0."""
+        return self.times[i], self.speeds[i]
+
+    def __iter__(self) -> Iterator[tuple[float, float]]:
+        """Time, s, and speed, m/s, of each knot."""
+        return zip(self.times, self.speeds, strict=True)
+
     def speed(self, t: npt.ArrayLike) -> FloatArray:
         """Head speed at times t, m/s."""
         return np.asarray(np.interp(as_numbers("times", t), self.times, self.speeds))
 
     def acceleration(self, t: npt.ArrayLike) -> FloatArray:
         """Rate of change of the head's speed, m/s^2; at a knot that of the span after it."""
-        return self._slopes[np.searchsorted(self.times, t, side="right")]
+        return self._slopes[np.searchsorted(self.times, as_numbers("times", t), side="right")]
 
     def distance(self, t: npt.ArrayLike) -> FloatArray:
         """Distance walked from time 0 to times t, m, exact; negative before 0."""
         return self._from_first(as_numbers("times", t)) - self._from_first(np.zeros(()))
+
+    def exact_distance(self, t: float) -> Fraction:
+        """Distance walked from time 0 to a finite time t, m, without any rounding."""
+        return self._exact_from_first(Fraction(t)) - self._exact_from_first(Fraction(0))
+
+    def stretches(self, start: float, end: float) -> Stretches:
+        """The walk from start to end, s, in stretches of one acceleration: from knot to knot."""
+        times = np.array([start, *(t for t in self.times if start < t < end), end])
+        return Stretches(
+            _ends(times),
+            _ends(self.distance(times)),
+            _ends(self.speed(times)),
+            self.acceleration(times[:-1]),
+        )
 
     def time(self, distance: float) -> float:
         """The first time, s, by which `distance` (m, from time 0) is walked: inverse of `distance`.
 
         Infinite where the head stops for good before; minus infinite where it never started after.
         """
-        wanted = distance + float(self._from_first(np.zeros(())))
+        wanted = as_number("distance", distance) + float(self._from_first(np.zeros(())))
         times, speeds = self.times, self.speeds
         n = int(np.searchsorted(self._sums, wanted, side="left"))
         if n == 0 or n == len(times):
@@ -99,7 +154,8 @@ class SpeedProfile:
 
     @cached_property
     def _slopes(self) -> FloatArray:
-        inner = np.diff(self.speeds) / np.diff(self.times)
+        with np.errstate(over="ignore"):  # knots a hair apart: as good as a jump
+            inner = np.diff(self.speeds) / np.diff(self.times)
         return np.concatenate([[0.0], inner, [0.0]])
 
     @cached_property
@@ -107,6 +163,18 @@ class SpeedProfile:
         speeds = np.asarray(self.speeds)
         spans = 0.5 * (speeds[1:] + speeds[:-1]) * np.diff(self.times)
         return np.concatenate([[0.0], np.cumsum(spans)])
+
+    def _exact_from_first(self, t: Fraction) -> Fraction:
+        times, speeds = ([Fraction(number) for number in knots] for knots in (self.times, self.speeds))
+        walked = (
+            min(t - times[0], Fraction(0)) * speeds[0] + max(t - times[-1], Fraction(0)) * speeds[-1]
+        )
+        for a, b, v, w in zip(times, times[1:], speeds, speeds[1:], strict=False):
+            if t >= b:
+                walked += (v + w) / 2 * (b - a)
+            elif t > a:
+                walked += (v + (w - v) * (t - a) / (b - a) / 2) * (t - a)
+        return walked
 
     def _from_first(self, t: FloatArray) -> FloatArray:
         knot = np.maximum(np.searchsorted(self.times, t, side="right") - 1, 0)

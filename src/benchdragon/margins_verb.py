@@ -11,11 +11,13 @@ from benchdragon import __version__
 from benchdragon.document import decimals_or_dash, finite_or_none
 from benchdragon.messages import N_, _, language
 from benchdragon.options import (
+    WITHOUT,
     announce_compiling,
     explain_option,
     folder_option,
     json_option,
     plan_options,
+    refuse_strays,
     shared_options,
     workers_option,
 )
@@ -56,7 +58,7 @@ def slip_options(command: Any) -> Any:
 @click.option(
     "--draws",
     type=click.IntRange(1, 100_000),
-    default=200,
+    default=100,
     show_default=True,
     help=N_("Random dances."),
 )
@@ -73,6 +75,7 @@ def margins(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -
     from benchdragon.files import refuse_existing
     from benchdragon.plan import read_plan
 
+    refuse_strays(("force", options["output"] is not None, WITHOUT, "-o"))
     read = read_plan(plan, settings)
     announce_compiling(quiet)
     folder: Path | None = options["output"]
@@ -81,7 +84,7 @@ def margins(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -
     found, texts = _walked(read, options, quiet)
     _write_pictures(read, found, texts, files)
     pitch = read.value("route.pitch")
-    lines = _lines(read, found, texts, pitch) if options["explain"] else []
+    lines = _lines(read, found, texts) if options["explain"] else []
     if options["as_json"]:
         about: dict[str, Any] = {"explanation": lines} if lines else {}
         about |= {"plan_sha256": read.sha256, "version": __version__, "seed": options["seed"]}
@@ -100,16 +103,19 @@ def _walked(
 ) -> tuple[dict[str, "Margins"], dict[str, str]]:
     """What each case needs, and what to call it."""
     from benchdragon.imprecision import CASES, Case, Slips, margins
-    from benchdragon.speeds import part_of
 
     given = {name: options[name] for name in SLIPS if options[name] is not None}
     cases = {"given": Case(N_("as given"), Slips(**given))} if given else CASES
     found = {}
     with progress(quiet, len(cases)) as advance:
         for name, case in cases.items():
+
+            def tell(share: float, text: str = _(case.text)) -> None:
+                advance(share, text)
+
             found[name] = margins(
                 plan, case.slips, options["draws"], seed=options["seed"], workers=options["workers"],
-                advance=part_of(advance, _(case.text)),
+                own=True, advance=tell,
             )  # fmt: skip
     return found, {name: _(case.text) for name, case in cases.items()}
 
@@ -127,19 +133,19 @@ def _write_pictures(
         write_picture(margin_picture(found, texts, title), path, title, plan.sha256)
 
 
-def _lines(plan: "Plan", found: dict[str, "Margins"], texts: dict[str, str], pitch: float) -> list[str]:
+def _lines(plan: "Plan", found: dict[str, "Margins"], texts: dict[str, str]) -> list[str]:
     """How the last case came about, which is all slips together if none was given."""
     from benchdragon.explain_margins import margin_lines
 
     name, one = list(found.items())[-1]
-    return [f"{texts[name]}:", *margin_lines(plan, one, pitch)]
+    return [f"{texts[name]}:", *margin_lines(plan, one)]
 
 
 def as_json(one: "Margins", pitch: float) -> dict[str, Any]:
     """One case as plain data, in metres."""
     from benchdragon.imprecision import RISKS
 
-    share, low, high = one.touching(pitch)
+    share, low, high = one.touching()
     safe = {f"{risk:g}": finite_or_none(one.pitch_for(risk)) for risk in RISKS}
     return {
         "slips": {field.name: getattr(one.slips, field.name) for field in fields(one.slips)},
@@ -164,7 +170,7 @@ def print_margins(
     ]
     rows = []
     for name, one in found.items():
-        chance = "{:.1f} ({:.1f}..{:.1f})".format(*(100.0 * part for part in one.touching(pitch)))
+        chance = "{:.1f} ({:.1f}..{:.1f})".format(*(100.0 * part for part in one.touching()))
         safe = [one.pitch_for(risk) for risk in RISKS]
         rows.append((texts[name], chance, *(decimals_or_dash(size) for size in safe)))
     title = _(
@@ -177,6 +183,12 @@ def print_margins(
             "exact people need {pitch} m; {draws} dances each, more allow surer answers (-: too "
             "few to say)"
         ).format(pitch=f"{first.exact:.4f}", draws=first.needed.size)
+    )
+    click.echo(
+        _(
+            "the chance counts dances walked at that pitch; the pitches take for granted that a dance "
+            "which stays clear with its pitch stays clear with larger ones"
+        )
     )
     if margin:
         click.echo(

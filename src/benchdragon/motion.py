@@ -1,8 +1,8 @@
 """A dragon on a route: where every handle is and how fast, at any time."""
 
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
+from fractions import Fraction
 from functools import cached_property
 from importlib import import_module
 from typing import TYPE_CHECKING
@@ -13,24 +13,39 @@ import numpy.typing as npt
 from benchdragon.arrays import as_numbers
 from benchdragon.curves import MOST_METRES, Route, Spiral
 from benchdragon.dragon import Dragon
-from benchdragon.errors import InputError, WalkError, finite
-from benchdragon.kernels.chain import march, rates
+from benchdragon.errors import (
+    InputError,
+    MissingExtraError,
+    WalkError,
+    finite,
+    of_kind,
+    positive,
+    whole,
+)
 from benchdragon.kernels.curve import FloatArray, spiral_length
-from benchdragon.kernels.route import IntArray, positions
+from benchdragon.kernels.route import END_SLACK
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.status import Status
 from benchdragon.leader import LEADER_METHODS, LeaderMethod, SpeedProfile, head_angles
 from benchdragon.messages import _
+from benchdragon.placement import Placement
 
 if TYPE_CHECKING:
+    import pandas
     import xarray
 
 # Handles times times that one Motion may hold: 40 bytes each at first, 100 when all is asked for.
 MOST_PLACES = 50_000_000
+# Tables that hold a number for each handle.
+HANDLE_TABLES = ("x", "y", "s", "speed", "acceleration")
+# Threads of one motion.
+MOST_WORKERS = 64
 # The same for one slice of `Walk.motions`: 40 to 100 MB.
 SLICE_PLACES = 1_000_000
 # How exactly it is told where the head is when the tail comes somewhere, m.
 TAIL_TOLERANCE = 1e-9
+# How near to the last sound place a failure is told, m.
+FAILURE_TOLERANCE = 1e-9
 
 
 @dataclass(frozen=True)
@@ -50,6 +65,10 @@ class Walk:
     start: float = 0.0
 
     def __post_init__(self) -> None:
+        of_kind("dragon", self.dragon, Dragon)
+        of_kind("route", self.route, Route, _("Route((curve,)) is the route of one curve"))
+        hint = _("SpeedProfile.constant(1.0) is the same speed at all times")
+        of_kind("profile", self.profile, SpeedProfile, hint)
         if abs(finite("start", self.start, "m")) > MOST_METRES:
             raise InputError(_("start must lie within 1e8 m, not at {s} m").format(s=f"{self.start:g}"))
 
@@ -62,6 +81,7 @@ class Walk:
         (see `leader.head_angles`) and need the head to stay on one spiral.
         """
         clock = _clock(times)
+        positive("step", step, "s")
         exact = self.start + self.profile.distance(clock)
         if leader not in LEADER_METHODS:
             raise InputError(
@@ -86,20 +106,63 @@ class Walk:
         walked = way * (ahead - spiral_length(curve.k, curve.start_angle))
         return np.asarray(self.route.joints[part] + walked)
 
+    def time_at(self, s: float) -> float:
+        """When the head comes to route position s, m; infinite where it never does."""
+        return self.profile.time(s - self.start)
+
+    def placement(self, s: npt.ArrayLike, *, throw: bool = True) -> Placement:
+        """The dragon with its head at route positions s, m, whenever that may be.
+
+        Raises:
+            WalkError: with `throw`, for the first position that fails, at the time it is come to.
+        """
+        placed = Placement(self.dragon, self.route, s)
+        if throw and placed.status.any():
+            raise self.failure(placed, int(np.flatnonzero(placed.status)[0]))
+        return placed
+
+    def failure(self, placed: Placement, i: int) -> WalkError:
+        """The WalkError of position number i of a placement on this walk, with the time it happens."""
+        return placed.failure(i).at(self.time_at(float(placed.head_s[i])))
+
+    def first_failure(self, at: FloatArray) -> WalkError | None:
+        """Where the dragon first cannot stand, its head at or between increasing positions, m, (T,).
+
+        It is looked for at these, the first that fails then drawn near to the one before, or to the
+        route's end; None where none fails.
+        """
+        length = self.route.length
+        placed = self.placement(np.minimum(at, length), throw=False)
+        failed = np.flatnonzero(placed.status)
+        if not failed.size:
+            end = WalkError(Status.AFTER_ROUTE, 0, length, length, f"{length:.6g} m")
+            return end.at(self.time_at(length)) if at[-1] > length + END_SLACK else None
+        n = int(failed[0])
+        stands, fails = float(placed.head_s[max(n - 1, 0)]), float(placed.head_s[n])
+        while stands < (middle := 0.5 * (stands + fails)) < fails - 0.5 * FAILURE_TOLERANCE:
+            if self.placement([middle], throw=False).status[0]:
+                fails = middle
+            else:
+                stands = middle
+        return self.failure(self.placement([fails], throw=False), 0)
+
+    def exact_head_position(self, t: float) -> Fraction:
+        """The route position of the head's handle at a finite time t, m, without any rounding."""
+        return Fraction(self.start) + self.profile.exact_distance(t)
+
     def head_where_tail(self, s: float) -> float:
         """The head's route position, m, when the last handle has come to route position s (m).
 
         Within 1e-9 m, and not before; the route's end if that comes first.
         """
-        still = Walk(self.dragon, self.route)
-        low, high = s, self.route.length
-        at = s + float(self.dragon.links.sum())
+        low, high = finite("s", s, "m"), self.route.length
+        at = low + float(self.dragon.links.sum())
         while high - low > TAIL_TOLERANCE:
             if not low < at < high:
                 at = 0.5 * (low + high)
                 if at in (low, high):
                     break
-            stand = still.motion([at], throw=False)
+            stand = self.placement([at], throw=False)
             ahead, slope = float(stand.s[0, -1]) - s, float(stand.speed_ratio[0, -1])
             low, high = (low, at) if ahead >= 0.0 else (at, high)  # NaN counts as not yet there
             # Newton's step, a little to the other side of the place sought.
@@ -143,8 +206,7 @@ class Walk:
             WalkError: with `throw`, for the first time in the list that fails.
         """
         clock = _clock(times)
-        if workers < 1:
-            raise InputError(_("workers must be at least 1, not {count}").format(count=workers))
+        whole("workers", workers, 1, MOST_WORKERS)
         if clock.size * (len(self.dragon) + 1) > MOST_PLACES:
             raise InputError(
                 _(
@@ -152,7 +214,7 @@ class Walk:
                 ).format(asked=clock.size * (len(self.dragon) + 1), most=MOST_PLACES)
             )
         s = self.head_position(clock, leader, step)
-        motion = _marched(self, clock, s, workers)
+        motion = Motion(self, clock, s, workers=workers)
         if throw:
             motion.check()
         return motion
@@ -181,55 +243,17 @@ def _clock(times: npt.ArrayLike) -> FloatArray:
     return clock
 
 
-def _marched(walk: Walk, clock: FloatArray, s: FloatArray, workers: int) -> "Motion":
-    """March every time, in blocks whose borders do not depend on the number of workers."""
-    shape = (len(walk.dragon) + 1, clock.size)
-    row, failed = np.empty(shape, dtype=np.int64), np.empty((2, clock.size), dtype=np.int64)
-    u, x, y, ratio = (np.empty(shape) for _array in range(4))
-    rows, links = walk.route.rows, walk.dragon.links
-    if workers == 1 or clock.size <= LANES:
-        march(rows, links, s, 0, clock.size, row, u, x, y, ratio, failed)
-        return Motion(walk, clock, s, row, u, x, y, ratio, failed)
-    share = -(-clock.size // (workers * LANES)) * LANES
-    with ThreadPoolExecutor(workers) as pool:
-        tasks = [
-            pool.submit(
-                march, rows, links, s, a, min(a + share, clock.size), row, u, x, y, ratio, failed
-            )
-            for a in range(0, clock.size, share)
-        ]
-        for task in tasks:
-            task.result()
-    return Motion(walk, clock, s, row, u, x, y, ratio, failed)
-
-
-class Motion:
+class Motion(Placement):
     """Places and speeds of all handles at T times; every table has one row a time.
 
     Attributes:
         walk: what moved.
         times: s, (T,).
-        head_s: route position of the head's handle, m, (T,).
-        status: how each time ended, a `Status`, (T,).
-        failed_bench: the bench that found no place, (T,); 0 where none, or the head, failed.
     """
 
-    def __init__(
-        self,
-        walk: Walk,
-        times: FloatArray,
-        head_s: FloatArray,
-        row: IntArray,
-        u: FloatArray,
-        x: FloatArray,
-        y: FloatArray,
-        ratio: FloatArray,
-        failed: IntArray,
-    ) -> None:
-        self.walk, self.times, self.head_s = walk, times, head_s
-        # Handle by handle in memory, as the kernels march; time by time to the outside.
-        self._row, self._u, self._x, self._y, self._ratio = row, u, x, y, ratio
-        self.status, self.failed_bench = failed
+    def __init__(self, walk: Walk, times: FloatArray, head_s: FloatArray, *, workers: int = 1) -> None:
+        super().__init__(walk.dragon, walk.route, head_s, workers=workers)
+        self.walk, self.times = walk, times
 
     def __repr__(self) -> str:
         handles, times = self._x.shape
@@ -239,21 +263,6 @@ class Motion:
         """The walk in a player, for notebooks."""
         # By name, at the last moment: the player stands above this room, and knows motions itself.
         return str(import_module("benchdragon.player").framed_motion(self))
-
-    @property
-    def x(self) -> FloatArray:
-        """x of every handle, m, (T, N + 1)."""
-        return self._x.T
-
-    @property
-    def y(self) -> FloatArray:
-        """y of every handle, m, (T, N + 1)."""
-        return self._y.T
-
-    @property
-    def speed_ratio(self) -> FloatArray:
-        """Speed of every handle over the head's, (T, N + 1): exact, from the rigid benches."""
-        return self._ratio.T
 
     @cached_property
     def head_speed(self) -> FloatArray:
@@ -266,35 +275,6 @@ class Motion:
         return self.speed_ratio * self.head_speed[:, np.newaxis]
 
     @cached_property
-    def s(self) -> FloatArray:
-        """Route position of every handle, m, (T, N + 1); negative on the extension."""
-        out = np.full(self._u.shape, np.nan)
-        sound = ~np.isnan(self._u)
-        found = np.empty(int(sound.sum()))
-        positions(self.walk.route.rows, self._row[sound], self._u[sound], found)
-        out[sound] = found
-        return out.T
-
-    def state(self, i: int) -> tuple[IntArray, FloatArray]:
-        """Row and parameter of every handle at time number i, as the kernels hold them, (N + 1,)."""
-        return self._row[:, i], self._u[:, i]
-
-    @cached_property
-    def heading(self) -> FloatArray:
-        """Heading of every bench, rear handle to front handle, rad, (T, N), in -pi..pi."""
-        return np.arctan2(-np.diff(self._y, axis=0), -np.diff(self._x, axis=0)).T
-
-    @cached_property
-    def _rates(self) -> tuple[FloatArray, FloatArray]:
-        ratio_rate = np.full(self._u.shape, np.nan)
-        turn = np.full((self._u.shape[0] - 1, self._u.shape[1]), np.nan)
-        rates(
-            self.walk.route.rows, self.walk.dragon.links,
-            self._row, self._u, self._x, self._y, self._ratio, ratio_rate, turn,
-        )  # fmt: skip
-        return ratio_rate.T, turn.T
-
-    @cached_property
     def acceleration(self) -> FloatArray:
         """Rate of change of every handle's speed along the route, m/s^2, (T, N + 1).
 
@@ -302,44 +282,38 @@ class Motion:
         """
         head_rate = self.walk.profile.acceleration(self.times)
         speed2 = np.square(self.head_speed)
-        return self._ratio.T * head_rate[:, np.newaxis] + self._rates[0] * speed2[:, np.newaxis]
+        return self._ratio.T * head_rate[:, np.newaxis] + self.ratio_rate * speed2[:, np.newaxis]
 
     @cached_property
     def turning_rate(self) -> FloatArray:
         """Turning rate of every bench, rad/s, left positive, (T, N)."""
-        return self._rates[1] * self.head_speed[:, np.newaxis]
-
-    @cached_property
-    def chord_error(self) -> float:
-        """Largest difference between a bench's link and the distance of its handles, m."""
-        chords = np.hypot(np.diff(self._x, axis=0), np.diff(self._y, axis=0))
-        return float(np.nanmax(np.abs(chords - self.walk.dragon.links[:, np.newaxis]), initial=0.0))
-
-    def check(self) -> None:
-        """Raise the WalkError of the first time that failed, if one did."""
-        failed = np.flatnonzero(self.status != Status.OK)
-        if failed.size:
-            raise self.failure(int(failed[0]))
+        return self.turn_rate * self.head_speed[:, np.newaxis]
 
     def failure(self, i: int) -> WalkError:
         """The WalkError that describes how time number i failed."""
-        status, bench = Status(int(self.status[i])), int(self.failed_bench[i])
-        s, size = float(self.head_s[i]), self.walk.route.length
-        if bench:
-            out = np.empty(1)
-            positions(
-                self.walk.route.rows,
-                self._row[bench - 1 : bench, i],
-                self._u[bench - 1 : bench, i],
-                out,
-            )
-            s, size = float(out[0]), float(self.walk.dragon.links[bench - 1])
-        return WalkError(status, bench, s, float(self.times[i]), f"{size:.6g} m")
+        return super().failure(i).at(float(self.times[i]))
+
+    def to_dataframe(self) -> "pandas.DataFrame":
+        """The handles' tables as a pandas DataFrame, a row a time and handle (needs the extra `data`).
+
+        Indexed by time (s) and handle (from 0); x, y, s (m), speed (m/s) and acceleration (m/s^2).
+        """
+        try:
+            import pandas  # an optional extra
+        except ImportError:
+            raise MissingExtraError("data") from None
+        index = pandas.MultiIndex.from_product(
+            [self.times, range(len(self.walk.dragon) + 1)], names=["time", "handle"]
+        )
+        tables = {name: getattr(self, name).ravel() for name in HANDLE_TABLES}
+        return pandas.DataFrame(tables, index=index)
 
     def to_xarray(self) -> "xarray.Dataset":
         """The tables as an xarray Dataset with units (needs the extra `data`)."""
-        import xarray  # an optional extra
-
+        try:
+            import xarray  # an optional extra
+        except ImportError:
+            raise MissingExtraError("data") from None
         time_handle, time_bench = ("time", "handle"), ("time", "bench")
         variables = {
             "x": (time_handle, self.x, "m", "x of the handle"),

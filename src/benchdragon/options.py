@@ -2,15 +2,34 @@
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import click
+from click.core import ParameterSource
 
+from benchdragon.errors import InputError
 from benchdragon.messages import LANGUAGES, N_, _
 
 Command = Callable[..., int]
 
 # Seconds of compiling after which a word is due.
 SLOW_COMPILE = 1.0
+
+
+class NamedPath(click.Path):
+    """A file or a folder to write; an empty name, as of a variable that is not set, is refused."""
+
+    def __init__(self, *, folder: bool) -> None:
+        super().__init__(path_type=Path, file_okay=not folder, dir_okay=folder)
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """The path."""
+        if value == "":
+            self.fail(_("a name is wanted, not nothing"), param, ctx)
+        return super().convert(value, param, ctx)
+
+
+FILE, FOLDER = NamedPath(folder=False), NamedPath(folder=True)
 
 
 def shared_options(command: Command) -> Command:
@@ -52,8 +71,8 @@ def span_options(command: Command) -> Command:
         "--start",
         metavar="TIME",
         help=N_(
-            "Where it begins: seconds of the dance (12.5), or minutes and seconds (3:12). Default: as "
-            "the plan says."
+            "Where it begins: seconds of the dance (12.5), a clock time (3:12) or units (3 min 12 s). "
+            "Default: as the plan says."
         ),
     )(command)
 
@@ -66,7 +85,7 @@ def folder_option(command: Command) -> Command:
     return click.option(
         "-o",
         "--output",
-        type=click.Path(path_type=Path, file_okay=False),
+        type=FOLDER,
         metavar="DIR",
         help=N_("Folder for the files."),
     )(command)
@@ -76,6 +95,15 @@ def json_option(command: Command) -> Command:
     """--json."""
     return click.option(
         "--json", "as_json", is_flag=True, help=N_("Print one JSON object and nothing else.")
+    )(command)
+
+
+def brackets_option(command: Command) -> Command:
+    """--brackets."""
+    return click.option(
+        "--brackets",
+        is_flag=True,
+        help=N_("Show all digits, and the bracket in which each answer lies; --json always has them."),
     )(command)
 
 
@@ -98,6 +126,26 @@ def workers_option(default: int) -> Callable[[Command], Command]:
         show_default=True,
         help=N_("Threads; the answers do not depend on it."),
     )
+
+
+# Why an option that was given says nothing.
+WITHOUT, BESIDE = N_("{option} goes with {what} alone"), N_("{option} does not go with {what}")
+
+
+def refuse_strays(*rules: tuple[str, bool, str, str]) -> None:
+    """Refuse options that were given and have no effect, rather than overlook them.
+
+    Args:
+        rules: name of a parameter; whether it has an effect; WITHOUT or BESIDE; and what.
+
+    Raises:
+        InputError: for the first one.
+    """
+    context = click.get_current_context()
+    options = {parameter.name: max(parameter.opts, key=len) for parameter in context.command.params}
+    for name, goes, why, what in rules:
+        if not goes and context.get_parameter_source(name) is ParameterSource.COMMANDLINE:
+            raise InputError(_(why).format(option=options[name], what=what))
 
 
 def announce_compiling(quiet: bool) -> None:

@@ -9,6 +9,7 @@ import numpy as np
 
 from benchdragon.answer import Answer
 from benchdragon.errors import InputError, UnsureError
+from benchdragon.kernels import pacing
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.leader import MOST_SPEED, SpeedProfile
 from benchdragon.messages import _
@@ -16,11 +17,13 @@ from benchdragon.motion import Walk
 from benchdragon.plan import Plan
 from benchdragon.speeds import (
     QUANTITIES,
+    RATE_TOLERANCE,
+    STEP,
     TOLERANCE,
     Peak,
     Quantity,
-    ceilings,
     greatest_of,
+    hulls,
     part_of,
     witness_of,
 )
@@ -31,6 +34,8 @@ Advance = Callable[[float, str], None]
 PRUDENCE = 1e-9
 # Knots of a pace at most: a plan file takes twice as many.
 MOST_KNOTS = 5000
+# Parts of a step between two knots of a pace over which bounds are made.
+FINER = 8
 # Rounding of a speed that was seen, relative: some 1e-14 after 200 benches, room for ten times as much.
 ROUNDING = 1e-13
 
@@ -54,13 +59,9 @@ class Pace:
 
 def given_limits(plan: Plan) -> dict[str, float]:
     """The plan's limits on what benches do, by the name of the quantity, in SI units."""
-    limits = plan.limits
-    rate = limits.turning_rate
-    given = {
-        "speed": limits.speed,
-        "acceleration": limits.acceleration,
-        "turning_rate": None if rate is None else math.radians(rate),
-    }
+    given = {name: getattr(plan.limits, name) for name in QUANTITIES}
+    if given["turning_rate"] is not None:
+        given["turning_rate"] = math.radians(given["turning_rate"])
     return {name: value for name, value in given.items() if value is not None}
 
 
@@ -80,8 +81,10 @@ def greatest_head_speed(
     """The greatest constant head speed, m/s, with which the plan's whole walk keeps its limits.
 
     Limits are those on handles' speeds and accelerations and on benches' turning rates, over
-    continuous time. The witness is the handle (its bench, leading it: handle i leads bench i + 1)
-    or bench of the limit that decides, its time that of a head at the plan's own speed.
+    continuous time. The value is the bracket's lower end: what surely keeps all of them. The witness
+    is the handle (its bench, leading it: handle i leads bench i + 1) or bench of the limit that
+    decides, its time that of a head at the plan's own speed. `tolerance` is that of the greatest speed
+    ratio; turning rates and accelerations have at least 1e-6.
 
     Raises:
         InputError: without a limit.
@@ -91,31 +94,34 @@ def greatest_head_speed(
     limits = _limits_of(plan)
     walk = plan.build()
     first, last = walk.head_position(plan.span(walk)).tolist()
-    speeds: dict[str, tuple[float, float, float]] = {}
-    peaks: dict[str, Peak] = {}
+    lower, upper, looks = MOST_SPEED, math.inf, 0
+    decisive: tuple[str, Peak] | None = None
     for name, allowed in limits.items():
         quantity = QUANTITIES[name]
+        width = tolerance if name == "speed" else max(tolerance, RATE_TOLERANCE)
         tell = part_of(advance, _(quantity.text), len(limits))
-        peak = greatest_of(walk, quantity, first, last, tolerance=tolerance, advance=tell)
-        peaks[name] = peak
-        speeds[name] = (
-            _head_speed(quantity, allowed, peak.upper),
-            _head_speed(quantity, allowed, peak.value),
-            _head_speed(quantity, allowed, peak.value / (1.0 + ROUNDING)),
-        )
-    active = min(speeds, key=lambda name: speeds[name][1])
-    lower, (_low, value, upper) = min(low for low, *_rest in speeds.values()), speeds[active]
-    if lower > MOST_SPEED:  # what is limited hardly occurs
+        limit = allowed / lower**quantity.power  # who keeps to this allows more than those before
+        peak = greatest_of(walk, quantity, first, last, tolerance=width, limit=limit, advance=tell)
+        looks += peak.looks
+        if peak.upper <= limit:
+            continue
+        lower = _head_speed(quantity, allowed, peak.upper)
+        most = _head_speed(quantity, allowed, peak.value / (1.0 + ROUNDING))
+        if most < upper or decisive is None:
+            upper, decisive = most, (name, peak)
+        if lower == 0.0:
+            break
+    if decisive is None:  # what is limited hardly occurs
         return Answer(MOST_SPEED, MOST_SPEED, upper, "m/s", "unlimited")
     return Answer(
-        value if lower > 0.0 else math.nan,
+        lower if lower > 0.0 else math.nan,
         lower,
         upper,
         "m/s",
         "found" if lower > 0.0 else "undecided",
-        witness_of(walk, peaks[active]),
-        (_assumed(QUANTITIES[active], limits[active]),),
-        sum(peak.looks for peak in peaks.values()),
+        witness_of(walk, decisive[1]),
+        (_assumed(QUANTITIES[decisive[0]], limits[decisive[0]]),),
+        looks,
         clock.perf_counter() - began,
     )
 
@@ -134,17 +140,14 @@ def slowed(plan: Plan, *, advance: Advance | None = None) -> Pace:
     """A pace at the plan's own head speed that slows down only where a limit would be exceeded.
 
     Between looks no handle or bench exceeds a limit either: over each step of the head the pace keeps
-    to what a bound on all of them allows. The head changes its speed by at most
+    to what a bound on all of them allows (see kernels/pacing.py). The head changes its speed by at most
     limits.head_acceleration.
 
     Raises:
-        InputError: without a limit of speed or turning rate, with one of acceleration, or with a
-            plan that has a profile already.
+        InputError: without a limit, or with a plan that has a profile already.
         WalkError: if the dragon cannot walk all the way.
-        UnsureError: if that could not be decided.
+        UnsureError: if that could not be decided, or if no pace was found to keep the limits.
     """
-    if plan.limits.acceleration is not None:
-        raise InputError(_("a pace that slows down keeps no limits.acceleration: take it out"))
     if plan.walk.profile:
         raise InputError(_("the plan has a profile of its own: take walk.profile out"))
     steady = greatest_head_speed(plan, advance=advance)
@@ -152,48 +155,38 @@ def slowed(plan: Plan, *, advance: Advance | None = None) -> Pace:
         raise UnsureError(_("it could not be shown that the dragon stands all along"))
     walk = plan.build()
     first, last = walk.head_position(plan.span(walk)).tolist()
-    at, allowed = _coarser(*_allowed(walk, _limits_of(plan), first, last))
-    speeds = np.minimum(np.append(allowed, math.inf), np.append(math.inf, allowed))
-    speeds = _eased(np.minimum(speeds, plan.walk.speed), np.diff(at), plan.limits.head_acceleration)
+    if not first < last:
+        raise InputError(_("the walk has no length: set walk.start and walk.end apart"))
+    even = min(steady.lower, plan.walk.speed)
+    at, speeds = _fastest(plan, walk, first, last)
     times = np.concatenate([[0.0], np.cumsum(2.0 * np.diff(at) / (speeds[1:] + speeds[:-1]))])
+    if times[-1] >= (last - first) / even:
+        times, speeds = np.array([0.0, (last - first) / even]), np.array([even, even])
     profile = _profile(times, speeds)
     zero = profile.time(walk.start - first)  # at time 0 the head stands at walk.start
     profile = SpeedProfile(tuple(t - zero for t in profile.times), profile.speeds)
     seconds = float(times[-1])
-    even = (last - first) / min(steady.lower, plan.walk.speed)
-    return Pace(profile, steady, seconds, even - seconds)
+    return Pace(profile, steady, seconds, (last - first) / even - seconds)
 
 
-def _allowed(
-    walk: Walk, limits: dict[str, float], first: float, last: float
-) -> tuple[FloatArray, FloatArray]:
-    """Head positions, m, and the greatest head speed allowed in each step between them, m/s."""
-    allowed: FloatArray | None = None
-    for name, limit in limits.items():
-        quantity = QUANTITIES[name]
-        at, bounds = ceilings(walk, quantity, first, last)
-        these = (1.0 - PRUDENCE) * (limit / bounds) ** (1.0 / quantity.power)
-        allowed = these if allowed is None else np.minimum(allowed, these)
-    if allowed is None:
-        raise AssertionError("_limits_of refuses a plan without limits")
-    return at, allowed
-
-
-def _coarser(at: FloatArray, allowed: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Steps joined, the least speed of each kept, until a profile has not too many knots."""
-    every = math.ceil(len(allowed) / MOST_KNOTS)
-    starts = np.arange(0, len(allowed), every)
-    return np.append(at[starts], at[-1]), np.minimum.reduceat(allowed, starts)
-
-
-def _eased(speeds: FloatArray, steps: FloatArray, acceleration: float) -> FloatArray:
-    """The greatest speeds not above these that change by at most `acceleration`, m/s^2."""
-    squares = speeds**2
-    for n in range(1, len(squares)):
-        squares[n] = min(squares[n], squares[n - 1] + 2.0 * acceleration * steps[n - 1])
-    for n in range(len(squares) - 2, -1, -1):
-        squares[n] = min(squares[n], squares[n + 1] + 2.0 * acceleration * steps[n])
-    return np.asarray(np.sqrt(squares))
+def _fastest(plan: Plan, walk: Walk, first: float, last: float) -> tuple[FloatArray, FloatArray]:
+    """Head positions, m, and the greatest speeds there, m/s, between which limits are kept too."""
+    way, link = last - first, float(walk.dragon.links.min())
+    steps = max(1, math.ceil(min(way / (STEP * link), MOST_KNOTS - 1)))
+    at, bounds = hulls(walk, first, last, steps, FINER)
+    given = {**_limits_of(plan), "head": plan.limits.head_acceleration}
+    limits = (1.0 - PRUDENCE) * np.array([given.get(name, math.inf) for name in (*QUANTITIES, "head")])
+    most, table = np.empty(steps), np.empty((steps, pacing.NODES, 2))
+    pacing.tabulate(bounds, limits, plan.walk.speed**2, most, table)
+    squares = np.empty(steps + 1)
+    pacing.fastest_pace(table, most, np.diff(at), squares)
+    if not squares.all():
+        raise UnsureError(
+            _("no speed of the head was found that keeps the limits at {s} m of the route").format(
+                s=f"{at[int(np.argmin(squares))]:.6g}"
+            )
+        )
+    return at, np.sqrt(squares)
 
 
 def _profile(times: FloatArray, speeds: FloatArray) -> SpeedProfile:
@@ -209,5 +202,4 @@ def with_pace(plan: Plan, pace: Pace) -> Plan:
     times = {"start": knots[0][0]}
     if plan.walk.end is not None:
         times["end"] = knots[0][0] + pace.seconds
-    walk = plan.walk.model_copy(update={"profile": knots, **times})
-    return plan.model_copy(update={"walk": walk})
+    return plan.with_table("walk", profile=knots, **times)

@@ -121,7 +121,7 @@ def _fifth(walk: Walk) -> Equation:
 def _sixth(walk: Walk, turn: TwoArcTurn) -> Equation:
     """The cosine of the angle at the first arc's centre, one handle on each arc."""
     start = walk.start + turn.radii[0] * turn.sweep
-    head = walk.profile.time(start + 0.5 * float(walk.dragon.links[0]) - walk.start)
+    head = walk.time_at(start + 0.5 * float(walk.dragon.links[0]))
     x, y = _at(walk, [head])
     centre = complex(*turn.centres()[0])
     front, rear = (complex(x[0, i], y[0, i]) - centre for i in (0, 1))

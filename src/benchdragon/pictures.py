@@ -17,12 +17,13 @@ from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.ft2font import FT2Font
-from matplotlib.patches import Circle
+from matplotlib.patches import Circle, Rectangle
 
 from benchdragon import __version__
 from benchdragon.curves import Route
 from benchdragon.errors import InputError
-from benchdragon.files import whole_file
+from benchdragon.files import whole_bytes
+from benchdragon.framing import Area, Framing, framing, inset, route_positions
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.messages import _
 from benchdragon.motion import Motion, Walk
@@ -43,9 +44,13 @@ STYLE: Any = {
 }
 # Okabe and Ito's colours, told apart by colour-blind people too.
 BODY, HEAD, ROUTE, DISC = "#56B4E9", "#D55E00", "#999999", "#009E73"
-# Points along the drawn route, m apart, and at most so many.
-ROUTE_STEP = 0.1
-MOST_ROUTE_POINTS = 200_000
+# Colours of speeds beyond the scale of a map.
+ABOVE, BELOW = HEAD, BODY
+# The scale holds all speeds of so many per cent of the times, and the rest too unless that would make
+# it so many times as long.
+COMMON_PERCENT, MOST_STRETCH = 95.0, 4.0
+# Speeds that agree so well are one speed.
+ONE_SPEED = 1e-6
 # Limits of one picture: finer would not be seen, and would take minutes.
 MOST_BENCHES = 20_000
 MOST_PANELS = 4
@@ -109,24 +114,35 @@ def dragon_picture(
     with matplotlib.rc_context(STYLE):
         figure = named_figure(7.2 * columns, 7.0 * panels + 0.4, title)
         axes = figure.subplots(panels, columns, squeeze=False).ravel()
-        limits = _limits(motion, indices)
+        framed = framing_of(motion, indices, disc)
         for panel, index in zip(axes, indices, strict=False):
-            draw_dragon(panel, motion, index, disc)
-            panel.set(xlim=limits[0], ylim=limits[1])
+            draw_dragon(panel, motion, index, disc, framed)
         for panel in axes[len(indices) :]:
             panel.set_axis_off()
         return figure
 
 
-def _limits(motion: Motion, indices: Sequence[int]) -> tuple[tuple[float, float], ...]:
-    """Square limits around the dragon at all `indices`, with a bench's room."""
-    x, y = motion.x[list(indices)], motion.y[list(indices)]
-    if np.isnan(x).all():
-        return (-1.0, 1.0), (-1.0, 1.0)
-    room = 0.5 * max(np.nanmax(x) - np.nanmin(x), np.nanmax(y) - np.nanmin(y))
-    room += float(np.max(motion.walk.dragon.length[:10]))
-    middles = [0.5 * (np.nanmax(v) + np.nanmin(v)) for v in (x, y)]
-    return tuple((middle - room, middle + room) for middle in middles)
+def framing_of(
+    motion: Motion,
+    indices: Sequence[int],
+    disc: float | None,
+    kept: Sequence[tuple[float, float]] = (),
+) -> Framing:
+    """What pictures of the dragon at all `indices` show, all to one scale, the points `kept` too, m."""
+    dragon, route = motion.walk.dragon, motion.walk.route
+    s = motion.s[list(indices)]
+    s = s[~np.isnan(s[:, 0])]
+    spans = np.stack([np.nanmin(s, axis=1), s[:, 0]], axis=-1) if len(s) else np.zeros((1, 2))
+    room = float(dragon.length.max())
+    return framing(route, spans, room, [*kept, *disc_corners(route, disc)], room)
+
+
+def disc_corners(route: Route, disc: float | None) -> list[tuple[float, float]]:
+    """Two corners of the square about the disc, m; none where there is no disc."""
+    if disc is None:
+        return []
+    x, y = route.centre
+    return [(x - disc, y - disc), (x + disc, y + disc)]
 
 
 def bench_corners(motion: Motion, index: int) -> FloatArray:
@@ -141,8 +157,8 @@ def bench_corners(motion: Motion, index: int) -> FloatArray:
     return np.stack([nose + side, end + side, end - side, nose - side], axis=1)
 
 
-def draw_dragon(panel: Axes, motion: Motion, index: int, disc: float | None) -> None:
-    """Draw the benches, the route and the disc into one panel."""
+def draw_dragon(panel: Axes, motion: Motion, index: int, disc: float | None, framed: Framing) -> None:
+    """Draw the benches, the route and the disc into one panel, and an inset where not all is shown."""
     tail = float(np.nanmin(motion.s[index], initial=0.0))
     front = float(np.nanmax(motion.s[index], initial=0.0))
     end = min(motion.walk.route.length, front + 1.5 * (front - tail) + 20.0)
@@ -177,19 +193,56 @@ def draw_dragon(panel: Axes, motion: Motion, index: int, disc: float | None) -> 
     clock = f"{motion.times[index]:g}".replace("-", "\N{MINUS SIGN}")
     panel.set_title(_("t = {t} s").format(t=clock))
     panel.legend(loc="upper right", fontsize="small", framealpha=0.9)
+    frame = framed.frame(1.0, np.stack([motion.x[index], motion.y[index]], axis=-1))
+    panel.set(xlim=frame.limits[0], ylim=frame.limits[1])
+    if framed.cut(1.0):
+        ground, place = inset(framed, frame, route, ((0, 0), (1, 0), (0, 1)))
+        axes = panel.inset_axes(place, zorder=7)
+        Overview(axes, ground, route, ROUTE, "black").show(motion, index, frame)
+        text = _("{length} m across").format(length=f"{ground.width:.3g}")
+        axes.text(0.03, 0.94, text, fontsize="x-small", va="top", transform=axes.transAxes)
+
+
+class Overview:
+    """A small picture of all that the dragon covers, with a mark about what the large one shows.
+
+    Args:
+        axes: to draw into.
+        ground: all of it.
+        route: points of it, m, (n, 2).
+        edge: colour of the route and of the edges.
+        ink: colour of the mark.
+    """
+
+    def __init__(self, axes: Axes, ground: Area, route: FloatArray, edge: str, ink: str) -> None:
+        self.axes = axes
+        axes.set(xlim=ground.limits[0], ylim=ground.limits[1], xticks=[], yticks=[])
+        for side in axes.spines.values():
+            side.set_color(edge)
+        axes.plot(route[:, 0], route[:, 1], color=edge, lw=0.6)
+        (self.body,) = axes.plot([], [], color=BODY, lw=2.0)
+        (self.head,) = axes.plot([], [], "o", color=HEAD, ms=4.0)
+        self.mark = Rectangle((0.0, 0.0), 0.0, 0.0, fill=False, ec=ink, lw=1.0, zorder=4)
+        axes.add_patch(self.mark)
+
+    def show(self, motion: Motion, index: int, frame: Area) -> None:
+        """Move the dragon to time number `index`, and the mark to what the large picture shows."""
+        self.body.set_data(motion.x[index], motion.y[index])
+        self.head.set_data(motion.x[index, :1], motion.y[index, :1])
+        (left, _right), (bottom, _top) = frame.limits
+        self.mark.set(x=left, y=bottom, width=frame.width, height=frame.height)
 
 
 def route_points(route: Route, start: float, end: float) -> FloatArray:
     """Points of the route from one position to another, m, (n, 2)."""
-    count = int(min(max((end - start) / ROUTE_STEP, 2), MOST_ROUTE_POINTS))
-    points: FloatArray = route.point(np.linspace(start, end, count))
-    return points
+    return route.point(route_positions(start, end))
 
 
 def speed_map(motion: Motion, title: str = "", joints: Sequence[float] = ()) -> Figure:
     """Speed of all handles over time, as a map: time to the right, handle 0 (the head) on top.
 
-    Lines show when each handle passes the route positions `joints`, m.
+    Lines show when each handle passes the route positions `joints`, m. Where a few instants are far
+    faster or slower than the rest, the colours tell the rest apart, and the extremes are named.
     """
     with matplotlib.rc_context(STYLE):
         figure = named_figure(9.0, 5.2, title)
@@ -197,7 +250,11 @@ def speed_map(motion: Motion, title: str = "", joints: Sequence[float] = ()) -> 
         panel.grid(False)
         times = _edges(motion.times)
         handles = np.arange(motion.x.shape[1] + 1) - 0.5
-        mesh = panel.pcolormesh(times, handles, motion.speed.T, cmap="cividis", rasterized=True)
+        low, high = speed_scale(motion.speed)
+        colours = matplotlib.colormaps["cividis"].with_extremes(under=BELOW, over=ABOVE)
+        mesh = panel.pcolormesh(
+            times, handles, motion.speed.T, cmap=colours, vmin=low, vmax=high, rasterized=True
+        )
         for n, joint in enumerate(joints):
             passed = [np.interp(joint, s, motion.times, np.nan, np.nan) for s in motion.s.T]
             name = _("passing a joint of the route") if n == 0 else None
@@ -206,12 +263,50 @@ def speed_map(motion: Motion, title: str = "", joints: Sequence[float] = ()) -> 
             panel.legend(loc="lower left", fontsize="small", facecolor="#555555", labelcolor="white")
         panel.invert_yaxis()
         panel.set_xlabel(_("time (s)"))
-        panel.set_ylabel(_("handle (0 = head)"))
-        panel.set_title(_("Speed of every handle"))
-        bar = figure.colorbar(mesh, ax=panel, pad=0.02)
+        panel.set_ylabel(_("handle (0: the head's front)"))
+        beyond = _beyond(motion, low, high)
+        panel.set_title("\n".join([_("Speed of every handle"), *beyond.values()]), linespacing=1.5)
+        extend = {0: "neither", 1: next(iter(beyond), "neither"), 2: "both"}[len(beyond)]
+        bar = figure.colorbar(mesh, ax=panel, pad=0.02, extend=extend)
         bar.set_label(_("speed (m/s)"))
         bar.formatter.set_useOffset(False)  # type: ignore[attr-defined]
         return figure
+
+
+def speed_scale(speed: FloatArray) -> tuple[float, float]:
+    """Lowest and highest speed, m/s, of a scale of colours for a table of speeds, (T, N + 1).
+
+    Those of a few instants that would make the scale several times as long are left out.
+    """
+    sound = speed[~np.isnan(speed).all(axis=1)]
+    if not len(sound):
+        return 0.0, 1.0
+    lowest, highest = np.nanmin(sound, axis=1), np.nanmax(sound, axis=1)
+    low, high = float(lowest.min()), float(highest.max())
+    usual = np.percentile(lowest, 100.0 - COMMON_PERCENT), np.percentile(highest, COMMON_PERCENT)
+    if ONE_SPEED * high < MOST_STRETCH * (usual[1] - usual[0]) < high - low:
+        low, high = float(usual[0]), float(usual[1])
+    if high - low <= ONE_SPEED * high:
+        room = 0.01 * high or 0.01
+        return max(low - room, 0.0), high + room
+    return low, high
+
+
+def _beyond(motion: Motion, low: float, high: float) -> dict[str, str]:
+    """The lowest and the highest speed in words, by "min" and "max", where they leave a scale, m/s."""
+    if np.isnan(motion.speed).all():
+        return {}
+    texts = {}
+    for side, text, find in (
+        ("min", _("lowest: {speed} m/s, handle {handle}, t = {t} s"), np.nanargmin),
+        ("max", _("highest: {speed} m/s, handle {handle}, t = {t} s"), np.nanargmax),
+    ):
+        time, handle = np.unravel_index(find(motion.speed), motion.speed.shape)
+        speed = float(motion.speed[time, handle])
+        if not low <= speed <= high:
+            clock = f"{motion.times[time]:.4g}".replace("-", "\N{MINUS SIGN}")
+            texts[side] = text.format(speed=f"{speed:.4g}", handle=handle, t=clock)
+    return texts
 
 
 def _edges(times: FloatArray) -> FloatArray:
@@ -293,8 +388,8 @@ def write_picture(
         ".svg": {"Title": title, "Description": about, "Creator": program, "Date": None},
         ".pdf": {"Title": title, "Subject": about, "Creator": program, "CreationDate": None},
     }
-    with whole_file(path) as temporary, matplotlib.rc_context(STYLE):
+    with whole_bytes(path) as made, matplotlib.rc_context(STYLE):
         size: dict[str, Any] = {"dpi": 150, "bbox_inches": "tight"}
         if as_sized:
             size = {"dpi": figure.dpi}
-        figure.savefig(temporary, metadata=metadata[path.suffix], **size)
+        figure.savefig(made, format=path.suffix[1:], metadata=metadata[path.suffix], **size)

@@ -24,6 +24,7 @@ from benchdragon.messages import _, language, spoken_in
 from benchdragon.motion import Motion
 
 WEB = Path(__file__).parent / "web"
+STYLES = ("style.css", "print.css")
 # Modules may import others so, and in no other way, so that joining them is all that inlining takes.
 IMPORT = re.compile(r'^import \{[^}]*\} from "\./(\w+\.js)";\n', re.MULTILINE)
 EXPORT = re.compile(r"^export (?=const|let|class|function|async function)", re.MULTILINE)
@@ -78,7 +79,7 @@ def chinese(entry: str) -> dict[str, str]:
 def player_page(dance: wire.Dance, spoken: str | None = None) -> str:
     """The page that shows a dance, beginning in a language ("en" or "zh"; None: that in use)."""
     script = inlined("start.js") + "\nawait start();\n"
-    style = (WEB / "style.css").read_text("utf-8")
+    style = "".join((WEB / name).read_text("utf-8") for name in STYLES)
     environment = Environment(
         loader=PackageLoader("benchdragon"),
         autoescape=True,

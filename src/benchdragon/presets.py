@@ -10,6 +10,7 @@ from typing import Any, Literal
 
 from benchdragon.messages import N_, _
 from benchdragon.plan import Plan, read_plan
+from benchdragon.plan_text import built_in_names
 from benchdragon.wire import Figure, Preset, Words, both
 
 Status = Literal["measured", "reported", "derived", "assumed"]
@@ -31,6 +32,13 @@ BOARDS = N_(
     "speed are assumed"
 )
 CONTEST = N_("the contest's problem: CUMCM 2024, problem A; all figures as given there")
+# A built-in coil goes on until its benches touch: the one that stops at a disc is another plan.
+DISC_PLAN = "question-3"
+DISC_TITLE = N_("Coiling in to the disc")
+DISC_SOURCE = N_(
+    "the contest's question 3: the plan spiral-in, with a turning disc of 4.5 m added, at whose edge "
+    "the head stops"
+)
 
 
 @dataclass(frozen=True)
@@ -112,14 +120,23 @@ def _village(village: Village) -> Preset:
     )
 
 
-def _contest(name: str, plan: Plan) -> Preset:
+def _disc_plan() -> Plan:
+    """The contest's coil to its disc, under a title of its own."""
+    title = both(lambda: _(DISC_TITLE))
+    plan = read_plan("spiral-in", ["disc.radius=4.5"])
+    meta = plan.meta.model_copy(update={"title": title.en, "title_zh": title.zh})
+    return plan.model_copy(update={"meta": meta})
+
+
+def _contest(name: str, plan: Plan, source: str = CONTEST) -> Preset:
     keys = [f"dragon.{key}" for key in plan.dragon.model_fields_set]
     keys += [f"route.{key}" for key in plan.route.model_fields_set - {"kind"}]
-    keys += ["disc.radius", "walk.speed"]
+    keys += ["disc.radius"] if plan.disc.radius is not None else []
+    keys += ["walk.speed"]
     return Preset(
         name=name,
         title=Words(en=plan.title("en"), zh=plan.title("zh")),
-        source=both(lambda: _(CONTEST)),
+        source=both(lambda: _(source)),
         figures=[Figure(key=key, status="reported") for key in sorted(keys)],
         plan=plan,
     )
@@ -127,7 +144,7 @@ def _contest(name: str, plan: Plan) -> Preset:
 
 @cache
 def presets() -> list[Preset]:
-    """All of them, the contest's first."""
-    coil = read_plan("spiral-in", ["disc.radius=4.5"])
-    paper = [_contest("spiral-in", coil), _contest("turn", read_plan("turn"))]
+    """All of them, the contest's first; those with the name of a built-in plan are that plan."""
+    paper = [_contest(name, read_plan(name)) for name in built_in_names()]
+    paper.insert(0, _contest(DISC_PLAN, _disc_plan(), DISC_SOURCE))
     return paper + [_village(village) for village in VILLAGES]

@@ -5,7 +5,14 @@ What has a limit that lies inside of a wide bracket is asked again to the last d
 """
 
 from benchdragon.answer import Answer
-from benchdragon.check import Report, all_findings, no_clearance, sure_contact
+from benchdragon.check import (
+    Report,
+    all_findings,
+    decided_speed,
+    limited_peaks,
+    no_clearance,
+    sure_contact,
+)
 from benchdragon.contact import clearance_above, first_contact, least_clearance
 from benchdragon.errors import UnsureError, WalkError
 from benchdragon.motion import Walk
@@ -21,7 +28,6 @@ def quick_verdict(plan: Plan) -> Report:
     """What `check` finds, with a clearance to 1 mm and a greatest speed to 1e-4 of itself.
 
     Raises:
-        InputError: for a limit of acceleration or turning rate on a head whose speed changes.
         WalkError: if no contact comes before the dragon cannot walk on.
         UnsureError: if it could not be decided whether it can.
     """
@@ -36,11 +42,10 @@ def quick_verdict(plan: Plan) -> Report:
             walk, start, until, tolerances=(CLEARANCE,)
         )
     speed = greatest_speed(walk, start, until, tolerance=SPEED)
-    allowed = plan.limits.speed
-    if allowed is not None and speed.lower <= allowed < speed.upper:
-        speed = greatest_speed(walk, start, until)
-    findings = all_findings(plan, walk, (start, until), contact, speed)
-    return Report(plan, start, end, contact, clearance, speed, findings)
+    speed = decided_speed(plan, walk, (start, until), speed)
+    peaks = limited_peaks(plan, walk, (start, until))
+    findings = all_findings(plan, walk, (start, until), contact, {"speed": speed, **peaks})
+    return Report(plan, start, end, contact, clearance, speed, peaks, findings)
 
 
 def _clearance(walk: Walk, start: float, end: float, margin: float) -> Answer | None:

@@ -24,6 +24,7 @@ from benchdragon.document import (
     decimals_or_dash,
 )
 from benchdragon.messages import N_, _, language
+from benchdragon.numbering import handle_names, numbering_text
 from benchdragon.report_evidence import (
     conditioning,
     contact_of,
@@ -92,10 +93,10 @@ def _opening(found: Results) -> Iterable[Block]:
     )
     yield say(
         _(
-            '"Proved" means: established again in ball arithmetic with 100 bits, which leaves no '
-            'room for rounding. "Found" means: bounds that hold for all moments, in floating point '
-            'with room for its rounding. "Best found" means: a search came to it, and something '
-            "better may exist."
+            '"Proved" means: all positions behind the answer were enclosed in ball arithmetic with 100 '
+            'bits, within the room that the bounds leave. "Found" means: bounds that hold for all '
+            'moments, in floating point with room for its rounding. "Best found" means: a search came '
+            "to it, and something better may exist."
         )
     )
 
@@ -134,7 +135,9 @@ def _walk_claims(found: Results) -> Iterable[tuple[Words, ...]]:
         "2",
         _("places of the handles, by Runge-Kutta"),
         _("no table printed"),
-        _("tail at 300 s: ({x}, {y}) m").format(x=f"{last['x_m']:.6f}", y=f"{last['y_m']:.6f}"),
+        _("rear of the tail at 300 s: ({x}, {y}) m").format(
+            x=f"{last['x_m']:.6f}", y=f"{last['y_m']:.6f}"
+        ),
         f"{found.head_errors['rk4_step_0.1_s_m']:.1e} m",
         _("the head by Runge-Kutta (steps of 0.1 s) and by the closed form: they agree"),
         _how(
@@ -284,6 +287,7 @@ def _questions(found: Results) -> Iterable[Block]:
         pitch=f"{found.spiral.value('route.pitch'):g}",
         file="result1.xlsx",
     )
+    yield Paragraph((numbering_text(),))
     yield from _motion_tables(table(found.motion, TABLE_TIMES), TABLE_TIMES)
     yield Picture("spiral-dragon", _("The dragon at the start and after 300 s."))
     yield Picture("spiral-speeds", _("Speeds of all handles over time."))
@@ -383,28 +387,39 @@ def _turn_questions(found: Results) -> Iterable[Block]:
 
 def _motion_tables(rows: Sequence[dict[str, float]], times: Sequence[float]) -> Iterable[Block]:
     """Places, then speeds: a row a handle, a column a time."""
-    columns = (_("handle"), *(f"{t:g} s" for t in times))
+    columns = (_("handle"), _("in the contest"), *(f"{t:g} s" for t in times))
+    widths = (0.6, 1.6, *(1.0 for _time in times))
+    names = handle_names(TABLE_HANDLES[-1] + 1)
     by_place = {(row["time_s"], row["handle"]): row for row in rows}
     lines: list[tuple[Words, ...]] = []
     for handle in TABLE_HANDLES:
-        for axis in ("x", "y"):
+        for axis, text in (("x", _("{handle} x (m)")), ("y", _("{handle} y (m)"))):
             cells = (f"{by_place[t, handle][f'{axis}_m']:.6f}" for t in times)
-            lines.append((f"{handle} {axis} (m)", *cells))
-    yield Table(columns, (1.2,) + (1.0,) * len(times), tuple(lines), numbers=True)
+            lines.append((str(handle), text.format(handle=names[handle]), *cells))
+    yield Table(columns, widths, tuple(lines), numbers=True)
     speeds = [
-        (f"{handle} (m/s)", *(f"{by_place[t, handle]['speed_m_s']:.6f}" for t in times))
+        (
+            str(handle),
+            _("{handle} (m/s)").format(handle=names[handle]),
+            *(f"{by_place[t, handle]['speed_m_s']:.6f}" for t in times),
+        )
         for handle in TABLE_HANDLES
     ]
-    yield Table(columns, (1.2,) + (1.0,) * len(times), tuple(speeds), numbers=True)
+    yield Table(columns, widths, tuple(speeds), numbers=True)
 
 
 def _one_moment(rows: Sequence[dict[str, float]]) -> Table:
-    columns = (_("handle"), _("x (m)"), _("y (m)"), _("speed (m/s)"))
+    columns = (_("handle"), _("in the contest"), _("x (m)"), _("y (m)"), _("speed (m/s)"))
+    names = handle_names(TABLE_HANDLES[-1] + 1)
     lines = tuple(
-        (str(row["handle"]), *(decimals(row[key]) for key in ("x_m", "y_m", "speed_m_s")))
+        (
+            str(row["handle"]),
+            names[int(row["handle"])],
+            *(decimals(row[key]) for key in ("x_m", "y_m", "speed_m_s")),
+        )
         for row in rows
     )
-    return Table(columns, (1, 1, 1, 1), lines, numbers=True)
+    return Table(columns, (0.6, 1, 1, 1, 1), lines, numbers=True)
 
 
 def _figures() -> Iterable[Block]:

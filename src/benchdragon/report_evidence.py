@@ -214,7 +214,9 @@ def people(found: Results) -> Iterable[Block]:
             "play no part (2), that the pitch does not vary (3), that heights do not matter (4). "
             "Here each is dropped in turn: {draws} dances are drawn at random (seed {seed}) and "
             "walked, benches rigid and joined, and the pitch that each needs is sought. Lengths "
-            "are standard deviations. A look each metre finds contacts to less than 1 mm."
+            "are standard deviations. Between two evaluations a bound holds, so that no contact is "
+            "missed; that a dance which stays clear with its pitch stays clear with larger ones is "
+            "taken for granted."
         ),
         draws=some.needed.size,
         seed=some.seed,

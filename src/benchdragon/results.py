@@ -262,9 +262,8 @@ def _end_with_parent() -> None:
 def better_turns(plan: Plan, speeds: Sequence[float], spoken: str) -> list[BestTurn]:
     """Shortest turns with a line between the arcs, for each head speed (m/s), in a language."""
     use_language(spoken)
-    table = plan.turn.model_copy(update={"family": "arc-line-arc"})
     wish = Wish("way", least_radius=TwoArcTurn(plan.value("route.pitch")).radii[1])
-    return pareto_front(plan.model_copy(update={"turn": table}), speeds, wish)
+    return pareto_front(plan.with_table("turn", family="arc-line-arc"), speeds, wish)
 
 
 def head_errors(walk: Walk, times: FloatArray) -> dict[str, float]:
@@ -314,7 +313,7 @@ def all_rates(
         return np.nan if found is None else found.value
 
     def speed(plan: Plan) -> float:
-        return greatest_head_speed(plan, tolerance=1e-8).value
+        return greatest_head_speed(plan, tolerance=1e-11).value
 
     if report.first_contact is None:
         raise AssertionError("the contest's dragon touches")

@@ -18,7 +18,7 @@ from benchdragon.messages import _
 from benchdragon.motion import Motion, Walk
 from benchdragon.plan import Plan
 from benchdragon.plan_text import PlanError
-from benchdragon.solve import question
+from benchdragon.trials import question
 
 # Central difference of sixth order for the route's own points: relative step, offsets, weights. A
 # derivative is off by 1e-11 of its size; a longer step loses to the formula, a shorter one to rounding.
@@ -238,16 +238,13 @@ def sizes_of(plan: Plan) -> list[str]:
     """The keys of SIZES that play a part in a plan."""
     if plan.dragon.bench:
         return []
-    kinds = {"turn": plan.route.kind == "turn" and plan.turn.family == "arc-arc",
-             "disc": plan.route.kind != "parts"}  # fmt: skip
     known = []
     for key in SIZES:
         try:
             plan.value(key)
         except PlanError:
             continue
-        if kinds.get(key.partition(".")[0], True):
-            known.append(key)
+        known.append(key)
     return known
 
 
@@ -286,7 +283,7 @@ def limit_rates(plan: Plan, name: str, limit: Answer) -> dict[str, float]:
     touch = Touch.of(_known(limit))
     there = _with(plan, keys, limit.value)
     walk = there.build()
-    time = walk.profile.time(_known(limit).s - walk.start)
+    time = walk.time_at(_known(limit).s)
 
     def closing(t: float) -> float:
         stand = Stand.of(walk.motion([t]))

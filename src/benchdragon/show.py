@@ -5,8 +5,9 @@ rich is imported when something is shown, so that help need not wait for it.
 
 import math
 import sys
+import threading
 from collections.abc import Callable, Sequence
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager, nullcontext, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +15,7 @@ import click
 
 from benchdragon.document import decimals
 from benchdragon.messages import N_, _
+from benchdragon.numbering import handle_names, numbering_text
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -22,22 +24,37 @@ if TYPE_CHECKING:
 
 Advance = Callable[..., None]
 
-
-def print_table(title: str, rows: Sequence[tuple[str, ...]]) -> None:
-    """Rows of time, handle, x, y, speed, each as text."""
-    columns = (_("time (s)"), _("handle"), _("x (m)"), _("y (m)"), _("speed (m/s)"))
-    print_rows(title, columns, rows)
+# Seconds between two lines of progress.
+LINE_EACH = 30.0
 
 
-def print_rows(title: str, columns: Sequence[str], rows: Sequence[tuple[str, ...]]) -> None:
-    """A table of words: those of the first column may break, the others stand to the right."""
+def print_table(title: str, benches: int, rows: Sequence[tuple[float, int, Sequence[float]]]) -> None:
+    """Time (s), number of a handle of a dragon of so many benches, and its x, y (m), speed (m/s).
+
+    The contest's name stands beside each number, and below what the numbers mean.
+    """
+    names = handle_names(benches + 1)
+    columns = (
+        _("time (s)"), _("handle"), _("in the contest"), _("x (m)"), _("y (m)"), _("speed (m/s)"),
+    )  # fmt: skip
+    cells = [(f"{t:.6g}", str(i), names[i], *map(decimals, values)) for t, i, values in rows]
+    print_rows(title, columns, cells)
+    click.echo(numbering_text())
+
+
+def print_rows(
+    title: str, columns: Sequence[str], rows: Sequence[tuple[str, ...]], *, figures: bool = True
+) -> None:
+    """A table: words of the first column may break, figures in the others stand to the right."""
     from rich.table import Table
+    from rich.text import Text  # what stands in brackets is no markup
 
-    table = Table(title=title)
+    table = Table(title=Text(title))
     for n, name in enumerate(columns):
-        table.add_column(name, justify="right" if n else "left", no_wrap=n > 0)
+        right = n > 0 and figures
+        table.add_column(name, justify="right" if right else "left", no_wrap=right, overflow="fold")
     for row in rows:
-        table.add_row(*row)
+        table.add_row(*(Text(word) for word in row))
     _console().print(table)
 
 
@@ -60,14 +77,11 @@ def print_explanation(lines: Sequence[str]) -> None:
 def print_reproduction(answers: dict[str, Any]) -> None:
     """The answers of `reproduce.reproduce`, as a table and sentences."""
     rows = [
-        (
-            f"{row['time_s']:g}",
-            str(row["handle"]),
-            *(decimals(row[key]) for key in ("x_m", "y_m", "speed_m_s")),
-        )
+        (row["time_s"], row["handle"], [row[key] for key in ("x_m", "y_m", "speed_m_s")])
         for row in answers["table"]
     ]
-    print_table(_("The contest's table, pitch 0.55 m"), rows)
+    benches = max(handle for _time, handle, _values in rows)
+    print_table(_("The contest's table, pitch 0.55 m"), benches, rows)
     rk, turn = answers["runge_kutta"], answers["turn"]
     lines = [
         _("chords keep their length to {error} m").format(
@@ -188,13 +202,54 @@ def _console(stderr: bool = False) -> "Console":
 
 
 def progress(quiet: bool, total: float, *, remaining: bool = False) -> AbstractContextManager[Advance]:
-    """A bar on standard error; the block gets advance(share, text).
+    """A bar on standard error, or a line now and then; the block gets advance(share, text).
 
-    With `remaining` it tells how long it will yet take, for work whose steps take equally long.
+    With `remaining` the bar tells how long it will yet take, for work whose steps take equally long.
     """
-    if quiet or not sys.stderr.isatty():
+    if quiet:
         return nullcontext(lambda _share=0.0, _text="": None)
-    return _Bar(total, remaining)
+    return _Bar(total, remaining) if sys.stderr.isatty() else Lines(total)
+
+
+class Lines:
+    """A line each LINE_EACH seconds, for a standard error on which no bar can be drawn.
+
+    Args:
+        total: what the shares of the work sum up to.
+        wait: waits so many seconds and tells whether the work is over.
+    """
+
+    def __init__(self, total: float, wait: Callable[[float], bool] | None = None) -> None:
+        self._total, self._done, self._text = total, 0.0, ""
+        self._over = threading.Event()
+        self._wait = wait or self._over.wait
+        self._thread = threading.Thread(target=self._tell, daemon=True)
+
+    def __enter__(self) -> Advance:
+        self._thread.start()
+        return self._advance
+
+    def __exit__(self, *_exception: object) -> None:
+        self._over.set()
+        self._thread.join()
+
+    def _advance(self, share: float = 0.0, text: str | None = None) -> None:
+        self._done += share
+        self._text = self._text if text is None else text
+
+    def _tell(self) -> None:
+        seconds = 0.0
+        while not self._wait(LINE_EACH):
+            seconds += LINE_EACH
+            with suppress(OSError):  # nobody is left to be told
+                click.echo(self._line(seconds), err=True)
+
+    def _line(self, seconds: float) -> str:
+        share = int(100.0 * self._done / self._total + 1e-9)
+        parts = [_("{seconds} s so far").format(seconds=f"{seconds:.0f}")]
+        parts += [_("{share} % done").format(share=share)] if share else []
+        parts += [self._text] if self._text else []
+        return "; ".join(parts)
 
 
 class _Bar:
@@ -230,7 +285,10 @@ LIMITS = {
     "length": N_("length of the turn"),
     "way": N_("way inside the disc"),
     "speed": N_("speed of a handle"),
-    "acceleration": N_("acceleration of a handle"),
+    "turning_rate": N_("turning rate of a bench"),
+    "lateral_acceleration": N_("lateral acceleration of a handle"),
+    "total_acceleration": N_("total acceleration of a handle"),
+    "acceleration": N_("acceleration of a handle along the route"),
     "clearance": N_("distance of benches"),
 }
 

@@ -5,27 +5,25 @@ the pair that meets there gives a smooth function of the size, its least distanc
 whose root is where the search goes next; the answer is the root at which the whole walk passes.
 """
 
+import itertools
 import math
 import time as clock
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from benchdragon.answer import Answer, Witness
-from benchdragon.clearance import low_pair, low_point
-from benchdragon.contact import MOST_SAMPLED, SLACK, Hunt, first_contact, least_clearance
-from benchdragon.errors import InputError, UnsureError, WalkError
-from benchdragon.messages import N_, _
-from benchdragon.motion import Walk
+from benchdragon.answer import Answer, Status, Witness
+from benchdragon.contact import SLACK, Hunt
+from benchdragon.errors import InputError, UnsureError
+from benchdragon.messages import _
 from benchdragon.plan import Plan
 from benchdragon.plan_text import PlanError
-from benchdragon.prove import prove_contact, prove_nearer, require_flint
+from benchdragon.prove import assumed, prove_contact, prove_nearer, require_flint
+from benchdragon.trials import TOLERANCE, Family, Meeting, Trial, meeting_of, question, root_near
 
 Advance = Callable[[str], None]
 
-# Brackets are at most so wide, m.
-TOLERANCE = 1e-12
 # Sizes tried at most; the contest's pitch takes 4.
 MOST_TRIALS = 80
 # How often a bracket is doubled until it can be proved.
@@ -34,178 +32,19 @@ MOST_WIDENINGS = 12
 # larger) than that sizes are of interest.
 GROWTH, MOST_GROWTHS = 1.25, 40
 FARTHEST = 100.0
-# A pair that comes no nearer than this beyond the margin, m, is no hint where the limit lies.
-NEARBY = 0.1
 # Roots of a pair that fail one after another, because another pair decides, before halving.
 MOST_FAILURES = 2
-# The secant method: its first step, the least from which a slope is taken, when it has come to rest,
-# and how far it may go at once, all relative; steps at most.
-FIRST_STEP, SHARP, SETTLED, LONGEST_SECANT, MOST_SECANTS = 1e-5, 1e-7, 1e-15, 1.1, 40
-# How near to a root of a pair, as a share of the bracket's width, counts likewise.
-AT_REST = 1e-4
+# Sizes tried beside some that could not be decided, on both sides in turn, before giving up.
+MOST_BESIDE = 12
 MOST_COUNT = 10_000
-
-
-@dataclass(frozen=True)
-class Question:
-    """A size of a plan whose limit is sought.
-
-    Attributes:
-        name: what the command line calls it.
-        keys: the plan's keys that hold it.
-        sense: +1 where larger sizes are safer, -1 where smaller ones are.
-        text: what the answer is, in words.
-    """
-
-    name: str
-    keys: tuple[str, ...]
-    sense: float
-    text: str
-
-
-QUESTIONS = {
-    question.name: question
-    for question in (
-        Question("pitch", ("route.pitch",), 1.0, N_("smallest pitch")),
-        Question("disc", ("disc.radius",), 1.0, N_("smallest disc radius")),
-        Question("width", ("dragon.width",), -1.0, N_("widest bench")),
-        Question("length", ("dragon.body_length", "dragon.tail_length"), -1.0, N_("longest bench")),
-    )
-}
-
-
-@dataclass(frozen=True)
-class Meeting:
-    """Benches i and j (rows, from 0) of a walk whose head stands at s, m, `left` before its end."""
-
-    s: float
-    left: float
-    i: int
-    j: int
-
-
-@dataclass(frozen=True)
-class Trial:
-    """How a walk of one size went: whether it stays clear, and the pair that decides."""
-
-    size: float
-    clear: bool
-    meeting: Meeting | None
-    looks: int
-    seconds: float
-
-
-@dataclass
-class Family:
-    """The walks of a plan in which one size varies."""
-
-    plan: Plan
-    question: Question
-    margin: float
-    tolerance: float = TOLERANCE
-
-    def walk(self, size: float) -> tuple[Walk, float, float]:
-        """The walk of a size, and the times between which it must stay clear."""
-        plan = self.plan
-        for key in self.question.keys:
-            plan = plan.with_value(key, size)
-        walk = plan.build()
-        return walk, *plan.span(walk)
-
-    def trial(self, size: float) -> Trial:
-        """Walk it; what cannot be walked, or decided, is not clear."""
-        began = clock.perf_counter()
-        meeting, looks, clear = None, 0, False
-        try:
-            walk, start, end = self.walk(size)
-            contact = first_contact(walk, start, end, margin=self.margin)
-            clear = contact is None
-            if contact is not None and contact.witness is not None:
-                meeting, looks = _meeting(walk, end, contact.witness), contact.looks
-        except (WalkError, UnsureError, InputError, PlanError):
-            clear = False
-        return Trial(size, clear, meeting, looks, clock.perf_counter() - began)
-
-    def tightest(self, size: float) -> Meeting | None:
-        """About where which pair comes nearest in a walk; None if none comes near."""
-        walk, start, end = self.walk(size)
-        if 3 <= len(walk.dragon) <= MOST_SAMPLED:
-            return self.low_meeting(walk, start, end)
-        within = self.margin + NEARBY
-        near = least_clearance(walk, start, end, within=within, tolerances=(math.inf,))
-        return None if near.witness is None else _meeting(walk, end, near.witness)
-
-    def deepest(self, failed: Trial, before: Meeting | None) -> Meeting | None:
-        """The pair to go by after a failure: the deepest, or the first if that was gone by before."""
-        if failed.meeting is None:  # nothing met: there may be no such walk
-            return None
-        walk, start, end = self.walk(failed.size)
-        if len(walk.dragon) > MOST_SAMPLED:
-            return failed.meeting
-        deepest = self.low_meeting(walk, start, end)
-        if deepest is None or (before and (deepest.i, deepest.j) == (before.i, before.j)):
-            return failed.meeting
-        return deepest
-
-    def low_meeting(self, walk: Walk, start: float, end: float) -> Meeting | None:
-        """About where which pair is nearest or deepest between two times; None if none comes near."""
-        first, last = walk.head_position([start, end]).tolist()
-        distance, s, i, j = low_pair(walk, first, last)
-        return Meeting(s, last - s, i, j) if distance <= self.margin + NEARBY else None
-
-    def low_point(self, size: float, meeting: Meeting) -> tuple[float, Meeting]:
-        """The least distance of a pair near a meeting, less the margin, m, and the meeting there.
-
-        What is near is within one and a half links, as far as the walk goes. In the walk of another
-        size that is as far from the start, or from the end: whichever is nearer to touching.
-        """
-        try:
-            walk, start, end = self.walk(size)
-        except (InputError, PlanError):
-            return math.nan, meeting
-        first, last = walk.head_position([start, end]).tolist()
-        dragon = walk.dragon
-        near = 1.5 * float(max(dragon.links[meeting.i], dragon.links[meeting.j]))
-        centres = [meeting.s]
-        if abs(last - meeting.left - meeting.s) > 0.1 * near:
-            centres.append(last - meeting.left)
-        least, where = min(
-            low_point(walk, meeting.i, meeting.j, max(first, centre - near), min(last, centre + near))
-            for centre in centres
-        )
-        distance = least - self.margin if math.isfinite(least) else math.nan
-        return distance, replace(meeting, s=where, left=last - where)
-
-
-def _meeting(walk: Walk, end: float, witness: Witness) -> Meeting:
-    i, j = (number - 1 for number in witness.benches)
-    return Meeting(witness.s, float(walk.head_position([end])[0]) - witness.s, i, j)
-
-
-def root_near(family: Family, meeting: Meeting, size: float) -> tuple[float, float, Meeting] | None:
-    """The size, near `size`, at which the meeting's pair just keeps the margin; slope there, and where.
-
-    The secant method on the pair's least distance near the meeting, m per unit of size; None if it
-    does not come to rest.
-    """
-    a, b = size, size * (1.0 + family.question.sense * FIRST_STEP)
-    slope = math.nan
-    fa, meeting = family.low_point(a, meeting)
-    for _step in range(MOST_SECANTS):
-        fb, meeting = family.low_point(b, meeting)
-        if not math.isfinite(fb) or fb == fa or b <= 0.0:
-            return None
-        if abs(b - a) > SHARP * abs(a):
-            slope = (fb - fa) / (b - a)
-        a, fa, b = b, fb, min(max(b - fb / slope, b / LONGEST_SECANT), b * LONGEST_SECANT)
-        if abs(b - a) <= max(SETTLED * abs(a), AT_REST * family.tolerance):
-            return b, slope, meeting
-    return None
 
 
 @dataclass
 class Limit:
-    """The bracket of a limit: a size that passes, and one that does not or has not been tried."""
+    """The bracket of a limit: a size that passes, and one that does not or has not been tried.
+
+    Both are decided; `unsure` are sizes that were tried and could not be.
+    """
 
     family: Family
     good: float
@@ -214,6 +53,13 @@ class Limit:
     looks: int = 0
     caution: float = 2.5
     failures: int = 0
+    unsure: list[float] = field(default_factory=list)
+    beside: int = 0
+
+    @property
+    def doubts(self) -> list[float]:
+        """The undecided sizes in the bracket, from the one next to the size that does not pass."""
+        return sorted(filter(self.between, self.unsure), reverse=self.bad > self.good)
 
     def between(self, size: float) -> bool:
         """Whether a size lies strictly inside the bracket."""
@@ -221,6 +67,8 @@ class Limit:
 
     def target(self, root: tuple[float, float, Meeting] | None) -> tuple[float, float]:
         """The size to try next, and by how much it lies on the safe side of the root (0: no root)."""
+        if self.doubts:
+            return self._beside_doubts(), 0.0
         if root is not None and self.failures < MOST_FAILURES:
             size, slope, _meeting = root
             shift = self.caution * SLACK / abs(slope) + 4.0 * math.ulp(size)
@@ -229,10 +77,20 @@ class Limit:
             if self.between(target):
                 return target, shift
         self.failures = 0
+        return self._ahead(self.good), 0.0
+
+    def _ahead(self, size: float) -> float:
+        """A size from `size` on towards the one that does not pass."""
         if self.tried:
-            return math.sqrt(self.good * self.bad), 0.0
-        ahead = self.good * GROWTH**-self.family.question.sense
-        return ahead if self.between(ahead) else self.bad, 0.0
+            return math.sqrt(size * self.bad)
+        ahead = size * GROWTH**-self.family.question.sense
+        return ahead if self.between(ahead) else self.bad
+
+    def _beside_doubts(self) -> float:
+        """A size on the one side, then on the other, of those that could not be decided."""
+        self.beside += 1
+        doubts = self.doubts
+        return self._ahead(doubts[0]) if self.beside % 2 else math.sqrt(doubts[-1] * self.good)
 
     def closed(self) -> bool:
         """Whether the bracket is as narrow as wanted, or as doubles allow."""
@@ -245,7 +103,6 @@ def limit(
     name: str,
     *,
     margin: float | None = None,
-    end: float | None = None,
     tolerance: float = TOLERANCE,
     prove: bool = False,
     advance: Advance | None = None,
@@ -256,7 +113,6 @@ def limit(
         plan: all other sizes, and a first one of this: if it does not pass, safer ones are tried.
         name: "pitch", "disc", "width" or "length".
         margin: distance, m, that benches must keep; None: the plan's own.
-        end: the least safe size that is of interest, m.
         tolerance: how wide the bracket may be, m; no narrower than 1e-12 can be had.
         prove: whether both ends of the bracket are established again by `prove`, which widens it.
         advance: is told what is being tried.
@@ -265,21 +121,23 @@ def limit(
         The limit, m. Its bracket: at one end the whole walk stays clear, at the other a pair comes
         nearer than the margin (or the dragon cannot walk). Sizes beyond were not tried; see
         `walkable_sizes`. Status "infeasible": no size passes; "unlimited": all that were tried do,
-        to `end` or a hundredth (or hundred times) of the plan's. The witness is the pair that decides.
+        to a hundredth (or hundred times) of the plan's; "undecided": sizes in the bracket
+        could not be decided, as the last of `assumptions` says. The witness is the pair that decides.
 
     Raises:
-        InputError: for an unknown name, or a plan without that size.
+        InputError: for an unknown name, or a head that walks to the centre of a spiral, where no bench
+            can follow whatever its size.
+        PlanError: for a plan without that size.
         MissingExtraError: for a proof without python-flint.
         UnsureError: if the bracket could not be proved.
     """
     began = clock.perf_counter()
     tell = advance or (lambda _text: None)
     family = Family(plan, question(name), plan.limits.margin if margin is None else margin, tolerance)
-    if name == "disc" and plan.route.kind == "parts":
-        raise InputError(_("the disc plays no part in a route of parts"))
+    _refuse_centre(plan, name)
     if prove:
         require_flint()
-    answer = _limit(family, end, tell, began)
+    answer = _limit(family, tell, began)
     return _proved(family, answer, tell, began) if prove and answer.status == "found" else answer
 
 
@@ -294,26 +152,29 @@ def _proved(family: Family, answer: Answer, tell: Advance, began: float) -> Answ
         good, bad = (answer.value + side * family.question.sense * half for side in (1.0, -1.0))
         tell(_("proving at {size} m").format(size=f"{good:.16g}"))
         walk, start, end = family.walk(good)
-        _below, meeting = family.low_point(bad, _meeting(walk, end, near))
+        _below, meeting = family.low_point(bad, meeting_of(walk, end, near))
         if prove_nearer(family.walk(bad)[0], meeting.s, i, j, family.margin) and (
             prove_contact(walk, start, end, margin=family.margin) is None
         ):
             seconds = clock.perf_counter() - began
             return replace(
-                answer, lower=min(good, bad), upper=max(good, bad), status="proved", seconds=seconds
-            )
+                answer, lower=min(good, bad), upper=max(good, bad), status="proved",
+                assumptions=assumed(), seconds=seconds,
+            )  # fmt: skip
         half *= 2.0
     raise UnsureError(_("the bracket could not be proved"))
 
 
-def _limit(family: Family, end: float | None, tell: Advance, began: float) -> Answer:
+def _limit(family: Family, tell: Advance, began: float) -> Answer:
     plan = family.plan
     sense = family.question.sense
     family.walk(plan.value(family.question.keys[0]))  # raises where the plan itself is wrong
-    good, failed = _first_clear(family, plan.value(family.question.keys[0]), tell)
+    good, failed, unsure = _first_clear(family, plan.value(family.question.keys[0]), tell)
     if good is None:
-        return Answer(math.nan, -math.inf, math.inf, "m", "infeasible", None, _assumed(family))
-    bracket = Limit(family, good, good * FARTHEST**-sense if end is None else end)
+        status: Status = "undecided" if unsure else "infeasible"
+        texts = _assumed(family, unsure)
+        return Answer(math.nan, -math.inf, math.inf, "m", status, None, texts)
+    bracket = Limit(family, good, good * FARTHEST**-sense, unsure=unsure)
     if failed is None:
         meeting, at = family.tightest(good), good
     else:
@@ -325,7 +186,9 @@ def _limit(family: Family, end: float | None, tell: Advance, began: float) -> An
         tell(f"{size:.9g} m")
         trial = family.trial(size)
         bracket.looks += trial.looks
-        if trial.clear:
+        if trial.clear is None:
+            bracket.unsure.append(size)
+        elif trial.clear:
             bracket.good, bracket.failures = size, 0
             below = size - math.copysign(2.0 * shift, sense)
             if shift and root and family.low_point(below, root[2])[0] < -SLACK:
@@ -340,35 +203,37 @@ def _limit(family: Family, end: float | None, tell: Advance, began: float) -> An
             bracket.bad, bracket.tried = size, True
             bracket.failures += 1
             meeting, at = family.deepest(trial, meeting), size
-        if bracket.closed():
+        if bracket.closed() or (bracket.doubts and bracket.beside >= MOST_BESIDE):
             return _limit_answer(bracket, bracket.good, meeting, began)
     return _limit_answer(bracket, bracket.good, meeting, began).with_status("undecided")
 
 
-def question(name: str) -> Question:
-    """The question of that name.
+def _refuse_centre(plan: Plan, name: str) -> None:
+    centre = plan.disc.radius is None and plan.walk.end is None
+    if name != "disc" and plan.route.kind == "spiral-in" and centre:
+        raise InputError(_("say how far in the head comes: set disc.radius=4.5, for example"))
 
-    Raises:
-        InputError: if there is none.
+
+def _first_clear(
+    family: Family, size: float, tell: Advance
+) -> tuple[float | None, Trial | None, list[float]]:
+    """A size that passes, from `size` towards the safe side, if there is one.
+
+    And the last that did not, and those that could not be decided.
     """
-    if name not in QUESTIONS:
-        raise InputError(
-            _("wanted one of {known}, not {name}").format(known=", ".join(QUESTIONS), name=name)
-        )
-    return QUESTIONS[name]
-
-
-def _first_clear(family: Family, size: float, tell: Advance) -> tuple[float | None, Trial | None]:
-    """A size that passes, from `size` towards the safe side, if there is one; the last that did not."""
-    failed = None
+    failed: Trial | None = None
+    unsure: list[float] = []
     for _growth in range(MOST_GROWTHS):
         tell(f"{size:.9g} m")
         trial = family.trial(size)
         if trial.clear:
-            return size, failed
-        failed = trial
+            return size, failed, unsure
+        if trial.clear is None:
+            unsure.append(size)
+        else:
+            failed = trial
         size *= GROWTH**family.question.sense
-    return None, failed
+    return None, failed, unsure
 
 
 def _limit_answer(bracket: Limit, value: float, meeting: Meeting | None, began: float) -> Answer:
@@ -376,8 +241,8 @@ def _limit_answer(bracket: Limit, value: float, meeting: Meeting | None, began: 
     lower, upper = sorted((bracket.good, bracket.bad))
     witness = _witness(family, bracket.bad, meeting)
     return Answer(
-        min(max(value, lower), upper), lower, upper, "m", "found", witness,
-        _assumed(family), bracket.looks, clock.perf_counter() - began,
+        min(max(value, lower), upper), lower, upper, "m", "undecided" if bracket.doubts else "found",
+        witness, _assumed(family, bracket.unsure), bracket.looks, clock.perf_counter() - began,
     )  # fmt: skip
 
 
@@ -390,23 +255,50 @@ def _witness(family: Family, size: float, meeting: Meeting | None) -> Witness | 
     except (InputError, PlanError):
         return None
     first, last = walk.head_position([start, end]).tolist()
-    hunt = Hunt(walk, first, last, family.margin, lambda _share: None)
+    hunt = Hunt(walk, first, last, family.margin, lambda _share: None, since=start)
     return hunt.witness(min(meeting.s, last), meeting.i, meeting.j)
 
 
-def _assumed(family: Family) -> tuple[str, ...]:
-    return (
+def _assumed(family: Family, unsure: Sequence[float]) -> tuple[str, ...]:
+    texts = (
         _("benches keep {margin} m").format(margin=f"{family.margin:g}"),
         _("sizes beyond the bracket were not tried"),
     )
+    return (*texts, undecided_text(unsure)) if unsure else texts
+
+
+def undecided_text(sizes: Sequence[float]) -> str:
+    """That sizes, m, could not be decided."""
+    text = _("{count} of the sizes tried, from {low} m to {high} m, could not be decided")
+    return text.format(count=len(sizes), low=f"{min(sizes):.6g}", high=f"{max(sizes):.6g}")
 
 
 @dataclass(frozen=True)
 class Span:
-    """Sizes from low to high, m, between which every size tried was walkable."""
+    """Sizes from low to high, m, between which all `tried` that were tried were walkable.
+
+    `borders` are those of its ends that were searched for: just beyond, a walk fails.
+    """
 
     low: float
     high: float
+    tried: int
+    borders: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class WalkableSizes:
+    """What trying sizes of a range came to.
+
+    Attributes:
+        spans: of walkable sizes, in order.
+        step: between sizes tried, m.
+        undecided: sizes that could not be decided, m.
+    """
+
+    spans: tuple[Span, ...]
+    step: float
+    undecided: tuple[float, ...]
 
 
 def walkable_sizes(
@@ -418,13 +310,14 @@ def walkable_sizes(
     *,
     margin: float | None = None,
     advance: Advance | None = None,
-) -> list[Span]:
+) -> WalkableSizes:
     """The sizes between low and high (m) with which the walk stays clear, tried at `count` places.
 
-    The borders are found as by `limit`. Narrower spans than a step can be missed.
+    Where a span borders on sizes that do not pass, the border is found as by `limit`; where on ones
+    that could not be decided, it is the last that passes. What lies between sizes tried is not known.
 
     Raises:
-        InputError: for an unknown name, an empty range, or a count outside 2..10,000.
+        InputError: as `limit`; for an empty range, or a count outside 2..10,000.
     """
     if not 0.0 < low < high < math.inf:
         raise InputError(
@@ -438,24 +331,30 @@ def walkable_sizes(
                 most=MOST_COUNT, count=count
             )
         )
+    _refuse_centre(plan, name)
     family = Family(plan, question(name), plan.limits.margin if margin is None else margin)
     tell = advance or (lambda _text: None)
-    sizes = np.linspace(low, high, count).tolist()
-    clear = []
-    for size in sizes:
+    trials = []
+    for size in np.linspace(low, high, count).tolist():
         tell(f"{size:.9g} m")
-        clear.append(family.trial(size).clear)
-    spans, since = [], sizes[0] if clear[0] else None
-    for a, b, was, now in zip(sizes, sizes[1:], clear, clear[1:], strict=False):
-        if was == now:
-            continue
-        border = _border(family, *((b, a) if now else (a, b)))
-        if now:
-            since = border
-        elif since is not None:
-            spans.append(Span(since, border))
-            since = None
-    return spans if since is None else [*spans, Span(since, sizes[-1])]
+        trials.append(family.trial(size))
+    spans = []
+    for clear, run in itertools.groupby(range(count), key=lambda n: trials[n].clear):
+        if clear:
+            members = list(run)
+            ends = _edge(family, trials, members[0], -1), _edge(family, trials, members[-1], 1)
+            tried = (trials[members[0]].size, trials[members[-1]].size)
+            borders = tuple(end for end, size in zip(ends, tried, strict=True) if end != size)
+            spans.append(Span(*ends, len(members), borders))
+    undecided = tuple(trial.size for trial in trials if trial.clear is None)
+    return WalkableSizes(tuple(spans), (high - low) / (count - 1), undecided)
+
+
+def _edge(family: Family, trials: Sequence[Trial], n: int, side: int) -> float:
+    """How far sizes are walkable from trial number n, which passes, to one side of it."""
+    if not 0 <= n + side < len(trials) or trials[n + side].clear is None:
+        return trials[n].size
+    return _border(family, trials[n].size, trials[n + side].size)
 
 
 def _border(family: Family, good: float, bad: float) -> float:
@@ -465,7 +364,10 @@ def _border(family: Family, good: float, bad: float) -> float:
         trial = family.trial(bracket.bad)
         root = None if trial.meeting is None else root_near(family, trial.meeting, bracket.bad)
         size, shift = bracket.target(root)
-        if family.trial(size).clear:
+        passes = family.trial(size).clear
+        if passes is None:
+            break
+        if passes:
             bracket.good = size
             if shift:
                 return size

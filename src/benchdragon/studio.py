@@ -18,16 +18,17 @@ from typing import Annotated, Any, Literal, cast
 from pydantic_core import ErrorDetails
 
 from benchdragon import __version__, wire
-from benchdragon.errors import BenchDragonError, InputError, MissingExtraError
+from benchdragon.errors import BenchDragonError, InputError, MissingExtraError, reason
 from benchdragon.messages import _, language
-from benchdragon.plan import Plan, error_sentence
+from benchdragon.plan import Plan
+from benchdragon.plan_faults import fault_of
 from benchdragon.player import chinese
 from benchdragon.presets import presets
 from benchdragon.studio_gate import ANYWHERE, Gate
 from benchdragon.studio_jobs import Jobs
 from benchdragon.studio_settings import Settings
 from benchdragon.studio_tasks import Ask, Made
-from benchdragon.studio_workers import CROWDED, Pool, RefusedError, Work
+from benchdragon.studio_workers import Pool, RefusedError, Work
 
 try:
     import uvicorn
@@ -41,6 +42,9 @@ except ImportError:
 
 WEB_FOLDER = Path(__file__).parent / "web"
 PAGE = "studio.html"
+# On every answer about a plan, the refusals too: which plan it was. Pages show no answer without asking
+# whether that is the plan they show.
+SUBJECT = "X-Plan-SHA256"
 STATIC = {".js": "text/javascript", ".css": "text/css"}
 PROBLEMS = {
     400: "The body is not JSON.",
@@ -55,6 +59,7 @@ PROBLEMS = {
     500: "Something is wrong with the studio.",
     503: "The worker died, or the studio is closing or crowded.",
     504: "No answer within the time limit.",
+    507: "The answer takes more memory than a question may have.",
 }
 
 Language = Annotated[
@@ -115,15 +120,16 @@ class Studio:
         Raises:
             RefusedError: if there is none.
         """
+        _subject(request, work.ask.plan)
         key = _key(work.ask)
         made = self.answers.get(key)
         if made is None:
             made = await self._computed(request, work)
             if made.name is None:
                 self.answers.keep(key, made)
-        headers = (
-            {} if made.name is None else {"Content-Disposition": f'attachment; filename="{made.name}"'}
-        )
+        headers = dict(request.state.subject)
+        if made.name is not None:
+            headers["Content-Disposition"] = f'attachment; filename="{made.name}"'
         return Response(made.data, media_type=made.media, headers=headers)
 
     async def _computed(self, request: Request, work: Work) -> Made:
@@ -136,13 +142,18 @@ class Studio:
             done, _pending = await asyncio.wait(
                 both, timeout=self.settings.wait_seconds, return_when=asyncio.FIRST_COMPLETED
             )
-            if not done and not lane.withdraw(work, 503, CROWDED):
+            if not done and not lane.withdraw(work, 503, lane.late):
                 await asyncio.wait(both, return_when=asyncio.FIRST_COMPLETED)
             if gone.done():
                 lane.abandon(work)
             return await future
         finally:
             gone.cancel()
+
+
+def _subject(request: Request, plan: Plan | None) -> None:
+    """Note which plan a request asks about."""
+    request.state.subject = {} if plan is None else {SUBJECT: plan.sha256}
 
 
 async def _gone(request: Request) -> None:
@@ -206,7 +217,7 @@ def _documented(*statuses: int) -> dict[int | str, dict[str, Any]]:
 
 
 ASKED = (400, 408, 413, 415, 422)
-COMPUTED = (*ASKED, 409, 429, 503, 504)
+COMPUTED = (*ASKED, 409, 429, 503, 504, 507)
 
 
 def _file(media: str) -> dict[str, Any]:
@@ -299,10 +310,22 @@ def _quick_routes(router: APIRouter, studio: Studio) -> None:
 
 def _job_routes(router: APIRouter, studio: Studio) -> None:
     @router.post("/jobs", status_code=202, responses=_documented(*ASKED, 429, 503))
-    async def start(body: wire.JobBody, client: Client = None) -> wire.JobStarted:
+    async def start(
+        request: Request, response: Response, body: wire.JobBody, client: Client = None
+    ) -> wire.JobStarted:
         """Take on a long question."""
+        _subject(request, body.plan)
+        response.headers.update(request.state.subject)
         work = studio.work(f"job/{body.question}", body.plan, client, options=body.options)
         return wire.JobStarted(id=studio.jobs.start(body.question, work))
+
+    @router.get("/jobs", responses=_documented(422))
+    async def mine(client: Client = None) -> list[wire.JobTaken]:
+        """The long questions of a client that are not forgotten, oldest first."""
+        return [
+            wire.JobTaken(id=job.id, question=job.question, plan=job.plan, plan_sha256=job.plan.sha256)
+            for job in studio.jobs.of(client)
+        ]
 
     known = {**_documented(404, 422), 200: {"model": wire.JobState}}
 
@@ -313,7 +336,7 @@ def _job_routes(router: APIRouter, studio: Studio) -> None:
 
     @router.delete("/jobs/{name}", response_model=None, responses=known)
     async def cancel(name: Name) -> JSONResponse:
-        """Cancel a long question, waiting or running."""
+        """Cancel a long question, waiting or running; forget one that has ended."""
         return JSONResponse(studio.jobs.cancel(name).state)
 
 
@@ -321,11 +344,12 @@ def _problem(status: int, text: str, headers: Any = None) -> JSONResponse:
     return JSONResponse({"error": text}, status, headers)
 
 
-async def _refused(_request: Request, refusal: Exception) -> JSONResponse:
+async def _refused(request: Request, refusal: Exception) -> JSONResponse:
     if not isinstance(refusal, RefusedError):
         raise refusal
     retry = {} if refusal.retry is None else {"Retry-After": str(refusal.retry)}
-    return _problem(refusal.status, refusal.text, retry)
+    subject: dict[str, str] = getattr(request.state, "subject", {})
+    return _problem(refusal.status, refusal.text, {**retry, **subject})
 
 
 async def _wrong(_request: Request, error: Exception) -> JSONResponse:
@@ -351,7 +375,7 @@ async def _invalid(_request: Request, error: Exception) -> JSONResponse:
     if first["type"] == "extra_forbidden":
         return _problem(422, _("{where} is not a known key").format(where=where))
     details = cast("ErrorDetails", {**first, "loc": tuple(first["loc"][1:]) or first["loc"]})
-    return _problem(422, error_sentence(details, {}))
+    return _problem(422, fault_of(details, {}, wire.Body).text)
 
 
 class _Server(uvicorn.Server):
@@ -385,7 +409,7 @@ def listener(settings: Settings) -> socket.socket:
         found.bind((settings.host, settings.port))
     except (OSError, OverflowError, UnicodeError) as error:
         found.close()
-        why = getattr(error, "strerror", None) or str(error)
+        why = reason(error) if isinstance(error, OSError) else str(error)
         raise InputError(
             _("cannot listen at {host}, port {port}: {why}").format(
                 host=settings.host, port=settings.port, why=why

@@ -8,6 +8,7 @@ from typing import Any
 
 from benchdragon import wire
 from benchdragon.messages import N_, _
+from benchdragon.plan import Plan
 from benchdragon.studio_settings import Settings
 from benchdragon.studio_workers import BROKEN, CANCELLED, RETRY, Lane, RefusedError, Work
 
@@ -24,9 +25,15 @@ class Job:
     ended: float | None = None
 
     @property
+    def plan(self) -> Plan:
+        """What is asked about."""
+        return self.work.ask.whole
+
+    @property
     def state(self) -> dict[str, Any]:
         """A `wire.JobState` as plain data."""
         about: dict[str, Any] = {"id": self.id, "question": self.question, "text": self.work.text}
+        about |= {"plan_sha256": self.plan.sha256}
         about |= {"state": "waiting", "share": self.work.share, "result": None, "error": None}
         if self.work.running:
             about["state"] = "running"
@@ -64,6 +71,11 @@ class Jobs:
         self._jobs[job.id] = job
         return job.id
 
+    def of(self, client: str | None) -> list[Job]:
+        """The questions of a client that says its name."""
+        self._forget()
+        return [job for job in self._jobs.values() if client and job.work.client == client]
+
     def found(self, name: str) -> Job:
         """The question of that name.
 
@@ -76,9 +88,11 @@ class Jobs:
         return self._jobs[name]
 
     def cancel(self, name: str) -> Job:
-        """Cancel a question, waiting or running; one that has ended stays as it is."""
+        """Cancel a question, waiting or running; forget one that has ended."""
         job = self.found(name)
-        if not job.work.future.done():
+        if job.work.future.done():
+            del self._jobs[name]
+        else:
             self._lane.stop(job.work, CANCELLED_STATUS, CANCELLED)
         return job
 

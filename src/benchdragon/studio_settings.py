@@ -66,7 +66,8 @@ class Settings:
         cache: bytes of answers kept.
         memory: bytes that a worker may take beyond those it has when warm, lest the machine suffer.
         grace: seconds that running questions get when the studio closes.
-        spawns: workers that may die in a row before they are ready; then the lane is given up.
+        spawns: workers that may die in a row before they are ready; then those who ask are told.
+        respawn_seconds: until it is then tried again, over and over: what killed them may be gone.
     """
 
     host: str = "127.0.0.1"
@@ -96,6 +97,7 @@ class Settings:
     memory: int = 2_000 * MEGABYTE
     grace: float = 3.0
     spawns: int = 3
+    respawn_seconds: float = 5.0
 
     def time_limit(self, kind: str) -> float:
         """Seconds that a question of this kind ("limit/pitch" is of the kind "limit") may run."""

@@ -17,7 +17,7 @@ import numpy as np
 
 from benchdragon import __version__, answer, wire
 from benchdragon.best_turn import STAGES, Wish, best_turn
-from benchdragon.check import STEPS, Report, check, sentence
+from benchdragon.check import STEPS, Report, check, peak_text, sentence
 from benchdragon.dance import Span, judged_dance
 from benchdragon.errors import InputError
 from benchdragon.imprecision import CASES, RISKS, Slips, margins
@@ -26,6 +26,7 @@ from benchdragon.messages import _, language
 from benchdragon.motion import Walk
 from benchdragon.pace import greatest_head_speed, slowed, with_pace
 from benchdragon.plan import Plan, TurnRoute, checked, read_plan
+from benchdragon.plan_source import Source
 from benchdragon.plan_text import parsed
 from benchdragon.player import write_player
 from benchdragon.quick import quick_limit, quick_verdict
@@ -116,6 +117,10 @@ def verdict_of(report: Report, seconds: float) -> wire.Verdict:
         first_contact=None if contact is None else answer_of(contact, plan),
         clearance=answer_of(report.clearance, plan),
         greatest_speed=answer_of(report.greatest_speed, plan),
+        peaks=[
+            wire.LimitedPeak(text=peak_text(name), peak=answer_of(peak, plan))
+            for name, peak in report.peaks.items()
+        ],
         findings=[wire.Finding.model_validate(finding.as_json()) for finding in report.findings],
         seconds=seconds,
         plan_sha256=plan.sha256,
@@ -127,7 +132,7 @@ def opened(ask: Ask, _advance: Advance) -> Made:
     """The plan in the text of a plan file."""
     data = parsed(ask.text, "plan")
     check_depth(data, ask.settings.depth)
-    plan = checked(data, "plan")
+    plan = checked(data, Source("plan", ask.text))
     check_plan(plan, ask.settings)
     return sent(wire.OpenedPlan(plan=plan))
 
@@ -337,9 +342,9 @@ def room_needed(ask: Ask, advance: Advance) -> Made:
         done += share
         tell(done)
 
-    found = margins(plan, slips, options.draws, seed=options.seed, advance=count)
+    found = margins(plan, slips, options.draws, seed=options.seed, own=True, advance=count)
     pitch = plan.value("route.pitch")
-    chance, lower, upper = found.touching(pitch)
+    chance, lower, upper = found.touching()
     pitches = [wire.PitchFor(risk=risk, pitch=found.pitch_for(risk)) for risk in RISKS]
     return sent(
         wire.MarginsFound(

@@ -1,7 +1,8 @@
 """The studio's workers: processes that compute, a thread each that minds them, lanes of questions.
 
-A worker that is over its time or dies is replaced; whoever asked gets a `RefusedError`, a sentence. A
-worker ends by itself when the studio's end of its pipe is gone, however that came about.
+A worker that is over its time or out of memory, or dies, is replaced; whoever asked gets a
+`RefusedError`, a sentence. A worker ends by itself when the studio's end of its pipe is gone, however
+that came about.
 """
 
 import atexit
@@ -42,11 +43,16 @@ SUPERSEDED = N_("a newer question of yours took this one's place")
 CROWDED = N_("too many questions are waiting: ask again in a moment")
 WITHDRAWN = N_("the question was withdrawn")
 CANCELLED = N_("cancelled")
+STARTING = N_("the studio's workers are starting: ask again in a moment")
 OVERDUE = N_("no answer within {seconds} s: ask for a smaller dance, or use the command line")
 DIED = N_("what computed the answer broke down, perhaps for want of memory; it was replaced")
 CLOSING = N_("the studio is closing")
 BROKEN = N_("something is wrong with the studio itself; its log says what")
 NO_WORKERS = N_("the studio's workers do not start; its log says why")
+NO_MEMORY = N_(
+    "the answer takes more memory than a question may have: ask for a smaller dance, or use the "
+    "command line"
+)
 ARITHMETIC = N_("the numbers of this plan are too large, or too small, to be reckoned with")
 
 
@@ -132,7 +138,10 @@ def _bound_memory(more: int) -> None:
 
 
 def _outcome(connection: Connection, ask: Ask) -> tuple[str, object, object]:
-    """("made", Made, None), ("refused", status, sentence) or ("broken", traceback, None)."""
+    """("made", Made, None), ("refused" or "spent", status, sentence) or ("broken", traceback, None).
+
+    What is "spent" is the process: of memory that ran out not all comes back.
+    """
     use_language(ask.language)
     told = [0.0, 0.0]
 
@@ -148,9 +157,12 @@ def _outcome(connection: Connection, ask: Ask) -> tuple[str, object, object]:
         return "made", TASKS[ask.name](ask, advance), None
     except BenchDragonError as error:
         return "refused", 422, str(error)
-    except (ArithmeticError, MemoryError):
+    except ArithmeticError:
         LOG.info("not reckoned with", exc_info=True)
         return "refused", 422, _(ARITHMETIC)
+    except MemoryError:
+        LOG.info("out of memory", exc_info=True)
+        return "spent", 507, _(NO_MEMORY)
     except Exception:
         return "broken", traceback.format_exc(), None
 
@@ -189,7 +201,8 @@ class Lane:
         self._waiting: deque[Work] = deque()
         self._running: set[Work] = set()
         self._changed = threading.Condition()
-        self._closing = self._broken = False
+        self._closing = False
+        self._deaths = 0  # in a row, of workers that were not ready yet
         self._minders = [
             threading.Thread(target=self._mind, name=f"{name} {n}", daemon=True) for n in range(count)
         ]
@@ -209,6 +222,16 @@ class Lane:
         """How many questions are being answered."""
         return len(self._running)
 
+    @property
+    def lost(self) -> bool:
+        """Whether nobody is there to answer, and there is little hope."""
+        return not self.ready and self._deaths >= self.settings.spawns
+
+    @property
+    def late(self) -> str:
+        """Why a question has waited long."""
+        return CROWDED if self.ready else STARTING
+
     def put(self, work: Work, *, newest: bool = True) -> None:
         """Have a question wait; `newest`: in the place of its client's older one of the same name.
 
@@ -218,15 +241,15 @@ class Lane:
         with self._changed, spoken_in(work.ask.language):
             if self._closing:
                 raise RefusedError(503, _(CLOSING))
-            if self._broken:
-                raise RefusedError(503, _(NO_WORKERS))
+            if self.lost:
+                raise RefusedError(503, _(NO_WORKERS), RETRY)
             for place, old in enumerate(self._waiting):
                 if newest and _same(old, work):
                     self._waiting[place] = work  # not behind all others, each time anew
                     old.refuse(409, SUPERSEDED)
                     return
             if len(self._waiting) >= self.room:
-                raise RefusedError(429, _(CROWDED), RETRY)
+                raise RefusedError(429, _(self.late), RETRY)
             self._waiting.append(work)
             self._changed.notify()
 
@@ -253,29 +276,45 @@ class Lane:
         """Take no more questions, and tell those who wait."""
         with self._changed:
             self._closing = True
+            self._changed.notify_all()
+        self._dismiss(CLOSING)
+
+    def _dismiss(self, text: str) -> None:
+        """Tell all who wait that there will be no answer."""
+        with self._changed:
             waiting = list(self._waiting)
             self._waiting.clear()
-            self._changed.notify_all()
         for work in waiting:
-            work.refuse(503, CLOSING)
+            work.refuse(503, text, RETRY)
 
     def end(self) -> None:
         """End all workers of a lane that has retired; those whose questions run are told."""
-        for work in list(self._running):
-            work.stop = 503, CLOSING
+        with self._changed:
+            for work in self._running:
+                work.stop = 503, CLOSING
         for minder in self._minders:
             minder.join()
 
     def _mind(self) -> None:
         """Keep one worker at work."""
-        while not self._closing and not self._broken:
+        while not self._closing:
             minded = self._spawned()
-            if minded is None:
-                continue
-            with self._changed:
-                self.ready += 1
+            if minded is not None:
+                self._serve(minded)
+            elif self.lost:
+                self._dismiss(NO_WORKERS)
+                with self._changed:
+                    self._changed.wait_for(lambda: self._closing, self.settings.respawn_seconds)
+
+    def _serve(self, minded: Minded) -> None:
+        """Have a worker answer one question after another, as long as it can."""
+        with self._changed:
+            self.ready += 1
+            self._deaths = 0
+        try:
             while (work := self._next(minded)) is not None and self._fit(minded, work):
                 pass
+        finally:
             with self._changed:
                 self.ready -= 1
             minded.end()
@@ -308,9 +347,14 @@ class Lane:
         except (EOFError, OSError):
             LOG.warning("a worker died over %s", work.ask.name)
             work.refuse(503, DIED, RETRY)
-            return False
+        except Exception:  # whatever came through the pipe, somebody must mind the next worker
+            LOG.exception("the answer to %s cannot be read", work.ask.name)
+            work.refuse(500, BROKEN)
         finally:
-            self._running.discard(work)
+            with self._changed:
+                self._running.discard(work)
+                self._changed.notify_all()  # what waited for this one to end may run now
+        return False
 
     def _answered(self, minded: Minded, work: Work) -> bool:
         seconds = self.settings.time_limit(work.ask.name)
@@ -335,9 +379,9 @@ class Lane:
             elif kind == "made":
                 work.future.set_result(one)
                 return True
-            elif kind == "refused":
+            elif kind in {"refused", "spent"}:
                 work.future.set_exception(RefusedError(one, two))
-                return True
+                return bool(kind == "refused")
             else:
                 LOG.error("%s failed:\n%s", work.ask.name, one)
                 work.refuse(500, BROKEN)
@@ -352,11 +396,12 @@ class Lane:
                     minded = minded or self._started()
                     if minded.connection.poll(LOOK):
                         minded.connection.recv()
-                        self._first.done(self.name)
+                        self._first.done()
                         return minded
-            except (EOFError, OSError, RuntimeError):  # the last from a script without a guard
+            except Exception:  # no memory, no process, a script without a guard ...
                 LOG.exception("a worker of the lane %s died before it was ready", self.name)
-                self._give_up_in_time()
+                with self._changed:
+                    self._deaths += 1
             if minded is not None:
                 minded.end()
         return None
@@ -379,17 +424,6 @@ class Lane:
         theirs.close()
         return Minded(process, ours, folder)
 
-    def _give_up_in_time(self) -> None:
-        """Give the lane up when workers die again and again before they are ready."""
-        if self._first.failed(self.name) < self.settings.spawns:
-            return
-        with self._changed:
-            self._broken = True
-            waiting = list(self._waiting)
-            self._waiting.clear()
-        for work in waiting:
-            work.refuse(503, NO_WORKERS)
-
 
 def _same(old: Work, new: Work) -> bool:
     return old.client is not None and (old.client, old.ask.name) == (new.client, new.ask.name)
@@ -401,7 +435,6 @@ class First:
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._warm = threading.Event()
-        self._failures: dict[str, int] = {}
 
     @contextmanager
     def turn(self) -> Iterator[None]:
@@ -416,15 +449,9 @@ class First:
                     self._lock.release()
         yield
 
-    def done(self, lane: str) -> None:
-        """A worker of the lane is ready."""
-        self._failures[lane] = 0
+    def done(self) -> None:
+        """A worker is ready."""
         self._warm.set()
-
-    def failed(self, lane: str) -> int:
-        """How many workers of the lane have died in a row, this one too."""
-        self._failures[lane] = self._failures.get(lane, 0) + 1
-        return self._failures[lane]
 
 
 class Pool:

@@ -4,26 +4,30 @@ Every writer takes the walk and the times and marches them itself, slice by slic
 can be written so: marching costs far less than writing.
 """
 
+import io
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
 
 from benchdragon.errors import InputError, MissingExtraError
-from benchdragon.files import whole_file
+from benchdragon.files import whole_bytes, whole_file
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.messages import _
 from benchdragon.motion import Motion, Walk
+from benchdragon.numbering import handle_names, handle_place, numbering_text
 
 # What a spreadsheet can hold: columns after the first, and rows for x and y below the header.
 MOST_TIMES_XLSX = 16_383
 MOST_HANDLES_XLSX = 524_287
 # Cells of one workbook: 30 s of writing or so for each million.
 MOST_CELLS_XLSX = 6_000_000
-# Handles times times of an NPZ, which is held in memory whole: 1.6 GB.
-MOST_PLACES_NPZ = 40_000_000
+# Handles times times of an NPZ or NetCDF, which is held in memory whole: 1.6 GB.
+MOST_PLACES_IN_MEMORY = 40_000_000
 
 Advance = Callable[[float], None]
 
@@ -65,15 +69,10 @@ class Selection:
 Writer = Callable[[Path, Selection, Advance], None]
 
 
-def handle_names(handles: int) -> list[str]:
-    """What the contest calls each of `handles` handles, head first."""
-    bodies = [_("Body {number}").format(number=i) for i in range(1, handles - 2)]
-    tail = [_("Tail")] if handles > 2 else []
-    return [_("Head"), *bodies, *tail, _("Tail (rear)")]
-
-
 def write_xlsx(path: Path, what: Selection, advance: Advance) -> None:
     """The contest's layout: places (x and y rows of each handle) and speeds, one column a time.
+
+    A third sheet tells the number of each handle beside the contest's name.
 
     Raises:
         InputError: for more than a spreadsheet can hold.
@@ -95,10 +94,7 @@ def write_xlsx(path: Path, what: Selection, advance: Advance) -> None:
         )
     x, y, speed = what.gathered("x", "y", "speed")
     names = handle_names(len(what.walk.dragon) + 1)
-    import xlsxwriter  # slow to import
-
-    with whole_file(path) as temporary:
-        book = xlsxwriter.Workbook(temporary, {"constant_memory": True, "nan_inf_to_errors": False})
+    with whole_bytes(path) as made, _workbook(made) as book:
         six = book.add_format({"num_format": "0.000000"})
         places = _sheet(book, _("Places"), times)
         for i, handle in enumerate(handles):
@@ -115,16 +111,13 @@ def write_xlsx(path: Path, what: Selection, advance: Advance) -> None:
                 speeds, i + 1, _("{handle} (m/s)").format(handle=names[handle]), speed[:, i], six
             )
             advance(0.33 / len(handles))
-        book.close()
+        _write_numbering(book, handles, names)
 
 
 def write_moment_xlsx(path: Path, motion: Motion) -> None:
     """The contest's layout for the first time of `motion`: x, y and speed of each handle."""
-    import xlsxwriter  # slow to import
-
     names = handle_names(motion.x.shape[1])
-    with whole_file(path) as temporary:
-        book = xlsxwriter.Workbook(temporary, {"constant_memory": True, "nan_inf_to_errors": False})
+    with whole_bytes(path) as made, _workbook(made) as book:
         six = book.add_format({"num_format": "0.000000"})
         sheet = book.add_worksheet("Sheet1")
         sheet.freeze_panes(1, 1)
@@ -134,7 +127,26 @@ def write_moment_xlsx(path: Path, motion: Motion) -> None:
         for i, name in enumerate(names):
             sheet.write_string(i + 1, 0, name)
             sheet.write_row(i + 1, 1, [float(values[i]) for values in columns], six)
-        book.close()
+        _write_numbering(book, range(len(names)), names)
+
+
+@contextmanager
+def _workbook(made: io.BytesIO) -> Iterator[Any]:
+    """A workbook whose rows wait in files that are gone when the block ends, however that ends."""
+    import xlsxwriter  # slow to import
+
+    with TemporaryDirectory() as folder:
+        options = {"constant_memory": True, "nan_inf_to_errors": False, "tmpdir": folder}
+        book = xlsxwriter.Workbook(made, options)
+        yield book
+        failure: OSError | None = None
+        try:
+            book.close()
+        except xlsxwriter.exceptions.FileCreateError as error:
+            failure = OSError(*error.args[0].args)
+        # Raised out here, it holds no half-made archive that would complain when it is dropped.
+        if failure:
+            raise failure
 
 
 def _sheet(book: Any, name: str, times: FloatArray) -> Any:
@@ -144,6 +156,18 @@ def _sheet(book: Any, name: str, times: FloatArray) -> Any:
     sheet.set_column(1, len(times), 12)
     sheet.write_row(0, 1, [f"{t:.12g} s" for t in times])
     return sheet
+
+
+def _write_numbering(book: Any, handles: Sequence[int], names: Sequence[str]) -> None:
+    """A sheet with the number of each handle, and of its benches, beside the contest's name."""
+    sheet = book.add_worksheet(_("Numbering"))
+    sheet.freeze_panes(1, 0)
+    sheet.set_column(0, 2, 22)
+    sheet.write_row(0, 0, [_("in the contest"), _("handle"), _("on benches"), "", numbering_text()])
+    for row, handle in enumerate(handles, start=1):
+        sheet.write_string(row, 0, names[handle])
+        sheet.write_number(row, 1, handle)
+        sheet.write_string(row, 2, handle_place(handle, len(names) - 1))
 
 
 def _write_row(sheet: Any, row: int, name: str, values: FloatArray, style: Any) -> None:
@@ -172,12 +196,7 @@ def write_npz(path: Path, what: Selection, advance: Advance) -> None:
         InputError: for more than memory should hold.
     """
     times, handles = what.times, what.handles
-    if len(times) * len(handles) > MOST_PLACES_NPZ:
-        raise InputError(
-            _("an NPZ holds at most {most} places; choose fewer times or handles, or CSV").format(
-                most=MOST_PLACES_NPZ
-            )
-        )
+    _check_memory(what)
     x, y, s, speed = what.gathered("x", "y", "s", "speed")
     with whole_file(path) as temporary, temporary.open("wb") as out:
         np.savez_compressed(out, time=times, handle=np.array(handles), x=x, y=y, s=s, speed=speed)
@@ -203,14 +222,19 @@ def write_parquet(path: Path, what: Selection, advance: Advance) -> None:
 
 
 def write_netcdf(path: Path, what: Selection, advance: Advance) -> None:
-    """NetCDF 4 with x, y, s, speed over (time, handle), units included (needs the extra `data`)."""
+    """NetCDF 4 with x, y, s, speed over (time, handle), units included (needs the extra `data`).
+
+    Raises:
+        InputError: for more than memory should hold.
+    """
     try:
         import h5netcdf  # an optional extra
     except ImportError:
         raise MissingExtraError("data") from None
+    _check_memory(what)
     times, handles = what.times, what.handles
     units = {"x": "m", "y": "m", "s": "m", "speed": "m s-1"}
-    with whole_file(path) as temporary, h5netcdf.File(temporary, "w") as out:
+    with whole_bytes(path) as made, h5netcdf.File(made, "w") as out:
         out.dimensions = {"time": len(times), "handle": len(handles)}
         out.create_variable("time", ("time",), data=times).attrs["units"] = "s"
         out.create_variable("handle", ("handle",), data=np.array(handles))
@@ -233,6 +257,15 @@ WRITERS: dict[str, Writer] = {
     "parquet": write_parquet,
     "nc": write_netcdf,
 }
+
+
+def _check_memory(what: Selection) -> None:
+    if len(what.times) * len(what.handles) > MOST_PLACES_IN_MEMORY:
+        raise InputError(
+            _("such a file holds at most {most} places; choose fewer times or handles, or CSV").format(
+                most=MOST_PLACES_IN_MEMORY
+            )
+        )
 
 
 def _long(motion: Motion, handles: Sequence[int]) -> list[Any]:

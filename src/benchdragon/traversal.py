@@ -18,7 +18,8 @@ from benchdragon.messages import _
 from benchdragon.motion import Walk
 from benchdragon.plan import Plan, SpiralInRoute
 from benchdragon.plan_text import PlanError
-from benchdragon.solve import MOST_COUNT, QUESTIONS, Advance, Family
+from benchdragon.solve import MOST_COUNT, Advance
+from benchdragon.trials import QUESTIONS, Family
 
 # Angles that differ by more than this from one pitch to the next, rad, are a jump and not a slope.
 JUMP = 0.5

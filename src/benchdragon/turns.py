@@ -14,6 +14,7 @@ from functools import cached_property
 
 import numpy as np
 
+from benchdragon.arrays import as_numbers
 from benchdragon.curves import AnyCurve, Arc, Clothoid, Line, Point, Route, Spiral
 from benchdragon.errors import InputError, positive
 from benchdragon.kernels.curve import NODES, WEIGHTS
@@ -135,6 +136,16 @@ class Turn:
     entry_radius: float
     exit_radius: float
     pieces: tuple[Piece, ...]
+
+    def __post_init__(self) -> None:
+        for name in ("pitch", "entry_radius", "exit_radius"):
+            positive(name, getattr(self, name), "m")
+        if as_numbers("pieces", self.pieces).shape[1:] != (3,):
+            raise InputError(
+                _("pieces must be triples (length, curvature, curvature), not {value}").format(
+                    value=repr(self.pieces)[:80]
+                )
+            )
 
     @property
     def length(self) -> float:
@@ -296,6 +307,8 @@ def three_pieces(
         InputError: if there is no such turn, with the reason.
     """
     gap = Gap.between(pitch, entry_radius, exit_radius)
+    if as_numbers("radii", radii).shape != (2,):
+        raise InputError(_("radii must be a pair, not {value}").format(value=repr(radii)[:80]))
     first, last = (-1.0 / positive("radii", radii[0], "m"), 1.0 / positive("radii", radii[1], "m"))
     plain = _arc_lengths(gap, first, bend, last)
 

@@ -8,15 +8,22 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon import __version__
-from benchdragon.answer import Answer
+from benchdragon.answer import Answer, Witness
+from benchdragon.ask import check_ending, parse_lengths
+from benchdragon.document import decimals, figures
 from benchdragon.errors import InputError
 from benchdragon.messages import N_, _, language
 from benchdragon.options import (
+    BESIDE,
+    FILE,
+    WITHOUT,
     announce_compiling,
+    brackets_option,
     explain_option,
     folder_option,
     json_option,
     plan_options,
+    refuse_strays,
     shared_options,
 )
 from benchdragon.show import print_explanation, print_files, progress, turn_lines
@@ -37,7 +44,9 @@ UNSAFE, NO_SOLUTION, UNDECIDED = 1, 4, 5
     )
 )
 @plan_options
-@click.option("--prove", is_flag=True, help=N_("Establish the answer again in rigorous arithmetic."))
+@click.option(
+    "--prove", is_flag=True, help=N_("Verify all positions behind the answer in ball arithmetic.")
+)
 @folder_option
 @click.option(
     "--format",
@@ -47,7 +56,9 @@ UNSAFE, NO_SOLUTION, UNDECIDED = 1, 4, 5
     metavar="LIST",
     help=N_("What to write: xlsx, png, svg, pdf."),
 )
+@click.option("--show-plan", is_flag=True, help=N_("Print the plan in effect too, as a plan file."))
 @json_option
+@brackets_option
 @explain_option
 @shared_options
 def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
@@ -56,6 +67,9 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     from benchdragon.check import check as checked
     from benchdragon.plan import read_plan
 
+    refuse_strays(
+        *((name, options["output"] is not None, WITHOUT, "-o") for name in ("formats", "force"))
+    )
     read = read_plan(plan, settings)
     announce_compiling(quiet)
     folder: Path | None = options["output"]
@@ -75,12 +89,17 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
 
         lines = check_lines(report)
     if options["as_json"]:
-        click.echo(json.dumps({**report_json(report), **_explained(lines)}))
+        shown = {"plan": read.data()} if options["show_plan"] else {}
+        click.echo(json.dumps({**report_json(report), **_explained(lines), **shown}))
     else:
-        print_report(report)
+        print_report(report, options["brackets"])
         if files:
             print_files(files)
         print_explanation(lines)
+        if options["show_plan"]:
+            from benchdragon.plan_keys import commented
+
+            click.echo("\n" + commented(read.data(), {}), nl=False)
     return 0 if report.safe else UNSAFE if report.decided else UNDECIDED
 
 
@@ -101,6 +120,7 @@ def report_json(report: "Report") -> dict[str, Any]:
         "first_contact": None if contact is None else contact.as_json(**about),
         "clearance": report.clearance.as_json(**about),
         "greatest_speed": report.greatest_speed.as_json(**about),
+        "peaks": {name: peak.as_json(**about) for name, peak in report.peaks.items()},
         "findings": [finding.as_json() for finding in report.findings],
         **about,
     }
@@ -112,8 +132,10 @@ def print_title(plan: "Plan") -> None:
         click.echo(title)
 
 
-def print_report(report: "Report") -> None:
+def print_report(report: "Report", brackets: bool = False) -> None:
     """A report for readers."""
+    from benchdragon.check import peak_text
+
     print_title(report.plan)
     if report.safe:
         text = _("SAFE from t = {start} s to t = {end} s")
@@ -127,13 +149,20 @@ def print_report(report: "Report") -> None:
     for finding in report.findings:
         click.echo(f"  {finding.text}")
     if report.first_contact is not None:
-        print_answer(_("first contact"), report.first_contact)
-    print_answer(_("least clearance"), report.clearance)
-    print_answer(_("greatest speed of a handle"), report.greatest_speed)
+        print_answer(_("first contact"), report.first_contact, up=False, brackets=brackets)
+        click.echo(_("until then:"))
+    print_answer(_("least clearance"), report.clearance, up=False, brackets=brackets)
+    print_answer(_("greatest speed of a handle"), report.greatest_speed, up=True, brackets=brackets)
+    for name, peak in report.peaks.items():
+        print_answer(peak_text(name), peak, up=True, brackets=brackets)
 
 
-def print_answer(name: str, answer: Answer) -> None:
-    """An answer for readers: value, bracket, how it was established, where."""
+def print_answer(name: str, answer: Answer, *, up: bool, brackets: bool) -> None:
+    """An answer for readers: value, how it was established, where.
+
+    What is shown is the end of the bracket that is surely true, rounded `up` or down; with `brackets`
+    it is the value with all of its digits, and the bracket.
+    """
     words = {
         "proved": _("proved"), "found": _("found"),
         "infeasible": _("no solution"), "undecided": _("undecided"),
@@ -142,30 +171,33 @@ def print_answer(name: str, answer: Answer) -> None:
         text = _("no pair counts") if answer.status == "found" else words[answer.status]
         click.echo(f"{name}: {text}")
         return
-    digits = 12 if answer.unit == "m" else 10
+    value = repr(answer.value) if brackets else figures(answer.sure(up=up), up=up)
     if answer.status == "unlimited":
         text = _("{name}: no limit was met up to {value} {unit}")
-        click.echo(text.format(name=name, value=f"{answer.value:.{digits}g}", unit=answer.unit))
+        click.echo(text.format(name=name, value=value, unit=answer.unit))
         return
+    text = _("{name}: {value} {unit} ({status})")
+    if brackets:
+        text = _("{name}: {value} {unit} ({status}; between {lower} and {upper})")
     click.echo(
-        _("{name}: {value} {unit}  ({status}; between {lower} and {upper})").format(
-            name=name,
-            value=f"{answer.value:.{digits}g}",
-            unit=answer.unit,
-            status=words[answer.status],
-            lower=f"{answer.lower:.16g}",
-            upper=f"{answer.upper:.16g}",
+        text.format(
+            name=name, value=value, unit=answer.unit, status=words[answer.status],
+            lower=repr(answer.lower), upper=repr(answer.upper),
         )
-    )
-    near = answer.witness
+    )  # fmt: skip
+    _print_witness(answer.witness, 6 if brackets else 2)
+
+
+def _print_witness(near: Witness | None, count: int) -> None:
+    """Where and when an answer comes about, with so many decimals."""
     if near is not None and len(near.benches) == 1:
         click.echo(
             _("  bench {a} at t = {t} s, head at {s} m of the route, at ({x}, {y}) m").format(
                 a=near.benches[0],
-                t="-" if near.time is None or math.isinf(near.time) else f"{near.time:.6f}",
-                s=f"{near.s:.6f}",
-                x=f"{near.point[0]:.6f}",
-                y=f"{near.point[1]:.6f}",
+                t="-" if near.time is None or math.isinf(near.time) else decimals(near.time, count),
+                s=decimals(near.s, count),
+                x=decimals(near.point[0], count),
+                y=decimals(near.point[1], count),
             )
         )
     if near is not None and len(near.benches) == 2:
@@ -177,9 +209,9 @@ def print_answer(name: str, answer: Answer) -> None:
             _("  benches {a} and {b} at t = {t} s, at ({x}, {y}) m; {features}").format(
                 a=near.benches[0],
                 b=near.benches[1],
-                t="-" if near.time is None else f"{near.time:.6f}",
-                x=f"{near.point[0]:.6f}",
-                y=f"{near.point[1]:.6f}",
+                t="-" if near.time is None else decimals(near.time, count),
+                x=decimals(near.point[0], count),
+                y=decimals(near.point[1], count),
                 features=features,
             )
         )
@@ -220,7 +252,7 @@ def print_answer(name: str, answer: Answer) -> None:
 @click.option(
     "--range",
     "span",
-    metavar="LOW:HIGH",
+    metavar="LOW..HIGH",
     help=N_("All sizes from LOW to HIGH, in metres, with which the walk stays clear."),
 )
 @click.option(
@@ -230,11 +262,13 @@ def print_answer(name: str, answer: Answer) -> None:
     show_default=True,
     help=N_("Sizes tried by --range."),
 )
-@click.option("--prove", is_flag=True, help=N_("Establish the answer again in rigorous arithmetic."))
+@click.option(
+    "--prove", is_flag=True, help=N_("Verify all positions behind the answer in ball arithmetic.")
+)
 @click.option(
     "--pace",
     "pace_file",
-    type=click.Path(path_type=Path, dir_okay=False),
+    type=FILE,
     metavar="FILE",
     help=N_(
         "With speed: write the plan walked at its own head speed, slowed down only where a limit "
@@ -269,12 +303,13 @@ def print_answer(name: str, answer: Answer) -> None:
 )
 @click.option(
     "--plan-file",
-    type=click.Path(path_type=Path, dir_okay=False),
+    type=FILE,
     metavar="FILE",
     help=N_("With turn: write the plan with the turn that was found."),
 )
 @click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))
 @json_option
+@brackets_option
 @explain_option
 @shared_options
 def solve(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
@@ -282,9 +317,12 @@ def solve(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     from benchdragon.plan import read_plan
 
     _refuse_strays(options)
+    for name, path in (("--pace", options["pace_file"]), ("--plan-file", options["plan_file"])):
+        if path is not None:
+            check_ending(name, path, [".toml"])
     read = read_plan(plan, settings)
     announce_compiling(quiet)
-    if options["span"]:
+    if options["span"] is not None:
         return _print_sizes(read, options, quiet)
     if options["what"] == "speed":
         return _print_speed(read, options, quiet)
@@ -298,29 +336,34 @@ def solve(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
             advance(0.0, text)
 
         found = _solved(read, options, tell)
-    from benchdragon.solve import question
+    from benchdragon.trials import question
 
     lines = _solved_lines(read, options, found, tried) if options["explain"] else []
-    _print_solved(read, _(question(options["what"]).text), found, options["as_json"], lines)
+    asked = question(options["what"])
+    _print_solved(read, _(asked.text), found, options, lines, up=asked.sense > 0.0)
+    return _code(found)
+
+
+def _code(found: Answer) -> int:
+    """The exit code of an answer."""
     return {"infeasible": NO_SOLUTION, "undecided": UNDECIDED}.get(found.status, 0)
 
 
 def _refuse_strays(options: dict[str, Any]) -> None:
     """Refuse options that say nothing about what is asked for, rather than overlook them."""
-    what = options["what"]
-    for name, given, goes in (
-        ("--pace", options["pace_file"], what == "speed"),
-        ("--objective", options["objective"] != "way", what == "turn"),
-        ("--least-radius", options["least_radius"], what == "turn"),
-        ("--longest", options["longest"], what == "turn"),
-        ("--longest-way", options["longest_way"], what == "turn"),
-        ("--plan-file", options["plan_file"], what == "turn"),
-        ("--prove", options["prove"], what not in {"speed", "turn"}),
-        ("--method", options["method"] != "exact", what not in {"speed", "turn"}),
-        ("--range", options["span"], what not in {"speed", "turn"}),
-    ):
-        if given and not goes:
-            raise InputError(_("{option} does not go with {what}").format(option=name, what=what))
+    what, stepped = options["what"], options["method"] == "traversal"
+    turning, sized, ranged = what == "turn", what not in {"speed", "turn"}, options["span"] is not None
+    refuse_strays(
+        ("pace_file", what == "speed", BESIDE, what),
+        ("brackets", not turning, BESIDE, what),
+        *((name, turning, BESIDE, what) for name in ("objective", "least_radius", "longest")),
+        *((name, turning, BESIDE, what) for name in ("longest_way", "plan_file")),
+        *((name, sized, BESIDE, what) for name in ("prove", "method", "span")),
+        *((name, not ranged, BESIDE, "--range") for name in ("prove", "method")),
+        ("count", ranged, WITHOUT, "--range"),
+        *((name, stepped, WITHOUT, "--method traversal") for name in ("pitch_step", "time_step")),
+        ("force", bool(options["pace_file"] or options["plan_file"]), WITHOUT, "--pace, --plan-file"),
+    )
 
 
 def _solved_lines(plan: "Plan", options: dict[str, Any], found: Answer, tried: list[str]) -> list[str]:
@@ -333,15 +376,22 @@ def _solved_lines(plan: "Plan", options: dict[str, Any], found: Answer, tried: l
 
 
 def _print_solved(
-    plan: "Plan", name: str, found: Answer, as_json: bool, lines: list[str], **more: Any
+    plan: "Plan",
+    name: str,
+    found: Answer,
+    options: dict[str, Any],
+    lines: list[str],
+    *,
+    up: bool = False,
+    **more: Any,
 ) -> None:
-    """An answer as JSON, with `more` beside it, or for readers."""
-    if as_json:
+    """An answer as JSON, with `more` beside it, or for readers, rounded `up` or down."""
+    if options["as_json"]:
         about = {**_explained(lines), "plan_sha256": plan.sha256, "version": __version__}
         click.echo(json.dumps(found.as_json(**more, **about)))
         return
     print_title(plan)
-    print_answer(name, found)
+    print_answer(name, found, up=up, brackets=options["brackets"])
     for text in found.assumptions:
         click.echo(f"  {text}")
     print_explanation(lines)
@@ -357,17 +407,17 @@ def _print_speed(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
         with progress(quiet, 1) as advance:
             found = greatest_head_speed(plan, advance=advance)
         lines = _speed_lines(plan, found, None) if options["explain"] else []
-        _print_solved(plan, _("greatest head speed"), found, options["as_json"], lines)
-        return UNDECIDED if found.status == "undecided" else 0
+        _print_solved(plan, _("greatest head speed"), found, options, lines)
+        return _code(found)
     refuse_existing([path], options["force"])
     with progress(quiet, 1) as advance:
         pace = slowed(plan, advance=advance)
     with whole_file(path) as temporary:
         temporary.write_text(with_pace(plan, pace).toml(), encoding="utf-8")
-    more = {"pace": {"seconds": pace.seconds, "saved": pace.saved, "file": str(path)}}
+    more: dict[str, Any] = {"pace": {"seconds": pace.seconds, "saved": pace.saved, "file": str(path)}}
     lines = _speed_lines(plan, pace.steady, pace) if options["explain"] else []
     json_lines = lines if options["as_json"] else []
-    _print_solved(plan, _("greatest head speed"), pace.steady, options["as_json"], json_lines, **more)
+    _print_solved(plan, _("greatest head speed"), pace.steady, options, json_lines, **more)
     if not options["as_json"]:
         click.echo(
             _("slowing down only where it must the walk takes {seconds} s, {saved} s less").format(
@@ -376,7 +426,7 @@ def _print_speed(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
         )
         print_files([path])
         print_explanation(lines)
-    return 0
+    return _code(pace.steady)
 
 
 def _speed_lines(plan: "Plan", found: Answer, pace: "Pace | None") -> list[str]:
@@ -441,34 +491,40 @@ def _solved(plan: "Plan", options: dict[str, Any], advance: Any) -> Answer:
 
 
 def _print_sizes(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
-    from benchdragon.solve import walkable_sizes
+    from benchdragon.solve import undecided_text, walkable_sizes
 
-    try:
-        low, high = (float(text) for text in options["span"].split(":"))
-    except ValueError:
-        raise InputError(
-            _("--range wants LOW:HIGH in metres, not {text}").format(text=options["span"])
-        ) from None
+    low, high = parse_lengths("--range", options["span"])
     with progress(quiet, options["count"]) as advance:
-        spans = walkable_sizes(
+        sizes = walkable_sizes(
             plan, options["what"], low, high, options["count"], advance=lambda text: advance(1.0, text)
         )
     lines: list[str] = []
     if options["explain"]:
         from benchdragon.explain_answers import spans_lines
 
-        lines = spans_lines(spans, low, high, options["count"])
+        lines = spans_lines(sizes, low, high, options["count"])
+    code = 0 if sizes.spans else UNDECIDED if sizes.undecided else NO_SOLUTION
     if options["as_json"]:
         about = {**_explained(lines), "plan_sha256": plan.sha256, "version": __version__}
-        click.echo(json.dumps({"walkable": [[span.low, span.high] for span in spans], **about}))
-    for span in [] if options["as_json"] else spans:
-        click.echo(
-            _("walkable from {low} m to {high} m").format(
-                low=f"{span.low:.12g}", high=f"{span.high:.12g}"
-            )
-        )
-    if not spans and not options["as_json"]:
+        found = {
+            "walkable": [[span.low, span.high] for span in sizes.spans],
+            "tried": [span.tried for span in sizes.spans],
+            "borders": [list(span.borders) for span in sizes.spans],
+            "step": sizes.step,
+            "undecided": sizes.undecided,
+        }
+        click.echo(json.dumps({**found, **about}))
+        return code
+    for span in sizes.spans:
+        text = _("walkable from {low} m to {high} m (sizes tried there: {tried}, {step} m apart)")
+        ends = {"low": f"{span.low:.12g}", "high": f"{span.high:.12g}", "step": f"{sizes.step:.4g}"}
+        click.echo(text.format(tried=span.tried, **ends))
+        for border in span.borders:
+            text = _("  {size} m is a border: just beyond it the walk fails")
+            click.echo(text.format(size=f"{border:.12g}"))
+    if not sizes.spans:
         click.echo(_("no size tried is walkable"))
-    if not options["as_json"]:
-        print_explanation(lines)
-    return 0 if spans else NO_SOLUTION
+    if sizes.undecided:
+        click.echo(undecided_text(sizes.undecided))
+    print_explanation(lines)
+    return code

@@ -5,9 +5,9 @@ from typing import Any
 
 import click
 
-from benchdragon.ask import parse_span
+from benchdragon.ask import check_ending, parse_span
 from benchdragon.messages import N_
-from benchdragon.options import announce_compiling, plan_options, shared_options, span_options
+from benchdragon.options import FILE, announce_compiling, plan_options, shared_options, span_options
 from benchdragon.show import print_files, progress
 
 
@@ -20,7 +20,7 @@ from benchdragon.show import print_files, progress
 )
 @plan_options
 @click.option(
-    "-o", "--output", required=True, type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
+    "-o", "--output", required=True, type=FILE, metavar="FILE",
     help=N_("The file to write, for example dance.html."),
 )  # fmt: skip
 @click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))
@@ -33,8 +33,9 @@ def view(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> i
     from benchdragon.plan import read_plan
     from benchdragon.player import write_player
 
-    read = read_plan(plan, settings)
     path: Path = options["output"]
+    check_ending("-o", path, [".html"])
+    read = read_plan(plan, settings)
     refuse_existing([path], options["force"])
     first, last = parse_span(options)
     announce_compiling(quiet)

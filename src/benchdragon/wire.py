@@ -31,15 +31,6 @@ ExportName = Literal[
 ]  # fmt: skip
 
 
-def plan_data(plan: Plan) -> dict[str, Any]:
-    """All keys of a plan as plain data that reads as the same plan."""
-    data = plan.model_dump(mode="json", by_alias=True)
-    sizes: dict[str, Any] = data["dragon"]
-    if plan.dragon.bench:  # which leaves no room for the sizes of all
-        data["dragon"] = {"bench": sizes["bench"]}
-    return data
-
-
 def _as_plan(data: object) -> Plan:
     """The plan in a body; what is wrong is said in the command line's words."""
     if not isinstance(data, dict):
@@ -50,7 +41,7 @@ def _as_plan(data: object) -> Plan:
 
 
 AskedPlan = Annotated[Plan, BeforeValidator(_as_plan)]
-SentPlan = Annotated[Plan, PlainSerializer(plan_data, return_type=dict[str, Any])]
+SentPlan = Annotated[Plan, PlainSerializer(Plan.data, return_type=dict[str, Any])]
 
 
 class Body(BaseModel):
@@ -95,7 +86,7 @@ class JobOptions(Body):
     least_radius: Annotated[Finite, Field(ge=0.0, le=1e6)] = 0.0
     longest: Annotated[Finite, Field(gt=0.0, le=1e6)] | None = None
     longest_way: Annotated[Finite, Field(gt=0.0, le=1e6)] | None = None
-    draws: Annotated[int, Field(ge=1, le=100_000)] = 200
+    draws: Annotated[int, Field(ge=1, le=100_000)] = 100
     seed: Annotated[int, Field(ge=0, le=2**31)] = 1
     aside: Spread = 0.0
     stray: Spread = 0.0
@@ -178,6 +169,13 @@ class Finding(Sent):
     limit: Number
 
 
+class LimitedPeak(Sent):
+    """The greatest of what a plan limits, and what that is in words."""
+
+    text: str
+    peak: Answer
+
+
 class Verdict(Sent):
     """Whether a walk is safe, in one sentence and in full.
 
@@ -200,6 +198,7 @@ class Verdict(Sent):
     first_contact: Answer | None
     clearance: Answer
     greatest_speed: Answer
+    peaks: list[LimitedPeak]
     findings: list[Finding]
     seconds: float
     plan_sha256: str
@@ -266,10 +265,20 @@ class JobStarted(Sent):
     id: str
 
 
+class JobTaken(Sent):
+    """A long question of a client, and the plan that it asks about."""
+
+    id: str
+    question: Question
+    plan: SentPlan
+    plan_sha256: str
+
+
 class JobState(Sent):
     """How a long question stands.
 
     Attributes:
+        plan_sha256: of the plan that it asks about.
         share: of the work, 0 to 1, as far as can be told.
         text: what is being done.
         result: once it is done.
@@ -278,6 +287,7 @@ class JobState(Sent):
 
     id: str
     question: Question
+    plan_sha256: str
     state: Literal["waiting", "running", "done", "failed", "cancelled"]
     share: float
     text: str

@@ -3,11 +3,14 @@
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import httpx
 import pytest
-from playwright.sync_api import Browser, sync_playwright
+from playwright.sync_api import Browser, Page, expect, sync_playwright
 
-from tests.browser.pages import FLAGS, Pages, browser_path, clean_pages
+from tests.browser.pages import FLAGS, Device, Language, Pages, browser_path, clean_pages
 from tests.browser.players import Scene
+from tests.browser.studios import LONG, Opened
+from tests.studio_servers import process, wait_for
 
 
 @pytest.hookimpl(tryfirst=True)
@@ -36,6 +39,26 @@ def pages(browser: Browser) -> Iterator[Pages]:
     """Opens pages; the test fails if anything goes wrong in one."""
     with clean_pages(browser) as opened:
         yield opened
+
+
+@pytest.fixture(scope="package")
+def studio() -> Iterator[str]:
+    """The address of a studio whose workers are ready; they may have to compile the kernels first."""
+    with process("--workers", "1") as (_process, address):
+        wait_for(lambda: httpx.get(f"{address}/healthz").json()["workers"]["quick"]["ready"] == 1)
+        yield address
+
+
+@pytest.fixture
+def opened(pages: Pages, studio: str) -> Opened:
+    """Opens the studio, and waits for its first dance."""
+
+    def open_page(device: Device = "desktop", language: Language = "en", where: str = "") -> Page:
+        page = pages.open(f"{studio}/{where}", device, language)
+        expect(page.locator("canvas")).to_be_visible(timeout=LONG)
+        return page
+
+    return open_page
 
 
 @pytest.fixture(scope="package")

@@ -7,16 +7,17 @@ from playwright.sync_api import Locator, Page
 
 from benchdragon import Walk, wire
 from benchdragon.check import check
-from benchdragon.dance import Span, checked_dance
+from benchdragon.dance import Span, checked_dance, plain_dance
 from benchdragon.plan import read_plan
 from benchdragon.player import player_page
 from tests.browser.pages import Colours, Device, Language, Pages
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
 PLANS = {
     "turn": ("turn", ("dragon.benches=60", "walk.start=-20", "walk.end=70"), None),
     "contact": ("spiral-in", ("dragon.benches=40", "limits.margin=0"), Span(405.0, 420.0)),
     "single": ("spiral-in", ("dragon.benches=1", "walk.end=50"), None),
-    "parade": (str(Path(__file__).parents[2] / "examples" / "01_parade.dragon.toml"), (), None),
+    "parade": (str(EXAMPLES / "01_parade.dragon.toml"), (), None),
 }
 
 
@@ -53,9 +54,24 @@ def opened(
 ) -> Page:
     """The page of a scene, ready."""
     device, language, colours = look
-    page = pages.open(scene.files[language] + where, device, language, colours)
+    return ready(pages.open(scene.files[language] + where, device, language, colours))
+
+
+def ready(page: Page) -> Page:
+    """The same page, once it shows the dance."""
     until(page, "globalThis.benchdragon?.root.dataset.time !== undefined")
     return page
+
+
+def page_of(pages: Pages, folder: Path, name: str, **changes: object) -> Page:
+    """The page of a plan or an example, without a check."""
+    path = EXAMPLES / f"{name}.dragon.toml"
+    plan = read_plan(str(path) if path.exists() else name)
+    walk = plan.build()
+    dance = plain_dance(walk, Span(*plan.span(walk), looks=(0.5,))).model_copy(update=changes)
+    file = folder / "dance.html"
+    file.write_text(player_page(dance, "en"), "utf-8")
+    return ready(pages.open(file.as_uri()))
 
 
 def until(page: Page, said: str) -> None:

@@ -60,7 +60,7 @@ def test_it_plays_and_pauses(pages: Pages, turn: Scene, look: tuple[Device, Lang
     stopped = time_of(page)
     drawn(page)
     assert turn.start < time_of(page) == stopped < turn.end
-    assert page.locator("output.clock").inner_text() == f"t = {seconds(stopped)}"
+    assert page.locator(".clock").inner_text() == f"t = {seconds(stopped)}"
     assert page.get_by_role("button", name=play, exact=True).is_visible()
 
 
@@ -254,6 +254,69 @@ def test_a_tapped_bench_shows_its_card_with_the_right_numbers(
     assert (state(page, "chosen"), card.is_visible()) == (-1, False)
 
 
+def in_sight(page: Page, bench: int) -> bool:
+    """Whether a bench is whole on the canvas, and nothing lies over its middle."""
+    return bool(
+        page.evaluate(
+            """(bench) => {
+              const { boxes, camera } = benchdragon;
+              const canvas = document.querySelector("canvas");
+              const box = canvas.getBoundingClientRect();
+              const whole = [0, 1, 2, 3].every((n) => {
+                const [x, y] = camera.toScreen(...boxes.corner(bench, n));
+                return x >= 0 && y >= 0 && x <= box.width && y <= box.height;
+              });
+              const [x, y] = camera.toScreen(boxes.x[bench], boxes.y[bench]);
+              return whole && document.elementFromPoint(box.x + x, box.y + y) === canvas;
+            }""",
+            bench - 1,
+        )
+    )
+
+
+@pytest.mark.parametrize("look", [HAND, DESK], ids="-".join)
+@pytest.mark.parametrize("edge", ["right", "bottom"])
+def test_a_tapped_bench_stays_in_sight(
+    pages: Pages, turn: Scene, look: tuple[Device, Language, Colours], edge: str
+) -> None:
+    page = opened(pages, turn, look, where="#t=28.75")
+    bench, scale = 9, 40.0
+    look_at(page, bench, scale)
+    width, height = page.evaluate("[benchdragon.camera.width, benchdragon.camera.height]")
+    aside, down = (0.5 * width - 50, 0) if edge == "right" else (0, 0.5 * height - 50)
+    page.evaluate(f"benchdragon.camera.pan({aside}, {down}); benchdragon.zoom(1)")
+    drawn(page)
+    (page.mouse.click if look[0] == "desktop" else page.touchscreen.tap)(*on_screen(page, bench))
+    page.locator("aside.card").wait_for()
+    drawn(page)
+    assert state(page, "chosen") == bench - 1
+    assert state(page, "camera.scale") == pytest.approx(scale)
+    until(page, f"benchdragon.camera.width + benchdragon.camera.height < {width + height}")
+    assert in_sight(page, bench)
+    # So do benches that are chosen by other means, and their moments.
+    page.locator("aside.card dd button").last.click()
+    drawn(page)
+    assert time_of(page) == pytest.approx(turn.dance.nearest.time[bench - 1])
+    assert in_sight(page, bench)
+    for _step in range(6):
+        page.keyboard.press("]")
+    drawn(page)
+    assert in_sight(page, bench + 6)
+
+
+def test_a_bench_in_sight_is_not_moved(pages: Pages, turn: Scene) -> None:
+    page = opened(pages, turn, where="#t=28.75&bench=12")
+    whole = state(page, "camera.scale")
+    page.set_viewport_size({"width": 900, "height": 500})
+    until(page, f"benchdragon.camera.scale < {0.9 * whole}")  # all is in sight still
+    look_at(page, 9, 40.0)
+    before = page.evaluate("[benchdragon.camera.x, benchdragon.camera.y]")
+    page.mouse.click(*on_screen(page, 9))
+    drawn(page)
+    assert state(page, "chosen") == 8
+    assert page.evaluate("[benchdragon.camera.x, benchdragon.camera.y]") == before
+
+
 def test_the_first_and_the_last_bench_have_one_neighbour(pages: Pages, turn: Scene) -> None:
     page = opened(pages, turn)
     for bench, name in ((1, "Bench 1 (head)"), (60, "Bench 60 (tail)")):
@@ -418,7 +481,7 @@ def test_a_notebook_shows_the_player_in_its_sandbox(pages: Pages, turn: Scene, t
     inside = page.frame_locator("iframe")
     inside.get_by_role("button", name="play", exact=True).click()
     inside.get_by_role("button", name="pause", exact=True).click()
-    clock = inside.locator("output.clock")
+    clock = inside.locator(".clock")
     assert 3.0 <= float(clock.inner_text().split()[2]) <= 9.0
     inside.get_by_role("button", name="keys").click()
     dialog = inside.get_by_role("dialog")

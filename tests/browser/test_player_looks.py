@@ -17,6 +17,7 @@ from tests.browser.players import (
     on_screen,
     opened,
     pixels,
+    ready,
     state,
     time_of,
     until,
@@ -83,6 +84,56 @@ def test_everything_that_can_be_operated_has_a_name(
     assert all(name.strip() for role in operated - {"group"} for name in found.get(role, []))
     assert len(found["button"]) >= 20
     expect(page.locator("canvas")).to_have_attribute("aria-label", re.compile(r"t = 20\.0 s"))
+
+
+# What a screen reader may read out by itself: live regions, and the value of what has the focus.
+LISTEN = """() => {
+  globalThis.heard = [];
+  const live = "output, [aria-live]:not([aria-live=off]), [role=status], [role=alert], [role=timer]";
+  const slider = document.querySelector(".axis input");
+  let value = slider.value;
+  const listen = () => {
+    if (slider.value !== value) heard.push(`value ${slider.value}`);
+    value = slider.value;
+    if (benchdragon.playing) requestAnimationFrame(listen);
+  };
+  benchdragon.face.playButton.addEventListener("click", () => requestAnimationFrame(listen));
+  new MutationObserver((changes) => changes.forEach(({ type, target, attributeName }) => {
+    const element = target instanceof Element ? target : target.parentElement;
+    if (type === "attributes") heard.push(element.getAttribute(attributeName));
+    else if (element.closest(live)) heard.push(element.closest(live).textContent);
+  })).observe(document.body, { subtree: true, childList: true, characterData: true,
+    attributes: true, attributeFilter: ["aria-valuetext", "aria-label", "aria-valuenow"] });
+}"""
+
+
+@pytest.mark.parametrize("look", [HAND, DESK], ids="-".join)
+def test_screen_readers_hear_events_and_rest_and_nothing_between(
+    pages: Pages, turn: Scene, look: tuple[Device, Language, Colours]
+) -> None:
+    (event,) = [one for one in turn.dance.occasions if one.kind == "fastest"]
+    joint = max(one.time for one in turn.dance.occasions if one.kind == "joint")
+    assert event.time - 1.2 < joint < event.time
+    page = opened(pages, turn, look, where=f"#t={event.time - 1.2:.3f}")
+    until(page, "document.querySelector('.spoken').textContent !== ''")
+    page.evaluate("benchdragon.speed = 2")
+    page.evaluate(LISTEN)
+    page.locator("button.play").click()
+    until(page, f"benchdragon.time > {event.time + 0.3}")
+    said = f"t = {event.time:.1f} s. {getattr(event.text, look[1])}"
+    # The first is the button's own name.
+    assert page.evaluate("heard") == [{"en": "pause", "zh": "暂停"}[look[1]], said]
+    page.locator("button.play").click()
+    until(
+        page,
+        "document.querySelector('.spoken').textContent.startsWith("
+        "`t = ${benchdragon.time.toFixed(1)} s`)",
+    )
+    spoken = page.locator(".spoken").inner_text()
+    rest = page.evaluate("heard.slice(2).filter((text) => !text.startsWith('value '))")
+    picture = str(page.locator("canvas").get_attribute("aria-label"))
+    play = {"en": "play", "zh": "播放"}[look[1]]
+    assert sorted(rest) == sorted([play, f"{time_of(page):.1f} s", spoken, picture])
 
 
 @pytest.mark.parametrize("language", ["en", "zh"])
@@ -187,9 +238,7 @@ def test_benches_that_touch_are_hatched(
             black = (found.max(axis=1) < 60).sum()
             hatched = bool(red > 3 and black > 3)
             assert hatched is (touches and bench != 5)
-    text = page.locator("output.tight").inner_text() or page.locator("canvas").get_attribute(
-        "aria-label"
-    )
+    text = page.locator(".tight").inner_text() or page.locator("canvas").get_attribute("aria-label")
     assert {"en": "benches 1 and", "zh": "第 1 节"}[look[1]] in str(text)
 
 
@@ -236,3 +285,67 @@ def test_light_and_dark_by_the_system_and_by_hand(pages: Pages, turn: Scene) -> 
     page.emulate_media(color_scheme="light")
     drawn(page)
     assert pixels(page, corner) == [bright["dark"]]
+
+
+def language_of(page: Page) -> str | None:
+    """The language that a page says it is in."""
+    return page.locator("html").get_attribute("lang")
+
+
+def test_language_and_theme_are_found_again(pages: Pages, turn: Scene, contact: Scene) -> None:
+    page = opened(pages, turn)
+    page.get_by_role("button", name="中文").click()
+    page.get_by_role("button", name="浅色或深色").click()
+    page.get_by_role("button", name="浅色或深色").click()
+    assert page.locator("html").get_attribute("data-theme") == "dark"
+    for scene in (turn, contact):  # reloaded, and another file
+        page.goto(scene.files["en"])
+        ready(page)
+        assert language_of(page) == "zh-CN"
+        assert page.locator("html").get_attribute("data-theme") == "dark"
+        assert "lang" not in page.url
+    # What the address says goes first, and keeps up.
+    page.goto("about:blank")
+    page.goto(f"{turn.files['zh']}#lang=en&theme=light&t=10")
+    ready(page)
+    assert (language_of(page), time_of(page)) == ("en", 10.0)
+    assert page.locator("html").get_attribute("data-theme") == "light"
+    page.get_by_role("button", name="中文").click()
+    until(page, "location.hash === '#lang=zh&theme=light&t=10'")
+
+
+BLOCKED = """Object.defineProperty(globalThis, "localStorage", {
+  get() { throw new DOMException("The operation is insecure.", "SecurityError"); },
+});"""
+FULL = """Storage.prototype.setItem = () => {
+  throw new DOMException("no room", "QuotaExceededError");
+};"""
+
+
+@pytest.mark.parametrize("block", [BLOCKED, FULL], ids=["blocked", "full"])
+def test_language_and_theme_stand_in_the_address_where_nothing_is_stored(
+    pages: Pages, turn: Scene, block: str
+) -> None:
+    page = pages.open("about:blank")
+    page.add_init_script(block)
+    page.goto(turn.files["zh"])
+    ready(page)
+    page.get_by_role("button", name="English").click()
+    page.get_by_role("button", name="light or dark").click()
+    page.keyboard.press("ArrowRight")
+    until(page, f"location.hash.includes('t={turn.start + 1:g}')")
+    assert "lang=en&theme=light" in page.url
+    page.reload()
+    ready(page)
+    assert language_of(page) == "en"
+    assert time_of(page) == turn.start + 1
+    page.emulate_media(color_scheme="dark")
+    drawn(page)
+    assert page.locator("html").get_attribute("data-theme") == "light"
+
+
+@pytest.mark.parametrize("where", ["#lang=xx&theme=plaid", "#lang=&theme="])
+def test_choices_that_are_none_leave_the_file_as_it_is(pages: Pages, turn: Scene, where: str) -> None:
+    page = opened(pages, turn, ("desktop", "zh", "dark"), where=where)
+    assert language_of(page) == "zh-CN"
+    assert page.locator("html").get_attribute("data-theme") == "dark"

@@ -42,7 +42,9 @@ from benchdragon.kernels.sweep import (
 )
 
 # Below this turning between two handles, rad, the chord grows all the way from one to the other.
-SQUARE = 0.5 * math.pi - 0.01
+SQUARE = 0.5 * math.pi - 2e-3
+# Nearer than this share of the link is surely nearer than the link.
+SHORT = 1.0 - 1e-8
 # Pieces into which the way between two handles may be cut to show that the chord grows along it.
 MOST_PIECES = 200
 # Route positions are sure to this, m; a handle so near a border counts for both cells.
@@ -89,17 +91,21 @@ def grows(
     """Whether the distance from every front place to the places from v back to w behaves.
 
     The front place is (x, y) or up to `path` metres behind it. Behaving is growing, or staying short.
+    Seen from a place, the front lies at an angle to the route; by its cosine the distance changes with
+    the way back, and it varies by what the route turns and by what the front place shifts.
     """
     px, py, tx, ty = place(rows, j, v)
     dx, dy = x - px, y - py
-    chord = math.hypot(dx, dy)
-    off = path + walked(rows, j, w, j, v)
-    if chord + off < 0.999 * link:
+    chord, back = math.hypot(dx, dy), walked(rows, j, w, j, v)
+    if chord + path + back < SHORT * link:
         return True
-    if off >= chord:
+    if path + back >= chord:
         return False
-    square = math.acos(min(1.0, max(-1.0, (dx * tx + dy * ty) / chord)))
-    return square + turning_bound(rows, j, v, w) + math.asin(off / chord) < SQUARE
+    angle = math.acos(min(1.0, max(-1.0, (dx * tx + dy * ty) / chord)))
+    varies = turning_bound(rows, j, v, w) + math.asin((path + back) / chord)
+    if angle + varies < SQUARE:
+        return True
+    return chord + path + back * (abs(0.5 * math.pi - angle) + varies) < SHORT * link
 
 
 @kernel
@@ -113,28 +119,26 @@ def sweep_cells(
     targets: IntArray,
     hulls: FloatArray,
     sound: FloatArray,
-    fresh: bool,
 ) -> None:
-    """Widen hulls[targets[n]] to hold every bench of the sizes in column k in cell n.
+    """Widen hulls[targets[n]], empty where NaN, to hold every bench of the sizes in column k in cell n.
 
     `places` are the two handles of such a bench with the front one at the cell's borders, which are
-    slots[n] and the next. sound[targets[n]] falls to 0 where it is not sure that the
-    bench can walk through. `fresh` starts the hulls anew; a bench that cannot stand leaves NaN.
+    slots[n] and the next. sound[n] is 1, or 0 where it is not sure that the bench can walk through;
+    one that cannot stand at both borders is not held.
     """
     handles, bench = np.empty((2, HANDLE_COLUMNS)), np.empty(BENCH_COLUMNS)
     for n in range(slots.shape[0]):
         a, c = slots[n], targets[n]
         if places.failed[0, a] != Status.OK or places.failed[0, a + 1] != Status.OK:
-            sound[c] = 0.0
-            hulls[c] = np.nan
+            sound[n] = 0.0
             continue
         bound_handles(rows, links, places, a, a + 1, handles)
         bound_bench(handles, 0, sizes, k, bench)
-        if not handles[1, SPEED] < math.inf or not follows(rows, places, a, a + 1, links[0]):
-            sound[c] = 0.0
+        fast = not handles[1, SPEED] < math.inf
+        sound[n] = 0.0 if fast or not follows(rows, places, a, a + 1, links[0]) else 1.0
         h = handles[0, PATH]
         bulge = min(0.125 * bench[PULL] * h * h, 0.5 * bench[TRAVEL])
-        widen(sizes, k, places, a, bulge, hulls, c, fresh)
+        widen(sizes, k, places, a, bulge, hulls, c)
 
 
 @kernel
@@ -146,14 +150,13 @@ def widen(
     bulge: float,
     hulls: FloatArray,
     c: int,
-    fresh: bool,
 ) -> None:
     """Make hull c hold the bench of sizes k as in slots a and a + 1, and `bulge` metres more."""
     ends = np.empty((2, BOX_COLUMNS))
     one = sizes[:, k : k + 1]
     set_box(one, 0, places.x, places.y, a, ends, 0)
     set_box(one, 0, places.x, places.y, a + 1, ends, 1)
-    if fresh:
+    if math.isnan(hulls[c, CX]):
         ux, uy = ends[0, UX] + ends[1, UX], ends[0, UY] + ends[1, UY]
         size = math.hypot(ux, uy)
         hulls[c, UX], hulls[c, UY] = ux / size, uy / size

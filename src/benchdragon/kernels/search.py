@@ -14,6 +14,7 @@ from benchdragon.kernels.box import BOX_COLUMNS, box_distance, set_box
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.sway import bound_beside, stand_beside
 from benchdragon.kernels.sweep import (
     BENCH_COLUMNS,
     HANDLE_COLUMNS,
@@ -25,7 +26,6 @@ from benchdragon.kernels.sweep import (
     bound_handles,
     empty_places,
     gap_ceiling,
-    stand,
 )
 
 # What a search is after.
@@ -116,10 +116,17 @@ def write_log(search: Search, slot: int, handles: int) -> None:
 
 @kernel
 def look(
-    rows: FloatArray, links: FloatArray, sizes: FloatArray, members: IntArray, search: Search, slot: int
+    rows: FloatArray,
+    links: FloatArray,
+    aside: FloatArray,
+    sizes: FloatArray,
+    members: IntArray,
+    search: Search,
+    slot: int,
+    near: int,
 ) -> bool:
-    """March the chain at a slot and box its members; whether it can stand there."""
-    if not stand(rows, links, search.at, slot, slot + 1, search.places):
+    """Place the chain at a slot, as in `stand_beside`, and box its members; whether it can stand."""
+    if not stand_beside(rows, links, aside, search.at, near, slot, search.places):
         return False
     write_log(search, slot, links.shape[0] + 1)
     count = members.shape[0]
@@ -132,10 +139,19 @@ def look(
 
 @kernel
 def bound_members(
-    rows: FloatArray, links: FloatArray, sizes: FloatArray, members: IntArray, search: Search, top: int
+    rows: FloatArray,
+    links: FloatArray,
+    aside: FloatArray,
+    sizes: FloatArray,
+    members: IntArray,
+    search: Search,
+    top: int,
 ) -> None:
     """Bounds on the benches' motion over the part from slot 0 to slot top."""
-    bound_handles(rows, links, search.places, 0, top, search.handles)
+    if aside.shape[0] == 0:
+        bound_handles(rows, links, search.places, 0, top, search.handles)
+    else:
+        bound_beside(rows, links, aside, search.places, 0, top, search.handles)
     for m in range(members.shape[0]):
         bound_bench(search.handles, members[m], sizes, members[m], search.sweeps[m])
 
@@ -330,19 +346,48 @@ def seek(
     far below the least distance seen the bound may lie. Parts of at most `width` metres are not halved.
     For LEAST note[NEAREST] and note[FLOOR] hold what earlier steps found; otherwise `note` is fresh.
     """
-    count, handles = members.shape[0], links.shape[0] + 1
     top = begin(search, first.shape[0], start, end)
-    ready, looks = top - 1, top - 1
+    return halvings(
+        search, goal, rows, links, np.empty(0), sizes, members, first, second, top, top - 1,
+        margin, slack, width, most, note,
+    )  # fmt: skip
+
+
+@kernel
+def halvings(
+    search: Search,
+    goal: int,
+    rows: FloatArray,
+    links: FloatArray,
+    aside: FloatArray,
+    sizes: FloatArray,
+    members: IntArray,
+    first: IntArray,
+    second: IntArray,
+    top: int,
+    ready: int,
+    margin: float,
+    slack: float,
+    width: float,
+    most: int,
+    note: FloatArray,
+) -> int:
+    """Search a step that was begun, see `seek`, whose slots before number `ready` were looked at.
+
+    Handle i walks aside[i] metres to the left of the route; all on it if `aside` is empty.
+    """
+    count, handles = members.shape[0], links.shape[0] + 1
+    looks = 0
     note[LOWER] = math.inf
     while top > 0:
         while ready <= top:
-            if not look(rows, links, sizes, members, search, ready):
+            if not look(rows, links, aside, sizes, members, search, ready, 0):
                 note[LOWER], note[UPPER] = min(note[LOWER], search.at[0]), search.at[ready]
                 return FALLEN
             ready += 1
             looks += 1
             note[LOOKS] += 1.0
-        bound_members(rows, links, sizes, members, search, top)
+        bound_members(rows, links, aside, sizes, members, search, top)
         verdict = judge(search, goal, top, count, first, second, margin, slack, note)
         if verdict == SPLIT:
             full = top + 2 >= DEPTH or looks >= most

@@ -49,7 +49,13 @@ SWAY = 6  # greatest turning rate of the bench before it, rad/m
 RIGHT = 7  # least curvature of its piece of route, 1/m
 LEFT = 8  # greatest
 BENT = 9  # at least what the heading varies by in all, rad
-HANDLE_COLUMNS = 10
+TURN_LOW = 10  # least turning rate of the bench before it, left positive, rad/m
+TURN_HIGH = 11  # greatest
+FRONT_LOW = 12  # least tangent of the angle from that bench to the route at its front handle
+FRONT_HIGH = 13  # greatest
+REAR_LOW = 14  # the same at its rear handle
+REAR_HIGH = 15
+HANDLE_COLUMNS = 16
 # Columns of a table of bench bounds, one row a bench. The first three hold for all of its points.
 TRAVEL = 0  # path length, m
 PACE = 1  # speed
@@ -275,8 +281,10 @@ def bound_next(
         front = min(front, 0.5 * size(front_low, front_high) * h)
         rear = min(rear, 0.5 * size(rear_low, rear_high) * h)
         low, high = tangents(f_low, f_high, front_cosine, front_most)
+        bounds[i + 1, FRONT_LOW], bounds[i + 1, FRONT_HIGH] = low, high
         front_low, front_high = product(low, high, front_low, front_high)
         low, high = tangents(r_low, r_high, rear_cosine, rear_most)
+        bounds[i + 1, REAR_LOW], bounds[i + 1, REAR_HIGH] = low, high
         rear_low, rear_high = product(low, high, rear_low, rear_high)
         fade = bounds[i, FADE] - front_high + rear_low
         grow = bounds[i, GROW] - front_low + rear_high
@@ -287,6 +295,7 @@ def bound_next(
         bounds[i + 1, SLOWEST], bounds[i + 1, SPEED] = next_slow, next_fast
         bounds[i + 1, FADE], bounds[i + 1, GROW] = fade, grow
         bounds[i + 1, SWAY] = size(turn_low, turn_high)
+        bounds[i + 1, TURN_LOW], bounds[i + 1, TURN_HIGH] = turn_low, turn_high
     bend = size(bounds[i + 1, RIGHT], bounds[i + 1, LEFT])
     speed = bounds[i + 1, SPEED]
     bounds[i + 1, FORCE] = math.hypot(speed * size(fade, grow), speed * speed * bend)
@@ -481,28 +490,3 @@ def apart_bound(
     if best <= wanted:
         best = max(best, facing_bound(boxes, ia, ja, ib, jb, sweeps, i, j, h))
     return best
-
-
-@kernel
-def ceilings(
-    rows: FloatArray,
-    links: FloatArray,
-    places: Places,
-    slots: IntArray,
-    column: int,
-    bounds: FloatArray,
-) -> None:
-    """Fill bounds[n] with the most that a column of any handle reaches from slots[n] to the next."""
-    table = np.empty((links.shape[0] + 1, HANDLE_COLUMNS))
-    for n in range(slots.shape[0]):
-        bound_handles(rows, links, places, slots[n], slots[n] + 1, table)
-        bounds[n] = ROUNDED_UP * table[:, column].max()
-
-
-@kernel
-def forces(rows: FloatArray, places: Places, change: FloatArray, out: FloatArray) -> None:
-    """Fill out with the accelerations of the handles' points, 1/m, from change = d2 s_i / dsigma^2."""
-    for i in range(out.shape[0]):
-        for t in range(out.shape[1]):
-            bend = curvature(rows, places.row[i, t], places.u[i, t])
-            out[i, t] = math.hypot(change[i, t], places.ratio[i, t] ** 2 * bend)

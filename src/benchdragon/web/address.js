@@ -11,8 +11,8 @@ export function addressed() {
 export function obey(player) {
   const values = addressed();
   const [bench, time] = ["bench", "t"].map((name) => Number.parseFloat(values.get(name) ?? ""));
-  if (Number.isFinite(bench)) player.choose(Math.round(bench) - 1);
   if (Number.isFinite(time)) player.jump(time);
+  if (Number.isFinite(bench)) player.choose(Math.round(bench) - 1);
 }
 
 /** Put time and bench into the address, and more. @param {Player | null} player @param {Record<string, string>} [more] */
@@ -26,4 +26,33 @@ export function remember(player, more = {}) {
     else values.delete("bench");
   }
   history.replaceState(null, "", `#${values}`);
+}
+
+/** What a person chose before: as the address says it, else the browser; null: nothing. @param {"lang" | "theme"} name */
+export function chosenBefore(name) {
+  return addressed().get(name) ?? stored(name);
+}
+
+/** Keep what a person chose: in the browser if it lets us, else in the address; where the address says it, there too. @param {"lang" | "theme"} name @param {string} value */
+export function keepChoice(name, value) {
+  if (!store(name, value) || addressed().has(name)) remember(null, { [name]: value });
+}
+
+/** @param {string} name */
+function stored(name) {
+  try {
+    return localStorage.getItem(`benchdragon.${name}`);
+  } catch {
+    return null; // a browser that keeps nothing throws, even when asked what it has
+  }
+}
+
+/** Whether the browser keeps a value. @param {string} name @param {string} value */
+function store(name, value) {
+  try {
+    localStorage.setItem(`benchdragon.${name}`, value);
+    return true;
+  } catch {
+    return false; // see above; or it is full
+  }
 }

@@ -2,8 +2,44 @@
 
 import { _, language } from "./words.js";
 
+/** @typedef {import("./plan_form.js").Plan} Plan */
+
+/** A name that nobody guesses; `crypto.randomUUID` is for addresses with https alone. */
+function freshName() {
+  const bytes = crypto.getRandomValues(new Uint8Array(16));
+  return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
+}
+
 /** This page, to the server: its newer questions replace its older ones. */
-const CLIENT = crypto.randomUUID();
+const CLIENT = freshName();
+
+/** Who asks long questions: this tab, also after the page was loaded again, where the browser keeps anything. */
+function holder() {
+  const key = "benchdragon-client";
+  try {
+    const name = sessionStorage.getItem(key) ?? CLIENT;
+    sessionStorage.setItem(key, name);
+    return name;
+  } catch (error) {
+    if (error instanceof DOMException) return CLIENT;
+    throw error;
+  }
+}
+const HOLDER = holder();
+
+/** Hashes of plans, which the server tells with every answer about one. @type {WeakMap<Plan, string>} */
+const hashes = new WeakMap();
+
+/** Note the hash of a plan. @param {Plan} plan @param {string | null} hash */
+export function noteHash(plan, hash) {
+  if (hash) hashes.set(plan, hash);
+}
+
+/** Whether what is said of one plan holds for another. @param {Plan} one @param {Plan} other */
+export function samePlan(one, other) {
+  const hash = hashes.get(one);
+  return one === other || (hash !== undefined && hash === hashes.get(other));
+}
 
 /** The server said no, or nothing (status 0); `message` is the sentence for it. */
 export class Refusal extends Error {
@@ -14,25 +50,35 @@ export class Refusal extends Error {
   }
 }
 
+/** Statuses after which asking again may help: no answer, another page's question instead, too many
+ * questions, a server that is closing or lost its workers. */
+const AGAIN = [0, 409, 429, 503];
+
+/** Whether asking again may help. @param {unknown} error @returns {error is Refusal} */
+export function mayPass(error) {
+  return error instanceof Refusal && AGAIN.includes(error.status);
+}
+
 /**
  * Ask, and get the response.
  * @param {string} path
- * @param {object | null} body null: nothing is sent
+ * @param {{plan?: Plan} & Record<string, any> | null} body null: nothing is sent
  * @param {{method?: string, signal?: AbortSignal}} [options]
  * @throws {Refusal}
  */
 export async function asked(path, body, { method = body ? "POST" : "GET", signal } = {}) {
-  const headers = { "Content-Type": "application/json", "X-Client": CLIENT };
+  const client = path.startsWith("/api/jobs") ? HOLDER : CLIENT;
   const sent = body === null ? null : JSON.stringify(body);
   const response = await fetch(`${path}?lang=${language()}`, {
     method,
-    headers,
+    headers: { "Content-Type": "application/json", "X-Client": client },
     body: sent,
     signal: signal ?? null,
   }).catch((error) => {
     if (error.name === "AbortError") throw error;
     throw new Refusal(0, _("The studio does not answer: {error}", { error: error.message }));
   });
+  if (body?.plan) noteHash(body.plan, response.headers.get("X-Plan-SHA256"));
   if (response.ok) return response;
   const problem = await response.json().catch(() => ({}));
   throw new Refusal(response.status, problem.error ?? `${response.status} ${response.statusText}`);
@@ -43,34 +89,41 @@ export async function asked(path, body, { method = body ? "POST" : "GET", signal
 const PATIENCE = 250;
 /** The status that says: a newer question is on its way. */
 const REPLACED = 409;
+/** How soon a question that nobody could answer is asked again, ms: at first, and at most. */
+const SOON = 2000;
+const LATEST = 30_000;
 
 /**
  * One question that is asked again and again as the plan changes: the newest is always answered, and
- * those that nobody waits for any more are given up.
+ * those that nobody waits for any more are given up. Each answer comes with the plan that it is about.
  * @template Answer
  */
 export class Standing {
   /**
-   * @param {(signal: AbortSignal) => Promise<Answer>} ask
-   * @param {(answer: Answer) => void} answered
-   * @param {(error: Error) => void} failed
+   * @param {(plan: Plan, signal: AbortSignal) => Promise<Answer>} ask
+   * @param {(answer: Answer, plan: Plan) => void} answered
+   * @param {(error: Error, plan: Plan) => void} failed
    */
   constructor(ask, answered, failed) {
     this.ask = ask;
     this.answered = answered;
     this.failed = failed;
+    /** The plan to be asked about next. @type {Plan | null} */
+    this.wanted = null;
     /** @type {AbortController | null} */
     this.flying = null;
     this.since = 0;
-    this.stale = false;
     this.patience = PATIENCE;
+    this.pause = SOON;
+    this.later = 0;
     /** Times from a question to its answer, ms. @type {number[]} */
     this.times = [];
   }
 
-  /** The plan has changed. */
-  renew() {
-    this.stale = true;
+  /** Ask about a plan, and no more about those before. @param {Plan} plan */
+  renew(plan) {
+    clearTimeout(this.later);
+    this.wanted = plan;
     if (!this.flying) this.#go();
     else if (performance.now() - this.since > this.patience) {
       this.patience *= 2;
@@ -78,24 +131,40 @@ export class Standing {
     }
   }
 
+  /** Ask no more. */
+  drop() {
+    clearTimeout(this.later);
+    this.wanted = null;
+    this.flying?.abort();
+  }
+
   async #go() {
-    while (this.stale) {
-      this.stale = false;
+    while (this.wanted) {
+      const plan = this.wanted;
+      this.wanted = null;
       this.flying = new AbortController();
       this.since = performance.now();
       try {
-        const answer = await this.ask(this.flying.signal);
+        const answer = await this.ask(plan, this.flying.signal);
         const time = performance.now() - this.since;
         this.times.push(time);
         this.patience = Math.max(PATIENCE, 2 * time);
-        this.answered(answer);
+        this.pause = SOON;
+        this.answered(answer, plan);
       } catch (error) {
         if (!(error instanceof Error)) throw error;
-        const replaced =
-          error.name === "AbortError" || (error instanceof Refusal && error.status === REPLACED);
-        if (!replaced) this.failed(error);
+        if (error.name !== "AbortError") this.#unanswered(error, plan);
       }
     }
     this.flying = null;
+  }
+
+  /** @param {Error} error @param {Plan} plan */
+  #unanswered(error, plan) {
+    const replaced = error instanceof Refusal && error.status === REPLACED;
+    if (!replaced) this.failed(error, plan);
+    if (this.wanted || !mayPass(error)) return;
+    this.later = setTimeout(() => this.renew(plan), this.pause);
+    this.pause = Math.min(2 * this.pause, LATEST);
   }
 }

@@ -102,10 +102,11 @@ export class Axis {
     });
   }
 
-  /** @param {number} time */
-  show(time) {
+  /** @param {number} time @param {boolean} runs then nothing is said: screen readers read each value */
+  show(time, runs) {
+    this.played.style.width = `${100 * this.#share(time)}%`;
+    if (runs) return;
     this.slider.value = String(time);
     this.slider.setAttribute("aria-valuetext", clock(time));
-    this.played.style.width = `${100 * this.#share(time)}%`;
   }
 }

@@ -1,5 +1,12 @@
 // What part of the ground the canvas shows, and the gestures that move it.
 
+/** Width of a printed picture, CSS pixels: that of A4 upright between margins; and its shape, at most. */
+const PAPER_WIDTH = 720;
+const PAPER_SHAPES = [0.5, 1.25];
+
+/** What is brought into sight is so far from the picture's edge, CSS pixels. */
+const EDGE = 12;
+
 export class Camera {
   constructor() {
     this.x = 0;
@@ -22,6 +29,22 @@ export class Camera {
     this.y = 0.5 * (bottom + top);
     const scale = Math.min(this.width / (right - left), this.height / (top - bottom));
     this.scale = Math.min(Math.max(scale, 0.01), 4000);
+  }
+
+  /**
+   * A view for paper of what this one shows, or of a box of ground.
+   * @param {[number, number, number, number] | null} ground left, bottom, right, top, m
+   */
+  paper(ground) {
+    const [left, top] = this.toGround(0, 0);
+    const [right, bottom] = this.toGround(this.width, this.height);
+    const box = ground ?? [left, bottom, right, top];
+    const shape = (box[3] - box[1]) / (box[2] - box[0]);
+    const camera = new Camera();
+    const height = PAPER_WIDTH * Math.min(Math.max(shape, PAPER_SHAPES[0]), PAPER_SHAPES[1]);
+    camera.resize(PAPER_WIDTH, height);
+    camera.fit(box[0], box[1], box[2], box[3]);
+    return camera;
   }
 
   /** @param {number} x @param {number} y m @returns {[number, number]} CSS pixels */
@@ -47,6 +70,23 @@ export class Camera {
     const [nx, ny] = this.toGround(px, py);
     this.x += x - nx;
     this.y += y - ny;
+  }
+
+  /**
+   * Pan no farther than it takes to show what lies about a point; whether that was anything.
+   * @param {number} x
+   * @param {number} y
+   * @param {number} radius m
+   */
+  bring(x, y, radius) {
+    const [px, py] = this.toScreen(x, y);
+    const inside = (/** @type {number} */ at, /** @type {number} */ size) => {
+      const room = Math.min(radius * this.scale + EDGE, 0.5 * size);
+      return Math.min(Math.max(at, room), size - room);
+    };
+    const [dx, dy] = [inside(px, this.width) - px, inside(py, this.height) - py];
+    this.pan(dx, dy);
+    return dx !== 0 || dy !== 0;
   }
 
   /** @param {number} dx @param {number} dy CSS pixels */

@@ -17,7 +17,7 @@ function benchName(bench, benches) {
 export class Card {
   /**
    * @param {(bench: number) => void} choose a bench, from 0; -1 for none
-   * @param {(time: number) => void} jump
+   * @param {(time: number, benches: number[]) => void} jump to a time, with some benches in sight
    */
   constructor(choose, jump) {
     this.choose = choose;
@@ -39,7 +39,7 @@ export class Card {
         {},
         text,
         " ",
-        make("button", { type: "button", onclick: () => this.jump(time) }, clock(time)),
+        make("button", { type: "button", onclick: () => this.jump(time, [bench + 1]) }, clock(time)),
       );
     const far = _("never within {reach}", { reach: shortLength(nearest.reach) });
     const other = nearest.other[bench];

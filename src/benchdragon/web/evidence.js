@@ -22,8 +22,15 @@ export function valueText(answer) {
   if (answer.value === null)
     return answer.status === "found" ? _("no pair counts") : statusText(answer.status);
   const width = answer.lower === null || answer.upper === null ? 0 : answer.upper - answer.lower;
-  const digits = width > 0 ? Math.min(Math.max(Math.ceil(-Math.log10(width)), 2), 9) : 6;
+  let digits = width > 0 ? Math.min(Math.max(Math.ceil(-Math.log10(width)), 2), 9) : 6;
+  // Rounding must not carry a value out of its own bracket.
+  while (width > 0 && digits < 9 && !within(answer, Number(answer.value.toFixed(digits)))) digits++;
   return `${decimals(answer.value, digits)} ${answer.unit}`;
+}
+
+/** @param {Answer} answer @param {number} value */
+function within({ lower, upper }, value) {
+  return lower !== null && upper !== null && lower <= value && value <= upper;
 }
 
 /** An answer's value and how it was established. @param {Answer} answer */
@@ -43,7 +50,7 @@ function whereText({ witness }) {
     : _("bench {a}, t = {time} s", { a, time });
 }
 
-/** @param {string} name @param {Answer | null} answer @param {(time: number) => void} jump */
+/** @param {string} name @param {Answer | null} answer @param {((time: number) => void) | null} jump */
 function row(name, answer, jump) {
   if (!answer)
     return make(
@@ -59,7 +66,7 @@ function row(name, answer, jump) {
       : make("span", {}, String(lower), make("br"), String(upper));
   const time = answer.witness?.time ?? null;
   const where =
-    time === null
+    time === null || jump === null
       ? whereText(answer)
       : make("button", { type: "button", onclick: () => jump(time) }, whereText(answer));
   return make(
@@ -76,18 +83,21 @@ function row(name, answer, jump) {
  * A dialog with the evidence.
  * @param {Verdict} verdict
  * @param {Answer | null} pitch
- * @param {(time: number) => void} jump
+ * @param {((time: number) => void) | null} jump null where the player shows another dance
  */
 export function evidenceDialog(verdict, pitch, jump) {
-  const go = (/** @type {number} */ time) => {
-    dialog.close();
-    jump(time);
-  };
+  const go =
+    jump &&
+    ((/** @type {number} */ time) => {
+      dialog.close();
+      jump(time);
+    });
   const heads = [_("answer"), _("value"), _("between"), _("how established"), _("where and when")];
   const rows = [
     row(_("first contact"), verdict.first_contact, go),
     row(_("least clearance"), verdict.clearance, go),
     row(_("greatest speed of a handle"), verdict.greatest_speed, go),
+    ...verdict.peaks.map(({ text, peak }) => row(text, peak, go)),
     ...(pitch && pitch.plan_sha256 === verdict.plan_sha256
       ? [row(_("smallest pitch"), pitch, go)]
       : []),
@@ -111,7 +121,7 @@ export function evidenceDialog(verdict, pitch, jump) {
       "p",
       { class: "source" },
       _(
-        "Found: every bracket holds by bounds that leave room for rounding; nothing is sampled. Proved: established again in rigorous arithmetic. Walk from {start} s to {end} s; plan {hash}, benchdragon {version}.",
+        "Found: every bracket holds by bounds that leave room for rounding; nothing is sampled. Proved: all positions behind it were verified in ball arithmetic. Walk from {start} s to {end} s; plan {hash}, benchdragon {version}.",
         {
           start: decimals(verdict.start ?? 0, 1),
           end: decimals(verdict.end ?? 0, 1),

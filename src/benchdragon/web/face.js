@@ -31,11 +31,11 @@ export class Face {
     this.axis = new Axis(this.scene, (time) => player.jump(time));
     this.card = new Card(
       (bench) => player.choose(bench),
-      (time) => player.jump(time),
+      (time, benches) => player.jump(time, benches),
     );
     this.legend = make("div", { class: "legend" });
-    this.clock = make("output", { class: "clock" });
-    this.tight = make("output", { class: "tight" });
+    this.clock = make("p", { class: "clock" });
+    this.tight = make("p", { class: "tight" });
     this.spoken = make("p", { class: "spoken", "aria-live": "polite" });
     this.playButton = signButton(drawnSign(PLAY), _("play"), () => player.play(!player.playing), {
       class: "play",

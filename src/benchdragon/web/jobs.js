@@ -1,7 +1,7 @@
-// Long questions: started, followed, cancelled.
+// Long questions: started, followed, cancelled, found again.
 
-import { asked, Refusal } from "./asking.js";
-import { make } from "./elements.js";
+import { asked, mayPass, noteHash, samePlan } from "./asking.js";
+import { make, signButton } from "./elements.js";
 import { answerText, valueText } from "./evidence.js";
 import { _, decimals } from "./words.js";
 
@@ -73,123 +73,174 @@ function resultText(result) {
   return answerText(result);
 }
 
-/** Statuses after which it is asked again: no answer, too many questions, a server that is closing. */
-const AGAIN = [0, 429, 503];
-
 /**
- * How a long question stands; asked until the server answers.
- * @param {string} id
+ * What the server says of long questions; asked until it answers.
+ * @param {string} path
  * @param {(error: Error) => void} told of each time it does not
- * @returns {Promise<JobState>}
- * @throws {Refusal} where it knows of no such question any more
+ * @throws {import("./asking.js").Refusal} where it knows of no such question any more
  */
-async function jobState(id, told) {
+async function heard(path, told) {
   for (;;) {
     try {
-      return await (await asked(`/api/jobs/${id}`, null)).json();
+      return await (await asked(path, null)).json();
     } catch (error) {
-      if (!(error instanceof Refusal) || !AGAIN.includes(error.status)) throw error;
+      if (!mayPass(error)) throw error;
       told(error);
     }
     await new Promise((done) => setTimeout(done, 5 * LOOK_EACH));
   }
 }
 
+/** A long question on the page.
+ * @typedef {{question: Question, plan: Plan, item: HTMLElement, of: HTMLElement, say: () => void}} Entry */
+
 export class JobList {
-  /** @param {(plan: Plan) => void} take takes the plan that a long question found */
+  /** @param {(plan: Plan) => void} take takes a plan: one that was found, or asked about */
   constructor(take) {
     this.take = take;
-    /** What says an item's own words again. @type {Map<HTMLElement, () => void>} */
-    this.words = new Map();
+    /** @type {Set<Entry>} */
+    this.entries = new Set();
+    /** The plan on the page. @type {Plan} */
+    this.plan = {};
     this.element = make("ul", { class: "jobs", "aria-live": "polite" });
   }
 
   /** Say everything in the language in use; sentences of the server stay as they came. */
   retell() {
-    for (const say of this.words.values()) say();
+    for (const { say } of this.entries) say();
+    this.show(this.plan);
   }
 
-  /** Say an item's words, now and whenever the language changes. @param {HTMLElement} item @param {() => void} say */
-  #say(item, say) {
-    this.words.set(item, say);
-    say();
+  /** Say of each question whether it is about this plan. @param {Plan} plan */
+  show(plan) {
+    this.plan = plan;
+    for (const entry of this.entries) this.#mark(entry);
+  }
+
+  /** @param {Entry} entry */
+  #mark({ plan, item, of }) {
+    const same = samePlan(plan, this.plan);
+    const text = same ? _("about this plan") : _("about another plan");
+    if (of.firstChild?.textContent === text) return;
+    item.dataset.plan = same ? "this" : "other";
+    const back = make(
+      "button",
+      { type: "button", onclick: () => this.take(plan) },
+      _("show that plan"),
+    );
+    of.replaceChildren(text, ...(same ? [] : [back]));
+  }
+
+  /** Say an entry's words, now and whenever the language changes. @param {Entry} entry @param {() => void} say */
+  #say(entry, say) {
+    entry.say = () => {
+      say();
+      entry.item.append(entry.of);
+    };
+    entry.say();
+    this.#mark(entry);
+  }
+
+  /** @param {Question} question @param {Plan} plan @returns {Entry} */
+  #entered(question, plan) {
+    const of = make("span", { class: "of" });
+    const entry = { question, plan, item: make("li"), of, say: () => {} };
+    this.entries.add(entry);
+    this.#say(entry, () => entry.item.replaceChildren(questionText(question)));
+    this.element.prepend(entry.item);
+    return entry;
   }
 
   /** Ask a long question. @param {Question} question @param {Plan} plan */
   async start(question, plan) {
-    const item = make("li", {}, questionText(question));
-    this.element.prepend(item);
-    try {
+    const entry = this.#entered(question, plan);
+    await this.#tried(entry, async () => {
       const { id } = await (await asked("/api/jobs", { plan, question })).json();
-      await this.#follow(id, question, item);
-    } catch (error) {
-      if (!(error instanceof Error)) throw error;
-      const name = make("strong", {});
-      const told = make("span", { class: "told" }, error.message);
-      this.#say(item, () => {
-        name.textContent = questionText(question);
-        item.replaceChildren(name, told, this.#away(item));
-      });
+      await this.#follow(id, entry);
+    });
+  }
+
+  /** Find the questions that were asked before the page was loaded again. */
+  async find() {
+    /** @type {import("./wire").JobTaken[]} */
+    const taken = await heard("/api/jobs", () => {});
+    for (const { id, question, plan, plan_sha256: hash } of taken) {
+      noteHash(plan, hash);
+      const entry = this.#entered(question, plan);
+      this.#tried(entry, () => this.#follow(id, entry));
     }
   }
 
-  /** @param {string} id @param {Question} question @param {HTMLElement} item */
-  async #follow(id, question, item) {
+  /** Do something for an entry, and say in it why it cannot be done. @param {Entry} entry @param {() => Promise<void>} action */
+  async #tried(entry, action) {
+    try {
+      await action();
+    } catch (error) {
+      if (!(error instanceof Error)) throw error;
+      this.#say(entry, () => this.#over(entry, error.message, () => this.#forget(entry)));
+    }
+  }
+
+  /** @param {string} id @param {Entry} entry */
+  async #follow(id, entry) {
+    const { item, question } = entry;
     const name = make("strong", {});
     const bar = make("progress", { max: "1" });
     const told = make("span", { class: "told" });
     // Where the server does not hear it, the next look says so.
     const stop = () => asked(`/api/jobs/${id}`, null, { method: "DELETE" }).catch(() => null);
     const cancel = make("button", { type: "button", onclick: stop });
-    item.replaceChildren(name, bar, told, cancel);
-    this.#say(item, () => {
+    this.#say(entry, () => {
+      item.replaceChildren(name, bar, told, cancel);
       name.textContent = bar.ariaLabel = questionText(question);
       cancel.textContent = _("cancel");
     });
     for (;;) {
-      const job = await jobState(id, (error) => {
+      /** @type {JobState} */
+      const job = await heard(`/api/jobs/${id}`, (error) => {
         told.textContent = error.message;
       });
+      noteHash(entry.plan, job.plan_sha256);
+      this.#mark(entry);
       item.dataset.state = job.state;
       bar.value = job.share;
       told.textContent = job.state === "waiting" ? _("waiting") : job.text;
       if (!["waiting", "running"].includes(job.state))
-        return this.#say(item, () => this.#ended(job, question, item));
+        return this.#say(entry, () => this.#ended(job, entry));
       await new Promise((done) => setTimeout(done, LOOK_EACH));
     }
   }
 
-  /** @param {JobState} job @param {Question} question @param {HTMLElement} item */
-  #ended(job, question, item) {
-    const name = make("strong", {}, questionText(question));
+  /** @param {JobState} job @param {Entry} entry */
+  #ended(job, entry) {
     const text = job.result
       ? resultText(job.result)
       : job.state === "cancelled"
         ? _("cancelled")
         : (job.error ?? "");
-    item.replaceChildren(name, make("span", { class: "told" }, text));
     const found = betterPlan(job.result);
-    if (found)
-      item.append(
-        make("button", { type: "button", onclick: () => this.take(found) }, _("take this plan")),
-      );
-    item.append(this.#away(item));
+    const take =
+      found && make("button", { type: "button", onclick: () => this.take(found) }, _("take this plan"));
+    const away = () => {
+      this.#forget(entry);
+      asked(`/api/jobs/${job.id}`, null, { method: "DELETE" }).catch(() => null); // or it is forgotten later
+    };
+    this.#over(entry, text, away, take ? [take] : []);
   }
 
-  /** @param {HTMLElement} item */
-  #away(item) {
-    return make(
-      "button",
-      {
-        type: "button",
-        "aria-label": _("clear away"),
-        title: _("clear away"),
-        onclick: () => {
-          this.words.delete(item);
-          item.remove();
-        },
-      },
-      "\u2715",
+  /** Show an entry in which nothing more happens. @param {Entry} entry @param {string} text @param {() => void} away @param {HTMLElement[]} [more] */
+  #over({ item, question }, text, away, more = []) {
+    item.replaceChildren(
+      make("strong", {}, questionText(question)),
+      make("span", { class: "told" }, text),
+      ...more,
+      signButton("\u2715", _("clear away"), away),
     );
+  }
+
+  /** @param {Entry} entry */
+  #forget(entry) {
+    this.entries.delete(entry);
+    entry.item.remove();
   }
 }

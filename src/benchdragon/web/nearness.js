@@ -9,6 +9,15 @@
  * @typedef {{i: number, j: number, distance: number, from: [number, number], to: [number, number]}} Pair
  */
 
+/**
+ * Benches near one another in the chain stay near whatever it does: 0.90 m apart on a line and 0.85 m
+ * in a bend, say. A pair counts as of another coil if it is nearer than this share of its distance in a
+ * straight chain; along a circle that takes more than half a turn.
+ */
+const OF_STRAIGHT = 0.5;
+/** A pair that was shown before stays until it is farther apart than another by more than this share. */
+const HOLD = 0.2;
+
 /** Benches as rectangles: centres, directions, half lengths and half widths, m. */
 export class Boxes {
   /** @param {Scene} scene */
@@ -23,11 +32,19 @@ export class Boxes {
     this.half = Float64Array.from(sizes.length, (length) => 0.5 * length);
     this.wide = Float64Array.from(sizes.width, (width) => 0.5 * width);
     this.inset = Float64Array.from(sizes.front_inset);
+    this.rear = Float64Array.from(sizes.rear_inset);
+    /** How far behind the head's front handle each handle is in a straight chain, m. */
+    this.behind = new Float64Array(scene.handles);
+    scene.links.forEach((link, i) => {
+      this.behind[i + 1] = this.behind[i] + link;
+    });
     this.radius = this.half.map((half, i) => Math.hypot(half, this.wide[i]));
     this.stride = 0;
     /** Benches no farther apart, m, count as touching: a page shows places no better. */
     this.reach = scene.sent.nearest.reach;
     this.touch = scene.sent.frames.largest_error;
+    /** Pairs as near as this, m, count however the chain runs. */
+    this.always = Math.max(this.touch, scene.sent.margin);
     /** Distance of each bench to its nearest, m; infinite beyond the reach. */
     this.nearest = array();
     this.other = new Int32Array(scene.benches);
@@ -53,7 +70,8 @@ export class Boxes {
   }
 
   /**
-   * Fill `nearest` and `other` for benches within `reach`, m; the tightest pair, if there is one.
+   * Fill `nearest` and `other` for benches within `reach`, m; the tightest pair of two coils, if there is
+   * one.
    * @returns {Pair | null}
    */
   measure() {
@@ -75,12 +93,32 @@ export class Boxes {
         if (distance < reach) {
           if (distance < this.nearest[i]) [this.nearest[i], this.other[i]] = [distance, j];
           if (distance < this.nearest[j]) [this.nearest[j], this.other[j]] = [distance, i];
-          if (distance < best) [best, first, second] = [distance, i, j];
+          if (distance < best && this.#apart(i, j, distance)) [best, first, second] = [distance, i, j];
         }
         j++;
       }
     }
     return first < 0 ? null : this.pair(first, second);
+  }
+
+  /** Whether benches i < j at a distance, m, are of two coils, or too near. @param {number} i @param {number} j @param {number} distance */
+  #apart(i, j, distance) {
+    const straight = this.behind[j] - this.behind[i + 1] - this.rear[i] - this.inset[j];
+    return distance <= this.always || distance < OF_STRAIGHT * straight;
+  }
+
+  /**
+   * The pair to show while time runs: the one shown before, unless it is clearly farther apart than another.
+   * @param {Pair | null} tightest
+   * @param {Pair | null} before
+   */
+  held(tightest, before) {
+    if (!tightest || !before) return tightest;
+    const distance = this.distance(before.i, before.j);
+    // What touches is shown whatever was shown before.
+    const most = tightest.distance > this.touch ? (1 + HOLD) * tightest.distance : this.touch;
+    const stays = distance <= Math.min(most, this.reach) && this.#apart(before.i, before.j, distance);
+    return stays ? this.pair(before.i, before.j) : tightest;
   }
 
   /**
@@ -166,6 +204,19 @@ export class Boxes {
       }
     }
     return found;
+  }
+
+  /** Whether bench i meets an upright rectangle: its middle and half its sides, m. @param {number} i @param {number} x @param {number} y @param {number} a @param {number} b */
+  meets(i, x, y, a, b) {
+    const [dx, dy] = [x - this.x[i], y - this.y[i]];
+    const [cos, sin] = [Math.abs(this.ux[i]), Math.abs(this.uy[i])];
+    const [half, wide] = [this.half[i], this.wide[i]];
+    return (
+      Math.abs(dx) < a + half * cos + wide * sin &&
+      Math.abs(dy) < b + half * sin + wide * cos &&
+      Math.abs(dx * this.ux[i] + dy * this.uy[i]) < half + a * cos + b * sin &&
+      Math.abs(dy * this.ux[i] - dx * this.uy[i]) < wide + a * sin + b * cos
+    );
   }
 
   /** The bench at a point, or within `slack` of it, m; -1 if there is none. @param {number} x @param {number} y @param {number} slack */

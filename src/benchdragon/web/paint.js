@@ -1,6 +1,7 @@
 // Draws a dance at one instant onto a canvas: ground, route, benches to scale, what is tight.
 
 import { shade, shades, TOUCH } from "./colours.js";
+import { Beside, LABEL_HEIGHT, numberHeight, numberTags } from "./labels.js";
 import { _, shortLength } from "./words.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
@@ -9,6 +10,8 @@ import { _, shortLength } from "./words.js";
 /** @typedef {import("./nearness.js").Pair} Pair */
 /** @typedef {import("./camera.js").Camera} Camera */
 /** @typedef {import("./colours.js").Scale} Scale */
+/** @typedef {import("./labels.js").Tag} Tag */
+/** @typedef {import("./labels.js").Ring} Ring */
 
 /**
  * What is to be drawn.
@@ -16,7 +19,7 @@ import { _, shortLength } from "./words.js";
  * @property {Scene} scene
  * @property {Stand} stand
  * @property {Boxes} boxes
- * @property {Pair | null} tightest
+ * @property {Pair | null} ringed
  * @property {Camera} camera
  * @property {Scale | null} scale
  * @property {number} chosen number of the chosen bench from 0, or -1
@@ -41,9 +44,10 @@ const HEAD_NAMES = /** @type {const} */ ([
 /** Seconds of trail, and points drawn of it. */
 const TRAIL = 20;
 const TRAIL_POINTS = 80;
-/** CSS pixels from which handles and numbers are drawn, per bench. */
+/** CSS pixels of a bench from which handles are drawn. */
 const HANDLES_FROM = 70;
-const NUMBERS_FROM = 46;
+/** What a label costs that hides the benches it tells of: more than any others. */
+const OF_THE_PAIR = 1000;
 const FONT =
   '"Noto Sans SC", "PingFang SC", "Microsoft YaHei", "Noto Sans CJK SC", system-ui, sans-serif';
 
@@ -65,6 +69,13 @@ export class Painter {
     this.routeOf = null;
     this.routePath = new Path2D();
     this.hatch = this.#hatching();
+    this.beside = new Beside();
+  }
+
+  /** @param {Camera} camera @param {number} density dots for each CSS pixel */
+  resize({ width, height }, density) {
+    this.canvas.width = Math.max(Math.round(width * density), 1);
+    this.canvas.height = Math.max(Math.round(height * density), 1);
   }
 
   /** Read the theme again. */
@@ -103,8 +114,10 @@ export class Painter {
     this.#benches(picture, seen);
     this.#chosen(picture);
     this.#touches(picture);
-    this.#closeUps(picture, seen);
-    this.#tightest(picture);
+    this.#handles(picture, seen);
+    const ring = picture.ringed && ringOf(picture.ringed, picture.camera);
+    this.#numbers(picture, seen, ring);
+    if (picture.ringed && ring) this.#ring(picture, seen, picture.ringed, ring);
     this.#scaleBar(camera);
     this.#ruler(picture);
   }
@@ -254,8 +267,8 @@ export class Painter {
     ctx.fill();
   }
 
-  /** Handles and numbers, when benches are large enough. @param {Picture} picture @param {number[]} seen */
-  #closeUps({ boxes, camera, stand }, seen) {
+  /** Handles, when benches are large enough. @param {Picture} picture @param {number[]} seen */
+  #handles({ boxes, camera, stand }, seen) {
     const { ctx } = this;
     if (2 * boxes.half[0] * camera.scale < HANDLES_FROM) return;
     ctx.fillStyle = this.inks.ink;
@@ -267,17 +280,23 @@ export class Painter {
       ctx.arc(x, y, radius, 0, 2 * Math.PI);
     }
     ctx.fill();
-    ctx.font = `600 ${Math.min(0.5 * camera.scale * 0.45, 15)}px ${FONT}`;
+  }
+
+  /** @param {Picture} picture @param {number[]} seen @param {Ring | null} ring */
+  #numbers({ boxes, camera, chosen }, seen, ring) {
+    const { ctx } = this;
+    ctx.font = `600 ${numberHeight(camera)}px ${FONT}`;
     ctx.textAlign = "center";
     ctx.textBaseline = "middle";
     ctx.lineWidth = 3;
+    ctx.lineJoin = "round";
     ctx.strokeStyle = this.inks.ground;
-    for (const i of seen) {
-      if (2 * boxes.half[i] * camera.scale < NUMBERS_FROM) continue;
-      const [x, y] = camera.toScreen(boxes.x[i], boxes.y[i]);
+    ctx.fillStyle = this.inks.ink;
+    for (const { i, x, y } of numberTags(boxes, seen, chosen, camera, ring)) {
       ctx.strokeText(String(i + 1), x, y);
       ctx.fillText(String(i + 1), x, y);
     }
+    ctx.lineJoin = "miter";
   }
 
   /** Benches that touch: colour, and hatch. @param {Picture} picture */
@@ -318,41 +337,57 @@ export class Painter {
     ctx.lineJoin = "miter";
   }
 
-  /** @param {Picture} picture */
-  #tightest({ camera, tightest }) {
-    if (!tightest) return;
+  /** A pair's ring, and beside it what it is. @param {Picture} picture @param {number[]} seen @param {Pair} ringed @param {Ring} ring */
+  #ring({ boxes, camera }, seen, ringed, ring) {
     const { ctx } = this;
-    const [x0, y0] = camera.toScreen(...tightest.from);
-    const [x1, y1] = camera.toScreen(...tightest.to);
-    const [x, y] = [0.5 * (x0 + x1), 0.5 * (y0 + y1)];
-    const radius = 0.5 * Math.hypot(x1 - x0, y1 - y0) + 12;
-    if (x < -radius || y < -radius || x > camera.width + radius || y > camera.height + radius) return;
     ctx.strokeStyle = this.inks.mark;
     ctx.lineWidth = 2.5;
     ctx.beginPath();
-    ctx.arc(x, y, radius, 0, 2 * Math.PI);
-    ctx.moveTo(x0, y0);
-    ctx.lineTo(x1, y1);
+    ctx.arc(ring.x, ring.y, ring.radius, 0, 2 * Math.PI);
+    ctx.moveTo(...camera.toScreen(...ringed.from));
+    ctx.lineTo(...camera.toScreen(...ringed.to));
     ctx.stroke();
     const gap =
-      tightest.distance > 0
-        ? shortLength(tightest.distance)
-        : _("overlap {depth}", { depth: shortLength(-tightest.distance) });
-    this.#label(`${gap}  (${tightest.i + 1}, ${tightest.j + 1})`, x, y - radius - 12, camera);
+      ringed.distance < -boxes.touch
+        ? _("overlap {depth}", { depth: shortLength(-ringed.distance) })
+        : shortLength(Math.max(ringed.distance, 0));
+    const text = `${gap}  (${ringed.i + 1}, ${ringed.j + 1})`;
+    const hidden = (/** @type {Tag} */ tag) => hides(tag, boxes, camera, ringed, seen);
+    const tag = this.beside.place(ring, this.#halfWidth(text), hidden, camera);
+    this.#leader(ring, tag);
+    this.#label(text, tag.x, tag.y, camera);
+  }
+
+  /** A line from a ring to its label. @param {Ring} ring @param {Tag} tag */
+  #leader({ x, y, radius }, tag) {
+    const { ctx } = this;
+    const dx = Math.min(Math.max(x, tag.x - tag.half), tag.x + tag.half) - x;
+    const dy = Math.min(Math.max(y, tag.y - tag.tall), tag.y + tag.tall) - y;
+    const share = radius / Math.max(Math.hypot(dx, dy), radius);
+    ctx.lineWidth = 1.5;
+    ctx.beginPath();
+    ctx.moveTo(x + share * dx, y + share * dy);
+    ctx.lineTo(x + dx, y + dy);
+    ctx.stroke();
+  }
+
+  /** Half the width of a label, CSS pixels. @param {string} text */
+  #halfWidth(text) {
+    this.ctx.font = `600 14px ${FONT}`;
+    return 0.5 * this.ctx.measureText(text).width + 6;
   }
 
   /** A label that stays on the canvas. @param {string} text @param {number} x @param {number} y @param {Camera} camera */
   #label(text, x, y, camera) {
     const { ctx } = this;
-    ctx.font = `600 14px ${FONT}`;
+    const half = this.#halfWidth(text);
     ctx.textAlign = "center";
     ctx.textBaseline = "middle";
-    const half = 0.5 * ctx.measureText(text).width + 6;
     const left = Math.min(Math.max(x, half + 4), camera.width - half - 4);
     const top = Math.min(Math.max(y, 16), camera.height - 16);
     ctx.fillStyle = this.inks.ground;
     ctx.globalAlpha = 0.88;
-    ctx.fillRect(left - half, top - 11, 2 * half, 22);
+    ctx.fillRect(left - half, top - LABEL_HEIGHT / 2, 2 * half, LABEL_HEIGHT);
     ctx.globalAlpha = 1;
     ctx.fillStyle = this.inks.mark;
     ctx.fillText(text, left, top);
@@ -400,4 +435,29 @@ export class Painter {
     const length = Math.hypot(ruler[1][0] - ruler[0][0], ruler[1][1] - ruler[0][1]);
     this.#label(shortLength(length), 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]) - 16, camera);
   }
+}
+
+/** The ring about where a pair is nearest; none outside the picture. @param {Pair} pair @param {Camera} camera @returns {Ring | null} */
+function ringOf({ from, to }, camera) {
+  const [[x0, y0], [x1, y1]] = [camera.toScreen(...from), camera.toScreen(...to)];
+  const [x, y] = [0.5 * (x0 + x1), 0.5 * (y0 + y1)];
+  const radius = 0.5 * Math.hypot(x1 - x0, y1 - y0) + 12;
+  const across = x >= -radius && x <= camera.width + radius;
+  return across && y >= -radius && y <= camera.height + radius ? { x, y, radius } : null;
+}
+
+/**
+ * How many benches a label would hide, those of the pair many times.
+ * @param {Tag} tag
+ * @param {Boxes} boxes
+ * @param {Camera} camera
+ * @param {Pair} pair
+ * @param {number[]} seen
+ */
+function hides({ x, y, half, tall }, boxes, camera, pair, seen) {
+  const [east, north] = camera.toGround(x, y);
+  const [a, b] = [half / camera.scale, tall / camera.scale];
+  const hidden = seen.filter((i) => boxes.meets(i, east, north, a, b));
+  const own = hidden.filter((i) => i === pair.i || i === pair.j);
+  return hidden.length + OF_THE_PAIR * own.length;
 }

@@ -19,6 +19,7 @@ import { _, language } from "./words.js";
  * @property {number} high
  * @property {number} step
  * @property {number} [begin] what it begins with where the plan leaves it open; without it, it may not
+ * @property {number} [usual] what it is where it says something and nothing was said
  * @property {(plan: Plan) => boolean} [when] whether it says anything
  */
 
@@ -127,6 +128,7 @@ const GROUPS = [
         low: 0.5,
         high: 4,
         step: 0.01,
+        usual: 2,
         when: twoArcs,
       },
       {
@@ -156,7 +158,8 @@ const GROUPS = [
         low: -0.5,
         high: 0.5,
         step: 0.005,
-        when: (plan) => plan.turn.family === "arc-arc-arc",
+        usual: 0,
+        when: (plan) => turning(plan) && plan.turn.family === "arc-arc-arc",
       },
       {
         key: "turn.entry_radius",
@@ -210,13 +213,30 @@ const GROUPS = [
       },
       {
         key: "limits.acceleration",
-        text: () => _("greatest acceleration of a handle"),
+        text: () => _("greatest acceleration along the route"),
         unit: "m/s\u00b2",
         low: 0.05,
         high: 5,
         step: 0.05,
         begin: 1,
-        when: steady,
+      },
+      {
+        key: "limits.lateral_acceleration",
+        text: () => _("greatest lateral acceleration"),
+        unit: "m/s\u00b2",
+        low: 0.05,
+        high: 5,
+        step: 0.05,
+        begin: 1,
+      },
+      {
+        key: "limits.total_acceleration",
+        text: () => _("greatest total acceleration"),
+        unit: "m/s\u00b2",
+        low: 0.05,
+        high: 5,
+        step: 0.05,
+        begin: 1,
       },
       {
         key: "limits.turning_rate",
@@ -226,7 +246,14 @@ const GROUPS = [
         high: 180,
         step: 1,
         begin: 60,
-        when: steady,
+      },
+      {
+        key: "limits.head_acceleration",
+        text: () => _("greatest change of the head's speed"),
+        unit: "m/s\u00b2",
+        low: 0.05,
+        high: 2,
+        step: 0.05,
       },
     ],
   },
@@ -243,17 +270,27 @@ export function planText(plan) {
 
 const TABLES = ["dragon", "route", "disc", "turn", "walk", "limits"];
 
+/** What such a text says, as far as it is whole; null where it cannot be told. @param {string} text */
+export function textSays(text) {
+  const whole = text.length % 4 === 1 ? text.slice(0, -1) : text; // it may have been cut anywhere
+  try {
+    const bytes = Uint8Array.from(atob(whole.replaceAll("-", "+").replaceAll("_", "/")), (sign) =>
+      sign.charCodeAt(0),
+    );
+    return new TextDecoder().decode(bytes);
+  } catch (error) {
+    if (error instanceof DOMException) return null;
+    throw error;
+  }
+}
+
 /** The plan in such a text; null if it holds none. @param {string} text @returns {Plan | null} */
 export function textPlan(text) {
   try {
-    const bytes = Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (sign) =>
-      sign.charCodeAt(0),
-    );
-    const plan = JSON.parse(new TextDecoder().decode(bytes));
-    return TABLES.every((name) => plan[name] instanceof Object) ? plan : null;
+    const plan = JSON.parse(textSays(text) ?? "");
+    return TABLES.every((name) => plan[name] instanceof Object) ? fitting(plan) : null;
   } catch (error) {
-    if (error instanceof SyntaxError || error instanceof DOMException || error instanceof TypeError)
-      return null;
+    if (error instanceof SyntaxError || error instanceof TypeError) return null;
     throw error;
   }
 }
@@ -277,6 +314,22 @@ function withValue(plan, key, value) {
   }
   if (key === "dragon.body_length" && copy.dragon.tail_length === plan.dragon.body_length)
     copy.dragon.tail_length = value;
+  return fitting(copy);
+}
+
+// Tables whose keys mean something beside some routes, families and walks alone.
+const CHOSEN = ["disc", "turn", "walk"];
+
+/** The plan without what has no effect beside its choices, which the studio refuses. @param {Plan} plan @returns {Plan} */
+function fitting(plan) {
+  const copy = structuredClone(plan);
+  if (!turning(copy)) copy.turn = {};
+  for (const { key, usual, when } of GROUPS.flatMap(({ fields }) => fields)) {
+    const [table, name] = key.split(".");
+    if (!CHOSEN.includes(table) || !when) continue;
+    if (!when(copy)) delete copy[table][name];
+    else if (usual !== undefined) copy[table][name] ??= usual;
+  }
   return copy;
 }
 

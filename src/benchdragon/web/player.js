@@ -1,26 +1,31 @@
 // The player: a dance on a canvas, with a time axis, keys, gestures and a card for each bench.
 
-import { clock } from "./axis.js";
+import { chosenBefore, keepChoice } from "./address.js";
+import { clock, occasionText } from "./axis.js";
 import { Camera, listen } from "./camera.js";
-import { KINDS, scaleOf } from "./colours.js";
-import { Face, FRAME, ticked } from "./face.js";
+import { scaleOf } from "./colours.js";
+import { Face, ticked } from "./face.js";
+import { pressed } from "./keys.js";
 import { Boxes } from "./nearness.js";
 import { _, language, shortLength, speak } from "./words.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
 /** @typedef {import("./colours.js").Kind} Kind */
+/** @typedef {import("./nearness.js").Pair} Pair */
 
 /** One turn of the loop lasts at most, s. */
 const LONGEST_TURN = 0.1;
 const THEMES = /** @type {const} */ (["auto", "light", "dark"]);
-/** The page speaks to screen readers this often while it plays, ms. */
-const SPOKEN_EACH = 5000;
 /** What stays for so long is at rest, ms: browsers refuse to write an address a hundred times in a row. */
 export const REST = 180;
+/** Dots of a printed picture for each CSS pixel. */
+const PAPER_DENSITY = 3;
 /** Frame times kept, ms. */
 const TIMES_KEPT = 600;
 /** A dance that fills less of the canvas is drawn larger when another plan comes. */
 const LEAST_FILLED = 0.5;
+/** So near to its time an event is here, s: the address gives times to a thousandth. */
+const AT_EVENT = 1e-3;
 
 export class Player {
   /**
@@ -47,12 +52,15 @@ export class Player {
     this.scene = scene;
     this.stand = scene.room();
     this.boxes = new Boxes(scene);
+    /** The pair in the ring. @type {Pair | null} */
+    this.ringed = null;
     this.face = new Face(this);
     this.#watch = new ResizeObserver(() => this.#resize());
     this.#attach();
     this.fit(this.#times());
-    document.addEventListener("keydown", (event) => this.#key(event));
+    document.addEventListener("keydown", (event) => pressed(this, event));
     this.#dark.addEventListener("change", () => this.#dressed());
+    this.#paper.addEventListener("change", () => this.#onPaper());
     requestAnimationFrame((now) => this.#turn(now));
   }
 
@@ -65,6 +73,7 @@ export class Player {
     this.scene = scene;
     this.stand = scene.room();
     this.boxes = new Boxes(scene);
+    this.ringed = null;
     this.time = Math.min(Math.max(this.time, scene.start), scene.end);
     if (this.chosen >= scene.benches) this.chosen = -1;
     this.#newFace();
@@ -110,32 +119,47 @@ export class Player {
   }
 
   #resize() {
+    if (this.#paper.matches) return;
     const box = this.face.stage.getBoundingClientRect();
-    const density = devicePixelRatio || 1;
-    const { canvas } = this.face;
-    [canvas.width, canvas.height] = [
-      Math.max(Math.round(box.width * density), 1),
-      Math.max(Math.round(box.height * density), 1),
-    ];
     const [width, height] = [Math.max(box.width, 1), Math.max(box.height, 1)];
     const other = width !== this.camera.width || height !== this.camera.height;
     this.camera.resize(width, height);
+    this.face.painter.resize(this.camera, devicePixelRatio || 1);
     if (other && this.#fitted.length) this.fit(this.#fitted);
     this.#touch();
+  }
+
+  #paper = matchMedia("print");
+  /** The view of the screen while another is on paper. @type {Camera | null} */
+  #screen = null;
+
+  /** Draw what the canvas shows for paper, which has another shape and is light; or for the screen again. */
+  #onPaper() {
+    if (this.#paper.matches) {
+      this.#screen = this.camera;
+      this.camera = this.camera.paper(this.#fitted.length ? this.#room(this.#fitted) : null);
+      this.face.painter.resize(this.camera, PAPER_DENSITY);
+    } else if (this.#screen) {
+      this.camera = this.#screen;
+    }
+    this.#resize();
+    this.#dressed();
+    this.#draw(); // a browser that prints takes no turn of the loop before
   }
 
   /** Light, dark, or as the system says. */
   nextTheme() {
     this.#theme = THEMES[(THEMES.indexOf(this.#theme) + 1) % THEMES.length];
+    keepChoice("theme", this.#theme);
     this.#dressed();
   }
 
-  /** @type {typeof THEMES[number]} */
-  #theme = "auto";
+  #theme = THEMES.find((theme) => theme === chosenBefore("theme")) ?? "auto";
   #dark = matchMedia("(prefers-color-scheme: dark)");
 
   #dressed() {
-    const dark = this.#theme === "dark" || (this.#theme === "auto" && this.#dark.matches);
+    const asked = this.#theme === "dark" || (this.#theme === "auto" && this.#dark.matches);
+    const dark = asked && !this.#paper.matches;
     document.documentElement.dataset.theme = dark ? "dark" : "light";
     this.face.painter.dress();
     this.#touch();
@@ -143,6 +167,7 @@ export class Player {
 
   translate() {
     speak(language() === "zh" ? "en" : "zh");
+    keepChoice("lang", language());
     this.#newFace();
     this.onTranslated?.();
   }
@@ -155,6 +180,7 @@ export class Player {
     if (on && this.time >= this.scene.end) this.time = this.scene.start;
     this.playing = on;
     this.face.showPlaying(on);
+    this.#touch();
     if (!on) this.#settled();
   }
 
@@ -168,15 +194,7 @@ export class Player {
   jump(time, benches = []) {
     this.time = Math.min(Math.max(time, this.scene.start), this.scene.end);
     this.#touch();
-    if (benches.length) {
-      this.#pose();
-      const bench = benches[0] - 1;
-      const [px, py] = this.camera.toScreen(this.boxes.x[bench], this.boxes.y[bench]);
-      if (px < 0 || py < 0 || px > this.camera.width || py > this.camera.height) {
-        this.#fitted = [];
-        [this.camera.x, this.camera.y] = [this.boxes.x[bench], this.boxes.y[bench]];
-      }
-    }
+    if (benches.length) this.#bring(benches[0] - 1);
     if (!this.playing) this.#settled();
   }
 
@@ -191,8 +209,18 @@ export class Player {
   choose(bench) {
     this.chosen = Math.min(Math.max(bench, -1), this.scene.benches - 1);
     this.face.showChosen(this.chosen);
-    this.#touch();
+    this.#resize(); // its card takes room
+    if (this.chosen >= 0) this.#bring(this.chosen);
     this.#settled();
+  }
+
+  /** Have a bench in sight. @param {number} bench from 0 */
+  #bring(bench) {
+    this.#pose();
+    const { x, y, radius } = this.boxes;
+    if (!this.camera.bring(x[bench], y[bench], radius[bench])) return;
+    this.#fitted = [];
+    this.#touch();
   }
 
   /** @param {boolean} on */
@@ -290,46 +318,6 @@ export class Player {
     return true;
   }
 
-  /** @param {KeyboardEvent} event */
-  #key(event) {
-    const target = /** @type {Element | null} */ (
-      event.target instanceof Element ? event.target : null
-    );
-    const typing = target?.closest(
-      "select, textarea, dialog, input:not([type=range], [type=checkbox])",
-    );
-    const other = target?.closest("input") && !this.root.contains(target); // a slider of the plan
-    if (typing || other || event.ctrlKey || event.metaKey || event.altKey) return;
-    const space = event.key === " " && !target?.closest("button, summary, input");
-    const action = space ? () => this.play(!this.playing) : this.#keys[event.key];
-    if (!action) return;
-    event.preventDefault();
-    action();
-  }
-
-  /** @type {Record<string, () => void>} */
-  #keys = {
-    ArrowLeft: () => this.step(-1),
-    ArrowRight: () => this.step(1),
-    ",": () => this.step(-FRAME),
-    ".": () => this.step(FRAME),
-    Home: () => this.jump(this.scene.start),
-    End: () => this.jump(this.scene.end),
-    p: () => this.event(-1),
-    n: () => this.event(1),
-    "+": () => this.zoom(1.4),
-    "=": () => this.zoom(1.4),
-    "-": () => this.zoom(1 / 1.4),
-    0: () => this.fit(),
-    "[": () => this.choose(Math.max(this.chosen - 1, 0)),
-    "]": () => this.choose(this.chosen + 1),
-    f: () => this.follow(!this.follows),
-    t: () => this.see("trails", !this.look.trails),
-    r: () => this.rule(!this.ruling),
-    c: () => this.paintBy(KINDS[(KINDS.indexOf(this.kind) + 1) % KINDS.length]),
-    Escape: () => this.choose(-1),
-  };
-
   /** Something changed: draw at the next turn of the loop. */
   #touch() {
     this.#painted = NaN;
@@ -354,7 +342,6 @@ export class Player {
   }
 
   #stillSince = 0;
-  #spokenAt = 0;
 
   /** @param {number} passed s @param {number} now ms */
   #advance(passed, now) {
@@ -365,12 +352,13 @@ export class Player {
       this.#stillSince = now;
       seconds = this.speed;
     }
+    const before = this.time;
     this.time += seconds;
+    this.#sayEvents(before);
     if (this.time >= this.scene.end) {
       this.time = this.scene.end;
       this.play(false);
     }
-    if (now - this.#spokenAt > SPOKEN_EACH) this.#say(now);
   }
 
   #pose() {
@@ -378,18 +366,29 @@ export class Player {
     this.boxes.place(this.stand);
   }
 
+  /** The tightest pair; at rest at an event the event's own, which may be near by the chain alone. */
+  #tightest() {
+    const tightest = this.boxes.measure();
+    if (this.playing) return tightest;
+    const here = this.scene.sent.occasions.find(
+      ({ time, benches }) => benches.length === 2 && Math.abs(time - this.time) < AT_EVENT,
+    );
+    return here ? this.boxes.pair(here.benches[0] - 1, here.benches[1] - 1) : tightest;
+  }
+
   #draw() {
     this.#pose();
-    const tightest = this.boxes.measure();
+    const tightest = this.#tightest();
+    this.ringed = this.playing ? this.boxes.held(tightest, this.ringed) : tightest;
     if (this.follows) {
       const bench = Math.max(this.chosen, 0);
       [this.camera.x, this.camera.y] = [this.boxes.x[bench], this.boxes.y[bench]];
     }
     const scale = scaleOf(this.kind, this.scene, this.stand, this.boxes);
-    const { scene, stand, boxes, camera, chosen, ruler, face } = this;
-    face.painter.paint({ scene, stand, boxes, camera, chosen, ruler, tightest, scale, ...this.look });
+    const { scene, stand, boxes, camera, chosen, ruler, ringed, face } = this;
+    face.painter.paint({ scene, stand, boxes, camera, chosen, ruler, ringed, scale, ...this.look });
     this.#painted = this.time;
-    face.axis.show(this.time);
+    face.axis.show(this.time, this.playing);
     face.clock.textContent = `t = ${clock(this.time, 2)}`;
     face.tight.textContent = tightestText(tightest, this.boxes);
     face.card.show(stand, boxes, chosen);
@@ -397,10 +396,20 @@ export class Player {
     this.root.dataset.time = this.time.toFixed(3);
   }
 
-  /** Tell what the canvas shows to those who cannot see it. @param {number} now ms */
-  #say(now) {
-    this.#spokenAt = now;
-    const tightest = this.boxes.measure();
+  /** Tell of what has happened since a time, s, to those who cannot see it; joints are too many. @param {number} before */
+  #sayEvents(before) {
+    const passed = this.scene.sent.occasions.filter(
+      ({ kind, time }) => kind !== "joint" && before < time && time <= this.time,
+    );
+    if (!passed.length) return;
+    this.face.spoken.textContent = passed
+      .map((one) => `t = ${clock(one.time)}. ${occasionText(one)}`)
+      .join("; ");
+  }
+
+  /** Tell what the canvas shows to those who cannot see it. */
+  #say() {
+    const tightest = this.#tightest();
     const text = `t = ${clock(this.time)}. ${tightestText(tightest, this.boxes)}`;
     this.face.canvas.setAttribute("aria-label", `${_("the dragon from above")}: ${text}`);
     this.face.spoken.textContent = text;
@@ -411,7 +420,7 @@ export class Player {
     this.#pose();
     clearTimeout(this.#resting);
     this.#resting = setTimeout(() => {
-      this.#say(performance.now());
+      this.#say();
       this.onSettled?.();
     }, REST);
   }
@@ -422,10 +431,10 @@ export class Player {
   onSettled;
 }
 
-/** @param {import("./nearness.js").Pair | null} pair @param {Boxes} boxes */
+/** @param {Pair | null} pair @param {Boxes} boxes */
 function tightestText(pair, { count, reach, touch }) {
   if (count < 3) return _("no pair counts");
-  if (!pair) return _("all benches more than {reach} apart", { reach: shortLength(reach) });
+  if (!pair) return _("no other coil within {reach}", { reach: shortLength(reach) });
   const benches = { a: pair.i + 1, b: pair.j + 1 };
   if (pair.distance <= touch) return _("benches {a} and {b} touch", benches);
   return _("tightest {gap}: benches {a} and {b}", { gap: shortLength(pair.distance), ...benches });

@@ -1,6 +1,6 @@
 // The player page: reads the dance that the page holds, and the address.
 
-import { obey, remember } from "./address.js";
+import { chosenBefore, obey, remember } from "./address.js";
 import { Player } from "./player.js";
 import { unpackedScene } from "./scene.js";
 import { _, speak, useWords } from "./words.js";
@@ -13,7 +13,8 @@ function held(id) {
 /** Show the dance that the page holds. */
 export async function start() {
   useWords(held("words"));
-  speak(held("language"));
+  const chosen = chosenBefore("lang");
+  speak(chosen === "en" || chosen === "zh" ? chosen : held("language"));
   const root = /** @type {HTMLElement} */ (document.getElementById("player"));
   if (typeof DecompressionStream === "undefined") {
     root.textContent = _("This browser is too old to show the dance: it takes one of 2023 or newer.");

@@ -1,13 +1,14 @@
 // The studio: a plan as controls, its verdict as it changes, the player, long questions, files.
 
-import { addressed, obey, remember } from "./address.js";
-import { Refusal, Standing, asked } from "./asking.js";
+import { addressed, chosenBefore, obey, remember } from "./address.js";
+import { Standing, asked, mayPass, samePlan } from "./asking.js";
 import { make } from "./elements.js";
 import { answerText, evidenceDialog } from "./evidence.js";
 import { JobList, questionText } from "./jobs.js";
-import { planText, PlanForm, textPlan } from "./plan_form.js";
+import { planText, PlanForm, textPlan, textSays } from "./plan_form.js";
 import { Player, REST } from "./player.js";
 import { unpackedScene } from "./scene.js";
+import { Line } from "./telling.js";
 import { _, language, speak, useWords } from "./words.js";
 
 /** @typedef {import("./wire").Answer} Answer */
@@ -16,10 +17,7 @@ import { _, language, speak, useWords } from "./words.js";
 /** @typedef {import("./scene.js").Scene} Scene */
 /** @typedef {import("./plan_form.js").Plan} Plan */
 
-/** The status that says: this plan cannot be walked, or is none. */
-const UNUSABLE = 422;
 const MOST_STEPS_BACK = 200;
-const FIRST = "spiral-in";
 const QUESTIONS = /** @type {const} */ (["turn", "prove", "speed", "pace", "margins"]);
 
 /** A plan's smallest pitch says something: its spiral ends at a disc. @param {Plan} plan */
@@ -38,59 +36,78 @@ class Studio {
     this.plan = plan;
     this.settled = plan;
     this.first = plan;
-    /** @type {Verdict | null} */
+    /** What stands in the address and is no plan; of it nothing is told. @type {{text: string} | null} */
+    this.unread = null;
+    /** @type {{found: Verdict, plan: Plan} | null} */
     this.verdict = null;
     /** @type {Answer | null} */
     this.pitch = null;
     /** @type {Player | null} */
     this.player = null;
+    /** The plan whose dance the player shows. @type {Plan | null} */
+    this.pictured = null;
+    /** @type {HTMLDialogElement | null} */
+    this.dialog = null;
     this.rest = 0;
     this.jobs = new JobList((found) => this.change(found, true));
     this.verdicts = new Standing(
-      (signal) => this.#answer("/api/verdict", signal),
-      (found) => this.#judged(found),
-      (error) => this.#refused(error),
+      (asked, signal) => this.#answer("/api/verdict", asked, signal),
+      (found, about) => this.#judged(found, about),
+      (error, about) => this.#unjudged(error, about),
     );
     this.pitches = new Standing(
-      (signal) => this.#answer("/api/limit/pitch", signal),
-      (found) => this.#limited(found),
-      (error) => this.#unlimited(error),
+      (asked, signal) => this.#answer("/api/limit/pitch", asked, signal),
+      (found, about) => this.#limited(found, about),
+      (error, about) => this.#limited(null, about, error.message),
     );
     // Unpacked before it counts as answered, so that no older one can come in late.
     this.dances = new Standing(
-      async (signal) => unpackedScene({ ...(await this.#answer("/api/dance", signal)), ruling: null }),
-      (scene) => this.#danced(scene),
-      (error) => this.#undanced(error),
+      async (asked, signal) =>
+        unpackedScene({ ...(await this.#answer("/api/dance", asked, signal)), ruling: null }),
+      (scene, about) => this.#danced(scene, about),
+      (error, about) => this.#undanced(error, about),
     );
     this.root = /** @type {HTMLElement} */ (document.getElementById("studio"));
     this.stage = make("main", { id: "player", class: "player" });
+    this.notice = make("div", { class: "unread", role: "alert", hidden: true });
+    /** What the notice is about. @type {Studio["unread"]} */
+    this.noticed = null;
+    this.lines = this.#lines();
     this.#build();
     addEventListener("keydown", (event) => this.#key(event));
     addEventListener("hashchange", () => this.#obey());
-    this.#ask();
   }
 
-  /** @param {string} path @param {AbortSignal} signal */
-  async #answer(path, signal) {
-    return (await asked(path, { plan: this.plan }, { signal })).json();
+  /** @param {string} path @param {Plan} plan @param {AbortSignal} signal */
+  async #answer(path, plan, signal) {
+    return (await asked(path, { plan }, { signal })).json();
+  }
+
+  /** What the page is about: its plan, or what stands in the address instead of one. */
+  get subject() {
+    return this.unread ?? this.plan;
+  }
+
+  /** Lines that tell something, in the language in use. */
+  #lines() {
+    const verdict = make("button", {
+      type: "button",
+      class: "verdict",
+      "aria-live": "polite",
+      title: _("show the evidence"),
+      onclick: () => this.#evidence(),
+    });
+    return {
+      verdict: new Line(verdict, _("looking ...")),
+      limit: new Line(make("output", { class: "limit" })),
+      dance: new Line(make("output")),
+      file: new Line(make("output", { class: "told" })),
+    };
   }
 
   /** Build the page, in the language in use. */
   #build() {
     document.title = _("Bench dragon studio");
-    this.line = make(
-      "button",
-      {
-        type: "button",
-        class: "verdict",
-        "aria-live": "polite",
-        title: _("show the evidence"),
-        onclick: () => this.#evidence(),
-      },
-      _("looking ..."),
-    );
-    this.limitLine = make("output", { class: "limit" });
-    this.danceLine = make("output");
     this.form = new PlanForm(this.presets, (plan, final) => this.change(plan, final));
     this.undoButton = make("button", { type: "button", onclick: () => this.undo() }, _("undo"));
     this.redoButton = make("button", { type: "button", onclick: () => this.redo() }, _("redo"));
@@ -108,9 +125,12 @@ class Studio {
       this.#long(),
       this.#files(),
     );
+    const { verdict, limit, dance } = this.lines;
+    const lines = [verdict, limit, dance].map(({ element }) => element);
     this.root.replaceChildren(
-      make("header", { class: "verdicts" }, this.line, this.limitLine, this.danceLine),
+      make("header", { class: "verdicts" }, this.notice, ...lines),
       panel,
+      make("p", { class: "old" }, make("span", {}, _("the picture is of an earlier plan"))),
       this.stage,
     );
     this.#shown();
@@ -175,14 +195,13 @@ class Studio {
       },
       _("export"),
     );
-    this.fileLine = make("output", { class: "told" });
     return make(
       "fieldset",
       {},
       make("legend", {}, _("Files")),
       make("div", { class: "row" }, file, open, save),
       make("div", { class: "row" }, kinds, get),
-      this.fileLine,
+      this.lines.file.element,
     );
   }
 
@@ -191,50 +210,56 @@ class Studio {
     const file = input.files?.[0];
     input.value = "";
     if (!file) return;
+    const before = this.subject;
     await this.#tried(async () => {
       const { plan } = await (await asked("/api/plan", { toml: await file.text() })).json();
+      if (this.subject !== before) throw new Error(_("The plan was changed meanwhile: open it again."));
       this.change(plan, true);
-      return file.name;
+      return { name: file.name, plan };
     });
   }
 
   /** @param {string} path @param {object} more */
   async #download(path, more) {
+    const { plan } = this;
     await this.#tried(async () => {
-      const response = await asked(path, { plan: this.plan, ...more });
+      const response = await asked(path, { plan, ...more });
       const name =
         /filename="([^"]+)"/.exec(response.headers.get("Content-Disposition") ?? "")?.[1] ??
         "benchdragon";
       const url = URL.createObjectURL(await response.blob());
       make("a", { href: url, download: name }).click();
       setTimeout(() => URL.revokeObjectURL(url), 60_000);
-      return name;
+      return { name, plan };
     });
   }
 
-  /** Do something with files, and say how it went. @param {() => Promise<string>} action */
+  /** Do something with files, and say how it went. @param {() => Promise<{name: string, plan: Plan}>} action */
   async #tried(action) {
-    const line = /** @type {HTMLElement} */ (this.fileLine);
-    line.textContent = _("working ...");
+    const before = this.subject;
+    const tell = (/** @type {Plan} */ plan, /** @type {string} */ text) => {
+      this.lines.file.tell(plan, text);
+      this.#mark();
+    };
+    tell(before, _("working ..."));
     try {
-      line.textContent = await action();
+      const { name, plan } = await action();
+      tell(plan, name);
     } catch (error) {
       if (!(error instanceof Error)) throw error;
-      line.textContent = error.message;
+      tell(before, error.message);
     }
   }
 
   /** Another plan. @param {Plan} plan @param {boolean} final whether it is a step of its own */
   change(plan, final) {
-    this.plan = plan;
     if (final && JSON.stringify(plan) !== JSON.stringify(this.settled)) {
       this.past.push(this.settled);
       if (this.past.length > MOST_STEPS_BACK) this.past.shift();
       this.future = [];
       this.settled = plan;
     }
-    this.#shown();
-    this.#ask();
+    this.show(plan);
   }
 
   undo() {
@@ -251,7 +276,13 @@ class Studio {
   #step(plan, left) {
     left.push(this.settled);
     this.settled = plan;
+    this.show(plan);
+  }
+
+  /** Be about a plan from now on, and ask all that follows from it. @param {Plan} plan */
+  show(plan) {
     this.plan = plan;
+    this.unread = null;
     this.#shown();
     this.#ask();
   }
@@ -268,103 +299,123 @@ class Studio {
   #obey() {
     const text = addressed().get("plan");
     const plan = text ? textPlan(text) : null;
-    if (text && !plan) this.unread();
     if (this.player) obey(this.player);
-    if (plan && planText(plan) !== planText(this.plan)) this.change(plan, true);
+    if (text && !plan) this.refuse(text);
+    else if (plan && planText(plan) !== planText(this.subject)) this.change(plan, true);
+    else if (this.unread) this.show(this.plan);
     else this.#remember();
   }
 
-  /** The address holds a plan that cannot be read. */
-  unread() {
-    const line = /** @type {HTMLElement} */ (this.fileLine);
-    line.textContent = _("The plan in the address cannot be read.");
+  /** The address holds what is no plan: say so, leave it there, and tell nothing. @param {string} text */
+  refuse(text) {
+    this.unread = { text };
+    for (const standing of [this.verdicts, this.pitches, this.dances]) standing.drop();
+    clearTimeout(this.rest);
+    this.dialog?.close();
+    this.verdict = null;
+    this.lines.verdict.tell(
+      this.unread,
+      _("No verdict: the plan in this link cannot be read."),
+      "none",
+    );
+    this.#mark();
+  }
+
+  /** What is said of a link that cannot be read. @param {string} text */
+  #unreadWords(text) {
+    const on = make("button", { type: "button", onclick: () => this.show(this.plan) });
+    on.append(_("go on with the plan in the controls"));
+    return [
+      make("strong", {}, _("The plan in this link cannot be read.")),
+      ` ${_("What the controls show is another plan. The link says:")}`,
+      make("code", { tabindex: "0" }, textSays(text) || text),
+      on,
+    ];
   }
 
   /** Put the plan into the address, and where the player stands. */
   #remember() {
-    remember(this.player, { plan: planText(this.plan), lang: language() });
+    if (!this.unread) remember(this.player, { plan: planText(this.plan), lang: language() });
   }
 
   /** Ask all that follows from the plan; the dance once a change has come to rest. */
   #ask() {
-    this.root.setAttribute("aria-busy", "true");
-    for (const line of [this.line, this.limitLine]) if (line) line.dataset.stale = "";
-    this.verdicts.renew();
-    if (hasPitch(this.plan)) this.pitches.renew();
-    else this.#noLimit();
+    this.dialog?.close();
+    this.#mark();
+    this.verdicts.renew(this.plan);
+    if (hasPitch(this.plan)) this.pitches.renew(this.plan);
+    else this.pitches.drop();
     clearTimeout(this.rest);
     this.rest = setTimeout(() => {
       this.#remember();
-      this.dances.renew();
+      this.dances.renew(this.plan);
     }, REST);
   }
 
-  /** @param {Verdict} found */
-  #judged(found) {
-    this.verdict = found;
-    this.#say(found.decided ? (found.safe ? "safe" : "unsafe") : "open", found.sentence);
+  /** Show all that was told, and mark what is about another plan than the page. */
+  #mark() {
+    const { subject, unread } = this;
+    const { verdict, limit, dance, file } = this.lines;
+    for (const line of [verdict, limit, dance, file]) line.show(subject);
+    const limitless = unread !== null || !hasPitch(this.plan);
+    limit.element.hidden = limitless || limit.repeats(verdict);
+    dance.element.hidden = dance.repeats(verdict);
+    this.root.ariaBusy = String(!unread && !dance.about(subject));
+    this.root.dataset.picture = !this.pictured ? "none" : this.#pictures(subject) ? "this" : "old";
+    this.jobs.show(subject);
+    this.notice.hidden = unread === null;
+    if (unread === this.noticed) return;
+    this.noticed = unread;
+    this.notice.replaceChildren(...(unread ? this.#unreadWords(unread.text) : []));
   }
 
-  /** No verdict: the plan cannot be walked, or read, or there is no answer. @param {Error} error */
-  #refused(error) {
+  /** Whether the player shows the dance of this plan. @param {Plan} plan */
+  #pictures(plan) {
+    return this.pictured !== null && samePlan(this.pictured, plan);
+  }
+
+  /** @param {Verdict} found @param {Plan} plan */
+  #judged(found, plan) {
+    this.verdict = { found, plan };
+    const state = found.decided ? (found.safe ? "safe" : "unsafe") : "open";
+    this.lines.verdict.tell(plan, found.sentence, state);
+    this.#mark();
+  }
+
+  /** There is no verdict, neither safe nor unsafe. @param {Error} error @param {Plan} plan */
+  #unjudged(error, plan) {
     this.verdict = null;
-    this.root.setAttribute("aria-busy", "false");
-    this.#say(error instanceof Refusal && error.status === UNUSABLE ? "unsafe" : "open", error.message);
+    const values = { error: error.message };
+    const text = mayPass(error)
+      ? _("No verdict yet, asking again: {error}", values)
+      : _("No verdict: {error}", values);
+    this.lines.verdict.tell(plan, text, "none", error.message);
+    this.#mark();
   }
 
-  /** Say why the player shows no new dance, unless the verdict does. @param {Error} error */
-  #undanced(error) {
-    this.root.setAttribute("aria-busy", "false");
-    this.root.dataset.picture = "old";
-    const line = /** @type {HTMLElement} */ (this.danceLine);
-    const same = error.message === this.told;
-    line.textContent = same
-      ? _("the picture is of the plan before")
-      : _("This plan cannot be shown: {error}", { error: error.message });
-  }
-
-  /** @param {"safe" | "unsafe" | "open"} state @param {string} text */
-  #say(state, text) {
-    const line = /** @type {HTMLElement} */ (this.line);
-    const sign = { open: "?", safe: "\u2713", unsafe: "\u2716" }[state];
-    this.told = text;
-    delete line.dataset.stale;
-    line.className = `verdict ${state}`;
-    line.replaceChildren(make("span", { "aria-hidden": "true" }, `${sign} `), text);
-  }
-
-  /** @param {Answer} found */
-  #limited(found) {
+  /** @param {Answer | null} found @param {Plan} plan @param {string} [error] */
+  #limited(found, plan, error = "") {
     this.pitch = found;
-    const line = /** @type {HTMLElement} */ (this.limitLine);
-    delete line.dataset.stale;
-    line.textContent = _("smallest pitch: {answer}", { answer: answerText(found) });
-  }
-
-  /** @param {Error} error */
-  #unlimited(error) {
-    this.#noLimit(error.message === this.told ? "" : error.message);
-  }
-
-  #noLimit(told = "") {
-    const line = /** @type {HTMLElement} */ (this.limitLine);
-    this.pitch = null;
-    delete line.dataset.stale;
-    line.textContent = told;
+    const text = found ? _("smallest pitch: {answer}", { answer: answerText(found) }) : error;
+    this.lines.limit.tell(plan, text, "", error);
+    this.#mark();
   }
 
   #evidence() {
-    if (!this.verdict) return;
-    const dialog = evidenceDialog(this.verdict, this.pitch, (time) => this.player?.jump(time));
+    if (!this.verdict || !samePlan(this.verdict.plan, this.subject)) return;
+    const jump = (/** @type {number} */ time) => this.player?.jump(time);
+    const seen = this.#pictures(this.subject);
+    const dialog = evidenceDialog(this.verdict.found, this.pitch, seen ? jump : null);
+    this.dialog = dialog;
     this.root.append(dialog);
     dialog.showModal();
   }
 
-  /** @param {Scene} scene */
-  #danced(scene) {
-    this.root.setAttribute("aria-busy", "false");
-    delete this.root.dataset.picture;
-    /** @type {HTMLElement} */ (this.danceLine).textContent = "";
+  /** @param {Scene} scene @param {Plan} plan */
+  #danced(scene, plan) {
+    this.pictured = plan;
+    this.lines.dance.tell(plan, "");
+    this.#mark();
     if (this.player) return this.player.show(scene);
     const player = new Player(this.stage, scene);
     this.player = player;
@@ -373,10 +424,23 @@ class Studio {
     player.onTranslated = () => this.#translated();
   }
 
+  /** The player shows no new dance: say why. @param {Error} error @param {Plan} plan */
+  #undanced(error, plan) {
+    const values = { error: error.message };
+    const text = mayPass(error)
+      ? _("No picture yet, asking again: {error}", values)
+      : _("This plan cannot be shown: {error}", values);
+    this.lines.dance.tell(plan, text, "", error.message);
+    this.#mark();
+  }
+
   #translated() {
+    this.lines = this.#lines();
+    this.noticed = null;
     this.#build();
     this.jobs.retell();
-    this.#ask();
+    if (this.unread) this.refuse(this.unread.text);
+    else this.#ask();
   }
 
   /** @param {KeyboardEvent} event */
@@ -392,17 +456,16 @@ class Studio {
 /** Begin with the plan of the address, or the first preset. */
 async function open() {
   const values = addressed();
-  speak((values.get("lang") ?? navigator.language).startsWith("zh") ? "zh" : "en");
+  speak((chosenBefore("lang") ?? navigator.language).startsWith("zh") ? "zh" : "en");
   useWords(await (await asked("/api/words", null)).json());
   /** @type {Preset[]} */
   const presets = await (await asked("/api/presets", null)).json();
-  const first = /** @type {Plan} */ (
-    presets.find(({ name }) => name === FIRST)?.plan ?? presets[0].plan
-  );
   const text = values.get("plan");
   const plan = text ? textPlan(text) : null;
-  const studio = new Studio(presets, plan ?? first);
-  if (text && !plan) studio.unread();
+  const studio = new Studio(presets, plan ?? /** @type {Plan} */ (presets[0].plan));
+  if (text && !plan) studio.refuse(text);
+  else studio.show(studio.plan);
+  studio.jobs.find();
   Object.assign(globalThis, { benchdragon: studio }); // for the browser's console
 }
 

@@ -178,6 +178,7 @@ export interface JobStarted {
  * How a long question stands.
  *
  * Attributes:
+ *     plan_sha256: of the plan that it asks about.
  *     share: of the work, 0 to 1, as far as can be told.
  *     text: what is being done.
  *     result: once it is done.
@@ -186,11 +187,20 @@ export interface JobStarted {
 export interface JobState {
   id: string;
   question: "turn" | "prove" | "speed" | "pace" | "margins";
+  plan_sha256: string;
   state: "waiting" | "running" | "done" | "failed" | "cancelled";
   share: number;
   text: string;
   result?: Verdict | TurnFound | PaceFound | MarginsFound | Answer | null;
   error?: string | null;
+}
+
+/** A long question of a client, and the plan that it asks about. */
+export interface JobTaken {
+  id: string;
+  question: "turn" | "prove" | "speed" | "pace" | "margins";
+  plan: Record<string, unknown>;
+  plan_sha256: string;
 }
 
 /** Workers of one kind of question. */
@@ -201,15 +211,24 @@ export interface Lane {
   waiting: number;
 }
 
+/** The greatest of what a plan limits, and what that is in words. */
+export interface LimitedPeak {
+  text: string;
+  peak: Answer;
+}
+
 /**
  * What a walk must keep.
  *
- * Greatest speed and acceleration (m/s^2) of any handle, turning rate (degrees a second) of any bench,
- * change of the head's own speed (m/s^2), and distance of benches but neighbours.
+ * Greatest speed and accelerations (m/s^2) of any handle: along the route, across it and in total;
+ * turning rate (degrees a second) of any bench, change of the head's own speed (m/s^2), and distance
+ * of benches but neighbours.
  */
 export interface LimitsTable {
   speed?: number | null;
   acceleration?: number | null;
+  lateral_acceleration?: number | null;
+  total_acceleration?: number | null;
   turning_rate?: number | null;
   head_acceleration?: number;
   margin?: number;
@@ -436,6 +455,7 @@ export interface Verdict {
   first_contact: Answer | null;
   clearance: Answer;
   greatest_speed: Answer;
+  peaks: Array<LimitedPeak>;
   findings: Array<Finding>;
   seconds: number;
   plan_sha256: string;

@@ -1,0 +1,270 @@
+"""What a head's drive makes of its dragon: speeds, turning rates and accelerations.
+
+While the head's acceleration a is constant, the square q of its speed follows a straight line over
+its place sigma, dq / dsigma = 2 a. With w = ds_i / dsigma and g = d log w / dsigma, handle i has the
+speed w sqrt(q), the acceleration w (a + g q) along the route and w^2 q times the curvature across it.
+
+Where a handle crosses a joint at which the curvature jumps, g jumps for all handles behind it. What
+they have just before and just after counts, and nothing in between: a step over such joints is
+bounded side by side, each side with its own curvatures.
+"""
+
+import math
+
+import numpy as np
+
+from benchdragon.kernels.curve import U_END, U_START, FloatArray, curvature
+from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.sweep import (
+    FADE,
+    FRONT_HIGH,
+    FRONT_LOW,
+    GROW,
+    HANDLE_COLUMNS,
+    LEFT,
+    REAR_HIGH,
+    REAR_LOW,
+    RIGHT,
+    ROUNDED_UP,
+    SLOWEST,
+    SPEED,
+    SWAY,
+    TURN_HIGH,
+    TURN_LOW,
+    Places,
+    bends,
+    bound_handles,
+    product,
+    size,
+    times,
+)
+
+# What is bounded: speeds and accelerations of handles, turning rates of benches.
+SPEEDS = 0
+TURNING = 1
+ACROSS = 2
+TOTAL = 3
+ALONG = 4
+
+# Columns of a drive, one row a step of the head.
+FROM = 0  # square of the head's speed at the step's start, m^2/s^2
+TO = 1  # at its end
+RATE = 2  # the head's acceleration, m/s^2
+DRIVE_COLUMNS = 3
+
+# Curvatures that differ by more at a joint jump there, 1/m.
+JUMP = 1e-9
+# Handles that cross jumps in one step and are told apart; what more of them do is bounded at once.
+MOST_JUMPS = 3
+
+
+@kernel
+def value_at(
+    rows: FloatArray,
+    places: Places,
+    change: FloatArray,
+    turn: FloatArray,
+    i: int,
+    t: int,
+    square: float,
+    rate: float,
+    quantity: int,
+) -> float:
+    """A quantity's size at slot t: of handle i, or of bench i (from 0); 0 behind the last bench."""
+    ratio = places.ratio[i, t]
+    if quantity == SPEEDS:
+        return ratio * math.sqrt(square)
+    if quantity == TURNING:
+        return abs(turn[i, t]) * math.sqrt(square) if i < turn.shape[0] else 0.0
+    along = abs(ratio * rate + change[i, t] * square)
+    if quantity == ALONG:
+        return along
+    across = ratio * ratio * square * abs(curvature(rows, places.row[i, t], places.u[i, t]))
+    return across if quantity == ACROSS else math.hypot(along, across)
+
+
+@kernel
+def look(
+    rows: FloatArray,
+    places: Places,
+    change: FloatArray,
+    turn: FloatArray,
+    slots: IntArray,
+    drives: FloatArray,
+    quantity: int,
+    values: FloatArray,
+    where: IntArray,
+) -> None:
+    """Fill values, (steps, 2), with the greatest at both ends of each step, and where with its row.
+
+    Steps go from slots[n] to the next slot; change = d2 s_i / dsigma^2 and turn are `chain.rates`'.
+    """
+    for n in range(slots.shape[0]):
+        for end in range(2):
+            values[n, end] = -1.0
+            for i in range(places.u.shape[0]):
+                square, rate = drives[n, FROM + end], drives[n, RATE]
+                t = slots[n] + end
+                value = value_at(rows, places, change, turn, i, t, square, rate, quantity)
+                if value > values[n, end]:
+                    values[n, end], where[n, end] = value, i
+
+
+@kernel
+def jump_row(rows: FloatArray, first: int, last: int) -> int:
+    """The first row from first on, before last, at whose end the curvature jumps; -1 without one."""
+    for j in range(first, last):
+        before, after = curvature(rows, j, rows[j, U_END]), curvature(rows, j + 1, rows[j + 1, U_START])
+        if abs(after - before) > JUMP:
+            return j
+    return -1
+
+
+@kernel
+def find_jumps(
+    rows: FloatArray,
+    places: Places,
+    a: int,
+    b: int,
+    table: FloatArray,
+    crossing: IntArray,
+    sides: FloatArray,
+) -> int:
+    """How many handles cross a jump from slot a to slot b without a kink; at most MOST_JUMPS.
+
+    Fills crossing with them and sides, (jumps, 4), with least and greatest curvature before it and
+    after it.
+    """
+    count = 0
+    for i in range(table.shape[0]):
+        ja, jb = places.row[i, a], places.row[i, b]
+        if ja == jb or count == MOST_JUMPS or not table[i, LEFT] - table[i, RIGHT] < math.inf:
+            continue
+        j = jump_row(rows, ja, jb)
+        if j < 0:
+            continue
+        end, start = rows[j, U_END], rows[j + 1, U_START]
+        crossing[count] = i
+        sides[count, 0], sides[count, 1] = bends(rows, ja, places.u[i, a], j, end)
+        sides[count, 2], sides[count, 3] = bends(rows, j + 1, start, jb, places.u[i, b])
+        count += 1
+    return count
+
+
+@kernel
+def side_rates(table: FloatArray, bend: FloatArray, rates: FloatArray) -> None:
+    """Fill rates, (handles, 2), with least and greatest d log(ds_i / dsigma) / dsigma, 1/m.
+
+    For any moment of the step in `table` at which every handle's curvature lies within bend[i]; see
+    `sweep.bound_next`.
+    """
+    rates[0, 0], rates[0, 1] = 0.0, 0.0
+    for i in range(table.shape[0] - 1):
+        if not table[i + 1, SPEED] < math.inf:
+            rates[i + 1 :, 0], rates[i + 1 :, 1] = -math.inf, math.inf
+            return
+        turn_low, turn_high = table[i + 1, TURN_LOW], table[i + 1, TURN_HIGH]
+        low, high = times(table[i, SLOWEST], table[i, SPEED], bend[i, 0], bend[i, 1])
+        front_low, front_high = product(
+            table[i + 1, FRONT_LOW], table[i + 1, FRONT_HIGH], low - turn_high, high - turn_low
+        )
+        low, high = times(table[i + 1, SLOWEST], table[i + 1, SPEED], bend[i + 1, 0], bend[i + 1, 1])
+        rear_low, rear_high = product(
+            table[i + 1, REAR_LOW], table[i + 1, REAR_HIGH], low - turn_high, high - turn_low
+        )
+        rates[i + 1, 0] = rates[i, 0] - front_high + rear_low
+        rates[i + 1, 1] = rates[i, 1] - front_low + rear_high
+
+
+@kernel
+def most_speed(table: FloatArray, drive: FloatArray, quantity: int) -> float:
+    """At most the quantity, a speed or a turning rate, in a step with these bounds on handles."""
+    column, square = SPEED if quantity == SPEEDS else SWAY, max(drive[FROM], drive[TO])
+    return float(table[:, column].max()) * math.sqrt(square) if square > 0.0 else 0.0
+
+
+@kernel
+def most_acceleration(
+    table: FloatArray, bend: FloatArray, rates: FloatArray, drive: FloatArray, quantity: int
+) -> float:
+    """At most the acceleration while every handle's curvature lies within bend[i].
+
+    Infinite where nothing bounds it.
+    """
+    most = 0.0
+    least_square, square = min(drive[FROM], drive[TO]), max(drive[FROM], drive[TO])
+    for i in range(table.shape[0]):
+        fast = table[i, SPEED]
+        if not fast < math.inf:
+            return math.inf
+        across = fast * fast * square * size(bend[i, 0], bend[i, 1])
+        low, high = times(least_square, square, rates[i, 0], rates[i, 1])
+        along = fast * size(drive[RATE] + low, drive[RATE] + high)
+        value = math.hypot(along, across)
+        if quantity != TOTAL:
+            value = along if quantity == ALONG else across
+        if not value < math.inf:  # an infinite rate and no speed make no number
+            return math.inf
+        most = max(most, value)
+    return most
+
+
+@kernel
+def most_in_step(
+    rows: FloatArray,
+    places: Places,
+    a: int,
+    b: int,
+    table: FloatArray,
+    drive: FloatArray,
+    quantity: int,
+    bend: FloatArray,
+    rates: FloatArray,
+) -> float:
+    """At most a quantity from slot a to slot b; `table` holds the handles' bounds.
+
+    FADE and GROW of the table are drawn tighter, over all sides of the jumps that are crossed. `bend`
+    and `rates` are scratch, (handles, 2).
+    """
+    if quantity in (SPEEDS, TURNING):
+        return most_speed(table, drive, quantity)
+    crossing, sides = np.empty(MOST_JUMPS, dtype=np.int64), np.empty((MOST_JUMPS, 4))
+    jumps = find_jumps(rows, places, a, b, table, crossing, sides)
+    bend[:, 0], bend[:, 1] = table[:, RIGHT], table[:, LEFT]
+    table[:, FADE], table[:, GROW] = math.inf, -math.inf
+    most = 0.0
+    for side in range(2**jumps):
+        for n in range(jumps):
+            after = side >> n & 1
+            bend[crossing[n], 0] = sides[n, 2 * after]
+            bend[crossing[n], 1] = sides[n, 2 * after + 1]
+        side_rates(table, bend, rates)
+        most = max(most, most_acceleration(table, bend, rates, drive, quantity))
+        table[:, FADE] = np.minimum(table[:, FADE], rates[:, 0])
+        table[:, GROW] = np.maximum(table[:, GROW], rates[:, 1])
+    return most
+
+
+@kernel
+def ceilings(
+    rows: FloatArray,
+    links: FloatArray,
+    places: Places,
+    slots: IntArray,
+    drives: FloatArray,
+    quantity: int,
+    bounds: FloatArray,
+) -> None:
+    """Fill bounds[n] with the most that any handle or bench reaches from slots[n] to the next."""
+    handles = links.shape[0] + 1
+    table = np.empty((handles, HANDLE_COLUMNS))
+    bend, rates = np.empty((handles, 2)), np.empty((handles, 2))
+    for n in range(slots.shape[0]):
+        bounds[n] = 0.0
+        if drives[n, FROM] == 0.0 and drives[n, TO] == 0.0 and drives[n, RATE] == 0.0:
+            continue  # who stands needs no bound, not even where one is infinite
+        a, b = slots[n], slots[n] + 1
+        bound_handles(rows, links, places, a, b, table)
+        most = most_in_step(rows, places, a, b, table, drives[n], quantity, bend, rates)
+        bounds[n] = ROUNDED_UP * most

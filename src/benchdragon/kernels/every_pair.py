@@ -1,0 +1,136 @@
+"""A search of a whole walk for all pairs of benches, step by step, without cells of the route.
+
+For dragons of which no two benches are alike, whose handles walk beside the route: boxing what each
+bench sweeps in each cell would cost more than the search (kernels/cells.py). Pairs that may come near
+in a step are found by its benches' paths and faces, and searched as in kernels/search.py.
+"""
+
+import math
+
+import numpy as np
+
+from benchdragon.kernels.box import CX, CY, box_gap
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.search import (
+    CLEAR,
+    FALLEN,
+    GRAZE,
+    LEAST,
+    NEAREST,
+    PAIR,
+    UPPER,
+    Search,
+    bound_members,
+    close_left,
+    halvings,
+    look,
+)
+from benchdragon.kernels.sweep import PATH, PULL, TRAVEL, face_bound
+
+# How a search ended, besides the ways of kernels/search.py: room for more pairs is needed.
+CROWDED = 7
+
+
+@kernel
+def near_in_step(
+    search: Search,
+    radius: FloatArray,
+    apart: FloatArray,
+    wanted: float,
+    first: IntArray,
+    second: IntArray,
+) -> int:
+    """Pairs that may come as near as `wanted` in the step from slot 0 to slot 1; how many.
+
+    Counts on where first, second are full. `radius` is that of the benches, m, `apart` scratch.
+    """
+    count, found = radius.shape[0], 0
+    boxes, sweeps, h = search.boxes, search.sweeps, search.handles[0, PATH]
+    cx, cy = boxes[:count, CX].copy(), boxes[:count, CY].copy()
+    reaches = radius + sweeps[:count, TRAVEL]
+    for i in range(2, count):
+        most = reaches[i] + wanted
+        for j in range(i - 1):  # without a branch, so that it becomes SIMD
+            near = max(reaches[j] + most, 0.0)
+            apart[j] = (cx[j] - cx[i]) ** 2 + (cy[j] - cy[i]) ** 2 - near * near
+        for j in range(i - 1):
+            if apart[j] <= 0.0:
+                spent = sweeps[i, TRAVEL] + sweeps[j, TRAVEL]
+                if box_gap(boxes, j, i) > wanted + spent:
+                    continue
+                if sweeps[i, PULL] + sweeps[j, PULL] < math.inf:
+                    n, m = count + j, count + i
+                    if face_bound(boxes, j, i, n, m, sweeps, j, i, h) > wanted:
+                        continue
+                    if face_bound(boxes, i, j, m, n, sweeps, i, j, h) > wanted:
+                        continue
+                if found < first.shape[0]:
+                    first[found], second[found] = j, i
+                found += 1
+    return found
+
+
+@kernel
+def patrol(
+    search: Search,
+    goal: int,
+    rows: FloatArray,
+    links: FloatArray,
+    aside: FloatArray,
+    sizes: FloatArray,
+    at: FloatArray,
+    first: IntArray,
+    second: IntArray,
+    margin: float,
+    slack: float,
+    width: float,
+    most: int,
+    note: FloatArray,
+) -> int:
+    """Search the head's steps at[t]..at[t + 1], m, for `goal` (FIRST_TOUCH or LEAST); how it ended.
+
+    Handle i walks aside[i] metres to the left of the route. Pair p of benches, from 0, is first[p] and
+    second[p], which are scratch; note[PAIR] becomes first bench times their number plus second. The
+    rest is that of `search.seek`. After CROWDED the search must begin anew with longer scratch.
+    """
+    count, handles = sizes.shape[1], links.shape[0] + 1
+    members, apart = np.arange(count), np.empty(count)
+    radius = 0.5 * np.sqrt(sizes[0] * sizes[0] + sizes[1] * sizes[1])
+    worst = CLEAR
+    search.at[0] = at[0]
+    if not look(rows, links, aside, sizes, members, search, 0, 0):
+        return stopped(search, 0, note)
+    for t in range(at.shape[0] - 1):
+        search.at[1] = at[t + 1]
+        if not look(rows, links, aside, sizes, members, search, 1, 0):
+            return stopped(search, 1, note)
+        bound_members(rows, links, aside, sizes, members, search, 1)
+        wanted = note[NEAREST] - slack if goal == LEAST else margin + slack
+        found = near_in_step(search, radius, apart, wanted, first, second)
+        if found > first.shape[0]:
+            return CROWDED
+        if found == 0:
+            close_left(search, 1, handles, count)
+            continue
+        search.alive[1, :found] = np.arange(found)
+        search.kept[1] = found
+        before, note[PAIR] = note[PAIR], -1.0
+        ending = halvings(
+            search, goal, rows, links, aside, sizes, members, first[:found], second[:found], 1, 2,
+            margin, slack, width, most, note,
+        )  # fmt: skip
+        p = int(note[PAIR])
+        note[PAIR] = before if p < 0 else float(first[p] * count + second[p])
+        if ending not in (CLEAR, GRAZE) or (ending == GRAZE and goal != LEAST):
+            return ending
+        worst = max(worst, ending)
+    return worst
+
+
+@kernel
+def stopped(search: Search, slot: int, note: FloatArray) -> int:
+    """That the chain cannot stand at a slot."""
+    note[UPPER] = search.at[slot]
+    return FALLEN

@@ -1,0 +1,195 @@
+"""The fastest pace of a head under limits: how square speed and acceleration may go together.
+
+Over a step of the head at which every handle's ratio w, rate g = d log w / dsigma and curvature are
+bounded, each limit allows a convex set of (q, a), q the square of the head's speed and a its
+acceleration, and 0 lies in it: |w (a + g q)| is at most so much, w^2 q |curvature| too, and the root
+of both squares. Since q is straight over a step, keeping to the set at both ends keeps to it all the
+way. A pass back from the end finds from which q the rest can be walked, a pass ahead takes the most.
+"""
+
+import math
+
+import numpy as np
+
+from benchdragon.kernels import sweep
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.drive import ACROSS, ALONG, SPEEDS, TOTAL, TURNING, most_in_step
+from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.route import IntArray
+
+# Columns of what bounds a handle over a step: w, the turning rate of the bench before it, g, curvature.
+FAST = 0
+SWAY = 1
+FADE = 2
+GROW = 3
+BEND = 4
+HULL_COLUMNS = 5
+
+# Limits stand in the order of drive's quantities, SI units, infinite where there is none; then this.
+HEAD = 5
+
+# Squares of speed at which the least and the greatest acceleration allowed are tabled, a step.
+NODES = 65
+# Halvings of a square of speed.
+HALVINGS = 52
+
+
+@kernel
+def widen(
+    rows: FloatArray,
+    links: FloatArray,
+    places: sweep.Places,
+    slots: IntArray,
+    which: IntArray,
+    hulls: FloatArray,
+) -> None:
+    """Widen hulls[which[n]], (handles, HULL_COLUMNS), by the step from slots[n] to the next."""
+    handles = links.shape[0] + 1
+    table, bend = np.empty((handles, sweep.HANDLE_COLUMNS)), np.empty((handles, 2))
+    rates, even = np.empty((handles, 2)), np.array([1.0, 1.0, 0.0])
+    for n in range(slots.shape[0]):
+        a, b, hull = slots[n], slots[n] + 1, hulls[which[n]]
+        sweep.bound_handles(rows, links, places, a, b, table)
+        most_in_step(rows, places, a, b, table, even, ALONG, bend, rates)
+        for i in range(handles):
+            bent = sweep.size(table[i, sweep.RIGHT], table[i, sweep.LEFT])
+            hull[i, FAST] = max(hull[i, FAST], sweep.ROUNDED_UP * table[i, sweep.SPEED])
+            hull[i, SWAY] = max(hull[i, SWAY], sweep.ROUNDED_UP * table[i, sweep.SWAY])
+            hull[i, FADE] = min(hull[i, FADE], table[i, sweep.FADE])
+            hull[i, GROW] = max(hull[i, GROW], table[i, sweep.GROW])
+            hull[i, BEND] = max(hull[i, BEND], bent)
+
+
+@kernel
+def allowed(hull: FloatArray, limits: FloatArray, square: float) -> tuple[float, float]:
+    """Least and greatest acceleration of the head with this square of its speed; empty if (1, -1)."""
+    low, high = -limits[HEAD], limits[HEAD]
+    for i in range(hull.shape[0]):
+        fast = hull[i, FAST]
+        across = fast * fast * square * hull[i, BEND]
+        over = fast * fast * square > limits[SPEEDS] ** 2 or across > min(limits[ACROSS], limits[TOTAL])
+        if over or hull[i, SWAY] ** 2 * square > limits[TURNING] ** 2:
+            return 1.0, -1.0
+        most = min(limits[ALONG], math.sqrt(max(limits[TOTAL] ** 2 - across * across, 0.0))) / fast
+        low = max(low, -most - hull[i, FADE] * square)
+        high = min(high, most - hull[i, GROW] * square)
+    return (low, high) if low <= high else (1.0, -1.0)
+
+
+@kernel
+def tabulate(
+    hulls: FloatArray, limits: FloatArray, square: float, most: FloatArray, table: FloatArray
+) -> None:
+    """Fill most[n] with the greatest square of speed allowed in step n, not above `square`.
+
+    And table, (steps, NODES, 2), with the accelerations allowed from 0 to there. Between two nodes
+    straight lines stay inside of what is allowed, as that is convex.
+    """
+    for n in range(hulls.shape[0]):
+        low, high = 0.0, square
+        least, greatest = allowed(hulls[n], limits, square)
+        if least <= greatest:
+            low = square
+        for _ in range(HALVINGS):
+            if low == square:
+                break
+            middle = 0.5 * (low + high)
+            least, greatest = allowed(hulls[n], limits, middle)
+            if least <= greatest:
+                low = middle
+            else:
+                high = middle
+        most[n] = low
+        for k in range(NODES):
+            at = low * k / (NODES - 1)
+            table[n, k, 0], table[n, k, 1] = allowed(hulls[n], limits, min(at, low))
+
+
+@kernel
+def between(table: FloatArray, n: int, most: float, square: float, side: int) -> float:
+    """The least (side 0) or greatest (side 1) acceleration allowed in step n with a square of speed."""
+    place = min(square / most, 1.0) * (NODES - 1) if most > 0.0 else 0.0
+    k = min(int(place), NODES - 2)
+    share = place - k
+    return float((1.0 - share) * table[n, k, side] + share * table[n, k + 1, side])
+
+
+@kernel
+def passable(table: FloatArray, n: int, most: float, start: float, end: float, length: float) -> bool:
+    """Whether the head may go through step n with these squares of speed at its start and end."""
+    rate = 0.5 * (end - start) / length
+    low = max(between(table, n, most, start, 0), between(table, n, most, end, 0))
+    high = min(between(table, n, most, start, 1), between(table, n, most, end, 1))
+    return start <= most and end <= most and low <= rate <= high
+
+
+@kernel
+def fastest_end(
+    table: FloatArray, n: int, most: float, start: float, known: float, end: float, length: float
+) -> float:
+    """The greatest square of speed at the end of step n, from `known`, which is passable, to `end`."""
+    if passable(table, n, most, start, end, length):
+        return end
+    for _ in range(HALVINGS):
+        middle = 0.5 * (known + end)
+        if passable(table, n, most, start, middle, length):
+            known = middle
+        else:
+            end = middle
+    return known
+
+
+@kernel
+def way_on(table: FloatArray, n: int, most: float, start: float, end: float, length: float) -> float:
+    """A square of speed at the end of step n, at most `end`, that is passable; -1 if none was found."""
+    if passable(table, n, most, start, end, length):
+        return end
+    low, high = 0.0, min(end, start + 2.0 * length * between(table, n, most, start, 1))
+    for _ in range(HALVINGS):  # the greatest that keeps what acceleration is allowed at most
+        middle = 0.5 * (low + high)
+        if 0.5 * (middle - start) / length <= between(table, n, most, middle, 1):
+            low = middle
+        else:
+            high = middle
+    return low if passable(table, n, most, start, low, length) else -1.0
+
+
+@kernel
+def controllable(
+    table: FloatArray, most: FloatArray, lengths: FloatArray, starts: FloatArray, ends: FloatArray
+) -> None:
+    """Fill starts with squares of speed from which the rest can be walked, ends with how to go on.
+
+    starts is (steps + 1,), ends (steps,): from starts[n] the head may go on to ends[n].
+    """
+    steps = lengths.shape[0]
+    starts[steps] = most[steps - 1]
+    for n in range(steps - 1, -1, -1):
+        top = min(most[n], most[max(n - 1, 0)])
+        end = min(starts[n + 1], most[n])
+        starts[n], ends[n] = top, way_on(table, n, most[n], top, end, lengths[n])
+        if ends[n] >= 0.0:
+            continue
+        starts[n], ends[n] = 0.0, 0.0
+        for _ in range(HALVINGS):
+            middle = 0.5 * (starts[n] + top)
+            known = way_on(table, n, most[n], middle, end, lengths[n])
+            if known >= 0.0:
+                starts[n], ends[n] = middle, known
+            else:
+                top = middle
+
+
+@kernel
+def fastest_pace(table: FloatArray, most: FloatArray, lengths: FloatArray, squares: FloatArray) -> None:
+    """Fill squares, (steps + 1,), with the squares of the head's speed at the ends of the steps.
+
+    What is passable is convex: of a way on from a greater square a share is one from a smaller.
+    """
+    starts, ends = np.empty(len(squares)), np.empty(len(lengths))
+    controllable(table, most, lengths, starts, ends)
+    squares[0] = starts[0]
+    for n in range(len(lengths)):
+        known = ends[n] * squares[n] / starts[n] if starts[n] > 0.0 else 0.0
+        end = min(starts[n + 1], most[n])
+        squares[n + 1] = fastest_end(table, n, most[n], squares[n], known, end, lengths[n])

@@ -1,0 +1,42 @@
+// What keys do in the player.
+
+import { KINDS } from "./colours.js";
+import { FRAME } from "./face.js";
+
+/** @typedef {import("./player.js").Player} Player */
+
+/** @type {Record<string, (player: Player) => void>} */
+const KEYS = {
+  ArrowLeft: (player) => player.step(-1),
+  ArrowRight: (player) => player.step(1),
+  ",": (player) => player.step(-FRAME),
+  ".": (player) => player.step(FRAME),
+  Home: (player) => player.jump(player.scene.start),
+  End: (player) => player.jump(player.scene.end),
+  p: (player) => player.event(-1),
+  n: (player) => player.event(1),
+  "+": (player) => player.zoom(1.4),
+  "=": (player) => player.zoom(1.4),
+  "-": (player) => player.zoom(1 / 1.4),
+  0: (player) => player.fit(),
+  "[": (player) => player.choose(Math.max(player.chosen - 1, 0)),
+  "]": (player) => player.choose(player.chosen + 1),
+  f: (player) => player.follow(!player.follows),
+  t: (player) => player.see("trails", !player.look.trails),
+  r: (player) => player.rule(!player.ruling),
+  c: (player) => player.paintBy(KINDS[(KINDS.indexOf(player.kind) + 1) % KINDS.length]),
+  Escape: (player) => player.choose(-1),
+};
+
+/** Do what a key is for, unless it is meant for something else. @param {Player} player @param {KeyboardEvent} event */
+export function pressed(player, event) {
+  const target = event.target instanceof Element ? event.target : null;
+  const typing = target?.closest("select, textarea, dialog, input:not([type=range], [type=checkbox])");
+  const other = target?.closest("input") && !player.root.contains(target); // a slider of the plan
+  if (typing || other || event.ctrlKey || event.metaKey || event.altKey) return;
+  const space = event.key === " " && !target?.closest("button, summary, input");
+  if (space) player.play(!player.playing);
+  else if (KEYS[event.key]) KEYS[event.key](player);
+  else return;
+  event.preventDefault();
+}

@@ -1,0 +1,61 @@
+// What is told of a plan: lines that say so where it is another plan than the one on the page.
+
+import { samePlan } from "./asking.js";
+import { make } from "./elements.js";
+import { _ } from "./words.js";
+
+/** @typedef {import("./plan_form.js").Plan} Plan */
+/** Whether a walk is safe, or that is open; "none": nothing is known of it; "": it is not about that.
+ * @typedef {"safe" | "unsafe" | "open" | "none" | ""} State */
+
+const STATE_SIGNS = { safe: "\u2713", unsafe: "\u2716", open: "?", none: "!", "": "" };
+
+export class Line {
+  /** @param {HTMLElement} element @param {string} [waiting] what it says before anything is told */
+  constructor(element, waiting = "") {
+    this.element = element;
+    this.base = element.className;
+    this.waiting = waiting;
+    /** @type {{plan: Plan, text: string, state: State, why: string} | null} */
+    this.told = null;
+  }
+
+  /**
+   * What is told of a plan from now on.
+   * @param {Plan} plan
+   * @param {string} text
+   * @param {State} [state]
+   * @param {string} [why] what the server said where there is no answer
+   */
+  tell(plan, text, state = "", why = "") {
+    this.told = { plan, text, state, why };
+  }
+
+  /** Whether what is told is about this plan. @param {Plan} plan */
+  about(plan) {
+    return this.told !== null && samePlan(this.told.plan, plan);
+  }
+
+  /** Whether another line says already why there is no answer. @param {Line} other */
+  repeats(other) {
+    return Boolean(this.told?.why) && this.told?.why === other.told?.why;
+  }
+
+  /** Show what is told, and whether it is about this plan. @param {Plan} plan */
+  show(plan) {
+    const { element, told } = this;
+    const old = Boolean(told?.text) && !this.about(plan);
+    const state = told && !old ? told.state : "";
+    const said = told?.text ?? this.waiting;
+    const text = old ? _("earlier plan: {text}", { text: said }) : said;
+    element.toggleAttribute("data-stale", old);
+    element.ariaBusy = String(old); // screen readers need not hear what is past
+    element.className = `${this.base} ${state}`.trim();
+    const sign = old && told?.state ? "\u2026" : STATE_SIGNS[state];
+    if (element.textContent === (sign ? `${sign} ${text}` : text)) return;
+    element.replaceChildren(
+      ...(sign ? [make("span", { "aria-hidden": "true" }, `${sign} `)] : []),
+      text,
+    );
+  }
+}

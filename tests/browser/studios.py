@@ -1,0 +1,38 @@
+"""The studio as tests open it in a browser."""
+
+import re
+from collections.abc import Callable
+
+from playwright.sync_api import Locator, Page, expect
+
+# Milliseconds after which an answer counts as none: kernels may have to be compiled before it.
+LONG = 90_000
+
+Opened = Callable[..., Page]
+
+
+def verdict(page: Page) -> Locator:
+    return page.locator(".verdict")
+
+
+def number(page: Page, name: str) -> Locator:
+    return page.get_by_role("spinbutton", name=name, exact=True)
+
+
+def change(page: Page, name: str, value: str) -> None:
+    """Give a size of the plan another value."""
+    number(page, name).fill(value)
+    number(page, name).press("Enter")
+
+
+def settle(page: Page, pattern: str) -> None:
+    """Wait for a verdict that reads so."""
+    expect(verdict(page)).to_have_text(re.compile(pattern), timeout=LONG)
+
+
+def settled(page: Page) -> Page:
+    """The page, once it shows verdict, limit and dance of its plan."""
+    expect(page.locator("#studio")).to_have_attribute("aria-busy", "false", timeout=LONG)
+    expect(page.locator("[data-stale]")).to_have_count(0, timeout=LONG)
+    expect(page.locator(".verdict:is(.safe, .unsafe)")).to_have_count(1, timeout=LONG)
+    return page

@@ -1,0 +1,142 @@
+"""Bounds on speeds, turning rates and accelerations over steps hold, and close, whatever the drive."""
+
+import math
+
+import numpy as np
+import pytest
+
+from benchdragon import Arc, Clothoid, Dragon, Line, Route, Spiral
+from benchdragon.kernels import chain, drive, sweep
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.placement import Placement
+
+DRAGON = Dragon.of_sizes(np.array([1.8, 1.1, 1.4]), 0.2, 0.0, 0.0)
+ROUTES = {
+    "joints": Route.joined(
+        [Line(8.0), Arc(1.6, 1.0), Line(0.5), Arc(2.0, -1.5), Clothoid(3.0, -0.5, 0.4), Line(9.0)]
+    ),
+    "spiral": Route((Spiral(0.9, 40.0, 8.0),)),
+}
+SPANS = {"joints": (6.0, 17.0), "spiral": (30.0, 36.0)}
+# Squares of speed at both ends of the step, and the acceleration: speeding up, slowing down, even.
+DRIVES = {"starting": (0.0, 0.8, 1.3), "stopping": (1.1, 0.1, -0.7), "even": (0.6, 0.6, 0.0)}
+QUANTITIES = {
+    "speed": drive.SPEEDS,
+    "turning": drive.TURNING,
+    "across": drive.ACROSS,
+    "total": drive.TOTAL,
+    "along": drive.ALONG,
+}
+
+
+def placed(route: Route, at: FloatArray) -> sweep.Places:
+    places = sweep.empty_places(len(DRAGON) + 1, len(at))
+    assert sweep.stand(route.rows, DRAGON.links, at, 0, len(at), places)
+    return places
+
+
+def bounds_over(route: Route, at: FloatArray, drives: FloatArray, quantity: int) -> FloatArray:
+    """The kernel's bounds from each position to the next."""
+    bounds = np.empty(len(at) - 1)
+    slots = np.arange(len(at) - 1)
+    drive.ceilings(route.rows, DRAGON.links, placed(route, at), slots, drives, quantity, bounds)
+    return bounds
+
+
+def seen_at(route: Route, at: FloatArray, squares: FloatArray, rate: float, name: str) -> FloatArray:
+    """The greatest of a quantity with the head at these places, by the formulas alone."""
+    one = Placement(DRAGON, route, at)
+    bend = route.curvature(one.s)
+    square = squares[:, np.newaxis]
+    along = one.speed_ratio * rate + one.ratio_rate * square
+    across = one.speed_ratio**2 * bend * square
+    values = {
+        "speed": one.speed_ratio * np.sqrt(square),
+        "turning": one.turn_rate * np.sqrt(square),
+        "across": across,
+        "total": np.hypot(along, across),
+        "along": along,
+    }[name]
+    return np.asarray(np.abs(values).max(axis=1))
+
+
+@pytest.mark.parametrize("name", QUANTITIES)
+@pytest.mark.parametrize("driven", DRIVES)
+@pytest.mark.parametrize("path", ROUTES)
+def test_nothing_in_a_step_exceeds_its_bound(path: str, driven: str, name: str) -> None:
+    route, (start, end, rate), parts = ROUTES[path], DRIVES[driven], 8
+    first, last = SPANS[path]
+    for h in (0.15, 0.02):
+        at = np.asarray(first + h * np.arange(min(math.ceil((last - first) / h), 75) + 1), np.float64)
+        drives = np.tile([start, end, rate], (len(at) - 1, 1))
+        bounds = bounds_over(route, at, drives, QUANTITIES[name])
+        share = np.linspace(0.0, 1.0, parts)
+        for n, bound in enumerate(bounds):
+            places = at[n] + h * share
+            seen = seen_at(route, places, start + (end - start) * share, rate, name)
+            assert seen.max() <= bound * (1.0 + 1e-12)
+
+
+@pytest.mark.parametrize("name", ["along", "total", "across"])
+@pytest.mark.parametrize("driven", DRIVES)
+def test_a_short_step_over_a_joint_holds_both_sides_and_nothing_between(driven: str, name: str) -> None:
+    route, (start, end, rate), h = ROUTES["joints"], DRIVES[driven], 1e-6
+    square = max(start, end)
+    for joint in route.joints[1:4]:
+        for handle in range(len(DRAGON) + 1):
+            head = joint
+            for _ in range(60):  # where this handle comes to the joint
+                head += joint - Placement(DRAGON, route, np.array([head])).s[0, handle]
+            at = np.array([head - 0.5 * h, head + 0.5 * h])
+            (bound,) = bounds_over(route, at, np.array([[square, square, rate]]), QUANTITIES[name])
+            sides = seen_at(route, at, np.full(2, square), rate, name)
+            assert sides.max() <= bound
+            assert bound <= sides.max() + 1e-4 * square
+
+
+def test_values_at_both_ends_are_the_formulas() -> None:
+    route, at = ROUTES["joints"], np.linspace(7.0, 16.0, 31)
+    places = placed(route, at)
+    change, turn = np.empty(places.u.shape), np.empty((len(DRAGON), len(at)))
+    chain.rates(route.rows, DRAGON.links, *places[:5], change, turn)
+    slots = np.arange(30)
+    drives = np.tile([0.3, 0.9, -0.4], (30, 1))
+    for name, quantity in QUANTITIES.items():
+        values, where = np.empty((30, 2)), np.empty((30, 2), dtype=np.int64)
+        drive.look(route.rows, places, change, turn, slots, drives, quantity, values, where)
+        for end, square in enumerate((0.3, 0.9)):
+            seen = seen_at(route, at[end : 30 + end], np.full(30, square), -0.4, name)
+            np.testing.assert_allclose(values[:, end], seen, rtol=1e-9)
+        assert (where >= 0).all()
+        assert (where < len(DRAGON) + 1).all()
+
+
+def test_who_stands_asks_for_nothing_and_a_kink_for_everything() -> None:
+    at = np.array([8.9, 9.1])
+    for bent in (Line(9.0, (9.0, 0.0), 0.3), Arc(3.0, 1.0, (9.0, 0.0), 0.3)):
+        route = Route((Line(9.0), bent), kinks=True)
+        for quantity in (drive.ALONG, drive.TOTAL):
+            assert bounds_over(route, at, np.zeros((1, 3)), quantity) == [0.0]
+            for driven in ([0.5, 0.5, 0.0], [0.0, 0.5, 0.3], [0.0, 0.0, 0.3]):
+                with np.errstate(invalid="ignore"):  # no speed times an infinite rate
+                    assert bounds_over(route, at, np.array([driven]), quantity) == [math.inf]
+    standing = np.array([[0.0, 0.0, 2.0]])  # a jolt that ends before anything moves
+    assert bounds_over(ROUTES["joints"], np.array([7.0, 7.0]), standing, drive.SPEEDS) == [0.0]
+    (jolt,) = bounds_over(ROUTES["joints"], np.array([7.0, 7.0]), standing, drive.ALONG)
+    assert jolt == pytest.approx(2.0)
+
+
+def test_more_jumps_at_once_than_are_told_apart_are_bounded_together() -> None:
+    bends = [Arc(2.0, 0.05 if n % 2 else -0.05) for n in range(60)]
+    route = Route.joined([Line(6.0), *bends])
+    at, row = np.array([9.0, 9.6]), np.empty((len(DRAGON) + 1, sweep.HANDLE_COLUMNS))
+    places = placed(route, at)
+    sweep.bound_handles(route.rows, DRAGON.links, places, 0, 1, row)
+    crossing, sides = np.empty(drive.MOST_JUMPS, dtype=np.int64), np.empty((drive.MOST_JUMPS, 4))
+    assert drive.find_jumps(route.rows, places, 0, 1, row, crossing, sides) == drive.MOST_JUMPS
+    drives = np.array([[0.5, 0.9, 0.4]])
+    share = np.linspace(0.0, 1.0, 200)
+    for name in ("along", "total"):
+        (bound,) = bounds_over(route, at, drives, QUANTITIES[name])
+        seen = seen_at(route, 9.0 + 0.6 * share, 0.5 + 0.4 * share, 0.4, name)
+        assert seen.max() <= bound

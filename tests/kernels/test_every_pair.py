@@ -1,0 +1,133 @@
+"""Searches for all pairs of a swaying dragon find what dense sampling finds, and leave no pair out."""
+
+import math
+
+import numpy as np
+import pytest
+
+from benchdragon.curves import Arc, Line, Route, Spiral
+from benchdragon.dragon import Dragon
+from benchdragon.kernels import search, sweep
+from benchdragon.kernels.box import BOX_COLUMNS, box_distance, boxes_at, nearest_pair
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.every_pair import CROWDED, near_in_step, patrol
+from benchdragon.kernels.sway import bound_beside, stand_along
+
+ROUTES = {
+    "spiral": (Route((Spiral(0.8, 18.0, 9.0),)), 3.0, 11.0),
+    "hairpin": (Route.joined([Line(14.0), Arc(0.75, math.pi), Line(12.0)]), 13.0, 19.0),
+}
+COUNT = 14
+
+
+def dancers(seed: int, width: float) -> tuple[Dragon, FloatArray]:
+    """Benches no two of which are alike, and how far aside their handles walk."""
+    random = np.random.default_rng(seed)
+    length = 1.2 + 0.05 * random.standard_normal(COUNT)
+    dragon = Dragon.of_sizes(length, width + 0.01 * random.standard_normal(COUNT), 0.1, 0.1)
+    return dragon, 0.03 * random.standard_normal(COUNT + 1)
+
+
+def searched(
+    name: str,
+    dragon: Dragon,
+    aside: FloatArray,
+    goal: int,
+    margin: float,
+    slack: float,
+    parts: int = 60,
+) -> tuple[int, FloatArray]:
+    route, start, end = ROUTES[name]
+    room = search.room(COUNT + 1, COUNT, COUNT * COUNT, 0)
+    first, second = np.empty(COUNT * COUNT, dtype=np.int64), np.empty(COUNT * COUNT, dtype=np.int64)
+    note = np.zeros(search.NOTES)
+    note[search.NEAREST], note[search.FLOOR] = 1.0, math.inf
+    ending = patrol(
+        room, goal, route.rows, dragon.links, aside, dragon.sizes, np.linspace(start, end, 61),
+        first, second, margin, slack, 1e-9, 10_000, note,
+    )  # fmt: skip
+    return ending, note
+
+
+def sampled(name: str, dragon: Dragon, aside: FloatArray, count: int) -> sweep.Places:
+    route, start, end = ROUTES[name]
+    places = sweep.empty_places(COUNT + 1, count)
+    at = np.linspace(start, end, count)
+    assert stand_along(route.rows, dragon.links, aside, at, places) == count
+    return places
+
+
+@pytest.mark.parametrize("name", ROUTES)
+@pytest.mark.parametrize("seed", [1, 2])
+def test_no_sample_lies_below_the_least_distance(name: str, seed: int) -> None:
+    dragon, aside = dancers(seed, 0.12)
+    places = sampled(name, dragon, aside, 801)
+    lowest, _t, i, j = nearest_pair(dragon.sizes, places.x, places.y)
+    assert lowest > 0.0
+    ending, note = searched(name, dragon, aside, search.LEAST, 0.0, 1e-5)
+    assert ending == search.CLEAR
+    assert lowest - 2e-3 < note[search.NEAREST] <= lowest + 1e-5
+    assert divmod(int(note[search.PAIR]), COUNT) == (i, j)
+    for margin, found in ((lowest + 1e-6, True), (note[search.NEAREST] - 1e-4, False)):
+        ending, note_ = searched(name, dragon, aside, search.FIRST_TOUCH, margin, 1e-8)
+        assert (ending == search.FOUND) == found
+        assert found or ending == search.CLEAR
+        if found:
+            before = sampled(name, dragon, aside, 801)
+            start, end = ROUTES[name][1:]
+            upto = 1 + int(800 * (note_[search.UPPER] - start) / (end - start))
+            early = nearest_pair(dragon.sizes, before.x[:, :upto].copy(), before.y[:, :upto].copy())[0]
+            assert early > margin - 1e-6
+
+
+@pytest.mark.parametrize("name", ROUTES)
+def test_pairs_left_out_keep_farther_apart_all_through_the_step(name: str) -> None:
+    route, start, end = ROUTES[name]
+    dragon, aside = dancers(5, 0.2)
+    room = search.room(COUNT + 1, COUNT, 1, 0)
+    members, radius = np.arange(COUNT), 0.5 * np.hypot(dragon.length, dragon.width)
+    first, second = np.empty(COUNT * COUNT, dtype=np.int64), np.empty(COUNT * COUNT, dtype=np.int64)
+    handles, left_out = np.empty((COUNT + 1, sweep.HANDLE_COLUMNS)), 0
+    for at in np.linspace(start, end - 0.3, 12):
+        room.at[0], room.at[1] = at, at + 0.3
+        for slot in (0, 1):
+            assert search.look(route.rows, dragon.links, aside, dragon.sizes, members, room, slot, 0)
+        search.bound_members(route.rows, dragon.links, aside, dragon.sizes, members, room, 1)
+        bound_beside(route.rows, dragon.links, aside, room.places, 0, 1, handles)
+        np.testing.assert_array_equal(room.handles[1:], handles[1:])
+        places = sweep.empty_places(COUNT + 1, 13)
+        assert stand_along(route.rows, dragon.links, aside, np.linspace(at, at + 0.3, 13), places) == 13
+        least = np.full((COUNT, COUNT), math.inf)
+        table = np.empty((COUNT, BOX_COLUMNS))
+        for t in range(13):
+            boxes_at(dragon.sizes, places.x, places.y, t, table)
+            for j in range(2, COUNT):
+                for i in range(j - 1):
+                    least[i, j] = min(least[i, j], box_distance(table, i, j))
+        for wanted in (0.0, 0.1, 0.3, 0.65, 0.7, 0.75):  # the last: benches two apart, end to end
+            found = near_in_step(room, radius, np.empty(COUNT), wanted, first, second)
+            kept = set(zip(first[:found].tolist(), second[:found].tolist(), strict=True))
+            assert kept >= set(zip(*np.nonzero(least <= wanted), strict=True))
+            left_out += COUNT * (COUNT - 1) // 2 - len(kept)
+            assert near_in_step(room, radius, np.empty(COUNT), wanted, first[:1], second[:1]) == found
+    assert left_out > 1000
+
+
+def test_a_search_without_room_for_its_pairs_says_so() -> None:
+    route, start, end = ROUTES["spiral"]
+    dragon, aside = dancers(3, 0.2)
+    room = search.room(COUNT + 1, COUNT, COUNT, 0)
+    scratch = np.empty(2, dtype=np.int64), np.empty(2, dtype=np.int64)
+    note = np.zeros(search.NOTES)
+    ending = patrol(
+        room, search.FIRST_TOUCH, route.rows, dragon.links, aside, dragon.sizes,
+        np.array([start, end]), *scratch, 0.2, 1e-8, 1e-9, 100, note,
+    )  # fmt: skip
+    assert ending == CROWDED
+
+
+def test_where_a_chain_cannot_stand_the_search_ends() -> None:
+    dragon, _aside = dancers(3, 0.05)
+    ending, note = searched("hairpin", dragon, np.full(COUNT + 1, 0.74), search.FIRST_TOUCH, 0.0, 1e-8)
+    assert ending == search.FALLEN
+    assert 13.9 < note[search.UPPER] < 14.3

@@ -1,0 +1,135 @@
+"""What paces may do over steps, and that the fastest one is found: against linear programs."""
+
+import numpy as np
+import pytest
+from scipy.optimize import linprog
+
+from benchdragon import Arc, Dragon, Line, Route
+from benchdragon.kernels import drive, pacing, sweep
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.placement import Placement
+
+HANDLES = 4
+STEPS = 12
+LIMITS = {
+    "along": [9.0, 9.0, 99.0, 99.0, 0.5, 2.0],
+    "all": [1.3, 0.8, 0.6, 0.7, 0.5, 0.4],
+    "total": [9.0, 9.0, 99.0, 0.6, 99.0, 9.0],
+    "turning": [9.0, 0.4, 99.0, 99.0, 99.0, 0.3],
+}
+
+
+def random_hulls(seed: int) -> FloatArray:
+    rng = np.random.default_rng(seed)
+    hulls = np.empty((STEPS, HANDLES, pacing.HULL_COLUMNS))
+    hulls[..., pacing.FAST] = rng.uniform(0.6, 1.6, (STEPS, HANDLES))
+    hulls[..., pacing.SWAY] = rng.uniform(0.0, 0.9, (STEPS, HANDLES))
+    middle = rng.uniform(-1.0, 1.0, (STEPS, HANDLES))
+    hulls[..., pacing.FADE] = middle - rng.uniform(0.0, 0.1, (STEPS, HANDLES))
+    hulls[..., pacing.GROW] = middle + rng.uniform(0.0, 0.1, (STEPS, HANDLES))
+    hulls[..., pacing.BEND] = rng.uniform(0.0, 0.6, (STEPS, HANDLES))
+    return hulls
+
+
+def most_of(hull: FloatArray, limits: FloatArray, square: float, rate: float) -> float:
+    """The greatest share of any limit that is used up with these bounds, by the formulas."""
+    fast, bend = hull[:, pacing.FAST], hull[:, pacing.BEND]
+    across = fast**2 * square * bend
+    along = np.max(
+        [np.abs(fast * (rate + hull[:, g] * square)) for g in (pacing.FADE, pacing.GROW)], axis=0
+    )
+    shares = [
+        fast * np.sqrt(square) / limits[drive.SPEEDS],
+        hull[:, pacing.SWAY] * np.sqrt(square) / limits[drive.TURNING],
+        across / limits[drive.ACROSS],
+        np.hypot(along, across) / limits[drive.TOTAL],
+        along / limits[drive.ALONG],
+        np.abs(rate) / limits[pacing.HEAD],
+    ]
+    return float(max(np.max(share) for share in shares))
+
+
+def paced(hulls: FloatArray, limits: FloatArray, square: float, length: float) -> FloatArray:
+    most, table = np.empty(STEPS), np.empty((STEPS, pacing.NODES, 2))
+    pacing.tabulate(hulls, limits, square, most, table)
+    squares = np.empty(STEPS + 1)
+    pacing.fastest_pace(table, most, np.full(STEPS, length), squares)
+    return squares
+
+
+@pytest.mark.parametrize("name", LIMITS)
+def test_accelerations_allowed_keep_the_limits_and_greater_ones_do_not(name: str) -> None:
+    limits = np.array(LIMITS[name])
+    hull = random_hulls(5)[0]
+    for square in (0.0, 0.1, 0.3, 0.5):
+        low, high = pacing.allowed(hull, limits, square)
+        if low > high:
+            shares = [most_of(hull, limits, square, rate) for rate in np.linspace(-3.0, 3.0, 301)]
+            assert min(shares) > 1.0
+            continue
+        for rate, beyond in ((low, -1e-6), (high, 1e-6)):
+            assert most_of(hull, limits, square, rate) <= 1.0 + 1e-12
+            assert most_of(hull, limits, square, rate + beyond) > 1.0
+
+
+@pytest.mark.parametrize("name", LIMITS)
+@pytest.mark.parametrize("seed", range(2))
+def test_a_pace_keeps_every_limit_at_both_ends_of_every_step(seed: int, name: str) -> None:
+    limits, hulls, length = np.array(LIMITS[name]), random_hulls(seed), 0.3
+    squares = paced(hulls, limits, 2.25, length)
+    assert (squares > 0.0).all()
+    for n in range(STEPS):
+        rate = 0.5 * (squares[n + 1] - squares[n]) / length
+        for square in squares[n : n + 2]:
+            assert most_of(hulls[n], limits, square, rate) <= 1.0 + 1e-9
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_the_fastest_pace_is_what_a_linear_program_finds(seed: int) -> None:
+    limits, hulls, length, square = np.array(LIMITS["along"]), random_hulls(seed), 0.3, 2.25
+    rows, most = [], []
+    for n in range(STEPS):
+        for fast, _sway, fade, grow, _bend in hulls[n]:
+            for end in (n, n + 1):
+                for sign, g in ((1.0, grow), (-1.0, fade)):
+                    row = np.zeros(STEPS + 1)
+                    row[n + 1], row[n] = 0.5 / length, -0.5 / length
+                    row[end] += g
+                    rows.append(sign * row)
+                    most.append(limits[drive.ALONG] / fast)
+    found = linprog(-np.ones(STEPS + 1), np.array(rows), np.array(most), bounds=(0.0, square))
+    assert found.success
+    assert found.x is not None
+    squares = paced(hulls, limits, square, length)
+    assert squares.sum() == pytest.approx(found.x.sum(), rel=2e-3)
+
+
+def test_a_hull_holds_all_that_happens_in_its_steps() -> None:
+    dragon = Dragon.of_sizes(np.array([1.8, 1.1, 1.4]), 0.2, 0.0, 0.0)
+    route = Route.joined([Line(8.0), Arc(1.6, 1.0), Line(0.5), Arc(2.0, -1.5), Line(9.0)])
+    at = np.linspace(7.0, 16.0, 121)
+    places = sweep.empty_places(len(dragon) + 1, len(at))
+    assert sweep.stand(route.rows, dragon.links, at, 0, len(at), places)
+    hulls = np.zeros((30, len(dragon) + 1, pacing.HULL_COLUMNS))
+    hulls[..., pacing.FADE], hulls[..., pacing.GROW] = np.inf, -np.inf
+    slots = np.arange(120)
+    pacing.widen(route.rows, dragon.links, places, slots, slots // 4, hulls)
+    one = Placement(dragon, route, np.linspace(7.0, 16.0, 3000, endpoint=False))
+    found = hulls[np.arange(3000) // 100]
+    growth = one.ratio_rate / one.speed_ratio
+    assert (one.speed_ratio <= found[..., pacing.FAST]).all()
+    assert (np.abs(one.turn_rate) <= found[:, 1:, pacing.SWAY]).all()
+    assert (np.abs(route.curvature(one.s)) <= found[..., pacing.BEND] + 1e-12).all()
+    assert (found[..., pacing.FADE] <= growth + 1e-12).all()
+    assert (growth <= found[..., pacing.GROW] + 1e-12).all()
+    assert hulls[..., pacing.GROW].max() < growth.max() + 0.3
+    assert hulls[..., pacing.FADE].min() > growth.min() - 0.3
+
+
+def test_no_pace_goes_where_no_speed_is_allowed() -> None:
+    hulls = random_hulls(1)
+    hulls[6, 2, pacing.FAST] = np.inf
+    hulls[6, 2, pacing.FADE], hulls[6, 2, pacing.GROW] = -np.inf, np.inf
+    with np.errstate(invalid="ignore"):
+        squares = paced(hulls, np.array(LIMITS["all"]), 1.0, 0.3)
+    assert squares[6] == squares[7] == 0.0

@@ -1,0 +1,41 @@
+"""Write the tables of all keys of plan files into the manual's page, in both languages.
+
+They come from `benchdragon.plan_keys`, between two comments of the page; the same keys give the same
+bytes. Run it as `make keys`.
+"""
+
+import re
+from pathlib import Path
+
+from benchdragon.messages import LANGUAGES, _, spoken_in
+from benchdragon.plan_keys import SECTIONS, rows
+
+PAGES = Path(__file__).parent.parent / "docs"
+MARKED = re.compile(r"(?<=<!-- keys -->\n).*(?=<!-- end of keys -->)", re.DOTALL)
+
+
+def tables() -> str:
+    """All keys as tables in Markdown, in the language in use."""
+    parts = []
+    for section in SECTIONS:
+        columns = (_("key"), _("what it is"), _("unit"), _("default"), _("example"))
+        lines = [f"### `{section.header or 'schema'}`", "", _(section.text), ""]
+        lines += [f"| {' | '.join(columns)} |", "|---" * len(columns) + "|"]
+        for name, text, unit, default, example in rows(section):
+            said = f"`{default}`" if default not in ("-", _("must be said")) else default
+            lines.append(f"| `{name}` | {text} | {unit} | {said} | `{example}` |")
+        parts.append("\n".join(lines))
+    return "\n" + "\n\n".join(parts) + "\n\n"
+
+
+def page(language: str) -> tuple[Path, str]:
+    """The page of a language, and its text with the tables as they are now."""
+    path = PAGES / language / "plan-files.md"
+    with spoken_in(language):
+        return path, MARKED.sub(lambda _old: tables(), path.read_text("utf-8"))
+
+
+if __name__ == "__main__":
+    for name in LANGUAGES:
+        path, text = page(name)
+        path.write_text(text, "utf-8")

@@ -1,0 +1,195 @@
+"""Break the package on purpose, one place at a time, and see that the tests named for it fail.
+
+A test that cannot fail holds nothing. Every table of tests/mutants/*.toml names a place of the package
+(`file` and `old`, which stands there once), what is put there (`new`), and the tests one of which must
+fail then. All of these are run on the unbroken package first. Kernels are broken uncompiled.
+
+Run it as `make mutants`, or for some of them as `python tools/mutants.py WORD...`: those in whose area
+(the name of the file of tables) or description one of the words stands.
+"""
+
+import itertools
+import multiprocessing
+import os
+import shutil
+import sys
+import tempfile
+import tomllib
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+PACKAGE = ROOT / "src" / "benchdragon"
+TABLES = ROOT / "tests" / "mutants"
+KERNELS = "kernels/"
+# A mutant may make a loop endless: it is killed then, s.
+PATIENCE = 900.0
+# How a child ends: so much more than pytest, for an exception ends with 1, too.
+OURS = 10
+PASSED, FAILED = OURS + 0, OURS + 1
+# Children begin with what takes long to import, and nothing of the package.
+SERVER = multiprocessing.get_context("forkserver")
+SLOW = [
+    "hypothesis",
+    "matplotlib.pyplot",
+    "numba",
+    "pydantic",
+    "pytest",
+    "scipy.optimize",
+    "scipy.spatial",
+]
+# Each file that is written gets a time of its own, s.
+TIMES = itertools.count(1)
+
+
+@dataclass(frozen=True)
+class Mutant:
+    """One broken place of the package.
+
+    Attributes:
+        area: what it belongs to: the name of the file of tables that it stands in.
+        what: what is wrong with it, in a few words.
+        file: of the package.
+        old: the text there.
+        new: what is put in its place.
+        tests: one of these must fail, as pytest takes them, from the folder `tests`.
+    """
+
+    area: str
+    what: str
+    file: str
+    old: str
+    new: str
+    tests: tuple[str, ...]
+
+    @property
+    def plain(self) -> bool:
+        """Whether it is tried with kernels that are not compiled."""
+        return self.file.startswith(KERNELS)
+
+    def broken(self, text: str) -> str:
+        """The file's text with the place broken.
+
+        Raises:
+            ValueError: if the place does not stand there once.
+        """
+        if (count := text.count(self.old)) != 1:
+            raise ValueError(f"{self.what}: stands {count} times, not once, in {self.file}: {self.old}")
+        return text.replace(self.old, self.new)
+
+
+def mutants() -> list[Mutant]:
+    """All that are known, area by area."""
+    return [
+        Mutant(path.stem, **{**table, "tests": tuple(table["tests"])})
+        for path in sorted(TABLES.glob("*.toml"))
+        for table in tomllib.loads(path.read_text("utf-8"))["mutant"]
+    ]
+
+
+def copied(folder: Path, plain: bool) -> Path:
+    """A copy of the package to be broken; its kernels are the package's own unless `plain`."""
+    package = folder / ("plain" if plain else "compiled") / "benchdragon"
+    shutil.copytree(PACKAGE, package, ignore=shutil.ignore_patterns("__pycache__"))
+    if not plain:  # numba keeps compiled code by the path of its text: a copy would be compiled anew
+        kernels = package / KERNELS
+        shutil.rmtree(kernels)
+        kernels.mkdir()
+        (kernels / "__init__.py").write_text(f"__path__ = [{str(PACKAGE / KERNELS)!r}]\n", "utf-8")
+    return package
+
+
+def run(tests: Iterable[str], package: Path, plain: bool) -> tuple[int | None, str]:
+    """How pytest ends on these tests with that package, and what it says."""
+    said = package.with_name("said")
+    child = SERVER.Process(target=run_here, args=(list(tests), str(package.parent), plain, str(said)))
+    child.start()
+    child.join(PATIENCE)
+    if child.is_alive():
+        child.kill()
+        return FAILED, f"no end within {PATIENCE:g} s"
+    return child.exitcode, said.read_text("utf-8")
+
+
+def run_here(tests: list[str], source: str, plain: bool, said: str) -> None:
+    """Run tests in this process, with the package that stands in folder `source`."""
+    import pytest
+
+    os.chdir(ROOT)
+    os.environ["BENCHDRAGON_COMPILE"] = "never" if plain else "always"
+    sys.path[:0] = [source, str(ROOT)]
+    os.environ["PYTHONPATH"] = source  # for the processes that tests start
+    options = ["-q", "-x", "--no-header", "--tb=line", "-p", "no:cacheprovider"]
+    options += ["-W", "ignore:Module already imported"]  # by the server
+    with Path(said).open("w", encoding="utf-8") as file:
+        for stream in (sys.stdout, sys.stderr):
+            os.dup2(file.fileno(), stream.fileno())
+        sys.exit(OURS + pytest.main([*options, *(f"tests/{test}" for test in tests)]))
+
+
+def put(path: Path, text: str) -> None:
+    """Write a file of the package; bytecode is told from it by a time, in seconds, and its size."""
+    path.write_text(text, "utf-8")
+    os.utime(path, (next(TIMES),) * 2)
+
+
+def survives(mutant: Mutant, package: Path) -> bool:
+    """Whether all tests named for a mutant pass with it.
+
+    Raises:
+        ValueError: if the place is not found, or the tests cannot be run with it.
+    """
+    path = package / mutant.file
+    sound = path.read_text("utf-8")
+    put(path, mutant.broken(sound))
+    try:
+        ending, said = run(mutant.tests, package, mutant.plain)
+    finally:
+        put(path, sound)
+    if ending not in (PASSED, FAILED):
+        raise ValueError(f"{mutant.what}: the tests cannot be run with it\n{said}")
+    return ending == PASSED
+
+
+def tried(chosen: Sequence[Mutant]) -> list[Mutant]:
+    """Those of the chosen mutants that survive; each is told of as soon as it has been tried.
+
+    Raises:
+        ValueError: if a table is wrong, or a test fails without any mutant.
+    """
+    survivors = []
+    SERVER.set_forkserver_preload(SLOW)
+    with tempfile.TemporaryDirectory() as folder:
+        for plain in sorted({mutant.plain for mutant in chosen}):
+            package = copied(Path(folder), plain)
+            some = [mutant for mutant in chosen if mutant.plain == plain]
+            tests = dict.fromkeys(test for mutant in some for test in mutant.tests)
+            ending, said = run(tests, package, plain)
+            if ending != PASSED:
+                raise ValueError(f"the tests do not pass without mutants\n{said}")
+            for mutant in some:
+                alive = survives(mutant, package)
+                survivors += [mutant] if alive else []
+                print(f"{'SURVIVED' if alive else 'killed  '} {mutant.area}: {mutant.what}", flush=True)
+    return survivors
+
+
+def main(words: Sequence[str]) -> int:
+    """Try those mutants in whose area or description one of the words stands; all without words."""
+    chosen = [
+        mutant
+        for mutant in mutants()
+        if not words or any(word in f"{mutant.area}: {mutant.what}" for word in words)
+    ]
+    try:
+        survivors = tried(chosen)
+    except ValueError as error:
+        print(error, file=sys.stderr)
+        return 2
+    print(f"{len(chosen) - len(survivors)} of {len(chosen)} killed")
+    return 1 if survivors or not chosen else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
