@@ -64,6 +64,13 @@ def test_both_languages_run_the_same_code_and_lead_to_the_same_places(page: str)
         assert found[0] == found[1], pattern
 
 
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_each_listing_that_a_page_leads_to_is_made(language: str) -> None:
+    described = set(re.findall(r"automodule:: benchdragon\.(\S+)", source(language, "api.md")))
+    for page in PAGES:
+        assert set(re.findall(r"{view}`(.*?):", source(language, page))) <= described, page
+
+
 def test_the_commands_are_those_of_the_readme_which_are_run() -> None:
     readme = shell_lines((ROOT / "README.md").read_text("utf-8"))
     assert shell_lines(source("en", "commands.md")) == readme
