@@ -12,9 +12,9 @@ import numpy as np
 from playwright.sync_api import Page, sync_playwright
 from tests.browser.pages import FLAGS, Device, Pages, browser_path
 
-from benchdragon.dance import Span, plain_dance
-from benchdragon.plan import read_plan
-from benchdragon.player import write_player
+from benchdragon.plans.schema import read_plan
+from benchdragon.player.page import write_player
+from benchdragon.player.scene import Span, plain_dance
 
 # Benches, and the times shown, s.
 DANCES = ((223, Span(-100.0, 383.0)), (1000, Span(-100.0, 300.0)))

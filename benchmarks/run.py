@@ -35,17 +35,18 @@ from benchdragon import (
     Walk,
     clearances,
     first_contact,
-    ground,
     tightest_pairs,
 )
-from benchdragon.best_turn import Wish, best_turn
-from benchdragon.check import check
-from benchdragon.clearance import nearest_each
+from benchdragon.analysis import regions as ground
+from benchdragon.analysis.check import check
+from benchdragon.analysis.distance import nearest_each
+from benchdragon.analysis.quick import quick_verdict
 from benchdragon.kernels.chain import march
-from benchdragon.pace import greatest_head_speed
-from benchdragon.plan import read_plan
-from benchdragon.quick import quick_limit, quick_verdict
-from benchdragon.solve import smallest_pitch
+from benchdragon.plans.schema import read_plan
+from benchdragon.solve.head_speed import greatest_head_speed
+from benchdragon.solve.size import limit, smallest_pitch
+from benchdragon.solve.turn import Wish, best_turn
+from benchdragon.studio.tasks import SIZE
 
 FloatArray = npt.NDArray[np.float64]
 HERE = Path(__file__).parent
@@ -191,7 +192,7 @@ def row(name: str, rival: float, ours: float, error: float) -> str:
 def plain_python_seconds() -> float:
     """The march of 8 times with BENCHDRAGON_COMPILE=never, in a process of its own, s."""
     script = (
-        "import time, numpy as np; from benchdragon.plan import read_plan\n"
+        "import time, numpy as np; from benchdragon.plans.schema import read_plan\n"
         "walk = read_plan('spiral-in').build(); walk.motion([0.0])\n"
         "start = time.perf_counter(); walk.motion(np.arange(8.0)); print(time.perf_counter() - start)"
     )
@@ -411,7 +412,7 @@ def quick_rows(quick: bool) -> list[str]:
     ]
     for settings in ([], ["route.pitch=0.44"], ["route.pitch=0.6"], ["dragon.width=0.5"]):
         plan = read_plan("spiral-in", [disc, *settings])
-        jobs = [partial(smallest_pitch, plan), partial(quick_limit, plan, "pitch")]
+        jobs = [partial(smallest_pitch, plan), partial(limit, plan, "pitch", tolerance=SIZE)]
         lines.append(beside("spiral-in", [disc, *settings], jobs, quick))
     motion = WALK.motion(np.linspace(0.0, 400.0, 64))
     each, tree = fastest([partial(nearest_each, motion), partial(clearances, motion)], 5)

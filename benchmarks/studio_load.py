@@ -22,7 +22,7 @@ from typing import Any
 
 import httpx
 
-from benchdragon.plan import read_plan
+from benchdragon.plans.schema import read_plan
 
 # Seconds between moves of a slider, and moves until the hand rests; seconds of rest.
 MOVE, MOVES, REST = 0.15, (3, 12), (1.0, 6.0)

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from benchdragon import Walk
-from benchdragon.plan import Plan
+from benchdragon.plans.schema import Plan
 
 FloatArray = npt.NDArray[np.float64]
 

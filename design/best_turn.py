@@ -11,10 +11,10 @@ import time
 import numpy as np
 from scipy.optimize import Bounds, differential_evolution, dual_annealing
 
-from benchdragon.best_turn import GENERATIONS, MEMBERS, Judge, Wish
-from benchdragon.pace import greatest_head_speed
-from benchdragon.plan import read_plan
-from benchdragon.turns import two_arcs
+from benchdragon.model.turns import two_arcs
+from benchdragon.plans.schema import read_plan
+from benchdragon.solve.head_speed import greatest_head_speed
+from benchdragon.solve.turn import GENERATIONS, MEMBERS, Judge, Wish
 
 
 def two_arcs_alone() -> None:

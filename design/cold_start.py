@@ -10,7 +10,7 @@ import subprocess
 import sys
 import time
 
-from benchdragon.cli import FEW_PLACES
+from benchdragon.cli.main import FEW_PLACES
 
 
 def seconds(*arguments: str, **environment: str) -> float:

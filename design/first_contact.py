@@ -24,10 +24,10 @@ second, each 0.1 s would have said.
 import numpy as np
 
 from benchdragon import Walk, clearances, contact_windows
-from benchdragon.ground import PARTS, Ground
+from benchdragon.analysis.regions import PARTS, Ground
+from benchdragon.kernels import bounds as sweep
 from benchdragon.kernels import search as kernel
-from benchdragon.kernels import sweep
-from benchdragon.plan import read_plan
+from benchdragon.plans.schema import read_plan
 
 
 def looks_for(walk: Walk, slack: float, smooth: bool) -> int:

@@ -16,8 +16,8 @@ import statistics
 import numpy as np
 
 from benchdragon import Arc, Clothoid, InputError, Line, Route, Spiral
-from benchdragon.curves import AnyCurve
 from benchdragon.kernels import route as kernel
+from benchdragon.model.curves import AnyCurve
 
 LINK = 1.65
 

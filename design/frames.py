@@ -20,8 +20,8 @@ import zlib
 import numpy as np
 import numpy.typing as npt
 
-from benchdragon.frames import LEVEL, LOOKS, QUANTUM, Frames, between, packed_frames
-from benchdragon.plan import read_plan
+from benchdragon.plans.schema import read_plan
+from benchdragon.player.frames import LEVEL, LOOKS, QUANTUM, Frames, between, packed_frames
 
 Table = npt.NDArray[np.float64]
 START, END = -20.0, 100.0

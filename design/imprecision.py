@@ -6,8 +6,8 @@ Run: python design/imprecision.py
    of neighbouring turns slide along one another. Round a turn a corner passes a bench within
    decimetres: there they lose centimetres. No fixed distance keeps a stated error on every route.
 2. So handles walk on curves parallel to the route, which makes the bounds of exact dances hold for
-   them (kernels/sway.py): what a step may hide is bounded and halved. Boxing cells of the route for
-   each bench, as for exact dances, would cost benches times cells; all pairs of a step cost less.
+   them (kernels/perturbed.py): what a step may hide is bounded and halved. Boxing cells of the route
+   for each bench, as for exact dances, would cost benches times cells; all pairs of a step cost less.
    Steps of an eighth of the shortest link are best: longer ones leave bounds too loose for the tail.
 3. The pitch needed is sought with evaluations here and there, which is cheap, and the search that
    misses nothing is asked once or twice, at the end. With no slips it gives what `solve pitch` gives.
@@ -17,11 +17,11 @@ import time
 
 import numpy as np
 
-from benchdragon import rehearsal as module
-from benchdragon.imprecision import CASES, Draw, Slips, needed_pitch, rehearsal
-from benchdragon.plan import read_plan
-from benchdragon.rehearsal import Rehearsal
-from benchdragon.solve import limit
+from benchdragon.plans.schema import read_plan
+from benchdragon.solve import rehearsal as module
+from benchdragon.solve.rehearsal import Rehearsal
+from benchdragon.solve.size import limit
+from benchdragon.solve.tolerance import CASES, Draw, Slips, needed_pitch, rehearsal
 
 DRAWS = 5
 PLANS = {

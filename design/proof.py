@@ -36,10 +36,10 @@ What is taken as exact: the numbers stored for route and benches, so that pitch 
 Below: the errors found for the contest's dragon, and the brackets that they allow.
 """
 
-from benchdragon.contact import contact_windows
-from benchdragon.ground import Ledger
-from benchdragon.plan import read_plan
-from benchdragon.prove import errors, needed_slack, prove_contact
+from benchdragon.analysis.contact import contact_windows
+from benchdragon.analysis.proof import errors, needed_slack, prove_contact
+from benchdragon.analysis.regions import Ledger
+from benchdragon.plans.schema import read_plan
 
 
 def main() -> None:

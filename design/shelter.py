@@ -10,11 +10,12 @@ from unittest import mock
 
 import numpy as np
 
-from benchdragon import Dragon, first_contact, ground, tightest_pairs
+from benchdragon import Dragon, first_contact, tightest_pairs
+from benchdragon.analysis import regions as ground
+from benchdragon.analysis.spiral_bound import Shape, sheltered, sheltered_radius
 from benchdragon.kernels.curve import P
-from benchdragon.motion import Walk
-from benchdragon.plan import read_plan
-from benchdragon.shelter import Shape, sheltered, sheltered_radius
+from benchdragon.model.walk import Walk
+from benchdragon.plans.schema import read_plan
 
 WITH = sheltered
 

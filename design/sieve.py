@@ -3,7 +3,7 @@
 A step of the head can be passed over if no handle exceeds in it what has been seen elsewhere. Two
 bounds can say so.
 
-1. The chain's: enclosures of angles and rates, bench by bench from the head (kernels/sweep.py). It
+1. The chain's: enclosures of angles and rates, bench by bench from the head (kernels/bounds.py). It
    loses in second order, as a search for the last digit needs, but costs a chain with its bounds for
    every tenth of a link, wherever the dragon is.
 2. The cells': a bench's rear handle is faster than its front one by a ratio that depends on its link
@@ -26,10 +26,12 @@ from collections.abc import Callable
 from functools import partial
 from unittest import mock
 
-from benchdragon import Walk, contact, least_clearance, speeds
-from benchdragon.answer import Answer
-from benchdragon.plan import read_plan
-from benchdragon.speeds import greatest_speed
+from benchdragon import Walk, least_clearance
+from benchdragon.analysis import contact
+from benchdragon.analysis import speed as speeds
+from benchdragon.analysis.speed import greatest_speed
+from benchdragon.model.answer import Answer
+from benchdragon.plans.schema import read_plan
 
 PLANS = {
     "spiral-in": ["spiral-in", "disc.radius=4.5"],

@@ -16,7 +16,7 @@ from sphinx.search.zh import SearchChinese
 from sphinx.util.docutils import SphinxRole
 from sphinx.writers.html5 import HTML5Translator
 
-from benchdragon import __version__
+from benchdragon.version import __version__
 
 author = "The benchdragon developers"
 project = "benchdragon"

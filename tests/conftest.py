@@ -6,10 +6,10 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
-from benchdragon import reproduce as reproducing
-from benchdragon import results
-from benchdragon.messages import use_language
-from benchdragon.results import Results
+from benchdragon.i18n import use_language
+from benchdragon.paper import reproduce as reproducing
+from benchdragon.paper import results
+from benchdragon.paper.results import Results
 
 settings.register_profile(
     "benchdragon",

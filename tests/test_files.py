@@ -10,11 +10,12 @@ import numpy as np
 import pytest
 
 from benchdragon.errors import REASONS, MachineError, reason
+from benchdragon.export.tables import WRITERS, Selection, write_moment_xlsx
+from benchdragon.figures.style import write_picture
+from benchdragon.figures.walk import walk_pictures
 from benchdragon.files import FileRefusedError, refuse_existing, whole_file
-from benchdragon.messages import use_language
-from benchdragon.pictures import walk_pictures, write_picture
-from benchdragon.plan import read_plan
-from benchdragon.tables import WRITERS, Selection, write_moment_xlsx
+from benchdragon.i18n import use_language
+from benchdragon.plans.schema import read_plan
 
 Written = Callable[[Path], None]
 

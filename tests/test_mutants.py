@@ -32,7 +32,7 @@ def test_no_two_mutants_have_one_name() -> None:
 
 
 def test_a_place_must_stand_there_once() -> None:
-    mutant = Mutant("", "twice", "answer.py", "a", "b", ())
+    mutant = Mutant("", "twice", "model/answer.py", "a", "b", ())
     assert mutant.broken("a") == "b"
     for text in ("", "aa"):
         with pytest.raises(ValueError, match=f"stands {len(text)} times, not once"):

@@ -1,14 +1,14 @@
 """Write the tables of all keys of plan files into the manual's page, in both languages.
 
-They come from `benchdragon.plan_keys`, between two comments of the page; the same keys give the same
+They come from `benchdragon.plans.keys`, between two comments of the page; the same keys give the same
 bytes. Run it as `make keys`.
 """
 
 import re
 from pathlib import Path
 
-from benchdragon.messages import LANGUAGES, _, spoken_in
-from benchdragon.plan_keys import SECTIONS, rows
+from benchdragon.i18n import LANGUAGES, _, spoken_in
+from benchdragon.plans.keys import SECTIONS, rows
 
 PAGES = Path(__file__).parent.parent / "docs"
 MARKED = re.compile(r"(?<=<!-- keys -->\n).*(?=<!-- end of keys -->)", re.DOTALL)

@@ -2,8 +2,9 @@
 
 from pathlib import Path
 
-from benchdragon.pictures import dragon_picture, write_picture
-from benchdragon.plan import read_plan
+from benchdragon.figures.style import write_picture
+from benchdragon.figures.walk import dragon_picture
+from benchdragon.plans.schema import read_plan
 
 TARGET = Path(__file__).parent.parent / "docs" / "turn.png"
 

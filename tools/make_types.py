@@ -1,7 +1,7 @@
-"""Write the pydantic models of the wire as TypeScript, for the checker of the front end's types.
+"""Write the pydantic models of pages' messages as TypeScript, for the checker of the front end's types.
 
-Takes every public model of `benchdragon.wire`, and whatever those refer to, as they are sent. A field
-with a default may be missing, unless the model's `model_config` holds
+Takes every public model of the modules named below, and whatever those refer to, as they are sent. A
+field with a default may be missing, unless the model's `model_config` holds
 `json_schema_serialization_defaults_required=True`. The same models give the same bytes; a schema that
 has no plain counterpart is an error.
 
@@ -19,9 +19,9 @@ from pydantic.json_schema import models_json_schema
 
 import benchdragon
 
-MODULE = "benchdragon.wire"
-TYPES = Path(benchdragon.__file__).with_name("web") / "wire.d.ts"
-HEADER = "// Made from {module} by tools/make_types.py; to make it again: make types\n"
+MODULES = ("benchdragon.player.messages", "benchdragon.studio.messages")
+TYPES = Path(benchdragon.__file__).with_name("web") / "messages.d.ts"
+HEADER = "// Made from {modules} by tools/make_types.py; to make it again: make types\n"
 PLAIN = {
     "integer": "number",
     "number": "number",
@@ -119,13 +119,16 @@ def declared(name: str, schema: Schema) -> str:
     return f"{comment(schema)}export interface {name} {{\n{inner}}}\n"
 
 
-def types(module: ModuleType) -> str:
-    """The whole file of declarations for a module of models."""
+def types(*modules: ModuleType) -> str:
+    """The whole file of declarations for modules of models."""
     mode: Literal["serialization"] = "serialization"
-    definitions = models_json_schema([(model, mode) for model in models(module)])[1]["$defs"]
+    wanted = [(model, mode) for module in modules for model in models(module)]
+    definitions = models_json_schema(wanted)[1]["$defs"]
     parts = [declared(name, definitions[name]) for name in sorted(definitions)]
-    return "\n".join([HEADER.format(module=module.__name__), *parts])
+    return "\n".join(
+        [HEADER.format(modules=" and ".join(module.__name__ for module in modules)), *parts]
+    )
 
 
 if __name__ == "__main__":
-    TYPES.write_text(types(importlib.import_module(MODULE)), "utf-8")
+    TYPES.write_text(types(*map(importlib.import_module, MODULES)), "utf-8")

@@ -9,7 +9,7 @@ import traceback
 from types import FrameType
 from typing import TextIO
 
-from benchdragon.messages import preferred_language, use_language
+from benchdragon.i18n import preferred_language, use_language
 
 # A fault of the program itself, as sysexits.h has it.
 BROKEN = 70
@@ -34,7 +34,7 @@ def main() -> None:
         _open_streams()
         _hear_endings()
         _choose_language(sys.argv[1:])
-        from benchdragon.cli import run  # click must meet the chosen language
+        from benchdragon.cli.main import run  # click must meet the chosen language
 
         code = run(sys.argv[1:])
     except KeyboardInterrupt:

@@ -6,8 +6,8 @@ import socket
 from operator import index
 from typing import Self
 
+from benchdragon.i18n import N_, _
 from benchdragon.kernels.status import Status
-from benchdragon.messages import N_, _
 
 
 class BenchDragonError(Exception):

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from benchdragon.errors import BenchDragonError, MachineError, reason
-from benchdragon.messages import _
+from benchdragon.i18n import _
 
 
 class FileRefusedError(BenchDragonError):

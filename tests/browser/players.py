@@ -5,11 +5,12 @@ from typing import Any
 
 from playwright.sync_api import Locator, Page
 
-from benchdragon import Walk, wire
-from benchdragon.check import check
-from benchdragon.dance import Span, checked_dance, plain_dance
-from benchdragon.plan import read_plan
-from benchdragon.player import player_page
+from benchdragon import Walk
+from benchdragon.analysis.check import check
+from benchdragon.plans.schema import read_plan
+from benchdragon.player import messages
+from benchdragon.player.page import player_page
+from benchdragon.player.scene import Span, checked_dance, plain_dance
 from tests.browser.pages import Colours, Device, Language, Pages
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -39,7 +40,7 @@ class Scene:
         source, settings, span = PLANS[name]
         self.plan = read_plan(source, settings)
         self.walk: Walk = self.plan.build()
-        self.dance: wire.Dance = checked_dance(check(self.plan), span)
+        self.dance: messages.Dance = checked_dance(check(self.plan), span)
         self.start = self.dance.frames.start
         self.end = self.start + self.dance.frames.step * (self.dance.frames.count - 1)
         self.files = {}

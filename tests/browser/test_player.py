@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from playwright.sync_api import Page
 
-from benchdragon.clearance import nearest_each
-from benchdragon.player import player_page
+from benchdragon.analysis.distance import nearest_each
+from benchdragon.player.page import player_page, show
 from tests.browser.pages import Colours, Device, Language, Pages
 from tests.browser.players import (
     DESK,
@@ -474,7 +474,7 @@ def test_with_reduced_motion_time_goes_on_in_whole_seconds(pages: Pages, turn: S
 
 def test_a_notebook_shows_the_player_in_its_sandbox(pages: Pages, turn: Scene, tmp_path: Path) -> None:
     notebook = tmp_path / "notebook.html"
-    shown = turn.walk.motion([3.0, 9.0])._repr_html_()
+    shown = show(turn.walk.motion([3.0, 9.0])).html
     head = '<!doctype html><meta charset="utf-8"><link rel="icon" href="data:,"><p>Out [1]</p>'
     notebook.write_text(f"{head}{shown}", "utf-8")
     page = pages.open(notebook.as_uri())

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Page, expect
 
-from benchdragon.clearance import nearest_each
+from benchdragon.analysis.distance import nearest_each
 from tests.browser.pages import Colours, Device, Language, Pages
 from tests.browser.players import (
     DESK,

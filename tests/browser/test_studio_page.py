@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
-from benchdragon.plan import read_plan
+from benchdragon.plans.schema import read_plan
 from tests.browser.pages import Device, Language, Pages
 from tests.browser.studios import LONG, Opened, change, number, settle, verdict
 

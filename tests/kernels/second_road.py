@@ -9,7 +9,7 @@ import numpy.typing as npt
 from scipy.optimize import brentq
 from scipy.special import fresnel
 
-from benchdragon.curves import Arc, Clothoid, Line, Route, Spiral
+from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
 
 Complex = npt.NDArray[np.complex128]
 Float = npt.NDArray[np.float64]

@@ -7,7 +7,6 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from benchdragon.curves import AnyCurve, Arc, Clothoid, Line, Route, Spiral
 from benchdragon.kernels import chain
 from benchdragon.kernels.chain import (
     cosines,
@@ -22,7 +21,8 @@ from benchdragon.kernels.jit import COMPILED
 from benchdragon.kernels.route import IntArray, locate, positions
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.status import Status
-from benchdragon.turns import TwoArcTurn
+from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line, Route, Spiral
+from benchdragon.model.turns import TwoArcTurn
 
 Float = npt.NDArray[np.float64]
 

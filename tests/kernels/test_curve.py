@@ -10,8 +10,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
-from benchdragon.curves import AnyCurve, Arc, Clothoid, Line, Route, Spiral
 from benchdragon.kernels import curve as kernel
+from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line, Route, Spiral
 from tests.kernels.second_road import points
 
 CURVES: dict[str, AnyCurve] = {

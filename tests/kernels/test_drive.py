@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from benchdragon import Arc, Clothoid, Dragon, Line, Route, Spiral
-from benchdragon.kernels import chain, drive, sweep
+from benchdragon.kernels import bounds as sweep
+from benchdragon.kernels import chain, drive
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.placement import Placement
+from benchdragon.model.placement import Placement
 
 DRAGON = Dragon.of_sizes(np.array([1.8, 1.1, 1.4]), 0.2, 0.0, 0.0)
 ROUTES = {

@@ -5,13 +5,14 @@ import math
 import numpy as np
 import pytest
 
-from benchdragon.curves import Arc, Line, Route, Spiral
-from benchdragon.dragon import Dragon
-from benchdragon.kernels import search, sweep
+from benchdragon.kernels import bounds as sweep
+from benchdragon.kernels import search
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, boxes_at, nearest_pair
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.every_pair import CROWDED, near_in_step, patrol
-from benchdragon.kernels.sway import bound_beside, stand_along
+from benchdragon.kernels.perturbed import bound_beside, stand_along
+from benchdragon.model.curves import Arc, Line, Route, Spiral
+from benchdragon.model.dragon import Dragon
 
 ROUTES = {
     "spiral": (Route((Spiral(0.8, 18.0, 9.0),)), 3.0, 11.0),

@@ -5,9 +5,10 @@ import pytest
 from scipy.optimize import linprog
 
 from benchdragon import Arc, Dragon, Line, Route
-from benchdragon.kernels import drive, pacing, sweep
+from benchdragon.kernels import bounds as sweep
+from benchdragon.kernels import drive, pacing
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.placement import Placement
+from benchdragon.model.placement import Placement
 
 HANDLES = 4
 STEPS = 12

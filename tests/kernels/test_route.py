@@ -7,7 +7,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from benchdragon.curves import AnyCurve, Arc, Clothoid, Line, Route, Spiral
 from benchdragon.kernels.chain import cosines
 from benchdragon.kernels.curve import ARC, KIND, LENGTH, S_START, U_BACK, U_END, U_START, place
 from benchdragon.kernels.route import (
@@ -23,6 +22,7 @@ from benchdragon.kernels.route import (
     step_back,
 )
 from benchdragon.kernels.status import Status
+from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line, Route, Spiral
 from tests.kernels.second_road import first_root, points
 
 # Cosine between bench and route from which on a search may stall instead of arriving.

@@ -21,11 +21,14 @@ from benchdragon import (
     first_contact,
     least_clearance,
 )
-from benchdragon.clearance import boxes, pair_distances
-from benchdragon.contact import Hunt
-from benchdragon.ground import Ground, Ledger, Step
-from benchdragon.kernels import cells, search, sweep
+from benchdragon.analysis.contact import Hunt
+from benchdragon.analysis.distance import boxes, pair_distances
+from benchdragon.analysis.regions import Ground, Ledger, Step
+from benchdragon.analysis.speed import greatest_speed
+from benchdragon.kernels import bounds as sweep
 from benchdragon.kernels import curve as kernel
+from benchdragon.kernels import regions as cells
+from benchdragon.kernels import search
 from benchdragon.kernels.box import (
     BOX_COLUMNS,
     HALF_LENGTH,
@@ -39,8 +42,7 @@ from benchdragon.kernels.box import (
 )
 from benchdragon.kernels.chain import rates
 from benchdragon.kernels.curve import FloatArray, Y
-from benchdragon.placement import Placement
-from benchdragon.speeds import greatest_speed
+from benchdragon.model.placement import Placement
 
 BENCHES = [Bench(1.6, 0.4, 0.1, 0.2), *[Bench(1.1, 0.3, 0.1, 0.1)] * 5]
 ROUTES = {

@@ -9,7 +9,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from benchdragon.curves import Line, Spiral
 from benchdragon.kernels.curve import P, place
 from benchdragon.kernels.route import next_handle
 from benchdragon.kernels.spiral import (
@@ -29,6 +28,7 @@ from benchdragon.kernels.spiral import (
     takes_link,
 )
 from benchdragon.kernels.status import Status
+from benchdragon.model.curves import Line, Spiral
 
 Float = npt.NDArray[np.float64]
 

@@ -20,11 +20,11 @@ from benchdragon import (
     contact_windows,
     first_contact,
     least_clearance,
-    speeds,
 )
+from benchdragon.analysis import speed as speeds
+from benchdragon.analysis.speed import greatest_speed
+from benchdragon.figures.walk import bench_corners
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.pictures import bench_corners
-from benchdragon.speeds import greatest_speed
 
 SEEDS = range(40)
 # Samples of the walk before the contact, and just around it.

@@ -9,9 +9,9 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from benchdragon import Arc, Clothoid, Dragon, Line, Motion, Route, SpeedProfile, Spiral, Status, Walk
-from benchdragon.curves import AnyCurve
 from benchdragon.kernels.curve import place
 from benchdragon.kernels.route import locate
+from benchdragon.model.curves import AnyCurve
 
 Float = npt.NDArray[np.float64]
 

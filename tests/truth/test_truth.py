@@ -16,8 +16,8 @@ from hypothesis import strategies as st
 
 import benchdragon as bd
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, box_gap, boxes_at
-from benchdragon.plan import Plan, checked
-from benchdragon.solve import limit
+from benchdragon.plans.schema import Plan, checked
+from benchdragon.solve.size import limit
 from tests.truth import make_truth, road, scan
 from tests.truth.make_truth import spiral_entries, turn_entries, turn_summary
 from tests.truth.road import Bench

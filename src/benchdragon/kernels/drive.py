@@ -13,10 +13,7 @@ import math
 
 import numpy as np
 
-from benchdragon.kernels.curve import U_END, U_START, FloatArray, curvature
-from benchdragon.kernels.jit import kernel
-from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.sweep import (
+from benchdragon.kernels.bounds import (
     FADE,
     FRONT_HIGH,
     FRONT_LOW,
@@ -39,6 +36,9 @@ from benchdragon.kernels.sweep import (
     size,
     times,
 )
+from benchdragon.kernels.curve import U_END, U_START, FloatArray, curvature
+from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.route import IntArray
 
 # What is bounded: speeds and accelerations of handles, turning rates of benches.
 SPEEDS = 0
@@ -157,7 +157,7 @@ def side_rates(table: FloatArray, bend: FloatArray, rates: FloatArray) -> None:
     """Fill rates, (handles, 2), with least and greatest d log(ds_i / dsigma) / dsigma, 1/m.
 
     For any moment of the step in `table` at which every handle's curvature lies within bend[i]; see
-    `sweep.bound_next`.
+    `bounds.bound_next`.
     """
     rates[0, 0], rates[0, 1] = 0.0, 0.0
     for i in range(table.shape[0] - 1):

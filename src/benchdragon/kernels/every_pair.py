@@ -1,7 +1,7 @@
 """A search of a whole walk for all pairs of benches, step by step, without cells of the route.
 
 For dragons of which no two benches are alike, whose handles walk beside the route: boxing what each
-bench sweeps in each cell would cost more than the search (kernels/cells.py). Pairs that may come near
+bench sweeps in each cell would cost more than the search (kernels/regions.py). Pairs that may come near
 in a step are found by its benches' paths and faces, and searched as in kernels/search.py.
 """
 
@@ -9,6 +9,7 @@ import math
 
 import numpy as np
 
+from benchdragon.kernels.bounds import PATH, PULL, TRAVEL, face_bound
 from benchdragon.kernels.box import CX, CY, box_gap
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.jit import kernel
@@ -27,7 +28,6 @@ from benchdragon.kernels.search import (
     halvings,
     look,
 )
-from benchdragon.kernels.sweep import PATH, PULL, TRAVEL, face_bound
 
 # How a search ended, besides the ways of kernels/search.py: room for more pairs is needed.
 CROWDED = 7

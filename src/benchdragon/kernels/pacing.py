@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from benchdragon.kernels import sweep
+from benchdragon.kernels import bounds as sweep
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.drive import ACROSS, ALONG, SPEEDS, TOTAL, TURNING, most_in_step
 from benchdragon.kernels.jit import kernel

@@ -2,7 +2,7 @@
 
 Each search opens the leftmost part of a step of the head first, carries along only the pairs of
 benches that could not be shown to keep apart, and halves the part while any are left. What it passes
-over is clear by a bound that holds for the whole of it (kernels/sweep.py), never by looking only.
+over is clear by a bound that holds for the whole of it (kernels/bounds.py), never by looking only.
 """
 
 import math
@@ -10,12 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from benchdragon.kernels.box import BOX_COLUMNS, box_distance, set_box
-from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import kernel
-from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.sway import bound_beside, stand_beside
-from benchdragon.kernels.sweep import (
+from benchdragon.kernels.bounds import (
     BENCH_COLUMNS,
     HANDLE_COLUMNS,
     PATH,
@@ -27,6 +22,11 @@ from benchdragon.kernels.sweep import (
     empty_places,
     gap_ceiling,
 )
+from benchdragon.kernels.box import BOX_COLUMNS, box_distance, set_box
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.perturbed import bound_beside, stand_beside
+from benchdragon.kernels.route import IntArray
 
 # What a search is after.
 FIRST_TOUCH = 0  # the first head position at which a pair is nearer than the margin

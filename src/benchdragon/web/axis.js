@@ -4,7 +4,7 @@ import { draw, make } from "./elements.js";
 import { _, decimals, language, shortLength } from "./words.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
-/** @typedef {import("./wire").Occasion} Occasion */
+/** @typedef {import("./messages").Occasion} Occasion */
 
 /** What marks look like; joints are small ones. */
 const SIGNS = {

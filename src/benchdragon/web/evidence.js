@@ -3,8 +3,8 @@
 import { make } from "./elements.js";
 import { _, decimals } from "./words.js";
 
-/** @typedef {import("./wire").Answer} Answer */
-/** @typedef {import("./wire").Verdict} Verdict */
+/** @typedef {import("./messages").Answer} Answer */
+/** @typedef {import("./messages").Verdict} Verdict */
 
 /** @param {Answer["status"]} status */
 export function statusText(status) {

@@ -5,8 +5,8 @@ import { make, signButton } from "./elements.js";
 import { answerText, valueText } from "./evidence.js";
 import { _, decimals } from "./words.js";
 
-/** @typedef {import("./wire").JobState} JobState */
-/** @typedef {import("./wire").TurnFound} TurnFound */
+/** @typedef {import("./messages").JobState} JobState */
+/** @typedef {import("./messages").TurnFound} TurnFound */
 /** @typedef {JobState["question"]} Question */
 /** @typedef {import("./plan_form.js").Plan} Plan */
 
@@ -162,7 +162,7 @@ export class JobList {
 
   /** Find the questions that were asked before the page was loaded again. */
   async find() {
-    /** @type {import("./wire").JobTaken[]} */
+    /** @type {import("./messages").JobTaken[]} */
     const taken = await heard("/api/jobs", () => {});
     for (const { id, question, plan, plan_sha256: hash } of taken) {
       noteHash(plan, hash);

@@ -3,7 +3,7 @@
 import { choice, make } from "./elements.js";
 import { _, language } from "./words.js";
 
-/** @typedef {import("./wire").Preset} Preset */
+/** @typedef {import("./messages").Preset} Preset */
 /**
  * A plan as plain data; values stand under dotted names.
  * @typedef {Record<string, any>} Plan

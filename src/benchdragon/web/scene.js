@@ -1,6 +1,6 @@
 // A dance unpacked: where every handle is, and how fast, at any time.
 
-/** @typedef {import("./wire").Dance} Dance */
+/** @typedef {import("./messages").Dance} Dance */
 
 /**
  * Places and speeds of all handles at one time.

@@ -11,9 +11,9 @@ import { unpackedScene } from "./scene.js";
 import { Line } from "./telling.js";
 import { _, language, speak, useWords } from "./words.js";
 
-/** @typedef {import("./wire").Answer} Answer */
-/** @typedef {import("./wire").Preset} Preset */
-/** @typedef {import("./wire").Verdict} Verdict */
+/** @typedef {import("./messages").Answer} Answer */
+/** @typedef {import("./messages").Preset} Preset */
+/** @typedef {import("./messages").Verdict} Verdict */
 /** @typedef {import("./scene.js").Scene} Scene */
 /** @typedef {import("./plan_form.js").Plan} Plan */
 

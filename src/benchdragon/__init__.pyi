@@ -1,0 +1,52 @@
+# All public names and where they live: the one list, for people, type checkers and Python.
+from .analysis.check import Report as Report
+from .analysis.check import check as check
+from .analysis.contact import ClearanceCurve as ClearanceCurve
+from .analysis.contact import Window as Window
+from .analysis.contact import clearance_curve as clearance_curve
+from .analysis.contact import contact_windows as contact_windows
+from .analysis.contact import first_contact as first_contact
+from .analysis.contact import least_clearance as least_clearance
+from .analysis.distance import Nearness as Nearness
+from .analysis.distance import clearances as clearances
+from .analysis.distance import tightest_pairs as tightest_pairs
+from .analysis.proof import prove_contact as prove_contact
+from .analysis.speed import greatest_speed as greatest_speed
+from .errors import BenchDragonError as BenchDragonError
+from .errors import InputError as InputError
+from .errors import NoSolutionError as NoSolutionError
+from .errors import UnsureError as UnsureError
+from .errors import WalkError as WalkError
+from .kernels.status import Status as Status
+from .model.answer import Answer as Answer
+from .model.answer import Witness as Witness
+from .model.curves import Arc as Arc
+from .model.curves import Clothoid as Clothoid
+from .model.curves import Line as Line
+from .model.curves import Route as Route
+from .model.curves import Spiral as Spiral
+from .model.dragon import Bench as Bench
+from .model.dragon import Dragon as Dragon
+from .model.placement import Placement as Placement
+from .model.profile import SpeedProfile as SpeedProfile
+from .model.turns import Turn as Turn
+from .model.turns import TwoArcTurn as TwoArcTurn
+from .model.turns import three_pieces as three_pieces
+from .model.turns import two_arcs as two_arcs
+from .model.walk import Motion as Motion
+from .model.walk import Walk as Walk
+from .plans.schema import Plan as Plan
+from .plans.schema import read_plan as read_plan
+from .player.page import show as show
+from .solve.head_speed import greatest_head_speed as greatest_head_speed
+from .solve.size import limit as limit
+from .solve.size import smallest_pitch as smallest_pitch
+from .solve.tolerance import Slips as Slips
+from .solve.tolerance import Tolerance as Tolerance
+from .solve.tolerance import tolerance as tolerance
+from .solve.turn import BestTurn as BestTurn
+from .solve.turn import Wish as Wish
+from .solve.turn import best_turn as best_turn
+
+__all__: list[str]
+__version__: str

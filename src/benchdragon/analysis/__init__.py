@@ -1,0 +1,1 @@
+"""What a walk does: distances, contact, speeds, and whether it is safe."""

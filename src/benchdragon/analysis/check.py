@@ -1,0 +1,356 @@
+"""Whether a walk is safe: first contact, least clearance, speeds and accelerations against limits."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from benchdragon.analysis.contact import (
+    ClearanceCurve,
+    clearance_curve,
+    contact_windows,
+    first_contact,
+    least_clearance,
+)
+from benchdragon.analysis.proof import prove_contact
+from benchdragon.analysis.speed import (
+    QUANTITIES,
+    RATE_TOLERANCE,
+    given_limits,
+    greatest,
+    greatest_speed,
+    part_of,
+)
+from benchdragon.errors import InputError
+from benchdragon.i18n import N_, _
+from benchdragon.model.answer import ROUNDING, Answer
+from benchdragon.model.walk import Motion, Walk
+from benchdragon.plans.schema import Plan
+
+Advance = Callable[[float, str], None]
+
+# Grazes that a check looks past for a sure contact.
+MOST_GRAZES = 100
+# Samples of the clearance drawn, and seconds shown after a contact.
+SAMPLES = 1000
+AFTER = 3.0
+# How often a check advances by 1.
+STEPS = 4
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Something that a walk must not do, or that could not be decided.
+
+    Attributes:
+        code: "contact", "margin", "speed" or another limited quantity, "head_acceleration" or
+            "undecided".
+        time: when, s.
+        benches: which.
+        value: what came out, m, m/s, m/s^2 or rad/s.
+        limit: what was to be kept.
+        sentence: the same in words, to be translated, with places for `words`, translated too.
+        words: see `sentence`.
+    """
+
+    code: str
+    time: float | None
+    benches: tuple[int, ...]
+    value: float
+    limit: float
+    sentence: str
+    words: dict[str, str]
+
+    @property
+    def text(self) -> str:
+        """The finding as a sentence, in the language in use."""
+        return _(self.sentence).format(**{name: _(word) for name, word in self.words.items()})
+
+    def as_json(self) -> dict[str, Any]:
+        """The finding as plain data, its text in the language in use."""
+        names = ("code", "text", "time", "benches", "value", "limit")
+        return {name: getattr(self, name) for name in names}
+
+
+@dataclass(frozen=True)
+class Report:
+    """What a check found.
+
+    Attributes:
+        plan: what was checked.
+        start: of the walk, s.
+        end: of the walk, s; the answers but the first speak of it up to a contact, if there is one.
+        first_contact: when two benches but neighbours first touch, or come nearer than the margin.
+        clearance: the least distance that they keep, m; 0 where they touch.
+        greatest_speed: of any handle, m/s.
+        peaks: the greatest of what else is limited, by the names of the limits, in SI units.
+        findings: empty if the walk is safe.
+        proved: whether what is said of contact was proved.
+    """
+
+    plan: Plan
+    start: float
+    end: float
+    first_contact: Answer | None
+    clearance: Answer
+    greatest_speed: Answer
+    peaks: dict[str, Answer]
+    findings: tuple[Finding, ...]
+    proved: bool = False
+
+    @property
+    def safe(self) -> bool:
+        """Whether nothing was found; a question left open counts as found."""
+        return not self.findings
+
+    @property
+    def decided(self) -> bool:
+        """Whether no question was left open that could change `safe`."""
+        codes = {finding.code for finding in self.findings}
+        return codes != {"undecided"}
+
+
+def check(plan: Plan, advance: Advance | None = None, *, prove: bool = False) -> Report:
+    """Check the whole walk of a plan against its margin and its limits.
+
+    With `prove` it is proved when the first contact comes, or that none does (see `prove`); where two
+    benches come within rounding of the margin first, nothing is.
+
+    Raises:
+        MissingExtraError: for a proof without python-flint.
+        WalkError: if no contact comes before the dragon cannot walk on.
+        UnsureError: if it could not be decided whether it can.
+    """
+    tell = advance or (lambda _share, _text: None)
+    walk = plan.build()
+    start, end = plan.span(walk)
+    margin = plan.limits.margin
+    tell(0.0, _("looking for contact"))
+    search = prove_contact if prove else first_contact
+    contact = search(walk, start, end, margin=margin, advance=part_of(tell, _("contact")))
+    contact = sure_contact(walk, start, end, margin, contact)
+    until = end if contact is None or contact.witness is None else contact.upper
+    clearance = no_clearance(contact)
+    if clearance is None:
+        clearance = least_clearance(walk, start, until, advance=part_of(tell, _("clearance")))
+    speed = greatest_speed(walk, start, until, advance=part_of(tell, _("greatest speed")))
+    speed = decided_speed(plan, walk, (start, until), speed)
+    peaks = limited_peaks(plan, walk, (start, until), part_of(tell, _("other limits")))
+    findings = all_findings(plan, walk, (start, until), contact, {"speed": speed, **peaks})
+    proved = prove and (contact is None or contact.status == "proved")
+    return Report(plan, start, end, contact, clearance, speed, peaks, findings, proved=proved)
+
+
+def sure_contact(
+    walk: Walk, start: float, end: float, margin: float, first: Answer | None
+) -> Answer | None:
+    """The first contact, or if that is a graze one that is none, if there is one."""
+    if first is None or first.status != "undecided":
+        return first
+    windows = contact_windows(walk, start, end, margin=margin, most=MOST_GRAZES)
+    return next((window.opens for window in windows if window.opens.status == "found"), first)
+
+
+def no_clearance(contact: Answer | None) -> Answer | None:
+    """The least clearance where benches touch: none; None where they do not."""
+    if contact is None or contact.witness is None or contact.witness.gap > 0.0:
+        return None
+    return replace(contact, value=0.0, lower=0.0, upper=0.0, unit="m")
+
+
+def decided_speed(plan: Plan, walk: Walk, span: tuple[float, float], speed: Answer) -> Answer:
+    """The greatest speed over a span of the walk, s, asked again where its bracket holds the limit."""
+    limit = plan.limits.speed
+    if limit is None or speed.keeps(limit) is not None:
+        return speed
+    return greatest(walk, QUANTITIES["speed"], *span, limit=limit * (1.0 + ROUNDING))
+
+
+def limited_peaks(
+    plan: Plan,
+    walk: Walk,
+    span: tuple[float, float],
+    advance: Callable[[float], None] | None = None,
+) -> dict[str, Answer]:
+    """The greatest of each quantity but speed that the plan limits, over a span of the walk, s.
+
+    Brackets are as narrow as it takes to compare them with their limits (see `speed.greatest`).
+    """
+    limits = {name: limit for name, limit in given_limits(plan).items() if name != "speed"}
+    peaks = {}
+    for n, (name, limit) in enumerate(limits.items()):
+        peaks[name] = greatest(
+            walk, QUANTITIES[name], *span, tolerance=RATE_TOLERANCE, limit=limit * (1.0 + ROUNDING)
+        )
+        if advance:
+            advance((n + 1) / len(limits))
+    if advance:
+        advance(1.0)
+    return peaks
+
+
+def all_findings(
+    plan: Plan,
+    walk: Walk,
+    span: tuple[float, float],
+    contact: Answer | None,
+    peaks: dict[str, Answer],
+) -> tuple[Finding, ...]:
+    """What a walk does that its plan forbids, from the first time of the span, s, to the second.
+
+    `peaks` are the greatest speed and what `limited_peaks` found.
+    """
+    limits = given_limits(plan)
+    return (
+        *_contact_findings(contact, plan.limits.margin),
+        *_head_findings(walk, span, plan.limits.head_acceleration),
+        *(found for name in limits for found in _limit_findings(name, peaks[name], limits[name])),
+    )
+
+
+def _contact_findings(contact: Answer | None, margin: float) -> list[Finding]:
+    if contact is None or contact.witness is None:
+        return []
+    near = contact.witness
+    code = "undecided" if contact.status == "undecided" else "contact" if near.gap <= 0.0 else "margin"
+    sentence = {
+        "contact": N_("benches {a} and {b} touch at t = {t} s"),
+        "margin": N_("benches {a} and {b} come nearer than {margin} m at t = {t} s"),
+        "undecided": N_(
+            "benches {a} and {b} come to {margin} m of one another at t = {t} s, too exactly to tell "
+            "on which side"
+        ),
+    }[code]
+    a, b = near.benches
+    words = {"a": str(a), "b": str(b), "t": f"{contact.value:.6f}", "margin": f"{margin:g}"}
+    return [Finding(code, contact.value, near.benches, max(near.gap, 0.0), margin, sentence, words)]
+
+
+def _head_findings(walk: Walk, span: tuple[float, float], limit: float) -> list[Finding]:
+    """Whether the head changes its speed faster than it may: its acceleration is known exactly."""
+    stretches = walk.profile.stretches(*span)
+    n = int(np.argmax(np.abs(stretches.rates)))
+    value, time = abs(float(stretches.rates[n])), float(stretches.times[n, 0])
+    if value <= limit * (1.0 + ROUNDING):
+        return []
+    sentence = N_(
+        "the head changes its speed by {value} m/s^2 from t = {t} s on, the limit being {limit} m/s^2"
+    )
+    words = {"t": f"{time:.6f}", **_told_apart(value, limit)}
+    return [Finding("head_acceleration", time, (1,), value, limit, sentence, words)]
+
+
+def _told_apart(value: float, limit: float) -> dict[str, str]:
+    """A value and its limit with six digits, or as many as show the difference."""
+    digits = next((n for n in range(6, 17) if f"{value:.{n}g}" != f"{limit:.{n}g}"), 6)
+    return {"value": f"{value:.{digits}g}", "limit": f"{limit:.6g}"}
+
+
+def _limit_findings(name: str, peak: Answer, limit: float) -> list[Finding]:
+    """Whether what is limited exceeds its limit, or may."""
+    near, quantity = peak.witness, QUANTITIES[name]
+    kept = peak.keeps(limit)
+    if kept or near is None:
+        return []
+    sentence = N_("whether the {what} keeps to {limit} {unit} is undecided: {value} {unit} was seen")
+    if kept is False:
+        sentence = N_(
+            "{what} at bench {bench} is {value} {unit} at t = {t} s, the limit being {limit} {unit}"
+        )
+    if kept is False and name == "speed":
+        sentence = N_(
+            "a handle of bench {bench} walks at {value} m/s at t = {t} s, the limit being {limit} m/s"
+        )
+    words = {
+        "what": quantity.text, "bench": str(near.benches[0]), "unit": quantity.unit,
+        "t": f"{near.time:.6f}", **_told_apart(peak.value, limit),
+    }  # fmt: skip
+    code = "undecided" if kept is None else name
+    return [Finding(code, near.time, near.benches, peak.value, limit, sentence, words)]
+
+
+def peak_text(name: str) -> str:
+    """What the greatest of a limited quantity is called, in the language in use."""
+    return _("greatest {what}").format(what=_(QUANTITIES[name].text))
+
+
+def sentence(report: Report) -> str:
+    """A verdict in one sentence, in the language in use."""
+    if report.safe:
+        return _("Walkable: {tightest}").format(tightest=_kept(report))
+    first = report.findings[0]
+    text = first.text
+    if first.code in {"contact", "margin"} and first.time is not None:
+        text = _("benches {a} and {b} touch at {t} s")
+        if first.code == "margin":
+            text = _("benches {a} and {b} come nearer than the {margin} cm asked for at {t} s")
+        a, b = first.benches
+        text = text.format(a=a, b=b, t=f"{first.time:.1f}", margin=f"{100.0 * first.limit:g}")
+    more = len(report.findings) - 1
+    if more:
+        text = _("{finding}; findings besides: {count}").format(finding=text, count=more)
+    if not report.decided:
+        return _("Undecided: {finding}").format(finding=text)
+    return _("Not walkable: {finding}").format(finding=text)
+
+
+def _kept(report: Report) -> str:
+    """What a safe walk keeps: the tightest place, and margin and speed beside what was asked for."""
+    near, limits = report.clearance.witness, report.plan.limits
+    said = [_("no two benches come near one another")]
+    if near is not None and near.time is not None and len(near.benches) == 2:
+        said = [
+            _("tightest {gap} cm, bench {a} with bench {b}, at {t} s").format(
+                gap=f"{100.0 * report.clearance.value:.3g}",
+                a=near.benches[0],
+                b=near.benches[1],
+                t=f"{near.time:.1f}",
+            )
+        ]
+    if limits.margin:
+        said.append(_("{margin} cm were asked for").format(margin=f"{100.0 * limits.margin:g}"))
+    if limits.speed is not None:
+        said.append(
+            _("fastest handle {speed} m/s of {limit} m/s allowed").format(
+                speed=f"{report.greatest_speed.value:.6g}", limit=f"{limits.speed:g}"
+            )
+        )
+    for name, peak in report.peaks.items():
+        quantity = QUANTITIES[name]
+        said.append(
+            _("{what} at most {most} {unit} of {limit} {unit} allowed").format(
+                what=_(quantity.text),
+                most=f"{peak.upper:.3g}",
+                limit=f"{given_limits(report.plan)[name]:.3g}",
+                unit=quantity.unit,
+            )
+        )
+    return _("; ").join(said)
+
+
+def moment(report: Report) -> tuple[Motion, Answer]:
+    """The dragon at first contact, or where the walk is tightest; and the answer that says so.
+
+    Raises:
+        InputError: for a dragon without pairs that count.
+    """
+    contact = report.first_contact
+    answer = report.clearance if contact is None else contact
+    if answer.witness is None or answer.witness.time is None:
+        raise InputError(_("a dragon of one or two benches has no pair whose clearance counts"))
+    walk = report.plan.build()
+    time = answer.witness.time if contact is None else contact.value
+    return walk.motion([time]), answer
+
+
+def clearance_over(report: Report) -> ClearanceCurve:
+    """Clearance over the whole walk, or until shortly after a contact."""
+    walk, end = report.plan.build(), report.end
+    contact = report.first_contact
+    if contact is not None:
+        end = min(end, contact.upper + AFTER)
+    times = np.linspace(report.start, end, SAMPLES)
+    while walk.motion(times, throw=False).status.any():  # the walk falls shortly after the contact
+        times = times[:-1]
+    return clearance_curve(walk, times)

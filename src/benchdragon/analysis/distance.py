@@ -1,0 +1,237 @@
+"""How near benches come to one another: clearance at an instant, over all pairs that count.
+
+Neighbours share a handle and lie at different heights, so they overlap by construction; every other
+pair counts, from |i - j| = 2 on.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from benchdragon.errors import not_negative, of_kind, whole
+from benchdragon.i18n import N_
+from benchdragon.kernels import box as kernel
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.status import Status
+from benchdragon.model.placement import Placement
+from benchdragon.model.walk import Walk
+
+CORNERS = (N_("front left"), N_("rear left"), N_("rear right"), N_("front right"))
+ENDS, FLANKS = (N_("front"), N_("rear")), (N_("left"), N_("right"))
+# Pairs listed at most; each is described in a few hundred bytes.
+MOST_PAIRS = 100_000
+# Distances that agree to so many decimals, m, count as equal when pairs are put in order.
+TIE = 12
+# Head positions at which a pair's distance is taken at once, and how often the range shrinks to the
+# neighbours of the least one, unless distances are level to so many m.
+SAMPLES, SHRINKS, LEVEL = 64, 8, 2e-15
+# Head positions at which all pairs are looked at for a hint, and how often the range about the least
+# distance is then shrunk.
+PLACES, HINT_SHRINKS = 128, 3
+# Benches no farther apart than this, m, touch.
+TOUCHING = 1e-9
+
+
+@dataclass(frozen=True)
+class Nearness:
+    """How near two benches are.
+
+    Attributes:
+        benches: their numbers, 1..N, the smaller first.
+        distance: true distance, m; where they overlap, the gap.
+        gap: signed gap by the separating axis theorem, m; never above the distance, negative inside.
+        points: the point of each bench that is nearest to the other, m; of overlapping benches the
+            deepest corner twice.
+        features: what meets: the corner of one bench, and the side or the corner of the other, each
+            with the number of its bench.
+    """
+
+    benches: tuple[int, int]
+    distance: float
+    gap: float
+    points: tuple[tuple[float, float], tuple[float, float]]
+    features: tuple[tuple[int, str], tuple[int, str]]
+
+
+def boxes(placed: Placement, index: int) -> FloatArray:
+    """The rectangles of all benches of placement number `index`, (N, BOX_COLUMNS) of kernels/box.py.
+
+    Raises:
+        WalkError: if the dragon cannot stand there.
+    """
+    of_kind("placed", placed, Placement)
+    if placed.status[whole("index", index, 0, len(placed.status) - 1)]:
+        raise placed.failure(index)
+    dragon = placed.dragon
+    out = np.empty((len(dragon), kernel.BOX_COLUMNS))
+    x, y = placed.x[index : index + 1].T, placed.y[index : index + 1].T
+    kernel.boxes_at(dragon.sizes, np.ascontiguousarray(x), np.ascontiguousarray(y), 0, out)
+    return out
+
+
+def nearness(table: FloatArray, i: int, j: int) -> Nearness:
+    """How near the benches in rows i and j of `boxes` are."""
+    distance, gap = kernel.box_distance(table, i, j), kernel.box_gap(table, i, j)
+    mine, which = kernel.nearest_corner(table, i, j)
+    owner, other = (i, j) if mine else (j, i)
+    x, y = kernel.corner(table, owner, which)
+    point, feature = _foot(table, other, x, y)
+    here = (x, y) if distance <= 0.0 else point
+    points = ((x, y), here) if mine else (here, (x, y))
+    return Nearness(
+        (min(i, j) + 1, max(i, j) + 1),
+        distance,
+        gap,
+        points if i < j else (points[1], points[0]),
+        ((owner + 1, CORNERS[which]), (other + 1, feature)),
+    )
+
+
+def _foot(table: FloatArray, j: int, x: float, y: float) -> tuple[tuple[float, float], str]:
+    """The point of box j nearest to (x, y), and whether it lies on a side or at a corner."""
+    along, across = kernel.offset(table, j, x, y)
+    half, wide = float(table[j, kernel.HALF_LENGTH]), float(table[j, kernel.HALF_WIDTH])
+    a, b = min(max(along, -half), half), min(max(across, -wide), wide)
+    ux, uy = float(table[j, kernel.UX]), float(table[j, kernel.UY])
+    point = (
+        float(table[j, kernel.CX]) + a * ux - b * uy,
+        float(table[j, kernel.CY]) + a * uy + b * ux,
+    )
+    if abs(along) > half and abs(across) > wide:
+        return point, f"{ENDS[int(along < 0.0)]} {FLANKS[int(across < 0.0)]}"
+    if abs(along) - half > abs(across) - wide:
+        return point, ENDS[int(along < 0.0)]
+    return point, FLANKS[int(across < 0.0)]
+
+
+def pairs_within(table: FloatArray, reach: float) -> tuple[IntArray, IntArray]:
+    """Rows of all pairs that are not neighbours and may be within `reach` metres: a superset."""
+    from scipy.spatial import cKDTree  # slow to import
+
+    radius = np.hypot(table[:, kernel.HALF_LENGTH], table[:, kernel.HALF_WIDTH])
+    tree = cKDTree(table[:, [kernel.CX, kernel.CY]])
+    pairs = tree.query_pairs(2.0 * float(radius.max()) + reach, output_type="ndarray")
+    first, second = pairs.min(axis=1), pairs.max(axis=1)
+    apart = np.hypot(*(table[first, :2] - table[second, :2]).T)
+    keep = (second - first >= 2) & (apart <= radius[first] + radius[second] + reach)
+    return first[keep].astype(np.int64), second[keep].astype(np.int64)
+
+
+def tightest_pairs(placed: Placement, index: int = 0, count: int = 1) -> list[Nearness]:
+    """The `count` pairs of benches with the smallest distance at time number `index`, tightest first.
+
+    Neighbours do not count. Fewer come back where the dragon has fewer pairs. Equal distances come in
+    the order of the benches. Cost grows nearly linearly in benches.
+
+    Raises:
+        InputError: for a count outside 1..MOST_PAIRS.
+        WalkError: if the dragon cannot stand there.
+    """
+    whole("count", count, 1, MOST_PAIRS)
+    table = boxes(placed, index)
+    wanted = min(count, (len(table) - 1) * (len(table) - 2) // 2)
+    reach = 0.25
+    while True:
+        first, second = pairs_within(table, reach)
+        gap, distance = np.empty(len(first)), np.empty(len(first))
+        kernel.pair_distances(table, first, second, gap, distance)
+        if (distance <= reach).sum() >= wanted:
+            break
+        reach *= 2.0
+    order = np.lexsort((second, first, np.round(distance, TIE)))[:wanted]
+    return [nearness(table, int(first[p]), int(second[p])) for p in order]
+
+
+def touching(placed: Placement, index: int = 0) -> IntArray:
+    """Rows of all benches that touch or overlap another but a neighbour at time number `index`.
+
+    Raises:
+        WalkError: if the dragon cannot stand there.
+    """
+    table = boxes(placed, index)
+    first, second = pairs_within(table, TOUCHING)
+    gap, distance = np.empty(len(first)), np.empty(len(first))
+    kernel.pair_distances(table, first, second, gap, distance)
+    meet = distance <= TOUCHING
+    return np.union1d(first[meet], second[meet])
+
+
+def pair_distances(placed: Placement, i: int, j: int) -> FloatArray:
+    """Distance of benches i and j (rows, from 0) at each placement, m, (T,); minus a depth.
+
+    Infinite where the dragon does not stand.
+    """
+    out = np.empty(len(placed.head_s))
+    x, y = np.ascontiguousarray(placed.x.T), np.ascontiguousarray(placed.y.T)
+    kernel.distances_along(placed.dragon.sizes, x, y, i, j, out)
+    return out
+
+
+def nearest_each(placed: Placement, reach: float = 1.0) -> tuple[FloatArray, IntArray]:
+    """Each bench's distance to the nearest bench that is no neighbour, m, and that bench's number.
+
+    Both are (T, N). Beyond `reach`, m, they are infinite and 0; the distance is minus the depth where
+    benches overlap, and NaN at times at which the dragon does not stand.
+
+    Raises:
+        InputError: for a negative reach.
+    """
+    not_negative("reach", reach, "m")
+    shape = len(placed.head_s), len(placed.dragon)
+    distance, partner = np.full(shape, np.nan), np.full(shape, -1, dtype=np.int64)
+    x, y = np.ascontiguousarray(placed.x.T), np.ascontiguousarray(placed.y.T)
+    for t in np.flatnonzero(placed.status == Status.OK).tolist():
+        kernel.nearest_each(placed.dragon.sizes, x, y, t, reach, distance, partner)
+    return distance, partner + 1
+
+
+def low_point(
+    walk: Walk, i: int, j: int, low: float, high: float, shrinks: int = SHRINKS
+) -> tuple[float, float]:
+    """The least distance of benches i < j (rows, from 0) with the head between low and high, m; where.
+
+    It is looked for, not bounded; infinite where the dragon stands nowhere. Minus a depth inside.
+    """
+    dragon = walk.dragon.first(j + 1)
+    least, where = math.inf, 0.5 * (low + high)
+    for _shrink in range(shrinks if low < high else 0):
+        at = np.linspace(low, high, SAMPLES)
+        distance = pair_distances(Placement(dragon, walk.route, at), i, j)
+        n = int(np.argmin(distance))  # infinite where the dragon does not stand
+        if not math.isfinite(distance[n]):
+            break
+        least, where = min((least, where), (float(distance[n]), float(at[n])))
+        if distance.max() - distance[n] <= LEVEL:
+            break
+        low, high = at[max(n - 1, 0)], at[min(n + 1, SAMPLES - 1)]
+    return least, where
+
+
+def low_pair(walk: Walk, first: float, last: float) -> tuple[float, float, int, int]:
+    """A low distance with the head between first and last, m; where, and of which benches (rows).
+
+    It is looked for at PLACES head positions, and about the least of them: a hint, no bound. Minus a
+    depth inside; infinite where the dragon stands nowhere. Cost grows with the square of benches.
+    """
+    at = np.linspace(first, last, PLACES)
+    placed = walk.placement(at, throw=False)
+    distance, t, i, j = kernel.nearest_pair(walk.dragon.sizes, placed.x.T, placed.y.T)
+    if not math.isfinite(distance):
+        return math.inf, first, 0, 0
+    around = float(at[max(t - 1, 0)]), float(at[min(t + 1, PLACES - 1)])
+    return *min((distance, float(at[t])), low_point(walk, i, j, *around, HINT_SHRINKS)), i, j
+
+
+def clearances(placed: Placement, indices: Sequence[int] | None = None) -> FloatArray:
+    """Smallest distance over all pairs that are not neighbours at each time, m, (T,).
+
+    Negative where benches overlap (the gap then), infinite for a dragon of one or two benches. A
+    check with room for people asks for at least that room.
+    """
+    of_kind("placed", placed, Placement)
+    chosen = range(len(placed.head_s)) if indices is None else indices
+    tightest = (tightest_pairs(placed, index) for index in chosen)
+    return np.array([pairs[0].distance if pairs else np.inf for pairs in tightest])

@@ -1,0 +1,189 @@
+"""The verb `animate`: the dance as a film, as stills, or as a contact sheet."""
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from benchdragon.cli.console import print_files, progress
+from benchdragon.cli.options import (
+    BESIDE,
+    FILE,
+    WITHOUT,
+    announce_compiling,
+    json_option,
+    plan_options,
+    refuse_strays,
+    shared_options,
+    span_options,
+)
+from benchdragon.cli.parsing import PICTURE_FORMATS, check_ending, parse_sides, parse_span, parse_times
+from benchdragon.i18n import N_
+from benchdragon.version import __version__
+
+FILM_FORMATS = ("mp4", "gif")
+
+if TYPE_CHECKING:
+    from benchdragon.export.film_scene import Look
+    from benchdragon.plans.schema import Plan
+
+
+@click.command(
+    help=N_(
+        "The dance as a film, a still, or a sheet of stills; the name of the file says which.\n\n"
+        "turn.mp4 or turn.gif is a film; turn.png, turn.svg or turn.pdf a still, or with --sheet many "
+        "of them side by side. PLAN is a *.dragon.toml file or the name of a built-in plan: "
+        "spiral-in, turn. For example: benchdragon animate turn -o turn.mp4 --start -5 --end 20"
+    )
+)
+@plan_options
+@click.option(
+    "-o",
+    "--output",
+    required=True,
+    type=FILE,
+    metavar="FILE",
+    help=N_("File to write: .mp4, .gif, .png, .svg or .pdf."),
+)
+@span_options
+@click.option(
+    "--speed-up",
+    type=click.FloatRange(1e-3, 1e4),
+    metavar="NUMBER",
+    help=N_("Seconds of the dance in a second of the film; 0.5 is slow motion. Default: 1."),
+)
+@click.option(
+    "--fps",
+    type=click.IntRange(1, 120),
+    help=N_("Frames a second. Default: 30, for a GIF 20."),
+)
+@click.option(
+    "--at",
+    metavar="TIMES",
+    help=N_(
+        "Instants of stills, for example 14 or 0,60,3:12; several make several files, or fill a "
+        "sheet. Default: where it begins; for a sheet spread evenly."
+    ),
+)
+@click.option(
+    "--sheet",
+    metavar="COLUMNSxROWS",
+    help=N_("Stills side by side in one picture, for example 4x3."),
+)
+@click.option(
+    "--size",
+    metavar="WIDTHxHEIGHT",
+    help=N_("Size in pixels, even numbers. Default: 1920x1080, for a GIF 960x540."),
+)
+@click.option(
+    "--theme",
+    type=click.Choice(["light", "dark"]),
+    default="light",
+    show_default=True,
+    help=N_("Dark on light, or light on dark."),
+)
+@click.option(
+    "--follow",
+    type=click.IntRange(1, 1_000_000),
+    metavar="BENCH",
+    help=N_("Keep this bench in the middle; 1 is the head."),
+)
+@click.option(
+    "--span",
+    type=click.FloatRange(0.1, 1e5),
+    metavar="METRES",
+    help=N_("With --follow: metres from the left edge to the right. Default: 12."),
+)
+@click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))
+@json_option
+@shared_options
+def animate(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
+    """Write the files and name them, as text or JSON."""
+    path: Path = options["output"]
+    kind = path.suffix[1:]
+    check_ending("-o", path, [f".{name}" for name in FILM_FORMATS + PICTURE_FORMATS])
+    picture = kind in PICTURE_FORMATS
+    _refuse_strays(options, picture)
+    from benchdragon.plans.schema import read_plan
+
+    read = read_plan(plan, settings)
+    announce_compiling(quiet)
+    files, about = (_write_pictures if picture else _write_film)(read, path, options, quiet)
+    if options["as_json"]:
+        about |= {"plan_sha256": read.sha256, "version": __version__}
+        click.echo(json.dumps({"files": [str(file) for file in files], **about}))
+        return 0
+    print_files(files)
+    return 0
+
+
+def _refuse_strays(options: dict[str, Any], picture: bool) -> None:
+    """Refuse options that say nothing about what is asked for, rather than overlook them."""
+    kind = options["output"].suffix
+    still = options["sheet"] is None
+    refuse_strays(
+        *((name, not picture, BESIDE, kind) for name in ("fps", "speed_up")),
+        *((name, picture, BESIDE, kind) for name in ("at", "sheet")),
+        ("end", not (picture and still), BESIDE, kind),
+        *((name, options["at"] is None, BESIDE, "--at") for name in ("start", "end")),
+        ("span", options["follow"] is not None, WITHOUT, "--follow"),
+    )
+
+
+def _look(options: dict[str, Any], size: tuple[int, int]) -> "Look":
+    """What the options say of the look; `size` is taken where they say none."""
+    from benchdragon.export.film_scene import SPAN, Look
+
+    if options["size"] is not None:
+        size = parse_sides("--size", options["size"])
+    return Look(size, options["theme"], options["follow"], options["span"] or SPAN)
+
+
+def _write_film(
+    plan: "Plan", asked: Path, options: dict[str, Any], quiet: bool
+) -> tuple[list[Path], dict[str, Any]]:
+    """The film; and what it holds."""
+    from benchdragon.export.film import RATES, SIZES, Film, film_path, write_film
+    from benchdragon.files import refuse_existing
+
+    path = film_path(asked)
+    look = _look(options, SIZES[path.suffix])
+    film = Film(
+        plan, *parse_span(options), options["fps"] or RATES[path.suffix], options["speed_up"] or 1.0
+    )
+    refuse_existing([path], options["force"])
+    with progress(quiet, len(film.times), remaining=True) as advance:
+        write_film(film, path, look, advance)
+    return [path], {
+        "frames": len(film.times),
+        "fps": film.fps,
+        "size": look.size,
+        "start": float(film.times[0]),
+        "end": float(film.times[-1]),
+    }
+
+
+def _write_pictures(
+    plan: "Plan", path: Path, options: dict[str, Any], quiet: bool
+) -> tuple[list[Path], dict[str, Any]]:
+    """The still or stills, or the sheet; and what they hold."""
+    import numpy as np
+
+    from benchdragon.export.film import SIZES, spread_times, still_paths, write_sheet, write_stills
+    from benchdragon.files import refuse_existing
+
+    look = _look(options, SIZES[".mp4"])
+    grid = parse_sides("--sheet", options["sheet"]) if options["sheet"] else (1, 1)
+    if options["at"] is None:
+        times = spread_times(plan, *parse_span(options), grid[0] * grid[1])
+    else:
+        times = np.array(list(dict.fromkeys(parse_times(options["at"]).tolist())))
+    files = [path] if options["sheet"] else still_paths(path, times.tolist())
+    refuse_existing(files, options["force"])
+    with progress(quiet, len(files), remaining=len(files) > 1) as advance:
+        if options["sheet"]:
+            write_sheet(plan, times, path, look, *grid)
+        else:
+            write_stills(plan, times, files, look, advance)
+    return files, {"times": times.tolist(), "size": look.size}

@@ -1,0 +1,65 @@
+"""What this machine offers: versions, fonts, cache, and programs that later verbs can use."""
+
+import platform
+import shutil
+from dataclasses import dataclass
+from importlib import metadata, util
+
+from benchdragon.export.encoders import find_ffmpeg
+from benchdragon.figures.style import FONT_FILES
+from benchdragon.i18n import N_, _, language
+from benchdragon.kernels.jit import CACHE_FOLDER, COMPILED
+from benchdragon.version import __version__
+
+LIBRARIES = ("numpy", "numba", "scipy", "matplotlib", "pydantic", "click", "rich", "XlsxWriter")
+EXTRAS = {
+    N_("extra data"): ("xarray", "pyarrow", "h5netcdf", "h5py"),
+    N_("extra prove"): ("flint",),
+    N_("extra studio"): ("fastapi", "uvicorn"),
+    N_("extra video"): ("imageio_ffmpeg",),
+}
+PROGRAMS = {N_("browser"): ("chromium", "google-chrome", "firefox")}
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One line of the doctor: what, how it stands, and whether that is all right."""
+
+    name: str
+    value: str
+    good: bool
+
+
+def findings() -> list[Finding]:
+    """Everything worth knowing when something does not work."""
+    found = [
+        Finding("benchdragon", __version__, True),
+        Finding("python", platform.python_version(), True),
+        Finding(N_("platform"), platform.platform(), True),
+        Finding(N_("language"), language(), True),
+    ]
+    found += [Finding(name, metadata.version(name), True) for name in LIBRARIES]
+    for label, names in EXTRAS.items():
+        extra = label.removeprefix("extra ")
+        missing = [name for name in names if util.find_spec(name) is None]
+        advice = _("missing {names}: pip install 'benchdragon[{extra}]'").format(
+            names=", ".join(missing), extra=extra
+        )
+        found.append(Finding(label, advice if missing else ", ".join(names), not missing))
+    fonts = [path for path in FONT_FILES if path.is_file()]
+    found.append(
+        Finding(N_("fonts"), ", ".join(path.name for path in fonts), len(fonts) == len(FONT_FILES))
+    )
+    cache = (
+        str(CACHE_FOLDER)
+        if CACHE_FOLDER
+        else _("no cache folder can be written: each start compiles anew")
+    )
+    compiled = cache if COMPILED else _("kernels are left uncompiled")
+    found.append(Finding(N_("kernels"), compiled, COMPILED and CACHE_FOLDER is not None))
+    ffmpeg = find_ffmpeg()
+    found.append(Finding("ffmpeg", ffmpeg or _("not found: films become GIFs"), ffmpeg is not None))
+    for name, programs in PROGRAMS.items():
+        path = next((place for place in map(shutil.which, programs) if place), None)
+        found.append(Finding(name, path or _("not found (nothing needs it yet)"), path is not None))
+    return found

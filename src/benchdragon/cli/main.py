@@ -1,0 +1,543 @@
+"""The command line: parse, call one function, print, exit code.
+
+Help must come fast, so everything heavier than click is imported by the verb that uses it.
+"""
+
+import copy
+import json
+import os
+import signal
+import sys
+import warnings
+from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+from unicodedata import east_asian_width
+
+import click
+
+from benchdragon.cli.animate import animate
+from benchdragon.cli.console import (
+    Advance,
+    print_explanation,
+    print_files,
+    print_reproduction,
+    print_table,
+    progress,
+)
+from benchdragon.cli.options import (
+    FOLDER,
+    WITHOUT,
+    announce_compiling,
+    explain_option,
+    plan_options,
+    refuse_strays,
+    shared_options,
+    workers_option,
+)
+from benchdragon.cli.parsing import (
+    PICTURE_FORMATS,
+    TABLE_FORMATS,
+    parse_formats,
+    parse_handles,
+    parse_times,
+    spread,
+)
+from benchdragon.cli.plan import plan, schema
+from benchdragon.cli.studio import studio
+from benchdragon.cli.tolerance import margins
+from benchdragon.cli.verdicts import check, solve
+from benchdragon.cli.view import view
+from benchdragon.errors import BenchDragonError, InputError, MachineError, reason
+from benchdragon.i18n import LANGUAGES, N_, _, language
+from benchdragon.plans.toml import bench_count, read_toml
+from benchdragon.version import __version__
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from benchdragon.export.tables import Selection
+    from benchdragon.model.walk import Motion, Walk
+    from benchdragon.plans.schema import Plan
+
+COMPILE = "BENCHDRAGON_COMPILE"
+# As shells report programs that a signal ended.
+INTERRUPTED = 128 + signal.SIGINT
+NOBODY_READS = 128 + 13
+# Handles times times of a JSON answer (1 GB of text at most) and of a table on the screen.
+MOST_PLACES_JSON = 10_000_000
+MOST_ROWS_SHOWN = 400
+# Without --at a screen shows the whole walk in the first of these steps, s, that needs no more times.
+SCREEN_STEPS, SCREEN_TIMES = (1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 120.0, 300.0, 600.0, 1800.0, 3600.0), 12
+# Below this many handles times times, plain Python is done before numba would be imported
+# (design/cold_start.py).
+FEW_PLACES = 5_000
+PAD = "\0"
+PAPER_HANDLES = (0, 1, 51, 101, 151, 201)
+# What click calls the types of our options; `translated` puts them into the language in use.
+TYPE_NAMES = (N_("float range"), N_("integer range"))
+
+
+class WideFormatter(click.HelpFormatter):
+    """Gives a Chinese sign the two columns that it takes; click would count one."""
+
+    def write_text(self, text: str) -> None:
+        """Write a paragraph."""
+        super().write_text(_padded(text))
+
+    def write_dl(
+        self, rows: Iterable[tuple[str, str]], col_max: int = 30, col_spacing: int = 2
+    ) -> None:
+        """Write terms and what they mean."""
+        super().write_dl([(_padded(a), _padded(b)) for a, b in rows], col_max, col_spacing)
+
+    def getvalue(self) -> str:
+        """What was written."""
+        return super().getvalue().replace(PAD, "")
+
+
+def _padded(text: str) -> str:
+    """`text` with a sign that is not printed behind each that takes two columns."""
+    return "".join(sign + PAD * (east_asian_width(sign) in "WF") for sign in text)
+
+
+class WideContext(click.Context):
+    """Formats help as WideFormatter does."""
+
+    formatter_class = WideFormatter
+
+
+class HelpfulGroup(click.Group):
+    """Verbs in the order they were written."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Names of the verbs."""
+        del ctx
+        return list(self.commands)
+
+
+@click.group(
+    cls=HelpfulGroup,
+    context_settings={"help_option_names": ["-h", "--help"]},
+    help=N_("Where every handle of a bench dragon is, and how fast, on any route."),
+)
+@click.version_option(__version__, prog_name="benchdragon", help=N_("Show the version and exit."))
+@click.option(
+    "--lang",
+    type=click.Choice(LANGUAGES),
+    expose_value=False,
+    help=N_("Language: zh or en. Default: BENCHDRAGON_LANG, else the locale."),
+)
+def program() -> None:
+    """Hold the verbs."""
+
+
+@program.command(
+    help=N_(
+        "Repeat the paper, claim by claim, and write a report: the contest's answers, tables and "
+        "pictures, how far off each method is, and what imprecise people need."
+    )
+)
+@click.option(
+    "-o",
+    "--output",
+    type=FOLDER,
+    metavar="DIR",
+    default=Path("out"),
+    show_default=True,
+    help=N_("Folder for the files."),
+)
+@click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))
+@click.option(
+    "--docs",
+    metavar="PLACE",
+    help=N_("Folder or address of the documentation's pages, for links in the report."),
+)
+@click.option("--json", "as_json", is_flag=True, help=N_("Print one JSON object and nothing else."))
+@explain_option
+@shared_options
+def reproduce(
+    output: Path, force: bool, docs: str | None, as_json: bool, explain: bool, quiet: bool
+) -> int:
+    """Write the paper's files and print the answers."""
+    from benchdragon.paper.reproduce import STEPS
+    from benchdragon.paper.reproduce import reproduce as reproduced
+
+    announce_compiling(quiet)
+    with progress(quiet, STEPS) as advance:
+        found = reproduced(output, force, lambda text: advance(1.0, text), docs)
+    answer: dict[str, Any] = {**found.answers, "files": [str(path) for path in found.files]}
+    if explain:
+        from benchdragon.explain.answers import reproduce_lines
+
+        answer["explanation"] = reproduce_lines(found.answers)
+    if as_json:
+        click.echo(json.dumps(answer))
+        return 0
+    print_reproduction(found.answers)
+    print_files(found.files)
+    print_explanation(answer.get("explanation", []))
+    return 0
+
+
+@program.command(
+    help=N_(
+        "Place and speed of every handle at chosen times.\n\nPLAN is a *.dragon.toml file or "
+        "the name of a built-in plan: spiral-in, turn."
+    )
+)
+@plan_options
+@click.option(
+    "--at",
+    metavar="TIMES",
+    help=N_(
+        "Times: seconds (12.5), a clock time (3:12 or 1:02:03), units (3 min 12 s), a range "
+        "start..stop..step (0..300..1; a step of 1 s may be left out), or several with commas. "
+        "Default: each second of the walk that check judges; on the screen a dozen times of it."
+    ),
+)
+@click.option(
+    "--only",
+    metavar="HANDLES",
+    help=N_("Handles to give, for example 1,51,101; handle 0 is the head's front."),
+)
+@click.option(
+    "-o",
+    "--output",
+    type=FOLDER,
+    metavar="DIR",
+    help=N_("Folder for the files."),
+)
+@click.option(
+    "--format",
+    "formats",
+    default="xlsx,csv,png",
+    show_default=True,
+    metavar="LIST",
+    help=N_("What to write: xlsx, csv, npz, parquet, nc, png, svg, pdf."),
+)
+@click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))
+@click.option("--json", "as_json", is_flag=True, help=N_("Print one JSON object and nothing else."))
+@click.option(
+    "--leader",
+    type=click.Choice(["closed-form", "rk4", "adaptive"]),
+    default="closed-form",
+    show_default=True,
+    help=N_("Road to the head's place; the others integrate the spiral's differential equation."),
+)
+@click.option(
+    "--step",
+    type=click.FloatRange(min=0.0, min_open=True),
+    default=0.1,
+    show_default=True,
+    help=N_("Largest step of rk4, in seconds."),
+)
+@click.option(
+    "--keep-going",
+    is_flag=True,
+    help=N_("Give what is sound where the dragon cannot stand, instead of stopping."),
+)
+@workers_option(1)
+@explain_option
+@shared_options
+def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
+    """Answer on the screen, as JSON, or as files."""
+    _refuse_strays(options)
+    data, source = read_toml(plan, settings)
+    _choose_compiling(data, options["at"], bool(options["output"]))
+    from benchdragon.export.tables import Selection
+    from benchdragon.plans.schema import checked
+
+    read = checked(data, source)
+    walk = read.build()
+    times = _times(options, read, walk)
+    handles = parse_handles(options["only"], len(walk.dragon))
+    announce_compiling(quiet)
+    if options["output"]:
+        everything = range(len(walk.dragon) + 1) if handles is None else handles
+        what = Selection(walk, times, everything, not options["keep_going"], options["workers"])
+        return _motion_files(what, read, options, quiet)
+    if options["as_json"]:
+        return _motion_json(walk, read, times, handles, options)
+    return _motion_table(walk, read, times, handles, options)
+
+
+for verb in (check, solve, margins, view, studio, animate, plan, schema):
+    program.add_command(verb)
+
+
+@program.command(help=N_("Versions, fonts, cache folder, and what else is there to work with."))
+@click.option("--json", "as_json", is_flag=True, help=N_("Print one JSON object and nothing else."))
+@shared_options
+def doctor(as_json: bool, quiet: bool) -> int:
+    """Say what this machine offers."""
+    del quiet
+    from benchdragon.cli.doctor import findings
+
+    found = findings()
+    if as_json:
+        click.echo(json.dumps({finding.name: finding.value for finding in found}))
+    else:
+        for finding in found:
+            mark = "ok " if finding.good else " - "
+            click.echo(f"{mark} {_(finding.name)}: {finding.value}")
+    return 0
+
+
+def _refuse_strays(options: dict[str, Any]) -> None:
+    to_files = options["output"] is not None
+    formats = set(parse_formats(options["formats"])) if to_files else set(TABLE_FORMATS)
+    refuse_strays(
+        *((name, to_files, WITHOUT, "-o") for name in ("formats", "force")),
+        ("only", bool(formats & set(TABLE_FORMATS)), WITHOUT, ", ".join(TABLE_FORMATS)),
+        ("step", options["leader"] == "rk4", WITHOUT, "--leader rk4"),
+    )
+
+
+def _choose_compiling(data: dict[str, Any], at: str | None, to_files: bool) -> None:
+    """Leave the kernels plain for a job that is over before numba would be imported."""
+    count = bench_count(data)
+    if to_files or at is None or count is None:
+        return
+    if len(parse_times(at)) * count <= FEW_PLACES:
+        os.environ.setdefault(COMPILE, "never")
+
+
+def _times(options: dict[str, Any], plan: "Plan", walk: "Walk") -> "np.ndarray[Any, Any]":
+    """The times asked for; else all of the walk, each second, or as many as a screen holds."""
+    if options["at"] is not None:
+        return parse_times(options["at"])
+    import numpy as np
+
+    start, stop = plan.span(walk)
+    on_screen = not (options["output"] or options["as_json"])
+    step = next((step for step in SCREEN_STEPS if stop - start <= step * SCREEN_TIMES), stop - start)
+    return np.array(spread(start, stop, step if on_screen else 1.0))
+
+
+def _moved(walk: "Walk", times: Any, options: dict[str, Any]) -> "Motion":
+    return walk.motion(
+        times,
+        throw=not options["keep_going"],
+        workers=options["workers"],
+        leader=options["leader"],
+        step=options["step"],
+    )
+
+
+def _failures(motions: "Iterable[Motion]") -> int:
+    """Say on standard error at how many times --keep-going found no dragon, and why; the exit code."""
+    first, failed, count = None, 0, 0
+    for motion in motions:
+        bad = motion.status.nonzero()[0]
+        if first is None and bad.size:
+            first = motion.failure(int(bad[0]))
+        failed, count = failed + bad.size, count + len(motion.times)
+    if first is None:
+        return 0
+    text = _("{failed} of {count} times are incomplete; the first: {why}")
+    click.echo(text.format(failed=failed, count=count, why=first), err=True)
+    return first.exit_code
+
+
+def _motion_json(
+    walk: "Walk", plan: "Plan", times: Any, handles: list[int] | None, options: dict[str, Any]
+) -> int:
+    chosen = list(range(len(walk.dragon) + 1)) if handles is None else handles
+    if len(times) * len(chosen) > MOST_PLACES_JSON:
+        raise InputError(
+            _("JSON holds at most {most} places; choose fewer times or handles, or -o").format(
+                most=MOST_PLACES_JSON
+            )
+        )
+    found = _moved(walk, times, options)
+    tables = {"x": found.x, "y": found.y, "speed": found.speed}
+    answer: dict[str, Any] = {"time": times.tolist(), "handle": chosen}
+    for name, values in tables.items():
+        answer[name] = [[_number(value) for value in row] for row in values[:, chosen].tolist()]
+    answer["status"] = [int(status) for status in found.status]
+    answer.update(plan_sha256=plan.sha256, version=__version__)
+    if options["explain"]:
+        answer["explanation"] = _explained(found, options)
+    click.echo(json.dumps(answer))
+    return _failures([found])
+
+
+def _number(value: float) -> float | None:
+    return value if value == value else None
+
+
+def _motion_table(
+    walk: "Walk", plan: "Plan", times: Any, handles: list[int] | None, options: dict[str, Any]
+) -> int:
+    benches = len(walk.dragon)
+    chosen = handles or sorted({*(h for h in PAPER_HANDLES if h < benches), benches})
+    if len(times) * len(chosen) > MOST_ROWS_SHOWN:
+        raise InputError(
+            _(
+                "{rows} rows are too many for a screen (at most {most}): choose times with --at, or "
+                "use -o DIR or --json"
+            ).format(rows=len(times) * len(chosen), most=MOST_ROWS_SHOWN)
+        )
+    found = _moved(walk, times, options)
+    rows = [
+        (t, handle, [table[i, handle] for table in (found.x, found.y, found.speed)])
+        for i, t in enumerate(times)
+        for handle in chosen
+    ]
+    print_table(plan.title(language()), benches, rows)
+    _print_leader(walk, times, options)
+    print_explanation(_explained(found, options))
+    return _failures([found])
+
+
+def _explained(found: "Motion", options: dict[str, Any]) -> list[str]:
+    """The lines of --explain; none if it was not asked for."""
+    if not options["explain"]:
+        return []
+    from benchdragon.explain.text import motion_lines
+
+    return motion_lines(found, options["leader"])
+
+
+def _print_leader(walk: "Walk", times: Any, options: dict[str, Any]) -> None:
+    if options["leader"] == "closed-form":
+        return
+    import numpy as np
+
+    other = walk.head_position(times, options["leader"], options["step"])
+    apart = float(np.abs(other - walk.head_position(times)).max())
+    click.echo(
+        _("{method} and the closed form put the head at most {apart} m apart").format(
+            method=options["leader"], apart=f"{apart:.2e}"
+        )
+    )
+
+
+def _motion_files(what: "Selection", plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
+    from benchdragon.export.tables import WRITERS
+    from benchdragon.files import refuse_existing
+
+    formats = parse_formats(options["formats"])
+    if options["leader"] != "closed-form":
+        raise InputError(_("files hold the closed form; --leader goes with the screen or --json"))
+    folder: Path = options["output"]
+    tables = [folder / f"motion.{name}" for name in formats if name in WRITERS]
+    kinds = [name for name in formats if name in PICTURE_FORMATS]
+    names = [f"{name}.{kind}" for name in picture_names(what) for kind in kinds]
+    refuse_existing([*tables, *(folder / name for name in names)], options["force"])
+    with progress(quiet, len(tables) + len(names)) as advance:
+        for path in tables:
+            advance(0.0, path.name)
+            WRITERS[path.suffix[1:]](path, what, advance)
+        if names:
+            _write_pictures(what, plan, folder, kinds, advance)
+    files = [*tables, *(folder / name for name in names)]
+    first = what.walk.motion(what.times[:1], throw=what.throw) if options["explain"] else None
+    lines = [] if first is None else _explained(first, options)
+    if options["as_json"]:
+        about: dict[str, Any] = {"explanation": lines} if lines else {}
+        about |= {"plan_sha256": plan.sha256, "version": __version__}
+        click.echo(json.dumps({"files": [str(path) for path in files], **about}))
+    else:
+        print_files(files)
+        print_explanation(lines)
+    return _failures(what.motions()) if not what.throw else 0
+
+
+def picture_names(what: "Selection") -> list[str]:
+    """Pictures that make sense: maps over time need two times that increase."""
+    increasing = len(what.times) > 1 and bool((what.times[1:] > what.times[:-1]).all())
+    return ["dragon", "speeds", "head-angle"] if increasing else ["dragon"]
+
+
+def _write_pictures(
+    what: "Selection", plan: "Plan", folder: Path, kinds: Sequence[str], advance: Advance
+) -> None:
+    from benchdragon.figures.style import write_picture
+    from benchdragon.figures.walk import walk_pictures
+
+    title = plan.title(language())
+    figures = walk_pictures(what.walk, what.times, title, plan.disc.radius, what.throw)
+    for name in picture_names(what):
+        for kind in kinds:
+            advance(0.0, f"{name}.{kind}")
+            write_picture(figures[name], folder / f"{name}.{kind}", title, plan.sha256)
+            advance(1.0)
+
+
+def translated(command: click.Command) -> click.Command:
+    """A copy of a command and all below it with its texts in the language in use."""
+    spoken = copy.copy(command)
+    if spoken.help:
+        spoken.help = _(spoken.help)
+        spoken.short_help = spoken.help.split("\n\n")[0]  # click would cut it short
+    spoken.context_class = WideContext
+    spoken.context_settings = {**spoken.context_settings, "max_content_width": 100}
+    spoken.params = [copy.copy(parameter) for parameter in spoken.params]
+    for parameter in spoken.params:
+        parameter.type = copy.copy(parameter.type)
+        parameter.type.name = _(parameter.type.name)
+        if isinstance(parameter, click.Option) and parameter.help:
+            parameter.help = _(parameter.help)
+    if isinstance(spoken, click.Group):
+        spoken.commands = {name: translated(verb) for name, verb in spoken.commands.items()}
+    return spoken
+
+
+def _notes() -> Callable[..., None]:
+    """What shows each warning once, as a sentence, without the place in the code it comes from."""
+    shown: set[str] = set()
+
+    def note(message: Warning | str, *_place: object) -> None:
+        if str(message) not in shown:
+            shown.add(str(message))
+            click.echo(_("Note: {text}").format(text=message), err=True)
+
+    return note
+
+
+def run(arguments: Sequence[str]) -> int:
+    """Run one command line; its exit code. Errors become one sentence on standard error."""
+    compiling = os.environ.get(COMPILE)
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("always", UserWarning)
+            warnings.showwarning = _notes()
+            code = translated(program).main(
+                list(arguments), prog_name="benchdragon", standalone_mode=False
+            )
+        sys.stdout.flush()
+        return code if isinstance(code, int) else 0
+    except click.ClickException as error:
+        with suppress(OSError):  # nobody is left to be told
+            error.show()
+        return error.exit_code
+    except BenchDragonError as error:
+        return _failed(str(error), error.exit_code)
+    except (KeyboardInterrupt, click.Abort) as error:
+        _say(_("interrupted; nothing half-written is left"))
+        number = getattr(error.__cause__ or error, "args", ())
+        return 128 + number[0] if number else INTERRUPTED
+    except (BrokenPipeError, SystemExit):  # click ends with the latter where a pipe is closed
+        return NOBODY_READS
+    except OSError as error:
+        where = "" if error.filename is None else f"{error.filename}: "
+        return _failed(where + reason(error), MachineError.exit_code)
+    except MemoryError:
+        return _failed(_("memory ran out"), MachineError.exit_code)
+    finally:  # what `_choose_compiling` chose was for this command line alone
+        if compiling is None:
+            os.environ.pop(COMPILE, None)
+
+
+def _failed(text: str, code: int) -> int:
+    _say(_("Error: {text}").format(text=text))
+    return code
+
+
+def _say(text: str) -> None:
+    """Tell standard error, if there is anyone to read it."""
+    with suppress(OSError):
+        click.echo(text, err=True)

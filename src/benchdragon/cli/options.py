@@ -1,0 +1,165 @@
+"""Options that several verbs take."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import click
+from click.core import ParameterSource
+
+from benchdragon.errors import InputError
+from benchdragon.i18n import LANGUAGES, N_, _
+
+Command = Callable[..., int]
+
+# Seconds of compiling after which a word is due.
+SLOW_COMPILE = 1.0
+
+
+class NamedPath(click.Path):
+    """A file or a folder to write; an empty name, as of a variable that is not set, is refused."""
+
+    def __init__(self, *, folder: bool) -> None:
+        super().__init__(path_type=Path, file_okay=not folder, dir_okay=folder)
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """The path."""
+        if value == "":
+            self.fail(_("a name is wanted, not nothing"), param, ctx)
+        return super().convert(value, param, ctx)
+
+
+FILE, FOLDER = NamedPath(folder=False), NamedPath(folder=True)
+
+
+def shared_options(command: Command) -> Command:
+    """--lang and --quiet, which every verb takes."""
+    command = click.option(
+        "--quiet", is_flag=True, help=N_("No progress and no talk on standard error.")
+    )(command)
+    return click.option(
+        "--lang",
+        type=click.Choice(LANGUAGES),
+        expose_value=False,
+        help=N_("Language: zh or en. Default: BENCHDRAGON_LANG, else the locale."),
+    )(command)
+
+
+def plan_options(command: Command) -> Command:
+    """PLAN and --set."""
+    command = click.option(
+        "--set",
+        "settings",
+        multiple=True,
+        metavar="KEY=VALUE",
+        help=N_("Override a value of the plan, for example route.pitch=0.6; may be repeated."),
+    )(command)
+    return click.argument("plan", metavar="PLAN")(command)
+
+
+def span_options(command: Command) -> Command:
+    """--start and --end, which `parsing.parse_span` reads."""
+    command = click.option(
+        "--end",
+        metavar="TIME",
+        help=N_(
+            "Where it ends, likewise. Default: as the plan says, or where the dragon can no longer "
+            "stand."
+        ),
+    )(command)
+    return click.option(
+        "--start",
+        metavar="TIME",
+        help=N_(
+            "Where it begins: seconds of the dance (12.5), a clock time (3:12) or units (3 min 12 s). "
+            "Default: as the plan says."
+        ),
+    )(command)
+
+
+def folder_option(command: Command) -> Command:
+    """--output and --force."""
+    command = click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))(
+        command
+    )
+    return click.option(
+        "-o",
+        "--output",
+        type=FOLDER,
+        metavar="DIR",
+        help=N_("Folder for the files."),
+    )(command)
+
+
+def json_option(command: Command) -> Command:
+    """--json."""
+    return click.option(
+        "--json", "as_json", is_flag=True, help=N_("Print one JSON object and nothing else.")
+    )(command)
+
+
+def brackets_option(command: Command) -> Command:
+    """--brackets."""
+    return click.option(
+        "--brackets",
+        is_flag=True,
+        help=N_("Show all digits, and the bracket in which each answer lies; --json always has them."),
+    )(command)
+
+
+def explain_option(command: Command) -> Command:
+    """--explain."""
+    return click.option(
+        "--explain",
+        is_flag=True,
+        help=N_("Say how the answer came about: each formula with its numbers, step by step."),
+    )(command)
+
+
+def workers_option(default: int) -> Callable[[Command], Command]:
+    """-j, where threads may help."""
+    return click.option(
+        "-j",
+        "--workers",
+        type=click.IntRange(1, 64),
+        default=default,
+        show_default=True,
+        help=N_("Threads; the answers do not depend on it."),
+    )
+
+
+# Why an option that was given says nothing.
+WITHOUT, BESIDE = N_("{option} goes with {what} alone"), N_("{option} does not go with {what}")
+
+
+def refuse_strays(*rules: tuple[str, bool, str, str]) -> None:
+    """Refuse options that were given and have no effect, rather than overlook them.
+
+    Args:
+        rules: name of a parameter; whether it has an effect; WITHOUT or BESIDE; and what.
+
+    Raises:
+        InputError: for the first one.
+    """
+    context = click.get_current_context()
+    options = {parameter.name: max(parameter.opts, key=len) for parameter in context.command.params}
+    for name, goes, why, what in rules:
+        if not goes and context.get_parameter_source(name) is ParameterSource.COMMANDLINE:
+            raise InputError(_(why).format(option=options[name], what=what))
+
+
+def announce_compiling(quiet: bool) -> None:
+    """Say on standard error when compiling takes long, unless `quiet`."""
+    if quiet:
+        return
+    from benchdragon.kernels.jit import watch_compiling
+
+    text = _("compiling the kernels, once for this machine; this takes up to a minute")
+    said: list[str] = []
+
+    def say() -> None:
+        if not said:
+            said.append(text)
+            click.echo(text, err=True)
+
+    watch_compiling(say, SLOW_COMPILE)

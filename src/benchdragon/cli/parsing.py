@@ -1,0 +1,204 @@
+"""Reading what users write behind options: times, sizes, handles, formats.
+
+Light to import; numpy comes only with the times.
+"""
+
+import math
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from benchdragon.errors import InputError
+from benchdragon.i18n import _
+from benchdragon.plans.toml import METRES, SECONDS, quantity
+
+if TYPE_CHECKING:
+    import numpy as np
+
+# Times in one call: a day and more, each tenth of a second.
+MOST_TIMES = 1_000_000
+# What stands between the ends of a range, and its step.
+RANGE = ".."
+# Hours may be left out; what follows a colon is less than 60, or it was not meant as a clock time.
+CLOCK = re.compile(r"([-+]?)(?:(\d{1,6}):(?=[0-5]?\d:))?(\d{1,6}):([0-5]?\d(?:\.\d*)?)", re.ASCII)
+NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?", re.ASCII | re.IGNORECASE)
+TABLE_FORMATS = ("xlsx", "csv", "npz", "parquet", "nc")
+PICTURE_FORMATS = ("png", "svg", "pdf")
+
+
+def parse_times(text: str) -> "np.ndarray[Any, Any]":
+    """Times and ranges of times, with commas: "12.5", "3:12", "90 s", "0..300..1"; s, (T,).
+
+    Raises:
+        InputError: for anything else, or more than MOST_TIMES.
+    """
+    import numpy as np
+
+    found: list[float] = []
+    for item in text.split(","):
+        found.extend(_item_times(item.strip(), MOST_TIMES - len(found)))
+    return np.array(found)
+
+
+def spread(start: float, stop: float, step: float = 1.0, *, room: int = MOST_TIMES) -> list[float]:
+    """Times from `start` in steps until `stop`, s.
+
+    Raises:
+        InputError: if they never come to `stop`, or are more than `room`.
+    """
+    item = f"{start:.12g}..{stop:.12g}..{step:g}"
+    if step == 0.0 or (stop - start) / step < 0.0:
+        raise InputError(_("times {text} never get from start to stop").format(text=item))
+    count = int(min((stop - start) / step + 1e-9, 1e18)) + 1
+    if count > room:
+        raise InputError(_("at most {most} times, not {text}").format(most=MOST_TIMES, text=item))
+    return [start + step * i for i in range(count)]
+
+
+def parse_time(option: str, text: str) -> float:
+    """One time in "12.5", "3:12", "1:02:03" or "3 min 12 s", s.
+
+    Raises:
+        InputError: naming the option, for anything else.
+    """
+    found = _time(text.strip())
+    if found is None:
+        raise InputError(
+            _(
+                "{option}: wanted seconds (12.5), a clock time (3:12 or 1:02:03) or units "
+                "(3 min 12 s), not {text}"
+            ).format(option=option, text=repr(text))
+        )
+    return found
+
+
+def parse_lengths(option: str, text: str) -> tuple[float, float]:
+    """Two lengths in "0.4..0.6" or "40 cm..60 cm", m.
+
+    Raises:
+        InputError: naming the option, for anything else.
+    """
+    ends = [_quantity(end.strip(), METRES) for end in text.split(RANGE)]
+    if len(ends) != 2 or ends[0] is None or ends[1] is None:
+        raise InputError(
+            _("{option}: wanted two sizes in metres, LOW..HIGH (0.4..0.6), not {text}").format(
+                option=option, text=repr(text)
+            )
+        )
+    return ends[0], ends[1]
+
+
+def parse_span(options: dict[str, Any]) -> tuple[float | None, float | None]:
+    """What --start and --end say, s; None where they are not given.
+
+    Raises:
+        InputError: for anything but a time.
+    """
+    start, end = (
+        None if options[name] is None else parse_time(f"--{name}", options[name])
+        for name in ("start", "end")
+    )
+    return start, end
+
+
+def parse_sides(option: str, text: str) -> tuple[int, int]:
+    """Two whole numbers in "1920x1080".
+
+    Raises:
+        InputError: naming the option, for anything else.
+    """
+    try:
+        across, down = (int(number) for number in text.lower().replace("×", "x").split("x"))
+    except ValueError:
+        raise InputError(
+            _("{option}: wanted two whole numbers with an x between, not {text}").format(
+                option=option, text=repr(text)
+            )
+        ) from None
+    return across, down
+
+
+def _item_times(item: str, room: int) -> Sequence[float]:
+    numbers = [time for end in item.split(RANGE) if (time := _time(end.strip())) is not None]
+    if len(numbers) != item.count(RANGE) + 1 or len(numbers) > 3:
+        raise InputError(
+            _(
+                "--at: wanted seconds (12.5), a clock time (3:12 or 1:02:03), units (3 min 12 s) or a "
+                "range start..stop..step (0..300..1), not {text}"
+            ).format(text=repr(item))
+        )
+    if len(numbers) == 1:
+        return numbers
+    return spread(numbers[0], numbers[1], *numbers[2:], room=room)
+
+
+def _time(text: str) -> float | None:
+    """A time, s; None for what is none."""
+    if found := CLOCK.fullmatch(text):
+        sign, hours, minutes, seconds = found.groups()
+        total = 3600.0 * int(hours or 0) + 60.0 * int(minutes) + float(seconds)
+        return -total if sign == "-" else total
+    return _quantity(text, SECONDS)
+
+
+def _quantity(text: str, units: dict[str, float]) -> float | None:
+    """A number, bare or with units, in the first of `units`; None for what is no finite one."""
+    bare = NUMBER.fullmatch(text)
+    try:
+        number = quantity(f"{text} {next(iter(units))}" if bare else text, units)
+    except ValueError:
+        return None
+    return number if isinstance(number, float) and math.isfinite(number) else None
+
+
+def check_ending(option: str, path: Path, endings: Sequence[str]) -> None:
+    """Refuse a file's name whose ending promises something else than what would be written.
+
+    Raises:
+        InputError: naming the option and the endings.
+    """
+    if path.suffix not in endings:
+        raise InputError(
+            _("{option}: wanted a name that ends in {endings}, not {name}").format(
+                option=option, endings=", ".join(endings), name=path.name
+            )
+        )
+
+
+def parse_handles(text: str | None, benches: int) -> list[int] | None:
+    """Handle numbers in "1,51,101"; None where nothing was asked.
+
+    Raises:
+        InputError: for what is not the number of a handle.
+    """
+    if text is None:
+        return None
+    try:
+        handles = [int(item) for item in text.split(",")]
+    except ValueError:
+        handles = [-1]
+    if any(not 0 <= handle <= benches for handle in handles):
+        raise InputError(
+            _("--only: wanted handle numbers from 0 to {most} with commas, not {text}").format(
+                most=benches, text=repr(text)
+            )
+        )
+    return handles
+
+
+def parse_formats(text: str) -> list[str]:
+    """Names of formats in "csv,png".
+
+    Raises:
+        InputError: for one that is not known.
+    """
+    formats = [name.strip() for name in text.split(",")]
+    unknown = [name for name in formats if name not in TABLE_FORMATS + PICTURE_FORMATS]
+    if unknown:
+        raise InputError(
+            _("--format: wanted some of {known}, not {text}").format(
+                known=", ".join(TABLE_FORMATS + PICTURE_FORMATS), text=repr(unknown[0])
+            )
+        )
+    return formats

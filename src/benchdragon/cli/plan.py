@@ -1,0 +1,127 @@
+"""The verbs about plan files themselves: `plan`, which prints one, and `schema`."""
+
+import json
+import sys
+from pathlib import Path
+
+import click
+
+from benchdragon.cli.console import print_files, print_rows
+from benchdragon.cli.options import FILE, WITHOUT, refuse_strays, shared_options
+from benchdragon.i18n import N_, _, language
+from benchdragon.plans.source import Source
+from benchdragon.plans.toml import BUILT_IN_FOLDER, SUFFIX, built_in_names, lay_over
+
+# How a preset's figure is known.
+STATUSES = {
+    "measured": N_("measured"),
+    "reported": N_("reported"),
+    "derived": N_("derived"),
+    "assumed": N_("assumed"),
+}
+
+
+@click.command(
+    help=N_(
+        "Print a plan as a plan file, to begin one of your own.\n\nPLAN is a built-in plan, the dragon "
+        "of a village, or a *.dragon.toml file; without it all names are listed. With --set the values "
+        "that are in effect then, each with what it means. For example: benchdragon plan turn > "
+        "my.dragon.toml"
+    )
+)
+@click.argument("plan", metavar="[PLAN]", required=False)
+@click.option(
+    "--set",
+    "settings",
+    multiple=True,
+    metavar="KEY=VALUE",
+    help=N_("Override a value of the plan, for example route.pitch=0.6; may be repeated."),
+)
+@click.option(
+    "-o",
+    "--output",
+    type=FILE,
+    metavar="FILE",
+    help=N_("The file to write, for example my.dragon.toml."),
+)
+@click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))
+@shared_options
+def plan(
+    plan: str | None, settings: tuple[str, ...], output: Path | None, force: bool, quiet: bool
+) -> int:
+    """Print or write a plan, or list those that are there."""
+    del quiet
+    refuse_strays(
+        ("force", output is not None, WITHOUT, "-o"),
+        *((name, plan is not None, WITHOUT, "PLAN") for name in ("settings", "output")),
+    )
+    if plan is None:
+        return _list()
+    text = _text(plan, settings)
+    if output is None:
+        click.echo(text, nl=False)
+        return 0
+    from benchdragon.files import refuse_existing, whole_file
+
+    refuse_existing([output], force)
+    with whole_file(output) as temporary:
+        temporary.write_text(text, encoding="utf-8")
+    print_files([output])
+    return 0
+
+
+def _list() -> int:
+    from benchdragon.plans.presets import presets
+    from benchdragon.plans.schema import read_plan
+
+    for name in built_in_names():
+        click.echo(f"{name:<12}{read_plan(name).title(language())}")
+    for preset in presets():
+        if preset.name not in built_in_names():
+            title, source = (getattr(words, language()) for words in (preset.title, preset.source))
+            click.echo(f"{preset.name:<12}{title} ({source})")
+    return 0
+
+
+def _text(name: str, settings: tuple[str, ...]) -> str:
+    """The text of a plan file: a built-in plan's own, else every key that has an effect."""
+    if name in built_in_names() and not settings:
+        return (BUILT_IN_FOLDER / f"{name}{SUFFIX}").read_text("utf-8")
+    from benchdragon.plans.keys import commented
+    from benchdragon.plans.presets import presets
+    from benchdragon.plans.schema import checked, read_plan
+
+    preset = {preset.name: preset for preset in presets()}.get(name)
+    if preset is None or name in built_in_names():
+        return commented(read_plan(name, settings).data(), {})
+    data = preset.plan.data()
+    keys = lay_over(data, settings)
+    notes = {
+        figure.key: _(STATUSES[figure.status]) for figure in preset.figures if figure.key not in keys
+    }
+    text = commented(checked(data, Source(name, settings=keys)).data(), notes)
+    return f"# {getattr(preset.source, language())}\n{text}"
+
+
+@click.command(
+    help=N_(
+        "Every key of plan files: the JSON Schema, or with --table a table for readers.\n\nIt says "
+        "what each key means, its unit, its default and an example."
+    )
+)
+@click.option("--table", is_flag=True, help=N_("Print a table for readers."))
+@shared_options
+def schema(table: bool, quiet: bool) -> int:
+    """Print the schema, as JSON or as tables."""
+    del quiet
+    from benchdragon.plans import keys as plan_keys
+
+    if not table:
+        narrow = not sys.stdout.encoding.lower().startswith("utf")
+        click.echo(json.dumps(plan_keys.schema(), indent=1, ensure_ascii=narrow))
+        return 0
+    columns = (_("key"), _("what it is"), _("unit"), _("default"), _("example"))
+    for section in plan_keys.SECTIONS:
+        title = f"{section.header}  {_(section.text)}".strip()
+        print_rows(title, columns, list(plan_keys.rows(section)), figures=False)
+    return 0

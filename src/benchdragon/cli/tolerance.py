@@ -1,0 +1,198 @@
+"""The verb `margins`: how much room imprecise people need."""
+
+import json
+from dataclasses import fields
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from benchdragon.cli.console import print_explanation, print_files, print_rows, progress
+from benchdragon.cli.options import (
+    WITHOUT,
+    announce_compiling,
+    explain_option,
+    folder_option,
+    json_option,
+    plan_options,
+    refuse_strays,
+    shared_options,
+    workers_option,
+)
+from benchdragon.digits import decimals_or_dash, finite_or_none
+from benchdragon.i18n import N_, _, language
+from benchdragon.version import __version__
+
+if TYPE_CHECKING:
+    from benchdragon.plans.schema import Plan
+    from benchdragon.solve.tolerance import Tolerance
+
+SLIPS = {
+    "aside": N_("Handles off the line, to either side: standard deviation in metres."),
+    "stray": N_("The trodden line off the drawn one, smoothly, in metres."),
+    "play": N_("Play of the pins and pull, in metres of a bench's link."),
+    "height": N_("Height of a handle over the one before, in metres."),
+    "length": N_("Lengths of benches, in metres."),
+    "width": N_("Widths of benches, in metres."),
+}
+
+
+def slip_options(command: Any) -> Any:
+    """An option for each way to be imprecise."""
+    for name, text in reversed(SLIPS.items()):
+        command = click.option(f"--{name}", type=click.FloatRange(0.0, 1.0), help=text)(command)
+    return command
+
+
+@click.command(
+    help=N_(
+        "How much room imprecise people need: the pitch at which benches rarely touch.\n\nRandom "
+        "dances are walked, handles off the line, lines that drift, benches that vary, and the "
+        "smallest pitch that each needs is sought. Without options each slip is tried by itself, "
+        "then all together. PLAN is a *.dragon.toml file or the name of a built-in plan; a spiral "
+        "needs an end: --set disc.radius=4.5, for example."
+    )
+)
+@plan_options
+@slip_options
+@click.option(
+    "--draws",
+    type=click.IntRange(1, 100_000),
+    default=100,
+    show_default=True,
+    help=N_("Random dances."),
+)
+@click.option(
+    "--seed", type=click.IntRange(0, 2**31), default=1, show_default=True, help=N_("Of the draws.")
+)
+@workers_option(2)
+@folder_option
+@json_option
+@explain_option
+@shared_options
+def margins(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
+    """Print pitches and chances, as a table or JSON, and draw them."""
+    from benchdragon.files import refuse_existing
+    from benchdragon.plans.schema import read_plan
+
+    refuse_strays(("force", options["output"] is not None, WITHOUT, "-o"))
+    read = read_plan(plan, settings)
+    announce_compiling(quiet)
+    folder: Path | None = options["output"]
+    files = [] if folder is None else [folder / f"margins.{kind}" for kind in ("png", "svg", "pdf")]
+    refuse_existing(files, options["force"])
+    found, texts = _walked(read, options, quiet)
+    _write_pictures(read, found, texts, files)
+    pitch = read.value("route.pitch")
+    lines = _lines(read, found, texts) if options["explain"] else []
+    if options["as_json"]:
+        about: dict[str, Any] = {"explanation": lines} if lines else {}
+        about |= {"plan_sha256": read.sha256, "version": __version__, "seed": options["seed"]}
+        cases = {name: as_json(one, pitch) for name, one in found.items()}
+        click.echo(json.dumps({"cases": cases, **about}))
+        return 0
+    print_margins(found, texts, pitch, read.limits.margin)
+    if files:
+        print_files(files)
+    print_explanation(lines)
+    return 0
+
+
+def _walked(
+    plan: "Plan", options: dict[str, Any], quiet: bool
+) -> tuple[dict[str, "Tolerance"], dict[str, str]]:
+    """What each case needs, and what to call it."""
+    from benchdragon.solve.tolerance import CASES, Case, Slips, tolerance
+
+    given = {name: options[name] for name in SLIPS if options[name] is not None}
+    cases = {"given": Case(N_("as given"), Slips(**given))} if given else CASES
+    found = {}
+    with progress(quiet, len(cases)) as advance:
+        for name, case in cases.items():
+
+            def tell(share: float, text: str = _(case.text)) -> None:
+                advance(share, text)
+
+            found[name] = tolerance(
+                plan, case.slips, options["draws"], seed=options["seed"], workers=options["workers"],
+                own=True, advance=tell,
+            )  # fmt: skip
+    return found, {name: _(case.text) for name, case in cases.items()}
+
+
+def _write_pictures(
+    plan: "Plan", found: dict[str, "Tolerance"], texts: dict[str, str], files: list[Path]
+) -> None:
+    if not files:
+        return
+    from benchdragon.figures.style import write_picture
+    from benchdragon.figures.tolerance import margin_picture
+
+    title = plan.title(language())
+    for path in files:
+        write_picture(margin_picture(found, texts, title), path, title, plan.sha256)
+
+
+def _lines(plan: "Plan", found: dict[str, "Tolerance"], texts: dict[str, str]) -> list[str]:
+    """How the last case came about, which is all slips together if none was given."""
+    from benchdragon.explain.tolerance import margin_lines
+
+    name, one = list(found.items())[-1]
+    return [f"{texts[name]}:", *margin_lines(plan, one)]
+
+
+def as_json(one: "Tolerance", pitch: float) -> dict[str, Any]:
+    """One case as plain data, in metres."""
+    from benchdragon.solve.tolerance import RISKS
+
+    share, low, high = one.touching()
+    safe = {f"{risk:g}": finite_or_none(one.pitch_for(risk)) for risk in RISKS}
+    return {
+        "slips": {field.name: getattr(one.slips, field.name) for field in fields(one.slips)},
+        "draws": one.needed.size,
+        "exact": one.exact,
+        "touching": {"pitch": pitch, "share": share, "lower": low, "upper": high},
+        "pitch_for": safe,
+        "needed": one.needed.tolist(),
+    }
+
+
+def print_margins(
+    found: dict[str, "Tolerance"], texts: dict[str, str], pitch: float, margin: float
+) -> None:
+    """A row a case: chance at the plan's pitch, pitches for smaller chances."""
+    from benchdragon.solve.tolerance import RISKS
+
+    columns = [
+        _("slips"),
+        _("chance at {pitch} m (%)").format(pitch=f"{pitch:g}"),
+        *(f"{100.0 * risk:g} %" for risk in RISKS),
+    ]
+    rows = []
+    for name, one in found.items():
+        chance = "{:.1f} ({:.1f}..{:.1f})".format(*(100.0 * part for part in one.touching()))
+        safe = [one.pitch_for(risk) for risk in RISKS]
+        rows.append((texts[name], chance, *(decimals_or_dash(size) for size in safe)))
+    title = _(
+        "Chance that benches touch; pitch (m) at which they touch no more often, with 95 % confidence"
+    )
+    print_rows(title, columns, rows)
+    first = next(iter(found.values()))
+    click.echo(
+        _(
+            "exact people need {pitch} m; {draws} dances each, more allow surer answers (-: too "
+            "few to say)"
+        ).format(pitch=f"{first.exact:.4f}", draws=first.needed.size)
+    )
+    click.echo(
+        _(
+            "the chance counts dances walked at that pitch; the pitches take for granted that a dance "
+            "which stays clear with its pitch stays clear with larger ones"
+        )
+    )
+    if margin:
+        click.echo(
+            _("benches count as touching where they come nearer than {margin} m").format(
+                margin=f"{margin:g}"
+            )
+        )

@@ -1,0 +1,49 @@
+"""The verb `view`: the dance as one page for any browser."""
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from benchdragon.cli.console import print_files, progress
+from benchdragon.cli.options import FILE, announce_compiling, plan_options, shared_options, span_options
+from benchdragon.cli.parsing import check_ending, parse_span
+from benchdragon.i18n import N_
+
+
+@click.command(
+    help=N_(
+        "Write the dance of a plan as one page for any browser.\n\nThe file needs no network and no "
+        "program; send it to a phone and open it there. PLAN is a *.dragon.toml file or the name of a "
+        "built-in plan."
+    )
+)
+@plan_options
+@click.option(
+    "-o", "--output", required=True, type=FILE, metavar="FILE",
+    help=N_("The file to write, for example dance.html."),
+)  # fmt: skip
+@click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))
+@span_options
+@shared_options
+def view(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
+    """Write the player."""
+    from benchdragon.analysis import check
+    from benchdragon.files import refuse_existing
+    from benchdragon.plans.schema import read_plan
+    from benchdragon.player import scene
+    from benchdragon.player.page import write_player
+
+    path: Path = options["output"]
+    check_ending("-o", path, [".html"])
+    read = read_plan(plan, settings)
+    refuse_existing([path], options["force"])
+    first, last = parse_span(options)
+    announce_compiling(quiet)
+    start, end = read.span(read.build())
+    span = scene.Span(start if first is None else first, end if last is None else last)
+    with progress(quiet, check.STEPS + scene.STEPS) as advance:
+        shown = scene.judged_dance(read, lambda plan: check.check(plan, advance), span, advance)
+        write_player(path, shown)
+    print_files([path])
+    return 0

@@ -1,0 +1,1 @@
+"""Answers derived step by step, with the numbers of the case."""

@@ -1,0 +1,373 @@
+"""How answers of solve and reproduce came about, in plain words (see `explain`)."""
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from benchdragon.analysis.speed import QUANTITIES, given_limits
+from benchdragon.explain.contact import gap_lines, ratio_lines
+from benchdragon.explain.text import length_text, number, signed, spiral_way, tiny
+from benchdragon.i18n import _
+from benchdragon.model.answer import Answer, Witness
+from benchdragon.model.curves import Spiral
+from benchdragon.model.turns import TwoArcTurn
+from benchdragon.model.walk import Walk
+from benchdragon.plans.schema import Plan, TurnRoute, read_plan
+from benchdragon.solve.head_speed import Pace
+from benchdragon.solve.size import WalkableSizes, undecided_text
+from benchdragon.solve.trials import Family, Meeting, question, root_near
+from benchdragon.solve.turn import BestTurn
+
+# How far from a limit the pair's distance is looked at, m of the size.
+ASIDE = 1e-3
+# Sizes tried are listed in full if there are no more.
+MOST_LISTED = 12
+
+
+def limit_lines(plan: Plan, name: str, answer: Answer, tried: Sequence[str]) -> list[str]:
+    """How the limit of a size was found; `tried` are the sizes in the order in which they were."""
+    text = _("Sought: {what} with which no two benches but neighbours touch on the whole walk.")
+    if plan.limits.margin:
+        text = _(
+            "Sought: {what} with which benches but neighbours stay {margin} m apart on the whole walk."
+        )
+    lines = [
+        text.format(what=_(question(name).text), margin=number(plan.limits.margin)),
+        _(
+            "Whole walks were checked, each so that no contact is missed, with these sizes: {sizes}."
+        ).format(sizes=_listed(tried)),
+    ]
+    if answer.status == "infeasible":
+        return [*lines, _("None of them passes.")]
+    if answer.status == "unlimited":
+        return [
+            *lines,
+            _("All of them pass; farther than {size} m none was tried.").format(
+                size=number(answer.value)
+            ),
+        ]
+    family = Family(plan, question(name), plan.limits.margin)
+    if answer.witness is not None and len(answer.witness.benches) == 2:
+        lines += _pair_lines(family, answer, answer.witness)
+    lines.append(_bracket_line(answer, family.question.sense))
+    if answer.status == "proved":
+        lines.append(_("Proof: both ends were computed again with balls that hold the numbers surely."))
+    return lines
+
+
+def _bracket_line(answer: Answer, sense: float) -> str:
+    """Why the bracket of a limit is sure; sense +1: larger sizes are safer."""
+    good, bad = (answer.upper, answer.lower)[:: int(sense)]
+    text = _(
+        "The bracket is sure: with {good} m the whole walk was found clear, with {bad} m two benches "
+        "come too near (or the dragon cannot walk); width {width} m. Sizes farther off were not "
+        "tried."
+    )
+    if answer.status == "undecided":
+        text = _(
+            "Left open between {good} m, which passes, and {bad} m, which does not; width {width} m."
+        )
+    return text.format(good=f"{good:.16g}", bad=f"{bad:.16g}", width=tiny(answer.upper - answer.lower))
+
+
+def _listed(texts: Sequence[str]) -> str:
+    """All of a few; the first and the last of many."""
+    shown = [*texts] if len(texts) <= MOST_LISTED else [*texts[:3], "…", *texts[-3:]]
+    return ", ".join(shown)
+
+
+def _pair_lines(family: Family, answer: Answer, near: Witness) -> list[str]:
+    """The pair that decides: its distance as a function of the size, the root, the moment."""
+    i, j = (bench - 1 for bench in near.benches)
+    walk, _start, end = family.walk(answer.value)
+    meeting = Meeting(near.s, float(walk.head_position([end])[0]) - near.s, i, j)
+    aside = answer.value + math.copysign(ASIDE, family.question.sense)
+    room = family.low_point(aside, meeting)[0]
+    meeting = family.low_point(answer.value, meeting)[1]
+    text = _(
+        "Benches {a} and {b} decide, with the head at {s} m of the route, {left} m before the end."
+    )
+    lines = [text.format(a=i + 1, b=j + 1, s=number(meeting.s), left=number(meeting.left))]
+    root = root_near(family, meeting, answer.value)
+    if root is not None and math.isfinite(room):
+        text = _(
+            "Their least distance less the margin of {margin} m is a function f of the size. With "
+            "{aside} m, f = {room} m; it changes by {slope} m per metre of size. So f = 0 near "
+            "{numbers} m. Repeating this (the secant method) gives {value} m."
+        )
+        numbers = f"{number(aside)} - {signed(room)}/{signed(root[1])}"
+        step = f"{number(aside)} - f/{signed(root[1])} = {numbers} = {number(aside - room / root[1])}"
+        lines.append(
+            text.format(
+                margin=number(family.margin), aside=number(aside), room=number(room),
+                slope=number(root[1]), numbers=step, value=f"{answer.value:.13g}",
+            )
+        )  # fmt: skip
+    return [*lines, *gap_lines(walk.placement([meeting.s]), i, j)]
+
+
+def traversal_lines(
+    answer: Answer, pitch_step: float, time_step: float, tried: Sequence[str]
+) -> list[str]:
+    """How the paper's traversal goes."""
+    return [
+        _("Pitches in steps of {step} m, from small to large: {sizes}.").format(
+            step=number(pitch_step), sizes=_listed(tried)
+        ),
+        _(
+            "For each the dragon is looked at every {step} s, {looks} looks in all. The first pitch "
+            "at which no two benches overlap at any look is the answer: {pitch} m."
+        ).format(
+            step=number(time_step), looks=answer.looks,
+            pitch=f"{round(answer.value / pitch_step)}·{number(pitch_step)} = {number(answer.value)}",
+        ),
+        _(
+            "What lies between two looks or between two pitches is not seen; the exact method misses "
+            "nothing."
+        ),
+    ]  # fmt: skip
+
+
+def spans_lines(sizes: WalkableSizes, low: float, high: float, count: int) -> list[str]:
+    """How all walkable sizes of a range are found."""
+    numbers = f"({number(high)} - {number(low)})/({count} - 1) = {number(sizes.step)}"
+    lines = [
+        _("{count} sizes were tried, {step} m apart, each on the whole walk.").format(
+            count=count, step=numbers
+        )
+    ]
+    text = _(
+        "From {low} m to {high} m all {tried} that were tried pass: {width} m. Where a span ends at a "
+        "size that does not pass, its end is exact."
+    )
+    for span in sizes.spans:
+        width = f"{number(span.high)} - {number(span.low)} = {number(span.high - span.low)}"
+        ends = {"low": number(span.low), "high": number(span.high)}
+        lines.append(text.format(**ends, tried=span.tried, width=width))
+    if sizes.undecided:
+        lines.append(undecided_text(sizes.undecided) + ".")
+    return [*lines, _("A gap narrower than a step can be missed.")]
+
+
+def speed_lines(plan: Plan, answer: Answer, pace: Pace | None = None) -> list[str]:
+    """How fast the head may walk: the limit that decides by what the route makes of a head at 1 m/s."""
+    near = answer.witness
+    if near is None or not math.isfinite(answer.value):
+        text = _(
+            "Whatever the speed, hardly anything that is limited occurs; {looks} places were looked at."
+        )
+        if answer.status == "undecided":
+            text = _("Some handle might be as fast as one likes; {looks} places were looked at.")
+        return [text.format(looks=answer.looks)]
+    walk = plan.build()
+    name, allowed, peak = _deciding(plan, walk, answer, near)
+    lines = ratio_lines(walk, near)[1] if name == "speed" else []
+    quantity = QUANTITIES[name]
+    text = _(
+        "What decides: {what}, at most {limit} {unit}. With a head at 1 m/s it comes to {peak} {unit}."
+    )
+    lines.append(
+        text.format(what=_(quantity.text), limit=number(allowed), unit=quantity.unit, peak=number(peak))
+    )
+    numbers = f"{number(allowed)}/{number(peak)} = {number(allowed / peak)} m/s"
+    text = _("This grows in step with the head's speed. So v = limit/peak = {numbers}.")
+    if quantity.power == 2:
+        numbers = f"√({number(allowed)}/{number(peak)}) = {number(math.sqrt(allowed / peak))} m/s"
+        text = _("This grows with the square of the head's speed. So v = √(limit/peak) = {numbers}.")
+    lines.append(text.format(numbers=numbers))
+    text = _(
+        "The peak is sure: steps of the head are halved until a bound on what happens inside each "
+        "step shows that it holds no more (branch and bound). {looks} places of the dragon; {lower} "
+        "m/s surely keeps the limit; bracket {width} m/s."
+    )
+    width = tiny(answer.upper - answer.lower)
+    lines.append(text.format(looks=answer.looks, lower=number(answer.lower), width=width))
+    return lines if pace is None else [*lines, *_pace_lines(plan, pace)]
+
+
+def _deciding(plan: Plan, walk: Walk, answer: Answer, near: Witness) -> tuple[str, float, float]:
+    """The limit that decides, and the peak of what it limits for a head at 1 m/s, in SI units."""
+    one = walk.placement([near.s])
+    bend = walk.route.curvature(one.s) * one.speed_ratio**2
+    sizes = {
+        "speed": one.speed_ratio,
+        "turning_rate": one.turn_rate,
+        "lateral_acceleration": bend,
+        "total_acceleration": np.hypot(one.ratio_rate, bend),
+        "acceleration": one.ratio_rate,
+    }
+    peaks = {name: float(np.abs(values).max()) for name, values in sizes.items()}
+    limits = given_limits(plan)
+
+    def off(name: str) -> float:
+        return abs(peaks[name] * answer.value ** QUANTITIES[name].power / limits[name] - 1.0)
+
+    # Accelerations jump at joints, where rounding decides on which side a handle is: only the name is
+    # taken from here, the peak itself from the answer.
+    name = min(limits, key=off)
+    return name, limits[name], limits[name] / answer.value ** QUANTITIES[name].power
+
+
+def _pace_lines(plan: Plan, pace: Pace) -> list[str]:
+    even = min(pace.steady.lower, plan.walk.speed)
+    walk = plan.build()
+    first, last = walk.head_position(plan.span(walk)).tolist()
+    text = _("At one speed throughout the walk takes way/speed = {numbers} s.")
+    numbers = f"{number(last - first)}/{number(even)} = {number((last - first) / even)}"
+    lines = [text.format(numbers=numbers)]
+    text = _(
+        "The pace goes at {speed} m/s and slows down only where a limit wants it, changing by at most "
+        "{change} m/s²: {numbers} s."
+    )
+    numbers = f"{number((last - first) / even)} - {number(pace.saved)} = {number(pace.seconds)}"
+    change = number(plan.limits.head_acceleration)
+    return [*lines, text.format(speed=number(plan.walk.speed), change=change, numbers=numbers)]
+
+
+def turn_lines(best: BestTurn) -> list[str]:
+    """The turn that was found, piece by piece, and the paper's two arcs beside it."""
+    route, turn = best.plan.route, best.turn
+    disc = route.disc(best.plan) if isinstance(route, TurnRoute) else turn.entry_radius
+    lines = [
+        *two_arc_lines(TwoArcTurn(turn.pitch, disc, best.plan.turn.ratio)),
+        _("That length is the same for every r1 : r2. The turn that was found:"),
+    ]
+    for length, a, b in turn.pieces:
+        angle = 0.5 * length * (a + b)
+        text = _("A line of {length} m.") if not a and not b else _("An arc: radius·angle = {arc} m.")
+        if a != b:
+            text = _("A clothoid of {length} m; it turns by length·(κ1 + κ2)/2 = {turned} (left +).")
+        radius = "" if not a else f"{number(1.0 / abs(a))}·{number(abs(angle))} = {number(length)}"
+        turned = f"{number(length)}·({number(a)} + {signed(b)})/2 = {number(angle)}"
+        lines.append(text.format(length=number(length), arc=radius, turned=turned))
+    sizes = " + ".join(number(piece[0]) for piece in turn.pieces)
+    lines.append(_("Its length: {numbers} m.").format(numbers=f"{sizes} = {number(turn.length)}"))
+    lines += _spiral_lines(best, disc)
+    if best.head_speed is not None:
+        lines += speed_lines(best.plan, best.head_speed)
+    text = _(
+        "{looks} turns were judged: first all over the family (differential evolution), then near "
+        "the best. What came out was judged again exactly. That no better one exists is not shown."
+    )
+    return [*lines, text.format(looks=best.objective.looks)]
+
+
+def two_arc_lines(turn: TwoArcTurn) -> list[str]:
+    """The paper's turn, from the disc's edge to the disc's edge."""
+    psi, radii, total = 0.5 * turn.sweep, turn.radii, sum(turn.radii)
+    text = _(
+        "The paper's two arcs, from edge to edge of the disc (R = {disc} m): the spiral's angle "
+        "there is θ = 2π·R/pitch = {theta}."
+    )
+    theta = f"2·π·{number(turn.entry_radius)}/{number(turn.pitch)} = {number(turn.theta)}"
+    lines = [text.format(disc=number(turn.entry_radius), theta=theta)]
+    lines.append(
+        _("Angle between radius and spiral: tan(ψ) = θ, ψ = {psi}.").format(
+            psi=f"atan({number(turn.theta)}) = {number(psi)}"
+        )
+    )
+    sums = f"{number(turn.entry_radius)}/sin({number(psi)}) = {number(total)}"
+    text = _("Radii: r1 + r2 = R/sin(ψ) = {sums} m; with r1 : r2 = {ratio} they are {a} m and {b} m.")
+    lines.append(
+        text.format(sums=sums, ratio=number(turn.ratio), a=number(radii[0]), b=number(radii[1]))
+    )
+    length = f"{number(total)}·2·{number(psi)} = {number(turn.length)}"
+    return [*lines, _("Both turn by 2ψ. Length: (r1 + r2)·2ψ = {length} m.").format(length=length)]
+
+
+def _spiral_lines(best: BestTurn, disc: float) -> list[str]:
+    """The whole way inside the disc: what is left of the spirals there, and the turn."""
+    turn, spirals, lines = best.turn, [], []
+    for name, radius in ((_("in"), turn.entry_radius), (_("out"), turn.exit_radius)):
+        edge, joint = (Spiral.between(turn.pitch, size, 0.0) for size in (disc, radius))
+        spirals.append(spiral_way(edge) - spiral_way(joint))
+        if not spirals[-1]:
+            continue
+        text = _(
+            "On the spiral {name}, from R = {disc} m to the joint at {radius} m: L(θR) - L(θ) = "
+            "{numbers} m, L(θ) = {way}"
+        )
+        numbers = f"{number(spiral_way(edge))} - {number(spiral_way(joint))} = {number(spirals[-1])}"
+        lines.append(
+            text.format(
+                name=name, disc=number(disc), radius=number(radius), numbers=numbers,
+                way=length_text(joint.k, joint.start_angle),
+            )
+        )  # fmt: skip
+    parts = " + ".join(number(value) for value in (*spirals, turn.length))
+    whole = sum(spirals) + turn.length
+    return [
+        *lines,
+        _("Whole way inside the disc: {numbers} m.").format(numbers=f"{parts} = {number(whole)}"),
+    ]
+
+
+def reproduce_lines(answers: dict[str, Any]) -> list[str]:
+    """A line or a few for each part of the paper, from the answers of `reproduce`."""
+    return [*_walk_lines(answers), *_touch_lines(answers), *_paper_turn_lines(answers["turn"])]
+
+
+def _walk_lines(answers: dict[str, Any]) -> list[str]:
+    """Motion, Runge-Kutta, differences."""
+    pitch = read_plan("spiral-in").value("route.pitch")
+    text = _(
+        "Motion: r = k·θ, k = pitch/(2·π) = {k} m. The head's angle follows from its way, every other "
+        "handle from the one before it, one link away. Chords keep their length to {error} m."
+    )
+    k = f"{number(pitch)}/(2·π) = {number(pitch / (2.0 * math.pi))}"
+    lines = [text.format(k=k, error=tiny(answers["largest_chord_error_m"]))]
+    text = _(
+        "How fast errors fall: with half the step they are 2^order times smaller. Runge-Kutta: {rk}; "
+        "differences forward: {forward}; central: {central}; backward: {backward}."
+    )
+    orders = {name: found["order"] for name, found in answers["differences"].items()}
+    orders["rk"] = answers["runge_kutta"]["rk4_order"]
+    powers = {name: f"2^{number(order)} = {number(2.0**order)}" for name, order in orders.items()}
+    return [*lines, text.format(**powers)]
+
+
+def _touch_lines(answers: dict[str, Any]) -> list[str]:
+    """First contact and smallest pitch."""
+    first, smallest = answers["contact"]["first"], answers["pitch"]["smallest"]
+    text = _(
+        "Contact: benches {a} and {b} at t = {t} s; all of it: benchdragon check spiral-in --explain"
+    )
+    a, b = first["witness"]["benches"]
+    lines = [text.format(a=a, b=b, t=number(first["value"]))]
+    text = _(
+        "Smallest pitch: benches {a} and {b} just graze at {pitch} m. The paper's traversals are off "
+        "by what their steps leave (the last looks at the disc alone): {steps} m."
+    )
+    exact = smallest["value"]
+    steps = "; ".join(
+        f"{number(row['pitch_m'])} - {number(exact)} = {number(row['pitch_m'] - exact)}"
+        for row in answers["pitch"]["traversal"]
+    )
+    a, b = smallest["witness"]["benches"]
+    return [*lines, text.format(a=a, b=b, pitch=number(exact), steps=steps)]
+
+
+def _paper_turn_lines(turn: dict[str, Any]) -> list[str]:
+    """The paper's turn, how fast it may be walked, and shorter ones."""
+    plan = read_plan("turn")
+    head, near = turn["greatest_head_speed"], turn["clearance"]
+    two = TwoArcTurn(plan.value("route.pitch"), plan.value("disc.radius"), plan.turn.ratio)
+    limit = plan.value("limits.speed")
+    text = _("Head speed in the turn: limit/greatest ratio = {numbers} m/s, at t = {t} s.")
+    numbers = f"{number(limit)}/{number(limit / head['value'])} = {number(head['value'])}"
+    lines = [*two_arc_lines(two), text.format(numbers=numbers, t=number(head["witness"]["time"]))]
+    text = _("Turning, benches {a} and {b} come nearest: {gap} m.")
+    a, b = near["witness"]["benches"]
+    lines.append(text.format(a=a, b=b, gap=number(near["value"])))
+    text = _(
+        "Arc, line, arc: way inside the disc {way} m, {numbers} m less than the paper's turn; the "
+        "head may walk at {speed} m/s."
+    )
+    for best in turn["better"]:
+        way, whole = best["way"], turn["length_m"]
+        numbers = f"{number(whole)} - {number(way)} = {number(whole - way)}"
+        speed = number(best["greatest_head_speed"]["value"])
+        lines.append(text.format(way=number(way), numbers=numbers, speed=speed))
+    return lines

@@ -1,0 +1,54 @@
+"""The files of a verdict: the moment of contact as a table and a picture, clearance over time."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from benchdragon.analysis.check import Report, clearance_over, moment
+from benchdragon.errors import InputError
+from benchdragon.export.tables import write_moment_xlsx
+from benchdragon.figures.contact import clearance_picture, moment_picture
+from benchdragon.figures.style import write_picture
+from benchdragon.files import refuse_existing
+from benchdragon.i18n import _, language
+
+FORMATS = ("xlsx", "png", "svg", "pdf")
+
+
+def planned_files(folder: Path, formats: Sequence[str], force: bool) -> list[Path]:
+    """The files that a verdict writes into a folder.
+
+    Raises:
+        InputError: for a format that is not one of FORMATS.
+        FileRefusedError: if one is there already and `force` is not set.
+    """
+    for name in formats:
+        if name not in FORMATS:
+            raise InputError(
+                _("--format: wanted some of {known}, not {text}").format(
+                    known=", ".join(FORMATS), text=repr(name)
+                )
+            )
+    files = [folder / "result2.xlsx"] if "xlsx" in formats else []
+    for kind in formats:
+        if kind != "xlsx":
+            files += [folder / f"contact.{kind}", folder / f"clearance.{kind}"]
+    refuse_existing(files, force)
+    return files
+
+
+def write_files(report: Report, files: Sequence[Path]) -> None:
+    """Write the planned files."""
+    if not files:
+        return
+    motion, answer = moment(report)
+    title, plan = report.plan.title(language()), report.plan
+    clearances = clearance_over(report)
+    figures = {
+        "contact": moment_picture(motion, answer, title, plan.disc.radius),
+        "clearance": clearance_picture(clearances, plan.limits.margin, title),
+    }
+    for path in files:
+        if path.suffix == ".xlsx":
+            write_moment_xlsx(path, motion)
+        else:
+            write_picture(figures[path.stem], path, title, plan.sha256)

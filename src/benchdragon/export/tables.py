@@ -1,0 +1,280 @@
+"""Tables of a walk: XLSX in the contest's layout, CSV, NPZ, Parquet, NetCDF.
+
+Every writer takes the walk and the times and marches them itself, slice by slice where the format
+can be written so: marching costs far less than writing.
+"""
+
+import io
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import numpy as np
+
+from benchdragon.errors import InputError, MissingExtraError
+from benchdragon.files import whole_bytes, whole_file
+from benchdragon.i18n import _
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.numbering import handle_names, handle_place, numbering_text
+from benchdragon.model.walk import Motion, Walk
+
+# What a spreadsheet can hold: columns after the first, and rows for x and y below the header.
+MOST_TIMES_XLSX = 16_383
+MOST_HANDLES_XLSX = 524_287
+# Cells of one workbook: 30 s of writing or so for each million.
+MOST_CELLS_XLSX = 6_000_000
+# Handles times times of an NPZ or NetCDF, which is held in memory whole: 1.6 GB.
+MOST_PLACES_IN_MEMORY = 40_000_000
+
+Advance = Callable[[float], None]
+
+
+@dataclass(frozen=True)
+class Selection:
+    """What a table is to hold.
+
+    Args:
+        walk: what moves.
+        times: s, (T,).
+        handles: their numbers, (H,).
+        throw: whether a time at which the dragon cannot stand raises, or leaves empty cells.
+        workers: threads.
+    """
+
+    walk: Walk
+    times: FloatArray
+    handles: Sequence[int]
+    throw: bool = True
+    workers: int = 1
+
+    def motions(self) -> Iterator[Motion]:
+        """Slices of the motion that fit in bounded memory."""
+        return self.walk.motions(self.times, throw=self.throw, workers=self.workers)
+
+    def gathered(self, *names: str) -> list[FloatArray]:
+        """The named tables of the chosen handles, each (T, H)."""
+        tables = [np.empty((len(self.times), len(self.handles))) for _name in names]
+        done = 0
+        for motion in self.motions():
+            end = done + len(motion.times)
+            for name, table in zip(names, tables, strict=True):
+                table[done:end] = getattr(motion, name)[:, self.handles]
+            done = end
+        return tables
+
+
+Writer = Callable[[Path, Selection, Advance], None]
+
+
+def write_xlsx(path: Path, what: Selection, advance: Advance) -> None:
+    """The contest's layout: places (x and y rows of each handle) and speeds, one column a time.
+
+    A third sheet tells the number of each handle beside the contest's name.
+
+    Raises:
+        InputError: for more than a spreadsheet can hold.
+    """
+    times, handles = what.times, what.handles
+    if len(times) > MOST_TIMES_XLSX or len(handles) > MOST_HANDLES_XLSX:
+        raise InputError(
+            _(
+                "a spreadsheet holds at most {times} times and {handles} handles; choose fewer, "
+                "or another format"
+            ).format(times=MOST_TIMES_XLSX, handles=MOST_HANDLES_XLSX)
+        )
+    if 3 * len(times) * len(handles) > MOST_CELLS_XLSX:
+        raise InputError(
+            _(
+                "a spreadsheet of over {most} cells is refused; choose fewer times or handles, "
+                "or another format"
+            ).format(most=MOST_CELLS_XLSX)
+        )
+    x, y, speed = what.gathered("x", "y", "speed")
+    names = handle_names(len(what.walk.dragon) + 1)
+    with whole_bytes(path) as made, _workbook(made) as book:
+        six = book.add_format({"num_format": "0.000000"})
+        places = _sheet(book, _("Places"), times)
+        for i, handle in enumerate(handles):
+            _write_row(
+                places, 2 * i + 1, _("{handle} x (m)").format(handle=names[handle]), x[:, i], six
+            )
+            _write_row(
+                places, 2 * i + 2, _("{handle} y (m)").format(handle=names[handle]), y[:, i], six
+            )
+            advance(0.67 / len(handles))
+        speeds = _sheet(book, _("Speeds"), times)
+        for i, handle in enumerate(handles):
+            _write_row(
+                speeds, i + 1, _("{handle} (m/s)").format(handle=names[handle]), speed[:, i], six
+            )
+            advance(0.33 / len(handles))
+        _write_numbering(book, handles, names)
+
+
+def write_moment_xlsx(path: Path, motion: Motion) -> None:
+    """The contest's layout for the first time of `motion`: x, y and speed of each handle."""
+    names = handle_names(motion.x.shape[1])
+    with whole_bytes(path) as made, _workbook(made) as book:
+        six = book.add_format({"num_format": "0.000000"})
+        sheet = book.add_worksheet("Sheet1")
+        sheet.freeze_panes(1, 1)
+        sheet.set_column(0, 3, 18)
+        sheet.write_row(0, 1, [_("x (m)"), _("y (m)"), _("speed (m/s)")])
+        columns = (motion.x[0], motion.y[0], motion.speed[0])
+        for i, name in enumerate(names):
+            sheet.write_string(i + 1, 0, name)
+            sheet.write_row(i + 1, 1, [float(values[i]) for values in columns], six)
+        _write_numbering(book, range(len(names)), names)
+
+
+@contextmanager
+def _workbook(made: io.BytesIO) -> Iterator[Any]:
+    """A workbook whose rows wait in files that are gone when the block ends, however that ends."""
+    import xlsxwriter  # slow to import
+
+    with TemporaryDirectory() as folder:
+        options = {"constant_memory": True, "nan_inf_to_errors": False, "tmpdir": folder}
+        book = xlsxwriter.Workbook(made, options)
+        yield book
+        failure: OSError | None = None
+        try:
+            book.close()
+        except xlsxwriter.exceptions.FileCreateError as error:
+            failure = OSError(*error.args[0].args)
+        # Raised out here, it holds no half-made archive that would complain when it is dropped.
+        if failure:
+            raise failure
+
+
+def _sheet(book: Any, name: str, times: FloatArray) -> Any:
+    sheet = book.add_worksheet(name)
+    sheet.freeze_panes(1, 1)
+    sheet.set_column(0, 0, 18)
+    sheet.set_column(1, len(times), 12)
+    sheet.write_row(0, 1, [f"{t:.12g} s" for t in times])
+    return sheet
+
+
+def _write_numbering(book: Any, handles: Sequence[int], names: Sequence[str]) -> None:
+    """A sheet with the number of each handle, and of its benches, beside the contest's name."""
+    sheet = book.add_worksheet(_("Numbering"))
+    sheet.freeze_panes(1, 0)
+    sheet.set_column(0, 2, 22)
+    sheet.write_row(0, 0, [_("in the contest"), _("handle"), _("on benches"), "", numbering_text()])
+    for row, handle in enumerate(handles, start=1):
+        sheet.write_string(row, 0, names[handle])
+        sheet.write_number(row, 1, handle)
+        sheet.write_string(row, 2, handle_place(handle, len(names) - 1))
+
+
+def _write_row(sheet: Any, row: int, name: str, values: FloatArray, style: Any) -> None:
+    sheet.write_string(row, 0, name)
+    for column, value in enumerate((np.round(values, 6) + 0.0).tolist(), start=1):
+        if value == value:
+            sheet.write_number(row, column, value, style)
+
+
+def write_csv(path: Path, what: Selection, advance: Advance) -> None:
+    """Long form, time_s,handle,x_m,y_m,v_m_s, in full precision; UTF-8 with a mark for spreadsheets."""
+    with whole_file(path) as temporary, temporary.open("w", encoding="utf-8-sig", newline="") as out:
+        out.write("time_s,handle,x_m,y_m,v_m_s\r\n")
+        for motion in what.motions():
+            columns = [column.tolist() for column in _long(motion, what.handles)]
+            for t, handle, x, y, v in zip(*columns, strict=True):
+                text = f"{x!r},{y!r},{v!r}" if x == x else ",,"
+                out.write(f"{t!r},{handle},{text}\r\n")
+            advance(len(motion.times) / len(what.times))
+
+
+def write_npz(path: Path, what: Selection, advance: Advance) -> None:
+    """NumPy arrays time (T,), handle (H,), x, y, s, speed (T, H).
+
+    Raises:
+        InputError: for more than memory should hold.
+    """
+    times, handles = what.times, what.handles
+    _check_memory(what)
+    x, y, s, speed = what.gathered("x", "y", "s", "speed")
+    with whole_file(path) as temporary, temporary.open("wb") as out:
+        np.savez_compressed(out, time=times, handle=np.array(handles), x=x, y=y, s=s, speed=speed)
+    advance(1.0)
+
+
+def write_parquet(path: Path, what: Selection, advance: Advance) -> None:
+    """The CSV's long form as Parquet (needs the extra `data`)."""
+    try:
+        import pyarrow as pa  # an optional extra
+        from pyarrow import parquet
+    except ImportError:
+        raise MissingExtraError("data") from None
+    names = ["time_s", "handle", "x_m", "y_m", "v_m_s"]
+    kinds = [pa.float64(), pa.int32(), pa.float64(), pa.float64(), pa.float64()]
+    schema = pa.schema(list(zip(names, kinds, strict=True)))
+    with whole_file(path) as temporary, parquet.ParquetWriter(temporary, schema) as out:
+        for motion in what.motions():
+            out.write_table(
+                pa.table(dict(zip(names, _long(motion, what.handles), strict=True)), schema)
+            )
+            advance(len(motion.times) / len(what.times))
+
+
+def write_netcdf(path: Path, what: Selection, advance: Advance) -> None:
+    """NetCDF 4 with x, y, s, speed over (time, handle), units included (needs the extra `data`).
+
+    Raises:
+        InputError: for more than memory should hold.
+    """
+    try:
+        import h5netcdf  # an optional extra
+    except ImportError:
+        raise MissingExtraError("data") from None
+    _check_memory(what)
+    times, handles = what.times, what.handles
+    units = {"x": "m", "y": "m", "s": "m", "speed": "m s-1"}
+    with whole_bytes(path) as made, h5netcdf.File(made, "w") as out:
+        out.dimensions = {"time": len(times), "handle": len(handles)}
+        out.create_variable("time", ("time",), data=times).attrs["units"] = "s"
+        out.create_variable("handle", ("handle",), data=np.array(handles))
+        for name, unit in units.items():
+            variable = out.create_variable(name, ("time", "handle"), "f8", compression="gzip")
+            variable.attrs["units"] = unit
+        done = 0
+        for motion in what.motions():
+            end = done + len(motion.times)
+            for name in units:
+                out.variables[name][done:end, :] = getattr(motion, name)[:, handles]
+            done = end
+            advance(len(motion.times) / len(times))
+
+
+WRITERS: dict[str, Writer] = {
+    "xlsx": write_xlsx,
+    "csv": write_csv,
+    "npz": write_npz,
+    "parquet": write_parquet,
+    "nc": write_netcdf,
+}
+
+
+def _check_memory(what: Selection) -> None:
+    if len(what.times) * len(what.handles) > MOST_PLACES_IN_MEMORY:
+        raise InputError(
+            _("such a file holds at most {most} places; choose fewer times or handles, or CSV").format(
+                most=MOST_PLACES_IN_MEMORY
+            )
+        )
+
+
+def _long(motion: Motion, handles: Sequence[int]) -> list[Any]:
+    """Columns time, handle, x, y, speed of one slice, time by time."""
+    count = len(handles)
+    return [
+        np.repeat(motion.times, count),
+        np.tile(np.asarray(handles, dtype=np.int32), len(motion.times)),
+        motion.x[:, handles].ravel(),
+        motion.y[:, handles].ravel(),
+        motion.speed[:, handles].ravel(),
+    ]

@@ -1,0 +1,106 @@
+"""How pictures look: fonts, colours, titles, and writing them as files with their plan's hash."""
+
+import warnings
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+from matplotlib import font_manager
+from matplotlib.figure import Figure
+from matplotlib.ft2font import FT2Font
+
+from benchdragon.files import whole_bytes
+from benchdragon.i18n import _
+from benchdragon.version import __version__
+
+FONT_FOLDER = Path(__file__).parents[1] / "fonts"
+FONT_FILES = tuple(FONT_FOLDER / f"NotoSansSC-{weight}.ttf" for weight in ("Regular", "Bold"))
+# Fixed, so that the same plan gives the same bytes.
+STYLE: Any = {
+    "font.family": ["Noto Sans SC", "DejaVu Sans"],
+    "pdf.fonttype": 42,
+    "svg.fonttype": "path",
+    "svg.hashsalt": "benchdragon",
+    "figure.constrained_layout.use": True,
+    "axes.titlesize": "medium",
+    "axes.axisbelow": True,
+    "axes.grid": True,
+    "grid.alpha": 0.3,
+}
+# Okabe and Ito's colours, told apart by colour-blind people too.
+BODY, HEAD, ROUTE, DISC = "#56B4E9", "#D55E00", "#999999", "#009E73"
+# Colours of speeds beyond the scale of a map.
+ABOVE, BELOW = HEAD, BODY
+# Okabe and Ito's colours and marks that differ too.
+SERIES = (
+    (HEAD, "o", "-"), (BODY, "s", "--"), (DISC, "^", "-."), ("#CC79A7", "D", ":"),
+    ("#E69F00", "v", (0, (5, 1, 1, 1, 1, 1))), ("#000000", "x", "-"),
+)  # fmt: skip
+
+
+class MissingGlyphWarning(UserWarning):
+    """A name holds a sign that no font here can draw."""
+
+
+@cache
+def _use_fonts() -> frozenset[int]:
+    """Make the package's fonts known, once; the code points that can be drawn."""
+    for path in FONT_FILES:
+        font_manager.fontManager.addfont(path)
+    spare = font_manager.findfont("DejaVu Sans")
+    return frozenset(FT2Font(str(FONT_FILES[0])).get_charmap()) | frozenset(
+        FT2Font(spare).get_charmap()
+    )
+
+
+def drawable(text: str) -> str:
+    """`text` with "?" for signs that the fonts lack, and a warning that names them."""
+    missing = sorted({sign for sign in text if ord(sign) not in _use_fonts() and not sign.isspace()})
+    if missing:
+        warnings.warn(
+            _("no font here has the signs {signs}").format(
+                signs=", ".join(f"{sign} (U+{ord(sign):04X})" for sign in missing)
+            ),
+            MissingGlyphWarning,
+            stacklevel=2,
+        )
+    # A dollar sign would start mathematics.
+    plain = "".join("?" if sign in missing else sign for sign in text)
+    return plain.replace("$", r"\$")
+
+
+def named_figure(width: float, height: float, title: str) -> Figure:
+    """An empty figure, in inches, under a title; signs that cannot be drawn become "?"."""
+    _use_fonts()
+    figure = Figure(figsize=(width, height))
+    if title:
+        figure.suptitle(drawable(title))
+    return figure
+
+
+def lay_out(figure: Figure) -> None:
+    """Find room for everything once and for all, before a figure is saved in several formats."""
+    with matplotlib.rc_context(STYLE):
+        figure.draw_without_rendering()
+    figure.set_layout_engine("none")
+
+
+def write_picture(
+    figure: Figure, path: Path, title: str, plan_sha256: str, *, as_sized: bool = False
+) -> None:
+    """Save `figure` as the suffix of `path` says; the file holds the plan's hash and the version.
+
+    With `as_sized` its size and its dots an inch stay as they are; else it is cut to what is drawn.
+    """
+    program, about = f"benchdragon {__version__}", f"plan sha256 {plan_sha256}"
+    metadata: dict[str, dict[str, str | None]] = {
+        ".png": {"Title": title, "Description": about, "Software": program},
+        ".svg": {"Title": title, "Description": about, "Creator": program, "Date": None},
+        ".pdf": {"Title": title, "Subject": about, "Creator": program, "CreationDate": None},
+    }
+    with whole_bytes(path) as made, matplotlib.rc_context(STYLE):
+        size: dict[str, Any] = {"dpi": 150, "bbox_inches": "tight"}
+        if as_sized:
+            size = {"dpi": figure.dpi}
+        figure.savefig(made, format=path.suffix[1:], metadata=metadata[path.suffix], **size)

@@ -1,0 +1,311 @@
+"""Pictures of a walk: the dragon on its route, the speeds of all handles, the head's polar angle.
+
+Each function gives a matplotlib Figure in the language in use; `style.write_picture` saves it.
+"""
+
+from collections.abc import Sequence
+
+import matplotlib
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
+from matplotlib.figure import Figure
+from matplotlib.patches import Circle, Rectangle
+
+from benchdragon.errors import InputError
+from benchdragon.figures.framing import Area, Framing, framing, inset, route_positions
+from benchdragon.figures.style import (
+    ABOVE,
+    BELOW,
+    BODY,
+    DISC,
+    HEAD,
+    ROUTE,
+    STYLE,
+    named_figure,
+)
+from benchdragon.i18n import _
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.curves import Route
+from benchdragon.model.walk import Motion, Walk
+
+# The scale holds all speeds of so many per cent of the times, and the rest too unless that would make
+# it so many times as long.
+COMMON_PERCENT, MOST_STRETCH = 95.0, 4.0
+# Speeds that agree so well are one speed.
+ONE_SPEED = 1e-6
+# Limits of one picture: finer would not be seen, and would take minutes.
+MOST_BENCHES = 20_000
+MOST_PANELS = 4
+MOST_COLUMNS = 1_500
+MOST_PLACES = 10_000_000
+
+
+def dragon_picture(
+    motion: Motion, title: str = "", indices: Sequence[int] = (0,), disc: float | None = None
+) -> Figure:
+    """The dragon on its route, benches to scale, head marked, at times number `indices`.
+
+    Args:
+        motion: holds the times.
+        title: above all; signs that cannot be drawn become "?", with a warning.
+        indices: of `walk.times`, one panel each.
+        disc: radius of a circle to draw about the first spiral's centre, m.
+    """
+    columns = min(len(indices), 2)
+    panels = -(-len(indices) // columns)
+    with matplotlib.rc_context(STYLE):
+        figure = named_figure(7.2 * columns, 7.0 * panels + 0.4, title)
+        axes = figure.subplots(panels, columns, squeeze=False).ravel()
+        framed = framing_of(motion, indices, disc)
+        for panel, index in zip(axes, indices, strict=False):
+            draw_dragon(panel, motion, index, disc, framed)
+        for panel in axes[len(indices) :]:
+            panel.set_axis_off()
+        return figure
+
+
+def framing_of(
+    motion: Motion,
+    indices: Sequence[int],
+    disc: float | None,
+    kept: Sequence[tuple[float, float]] = (),
+) -> Framing:
+    """What pictures of the dragon at all `indices` show, all to one scale, the points `kept` too, m."""
+    dragon, route = motion.walk.dragon, motion.walk.route
+    s = motion.s[list(indices)]
+    s = s[~np.isnan(s[:, 0])]
+    spans = np.stack([np.nanmin(s, axis=1), s[:, 0]], axis=-1) if len(s) else np.zeros((1, 2))
+    room = float(dragon.length.max())
+    return framing(route, spans, room, [*kept, *disc_corners(route, disc)], room)
+
+
+def disc_corners(route: Route, disc: float | None) -> list[tuple[float, float]]:
+    """Two corners of the square about the disc, m; none where there is no disc."""
+    if disc is None:
+        return []
+    x, y = route.centre
+    return [(x - disc, y - disc), (x + disc, y + disc)]
+
+
+def bench_corners(motion: Motion, index: int) -> FloatArray:
+    """Corners of every bench at time number `index`, m, (N, 4, 2): front left first, going round."""
+    dragon = motion.walk.dragon
+    front = np.stack([motion.x[index, :-1], motion.y[index, :-1]], axis=-1)
+    heading = motion.heading[index]
+    along = np.stack([np.cos(heading), np.sin(heading)], axis=-1)
+    side = np.stack([-along[:, 1], along[:, 0]], axis=-1) * 0.5 * dragon.width[:, np.newaxis]
+    nose = front + along * dragon.front_inset[:, np.newaxis]
+    end = nose - along * dragon.length[:, np.newaxis]
+    return np.stack([nose + side, end + side, end - side, nose - side], axis=1)
+
+
+def draw_dragon(panel: Axes, motion: Motion, index: int, disc: float | None, framed: Framing) -> None:
+    """Draw the benches, the route and the disc into one panel, and an inset where not all is shown."""
+    tail = float(np.nanmin(motion.s[index], initial=0.0))
+    front = float(np.nanmax(motion.s[index], initial=0.0))
+    end = min(motion.walk.route.length, front + 1.5 * (front - tail) + 20.0)
+    route = route_points(motion.walk.route, tail, end)
+    panel.plot(route[:, 0], route[:, 1], color=ROUTE, lw=0.5, zorder=1, label=_("route"))
+    if disc is not None:
+        circle = Circle(
+            motion.walk.route.centre,
+            disc,
+            fill=False,
+            ec=DISC,
+            lw=1.2,
+            ls="--",
+            zorder=2,
+            label=_("disc"),
+        )
+        panel.add_patch(circle)
+    corners = bench_corners(motion, index)
+    sound = np.asarray(~np.isnan(corners).any(axis=(1, 2)))
+    body = PolyCollection(
+        list(corners[1:][sound[1:]]), fc=BODY, ec="black", lw=0.25, zorder=3, label=_("benches")
+    )
+    panel.add_collection(body)
+    if sound[0]:
+        head = PolyCollection(
+            [corners[0]], fc=HEAD, ec="black", lw=0.6, hatch="////", zorder=4, label=_("head")
+        )
+        panel.add_collection(head)
+    panel.set_aspect("equal")
+    panel.set_xlabel(_("x (m)"))
+    panel.set_ylabel(_("y (m)"))
+    clock = f"{motion.times[index]:g}".replace("-", "\N{MINUS SIGN}")
+    panel.set_title(_("t = {t} s").format(t=clock))
+    panel.legend(loc="upper right", fontsize="small", framealpha=0.9)
+    frame = framed.frame(1.0, np.stack([motion.x[index], motion.y[index]], axis=-1))
+    panel.set(xlim=frame.limits[0], ylim=frame.limits[1])
+    if framed.cut(1.0):
+        ground, place = inset(framed, frame, route, ((0, 0), (1, 0), (0, 1)))
+        axes = panel.inset_axes(place, zorder=7)
+        Overview(axes, ground, route, ROUTE, "black").show(motion, index, frame)
+        text = _("{length} m across").format(length=f"{ground.width:.3g}")
+        axes.text(0.03, 0.94, text, fontsize="x-small", va="top", transform=axes.transAxes)
+
+
+class Overview:
+    """A small picture of all that the dragon covers, with a mark about what the large one shows.
+
+    Args:
+        axes: to draw into.
+        ground: all of it.
+        route: points of it, m, (n, 2).
+        edge: colour of the route and of the edges.
+        ink: colour of the mark.
+    """
+
+    def __init__(self, axes: Axes, ground: Area, route: FloatArray, edge: str, ink: str) -> None:
+        self.axes = axes
+        axes.set(xlim=ground.limits[0], ylim=ground.limits[1], xticks=[], yticks=[])
+        for side in axes.spines.values():
+            side.set_color(edge)
+        axes.plot(route[:, 0], route[:, 1], color=edge, lw=0.6)
+        (self.body,) = axes.plot([], [], color=BODY, lw=2.0)
+        (self.head,) = axes.plot([], [], "o", color=HEAD, ms=4.0)
+        self.mark = Rectangle((0.0, 0.0), 0.0, 0.0, fill=False, ec=ink, lw=1.0, zorder=4)
+        axes.add_patch(self.mark)
+
+    def show(self, motion: Motion, index: int, frame: Area) -> None:
+        """Move the dragon to time number `index`, and the mark to what the large picture shows."""
+        self.body.set_data(motion.x[index], motion.y[index])
+        self.head.set_data(motion.x[index, :1], motion.y[index, :1])
+        (left, _right), (bottom, _top) = frame.limits
+        self.mark.set(x=left, y=bottom, width=frame.width, height=frame.height)
+
+
+def route_points(route: Route, start: float, end: float) -> FloatArray:
+    """Points of the route from one position to another, m, (n, 2)."""
+    return route.point(route_positions(start, end))
+
+
+def speed_map(motion: Motion, title: str = "", joints: Sequence[float] = ()) -> Figure:
+    """Speed of all handles over time, as a map: time to the right, handle 0 (the head) on top.
+
+    Lines show when each handle passes the route positions `joints`, m. Where a few instants are far
+    faster or slower than the rest, the colours tell the rest apart, and the extremes are named.
+    """
+    with matplotlib.rc_context(STYLE):
+        figure = named_figure(9.0, 5.2, title)
+        panel = figure.subplots()
+        panel.grid(False)
+        times = _edges(motion.times)
+        handles = np.arange(motion.x.shape[1] + 1) - 0.5
+        low, high = speed_scale(motion.speed)
+        colours = matplotlib.colormaps["cividis"].with_extremes(under=BELOW, over=ABOVE)
+        mesh = panel.pcolormesh(
+            times, handles, motion.speed.T, cmap=colours, vmin=low, vmax=high, rasterized=True
+        )
+        for n, joint in enumerate(joints):
+            passed = [np.interp(joint, s, motion.times, np.nan, np.nan) for s in motion.s.T]
+            name = _("passing a joint of the route") if n == 0 else None
+            panel.plot(passed, range(len(passed)), color="white", lw=0.8, ls="--", label=name)
+        if joints:
+            panel.legend(loc="lower left", fontsize="small", facecolor="#555555", labelcolor="white")
+        panel.invert_yaxis()
+        panel.set_xlabel(_("time (s)"))
+        panel.set_ylabel(_("handle (0: the head's front)"))
+        beyond = _beyond(motion, low, high)
+        panel.set_title("\n".join([_("Speed of every handle"), *beyond.values()]), linespacing=1.5)
+        extend = {0: "neither", 1: next(iter(beyond), "neither"), 2: "both"}[len(beyond)]
+        bar = figure.colorbar(mesh, ax=panel, pad=0.02, extend=extend)
+        bar.set_label(_("speed (m/s)"))
+        bar.formatter.set_useOffset(False)  # type: ignore[attr-defined]
+        return figure
+
+
+def speed_scale(speed: FloatArray) -> tuple[float, float]:
+    """Lowest and highest speed, m/s, of a scale of colours for a table of speeds, (T, N + 1).
+
+    Those of a few instants that would make the scale several times as long are left out.
+    """
+    sound = speed[~np.isnan(speed).all(axis=1)]
+    if not len(sound):
+        return 0.0, 1.0
+    lowest, highest = np.nanmin(sound, axis=1), np.nanmax(sound, axis=1)
+    low, high = float(lowest.min()), float(highest.max())
+    usual = np.percentile(lowest, 100.0 - COMMON_PERCENT), np.percentile(highest, COMMON_PERCENT)
+    if ONE_SPEED * high < MOST_STRETCH * (usual[1] - usual[0]) < high - low:
+        low, high = float(usual[0]), float(usual[1])
+    if high - low <= ONE_SPEED * high:
+        room = 0.01 * high or 0.01
+        return max(low - room, 0.0), high + room
+    return low, high
+
+
+def _beyond(motion: Motion, low: float, high: float) -> dict[str, str]:
+    """The lowest and the highest speed in words, by "min" and "max", where they leave a scale, m/s."""
+    if np.isnan(motion.speed).all():
+        return {}
+    texts = {}
+    for side, text, find in (
+        ("min", _("lowest: {speed} m/s, handle {handle}, t = {t} s"), np.nanargmin),
+        ("max", _("highest: {speed} m/s, handle {handle}, t = {t} s"), np.nanargmax),
+    ):
+        time, handle = np.unravel_index(find(motion.speed), motion.speed.shape)
+        speed = float(motion.speed[time, handle])
+        if not low <= speed <= high:
+            clock = f"{motion.times[time]:.4g}".replace("-", "\N{MINUS SIGN}")
+            texts[side] = text.format(speed=f"{speed:.4g}", handle=handle, t=clock)
+    return texts
+
+
+def _edges(times: FloatArray) -> FloatArray:
+    """Borders of cells around increasing times; a lone time gets a second."""
+    if len(times) == 1:
+        return np.array([times[0] - 0.5, times[0] + 0.5])
+    middles = 0.5 * (times[1:] + times[:-1])
+    first, last = 2.0 * times[0] - middles[0], 2.0 * times[-1] - middles[-1]
+    return np.concatenate([[first], middles, [last]])
+
+
+def head_angle_picture(motion: Motion, title: str = "") -> Figure:
+    """Polar angle and radius of the head about the first spiral's centre, over time."""
+    cx, cy = motion.walk.route.centre
+    dx, dy = motion.x[:, 0] - cx, motion.y[:, 0] - cy
+    angle = np.degrees(np.unwrap(np.arctan2(dy, dx)))
+    with matplotlib.rc_context(STYLE):
+        figure = named_figure(8.0, 5.6, title)
+        above, below = figure.subplots(2, 1, sharex=True)
+        above.plot(motion.times, angle, color=HEAD, marker="." if len(angle) < 30 else None)
+        above.set_ylabel(_("polar angle (degrees)"))
+        figure.align_ylabels()
+        above.set_title(_("Polar angle of the head"))
+        below.plot(motion.times, np.hypot(dx, dy), color=BODY, marker="." if len(angle) < 30 else None)
+        below.set_ylabel(_("distance from the centre (m)"))
+        below.set_xlabel(_("time (s)"))
+        return figure
+
+
+def walk_pictures(
+    walk: Walk, times: FloatArray, title: str, disc: float | None, throw: bool = True
+) -> dict[str, Figure]:
+    """All pictures of a walk at `times`: dragon (up to four instants), speeds, head-angle.
+
+    Raises:
+        InputError: for a dragon of more benches than a picture shows.
+    """
+    if len(walk.dragon) > MOST_BENCHES:
+        raise InputError(
+            _("a picture shows at most {most} benches, not {count}; leave pictures out").format(
+                most=MOST_BENCHES, count=len(walk.dragon)
+            )
+        )
+    instants = walk.motion(_spread(times, MOST_PANELS), throw=throw)
+    figures = {"dragon": dragon_picture(instants, title, range(len(instants.times)), disc)}
+    if len(times) > 1 and (np.diff(times) > 0.0).all():
+        columns = min(MOST_COLUMNS, MOST_PLACES // (len(walk.dragon) + 1))
+        overview = walk.motion(np.linspace(times[0], times[-1], columns), throw=throw)
+        figures["speeds"] = speed_map(overview, title)
+        figures["head-angle"] = head_angle_picture(overview, title)
+    return figures
+
+
+def _spread(times: FloatArray, most: int) -> FloatArray:
+    """At most so many of `times`, evenly spread, first and last among them."""
+    if len(times) <= most:
+        return times
+    chosen: FloatArray = times[np.linspace(0, len(times) - 1, most).round().astype(int)]
+    return chosen

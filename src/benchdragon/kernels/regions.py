@@ -1,0 +1,256 @@
+"""Where on a route benches can meet at all, whatever the time.
+
+The route is cut into cells. All benches of a size sweep over the same place while their front handle
+walks through a cell, so that one box holds them all. Only where two such boxes come near one another
+can benches meet; everywhere else no search need look, however long the dragon.
+"""
+
+import math
+
+import numpy as np
+
+from benchdragon.kernels.bounds import (
+    BENCH_COLUMNS,
+    HANDLE_COLUMNS,
+    PATH,
+    PULL,
+    SPEED,
+    TRAVEL,
+    Places,
+    bound_bench,
+    bound_handles,
+    turning,
+    walked,
+)
+from benchdragon.kernels.box import (
+    BOX_COLUMNS,
+    CX,
+    CY,
+    HALF_LENGTH,
+    HALF_WIDTH,
+    UX,
+    UY,
+    box_distance,
+    box_gap,
+    corner,
+    offset,
+    set_box,
+)
+from benchdragon.kernels.curve import U_END, U_START, FloatArray, place, turning_bound
+from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.route import IntArray, step_back
+from benchdragon.kernels.status import Status
+
+# Below this turning between two handles, rad, the chord grows all the way from one to the other.
+SQUARE = 0.5 * math.pi - 2e-3
+# Nearer than this share of the link is surely nearer than the link.
+SHORT = 1.0 - 1e-8
+# Pieces into which the way between two handles may be cut to show that the chord grows along it.
+MOST_PIECES = 200
+# Route positions are sure to this, m; a handle so near a border counts for both cells.
+EDGE = 1e-7
+
+
+@kernel
+def follows(rows: FloatArray, places: Places, a: int, b: int, link: float) -> bool:
+    """Whether handle 1 surely follows handle 0 without a leap while that walks from slot a to slot b.
+
+    So it is when, for every front place, the distance to the places behind either surely grows or
+    surely stays below the link, all the way back to the rear handle's first place: then the nearest
+    place one link away moves continuously.
+    """
+    front, u = places.row[0, b], places.u[0, b]
+    rear, end = places.row[1, a], places.u[1, a]
+    path = walked(rows, places.row[0, a], places.u[0, a], front, u)
+    if turning(rows, rear, end, front, u) < SQUARE:
+        return True
+    x, y = places.x[0, b], places.y[0, b]
+    j, v, piece = front, u, 0.125 * link
+    for _ in range(MOST_PIECES):
+        if j > rear and v == rows[j, U_START]:
+            j -= 1
+            v = rows[j, U_END]
+        w = step_back(rows, j, v, piece)
+        last = j == rear and (w - end) * (v - end) <= 0.0
+        if last:
+            w = end
+        if turning(rows, j, w, front, u) < SQUARE or grows(rows, j, v, w, x, y, path, link):
+            if last:
+                return True
+            v = w
+            piece = min(2.0 * piece, 0.125 * link)
+        else:
+            piece *= 0.5
+    return False
+
+
+@kernel
+def grows(
+    rows: FloatArray, j: int, v: float, w: float, x: float, y: float, path: float, link: float
+) -> bool:
+    """Whether the distance from every front place to the places from v back to w behaves.
+
+    The front place is (x, y) or up to `path` metres behind it. Behaving is growing, or staying short.
+    Seen from a place, the front lies at an angle to the route; by its cosine the distance changes with
+    the way back, and it varies by what the route turns and by what the front place shifts.
+    """
+    px, py, tx, ty = place(rows, j, v)
+    dx, dy = x - px, y - py
+    chord, back = math.hypot(dx, dy), walked(rows, j, w, j, v)
+    if chord + path + back < SHORT * link:
+        return True
+    if path + back >= chord:
+        return False
+    angle = math.acos(min(1.0, max(-1.0, (dx * tx + dy * ty) / chord)))
+    varies = turning_bound(rows, j, v, w) + math.asin((path + back) / chord)
+    if angle + varies < SQUARE:
+        return True
+    return chord + path + back * (abs(0.5 * math.pi - angle) + varies) < SHORT * link
+
+
+@kernel
+def sweep_cells(
+    rows: FloatArray,
+    links: FloatArray,
+    sizes: FloatArray,
+    k: int,
+    places: Places,
+    slots: IntArray,
+    targets: IntArray,
+    hulls: FloatArray,
+    sound: FloatArray,
+) -> None:
+    """Widen hulls[targets[n]], empty where NaN, to hold every bench of the sizes in column k in cell n.
+
+    `places` are the two handles of such a bench with the front one at the cell's borders, which are
+    slots[n] and the next. sound[n] is 1, or 0 where it is not sure that the bench can walk through;
+    one that cannot stand at both borders is not held.
+    """
+    handles, bench = np.empty((2, HANDLE_COLUMNS)), np.empty(BENCH_COLUMNS)
+    for n in range(slots.shape[0]):
+        a, c = slots[n], targets[n]
+        if places.failed[0, a] != Status.OK or places.failed[0, a + 1] != Status.OK:
+            sound[n] = 0.0
+            continue
+        bound_handles(rows, links, places, a, a + 1, handles)
+        bound_bench(handles, 0, sizes, k, bench)
+        fast = not handles[1, SPEED] < math.inf
+        sound[n] = 0.0 if fast or not follows(rows, places, a, a + 1, links[0]) else 1.0
+        h = handles[0, PATH]
+        bulge = min(0.125 * bench[PULL] * h * h, 0.5 * bench[TRAVEL])
+        widen(sizes, k, places, a, bulge, hulls, c)
+
+
+@kernel
+def widen(
+    sizes: FloatArray,
+    k: int,
+    places: Places,
+    a: int,
+    bulge: float,
+    hulls: FloatArray,
+    c: int,
+) -> None:
+    """Make hull c hold the bench of sizes k as in slots a and a + 1, and `bulge` metres more."""
+    ends = np.empty((2, BOX_COLUMNS))
+    one = sizes[:, k : k + 1]
+    set_box(one, 0, places.x, places.y, a, ends, 0)
+    set_box(one, 0, places.x, places.y, a + 1, ends, 1)
+    if math.isnan(hulls[c, CX]):
+        ux, uy = ends[0, UX] + ends[1, UX], ends[0, UY] + ends[1, UY]
+        size = math.hypot(ux, uy)
+        hulls[c, UX], hulls[c, UY] = ux / size, uy / size
+        hulls[c, CX], hulls[c, CY] = ends[0, CX], ends[0, CY]
+        hulls[c, HALF_LENGTH] = hulls[c, HALF_WIDTH] = 0.0
+    low_x, high_x = -hulls[c, HALF_LENGTH], hulls[c, HALF_LENGTH]
+    low_y, high_y = -hulls[c, HALF_WIDTH], hulls[c, HALF_WIDTH]
+    for end in range(2):
+        for n in range(4):
+            x, y = corner(ends, end, n)
+            along, across = offset(hulls, c, x, y)
+            low_x, high_x = min(low_x, along - bulge), max(high_x, along + bulge)
+            low_y, high_y = min(low_y, across - bulge), max(high_y, across + bulge)
+    ux, uy = hulls[c, UX], hulls[c, UY]
+    ahead, aside = 0.5 * (low_x + high_x), 0.5 * (low_y + high_y)
+    hulls[c, CX] += ahead * ux - aside * uy
+    hulls[c, CY] += ahead * uy + aside * ux
+    hulls[c, HALF_LENGTH], hulls[c, HALF_WIDTH] = 0.5 * (high_x - low_x), 0.5 * (high_y - low_y)
+
+
+@kernel
+def near_pairs(
+    hulls: FloatArray,
+    others: FloatArray,
+    first: IntArray,
+    second: IntArray,
+    reach: float,
+    keep: IntArray,
+) -> None:
+    """Set keep[p] to 1 where hulls[first[p]] and others[second[p]] are within reach, m, else to 0."""
+    pair = np.empty((2, BOX_COLUMNS))
+    for p in range(first.shape[0]):
+        pair[0], pair[1] = hulls[first[p]], others[second[p]]
+        near = box_gap(pair, 0, 1) <= reach  # cheap, and never above the distance
+        keep[p] = 1 if near and box_distance(pair, 0, 1) <= reach else 0
+
+
+@kernel
+def first_behind(s: FloatArray, t: int, ahead: float, start: int, end: int) -> int:
+    """The first of benches start..end-1 whose front handle is not ahead of `ahead` at time t."""
+    left, right = start, end
+    while left < right:
+        middle = (left + right) // 2
+        if s[middle, t] > ahead:
+            left = middle + 1
+        else:
+            right = middle
+    return left
+
+
+@kernel
+def add_pair(first: IntArray, second: IntArray, since: int, found: int, i: int, j: int) -> int:
+    """Note the pair (i, j) unless it stands there since number `since`; how many there are then."""
+    for p in range(since, min(found, first.shape[0])):
+        if second[p] == j:
+            return found
+    if found < first.shape[0]:
+        first[found], second[found] = i, j
+    return found + 1
+
+
+@kernel
+def meeting_pairs(
+    s: FloatArray,
+    t: int,
+    group: IntArray,
+    cell: float,
+    low: int,
+    offsets: IntArray,
+    partners: IntArray,
+    cells: int,
+    first: IntArray,
+    second: IntArray,
+) -> int:
+    """Pairs of benches that may meet between head positions number t and t + 1; how many.
+
+    s[i, t] are the handles' route positions, m. Bench i of group g with its front handle in cell c (of
+    `cell` metres, counted from number `low`) may meet benches whose (group, cell) number is in
+    partners[offsets[n]:offsets[n + 1]], n = g * cells + c. Counts on where first, second are full.
+    """
+    benches = group.shape[0]
+    found = 0
+    for i in range(benches):
+        since = found
+        a = math.floor((s[i, t] - EDGE) / cell) - low
+        b = math.floor((s[i, t + 1] + EDGE) / cell) - low
+        for c in range(max(a, 0), min(b, cells - 1) + 1):
+            n = group[i] * cells + c
+            for m in range(offsets[n], offsets[n + 1]):
+                g, d = partners[m] // cells, partners[m] % cells
+                back, ahead = (d + low) * cell - EDGE, (d + low + 1) * cell + EDGE
+                j = first_behind(s, t, ahead, i + 2, benches)
+                while j < benches and s[j, t + 1] >= back:
+                    if group[j] == g:
+                        found = add_pair(first, second, since, found, i, j)
+                    j += 1
+    return found

@@ -1,0 +1,1 @@
+"""What walks on what: routes, dragons, speed profiles, and where every handle is."""

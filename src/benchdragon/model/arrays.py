@@ -1,0 +1,24 @@
+"""Lists of numbers, checked once at the door."""
+
+import numpy as np
+
+from benchdragon.errors import InputError
+from benchdragon.i18n import _
+from benchdragon.kernels.curve import FloatArray
+
+
+def as_numbers(name: str, values: object) -> FloatArray:
+    """`values`, a number or lists of numbers, as an array.
+
+    Raises:
+        InputError: if they are not all numbers, or lists of unequal lengths.
+    """
+    try:
+        array = np.asarray(values)
+    except ValueError:
+        array = np.asarray("ragged")
+    if array.size and array.dtype.kind not in "fiu":
+        raise InputError(
+            _("{name} must be numbers, not {value}").format(name=name, value=repr(values)[:80])
+        )
+    return array.astype(np.float64)

@@ -1,0 +1,33 @@
+"""How benches and handles are numbered, and what the contest's tables call them.
+
+Benches have numbers from 1, the head, to N, the tail; handle 0 is the head's front, handle i joins
+benches i and i + 1, handle N is the tail's rear. The contest counts bodies from the head on: "Body i"
+is bench i + 1, and its row holds that bench's front handle, handle i.
+"""
+
+from benchdragon.i18n import _
+
+
+def handle_names(handles: int) -> list[str]:
+    """What the contest calls each of `handles` handles, head first."""
+    bodies = [_("Body {number}").format(number=i) for i in range(1, handles - 2)]
+    tail = [_("Tail")] if handles > 2 else []
+    return [_("Head"), *bodies, *tail, _("Tail (rear)")]
+
+
+def handle_place(handle: int, benches: int) -> str:
+    """Where a handle is in a dragon of so many benches, by the numbers of the benches."""
+    if handle == 0:
+        return _("front of bench 1")
+    if handle == benches:
+        return _("rear of bench {bench}").format(bench=benches)
+    return _("between benches {a} and {b}").format(a=handle, b=handle + 1)
+
+
+def numbering_text() -> str:
+    """A sentence or two on the numbers, and on the contest's names beside them."""
+    return _(
+        "Bench 1 is the head. Handle 0 is its front, handle i joins benches i and i + 1. The contest's "
+        "tables count the bodies behind the head: Body i is bench i + 1, and its row is that bench's "
+        "front handle, handle i."
+    )

@@ -1,0 +1,156 @@
+"""The dragon with its head at route positions: where every handle is, with no time in it."""
+
+from concurrent.futures import ThreadPoolExecutor
+from functools import cached_property
+
+import numpy as np
+import numpy.typing as npt
+
+from benchdragon.errors import WalkError
+from benchdragon.kernels.chain import march, rates
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.route import IntArray, positions
+from benchdragon.kernels.spiral import LANES
+from benchdragon.kernels.status import Status
+from benchdragon.model.arrays import as_numbers
+from benchdragon.model.curves import Route
+from benchdragon.model.dragon import Dragon
+
+
+class Placement:
+    """A dragon on its route with the head at T route positions; every table has one row a position.
+
+    A placement that fails holds its status, and NaN from the handle that found no place on.
+
+    Args:
+        dragon: the benches.
+        route: what every handle stays on.
+        head_s: route positions of the head's handle, m, (T,).
+        workers: threads; the numbers do not depend on it.
+
+    Attributes:
+        dragon: as given.
+        route: as given.
+        head_s: as given, (T,).
+        status: how each placement ended, a `Status`, (T,).
+        failed_bench: the bench that found no place, (T,); 0 where none, or the head, failed.
+    """
+
+    def __init__(
+        self, dragon: Dragon, route: Route, head_s: npt.ArrayLike, *, workers: int = 1
+    ) -> None:
+        self.dragon, self.route = dragon, route
+        self.head_s = np.atleast_1d(as_numbers("head_s", head_s))
+        shape = (len(dragon) + 1, self.head_s.size)
+        # Handle by handle in memory, as the kernels march; position by position to the outside.
+        self._row = np.empty(shape, dtype=np.int64)
+        self._failed = np.empty((2, shape[1]), dtype=np.int64)
+        self._u, self._x, self._y, self._ratio = (np.empty(shape) for _array in range(4))
+        self.status, self.failed_bench = self._failed
+        if workers == 1 or shape[1] <= LANES:
+            self._march(0, shape[1])
+            return
+        # The borders of the blocks do not depend on the number of workers.
+        share = -(-shape[1] // (workers * LANES)) * LANES
+        with ThreadPoolExecutor(workers) as pool:
+            for task in [
+                pool.submit(self._march, a, min(a + share, shape[1])) for a in range(0, shape[1], share)
+            ]:
+                task.result()
+
+    def _march(self, first: int, last: int) -> None:
+        march(
+            self.route.rows, self.dragon.links, self.head_s, first, last,
+            self._row, self._u, self._x, self._y, self._ratio, self._failed,
+        )  # fmt: skip
+
+    def __repr__(self) -> str:
+        handles, count = self._x.shape
+        return f"<Placement of {handles} handles at {count} positions of the head>"
+
+    @property
+    def x(self) -> FloatArray:
+        """x of every handle, m, (T, N + 1)."""
+        return self._x.T
+
+    @property
+    def y(self) -> FloatArray:
+        """y of every handle, m, (T, N + 1)."""
+        return self._y.T
+
+    @property
+    def speed_ratio(self) -> FloatArray:
+        """Speed of every handle over the head's, (T, N + 1): exact, from the rigid benches."""
+        return self._ratio.T
+
+    @cached_property
+    def s(self) -> FloatArray:
+        """Route position of every handle, m, (T, N + 1); negative on the extension."""
+        out = np.full(self._u.shape, np.nan)
+        sound = ~np.isnan(self._u)
+        found = np.empty(int(sound.sum()))
+        positions(self.route.rows, self._row[sound], self._u[sound], found)
+        out[sound] = found
+        return out.T
+
+    @property
+    def tables(self) -> tuple[IntArray, FloatArray, FloatArray, FloatArray]:
+        """Row, parameter, x and y of every handle, as kernels hold them, each (N + 1, T)."""
+        return self._row, self._u, self._x, self._y
+
+    def state(self, i: int) -> tuple[IntArray, FloatArray]:
+        """Row and parameter of every handle at position number i, as kernels hold them, (N + 1,)."""
+        return self._row[:, i], self._u[:, i]
+
+    @cached_property
+    def heading(self) -> FloatArray:
+        """Heading of every bench, rear handle to front handle, rad, (T, N), in -pi..pi."""
+        return np.arctan2(-np.diff(self._y, axis=0), -np.diff(self._x, axis=0)).T
+
+    @property
+    def ratio_rate(self) -> FloatArray:
+        """Rate of change of every handle's speed ratio per metre of the head's way, 1/m, (T, N + 1)."""
+        return self._rates[0]
+
+    @property
+    def turn_rate(self) -> FloatArray:
+        """Turn of every bench per metre of the head's way, rad/m, left positive, (T, N)."""
+        return self._rates[1]
+
+    @cached_property
+    def _rates(self) -> tuple[FloatArray, FloatArray]:
+        ratio_rate = np.full(self._u.shape, np.nan)
+        turn = np.full((self._u.shape[0] - 1, self._u.shape[1]), np.nan)
+        rates(
+            self.route.rows, self.dragon.links,
+            self._row, self._u, self._x, self._y, self._ratio, ratio_rate, turn,
+        )  # fmt: skip
+        return ratio_rate.T, turn.T
+
+    @cached_property
+    def chord_error(self) -> float:
+        """Largest difference between a bench's link and the distance of its handles, m."""
+        chords = np.hypot(np.diff(self._x, axis=0), np.diff(self._y, axis=0))
+        return float(np.nanmax(np.abs(chords - self.dragon.links[:, np.newaxis]), initial=0.0))
+
+    def check(self) -> None:
+        """Raise the WalkError of the first position that failed, if one did."""
+        failed = np.flatnonzero(self.status != Status.OK)
+        if failed.size:
+            raise self.failure(int(failed[0]))
+
+    def failure(self, i: int) -> WalkError:
+        """The WalkError that describes how position number i failed."""
+        status, bench = Status(int(self.status[i])), int(self.failed_bench[i])
+        head = s = float(self.head_s[i])
+        size = self.route.length
+        if bench:
+            out = np.empty(1)
+            positions(
+                self.route.rows,
+                self._row[bench - 1 : bench, i],
+                self._u[bench - 1 : bench, i],
+                out,
+            )
+            s, size = float(out[0]), float(self.dragon.links[bench - 1])
+        return WalkError(status, bench, s, head, f"{size:.6g} m")

@@ -1,0 +1,252 @@
+"""The head's walk: how fast at any time, how far by then, and the paper's Runge-Kutta for it.
+
+The closed form needs no differential equation: distance is the exact integral of the profile, and
+the route turns a distance into a place. On a spiral the paper integrates
+d theta / dt = -v / (k sqrt(1 + theta^2)) instead; both are here, so that they check each other.
+"""
+
+import itertools
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Literal, NamedTuple, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from benchdragon.errors import InputError, as_number, finite, not_negative, positive
+from benchdragon.i18n import _
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.arrays import as_numbers
+from benchdragon.model.curves import Spiral
+
+LeaderMethod = Literal["closed-form", "rk4", "adaptive"]
+LEADER_METHODS: tuple[LeaderMethod, ...] = ("closed-form", "rk4", "adaptive")
+
+# m/s; no walker is faster, and it keeps distances within what doubles resolve.
+MOST_SPEED = 100.0
+# Fixed Runge-Kutta steps allowed in all: a minute or so of work.
+MOST_STEPS = 5_000_000
+
+
+class Stretches(NamedTuple):
+    """A walk cut where the head's acceleration jumps: rows of N stretches, each from start to end."""
+
+    times: FloatArray  # s, (N, 2)
+    ways: FloatArray  # distance walked from time 0 on, m, (N, 2)
+    speeds: FloatArray  # of the head, m/s, (N, 2)
+    rates: FloatArray  # its acceleration, m/s^2, (N,)
+
+    def moved(self, way: float) -> Self:
+        """The same with `way`, m, added to all ways."""
+        return self._replace(ways=self.ways + way)
+
+    def time(self, n: int, way: float) -> float:
+        """When the head comes to `way` on stretch n, s."""
+        ahead, (slow, fast) = way - float(self.ways[n, 0]), self.speeds[n].tolist()
+        if ahead <= 0.0:
+            return float(self.times[n, 0])
+        length = float(self.ways[n, 1] - self.ways[n, 0])
+        speed = math.sqrt(slow * slow + min(ahead / length, 1.0) * (fast * fast - slow * slow))
+        start, end = self.times[n].tolist()
+        return float(min(start + 2.0 * ahead / (slow + speed), end))
+
+
+def _ends(values: FloatArray) -> FloatArray:
+    """The values at the two ends of the spans between them, (spans, 2)."""
+    return np.column_stack([values[:-1], values[1:]])
+
+
+@dataclass(frozen=True)
+class SpeedProfile:
+    """Head speed over time, linear between knots and constant beyond the first and the last.
+
+    Args:
+        times: of the knots, s, increasing.
+        speeds: at the knots, m/s, not negative: 0 is a stop.
+    """
+
+    times: tuple[float, ...]
+    speeds: tuple[float, ...]
+
+    def __post_init__(self) -> None:
+        for name in ("times", "speeds"):
+            knots = np.atleast_1d(as_numbers(name, getattr(self, name)))
+            object.__setattr__(self, name, tuple(knots.ravel().tolist()))
+        if len(self.times) != len(self.speeds) or not self.times:
+            raise InputError(
+                _(
+                    "a speed profile needs as many times as speeds, at least one, not {a} and {b}"
+                ).format(a=len(self.times), b=len(self.speeds))
+            )
+        for t in self.times:
+            finite("profile", t, "s")
+        for v in self.speeds:
+            if not_negative("speed", v, "m/s") > MOST_SPEED:
+                raise InputError(_("speed must be at most 100 m/s, not {v} m/s").format(v=f"{v:g}"))
+        if any(b <= a for a, b in zip(self.times, self.times[1:], strict=False)):
+            raise InputError(_("the times of a speed profile must increase"))
+
+    @classmethod
+    def constant(cls, speed: float) -> Self:
+        """The same speed, m/s, at all times."""
+        return cls((0.0,), (speed,))
+
+    def __len__(self) -> int:
+        """Number of knots."""
+        return len(self.times)
+
+    def __getitem__(self, i: int) -> tuple[float, float]:
+        """Time, s, and speed, m/s, of knot number i, from 0."""
+        return self.times[i], self.speeds[i]
+
+    def __iter__(self) -> Iterator[tuple[float, float]]:
+        """Time, s, and speed, m/s, of each knot."""
+        return zip(self.times, self.speeds, strict=True)
+
+    def speed(self, t: npt.ArrayLike) -> FloatArray:
+        """Head speed at times t, m/s."""
+        return np.asarray(np.interp(as_numbers("times", t), self.times, self.speeds))
+
+    def acceleration(self, t: npt.ArrayLike) -> FloatArray:
+        """Rate of change of the head's speed, m/s^2; at a knot that of the span after it."""
+        return self._slopes[np.searchsorted(self.times, as_numbers("times", t), side="right")]
+
+    def distance(self, t: npt.ArrayLike) -> FloatArray:
+        """Distance walked from time 0 to times t, m, exact; negative before 0."""
+        return self._from_first(as_numbers("times", t)) - self._from_first(np.zeros(()))
+
+    def exact_distance(self, t: float) -> Fraction:
+        """Distance walked from time 0 to a finite time t, m, without any rounding."""
+        return self._exact_from_first(Fraction(t)) - self._exact_from_first(Fraction(0))
+
+    def stretches(self, start: float, end: float) -> Stretches:
+        """The walk from start to end, s, in stretches of one acceleration: from knot to knot."""
+        times = np.array([start, *(t for t in self.times if start < t < end), end])
+        return Stretches(
+            _ends(times),
+            _ends(self.distance(times)),
+            _ends(self.speed(times)),
+            self.acceleration(times[:-1]),
+        )
+
+    def time(self, distance: float) -> float:
+        """The first time, s, by which `distance` (m, from time 0) is walked: inverse of `distance`.
+
+        Infinite where the head stops for good before; minus infinite where it never started after.
+        """
+        wanted = as_number("distance", distance) + float(self._from_first(np.zeros(())))
+        times, speeds = self.times, self.speeds
+        n = int(np.searchsorted(self._sums, wanted, side="left"))
+        if n == 0 or n == len(times):
+            knot, speed = (0, speeds[0]) if n == 0 else (-1, speeds[-1])
+            ahead = wanted - float(self._sums[knot])
+            if ahead and not speed:
+                return math.copysign(math.inf, ahead)
+            return times[knot] + (ahead / speed if ahead else 0.0)
+        ahead, slope = wanted - float(self._sums[n - 1]), float(self._slopes[n])
+        # The stable root of slope t^2 / 2 + speed t = ahead.
+        speed = speeds[n - 1]
+        root = math.sqrt(max(speed * speed + 2.0 * slope * ahead, 0.0))
+        return min(times[n - 1] + 2.0 * ahead / (speed + root), times[n])
+
+    @cached_property
+    def _slopes(self) -> FloatArray:
+        with np.errstate(over="ignore"):  # knots a hair apart: as good as a jump
+            inner = np.diff(self.speeds) / np.diff(self.times)
+        return np.concatenate([[0.0], inner, [0.0]])
+
+    @cached_property
+    def _sums(self) -> FloatArray:
+        speeds = np.asarray(self.speeds)
+        spans = 0.5 * (speeds[1:] + speeds[:-1]) * np.diff(self.times)
+        return np.concatenate([[0.0], np.cumsum(spans)])
+
+    def _exact_from_first(self, t: Fraction) -> Fraction:
+        times, speeds = ([Fraction(number) for number in knots] for knots in (self.times, self.speeds))
+        walked = (
+            min(t - times[0], Fraction(0)) * speeds[0] + max(t - times[-1], Fraction(0)) * speeds[-1]
+        )
+        for a, b, v, w in zip(times, times[1:], speeds, speeds[1:], strict=False):
+            if t >= b:
+                walked += (v + w) / 2 * (b - a)
+            elif t > a:
+                walked += (v + (w - v) * (t - a) / (b - a) / 2) * (t - a)
+        return walked
+
+    def _from_first(self, t: FloatArray) -> FloatArray:
+        knot = np.maximum(np.searchsorted(self.times, t, side="right") - 1, 0)
+        dt = t - np.asarray(self.times)[knot]
+        slope = np.where(dt < 0.0, 0.0, self._slopes[knot + 1])
+        # Who stands does not move in an infinite time either.
+        speed = np.asarray(self.speeds)[knot]
+        speed = speed + 0.5 * slope * np.where(slope == 0.0, 0.0, dt)
+        return np.asarray(self._sums[knot] + speed * np.where(speed == 0.0, 0.0, dt))
+
+
+def head_angles(
+    spiral: Spiral,
+    profile: SpeedProfile,
+    start: float,
+    times: Sequence[float],
+    method: LeaderMethod,
+    step: float = 0.1,
+) -> FloatArray:
+    """theta of a head on `spiral` at `times` by Runge-Kutta, rad, (times,).
+
+    Args:
+        spiral: the head never leaves it (or its extension).
+        profile: its speed.
+        start: its arc length from the spiral's start at time 0, m.
+        times: s, in any order.
+        method: "rk4", the classical one of fixed step, or "adaptive", SciPy's DOP853.
+        step: of "rk4", s, at most; legs between times and knots are cut into equal steps.
+    """
+    positive("step", step, "s")
+    sign = 1.0 if spiral.end_angle > spiral.start_angle else -1.0
+
+    def rate(t: float, theta: float) -> float:
+        speed = float(np.interp(t, profile.times, profile.speeds))
+        return sign * speed / (spiral.k * math.sqrt(1.0 + theta * theta))
+
+    advance = _adaptive if method == "adaptive" else _rk4
+    found = {0.0: float(spiral.angle(start))}
+    stops = sorted({0.0, *times, *profile.times})
+    if sum(abs(b - a) for a, b in itertools.pairwise(stops)) / step > MOST_STEPS:
+        raise InputError(
+            _("Runge-Kutta with a step of {step} s would take over {most} steps").format(
+                step=f"{step:g}", most=MOST_STEPS
+            )
+        )
+    zero = stops.index(0.0)
+    for way in (stops[zero:], stops[zero::-1]):
+        for a, b in itertools.pairwise(way):
+            found[b] = advance(rate, a, b, found[a], step)
+    return np.array([found[float(t)] for t in times])
+
+
+Rate = Callable[[float, float], float]
+
+
+def _rk4(rate: Rate, a: float, b: float, theta: float, step: float) -> float:
+    count = max(1, math.ceil(abs(b - a) / step - 1e-9))
+    h = (b - a) / count
+    for i in range(count):
+        t = a + i * h
+        k1 = rate(t, theta)
+        k2 = rate(t + 0.5 * h, theta + 0.5 * h * k1)
+        k3 = rate(t + 0.5 * h, theta + 0.5 * h * k2)
+        k4 = rate(t + h, theta + h * k3)
+        theta += h / 6.0 * (k1 + 2.0 * (k2 + k3) + k4)
+    return theta
+
+
+def _adaptive(rate: Rate, a: float, b: float, theta: float, _step: float) -> float:
+    from scipy.integrate import solve_ivp  # slow to import, and needed by this road alone
+
+    solution = solve_ivp(
+        lambda t, y: [rate(t, y[0])], (a, b), [theta], method="DOP853", rtol=1e-13, atol=1e-13
+    )
+    return float(solution.y[0, -1])

@@ -1,0 +1,332 @@
+"""A dragon on a route: where every handle is and how fast, at any time."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from benchdragon.errors import (
+    InputError,
+    MissingExtraError,
+    WalkError,
+    finite,
+    of_kind,
+    positive,
+    whole,
+)
+from benchdragon.i18n import _
+from benchdragon.kernels.curve import FloatArray, spiral_length
+from benchdragon.kernels.route import END_SLACK
+from benchdragon.kernels.spiral import LANES
+from benchdragon.kernels.status import Status
+from benchdragon.model.arrays import as_numbers
+from benchdragon.model.curves import MOST_METRES, Route, Spiral
+from benchdragon.model.dragon import Dragon
+from benchdragon.model.placement import Placement
+from benchdragon.model.profile import LEADER_METHODS, LeaderMethod, SpeedProfile, head_angles
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+# Handles times times that one Motion may hold: 40 bytes each at first, 100 when all is asked for.
+MOST_PLACES = 50_000_000
+# Tables that hold a number for each handle.
+HANDLE_TABLES = ("x", "y", "s", "speed", "acceleration")
+# Threads of one motion.
+MOST_WORKERS = 64
+# The same for one slice of `Walk.motions`: 40 to 100 MB.
+SLICE_PLACES = 1_000_000
+# How exactly it is told where the head is when the tail comes somewhere, m.
+TAIL_TOLERANCE = 1e-9
+# How near to the last sound place a failure is told, m.
+FAILURE_TOLERANCE = 1e-9
+
+
+@dataclass(frozen=True)
+class Walk:
+    """A dragon, the route it walks, and the head's speed.
+
+    Args:
+        dragon: the benches.
+        route: what every handle stays on.
+        profile: the head's speed over time.
+        start: route position of the head's handle at time 0, m.
+    """
+
+    dragon: Dragon
+    route: Route
+    profile: SpeedProfile = field(default_factory=lambda: SpeedProfile.constant(1.0))
+    start: float = 0.0
+
+    def __post_init__(self) -> None:
+        of_kind("dragon", self.dragon, Dragon)
+        of_kind("route", self.route, Route, _("Route((curve,)) is the route of one curve"))
+        hint = _("SpeedProfile.constant(1.0) is the same speed at all times")
+        of_kind("profile", self.profile, SpeedProfile, hint)
+        if abs(finite("start", self.start, "m")) > MOST_METRES:
+            raise InputError(_("start must lie within 1e8 m, not at {s} m").format(s=f"{self.start:g}"))
+
+    def head_position(
+        self, times: npt.ArrayLike, leader: LeaderMethod = "closed-form", step: float = 0.1
+    ) -> FloatArray:
+        """Route positions of the head's handle at `times`, m, (times,).
+
+        "closed-form" is exact. "rk4" and "adaptive" integrate the spiral's differential equation
+        (see `profile.head_angles`) and need the head to stay on one spiral.
+        """
+        clock = _clock(times)
+        positive("step", step, "s")
+        exact = self.start + self.profile.distance(clock)
+        if leader not in LEADER_METHODS:
+            raise InputError(
+                _("leader must be one of {known}, not {method}").format(
+                    known=", ".join(LEADER_METHODS), method=leader
+                )
+            )
+        if leader == "closed-form":
+            return exact
+        part = self._only_part(exact, leader)
+        curve = self.route.curves[part]
+        if not isinstance(curve, Spiral):
+            raise InputError(
+                _(
+                    "{method} integrates the equation of a spiral, and the head walks another curve"
+                ).format(method=leader)
+            )
+        start = self.start - float(self.route.joints[part])
+        theta = head_angles(curve, self.profile, start, clock.tolist(), leader, step)
+        ahead = np.array([spiral_length(curve.k, angle) for angle in theta])
+        way = 1.0 if curve.end_angle > curve.start_angle else -1.0
+        walked = way * (ahead - spiral_length(curve.k, curve.start_angle))
+        return np.asarray(self.route.joints[part] + walked)
+
+    def time_at(self, s: float) -> float:
+        """When the head comes to route position s, m; infinite where it never does."""
+        return self.profile.time(s - self.start)
+
+    def placement(self, s: npt.ArrayLike, *, throw: bool = True) -> Placement:
+        """The dragon with its head at route positions s, m, whenever that may be.
+
+        Raises:
+            WalkError: with `throw`, for the first position that fails, at the time it is come to.
+        """
+        placed = Placement(self.dragon, self.route, s)
+        if throw and placed.status.any():
+            raise self.failure(placed, int(np.flatnonzero(placed.status)[0]))
+        return placed
+
+    def failure(self, placed: Placement, i: int) -> WalkError:
+        """The WalkError of position number i of a placement on this walk, with the time it happens."""
+        return placed.failure(i).at(self.time_at(float(placed.head_s[i])))
+
+    def first_failure(self, at: FloatArray) -> WalkError | None:
+        """Where the dragon first cannot stand, its head at or between increasing positions, m, (T,).
+
+        It is looked for at these, the first that fails then drawn near to the one before, or to the
+        route's end; None where none fails.
+        """
+        length = self.route.length
+        placed = self.placement(np.minimum(at, length), throw=False)
+        failed = np.flatnonzero(placed.status)
+        if not failed.size:
+            end = WalkError(Status.AFTER_ROUTE, 0, length, length, f"{length:.6g} m")
+            return end.at(self.time_at(length)) if at[-1] > length + END_SLACK else None
+        n = int(failed[0])
+        stands, fails = float(placed.head_s[max(n - 1, 0)]), float(placed.head_s[n])
+        while stands < (middle := 0.5 * (stands + fails)) < fails - 0.5 * FAILURE_TOLERANCE:
+            if self.placement([middle], throw=False).status[0]:
+                fails = middle
+            else:
+                stands = middle
+        return self.failure(self.placement([fails], throw=False), 0)
+
+    def exact_head_position(self, t: float) -> Fraction:
+        """The route position of the head's handle at a finite time t, m, without any rounding."""
+        return Fraction(self.start) + self.profile.exact_distance(t)
+
+    def head_where_tail(self, s: float) -> float:
+        """The head's route position, m, when the last handle has come to route position s (m).
+
+        Within 1e-9 m, and not before; the route's end if that comes first.
+        """
+        low, high = finite("s", s, "m"), self.route.length
+        at = low + float(self.dragon.links.sum())
+        while high - low > TAIL_TOLERANCE:
+            if not low < at < high:
+                at = 0.5 * (low + high)
+                if at in (low, high):
+                    break
+            stand = self.placement([at], throw=False)
+            ahead, slope = float(stand.s[0, -1]) - s, float(stand.speed_ratio[0, -1])
+            low, high = (low, at) if ahead >= 0.0 else (at, high)  # NaN counts as not yet there
+            # Newton's step, a little to the other side of the place sought.
+            side = -0.4 if ahead >= 0.0 else 0.4
+            at += side * TAIL_TOLERANCE - ahead / (slope or np.nan)
+        return high
+
+    def _only_part(self, s: FloatArray, leader: str) -> int:
+        last = len(self.route.curves) - 1
+        asked = np.append(s, self.start)
+        parts = np.clip(np.searchsorted(self.route.joints, asked, side="right") - 1, 0, last)
+        if np.ptp(parts):
+            raise InputError(
+                _("{method} needs the head on one spiral at all times, not on several curves").format(
+                    method=leader
+                )
+            )
+        return int(parts[0])
+
+    def motion(
+        self,
+        times: npt.ArrayLike,
+        *,
+        throw: bool = True,
+        workers: int = 1,
+        leader: LeaderMethod = "closed-form",
+        step: float = 0.1,
+    ) -> "Motion":
+        """Where every handle is, and how fast, at `times` (s, any order, negative ones too).
+
+        Args:
+            times: a number or a list of T.
+            throw: whether a time at which the dragon cannot stand raises. If not, the Motion holds
+                the status, and NaN from the handle that found no place on.
+            workers: threads; the numbers do not depend on it.
+            leader: road to the head's place, see `head_position`.
+            step: of Runge-Kutta, s.
+
+        Raises:
+            InputError: for times that are not finite, or too many at once.
+            WalkError: with `throw`, for the first time in the list that fails.
+        """
+        clock = _clock(times)
+        whole("workers", workers, 1, MOST_WORKERS)
+        if clock.size * (len(self.dragon) + 1) > MOST_PLACES:
+            raise InputError(
+                _(
+                    "{asked} places (handles by times) are more than one motion may hold ({most})"
+                ).format(asked=clock.size * (len(self.dragon) + 1), most=MOST_PLACES)
+            )
+        s = self.head_position(clock, leader, step)
+        motion = Motion(self, clock, s, workers=workers)
+        if throw:
+            motion.check()
+        return motion
+
+    def motions(
+        self, times: npt.ArrayLike, *, throw: bool = True, workers: int = 1
+    ) -> Iterator["Motion"]:
+        """The same in slices of time that need bounded memory, in the order of `times`."""
+        clock = _clock(times)
+        size = max(1, SLICE_PLACES // (len(self.dragon) + 1))
+        size -= size % LANES if size > LANES else 0
+        for start in range(0, clock.size, size):
+            yield self.motion(clock[start : start + size], throw=throw, workers=workers)
+
+
+def _clock(times: npt.ArrayLike) -> FloatArray:
+    clock = np.atleast_1d(as_numbers("times", times))
+    if clock.ndim > 1:
+        raise InputError(
+            _("times must be one list, not a table of shape {shape}").format(shape=clock.shape)
+        )
+    if not np.isfinite(clock).all():
+        raise InputError(
+            _("times must be finite, not {value}").format(value=f"{clock[~np.isfinite(clock)][0]} s")
+        )
+    return clock
+
+
+class Motion(Placement):
+    """Places and speeds of all handles at T times; every table has one row a time.
+
+    Attributes:
+        walk: what moved.
+        times: s, (T,).
+    """
+
+    def __init__(self, walk: Walk, times: FloatArray, head_s: FloatArray, *, workers: int = 1) -> None:
+        super().__init__(walk.dragon, walk.route, head_s, workers=workers)
+        self.walk, self.times = walk, times
+
+    def __repr__(self) -> str:
+        handles, times = self._x.shape
+        return f"<Motion of {handles} handles at {times} times>"
+
+    @cached_property
+    def head_speed(self) -> FloatArray:
+        """Speed of the head's handle, m/s, (T,)."""
+        return self.walk.profile.speed(self.times)
+
+    @cached_property
+    def speed(self) -> FloatArray:
+        """Speed of every handle along the route, m/s, (T, N + 1)."""
+        return self.speed_ratio * self.head_speed[:, np.newaxis]
+
+    @cached_property
+    def acceleration(self) -> FloatArray:
+        """Rate of change of every handle's speed along the route, m/s^2, (T, N + 1).
+
+        Exact between joints; where the route's curvature jumps as a handle crosses a joint, it jumps.
+        """
+        head_rate = self.walk.profile.acceleration(self.times)
+        speed2 = np.square(self.head_speed)
+        return self._ratio.T * head_rate[:, np.newaxis] + self.ratio_rate * speed2[:, np.newaxis]
+
+    @cached_property
+    def turning_rate(self) -> FloatArray:
+        """Turning rate of every bench, rad/s, left positive, (T, N)."""
+        return self.turn_rate * self.head_speed[:, np.newaxis]
+
+    def failure(self, i: int) -> WalkError:
+        """The WalkError that describes how time number i failed."""
+        return super().failure(i).at(float(self.times[i]))
+
+    def to_dataframe(self) -> "pandas.DataFrame":
+        """The handles' tables as a pandas DataFrame, a row a time and handle (needs the extra `data`).
+
+        Indexed by time (s) and handle (from 0); x, y, s (m), speed (m/s) and acceleration (m/s^2).
+        """
+        try:
+            import pandas  # an optional extra
+        except ImportError:
+            raise MissingExtraError("data") from None
+        index = pandas.MultiIndex.from_product(
+            [self.times, range(len(self.walk.dragon) + 1)], names=["time", "handle"]
+        )
+        tables = {name: getattr(self, name).ravel() for name in HANDLE_TABLES}
+        return pandas.DataFrame(tables, index=index)
+
+    def to_xarray(self) -> "xarray.Dataset":
+        """The tables as an xarray Dataset with units (needs the extra `data`)."""
+        try:
+            import xarray  # an optional extra
+        except ImportError:
+            raise MissingExtraError("data") from None
+        time_handle, time_bench = ("time", "handle"), ("time", "bench")
+        variables = {
+            "x": (time_handle, self.x, "m", "x of the handle"),
+            "y": (time_handle, self.y, "m", "y of the handle"),
+            "s": (time_handle, self.s, "m", "route position of the handle"),
+            "speed": (time_handle, self.speed, "m s-1", "speed of the handle along the route"),
+            "acceleration": (time_handle, self.acceleration, "m s-2", "rate of change of speed"),
+            "heading": (time_bench, self.heading, "rad", "heading of the bench"),
+            "turning_rate": (time_bench, self.turning_rate, "rad s-1", "turning rate of the bench"),
+            "status": (("time",), self.status, "1", "0 where the dragon stands soundly"),
+        }
+        return xarray.Dataset(
+            {
+                name: (dims, data, {"units": unit, "long_name": text})
+                for name, (dims, data, unit, text) in variables.items()
+            },
+            coords={
+                "time": ("time", self.times, {"units": "s"}),
+                "handle": np.arange(self._x.shape[0]),
+                "bench": np.arange(1, self._x.shape[0]),
+            },
+        )

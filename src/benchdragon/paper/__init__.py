@@ -1,0 +1,1 @@
+"""The contest's problem and a paper on it: claims, their evidence, the report."""

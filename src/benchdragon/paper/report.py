@@ -1,0 +1,444 @@
+"""The report on the paper: what it says, claim by claim, beside what comes out, and how that is known.
+
+Here it is text, tables and names of pictures in the language in use; `report_files` writes it as HTML
+and PDF. Every number is one of the run's own, or the paper's.
+"""
+
+import math
+from collections.abc import Iterable, Sequence
+
+from benchdragon.analysis.check import moment
+from benchdragon.digits import decimals, decimals_or_dash
+from benchdragon.i18n import N_, _, language
+from benchdragon.model.answer import Answer
+from benchdragon.model.numbering import handle_names, numbering_text
+from benchdragon.paper import claims as paper
+from benchdragon.paper.document import Block, Document, Heading, Link, Paragraph, Picture, Table, Words
+from benchdragon.paper.evidence import (
+    conditioning,
+    contact_of,
+    errors,
+    left_out,
+    people,
+    roads,
+    say,
+)
+from benchdragon.paper.results import (
+    MOTION_TIMES,
+    TABLE_HANDLES,
+    TABLE_TIMES,
+    Results,
+    table,
+)
+from benchdragon.solve.turn import BestTurn
+from benchdragon.version import __version__
+
+# The paper's flow of work (its Fig 1) beside ours.
+FLOW = (
+    (N_("Archimedean spiral, d theta/dt"), N_("any route of lines, arcs, clothoids, spirals")),
+    (N_("head: Runge-Kutta in steps"), N_("head: arc length in closed form, inverted")),
+    (
+        N_("handles: try theta until it fits"),
+        N_("handles: nearest place one link behind, none skipped"),
+    ),
+    (N_("speeds: differences of places"), N_("speeds: rigid benches, differentiated")),
+    (N_("contact: SAT, a flag at each step"), N_("contact: bounds that hold between looks")),
+    (N_("pitch: traversal in steps"), N_("pitch: root of the pair that decides")),
+    (N_("turn: two arcs, geometry"), N_("turn: families of arcs, lines, clothoids; speed bounded")),
+)
+
+
+def report(found: Results, docs: str | None = None) -> Document:
+    """The report in the language in use.
+
+    Args:
+        found: what came out.
+        docs: folder or address of the documentation's pages; None: no links to it.
+    """
+    title = _("The bench dragon paper, repeated and checked")
+    blocks = [
+        *_opening(found),
+        *_claims(found),
+        *_questions(found),
+        *_figures(),
+        *_equations(found),
+        *errors(found),
+        *conditioning(found),
+        *people(found),
+        *roads(found, docs),
+        *left_out(),
+    ]
+    return Document(title, language(), tuple(blocks))
+
+
+def _opening(found: Results) -> Iterable[Block]:
+    yield say(
+        _(
+            "W. Nie and J. Zhao model the bench dragon of 223 benches: spiral walk, contact, "
+            "smallest pitch, turn. This report repeats each part, says what the paper gives, what "
+            "comes out here, why they differ, and how our number was established. All figures are "
+            "of this run: benchdragon {version}, plans {spiral}, {disc}, {turn}."
+        ),
+        version=__version__,
+        **{name: getattr(found, name).sha256[:8] for name in ("spiral", "disc", "turn")},
+    )
+    yield say(
+        _(
+            '"Proved" means: all positions behind the answer were enclosed in ball arithmetic with 100 '
+            'bits, within the room that the bounds leave. "Found" means: bounds that hold for all '
+            'moments, in floating point with room for its rounding. "Best found" means: a search came '
+            "to it, and something better may exist."
+        )
+    )
+
+
+def _how(anchor: str, text: str) -> Link:
+    return Link(text, f"#how-{anchor}")
+
+
+def established(answer: Answer) -> str:
+    """How an answer is known, and how narrow its bracket is."""
+    words = {"proved": _("proved"), "found": _("found")}.get(answer.status, _("undecided"))
+    width = answer.upper - answer.lower
+    return _("{status}, bracket {width} {unit}").format(
+        status=words, width=f"{width:.1e}", unit=answer.unit
+    )
+
+
+def _claims(found: Results) -> Iterable[Block]:
+    yield Heading(_("Claim by claim"), "claims")
+    columns = (
+        _("section"),
+        _("claim"),
+        _("paper"),
+        _("here"),
+        _("difference"),
+        _("why"),
+        _("how known"),
+    )
+    rows = [*_walk_claims(found), *_contact_claims(found), *_turn_claims(found), *_other_claims(found)]
+    yield Table(columns, (0.7, 1.5, 1.2, 1.4, 1.0, 2.6, 1.2), tuple(rows))
+
+
+def _walk_claims(found: Results) -> Iterable[tuple[Words, ...]]:
+    last = table(found.motion, [300.0])[-1]
+    yield (
+        "2",
+        _("places of the handles, by Runge-Kutta"),
+        _("no table printed"),
+        _("rear of the tail at 300 s: ({x}, {y}) m").format(
+            x=f"{last['x_m']:.6f}", y=f"{last['y_m']:.6f}"
+        ),
+        f"{found.head_errors['rk4_step_0.1_s_m']:.1e} m",
+        _("the head by Runge-Kutta (steps of 0.1 s) and by the closed form: they agree"),
+        _how(
+            "chain",
+            _("closed form; chords to {error} m").format(error=f"{found.motion.chord_error:.0e}"),
+        ),
+    )
+    yield (
+        "2, 3",
+        _("speeds by differences; the head's is 1 m/s"),
+        f"{paper.HEAD_SPEED:g} m/s",
+        "1 m/s",
+        _("up to {error} m/s").format(error=f"{found.speed_error:.1e}"),
+        _("differences of places a second apart cut corners: the head seems slower by that much"),
+        _how("speeds", _("exact, from rigid benches")),
+    )
+
+
+def _contact_claims(found: Results) -> Iterable[tuple[Words, ...]]:
+    first, smallest = contact_of(found), found.smallest
+    stepped = dict(found.stepped)[1.0]
+    yield (
+        "2",
+        _("time of first contact, by a flag at each step"),
+        _("no value printed"),
+        f"{first.value:.9f} s",
+        _("{late} s late with steps of 1 s").format(late=f"{stepped - first.value:.3f}"),
+        _(
+            "a flag looked at each second rises at {seen} s; {before} s is the last second that "
+            "looks clear"
+        ).format(seen=f"{stepped:g}", before=f"{stepped - 1.0:g}"),
+        _how("first-contact", established(first)),
+    )
+    coarse = next(answer for p, t, answer in found.traversal if (p, t) == (0.002, 1.0))
+    benches = smallest.witness.benches if smallest.witness else (0, 0)
+    yield (
+        _("abstract, 3, Fig 2"),
+        _("smallest pitch"),
+        f"{paper.SMALLEST_PITCH:g} m",
+        f"{smallest.value:.12f} m",
+        f"{paper.SMALLEST_PITCH - smallest.value:.6f} m",
+        _(
+            "pitches in steps of 0.002 m and a flag each second give {coarse} m; bench {a} grazes "
+            "bench {b} {before} m before the disc"
+        ).format(
+            coarse=f"{coarse.value:.3f}",
+            a=benches[0],
+            b=benches[1],
+            before=f"{found.before_disc or 0.0:.4f}",
+        ),
+        _how("smallest-pitch", established(smallest)),
+    )
+
+
+def _turn_claims(found: Results) -> Iterable[tuple[Words, ...]]:
+    arcs = found.two_arcs
+    yield (
+        "3, (1), (2)",
+        _("the two arcs have a fixed length"),
+        _("no value printed"),
+        f"{arcs.length:.10f} m",
+        "0",
+        _("right: of two tangent arcs between the same joints, whatever the ratio of their radii"),
+        _how("turn", _("closed form")),
+    )
+    best = found.front[0]
+    yield (
+        _("abstract, 4"),
+        _("the turn cannot be made shorter"),
+        _("fixed by (1) and (2), no value printed"),
+        _("{way} m instead of {length} m").format(way=f"{best.way:.4f}", length=f"{arcs.length:.4f}"),
+        f"{arcs.length - best.way:.4f} m",
+        _(
+            "not so: with a line between two arcs no bend is tighter than the paper's, and the "
+            "head may walk at {speed} m/s instead of {paper} m/s"
+        ).format(speed=f"{_allowed(best):.4f}", paper=f"{found.head_speed.value:.4f}"),
+        _how("turn", _("best found; its limits are kept by exact figures")),
+    )
+    angles = dict(zip(paper.ANGLES, arcs.boundary_angles(), strict=True))
+    off = max(abs(angles[name] - printed) for name, printed in paper.ANGLES.items())
+    yield (
+        "3, 4",
+        _("boundary angles of the arcs"),
+        ", ".join(f"{angle:.4f}" for angle in paper.ANGLES.values()),
+        ", ".join(f"{angle:.6f}" for angle in angles.values()),
+        f"{off:.1e}",
+        _("right to the digits printed"),
+        _how("turn", _("closed form")),
+    )
+
+
+def _other_claims(found: Results) -> Iterable[tuple[Words, ...]]:
+    coarse, fine = (
+        next(answer.looks for p, t, answer in found.traversal if (p, t) == steps)
+        for steps in ((0.002, 1.0), (0.0005, 1.0))
+    )
+    width = found.smallest.upper - found.smallest.lower
+    yield (
+        "4",
+        _("faster methods are future work"),
+        _("a traversal in steps"),
+        _("root of the pair that decides, to {width} m").format(width=f"{width:.0e}"),
+        "",
+        _(
+            "steps of 0.002 m take {coarse} placings of the dragon, of 0.0005 m {fine}; times side "
+            "by side: benchmarks/RESULTS.md"
+        ).format(coarse=coarse, fine=fine),
+        _how("smallest-pitch", _("counted")),
+    )
+    yield (
+        "1, 4",
+        _("reliable by error analysis"),
+        _("none printed"),
+        _("order {rk}; {forward}, {central}, {backward}").format(
+            rk=f"{found.head_order.order:.2f}",
+            **{name: f"{one.order:.2f}" for name, one in found.speed_orders.items()},
+        ),
+        "",
+        _("Runge-Kutta; forward, central and backward differences: as theory has it"),
+        Link(_("chapter on errors"), "#errors"),
+    )
+    aside = found.margins["aside"]
+    yield (
+        "2",
+        _("assumptions 1 to 4: people are exact"),
+        _("neglected"),
+        _("{pitch} m, for nine dances of ten, with 95 % confidence").format(
+            pitch=decimals_or_dash(aside.pitch_for(0.1), 3)
+        ),
+        "",
+        _("with handles {slip} cm off the line, to either side, as a standard deviation").format(
+            slip=f"{100.0 * aside.slips.aside:g}"
+        ),
+        Link(_("chapter on people"), "#people"),
+    )
+
+
+def _allowed(best: BestTurn) -> float:
+    return math.nan if best.head_speed is None else best.head_speed.value
+
+
+def _questions(found: Results) -> Iterable[Block]:
+    yield Heading(_("The contest's five questions"), "questions")
+    yield Heading(_("Question 1: where handles are, and how fast"), "question-1", 2)
+    yield say(
+        _("Pitch {pitch} m, head speed 1 m/s; all handles each second: {file}."),
+        pitch=f"{found.spiral.value('route.pitch'):g}",
+        file="result1.xlsx",
+    )
+    yield Paragraph((numbering_text(),))
+    yield from _motion_tables(table(found.motion, TABLE_TIMES), TABLE_TIMES)
+    yield Picture("spiral-dragon", _("The dragon at the start and after 300 s."))
+    yield Picture("spiral-speeds", _("Speeds of all handles over time."))
+    first = contact_of(found)
+    yield Heading(_("Question 2: when benches first touch"), "question-2", 2)
+    yield say(
+        _("At t = {t} s ({how}) bench {a} touches bench {b}; the whole dragon then: {file}."),
+        t=f"{first.value:.10f}",
+        how=established(first),
+        a=_bench(first, 0),
+        b=_bench(first, 1),
+        file="result2.xlsx",
+    )
+    standing = moment(found.report)[0]
+    yield _one_moment(table(standing, standing.times.tolist()))
+    yield Picture("contact", _("The first contact, and close by."))
+    yield Picture("clearance", _("Least distance of benches but neighbours up to the contact."))
+    yield Heading(_("Question 3: the smallest pitch"), "question-3", 2)
+    yield Paragraph(
+        (
+            _(
+                "The head comes to a disc of radius {radius} m without a touch from pitch {pitch} "
+                "m on ({how}). "
+            ).format(
+                radius=f"{found.turn.disc.radius:g}",
+                pitch=f"{found.smallest.value:.13f}",
+                how=established(found.smallest),
+            ),
+            _how("smallest-pitch", _("How this is known")),
+            ".",
+        )
+    )
+    yield Picture("pitch", _("The paper's Fig 2: how far in the head comes, over the pitch."))
+    yield from _turn_questions(found)
+
+
+def _bench(answer: Answer, which: int) -> int:
+    return answer.witness.benches[which] if answer.witness else 0
+
+
+def _turn_questions(found: Results) -> Iterable[Block]:
+    arcs, near = found.two_arcs, found.turn_report.clearance
+    yield Heading(_("Question 4: the turn"), "question-4", 2)
+    yield say(
+        _(
+            "Radii {r1} m and {r2} m, both arcs swept by {angle} rad, length {length} m. Benches "
+            "{a} and {b} come nearest, {gap} m. All handles each second: {file}."
+        ),
+        r1=f"{arcs.radii[0]:.10f}",
+        r2=f"{arcs.radii[1]:.10f}",
+        angle=f"{arcs.sweep:.10f}",
+        length=f"{arcs.length:.10f}",
+        gap=f"{near.value:.6f}",
+        a=_bench(near, 0),
+        b=_bench(near, 1),
+        file="result4.xlsx",
+    )
+    yield from _motion_tables(
+        table(found.turn.build().motion(MOTION_TIMES), MOTION_TIMES), MOTION_TIMES
+    )
+    yield Picture("turn-disc", _("The turn: the paper's Fig 3."))
+    yield Picture("turn-dragon", _("The dragon turning: the paper's Fig 4."))
+    yield Picture("turn-better", _("The paper's turn beside shorter ones."))
+    columns = (
+        _("head speed (m/s)"),
+        _("turn (m)"),
+        _("way inside the disc (m)"),
+        _("tightest bend (m)"),
+        _("clearance (m)"),
+    )
+    rows = tuple(
+        (
+            f"{_allowed(best):.4f}",
+            f"{best.length:.4f}",
+            f"{best.way:.4f}",
+            f"{best.turn.least_radius:.4f}",
+            f"{best.clearance.lower:.4f}",
+        )
+        for best in found.front
+    )
+    yield Table(columns, (1, 1, 1, 1, 1), rows, numbers=True)
+    yield Picture("turn-front", _("Length against greatest head speed; best found."))
+    speed = found.head_speed
+    yield Heading(_("Question 5: how fast the head may walk"), "question-5", 2)
+    yield say(
+        _(
+            "No handle exceeds {limit} m/s up to a head speed of {speed} m/s ({how}), decided at t "
+            "= {t} s."
+        ),
+        limit=f"{found.turn.limits.speed:g}",
+        speed=f"{speed.value:.12f}",
+        how=established(speed),
+        t=f"{speed.witness.time if speed.witness and speed.witness.time else 0.0:.6f}",
+    )
+    yield Picture("turn-speeds", _("Speeds of all handles while the dragon turns."))
+
+
+def _motion_tables(rows: Sequence[dict[str, float]], times: Sequence[float]) -> Iterable[Block]:
+    """Places, then speeds: a row a handle, a column a time."""
+    columns = (_("handle"), _("in the contest"), *(f"{t:g} s" for t in times))
+    widths = (0.6, 1.6, *(1.0 for _time in times))
+    names = handle_names(TABLE_HANDLES[-1] + 1)
+    by_place = {(row["time_s"], row["handle"]): row for row in rows}
+    lines: list[tuple[Words, ...]] = []
+    for handle in TABLE_HANDLES:
+        for axis, text in (("x", _("{handle} x (m)")), ("y", _("{handle} y (m)"))):
+            cells = (f"{by_place[t, handle][f'{axis}_m']:.6f}" for t in times)
+            lines.append((str(handle), text.format(handle=names[handle]), *cells))
+    yield Table(columns, widths, tuple(lines), numbers=True)
+    speeds = [
+        (
+            str(handle),
+            _("{handle} (m/s)").format(handle=names[handle]),
+            *(f"{by_place[t, handle]['speed_m_s']:.6f}" for t in times),
+        )
+        for handle in TABLE_HANDLES
+    ]
+    yield Table(columns, widths, tuple(speeds), numbers=True)
+
+
+def _one_moment(rows: Sequence[dict[str, float]]) -> Table:
+    columns = (_("handle"), _("in the contest"), _("x (m)"), _("y (m)"), _("speed (m/s)"))
+    names = handle_names(TABLE_HANDLES[-1] + 1)
+    lines = tuple(
+        (
+            str(row["handle"]),
+            names[int(row["handle"])],
+            *(decimals(row[key]) for key in ("x_m", "y_m", "speed_m_s")),
+        )
+        for row in rows
+    )
+    return Table(columns, (0.6, 1, 1, 1, 1), lines, numbers=True)
+
+
+def _figures() -> Iterable[Block]:
+    yield Heading(_("The paper's figures"), "figures")
+    yield Paragraph(
+        (
+            _("Fig 1, its flow of work, stands below beside ours; "),
+            Link(_("Fig 2"), "#question-3"),
+            ", ",
+            Link(_("Fig 3 and Fig 4"), "#question-4"),
+            _(" stand with the questions."),
+        )
+    )
+    yield Picture("flow", _("What the paper does, and what is done here."))
+
+
+def _equations(found: Results) -> Iterable[Block]:
+    yield Heading(_("The paper's equations, tried on the walk"), "equations")
+    columns = (_("equation"), _("gives"), _("as printed"), _("the walk"), _("difference"), _("remark"))
+    rows = tuple(
+        (
+            f"({one.number})",
+            _(one.says),
+            f"{one.printed:.9f} {one.unit}",
+            f"{one.true:.9f} {one.unit}",
+            f"{one.printed - one.true:.1e}",
+            _(one.remark),
+        )
+        for one in found.equations
+    )
+    yield Table(columns, (0.6, 2.0, 1.3, 1.3, 0.8, 2.2), rows)

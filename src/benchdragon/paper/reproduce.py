@@ -1,0 +1,194 @@
+"""The paper again, from one call: its tables, pictures and answers, and a report on all of them."""
+
+import json
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from benchdragon.analysis.check import moment
+from benchdragon.errors import InputError
+from benchdragon.export.tables import Selection, write_csv, write_moment_xlsx, write_npz, write_xlsx
+from benchdragon.figures.contact import clearance_picture, moment_picture
+from benchdragon.figures.style import lay_out, write_picture
+from benchdragon.figures.tolerance import margin_picture
+from benchdragon.figures.walk import dragon_picture, head_angle_picture, speed_map
+from benchdragon.files import refuse_existing, whole_file
+from benchdragon.i18n import _, language
+from benchdragon.paper.evidence_figures import (
+    accumulation_picture,
+    convergence_picture,
+    flow_picture,
+    pitch_picture,
+    stepping_picture,
+)
+from benchdragon.paper.publish import write_html, write_pdf
+from benchdragon.paper.report import FLOW, report
+from benchdragon.paper.results import STEPS as RESULT_STEPS
+from benchdragon.paper.results import Results, as_json, results
+from benchdragon.paper.turn_figures import ShownTurn, front_picture, turns_picture
+from benchdragon.plans.schema import TurnRoute
+from benchdragon.solve.tolerance import CASES
+
+TURN_TIMES = (-50.0, 0.0, 14.0, 50.0)
+PICTURE_KINDS = ("png", "svg", "pdf")
+PICTURES = (
+    "spiral-dragon", "spiral-speeds", "spiral-head", "contact", "clearance", "pitch", "turn-disc",
+    "turn-dragon", "turn-speeds", "turn-better", "turn-front", "flow", "errors-orders", "errors-chain",
+    "errors-steps", "margins",
+)  # fmt: skip
+TABLES = ("result1.xlsx", "result2.xlsx", "result4.xlsx", "spiral.csv", "spiral.npz")
+
+# How often `reproduce` reports an advance.
+STEPS = RESULT_STEPS + 3 + len(PICTURE_KINDS)
+
+Advance = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Reproduction:
+    """What came out: answers by name (SI units), and the files written."""
+
+    answers: dict[str, Any]
+    files: list[Path]
+
+
+def planned_files(folder: Path) -> list[Path]:
+    """The files that `reproduce` writes into `folder`."""
+    pictures = [f"{name}.{kind}" for name in PICTURES for kind in PICTURE_KINDS]
+    names = ["report.html", "report.pdf", *TABLES, *pictures, "answers.json"]
+    return [folder / name for name in names]
+
+
+def reproduce(
+    folder: Path, force: bool = False, advance: Advance = lambda _text: None, docs: str | None = None
+) -> Reproduction:
+    """Walk the paper's two parts and write report, tables, pictures and `answers.json` into `folder`.
+
+    Args:
+        folder: made if it is not there.
+        force: whether files that are there are overwritten.
+        advance: is told what is being done.
+        docs: folder or address of the documentation's pages, for links in the report; None: no links.
+
+    Raises:
+        FileRefusedError: if a file is there already and `force` is not set.
+        InputError: for a folder of pages that is not there.
+    """
+    files, pages = planned_files(folder), None if docs is None else pages_from(folder, docs)
+    refuse_existing(files, force)
+    found = results(advance)
+    advance(_("tables"))
+    _write_tables(folder, found)
+    advance(_("pictures"))
+    figures = all_figures(found)
+    _write_pictures(folder, found, figures, advance)
+    answers = as_json(found)
+    advance(_("report"))
+    written = report(found, pages)
+    write_html(folder / "report.html", written, folder)
+    write_pdf(folder / "report.pdf", written, folder)
+    with whole_file(folder / "answers.json") as temporary:
+        temporary.write_text(json.dumps(answers, indent=1, ensure_ascii=False) + "\n", "utf-8")
+    return Reproduction(answers, files)
+
+
+def pages_from(folder: Path, docs: str) -> str:
+    """The address of the documentation's pages as a link from `folder`.
+
+    Raises:
+        InputError: for a folder that holds no such pages.
+    """
+    if "://" in docs:
+        return docs
+    if not (Path(docs) / "established.html").is_file():
+        raise InputError(
+            _("--docs: there are no pages in {folder}; `make docs` builds them").format(folder=docs)
+        )
+    return Path(os.path.relpath(docs, folder)).as_posix()
+
+
+def _write_tables(folder: Path, found: Results) -> None:
+    walk = found.motion.walk
+    what = Selection(walk, found.motion.times, range(len(walk.dragon) + 1))
+    for name, write in (
+        ("result1.xlsx", write_xlsx),
+        ("spiral.csv", write_csv),
+        ("spiral.npz", write_npz),
+    ):
+        write(folder / name, what, lambda _share: None)
+    write_moment_xlsx(folder / "result2.xlsx", moment(found.report)[0])
+    walk = found.turn_motion.walk
+    whole = Selection(walk, np.arange(-100.0, 101.0), range(len(walk.dragon) + 1))
+    write_xlsx(folder / "result4.xlsx", whole, lambda _share: None)
+
+
+def all_figures(found: Results) -> dict[str, Figure]:
+    """The pictures, by the names in PICTURES."""
+    return {**_spiral_figures(found), **_turn_figures(found), **_evidence_figures(found)}
+
+
+def _spiral_figures(found: Results) -> dict[str, Figure]:
+    title, plan = found.spiral.title(language()), found.spiral
+    return {
+        "spiral-dragon": dragon_picture(found.motion, title, (0, 300)),
+        "spiral-speeds": speed_map(found.motion, title),
+        "spiral-head": head_angle_picture(found.motion, title),
+        "contact": moment_picture(*moment(found.report), title),
+        "clearance": clearance_picture(found.clearance, plan.limits.margin, title),
+        "pitch": pitch_picture(found.curve, found.smallest.value, title),
+    }
+
+
+def _turn_figures(found: Results) -> dict[str, Figure]:
+    plan, motion, front = found.turn, found.turn_motion, found.front
+    title, disc = plan.title(language()), TurnRoute.disc(plan)
+    at = [int(np.searchsorted(motion.times, t)) for t in TURN_TIMES]
+    turn, fastest = plan.turn.build(plan.value("route.pitch"), disc), found.head_speed.value
+    paper = ShownTurn(_("the paper's two arcs"), turn, fastest)
+    allowed = [best.head_speed.value if best.head_speed else 0.0 for best in front]
+    better = [
+        ShownTurn(_("arc, line, arc"), best.turn, speed)
+        for best, speed in zip(front, allowed, strict=True)
+    ]
+    points = [(speed, best.way, best.length) for best, speed in zip(front, allowed, strict=True)]
+    return {
+        "turn-disc": turns_picture([paper], disc, title),
+        "turn-dragon": dragon_picture(motion, title, at, disc),
+        "turn-speeds": speed_map(motion, title, motion.walk.route.joints[1:-1].tolist()),
+        "turn-better": turns_picture([paper, better[0], better[-1]], disc, title),
+        "turn-front": front_picture(points, (fastest, turn.length), title),
+    }
+
+
+def _evidence_figures(found: Results) -> dict[str, Figure]:
+    title = found.spiral.title(language())
+    contact = found.report.first_contact
+    exact = (contact.value if contact else float("nan"), found.smallest.value)
+    by_pitch = [(p, answer.value) for p, t, answer in found.traversal if t == 1.0]
+    flow = [(_(paper), _(here)) for paper, here in FLOW]
+    return {
+        "flow": flow_picture(flow),
+        "errors-orders": convergence_picture(found.head_order, found.speed_orders),
+        "errors-chain": accumulation_picture(found.off, found.off_bisected, found.residuals),
+        "errors-steps": stepping_picture(found.stepped, by_pitch, exact),
+        "margins": margin_picture(
+            found.margins, {name: _(case.text) for name, case in CASES.items()}, title
+        ),
+    }
+
+
+def _write_pictures(folder: Path, found: Results, figures: dict[str, Figure], advance: Advance) -> None:
+    others = {"turn": found.turn, "pitch": found.disc, "margins": found.disc}
+    for figure in figures.values():
+        lay_out(figure)
+    for kind in PICTURE_KINDS:
+        advance(_("pictures") + f" ({kind})")
+        for name, figure in figures.items():
+            plan = others.get(name.partition("-")[0], found.spiral)
+            path = folder / f"{name}.{kind}"
+            write_picture(figure, path, plan.title(language()), plan.sha256)

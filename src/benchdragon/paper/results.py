@@ -1,0 +1,421 @@
+"""The paper again, as numbers: what its report, tables and pictures are made from."""
+
+import multiprocessing
+import os
+import signal
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from importlib.util import find_spec
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from benchdragon.analysis.check import Report, check, clearance_over, moment
+from benchdragon.analysis.contact import ClearanceCurve, first_contact
+from benchdragon.digits import finite_or_none
+from benchdragon.errors import BenchDragonError, UnsureError
+from benchdragon.i18n import _, language, use_language
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.answer import Answer
+from benchdragon.model.turns import TwoArcTurn
+from benchdragon.model.walk import Motion, Walk
+from benchdragon.paper.claims import Equation, equations
+from benchdragon.paper.convergence import (
+    Convergence,
+    accumulated,
+    bisected,
+    chord_residuals,
+    difference_convergence,
+    runge_kutta_convergence,
+)
+from benchdragon.paper.differences import SCHEMES, difference_errors, difference_speeds
+from benchdragon.paper.sensitivity import contact_rates, limit_rates, sizes_of, speed_rates
+from benchdragon.paper.traversal import PitchCurve, first_overlap, pitch_curve, traversed_pitch
+from benchdragon.plans.schema import Plan, TurnRoute, read_plan
+from benchdragon.solve.head_speed import greatest_head_speed
+from benchdragon.solve.size import limit, smallest_pitch
+from benchdragon.solve.tolerance import CASES, Tolerance, tolerance
+from benchdragon.solve.turn import BestTurn, Wish, pareto_front
+from benchdragon.version import __version__
+
+if TYPE_CHECKING:
+    from multiprocessing.connection import Connection
+
+# The contest's own times and handles.
+TABLE_TIMES = (0.0, 60.0, 120.0, 180.0, 240.0, 300.0)
+TABLE_HANDLES = (0, 1, 51, 101, 151, 201, 223)
+# The contest's times of the turn's table.
+MOTION_TIMES = (-100.0, -50.0, 0.0, 14.0, 50.0, 100.0)
+# Where velocities are taken from differences, s, and the step whose errors are told.
+DIFFERENCE_TIMES = np.arange(10.0, 291.0, 10.0)
+SHORT_STEP = 0.1
+
+# Steps of the paper's traversal whose answers are compared, pitch (m) and time (s), and the first pitch
+# tried; the last looks at the moment alone at which the head reaches the disc.
+TRAVERSALS = (
+    (0.02, 1.0, 0.42), (0.01, 1.0, 0.42), (0.005, 1.0, 0.42), (0.002, 1.0, 0.44), (0.001, 1.0, 0.44),
+    (0.0005, 1.0, 0.44), (0.002, 0.2, 0.44), (0.001, 1e6, 0.41),
+)  # fmt: skip
+# Steps of a search that looks at times one by one, s.
+CONTACT_STEPS = (10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02)
+# Pitches of the paper's Fig 2, m.
+FIGURE_PITCHES, FIGURE_RESOLUTION = (0.43, 0.47, 21), 5e-4
+# Head speeds, m/s, for which the shortest turn is sought; bends are no tighter than the paper's.
+FRONT_SPEEDS = (1.3, 1.5, 1.7)
+# Random dances for each of the paper's assumptions; steps, m, of the differences beside derivatives.
+DRAWS, SEED = 100, 2024
+DIFFERENCE_STEP = 1e-4
+
+# How often `results` reports an advance.
+STEPS = 12
+
+Advance = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Rate:
+    """How an answer moves with a size of the plan, per metre (or per unit of a plain number).
+
+    Attributes:
+        key: the size, as in a plan.
+        exact: from derivatives.
+        difference: from two answers with the size a little smaller and larger.
+    """
+
+    key: str
+    exact: float
+    difference: float
+
+
+@dataclass(frozen=True)
+class Results:
+    """What the paper's parts come to.
+
+    Attributes:
+        spiral: plan of the first part; disc: the same down to the disc; turn: plan of the second part.
+        motion: of the first part, each second; turn_motion: of the second, each tenth of a second.
+        report: of the first part: first contact; turn_report: of the second.
+        clearance: of the first part, over time.
+        head_speed: the greatest in the second part; smallest: the smallest pitch.
+        front: shortest turns for each of FRONT_SPEEDS.
+        curve: angles over the pitch, the paper's Fig 2.
+        traversal: (pitch step, m; time step, s; answer), stepped: (time step, s; contact seen, s).
+        head_order: of Runge-Kutta, speed_orders: of each difference formula.
+        head_errors: of the head's place, m, by step of each road beside the closed form.
+        speed_error: of the head's speed from forward differences a second apart, m/s.
+        off, off_bisected: how far handles are from their exact places, m; residuals: of chords, m.
+        rates: how answers move with sizes, by name of the answer.
+        margins: of imprecise dances, by name of the case.
+        equations: the paper's, tried.
+    """
+
+    spiral: Plan
+    disc: Plan
+    turn: Plan
+    motion: Motion
+    turn_motion: Motion
+    report: Report
+    clearance: ClearanceCurve
+    turn_report: Report
+    head_speed: Answer
+    smallest: Answer
+    front: Sequence[BestTurn]
+    curve: PitchCurve
+    traversal: Sequence[tuple[float, float, Answer]]
+    stepped: Sequence[tuple[float, float]]
+    head_order: Convergence
+    speed_orders: dict[str, Convergence]
+    head_errors: dict[str, float]
+    speed_error: float
+    off: FloatArray
+    off_bisected: FloatArray
+    residuals: FloatArray
+    rates: dict[str, list[Rate]]
+    margins: dict[str, Tolerance]
+    equations: Sequence[Equation]
+
+    @property
+    def two_arcs(self) -> TwoArcTurn:
+        """The paper's turn."""
+        return TwoArcTurn(
+            self.turn.value("route.pitch"), TurnRoute.disc(self.turn), self.turn.turn.ratio
+        )
+
+    @property
+    def before_disc(self) -> float | None:
+        """How far before the disc the pair that decides the smallest pitch touches, m."""
+        witness = self.smallest.witness
+        walk = self.disc.with_value("route.pitch", self.smallest.value).build()
+        return None if witness is None else walk.route.length - witness.s
+
+
+def results(advance: Advance = lambda _text: None) -> Results:
+    """Walk the paper's two parts, search, try, draw: about a minute on two cores.
+
+    The search for better turns runs beside the rest in a process of its own; so a script that calls
+    this does so under `if __name__ == "__main__":`.
+    """
+    spiral, turn = read_plan("spiral-in"), read_plan("turn")
+    disc = read_plan("spiral-in", [f"disc.radius={turn.disc.radius}"])
+    workers = min(2, os.cpu_count() or 1)
+    prove = find_spec("flint") is not None
+    with _beside(turn, FRONT_SPEEDS, language()) as better:
+        advance(_("walking"))
+        walk = spiral.build()
+        motion = walk.motion(np.arange(301.0))
+        turn_motion = turn.build().motion(np.linspace(-100.0, 100.0, 2001))
+        advance(_("Runge-Kutta and differences"))
+        head_order = runge_kutta_convergence(walk)
+        speed_orders = difference_convergence(walk, DIFFERENCE_TIMES)
+        still = walk.motion([300.0])
+        advance(_("first contact"))
+        report = check(spiral, prove=prove)
+        clearance = clearance_over(report)
+        advance(_("smallest pitch"))
+        smallest = limit(disc, "pitch", prove=prove)
+        advance(_("turn"))
+        turn_report = check(turn)
+        head_speed = greatest_head_speed(turn, tolerance=1e-12)
+        advance(_("traversal of pitches"))
+        traversal = [(p, t, traversed_pitch(disc, p, t, first=first)) for p, t, first in TRAVERSALS]
+        stepped = stepped_contacts(walk, motion.times[0], report)
+        advance(_("angles over the pitch"))
+        curve = figure_curve(disc, smallest.value)
+        advance(_("derivatives"))
+        rates = all_rates(spiral, disc, turn, report, smallest, head_speed)
+        drawn: dict[str, Tolerance] = {}
+        for name, case in CASES.items():
+            if len(drawn) % 3 == 0:
+                advance(_("imprecise dances"))
+            drawn[name] = tolerance(disc, case.slips, DRAWS, seed=SEED, workers=workers)
+        advance(_("better turns"))
+        front = better()
+    advance(_("equations"))
+    return Results(
+        spiral, disc, turn, motion, turn_motion, report, clearance, turn_report, head_speed,
+        smallest, front, curve, traversal, stepped, head_order, speed_orders,
+        head_errors(walk, motion.times), speed_error(walk), accumulated(still), bisected(still),
+        chord_residuals(motion), rates, drawn, equations(turn),
+    )  # fmt: skip
+
+
+@contextmanager
+def _beside(plan: Plan, speeds: Sequence[float], spoken: str) -> Iterator[Callable[[], list[BestTurn]]]:
+    """`better_turns` in a process that ends with the block, or with this process, however that ends.
+
+    Raises:
+        UnsureError: from what the block gets, if the process died.
+    """
+    context = multiprocessing.get_context("spawn")
+    ours, theirs = context.Pipe(duplex=False)
+    process = context.Process(target=_search_beside, args=(theirs, plan, speeds, spoken), daemon=True)
+    with _interrupts_held():
+        process.start()
+    theirs.close()
+
+    def found() -> list[BestTurn]:
+        try:
+            answer: list[BestTurn] | BenchDragonError = ours.recv()
+        except EOFError:
+            raise UnsureError(_("the search for better turns died; is there enough memory?")) from None
+        if isinstance(answer, BenchDragonError):
+            raise answer
+        return answer
+
+    try:
+        yield found
+    finally:
+        process.kill()
+        process.join()
+
+
+@contextmanager
+def _interrupts_held() -> Iterator[None]:
+    """Processes started in the block never hear Ctrl-C: it is for the one that asked."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _search_beside(pipe: "Connection", plan: Plan, speeds: Sequence[float], spoken: str) -> None:
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    try:
+        pipe.send(better_turns(plan, speeds, spoken))
+    except BenchDragonError as error:
+        pipe.send(error)
+
+
+def _end_with_parent() -> None:
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
+
+
+def better_turns(plan: Plan, speeds: Sequence[float], spoken: str) -> list[BestTurn]:
+    """Shortest turns with a line between the arcs, for each head speed (m/s), in a language."""
+    use_language(spoken)
+    wish = Wish("way", least_radius=TwoArcTurn(plan.value("route.pitch")).radii[1])
+    return pareto_front(plan.with_table("turn", family="arc-line-arc"), speeds, wish)
+
+
+def head_errors(walk: Walk, times: FloatArray) -> dict[str, float]:
+    """How far the two Runge-Kutta roads to the head differ from the closed form at most, m."""
+    exact = walk.head_position(times)
+    return {
+        "rk4_step_0.1_s_m": _largest(walk.head_position(times, "rk4", SHORT_STEP) - exact),
+        "adaptive_m": _largest(walk.head_position(times, "adaptive") - exact),
+    }
+
+
+def speed_error(walk: Walk) -> float:
+    """How far the head's speed from forward differences a second apart is off at most, m/s."""
+    head = difference_speeds(walk, DIFFERENCE_TIMES, 1.0, "forward")[:, 0]
+    return _largest(head - walk.profile.speed(DIFFERENCE_TIMES))
+
+
+def stepped_contacts(walk: Walk, start: float, report: Report) -> list[tuple[float, float]]:
+    """What a search that looks at times one by one answers, for each of CONTACT_STEPS."""
+    until = (
+        report.end if report.first_contact is None else report.first_contact.upper + CONTACT_STEPS[0]
+    )
+    found = []
+    for step in CONTACT_STEPS:
+        seen = first_overlap(walk, np.arange(start, until, step))
+        if seen is not None:
+            found.append((step, seen))
+    return found
+
+
+def figure_curve(disc: Plan, smallest: float) -> PitchCurve:
+    """The paper's Fig 2, with both sides of the smallest pitch."""
+    low, high, count = FIGURE_PITCHES
+    near = [smallest - 1e-9, smallest + 1e-9]
+    pitches = np.concatenate([np.linspace(low, high, count), near])
+    return pitch_curve(disc, pitches, resolution=FIGURE_RESOLUTION)
+
+
+def all_rates(
+    spiral: Plan, disc: Plan, turn: Plan, report: Report, smallest: Answer, head_speed: Answer
+) -> dict[str, list[Rate]]:
+    """How first contact, smallest pitch and greatest head speed move with each size."""
+
+    def contact(plan: Plan) -> float:
+        walk = plan.build()
+        found = first_contact(walk, *plan.span(walk))
+        return np.nan if found is None else found.value
+
+    def speed(plan: Plan) -> float:
+        return greatest_head_speed(plan, tolerance=1e-11).value
+
+    if report.first_contact is None:
+        raise AssertionError("the contest's dragon touches")
+    return {
+        "first_contact": _rates(spiral, contact_rates(spiral, report.first_contact), contact),
+        "smallest_pitch": _rates(
+            disc, limit_rates(disc, "pitch", smallest), lambda plan: smallest_pitch(plan).value
+        ),
+        "greatest_head_speed": _rates(turn, speed_rates(turn, head_speed), speed),
+    }
+
+
+def _rates(plan: Plan, exact: dict[str, float], answer: Callable[[Plan], float]) -> list[Rate]:
+    rates = []
+    for key in sizes_of(plan):
+        if key not in exact:
+            continue
+        sizes = [plan.value(key) + side * DIFFERENCE_STEP for side in (-1.0, 1.0)]
+        low, high = (answer(plan.with_value(key, size)) for size in sizes)
+        rates.append(Rate(key, exact[key], (high - low) / (sizes[1] - sizes[0])))
+    return rates
+
+
+def _largest(values: FloatArray) -> float:
+    return float(np.abs(values).max())
+
+
+def table(motion: Motion, times: Sequence[float]) -> list[dict[str, float]]:
+    """The contest's table: so many of the motion's times by seven handles, x, y (m), speed (m/s)."""
+    return [
+        {
+            "time_s": t,
+            "handle": handle,
+            "x_m": float(motion.x[row, handle]),
+            "y_m": float(motion.y[row, handle]),
+            "speed_m_s": float(motion.speed[row, handle]),
+        }
+        for t, row in ((t, int(np.searchsorted(motion.times, t))) for t in times)
+        for handle in TABLE_HANDLES
+    ]
+
+
+def as_json(found: Results) -> dict[str, Any]:
+    """All answers as plain data, in SI units."""
+    two_arcs, touch = found.two_arcs, moment(found.report)
+    names = ("theta_max1", "theta_min1", "theta_min2", "theta_max2")
+    return {
+        "version": __version__,
+        "plans": {name: getattr(found, name).sha256 for name in ("spiral", "disc", "turn")},
+        "table": table(found.motion, TABLE_TIMES),
+        "largest_chord_error_m": max(found.motion.chord_error, found.turn_motion.chord_error),
+        "runge_kutta": {**found.head_errors, "rk4_order": found.head_order.order},
+        "differences": {scheme: _difference(found, scheme) for scheme in SCHEMES},
+        "contact": {
+            "first": touch[1].as_json(),
+            "table": table(touch[0], touch[0].times.tolist()),
+            "stepped": [{"time_step_s": step, "time_s": seen} for step, seen in found.stepped],
+        },
+        "pitch": {
+            "smallest": found.smallest.as_json(),
+            "before_disc_m": found.before_disc,
+            "traversal": [
+                {"pitch_step_m": p, "time_step_s": t, "pitch_m": answer.value}
+                for p, t, answer in found.traversal
+            ],
+        },
+        "turn": {
+            "radii_m": list(two_arcs.radii),
+            "length_m": two_arcs.length,
+            **dict(zip(names, two_arcs.boundary_angles(), strict=True)),
+            "table": table(found.turn.build().motion(MOTION_TIMES), MOTION_TIMES),
+            "greatest_head_speed": found.head_speed.as_json(),
+            "clearance": found.turn_report.clearance.as_json(),
+            "better": [best.as_json() for best in found.front],
+        },
+        "errors_along_the_dragon_m": {
+            "here": found.off.tolist(), "bisected": found.off_bisected.tolist(),
+        },
+        "rates": {name: [vars(rate) for rate in rates] for name, rates in found.rates.items()},
+        "margins": {name: _margin(one) for name, one in found.margins.items()},
+        "equations": [vars(equation) for equation in found.equations],
+    }  # fmt: skip
+
+
+def _difference(found: Results, scheme: Any) -> dict[str, float]:
+    walk = found.motion.walk
+    head = difference_speeds(walk, DIFFERENCE_TIMES, 1.0, scheme)[:, 0]
+    errors = difference_errors(walk, DIFFERENCE_TIMES, [SHORT_STEP], scheme)
+    return {
+        "head_speed_m_s": float(head.mean()),
+        "head_speed_error_m_s": _largest(head - 1.0),
+        "largest_velocity_error_step_0.1_s_m_s": float(errors[0]),
+        "order": found.speed_orders[scheme].order,
+    }
+
+
+def _margin(one: Tolerance) -> dict[str, Any]:
+    return {
+        "slips_m": vars(one.slips),
+        "draws": one.needed.size,
+        "seed": one.seed,
+        "exact_m": one.exact,
+        "median_m": float(np.median(one.needed)),
+        **{f"pitch_for_{risk:g}_m": finite_or_none(one.pitch_for(risk)) for risk in (0.5, 0.1, 0.05)},
+    }

@@ -1,0 +1,149 @@
+"""The paper's road to the smallest pitch: stepped pitches and times, and its picture over the pitch."""
+
+import itertools
+import math
+import time as clock
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from benchdragon.analysis.contact import first_contact
+from benchdragon.errors import positive
+from benchdragon.i18n import _
+from benchdragon.kernels.box import least_distance
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.answer import Answer
+from benchdragon.model.curves import Spiral
+from benchdragon.model.walk import Walk
+from benchdragon.plans.schema import Plan, SpiralInRoute
+from benchdragon.plans.toml import PlanError
+from benchdragon.solve.size import MOST_COUNT, Advance
+from benchdragon.solve.trials import QUESTIONS, Family
+
+# Angles that differ by more than this from one pitch to the next, rad, are a jump and not a slope.
+JUMP = 0.5
+
+
+def traversed_pitch(
+    plan: Plan,
+    pitch_step: float,
+    time_step: float,
+    *,
+    first: float | None = None,
+    advance: Advance | None = None,
+) -> Answer:
+    """The smallest pitch as the paper finds it: pitches in steps, a flag at times in steps.
+
+    The flag rises when the gap of any two benches but neighbours is negative at a time that is looked
+    at, the last always among them; contact between two times, or a pitch between two steps, is not
+    seen. So the answer is "undecided" and depends on both steps (m and s): compare `smallest_pitch`.
+
+    Args:
+        plan: the rest of the walk.
+        pitch_step: pitches tried are its multiples, m.
+        time_step: s.
+        first: where the traversal begins, m; None: at four fifths of the plan's pitch.
+        advance: is told what is being tried.
+
+    Raises:
+        InputError: for steps that are not positive, or a plan without a pitch.
+    """
+    began = clock.perf_counter()
+    positive("pitch_step", pitch_step, "m")
+    positive("time_step", time_step, "s")
+    tell = advance or (lambda _text: None)
+    family = Family(plan, QUESTIONS["pitch"], 0.0)
+    n = math.ceil((0.8 * plan.value("route.pitch") if first is None else first) / pitch_step - 1e-9)
+    looks = 0
+    for tried in range(n, n + MOST_COUNT):
+        pitch = tried * pitch_step
+        tell(f"{pitch:.9g} m")
+        walk, start, end = family.walk(pitch)
+        times = np.append(np.arange(start, end, time_step), end)
+        looks += len(times)
+        if first_overlap(walk, times[::-1]) is None:
+            break
+    return Answer(
+        pitch, pitch - pitch_step, pitch, "m", "undecided", None,
+        (
+            _("pitches in steps of {step} m").format(step=f"{pitch_step:g}"),
+            _("contact looked for each {step} s").format(step=f"{time_step:g}"),
+        ),
+        looks, clock.perf_counter() - began,
+    )  # fmt: skip
+
+
+def first_overlap(walk: Walk, times: FloatArray) -> float | None:
+    """The first in the list `times` (s) at which two benches but neighbours overlap; None if none.
+
+    The paper's flag: the separating axis theorem at each time, and nothing said of what lies between.
+    """
+    for motion in walk.motions(times):
+        for n, t in enumerate(motion.times):
+            x, y = (np.ascontiguousarray(table[n, :, np.newaxis]) for table in (motion.x, motion.y))
+            if least_distance(walk.dragon.sizes, x, y) < 0.0:
+                return float(t)
+    return None
+
+
+@dataclass(frozen=True)
+class PitchCurve:
+    """What the paper draws over the pitch: angles about the spiral's centre, rad, (P,) each.
+
+    Attributes:
+        pitch: m.
+        disc_angle: of the place where the spiral meets the disc.
+        least_angle: the least that the head reaches, coming in, before two benches touch.
+    """
+
+    pitch: FloatArray
+    disc_angle: FloatArray
+    least_angle: FloatArray
+
+
+def pitch_curve(
+    plan: Plan,
+    pitches: npt.ArrayLike,
+    *,
+    resolution: float = math.inf,
+    advance: Advance | None = None,
+) -> PitchCurve:
+    """The two angles of the paper's Fig 2 at given pitches, m, for a spiral-in plan with a disc.
+
+    Where the least angle jumps from one pitch to the next, pitches between are added until the two
+    sides of the jump are at most `resolution` metres apart.
+
+    Raises:
+        PlanError: for another kind of route, or no disc.
+    """
+    radius = plan.value("disc.radius")
+    if not isinstance(plan.route, SpiralInRoute):
+        raise PlanError(_("this picture is for plans whose route.kind is spiral-in"))
+    tell = advance or (lambda _text: None)
+    inward = plan.model_copy(update={"disc": plan.disc.model_copy(update={"radius": None})})
+    family = Family(inward, QUESTIONS["pitch"], plan.limits.margin)
+    least: dict[float, float] = {}
+    wanted = np.unique(np.asarray(pitches, dtype=np.float64)).tolist()
+    while wanted:
+        for pitch in wanted:
+            tell(f"{pitch:.9g} m")
+            least[pitch] = _least_angle(family, pitch)
+        known = sorted(least)
+        wanted = [
+            0.5 * (a + b)
+            for a, b in itertools.pairwise(known)
+            if abs(least[a] - least[b]) > JUMP and b - a > resolution
+        ]
+    sizes = np.array(sorted(least))
+    angles = np.array([least[pitch] for pitch in sizes.tolist()])
+    return PitchCurve(sizes, 2.0 * math.pi * radius / sizes, angles)
+
+
+def _least_angle(family: Family, pitch: float) -> float:
+    """The spiral angle of the head at first contact, rad, or at the route's end."""
+    walk, start, end = family.walk(pitch)
+    contact = first_contact(walk, start, end, margin=family.margin)
+    s = walk.route.length if contact is None else float(walk.head_position([contact.upper])[0])
+    spiral = walk.route.curves[0]
+    return float(spiral.angle(s)) if isinstance(spiral, Spiral) else math.nan

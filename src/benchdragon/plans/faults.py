@@ -1,0 +1,96 @@
+"""What is wrong with a plan, as sentences: where, what was wanted, and what came."""
+
+import difflib
+import json
+from typing import Any, get_args
+
+from pydantic import BaseModel
+from pydantic_core import ErrorDetails
+
+from benchdragon.i18n import _
+from benchdragon.plans.source import Fault
+
+
+def tables_in(annotation: object) -> list[type[BaseModel]]:
+    """The models that an annotation names, at any depth."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return [annotation]
+    return [table for part in get_args(annotation) for table in tables_in(part)]
+
+
+def known_keys(model: type[BaseModel], path: list[str]) -> list[str]:
+    """Keys allowed in the table at a `path` of pydantic's, which names kinds and numbers too."""
+    tables = [model]
+    for step in path:
+        fields = [table.model_fields[step] for table in tables if step in table.model_fields]
+        kinds = [table for table in tables if step in kinds_of(table)]
+        tables = kinds or [table for field in fields for table in tables_in(field.annotation)] or tables
+    return [field.alias or name for table in tables for name, field in table.model_fields.items()]
+
+
+def kinds_of(table: type[BaseModel]) -> tuple[str, ...]:
+    """The kinds that a table of a union is for."""
+    return get_args(table.model_fields["kind"].annotation) if "kind" in table.model_fields else ()
+
+
+def fault_of(error: ErrorDetails, data: dict[str, Any], model: type[BaseModel]) -> Fault:
+    """One validation error of `data`, which should be a `model`, in the language in use."""
+    path = [str(step) for step in error["loc"]]
+    where = ".".join(step for i, step in enumerate(path) if not _is_tag(path, i, data))
+    return Fault(where, _sentence(error, path, where, model))
+
+
+def _sentence(error: ErrorDetails, path: list[str], where: str, model: type[BaseModel]) -> str:
+    kind, context = error["type"], error.get("ctx", {})
+    if kind == "extra_forbidden":
+        known = known_keys(model, path[:-1])
+        near = difflib.get_close_matches(path[-1], known, 1)
+        whole = "".join(f"{where.rpartition('.')[0]}.{name}".lstrip(".") for name in near)
+        hint = _("; did you mean {name}?").format(name=whole) if near else ""
+        return _("{where} is not a known key").format(where=where) + hint
+    if kind == "missing":
+        return _("{where} is missing").format(where=where)
+    wanted = {
+        "greater_than": _("more than {gt}"),
+        "greater_than_equal": _("at least {ge}"),
+        "less_than_equal": _("at most {le}"),
+        "finite_number": _("a finite number"),
+        "float_type": _("a number"),
+        "float_parsing": _("a number"),
+        "int_type": _("a whole number"),
+        "int_parsing": _("a whole number"),
+        "int_from_float": _("a whole number"),
+        "bool_type": _("true or false"),
+        "bool_parsing": _("true or false"),
+        "string_type": _("text"),
+        "string_pattern_mismatch": _("text like {pattern}"),
+        "list_type": _("a list"),
+        "tuple_type": _("a list"),
+        "literal_error": "{expected}",
+        "union_tag_invalid": "{expected_tags}",
+        "model_type": _("a table"),
+        "model_attributes_type": _("a table"),
+        "dict_type": _("a table"),
+        "union_tag_not_found": _("a table with the key kind"),
+        "too_short": _("at least {min_length} entries"),
+        "too_long": _("at most {max_length} entries"),
+    }.get(kind)
+    if wanted is None:
+        return f"{where}: {context.get('error', error['msg'])}"
+    came = json.dumps(error["input"], ensure_ascii=False, default=str)
+    if kind == "union_tag_invalid":
+        came, where = json.dumps(context.get("tag"), ensure_ascii=False), f"{where}.kind"
+    came = came if len(came) <= 60 else came[:57] + "..."
+    return _("{where}: wanted {wanted}, not {came}").format(
+        where=where, wanted=wanted.format(**context).replace(" or ", ", "), came=came
+    )
+
+
+def _is_tag(path: list[str], i: int, data: Any) -> bool:
+    """Whether step i names the kind of a union and not a key of the plan."""
+    for step in path[:i]:
+        if isinstance(data, list) and step.isdigit() and int(step) < len(data):
+            data = data[int(step)]
+        elif isinstance(data, dict) and step in data:
+            data = data[step]
+    return isinstance(data, dict) and data.get("kind") == path[i] and path[i] not in data

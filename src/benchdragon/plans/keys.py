@@ -1,0 +1,275 @@
+"""What every key of a plan file means: for the JSON Schema, for readers, beside printed plans."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import tomlkit
+from pydantic.fields import FieldInfo
+
+from benchdragon.i18n import N_, _
+from benchdragon.plans.schema import PartsRoute, Plan, SpiralInRoute, TurnRoute
+from benchdragon.plans.tables import (
+    ArcPart,
+    BenchTable,
+    ClothoidPart,
+    DiscTable,
+    DragonTable,
+    LimitsTable,
+    LinePart,
+    MetaTable,
+    SpiralPart,
+    Table,
+    TurnTable,
+    WalkTable,
+)
+
+
+@dataclass(frozen=True)
+class Key:
+    """What a key means.
+
+    Args:
+        text: in a few words.
+        example: as it may stand in a file.
+        unit: of a bare number; "" for what has none.
+    """
+
+    text: str
+    example: Any
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class Section:
+    """A table of plan files: its header, which may name a kind, what it is for, and its keys."""
+
+    header: str
+    text: str
+    table: type[Table]
+    keys: Mapping[str, Key]
+
+
+INSETS = {
+    "front_inset": Key(N_("from the front edge to the front hole"), "27.5 cm", "m"),
+    "rear_inset": Key(N_("from the rear edge to the rear hole"), "27.5 cm", "m"),
+}
+SECTIONS = (
+    Section(
+        "", N_("The plan itself."), Plan,
+        {"schema": Key(N_("version of the format: always 1, in the first line"), 1)},
+    ),
+    Section(
+        "[meta]", N_("What people call the plan; without effect on the dance."), MetaTable,
+        {
+            "title": Key(N_("title in English"), "Coiling in"),
+            "title_zh": Key(N_("title in Chinese"), "盘入"),
+            "author": Key(N_("who made the plan"), "Li"),
+            "notes": Key(N_("anything worth keeping"), "walked in 2024"),
+        },
+    ),
+    Section(
+        "[dragon]", N_("The benches, where all but head and tail are alike."), DragonTable,
+        {
+            "benches": Key(N_("number of benches, head and tail included"), 223),
+            "width": Key(N_("width of every bench"), "30 cm", "m"),
+            "head_length": Key(N_("length of the head's bench"), 3.41, "m"),
+            "body_length": Key(N_("length of the benches between head and tail"), 2.2, "m"),
+            "tail_length": Key(N_("length of the tail's bench"), 2.2, "m"),
+            **INSETS,
+            "bench": Key(N_("every bench its own sizes: see [[dragon.bench]]"), [{"length": 3.41}]),
+        },
+    ),
+    Section(
+        "[[dragon.bench]]",
+        N_("A bench of its own sizes, head first; in place of the keys of [dragon]."), BenchTable,
+        {
+            "length": Key(N_("length of the bench"), "2 m", "m"),
+            "width": Key(N_("width of the bench"), "20 cm", "m"),
+            **INSETS,
+            "count": Key(N_("how many such benches follow one another"), 25),
+        },
+    ),
+    Section(
+        '[route] kind = "spiral-in"', N_("In along one spiral, to the disc or to the centre."),
+        SpiralInRoute,
+        {
+            "kind": Key(N_("kind of the route"), "spiral-in"),
+            "pitch": Key(N_("distance between neighbouring turns of the spiral"), "55 cm", "m"),
+            "start_turn": Key(N_("turns from the centre to where the head starts"), 16),
+            "clockwise": Key(N_("whether the dragon coils in clockwise"), True),
+        },
+    ),
+    Section(
+        '[route] kind = "turn"',
+        N_("In along a spiral, through the turn of [turn], out along the spiral's twin."), TurnRoute,
+        {
+            "kind": Key(N_("kind of the route"), "turn"),
+            "pitch": Key(N_("distance between neighbouring turns of both spirals"), "1.7 m", "m"),
+        },
+    ),
+    Section(
+        '[route] kind = "parts"', N_("Any parts, each moved to where the one before it ends."),
+        PartsRoute,
+        {
+            "kind": Key(N_("kind of the route; may be left out beside parts"), "parts"),
+            "part": Key(N_("the parts in walking order: see [[route.part]]"), [{"kind": "line"}]),
+            "start": Key(N_("where the route starts, x and y"), [0, 0], "m"),
+            "heading": Key(N_("direction in which it starts, from x to y"), 90, "deg"),
+        },
+    ),
+    Section(
+        '[[route.part]] kind = "line"', N_("A straight line."), LinePart,
+        {
+            "kind": Key(N_("kind of the part"), "line"),
+            "length": Key(N_("length of the part"), "30 m", "m"),
+        },
+    ),
+    Section(
+        '[[route.part]] kind = "arc"', N_("An arc of a circle."), ArcPart,
+        {
+            "kind": Key(N_("kind of the part"), "arc"),
+            "radius": Key(N_("radius of the circle"), 8, "m"),
+            "angle": Key(N_("angle turned through; positive turns left"), 90, "deg"),
+        },
+    ),
+    Section(
+        '[[route.part]] kind = "clothoid"', N_("A curve whose curvature changes evenly."), ClothoidPart,
+        {
+            "kind": Key(N_("kind of the part"), "clothoid"),
+            "length": Key(N_("length of the part"), 6, "m"),
+            "start_curvature": Key(N_("curvature at its start; positive turns left"), 0, "1/m"),
+            "end_curvature": Key(N_("curvature at its end; positive turns left"), 0.125, "1/m"),
+        },
+    ),
+    Section(
+        '[[route.part]] kind = "spiral"', N_("A spiral from one radius to another."), SpiralPart,
+        {
+            "kind": Key(N_("kind of the part"), "spiral"),
+            "pitch": Key(N_("distance between neighbouring turns of the spiral"), "80 cm", "m"),
+            "start_radius": Key(N_("radius where the part starts"), 12, "m"),
+            "end_radius": Key(N_("radius where the part ends"), 5, "m"),
+            "clockwise": Key(N_("whether the dragon walks it clockwise"), True),
+        },
+    ),
+    Section(
+        "[disc]", N_("The turning space, a circle about the spiral's centre; not beside parts."),
+        DiscTable,
+        {"radius": Key(N_("its radius; for a turn 4.5 m where nothing is said"), 4.5, "m")},
+    ),
+    Section(
+        "[turn]", N_('The turn between the spirals; beside route.kind = "turn" alone.'), TurnTable,
+        {
+            "family": Key(N_("arc-arc, arc-line-arc or arc-arc-arc"), "arc-line-arc"),
+            "ratio": Key(N_("first radius over second; of arc-arc alone"), 2),
+            "radii": Key(N_("radii of the first and the last arc; not of arc-arc"), [2, 2], "m"),
+            "curvature": Key(N_("of the middle arc, positive left; of arc-arc-arc alone"), 0.1, "1/m"),
+            "entry_radius": Key(N_("radius at which it leaves the spiral; else the disc's"), 4.2, "m"),
+            "exit_radius": Key(N_("radius at which it joins the other; else as it left"), 4.2, "m"),
+            "ease": Key(N_("length of clothoids between its pieces"), 0.5, "m"),
+        },
+    ),
+    Section(
+        "[walk]", N_("The head's walk."), WalkTable,
+        {
+            "speed": Key(N_("constant speed of the head; not beside walk.profile"), 0.6, "m/s"),
+            "profile": Key(
+                N_("times and speeds of the head, joined by straight lines"), [[0, 0], [5, 0.6]],
+                "s, m/s",
+            ),
+            "start": Key(N_("when the walk starts; else at 0"), -100, "s"),
+            "end": Key(N_("when the walk ends; else where the route's kind says"), "3 min 12 s", "s"),
+            "position": Key(
+                N_("route position of the head at time 0; else where the route's kind says"), 20, "m"
+            ),
+        },
+    ),
+    Section(
+        "[limits]", N_("What the walk must keep."), LimitsTable,
+        {
+            "speed": Key(N_("greatest speed of any handle"), 2, "m/s"),
+            "acceleration": Key(N_("greatest acceleration of any handle along the route"), 1, "m/s^2"),
+            "lateral_acceleration": Key(N_("greatest acceleration of any handle across"), 1, "m/s^2"),
+            "total_acceleration": Key(N_("greatest acceleration of any handle in all"), 1.5, "m/s^2"),
+            "turning_rate": Key(N_("greatest turning rate of any bench"), 60, "deg/s"),
+            "head_acceleration": Key(N_("greatest change of the head's own speed"), 0.5, "m/s^2"),
+            "margin": Key(N_("least distance of benches that are no neighbours"), "5 cm", "m"),
+        },
+    ),
+)  # fmt: skip
+
+
+def schema() -> dict[str, Any]:
+    """The JSON Schema of plan files, each key with what it means in the language in use."""
+    whole = Plan.model_json_schema()
+    whole["$defs"][PartsRoute.__name__]["required"].remove("kind")  # which the parts tell
+    for section in SECTIONS:
+        part = whole if section.table is Plan else whole["$defs"][section.table.__name__]
+        part["description"] = _(section.text)
+        for name, key in section.keys.items():
+            about = {"description": _(key.text), "examples": [key.example]}
+            part["properties"][name] |= about | ({"unit": key.unit} if key.unit else {})
+    return whole
+
+
+def rows(section: Section) -> Iterator[tuple[str, str, str, str, str]]:
+    """Key, meaning, unit, default and example of each key of a section, as text."""
+    fields = {field.alias or name: field for name, field in section.table.model_fields.items()}
+    for name, key in section.keys.items():
+        yield name, _(key.text), key.unit, _default(fields[name]), written(key.example)
+
+
+def _default(field: FieldInfo) -> str:
+    if field.is_required():
+        return _("must be said")
+    value = field.get_default(call_default_factory=True, validated_data={})
+    return "-" if value is None or value in ([], "") else written(value)
+
+
+def written(value: Any) -> str:
+    """A value as it stands in a plan file."""
+    if isinstance(value, list):
+        return f"[{', '.join(written(entry) for entry in value)}]"
+    if isinstance(value, dict):
+        return f"{{{', '.join(f'{key} = {written(entry)}' for key, entry in value.items())}}}"
+    return str(tomlkit.item(value).as_string())
+
+
+def commented(data: dict[str, Any], notes: Mapping[str, str]) -> str:
+    """Tables of a plan as the text of a plan file, each key with its unit and what it means.
+
+    Args:
+        data: what `Plan.data` gives; what is empty is left out.
+        notes: more to say, by dotted key.
+    """
+    lines = [f"schema = {data['schema']}"]
+    for name, table in data.items():
+        if name != "schema" and any(value not in ("", []) for value in table.values()):
+            lines += _block(f"[{name}]", name, table, notes)
+    return "\n".join(lines) + "\n"
+
+
+def _block(header: str, path: str, table: dict[str, Any], notes: Mapping[str, str]) -> list[str]:
+    """A table, then the lists of tables in it."""
+    lists = {key: value for key, value in table.items() if value and _is_tables(value)}
+    plain = {key: value for key, value in table.items() if key not in lists and value not in ("", [])}
+    lines = ["", header] if plain else []
+    keys = _section(header, table).keys
+    for key, value in plain.items():
+        about = [f"{keys[key].unit}:" if keys[key].unit else "", _(keys[key].text)]
+        about += [f"({notes[f'{path}.{key}']})"] if f"{path}.{key}" in notes else []
+        lines.append(f"{key} = {written(value)}  # {' '.join(filter(None, about))}")
+    for key, entries in lists.items():
+        for entry in entries:
+            lines += _block(f"[[{path}.{key}]]", f"{path}.{key}", entry, notes)
+    return lines
+
+
+def _is_tables(value: object) -> bool:
+    return isinstance(value, list) and all(isinstance(entry, dict) for entry in value)
+
+
+def _section(header: str, table: dict[str, Any]) -> Section:
+    """The section of a table of a plan."""
+    kinds = (header, f'{header} kind = "{table.get("kind")}"')
+    return next(section for section in SECTIONS if section.header in kinds)

@@ -1,0 +1,327 @@
+"""Plan files: a dragon, a route and a walk as TOML."""
+
+import hashlib
+import json
+import math
+from collections.abc import Sequence
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from pydantic import Field, PrivateAttr, ValidationError
+
+from benchdragon.errors import InputError
+from benchdragon.i18n import _
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.curves import Route, Spiral
+from benchdragon.model.turns import Turn
+from benchdragon.model.walk import Walk
+from benchdragon.plans.faults import fault_of
+from benchdragon.plans.source import Fault, Faults, KeyedError, Source
+from benchdragon.plans.tables import (
+    MOST_PARTS,
+    Degrees,
+    DiscTable,
+    DragonTable,
+    LimitsTable,
+    MetaTable,
+    Metres,
+    Number,
+    Part,
+    Pitch,
+    Table,
+    TurnTable,
+    WalkTable,
+    at_least,
+)
+from benchdragon.plans.toml import PlanError, drop, drop_replaced, idle_keys, read_toml
+
+# A turn may reach so far out of its disc, m: rounding, and what lies between samples.
+FITS = 1e-3
+
+
+def _at(key: str, text: str) -> KeyedError:
+    return KeyedError([Fault(key, text)])
+
+
+class SpiralInRoute(Table):
+    """In along one spiral, from a turn number at theta = 0 of the last turn, to disc or centre."""
+
+    kind: Literal["spiral-in"]
+    pitch: Pitch = 0.55
+    start_turn: Annotated[Number, Field(gt=0.0, le=1e6), at_least(1e-3)] = 16.0
+    clockwise: bool = True
+
+    def build(self, plan: "Plan") -> tuple[Route, float]:
+        """The route, and where on it the head stands at time 0."""
+        k = self.pitch / (2.0 * math.pi)
+        end = plan.disc.radius / k if plan.disc.radius is not None else 0.0
+        start = 2.0 * math.pi * self.start_turn
+        if end >= start:
+            raise _at(
+                "disc.radius",
+                _(
+                    "disc.radius ({disc} m) must be smaller than the radius of start_turn ({start} m)"
+                ).format(disc=f"{plan.disc.radius:g}", start=f"{start * k:g}"),
+            )
+        return Route((Spiral(self.pitch, start, end, mirrored=not self.clockwise),)), 0.0
+
+    def last_position(self, walk: Walk) -> float:
+        """The head's route position at the end of the walk, m."""
+        return walk.route.length
+
+
+class TurnRoute(Table):
+    """In along a spiral, the turn of `[turn]` inside the disc, out along the spiral's twin."""
+
+    kind: Literal["turn"]
+    pitch: Pitch = 1.7
+
+    def build(self, plan: "Plan") -> tuple[Route, float]:
+        """The route, and where on it the head stands at time 0: where the turn begins."""
+        turn = self.turn(plan)
+        route = turn.route(trail=float(plan.links.sum()) + 1000.0)
+        return route, float(route.joints[1])
+
+    def turn(self, plan: "Plan") -> Turn:
+        """The turn itself.
+
+        Raises:
+            InputError: if there is no such turn, it does not fit the disc, or no bench could follow.
+        """
+        disc = self.disc(plan)
+        try:
+            turn = plan.turn.build(self.pitch, disc)
+        except InputError as error:
+            raise _at("turn", str(error)) from None
+        for name in ("entry_radius", "exit_radius"):
+            if getattr(turn, name) > disc:
+                raise _at(
+                    f"turn.{name}",
+                    _("turn.{name} ({radius} m) must not exceed disc.radius ({disc} m)").format(
+                        name=name, radius=f"{getattr(turn, name):g}", disc=f"{disc:g}"
+                    ),
+                )
+        if turn.extent > disc + FITS:
+            raise _at(
+                "turn",
+                _("the turn reaches {reach} m from the centre, out of a disc of {disc} m").format(
+                    reach=f"{turn.extent:.4g}", disc=f"{disc:g}"
+                ),
+            )
+        link = float(plan.links.max())
+        if 2.0 * turn.least_radius <= link:
+            raise _at(
+                "turn",
+                _(
+                    "a bench with {link} m between its handles cannot follow a bend of {radius} m "
+                    "radius: it must be wider than {least} m"
+                ).format(link=f"{link:g}", radius=f"{turn.least_radius:.4g}", least=f"{0.5 * link:g}"),
+            )
+        return turn
+
+    @staticmethod
+    def disc(plan: "Plan") -> float:
+        """Radius of the turning space, m: the paper's, if the plan does not say."""
+        return 4.5 if plan.disc.radius is None else plan.disc.radius
+
+    def last_position(self, walk: Walk) -> float:
+        """The head's route position when the tail has left the turn, m."""
+        return walk.head_where_tail(float(walk.route.joints[-2]))
+
+
+class PartsRoute(Table):
+    """Any parts, each moved to where the one before it ends."""
+
+    kind: Literal["parts"]
+    part: Annotated[list[Part], Field(min_length=1, max_length=MOST_PARTS)]
+    start: tuple[Metres, Metres] | None = None
+    heading: Degrees | None = None
+
+    def build(self, _plan: "Plan") -> tuple[Route, float]:
+        """The route, and where on it the head stands at time 0: at its start."""
+        faults = Faults()
+        tried = [faults.tried(f"route.part.{i}", part.build) for i, part in enumerate(self.part)]
+        curves = [curve for curve in tried if curve is not None]
+        if faults.found:
+            raise KeyedError(faults.found)
+        if self.start is not None or self.heading is not None:
+            point, heading = curves[0].start_pose
+            if self.heading is not None:
+                heading = math.radians(self.heading)
+            curves[0] = curves[0].moved(self.start or point, heading)
+        return Route.joined(curves), 0.0
+
+    def last_position(self, walk: Walk) -> float:
+        """The head's route position at the end of the walk, m."""
+        return walk.route.length
+
+
+class Plan(Table):
+    """A whole plan."""
+
+    schema_: Annotated[Literal[1], Field(alias="schema")]
+    meta: MetaTable = MetaTable()
+    dragon: DragonTable = DragonTable()
+    route: Annotated[SpiralInRoute | TurnRoute | PartsRoute, Field(discriminator="kind")]
+    disc: DiscTable = DiscTable()
+    turn: TurnTable = TurnTable()
+    walk: WalkTable = WalkTable()
+    limits: LimitsTable = LimitsTable()
+    _source: Source = PrivateAttr(default=Source())
+
+    @property
+    def sha256(self) -> str:
+        """Name of everything that the plan says, titles and notes left out."""
+        data = self.model_dump(mode="json", by_alias=True, exclude={"meta"})
+        return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()
+
+    @property
+    def links(self) -> FloatArray:
+        """Between the holes of each bench, m, (N,); one of 0 where benches cannot be: see `build`."""
+        try:
+            return self.dragon.build().links
+        except InputError:
+            return np.zeros(1)
+
+    def title(self, language: str) -> str:
+        """What to call it in a language, "en" or "zh"."""
+        english, chinese = self.meta.title, self.meta.title_zh
+        return (chinese or english) if language == "zh" else (english or chinese)
+
+    def value(self, key: str) -> float:
+        """The number under a dotted key.
+
+        Raises:
+            PlanError: if the plan does not say it.
+        """
+        table, _dot, name = key.partition(".")
+        at = getattr(getattr(self, table, None), name, None)
+        tables = self._tables()
+        tables[table] = {**tables.get(table, {}), name: at or 0.0}
+        idle = [one.because for one in idle_keys(tables) if one.key == key]
+        if table == "route" and name not in type(self.route).model_fields:
+            idle = [f'route.kind = "{self.route.kind}"']
+        if idle:
+            text = _("this needs {key}, which means nothing beside {because}: choose another plan")
+            raise PlanError(text.format(key=key, because=idle[0]))
+        if not isinstance(at, int | float):
+            raise PlanError(_("the plan does not say {key}: set it").format(key=key))
+        return float(at)
+
+    def toml(self) -> str:
+        """The plan as a plan file; what is as by default is left out."""
+        import tomlkit  # needed by what writes plans alone
+
+        return tomlkit.dumps(self.model_dump(mode="json", by_alias=True, exclude_defaults=True))
+
+    def _tables(self) -> dict[str, Any]:
+        """What the plan says, and no default, table by table."""
+        return {
+            field.alias or name: _said(getattr(self, name))
+            for name, field in Plan.model_fields.items()
+            if name in self.model_fields_set
+        }
+
+    def data(self) -> dict[str, Any]:
+        """Every key that has an effect, those left out as by default, as plain data: the same plan."""
+        data = self.model_dump(mode="json", by_alias=True, exclude_none=True)
+        drop(data, idle_keys(data))
+        return data
+
+    def with_value(self, key: str, value: object) -> "Plan":
+        """The same plan with another value under a key such as route.pitch.
+
+        Raises:
+            PlanError: for a value that cannot be, and a key that is not known or has no effect.
+        """
+        table, _dot, name = key.partition(".")
+        return self.with_table(table, **{name: value})
+
+    def with_table(self, table: str, /, **values: object) -> "Plan":
+        """The same plan with other values in one of its tables.
+
+        What the plan says for a choice that these values replace (a family, a speed) goes with it.
+
+        Raises:
+            PlanError: for a value that cannot be, and a key that is not known or has no effect.
+        """
+        data = self._tables()
+        said = data.get(table)
+        data[table] = {**said, **values} if isinstance(said, dict) else values
+        drop_replaced(data, [f"{table}.{name}" for name in values])
+        return checked(data, self._source)
+
+    def span(self, walk: Walk) -> tuple[float, float]:
+        """Start and end of the whole walk, s: as the plan says, else as its route's kind says.
+
+        Raises:
+            PlanError: if the head never comes to the end.
+        """
+        start = 0.0 if self.walk.start is None else self.walk.start
+        if self.walk.end is not None:
+            return start, self.walk.end
+        end = walk.time_at(self.route.last_position(walk))
+        if not math.isfinite(end):
+            text = _("the head never comes to the end of its walk: set walk.end")
+            raise PlanError(self._source.sentences([Fault("walk", text)]))
+        return start, end
+
+    def build(self) -> Walk:
+        """The walk that the plan describes.
+
+        Raises:
+            PlanError: for all sizes that cannot be and parts that do not join, a line each.
+        """
+        faults = Faults()
+        dragon = faults.tried("dragon", self.dragon.build)
+        placed = faults.tried("route", lambda: self.route.build(self))
+        profile = faults.tried("walk", self.walk.build)
+        if dragon is None or placed is None or profile is None:
+            raise self._wrong(faults)
+        route, start = placed
+        position = start if self.walk.position is None else self.walk.position
+        walk = faults.tried("walk.position", lambda: Walk(dragon, route, profile, position))
+        if walk is None:
+            raise self._wrong(faults)
+        return walk
+
+    def _wrong(self, faults: Faults) -> PlanError:
+        return PlanError(self._source.sentences(faults.found))
+
+
+def _said(table: object) -> object:
+    """What a table says, by name; None counts as not said. Anything else as it is."""
+    if not isinstance(table, Table):
+        return table
+    said = {name: getattr(table, name) for name in table.model_fields_set}
+    return {name: value for name, value in said.items() if value is not None}
+
+
+def read_plan(source: str, settings: Sequence[str] = ()) -> Plan:
+    """The plan of a file or of a built-in name, with "KEY=VALUE" settings laid over it.
+
+    Raises:
+        PlanError: saying where, what was wanted and what came.
+    """
+    return checked(*read_toml(source, settings))
+
+
+def checked(data: dict[str, Any], source: Source | str) -> Plan:
+    """The plan in parsed TOML; `source` is named in errors.
+
+    Raises:
+        PlanError: for all that is wrong, a line each.
+    """
+    where = Source(source) if isinstance(source, str) else source
+    route = data.get("route")
+    if isinstance(route, dict) and "part" in route:
+        route.setdefault("kind", "parts")
+    faults = [Fault(idle.key, str(idle)) for idle in idle_keys(data)]
+    try:
+        plan = Plan.model_validate(data)
+    except ValidationError as error:
+        faults = [fault_of(each, data, Plan) for each in error.errors()] + faults
+    if faults:
+        raise PlanError(where.sentences(faults))
+    plan._source = where
+    return plan

@@ -1,0 +1,281 @@
+"""The tables of a plan file: benches, curves, turn, walk and limits, checked once, at the door.
+
+Metres, seconds and degrees, or a string with a unit ("55 cm", "3 min 12 s"). Keys are English.
+"""
+
+import math
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field
+
+from benchdragon.errors import InputError
+from benchdragon.i18n import _
+from benchdragon.model.curves import MOST_METRES, AnyCurve, Arc, Clothoid, Line, Spiral
+from benchdragon.model.dragon import MOST_BENCHES, Dragon, SizeError
+from benchdragon.model.profile import SpeedProfile
+from benchdragon.model.turns import Turn, three_pieces, two_arcs
+from benchdragon.plans.source import Fault, KeyedError
+from benchdragon.plans.toml import (
+    ACCELERATIONS,
+    ANGULAR_SPEEDS,
+    DEGREES,
+    METRES,
+    SECONDS,
+    SPEEDS,
+    quantity,
+)
+
+# A spiral or a profile of more than this many parts is a mistake, not a dance.
+MOST_PARTS = 10_000
+
+# Radii of arcs that a plan does not say are this share of what two equal arcs alone would have.
+ROOMY = 0.9
+
+
+# The least size or speed that is not 0, m and m/s: a micrometre. What is smaller is a slip of the pen,
+# and its inverse spoils sums.
+LEAST = 1e-6
+# m; in narrower spirals rounding opens gaps.
+LEAST_PITCH = 1e-3
+# 30 years; 2,700 full turns; a bend of the least radius, 1/m.
+MOST_SECONDS = 1e9
+MOST_DEGREES = 1e6
+MOST_CURVATURE = 1e6
+# The longest clothoid of a turn, m.
+MOST_EASE = 1e3
+
+
+def _unit(units: dict[str, float]) -> BeforeValidator:
+    return BeforeValidator(lambda value: quantity(value, units), json_schema_input_type=float | str)
+
+
+def at_least(least: float) -> AfterValidator:
+    """Refuses what is too near 0 to be meant."""
+
+    def checked(value: float) -> float:
+        if 0.0 < value < least:
+            raise ValueError(_("wanted at least {least}, not {value}").format(least=least, value=value))
+        return value
+
+    return AfterValidator(checked)
+
+
+def _within(most: float) -> Any:
+    return Field(ge=-most, le=most)
+
+
+Finite = Annotated[float, Field(allow_inf_nan=False)]
+Metres = Annotated[Finite, _within(MOST_METRES), _unit(METRES)]
+Seconds = Annotated[Finite, _within(MOST_SECONDS), _unit(SECONDS)]
+Degrees = Annotated[Finite, _within(MOST_DEGREES), _unit(DEGREES)]
+Curvature = Annotated[Finite, _within(MOST_CURVATURE), _unit({})]
+Speed = Annotated[Finite, Field(ge=0.0), _unit(SPEEDS), at_least(LEAST)]
+Acceleration = Annotated[float, _unit(ACCELERATIONS), Field(allow_inf_nan=False, gt=0.0)]
+AngularSpeed = Annotated[float, _unit(ANGULAR_SPEEDS), Field(allow_inf_nan=False, gt=0.0)]
+Number = Annotated[float, _unit({}), Field(allow_inf_nan=False)]
+Positive = Annotated[Finite, Field(gt=0.0, le=MOST_METRES), _unit(METRES)]
+Length = Annotated[Positive, at_least(LEAST)]
+Pitch = Annotated[Positive, at_least(LEAST_PITCH)]
+LengthOrZero = Annotated[Finite, Field(ge=0.0, le=MOST_METRES), _unit(METRES), at_least(LEAST)]
+
+
+class Table(BaseModel):
+    """A table of a plan: unknown keys are errors."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, hide_input_in_errors=False)
+
+
+class MetaTable(Table):
+    """What people call the plan."""
+
+    title: str = ""
+    title_zh: str = ""
+    author: str = ""
+    notes: str = ""
+
+
+class BenchTable(Table):
+    """One bench of its own size; `count` repeats it."""
+
+    length: Length
+    width: Length = 0.30
+    front_inset: LengthOrZero = 0.275
+    rear_inset: LengthOrZero = 0.275
+    count: Annotated[int, Field(ge=1, le=MOST_BENCHES, strict=True)] = 1
+
+
+class DragonTable(Table):
+    """The dragon: one set of sizes, or `[[dragon.bench]]` for each bench its own."""
+
+    benches: Annotated[int, Field(ge=1, le=MOST_BENCHES, strict=True)] = 223
+    width: Length = 0.30
+    head_length: Length = 3.41
+    body_length: Length = 2.20
+    tail_length: Length = 2.20
+    front_inset: LengthOrZero = 0.275
+    rear_inset: LengthOrZero = 0.275
+    bench: list[BenchTable] = Field(default_factory=list)
+
+    def build(self) -> Dragon:
+        """The dragon."""
+        try:
+            return self._built()
+        except SizeError as error:
+            keys = {self._key(bench, size): text for bench, size, text in reversed(error.faults)}
+            raise KeyedError([Fault(*each) for each in reversed(keys.items())]) from None
+
+    def _key(self, bench: int, size: str) -> str:
+        """The key that says a size of a bench (a row, from 0)."""
+        if self.bench:
+            entry = int(np.searchsorted(np.cumsum([one.count for one in self.bench]), bench, "right"))
+            return f"dragon.bench.{entry}.{size}"
+        last = self.benches - 1
+        place = "head_" if bench == 0 else "tail_" if bench == last else "body_"
+        return f"dragon.{place if size == 'length' else ''}{size}"
+
+    def _built(self) -> Dragon:
+        if not self.bench:
+            return Dragon.uniform(**self.model_dump(exclude={"bench"}))
+        if sum(bench.count for bench in self.bench) > MOST_BENCHES:
+            raise InputError(
+                _("a dragon has 1 to {most} benches, not {count}").format(
+                    most=MOST_BENCHES, count=sum(bench.count for bench in self.bench)
+                )
+            )
+        sizes = [[one.length, one.width, one.front_inset, one.rear_inset] for one in self.bench]
+        return Dragon.of_sizes(*np.repeat(sizes, [one.count for one in self.bench], axis=0).T)
+
+
+class LinePart(Table):
+    """A straight line."""
+
+    kind: Literal["line"]
+    length: Length
+
+    def build(self) -> AnyCurve:
+        """The curve, at the origin."""
+        return Line(self.length)
+
+
+class ArcPart(Table):
+    """A circular arc; a positive angle turns left."""
+
+    kind: Literal["arc"]
+    radius: Length
+    angle: Degrees
+
+    def build(self) -> AnyCurve:
+        """The curve, at the origin."""
+        return Arc(self.radius, math.radians(self.angle))
+
+
+class ClothoidPart(Table):
+    """A curve whose curvature changes evenly; positive curvature, 1/m, turns left."""
+
+    kind: Literal["clothoid"]
+    length: Length
+    start_curvature: Curvature = 0.0
+    end_curvature: Curvature = 0.0
+
+    def build(self) -> AnyCurve:
+        """The curve, at the origin."""
+        return Clothoid(self.length, self.start_curvature, self.end_curvature)
+
+
+class SpiralPart(Table):
+    """An Archimedean spiral from one radius to another; as first part its centre is the origin."""
+
+    kind: Literal["spiral"]
+    pitch: Pitch
+    start_radius: LengthOrZero
+    end_radius: LengthOrZero
+    clockwise: bool = True
+
+    def build(self) -> AnyCurve:
+        """The curve, its centre at the origin."""
+        inward = self.end_radius < self.start_radius
+        return Spiral.between(
+            self.pitch, self.start_radius, self.end_radius, mirrored=inward != self.clockwise
+        )
+
+
+Part = Annotated[LinePart | ArcPart | ClothoidPart | SpiralPart, Field(discriminator="kind")]
+
+
+class DiscTable(Table):
+    """The turning space: a circle about the spiral's centre."""
+
+    radius: Length | None = None
+
+
+class TurnTable(Table):
+    """The turn inside the disc: what lies between the joints with the spirals.
+
+    `ratio` belongs to arc-arc, `radii` (of the first and the last arc) to the other families, and
+    `curvature` (of the middle arc, 1/m, left positive) to arc-arc-arc. Clothoids of `ease` metres make
+    the curvature continuous.
+    """
+
+    family: Literal["arc-arc", "arc-line-arc", "arc-arc-arc"] = "arc-arc"
+    ratio: Annotated[Number, Field(gt=0.0, le=1e3), at_least(1e-3)] = 2.0
+    radii: tuple[Length, Length] | None = None
+    curvature: Curvature = 0.0
+    entry_radius: Length | None = None
+    exit_radius: Length | None = None
+    ease: Annotated[LengthOrZero, Field(le=MOST_EASE)] = 0.0
+
+    def build(self, pitch: float, disc: float) -> Turn:
+        """The turn between spirals of this pitch, m, in a disc of this radius, m."""
+        entry = disc if self.entry_radius is None else self.entry_radius
+        exit_ = entry if self.exit_radius is None else self.exit_radius
+        if self.family == "arc-arc":
+            return two_arcs(pitch, entry, exit_, self.ratio, self.ease)
+        radii = self.radii
+        if radii is None:
+            radius = ROOMY * min(two_arcs(pitch, entry, exit_, 1.0).least_radius, 0.5 * disc)
+            radii = radius, radius
+        bend = self.curvature if self.family == "arc-arc-arc" else 0.0
+        return three_pieces(pitch, entry, exit_, radii, bend, self.ease)
+
+
+class WalkTable(Table):
+    """The head's walk: a constant speed, or `profile`, [time, speed] pairs joined by straight lines.
+
+    `start` and `end` are times; `position` is the head's route position at time 0, where it is not
+    to stand where the route's kind says.
+    """
+
+    speed: Speed = 1.0
+    profile: Annotated[list[tuple[Seconds, Speed]], Field(max_length=MOST_PARTS)] = Field(
+        default_factory=list
+    )
+    start: Seconds | None = None
+    end: Seconds | None = None
+    position: Metres | None = None
+
+    def build(self) -> SpeedProfile:
+        """The head's speed over time."""
+        times, speeds = zip(*self.profile, strict=True) if self.profile else ((0.0,), (self.speed,))
+        try:
+            return SpeedProfile(times, speeds)
+        except InputError as error:
+            key = "walk.profile" if self.profile else "walk.speed"
+            raise KeyedError([Fault(key, str(error))]) from None
+
+
+class LimitsTable(Table):
+    """What a walk must keep.
+
+    Greatest speed and accelerations (m/s^2) of any handle: along the route, across it and in total;
+    turning rate (degrees a second) of any bench, change of the head's own speed (m/s^2), and distance
+    of benches but neighbours.
+    """
+
+    speed: Annotated[Speed, Field(gt=0.0)] | None = None
+    acceleration: Acceleration | None = None
+    lateral_acceleration: Acceleration | None = None
+    total_acceleration: Acceleration | None = None
+    turning_rate: AngularSpeed | None = None
+    head_acceleration: Acceleration = 0.5
+    margin: LengthOrZero = 0.0

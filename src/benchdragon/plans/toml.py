@@ -1,0 +1,310 @@
+"""The text of plan files: TOML read and overlaid with settings, before any of it is believed.
+
+Light to import, so that the command line can see how large a job is before it loads the kernels.
+"""
+
+import difflib
+import math
+import re
+import stat
+import tomllib
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from benchdragon.errors import BenchDragonError, reason
+from benchdragon.i18n import N_, _
+from benchdragon.plans.source import Source
+
+BUILT_IN_FOLDER = Path(__file__).parent / "builtin"
+SUFFIX = ".dragon.toml"
+# Bytes: a million benches of their own sizes fit; anything larger is not a plan.
+MOST_BYTES = 200_000_000
+
+# What may stand behind a number, and what it is worth in the first unit.
+METRES = {"m": 1.0, "cm": 0.01, "mm": 0.001, "km": 1000.0, "米": 1.0, "厘米": 0.01}
+SECONDS = {"s": 1.0, "min": 60.0, "h": 3600.0, "ms": 0.001, "秒": 1.0, "分": 60.0, "小时": 3600.0}
+DEGREES = {"deg": 1.0, "°": 1.0, "rad": 180.0 / math.pi, "turn": 360.0, "turns": 360.0, "圈": 360.0}
+SPEEDS = {"m/s": 1.0, "km/h": 1.0 / 3.6, "cm/s": 0.01, "米/秒": 1.0}
+ACCELERATIONS = {"m/s^2": 1.0, "m/s²": 1.0, "cm/s^2": 0.01, "cm/s²": 0.01, "米/秒²": 1.0}
+ANGULAR_SPEEDS = {"deg/s": 1.0, "°/s": 1.0, "rad/s": 180.0 / math.pi, "度/秒": 1.0}
+# Beyond it no double holds a whole number.
+MOST_BITS = 1023
+# What some editors put before the text; it says nothing.
+BYTE_ORDER_MARK = "\ufeff"
+# What tomllib says, and what we say for it.
+TOML_FAULTS = (
+    ("Invalid statement", N_("a line must be KEY = VALUE, [table] or a comment")),
+    ("Expected newline or end of document .*", N_("something stands behind a line that is complete")),
+    ("Expected '=' after a key .*", N_("a key needs = and a value")),
+    ("Expected '.*' at the end of .*", N_("a [table] is not closed by its bracket")),
+    (r"Cannot declare \((.*?),?\) twice", N_("the table {what} is there twice")),
+    ("Cannot overwrite a value|Duplicate inline table key .*", N_("a key is there twice")),
+    ("Cannot (?:mutate immutable|redefine) namespace .*", N_("this table is complete already")),
+    ("Invalid initial character for a key part", N_("a key is wanted here")),
+    ("Unclosed array", N_("a list is not closed")),
+    ("Unclosed inline table", N_("a table in braces is not closed")),
+    (r"Unescaped '\\' in a string", N_("a backslash in a text must be doubled")),
+    ("Invalid hex value|Escaped character is not .*", N_("no sign has this number")),
+    ("Unterminated string", N_("a text is not closed")),
+    ("(?:Found invalid|Illegal) character (.*)", N_("the sign {what} may not stand here")),
+    ("Invalid date or datetime", N_("there is no such date")),
+    ("Invalid value", N_("a value is wanted here: a number, text in quotes, a list, true or false")),
+    ("Expected (.*)", N_("{what} is wanted here")),
+)
+# A number with its unit; the 2 of "m/s^2" belongs to the unit.
+QUANTITY = re.compile(r"([-+]?[0-9.]+(?:e[-+]?\d+)?)\s*([^\s\d.+^-]+(?:\^\d)?)", re.IGNORECASE)
+
+
+class PlanError(BenchDragonError):
+    """A plan that cannot be read or used: where, what was wanted, and what came."""
+
+    exit_code = 3
+
+
+def built_in_names() -> list[str]:
+    """Names of the plans that come with the program."""
+    return sorted(path.name.removesuffix(SUFFIX) for path in BUILT_IN_FOLDER.glob(f"*{SUFFIX}"))
+
+
+def read_toml(source: str, settings: Sequence[str] = ()) -> tuple[dict[str, Any], Source]:
+    """The tables of a plan file or of a built-in name, with "KEY=VALUE" settings laid over them.
+
+    And where they were read.
+
+    Where a setting chooses another kind, family, profile or list of benches, what the file says for
+    the former choice goes with it.
+
+    Raises:
+        PlanError: for what is not there, not TOML, or cannot be set.
+    """
+    path = Path(source)
+    if source in built_in_names():
+        path = BUILT_IN_FOLDER / f"{source}{SUFFIX}"
+    text = _text(path, source)
+    data = parsed(text, source)
+    return data, Source(source, text, lay_over(data, settings))
+
+
+def lay_over(data: dict[str, Any], settings: Sequence[str]) -> tuple[str, ...]:
+    """Lay "KEY=VALUE" settings over a plan's tables; the keys that they name.
+
+    Raises:
+        PlanError: for what cannot be set.
+    """
+    keys = tuple(_lay_over(data, setting) for setting in settings)
+    drop_replaced(data, keys)
+    return keys
+
+
+def bench_count(data: dict[str, Any]) -> int | None:
+    """How many benches the tables ask for, or None where only the full check can tell."""
+    dragon = data.get("dragon", {})
+    if not isinstance(dragon, dict) or "bench" in dragon:
+        return None
+    count = dragon.get("benches", 223)
+    return count if isinstance(count, int) else None
+
+
+@dataclass(frozen=True)
+class Idle:
+    """A key that has no effect beside what a plan chooses: `because` is "KEY = VALUE" of the choice."""
+
+    key: str
+    beside: str
+    because: str
+
+    def __str__(self) -> str:
+        return _("{key} has no effect beside {because}: take it out").format(
+            key=self.key, because=self.because
+        )
+
+
+# Keys of [turn] that belong to some families alone.
+FAMILIES = {
+    "ratio": ("arc-arc",),
+    "radii": ("arc-line-arc", "arc-arc-arc"),
+    "curvature": ("arc-arc-arc",),
+}
+
+
+def idle_keys(data: dict[str, Any]) -> list[Idle]:
+    """The keys of a plan's tables that have no effect beside others; None counts as not said.
+
+    What a table chooses decides, not its numbers: a body's length is no error where a head and a tail
+    are all there is.
+    """
+    tables = {name: _said(data.get(name)) for name in ("dragon", "route", "disc", "turn", "walk")}
+    route, turn = tables["route"], tables["turn"]
+    kind = "parts" if "part" in route else route.get("kind")
+    found = []
+    if kind in ("parts", "spiral-in"):
+        idle = [f"turn.{name}" for name in turn]
+        idle += [f"disc.{name}" for name in tables["disc"]] if kind == "parts" else []
+        found += [Idle(key, "route.kind", f'route.kind = "{kind}"') for key in idle]
+    if kind == "turn":
+        family = turn.get("family", "arc-arc")
+        strays = [
+            name for name, families in FAMILIES.items() if name in turn and family not in families
+        ]
+        found += [Idle(f"turn.{name}", "turn.family", f'turn.family = "{family}"') for name in strays]
+    if tables["walk"].get("profile") and "speed" in tables["walk"]:
+        found.append(Idle("walk.speed", "walk.profile", "walk.profile"))
+    if tables["dragon"].get("bench"):
+        others = [f"dragon.{name}" for name in tables["dragon"] if name != "bench"]
+        found += [Idle(key, "dragon.bench", "[[dragon.bench]]") for key in others]
+    return found
+
+
+def _said(table: object) -> dict[str, Any]:
+    if not isinstance(table, dict):
+        return {}
+    return {name: value for name, value in table.items() if value is not None}
+
+
+def drop(data: dict[str, Any], idle: Sequence[Idle]) -> None:
+    """Take keys out of a plan's tables."""
+    for one in idle:
+        table, name = one.key.split(".")
+        del data[table][name]
+
+
+def drop_replaced(data: dict[str, Any], keys: Sequence[str]) -> None:
+    """Take out of a plan's tables what has no effect beside the choices under `keys`, just made."""
+    drop(data, [idle for idle in idle_keys(data) if idle.beside in keys and idle.key not in keys])
+
+
+def _text(path: Path, source: str) -> str:
+    try:
+        about = path.stat()
+        if not stat.S_ISREG(about.st_mode):
+            raise PlanError(_("{source} is no file that could be a plan").format(source=source))
+        if about.st_size > MOST_BYTES:
+            raise PlanError(
+                _("{source} is too large for a plan: {size} MB, at most {most} MB are read").format(
+                    source=source, size=about.st_size // 1_000_000, most=MOST_BYTES // 1_000_000
+                )
+            )
+        return path.read_text(encoding="utf-8").removeprefix(BYTE_ORDER_MARK)
+    except FileNotFoundError:
+        near = difflib.get_close_matches(source, built_in_names(), 1)
+        hint = _("; did you mean {name}?").format(name=near[0]) if near else ""
+        raise PlanError(
+            _("there is no plan {source}: wanted a {suffix} file or one of {names}").format(
+                source=source, suffix=SUFFIX, names=", ".join(built_in_names())
+            )
+            + hint
+        ) from None
+    except UnicodeDecodeError:
+        raise PlanError(_("{source} is not UTF-8 text").format(source=source)) from None
+    except OSError as error:
+        raise PlanError(f"{source}: {reason(error)}") from None
+
+
+def parsed(text: str, source: str) -> dict[str, Any]:
+    """The tables in the text of a plan file; `source` is named in errors.
+
+    Raises:
+        PlanError: for what is not TOML.
+    """
+    try:
+        return _loaded(text.removeprefix(BYTE_ORDER_MARK), source)
+    except tomllib.TOMLDecodeError as error:
+        raise PlanError(
+            _("{source} is not TOML: {fault}").format(source=source, fault=toml_fault(error))
+        ) from None
+
+
+def _loaded(text: str, source: str) -> dict[str, Any]:
+    """TOML, or its own error, or a PlanError for what Python refuses to hold."""
+    try:
+        return tomllib.loads(text)
+    except RecursionError:
+        raise PlanError(_("{source} is nested too deeply").format(source=source)) from None
+    except tomllib.TOMLDecodeError:
+        raise
+    except ValueError:
+        raise PlanError(_("{source}: a number has too many digits").format(source=source)) from None
+
+
+def toml_fault(error: tomllib.TOMLDecodeError) -> str:
+    """Where a text is not TOML, and why, in the language in use."""
+    said, _at, place = str(error).removesuffix(")").rpartition(" (at ")
+    found = ((match, text) for pattern, text in TOML_FAULTS if (match := re.fullmatch(pattern, said)))
+    match, text = next(found, (None, N_("this cannot be read")))
+    fault = _(text).format(what=match[1] if match and match.re.groups else "")
+    numbers = re.findall(r"\d+", place)
+    if not numbers:
+        return _("at its end: {fault}").format(fault=fault)
+    return _("line {line}, column {column}: {fault}").format(
+        line=numbers[0], column=numbers[1], fault=fault
+    )
+
+
+def _lay_over(data: dict[str, Any], setting: str) -> str:
+    """Set what a setting says; the key that it names."""
+    key, equals, text = setting.partition("=")
+    if not equals or not key.strip():
+        raise PlanError(_("wanted KEY=VALUE, not {text}").format(text=repr(setting)))
+    try:
+        value = _loaded(f"value = {text}", key)["value"]
+    except tomllib.TOMLDecodeError:
+        value = text
+    at: Any = data
+    *folders, last = key.strip().split(".")
+    for name in folders:
+        at = _inside(at, name, key)
+    try:
+        if isinstance(at, list):
+            at[int(last)] = value
+        else:
+            at[last] = value
+    except (ValueError, IndexError):
+        raise _nowhere(key) from None
+    return key.strip()
+
+
+def _inside(at: Any, name: str, key: str) -> Any:
+    """The table or list under a name or a number; a new table where none was said."""
+    try:
+        found = at[int(name)] if isinstance(at, list) else at.setdefault(name, {})
+    except (ValueError, IndexError):
+        raise _nowhere(key) from None
+    if not isinstance(found, dict | list):
+        raise _nowhere(key)
+    return found
+
+
+def _nowhere(key: str) -> PlanError:
+    return PlanError(_("there is no {key} to set").format(key=key))
+
+
+def quantity(text: object, units: dict[str, float]) -> object:
+    """A number in the first of `units` from text such as "3 min 12 s"; other things unchanged.
+
+    Raises:
+        ValueError: for text without a known unit, for true and false, which are no numbers, and for
+            whole numbers that no double holds.
+    """
+    if isinstance(text, bool):
+        raise ValueError(_("wanted a number, not {text}").format(text=str(text).lower()))
+    if isinstance(text, int) and text.bit_length() > MOST_BITS:
+        raise ValueError(_("wanted a number with fewer digits"))
+    if not isinstance(text, str) or not units:
+        return text
+    pieces = QUANTITY.findall(text)
+    try:
+        if QUANTITY.sub("", text).strip() or not pieces:
+            raise ValueError
+        # The sign of the first number is that of the whole: -1 min 30 s is 90 s before.
+        if any(number[0] in "+-" for number, _unit in pieces[1:]):
+            raise ValueError
+        size = sum(abs(float(number)) * units[unit] for number, unit in pieces)
+        return -size if pieces[0][0][0] == "-" else size
+    except (KeyError, ValueError):
+        raise ValueError(
+            _("wanted a number, or text with a unit of {units}, not {text}").format(
+                units=", ".join(units), text=repr(text)
+            )
+        ) from None

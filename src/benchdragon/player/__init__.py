@@ -1,0 +1,1 @@
+"""A dance as one page for any browser."""

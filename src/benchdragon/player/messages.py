@@ -1,0 +1,117 @@
+"""A dance as pages show it: the models become types in `web/messages.d.ts`.
+
+Metres, seconds, metres a second.
+"""
+
+from typing import Literal
+
+from pydantic import BaseModel, ConfigDict
+
+from benchdragon.i18n import Words
+
+
+class Sent(BaseModel):
+    """What a page gets."""
+
+    model_config = ConfigDict(frozen=True)
+
+
+class Sizes(Sent):
+    """Sizes of every bench, m, bench 1 first."""
+
+    length: list[float]
+    width: list[float]
+    front_inset: list[float]
+    rear_inset: list[float]
+
+
+class Stretch(Sent):
+    """Nodes of a stretch of the route, evenly spaced: the next stretch begins where this ends."""
+
+    start: float
+    step: float
+    nodes: int
+
+
+class Course(Sent):
+    """The route as cubics between nodes.
+
+    `packed` holds x, y (m, from `origin`) and heading (rad) of every node as float32, x of all nodes
+    first; see `frames.packed_bytes`.
+    """
+
+    stretches: list[Stretch]
+    origin: tuple[float, float]
+    packed: str
+
+
+class Frames(Sent):
+    """Route positions and speeds of all handles at evenly spaced times, packed.
+
+    Handle by handle; see `frames.packed_frames`. Between them positions go along cubics, speeds along
+    lines; where that was looked at, no handle was farther than `largest_error` (m) from its place.
+    """
+
+    start: float
+    step: float
+    count: int
+    quantum: float
+    packed: str
+    largest_error: float
+
+
+class Occasion(Sent):
+    """Something that happens at a time; `benches` are numbers from 1."""
+
+    kind: Literal["contact", "tightest", "fastest", "joint", "end"]
+    time: float
+    text: Words
+    benches: list[int]
+
+
+class Nearest(Sent):
+    """When each bench comes nearest to one that is not its neighbour, as far as looked at.
+
+    Distance, m (minus the depth of an overlap), time, s, and number of the other bench; 0 where it
+    never comes within `reach`.
+    """
+
+    reach: float
+    distance: list[float]
+    time: list[float]
+    other: list[int]
+
+
+class Tightness(Sent):
+    """Distance of the tightest pair, m, at evenly spaced times; capped at `Nearest.reach`."""
+
+    start: float
+    step: float
+    distance: list[float]
+
+
+class Ruling(Sent):
+    """Whether a walk is safe, in one sentence; `decided` is false where that is open."""
+
+    safe: bool
+    decided: bool
+    text: Words
+
+
+class Dance(Sent):
+    """A whole dance, as a player shows it."""
+
+    version: str
+    plan_sha256: str
+    title: Words
+    benches: Sizes
+    disc: float | None
+    centre: tuple[float, float]
+    course: Course
+    frames: Frames
+    occasions: list[Occasion]
+    nearest: Nearest
+    tightness: Tightness
+    margin: float
+    speed_limit: float | None
+    ruling: Ruling | None

@@ -1,0 +1,204 @@
+"""The player as one HTML file: the page's own modules, style and words put into it, and the dance.
+
+The file fetches nothing, and its content security policy forbids it.
+"""
+
+import base64
+import hashlib
+import html
+import json
+import re
+from dataclasses import asdict, dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from jinja2 import Environment, PackageLoader, StrictUndefined
+
+from benchdragon.errors import BenchDragonError, InputError, of_kind
+from benchdragon.files import whole_file
+from benchdragon.i18n import _, both, language, spoken_in
+from benchdragon.kernels.status import Status
+from benchdragon.model.walk import Motion
+from benchdragon.player import messages
+from benchdragon.player.scene import Span, plain_dance
+from benchdragon.version import __version__
+
+WEB = Path(__file__).parents[1] / "web"
+STYLES = ("style.css", "print.css")
+# Modules may import others so, and in no other way, so that joining them is all that inlining takes.
+IMPORT = re.compile(r'^import \{[^}]*\} from "\./(\w+\.js)";\n', re.MULTILINE)
+EXPORT = re.compile(r"^export (?=const|let|class|function|async function)", re.MULTILINE)
+STRAY = re.compile(r"^\s*(?:import|export)\b.*", re.MULTILINE)
+TEXT = re.compile(r'(?<![\w$.])_\(\s*("(?:[^"\\]|\\.)*")')
+# Bytes that a file may have for up to 1,000 benches; larger dragons get this for each thousand.
+MOST_BYTES = 10_000_000
+# In a notebook: bytes, and benches times seconds (about 10 s of work).
+MOST_FRAMED, MOST_SHOWN = 3_000_000, 500_000
+# Of a motion at one time, so many seconds are shown before and after it, as far as so many looks see
+# the dragon stand.
+BESIDE, TRIED = 5.0, 50
+
+
+class ScriptError(ValueError):
+    """A module of the page that cannot be put into one file."""
+
+
+@cache
+def inlined(entry: str) -> str:
+    """A module of the page and all it imports as one script, each before those that need it.
+
+    Raises:
+        ScriptError: for an import or an export of another form.
+    """
+    done: dict[str, str] = {}
+
+    def add(name: str) -> None:
+        if name in done:
+            return
+        text = (WEB / name).read_text("utf-8")
+        done[name] = ""  # which ends a circle of imports
+        for needed in IMPORT.findall(text):
+            add(needed)
+        text = EXPORT.sub("", IMPORT.sub("", text))
+        if stray := STRAY.search(text):
+            raise ScriptError(f"{name}: {stray.group().strip()}")
+        del done[name]
+        done[name] = text
+
+    add(entry)
+    return "\n".join(done.values())
+
+
+@cache
+def chinese(entry: str) -> dict[str, str]:
+    """Chinese for every sentence of a script."""
+    with spoken_in("zh"):
+        return {text: _(text) for text in map(json.loads, TEXT.findall(inlined(entry)))}
+
+
+def player_page(dance: messages.Dance, spoken: str | None = None) -> str:
+    """The page that shows a dance, beginning in a language ("en" or "zh"; None: that in use)."""
+    script = inlined("start.js") + "\nawait start();\n"
+    style = "".join((WEB / name).read_text("utf-8") for name in STYLES)
+    environment = Environment(
+        loader=PackageLoader("benchdragon"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+    )
+    spoken = spoken or language()
+    return environment.get_template("player.html.jinja").render(
+        language=spoken,
+        title=getattr(dance.title, spoken) or "benchdragon",
+        version=__version__,
+        hashes={"script": _hash(script), "style": _hash(style)},
+        script=script,
+        style=style,
+        waiting=asdict(
+            both(lambda: _("Nothing moves? Then open this file in a browser: previews do not run it."))
+        ),
+        words=inert(chinese("start.js")),
+        spoken=inert(spoken),
+        dance=inert(dance.model_dump(mode="json")),
+    )
+
+
+def inert(data: Any) -> str:
+    """Data as JSON that may stand inside a script element."""
+    return json.dumps(data, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
+
+
+def _hash(text: str) -> str:
+    return "sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
+
+
+def write_player(path: Path, dance: messages.Dance) -> None:
+    """Write the player of a dance.
+
+    Raises:
+        InputError: if it would grow beyond MOST_BYTES for each thousand benches.
+    """
+    page = player_page(dance).encode()
+    most = MOST_BYTES * max(1.0, len(dance.benches.length) / 1000.0)
+    if len(page) > most:
+        raise InputError(
+            _("the player would have {size} MB, more than {most} MB: choose a shorter time").format(
+                size=f"{len(page) / 1e6:.1f}", most=f"{most / 1e6:.1f}"
+            )
+        )
+    with whole_file(path) as temporary:
+        temporary.write_bytes(page)
+
+
+def framed(dance: messages.Dance, height: int = 560) -> str:
+    """The player inside a frame, for a page that is not ours: a notebook."""
+    page = html.escape(player_page(dance), quote=True)
+    return (
+        f'<iframe sandbox="allow-scripts" title="benchdragon" srcdoc="{page}" '
+        f'style="width:100%;height:{height}px;border:0"></iframe>'
+    )
+
+
+@dataclass(frozen=True)
+class Shown:
+    """What the cell of a notebook shows, as HTML."""
+
+    html: str
+
+    def _repr_html_(self) -> str:
+        return self.html
+
+
+def show(motion: Motion) -> Shown:
+    """The walk of a motion in a player, from its first time to its last, for the cell of a notebook.
+
+    Of one time alone the seconds around it are shown. What cannot be shown comes as text, with why.
+
+    Raises:
+        InputError: for what is not a Motion.
+    """
+    of_kind("motion", motion, Motion)
+    try:
+        return Shown(framed(_dance(motion)))
+    except BenchDragonError as error:
+        return Shown(f"<pre>{html.escape(repr(motion))}\n{html.escape(str(error))}</pre>")
+
+
+def _dance(motion: Motion) -> messages.Dance:
+    """A motion as a dance.
+
+    Raises:
+        InputError: if it is too large for a notebook.
+        WalkError: if the dragon stands at no time.
+    """
+    too_large = InputError(
+        _("this dance is too large for a notebook: take a shorter time or fewer benches")
+    )
+    span = _span(motion)
+    if (span.end - span.start) * len(motion.walk.dragon) > MOST_SHOWN:
+        raise too_large
+    dance = plain_dance(motion.walk, span)
+    if len(dance.frames.packed) + len(dance.course.packed) > MOST_FRAMED:
+        raise too_large
+    return dance
+
+
+def _span(motion: Motion) -> Span:
+    """From the first to the last time at which the dragon stands; around it, if that is one."""
+    sound = motion.times[motion.status == Status.OK]
+    if not sound.size:
+        motion.check()
+        raise InputError(_("there is no time to show"))
+    start, end = float(sound.min()), float(sound.max())
+    if end - start > 1e-3:
+        return Span(start, end)
+    around = start + BESIDE * np.linspace(-1.0, 1.0, 2 * TRIED + 1)
+    stands = motion.walk.motion(around, throw=False).status == Status.OK
+    failed = np.flatnonzero(~stands) - TRIED
+    low = int(failed[failed < 0].max(initial=-TRIED - 1)) + 1
+    high = int(failed[failed > 0].min(initial=TRIED + 1)) - 1
+    if low >= high:
+        raise InputError(_("there is no time to show"))
+    return Span(float(around[TRIED + low]), float(around[TRIED + high]))

@@ -1,0 +1,289 @@
+"""A dance as a page shows it: frames, route, sizes, what happens when, what is tight."""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from benchdragon.analysis.check import Report, sentence
+from benchdragon.analysis.distance import nearest_each
+from benchdragon.errors import InputError, WalkError, finite
+from benchdragon.i18n import Words, _, both
+from benchdragon.model.answer import Answer
+from benchdragon.model.walk import Walk
+from benchdragon.plans.schema import Plan
+from benchdragon.player import messages
+from benchdragon.player.frames import (
+    LOOKS,
+    QUANTUM,
+    Frames,
+    course,
+    frames,
+    packed_bytes,
+    packed_frames,
+)
+from benchdragon.version import __version__
+
+Advance = Callable[[float, str], None]
+
+# What a page may show off its place, m.
+MOST_ERROR = 1e-3
+# How far benches are looked at for their nearest, m; at how many times at most, and places.
+REACH = 1.0
+MOST_TIMES, MOST_LOOKS = 1500, 3_000_000
+# Route drawn before the tail and past the head, m.
+AROUND = 5.0
+MOST_BENCHES = 5_000
+MOST_JOINTS = 200
+# How often a dance advances by 1.
+STEPS = 3
+
+
+@dataclass(frozen=True)
+class Span:
+    """What part of a walk is shown, and how carefully.
+
+    Attributes:
+        start: s.
+        end: s.
+        most_error: how far a place may be off between frames, m.
+        looks: where between two frames that is looked at, as shares of a step.
+        times: at how many times at most it is looked who is near whom.
+    """
+
+    start: float
+    end: float
+    most_error: float = MOST_ERROR
+    looks: tuple[float, ...] = LOOKS
+    times: int = MOST_TIMES
+
+    def __post_init__(self) -> None:
+        if finite("start", self.start, "s") >= finite("end", self.end, "s"):
+            raise InputError(
+                _("the dance would end at {end} s, before it starts at {start} s").format(
+                    end=f"{self.end:g}", start=f"{self.start:g}"
+                )
+            )
+
+
+def checked_dance(
+    report: Report, span: Span | None = None, advance: Advance | None = None
+) -> messages.Dance:
+    """The dance of a plan that was checked, with what the check found.
+
+    Raises:
+        InputError: for more than MOST_BENCHES, or more frames than a page holds.
+        WalkError: if the dragon does not stand at the start.
+    """
+    plan = report.plan
+    walk = plan.build()
+    shown = span or Span(report.start, report.end)
+    dance = plain_dance(walk, shown, advance)
+    last = dance.frames.start + dance.frames.step * (dance.frames.count - 1)
+    found = [occasion for occasion in _answers(report) if shown.start <= occasion.time <= last]
+    ruling = messages.Ruling(
+        safe=report.safe, decided=report.decided, text=both(lambda: sentence(report))
+    )
+    nearest = _with_tightest(dance.nearest, report.clearance, (shown.start, last))
+    return _of_plan(plan, dance, ruling, found).model_copy(update={"nearest": nearest})
+
+
+def judged_dance(
+    plan: Plan,
+    judge: Callable[[Plan], Report],
+    span: Span | None = None,
+    advance: Advance | None = None,
+) -> messages.Dance:
+    """The dance of a plan, judged; one that cannot be walked to its end as far as it can.
+
+    Raises:
+        InputError: see `checked_dance`.
+        WalkError: if the dragon does not stand at the start.
+    """
+    try:
+        report = judge(plan)
+    except WalkError as error:
+        dance = plain_dance(plan.build(), span or Span(*plan.span(plan.build())), advance)
+        return _of_plan(plan, dance, _fallen(error), [])
+    return checked_dance(report, span, advance)
+
+
+def _fallen(error: WalkError) -> messages.Ruling:
+    text = both(lambda: _("Not walkable: {finding}").format(finding=error))
+    return messages.Ruling(safe=False, decided=True, text=text)
+
+
+def _of_plan(
+    plan: Plan, dance: messages.Dance, ruling: messages.Ruling, found: list[messages.Occasion]
+) -> messages.Dance:
+    """A dance with what its plan says, and what was found."""
+    return dance.model_copy(
+        update={
+            "plan_sha256": plan.sha256,
+            "title": Words(en=plan.title("en"), zh=plan.title("zh")),
+            "disc": plan.disc.radius,
+            "margin": plan.limits.margin,
+            "speed_limit": plan.limits.speed,
+            "ruling": ruling,
+            "occasions": sorted([*found, *dance.occasions], key=lambda occasion: occasion.time),
+        }
+    )
+
+
+def plain_dance(walk: Walk, span: Span, advance: Advance | None = None) -> messages.Dance:
+    """The dance of a walk: its only occasions are joints, and an end where the benches cannot follow.
+
+    Raises:
+        InputError: see `checked_dance`.
+    """
+    if len(walk.dragon) > MOST_BENCHES:
+        raise InputError(
+            _("a player shows at most {most} benches, not {count}").format(
+                most=MOST_BENCHES, count=len(walk.dragon)
+            )
+        )
+    tell = advance or (lambda _share, _text: None)
+    tell(0.0, _("placing the benches"))
+    shot = frames(walk, span.start, span.end, 0.9 * span.most_error, span.looks)
+    tell(1.0, _("looking who is near whom"))
+    nearest, tightness = _nearness(walk, shot, span.times)
+    tell(1.0, _("drawing the route"))
+    low, high = (float(quanta) * QUANTUM for quanta in (shot.places.min(), shot.places.max()))
+    way = course(walk, max(low - AROUND, -walk.route.extension), min(high + AROUND, walk.route.length))
+    tell(1.0, _("packing"))
+    sizes = {
+        name: np.round(getattr(walk.dragon, name), 6).tolist() for name in messages.Sizes.model_fields
+    }
+    stretches = zip(way.starts.tolist(), way.steps.tolist(), way.counts.tolist(), strict=True)
+    return messages.Dance(
+        version=__version__,
+        plan_sha256="",
+        title=Words(en="", zh=""),
+        benches=messages.Sizes(**sizes),
+        disc=None,
+        centre=walk.route.centre,
+        course=messages.Course(
+            stretches=[messages.Stretch(start=a, step=b, nodes=n) for a, b, n in stretches],
+            origin=way.origin,
+            packed=packed_bytes(way.nodes.ravel()),
+        ),
+        frames=messages.Frames(
+            start=shot.start, step=shot.step, count=shot.count, quantum=QUANTUM,
+            packed=packed_frames(shot), largest_error=shot.error + way.error,
+        ),
+        occasions=[*_joints(walk, shot), *_end(shot)],
+        nearest=nearest,
+        tightness=tightness,
+        margin=0.0,
+        speed_limit=None,
+        ruling=None,
+    )  # fmt: skip
+
+
+def _nearness(walk: Walk, shot: Frames, most: int) -> tuple[messages.Nearest, messages.Tightness]:
+    """Each bench's tightest moment, and the tightest pair over time, at evenly spread times."""
+    benches = len(walk.dragon)
+    walked = QUANTUM * float(shot.places[0, -1] - shot.places[0, 0])
+    wanted = 4.0 * max(walked, shot.end - shot.start, 0.5)  # a look each 0.25 m, and each 0.25 s
+    count = int(min(most, max(2, MOST_LOOKS // benches), wanted))
+    times = np.linspace(shot.start, shot.end, count)
+    best, when = np.full(benches, np.inf), np.zeros(benches)
+    other, over_time = np.zeros(benches, dtype=np.int64), []
+    for motion in walk.motions(times, throw=False):
+        distance, partner = nearest_each(motion, REACH)
+        over_time.append(np.minimum(distance.min(axis=1), REACH))
+        first = distance.argmin(axis=0)
+        rows = np.arange(benches)
+        least = distance[first, rows]
+        closer = least < best
+        best = np.where(closer, least, best)
+        when = np.where(closer, motion.times[first], when)
+        other = np.where(closer, partner[first, rows], other)
+    near = messages.Nearest(
+        reach=REACH,
+        distance=np.where(np.isfinite(best), np.round(best, 5), 0.0).tolist(),
+        time=np.round(when, 4).tolist(),
+        other=other.tolist(),
+    )
+    distance = np.round(np.concatenate(over_time), 4).tolist()
+    return near, messages.Tightness(
+        start=shot.start, step=float(times[1] - times[0]), distance=distance
+    )
+
+
+def _with_tightest(
+    nearest: messages.Nearest, clearance: Answer, span: tuple[float, float]
+) -> messages.Nearest:
+    """The same, with the tightest pair of all as the check found it, which looks closer."""
+    found, near = nearest.model_copy(deep=True), clearance.witness
+    if near is None or near.time is None or not span[0] <= near.time <= span[1]:
+        return nearest
+    for bench, other in (near.benches, near.benches[::-1]):
+        seen = found.distance[bench - 1] if found.other[bench - 1] else found.reach
+        if clearance.value < seen:
+            found.distance[bench - 1] = round(clearance.value, 5)
+            found.time[bench - 1], found.other[bench - 1] = round(near.time, 4), other
+    return found
+
+
+def _answers(report: Report) -> list[messages.Occasion]:
+    """First contact, tightest moment and fastest moment of a check."""
+    contact, near, speed = report.first_contact, report.clearance.witness, report.greatest_speed
+    found = []
+    if contact is not None and contact.witness is not None:
+        apart = contact.witness.gap > 0.0 and report.plan.limits.margin > 0.0
+        name = both(lambda: _("margin broken") if apart else _("first contact"))
+        found.append(_occasion("contact", contact.value, name, contact.witness.benches))
+    elif near is not None and near.time is not None:
+        gap = f"{100.0 * report.clearance.value:.3g}"
+        name = both(lambda: _("tightest moment: {gap} cm").format(gap=gap))
+        found.append(_occasion("tightest", near.time, name, near.benches))
+    if (
+        speed.witness is not None
+        and speed.witness.time is not None
+        and math.isfinite(speed.witness.time)
+    ):
+        fast = f"{speed.value:.4g}"
+        name = both(lambda: _("fastest moment: {speed} m/s").format(speed=fast))
+        found.append(_occasion("fastest", speed.witness.time, name, speed.witness.benches))
+    return found
+
+
+def _joints(walk: Walk, shot: Frames) -> list[messages.Occasion]:
+    """When head and tail pass the joints of the route; none where there are too many."""
+    joints = walk.route.joints[1:-1]
+    if len(joints) > MOST_JOINTS:
+        return []
+    times = shot.start + shot.step * np.arange(shot.count)
+    found = []
+    for handle, head in ((0, True), (-1, False)):
+        s = shot.places[handle] * QUANTUM
+        passed = np.interp(joints, s, times, math.nan, math.nan)
+        for n, time in enumerate(passed.tolist(), start=1):
+            if math.isfinite(time):
+                found.append(_occasion("joint", time, _joint_text(n, head), ()))
+    return found
+
+
+def _joint_text(n: int, head: bool) -> Words:
+    return both(
+        lambda: (
+            _("the head passes joint {n} of the route")
+            if head
+            else _("the tail passes joint {n} of the route")
+        ).format(n=n)
+    )
+
+
+def _end(shot: Frames) -> list[messages.Occasion]:
+    """Why the frames end, where that is not the end of the walk."""
+    if not shot.leap:
+        return []
+    return [_occasion("end", shot.end, both(lambda: _("from here on the benches cannot follow")), ())]
+
+
+def _occasion(kind: str, time: float, text: Words, benches: Sequence[int]) -> messages.Occasion:
+    return messages.Occasion.model_validate(
+        {"kind": kind, "time": time, "text": text, "benches": list(benches)}
+    )

@@ -1,0 +1,198 @@
+"""How fast the head may walk: the greatest constant speed, and a pace that slows only where it must."""
+
+import math
+import time as clock
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from benchdragon.analysis.speed import (
+    QUANTITIES,
+    RATE_TOLERANCE,
+    STEP,
+    TOLERANCE,
+    Peak,
+    Quantity,
+    given_limits,
+    greatest_of,
+    hulls,
+    part_of,
+    witness_of,
+)
+from benchdragon.errors import InputError, UnsureError
+from benchdragon.i18n import _
+from benchdragon.kernels import pacing
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.answer import Answer
+from benchdragon.model.profile import MOST_SPEED, SpeedProfile
+from benchdragon.model.walk import Walk
+from benchdragon.plans.schema import Plan
+
+Advance = Callable[[float, str], None]
+
+# A pace stays below what is allowed by this share, far above rounding.
+PRUDENCE = 1e-9
+# Knots of a pace at most: a plan file takes twice as many.
+MOST_KNOTS = 5000
+# Parts of a step between two knots of a pace over which bounds are made.
+FINER = 8
+# Rounding of a speed that was seen, relative: some 1e-14 after 200 benches, room for ten times as much.
+ROUNDING = 1e-13
+
+
+@dataclass(frozen=True)
+class Pace:
+    """A head that slows down only where it must.
+
+    Attributes:
+        profile: its speed over time; at time 0 the head stands where the plan says.
+        steady: the greatest constant speed that keeps the same limits, m/s.
+        seconds: how long the walk takes.
+        saved: by how much less than at the steady speed, s.
+    """
+
+    profile: SpeedProfile
+    steady: Answer
+    seconds: float
+    saved: float
+
+
+def _limits_of(plan: Plan) -> dict[str, float]:
+    """The same, of a plan that has some."""
+    found = given_limits(plan)
+    if not found:
+        raise InputError(
+            _("the plan has no limit that a head speed could keep: set limits.speed=2, for example")
+        )
+    return found
+
+
+def greatest_head_speed(
+    plan: Plan, *, tolerance: float = TOLERANCE, advance: Advance | None = None
+) -> Answer:
+    """The greatest constant head speed, m/s, with which the plan's whole walk keeps its limits.
+
+    Limits are those on handles' speeds and accelerations and on benches' turning rates, over
+    continuous time. The value is the bracket's lower end: what surely keeps all of them. The witness
+    is the handle (its bench, leading it: handle i leads bench i + 1) or bench of the limit that
+    decides, its time that of a head at the plan's own speed. `tolerance` is that of the greatest speed
+    ratio; turning rates and accelerations have at least 1e-6.
+
+    Raises:
+        InputError: without a limit.
+        WalkError: if the dragon cannot walk all the way.
+    """
+    began = clock.perf_counter()
+    limits = _limits_of(plan)
+    walk = plan.build()
+    first, last = walk.head_position(plan.span(walk)).tolist()
+    lower, upper, looks = MOST_SPEED, math.inf, 0
+    decisive: tuple[str, Peak] | None = None
+    for name, allowed in limits.items():
+        quantity = QUANTITIES[name]
+        width = tolerance if name == "speed" else max(tolerance, RATE_TOLERANCE)
+        tell = part_of(advance, _(quantity.text), len(limits))
+        limit = allowed / lower**quantity.power  # who keeps to this allows more than those before
+        peak = greatest_of(walk, quantity, first, last, tolerance=width, limit=limit, advance=tell)
+        looks += peak.looks
+        if peak.upper <= limit:
+            continue
+        lower = _head_speed(quantity, allowed, peak.upper)
+        most = _head_speed(quantity, allowed, peak.value / (1.0 + ROUNDING))
+        if most < upper or decisive is None:
+            upper, decisive = most, (name, peak)
+        if lower == 0.0:
+            break
+    if decisive is None:  # what is limited hardly occurs
+        return Answer(MOST_SPEED, MOST_SPEED, upper, "m/s", "unlimited")
+    return Answer(
+        lower if lower > 0.0 else math.nan,
+        lower,
+        upper,
+        "m/s",
+        "found" if lower > 0.0 else "undecided",
+        witness_of(walk, decisive[1]),
+        (_assumed(QUANTITIES[decisive[0]], limits[decisive[0]]),),
+        looks,
+        clock.perf_counter() - began,
+    )
+
+
+def _head_speed(quantity: Quantity, allowed: float, peak: float) -> float:
+    return float((allowed / peak) ** (1.0 / quantity.power)) if peak > 0.0 else math.inf
+
+
+def _assumed(quantity: Quantity, allowed: float) -> str:
+    return _("what decides: {quantity}, at most {value} {unit}").format(
+        quantity=_(quantity.text), value=f"{allowed:.6g}", unit=quantity.unit
+    )
+
+
+def slowed(plan: Plan, *, advance: Advance | None = None) -> Pace:
+    """A pace at the plan's own head speed that slows down only where a limit would be exceeded.
+
+    Between looks no handle or bench exceeds a limit either: over each step of the head the pace keeps
+    to what a bound on all of them allows (see kernels/pacing.py). The head changes its speed by at most
+    limits.head_acceleration.
+
+    Raises:
+        InputError: without a limit, or with a plan that has a profile already.
+        WalkError: if the dragon cannot walk all the way.
+        UnsureError: if that could not be decided, or if no pace was found to keep the limits.
+    """
+    if plan.walk.profile:
+        raise InputError(_("the plan has a profile of its own: take walk.profile out"))
+    steady = greatest_head_speed(plan, advance=advance)
+    if steady.status == "undecided":
+        raise UnsureError(_("it could not be shown that the dragon stands all along"))
+    walk = plan.build()
+    first, last = walk.head_position(plan.span(walk)).tolist()
+    if not first < last:
+        raise InputError(_("the walk has no length: set walk.start and walk.end apart"))
+    even = min(steady.lower, plan.walk.speed)
+    at, speeds = _fastest(plan, walk, first, last)
+    times = np.concatenate([[0.0], np.cumsum(2.0 * np.diff(at) / (speeds[1:] + speeds[:-1]))])
+    if times[-1] >= (last - first) / even:
+        times, speeds = np.array([0.0, (last - first) / even]), np.array([even, even])
+    profile = _profile(times, speeds)
+    zero = profile.time(walk.start - first)  # at time 0 the head stands at walk.start
+    profile = SpeedProfile(tuple(t - zero for t in profile.times), profile.speeds)
+    seconds = float(times[-1])
+    return Pace(profile, steady, seconds, (last - first) / even - seconds)
+
+
+def _fastest(plan: Plan, walk: Walk, first: float, last: float) -> tuple[FloatArray, FloatArray]:
+    """Head positions, m, and the greatest speeds there, m/s, between which limits are kept too."""
+    way, link = last - first, float(walk.dragon.links.min())
+    steps = max(1, math.ceil(min(way / (STEP * link), MOST_KNOTS - 1)))
+    at, bounds = hulls(walk, first, last, steps, FINER)
+    given = {**_limits_of(plan), "head": plan.limits.head_acceleration}
+    limits = (1.0 - PRUDENCE) * np.array([given.get(name, math.inf) for name in (*QUANTITIES, "head")])
+    most, table = np.empty(steps), np.empty((steps, pacing.NODES, 2))
+    pacing.tabulate(bounds, limits, plan.walk.speed**2, most, table)
+    squares = np.empty(steps + 1)
+    pacing.fastest_pace(table, most, np.diff(at), squares)
+    if not squares.all():
+        raise UnsureError(
+            _("no speed of the head was found that keeps the limits at {s} m of the route").format(
+                s=f"{at[int(np.argmin(squares))]:.6g}"
+            )
+        )
+    return at, np.sqrt(squares)
+
+
+def _profile(times: FloatArray, speeds: FloatArray) -> SpeedProfile:
+    """The profile through these knots, without those inside a stretch of one speed."""
+    same = speeds[1:] == speeds[:-1]
+    inner = np.append(False, same) & np.append(same, False)
+    return SpeedProfile(tuple(times[~inner]), tuple(speeds[~inner]))
+
+
+def with_pace(plan: Plan, pace: Pace) -> Plan:
+    """The same plan walked at a pace."""
+    knots = list(zip(pace.profile.times, pace.profile.speeds, strict=True))
+    times = {"start": knots[0][0]}
+    if plan.walk.end is not None:
+        times["end"] = knots[0][0] + pace.seconds
+    return plan.with_table("walk", profile=knots, **times)

@@ -1,0 +1,281 @@
+"""One dance whose people are not exact: where its benches come nearest, and whether they touch.
+
+Its line is the route, or strays from it; its handles keep to the line, or walk so far beside it. The
+searches for contact are those of exact dances (kernels/search.py), with all pairs in place of cells.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from benchdragon.errors import BenchDragonError, InputError
+from benchdragon.i18n import _
+from benchdragon.kernels import curve as kernel
+from benchdragon.kernels import search
+from benchdragon.kernels.bounds import empty_places
+from benchdragon.kernels.box import nearest_pair
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.every_pair import CROWDED, patrol
+from benchdragon.kernels.perturbed import stand_along
+from benchdragon.kernels.route import evaluate
+from benchdragon.model.curves import Route
+from benchdragon.model.dragon import Dragon
+
+# Head positions evaluated for a hint, as a share of the shortest link; how often the range about the
+# least distance is then evaluated in so many parts.
+HINT_STEP, SHRINKS, PARTS = 0.3, 4, 16
+# How far around a place known from another pitch, as a share of the longest link.
+AROUND = 1.5
+# Steps of the head that are searched at once, as a share of the shortest link: longer ones leave looser
+# bounds (design/imprecision.py).
+STEP = 0.125
+# How far least distances may lie below those told, m; what is nearer to touching than this, m, touches.
+TOLERANCE, GRAZE = 1e-4, 1e-7
+# Parts of a step as short as this, m, are not halved; chains that one step may take.
+WIDTH, MOST_LOOKS = 1e-8, 20_000
+# Pairs a bench may have near it at first; more, if they are found, take another search.
+PARTNERS = 24
+# Limits of one dance: handles times evaluations (60 bytes each), and pairs times evaluations.
+MOST_PLACES, MOST_PAIRS = 5_000_000, 1e10
+# A line that strays is made of arcs between points so far apart, m, or nearer where the curvature
+# changes: by so much in a metre, 1/m, an arc keeps within 1e-5 m of the line meant. Points nearer than
+# LEAST_PART to one another are not told apart; behind its start the line runs on straight.
+ARC_LENGTH, CHANGE, LEAST_PART, BEHIND = 2.0, 3e-3, 1e-3, 1.0
+
+
+class CannotFollowError(BenchDragonError):
+    """A dance in which some bench cannot follow the one before it."""
+
+    exit_code = 4
+
+
+@dataclass(frozen=True)
+class Hint:
+    """A place of the head by its distance from the walk's start, m, or from its end."""
+
+    after: float
+    left: float
+
+
+@dataclass(frozen=True, order=True)
+class Meeting:
+    """Benches i < j (rows, from 0) so far apart, m (minus a depth), with the head at s, m."""
+
+    distance: float
+    s: float
+    i: int
+    j: int
+
+
+@dataclass(frozen=True)
+class Rehearsal:
+    """A dance to be searched.
+
+    Attributes:
+        dragon: the benches.
+        rows: the line, as the kernels see it.
+        aside: how far to the left of the line each handle walks, m; empty: on it.
+        start: the head's first place along the line, m.
+        end: its last.
+    """
+
+    dragon: Dragon
+    rows: FloatArray
+    aside: FloatArray
+    start: float
+    end: float
+
+    def __post_init__(self) -> None:
+        steps = self._grid(HINT_STEP).size
+        handles = len(self.dragon) + 1
+        if handles * steps > MOST_PLACES or 0.5 * handles**2 * steps > MOST_PAIRS:
+            raise InputError(_("the walk is too long, or the dragon, for random dances"))
+
+    def _grid(self, share: float) -> FloatArray:
+        """Head positions no farther apart than that share of the shortest link, m."""
+        step = share * float(self.dragon.links.min())
+        return np.linspace(self.start, self.end, 2 + int((self.end - self.start) / step))
+
+    def low_meeting(self) -> Meeting:
+        """Where benches come about nearest: evaluated here and there, then around the least.
+
+        Raises:
+            CannotFollowError: where the dragon cannot stand.
+        """
+        return self._lowest(self._grid(HINT_STEP))
+
+    def hint(self, s: float) -> Hint:
+        """The head's place s, m, as told to a dance with another pitch."""
+        return Hint(s - self.start, self.end - s)
+
+    def meeting_near(self, hint: Hint) -> Meeting:
+        """Where benches come about nearest around a place known from another pitch.
+
+        Counted from the start and from the end: whichever is nearer to touching.
+
+        Raises:
+            CannotFollowError: where the dragon cannot stand.
+        """
+        around = AROUND * float(self.dragon.links.max())
+        centres = np.clip([self.start + hint.after, self.end - hint.left], self.start, self.end)
+        if abs(centres[1] - centres[0]) < 0.1 * around:
+            centres = centres[:1]
+        ends = [np.clip([s - around, s + around], self.start, self.end) for s in centres]
+        return min(self._lowest(np.linspace(low, high, PARTS + 1)) for low, high in ends)
+
+    def _lowest(self, at: FloatArray) -> Meeting:
+        """The lowest meeting with the head at these places, or between those about it."""
+        best, t = self.nearest(at)
+        for _shrink in range(SHRINKS):
+            low, high = at[max(t - 1, 0)], at[min(t + 1, at.size - 1)]
+            at = np.linspace(low, high, PARTS + 1)
+            found, t = self.nearest(at)
+            best = min(best, found)
+        return best
+
+    def nearest(self, at: FloatArray) -> tuple[Meeting, int]:
+        """The nearest pair with the head at any of these places, m, in order, and at which.
+
+        Raises:
+            CannotFollowError: where the dragon cannot stand.
+        """
+        places = empty_places(len(self.dragon) + 1, at.size)
+        stood = stand_along(self.rows, self.dragon.links, self.aside, at, places)
+        if stood < at.size:
+            raise _stopped(float(at[stood]))
+        distance, t, i, j = nearest_pair(self.dragon.sizes, places.x, places.y)
+        return Meeting(float(distance), float(at[t]), i, j), t
+
+    def touch(self, margin: float = 0.0) -> float | None:
+        """The head's first place, m, with benches nearer than a margin, m, or all but; None if nowhere.
+
+        None is missed, see kernels/search.py; a pair that comes within GRAZE of the margin may count.
+
+        Raises:
+            CannotFollowError: where the dragon cannot stand.
+        """
+        note = np.zeros(search.NOTES)
+        ending = self._patrol(search.FIRST_TOUCH, margin, GRAZE, note)
+        return None if ending == search.CLEAR else float(note[search.UPPER])
+
+    def least(self) -> float:
+        """The least distance of benches but neighbours, m; minus the depth of an overlap that was seen.
+
+        No bench comes nearer by more than TOLERANCE, unless they overlap.
+
+        Raises:
+            CannotFollowError: where the dragon cannot stand.
+        """
+        hint = self.low_meeting().distance
+        if hint <= 0.0:
+            return hint
+        note = np.zeros(search.NOTES)
+        note[search.NEAREST], note[search.FLOOR] = hint, math.inf
+        self._patrol(search.LEAST, 0.0, TOLERANCE, note)
+        return float(note[search.NEAREST])
+
+    def _patrol(self, goal: int, margin: float, slack: float, note: FloatArray) -> int:
+        """Search the walk: see `every_pair.patrol`."""
+        dragon, partners = self.dragon, PARTNERS
+        benches = len(dragon)
+        while True:
+            pairs = min(partners * benches, benches * (benches - 1) // 2)
+            first, second = np.empty(pairs, dtype=np.int64), np.empty(pairs, dtype=np.int64)
+            room = search.room(benches + 1, benches, pairs, 0)
+            found = note.copy()
+            ending = patrol(
+                room, goal, self.rows, dragon.links, self.aside, dragon.sizes, self._grid(STEP),
+                first, second, margin, slack, WIDTH, MOST_LOOKS, found,
+            )  # fmt: skip
+            if ending != CROWDED:
+                break
+            partners *= 4
+        if ending == search.FALLEN:
+            raise _stopped(float(found[search.UPPER]))
+        note[:] = found
+        return ending
+
+
+def _stopped(s: float) -> CannotFollowError:
+    return CannotFollowError(
+        _("with the head at {s} m or after a bench cannot follow").format(s=f"{s:.4g}")
+    )
+
+
+def strayed(
+    route: Route, off: Callable[[FloatArray], tuple[FloatArray, FloatArray]], low: float, end: float
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """A line that runs aside of a route, as rows of arcs: see kernels/curve.py.
+
+    Args:
+        route: the line that is drawn.
+        off: how far to its left the line runs at route positions s, m, and its slope there.
+        low: the first route position that is of interest, m.
+        end: the last.
+
+    Returns:
+        The rows; and, in pairs, positions along the route and along the line, m.
+    """
+    at = _nodes(route, low, end)
+    places = np.empty((at.size, 4))
+    evaluate(route.rows, at, places)
+    x, y, heading, bend = places.T
+    aside, slope = off(at)
+    p = x + 1j * y + aside * 1j * np.exp(1j * heading)
+    turned = heading + np.arctan2(slope, 1.0 - aside * bend)
+    rows = _biarcs(p, turned)
+    along = np.append(rows[1::2, kernel.S_START], rows[-1, kernel.S_START] + rows[-1, kernel.LENGTH])
+    return rows, at, along
+
+
+def _nodes(route: Route, low: float, end: float) -> FloatArray:
+    """Positions along a route between which arcs are fitted, joints among them, m."""
+    low = low if route.extension else max(low, 0.0)
+    joints = route.joints[1:-1]
+    ends = np.concatenate([[low], joints[(joints > low + LEAST_PART) & (joints < end)], [end]])
+    ends = np.delete(ends, 1 + np.flatnonzero(np.diff(ends[:-1]) < LEAST_PART))
+    if ends[-1] - ends[-2] < LEAST_PART and ends.size > 2:
+        ends = np.delete(ends, -2)
+    parts = [np.array([low])]
+    for a, b in pairwise(ends.tolist()):
+        fine = np.linspace(a, b, 3 + int((b - a) / (0.1 * ARC_LENGTH)))
+        places = np.empty((fine.size - 2, 4))
+        evaluate(route.rows, fine[1:-1], places)
+        change = np.abs(np.gradient(places[:, 3], fine[1:-1])) if fine.size > 4 else np.zeros(1)
+        dense = np.maximum(1.0 / ARC_LENGTH, (change / CHANGE) ** (1.0 / 3.0)).mean()
+        parts.append(np.linspace(a, b, 2 + int((b - a) * dense))[1:])
+    return np.concatenate(parts)
+
+
+def _biarcs(p: FloatArray, heading: FloatArray) -> FloatArray:
+    """Rows of two arcs between each two points (complex, m), with these headings there, rad."""
+    v, t = np.diff(p), np.exp(1j * heading)
+    both, apart = t[:-1] + t[1:], t[:-1] - t[1:]
+    along, size = (v * both.conj()).real, np.abs(v) ** 2
+    d = size / (along + np.sqrt(along**2 + np.abs(apart) ** 2 * size))
+    middle = 0.5 * (p[:-1] + p[1:] + d * apart)
+    starts = np.column_stack([p[:-1], middle]).ravel()
+    chords = np.column_stack([middle - p[:-1], p[1:] - middle]).ravel()
+    first = np.angle(chords[::2] / t[:-1])
+    second = np.angle(chords[1::2] / (t[:-1] * np.exp(2j * first)))
+    half = np.column_stack([first, second]).ravel()
+    rows = np.zeros((starts.size + 1, kernel.COLUMNS))
+    rows[0, kernel.KIND], rows[1:, kernel.KIND] = kernel.LINE, kernel.ARC
+    begin = starts[0] - BEHIND * t[0]
+    rows[:, kernel.X] = np.append(begin.real, starts.real)
+    rows[:, kernel.Y] = np.append(begin.imag, starts.imag)
+    rows[0, kernel.ANGLE] = heading[0]
+    rows[1::2, kernel.ANGLE], rows[2::2, kernel.ANGLE] = heading[:-1], heading[:-1] + 2.0 * first
+    rows[1:, kernel.P] = 2.0 * np.sin(half) / np.abs(chords)
+    rows[1:, kernel.LENGTH] = np.abs(chords) / np.sinc(half / np.pi)
+    rows[0, kernel.LENGTH] = BEHIND
+    rows[1:, kernel.S_START] = np.cumsum(rows[:-1, kernel.LENGTH])
+    rows[:, kernel.U_END] = rows[:, kernel.LENGTH]
+    rows[0, kernel.U_BACK] = -np.inf
+    rows[:, kernel.AXIS_X] = np.cos(rows[:, kernel.ANGLE])
+    rows[:, kernel.AXIS_Y] = np.sin(rows[:, kernel.ANGLE])
+    rows.flags.writeable = False
+    return rows

@@ -1,0 +1,372 @@
+"""People are not exact: how likely benches touch when handles stray, pins have play, benches vary.
+
+The paper assumes that nothing of this happens (its assumptions 1 to 4). Here each is dropped, one at
+a time or all together: many dances are drawn at random, and each is walked. All benches stay rigid and
+joined; the dances of one seed are the same for all sizes of a plan, so that a size can be sought.
+"""
+
+import math
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field, fields
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+from scipy.ndimage import gaussian_filter1d
+from scipy.stats import beta, binom
+
+from benchdragon.errors import InputError, UnsureError, WalkError, in_order, not_negative
+from benchdragon.i18n import N_, _
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.dragon import Dragon
+from benchdragon.plans.schema import Plan
+from benchdragon.solve.rehearsal import GRAZE, CannotFollowError, Hint, Rehearsal, strayed
+from benchdragon.solve.size import limit
+
+# A trodden line strays smoothly: places d apart are correlated by exp(-d^2 / (2 STRAY_LENGTH^2)), m;
+# entries of its table in that length.
+STRAY_LENGTH, STRAY_ENTRIES = 10.0, 20
+# Pitches are sought to this, m, by at most so many trials, along secants whose slopes (m of distance
+# per m of pitch) are kept within bounds: near 1 on a spiral. A pitch with which a bench cannot follow
+# is multiplied by UNWALKABLE.
+TOLERANCE, MOST_TRIALS, LEAST_SLOPE, MOST_SLOPE, UNWALKABLE = 1e-5, 60, 0.5, 3.0, 1.01
+# What a pitch may come to be, times the one that exact people need.
+NARROWEST, WIDEST = 0.7, 4.0
+MOST_DRAWS = 100_000
+CONFIDENCE = 0.95
+# Chances of touching for which a pitch is told.
+RISKS = (0.5, 0.1, 0.05, 0.02)
+
+Advance = Callable[[float], None]
+
+
+@dataclass(frozen=True)
+class Slips:
+    """How far from exact a dance is: standard deviations, m; 0 keeps the paper's assumption.
+
+    Attributes:
+        aside: of each handle from the trodden line, to either side, all along the walk.
+        stray: of the trodden line from the drawn one, smooth over `STRAY_LENGTH`: a pitch that drifts.
+        play: of the distance of a bench's pins, which play and pull change.
+        height: of the height of a handle over the one before, which shortens a bench seen from above.
+        length: of the benches' lengths, holes and all.
+        width: of their widths.
+    """
+
+    aside: float = 0.0
+    stray: float = 0.0
+    play: float = 0.0
+    height: float = 0.0
+    length: float = 0.0
+    width: float = 0.0
+
+    def __post_init__(self) -> None:
+        for slip in fields(self):
+            if not_negative(slip.name, getattr(self, slip.name), "m") > 1.0:
+                raise InputError(_("{name} must be at most 1 m").format(name=slip.name))
+
+
+@dataclass(frozen=True)
+class Case:
+    """One of the paper's assumptions dropped, in words, and by how much."""
+
+    text: str
+    slips: Slips
+
+
+# What a practised troupe may keep to. The last drops all at once.
+CASES = {
+    "aside": Case(N_("1: each handle up to some centimetres off the line"), Slips(aside=0.02)),
+    "play": Case(N_("2: pins with play, benches pulled or pushed"), Slips(play=0.01)),
+    "stray": Case(N_("3: the trodden spiral drifts"), Slips(stray=0.02)),
+    "height": Case(N_("4: handles at different heights"), Slips(height=0.1)),
+    "benches": Case(N_("benches that vary"), Slips(length=0.02, width=0.005)),
+    "all": Case(N_("all of these"), Slips(0.02, 0.02, 0.01, 0.1, 0.02, 0.005)),
+}
+
+
+@dataclass(frozen=True)
+class Draw:
+    """One dance drawn at random: what is added to the plan's sizes and places, m."""
+
+    slips: Slips
+    seed: int
+    number: int
+
+    def noise(self, part: int, count: int) -> FloatArray:
+        """Standard normal numbers, the same for the same draw and part, however many are asked for."""
+        return np.random.default_rng((self.seed, self.number, part)).standard_normal(count)
+
+    def dragon(self, plain: Dragon) -> Dragon:
+        """The benches of this dance, seen from above."""
+        slips, n = self.slips, len(plain)
+        length = plain.length + slips.length * self.noise(0, n)
+        width = plain.width + slips.width * self.noise(1, n)
+        link = length - plain.front_inset - plain.rear_inset
+        height = slips.height * self.noise(3, n)
+        level = np.sqrt(np.maximum(link * link - height * height, 0.0)) - link
+        # Pins with play move the benches, not their edges: the rear inset takes it up.
+        longer = slips.play * self.noise(2, n) + level
+        try:
+            return Dragon.of_sizes(length, width, plain.front_inset, plain.rear_inset - longer)
+        except InputError as error:
+            raise InputError(
+                _("dance {number} has a bench that cannot be: {why}; make the slips smaller").format(
+                    number=self.number + 1, why=error
+                )
+            ) from None
+
+    def lane(self, way: float) -> tuple[FloatArray, float]:
+        """How far aside the trodden line lies, m, from the end of `way` (m) back, and its step, m."""
+        step = STRAY_LENGTH / STRAY_ENTRIES
+        if not self.slips.stray:
+            return np.zeros(2), step
+        # A Gaussian filter of spread w leaves noise a deviation of (4 pi w^2)^(-1/4).
+        spread, edge = STRAY_ENTRIES / math.sqrt(2.0), 4 * STRAY_ENTRIES
+        rough = self.noise(5, math.ceil(way / step) + 2 * edge)
+        smooth = gaussian_filter1d(rough, spread)[edge : -edge + 2]
+        return self.slips.stray * smooth * (4.0 * math.pi * spread**2) ** 0.25, step
+
+
+def rehearsal(plan: Plan, draw: Draw) -> Rehearsal:
+    """One dance of a plan, drawn at random, from the start of its walk to the end.
+
+    Raises:
+        WalkError: where the exact dragon cannot stand at the start.
+    """
+    walk = plan.build()
+    dragon = draw.dragon(walk.dragon)
+    times = plan.span(walk)
+    in_order(*times)
+    start, end = walk.head_position(list(times)).tolist()
+    slips, rows = draw.slips, walk.route.rows
+    if slips.stray:
+        low = float(walk.motion(times[:1]).s.min()) - STRAY_LENGTH
+        lane, step = draw.lane(end - low)
+        curve = CubicSpline(step * np.arange(lane.size), lane)
+        rows, drawn, along = strayed(
+            walk.route, lambda s: (curve(end - s), -curve(end - s, 1)), low, end
+        )
+        start, end = np.interp([start, end], drawn, along).tolist()
+    beside = slips.aside or slips.stray
+    aside = slips.aside * draw.noise(4, len(dragon) + 1) if beside else np.empty(0)
+    return Rehearsal(dragon, rows, aside, start, end)
+
+
+def least_clearance(plan: Plan, draw: Draw) -> float:
+    """The least distance of benches but neighbours in one dance, m; minus the depth of an overlap.
+
+    See `Rehearsal.least`.
+
+    Raises:
+        WalkError: where the exact dragon cannot stand at the start.
+        CannotFollowError: where the drawn one cannot walk.
+    """
+    return rehearsal(plan, draw).least()
+
+
+def touches(plan: Plan, draw: Draw) -> bool:
+    """Whether benches of one dance come nearer than the plan's margin, or one cannot follow.
+
+    No contact is missed; a pair within 1e-7 m of the margin counts.
+    """
+    try:
+        dance = rehearsal(plan, draw)
+        low = dance.low_meeting().distance
+        return low <= plan.limits.margin or dance.touch(plan.limits.margin) is not None
+    except (WalkError, CannotFollowError):
+        return True
+
+
+@dataclass(frozen=True)
+class Tolerance:
+    """What dances drawn at random need: for each the smallest pitch with which it stays clear.
+
+    Attributes:
+        slips: how far from exact they are.
+        seed: of the draws.
+        exact: the smallest pitch without slips, m.
+        needed: m, in increasing order, (draws,).
+        hits: dances that touch at the plan's own pitch; None if they were not walked at it.
+    """
+
+    slips: Slips
+    seed: int
+    exact: float
+    needed: FloatArray
+    hits: int | None = None
+
+    def touching(
+        self, pitch: float | None = None, confidence: float = CONFIDENCE
+    ) -> tuple[float, float, float]:
+        """Share of the dances that touch at a pitch (m), and bounds of the probability.
+
+        Those touch that need more; without a pitch, those that were found to touch at the plan's own.
+        The bounds are those of Clopper and Pearson: they hold with at least that confidence.
+        """
+        count = self.needed.size
+        if pitch is not None:
+            hits = count - int(np.searchsorted(self.needed, pitch, side="right"))
+        elif self.hits is not None:
+            hits = self.hits
+        else:
+            raise InputError(_("the dances were not walked at the plan's own pitch"))
+        tail = 0.5 * (1.0 - confidence)
+        low = float(beta.ppf(tail, hits, count - hits + 1)) if hits else 0.0
+        high = float(beta.ppf(1.0 - tail, hits + 1, count - hits)) if hits < count else 1.0
+        return hits / count, low, high
+
+    def pitch_for(self, risk: float, confidence: float = CONFIDENCE) -> float:
+        """A pitch, m, at which the dance touches with at most that probability, with that confidence.
+
+        It is one of the pitches needed: the bound on a quantile that holds for any distribution.
+        Infinite where the draws are too few to say.
+        """
+        count = self.needed.size
+        chance = binom.cdf(np.arange(count), count, risk)
+        allowed = int(np.searchsorted(chance, 1.0 - confidence, side="right")) - 1
+        if allowed < 0:
+            return math.inf
+        return float(self.needed[count - 1 - allowed])
+
+
+def tolerance(
+    plan: Plan,
+    slips: Slips,
+    draws: int = 100,
+    *,
+    seed: int = 1,
+    workers: int = 1,
+    own: bool = False,
+    advance: Advance | None = None,
+) -> Tolerance:
+    """The pitch that each of so many random dances needs: see `Tolerance`.
+
+    The numbers do not depend on `workers`. Each pitch is one next to which the dance stops keeping the
+    plan's margin, see `needed_pitch`, sought from the exact one, see `size.limit`; that the dance
+    keeps it with all larger ones, so that the pitches tell chances, is taken for granted.
+
+    Args:
+        plan: the dance; the exact pitch is sought from its own.
+        slips: how far from exact.
+        draws: dances, 1 to 100,000.
+        seed: of the random numbers.
+        workers: threads.
+        own: whether each dance is walked at the plan's own pitch, too.
+        advance: is told the share done since it was last told.
+
+    Raises:
+        InputError: for a number of draws out of range, a plan without a pitch, or one of whose
+            dragon no benches can touch.
+        UnsureError: where no pitch was found.
+    """
+    if not 1 <= draws <= MOST_DRAWS:
+        raise InputError(
+            _("draws must be 1 to {most}, not {count}").format(most=MOST_DRAWS, count=draws)
+        )
+    exact = _exact_pitch(plan)
+    tell = advance or (lambda _share: None)
+
+    def one(number: int) -> tuple[float, bool]:
+        draw = Draw(slips, seed, number)
+        found = needed_pitch(plan, draw, exact), own and touches(plan, draw)
+        tell(1.0 / draws)
+        return found
+
+    with ThreadPoolExecutor(workers) as pool:
+        needed, hits = zip(*pool.map(one, range(draws)), strict=True)
+    return Tolerance(slips, seed, exact, np.sort(needed), sum(hits) if own else None)
+
+
+def _exact_pitch(plan: Plan) -> float:
+    if plan.route.kind == "spiral-in" and plan.disc.radius is None and plan.walk.end is None:
+        raise InputError(_("say how far in the head comes: set disc.radius=4.5, for example"))
+    if len(plan.dragon.build()) < 3:
+        raise InputError(_("no benches of this dragon can touch: it has no two but neighbours"))
+    found = limit(plan, "pitch")
+    if found.status in {"found", "unlimited"}:
+        return found.value
+    raise UnsureError(_("no pitch was found with which this dragon stays clear"))
+
+
+@dataclass
+class Trials:
+    """One dance, tried with several pitches.
+
+    Attributes:
+        plan: its other sizes, and the margin that benches must keep.
+        draw: what is random in it.
+        hints: where benches came nearest, or touched where they were not looked for.
+    """
+
+    plan: Plan
+    draw: Draw
+    hints: list[Hint] = field(default_factory=list)
+
+    def room(self, pitch: float) -> float:
+        """A low distance of benches less the margin, m; NaN where a bench cannot follow.
+
+        Above TOLERANCE it is that of places evaluated here and there. From 0 to TOLERANCE no pair
+        anywhere comes nearer than the margin; below 0 some pair does.
+        """
+        margin = self.plan.limits.margin
+        try:
+            dance = rehearsal(self.plan.with_value("route.pitch", pitch), self.draw)
+            known = [dance.meeting_near(hint) for hint in self.hints]
+            if not known or min(known).distance >= margin:
+                known.append(dance.low_meeting())
+            low = min(known)
+            self.hints = [dance.hint(low.s), *self.hints[1:]]
+            if not 0.0 <= low.distance - margin <= TOLERANCE:
+                return low.distance - margin
+            place = dance.touch(margin)
+            if place is None:
+                return low.distance - margin
+            self.hints.append(dance.hint(place))
+            return min(dance.meeting_near(self.hints[-1]).distance - margin, -GRAZE)
+        except (WalkError, CannotFollowError):
+            return math.nan
+
+
+def needed_pitch(plan: Plan, draw: Draw, guess: float) -> float:
+    """The pitch, m, next to which a dance stops keeping the plan's margin, sought from a guess.
+
+    With that pitch no pair comes nearer than the margin; with one smaller by TOLERANCE some pair does,
+    or a bench cannot follow. Pitches beyond are not tried.
+
+    Raises:
+        UnsureError: where none is found near the guess.
+    """
+    trials = Trials(plan, draw)
+    touching, clear = 0.0, math.inf
+    a, fa, b, slope = guess, math.nan, guess, 1.0
+    for _trial in range(MOST_TRIALS):
+        if not NARROWEST * guess < b < WIDEST * guess:
+            break
+        fb = trials.room(b)
+        if not fb >= 0.0:
+            touching, clear = max(touching, b), clear if clear > b else math.inf
+        elif fb <= TOLERANCE and b > touching:
+            clear = min(clear, b)
+        if clear - touching <= TOLERANCE:
+            return clear
+        if math.isfinite(fb) and math.isfinite(fa) and b != a:
+            slope = min(max((fb - fa) / (b - a), LEAST_SLOPE), MOST_SLOPE)
+        a, fa, b = b, fb, _next(b, fb, slope, touching, clear)
+    raise UnsureError(
+        _("no pitch near {guess} m was found with which dance {number} just stays clear").format(
+            guess=f"{guess:.4g}", number=draw.number + 1
+        )
+    )
+
+
+def _next(pitch: float, room: float, slope: float, touching: float, clear: float) -> float:
+    """The pitch to try next, m: where the room would be half of TOLERANCE, or just not any more."""
+    if math.isnan(room):
+        ahead = UNWALKABLE * pitch
+    elif clear < math.inf:
+        ahead = clear - max(0.9 * TOLERANCE, room / slope)
+    else:
+        ahead = pitch + (0.5 * TOLERANCE - room) / slope
+    between = touching < ahead < clear
+    return ahead if between else 0.5 * (touching + min(clear, max(pitch, touching)))

@@ -1,0 +1,526 @@
+"""Better turns: a global search over a family, then a local one, then exact figures of what it found.
+
+While it searches, a turn is judged by sampling the first benches of the dragon: all later ones walk
+through it as those do. What comes out is judged by `pace` and `contact`, over continuous time and
+with the whole dragon, and searched anew with narrower limits where sampling had flattered it.
+"""
+
+import math
+import time as clock
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from benchdragon.analysis.contact import least_clearance
+from benchdragon.analysis.speed import QUANTITIES, given_limits, greatest_of, values_at
+from benchdragon.errors import InputError, NoSolutionError, finite, positive
+from benchdragon.i18n import N_, _
+from benchdragon.kernels import bounds as sweep
+from benchdragon.kernels.box import least_distance
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.answer import Answer
+from benchdragon.model.curves import Route
+from benchdragon.model.dragon import Dragon
+from benchdragon.model.turns import Turn
+from benchdragon.plans.schema import Plan, TurnRoute
+from benchdragon.solve.head_speed import greatest_head_speed
+
+Advance = Callable[[float, str], None]
+
+# Benches that are walked through a turn while searching, and how far the head goes at a time, m: in
+# the global search and in the local one.
+BENCHES, STEPS = 16, (0.2, 0.08)
+# Benches and step, m, for their distances: one turn farther out is some 17 benches away.
+CLEAR_BENCHES, CLEAR_STEP = 40, 0.6
+# Differential evolution: members for each unknown, generations, and the seeds of its random numbers: a
+# few short searches end in more valleys than a long one. The local search starts from each.
+MEMBERS, GENERATIONS, SEEDS = 10, 22, (1, 2)
+# How often a search advances by 1.
+STAGES = 1
+# Least spread of the population, relative, at which it stops.
+SPREAD = 1e-4
+# Edge of the first simplex, as a share of each range.
+SIMPLEX = 0.02
+# Evaluations of each local search; how often limits are narrowed after exact figures, and by what share
+# more than those tell, twice as much each time.
+LOCAL, NARROWINGS, PRUDENCE = 200, 8, 5e-5
+# A limit that is kept to within this share counts as active; it may be exceeded by the other.
+ACTIVE, EXCEEDED = 2e-3, 1e-7
+# What a turn that does not exist is worth, and the worst of a limit that is exceeded by all of itself.
+NOWHERE, WORSE = 1e6, 1e3
+# Figures of a turn that does not exist, in SI units.
+HOPELESS = 1e4
+# Joints lie no deeper than this share of the disc's radius, arcs are no wider than the other;
+# clothoids are no longer, m.
+DEEPEST, WIDEST, LONGEST_EASE = 0.3, 0.75, 4.0
+# A bend is wider than half a link by this share: at that the last bench would stand square to it.
+WIDER = 1.001
+
+OBJECTIVES = {
+    "length": N_("shortest turn"),
+    "way": N_("shortest way inside the disc"),
+    "speed": N_("greatest head speed"),
+    "disc": N_("smallest disc"),
+    "acceleration": N_("least peak total acceleration"),
+}
+
+
+@dataclass(frozen=True)
+class Wish:
+    """What is sought of a turn, and what it must keep besides the plan's limits.
+
+    Attributes:
+        objective: one of OBJECTIVES.
+        least_radius: of any bend, m.
+        longest: length of the turn itself, m.
+        longest_way: whole way inside the disc, m.
+    """
+
+    objective: str = "way"
+    least_radius: float = 0.0
+    longest: float = math.inf
+    longest_way: float = math.inf
+
+    def __post_init__(self) -> None:
+        if self.objective not in OBJECTIVES:
+            raise InputError(
+                _("wanted one of {known}, not {name}").format(
+                    known=", ".join(OBJECTIVES), name=self.objective
+                )
+            )
+        finite("least_radius", self.least_radius, "m")
+        for name in ("longest", "longest_way"):
+            if math.isfinite(getattr(self, name)):
+                positive(name, getattr(self, name), "m")
+
+
+@dataclass(frozen=True)
+class BestTurn:
+    """The best turn that was found.
+
+    Attributes:
+        plan: the plan with this turn.
+        turn: the turn itself.
+        objective: its value; no bound on better ones is known.
+        length: of the turn itself, m.
+        way: whole way inside the disc, m.
+        head_speed: the greatest constant head speed under the plan's limits; None without a limit.
+        clearance: the least distance of benches over the whole manoeuvre.
+        active: names of the limits that it just keeps: keys of `Judge.rooms`.
+    """
+
+    plan: Plan
+    turn: Turn
+    objective: Answer
+    length: float
+    way: float
+    head_speed: Answer | None
+    clearance: Answer
+    active: tuple[str, ...]
+
+    def as_json(self) -> dict[str, Any]:
+        """Everything as plain data; the turn as a plan says it, and piece by piece."""
+        speed = self.head_speed
+        return {
+            **self.objective.as_json(),
+            "turn": self.plan.turn.model_dump(mode="json"),
+            "pieces": [
+                {"length": length, "start_curvature": a, "end_curvature": b}
+                for length, a, b in self.turn.pieces
+            ],
+            "length": self.length,
+            "way": self.way,
+            "least_radius": self.turn.least_radius,
+            "greatest_head_speed": None if speed is None else speed.as_json(),
+            "clearance": self.clearance.as_json(),
+            "active": list(self.active),
+        }
+
+
+@dataclass
+class Judge:
+    """Judges turns of a plan's family by sampling."""
+
+    plan: Plan
+    wish: Wish
+    # What sampling is corrected by: the exact figure is so many times the sampled one.
+    factors: dict[str, float] = field(default_factory=dict)
+    step: float = STEPS[0]
+    looks: int = 0
+
+    def __post_init__(self) -> None:
+        route = self.plan.route
+        if not isinstance(route, TurnRoute):
+            raise InputError(_("a best turn is sought for plans whose route is a turn"))
+        self.pitch, self.disc = route.pitch, route.disc(self.plan)
+        dragon = self.plan.dragon.build()
+        sizes = dragon.sizes
+        self.few, self.more = (
+            Dragon.of_sizes(*(size[:count] for size in sizes)) for count in (BENCHES, CLEAR_BENCHES)
+        )
+        self.narrowest = max(WIDER * 0.5 * float(dragon.links.max()), self.wish.least_radius)
+
+    @property
+    def sought(self) -> str:
+        """The figure that is to be small."""
+        objective = self.wish.objective
+        return "total_acceleration" if objective == "acceleration" else objective
+
+    @property
+    def judged(self) -> list[str]:
+        """Quantities that a turn is judged by: speed, what is limited, and what is sought."""
+        wanted = {"speed", self.sought, *given_limits(self.plan)}
+        return [name for name in QUANTITIES if name in wanted]
+
+    @property
+    def bounds(self) -> list[tuple[float, float]]:
+        """Ranges of the unknowns: joints, what the family has, and the clothoids' length if free."""
+        table, disc = self.plan.turn, self.disc
+        joints = [
+            (DEEPEST * disc, disc) if radius is None else (radius, radius)
+            for radius in (table.entry_radius, table.exit_radius)
+        ]
+        radius = (self.narrowest, max(WIDEST * disc, 1.01 * self.narrowest))
+        inner = {
+            "arc-arc": [(math.log(0.2), math.log(5.0))],
+            "arc-line-arc": [radius, radius],
+            "arc-arc-arc": [radius, (-1.0 / self.narrowest, 1.0 / self.narrowest), radius],
+        }[table.family]
+        ease = [(0.0, LONGEST_EASE)] if self.wish.objective == "acceleration" else []
+        return [*joints, *inner, *ease]
+
+    def table(self, x: Sequence[float]) -> dict[str, object]:
+        """What the unknowns say in a plan's [turn]."""
+        family = self.plan.turn.family
+        entry, exit_, *inner = (float(value) for value in x)
+        said: dict[str, object] = {"entry_radius": entry, "exit_radius": exit_}
+        if self.wish.objective == "acceleration":
+            said["ease"] = inner.pop()
+        if family == "arc-arc":
+            return {**said, "ratio": math.exp(inner[0])}
+        if family == "arc-arc-arc":
+            said["curvature"] = inner.pop(1)
+        return {**said, "radii": (inner[0], inner[1])}
+
+    def turn(self, x: Sequence[float]) -> Turn:
+        """The turn of these unknowns.
+
+        Raises:
+            InputError: if there is none.
+        """
+        table = self.plan.turn.model_copy(update=self.table(x))
+        return table.build(self.pitch, self.disc)
+
+    def figures(self, x: Sequence[float], complete: bool) -> dict[str, float] | None:
+        """What a turn comes to, by name; clearance only if the rest is within limits, or `complete`."""
+        self.looks += 1
+        try:
+            turn = self.turn(x)
+            route = turn.route(lead=1.0, trail=1000.0)
+        except InputError:
+            return None
+        found = {
+            "length": turn.length,
+            "way": turn.way(self.disc),
+            "disc": max(turn.extent, turn.entry_radius, turn.exit_radius),
+            "radius": turn.least_radius,
+        }
+        if turn.least_radius < 0.98 * self.narrowest:
+            return found
+        found |= self._rates(route)
+        if complete or all(value >= 0.0 for value in self.rooms(found).values()):
+            found["clearance"] = self._clearance(route)
+        return found
+
+    def _rates(self, route: Route) -> dict[str, float]:
+        places = self._places(route, self.few, self.step)
+        if places is None:
+            return dict.fromkeys(self.judged, math.inf)
+        slots = np.arange(places.u.shape[1] - 1)
+        steady = np.tile([1.0, 1.0, 0.0], (len(slots), 1))
+        found = {}
+        for name in self.judged:
+            kind = QUANTITIES[name].kind
+            values = values_at(route.rows, self.few.links, places, slots, steady, kind)[0]
+            found[name] = float(values.max()) * self.factors.get(name, 1.0)
+        return found
+
+    def _clearance(self, route: Route) -> float:
+        places = self._places(route, self.more, CLEAR_STEP)
+        if places is None:
+            return -1.0
+        near = least_distance(self.more.sizes, places.x, places.y)
+        return near + self.factors.get("clearance", 0.0)
+
+    def _places(self, route: Route, dragon: Dragon, step: float) -> sweep.Places | None:
+        """The dragon from where its head enters the turn to where its tail has left it."""
+        first = float(route.joints[1])
+        last = float(route.joints[-2] + dragon.links.sum())
+        at = np.linspace(first, last, math.ceil((last - first) / step) + 1)
+        places = sweep.empty_places(len(dragon) + 1, len(at))
+        stands = sweep.stand(route.rows, dragon.links, at, 0, len(at), places)
+        return places if stands else None
+
+    def rooms(self, found: dict[str, float]) -> dict[str, float]:
+        """What is left of each limit, as a share of it; negative where it is exceeded."""
+        plan, wish, head = self.plan, self.wish, self.plan.walk.speed
+        rooms = {"radius": found["radius"] / self.narrowest - 1.0}
+        if wish.objective != "disc":
+            rooms["disc"] = 1.0 - found["disc"] / self.disc
+        if math.isfinite(wish.longest):
+            rooms["length"] = 1.0 - found["length"] / wish.longest
+        if math.isfinite(wish.longest_way):
+            rooms["way"] = 1.0 - found["way"] / wish.longest_way
+        for name, limit in given_limits(plan).items():
+            if name != self.sought:
+                peak = found.get(name, math.inf) * head ** QUANTITIES[name].power
+                rooms[name] = 1.0 - peak / limit
+        if "clearance" in found:
+            rooms["clearance"] = (found["clearance"] - plan.limits.margin) / self.few.width[0]
+        return {name: max(room, -1.0) for name, room in rooms.items()}
+
+    def score(self, x: Sequence[float]) -> float:
+        """What the global search makes small: the objective, or how far limits are exceeded."""
+        found = self.figures(x, complete=False)
+        if found is None:  # small radii and short clothoids are likelier to exist
+            return NOWHERE * (1.0 + sum(abs(value) for value in x[2:]))
+        exceeded = -sum(min(room + EXCEEDED, 0.0) for room in self.rooms(found).values())
+        return WORSE * (1.0 + exceeded) if exceeded > 0.0 else found[self.sought]
+
+
+def best_turn(plan: Plan, wish: Wish | None = None, *, advance: Advance | None = None) -> BestTurn:
+    """The best turn of the plan's family for a wish, under the plan's limits.
+
+    Limits are limits.speed with the head at walk.speed (or as fast as it may, if that is the wish),
+    those of accelerations and turning rates, and limits.margin over the whole manoeuvre, until the
+    tail is out. Joints that the plan says stay. The search is the same each time; that nothing better
+    exists is not shown.
+
+    Raises:
+        InputError: for a plan without a turn, or if no turn keeps the limits.
+    """
+    wished = wish or Wish()
+    if wished.objective == "speed" and plan.limits.speed is None:
+        raise InputError(_("the plan has no limit of speed: set limits.speed=2, for example"))
+    return _best(Judge(plan, wished), advance or (lambda _share, _text: None))
+
+
+def _best(judge: Judge, tell: Advance, near: Sequence[float] | None = None) -> BestTurn:
+    """The best turn; one `near` it may be known."""
+    began = clock.perf_counter()
+    starts = _global_search(judge, tell, near)
+    judge.step = STEPS[1]
+    tell(0.0, _("local search"))
+    x = min((_local_search(judge, start) for start in starts), key=judge.score)
+    return _settled(judge, x, tell, began)
+
+
+def _settled(judge: Judge, x: Sequence[float], tell: Advance, began: float) -> BestTurn:
+    """The local optimum near x, by exact figures."""
+    for narrowing in range(NARROWINGS):
+        tell(0.0, _("local search"))
+        x = _local_search(judge, x)
+        tell(0.0, _("exact figures"))
+        best, exceeded = _exact(judge, x, began, PRUDENCE * 2.0**narrowing)
+        if not exceeded:
+            return best
+    raise NoSolutionError(_("no turn of this family was found that keeps the limits"))
+
+
+def _global_search(judge: Judge, tell: Advance, near: Sequence[float] | None) -> list[list[float]]:
+    """The best turns that are found all over the family, by one search after another."""
+    from scipy.optimize import Bounds, OptimizeResult, differential_evolution  # slow to import
+
+    def score(x: FloatArray) -> float:
+        return judge.score(x.tolist())
+
+    def callback(intermediate_result: OptimizeResult) -> None:
+        del intermediate_result
+        tell(1.0 / (GENERATIONS * len(SEEDS)), _("global search"))
+
+    starts: list[list[float]] = []
+    for seed in SEEDS:
+        found = differential_evolution(
+            score, Bounds(*np.array(judge.bounds).T), popsize=MEMBERS, maxiter=GENERATIONS, tol=SPREAD,
+            rng=seed, polish=False, callback=callback, init="sobol", x0=near,
+        )  # fmt: skip
+        if found.fun < WORSE:
+            starts.append([float(value) for value in found.x])
+    if not starts:
+        raise NoSolutionError(_("no turn of this family was found that keeps the limits"))
+    return starts
+
+
+def _local_search(judge: Judge, x: Sequence[float]) -> list[float]:
+    """A local optimum by COBYQA, in unknowns from 0 to 1, and downhill from there."""
+    from scipy.optimize import Bounds, NonlinearConstraint, minimize  # slow to import
+
+    low, high = np.array(judge.bounds).T
+    free = high > low  # joints that the plan says stay
+    seen: dict[bytes, dict[str, float]] = {}
+    names = list(judge.rooms(_complete(judge, x)))
+
+    def unknowns(z: FloatArray) -> FloatArray:
+        whole = low.copy()
+        whole[free] += (high - low)[free] * z
+        return np.asarray(whole)
+
+    def figures(z: FloatArray) -> dict[str, float]:
+        key = z.tobytes()
+        if key not in seen:
+            seen[key] = _complete(judge, unknowns(z).tolist())
+        return seen[key]
+
+    def goal(z: FloatArray) -> float:
+        return figures(z)[judge.sought]
+
+    result = minimize(
+        goal,
+        ((np.asarray(x) - low)[free] / (high - low)[free]),
+        method="COBYQA",
+        bounds=Bounds(0.0, 1.0),
+        constraints=NonlinearConstraint(
+            lambda z: [judge.rooms(figures(z))[name] for name in names], 0.0, np.inf
+        ),
+        options={"maxfev": LOCAL, "initial_tr_radius": 0.02, "final_tr_radius": 1e-7},
+    )
+    found: list[float] = unknowns(np.clip(result.x, 0.0, 1.0)).tolist()
+    return _descended(judge, min(list(x), found, key=judge.score))
+
+
+def _descended(judge: Judge, x: list[float]) -> list[float]:
+    """Downhill from x by Nelder and Mead's simplex, over the edges where one limit takes over."""
+    from scipy.optimize import minimize  # slow to import
+
+    bounds = np.array(judge.bounds)
+    free = bounds[:, 1] > bounds[:, 0]
+    low, high = bounds[free].T
+    start = np.asarray(x)[free]
+    step = np.where(start + SIMPLEX * (high - low) <= high, 1.0, -1.0) * SIMPLEX * (high - low)
+    corners = np.vstack([start, start + np.diag(step)])
+
+    def inside(z: FloatArray) -> list[float]:
+        whole = np.array(x)
+        whole[free] = np.clip(z, low, high)
+        return [float(value) for value in whole]
+
+    def score(z: FloatArray) -> float:
+        return judge.score(inside(z))
+
+    result = minimize(
+        score, start, method="Nelder-Mead",
+        options={"initial_simplex": corners, "maxfev": LOCAL, "xatol": 1e-5, "fatol": 1e-6},
+    )  # fmt: skip
+    return min(x, inside(result.x), key=judge.score)
+
+
+def _complete(judge: Judge, x: Sequence[float]) -> dict[str, float]:
+    """All figures; of a turn that does not exist, hopeless ones."""
+    bad = dict.fromkeys(("length", "way", "disc", *judge.judged), HOPELESS)
+    bad |= {"radius": 0.0, "clearance": -1.0}
+    return {**bad, **(judge.figures(x, complete=True) or {})}
+
+
+def _exact(judge: Judge, x: Sequence[float], began: float, prudence: float) -> tuple[BestTurn, bool]:
+    """The turn's exact figures, and whether one exceeds a limit; `judge` is corrected by them."""
+    sampled = _complete(judge, x)
+    plan = judge.plan.model_copy(update={"turn": judge.plan.turn.model_copy(update=judge.table(x))})
+    exact, clearance = _exact_figures(plan, sampled, _enough(judge, sampled))
+    rooms = judge.rooms(exact)
+    _correct(judge, sampled, exact, prudence)
+    if judge.wish.objective == "disc":
+        plan = plan.with_value("disc.radius", exact["disc"])
+    speed = greatest_head_speed(plan) if plan.limits.speed is not None else None
+    value, unit = exact[judge.sought], "m"
+    if judge.wish.objective == "speed":
+        value, unit = (math.nan if speed is None else speed.value), "m/s"
+    elif judge.wish.objective == "acceleration":
+        value, unit = exact[judge.sought] * plan.walk.speed**2, "m/s^2"
+    answer = Answer(
+        value, value, value, unit, "found", None,
+        (_("best that was found in this family; better ones may exist"),),
+        judge.looks, clock.perf_counter() - began,
+    )  # fmt: skip
+    turn, disc = judge.turn(x), plan.disc.radius or judge.disc
+    active = tuple(name for name, room in rooms.items() if room <= ACTIVE)
+    best = BestTurn(plan, turn, answer, turn.length, turn.way(disc), speed, clearance, active)
+    return best, any(room < -EXCEEDED for room in rooms.values())
+
+
+def _exact_figures(
+    plan: Plan, sampled: dict[str, float], within: float
+) -> tuple[dict[str, float], Answer]:
+    """Sampled figures made exact, on the safe side, and the least clearance (`within` so many m)."""
+    walk, exact = plan.build(), dict(sampled)
+    ends = float(walk.route.joints[1]), walk.head_where_tail(float(walk.route.joints[-2]))
+    for name in _judged(sampled):
+        exact[name] = greatest_of(walk, QUANTITIES[name], *ends, tolerance=1e-6).upper
+    times = [walk.time_at(s) for s in ends]
+    clearance = least_clearance(walk, *times, within=within, tolerances=(math.inf, 1e-5))
+    return {**exact, "clearance": clearance.lower}, clearance
+
+
+def _judged(sampled: dict[str, float]) -> list[str]:
+    """Which of the sampled figures can be made exact: speeds and what else is limited or sought."""
+    return [name for name in QUANTITIES if sampled.get(name, HOPELESS) < HOPELESS]
+
+
+def _correct(judge: Judge, sampled: dict[str, float], exact: dict[str, float], prudence: float) -> None:
+    """Tell the judge by how much sampling flatters a turn like this, and somewhat more."""
+    for name in _judged(sampled):
+        change = exact[name] / sampled[name] * (1.0 + prudence)
+        judge.factors[name] = judge.factors.get(name, 1.0) * change
+    less = min(exact["clearance"] - sampled["clearance"] - prudence, 0.0)
+    judge.factors["clearance"] = judge.factors.get("clearance", 0.0) + less
+
+
+def _enough(judge: Judge, sampled: dict[str, float]) -> float:
+    """How far to look for the least clearance, m: somewhat farther than what sampling saw."""
+    return max(1.2 * sampled["clearance"], judge.plan.limits.margin, 0.05)
+
+
+def pareto_front(
+    plan: Plan, speeds: Sequence[float], wish: Wish | None = None, *, advance: Advance | None = None
+) -> list[BestTurn]:
+    """Shortest turns for head speeds (m/s, increasing) that they must allow under limits.speed.
+
+    Each search knows the turn before it; the list ends where none is found. `wish` says what is to
+    be short, and the other limits.
+
+    Raises:
+        InputError: without limits.speed, or if not even the first speed is possible.
+    """
+    if plan.limits.speed is None:
+        raise InputError(_("the plan has no limit of speed: set limits.speed=2, for example"))
+    wished = wish or Wish()
+    tell = advance or (lambda _share, _text: None)
+    found: list[BestTurn] = []
+    x: list[float] | None = None
+    for speed in speeds:
+        changed = plan.with_value("walk.speed", positive("speed", speed, "m/s"))
+        tell(1.0, _("turns for {speed} m/s").format(speed=f"{speed:.3f}"))
+        try:
+            best = _best(Judge(changed, wished), lambda _share, text: tell(0.0, text), x)
+        except InputError:
+            break
+        found.append(best)
+        x = _unknowns(best, wished)
+    if not found:
+        raise NoSolutionError(_("no turn of this family was found that keeps the limits"))
+    return found
+
+
+def _unknowns(best: BestTurn, wish: Wish) -> list[float]:
+    """The unknowns of a turn: inverse of `Judge.table`."""
+    table = best.plan.turn
+    if table.entry_radius is None or table.exit_radius is None:
+        raise AssertionError("a best turn says its joints")
+    x = [table.entry_radius, table.exit_radius]
+    if table.family == "arc-arc":
+        x.append(math.log(table.ratio))
+    elif table.radii is not None:
+        middle = [table.curvature] if table.family == "arc-arc-arc" else []
+        x += [table.radii[0], *middle, table.radii[1]]
+    return [*x, table.ease] if wish.objective == "acceleration" else x

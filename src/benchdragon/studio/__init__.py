@@ -1,0 +1,1 @@
+"""The studio: plans, verdicts and long questions in a browser, computed by workers."""

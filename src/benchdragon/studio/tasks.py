@@ -1,0 +1,390 @@
+"""What the studio's workers compute: a table from the name of a question to the function for it.
+
+A question is named by its kind, or kind/detail: "verdict", "limit/pitch", "export/png", "job/turn".
+"""
+
+import io
+import tempfile
+import time as clock
+import zipfile
+from collections.abc import Callable
+from dataclasses import dataclass, field, fields
+from functools import partial
+from pathlib import Path
+from typing import Any, get_args
+
+import numpy as np
+
+from benchdragon.analysis.check import STEPS, Report, check, peak_text, sentence
+from benchdragon.analysis.quick import quick_verdict
+from benchdragon.analysis.speed import part_of
+from benchdragon.errors import InputError
+from benchdragon.export.tables import WRITERS, Selection
+from benchdragon.i18n import _, language
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.model import answer
+from benchdragon.model.walk import Walk
+from benchdragon.plans.schema import Plan, TurnRoute, checked, read_plan
+from benchdragon.plans.source import Source
+from benchdragon.plans.toml import parsed
+from benchdragon.player.messages import Sent
+from benchdragon.player.page import write_player
+from benchdragon.player.scene import Span, judged_dance
+from benchdragon.solve.head_speed import greatest_head_speed, slowed, with_pace
+from benchdragon.solve.size import limit
+from benchdragon.solve.tolerance import CASES, RISKS, Slips, tolerance
+from benchdragon.solve.turn import STAGES, Wish, best_turn
+from benchdragon.studio import messages
+from benchdragon.studio.limits import Settings, too_much
+from benchdragon.version import __version__
+
+Advance = Callable[[float, str], None]
+
+# Steps of an exported motion, s: the first that gives few enough places, times ten and so on.
+EXPORT_STEPS = (1.0, 2.0, 5.0)
+# How wide the bracket of a size may be, m, while its slider is dragged.
+SIZE = 1e-5
+# Looks between two frames of a dance that may change at once again, and times at which it is looked
+# who is near whom.
+FEW_LOOKS, FEW_TIMES = (0.5,), 500
+MEDIA = {
+    "html": "text/html; charset=utf-8",
+    "xlsx": "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet",
+    "csv": "text/csv; charset=utf-8",
+    "npz": "application/octet-stream",
+    "parquet": "application/vnd.apache.parquet",
+    "nc": "application/x-netcdf",
+    "toml": "application/toml",
+    "zip": "application/zip",
+}
+
+
+@dataclass(frozen=True)
+class Ask:
+    """A question put to a worker.
+
+    Attributes:
+        name: in TASKS.
+        language: of all sentences.
+        plan: what is asked about; None for "open".
+        text: of the plan file, for "open".
+        options: of a long question.
+        settings: of the studio, for its limits.
+    """
+
+    name: str
+    language: str
+    settings: Settings
+    plan: Plan | None = None
+    text: str = ""
+    options: messages.JobOptions = field(default_factory=messages.JobOptions)
+
+    @property
+    def whole(self) -> Plan:
+        """The plan of a question that has one."""
+        if self.plan is None:
+            raise AssertionError("only a plan file is asked about without a plan")
+        return self.plan
+
+
+@dataclass(frozen=True)
+class Made:
+    """What a worker made: bytes, their media type, and a file's name, if it is one."""
+
+    data: bytes
+    media: str = "application/json"
+    name: str | None = None
+
+
+def sent(found: Sent) -> Made:
+    """An answer as JSON."""
+    return Made(found.model_dump_json(by_alias=True).encode())
+
+
+def answer_of(found: answer.Answer, plan: Plan) -> messages.Answer:
+    """An answer as it is sent."""
+    near = found.witness
+    seen = None if near is None else messages.Witness.model_validate(vars(near))
+    data = {field.name: getattr(found, field.name) for field in fields(found)}
+    about = {"witness": seen, "plan_sha256": plan.sha256, "version": __version__}
+    return messages.Answer.model_validate({**data, **about})
+
+
+def verdict_of(report: Report, seconds: float) -> messages.Verdict:
+    """A report as it is sent."""
+    plan, contact = report.plan, report.first_contact
+    return messages.Verdict(
+        safe=report.safe,
+        decided=report.decided,
+        proved=report.proved,
+        sentence=sentence(report),
+        start=report.start,
+        end=report.end,
+        first_contact=None if contact is None else answer_of(contact, plan),
+        clearance=answer_of(report.clearance, plan),
+        greatest_speed=answer_of(report.greatest_speed, plan),
+        peaks=[
+            messages.LimitedPeak(text=peak_text(name), peak=answer_of(peak, plan))
+            for name, peak in report.peaks.items()
+        ],
+        findings=[messages.Finding.model_validate(finding.as_json()) for finding in report.findings],
+        seconds=seconds,
+        plan_sha256=plan.sha256,
+        version=__version__,
+    )
+
+
+def opened(ask: Ask, _advance: Advance) -> Made:
+    """The plan in the text of a plan file."""
+    data = parsed(ask.text, "plan")
+    check_depth(data, ask.settings.depth)
+    plan = checked(data, Source("plan", ask.text))
+    check_plan(plan, ask.settings)
+    return sent(messages.OpenedPlan(plan=plan))
+
+
+def written(ask: Ask, _advance: Advance) -> Made:
+    """The plan as a plan file."""
+    return Made(ask.whole.toml().encode(), MEDIA["toml"], "dance.dragon.toml")
+
+
+def judged(ask: Ask, _advance: Advance) -> Made:
+    """Whether the walk is safe."""
+    began = clock.perf_counter()
+    report = quick_verdict(ask.whole)
+    return sent(verdict_of(report, clock.perf_counter() - began))
+
+
+def danced(ask: Ask, advance: Advance) -> Made:
+    """The dance as the player shows it."""
+    plan = ask.whole
+    sketch = Span(*plan.span(plan.build()), looks=FEW_LOOKS, times=FEW_TIMES)
+    return sent(judged_dance(plan, quick_verdict, sketch, advance))
+
+
+def limited(name: str, ask: Ask, _advance: Advance) -> Made:
+    """How small or large one size may be."""
+    return sent(answer_of(limit(ask.whole, name, tolerance=SIZE), ask.whole))
+
+
+def check_depth(data: Any, most: int) -> None:
+    """Refuse lists and tables nested deeper than `most`.
+
+    Raises:
+        InputError: if they are.
+    """
+    level: list[Any] = [[data]]
+    depth = 0
+    while level := [one for values in level for one in values if isinstance(one, dict | list)]:
+        if depth == most:
+            raise InputError(_("wanted brackets at most {most} deep").format(most=most))
+        level = [list(at.values()) if isinstance(at, dict) else at for at in level]
+        depth += 1
+
+
+def check_plan(plan: Plan, settings: Settings) -> None:
+    """Refuse a plan that asks for more than the studio bears.
+
+    Raises:
+        InputError: for the first thing that is too much.
+    """
+    limits = settings.plans
+    own = plan.dragon.bench
+    counts = {
+        _("benches"): (
+            sum(bench.count for bench in own) if own else plan.dragon.benches,
+            limits.benches,
+        ),
+        _("kinds of benches"): (len(own), limits.benches),
+        _("parts of a route"): (len(getattr(plan.route, "part", ())), limits.parts),
+        _("points of a profile"): (len(plan.walk.profile), limits.profile),
+    }
+    for wanted, (count, most) in counts.items():
+        if count > most:
+            raise too_much(wanted, most, count)
+    for number in _numbers(plan.model_dump(mode="python")):
+        if number and not limits.smallest <= abs(number) <= limits.largest:
+            raise InputError(
+                _("the studio takes numbers from {least} to {most}, and 0, not {number}").format(
+                    least=f"{limits.smallest:g}", most=f"{limits.largest:g}", number=f"{number:g}"
+                )
+            )
+
+
+def _numbers(data: Any) -> list[float]:
+    """All numbers in plain data."""
+    if isinstance(data, dict):
+        data = list(data.values())
+    if isinstance(data, list | tuple):
+        return [number for one in data for number in _numbers(one)]
+    return [float(data)] if isinstance(data, int | float) else []
+
+
+def export_times(plan: Plan, walk: Walk, places: int) -> FloatArray:
+    """Times, s, of an exported motion: all along the walk, as far as the dragon can walk on.
+
+    Raises:
+        WalkError: if it cannot stand at the start.
+    """
+    start, end = plan.span(walk)
+    most = max(2, places // (len(walk.dragon) + 1))
+    step, decade = 1.0, 1.0
+    while (end - start) / step + 1.0 > most:
+        larger = [size * decade for size in EXPORT_STEPS if size * decade > step]
+        decade *= 1.0 if larger else 10.0
+        step = larger[0] if larger else decade
+    times = np.append(np.arange(start, end, step), end)
+    failed = np.concatenate([motion.status for motion in walk.motions(times, throw=False)]) != 0
+    if failed[0]:
+        walk.motion(times[:1])
+    return times[: int(np.argmax(failed))] if failed.any() else times
+
+
+def exported(name: str, ask: Ask, advance: Advance) -> Made:
+    """A table or the pictures of a dance, as a file."""
+    plan = ask.whole
+    with tempfile.TemporaryDirectory() as folder:
+        if name in {"png", "svg", "pdf"}:
+            return Made(_pictures(plan, name, Path(folder), ask.settings), MEDIA["zip"], f"{name}.zip")
+        path = Path(folder) / name
+        if name == "player.html":
+            write_player(path, judged_dance(plan, check, advance=advance))
+        elif name == "check.xlsx":
+            from benchdragon.export.check_files import write_files
+
+            write_files(check(plan), [path])
+        else:
+            walk = plan.build()
+            times = export_times(plan, walk, ask.settings.places)
+            what = Selection(walk, times, range(len(walk.dragon) + 1))
+            WRITERS[path.suffix[1:]](path, what, lambda share: advance(share, name))
+        return Made(path.read_bytes(), MEDIA[path.suffix[1:]], name)
+
+
+def _pictures(plan: Plan, kind: str, folder: Path, settings: Settings) -> bytes:
+    """The pictures of a motion and of a check, zipped."""
+    from benchdragon.export.check_files import write_files
+    from benchdragon.figures.style import write_picture
+    from benchdragon.figures.walk import walk_pictures
+
+    walk, title = plan.build(), plan.title(language())
+    times = export_times(plan, walk, settings.places)
+    for name, figure in walk_pictures(walk, times, title, plan.disc.radius).items():
+        write_picture(figure, folder / f"{name}.{kind}", title, plan.sha256)
+    if len(walk.dragon) > 2:
+        write_files(check(plan), [folder / f"{name}.{kind}" for name in ("contact", "clearance")])
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as out:
+        for path in sorted(folder.iterdir()):
+            out.write(path, path.name)
+    return packed.getvalue()
+
+
+def _portion(advance: Advance, parts: int) -> Advance:
+    """Shares of a search that advances by `parts` in all."""
+    return lambda share, text: advance(share / parts, text)
+
+
+def best(ask: Ask, advance: Advance) -> Made:
+    """The best turn."""
+    options, plan = ask.options, ask.whole
+    wish = Wish(
+        options.objective,
+        options.least_radius,
+        options.longest or float("inf"),
+        options.longest_way or float("inf"),
+    )
+    found = best_turn(plan, wish, advance=_portion(advance, STAGES))
+    speed, route = found.head_speed, plan.route
+    before = route.turn(plan).way(route.disc(plan)) if isinstance(route, TurnRoute) else None
+    return sent(
+        messages.TurnFound(
+            plan=found.plan,
+            objective=answer_of(found.objective, plan),
+            length=found.length,
+            way=found.way,
+            way_before=before,
+            least_radius=found.turn.least_radius,
+            head_speed=None if speed is None else answer_of(speed, plan),
+            clearance=answer_of(found.clearance, plan),
+            active=list(found.active),
+        )
+    )
+
+
+def proved(ask: Ask, advance: Advance) -> Made:
+    """Whether the walk is safe, proved."""
+    began = clock.perf_counter()
+    report = check(ask.whole, _portion(advance, STEPS), prove=True)
+    return sent(verdict_of(report, clock.perf_counter() - began))
+
+
+def head_speed(ask: Ask, advance: Advance) -> Made:
+    """How fast the head may walk."""
+    return sent(answer_of(greatest_head_speed(ask.whole, advance=advance), ask.whole))
+
+
+def paced(ask: Ask, advance: Advance) -> Made:
+    """A pace that slows down only where it must."""
+    plan = ask.whole
+    pace = slowed(plan, advance=advance)
+    steady = answer_of(pace.steady, plan)
+    slow = with_pace(plan, pace)
+    return sent(messages.PaceFound(plan=slow, steady=steady, seconds=pace.seconds, saved=pace.saved))
+
+
+def room_needed(ask: Ask, advance: Advance) -> Made:
+    """How much room imprecise people need; with no slip given, those of all cases together."""
+    options, plan = ask.options, ask.whole
+    if options.draws > ask.settings.draws:
+        raise too_much(_("random dances"), ask.settings.draws, options.draws)
+    slips = Slips(**{field.name: getattr(options, field.name) for field in fields(Slips)})
+    if slips == Slips():
+        slips = CASES["all"].slips
+    tell = part_of(advance, _("random dances"))
+    done = 0.0
+
+    def count(share: float) -> None:
+        nonlocal done
+        done += share
+        tell(done)
+
+    found = tolerance(plan, slips, options.draws, seed=options.seed, own=True, advance=count)
+    pitch = plan.value("route.pitch")
+    chance, lower, upper = found.touching()
+    pitches = [messages.PitchFor(risk=risk, pitch=found.pitch_for(risk)) for risk in RISKS]
+    return sent(
+        messages.MarginsFound(
+            draws=options.draws, exact=found.exact, pitch=pitch, chance=chance, chance_lower=lower,
+            chance_upper=upper, pitch_for=pitches,
+        )
+    )  # fmt: skip
+
+
+TASKS: dict[str, Callable[[Ask, Advance], Made]] = {
+    "open": opened,
+    "toml": written,
+    "verdict": judged,
+    "dance": danced,
+    **{f"limit/{name}": partial(limited, name) for name in get_args(messages.LimitName)},
+    **{f"export/{name}": partial(exported, name) for name in get_args(messages.ExportName)},
+    "job/turn": best,
+    "job/prove": proved,
+    "job/speed": head_speed,
+    "job/pace": paced,
+    "job/margins": room_needed,
+}
+
+
+def warm(lane: str, settings: Settings) -> None:
+    """Dry answers of what a lane is asked most, so that the first asker need not wait."""
+    coil = read_plan("spiral-in", ["dragon.benches=40", "disc.radius=4.5", "route.start_turn=10"])
+    turn = read_plan("turn", ["dragon.benches=10", "walk.start=-5"])
+    few = read_plan("spiral-in", ["dragon.benches=4", "disc.radius=4.5", "route.start_turn=9"])
+    asked = {
+        "quick": [("verdict", coil), ("verdict", turn), ("limit/pitch", coil), ("dance", coil)],
+        "files": [("export/png", few)],
+        "jobs": [("job/speed", turn)],
+    }
+    for name, plan in asked[lane]:
+        TASKS[name](Ask(name, "en", settings, plan), lambda _share, _text: None)

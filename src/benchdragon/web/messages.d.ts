@@ -1,0 +1,493 @@
+// Made from benchdragon.player.messages and benchdragon.studio.messages by tools/make_types.py; to make it again: make types
+
+/** A solved number and the bracket that was established: see `answer.Answer`. */
+export interface Answer {
+  value: number | null;
+  lower: number | null;
+  upper: number | null;
+  unit: string;
+  status: "proved" | "found" | "infeasible" | "undecided" | "unlimited";
+  witness: Witness | null;
+  assumptions: Array<string>;
+  looks: number;
+  seconds: number;
+  plan_sha256: string;
+  version: string;
+}
+
+/** A circular arc; a positive angle turns left. */
+export interface ArcPart {
+  kind: "arc";
+  radius: number;
+  angle: number;
+}
+
+/** One bench of its own size; `count` repeats it. */
+export interface BenchTable {
+  length: number;
+  width?: number;
+  front_inset?: number;
+  rear_inset?: number;
+  count?: number;
+}
+
+/** What a page sends: unknown keys are errors. */
+export interface Body {
+}
+
+/** A curve whose curvature changes evenly; positive curvature, 1/m, turns left. */
+export interface ClothoidPart {
+  kind: "clothoid";
+  length: number;
+  start_curvature?: number;
+  end_curvature?: number;
+}
+
+/**
+ * The route as cubics between nodes.
+ *
+ * `packed` holds x, y (m, from `origin`) and heading (rad) of every node as float32, x of all nodes
+ * first; see `frames.packed_bytes`.
+ */
+export interface Course {
+  stretches: Array<Stretch>;
+  origin: [number, number];
+  packed: string;
+}
+
+/** A whole dance, as a player shows it. */
+export interface Dance {
+  version: string;
+  plan_sha256: string;
+  title: Words;
+  benches: Sizes;
+  disc: number | null;
+  centre: [number, number];
+  course: Course;
+  frames: Frames;
+  occasions: Array<Occasion>;
+  nearest: Nearest;
+  tightness: Tightness;
+  margin: number;
+  speed_limit: number | null;
+  ruling: Ruling | null;
+}
+
+/** The turning space: a circle about the spiral's centre. */
+export interface DiscTable {
+  radius?: number | null;
+}
+
+/** The dragon: one set of sizes, or `[[dragon.bench]]` for each bench its own. */
+export interface DragonTable {
+  benches?: number;
+  width?: number;
+  head_length?: number;
+  body_length?: number;
+  tail_length?: number;
+  front_inset?: number;
+  rear_inset?: number;
+  bench?: Array<BenchTable>;
+}
+
+/** A plan, and the language of the file; without one that of the request. */
+export interface ExportBody {
+  plan: Plan;
+  lang?: "en" | "zh" | null;
+}
+
+/** One figure of a preset: its key in the plan, and where it comes from. */
+export interface Figure {
+  key: string;
+  status: "measured" | "reported" | "derived" | "assumed";
+}
+
+/** Something that a walk must not do, or that could not be decided. */
+export interface Finding {
+  code: string;
+  text: string;
+  time: number | null;
+  benches: Array<number>;
+  value: number | null;
+  limit: number | null;
+}
+
+/**
+ * Route positions and speeds of all handles at evenly spaced times, packed.
+ *
+ * Handle by handle; see `frames.packed_frames`. Between them positions go along cubics, speeds along
+ * lines; where that was looked at, no handle was farther than `largest_error` (m) from its place.
+ */
+export interface Frames {
+  start: number;
+  step: number;
+  count: number;
+  quantum: number;
+  packed: string;
+  largest_error: number;
+}
+
+/** How the studio stands. */
+export interface Health {
+  status: "ok";
+  version: string;
+  workers: Record<string, Lane>;
+}
+
+/** A long question about a plan. */
+export interface JobBody {
+  plan: Plan;
+  question: "turn" | "prove" | "speed" | "pace" | "margins";
+  options?: JobOptions;
+}
+
+/**
+ * What a long question may be told.
+ *
+ * Attributes:
+ *     objective: of "turn": see `solve turn`.
+ *     least_radius: of "turn": no bend is tighter, m.
+ *     longest: of "turn": the turn itself is no longer, m.
+ *     longest_way: of "turn": the whole way inside the disc is no longer, m.
+ *     draws: of "margins": random dances.
+ *     seed: of "margins".
+ *     aside: of "margins", like the following: standard deviations, m; see `Slips`. Where all are
+ *         0, those that `tolerance.CASES` takes together.
+ */
+export interface JobOptions {
+  objective?: "way" | "length" | "speed" | "disc" | "acceleration";
+  least_radius?: number;
+  longest?: number | null;
+  longest_way?: number | null;
+  draws?: number;
+  seed?: number;
+  aside?: number;
+  stray?: number;
+  play?: number;
+  height?: number;
+  length?: number;
+  width?: number;
+}
+
+/** A long question that was taken on. */
+export interface JobStarted {
+  id: string;
+}
+
+/**
+ * How a long question stands.
+ *
+ * Attributes:
+ *     plan_sha256: of the plan that it asks about.
+ *     share: of the work, 0 to 1, as far as can be told.
+ *     text: what is being done.
+ *     result: once it is done.
+ *     error: why there is none, if it failed.
+ */
+export interface JobState {
+  id: string;
+  question: "turn" | "prove" | "speed" | "pace" | "margins";
+  plan_sha256: string;
+  state: "waiting" | "running" | "done" | "failed" | "cancelled";
+  share: number;
+  text: string;
+  result?: Verdict | TurnFound | PaceFound | MarginsFound | Answer | null;
+  error?: string | null;
+}
+
+/** A long question of a client, and the plan that it asks about. */
+export interface JobTaken {
+  id: string;
+  question: "turn" | "prove" | "speed" | "pace" | "margins";
+  plan: Record<string, unknown>;
+  plan_sha256: string;
+}
+
+/** Workers of one kind of question. */
+export interface Lane {
+  workers: number;
+  ready: number;
+  busy: number;
+  waiting: number;
+}
+
+/** The greatest of what a plan limits, and what that is in words. */
+export interface LimitedPeak {
+  text: string;
+  peak: Answer;
+}
+
+/**
+ * What a walk must keep.
+ *
+ * Greatest speed and accelerations (m/s^2) of any handle: along the route, across it and in total;
+ * turning rate (degrees a second) of any bench, change of the head's own speed (m/s^2), and distance
+ * of benches but neighbours.
+ */
+export interface LimitsTable {
+  speed?: number | null;
+  acceleration?: number | null;
+  lateral_acceleration?: number | null;
+  total_acceleration?: number | null;
+  turning_rate?: number | null;
+  head_acceleration?: number;
+  margin?: number;
+}
+
+/** A straight line. */
+export interface LinePart {
+  kind: "line";
+  length: number;
+}
+
+/** What imprecise dances need: see `tolerance.Tolerance`; chance at the plan's own pitch. */
+export interface MarginsFound {
+  draws: number;
+  exact: number | null;
+  pitch: number;
+  chance: number;
+  chance_lower: number;
+  chance_upper: number;
+  pitch_for: Array<PitchFor>;
+}
+
+/** What people call the plan. */
+export interface MetaTable {
+  title?: string;
+  title_zh?: string;
+  author?: string;
+  notes?: string;
+}
+
+/**
+ * When each bench comes nearest to one that is not its neighbour, as far as looked at.
+ *
+ * Distance, m (minus the depth of an overlap), time, s, and number of the other bench; 0 where it
+ * never comes within `reach`.
+ */
+export interface Nearest {
+  reach: number;
+  distance: Array<number>;
+  time: Array<number>;
+  other: Array<number>;
+}
+
+/** Something that happens at a time; `benches` are numbers from 1. */
+export interface Occasion {
+  kind: "contact" | "tightest" | "fastest" | "joint" | "end";
+  time: number;
+  text: Words;
+  benches: Array<number>;
+}
+
+/** A plan file, read: every key, those left out as by default. */
+export interface OpenedPlan {
+  plan: Record<string, unknown>;
+}
+
+/** The plan walked at its own head speed, slowed down only where a limit wants it. */
+export interface PaceFound {
+  plan: Record<string, unknown>;
+  steady: Answer;
+  seconds: number | null;
+  saved: number | null;
+}
+
+/** Any parts, each moved to where the one before it ends. */
+export interface PartsRoute {
+  kind: "parts";
+  part: Array<LinePart | ArcPart | ClothoidPart | SpiralPart>;
+  start?: [number, number] | null;
+  heading?: number | null;
+}
+
+/** The pitch, m, at which benches touch with at most that chance, with 95 % confidence. */
+export interface PitchFor {
+  risk: number;
+  pitch: number | null;
+}
+
+/** A whole plan. */
+export interface Plan {
+  schema: 1;
+  meta?: MetaTable;
+  dragon?: DragonTable;
+  route: SpiralInRoute | TurnRoute | PartsRoute;
+  disc?: DiscTable;
+  turn?: TurnTable;
+  walk?: WalkTable;
+  limits?: LimitsTable;
+}
+
+/** A plan, to be asked about. */
+export interface PlanBody {
+  plan: Plan;
+}
+
+/** A dance to begin with: see `presets.Preset`. */
+export interface Preset {
+  name: string;
+  title: Words;
+  source: Words;
+  figures: Array<Figure>;
+  plan: Record<string, unknown>;
+}
+
+/** What went wrong, as one sentence in the language asked for. */
+export interface Problem {
+  error: string;
+}
+
+/** Whether a walk is safe, in one sentence; `decided` is false where that is open. */
+export interface Ruling {
+  safe: boolean;
+  decided: boolean;
+  text: Words;
+}
+
+/** What a page gets. */
+export interface Sent {
+}
+
+/** Sizes of every bench, m, bench 1 first. */
+export interface Sizes {
+  length: Array<number>;
+  width: Array<number>;
+  front_inset: Array<number>;
+  rear_inset: Array<number>;
+}
+
+/** In along one spiral, from a turn number at theta = 0 of the last turn, to disc or centre. */
+export interface SpiralInRoute {
+  kind: "spiral-in";
+  pitch?: number;
+  start_turn?: number;
+  clockwise?: boolean;
+}
+
+/** An Archimedean spiral from one radius to another; as first part its centre is the origin. */
+export interface SpiralPart {
+  kind: "spiral";
+  pitch: number;
+  start_radius: number;
+  end_radius: number;
+  clockwise?: boolean;
+}
+
+/** Nodes of a stretch of the route, evenly spaced: the next stretch begins where this ends. */
+export interface Stretch {
+  start: number;
+  step: number;
+  nodes: number;
+}
+
+/** The text of a plan file. */
+export interface TextBody {
+  toml: string;
+}
+
+/** Distance of the tightest pair, m, at evenly spaced times; capped at `Nearest.reach`. */
+export interface Tightness {
+  start: number;
+  step: number;
+  distance: Array<number>;
+}
+
+/**
+ * The best turn found, and the plan with it: see `turn.BestTurn`.
+ *
+ * `way_before` is the way inside the disc of the turn that the plan had, m.
+ */
+export interface TurnFound {
+  plan: Record<string, unknown>;
+  objective: Answer;
+  length: number | null;
+  way: number | null;
+  way_before: number | null;
+  least_radius: number | null;
+  head_speed: Answer | null;
+  clearance: Answer;
+  active: Array<string>;
+}
+
+/** In along a spiral, the turn of `[turn]` inside the disc, out along the spiral's twin. */
+export interface TurnRoute {
+  kind: "turn";
+  pitch?: number;
+}
+
+/**
+ * The turn inside the disc: what lies between the joints with the spirals.
+ *
+ * `ratio` belongs to arc-arc, `radii` (of the first and the last arc) to the other families, and
+ * `curvature` (of the middle arc, 1/m, left positive) to arc-arc-arc. Clothoids of `ease` metres make
+ * the curvature continuous.
+ */
+export interface TurnTable {
+  family?: "arc-arc" | "arc-line-arc" | "arc-arc-arc";
+  ratio?: number;
+  radii?: [number, number] | null;
+  curvature?: number;
+  entry_radius?: number | null;
+  exit_radius?: number | null;
+  ease?: number;
+}
+
+/**
+ * Whether a walk is safe, in one sentence and in full.
+ *
+ * Attributes:
+ *     safe: whether nothing was found.
+ *     decided: whether no open question could change `safe`.
+ *     proved: whether what is said of contact was proved.
+ *     sentence: the verdict for readers.
+ *     start: of the walk, s.
+ *     end: of the walk, s.
+ *     seconds: how long it took.
+ */
+export interface Verdict {
+  safe: boolean;
+  decided: boolean;
+  proved: boolean;
+  sentence: string;
+  start: number | null;
+  end: number | null;
+  first_contact: Answer | null;
+  clearance: Answer;
+  greatest_speed: Answer;
+  peaks: Array<LimitedPeak>;
+  findings: Array<Finding>;
+  seconds: number;
+  plan_sha256: string;
+  version: string;
+}
+
+/**
+ * The head's walk: a constant speed, or `profile`, [time, speed] pairs joined by straight lines.
+ *
+ * `start` and `end` are times; `position` is the head's route position at time 0, where it is not
+ * to stand where the route's kind says.
+ */
+export interface WalkTable {
+  speed?: number;
+  profile?: Array<[number, number]>;
+  start?: number | null;
+  end?: number | null;
+  position?: number | null;
+}
+
+/** Where and when an answer comes about: see `answer.Witness`. */
+export interface Witness {
+  time: number | null;
+  s: number | null;
+  benches: Array<number>;
+  point: [number | null, number | null];
+  gap: number | null;
+  features: Array<[number, string]>;
+}
+
+/** The same words in both languages. */
+export interface Words {
+  en: string;
+  zh: string;
+}

@@ -1,0 +1,425 @@
+import json
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from queue import SimpleQueue
+
+import numpy as np
+import pytest
+from rich.cells import cell_len
+
+from benchdragon.cli.console import Lines, progress
+from benchdragon.cli.main import program, run
+from benchdragon.cli.parsing import MOST_TIMES, parse_handles, parse_lengths, parse_time, parse_times
+from benchdragon.errors import InputError
+from benchdragon.i18n import _
+from benchdragon.plans.schema import read_plan
+from benchdragon.version import __version__
+
+EXAMPLES = Path(__file__).parent.parent / "examples"
+
+
+def answered(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
+    """Exit code, standard output and standard error of one command line."""
+    code = run(arguments)
+    captured = capsys.readouterr()
+    return code, captured.out, captured.err
+
+
+@pytest.mark.parametrize(
+    ("text", "times"),
+    [
+        ("12.5", [12.5]),
+        ("3:12", [192.0]),
+        ("-1:30", [-90.0]),
+        ("-0:30", [-30.0]),
+        ("1:02:03.5", [3723.5]),
+        ("90 s", [90.0]),
+        ("3 min 12 s, 1h", [192.0, 3600.0]),
+        ("-1 min 30 s", [-90.0]),
+        ("0..3", [0.0, 1.0, 2.0, 3.0]),
+        ("0..1..0.25", [0.0, 0.25, 0.5, 0.75, 1.0]),
+        ("0..0.3..0.1", [0.0, 0.1, 0.2, 0.3]),
+        ("5..-5..-5", [5.0, 0.0, -5.0]),
+        ("7, 0..2 ,3:00", [7.0, 0.0, 1.0, 2.0, 180.0]),
+        ("-100..-98", [-100.0, -99.0, -98.0]),
+        ("0:58 .. 1:02 .. 2 s", [58.0, 60.0, 62.0]),
+    ],
+)
+def test_times_are_read_the_way_people_write_them(text: str, times: list[float]) -> None:
+    assert parse_times(text).tolist() == pytest.approx(times, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "", "x", "nan", "inf", "1e999", "1,,2", "0..9..", "..9", "0..1..1..1", "12 kg", "3 min -12 s",
+        # Neither a clock time nor, any longer, a range.
+        "0:300:1", "0:300", "1:75", "1:60:00", "1:2:3:4", "3:", "0:9:0.5:1",
+    ],
+)  # fmt: skip
+def test_times_that_make_no_sense_are_refused(text: str) -> None:
+    with pytest.raises(InputError, match=r"^--at: wanted seconds .* a range start\.\.stop\.\.step"):
+        parse_times(text)
+
+
+@pytest.mark.parametrize("text", ["0..9..0", "0..9..-1", "9..0", "9..0..1"])
+def test_ranges_that_never_end_are_refused(text: str) -> None:
+    with pytest.raises(InputError, match="never get from start to stop"):
+        parse_times(text)
+
+
+@pytest.mark.parametrize("text", ["0..1e6", "0..1..1e-300", "0..1e300", "0..999999,0..5"])
+def test_too_many_times_are_refused_before_they_fill_the_memory(text: str) -> None:
+    with pytest.raises(InputError, match=f"at most {MOST_TIMES} times"):
+        parse_times(text)
+
+
+@pytest.mark.parametrize("text", ["0..9", "1,2", "x", "0:300", ""])
+def test_one_time_is_one_time(text: str) -> None:
+    assert parse_time("--start", "1:02:03") == parse_time("--start", " 3723 s ") == 3723.0
+    with pytest.raises(InputError, match=r"^--start: wanted seconds"):
+        parse_time("--start", text)
+
+
+def test_a_range_of_sizes_takes_units() -> None:
+    assert parse_lengths("--range", "0.4..0.6") == (0.4, 0.6)
+    assert parse_lengths("--range", "40 cm..0.6 m") == pytest.approx((0.4, 0.6))
+    for text in ("0.4", "0.4:0.6", "a..b", "1..2..3", "..", "0.4..inf", "1 s..2 s"):
+        with pytest.raises(InputError, match=r"^--range: wanted two sizes in metres, LOW\.\.HIGH"):
+            parse_lengths("--range", text)
+
+
+@pytest.mark.parametrize("name", ["spiral-in", "turn"])
+def test_without_times_motion_gives_each_second_of_the_walk_that_check_judges(
+    capsys: pytest.CaptureFixture[str], name: str
+) -> None:
+    code, out, _err = answered(
+        capsys, "motion", name, "--only", "0", "--json", "--set", "walk.start=-1"
+    )
+    plan = read_plan(name, ["walk.start=-1"])
+    start, end = plan.span(plan.build())
+    times = json.loads(out)["time"]
+    assert code == 0
+    assert times == [float(t) for t in range(int(start), int(end) + 1)]
+    assert end - times[-1] < 1.0
+
+
+def test_files_are_named_in_json_if_wanted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    arguments = ("motion", "spiral-in", "--at", "0..2", "--format", "csv", "--explain", "--json")
+    code, out, _err = answered(capsys, *arguments, "-o", str(tmp_path))
+    found = json.loads(out)
+    assert code == 0
+    assert found["files"] == [str(tmp_path / "motion.csv")]
+    assert found["plan_sha256"] == read_plan("spiral-in").sha256
+    assert found["explanation"]
+
+
+def test_handles_are_checked_against_the_dragon() -> None:
+    assert parse_handles("0,5,223", 223) == [0, 5, 223]
+    assert parse_handles(None, 223) is None
+    for text in ("224", "-1", "x", "1;2", ""):
+        with pytest.raises(InputError, match="wanted handle numbers from 0 to 223"):
+            parse_handles(text, 223)
+
+
+def test_motion_as_json_is_one_object_with_the_plans_name(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = answered(
+        capsys, "motion", "spiral-in", "--at", "0,300", "--only", "0,1", "--json", "--quiet"
+    )
+    answer = json.loads(out)
+    assert (code, err) == (0, "")
+    assert answer["time"] == [0.0, 300.0]
+    assert answer["handle"] == [0, 1]
+    motion = read_plan("spiral-in").build().motion([0.0, 300.0])
+    for key in ("x", "y", "speed"):
+        assert np.array(answer[key]) == pytest.approx(getattr(motion, key)[:, :2], abs=1e-12)
+    assert answer["plan_sha256"] == read_plan("spiral-in").sha256
+    assert answer["version"] == __version__
+    assert answer["status"] == [0, 0]
+
+
+def test_motion_as_a_table_shows_the_papers_handles(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _err = answered(capsys, "motion", "spiral-in", "--at", "60")
+    assert code == 0
+    assert "5.799209" in out
+    assert "-8.797992" in out
+    assert [line.split()[3] for line in out.splitlines() if line.startswith("│")] == [
+        "0", "1", "51", "101", "151", "201", "223",
+    ]  # fmt: skip
+
+
+def test_settings_change_the_answer(capsys: pytest.CaptureFixture[str]) -> None:
+    arguments = ("motion", "spiral-in", "--at", "0", "--only", "0", "--json")
+    _code, out, _err = answered(capsys, *arguments, "--set", "route.pitch=0.6")
+    assert json.loads(out)["x"][0][0] == pytest.approx(9.6)
+
+
+def test_files_are_written_once_and_again_only_when_forced(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    arguments = ["motion", str(EXAMPLES / "01_parade.dragon.toml"), "-o", str(tmp_path / "out")]
+    arguments += ["--format", "csv,xlsx,npz,parquet,nc,png,svg,pdf"]
+    code, out, _err = answered(capsys, *arguments)
+    written = sorted(path.name for path in (tmp_path / "out").iterdir())
+    assert code == 0
+    assert sorted(Path(line.strip()).name for line in out.splitlines()[1:]) == written
+    assert len(written) == 5 + 3 * 3
+    stamp = (tmp_path / "out" / "motion.csv").stat().st_mtime_ns
+    code, _out, err = answered(capsys, *arguments)
+    assert code == 2
+    assert "is there already; use --force" in err
+    assert (tmp_path / "out" / "motion.csv").stat().st_mtime_ns == stamp
+    assert answered(capsys, *arguments, "--force")[0] == 0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "sentence"),
+    [
+        (
+            ["motion", "spiral-in", "--at", "0..442"],
+            2,
+            "3101 rows are too many for a screen (at most 400): choose times",
+        ),
+        (["motion", "turn", "--set", "walk.speed=0"], 3, "never comes to the end of its walk: set"),
+        (["motion", "spiral-in", "--at", "x"], 2, "wanted seconds (12.5), a clock time"),
+        (["motion", "spiral-in", "--at", "3", "--only", "500"], 2, "wanted handle numbers"),
+        (["motion", "spiral-in", "--at", "3", "--set", "x"], 3, "wanted KEY=VALUE"),
+        (["motion", "spiral-in", "--at", "3", "--set", "route.pitch=-1"], 3, "more than 0.0"),
+        (["motion", "nowhere", "--at", "3"], 3, "there is no plan nowhere"),
+        (["motion", "spiral-in", "--at", "500"], 4, "past the end of the route"),
+        (["motion", "spiral-in", "--at", "0..300"], 2, "rows are too many for a screen"),
+        (["motion", "spiral-in", "--at", "3", "--leader", "x"], 2, "Invalid value for '--leader'"),
+        (["motion", "turn", "--at", "3,99", "--leader", "rk4"], 2, "rk4 needs the head on one spiral"),
+        (["motion", "turn", "--at", "0..60000", "--json"], 2, "JSON holds at most"),
+        (["motion"], 2, "Missing argument 'PLAN'"),
+        (["dance"], 2, "No such command 'dance'"),
+        (["motion", "turn", "--att", "3"], 2, "No such option"),
+        (["motion", "turn", "--at", "3", "-o", "/proc/x"], 2, "/proc/x"),
+        (["motion", "turn", "--at", "3", "-o", "x", "--format", "docx"], 2, "wanted some of xlsx"),
+    ],
+)
+def test_wrong_input_gets_one_sentence_and_its_exit_code(
+    capsys: pytest.CaptureFixture[str], arguments: list[str], code: int, sentence: str
+) -> None:
+    found, out, err = answered(capsys, *arguments)
+    assert found == code
+    assert out == ""
+    assert sentence in err
+    assert "Traceback" not in err
+
+
+@pytest.mark.parametrize(
+    ("plan", "times"),
+    [
+        (("spiral-in",), [0, 60, 120, 180, 240, 300, 360, 420]),
+        (("turn",), [-100, -40, 20, 80, 140, 200, 260, 320, 380]),
+        (("spiral-in", "--set", "walk.end=3"), [0, 1, 2, 3]),
+    ],
+)
+def test_without_times_a_screen_shows_the_whole_walk_in_a_dozen(
+    capsys: pytest.CaptureFixture[str], plan: tuple[str, ...], times: list[int]
+) -> None:
+    code, out, _err = answered(capsys, "motion", *plan, "--only", "0")
+    assert code == 0
+    rows = [line.split("│")[1:3] for line in out.splitlines() if line.startswith("│")]
+    assert [(int(time), int(handle)) for time, handle in rows] == [(time, 0) for time in times]
+
+
+def test_keep_going_gives_the_sound_part_and_says_what_failed(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    arguments = ("motion", "spiral-in", "--at", "0,500", "--only", "0", "--json", "--keep-going")
+    code, out, err = answered(capsys, *arguments)
+    answer = json.loads(out)
+    assert code == 4
+    assert answer["x"][0][0] == pytest.approx(8.8)
+    assert answer["x"][1] == [None]
+    assert answer["status"] == [0, 2]
+    assert err.startswith("1 of 2 times are incomplete; the first: at t = 500 s ")
+    assert "past the end of the route" in err
+
+
+def test_keep_going_tells_failures_of_all_slices(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("benchdragon.model.walk.SLICE_PLACES", 1000)  # four times a slice
+    walk = (
+        "motion",
+        "spiral-in",
+        "--at",
+        "430..445..1",
+        "-o",
+        str(tmp_path / "out"),
+        "--format",
+        "csv",
+    )
+    code, _out, err = answered(capsys, *walk, "--keep-going")
+    assert code == 4
+    assert "3 of 16 times are incomplete; the first: at t = 443 s " in err
+
+
+def test_runge_kutta_says_how_far_it_is_from_the_closed_form(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    arguments = ("motion", "spiral-in", "--at", "300", "--leader", "rk4", "--step", "1")
+    code, out, _err = answered(capsys, *arguments)
+    assert code == 0
+    assert "rk4 and the closed form put the head at most 1" in out.replace("\n", " ")
+    assert "e-10 m apart" in out
+
+
+def test_the_schema_is_json(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _err = answered(capsys, "schema")
+    assert code == 0
+    assert json.loads(out)["properties"]["dragon"]
+
+
+def test_the_doctor_names_versions_fonts_and_cache(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _err = answered(capsys, "doctor", "--json")
+    found = json.loads(out)
+    assert code == 0
+    assert found["benchdragon"] == __version__
+    assert {"python", "numpy", "numba", "fonts", "kernels", "ffmpeg", "browser"} <= set(found)
+    assert "NotoSansSC-Regular.ttf" in answered(capsys, "doctor")[1]
+
+
+def test_help_imports_nothing_heavy() -> None:
+    script = (
+        "import sys; from benchdragon.cli.main import run; run(['motion', '--help']); "
+        "heavy = {'numpy', 'numba', 'scipy', 'matplotlib', 'pydantic', 'rich'} & set(sys.modules); "
+        "sys.exit(str(heavy) if heavy else 0)"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_a_small_question_is_answered_without_numba() -> None:
+    script = (
+        "import sys; from benchdragon.cli.main import run; "
+        "run(['motion', 'turn', '--at', '14', '--json']); sys.exit('numba' in sys.modules)"
+    )
+    environment = {k: v for k, v in os.environ.items() if k != "BENCHDRAGON_COMPILE"}
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=False, env=environment
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    exact = read_plan("turn").build().motion([14.0]).speed[0]
+    assert json.loads(done.stdout)["speed"][0] == pytest.approx(exact.tolist(), abs=1e-12)
+
+
+def test_an_interrupt_leaves_nothing_half_written(tmp_path: Path) -> None:
+    script = (
+        "import os, signal, sys; import benchdragon.export.tables as tables\n"
+        "from benchdragon.cli.main import run\n"
+        # A background job of a shell is born deaf to SIGINT.
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+        "def stop(*_): os.kill(os.getpid(), signal.SIGINT)\n"
+        "tables._long = lambda *a: stop()\n"
+        f"sys.exit(run(['motion', 'spiral-in', '--at', '0..9', '-o', {str(tmp_path)!r}]))"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+    assert done.returncode == 130
+    assert "interrupted" in done.stderr
+    assert signal.SIGINT.value == 2
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["motion.xlsx"]
+
+
+def test_a_closed_pipe_is_no_error() -> None:
+    command = f"{sys.executable} -m benchdragon motion spiral-in --at 0..300 --json --quiet | head -c 9"
+    done = subprocess.run(["sh", "-c", command], capture_output=True, text=True, check=False)
+    assert done.stderr == ""
+    assert done.stdout == '{"time": '
+
+
+def test_a_sign_that_cannot_be_drawn_is_named_once_in_a_plain_sentence(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    arguments = ["motion", str(EXAMPLES / "01_parade.dragon.toml"), "-o", str(tmp_path), "--quiet"]
+    arguments += ["--format", "png", "--set", 'meta.title="𠮷"']
+    code, _out, err = answered(capsys, *arguments)
+    assert code == 0
+    assert err == "Note: no font here has the signs 𠮷 (U+20BB7)\n"
+
+
+def test_what_one_command_line_chose_does_not_reach_the_next(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    before = os.environ.get("BENCHDRAGON_COMPILE")
+    assert (
+        run(["motion", "spiral-in", "--at", "3", "--only", "0"]) == 0
+    )  # so little that nothing is compiled
+    capsys.readouterr()
+    assert os.environ.get("BENCHDRAGON_COMPILE") == before
+
+
+@pytest.mark.parametrize(
+    ("words", "ending"),
+    [
+        ("view turn -o x.txt", ".html"),
+        ("view turn -o html", ".html"),
+        ("view turn -o x.html.gz", ".html"),
+        ("animate turn -o x", ".mp4, .gif, .png, .svg, .pdf"),
+        ("solve speed turn --pace x.json", ".toml"),
+        ("solve turn turn --plan-file x.html", ".toml"),
+    ],
+)
+def test_names_that_promise_another_kind_of_file_are_refused(
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    words: str,
+    ending: str,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    code, out, err = answered(capsys, *words.split())
+    assert (code, out) == (2, "")
+    assert f": wanted a name that ends in {ending}, not {words.split()[-1]}" in err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_list_of_verbs_says_whole_sentences(
+    capsys: pytest.CaptureFixture[str], spoken: str
+) -> None:
+    code, out, _err = answered(capsys, "--help")
+    said = "".join(out.split())
+    assert code == 0
+    assert "..." not in said.replace("[ARGS]...", "")
+    for name, verb in program.commands.items():
+        sentence = "".join(_(verb.help or "").split("\n\n")[0].split())
+        assert name + sentence in said
+    assert max(cell_len(line) for line in out.splitlines()) <= 80
+
+
+def test_a_line_each_thirty_seconds_tells_how_far_it_is(capsys: pytest.CaptureFixture[str]) -> None:
+    over: SimpleQueue[bool] = SimpleQueue()
+
+    def wait(seconds: float) -> bool:
+        assert seconds == 30.0
+        return over.get()
+
+    for told in ([], [(0.0, "first")], [(1.0, "first"), (2.0, "second"), (0.0, None)]):
+        with Lines(4.0, wait) as advance:
+            for share, text in told:
+                advance(share, text)
+            for last in (False, False, True):
+                over.put(last)
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.splitlines() == [
+        "30 s so far",
+        "60 s so far",
+        "30 s so far; first",
+        "60 s so far; first",
+        "30 s so far; 75 % done; second",
+        "60 s so far; 75 % done; second",
+    ]
+
+
+def test_progress_is_told_unless_it_is_to_be_quiet(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert isinstance(progress(False, 1.0), Lines)
+    assert not isinstance(progress(True, 1.0), Lines)
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    assert not isinstance(progress(False, 1.0), Lines)

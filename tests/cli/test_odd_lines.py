@@ -1,0 +1,192 @@
+"""Odd command lines: each ends with a documented code and one sentence, none with a traceback."""
+
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import click
+import pytest
+
+from benchdragon.cli.main import program, run
+from benchdragon.i18n import _, use_language
+
+ROOT = Path(__file__).parent.parent
+# The least that each verb wants; its plan is put in.
+LINES = {
+    "motion": ["motion", "PLAN", "--at", "3"],
+    "check": ["check", "PLAN"],
+    "solve": ["solve", "pitch", "PLAN"],
+    "margins": ["margins", "PLAN"],
+    "view": ["view", "PLAN", "-o", "x.html"],
+    "animate": ["animate", "PLAN", "-o", "x.png"],
+    "studio": ["studio", "--no-browser"],
+    "reproduce": ["reproduce"],
+    "schema": ["schema"],
+    "doctor": ["doctor"],
+    "plan": ["plan", "PLAN"],
+}
+WITH_PLAN = [verb for verb, line in LINES.items() if "PLAN" in line and verb != "plan"]
+FILES = {
+    "empty": b"",
+    "zeros": bytes(100),
+    "mark-alone": b"\xef\xbb\xbf",
+    "utf-16": "schema = 1".encode("utf-16"),
+    "latin-1": "schema = 1 # °".encode("latin-1"),
+    "torn": b"schema = 1\n[rou",
+    "deep": b"schema = " + b"[" * 9000,
+    "digits": b"schema = " + b"9" * 5000,
+    "json": b'{"schema": 1}',
+    "other-toml": b'[project]\nname = "x"',
+    "next-year": b'schema = 2\n[route]\nkind = "turn"',
+    "surrogate": b'schema = 1\n[route]\nkind = "\\uD800"',
+}
+SETTINGS = [
+    "", "=", "route.pitch", "route.pitch=nan", "route.pitch=1e-300", "route.pitch=60 kg",
+    "route.pitch=[",
+    "route.pitch=true", "dragon.benches=0", "dragon.benches=1e9", "wak.speed=1", "龙=1", "\ud800=1",
+    "..=1",
+    "route=1", "schema.x=1", "route.pitch=" + "9" * 5000, "walk.profile=[[0,1],[0,1]]",
+    "route.part.0=1",
+]  # fmt: skip
+TIMES = [
+    "",
+    "x",
+    "1:02:03:04",
+    "0:300:1",
+    "9..0",
+    "0..1e9",
+    "1e999",
+    "NaN",
+    "٣",
+    "1,,2",
+    "3 kg",
+    "\ud800",
+]
+# Values that no option of a type takes.
+VALUES = {
+    click.Choice: ["x", "", "龙"],
+    click.IntRange: ["x", "", "1.5", "-1", "1e9", "9" * 5000],
+    click.FloatRange: ["x", "", "-1", "1e999", "-inf"],
+}
+MORE = [
+    [], ["dance"], ["--nosuch"], ["--lang"], ["--lang", "de"], ["motion"], ["solve"],
+    ["solve", "pitch"],
+    ["solve", "colour", "turn"], ["view", "turn"], ["view", "turn", "-o", "x.txt"], ["check", "a", "b"],
+    ["animate", "turn"], ["animate", "turn", "-o", "x.avi"], ["animate", "turn", "-o", ".png"],
+    ["animate", "turn", "-o", "x.png", "--sheet", "0x0"],
+    ["animate", "turn", "-o", "x.png", "--size", "1"],
+    ["animate", "turn", "-o", "x.png", "--span", "9"], ["animate", "turn", "-o", "x.png", "--fps", "9"],
+    ["motion", "turn", "--at", "3", "--only", "-1"], ["motion", "turn", "--at", "3", "--only", "x,"],
+    ["motion", "turn", "--at", "0..9", "-o", "x", "--format", "exe"],
+    ["motion", "turn", "--at", "3", "-o", ""],
+    ["motion", "turn", "--at", "3", "-o", "/dev/null/x"], ["check", "turn", "-o", "/dev/null"],
+    ["check", "turn", "-o", "x", "--format", ""], ["solve", "pitch", "turn", "--range", "2..1..0"],
+    ["solve", "pitch", "turn", "--range", "x"], ["solve", "speed", "turn", "--pace", "x"],
+    ["margins", "turn", "-o", "/dev/null/x"], ["reproduce", "-o", "/dev/null/x"],
+    ["studio", "--port", "x"],
+    ["studio", "--port", "70000"], ["doctor", "x"], ["schema", "x"],
+    ["motion", "/dev/null", "--at", "3"], ["motion", "/", "--at", "3"],
+    ["motion", "x" * 5000, "--at", "3"],
+    ["motion", "", "--at", "3"], ["view", "turn", "-o", ""],
+]  # fmt: skip
+
+
+def with_plan(verb: str, plan: str) -> list[str]:
+    return [plan if word == "PLAN" else word for word in LINES[verb]]
+
+
+def wrong_options() -> Iterator[list[str]]:
+    """Each option of each verb with what its type does not take, without a value, and misspelt."""
+    for verb, command in program.commands.items():
+        line = with_plan(verb, "turn")
+        yield [*line, "--no-such-option"]
+        for option in command.params:
+            if isinstance(option, click.Option) and not option.is_flag:
+                name = max(option.opts, key=len)
+                yield [*line, name]
+                yield from ([*line, name, value] for value in VALUES.get(type(option.type), []))
+
+
+def odd_lines() -> list[list[str]]:
+    lines = [with_plan(verb, f"{name}.toml") for verb in WITH_PLAN for name in [*FILES, "missing"]]
+    lines += [[*with_plan(verb, "turn"), "--set", text] for verb in WITH_PLAN for text in SETTINGS]
+    lines += [["motion", "turn", "--at", text] for text in TIMES]
+    lines += [
+        [*with_plan(verb, "turn"), option, text]
+        for verb in ("view", "animate")
+        for option in ("--start", "--end")
+        for text in TIMES
+    ]
+    return [*lines, *MORE, *wrong_options()]
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Where the command lines are run, among files that are no plans."""
+    for name, content in FILES.items():
+        (tmp_path / f"{name}.toml").write_bytes(content)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def documented_codes() -> set[int]:
+    """The exit codes of the manual."""
+    table = (ROOT / "docs" / "en" / "commands.md").read_text("utf-8").split("| exit code |")[1]
+    cells = re.findall(r"^\| ([0-9, ]+) \|", table, re.MULTILINE)
+    return {int(code) for cell in cells for code in cell.split(",")}
+
+
+def test_the_manual_names_every_exit_code() -> None:
+    assert documented_codes() == {0, 1, 2, 3, 4, 5, 6, 70, 129, 130, 141, 143}
+
+
+def test_there_are_hundreds_of_odd_lines() -> None:
+    lines = odd_lines()
+    assert len({tuple(line) for line in lines}) == len(lines) > 400
+    assert {line[0] for line in lines if line} >= set(program.commands)
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_an_odd_line_is_refused_in_one_sentence(
+    folder: Path, capsys: pytest.CaptureFixture[str], language: str
+) -> None:
+    before = sorted(folder.iterdir())
+    use_language(language)
+    sign = {_("Error: {text}").split("{")[0].strip(), "Usage:" if language == "en" else "用法"}
+    faults = []
+    for line in odd_lines():
+        code = run([line[0], "--json", *line[1:]] if "--json" in program_options(line) else line)
+        out, err = capsys.readouterr()
+        told = [text for text in err.splitlines() if text.startswith(tuple(sign))]
+        if code not in {2, 3} or out or not told or "Traceback" in err or len(err) > 1500 + 5000:
+            faults.append((" ".join(line)[:80], code, out[:80], err[:200]))
+    use_language("en")
+    assert faults == []
+    assert sorted(folder.iterdir()) == before
+
+
+def program_options(line: list[str]) -> list[str]:
+    """The options of a line's verb."""
+    command = program.commands.get(line[0] if line else "")
+    return [name for option in command.params for name in option.opts] if command else []
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        ["motion", "turn", "--at", "3"],
+        ["motion", "turn", "--at", "3", "-o", "out", "--format", "csv"],
+        ["motion", "spiral-in", "--at", "900", "--keep-going"],
+        ["check", "spiral-in", "--set", "walk.end=9", "--set", "dragon.benches=3"],
+        ["check", "spiral-in", "--set", "walk.end=9", "--set", "dragon.benches=3", "-o", "out"],
+        ["animate", "turn", "-o", "x.png", "--set", "dragon.benches=3"],
+        ["doctor"],
+    ],
+)
+def test_with_json_nothing_but_json_is_printed(
+    folder: Path, capsys: pytest.CaptureFixture[str], line: list[str]
+) -> None:
+    code = run([*line, "--json"])
+    assert isinstance(json.loads(capsys.readouterr().out), dict)
+    assert code in documented_codes()

@@ -1,0 +1,289 @@
+"""Every option of every verb has an effect, or is refused: each is given, and the outcome compared."""
+
+import re
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import click
+import pytest
+
+import benchdragon.kernels.jit
+import benchdragon.model.placement
+import benchdragon.paper.reproduce
+import benchdragon.solve.tolerance
+import benchdragon.solve.turn
+import benchdragon.studio.app
+from benchdragon.__main__ import asked_language
+from benchdragon.cli.main import program, run
+from benchdragon.errors import InputError
+from benchdragon.i18n import spoken_in
+
+# A dance of a few metres, to be asked about often.
+SMALL = ["--set", "dragon.benches=4", "--set", "route.pitch=1.2", "--set", "route.start_turn=4"]
+COIL = ["dragon.benches=9", "route.start_turn=8", "route.pitch=0.7", "disc.radius=2"]
+DISC = [word for setting in COIL for word in ("--set", setting)]
+SHORT = [*SMALL, "--set", "walk.end=2"]
+TURN = ["turn", "--set", "dragon.benches=3", "--set", "walk.end=3", "--set", "walk.start=0"]
+
+MOTION = ["motion", "spiral-in", *SMALL, "--at", "3"]
+NPZ = ["-o", "out", "--format", "npz"]
+CHECK = ["check", "spiral-in", *SHORT]
+SOLVE = ["solve", "pitch", "spiral-in", *DISC]
+TRAVERSAL = [*SOLVE, "--method", "traversal", "--pitch-step", "0.1", "--time-step", "2"]
+RANGE = [*SOLVE, "--range", "0.5..0.8", "--count", "3"]
+SPEED = ["solve", "speed", *TURN]
+BEST = ["solve", "turn", *TURN]
+MARGINS = ["margins", "spiral-in", *DISC, "--aside", "0.01", "--draws", "4"]
+VIEW = ["view", "spiral-in", *SHORT, "-o", "dance.html"]
+STILL = ["animate", "spiral-in", *SHORT, "-o", "still.png", "--size", "320x180"]
+SHEET = [*STILL, "--sheet", "2x1"]
+FILM = ["animate", "spiral-in", *SHORT, "-o", "film.gif", "--size", "320x180", "--end", "0.3"]
+STUDIO = ["studio", "--port", "0", "--no-browser"]
+REPRODUCE = ["reproduce", "-o", "out"]
+
+
+class Case(NamedTuple):
+    """A command line, what is added to it, and one that is run before both."""
+
+    base: list[str]
+    added: list[str]
+    before: Sequence[str] = ()
+
+
+CASES: dict[str, Case] = {
+    "motion --set": Case(MOTION, ["--set", "route.pitch=0.6"]),
+    "motion --at": Case(MOTION, ["--at", "4"]),
+    "motion --only": Case(MOTION, ["--only", "1"]),
+    "motion --output": Case(MOTION, NPZ),
+    "motion --format": Case([*MOTION, *NPZ], ["--format", "csv"]),
+    "motion --force": Case([*MOTION, *NPZ], ["--force"], [*MOTION, *NPZ]),
+    "motion --json": Case(MOTION, ["--json"]),
+    "motion --leader": Case(MOTION, ["--leader", "rk4"]),
+    "motion --step": Case([*MOTION, "--at", "9", "--leader", "rk4"], ["--step", "1.5"]),
+    "motion --keep-going": Case([*MOTION, "--at", "3,999"], ["--keep-going"]),
+    "motion --workers": Case([*MOTION, "--at", "0..9..0.1", *NPZ], ["--workers", "2"]),
+    "motion --explain": Case(MOTION, ["--explain"]),
+    "check --set": Case(CHECK, ["--set", "walk.end=3"]),
+    "check --prove": Case(CHECK, ["--prove"]),
+    "check --output": Case(CHECK, ["-o", "out", "--format", "svg"]),
+    "check --format": Case([*CHECK, "-o", "out", "--format", "svg"], ["--format", "pdf"]),
+    "check --force": Case(
+        [*CHECK, "-o", "out", "--format", "svg"], ["--force"], [*CHECK, "-o", "out", "--format", "svg"]
+    ),
+    "check --json": Case(CHECK, ["--json"]),
+    "check --explain": Case(CHECK, ["--explain"]),
+    "check --brackets": Case(CHECK, ["--brackets"]),
+    "check --show-plan": Case(CHECK, ["--show-plan"]),
+    "plan --set": Case(["plan", "turn"], ["--set", "route.pitch=1.8"]),
+    "plan --output": Case(["plan", "turn"], ["-o", "mine.toml"]),
+    "plan --force": Case(
+        ["plan", "turn", "-o", "mine.toml"], ["--force"], ["plan", "turn", "-o", "mine.toml"]
+    ),
+    "schema --table": Case(["schema"], ["--table"]),
+    "solve --set": Case(SOLVE, ["--set", "dragon.width=0.5"]),
+    "solve --method": Case(TRAVERSAL[:-6], TRAVERSAL[-6:]),
+    "solve --pitch-step": Case(TRAVERSAL, ["--pitch-step", "0.15"]),
+    "solve --time-step": Case([*TRAVERSAL, "--explain"], ["--time-step", "4"]),
+    "solve --range": Case(SOLVE, ["--range", "0.5..0.8"]),
+    "solve --count": Case([*RANGE, "--explain"], ["--count", "4"]),
+    "solve --prove": Case(SOLVE, ["--prove"]),
+    "solve --pace": Case(SPEED, ["--pace", "paced.toml"]),
+    "solve --objective": Case(BEST, ["--objective", "length"]),
+    "solve --least-radius": Case(BEST, ["--least-radius", "1.6"]),
+    "solve --longest": Case(BEST, ["--longest", "12"]),
+    "solve --longest-way": Case(BEST, ["--longest-way", "12"]),
+    "solve --plan-file": Case(BEST, ["--plan-file", "paced.toml"], [*SPEED, "--pace", "paced.toml"]),
+    "solve --force": Case(
+        [*SPEED, "--pace", "paced.toml"], ["--force"], [*SPEED, "--pace", "paced.toml"]
+    ),
+    "solve --json": Case(SPEED, ["--json"]),
+    "solve --explain": Case(SPEED, ["--explain"]),
+    "solve --brackets": Case(SPEED, ["--brackets"]),
+    "margins --set": Case([*MARGINS, "--json"], ["--set", "limits.margin=0.1"]),
+    **{
+        f"margins --{slip}": Case([*MARGINS, "--json"], [f"--{slip}", "0.02"])
+        for slip in ("aside", "stray", "play", "height", "length", "width")
+    },
+    "margins --draws": Case(MARGINS, ["--draws", "5"]),
+    "margins --seed": Case([*MARGINS, "--json"], ["--seed", "2"]),
+    "margins --workers": Case([*MARGINS, "--workers", "1"], ["--workers", "2"]),
+    "margins --output": Case(MARGINS, ["-o", "out"]),
+    "margins --force": Case([*MARGINS, "-o", "out"], ["--force"], [*MARGINS, "-o", "out"]),
+    "margins --json": Case(MARGINS, ["--json"]),
+    "margins --explain": Case(MARGINS, ["--explain"]),
+    "view --set": Case(VIEW, ["--set", "dragon.width=0.4"]),
+    "view --output": Case(VIEW, ["-o", "other.html"]),
+    "view --force": Case(VIEW, ["--force"], VIEW),
+    "view --start": Case(VIEW, ["--start", "1"]),
+    "view --end": Case(VIEW, ["--end", "1"]),
+    "animate --set": Case(STILL, ["--set", "dragon.width=0.5"]),
+    "animate --output": Case(STILL, ["-o", "still.svg"]),
+    "animate --start": Case(STILL, ["--start", "1"]),
+    "animate --end": Case(SHEET, ["--end", "1"]),
+    "animate --speed-up": Case(FILM, ["--speed-up", "0.5"]),
+    "animate --fps": Case(FILM, ["--fps", "10"]),
+    "animate --at": Case(STILL, ["--at", "1"]),
+    "animate --sheet": Case(STILL, ["--sheet", "2x1"]),
+    "animate --size": Case(STILL, ["--size", "400x200"]),
+    "animate --theme": Case(STILL, ["--theme", "dark"]),
+    "animate --follow": Case(STILL, ["--follow", "2"]),
+    "animate --span": Case([*STILL, "--follow", "2"], ["--span", "20"]),
+    "animate --force": Case(STILL, ["--force"], STILL),
+    "animate --json": Case(STILL, ["--json"]),
+    "studio --host": Case(STUDIO, ["--host", "::1"]),
+    "studio --port": Case(STUDIO, ["--port", "8001"]),
+    "studio --allow": Case(STUDIO, ["--allow", "dragon.test"]),
+    "studio --no-browser": Case(STUDIO[:-1], STUDIO[-1:]),
+    "studio --workers": Case(STUDIO, ["--workers", "3"]),
+    "reproduce --output": Case(REPRODUCE, ["-o", "elsewhere"]),
+    "reproduce --force": Case(REPRODUCE, ["--force"]),
+    "reproduce --docs": Case(REPRODUCE, ["--docs", "pages"]),
+    "doctor --json": Case(["doctor"], ["--json"]),
+    **{
+        f"{line[0]} --lang": Case(line, ["--lang", "zh"])
+        for line in (
+            MOTION,
+            CHECK,
+            SPEED,
+            MARGINS,
+            VIEW,
+            STILL,
+            STUDIO,
+            ["doctor"],
+            ["plan"],
+            ["schema"],
+        )
+    },
+    **{
+        f"{line[0]} --quiet": Case(line, ["--quiet"])
+        for line in (MOTION, CHECK, SPEED, MARGINS, VIEW, STILL, STUDIO)
+    },
+}
+# What these say comes after minutes of work: tests/test_reproduce.py runs them.
+ELSEWHERE = {f"reproduce --{name}" for name in ("json", "explain", "lang", "quiet")}
+# Nothing is said on standard error, nor in a language, that could be left out.
+SILENT = {"plan --quiet", "schema --quiet", "doctor --quiet"}
+
+
+@pytest.fixture
+def recorded(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Calls of what cannot be seen from outside, or takes minutes, which then is not done."""
+    calls: list[str] = []
+
+    def stopped(name: str) -> Callable[..., Any]:
+        def call(*arguments: Any, **_options: Any) -> None:
+            said = [repr(argument) for argument in arguments if not callable(argument)]
+            raise InputError(f"{name} {said}")
+
+        return call
+
+    def pooled(pool: Any) -> Callable[..., Any]:
+        def call(workers: int) -> Any:
+            calls.append(f"{workers} threads")
+            return pool(workers)
+
+        return call
+
+    def served(settings: object, listening: Callable[[str], None]) -> None:
+        calls.append(repr(settings))
+        listening("somewhere")
+
+    for module in (benchdragon.model.placement, benchdragon.solve.tolerance):
+        monkeypatch.setattr(module, "ThreadPoolExecutor", pooled(module.ThreadPoolExecutor))
+    monkeypatch.setattr(benchdragon.solve.turn, "best_turn", stopped("best turn"))
+    monkeypatch.setattr(benchdragon.paper.reproduce, "reproduce", stopped("reproduce"))
+    monkeypatch.setattr(benchdragon.studio.app, "serve", served)
+    monkeypatch.setattr("webbrowser.open", calls.append)
+    monkeypatch.setattr(
+        benchdragon.kernels.jit, "watch_compiling", lambda *_arguments: calls.append("watched")
+    )
+    return calls
+
+
+@pytest.fixture
+def outcome(
+    tmp_path: Path,
+    capfd: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    recorded: list[str],
+) -> Callable[[list[str], Sequence[str]], tuple[object, ...]]:
+    """What a command line comes to in an empty folder, after another one: text, code, files, calls."""
+    count = 0
+
+    def come(line: list[str], before: Sequence[str]) -> tuple[object, ...]:
+        nonlocal count
+        count += 1
+        folder = tmp_path / str(count)
+        folder.mkdir()
+        monkeypatch.chdir(folder)
+        if before:
+            run(before)
+        capfd.readouterr()
+        recorded.clear()
+        with spoken_in(asked_language(line) or "en"):
+            code = run(line)
+        said = re.sub(r'"seconds": [^,}]*', "", "".join(capfd.readouterr()))
+        files = {
+            str(path.relative_to(folder)): path.read_bytes()
+            for path in sorted(folder.rglob("*"))
+            if path.is_file()
+        }
+        return code, said, files, list(recorded)
+
+    return come
+
+
+def test_every_option_of_every_verb_is_given() -> None:
+    known = {
+        f"{name} --{max(option.opts, key=len)[2:]}"
+        for name, verb in program.commands.items()
+        for option in verb.params
+        if isinstance(option, click.Option)
+    }
+    assert known == {*CASES, *ELSEWHERE, *SILENT}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_an_option_has_an_effect(
+    outcome: Callable[[list[str], Sequence[str]], tuple[object, ...]], name: str
+) -> None:
+    base, added, before = CASES[name]
+    without = outcome(base, before)
+    assert outcome(base, before) == without, "the same twice, else nothing could be told"
+    assert outcome([*base, *added], before) != without
+
+
+@pytest.mark.parametrize(
+    ("line", "sentence"),
+    [
+        ([*MOTION, "--format", "csv"], "--format goes with -o alone"),
+        ([*MOTION, "--format", "xlsx,csv,png"], "--format goes with -o alone"),
+        ([*MOTION, "--force"], "--force goes with -o alone"),
+        ([*MOTION, "--step", "0.1"], "--step goes with --leader rk4 alone"),
+        ([*MOTION, "--leader", "adaptive", "--step", "1"], "--step goes with --leader rk4 alone"),
+        ([*MOTION, "-o", "x", "--format", "png", "--only", "1"], "--only goes with xlsx, csv"),
+        ([*CHECK, "--format", "png"], "--format goes with -o alone"),
+        ([*CHECK, "--force"], "--force goes with -o alone"),
+        (["plan", "turn", "--force"], "--force goes with -o alone"),
+        (["plan", "-o", "x"], "--output goes with PLAN alone"),
+        (["plan", "--set", "route.pitch=1"], "--set goes with PLAN alone"),
+        ([*SOLVE, "--pitch-step", "0.1"], "--pitch-step goes with --method traversal alone"),
+        ([*SOLVE, "--time-step", "1"], "--time-step goes with --method traversal alone"),
+        ([*SOLVE, "--count", "50"], "--count goes with --range alone"),
+        ([*SOLVE, "--force"], "--force goes with --pace, --plan-file alone"),
+        ([*SOLVE, "--objective", "way"], "--objective does not go with pitch"),
+        ([*RANGE, "--prove"], "--prove does not go with --range"),
+        ([*RANGE, "--method", "traversal"], "--method does not go with --range"),
+        ([*MARGINS, "--force"], "--force goes with -o alone"),
+        ([*STILL, "--span", "3"], "--span goes with --follow alone"),
+        ([*STILL, "--end", "3"], "--end does not go with .png"),
+    ],
+)
+def test_an_option_without_effect_is_refused(
+    capfd: pytest.CaptureFixture[str], line: list[str], sentence: str
+) -> None:
+    assert run(line) == 2
+    out, err = capfd.readouterr()
+    assert out == ""
+    assert f"Error: {sentence}" in err

@@ -1,0 +1,147 @@
+from pathlib import Path
+
+import h5netcdf
+import numpy as np
+import pytest
+from pyarrow import parquet
+from python_calamine import CalamineWorkbook
+
+from benchdragon import Dragon, InputError, WalkError
+from benchdragon.errors import MissingExtraError
+from benchdragon.export.tables import (
+    WRITERS,
+    Selection,
+    write_csv,
+    write_netcdf,
+    write_npz,
+    write_parquet,
+    write_xlsx,
+)
+from benchdragon.i18n import use_language
+from benchdragon.model.numbering import handle_names
+from benchdragon.plans.schema import read_plan
+
+WALK = read_plan("spiral-in").build()
+TIMES = np.array([0.0, 60.5, 300.0])
+ALL = range(224)
+
+
+def silent(_share: float) -> None:
+    """Progress that nobody watches."""
+
+
+def test_the_spreadsheet_has_the_contests_layout(tmp_path: Path) -> None:
+    use_language("zh")
+    try:
+        write_xlsx(tmp_path / "a.xlsx", Selection(WALK, TIMES, ALL), silent)
+    finally:
+        use_language("en")
+    book = CalamineWorkbook.from_path(tmp_path / "a.xlsx")
+    assert book.sheet_names == ["位置", "速度", "编号"]
+    places, speeds = (book.get_sheet_by_name(name).to_python() for name in book.sheet_names[:2])
+    assert places[0] == ["", "0 s", "60.5 s", "300 s"]
+    names = [row[0] for row in places[1:]]
+    assert names[:4] == ["龙头x (m)", "龙头y (m)", "第1节龙身x (m)", "第1节龙身y (m)"]
+    assert names[-4:] == ["龙尾x (m)", "龙尾y (m)", "龙尾（后）x (m)", "龙尾（后）y (m)"]
+    assert names[-6:-4] == ["第221节龙身x (m)", "第221节龙身y (m)"]
+    assert len(places) == 449
+    assert len(speeds) == 225
+    motion = WALK.motion(TIMES)
+    x = np.array([row[1:] for row in places[1::2]], dtype=float)
+    assert x == pytest.approx(np.round(motion.x.T, 6), abs=1e-12)
+    speed = np.array([row[1:] for row in speeds[1:]], dtype=float)
+    assert speed == pytest.approx(np.round(motion.speed.T, 6), abs=1e-12)
+
+
+def test_short_dragons_have_names_for_their_handles() -> None:
+    assert handle_names(2) == ["Head", "Tail (rear)"]
+    assert handle_names(3) == ["Head", "Tail", "Tail (rear)"]
+    assert handle_names(5) == ["Head", "Body 1", "Body 2", "Tail", "Tail (rear)"]
+
+
+def test_the_csv_is_long_and_loses_no_digit(tmp_path: Path) -> None:
+    write_csv(tmp_path / "a.csv", Selection(WALK, TIMES, [0, 5]), silent)
+    raw = (tmp_path / "a.csv").read_bytes()
+    assert raw.startswith(b"\xef\xbb\xbftime_s,handle,x_m,y_m,v_m_s\r\n")
+    table = np.loadtxt(tmp_path / "a.csv", delimiter=",", skiprows=1, encoding="utf-8-sig")
+    motion = WALK.motion(TIMES)
+    assert table[:, 0].tolist() == [0.0, 0.0, 60.5, 60.5, 300.0, 300.0]
+    assert table[:, 1].tolist() == [0, 5] * 3
+    assert (table[:, 2] == motion.x[:, [0, 5]].ravel()).all()
+    assert (table[:, 4] == motion.speed[:, [0, 5]].ravel()).all()
+
+
+def test_npz_parquet_and_netcdf_hold_the_same(tmp_path: Path) -> None:
+    what = Selection(WALK, TIMES, [3, 223])
+    motion = WALK.motion(TIMES)
+    write_npz(tmp_path / "a.npz", what, silent)
+    with np.load(tmp_path / "a.npz") as arrays:
+        assert sorted(arrays) == ["handle", "s", "speed", "time", "x", "y"]
+        assert (arrays["s"] == motion.s[:, [3, 223]]).all()
+    write_parquet(tmp_path / "a.parquet", what, silent)
+    long = parquet.read_table(tmp_path / "a.parquet")
+    assert long.column_names == ["time_s", "handle", "x_m", "y_m", "v_m_s"]
+    assert (long["y_m"].to_numpy() == motion.y[:, [3, 223]].ravel()).all()
+    write_netcdf(tmp_path / "a.nc", what, silent)
+    with h5netcdf.File(tmp_path / "a.nc") as file:
+        assert (file.variables["speed"][:] == motion.speed[:, [3, 223]]).all()
+        assert file.variables["x"].attrs["units"] == "m"
+        assert file.variables["time"][:].tolist() == TIMES.tolist()
+
+
+@pytest.mark.parametrize("name", sorted(WRITERS))
+def test_progress_adds_up_and_a_failure_leaves_no_file(tmp_path: Path, name: str) -> None:
+    shares: list[float] = []
+    WRITERS[name](tmp_path / f"a.{name}", Selection(WALK, TIMES, ALL), shares.append)
+    assert sum(shares) == pytest.approx(1.0)
+    with pytest.raises(WalkError):
+        WRITERS[name](tmp_path / f"b.{name}", Selection(WALK, np.array([0.0, 900.0]), ALL), silent)
+    assert [path.name for path in tmp_path.iterdir()] == [f"a.{name}"]
+
+
+def test_what_cannot_stand_leaves_empty_cells_when_asked(tmp_path: Path) -> None:
+    what = Selection(WALK, np.array([0.0, 900.0]), [0, 1], throw=False)
+    write_csv(tmp_path / "a.csv", what, silent)
+    lines = (tmp_path / "a.csv").read_text("utf-8-sig").splitlines()
+    assert lines[3:] == ["900.0,0,,,", "900.0,1,,,"]
+    write_xlsx(tmp_path / "a.xlsx", what, silent)
+    sheet = CalamineWorkbook.from_path(tmp_path / "a.xlsx").get_sheet_by_index(1).to_python()
+    assert sheet[1] == ["Head (m/s)", 1.0] or sheet[1][2] == ""
+
+
+def test_more_than_a_format_holds_is_refused(tmp_path: Path) -> None:
+    many = np.arange(16_384.0)
+    for times, handles in ((many, [0]), (many[:10_000], ALL)):
+        with pytest.raises(InputError, match="choose fewer"):
+            write_xlsx(tmp_path / "a.xlsx", Selection(WALK, times, handles), silent)
+    with pytest.raises(InputError, match="such a file holds at most 40000000 places"):
+        write_npz(tmp_path / "a.npz", Selection(WALK, np.arange(200_000.0), ALL), silent)
+    with pytest.raises(InputError, match="such a file holds at most 40000000 places"):
+        write_netcdf(tmp_path / "a.nc", Selection(WALK, np.arange(200_000.0), ALL), silent)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("name", ["parquet", "nc"])
+def test_a_missing_extra_names_the_command_that_brings_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    module = {"parquet": "pyarrow", "nc": "h5netcdf"}[name]
+    monkeypatch.setitem(__import__("sys").modules, module, None)
+    with pytest.raises(MissingExtraError, match=r"pip install 'benchdragon\[data\]'"):
+        WRITERS[name](tmp_path / "a", Selection(WALK, TIMES, [0]), silent)
+
+
+def test_xarray_carries_units_and_all_tables() -> None:
+    data = WALK.motion(TIMES).to_xarray()
+    assert set(data) == {
+        "x", "y", "s", "speed", "acceleration", "heading", "turning_rate", "status",
+    }  # fmt: skip
+    assert data["x"].sel(time=300.0, handle=223).item() == WALK.motion([300.0]).x[0, 223]
+    assert data["turning_rate"].attrs["units"] == "rad s-1"
+    assert data["heading"].dims == ("time", "bench")
+
+
+def test_slices_of_many_benches_are_written_one_time_at_once(tmp_path: Path) -> None:
+    walk = type(WALK)(Dragon.uniform(benches=1_000_000), WALK.route)
+    write_csv(tmp_path / "a.csv", Selection(walk, np.array([0.0, 1.0]), [0, 1_000_000]), silent)
+    assert len((tmp_path / "a.csv").read_text().splitlines()) == 5

@@ -1,0 +1,197 @@
+"""The report: links lead somewhere, numbers are the run's, in both languages, as HTML and PDF."""
+
+import json
+import multiprocessing
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+from pypdf import PdfReader
+
+from benchdragon.errors import InputError, UnsureError
+from benchdragon.i18n import use_language
+from benchdragon.paper import reproduce as reproducing
+from benchdragon.paper.document import Heading, Link, Paragraph, Picture, Table, Words
+from benchdragon.paper.publish import breakable, write_html, write_pdf
+from benchdragon.paper.report import report
+from benchdragon.paper.reproduce import pages_from, reproduce
+from benchdragon.paper.results import Results, _beside
+from benchdragon.plans.schema import read_plan
+
+pytestmark = pytest.mark.xdist_group("paper")
+
+ENGLISH = re.compile(r"[A-Za-z]{3,} [a-z]{3,} [a-z]{3,}")
+
+
+class Page(HTMLParser):
+    """Anchors, links, sources and words of a page."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.anchors: set[str] = set()
+        self.links: list[str] = []
+        self.sources: list[str] = []
+        self.words: list[str] = []
+        self.feed(text)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        del tag
+        given = dict(attrs)
+        self.anchors |= {given["id"] or ""} if "id" in given else set()
+        self.links += [given["href"] or ""] if "href" in given else []
+        self.sources += [given["src"] or ""] if "src" in given else []
+
+    def handle_data(self, data: str) -> None:
+        self.words.append(data)
+
+
+def test_the_page_needs_nothing_beside_it(folder: Path) -> None:
+    page = Page((folder / "report.html").read_text("utf-8"))
+    assert len(page.sources) == 15
+    assert all(source.startswith("data:image/png;base64,") for source in page.sources)
+    assert page.links
+    assert all(link.startswith("#") and link[1:] in page.anchors for link in page.links)
+
+
+def test_links_lead_to_the_documentation_where_that_is_given(found: Results) -> None:
+    words = [part for block in report(found, "docs/en/").blocks for part in parts(block)]
+    links = {part.target for part in words if isinstance(part, Link)}
+    assert "docs/en/established.html#smallest-pitch" in links
+    assert "docs/en/established.html#first-contact" in links
+    assert "#how-smallest-pitch" in links
+
+
+def parts(block: object) -> list[Words]:
+    if isinstance(block, Paragraph):
+        return list(block.words)
+    return [cell for row in block.rows for cell in row] if isinstance(block, Table) else []
+
+
+def test_every_key_number_of_the_run_stands_in_both_files(folder: Path) -> None:
+    answers = json.loads((folder / "answers.json").read_text("utf-8"))
+    turn = answers["turn"]
+    wanted = [
+        f"{answers['pitch']['smallest']['value']:.12f}",
+        f"{answers['contact']['first']['value']:.9f}",
+        f"{turn['greatest_head_speed']['value']:.12f}",
+        f"{turn['length_m']:.10f}",
+        f"{turn['better'][0]['way']:.4f}",
+        f"{answers['margins']['all']['median_m']:.4f}",
+        f"{answers['rates']['smallest_pitch'][1]['exact'] * 10.0:.8f}",
+    ]
+    page = "".join(Page((folder / "report.html").read_text("utf-8")).words)
+    pages = "".join(page.extract_text() for page in PdfReader(folder / "report.pdf").pages)
+    for number in wanted[:5]:
+        assert number in page
+        assert number in pages.replace("\n", "")
+    for number in wanted[5:]:
+        assert number in page
+
+
+def test_the_paper_s_figures_and_claims_are_all_there(folder: Path) -> None:
+    page = "".join(Page((folder / "report.html").read_text("utf-8")).words)
+    for number in (
+        "0.452 m",
+        "4.0055, 0.9841, -2.1575, 0.8639",
+        "1 m/s",
+        "(1)",
+        "(6)",
+        "Fig 1",
+        "Fig 4",
+    ):
+        assert number in page, number
+
+
+def test_the_pdf_has_an_outline_pictures_and_links(folder: Path) -> None:
+    pdf = PdfReader(folder / "report.pdf")
+    assert pdf.metadata is not None
+    assert "benchdragon" in (pdf.metadata.creator or "")
+    assert len([entry for entry in pdf.outline if not isinstance(entry, list)]) == 9
+    assert sum(len(page.images) for page in pdf.pages) == 15
+    assert any("/Annots" in page for page in pdf.pages)
+
+
+def test_the_report_speaks_chinese(folder: Path, found: Results, tmp_path: Path) -> None:
+    use_language("zh")
+    try:
+        spoken = report(found)
+        write_html(tmp_path / "report.html", spoken, folder)
+        write_pdf(tmp_path / "report.pdf", spoken, folder)
+    finally:
+        use_language("en")
+    text = (tmp_path / "report.html").read_text("utf-8")
+    assert '<html lang="zh-Hans">' in text
+    words = "".join(Page(text).words)
+    assert (
+        ENGLISH.findall(
+            re.sub(r"[\w/.]+(\.py|\.md)|benchdragon[\w.]*", "", words.split("</style>")[-1])
+        )
+        == []
+    )
+    assert "最小螺距" in words
+    pages = "".join(page.extract_text() for page in PdfReader(tmp_path / "report.pdf").pages)
+    assert "\u200b" not in pages
+    assert "最小螺距" in pages
+
+
+def test_both_languages_say_the_same_blocks(found: Results) -> None:
+    english = report(found)
+    use_language("zh")
+    try:
+        chinese = report(found)
+    finally:
+        use_language("en")
+    assert [type(block) for block in english.blocks] == [type(block) for block in chinese.blocks]
+    for one, other in zip(english.blocks, chinese.blocks, strict=True):
+        if isinstance(one, Heading | Picture):
+            assert isinstance(other, Heading | Picture)
+            assert vars(one).get("anchor") == vars(other).get("anchor")
+            assert vars(one).get("name") == vars(other).get("name")
+        if isinstance(one, Table) and isinstance(other, Table):
+            assert [len(row) for row in one.rows] == [len(row) for row in other.rows]
+
+
+def test_chinese_lines_may_break_after_signs_but_not_before_stops() -> None:
+    assert breakable("板凳。龙 a b") == "板\u200b凳。\u200b龙\u200b a b"
+
+
+@pytest.mark.parametrize("name", ["report.html", "report.pdf"])
+def test_files_are_not_huge(folder: Path, name: str) -> None:
+    assert 100_000 < (folder / name).stat().st_size < 12_000_000
+
+
+def test_a_written_report_leads_to_pages_that_are_there(
+    folder: Path, found: Results, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pages = tmp_path / "pages"
+    pages.mkdir()
+    (pages / "established.html").write_text("here", "utf-8")
+    monkeypatch.setattr(reproducing, "results", lambda _advance: found)
+    monkeypatch.setattr(reproducing, "PICTURE_KINDS", ("png",))
+    monkeypatch.chdir(tmp_path)
+    out = Path("deep/out")
+    reproduce(out, docs="pages")
+    page = Page((out / "report.html").read_text("utf-8"))
+    away = [link for link in page.links if not link.startswith("#")]
+    assert away
+    assert all((out / link.partition("#")[0]).resolve().is_file() for link in away)
+    assert pages_from(out, "https://example.org/manual") == "https://example.org/manual"
+    with pytest.raises(InputError, match="no pages"):
+        reproduce(tmp_path / "other", docs="nowhere")
+    assert not (tmp_path / "other").exists()
+
+
+def test_a_search_that_dies_is_told_and_none_outlives_the_run() -> None:
+    plan = read_plan("turn")
+    with _beside(plan, (1.3,), "en") as better:
+        (child,) = multiprocessing.active_children()
+        child.kill()
+        with pytest.raises(UnsureError, match="died"):
+            better()
+    with _beside(plan, (1.3,), "en"):
+        (child,) = multiprocessing.active_children()
+    assert not child.is_alive()
+    free = plan.model_copy(update={"limits": plan.limits.model_copy(update={"speed": None})})
+    with _beside(free, (1.3,), "en") as better, pytest.raises(InputError, match="limit of speed"):
+        better()

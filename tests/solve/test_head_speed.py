@@ -1,0 +1,283 @@
+"""The greatest constant head speed, and a pace that slows down only where it must."""
+
+import math
+
+import numpy as np
+import pytest
+
+from benchdragon import (
+    BenchDragonError,
+    Dragon,
+    InputError,
+    Route,
+    SpeedProfile,
+    Spiral,
+    Walk,
+    greatest_speed,
+)
+from benchdragon.analysis.check import check
+from benchdragon.analysis.speed import QUANTITIES, Peak, greatest_of, hulls
+from benchdragon.kernels import pacing
+from benchdragon.plans.schema import Plan, checked, read_plan
+from benchdragon.solve import head_speed as module
+from benchdragon.solve.head_speed import greatest_head_speed, slowed, with_pace
+
+# model.md's and tests/truth/contest.json's figures, from two programs with 40 digits.
+RATIO, TIME, HEAD_SPEED = 1.604793378966638, 14.4799695977, 1.246266358157487
+
+
+def turn(*settings: str) -> Plan:
+    return read_plan("turn", settings)
+
+
+def smooth(**limits: float) -> Plan:
+    parts = [
+        {"kind": "line", "length": 30.0},
+        {"kind": "clothoid", "length": 5.0, "end_curvature": 0.35},
+        {"kind": "clothoid", "length": 5.0, "start_curvature": 0.35},
+        {"kind": "line", "length": 40.0},
+    ]
+    data = {"schema": 1, "dragon": {"benches": 8}, "route": {"part": parts}, "limits": limits}
+    return checked(data, "smooth")
+
+
+def test_the_turns_greatest_head_speed_is_the_truth() -> None:
+    found = greatest_head_speed(turn(), tolerance=1e-12)
+    assert found.value == found.lower <= HEAD_SPEED <= found.upper
+    assert found.value == pytest.approx(HEAD_SPEED, abs=3e-12)
+    assert found.upper - found.lower < 3e-12
+    assert found.witness is not None
+    assert found.witness.time == pytest.approx(TIME, abs=1e-6)
+    assert found.witness.benches[0] in range(3, 9)
+    assert "2 m/s" in found.assumptions[0]
+
+
+def test_the_limit_that_decides_is_named() -> None:
+    both = greatest_head_speed(turn("limits.turning_rate=30"))
+    assert "0.523599 rad/s" in both.assumptions[0]
+    peak = greatest_of(turn().build(), QUANTITIES["turning_rate"], 100.0, 130.0, tolerance=1e-6)
+    assert both.value == pytest.approx(math.radians(30.0) / peak.value, rel=1e-5)
+
+
+@pytest.mark.parametrize("name", QUANTITIES)
+def test_peaks_on_a_smooth_route_hold_against_sampling(name: str) -> None:
+    walk = smooth(speed=2.0).build()
+    quantity = QUANTITIES[name]
+    peak = greatest_of(walk, quantity, 20.0, 79.0, tolerance=1e-6)
+    assert peak.upper <= peak.value * (1.0 + 2e-6)
+    motion = walk.motion(np.linspace(20.0, 79.0, 20_001))
+    across = walk.route.curvature(motion.s) * motion.speed**2
+    values = {
+        "speed": motion.speed_ratio,
+        "turning_rate": motion.turning_rate,
+        "lateral_acceleration": across,
+        "total_acceleration": np.hypot(motion.acceleration, across),
+        "acceleration": motion.acceleration,
+    }[name]
+    seen = float(np.abs(values).max())
+    assert seen <= peak.upper
+    assert seen == pytest.approx(peak.value, rel=1e-5)
+
+
+def test_limits_of_acceleration_go_with_the_square_of_speed() -> None:
+    quantity = QUANTITIES["acceleration"]
+    plan = smooth(acceleration=0.5)
+    found = greatest_head_speed(plan, tolerance=1e-6)
+    walk = plan.build()
+    first, last = walk.head_position(plan.span(walk)).tolist()
+    peak = greatest_of(walk, quantity, first, last, tolerance=1e-6)
+    assert found.value**2 * peak.value == pytest.approx(0.5, rel=1e-5)
+
+
+def test_hulls_are_not_left_and_tight() -> None:
+    walk = turn("dragon.benches=30").build()
+    at, found = hulls(walk, 95.0, 130.0, 200, 16)
+    assert (len(at), found.shape) == (201, (200, 31, pacing.HULL_COLUMNS))
+    fine = np.linspace(95.0, 130.0, 4001)
+    motion = walk.placement(fine)
+    cell = np.clip(np.searchsorted(at, fine, side="right") - 1, 0, 199)
+    growth = motion.ratio_rate / motion.speed_ratio
+    bend = np.abs(walk.route.curvature(motion.s))
+    assert (motion.speed_ratio <= found[cell, :, pacing.FAST]).all()
+    assert (np.abs(motion.turn_rate) <= found[cell, 1:, pacing.SWAY]).all()
+    assert (bend <= found[cell, :, pacing.BEND] * (1.0 + 1e-12)).all()
+    assert (found[cell, :, pacing.FADE] <= growth + 1e-9).all()
+    assert (growth <= found[cell, :, pacing.GROW] + 1e-9).all()
+    assert found[:, :, pacing.FAST].max() < motion.speed_ratio.max() * 1.02
+    assert found[:, :, pacing.GROW].max() < growth.max() * 1.2
+    assert found[:, :, pacing.FADE].min() > growth.min() * 1.2
+
+
+def test_a_pace_keeps_the_limit_saves_time_and_is_a_plan() -> None:
+    plan = turn("walk.speed=1.5", "dragon.benches=60")
+    pace = slowed(plan)
+    assert min(pace.profile.speeds) == pytest.approx(HEAD_SPEED, rel=2e-3)
+    assert max(pace.profile.speeds) == 1.5
+    assert pace.saved > 5.0
+    walked = checked(with_pace(plan, pace).data(), "paced")
+    walk = walked.build()
+    assert float(walk.head_position([0.0])[0]) == pytest.approx(walk.start, abs=1e-9)
+    start, end = walked.span(walk)
+    assert end - start == pytest.approx(pace.seconds, abs=1e-6)
+    slopes = np.diff(pace.profile.speeds) / np.diff(pace.profile.times)
+    assert np.abs(slopes).max() <= plan.limits.head_acceleration * (1.0 + 1e-9)
+    report = check(walked)
+    assert report.safe
+    assert 1.99 < report.greatest_speed.value <= 2.0
+
+
+PARTS = [
+    {"kind": "line", "length": 25.0},
+    {"kind": "arc", "radius": 2.5, "angle": 100.0},
+    {"kind": "line", "length": 3.0},
+    {"kind": "clothoid", "length": 4.0, "end_curvature": -0.4},
+    {"kind": "arc", "radius": 2.5, "angle": -60.0},
+    {"kind": "line", "length": 30.0},
+]
+ALL = {
+    "speed": 1.6, "acceleration": 0.4, "lateral_acceleration": 0.45, "total_acceleration": 0.5,
+    "turning_rate": 25.0, "head_acceleration": 0.3,
+}  # fmt: skip
+PACED: dict[str, tuple[str, list[str]]] = {
+    "turn": ("turn", ["dragon.benches=15"]),
+    "eased": ("turn", ["dragon.benches=15", "turn.ease=1"]),
+    "line between": ("turn", ["dragon.benches=15", "turn.family=arc-line-arc"]),
+    "coil": ("spiral-in", ["dragon.benches=30", "disc.radius=3", "route.pitch=0.8"]),
+    "parts": ("parts", []),
+}
+
+
+def pacing_plan(name: str, limits: dict[str, float]) -> Plan:
+    source, settings = PACED[name]
+    if source == "parts":
+        data = {"schema": 1, "dragon": {"benches": 6}, "route": {"part": PARTS}, "limits": limits}
+        return checked({**data, "walk": {"speed": 1.9, "position": 16.0}}, "parts")
+    said = [f"limits.{key}={value}" for key, value in limits.items()]
+    return read_plan(source, ["walk.speed=1.9", *settings, *said])
+
+
+# Every plan with each limit, but for what hardly occurs there: a coil speeds nobody up.
+ASKED = [
+    (name, limit) for name in PACED for limit in QUANTITIES if (name, limit) != ("coil", "acceleration")
+]
+
+
+@pytest.mark.parametrize(("name", "limit"), [*ASKED, *((name, "all") for name in PACED)])
+def test_a_paced_plan_keeps_every_limit_and_is_faster(name: str, limit: str) -> None:
+    limits = ALL if limit == "all" else {key: ALL[key] for key in (limit, "head_acceleration")}
+    plan = pacing_plan(name, limits)
+    pace = slowed(plan)
+    assert pace.saved >= 0.0
+    paced = checked(with_pace(plan, pace).data(), "paced")
+    report = check(paced)
+    codes = {finding.code for finding in report.findings}
+    assert codes <= {"contact"}  # the way, not its pace, may bring benches together
+    walk = paced.build()
+    start, end = paced.span(walk)
+    assert end - start == pytest.approx(pace.seconds)
+    motion = walk.motion(np.linspace(start, end, 4001))
+    across = np.abs(walk.route.curvature(motion.s)) * motion.speed**2
+    total = np.hypot(motion.acceleration, across)
+    seen = {
+        "speed": motion.speed.max(),
+        "acceleration": np.abs(motion.acceleration).max(),
+        "lateral_acceleration": across.max(),
+        "total_acceleration": total.max(),
+        "turning_rate": math.degrees(np.abs(motion.turning_rate).max()),
+        "head_acceleration": np.abs(walk.profile.acceleration(motion.times)).max(),
+    }
+    shares = {key: seen[key] / allowed for key, allowed in limits.items()}
+    assert max(shares.values()) <= 1.0
+    assert max(shares.values()) > 0.95  # it slows down no more than it must
+
+
+@pytest.mark.parametrize(("name", "limit"), ASKED)
+def test_the_greatest_head_speed_is_never_above_what_sampling_allows(name: str, limit: str) -> None:
+    plan = pacing_plan(name, {limit: ALL[limit]})
+    found = greatest_head_speed(plan)
+    assert found.value == found.lower <= found.upper <= found.lower * (1.0 + 2e-6)
+    for share, safe in ((1.0, True), (1.0 + 3e-6, False)):
+        walked = plan.with_value("walk.speed", found.value * share)
+        codes = {finding.code for finding in check(walked).findings}
+        assert (codes <= {"contact"}) is safe
+    even = plan.with_value("walk.speed", found.value)
+    walk = even.build()
+    motion = walk.motion(np.linspace(*even.span(walk), 20_001))
+    across = np.abs(walk.route.curvature(motion.s)) * motion.speed**2
+    values = {
+        "speed": motion.speed,
+        "acceleration": motion.acceleration,
+        "lateral_acceleration": across,
+        "total_acceleration": np.hypot(motion.acceleration, across),
+        "turning_rate": np.degrees(motion.turning_rate),
+    }[limit]
+    assert np.abs(values).max() <= ALL[limit] * (1.0 + 1e-12)
+
+
+def test_of_several_limits_the_tightest_decides() -> None:
+    alone = {key: greatest_head_speed(pacing_plan("turn", {key: ALL[key]})) for key in QUANTITIES}
+    both = greatest_head_speed(pacing_plan("turn", ALL))
+    least = min(alone, key=lambda key: alone[key].value)
+    assert both.value == pytest.approx(alone[least].value, rel=2e-6)
+    assert both.assumptions == alone[least].assumptions
+
+
+def test_where_slowing_down_gains_nothing_the_pace_is_even(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "FINER", 1)  # loose bounds hold up the head at joints
+    plan = turn("walk.speed=1.5", "dragon.benches=60", "limits.acceleration=0.3", "turn.ease=1")
+    pace = slowed(plan)
+    assert set(pace.profile.speeds) == {pace.steady.value}
+    assert pace.saved == 0.0
+
+
+def test_a_slow_walk_is_left_alone() -> None:
+    pace = slowed(turn("walk.speed=1.2", "dragon.benches=20"))
+    assert set(pace.profile.speeds) == {1.2}
+    assert pace.saved == pytest.approx(0.0, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("settings", "text"),
+    [
+        (["walk.profile=[[0, 1], [10, 2]]"], "walk.profile"),
+        (["limits.lateral_acceleration=5e-324"], r"no speed of the head was found .* of the route"),
+    ],
+)
+def test_what_a_pace_cannot_do_is_refused(settings: list[str], text: str) -> None:
+    with pytest.raises(BenchDragonError, match=text):
+        slowed(turn("dragon.benches=5", *settings))
+
+
+def test_a_plan_without_limits_has_no_greatest_speed() -> None:
+    with pytest.raises(InputError, match=r"limits\.speed"):
+        greatest_head_speed(read_plan("spiral-in"))
+
+
+def test_a_limit_that_nothing_bounds_leaves_the_speed_undecided(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    nothing_seen = Peak(0.0, math.inf, 0.0, 0.0, 0, 1)
+    monkeypatch.setattr(module, "greatest_of", lambda *_walk, **_how: nothing_seen)
+    found = greatest_head_speed(read_plan("turn", ["limits.turning_rate=60"]))
+    assert (found.status, found.lower) == ("undecided", 0.0)
+
+
+def test_what_a_route_never_asks_for_has_no_limit() -> None:
+    data = {"schema": 1, "dragon": {"benches": 6}, "limits": {"acceleration": 1.0}}
+    data["route"] = {"part": [{"kind": "line", "length": 40.0}]}
+    found = greatest_head_speed(checked(data, "straight"))
+    assert found.status == "unlimited"
+    assert found.looks < 10_000
+
+
+def test_a_head_that_stands_before_its_walk_is_not_taken_for_one_that_runs() -> None:
+    profile = SpeedProfile((-19.4, -10.0, 7.0), (0.0, 0.32, 2.72))
+    route = Route((Spiral(0.55, 24.0 * math.pi, 0.0),))
+    for start in (-40.0, -19.4, -15.0):
+        found = greatest_speed(Walk(Dragon.uniform(10), route, profile, 20.0), start, -10.0)
+        assert found.value == pytest.approx(0.32, rel=1e-6)
+
+
+def test_a_walk_of_no_length_has_no_pace() -> None:
+    with pytest.raises(InputError, match="the walk has no length"):
+        slowed(read_plan("turn", ["walk.start=5", "walk.end=5"]))

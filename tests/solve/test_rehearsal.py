@@ -1,0 +1,145 @@
+"""Random dances against brute force: evaluations each 5 mm of the head; lines that stray."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from benchdragon.errors import InputError
+from benchdragon.kernels.bounds import bends, empty_places
+from benchdragon.kernels.box import nearest_pair
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.perturbed import stand_along
+from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
+from benchdragon.model.dragon import Dragon
+from benchdragon.plans.schema import Plan, read_plan
+from benchdragon.solve.rehearsal import TOLERANCE, CannotFollowError, Rehearsal, strayed
+from benchdragon.solve.tolerance import CASES, Draw, Slips, rehearsal
+
+ROUTES = {
+    "spiral": Route((Spiral.between(0.9, 14.0, 6.0),)),
+    "turn": Route.joined([Line(16.0), Arc(1.8, 2.8), Arc(0.9, -2.8), Line(6.0)]),
+    "clothoids": Route.joined([Line(16.0), Clothoid(2.5, 0.0, 0.8), Arc(1.25, 2.0), Line(6.0)]),
+}
+PLANS = {
+    "spiral": ("spiral-in", ["disc.radius=4.5", "route.pitch=0.47", "dragon.benches=40",
+                             "walk.start=215"]),
+    "short": ("spiral-in", ["disc.radius=2.5", "route.pitch=0.5", "dragon.head_length=2",
+                            "dragon.body_length=1.1", "dragon.benches=30", "walk.start=220"]),
+    "turn": ("turn", ["route.pitch=1.18", "dragon.benches=30", "walk.start=5", "walk.end=35"]),
+    "line": ("turn", ["route.pitch=1.3", "dragon.benches=25", "turn.family=arc-line-arc",
+                      "walk.start=0", "walk.end=30"]),
+    "tight": ("turn", ["route.pitch=1.0", "dragon.benches=30", "dragon.body_length=1.4",
+                       "dragon.head_length=2.2", "disc.radius=3", "walk.start=0", "walk.end=25"]),
+}  # fmt: skip
+
+
+def brute(dance: Rehearsal, step: float = 5e-3) -> float:
+    """The least distance at places of the head so far apart, each chain followed on from the last."""
+    least = np.inf
+    grid = np.linspace(dance.start, dance.end, 2 + int((dance.end - dance.start) / step))
+    for at in np.array_split(grid, 1 + len(grid) // 500):
+        places = empty_places(len(dance.dragon) + 1, len(at))
+        assert stand_along(dance.rows, dance.dragon.links, dance.aside, at, places) == len(at)
+        least = min(least, nearest_pair(dance.dragon.sizes, places.x, places.y)[0])
+    return float(least)
+
+
+@pytest.mark.parametrize("name", PLANS)
+@pytest.mark.parametrize("case", ["aside", "stray", "all"])
+def test_no_evaluation_comes_nearer_than_is_told(name: str, case: str) -> None:
+    plan = read_plan(*PLANS[name])
+    draw = Draw(CASES[case].slips, 7, len(case))
+    # Benches so much narrower that they overlap by 2 mm, or keep 1 mm.
+    for room in (-2e-3, 1e-3):
+        width = plan.value("dragon.width") + brute(rehearsal(plan, draw), 0.05) - room
+        dance = rehearsal(plan.with_value("dragon.width", width), draw)
+        least = brute(dance)
+        told = dance.least()
+        assert dance.touch(max(least, 0.0) + 1e-6) is not None
+        if told > 0.0:
+            assert told - TOLERANCE <= least
+            assert dance.touch(told - TOLERANCE) is None
+        else:
+            assert dance.touch() is not None
+
+
+def turned(line: FloatArray, at: FloatArray) -> FloatArray:
+    """Points of a line given as rows, at positions along it."""
+    places = empty_places(1, len(at))
+    assert stand_along(line, np.empty(0), np.zeros(1), at, places) == len(at)
+    return np.asarray(places.x[0] + 1j * places.y[0])
+
+
+@pytest.mark.parametrize("name", ROUTES)
+def test_a_line_that_does_not_stray_is_the_route(name: str) -> None:
+    route = ROUTES[name]
+    rows, drawn, along = strayed(route, lambda s: (0.0 * s, 0.0 * s), 1.0, route.length)
+    assert drawn[[0, -1]] == pytest.approx([1.0, route.length])
+    s = np.linspace(1.0, route.length, 3001)
+    points = turned(rows, np.interp(s, drawn, along))
+    exact = route.point(s) @ [1.0, 1j]
+    # Along the line the positions are those of arcs of one length between nodes.
+    beside = np.array([np.abs(points[max(n - 40, 0) : n + 41] - exact[n]).min() for n in range(3001)])
+    assert np.abs(points - exact).max() < 2e-3
+    tangent = np.gradient(exact)
+    across = ((points - exact) * (tangent / np.abs(tangent)).conj()).imag
+    assert np.abs(across).max() < 2e-5
+    assert beside.max() < 5e-3
+
+
+@pytest.mark.parametrize("name", ROUTES)
+def test_a_line_that_strays_is_smooth_and_as_far_aside_as_it_should(name: str) -> None:
+    route = ROUTES[name]
+
+    def off(s: FloatArray) -> tuple[FloatArray, FloatArray]:
+        return 0.03 * np.sin(s / 5.0), 0.006 * np.cos(s / 5.0)
+
+    rows, drawn, _along = strayed(route, off, 2.0, route.length - 1.0)
+    nodes = turned(rows, np.append(rows[1::2, 2], rows[-1, 2] + rows[-1, 3]))
+    x, y, heading = (
+        route.point(drawn) @ [1.0, 0.0],
+        route.point(drawn) @ [0.0, 1.0],
+        route.heading(drawn),
+    )
+    meant = x + 1j * y + 1j * np.exp(1j * heading) * off(drawn)[0]
+    assert np.abs(nodes - meant).max() < 1e-10
+    for j in range(1, len(rows) - 1):
+        low, high = bends(rows, j, 0.0, j + 1, 0.0)
+        assert high - low < 3.0  # infinite at a kink or a gap
+    assert all(a < b for a, b in pairwise(drawn))
+
+
+def test_a_bench_that_cannot_follow_is_told_with_the_place() -> None:
+    route = Route.joined([Line(10.0), Arc(0.6, 3.0), Line(5.0)])
+    dragon = Dragon.uniform(4, 0.9, 0.9, 0.9, 0.1, 0.1, 0.1)
+    dance = Rehearsal(dragon, route.rows, np.full(5, 0.59), 8.0, 12.0)
+    for ask in (dance.low_meeting, dance.touch, dance.least):
+        with pytest.raises(CannotFollowError, match=r"head at (9\.\d+|10(\.\d+)?) m or after"):
+            ask()
+
+
+def test_a_dance_too_long_to_be_searched_is_refused() -> None:
+    with pytest.raises(InputError, match="too long"):
+        Rehearsal(Dragon.uniform(20_000), ROUTES["spiral"].rows, np.empty(0), 0.0, 200.0)
+
+
+def test_more_pairs_than_there_was_room_for_are_searched_all_the_same(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    from benchdragon.solve import rehearsal as module
+
+    dance = rehearsal(read_plan(*PLANS["spiral"]), Draw(Slips(aside=0.01), 1, 0))
+    found = dance.touch(0.3)
+    monkeypatch.setattr(module, "PARTNERS", 1)
+    assert dance.touch(0.3) == found
+
+
+def test_evaluations_of_a_hint_lie_no_farther_apart_than_is_said() -> None:
+    plan: Plan = read_plan(*PLANS["turn"])
+    dance = rehearsal(plan, Draw(Slips(), 1, 0))
+    low = dance.low_meeting()
+    assert low.distance == pytest.approx(brute(dance), abs=2e-4)
+    again = dance.meeting_near(dance.hint(low.s))
+    assert again.distance == pytest.approx(low.distance, abs=1e-6)
+    assert (again.i, again.j) == (low.i, low.j)

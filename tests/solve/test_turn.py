@@ -1,0 +1,180 @@
+"""Better turns: what is found keeps its limits by brute force, and beats the paper's."""
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+import shapely
+
+from benchdragon import BenchDragonError, InputError
+from benchdragon.cli.main import run
+from benchdragon.errors import NoSolutionError
+from benchdragon.figures.walk import bench_corners
+from benchdragon.model.turns import TwoArcTurn
+from benchdragon.model.walk import Motion
+from benchdragon.plans.schema import Plan, read_plan
+from benchdragon.solve import turn as best_turn
+from benchdragon.solve.head_speed import greatest_head_speed
+from benchdragon.solve.turn import BestTurn, Judge, Wish, pareto_front
+from benchdragon.solve.turn import best_turn as sought
+
+PAPER = TwoArcTurn(1.7)
+
+
+def plan(*settings: str) -> Plan:
+    return read_plan("turn", ["turn.family=arc-line-arc", "dragon.benches=45", *settings])
+
+
+@pytest.fixture(autouse=True)
+def _short_searches(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Searches of a test need not be as long as a user's."""
+    monkeypatch.setattr(best_turn, "SEEDS", (1,))
+    monkeypatch.setattr(best_turn, "GENERATIONS", 10)
+    monkeypatch.setattr(best_turn, "LOCAL", 80)
+
+
+def sampled(best: BestTurn) -> tuple[float, float]:
+    """Greatest speed ratio, each 0.1 m, and least distance, each metre, by brute force with shapely."""
+    walk = best.plan.build()
+    first, last = walk.route.joints[1], walk.head_where_tail(float(walk.route.joints[-2]))
+    at = np.arange(first, last, 0.1)
+    motion: Motion = walk.motion((at - walk.start) / best.plan.walk.speed)
+    near = math.inf
+    for t in range(0, len(at), 10):
+        benches = np.asarray(shapely.polygons(bench_corners(motion, t)))
+        for i in range(len(benches) - 2):
+            near = min(near, float(shapely.distance(benches[i], benches[i + 2 :]).min()))
+    return float(np.asarray(motion.speed_ratio).max()), near
+
+
+def test_a_shorter_and_faster_turn_keeps_its_limits_by_brute_force() -> None:
+    wish = Wish("way", least_radius=PAPER.radii[1])
+    best = sought(plan("walk.speed=1.3"), wish)
+    assert best.length == pytest.approx(sum(piece[0] for piece in best.turn.pieces))
+    assert best.length <= best.way < 11.5
+    assert best.turn.least_radius >= PAPER.radii[1] * (1.0 - 1e-6)
+    assert best.head_speed is not None
+    assert best.head_speed.lower >= 1.3 * (1.0 - 1e-6)
+    ratio, near = sampled(best)
+    assert 1.3 * ratio <= 2.0 * (1.0 + 1e-6)
+    assert near >= best.clearance.lower - 1e-12
+    assert best.clearance.lower > 0.2
+    assert "speed" in best.active
+
+
+def test_the_fastest_turn_no_longer_than_the_paper_s() -> None:
+    best = sought(plan(), Wish("speed", longest=PAPER.length, longest_way=PAPER.length))
+    assert best.way <= PAPER.length * (1.0 + 1e-6)
+    assert best.objective.unit == "m/s"
+    assert best.objective.value > 1.7
+    ratio, _near = sampled(best)
+    assert best.objective.value * ratio == pytest.approx(2.0, rel=2e-3)
+
+
+def test_between_the_disc_s_joints_no_two_arcs_are_shorter_by_an_independent_optimiser() -> None:
+    settings = ["turn.family=arc-arc", "turn.entry_radius=4.5", "turn.exit_radius=4.5"]
+    best = sought(plan(*settings, "walk.speed=1.2"), Wish("length"))
+    assert best.length == pytest.approx(PAPER.length, abs=1e-9)
+    assert best.way == pytest.approx(PAPER.length, abs=1e-9)
+
+
+def test_the_front_rises_with_the_speed() -> None:
+    front = pareto_front(plan(), (1.3, 1.6), Wish("way"))
+    assert [best.plan.walk.speed for best in front] == [1.3, 1.6]
+    assert front[0].way < front[1].way < PAPER.length
+    for best in front:
+        exact = greatest_head_speed(best.plan)
+        assert exact.lower >= best.plan.walk.speed * (1.0 - 1e-6)
+
+
+def test_clothoids_bound_accelerations_and_cost_length() -> None:
+    plain = sought(plan("walk.speed=1.3"), Wish("way"))
+    eased = sought(plan("walk.speed=1.3", "turn.ease=0.8"), Wish("way"))
+    assert 0.1 < eased.way - plain.way < 2.0
+    bends = [end for _length, *ends in eased.turn.pieces for end in ends]
+    assert bends[1:-1:2] == bends[2:-1:2]
+    answer = greatest_head_speed(
+        eased.plan.model_copy(
+            update={"limits": eased.plan.limits.model_copy(update={"acceleration": 1.0})}
+        ),
+        tolerance=1e-4,
+    )
+    assert answer.status == "found"
+    assert answer.upper - answer.lower < 1e-3 * answer.value
+
+
+@pytest.mark.parametrize("family", ["arc-arc", "arc-line-arc", "arc-arc-arc"])
+@pytest.mark.parametrize("objective", ["way", "acceleration"])
+def test_unknowns_and_tables_are_inverses(family: str, objective: str) -> None:
+    judge = Judge(read_plan("turn", [f"turn.family={family}"]), Wish(objective))
+    x = [0.5 * (low + high) for low, high in judge.bounds]
+    table = judge.plan.turn.model_copy(update=judge.table(x))
+    found = judge.plan.model_copy(update={"turn": table})
+    best = BestTurn(found, None, None, 0.0, 0.0, None, None, ())  # type: ignore[arg-type]
+    assert best_turn._unknowns(best, judge.wish) == pytest.approx(x)
+
+
+@pytest.mark.parametrize(
+    ("settings", "wish", "text"),
+    [
+        ([], Wish("way", longest_way=5.0), "no turn of this family"),
+        (["limits.margin=1.2"], Wish("way"), "no turn of this family"),
+    ],
+)
+def test_wishes_that_cannot_be_are_said_so(settings: list[str], wish: Wish, text: str) -> None:
+    with pytest.raises(NoSolutionError, match=text):
+        sought(plan(*settings), wish)
+    assert NoSolutionError.exit_code == 4
+
+
+def test_the_smallest_disc_is_put_into_the_plan() -> None:
+    best = sought(plan("walk.speed=1.0"), Wish("disc"))
+    assert best.objective.value < 3.5
+    assert best.plan.disc.radius == best.objective.value
+    best.plan.build()
+    assert best.clearance.lower > 0.0
+
+
+def test_only_turns_have_a_best_turn() -> None:
+    with pytest.raises(BenchDragonError, match="route is a turn"):
+        sought(read_plan("spiral-in"))
+    with pytest.raises(InputError, match="wanted one of"):
+        Wish("beauty")
+
+
+def test_a_turn_that_is_not_there_ends_as_the_help_says(capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["solve", "turn", "turn", "--set", "turn.family=arc-line-arc", "--longest-way", "5"]
+    assert run([*words, "--set", "dragon.benches=20", "--json"]) == 4
+    out, err = capsys.readouterr()
+    assert (out, err) == ("", "Error: no turn of this family was found that keeps the limits\n")
+
+
+def test_the_command_line_finds_writes_and_says_it(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    path = tmp_path / "best.dragon.toml"
+    words = ["solve", "turn", "turn", "--quiet", "--set", "turn.family=arc-line-arc"]
+    words += ["--set", "walk.speed=1.3", "--set", "dragon.benches=30", "--plan-file", str(path)]
+    assert run(words) == 0
+    out = capsys.readouterr().out
+    assert "shortest way inside the disc" in out
+    assert "arc to the right, radius" in out
+    assert str(path) in out
+    assert run([*words, "--json"]) == 2  # it is there already
+    capsys.readouterr()
+    assert run([*words, "--json", "--force"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["way"] == pytest.approx(found["value"])
+    assert read_plan(str(path)).turn.radii == pytest.approx(found["turn"]["radii"])
+    assert run(["check", str(path), "--quiet"]) == 0
+
+
+def test_one_joint_may_stay_while_the_other_moves() -> None:
+    plan = read_plan("turn", ["turn.entry_radius=4.2"])
+    best = best_turn.best_turn(plan)
+    assert best.turn.entry_radius == 4.2
+    assert best.turn.exit_radius <= 4.5
+    assert best.head_speed is not None
+    assert best.head_speed.lower >= 1.0

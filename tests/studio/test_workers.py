@@ -1,0 +1,438 @@
+"""Lanes of questions and their workers: who may run, and who takes a dead one's place."""
+
+import itertools
+import math
+import multiprocessing
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from multiprocessing.connection import Connection
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+
+from benchdragon.plans.schema import Plan
+from benchdragon.studio import workers as studio_workers
+from benchdragon.studio.limits import Settings
+from benchdragon.studio.tasks import TASKS, Ask, Made
+from benchdragon.studio.workers import First, Lane, Minded, RefusedError, Work, _outcome
+from tests.studio_servers import PLAN, Served, served, wait_for
+
+pytestmark = pytest.mark.xdist_group("studio")
+# Seconds in which what is certain to come has come; only a test that fails waits so long.
+SOON = 20.0
+ANSWER = ("made", Made(b"{}"), None)
+
+
+def asked(name: str, client: str | None) -> Work:
+    return Work(Ask(name, "en", Settings(), Plan.model_validate(PLAN)), client)
+
+
+@pytest.fixture
+def lane() -> Lane:
+    """A lane of two workers that were not started."""
+    settings = Settings(abandoned_seconds=0.0)
+    return Lane("quick", 2, 8, settings, First())
+
+
+class Hand:
+    """Stands for a worker's process: the test answers at its end of the pipe."""
+
+    def __init__(self) -> None:
+        self.ours, self.theirs = multiprocessing.Pipe()
+        self.theirs.send(("ready", None, None))
+        self.alive = True
+
+    def is_alive(self) -> bool:
+        return self.alive
+
+    def kill(self) -> None:
+        self.alive = False
+
+    def join(self) -> None:
+        """Nothing runs."""
+
+
+class Hands:
+    """A lane whose workers are the test's own hands.
+
+    Attributes:
+        made: the workers so far.
+        failure: what starting a worker comes to.
+        failure_after: so many that started.
+        stillborn: so many of the first die before they are ready.
+    """
+
+    def __init__(self, patch: pytest.MonkeyPatch, **settings: Any) -> None:
+        self.made: list[Hand] = []
+        self.failure: Exception | None = None
+        self.failure_after: float = math.inf
+        self.stillborn = 0
+        patch.setattr(studio_workers, "IDLE_LOOK", 3600.0)  # who is not told sleeps on
+        patch.setattr(Lane, "_started", lambda _lane: self._started())
+        self.lane = Lane("quick", settings.pop("workers", 1), 8, Settings(**settings), First())
+
+    def _started(self) -> Minded:
+        if self.failure or len(self.made) >= self.failure_after:
+            raise self.failure or OSError("no process")
+        hand = Hand()
+        self.made.append(hand)
+        if len(self.made) <= self.stillborn:
+            hand.ours.recv()
+            hand.theirs.close()
+        process: Any = hand
+        return Minded(process, hand.ours, "")
+
+    def put(self, name: str, client: str | None = None) -> Work:
+        work = asked(name, client)
+        self.lane.put(work)
+        return work
+
+    def start(self, workers: int = 1) -> None:
+        self.lane.start()
+        wait_for(lambda: self.lane.ready == workers)
+
+    def who_has(self, work: Work) -> Connection:
+        """The end of the pipe of the worker that was given a question."""
+        wait_for(lambda: work.running)
+        wait_for(self._given)
+        found = self._given()[0]
+        assert found.recv() == work.ask
+        return found
+
+    def _given(self) -> list[Connection]:
+        """Ends of pipes that a question waits in."""
+        return [hand.theirs for hand in self.made if hand.alive and hand.theirs.poll()]
+
+
+@pytest.fixture
+def hands(monkeypatch: pytest.MonkeyPatch) -> Any:
+    """Makes lanes whose workers are the test's own hands."""
+    made: list[Hands] = []
+
+    def make(**settings: Any) -> Hands:
+        made.append(Hands(monkeypatch, **settings))
+        return made[-1]
+
+    yield make
+    for one in made:
+        one.lane.retire()
+        one.lane.end()
+
+
+Make = Callable[..., Hands]
+
+
+# --- who may run
+
+
+@pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="memory is bounded on Linux alone")
+def test_a_worker_gets_no_more_memory_than_it_may_have() -> None:
+    lines = [
+        "import numpy as np",
+        "from benchdragon.studio.workers import _bound_memory",
+        "_bound_memory(100_000_000)",
+        "print(np.ones(5_000_000).sum())",
+        "np.ones(50_000_000)",
+    ]
+    done = subprocess.run(
+        [sys.executable, "-c", "\n".join(lines)], capture_output=True, text=True, check=False
+    )
+    assert done.stdout == "5000000.0\n"
+    assert "MemoryError" in done.stderr
+
+
+def test_a_newer_question_takes_the_place_of_the_older_and_does_not_queue_again() -> None:
+    lane = Lane("quick", 1, 2, Settings(), First())
+    names = (("verdict", "a"), ("verdict", "b"), ("verdict", "a"), ("dance", "a"))
+    works = [asked(name, client) for name, client in names]
+    for work in works[:3]:
+        lane.put(work)
+    assert list(lane._waiting) == [works[2], works[1]]
+    with pytest.raises(RefusedError, match="a newer question"):
+        works[0].future.result()
+    with pytest.raises(RefusedError, match="workers are starting"):
+        lane.put(works[3])
+    lane.ready = 1
+    with pytest.raises(RefusedError, match="too many"):
+        lane.put(works[3])
+
+
+def test_a_lane_whose_workers_never_start_says_so(caplog: pytest.LogCaptureFixture) -> None:
+    lane = Lane("no such lane", 1, 8, Settings(spawns=1), First())
+    work = asked("verdict", None)
+    lane.put(work)
+    lane.start()
+    with pytest.raises(RefusedError, match="workers do not start"):
+        work.future.result()
+    with pytest.raises(RefusedError, match="workers do not start"):
+        lane.put(asked("verdict", None))
+    lane.retire()
+    lane.end()
+    assert caplog.text.count("died before it was ready") == 1
+
+
+def test_numbers_beyond_reckoning_are_said_to_be_so() -> None:
+    assert outcome(OverflowError())[:2] == ("refused", 422)
+    assert outcome(KeyError())[0] == "broken"
+
+
+def test_a_process_that_ran_out_of_memory_is_spent_and_says_nothing_of_the_plan() -> None:
+    kind, status, text = outcome(MemoryError())
+    assert (kind, status) == ("spent", 507)
+    assert text.startswith("the answer takes more memory than a question may have")
+
+
+def outcome(failure: Exception) -> tuple[str, Any, Any]:
+    """What a worker sends where a task fails."""
+
+    def fail(ask: Ask, advance: Any) -> Made:
+        raise failure
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setitem(TASKS, "fail", fail)
+        ours, theirs = multiprocessing.Pipe()
+        with ours, theirs:
+            return _outcome(theirs, Ask("fail", "en", Settings()))
+
+
+def test_what_runs_on_for_nobody_is_stopped(lane: Lane) -> None:
+    ours, theirs = multiprocessing.Pipe()
+    minded = Minded(multiprocessing.Process(), ours, "")
+    work = asked("verdict", None)
+    lane.abandon(work)
+    assert not lane._answered(minded, work)
+    assert theirs.recv() == work.ask
+    with pytest.raises(RefusedError, match="withdrawn") as refused:
+        work.future.result(0)
+    assert refused.value.status == 409
+
+
+def test_a_client_runs_one_question_of_a_name_and_long_ones_leave_a_worker_free(lane: Lane) -> None:
+    lane._running.add(asked("verdict", "a"))
+    assert not lane._may_run(asked("verdict", "a"))
+    assert lane._may_run(asked("verdict", "b"))
+    assert lane._may_run(asked("verdict", None))
+    assert lane._may_run(asked("dance", "a"))
+    lane._running.add(asked("dance", "a"))
+    assert not lane._may_run(asked("limit/pitch", "b"))
+
+
+def test_what_is_withdrawn_while_it_waits_takes_no_place() -> None:
+    lane = Lane("quick", 1, 1, Settings(), First())
+    withdrawn, next_one = asked("verdict", "a"), asked("verdict", "b")
+    lane.put(withdrawn)
+    assert lane.withdraw(withdrawn)
+    lane.put(next_one)
+    assert list(lane._waiting) == [next_one]
+    with pytest.raises(RefusedError, match="withdrawn"):
+        withdrawn.future.result(0)
+    assert not lane.withdraw(withdrawn)
+
+
+# --- who takes a dead one's place
+
+# How a question may end that takes its worker along, and what is said of it.
+ENDINGS: dict[str, tuple[Callable[[Lane, Work, Connection], Any], int]] = {
+    "the worker died": (lambda _lane, _work, worker: worker.close(), 503),
+    "what it sent is nonsense": (lambda _lane, _work, worker: worker.send("nonsense"), 500),
+    "its memory ran out": (lambda _lane, _work, worker: worker.send(("spent", 507, "no memory")), 507),
+    "it was cancelled": (lambda lane, work, _worker: lane.stop(work, 410, "cancelled"), 410),
+    "its client is gone": (lambda lane, work, _worker: lane.abandon(work), 409),
+}
+
+
+@pytest.mark.parametrize("ending", ENDINGS)
+def test_a_worker_that_is_lost_over_a_question_leaves_its_place_to_another(
+    hands: Make, ending: str
+) -> None:
+    lost = hands(abandoned_seconds=0.0)
+    lost.start()
+    end, status = ENDINGS[ending]
+    for number in range(1, 4):  # a place that leaks is missed by the next
+        work = lost.put("limit/pitch", "a")
+        end(lost.lane, work, lost.who_has(work))
+        with pytest.raises(RefusedError) as refused:
+            work.future.result(SOON)
+        assert refused.value.status == status
+        wait_for(lambda number=number: len(lost.made) == number + 1 and lost.lane.ready == 1)
+        assert lost.lane.busy == 0
+        assert not lost.made[number - 1].alive
+    last = lost.put("limit/pitch", "a")
+    lost.who_has(last).send(ANSWER)
+    assert last.future.result(SOON) == ANSWER[1]
+
+
+@pytest.mark.parametrize(
+    ("sent", "status"), [(("refused", 422, "too long"), 422), (("broken", "traceback", None), 500)]
+)
+def test_a_worker_that_refused_or_failed_over_a_question_goes_on(
+    hands: Make, sent: Any, status: int
+) -> None:
+    one = hands()
+    one.start()
+    work = one.put("verdict")
+    worker = one.who_has(work)
+    worker.send(sent)
+    with pytest.raises(RefusedError) as refused:
+        work.future.result(SOON)
+    assert refused.value.status == status
+    again = one.put("verdict")
+    assert worker.poll(SOON)
+    assert worker.recv() == again.ask
+    worker.send(ANSWER)
+    assert again.future.result(SOON) == ANSWER[1]
+
+
+def test_a_question_cancelled_by_who_waits_costs_no_worker(hands: Make) -> None:
+    one = hands()
+    one.start()
+    first = one.put("verdict")
+    worker = one.who_has(first)
+    cancelled, last = one.put("limit/pitch"), one.put("verdict")
+    assert cancelled.future.cancel()
+    worker.send(ANSWER)
+    assert worker.poll(SOON)
+    assert worker.recv() == last.ask
+    worker.send(ANSWER)
+    assert last.future.result(SOON) == ANSWER[1]
+
+
+def test_a_worker_that_dies_before_it_is_ready_is_ended_and_lets_others_start(hands: Make) -> None:
+    few = hands(workers=2)
+    few.stillborn = 1
+    few.start(workers=2)
+    assert [hand.alive for hand in few.made] == [False, True, True]
+
+
+def test_a_start_that_fails_leaves_the_turn_to_the_next() -> None:
+    first = First()
+    with pytest.raises(OSError, match="no process"), first.turn():
+        raise OSError("no process")
+    assert not first._lock.locked()
+
+
+def test_a_question_over_its_time_takes_its_worker_along(hands: Make) -> None:
+    short = hands(seconds=(("verdict", 0.0), ("dance", 60.0)))
+    short.start()
+    with pytest.raises(RefusedError, match="no answer within 0 s"):
+        short.put("verdict", "a").future.result(SOON)
+    dance = short.put("dance", "a")
+    short.who_has(dance).send(ANSWER)
+    assert dance.future.result(SOON) == ANSWER[1]
+
+
+def test_what_waited_for_a_place_has_it_as_soon_as_it_is_free(hands: Make) -> None:
+    """Of two workers one may have a slow question; when it dies and nobody comes, the other goes on."""
+    two = hands(workers=2)
+    two.start(workers=2)
+    limit, dance = two.put("limit/pitch", "a"), two.put("dance", "b")
+    worker = two.who_has(limit)
+    assert not dance.running
+    two.failure = OSError("no memory")
+    worker.close()
+    two.who_has(dance).send(ANSWER)
+    assert dance.future.result(SOON) == ANSWER[1]
+
+
+def test_who_runs_is_changed_only_where_nobody_reads_it(hands: Make) -> None:
+    """A set that changes while another worker's thread looks through it ends that thread."""
+    one = hands()
+
+    class Watched(set[Work]):
+        def discard(self, work: object) -> None:
+            assert one.lane._changed._is_owned()  # type: ignore[attr-defined]
+            super().discard(work)
+
+    one.lane._running = Watched()
+    one.start()
+    for _again in range(2):
+        work = one.put("verdict")
+        one.who_has(work).send(ANSWER)
+        assert work.future.result(SOON) == ANSWER[1]
+
+
+def test_a_lane_that_lost_all_its_workers_has_some_again_as_soon_as_they_start(hands: Make) -> None:
+    lost = hands(spawns=2, respawn_seconds=0.01)
+    lost.start()
+    work = lost.put("verdict")
+    lost.failure = OSError("no memory")
+    lost.who_has(work).close()
+    wait_for(lambda: lost.lane.lost)
+    with pytest.raises(RefusedError, match="workers do not start") as refused:
+        lost.put("verdict")
+    assert (refused.value.status, refused.value.retry) == (503, 2)
+    lost.failure = None
+    wait_for(lambda: lost.lane.ready == 1)
+    assert not lost.lane.lost
+    assert lost.lane._deaths == 0  # else the next death would be one too many
+    again = lost.put("verdict")
+    lost.who_has(again).send(ANSWER)
+    assert again.future.result(SOON) == ANSWER[1]
+
+
+def test_a_worker_that_is_left_answers_while_others_do_not_start(hands: Make) -> None:
+    left = hands(workers=2, spawns=2, respawn_seconds=3600.0)
+    left.failure_after = 1
+    left.start()
+    wait_for(lambda: left.lane._deaths >= 2)
+    work = left.put("verdict")
+    left.who_has(work).send(ANSWER)
+    assert work.future.result(SOON) == ANSWER[1]
+
+
+# --- with true processes
+
+
+@pytest.fixture(scope="module")
+def poor() -> Iterator[Served]:
+    """A studio whose questions get little memory, and whose workers are soon given up."""
+    settings = Settings(
+        port=0, workers=1, memory=20_000_000, spawns=1, respawn_seconds=0.05, wait_seconds=60.0
+    )
+    with served(settings) as found:
+        yield found
+
+
+OTHER = itertools.count(4)
+
+
+def verdict(studio: Served, **tables: Any) -> httpx.Response:
+    """A verdict on a dance of its own, which is not among the answers kept."""
+    plan = {**PLAN, "dragon": {"benches": next(OTHER)}, **tables}
+    return studio.client.post("/api/verdict", params={"lang": "en"}, json={"plan": plan})
+
+
+@pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="memory is bounded on Linux alone")
+def test_memory_that_ran_out_is_no_verdict_and_costs_the_next_question_nothing(poor: Served) -> None:
+    for _again in range(2):
+        large = verdict(poor, dragon={"benches": 3500}, route={"kind": "spiral-in", "start_turn": 60})
+        assert large.status_code == 507
+        assert large.json()["error"].startswith("the answer takes more memory")
+        assert verdict(poor).json()["safe"]
+
+
+def test_workers_that_are_killed_busy_idle_and_before_they_are_ready_come_back(poor: Served) -> None:
+    lane = poor.studio.pool.lanes["quick"]
+
+    def kill() -> bool:
+        for worker in multiprocessing.active_children():
+            if worker.name.startswith("benchdragon quick"):
+                worker.kill()
+        return lane.lost
+
+    slow, found = poor.open_slowly()
+    wait_for(lambda: lane.busy == 1)
+    kill()
+    slow.join()
+    assert found[0].status_code == 503
+    assert "broke down" in found[0].json()["error"]
+    wait_for(kill)
+    assert verdict(poor).json()["error"] == "the studio's workers do not start; its log says why"
+    wait_for(lambda: lane.ready == 1)
+    assert verdict(poor).json()["safe"]
+    kill()
+    assert verdict(poor).status_code in {200, 503}
+    wait_for(lambda: verdict(poor).status_code == 200)
