@@ -10,7 +10,7 @@ import sys
 
 from playwright.sync_api import Page, sync_playwright
 from tests.browser.pages import FLAGS, browser_path
-from tests.studio_servers import process
+from tests.studio.servers import process
 
 # Plan, slider, its values from and to, moves, and ms between them.
 SLIDERS = (

@@ -84,7 +84,7 @@ def test_files_and_tests_that_the_steps_of_an_extension_name_are_there() -> None
     assert len(files) > 10
     for name in files:
         assert (ROOT / name).exists() or (ROOT / "src" / "benchdragon" / name).exists(), name
-    tests = "".join(path.read_text("utf-8") for path in (ROOT / "tests").glob("*.py"))
+    tests = "".join(path.read_text("utf-8") for path in (ROOT / "tests").rglob("*.py"))
     for name in names:
         assert not name.startswith("test_") or f"def {name}(" in tests, name
 

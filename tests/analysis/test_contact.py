@@ -34,7 +34,7 @@ from benchdragon.analysis.speed import greatest_speed
 from benchdragon.kernels.box import least_distance
 from benchdragon.plans.schema import read_plan
 
-TRUTH = json.loads((Path(__file__).parent / "truth" / "contest.json").read_text("utf-8"))
+TRUTH = json.loads((Path(__file__).parents[1] / "truth" / "contest.json").read_text("utf-8"))
 FIRST_CONTACT = 412.4738376821147
 
 

@@ -23,7 +23,7 @@ from benchdragon.kernels.box import box_distance, corner
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.plans.schema import read_plan
 
-TRUTH = json.loads((Path(__file__).parent / "truth" / "contest.json").read_text("utf-8"))
+TRUTH = json.loads((Path(__file__).parents[1] / "truth" / "contest.json").read_text("utf-8"))
 SPIRAL, TURN = read_plan("spiral-in").build(), read_plan("turn").build()
 
 

@@ -10,7 +10,7 @@ from playwright.sync_api import Browser, Page, expect, sync_playwright
 from tests.browser.pages import FLAGS, Device, Language, Pages, browser_path, clean_pages
 from tests.browser.players import Scene
 from tests.browser.studios import LONG, Opened
-from tests.studio_servers import process, wait_for
+from tests.studio.servers import process, wait_for
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -18,7 +18,7 @@ from benchdragon.i18n import _
 from benchdragon.plans.schema import read_plan
 from benchdragon.version import __version__
 
-EXAMPLES = Path(__file__).parent.parent / "examples"
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 def answered(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:

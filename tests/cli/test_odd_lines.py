@@ -11,7 +11,7 @@ import pytest
 from benchdragon.cli.main import program, run
 from benchdragon.i18n import _, use_language
 
-ROOT = Path(__file__).parent.parent
+ROOT = Path(__file__).parents[2]
 # The least that each verb wants; its plan is put in.
 LINES = {
     "motion": ["motion", "PLAN", "--at", "3"],

@@ -160,7 +160,7 @@ CASES: dict[str, Case] = {
         for line in (MOTION, CHECK, SPEED, MARGINS, VIEW, STILL, STUDIO)
     },
 }
-# What these say comes after minutes of work: tests/test_reproduce.py runs them.
+# What these say comes after minutes of work: tests/paper/test_reproduce.py runs them.
 ELSEWHERE = {f"reproduce --{name}" for name in ("json", "explain", "lang", "quiet")}
 # Nothing is said on standard error, nor in a language, that could be left out.
 SILENT = {"plan --quiet", "schema --quiet", "doctor --quiet"}

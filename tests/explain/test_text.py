@@ -22,7 +22,7 @@ from benchdragon.solve.size import limit
 from benchdragon.solve.turn import BestTurn
 from tests.calculator import agree, chinese_or_not, sums
 
-EXAMPLES = sorted((Path(__file__).parent.parent / "examples").glob("*.dragon.toml"))
+EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.dragon.toml"))
 PLANS = ["spiral-in", "turn", *(str(path) for path in EXAMPLES)]
 # A few seconds' work instead of minutes: the turn's first benches.
 SHORT = ["--set", "dragon.benches=25"]

@@ -11,7 +11,7 @@ from benchdragon.cli.main import run
 from benchdragon.i18n import LOCALE_FOLDER
 from benchdragon.model.numbering import handle_names, handle_place, numbering_text
 
-SOURCES = Path(__file__).parent.parent / "src" / "benchdragon"
+SOURCES = Path(__file__).parents[2] / "src" / "benchdragon"
 CATALOGUE = LOCALE_FOLDER / "zh_CN" / "LC_MESSAGES" / "benchdragon.po"
 BENCHES = 40
 SMALL = ["--set", f"dragon.benches={BENCHES}", "--quiet"]

@@ -22,7 +22,7 @@ from benchdragon.model.turns import spiral_curvature
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.size import limit
 
-TRUTH = json.loads((Path(__file__).parent / "truth" / "contest.json").read_text(encoding="utf-8"))
+TRUTH = json.loads((Path(__file__).parents[1] / "truth" / "contest.json").read_text(encoding="utf-8"))
 PAPER = TwoArcTurn(1.7)
 
 

@@ -27,7 +27,7 @@ from benchdragon.kernels.curve import P
 from benchdragon.kernels.jit import COMPILED
 from benchdragon.model.walk import MOST_PLACES, SLICE_PLACES
 
-TRUTH = json.loads((Path(__file__).parent / "truth" / "contest.json").read_text(encoding="utf-8"))
+TRUTH = json.loads((Path(__file__).parents[1] / "truth" / "contest.json").read_text(encoding="utf-8"))
 TABLES = (
     "x", "y", "s", "speed_ratio", "speed", "acceleration", "heading", "turning_rate", "status",
     "failed_bench", "head_s",

@@ -16,7 +16,7 @@ from tests.calculator import agree, chinese_or_not
 # What the paper comes to is computed once, by one worker.
 pytestmark = pytest.mark.xdist_group("paper")
 
-TRUTH = json.loads((Path(__file__).parent / "truth" / "contest.json").read_text("utf-8"))
+TRUTH = json.loads((Path(__file__).parents[1] / "truth" / "contest.json").read_text("utf-8"))
 
 
 def answers(folder: Path) -> dict[str, dict[str, float]]:

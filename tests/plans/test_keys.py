@@ -16,9 +16,9 @@ from benchdragon.plans.keys import SECTIONS, Section, commented, schema, written
 from benchdragon.plans.presets import presets
 from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.plans.toml import PlanError, built_in_names
-from tests.test_effects import BASES
+from tests.plans.test_effects import BASES
 
-EXAMPLES = sorted((Path(__file__).parent.parent / "examples").glob("*.dragon.toml"))
+EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.dragon.toml"))
 
 
 @pytest.mark.parametrize("section", SECTIONS, ids=lambda section: section.header or "schema")

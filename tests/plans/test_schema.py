@@ -106,7 +106,7 @@ def test_limits_take_the_units_of_what_they_limit() -> None:
 
 
 def test_settings_reach_into_lists() -> None:
-    path = Path(__file__).parent.parent / "examples" / "01_parade.dragon.toml"
+    path = Path(__file__).parents[2] / "examples" / "01_parade.dragon.toml"
     walk = read_plan(str(path), ["route.part.0.length=50", "route.part.2.length='30 m'"]).build()
     assert walk.route.length == pytest.approx(80.0 + 4.0 * math.pi)
     for key in ("route.part.7.length", "route.part.7", "route.part.one", "route.part.0.length.x"):

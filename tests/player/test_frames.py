@@ -31,7 +31,7 @@ from benchdragon.player.frames import (
     packed_frames,
 )
 
-EXAMPLES = sorted((Path(__file__).parent.parent / "examples").glob("*.dragon.toml"))
+EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.dragon.toml"))
 ERROR = 1e-3
 # A head that stands, hurries and slows down, on a route of a line, an arc and a spiral.
 HASTY = SpeedProfile((0.0, 8.0, 9.0, 30.0, 50.0), (0.0, 1.8, 1.8, 0.3, 1.0))

@@ -12,7 +12,7 @@ import pytest
 from pydantic import BaseModel, ConfigDict, Field, RootModel
 from tools.make_types import MODULES, TYPES, types
 
-ROOT = Path(__file__).parent.parent
+ROOT = Path(__file__).parents[2]
 TSC = ROOT / "node_modules" / ".bin" / "tsc"
 
 
@@ -65,7 +65,7 @@ class _Hidden(BaseModel):
 
 
 DECLARED = """\
-// Made from tests.test_web by tools/make_types.py; to make it again: make types
+// Made from tests.player.test_messages by tools/make_types.py; to make it again: make types
 
 export interface Asked {
   workers?: number;

@@ -27,8 +27,8 @@ from benchdragon.player.scene import (
     plain_dance,
 )
 
-TRUTH = json.loads((Path(__file__).parent / "truth" / "contest.json").read_text("utf-8"))
-EXAMPLES = Path(__file__).parent.parent / "examples"
+TRUTH = json.loads((Path(__file__).parents[1] / "truth" / "contest.json").read_text("utf-8"))
+EXAMPLES = Path(__file__).parents[2] / "examples"
 TURN = ("turn", "dragon.benches=40", "walk.start=-20", "walk.end=70")
 
 

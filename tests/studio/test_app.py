@@ -22,7 +22,7 @@ from benchdragon.studio.app import Answers
 from benchdragon.studio.limits import PlanLimits, Settings
 from benchdragon.studio.security import HEADERS, Gate, accepted_language
 from benchdragon.studio.tasks import Made, export_times
-from tests.studio_servers import (
+from tests.studio.servers import (
     PLAN,
     TURN,
     Served,

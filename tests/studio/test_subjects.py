@@ -10,7 +10,7 @@ import pytest
 from benchdragon.plans.schema import Plan
 from benchdragon.studio.app import SUBJECT
 from benchdragon.studio.limits import Settings
-from tests.studio_servers import PLAN, TURN, Served, served, wait_for
+from tests.studio.servers import PLAN, TURN, Served, served, wait_for
 
 pytestmark = pytest.mark.xdist_group("studio")
 ADDRESSES = (

@@ -18,7 +18,7 @@ from benchdragon.studio import workers as studio_workers
 from benchdragon.studio.limits import Settings
 from benchdragon.studio.tasks import TASKS, Ask, Made
 from benchdragon.studio.workers import First, Lane, Minded, RefusedError, Work, _outcome
-from tests.studio_servers import PLAN, Served, served, wait_for
+from tests.studio.servers import PLAN, Served, served, wait_for
 
 pytestmark = pytest.mark.xdist_group("studio")
 # Seconds in which what is certain to come has come; only a test that fails waits so long.
