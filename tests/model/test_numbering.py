@@ -121,7 +121,11 @@ def test_chinese_texts_number_benches_and_handles_alike() -> None:
 
 
 def test_only_one_place_makes_the_contests_names() -> None:
-    makers = [path.name for path in SOURCES.rglob("*.py") if "Body {" in path.read_text("utf-8")]
+    makers = [
+        path.relative_to(SOURCES).as_posix()
+        for path in SOURCES.rglob("*.py")
+        if "Body {" in path.read_text("utf-8")
+    ]
     assert makers == ["model/numbering.py"]
     pages = [path for path in (SOURCES / "web").glob("*.js") if "Body {" in path.read_text("utf-8")]
     assert pages == []

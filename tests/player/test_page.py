@@ -284,7 +284,8 @@ def test_view_refuses_files_that_are_there_and_unknown_plans(
 def test_an_interrupt_leaves_nothing(tmp_path: Path, where: str) -> None:
     room, name = where.rsplit(".", 1)
     script = (
-        "import os, pathlib, signal, sys, benchdragon.dance; from benchdragon.cli.main import run\n"
+        "import os, pathlib, signal, sys, benchdragon.player.scene\n"
+        "from benchdragon.cli.main import run\n"
         # A background job of a shell is born deaf to SIGINT.
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
         f"before = {room}.{name}\n"

@@ -22,7 +22,7 @@ from benchdragon.analysis.speed import (
     greatest_speed,
     part_of,
 )
-from benchdragon.errors import InputError
+from benchdragon.errors import InputError, of_kind
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import ROUNDING, Answer
 from benchdragon.model.walk import Motion, Walk
@@ -122,6 +122,7 @@ def check(plan: Plan, advance: Advance | None = None, *, prove: bool = False) ->
         WalkError: if no contact comes before the dragon cannot walk on.
         UnsureError: if it could not be decided whether it can.
     """
+    of_kind("plan", plan, Plan)
     tell = advance or (lambda _share, _text: None)
     walk = plan.build()
     start, end = plan.span(walk)

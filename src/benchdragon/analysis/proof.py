@@ -20,7 +20,7 @@ from benchdragon.analysis.contact import SLACK, contact_windows
 from benchdragon.analysis.distance import pair_distances
 from benchdragon.analysis.regions import Ledger
 from benchdragon.analysis.spiral_bound import SPARE
-from benchdragon.errors import MissingExtraError, UnsureError
+from benchdragon.errors import MissingExtraError, UnsureError, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels.curve import FloatArray
@@ -329,6 +329,7 @@ def prove_contact(
         UnsureError: if errors of places cannot be bounded well enough.
         WalkError: as `first_contact`.
     """
+    of_kind("walk", walk, Walk)
     require_flint()
     slack = SLACK
     for _trial in range(MOST_TRIALS):

@@ -6,7 +6,7 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 
-from benchdragon.errors import WalkError
+from benchdragon.errors import WalkError, of_kind
 from benchdragon.kernels.chain import march, rates
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray, positions
@@ -39,6 +39,8 @@ class Placement:
     def __init__(
         self, dragon: Dragon, route: Route, head_s: npt.ArrayLike, *, workers: int = 1
     ) -> None:
+        of_kind("dragon", dragon, Dragon)
+        of_kind("route", route, Route)
         self.dragon, self.route = dragon, route
         self.head_s = np.atleast_1d(as_numbers("head_s", head_s))
         shape = (len(dragon) + 1, self.head_s.size)

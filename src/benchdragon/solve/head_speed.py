@@ -20,7 +20,7 @@ from benchdragon.analysis.speed import (
     part_of,
     witness_of,
 )
-from benchdragon.errors import InputError, UnsureError
+from benchdragon.errors import InputError, UnsureError, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels import pacing
 from benchdragon.kernels.curve import FloatArray
@@ -84,6 +84,7 @@ def greatest_head_speed(
         WalkError: if the dragon cannot walk all the way.
     """
     began = clock.perf_counter()
+    of_kind("plan", plan, Plan)
     limits = _limits_of(plan)
     walk = plan.build()
     first, last = walk.head_position(plan.span(walk)).tolist()

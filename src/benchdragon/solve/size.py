@@ -15,7 +15,7 @@ import numpy as np
 
 from benchdragon.analysis.contact import SLACK, Hunt
 from benchdragon.analysis.proof import assumed, prove_contact, prove_nearer, require_flint
-from benchdragon.errors import InputError, UnsureError
+from benchdragon.errors import InputError, UnsureError, of_kind
 from benchdragon.i18n import _
 from benchdragon.model.answer import Answer, Status, Witness
 from benchdragon.plans.schema import Plan
@@ -132,6 +132,7 @@ def limit(
         UnsureError: if the bracket could not be proved.
     """
     began = clock.perf_counter()
+    of_kind("plan", plan, Plan)
     tell = advance or (lambda _text: None)
     family = Family(plan, question(name), plan.limits.margin if margin is None else margin, tolerance)
     _refuse_centre(plan, name)

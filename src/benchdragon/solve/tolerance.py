@@ -15,7 +15,15 @@ from scipy.interpolate import CubicSpline
 from scipy.ndimage import gaussian_filter1d
 from scipy.stats import beta, binom
 
-from benchdragon.errors import InputError, UnsureError, WalkError, in_order, not_negative
+from benchdragon.errors import (
+    InputError,
+    UnsureError,
+    WalkError,
+    in_order,
+    not_negative,
+    of_kind,
+    whole,
+)
 from benchdragon.i18n import N_, _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.dragon import Dragon
@@ -260,10 +268,9 @@ def tolerance(
             dragon no benches can touch.
         UnsureError: where no pitch was found.
     """
-    if not 1 <= draws <= MOST_DRAWS:
-        raise InputError(
-            _("draws must be 1 to {most}, not {count}").format(most=MOST_DRAWS, count=draws)
-        )
+    of_kind("plan", plan, Plan)
+    of_kind("slips", slips, Slips)
+    whole("draws", draws, 1, MOST_DRAWS)
     exact = _exact_pitch(plan)
     tell = advance or (lambda _share: None)
 

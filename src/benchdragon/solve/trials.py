@@ -58,7 +58,7 @@ def question(name: str) -> Question:
     Raises:
         InputError: if there is none.
     """
-    if name not in QUESTIONS:
+    if not isinstance(name, str) or name not in QUESTIONS:
         raise InputError(
             _("wanted one of {known}, not {name}").format(known=", ".join(QUESTIONS), name=name)
         )

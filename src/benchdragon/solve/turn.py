@@ -15,7 +15,7 @@ import numpy as np
 
 from benchdragon.analysis.contact import least_clearance
 from benchdragon.analysis.speed import QUANTITIES, given_limits, greatest_of, values_at
-from benchdragon.errors import InputError, NoSolutionError, finite, positive
+from benchdragon.errors import InputError, NoSolutionError, finite, of_kind, positive
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import bounds as sweep
 from benchdragon.kernels.box import least_distance
@@ -301,7 +301,9 @@ def best_turn(plan: Plan, wish: Wish | None = None, *, advance: Advance | None =
     Raises:
         InputError: for a plan without a turn, or if no turn keeps the limits.
     """
-    wished = wish or Wish()
+    of_kind("plan", plan, Plan)
+    wished = Wish() if wish is None else wish
+    of_kind("wish", wished, Wish)
     if wished.objective == "speed" and plan.limits.speed is None:
         raise InputError(_("the plan has no limit of speed: set limits.speed=2, for example"))
     return _best(Judge(plan, wished), advance or (lambda _share, _text: None))
