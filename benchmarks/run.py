@@ -23,6 +23,7 @@ from unittest import mock
 import numba
 import numpy as np
 import numpy.typing as npt
+from benchdragon.analysis.quick import quick_verdict
 from scipy.optimize import fsolve
 from textbook import Stepped
 from textbook import smallest_pitch as textbook_pitch
@@ -40,7 +41,6 @@ from benchdragon import (
 from benchdragon.analysis import regions as ground
 from benchdragon.analysis.check import check
 from benchdragon.analysis.distance import nearest_each
-from benchdragon.analysis.quick import quick_verdict
 from benchdragon.kernels.chain import march
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.head_speed import greatest_head_speed

@@ -201,7 +201,7 @@ def test_a_head_that_changes_its_speed_too_fast_is_found(capsys: pytest.CaptureF
     (found,) = json.loads(out)["findings"]
     assert (code, found["code"]) == (1, "head_acceleration")
     assert (found["value"], found["limit"], found["time"]) == (pytest.approx(10.0), 0.01, 0.0)
-    assert "10 m/s^2 from t = 0.000000 s on, the limit being 0.01 m/s^2" in found["text"]
+    assert "10 m/s^2 from t = 0.000000 s on, the limit being 0.01 m/s^2" in found["text"]["en"]
     assert spoken(capsys, "check", "spiral-in", *jolt)[0] == 1  # 0.5 m/s^2 where the plan does not say
     assert spoken(capsys, "check", "spiral-in", *jolt, "--set", "limits.head_acceleration=10")[0] == 0
     assert spoken(capsys, "check", "spiral-in", *jolt, *limit, "--set", "walk.start=0.1")[0] == 0
@@ -257,7 +257,9 @@ def test_limits_are_told_of_where_they_are_kept(capsys: pytest.CaptureFixture[st
     words = ["check", "spiral-in", "--set", "limits.lateral_acceleration=0.5"]
     words += [word for setting in COIL for word in ("--set", setting)]
     code, out, _err = spoken(capsys, *words, "--json")
-    peak = json.loads(out)["peaks"]["lateral_acceleration"]
+    (found,) = json.loads(out)["peaks"]
+    assert found["name"] == "lateral_acceleration"
+    peak = found["peak"]
     assert (code, peak["unit"], peak["status"]) == (0, "m/s^2", "found")
     assert 0.19 < peak["lower"] <= peak["upper"] < 0.21
     assert "greatest lateral acceleration of a handle: 0.2" in spoken(capsys, *words)[1]

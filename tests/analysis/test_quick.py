@@ -5,8 +5,7 @@ import math
 import pytest
 
 from benchdragon import WalkError, first_contact
-from benchdragon.analysis.check import check
-from benchdragon.analysis.quick import CLEARANCE, SPEED, quick_verdict
+from benchdragon.analysis.check import QUICK_CLEARANCE, QUICK_SPEED, Report, check
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.solve.size import limit
 from benchdragon.studio.tasks import SIZE
@@ -32,6 +31,10 @@ PLANS = {
 }
 
 
+def quick_check(plan: Plan) -> Report:
+    return check(plan, quick=True)
+
+
 def plan_of(name: str) -> Plan:
     source, *settings = PLANS[name]
     return read_plan(source, settings)
@@ -40,7 +43,7 @@ def plan_of(name: str) -> Plan:
 @pytest.mark.parametrize("name", PLANS)
 def test_quick_brackets_hold_the_exact_answers(name: str) -> None:
     plan = plan_of(name)
-    quick, exact = quick_verdict(plan), check(plan)
+    quick, exact = quick_check(plan), check(plan)
     assert quick.safe == exact.safe
     assert [finding.code for finding in quick.findings] == [finding.code for finding in exact.findings]
     assert (quick.start, quick.end) == (exact.start, exact.end)
@@ -56,14 +59,14 @@ def test_quick_brackets_hold_the_exact_answers(name: str) -> None:
         assert max(wide.lower, narrow.lower) <= min(wide.upper, narrow.upper)
         assert (wide.unit, wide.status) == (narrow.unit, narrow.status)
     if math.isfinite(quick.clearance.value):
-        assert quick.clearance.upper - quick.clearance.lower <= 1.001 * CLEARANCE
-    assert quick.greatest_speed.upper <= (1.0 + 1.001 * SPEED) * quick.greatest_speed.lower
+        assert quick.clearance.upper - quick.clearance.lower <= 1.001 * QUICK_CLEARANCE
+    assert quick.greatest_speed.upper <= (1.0 + 1.001 * QUICK_SPEED) * quick.greatest_speed.lower
 
 
 def test_a_limit_within_a_wide_bracket_is_asked_again() -> None:
     most = check(read_plan("turn")).greatest_speed.value
     for share, safe in ((1.0 + 1e-8, True), (1.0 - 1e-8, False)):
-        found = quick_verdict(read_plan("turn", [f"limits.speed={most * share!r}"]))
+        found = quick_check(read_plan("turn", [f"limits.speed={most * share!r}"]))
         assert found.safe == safe
         assert found.decided
 
@@ -71,7 +74,7 @@ def test_a_limit_within_a_wide_bracket_is_asked_again() -> None:
 def test_a_walk_that_falls_raises_as_ever() -> None:
     plan = read_plan("spiral-in", ["dragon.width=0.01", "dragon.benches=20", "disc.radius=0.3"])
     walk = plan.build()
-    for ask in (lambda: quick_verdict(plan), lambda: first_contact(walk, *plan.span(walk))):
+    for ask in (lambda: quick_check(plan), lambda: first_contact(walk, *plan.span(walk))):
         with pytest.raises(WalkError):
             ask()
 
@@ -102,7 +105,7 @@ def test_other_sizes_have_quick_limits(name: str) -> None:
 
 def test_the_longest_dragon_reported_is_judged_as_well() -> None:
     """3,500 benches turn as 223 do: the pair that comes nearest is the same."""
-    few, many = (quick_verdict(read_plan("turn", [f"dragon.benches={n}"])) for n in (223, 3_500))
+    few, many = (quick_check(read_plan("turn", [f"dragon.benches={n}"])) for n in (223, 3_500))
     assert many.safe
     assert many.clearance.lower <= few.clearance.upper
     assert few.clearance.lower <= many.clearance.upper

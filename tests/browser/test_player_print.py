@@ -57,10 +57,10 @@ def test_a_printed_dance_keeps_its_proportions_and_says_what_it_is(
     assert sheet.ground == [1.0, 1.0, 1.0]  # paper is white, whatever the theme
     assert sheet.width >= sheet.picture >= (0.45 if landscape else 0.98) * sheet.width
     said = "".join(sheet.text.split())
-    assert turn.dance.ruling is not None
+    assert turn.dance.verdict is not None
     for text in (
         getattr(turn.dance.title, look[1]),
-        getattr(turn.dance.ruling.text, look[1]),
+        getattr(turn.dance.verdict.sentence, look[1]),
         "t = 28.75 s",
         page.locator(".tight").text_content() or "",
         turn.dance.plan_sha256[:12],

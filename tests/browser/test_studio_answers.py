@@ -62,18 +62,18 @@ def test_a_verdict_that_comes_in_late_is_marked_as_an_earlier_plans(opened: Open
     page = settled(opened())
     held = in_late(page, "verdict")
     line = verdict(page)
-    expect(line).to_have_text(re.compile("^\u2026 earlier plan: Walkable: tightest"))
+    expect(line).to_have_text(re.compile("^\u2026 earlier plan: Safe: tightest"))
     expect(line).to_have_class("verdict")
     expect(line).to_have_attribute("data-stale", "")
     expect(line).to_have_attribute("aria-busy", "true")
     line.click()
     expect(page.get_by_role("dialog")).to_have_count(0)
     held.let_go(1)
-    expect(line).to_have_text(re.compile("^\u2716 Not walkable"), timeout=LONG)
+    expect(line).to_have_text(re.compile("^\u2716 Not safe"), timeout=LONG)
     expect(line).to_have_class("verdict unsafe")
     expect(line).not_to_have_attribute("data-stale", "")
     line.click()
-    expect(page.get_by_role("dialog")).to_contain_text("Not walkable")
+    expect(page.get_by_role("dialog")).to_contain_text("Not safe")
 
 
 def test_a_limit_that_comes_in_late_is_marked_as_an_earlier_plans(opened: Opened) -> None:
@@ -83,7 +83,7 @@ def test_a_limit_that_comes_in_late_is_marked_as_an_earlier_plans(opened: Opened
     expect(line).to_have_text(re.compile("^earlier plan: smallest pitch: 0.4503"))
     expect(line).to_have_attribute("data-stale", "")
     expect(line).to_be_visible()
-    settle(page, "Not walkable")
+    settle(page, "Not safe")
     verdict(page).click()
     expect(page.get_by_role("dialog").get_by_role("row", name="smallest pitch")).to_have_count(0)
     page.keyboard.press("Escape")
@@ -101,7 +101,7 @@ def test_a_dance_that_comes_in_late_is_marked_as_an_earlier_plans(opened: Opened
     expect(note).to_be_visible()
     expect(root).to_have_attribute("data-picture", "old")
     expect(root).to_have_attribute("aria-busy", "true")
-    settle(page, "Not walkable")
+    settle(page, "Not safe")
     verdict(page).click()
     dialog = page.get_by_role("dialog")
     expect(dialog).to_contain_text("benches 1 and 19")
@@ -119,7 +119,7 @@ def test_no_limit_is_shown_of_a_plan_that_has_none(opened: Opened) -> None:
     change(page, PITCH, "0.46")
     held.wait(1)
     page.get_by_label("begin with").select_option("spiral-in")
-    settle(page, "^\u2716 Not walkable")
+    settle(page, "^\u2716 Not safe")
     expect(page.locator(".limit")).to_be_hidden()
     page.unroute_all()
     page.get_by_role("button", name="undo").click()
@@ -132,10 +132,10 @@ def test_evidence_goes_with_its_plan(opened: Opened) -> None:
     change(page, PITCH, "0.44")
     settled(page)
     verdict(page).click()
-    expect(page.get_by_role("dialog")).to_contain_text("Not walkable")
+    expect(page.get_by_role("dialog")).to_contain_text("Not safe")
     page.keyboard.press("Control+z")
     expect(page.get_by_role("dialog")).to_have_count(0)
-    settle(page, "^\u2713 Walkable")
+    settle(page, "^\u2713 Safe")
 
 
 def test_a_file_that_was_made_of_an_earlier_plan_is_marked(opened: Opened) -> None:
@@ -262,7 +262,7 @@ def test_a_long_questions_result_says_when_it_is_about_another_plan(opened: Open
     page = settled(opened())
     page.get_by_role("button", name="prove the verdict").click()
     job = page.locator(".jobs li")
-    expect(job).to_contain_text("Proved. Walkable", timeout=LONG)
+    expect(job).to_contain_text("Proved. Safe", timeout=LONG)
     expect(job).to_have_attribute("data-plan", "this")
     expect(job).to_contain_text("about this plan")
     change(page, PITCH, "0.44")
@@ -286,7 +286,7 @@ def test_a_long_question_is_followed_on_after_looks_that_nobody_answered(
     job = page.locator(".jobs li")
     expect(job).to_contain_text("too many questions", timeout=LONG)
     expect(job).to_contain_text("The studio does not answer", timeout=LONG)
-    expect(job).to_contain_text("Proved. Walkable", timeout=LONG)
+    expect(job).to_contain_text("Proved. Safe", timeout=LONG)
     pages.faults.clear()  # the refusals are on the console
 
 
@@ -295,7 +295,7 @@ def test_long_questions_are_found_again_after_the_page_is_loaded_again(opened: O
     change(page, PITCH, "0.6")
     page.get_by_role("button", name="prove the verdict").click()
     jobs = page.locator(".jobs li")
-    expect(jobs).to_contain_text("Proved. Walkable", timeout=LONG)
+    expect(jobs).to_contain_text("Proved. Safe", timeout=LONG)
     page.get_by_label("begin with").select_option("turn")
     settled(page)
     page.get_by_role("button", name="room for people who are not exact").click()  # minutes of work
@@ -306,7 +306,7 @@ def test_long_questions_are_found_again_after_the_page_is_loaded_again(opened: O
     expect(jobs.first).to_have_attribute("data-state", "running", timeout=LONG)
     # Loaded again it is another object of the same hash.
     expect(jobs.first).to_have_attribute("data-plan", "this", timeout=LONG)
-    expect(jobs.last).to_contain_text("Proved. Walkable", timeout=LONG)
+    expect(jobs.last).to_contain_text("Proved. Safe", timeout=LONG)
     expect(jobs.last).to_have_attribute("data-plan", "other")
     jobs.last.get_by_role("button", name="show that plan").click()
     expect(number(page, PITCH)).to_have_value("0.6")
@@ -317,7 +317,7 @@ def test_long_questions_are_found_again_after_the_page_is_loaded_again(opened: O
     expect(jobs).to_have_count(1)
     page.reload()
     expect(jobs).to_have_count(1, timeout=LONG)
-    expect(jobs).to_contain_text("Proved. Walkable", timeout=LONG)
+    expect(jobs).to_contain_text("Proved. Safe", timeout=LONG)
 
 
 # --- links

@@ -11,8 +11,8 @@ from tests.browser.pages import Device, Language, Pages
 from tests.browser.studios import LONG, Opened, change, number, settle, verdict
 
 SENTENCES = {
-    "en": ("Walkable: tightest", "Not walkable: benches"),
-    "zh": ("可行：最紧处", "不可行：第"),
+    "en": ("Safe: tightest", "Not safe: benches"),
+    "zh": ("安全：最紧处", "不安全：第"),
 }
 PITCH = {"en": "spiral pitch", "zh": "螺距"}
 
@@ -41,7 +41,7 @@ def test_the_evidence_is_one_click_away_and_leads_to_the_moment(opened: Opened) 
     page = opened()
     number(page, "spiral pitch").fill("0.44")
     number(page, "spiral pitch").press("Enter")
-    settle(page, "Not walkable")
+    settle(page, "Not safe")
     expect(page.locator("#studio")).to_have_attribute("aria-busy", "false", timeout=LONG)
     verdict(page).click()
     dialog = page.get_by_role("dialog")
@@ -64,13 +64,13 @@ def test_steps_go_back_and_forth_and_all_stands_in_the_address(opened: Opened) -
     expect(benches).to_have_value("223")
     redo.click()
     expect(benches).to_have_value("60")
-    settle(page, "Walkable")
+    settle(page, "Safe")
     expect(page.locator("#studio")).to_have_attribute("aria-busy", "false", timeout=LONG)
     page.reload()
     expect(number(page, "number of benches")).to_have_value("60", timeout=LONG)
     page.get_by_role("button", name="中文").click()
     expect(page.get_by_role("button", name="撤销")).to_be_visible()
-    settle(page, "可行")
+    settle(page, "安全")
     expect(page).to_have_url(re.compile("&lang=zh"))
 
 
@@ -83,7 +83,7 @@ def test_a_wrong_plan_is_told_in_one_sentence_and_loses_nothing(opened: Opened, 
     expect(verdict(page)).to_have_class("verdict none")
     expect(page.locator("canvas")).to_be_visible()
     page.get_by_role("button", name="undo").click()
-    settle(page, "Walkable")
+    settle(page, "Safe")
     assert pages.faults
     assert all("422" in fault for fault in pages.faults)
     pages.faults.clear()
@@ -91,13 +91,13 @@ def test_a_wrong_plan_is_told_in_one_sentence_and_loses_nothing(opened: Opened, 
 
 def test_a_dance_that_cannot_be_shown_is_said_beside_its_verdict(opened: Opened, pages: Pages) -> None:
     page = opened()
-    settle(page, "Walkable")
+    settle(page, "Safe")
     page.route("**/api/dance*", lambda route: route.fulfill(status=422, json={"error": "too long"}))
     width = number(page, "width of a bench")
     width.fill("0.31")
     width.press("Enter")
     expect(page.locator(".verdicts")).to_contain_text("This plan cannot be shown: too long")
-    settle(page, "Walkable")
+    settle(page, "Safe")
     page.unroute("**/api/dance*")
     page.get_by_role("button", name="undo").click()
     expect(page.locator(".verdicts")).not_to_contain_text("cannot be shown", timeout=LONG)
@@ -107,7 +107,7 @@ def test_a_dance_that_cannot_be_shown_is_said_beside_its_verdict(opened: Opened,
 def test_a_long_question_is_followed_and_cancelled(opened: Opened) -> None:
     page = opened()
     page.get_by_label("begin with").select_option("turn")
-    settle(page, "Walkable: tightest 27.9 cm, bench 1 with bench 17")
+    settle(page, "Safe: tightest 27.9 cm, bench 1 with bench 17")
     page.get_by_role("button", name="best turn").click()
     job = page.locator(".jobs li").first
     expect(job.get_by_role("progressbar")).to_be_visible()
@@ -121,13 +121,13 @@ def test_a_long_question_is_followed_and_cancelled(opened: Opened) -> None:
 def test_another_kind_of_turn_takes_along_what_belonged_to_the_former(opened: Opened) -> None:
     page = opened()
     page.get_by_label("begin with").select_option("turn")
-    settle(page, "Walkable: tightest 27.9 cm")
+    settle(page, "Safe: tightest 27.9 cm")
     page.get_by_label("kind of turn").select_option("arc-line-arc")
-    settle(page, "Walkable: tightest (?!27.9)")
+    settle(page, "Safe: tightest (?!27.9)")
     page.get_by_label("kind of turn").select_option("arc-arc-arc")
     expect(number(page, "curvature of the middle arc")).to_have_value("0")
     page.get_by_label("kind of turn").select_option("arc-arc")
-    settle(page, "Walkable: tightest 27.9 cm")
+    settle(page, "Safe: tightest 27.9 cm")
     expect(number(page, "ratio of the radii")).to_have_value("2")
     expect(number(page, "ratio of the radii")).to_be_enabled()
 
@@ -168,7 +168,7 @@ def test_the_player_is_exported_as_a_page_of_its_own(
     saved.value.save_as(path)
     alone = pages.open(path.as_uri())
     expect(alone.locator("canvas")).to_be_visible()
-    expect(alone.locator(".ruling")).to_contain_text("Walkable: tightest 9.94 cm")
+    expect(alone.locator(".summary")).to_contain_text("Safe: tightest 9.94 cm")
 
 
 def test_every_control_has_a_name(opened: Opened) -> None:
@@ -227,7 +227,7 @@ def test_what_is_refused_is_said_once_and_its_old_picture_too(opened: Opened, pa
     assert page.get_by_text("wanted at most").filter(visible=True).count() == 1
     page.locator("h1").click()
     page.keyboard.press("Control+z")
-    settle(page, "Walkable")
+    settle(page, "Safe")
     expect(page.locator(".limit")).to_have_text("smallest pitch: 0.450337 m (found)", timeout=LONG)
     pages.faults.clear()  # the refusal is on the console
 
@@ -255,7 +255,7 @@ def test_a_long_question_changes_its_language_with_the_page(opened: Opened) -> N
 
 def test_the_evidence_of_a_dance_without_contact(opened: Opened) -> None:
     page = opened("desktop", "zh")
-    settle(page, "可行")
+    settle(page, "安全")
     verdict(page).click()
     expect(page.get_by_role("row", name="首次碰撞")).to_contain_text("不会发生")
 

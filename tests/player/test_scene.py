@@ -71,8 +71,8 @@ def test_the_contests_first_contact_is_an_occasion() -> None:
         Words(en="first contact", zh="首次碰撞"),
     )
     assert occasions(dance, "tightest") == []
-    assert dance.ruling is not None
-    assert (dance.ruling.safe, dance.ruling.decided) == (False, True)
+    assert dance.verdict is not None
+    assert (dance.verdict.safe, dance.verdict.decided) == (False, True)
     (end,) = occasions(dance, "end")
     assert end.time == dance.frames.start + dance.frames.step * (dance.frames.count - 1)
     times = [occasion.time for occasion in dance.occasions]
@@ -195,15 +195,15 @@ def test_each_benchs_tightest_moment_is_that_of_all_pairs_at_all_times(
     assert within > 5
 
 
-def test_the_ruling_is_in_both_languages_whichever_is_spoken(spoken: str) -> None:
+def test_the_verdict_is_in_both_languages_whichever_is_spoken(spoken: str) -> None:
     report = reported(*TURN)
     dance = checked_dance(report, Span(0.0, 1.0))
-    assert dance.ruling is not None
+    assert dance.verdict is not None
     for language in ("en", "zh"):
         with spoken_in(language):
-            assert getattr(dance.ruling.text, language) == sentence(report)
-    assert dance.ruling.text.en.startswith("Walkable: ")
-    assert dance.ruling.text.zh.startswith("可行")
+            assert getattr(dance.verdict.sentence, language) == sentence(report)
+    assert dance.verdict.sentence.en.startswith("Safe: ")
+    assert dance.verdict.sentence.zh.startswith("安全")
     assert dance.title == Words(en="Turning", zh="调头")
     assert both(lambda: _("first contact")) == Words(en="first contact", zh="首次碰撞")
 

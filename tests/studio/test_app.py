@@ -112,8 +112,8 @@ def test_presets_are_plans_in_two_languages_with_the_standing_of_each_figure(stu
 @pytest.mark.parametrize(
     ("changes", "safe", "english", "chinese"),
     [
-        ({}, True, "Walkable: tightest 9.94 cm, bench 1 with bench 20, at ", "可行：最紧处 9.94 cm"),
-        ({"disc": {}}, False, "Not walkable: benches 1 and 9 touch at ", "不可行：第 1 节与第 9 节"),
+        ({}, True, "Safe: tightest 9.94 cm, bench 1 with bench 20, at ", "安全：最紧处 9.94 cm"),
+        ({"disc": {}}, False, "Not safe: benches 1 and 9 touch at ", "不安全：第 1 节与第 9 节"),
         (
             {"limits": {"margin": 0.09, "speed": 1.5}},
             True,
@@ -132,7 +132,7 @@ def test_presets_are_plans_in_two_languages_with_the_standing_of_each_figure(stu
             "; findings besides: 1",
             "；另有 1 处问题",
         ),
-        ({"dragon": {"benches": 2}}, True, "Walkable: no two benches come near", "可行：没有板凳"),
+        ({"dragon": {"benches": 2}}, True, "Safe: no two benches come near", "安全：没有板凳"),
     ],
 )
 def test_a_verdict_is_a_sentence_and_answers(
@@ -141,8 +141,8 @@ def test_a_verdict_is_a_sentence_and_answers(
     found = post(studio, "/api/verdict", {**PLAN, **changes}).json()
     assert found["safe"] is safe
     assert found["decided"]
-    assert english in found["sentence"]
-    assert chinese in post(studio, "/api/verdict", {**PLAN, **changes}, lang="zh").json()["sentence"]
+    assert english in found["sentence"]["en"]
+    assert chinese in found["sentence"]["zh"]
     assert found["plan_sha256"] == Plan.model_validate({**PLAN, **changes}).sha256
     for name in ("first_contact", "clearance", "greatest_speed"):
         answer = found[name]
@@ -274,16 +274,16 @@ def test_two_languages_are_spoken_at_once(studio: Served) -> None:
 
     def ask(number: int) -> None:
         language = ("en", "zh")[number % 2]
-        plan = with_part(dragon={"benches": 30 + number})
-        url = f"{studio.base}/api/verdict?lang={language}"
-        found[number] = httpx.post(url, json={"plan": plan}, timeout=120).json()["sentence"]
+        plan = with_part(dragon={"benches": 30 + number}, disc={})
+        url = f"{studio.base}/api/limit/pitch?lang={language}"
+        found[number] = httpx.post(url, json={"plan": plan}, timeout=120).json()["error"]
 
     threads = [threading.Thread(target=ask, args=(number,)) for number in range(8)]
     for thread in threads:
         thread.start()
     for thread in threads:
         thread.join()
-    assert {number: text.startswith("可行") for number, text in found.items()} == {
+    assert {number: text.startswith("请说明龙头走到哪里") for number, text in found.items()} == {
         number: number % 2 == 1 for number in range(8)
     }
 

@@ -1,5 +1,6 @@
 """Whether a walk is safe: first contact, least clearance, speeds and accelerations against limits."""
 
+import time as clock
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
@@ -8,6 +9,7 @@ import numpy as np
 
 from benchdragon.analysis.contact import (
     ClearanceCurve,
+    clearance_above,
     clearance_curve,
     contact_windows,
     first_contact,
@@ -22,7 +24,7 @@ from benchdragon.analysis.speed import (
     greatest_speed,
     part_of,
 )
-from benchdragon.errors import InputError, of_kind
+from benchdragon.errors import InputError, UnsureError, WalkError, of_kind
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import ROUNDING, Answer
 from benchdragon.model.walk import Motion, Walk
@@ -37,6 +39,8 @@ SAMPLES = 1000
 AFTER = 3.0
 # How often a check advances by 1.
 STEPS = 4
+# How wide a quick check's brackets may be: of clearances, m, and of speeds, relative.
+QUICK_CLEARANCE, QUICK_SPEED = 1e-3, 1e-4
 
 
 @dataclass(frozen=True)
@@ -67,11 +71,6 @@ class Finding:
         """The finding as a sentence, in the language in use."""
         return _(self.sentence).format(**{name: _(word) for name, word in self.words.items()})
 
-    def as_json(self) -> dict[str, Any]:
-        """The finding as plain data, its text in the language in use."""
-        names = ("code", "text", "time", "benches", "value", "limit")
-        return {name: getattr(self, name) for name in names}
-
 
 @dataclass(frozen=True)
 class Report:
@@ -79,6 +78,7 @@ class Report:
 
     Attributes:
         plan: what was checked.
+        walk: that of the plan.
         start: of the walk, s.
         end: of the walk, s; the answers but the first speak of it up to a contact, if there is one.
         first_contact: when two benches but neighbours first touch, or come nearer than the margin.
@@ -87,9 +87,11 @@ class Report:
         peaks: the greatest of what else is limited, by the names of the limits, in SI units.
         findings: empty if the walk is safe.
         proved: whether what is said of contact was proved.
+        seconds: how long the check took.
     """
 
     plan: Plan
+    walk: Walk
     start: float
     end: float
     first_contact: Answer | None
@@ -98,6 +100,7 @@ class Report:
     peaks: dict[str, Answer]
     findings: tuple[Finding, ...]
     proved: bool = False
+    seconds: float = 0.0
 
     @property
     def safe(self) -> bool:
@@ -111,39 +114,68 @@ class Report:
         return codes != {"undecided"}
 
 
-def check(plan: Plan, advance: Advance | None = None, *, prove: bool = False) -> Report:
+def check(
+    plan: Plan, advance: Advance | None = None, *, prove: bool = False, quick: bool = False
+) -> Report:
     """Check the whole walk of a plan against its margin and its limits.
 
-    With `prove` it is proved when the first contact comes, or that none does (see `prove`); where two
-    benches come within rounding of the margin first, nothing is.
+    With `prove` it is proved when the first contact comes, or that none does (see `prove_contact`);
+    where two benches come within rounding of the margin first, nothing is. `quick` is for sliders:
+    brackets of the clearance and of the greatest speed may be QUICK_CLEARANCE and QUICK_SPEED wide,
+    and no contact is looked for where that clearance shows that there is none. They are established
+    as ever, and what has its limit inside of a wide bracket is asked again to the last digit.
 
     Raises:
+        InputError: for what is no plan.
         MissingExtraError: for a proof without python-flint.
         WalkError: if no contact comes before the dragon cannot walk on.
         UnsureError: if it could not be decided whether it can.
     """
     of_kind("plan", plan, Plan)
+    began = clock.perf_counter()
     tell = advance or (lambda _share, _text: None)
     walk = plan.build()
-    start, end = plan.span(walk)
-    margin = plan.limits.margin
-    tell(0.0, _("looking for contact"))
-    search = prove_contact if prove else first_contact
-    contact = search(walk, start, end, margin=margin, advance=part_of(tell, _("contact")))
-    contact = sure_contact(walk, start, end, margin, contact)
-    until = end if contact is None or contact.witness is None else contact.upper
-    clearance = no_clearance(contact)
+    span = start, end = plan.span(walk)
+    tolerances = (QUICK_CLEARANCE,) if quick else None
+    contact, clearance = None, _clear_throughout(plan, walk, span) if quick else None
     if clearance is None:
-        clearance = least_clearance(walk, start, until, advance=part_of(tell, _("clearance")))
-    speed = greatest_speed(walk, start, until, advance=part_of(tell, _("greatest speed")))
-    speed = decided_speed(plan, walk, (start, until), speed)
-    peaks = limited_peaks(plan, walk, (start, until), part_of(tell, _("other limits")))
-    findings = all_findings(plan, walk, (start, until), contact, {"speed": speed, **peaks})
-    proved = prove and (contact is None or contact.status == "proved")
-    return Report(plan, start, end, contact, clearance, speed, peaks, findings, proved=proved)
+        tell(0.0, _("looking for contact"))
+        search = prove_contact if prove else first_contact
+        margin = plan.limits.margin
+        contact = search(walk, start, end, margin=margin, advance=part_of(tell, _("contact")))
+        contact = _sure_contact(walk, start, end, margin, contact)
+    if contact is not None and contact.witness is not None:
+        span = start, contact.upper
+    if clearance is None:
+        clearance = _no_clearance(contact) or least_clearance(
+            walk, *span, advance=part_of(tell, _("clearance")), **_given(tolerances=tolerances)
+        )
+    wide = _given(tolerance=QUICK_SPEED if quick else None)
+    speed = greatest_speed(walk, *span, advance=part_of(tell, _("greatest speed")), **wide)
+    speed = _decided_speed(plan, walk, span, speed)
+    peaks = _limited_peaks(plan, walk, span, part_of(tell, _("other limits")))
+    return Report(
+        plan, walk, start, end, contact, clearance, speed, peaks,
+        findings=all_findings(plan, walk, span, contact, {"speed": speed, **peaks}),
+        proved=prove and (contact is None or contact.status == "proved"),
+        seconds=clock.perf_counter() - began,
+    )  # fmt: skip
 
 
-def sure_contact(
+def _given(**options: Any) -> dict[str, Any]:
+    """Those options that are not None."""
+    return {name: value for name, value in options.items() if value is not None}
+
+
+def _clear_throughout(plan: Plan, walk: Walk, span: tuple[float, float]) -> Answer | None:
+    """The least clearance of a walk that it shows to be free of contact; None if it may have one."""
+    try:
+        return clearance_above(walk, *span, plan.limits.margin, tolerances=(QUICK_CLEARANCE,))
+    except (WalkError, UnsureError):
+        return None
+
+
+def _sure_contact(
     walk: Walk, start: float, end: float, margin: float, first: Answer | None
 ) -> Answer | None:
     """The first contact, or if that is a graze one that is none, if there is one."""
@@ -153,14 +185,14 @@ def sure_contact(
     return next((window.opens for window in windows if window.opens.status == "found"), first)
 
 
-def no_clearance(contact: Answer | None) -> Answer | None:
+def _no_clearance(contact: Answer | None) -> Answer | None:
     """The least clearance where benches touch: none; None where they do not."""
     if contact is None or contact.witness is None or contact.witness.gap > 0.0:
         return None
     return replace(contact, value=0.0, lower=0.0, upper=0.0, unit="m")
 
 
-def decided_speed(plan: Plan, walk: Walk, span: tuple[float, float], speed: Answer) -> Answer:
+def _decided_speed(plan: Plan, walk: Walk, span: tuple[float, float], speed: Answer) -> Answer:
     """The greatest speed over a span of the walk, s, asked again where its bracket holds the limit."""
     limit = plan.limits.speed
     if limit is None or speed.keeps(limit) is not None:
@@ -168,7 +200,7 @@ def decided_speed(plan: Plan, walk: Walk, span: tuple[float, float], speed: Answ
     return greatest(walk, QUANTITIES["speed"], *span, limit=limit * (1.0 + ROUNDING))
 
 
-def limited_peaks(
+def _limited_peaks(
     plan: Plan,
     walk: Walk,
     span: tuple[float, float],
@@ -200,7 +232,7 @@ def all_findings(
 ) -> tuple[Finding, ...]:
     """What a walk does that its plan forbids, from the first time of the span, s, to the second.
 
-    `peaks` are the greatest speed and what `limited_peaks` found.
+    `peaks` are the greatest speed and what `_limited_peaks` found.
     """
     limits = given_limits(plan)
     return (
@@ -279,7 +311,7 @@ def peak_text(name: str) -> str:
 def sentence(report: Report) -> str:
     """A verdict in one sentence, in the language in use."""
     if report.safe:
-        return _("Walkable: {tightest}").format(tightest=_kept(report))
+        return _("Safe: {tightest}").format(tightest=_kept(report))
     first = report.findings[0]
     text = first.text
     if first.code in {"contact", "margin"} and first.time is not None:
@@ -293,7 +325,7 @@ def sentence(report: Report) -> str:
         text = _("{finding}; findings besides: {count}").format(finding=text, count=more)
     if not report.decided:
         return _("Undecided: {finding}").format(finding=text)
-    return _("Not walkable: {finding}").format(finding=text)
+    return _("Not safe: {finding}").format(finding=text)
 
 
 def _kept(report: Report) -> str:
@@ -340,14 +372,13 @@ def moment(report: Report) -> tuple[Motion, Answer]:
     answer = report.clearance if contact is None else contact
     if answer.witness is None or answer.witness.time is None:
         raise InputError(_("a dragon of one or two benches has no pair whose clearance counts"))
-    walk = report.plan.build()
     time = answer.witness.time if contact is None else contact.value
-    return walk.motion([time]), answer
+    return report.walk.motion([time]), answer
 
 
 def clearance_over(report: Report) -> ClearanceCurve:
     """Clearance over the whole walk, or until shortly after a contact."""
-    walk, end = report.plan.build(), report.end
+    walk, end = report.walk, report.end
     contact = report.first_contact
     if contact is not None:
         end = min(end, contact.upper + AFTER)

@@ -89,8 +89,11 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
 
         lines = check_lines(report)
     if options["as_json"]:
+        from benchdragon.analysis.records import verdict_of
+
         shown = {"plan": read.data()} if options["show_plan"] else {}
-        click.echo(json.dumps({**report_json(report), **_explained(lines), **shown}))
+        record = verdict_of(report).model_dump(mode="json")
+        click.echo(json.dumps({**record, **_explained(lines), **shown}))
     else:
         print_report(report, options["brackets"])
         if files:
@@ -106,24 +109,6 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
 def _explained(lines: list[str]) -> dict[str, list[str]]:
     """The lines of --explain as a part of JSON, if there are any."""
     return {"explanation": lines} if lines else {}
-
-
-def report_json(report: "Report") -> dict[str, Any]:
-    """A report as plain data."""
-    about = {"plan_sha256": report.plan.sha256, "version": __version__}
-    contact = report.first_contact
-    return {
-        "safe": report.safe,
-        "proved": report.proved,
-        "start": report.start,
-        "end": report.end,
-        "first_contact": None if contact is None else contact.as_json(**about),
-        "clearance": report.clearance.as_json(**about),
-        "greatest_speed": report.greatest_speed.as_json(**about),
-        "peaks": {name: peak.as_json(**about) for name, peak in report.peaks.items()},
-        "findings": [finding.as_json() for finding in report.findings],
-        **about,
-    }
 
 
 def print_title(plan: "Plan") -> None:

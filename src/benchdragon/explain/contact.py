@@ -25,7 +25,7 @@ EQUAL = 1e-9
 
 def check_lines(report: Report) -> list[str]:
     """Which pairs were looked at, why no contact can be missed, what meets, and how fast."""
-    walk = report.plan.build()
+    walk = report.walk
     first, last = walk.head_position([report.start, report.end]).tolist()
     benches, margin = len(walk.dragon), report.plan.limits.margin
     text = _("The walk goes from t = {a} s to t = {b} s; the head's way is {way} m.")

@@ -5,18 +5,11 @@ Metres, seconds, metres a second.
 
 from typing import Literal
 
-from pydantic import BaseModel, ConfigDict
-
+from benchdragon.analysis.records import Record, Verdict
 from benchdragon.i18n import Words
 
 
-class Sent(BaseModel):
-    """What a page gets."""
-
-    model_config = ConfigDict(frozen=True)
-
-
-class Sizes(Sent):
+class Sizes(Record):
     """Sizes of every bench, m, bench 1 first."""
 
     length: list[float]
@@ -25,7 +18,7 @@ class Sizes(Sent):
     rear_inset: list[float]
 
 
-class Stretch(Sent):
+class Stretch(Record):
     """Nodes of a stretch of the route, evenly spaced: the next stretch begins where this ends."""
 
     start: float
@@ -33,7 +26,7 @@ class Stretch(Sent):
     nodes: int
 
 
-class Course(Sent):
+class Course(Record):
     """The route as cubics between nodes.
 
     `packed` holds x, y (m, from `origin`) and heading (rad) of every node as float32, x of all nodes
@@ -45,7 +38,7 @@ class Course(Sent):
     packed: str
 
 
-class Frames(Sent):
+class Frames(Record):
     """Route positions and speeds of all handles at evenly spaced times, packed.
 
     Handle by handle; see `frames.packed_frames`. Between them positions go along cubics, speeds along
@@ -60,7 +53,7 @@ class Frames(Sent):
     largest_error: float
 
 
-class Occasion(Sent):
+class Occasion(Record):
     """Something that happens at a time; `benches` are numbers from 1."""
 
     kind: Literal["contact", "tightest", "fastest", "joint", "end"]
@@ -69,7 +62,7 @@ class Occasion(Sent):
     benches: list[int]
 
 
-class Nearest(Sent):
+class Nearest(Record):
     """When each bench comes nearest to one that is not its neighbour, as far as looked at.
 
     Distance, m (minus the depth of an overlap), time, s, and number of the other bench; 0 where it
@@ -82,7 +75,7 @@ class Nearest(Sent):
     other: list[int]
 
 
-class Tightness(Sent):
+class Tightness(Record):
     """Distance of the tightest pair, m, at evenly spaced times; capped at `Nearest.reach`."""
 
     start: float
@@ -90,15 +83,7 @@ class Tightness(Sent):
     distance: list[float]
 
 
-class Ruling(Sent):
-    """Whether a walk is safe, in one sentence; `decided` is false where that is open."""
-
-    safe: bool
-    decided: bool
-    text: Words
-
-
-class Dance(Sent):
+class Dance(Record):
     """A whole dance, as a player shows it."""
 
     version: str
@@ -114,4 +99,4 @@ class Dance(Sent):
     tightness: Tightness
     margin: float
     speed_limit: float | None
-    ruling: Ruling | None
+    verdict: Verdict | None

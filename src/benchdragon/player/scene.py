@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from benchdragon.analysis.check import Report, sentence
+from benchdragon.analysis.check import Report
 from benchdragon.analysis.distance import nearest_each
+from benchdragon.analysis.records import Verdict, verdict_of, verdict_of_fall
 from benchdragon.errors import InputError, WalkError, finite
 from benchdragon.i18n import Words, _, both
 from benchdragon.model.answer import Answer
@@ -77,16 +78,12 @@ def checked_dance(
         WalkError: if the dragon does not stand at the start.
     """
     plan = report.plan
-    walk = plan.build()
     shown = span or Span(report.start, report.end)
-    dance = plain_dance(walk, shown, advance)
+    dance = plain_dance(report.walk, shown, advance)
     last = dance.frames.start + dance.frames.step * (dance.frames.count - 1)
     found = [occasion for occasion in _answers(report) if shown.start <= occasion.time <= last]
-    ruling = messages.Ruling(
-        safe=report.safe, decided=report.decided, text=both(lambda: sentence(report))
-    )
     nearest = _with_tightest(dance.nearest, report.clearance, (shown.start, last))
-    return _of_plan(plan, dance, ruling, found).model_copy(update={"nearest": nearest})
+    return _of_plan(plan, dance, verdict_of(report), found).model_copy(update={"nearest": nearest})
 
 
 def judged_dance(
@@ -104,18 +101,15 @@ def judged_dance(
     try:
         report = judge(plan)
     except WalkError as error:
-        dance = plain_dance(plan.build(), span or Span(*plan.span(plan.build())), advance)
-        return _of_plan(plan, dance, _fallen(error), [])
+        walk = plan.build()
+        whole = plan.span(walk)
+        dance = plain_dance(walk, span or Span(*whole), advance)
+        return _of_plan(plan, dance, verdict_of_fall(plan, whole, error), [])
     return checked_dance(report, span, advance)
 
 
-def _fallen(error: WalkError) -> messages.Ruling:
-    text = both(lambda: _("Not walkable: {finding}").format(finding=error))
-    return messages.Ruling(safe=False, decided=True, text=text)
-
-
 def _of_plan(
-    plan: Plan, dance: messages.Dance, ruling: messages.Ruling, found: list[messages.Occasion]
+    plan: Plan, dance: messages.Dance, verdict: Verdict, found: list[messages.Occasion]
 ) -> messages.Dance:
     """A dance with what its plan says, and what was found."""
     return dance.model_copy(
@@ -125,7 +119,7 @@ def _of_plan(
             "disc": plan.disc.radius,
             "margin": plan.limits.margin,
             "speed_limit": plan.limits.speed,
-            "ruling": ruling,
+            "verdict": verdict,
             "occasions": sorted([*found, *dance.occasions], key=lambda occasion: occasion.time),
         }
     )
@@ -177,7 +171,7 @@ def plain_dance(walk: Walk, span: Span, advance: Advance | None = None) -> messa
         tightness=tightness,
         margin=0.0,
         speed_limit=None,
-        ruling=None,
+        verdict=None,
     )  # fmt: skip
 
 

@@ -17,12 +17,13 @@ from typing import Annotated, Any, Literal, cast
 
 from pydantic_core import ErrorDetails
 
+from benchdragon.analysis.records import Answer, Record, Verdict
 from benchdragon.errors import BenchDragonError, InputError, MissingExtraError, reason
 from benchdragon.i18n import _, language
 from benchdragon.plans.faults import fault_of
 from benchdragon.plans.presets import presets
 from benchdragon.plans.schema import Plan
-from benchdragon.player.messages import Dance, Sent
+from benchdragon.player.messages import Dance
 from benchdragon.player.page import chinese
 from benchdragon.studio import messages
 from benchdragon.studio.jobs import Jobs
@@ -270,13 +271,13 @@ def _page_routes(application: FastAPI, studio: Studio) -> None:
 
 def _quick_routes(router: APIRouter, studio: Studio) -> None:
     def post(
-        path: str, media: str | None = None, model: type[Sent] | None = None
+        path: str, media: str | None = None, model: type[Record] | None = None
     ) -> Callable[..., Any]:
         good: dict[str, Any] = {"model": model} if model else _file(media or "")
         responses = {**_documented(*COMPUTED), 200: good}
         return router.post(path, response_class=Response, response_model=None, responses=responses)
 
-    @post("/verdict", model=messages.Verdict)
+    @post("/verdict", model=Verdict)
     async def verdict(request: Request, body: messages.PlanBody, client: Client = None) -> Response:
         """Whether a walk is safe."""
         return await studio.answer(request, studio.work("verdict", body.plan, client))
@@ -286,7 +287,7 @@ def _quick_routes(router: APIRouter, studio: Studio) -> None:
         """The dance as the player shows it."""
         return await studio.answer(request, studio.work("dance", body.plan, client))
 
-    @post("/limit/{what}", model=messages.Answer)
+    @post("/limit/{what}", model=Answer)
     async def limit(
         request: Request, what: messages.LimitName, body: messages.PlanBody, client: Client = None
     ) -> Response:

@@ -5,25 +5,18 @@ Metres, seconds, metres a second. Numbers that are not finite come as null: JSON
 """
 
 import json
-import math
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, PlainSerializer
 
+from benchdragon.analysis.records import Answer, Number, Record, Verdict
 from benchdragon.i18n import Words, _
 from benchdragon.plans.presets import Figure
 from benchdragon.plans.schema import Plan, checked
 from benchdragon.plans.toml import PlanError
-from benchdragon.player.messages import Sent
-
-
-def _finite_or_none(value: object) -> object:
-    return None if isinstance(value, float) and not math.isfinite(value) else value
-
 
 Finite = Annotated[float, Field(allow_inf_nan=False)]
 Spread = Annotated[Finite, Field(ge=0.0, le=1.0)]
-Number = Annotated[float | None, BeforeValidator(_finite_or_none)]
 LimitName = Literal["pitch", "disc", "width", "length"]
 Question = Literal["turn", "prove", "speed", "pace", "margins"]
 ExportName = Literal[
@@ -104,93 +97,19 @@ class JobBody(PlanBody):
     options: JobOptions = JobOptions()
 
 
-class Problem(Sent):
+class Problem(Record):
     """What went wrong, as one sentence in the language asked for."""
 
     error: str
 
 
-class Witness(Sent):
-    """Where and when an answer comes about: see `answer.Witness`."""
-
-    time: Number
-    s: Number
-    benches: list[int]
-    point: tuple[Number, Number]
-    gap: Number
-    features: list[tuple[int, str]]
-
-
-class Answer(Sent):
-    """A solved number and the bracket that was established: see `answer.Answer`."""
-
-    value: Number
-    lower: Number
-    upper: Number
-    unit: str
-    status: Literal["proved", "found", "infeasible", "undecided", "unlimited"]
-    witness: Witness | None
-    assumptions: list[str]
-    looks: int
-    seconds: float
-    plan_sha256: str
-    version: str
-
-
-class Finding(Sent):
-    """Something that a walk must not do, or that could not be decided."""
-
-    code: str
-    text: str
-    time: Number
-    benches: list[int]
-    value: Number
-    limit: Number
-
-
-class LimitedPeak(Sent):
-    """The greatest of what a plan limits, and what that is in words."""
-
-    text: str
-    peak: Answer
-
-
-class Verdict(Sent):
-    """Whether a walk is safe, in one sentence and in full.
-
-    Attributes:
-        safe: whether nothing was found.
-        decided: whether no open question could change `safe`.
-        proved: whether what is said of contact was proved.
-        sentence: the verdict for readers.
-        start: of the walk, s.
-        end: of the walk, s.
-        seconds: how long it took.
-    """
-
-    safe: bool
-    decided: bool
-    proved: bool
-    sentence: str
-    start: Number
-    end: Number
-    first_contact: Answer | None
-    clearance: Answer
-    greatest_speed: Answer
-    peaks: list[LimitedPeak]
-    findings: list[Finding]
-    seconds: float
-    plan_sha256: str
-    version: str
-
-
-class OpenedPlan(Sent):
+class OpenedPlan(Record):
     """A plan file, read: every key, those left out as by default."""
 
     plan: SentPlan
 
 
-class TurnFound(Sent):
+class TurnFound(Record):
     """The best turn found, and the plan with it: see `turn.BestTurn`.
 
     `way_before` is the way inside the disc of the turn that the plan had, m.
@@ -207,7 +126,7 @@ class TurnFound(Sent):
     active: list[str]
 
 
-class PaceFound(Sent):
+class PaceFound(Record):
     """The plan walked at its own head speed, slowed down only where a limit wants it."""
 
     plan: SentPlan
@@ -216,14 +135,14 @@ class PaceFound(Sent):
     saved: Number
 
 
-class PitchFor(Sent):
+class PitchFor(Record):
     """The pitch, m, at which benches touch with at most that chance, with 95 % confidence."""
 
     risk: float
     pitch: Number
 
 
-class MarginsFound(Sent):
+class MarginsFound(Record):
     """What imprecise dances need: see `tolerance.Tolerance`; chance at the plan's own pitch."""
 
     draws: int
@@ -238,13 +157,13 @@ class MarginsFound(Sent):
 Result = Verdict | TurnFound | PaceFound | MarginsFound | Answer
 
 
-class JobStarted(Sent):
+class JobStarted(Record):
     """A long question that was taken on."""
 
     id: str
 
 
-class JobTaken(Sent):
+class JobTaken(Record):
     """A long question of a client, and the plan that it asks about."""
 
     id: str
@@ -253,7 +172,7 @@ class JobTaken(Sent):
     plan_sha256: str
 
 
-class JobState(Sent):
+class JobState(Record):
     """How a long question stands.
 
     Attributes:
@@ -274,7 +193,7 @@ class JobState(Sent):
     error: str | None = None
 
 
-class Preset(Sent):
+class Preset(Record):
     """A dance to begin with: see `presets.Preset`."""
 
     model_config = ConfigDict(frozen=True, from_attributes=True)
@@ -286,7 +205,7 @@ class Preset(Sent):
     plan: SentPlan
 
 
-class Lane(Sent):
+class Lane(Record):
     """Workers of one kind of question."""
 
     workers: int
@@ -295,7 +214,7 @@ class Lane(Sent):
     waiting: int
 
 
-class Health(Sent):
+class Health(Record):
     """How the studio stands."""
 
     status: Literal["ok"]

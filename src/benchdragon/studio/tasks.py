@@ -5,7 +5,6 @@ A question is named by its kind, or kind/detail: "verdict", "limit/pitch", "expo
 
 import io
 import tempfile
-import time as clock
 import zipfile
 from collections.abc import Callable
 from dataclasses import dataclass, field, fields
@@ -15,19 +14,17 @@ from typing import Any, get_args
 
 import numpy as np
 
-from benchdragon.analysis.check import STEPS, Report, check, peak_text, sentence
-from benchdragon.analysis.quick import quick_verdict
+from benchdragon.analysis.check import STEPS, check
+from benchdragon.analysis.records import Record, answer_of, verdict_of
 from benchdragon.analysis.speed import part_of
 from benchdragon.errors import InputError
 from benchdragon.export.tables import WRITERS, Selection
 from benchdragon.i18n import _, language
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.model import answer
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan, TurnRoute, checked, read_plan
 from benchdragon.plans.source import Source
 from benchdragon.plans.toml import parsed
-from benchdragon.player.messages import Sent
 from benchdragon.player.page import write_player
 from benchdragon.player.scene import Span, judged_dance
 from benchdragon.solve.head_speed import greatest_head_speed, slowed, with_pace
@@ -36,7 +33,6 @@ from benchdragon.solve.tolerance import CASES, RISKS, Slips, tolerance
 from benchdragon.solve.turn import STAGES, Wish, best_turn
 from benchdragon.studio import messages
 from benchdragon.studio.limits import Settings, too_much
-from benchdragon.version import __version__
 
 Advance = Callable[[float, str], None]
 
@@ -96,42 +92,9 @@ class Made:
     name: str | None = None
 
 
-def sent(found: Sent) -> Made:
+def sent(found: Record) -> Made:
     """An answer as JSON."""
     return Made(found.model_dump_json(by_alias=True).encode())
-
-
-def answer_of(found: answer.Answer, plan: Plan) -> messages.Answer:
-    """An answer as it is sent."""
-    near = found.witness
-    seen = None if near is None else messages.Witness.model_validate(vars(near))
-    data = {field.name: getattr(found, field.name) for field in fields(found)}
-    about = {"witness": seen, "plan_sha256": plan.sha256, "version": __version__}
-    return messages.Answer.model_validate({**data, **about})
-
-
-def verdict_of(report: Report, seconds: float) -> messages.Verdict:
-    """A report as it is sent."""
-    plan, contact = report.plan, report.first_contact
-    return messages.Verdict(
-        safe=report.safe,
-        decided=report.decided,
-        proved=report.proved,
-        sentence=sentence(report),
-        start=report.start,
-        end=report.end,
-        first_contact=None if contact is None else answer_of(contact, plan),
-        clearance=answer_of(report.clearance, plan),
-        greatest_speed=answer_of(report.greatest_speed, plan),
-        peaks=[
-            messages.LimitedPeak(text=peak_text(name), peak=answer_of(peak, plan))
-            for name, peak in report.peaks.items()
-        ],
-        findings=[messages.Finding.model_validate(finding.as_json()) for finding in report.findings],
-        seconds=seconds,
-        plan_sha256=plan.sha256,
-        version=__version__,
-    )
 
 
 def opened(ask: Ask, _advance: Advance) -> Made:
@@ -150,16 +113,14 @@ def written(ask: Ask, _advance: Advance) -> Made:
 
 def judged(ask: Ask, _advance: Advance) -> Made:
     """Whether the walk is safe."""
-    began = clock.perf_counter()
-    report = quick_verdict(ask.whole)
-    return sent(verdict_of(report, clock.perf_counter() - began))
+    return sent(verdict_of(check(ask.whole, quick=True)))
 
 
 def danced(ask: Ask, advance: Advance) -> Made:
     """The dance as the player shows it."""
     plan = ask.whole
     sketch = Span(*plan.span(plan.build()), looks=FEW_LOOKS, times=FEW_TIMES)
-    return sent(judged_dance(plan, quick_verdict, sketch, advance))
+    return sent(judged_dance(plan, partial(check, quick=True), sketch, advance))
 
 
 def limited(name: str, ask: Ask, _advance: Advance) -> Made:
@@ -314,9 +275,7 @@ def best(ask: Ask, advance: Advance) -> Made:
 
 def proved(ask: Ask, advance: Advance) -> Made:
     """Whether the walk is safe, proved."""
-    began = clock.perf_counter()
-    report = check(ask.whole, _portion(advance, STEPS), prove=True)
-    return sent(verdict_of(report, clock.perf_counter() - began))
+    return sent(verdict_of(check(ask.whole, _portion(advance, STEPS), prove=True)))
 
 
 def head_speed(ask: Ask, advance: Advance) -> Made:

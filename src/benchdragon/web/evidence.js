@@ -1,7 +1,7 @@
 // The evidence of a verdict: each answer with its bracket, how it was established, and where.
 
 import { make } from "./elements.js";
-import { _, decimals } from "./words.js";
+import { _, language, decimals } from "./words.js";
 
 /** @typedef {import("./messages").Answer} Answer */
 /** @typedef {import("./messages").Verdict} Verdict */
@@ -97,7 +97,7 @@ export function evidenceDialog(verdict, pitch, jump) {
     row(_("first contact"), verdict.first_contact, go),
     row(_("least clearance"), verdict.clearance, go),
     row(_("greatest speed of a handle"), verdict.greatest_speed, go),
-    ...verdict.peaks.map(({ text, peak }) => row(text, peak, go)),
+    ...verdict.peaks.map(({ text, peak }) => row(text[language()], peak, go)),
     ...(pitch && pitch.plan_sha256 === verdict.plan_sha256
       ? [row(_("smallest pitch"), pitch, go)]
       : []),
@@ -105,8 +105,8 @@ export function evidenceDialog(verdict, pitch, jump) {
   const dialog = make(
     "dialog",
     { class: "evidence", "aria-label": _("evidence"), onclose: () => dialog.remove() },
-    make("h2", {}, verdict.sentence),
-    ...verdict.findings.map(({ text }) => make("p", {}, text)),
+    make("h2", {}, verdict.sentence[language()]),
+    ...verdict.findings.map(({ text }) => make("p", {}, text[language()])),
     make(
       "div",
       { class: "scroll" },

@@ -82,17 +82,17 @@ export class Face {
   }
 
   #header() {
-    const { title, ruling } = this.scene.sent;
+    const { title, verdict } = this.scene.sent;
     const header = make("header", { class: "bar" }, make("h1", {}, title[language()] || "benchdragon"));
-    if (ruling) {
-      const state = !ruling.decided ? "open" : ruling.safe ? "safe" : "unsafe";
+    if (verdict) {
+      const state = !verdict.decided ? "open" : verdict.safe ? "safe" : "unsafe";
       const sign = { open: "?", safe: "\u2713", unsafe: "\u2716" }[state];
       header.append(
         make(
           "p",
-          { class: `ruling ${state}` },
+          { class: `summary ${state}` },
           make("span", { "aria-hidden": "true" }, sign),
-          ` ${ruling.text[language()]}`,
+          ` ${verdict.sentence[language()]}`,
         ),
       );
     }

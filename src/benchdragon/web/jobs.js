@@ -3,7 +3,7 @@
 import { asked, mayPass, noteHash, samePlan } from "./asking.js";
 import { make, signButton } from "./elements.js";
 import { answerText, valueText } from "./evidence.js";
-import { _, decimals } from "./words.js";
+import { _, language, decimals } from "./words.js";
 
 /** @typedef {import("./messages").JobState} JobState */
 /** @typedef {import("./messages").TurnFound} TurnFound */
@@ -49,8 +49,10 @@ function betterPlan(result) {
 
 /** What came out, in words. @param {NonNullable<JobState["result"]>} result */
 function resultText(result) {
-  if ("sentence" in result)
-    return result.proved ? _("Proved. {sentence}", { sentence: result.sentence }) : result.sentence;
+  if ("sentence" in result) {
+    const sentence = result.sentence[language()];
+    return result.proved ? _("Proved. {sentence}", { sentence }) : sentence;
+  }
   if ("objective" in result) return turnText(result);
   if ("steady" in result)
     return _("steady {speed}; slowing down only where it must saves {saved} s", {

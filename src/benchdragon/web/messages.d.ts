@@ -70,7 +70,7 @@ export interface Dance {
   tightness: Tightness;
   margin: number;
   speed_limit: number | null;
-  ruling: Ruling | null;
+  verdict: Verdict | null;
 }
 
 /** The turning space: a circle about the spiral's centre. */
@@ -102,10 +102,14 @@ export interface Figure {
   status: "measured" | "reported" | "derived" | "assumed";
 }
 
-/** Something that a walk must not do, or that could not be decided. */
+/**
+ * Something that a walk must not do, or that could not be decided: see `check.Finding`.
+ *
+ * Besides its codes there is "walk": the benches cannot follow.
+ */
 export interface Finding {
   code: string;
-  text: string;
+  text: Words;
   time: number | null;
   benches: Array<number>;
   value: number | null;
@@ -211,9 +215,10 @@ export interface Lane {
   waiting: number;
 }
 
-/** The greatest of what a plan limits, and what that is in words. */
+/** The greatest of a quantity that the plan limits, and what that is in words. */
 export interface LimitedPeak {
-  text: string;
+  name: string;
+  text: Words;
   peak: Answer;
 }
 
@@ -338,17 +343,6 @@ export interface Problem {
   error: string;
 }
 
-/** Whether a walk is safe, in one sentence; `decided` is false where that is open. */
-export interface Ruling {
-  safe: boolean;
-  decided: boolean;
-  text: Words;
-}
-
-/** What a page gets. */
-export interface Sent {
-}
-
 /** Sizes of every bench, m, bench 1 first. */
 export interface Sizes {
   length: Array<number>;
@@ -443,18 +437,19 @@ export interface TurnTable {
  *     sentence: the verdict for readers.
  *     start: of the walk, s.
  *     end: of the walk, s.
+ *     clearance: null where the dragon cannot walk, like the following.
  *     seconds: how long it took.
  */
 export interface Verdict {
   safe: boolean;
   decided: boolean;
   proved: boolean;
-  sentence: string;
+  sentence: Words;
   start: number | null;
   end: number | null;
   first_contact: Answer | null;
-  clearance: Answer;
-  greatest_speed: Answer;
+  clearance: Answer | null;
+  greatest_speed: Answer | null;
   peaks: Array<LimitedPeak>;
   findings: Array<Finding>;
   seconds: number;

@@ -63,7 +63,7 @@ class Studio {
     // Unpacked before it counts as answered, so that no older one can come in late.
     this.dances = new Standing(
       async (asked, signal) =>
-        unpackedScene({ ...(await this.#answer("/api/dance", asked, signal)), ruling: null }),
+        unpackedScene({ ...(await this.#answer("/api/dance", asked, signal)), verdict: null }),
       (scene, about) => this.#danced(scene, about),
       (error, about) => this.#undanced(error, about),
     );
@@ -378,7 +378,7 @@ class Studio {
   #judged(found, plan) {
     this.verdict = { found, plan };
     const state = found.decided ? (found.safe ? "safe" : "unsafe") : "open";
-    this.lines.verdict.tell(plan, found.sentence, state);
+    this.lines.verdict.tell(plan, found.sentence[language()], state);
     this.#mark();
   }
 

@@ -1,0 +1,168 @@
+"""What a check found as plain data: the one schema of `--json`, the studio, the player and files.
+
+SI units. Numbers that are not finite come as null: JSON knows none. What readers read comes in both
+languages, but for the assumptions of an answer: those are in the language in which it was sought.
+"""
+
+import math
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict
+
+from benchdragon.analysis import check
+from benchdragon.analysis.check import Report, peak_text, sentence
+from benchdragon.errors import WalkError
+from benchdragon.i18n import Words, _, both
+from benchdragon.model import answer
+from benchdragon.plans.schema import Plan
+from benchdragon.version import __version__
+
+
+def _finite_or_none(value: object) -> object:
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+Number = Annotated[float | None, BeforeValidator(_finite_or_none)]
+
+
+class Record(BaseModel):
+    """Plain data that programs and pages get."""
+
+    model_config = ConfigDict(frozen=True)
+
+
+class Witness(Record):
+    """Where and when an answer comes about: see `answer.Witness`."""
+
+    time: Number
+    s: Number
+    benches: list[int]
+    point: tuple[Number, Number]
+    gap: Number
+    features: list[tuple[int, str]]
+
+
+class Answer(Record):
+    """A solved number and the bracket that was established: see `answer.Answer`."""
+
+    value: Number
+    lower: Number
+    upper: Number
+    unit: str
+    status: Literal["proved", "found", "infeasible", "undecided", "unlimited"]
+    witness: Witness | None
+    assumptions: list[str]
+    looks: int
+    seconds: float
+    plan_sha256: str
+    version: str
+
+
+class Finding(Record):
+    """Something that a walk must not do, or that could not be decided: see `check.Finding`.
+
+    Besides its codes there is "walk": the benches cannot follow.
+    """
+
+    code: str
+    text: Words
+    time: Number
+    benches: list[int]
+    value: Number
+    limit: Number
+
+
+class LimitedPeak(Record):
+    """The greatest of a quantity that the plan limits, and what that is in words."""
+
+    name: str
+    text: Words
+    peak: Answer
+
+
+class Verdict(Record):
+    """Whether a walk is safe, in one sentence and in full.
+
+    Attributes:
+        safe: whether nothing was found.
+        decided: whether no open question could change `safe`.
+        proved: whether what is said of contact was proved.
+        sentence: the verdict for readers.
+        start: of the walk, s.
+        end: of the walk, s.
+        clearance: null where the dragon cannot walk, like the following.
+        seconds: how long it took.
+    """
+
+    safe: bool
+    decided: bool
+    proved: bool
+    sentence: Words
+    start: Number
+    end: Number
+    first_contact: Answer | None
+    clearance: Answer | None
+    greatest_speed: Answer | None
+    peaks: list[LimitedPeak]
+    findings: list[Finding]
+    seconds: float
+    plan_sha256: str
+    version: str
+
+
+def answer_of(found: answer.Answer, plan: Plan) -> Answer:
+    """The record of an answer about a plan."""
+    return Answer.model_validate(found.as_json(plan_sha256=plan.sha256, version=__version__))
+
+
+def verdict_of(report: Report) -> Verdict:
+    """The record of a check."""
+    plan, contact = report.plan, report.first_contact
+    return Verdict(
+        safe=report.safe,
+        decided=report.decided,
+        proved=report.proved,
+        sentence=both(lambda: sentence(report)),
+        start=report.start,
+        end=report.end,
+        first_contact=None if contact is None else answer_of(contact, plan),
+        clearance=answer_of(report.clearance, plan),
+        greatest_speed=answer_of(report.greatest_speed, plan),
+        peaks=[_limited_peak(name, peak, plan) for name, peak in report.peaks.items()],
+        findings=[_finding(found) for found in report.findings],
+        seconds=report.seconds,
+        plan_sha256=plan.sha256,
+        version=__version__,
+    )
+
+
+def _finding(found: check.Finding) -> Finding:
+    text, benches = both(lambda: found.text), list(found.benches)
+    about = {"time": found.time, "value": found.value, "limit": found.limit}
+    return Finding(code=found.code, text=text, benches=benches, **about)
+
+
+def _limited_peak(name: str, peak: answer.Answer, plan: Plan) -> LimitedPeak:
+    return LimitedPeak(name=name, text=both(lambda: peak_text(name)), peak=answer_of(peak, plan))
+
+
+def verdict_of_fall(plan: Plan, span: tuple[float, float], error: WalkError) -> Verdict:
+    """The record of a walk over a span, s, along which the benches cannot follow."""
+    text = both(lambda: str(error))
+    fall = Finding(code="walk", text=text, time=error.t, benches=[error.bench], value=None, limit=None)
+    return Verdict(
+        safe=False,
+        decided=True,
+        proved=False,
+        sentence=both(lambda: _("Not safe: {finding}").format(finding=error)),
+        start=span[0],
+        end=span[1],
+        first_contact=None,
+        clearance=None,
+        greatest_speed=None,
+        peaks=[],
+        findings=[fall],
+        seconds=0.0,
+        plan_sha256=plan.sha256,
+        version=__version__,
+    )
