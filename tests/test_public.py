@@ -171,8 +171,6 @@ def test_wrong_types_are_refused_as_input(name: str) -> None:
         WALK.motion,
         lambda wrong: list(WALK.motions(wrong)),
         lambda wrong: WALK.motion([0.0], workers=wrong),
-        lambda wrong: WALK.motion([0.0], leader=wrong),
-        lambda wrong: WALK.motion([0.0], step=wrong),
         WALK.head_position,
         WALK.head_where_tail,
         ROUTE.point,

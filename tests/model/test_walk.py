@@ -396,47 +396,6 @@ def test_fewer_than_one_worker_is_refused(workers: int, count: int) -> None:
         UNEVEN_TURNING.motion(np.linspace(0.0, 1.0, count), workers=workers)
 
 
-@pytest.mark.parametrize("leader", ["rk4", "adaptive"])
-def test_every_road_leads_the_head_to_the_same_place(leader: str) -> None:
-    times = [0.0, -3.0, 100.0, 250.0]
-    exact = COILING.head_position(times)
-    np.testing.assert_array_equal(exact, times)
-    found = COILING.head_position(times, leader=leader)  # type: ignore[arg-type]
-    np.testing.assert_allclose(found, exact, rtol=0.0, atol=1e-9)
-    motion = COILING.motion(times, leader=leader)  # type: ignore[arg-type]
-    np.testing.assert_allclose(motion.x, COILING.motion(times).x, rtol=0.0, atol=2e-9)
-
-
-@pytest.mark.parametrize("leader", ["rk4", "adaptive"])
-def test_integrating_works_outward_and_behind_other_curves(leader: str) -> None:
-    route = Route.joined([Line(5.0), Spiral(1.7, 14.0, 60.0, (1.0, 2.0), 0.3, mirrored=True)])
-    walk = Walk(Dragon.uniform(5), route, UNEVEN, start=40.0)
-    times = [-20.0, 0.0, 35.0, 50.0]
-    found = walk.head_position(times, leader=leader)  # type: ignore[arg-type]
-    np.testing.assert_allclose(found, walk.head_position(times), rtol=0.0, atol=1e-9)
-
-
-def test_the_step_of_runge_kutta_is_heeded() -> None:
-    walk = Walk(Dragon.uniform(3), Route((Spiral(0.55, 30.0, 0.5),)))
-    times = [0.9 * walk.route.length]
-    exact = walk.head_position(times)
-    coarse, fine = (walk.head_position(times, "rk4", step) - exact for step in (1.0, 0.5))
-    assert 0.0 < abs(fine[0]) < abs(coarse[0]) / 4.0
-
-
-def test_integrating_needs_a_spiral_under_the_head() -> None:
-    walk = Walk(Dragon.uniform(3), Route((Line(50.0),)), start=20.0)
-    with pytest.raises(InputError, match=r"^rk4 integrates the equation of a spiral"):
-        walk.motion([1.0], leader="rk4")
-    with pytest.raises(InputError, match=r"^adaptive needs the head on one spiral at all times"):
-        TURNING.motion([-5.0, 0.0, 5.0], leader="adaptive")
-
-
-def test_a_road_that_nobody_knows_is_refused() -> None:
-    with pytest.raises(InputError, match="euler"):
-        COILING.head_position([0.0], leader="euler")  # type: ignore[arg-type]
-
-
 def test_a_dataset_holds_the_tables_with_their_units() -> None:
     pytest.importorskip("xarray")
     motion = UNEVEN_TURNING.motion([0.0, 5.0])

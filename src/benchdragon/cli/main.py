@@ -317,13 +317,16 @@ def _times(options: dict[str, Any], plan: "Plan", walk: "Walk") -> "np.ndarray[A
 
 
 def _moved(walk: "Walk", times: Any, options: dict[str, Any]) -> "Motion":
-    return walk.motion(
-        times,
-        throw=not options["keep_going"],
-        workers=options["workers"],
-        leader=options["leader"],
-        step=options["step"],
-    )
+    found = walk.motion(times, throw=False, workers=options["workers"])
+    if options["leader"] != "closed-form":
+        from benchdragon.model.walk import Motion
+        from benchdragon.paper.runge_kutta import head_positions
+
+        ahead = head_positions(walk, times, options["leader"], options["step"])
+        found = Motion(walk, found.times, ahead, workers=options["workers"])
+    if not options["keep_going"]:
+        found.check()
+    return found
 
 
 def _failures(motions: "Iterable[Motion]") -> int:
@@ -387,7 +390,7 @@ def _motion_table(
         for handle in chosen
     ]
     print_table(plan.title(language()), benches, rows)
-    _print_leader(walk, times, options)
+    _print_leader(found, options)
     print_explanation(_explained(found, options))
     return _failures([found])
 
@@ -401,13 +404,12 @@ def _explained(found: "Motion", options: dict[str, Any]) -> list[str]:
     return motion_lines(found, options["leader"])
 
 
-def _print_leader(walk: "Walk", times: Any, options: dict[str, Any]) -> None:
+def _print_leader(found: "Motion", options: dict[str, Any]) -> None:
     if options["leader"] == "closed-form":
         return
     import numpy as np
 
-    other = walk.head_position(times, options["leader"], options["step"])
-    apart = float(np.abs(other - walk.head_position(times)).max())
+    apart = float(np.abs(found.head_s - found.walk.head_position(found.times)).max())
     click.echo(
         _("{method} and the closed form put the head at most {apart} m apart").format(
             method=options["leader"], apart=f"{apart:.2e}"

@@ -1,34 +1,26 @@
-"""The head's walk: how fast at any time, how far by then, and the paper's Runge-Kutta for it.
+"""The head's speed over time, and the distance walked by then.
 
-The closed form needs no differential equation: distance is the exact integral of the profile, and
-the route turns a distance into a place. On a spiral the paper integrates
-d theta / dt = -v / (k sqrt(1 + theta^2)) instead; both are here, so that they check each other.
+No differential equation is needed: distance is the exact integral of the profile, and the route turns
+a distance into a place.
 """
 
-import itertools
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import Literal, NamedTuple, Self
+from typing import NamedTuple, Self
 
 import numpy as np
 import numpy.typing as npt
 
-from benchdragon.errors import InputError, as_number, finite, not_negative, positive
+from benchdragon.errors import InputError, as_number, finite, not_negative
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.arrays import as_numbers
-from benchdragon.model.curves import Spiral
-
-LeaderMethod = Literal["closed-form", "rk4", "adaptive"]
-LEADER_METHODS: tuple[LeaderMethod, ...] = ("closed-form", "rk4", "adaptive")
 
 # m/s; no walker is faster, and it keeps distances within what doubles resolve.
 MOST_SPEED = 100.0
-# Fixed Runge-Kutta steps allowed in all: a minute or so of work.
-MOST_STEPS = 5_000_000
 
 
 class Stretches(NamedTuple):
@@ -184,69 +176,3 @@ class SpeedProfile:
         speed = np.asarray(self.speeds)[knot]
         speed = speed + 0.5 * slope * np.where(slope == 0.0, 0.0, dt)
         return np.asarray(self._sums[knot] + speed * np.where(speed == 0.0, 0.0, dt))
-
-
-def head_angles(
-    spiral: Spiral,
-    profile: SpeedProfile,
-    start: float,
-    times: Sequence[float],
-    method: LeaderMethod,
-    step: float = 0.1,
-) -> FloatArray:
-    """theta of a head on `spiral` at `times` by Runge-Kutta, rad, (times,).
-
-    Args:
-        spiral: the head never leaves it (or its extension).
-        profile: its speed.
-        start: its arc length from the spiral's start at time 0, m.
-        times: s, in any order.
-        method: "rk4", the classical one of fixed step, or "adaptive", SciPy's DOP853.
-        step: of "rk4", s, at most; legs between times and knots are cut into equal steps.
-    """
-    positive("step", step, "s")
-    sign = 1.0 if spiral.end_angle > spiral.start_angle else -1.0
-
-    def rate(t: float, theta: float) -> float:
-        speed = float(np.interp(t, profile.times, profile.speeds))
-        return sign * speed / (spiral.k * math.sqrt(1.0 + theta * theta))
-
-    advance = _adaptive if method == "adaptive" else _rk4
-    found = {0.0: float(spiral.angle(start))}
-    stops = sorted({0.0, *times, *profile.times})
-    if sum(abs(b - a) for a, b in itertools.pairwise(stops)) / step > MOST_STEPS:
-        raise InputError(
-            _("Runge-Kutta with a step of {step} s would take over {most} steps").format(
-                step=f"{step:g}", most=MOST_STEPS
-            )
-        )
-    zero = stops.index(0.0)
-    for way in (stops[zero:], stops[zero::-1]):
-        for a, b in itertools.pairwise(way):
-            found[b] = advance(rate, a, b, found[a], step)
-    return np.array([found[float(t)] for t in times])
-
-
-Rate = Callable[[float, float], float]
-
-
-def _rk4(rate: Rate, a: float, b: float, theta: float, step: float) -> float:
-    count = max(1, math.ceil(abs(b - a) / step - 1e-9))
-    h = (b - a) / count
-    for i in range(count):
-        t = a + i * h
-        k1 = rate(t, theta)
-        k2 = rate(t + 0.5 * h, theta + 0.5 * h * k1)
-        k3 = rate(t + 0.5 * h, theta + 0.5 * h * k2)
-        k4 = rate(t + h, theta + h * k3)
-        theta += h / 6.0 * (k1 + 2.0 * (k2 + k3) + k4)
-    return theta
-
-
-def _adaptive(rate: Rate, a: float, b: float, theta: float, _step: float) -> float:
-    from scipy.integrate import solve_ivp  # slow to import, and needed by this road alone
-
-    solution = solve_ivp(
-        lambda t, y: [rate(t, y[0])], (a, b), [theta], method="DOP853", rtol=1e-13, atol=1e-13
-    )
-    return float(solution.y[0, -1])

@@ -15,19 +15,18 @@ from benchdragon.errors import (
     WalkError,
     finite,
     of_kind,
-    positive,
     whole,
 )
 from benchdragon.i18n import _
-from benchdragon.kernels.curve import FloatArray, spiral_length
+from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import END_SLACK
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.status import Status
 from benchdragon.model.arrays import as_numbers
-from benchdragon.model.curves import MOST_METRES, Route, Spiral
+from benchdragon.model.curves import MOST_METRES, Route
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.placement import Placement
-from benchdragon.model.profile import LEADER_METHODS, LeaderMethod, SpeedProfile, head_angles
+from benchdragon.model.profile import SpeedProfile
 
 if TYPE_CHECKING:
     import pandas
@@ -71,39 +70,9 @@ class Walk:
         if abs(finite("start", self.start, "m")) > MOST_METRES:
             raise InputError(_("start must lie within 1e8 m, not at {s} m").format(s=f"{self.start:g}"))
 
-    def head_position(
-        self, times: npt.ArrayLike, leader: LeaderMethod = "closed-form", step: float = 0.1
-    ) -> FloatArray:
-        """Route positions of the head's handle at `times`, m, (times,).
-
-        "closed-form" is exact. "rk4" and "adaptive" integrate the spiral's differential equation
-        (see `profile.head_angles`) and need the head to stay on one spiral.
-        """
-        clock = _clock(times)
-        positive("step", step, "s")
-        exact = self.start + self.profile.distance(clock)
-        if leader not in LEADER_METHODS:
-            raise InputError(
-                _("leader must be one of {known}, not {method}").format(
-                    known=", ".join(LEADER_METHODS), method=leader
-                )
-            )
-        if leader == "closed-form":
-            return exact
-        part = self._only_part(exact, leader)
-        curve = self.route.curves[part]
-        if not isinstance(curve, Spiral):
-            raise InputError(
-                _(
-                    "{method} integrates the equation of a spiral, and the head walks another curve"
-                ).format(method=leader)
-            )
-        start = self.start - float(self.route.joints[part])
-        theta = head_angles(curve, self.profile, start, clock.tolist(), leader, step)
-        ahead = np.array([spiral_length(curve.k, angle) for angle in theta])
-        way = 1.0 if curve.end_angle > curve.start_angle else -1.0
-        walked = way * (ahead - spiral_length(curve.k, curve.start_angle))
-        return np.asarray(self.route.joints[part] + walked)
+    def head_position(self, times: npt.ArrayLike) -> FloatArray:
+        """Route positions of the head's handle at `times`, m, (times,): exact but for rounding."""
+        return self.start + self.profile.distance(_clock(times))
 
     def time_at(self, s: float) -> float:
         """When the head comes to route position s, m; infinite where it never does."""
@@ -169,27 +138,7 @@ class Walk:
             at += side * TAIL_TOLERANCE - ahead / (slope or np.nan)
         return high
 
-    def _only_part(self, s: FloatArray, leader: str) -> int:
-        last = len(self.route.curves) - 1
-        asked = np.append(s, self.start)
-        parts = np.clip(np.searchsorted(self.route.joints, asked, side="right") - 1, 0, last)
-        if np.ptp(parts):
-            raise InputError(
-                _("{method} needs the head on one spiral at all times, not on several curves").format(
-                    method=leader
-                )
-            )
-        return int(parts[0])
-
-    def motion(
-        self,
-        times: npt.ArrayLike,
-        *,
-        throw: bool = True,
-        workers: int = 1,
-        leader: LeaderMethod = "closed-form",
-        step: float = 0.1,
-    ) -> "Motion":
+    def motion(self, times: npt.ArrayLike, *, throw: bool = True, workers: int = 1) -> "Motion":
         """Where every handle is, and how fast, at `times` (s, any order, negative ones too).
 
         Args:
@@ -197,8 +146,6 @@ class Walk:
             throw: whether a time at which the dragon cannot stand raises. If not, the Motion holds
                 the status, and NaN from the handle that found no place on.
             workers: threads; the numbers do not depend on it.
-            leader: road to the head's place, see `head_position`.
-            step: of Runge-Kutta, s.
 
         Raises:
             InputError: for times that are not finite, or too many at once.
@@ -212,8 +159,7 @@ class Walk:
                     "{asked} places (handles by times) are more than one motion may hold ({most})"
                 ).format(asked=clock.size * (len(self.dragon) + 1), most=MOST_PLACES)
             )
-        s = self.head_position(clock, leader, step)
-        motion = Motion(self, clock, s, workers=workers)
+        motion = Motion(self, clock, self.head_position(clock), workers=workers)
         if throw:
             motion.check()
         return motion

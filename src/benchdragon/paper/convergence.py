@@ -12,6 +12,7 @@ from benchdragon.kernels.curve import FloatArray, spiral_length
 from benchdragon.model.curves import Spiral
 from benchdragon.model.walk import Motion, Walk
 from benchdragon.paper.differences import SCHEMES, difference_errors, order
+from benchdragon.paper.runge_kutta import head_positions
 from benchdragon.paper.sensitivity import Drift, Stand, changed, dot
 
 # Steps, s, at which methods are compared. Runge-Kutta is fitted where rounding does not show.
@@ -50,7 +51,7 @@ def runge_kutta_convergence(walk: Walk, end: float = 300.0) -> Convergence:
     """The head's place at time `end`, s, by classical Runge-Kutta against the closed form."""
     exact = walk.head_position([0.0, end])
     errors = [
-        float(np.abs(walk.head_position([0.0, end], "rk4", step) - exact).max())
+        float(np.abs(head_positions(walk, [0.0, end], "rk4", step) - exact).max())
         for step in RUNGE_KUTTA_STEPS
     ]
     return Convergence.of(RUNGE_KUTTA_STEPS, errors)

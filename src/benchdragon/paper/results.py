@@ -31,6 +31,7 @@ from benchdragon.paper.convergence import (
     runge_kutta_convergence,
 )
 from benchdragon.paper.differences import SCHEMES, difference_errors, difference_speeds
+from benchdragon.paper.runge_kutta import head_positions
 from benchdragon.paper.sensitivity import contact_rates, limit_rates, sizes_of, speed_rates
 from benchdragon.paper.traversal import PitchCurve, first_overlap, pitch_curve, traversed_pitch
 from benchdragon.plans.schema import Plan, TurnRoute, read_plan
@@ -270,8 +271,8 @@ def head_errors(walk: Walk, times: FloatArray) -> dict[str, float]:
     """How far the two Runge-Kutta roads to the head differ from the closed form at most, m."""
     exact = walk.head_position(times)
     return {
-        "rk4_step_0.1_s_m": _largest(walk.head_position(times, "rk4", SHORT_STEP) - exact),
-        "adaptive_m": _largest(walk.head_position(times, "adaptive") - exact),
+        "rk4_step_0.1_s_m": _largest(head_positions(walk, times, "rk4", SHORT_STEP) - exact),
+        "adaptive_m": _largest(head_positions(walk, times, "adaptive") - exact),
     }
 
 
