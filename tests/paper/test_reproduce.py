@@ -5,10 +5,10 @@ import pytest
 from python_calamine import CalamineWorkbook
 
 from benchdragon.cli.main import run
-from benchdragon.explain.answers import reproduce_lines
 from benchdragon.explain.text import number
 from benchdragon.files import FileRefusedError
 from benchdragon.paper import reproduce as reproducing
+from benchdragon.paper.explanation import reproduce_lines
 from benchdragon.paper.reproduce import planned_files, reproduce
 from benchdragon.paper.results import Results
 from tests.calculator import agree, chinese_or_not

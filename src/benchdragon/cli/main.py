@@ -169,7 +169,7 @@ def reproduce(
         found = reproduced(output, force, lambda text: advance(1.0, text), docs)
     answer: dict[str, Any] = {**found.answers, "files": [str(path) for path in found.files]}
     if explain:
-        from benchdragon.explain.answers import reproduce_lines
+        from benchdragon.paper.explanation import reproduce_lines
 
         answer["explanation"] = reproduce_lines(found.answers)
     if as_json:

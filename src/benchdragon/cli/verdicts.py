@@ -353,7 +353,8 @@ def _refuse_strays(options: dict[str, Any]) -> None:
 
 def _solved_lines(plan: "Plan", options: dict[str, Any], found: Answer, tried: list[str]) -> list[str]:
     """The lines of --explain for a limit."""
-    from benchdragon.explain.answers import limit_lines, traversal_lines
+    from benchdragon.explain.answers import limit_lines
+    from benchdragon.paper.explanation import traversal_lines
 
     if options["method"] == "exact":
         return limit_lines(plan, options["what"], found, tried)

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
@@ -14,7 +13,7 @@ from benchdragon.model.answer import Answer, Witness
 from benchdragon.model.curves import Spiral
 from benchdragon.model.turns import TwoArcTurn
 from benchdragon.model.walk import Walk
-from benchdragon.plans.schema import Plan, TurnRoute, read_plan
+from benchdragon.plans.schema import Plan, TurnRoute
 from benchdragon.solve.head_speed import Pace
 from benchdragon.solve.size import WalkableSizes, undecided_text
 from benchdragon.solve.trials import Family, Meeting, question, root_near
@@ -37,7 +36,7 @@ def limit_lines(plan: Plan, name: str, answer: Answer, tried: Sequence[str]) -> 
         text.format(what=_(question(name).text), margin=number(plan.limits.margin)),
         _(
             "Whole walks were checked, each so that no contact is missed, with these sizes: {sizes}."
-        ).format(sizes=_listed(tried)),
+        ).format(sizes=listed(tried)),
     ]
     if answer.status == "infeasible":
         return [*lines, _("None of them passes.")]
@@ -72,7 +71,7 @@ def _bracket_line(answer: Answer, sense: float) -> str:
     return text.format(good=f"{good:.16g}", bad=f"{bad:.16g}", width=tiny(answer.upper - answer.lower))
 
 
-def _listed(texts: Sequence[str]) -> str:
+def listed(texts: Sequence[str]) -> str:
     """All of a few; the first and the last of many."""
     shown = [*texts] if len(texts) <= MOST_LISTED else [*texts[:3], "…", *texts[-3:]]
     return ", ".join(shown)
@@ -106,28 +105,6 @@ def _pair_lines(family: Family, answer: Answer, near: Witness) -> list[str]:
             )
         )  # fmt: skip
     return [*lines, *gap_lines(walk.placement([meeting.s]), i, j)]
-
-
-def traversal_lines(
-    answer: Answer, pitch_step: float, time_step: float, tried: Sequence[str]
-) -> list[str]:
-    """How the paper's traversal goes."""
-    return [
-        _("Pitches in steps of {step} m, from small to large: {sizes}.").format(
-            step=number(pitch_step), sizes=_listed(tried)
-        ),
-        _(
-            "For each the dragon is looked at every {step} s, {looks} looks in all. The first pitch "
-            "at which no two benches overlap at any look is the answer: {pitch} m."
-        ).format(
-            step=number(time_step), looks=answer.looks,
-            pitch=f"{round(answer.value / pitch_step)}·{number(pitch_step)} = {number(answer.value)}",
-        ),
-        _(
-            "What lies between two looks or between two pitches is not seen; the exact method misses "
-            "nothing."
-        ),
-    ]  # fmt: skip
 
 
 def spans_lines(sizes: WalkableSizes, low: float, high: float, count: int) -> list[str]:
@@ -302,72 +279,3 @@ def _spiral_lines(best: BestTurn, disc: float) -> list[str]:
         *lines,
         _("Whole way inside the disc: {numbers} m.").format(numbers=f"{parts} = {number(whole)}"),
     ]
-
-
-def reproduce_lines(answers: dict[str, Any]) -> list[str]:
-    """A line or a few for each part of the paper, from the answers of `reproduce`."""
-    return [*_walk_lines(answers), *_touch_lines(answers), *_paper_turn_lines(answers["turn"])]
-
-
-def _walk_lines(answers: dict[str, Any]) -> list[str]:
-    """Motion, Runge-Kutta, differences."""
-    pitch = read_plan("spiral-in").value("route.pitch")
-    text = _(
-        "Motion: r = k·θ, k = pitch/(2·π) = {k} m. The head's angle follows from its way, every other "
-        "handle from the one before it, one link away. Chords keep their length to {error} m."
-    )
-    k = f"{number(pitch)}/(2·π) = {number(pitch / (2.0 * math.pi))}"
-    lines = [text.format(k=k, error=tiny(answers["largest_chord_error_m"]))]
-    text = _(
-        "How fast errors fall: with half the step they are 2^order times smaller. Runge-Kutta: {rk}; "
-        "differences forward: {forward}; central: {central}; backward: {backward}."
-    )
-    orders = {name: found["order"] for name, found in answers["differences"].items()}
-    orders["rk"] = answers["runge_kutta"]["rk4_order"]
-    powers = {name: f"2^{number(order)} = {number(2.0**order)}" for name, order in orders.items()}
-    return [*lines, text.format(**powers)]
-
-
-def _touch_lines(answers: dict[str, Any]) -> list[str]:
-    """First contact and smallest pitch."""
-    first, smallest = answers["contact"]["first"], answers["pitch"]["smallest"]
-    text = _(
-        "Contact: benches {a} and {b} at t = {t} s; all of it: benchdragon check spiral-in --explain"
-    )
-    a, b = first["witness"]["benches"]
-    lines = [text.format(a=a, b=b, t=number(first["value"]))]
-    text = _(
-        "Smallest pitch: benches {a} and {b} just graze at {pitch} m. The paper's traversals are off "
-        "by what their steps leave (the last looks at the disc alone): {steps} m."
-    )
-    exact = smallest["value"]
-    steps = "; ".join(
-        f"{number(row['pitch_m'])} - {number(exact)} = {number(row['pitch_m'] - exact)}"
-        for row in answers["pitch"]["traversal"]
-    )
-    a, b = smallest["witness"]["benches"]
-    return [*lines, text.format(a=a, b=b, pitch=number(exact), steps=steps)]
-
-
-def _paper_turn_lines(turn: dict[str, Any]) -> list[str]:
-    """The paper's turn, how fast it may be walked, and shorter ones."""
-    plan = read_plan("turn")
-    head, near = turn["greatest_head_speed"], turn["clearance"]
-    two = TwoArcTurn(plan.value("route.pitch"), plan.value("disc.radius"), plan.turn.ratio)
-    limit = plan.value("limits.speed")
-    text = _("Head speed in the turn: limit/greatest ratio = {numbers} m/s, at t = {t} s.")
-    numbers = f"{number(limit)}/{number(limit / head['value'])} = {number(head['value'])}"
-    lines = [*two_arc_lines(two), text.format(numbers=numbers, t=number(head["witness"]["time"]))]
-    text = _("Turning, benches {a} and {b} come nearest: {gap} m.")
-    a, b = near["witness"]["benches"]
-    lines.append(text.format(a=a, b=b, gap=number(near["value"])))
-    text = _(
-        "Arc, line, arc: way inside the disc {way} m, {numbers} m less than the paper's turn; the "
-        "head may walk at {speed} m/s."
-    )
-    for best in turn["better"]:
-        way, whole = best["way"], turn["length_m"]
-        numbers = f"{number(whole)} - {number(way)} = {number(whole - way)}"
-        speed = number(best["greatest_head_speed"]["value"])
-        lines.append(text.format(way=number(way), numbers=numbers, speed=speed))
-    return lines

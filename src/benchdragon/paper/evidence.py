@@ -63,7 +63,7 @@ ROADS = {
             "turn",
             N_("The turn"),
             "established.html#turn",
-            "benchdragon.model.turns.TwoArcTurn, benchdragon.best_turn.best_turn",
+            "benchdragon.model.turns.TwoArcTurn, benchdragon.solve.turn.best_turn",
             "tests/model/test_turns.py, tests/solve/test_turn.py",
         ),
         Road(
