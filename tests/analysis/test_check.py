@@ -9,8 +9,8 @@ from python_calamine import CalamineWorkbook
 
 from benchdragon.analysis.check import all_findings, check, sentence
 from benchdragon.analysis.speed import QUANTITIES, greatest, greatest_speed
+from benchdragon.cli.answers import print_answer
 from benchdragon.cli.main import run
-from benchdragon.cli.verdicts import print_answer
 from benchdragon.digits import figures
 from benchdragon.i18n import use_language
 from benchdragon.model.answer import Answer, Witness

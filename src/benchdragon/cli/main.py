@@ -45,9 +45,10 @@ from benchdragon.cli.parsing import (
     spread,
 )
 from benchdragon.cli.plan import plan, schema
+from benchdragon.cli.solve import solve
 from benchdragon.cli.studio import studio
 from benchdragon.cli.tolerance import margins
-from benchdragon.cli.verdicts import check, solve
+from benchdragon.cli.verdicts import check
 from benchdragon.cli.view import view
 from benchdragon.errors import BenchDragonError, InputError, MachineError, reason
 from benchdragon.i18n import LANGUAGES, N_, _, language

@@ -1,0 +1,79 @@
+"""Answers for readers: value, how it was established, where and when it comes about."""
+
+import math
+from typing import TYPE_CHECKING
+
+import click
+
+from benchdragon.digits import decimals, figures
+from benchdragon.i18n import _, language
+from benchdragon.model.answer import Answer, Witness
+
+if TYPE_CHECKING:
+    from benchdragon.plans.schema import Plan
+
+
+def print_title(plan: "Plan") -> None:
+    """What people call a plan, if it says."""
+    if title := plan.title(language()):
+        click.echo(title)
+
+
+def print_answer(name: str, answer: Answer, *, up: bool, brackets: bool) -> None:
+    """An answer for readers: value, how it was established, where.
+
+    What is shown is the end of the bracket that is surely true, rounded `up` or down; with `brackets`
+    it is the value with all of its digits, and the bracket.
+    """
+    words = {
+        "proved": _("proved"), "found": _("found"),
+        "infeasible": _("no solution"), "undecided": _("undecided"),
+    }  # fmt: skip
+    if not math.isfinite(answer.value):
+        text = _("no pair counts") if answer.status == "found" else words[answer.status]
+        click.echo(f"{name}: {text}")
+        return
+    value = repr(answer.value) if brackets else figures(answer.sure(up=up), up=up)
+    if answer.status == "unlimited":
+        text = _("{name}: no limit was met up to {value} {unit}")
+        click.echo(text.format(name=name, value=value, unit=answer.unit))
+        return
+    text = _("{name}: {value} {unit} ({status})")
+    if brackets:
+        text = _("{name}: {value} {unit} ({status}; between {lower} and {upper})")
+    click.echo(
+        text.format(
+            name=name, value=value, unit=answer.unit, status=words[answer.status],
+            lower=repr(answer.lower), upper=repr(answer.upper),
+        )
+    )  # fmt: skip
+    _print_witness(answer.witness, 6 if brackets else 2)
+
+
+def _print_witness(near: Witness | None, count: int) -> None:
+    """Where and when an answer comes about, with so many decimals."""
+    if near is not None and len(near.benches) == 1:
+        click.echo(
+            _("  bench {a} at t = {t} s, head at {s} m of the route, at ({x}, {y}) m").format(
+                a=near.benches[0],
+                t="-" if near.time is None or math.isinf(near.time) else decimals(near.time, count),
+                s=decimals(near.s, count),
+                x=decimals(near.point[0], count),
+                y=decimals(near.point[1], count),
+            )
+        )
+    if near is not None and len(near.benches) == 2:
+        features = "; ".join(
+            _("bench {bench}: {feature}").format(bench=bench, feature=_(feature))
+            for bench, feature in near.features
+        )
+        click.echo(
+            _("  benches {a} and {b} at t = {t} s, at ({x}, {y}) m; {features}").format(
+                a=near.benches[0],
+                b=near.benches[1],
+                t="-" if near.time is None else decimals(near.time, count),
+                x=decimals(near.point[0], count),
+                y=decimals(near.point[1], count),
+                features=features,
+            )
+        )
