@@ -18,6 +18,7 @@ from unicodedata import east_asian_width
 import click
 
 from benchdragon.cli.animate import animate
+from benchdragon.cli.check import check
 from benchdragon.cli.console import (
     Advance,
     print_explanation,
@@ -48,7 +49,6 @@ from benchdragon.cli.plan import plan, schema
 from benchdragon.cli.solve import solve
 from benchdragon.cli.studio import studio
 from benchdragon.cli.tolerance import margins
-from benchdragon.cli.verdicts import check
 from benchdragon.cli.view import view
 from benchdragon.errors import BenchDragonError, InputError, MachineError, reason
 from benchdragon.i18n import LANGUAGES, N_, _, language
