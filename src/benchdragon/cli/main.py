@@ -3,7 +3,6 @@
 Help must come fast, so everything heavier than click is imported by the verb that uses it.
 """
 
-import copy
 import json
 import os
 import signal
@@ -13,7 +12,6 @@ from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
-from unicodedata import east_asian_width
 
 import click
 
@@ -27,6 +25,7 @@ from benchdragon.cli.console import (
     print_table,
     progress,
 )
+from benchdragon.cli.help import HelpfulGroup, translated
 from benchdragon.cli.options import (
     FOLDER,
     WITHOUT,
@@ -74,48 +73,7 @@ SCREEN_STEPS, SCREEN_TIMES = (1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 120.0, 300.0, 600
 # Below this many handles times times, plain Python is done before numba would be imported
 # (design/cold_start.py).
 FEW_PLACES = 5_000
-PAD = "\0"
 PAPER_HANDLES = (0, 1, 51, 101, 151, 201)
-# What click calls the types of our options; `translated` puts them into the language in use.
-TYPE_NAMES = (N_("float range"), N_("integer range"))
-
-
-class WideFormatter(click.HelpFormatter):
-    """Gives a Chinese sign the two columns that it takes; click would count one."""
-
-    def write_text(self, text: str) -> None:
-        """Write a paragraph."""
-        super().write_text(_padded(text))
-
-    def write_dl(
-        self, rows: Iterable[tuple[str, str]], col_max: int = 30, col_spacing: int = 2
-    ) -> None:
-        """Write terms and what they mean."""
-        super().write_dl([(_padded(a), _padded(b)) for a, b in rows], col_max, col_spacing)
-
-    def getvalue(self) -> str:
-        """What was written."""
-        return super().getvalue().replace(PAD, "")
-
-
-def _padded(text: str) -> str:
-    """`text` with a sign that is not printed behind each that takes two columns."""
-    return "".join(sign + PAD * (east_asian_width(sign) in "WF") for sign in text)
-
-
-class WideContext(click.Context):
-    """Formats help as WideFormatter does."""
-
-    formatter_class = WideFormatter
-
-
-class HelpfulGroup(click.Group):
-    """Verbs in the order they were written."""
-
-    def list_commands(self, ctx: click.Context) -> list[str]:
-        """Names of the verbs."""
-        del ctx
-        return list(self.commands)
 
 
 @click.group(
@@ -468,25 +426,6 @@ def _write_pictures(
             advance(0.0, f"{name}.{kind}")
             write_picture(figures[name], folder / f"{name}.{kind}", title, plan.sha256)
             advance(1.0)
-
-
-def translated(command: click.Command) -> click.Command:
-    """A copy of a command and all below it with its texts in the language in use."""
-    spoken = copy.copy(command)
-    if spoken.help:
-        spoken.help = _(spoken.help)
-        spoken.short_help = spoken.help.split("\n\n")[0]  # click would cut it short
-    spoken.context_class = WideContext
-    spoken.context_settings = {**spoken.context_settings, "max_content_width": 100}
-    spoken.params = [copy.copy(parameter) for parameter in spoken.params]
-    for parameter in spoken.params:
-        parameter.type = copy.copy(parameter.type)
-        parameter.type.name = _(parameter.type.name)
-        if isinstance(parameter, click.Option) and parameter.help:
-            parameter.help = _(parameter.help)
-    if isinstance(spoken, click.Group):
-        spoken.commands = {name: translated(verb) for name, verb in spoken.commands.items()}
-    return spoken
 
 
 def _notes() -> Callable[..., None]:
