@@ -12,6 +12,7 @@ from benchdragon.cli.options import (
     FILE,
     WITHOUT,
     announce_compiling,
+    force_option,
     json_option,
     plan_options,
     refuse_strays,
@@ -95,7 +96,7 @@ if TYPE_CHECKING:
     metavar="METRES",
     help=N_("With --follow: metres from the left edge to the right. Default: 12."),
 )
-@click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))
+@force_option
 @json_option
 @shared_options
 def animate(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:

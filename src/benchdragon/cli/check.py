@@ -16,6 +16,7 @@ from benchdragon.cli.options import (
     folder_option,
     json_option,
     plan_options,
+    prove_option,
     refuse_strays,
     shared_options,
 )
@@ -35,9 +36,7 @@ UNSAFE, UNDECIDED = 1, 5
     )
 )
 @plan_options
-@click.option(
-    "--prove", is_flag=True, help=N_("Verify all positions behind the answer in ball arithmetic.")
-)
+@prove_option
 @folder_option
 @click.option(
     "--format",

@@ -31,6 +31,9 @@ from benchdragon.cli.options import (
     WITHOUT,
     announce_compiling,
     explain_option,
+    force_option,
+    json_option,
+    lang_option,
     plan_options,
     refuse_strays,
     shared_options,
@@ -50,7 +53,7 @@ from benchdragon.cli.studio import studio
 from benchdragon.cli.tolerance import margins
 from benchdragon.cli.view import view
 from benchdragon.errors import BenchDragonError, InputError, MachineError, reason
-from benchdragon.i18n import LANGUAGES, N_, _, language
+from benchdragon.i18n import N_, _, language
 from benchdragon.plans.toml import bench_count, read_toml
 from benchdragon.version import __version__
 
@@ -82,12 +85,7 @@ PAPER_HANDLES = (0, 1, 51, 101, 151, 201)
     help=N_("Where every handle of a bench dragon is, and how fast, on any route."),
 )
 @click.version_option(__version__, prog_name="benchdragon", help=N_("Show the version and exit."))
-@click.option(
-    "--lang",
-    type=click.Choice(LANGUAGES),
-    expose_value=False,
-    help=N_("Language: zh or en. Default: BENCHDRAGON_LANG, else the locale."),
-)
+@lang_option
 def program() -> None:
     """Hold the verbs."""
 
@@ -107,13 +105,13 @@ def program() -> None:
     show_default=True,
     help=N_("Folder for the files."),
 )
-@click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))
+@force_option
 @click.option(
     "--docs",
     metavar="PLACE",
     help=N_("Folder or address of the documentation's pages, for links in the report."),
 )
-@click.option("--json", "as_json", is_flag=True, help=N_("Print one JSON object and nothing else."))
+@json_option
 @explain_option
 @shared_options
 def reproduce(
@@ -176,8 +174,8 @@ def reproduce(
     metavar="LIST",
     help=N_("What to write: xlsx, csv, npz, parquet, nc, png, svg, pdf."),
 )
-@click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))
-@click.option("--json", "as_json", is_flag=True, help=N_("Print one JSON object and nothing else."))
+@force_option
+@json_option
 @click.option(
     "--leader",
     type=click.Choice(["closed-form", "rk4", "adaptive"]),
@@ -227,7 +225,7 @@ for verb in (check, solve, margins, view, studio, animate, plan, schema):
 
 
 @program.command(help=N_("Versions, fonts, cache folder, and what else is there to work with."))
-@click.option("--json", "as_json", is_flag=True, help=N_("Print one JSON object and nothing else."))
+@json_option
 @shared_options
 def doctor(as_json: bool, quiet: bool) -> int:
     """Say what this machine offers."""

@@ -10,7 +10,7 @@ from click.core import ParameterSource
 from benchdragon.errors import InputError
 from benchdragon.i18n import LANGUAGES, N_, _
 
-Command = Callable[..., int]
+Command = Callable[..., int | None]  # groups give nothing
 
 # Seconds of compiling after which a word is due.
 SLOW_COMPILE = 1.0
@@ -32,11 +32,8 @@ class NamedPath(click.Path):
 FILE, FOLDER = NamedPath(folder=False), NamedPath(folder=True)
 
 
-def shared_options(command: Command) -> Command:
-    """--lang and --quiet, which every verb takes."""
-    command = click.option(
-        "--quiet", is_flag=True, help=N_("No progress and no talk on standard error.")
-    )(command)
+def lang_option(command: Command) -> Command:
+    """--lang."""
     return click.option(
         "--lang",
         type=click.Choice(LANGUAGES),
@@ -45,16 +42,28 @@ def shared_options(command: Command) -> Command:
     )(command)
 
 
-def plan_options(command: Command) -> Command:
-    """PLAN and --set."""
+def shared_options(command: Command) -> Command:
+    """--lang and --quiet, which every verb takes."""
     command = click.option(
+        "--quiet", is_flag=True, help=N_("No progress and no talk on standard error.")
+    )(command)
+    return lang_option(command)
+
+
+def settings_option(command: Command) -> Command:
+    """--set."""
+    return click.option(
         "--set",
         "settings",
         multiple=True,
         metavar="KEY=VALUE",
         help=N_("Override a value of the plan, for example route.pitch=0.6; may be repeated."),
     )(command)
-    return click.argument("plan", metavar="PLAN")(command)
+
+
+def plan_options(command: Command) -> Command:
+    """PLAN and --set."""
+    return click.argument("plan", metavar="PLAN")(settings_option(command))
 
 
 def span_options(command: Command) -> Command:
@@ -77,18 +86,22 @@ def span_options(command: Command) -> Command:
     )(command)
 
 
-def folder_option(command: Command) -> Command:
-    """--output and --force."""
-    command = click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))(
+def force_option(command: Command) -> Command:
+    """--force."""
+    return click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))(
         command
     )
+
+
+def folder_option(command: Command) -> Command:
+    """--output and --force."""
     return click.option(
         "-o",
         "--output",
         type=FOLDER,
         metavar="DIR",
         help=N_("Folder for the files."),
-    )(command)
+    )(force_option(command))
 
 
 def json_option(command: Command) -> Command:
@@ -104,6 +117,13 @@ def brackets_option(command: Command) -> Command:
         "--brackets",
         is_flag=True,
         help=N_("Show all digits, and the bracket in which each answer lies; --json always has them."),
+    )(command)
+
+
+def prove_option(command: Command) -> Command:
+    """--prove."""
+    return click.option(
+        "--prove", is_flag=True, help=N_("Verify all positions behind the answer in ball arithmetic.")
     )(command)
 
 

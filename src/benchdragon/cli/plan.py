@@ -7,7 +7,14 @@ from pathlib import Path
 import click
 
 from benchdragon.cli.console import print_files, print_rows
-from benchdragon.cli.options import FILE, WITHOUT, refuse_strays, shared_options
+from benchdragon.cli.options import (
+    FILE,
+    WITHOUT,
+    force_option,
+    refuse_strays,
+    settings_option,
+    shared_options,
+)
 from benchdragon.i18n import N_, _, language
 from benchdragon.plans.source import Source
 from benchdragon.plans.toml import BUILT_IN_FOLDER, SUFFIX, built_in_names, lay_over
@@ -30,13 +37,7 @@ STATUSES = {
     )
 )
 @click.argument("plan", metavar="[PLAN]", required=False)
-@click.option(
-    "--set",
-    "settings",
-    multiple=True,
-    metavar="KEY=VALUE",
-    help=N_("Override a value of the plan, for example route.pitch=0.6; may be repeated."),
-)
+@settings_option
 @click.option(
     "-o",
     "--output",
@@ -44,7 +45,7 @@ STATUSES = {
     metavar="FILE",
     help=N_("The file to write, for example my.dragon.toml."),
 )
-@click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))
+@force_option
 @shared_options
 def plan(
     plan: str | None, settings: tuple[str, ...], output: Path | None, force: bool, quiet: bool

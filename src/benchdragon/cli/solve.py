@@ -16,8 +16,10 @@ from benchdragon.cli.options import (
     announce_compiling,
     brackets_option,
     explain_option,
+    force_option,
     json_option,
     plan_options,
+    prove_option,
     refuse_strays,
     shared_options,
 )
@@ -79,9 +81,7 @@ NO_SOLUTION, UNDECIDED = 4, 5
     show_default=True,
     help=N_("Sizes tried by --range."),
 )
-@click.option(
-    "--prove", is_flag=True, help=N_("Verify all positions behind the answer in ball arithmetic.")
-)
+@prove_option
 @click.option(
     "--pace",
     "pace_file",
@@ -124,7 +124,7 @@ NO_SOLUTION, UNDECIDED = 4, 5
     metavar="FILE",
     help=N_("With turn: write the plan with the turn that was found."),
 )
-@click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))
+@force_option
 @json_option
 @brackets_option
 @explain_option

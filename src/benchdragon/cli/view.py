@@ -6,7 +6,14 @@ from typing import Any
 import click
 
 from benchdragon.cli.console import print_files, progress
-from benchdragon.cli.options import FILE, announce_compiling, plan_options, shared_options, span_options
+from benchdragon.cli.options import (
+    FILE,
+    announce_compiling,
+    force_option,
+    plan_options,
+    shared_options,
+    span_options,
+)
 from benchdragon.cli.parsing import check_ending, parse_span
 from benchdragon.i18n import N_
 
@@ -23,7 +30,7 @@ from benchdragon.i18n import N_
     "-o", "--output", required=True, type=FILE, metavar="FILE",
     help=N_("The file to write, for example dance.html."),
 )  # fmt: skip
-@click.option("--force", is_flag=True, help=N_("Overwrite files that are there already."))
+@force_option
 @span_options
 @shared_options
 def view(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
