@@ -127,10 +127,8 @@ def test_files_show_the_moment_of_contact(capsys: pytest.CaptureFixture[str], tm
         (("check", "spiral-in", "--set", "walk.speed=0"), 3, "never comes to the end"),
         (("check", "spiral-in", "--set", "limits.margin=-1"), 3, "limits.margin"),
         (("check", "spiral-in", "--set", "walk.end=-5"), 2, "must not come before"),
-        (("solve", "colour", "spiral-in"), 2, "wanted one of pitch"),
         (("solve", "disc", "spiral-in"), 3, "disc.radius"),
         (("solve", "pitch", "spiral-in", "--range", "a:b"), 2, "LOW..HIGH"),
-        (("solve", "width", "spiral-in", "--method", "traversal"), 2, "pitch alone"),
     ],
 )
 def test_wrong_words_end_in_one_sentence(
@@ -280,28 +278,6 @@ def test_the_greatest_head_speed_is_on_the_command_line(
     assert "slowing down only where it must" in out
     assert check(read_plan(str(path))).safe
     assert spoken(capsys, "solve", "speed", "spiral-in")[0] == 2
-    assert spoken(capsys, "solve", "pitch", "spiral-in", "--pace", str(path))[0] == 2
-
-
-@pytest.mark.parametrize(
-    ("what", "option"),
-    [
-        ("pitch", "--plan-file=x.toml"),
-        ("pitch", "--longest=12"),
-        ("disc", "--objective=speed"),
-        ("turn", "--pace=x.toml"),
-        ("turn", "--prove"),
-        ("turn", "--brackets"),
-        ("speed", "--method=traversal"),
-        ("speed", "--range=1..2"),
-    ],
-)
-def test_options_that_say_nothing_there_are_refused(
-    capsys: pytest.CaptureFixture[str], what: str, option: str
-) -> None:
-    code, out, err = spoken(capsys, "solve", what, "turn", option)
-    assert (code, out) == (2, "")
-    assert f"{option.partition('=')[0]} does not go with {what}" in err
 
 
 @pytest.mark.parametrize(

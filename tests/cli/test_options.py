@@ -5,9 +5,9 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-import click
 import pytest
 
+import benchdragon.cli.console
 import benchdragon.kernels.jit
 import benchdragon.model.placement
 import benchdragon.paper.reproduce
@@ -15,9 +15,13 @@ import benchdragon.solve.tolerance
 import benchdragon.solve.turn
 import benchdragon.studio.app
 from benchdragon.__main__ import asked_language
-from benchdragon.cli.main import program, run
+from benchdragon.cli.main import run
 from benchdragon.errors import InputError
 from benchdragon.i18n import spoken_in
+from benchdragon.model.answer import Answer
+from benchdragon.plans.schema import Plan, TurnRoute
+from benchdragon.solve.turn import BestTurn, Wish
+from tests.cli.verbs import VERBS, options
 
 # A dance of a few metres, to be asked about often.
 SMALL = ["--set", "dragon.benches=4", "--set", "route.pitch=1.2", "--set", "route.start_turn=4"]
@@ -29,10 +33,13 @@ TURN = ["turn", "--set", "dragon.benches=3", "--set", "walk.end=3", "--set", "wa
 MOTION = ["motion", "spiral-in", *SMALL, "--at", "3"]
 NPZ = ["-o", "out", "--format", "npz"]
 CHECK = ["check", "spiral-in", *SHORT]
-SOLVE = ["solve", "pitch", "spiral-in", *DISC]
+SIZES = {name: ["solve", name, "spiral-in", *DISC] for name in ("pitch", "width", "length")}
+SIZES["disc"] = ["solve", "disc", "spiral-in", *DISC, "--set", "route.pitch=0.5"]
+SOLVE = SIZES["pitch"]
 TRAVERSAL = [*SOLVE, "--method", "traversal", "--pitch-step", "0.1", "--time-step", "2"]
 RANGE = [*SOLVE, "--range", "0.5..0.8", "--count", "3"]
 SPEED = ["solve", "speed", *TURN]
+PACED = [*SPEED, "--pace", "paced.toml"]
 BEST = ["solve", "turn", *TURN]
 MARGINS = ["margins", "spiral-in", *DISC, "--aside", "0.01", "--draws", "4"]
 VIEW = ["view", "spiral-in", *SHORT, "-o", "dance.html"]
@@ -49,6 +56,11 @@ class Case(NamedTuple):
     base: list[str]
     added: list[str]
     before: Sequence[str] = ()
+
+
+def called(line: Sequence[str]) -> str:
+    """What is typed of a command line to call its verb."""
+    return " ".join(line[:2]) if line[0] == "solve" else line[0]
 
 
 CASES: dict[str, Case] = {
@@ -81,25 +93,40 @@ CASES: dict[str, Case] = {
         ["plan", "turn", "-o", "mine.toml"], ["--force"], ["plan", "turn", "-o", "mine.toml"]
     ),
     "schema --table": Case(["schema"], ["--table"]),
-    "solve --set": Case(SOLVE, ["--set", "dragon.width=0.5"]),
-    "solve --method": Case(TRAVERSAL[:-6], TRAVERSAL[-6:]),
-    "solve --pitch-step": Case(TRAVERSAL, ["--pitch-step", "0.15"]),
-    "solve --time-step": Case([*TRAVERSAL, "--explain"], ["--time-step", "4"]),
-    "solve --range": Case(SOLVE, ["--range", "0.5..0.8"]),
-    "solve --count": Case([*RANGE, "--explain"], ["--count", "4"]),
-    "solve --prove": Case(SOLVE, ["--prove"]),
-    "solve --pace": Case(SPEED, ["--pace", "paced.toml"]),
-    "solve --objective": Case(BEST, ["--objective", "length"]),
-    "solve --least-radius": Case(BEST, ["--least-radius", "1.6"]),
-    "solve --longest": Case(BEST, ["--longest", "12"]),
-    "solve --longest-way": Case(BEST, ["--longest-way", "12"]),
-    "solve --plan-file": Case(BEST, ["--plan-file", "paced.toml"], [*SPEED, "--pace", "paced.toml"]),
-    "solve --force": Case(
-        [*SPEED, "--pace", "paced.toml"], ["--force"], [*SPEED, "--pace", "paced.toml"]
+    "solve --lang": Case(["solve", "--help"], ["--lang", "zh"]),
+    **{
+        f"solve {size} {name}": case
+        for size, line in SIZES.items()
+        for name, case in {
+            "--set": Case(line, ["--set", "dragon.head_length=2.5"]),
+            "--range": Case(line, ["--range", "0.5..0.8"]),
+            "--count": Case([*line, "--range", "0.5..0.8", "--json"], ["--count", "4"]),
+            "--prove": Case(line, ["--prove"]),
+            "--json": Case(line, ["--json"]),
+            "--brackets": Case(line, ["--brackets"]),
+            "--explain": Case(line, ["--explain"]),
+        }.items()
+    },
+    "solve pitch --method": Case(TRAVERSAL[:-6], TRAVERSAL[-6:]),
+    "solve pitch --pitch-step": Case(TRAVERSAL, ["--pitch-step", "0.15"]),
+    "solve pitch --time-step": Case([*TRAVERSAL, "--explain"], ["--time-step", "4"]),
+    "solve speed --set": Case(SPEED, ["--set", "limits.speed=1.5"]),
+    "solve speed --pace": Case(SPEED, ["--pace", "paced.toml"]),
+    "solve speed --force": Case(PACED, ["--force"], PACED),
+    "solve speed --json": Case(SPEED, ["--json"]),
+    "solve speed --explain": Case(SPEED, ["--explain"]),
+    "solve speed --brackets": Case(SPEED, ["--brackets"]),
+    "solve turn --set": Case(BEST, ["--set", "route.pitch=1.8"]),
+    "solve turn --objective": Case(BEST, ["--objective", "length"]),
+    "solve turn --least-radius": Case(BEST, ["--least-radius", "1.6"]),
+    "solve turn --longest": Case(BEST, ["--longest", "12"]),
+    "solve turn --longest-way": Case(BEST, ["--longest-way", "12"]),
+    "solve turn --plan-file": Case(BEST, ["--plan-file", "best.toml"]),
+    "solve turn --force": Case(
+        [*BEST, "--plan-file", "best.toml"], ["--force"], [*BEST, "--plan-file", "best.toml"]
     ),
-    "solve --json": Case(SPEED, ["--json"]),
-    "solve --explain": Case(SPEED, ["--explain"]),
-    "solve --brackets": Case(SPEED, ["--brackets"]),
+    "solve turn --json": Case(BEST, ["--json"]),
+    "solve turn --explain": Case(BEST, ["--explain"]),
     "margins --set": Case([*MARGINS, "--json"], ["--set", "limits.margin=0.1"]),
     **{
         f"margins --{slip}": Case([*MARGINS, "--json"], [f"--{slip}", "0.02"])
@@ -141,23 +168,15 @@ CASES: dict[str, Case] = {
     "reproduce --docs": Case(REPRODUCE, ["--docs", "pages"]),
     "doctor --json": Case(["doctor"], ["--json"]),
     **{
-        f"{line[0]} --lang": Case(line, ["--lang", "zh"])
+        f"{called(line)} --lang": Case(line, ["--lang", "zh"])
         for line in (
-            MOTION,
-            CHECK,
-            SPEED,
-            MARGINS,
-            VIEW,
-            STILL,
-            STUDIO,
-            ["doctor"],
-            ["plan"],
-            ["schema"],
+            *(MOTION, CHECK, *SIZES.values(), SPEED, BEST, MARGINS, VIEW, STILL, STUDIO),
+            *(["doctor"], ["plan"], ["schema"]),
         )
     },
     **{
-        f"{line[0]} --quiet": Case(line, ["--quiet"])
-        for line in (MOTION, CHECK, SPEED, MARGINS, VIEW, STILL, STUDIO)
+        f"{called(line)} --quiet": Case(line, ["--quiet"])
+        for line in (MOTION, CHECK, *SIZES.values(), SPEED, BEST, MARGINS, VIEW, STILL, STUDIO)
     },
 }
 # What these say comes after minutes of work: tests/paper/test_reproduce.py runs them.
@@ -185,13 +204,22 @@ def recorded(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
         return call
 
+    def best(plan: Plan, wish: Wish, **_options: Any) -> BestTurn:
+        calls.append(repr(wish))
+        assert isinstance(plan.route, TurnRoute)
+        turn = plan.route.turn(plan)
+        way = Answer(turn.length, turn.length, turn.length, "m", "found")
+        return BestTurn(plan, turn, way, turn.length, turn.length, None, way, ())
+
     def served(settings: object, listening: Callable[[str], None]) -> None:
         calls.append(repr(settings))
         listening("somewhere")
 
+    # A machine so slow that its progress is told would say more once than again.
+    monkeypatch.setattr(benchdragon.cli.console, "LINE_EACH", 1e6)
     for module in (benchdragon.model.placement, benchdragon.solve.tolerance):
         monkeypatch.setattr(module, "ThreadPoolExecutor", pooled(module.ThreadPoolExecutor))
-    monkeypatch.setattr(benchdragon.solve.turn, "best_turn", stopped("best turn"))
+    monkeypatch.setattr(benchdragon.solve.turn, "best_turn", best)
     monkeypatch.setattr(benchdragon.paper.reproduce, "reproduce", stopped("reproduce"))
     monkeypatch.setattr(benchdragon.studio.app, "serve", served)
     monkeypatch.setattr("webbrowser.open", calls.append)
@@ -235,12 +263,7 @@ def outcome(
 
 
 def test_every_option_of_every_verb_is_given() -> None:
-    known = {
-        f"{name} --{max(option.opts, key=len)[2:]}"
-        for name, verb in program.commands.items()
-        for option in verb.params
-        if isinstance(option, click.Option)
-    }
+    known = {f"{name} {option}" for name, verb in VERBS.items() for option in options(verb)}
     assert known == {*CASES, *ELSEWHERE, *SILENT}
 
 
@@ -271,10 +294,12 @@ def test_an_option_has_an_effect(
         ([*SOLVE, "--pitch-step", "0.1"], "--pitch-step goes with --method traversal alone"),
         ([*SOLVE, "--time-step", "1"], "--time-step goes with --method traversal alone"),
         ([*SOLVE, "--count", "50"], "--count goes with --range alone"),
-        ([*SOLVE, "--force"], "--force goes with --pace, --plan-file alone"),
-        ([*SOLVE, "--objective", "way"], "--objective does not go with pitch"),
+        ([*SPEED, "--force"], "--force goes with --pace alone"),
+        ([*BEST, "--force"], "--force goes with --plan-file alone"),
         ([*RANGE, "--prove"], "--prove does not go with --range"),
+        ([*RANGE, "--brackets"], "--brackets does not go with --range"),
         ([*RANGE, "--method", "traversal"], "--method does not go with --range"),
+        ([*TRAVERSAL, "--prove"], "--prove does not go with --method traversal"),
         ([*MARGINS, "--force"], "--force goes with -o alone"),
         ([*STILL, "--span", "3"], "--span goes with --follow alone"),
         ([*STILL, "--end", "3"], "--end does not go with .png"),

@@ -1,30 +1,33 @@
-"""The verb `solve`: what a plan may be at its limits."""
+"""The verb `solve`: what a plan may be at its limits, a subcommand for each question."""
 
 import json
 import math
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from benchdragon.cli.answers import print_answer, print_title
-from benchdragon.cli.console import print_explanation, print_files, progress, turn_lines
+from benchdragon.cli.console import Advance, print_explanation, print_files, progress, turn_lines
+from benchdragon.cli.help import HelpfulGroup
 from benchdragon.cli.options import (
     BESIDE,
     FILE,
     WITHOUT,
+    Command,
     announce_compiling,
     brackets_option,
     explain_option,
     force_option,
     json_option,
+    lang_option,
     plan_options,
     prove_option,
     refuse_strays,
     shared_options,
 )
 from benchdragon.cli.parsing import check_ending, parse_lengths
-from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import Answer
 from benchdragon.version import __version__
@@ -32,27 +35,59 @@ from benchdragon.version import __version__
 if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
     from benchdragon.solve.head_speed import Pace
+    from benchdragon.solve.size import WalkableSizes
+    from benchdragon.solve.turn import BestTurn
 
 NO_SOLUTION, UNDECIDED = 4, 5
 
 
-@click.command(
+@click.group(
+    cls=HelpfulGroup,
     help=N_(
-        "What a plan may be at its limits.\n\nWHAT is pitch (the smallest with which the whole walk "
-        "stays clear), disc (the smallest radius), width or length (the greatest of a bench; the "
-        "head's length stays), speed (the greatest constant head speed that keeps the plan's limits), "
-        "or turn (the best turn of the plan's family). PLAN is a *.dragon.toml file or the name of a "
-        "built-in plan. Exit code 4: there is none."
+        "What a plan may be at its limits.\n\nEach question has options of its own; benchdragon solve "
+        "pitch --help, for example, shows those of the first."
+    ),
+)
+@lang_option
+def solve() -> None:
+    """Hold the questions."""
+
+
+def size_options(command: Command) -> Command:
+    """What the questions of all sizes take besides PLAN and --set."""
+    for option in reversed(
+        (prove_option, json_option, brackets_option, explain_option, shared_options)
+    ):
+        command = option(command)
+    command = click.option(
+        "--count",
+        type=click.IntRange(2, 10_000),
+        default=50,
+        show_default=True,
+        help=N_("Sizes tried by --range."),
+    )(command)
+    return click.option(
+        "--range",
+        "span",
+        metavar="LOW..HIGH",
+        help=N_("All sizes from LOW to HIGH, in metres, with which the walk stays clear."),
+    )(command)
+
+
+@solve.command(
+    help=N_(
+        "The smallest pitch of the spiral that keeps the whole walk clear.\n\nPLAN is a *.dragon.toml "
+        "file or the name of a built-in plan: spiral-in, turn. A spiral needs an end: --set "
+        "disc.radius=4.5, for example. Exit code 4: there is no such pitch; 5: undecided."
     )
 )
-@click.argument("what", metavar="WHAT")
 @plan_options
 @click.option(
     "--method",
     type=click.Choice(["exact", "traversal"]),
     default="exact",
     show_default=True,
-    help=N_("exact, or the paper's traversal of pitches in steps (pitch only)."),
+    help=N_("exact, or the paper's traversal of pitches in steps."),
 )
 @click.option(
     "--pitch-step",
@@ -68,134 +103,243 @@ NO_SOLUTION, UNDECIDED = 4, 5
     show_default=True,
     help=N_("Step of the traversal's looks for contact, in seconds."),
 )
-@click.option(
-    "--range",
-    "span",
-    metavar="LOW..HIGH",
-    help=N_("All sizes from LOW to HIGH, in metres, with which the walk stays clear."),
+@size_options
+def pitch(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
+    """Answer exactly, or as the paper does."""
+    stepped = options["method"] == "traversal"
+    refuse_strays(
+        ("method", options["span"] is None, BESIDE, "--range"),
+        ("prove", not stepped, BESIDE, "--method traversal"),
+        *((name, stepped, WITHOUT, "--method traversal") for name in ("pitch_step", "time_step")),
+    )
+    return _solve_size("pitch", plan, settings, quiet, options)
+
+
+@solve.command(
+    help=N_(
+        "The smallest radius of the disc that keeps the whole walk clear.\n\nPLAN is a *.dragon.toml "
+        "file or the name of a built-in plan: spiral-in, turn. It needs a disc to begin with: --set "
+        "disc.radius=4.5, for example. Exit code 4: there is no such radius; 5: undecided."
+    )
 )
-@click.option(
-    "--count",
-    type=click.IntRange(2, 10_000),
-    default=50,
-    show_default=True,
-    help=N_("Sizes tried by --range."),
+@plan_options
+@size_options
+def disc(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
+    """Answer for the disc."""
+    return _solve_size("disc", plan, settings, quiet, options)
+
+
+@solve.command(
+    help=N_(
+        "The greatest width of the benches that keeps the whole walk clear.\n\nPLAN is a *.dragon.toml "
+        "file or the name of a built-in plan: spiral-in, turn. A spiral needs an end: --set "
+        "disc.radius=4.5, for example. Exit code 4: there is no such width; 5: undecided."
+    )
 )
-@prove_option
+@plan_options
+@size_options
+def width(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
+    """Answer for the benches' width."""
+    return _solve_size("width", plan, settings, quiet, options)
+
+
+@solve.command(
+    help=N_(
+        "The greatest length of the benches that keeps the whole walk clear.\n\nThe head's length "
+        "stays. PLAN is a *.dragon.toml file or the name of a built-in plan: spiral-in, turn. A spiral "
+        "needs an end: --set disc.radius=4.5, for example. Exit code 4: there is no such length; 5: "
+        "undecided."
+    )
+)
+@plan_options
+@size_options
+def length(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
+    """Answer for the benches' length."""
+    return _solve_size("length", plan, settings, quiet, options)
+
+
+@solve.command(
+    help=N_(
+        "The greatest constant head speed that keeps the plan's limits.\n\nPLAN is a *.dragon.toml "
+        "file or the name of a built-in plan: spiral-in, turn. It must limit speeds, accelerations or "
+        "turning rates: --set limits.speed=2, for example. Exit code 4: it cannot be walked; 5: "
+        "undecided."
+    )
+)
+@plan_options
 @click.option(
     "--pace",
     "pace_file",
     type=FILE,
     metavar="FILE",
-    help=N_(
-        "With speed: write the plan walked at its own head speed, slowed down only where a limit "
-        "wants it."
-    ),
-)
-@click.option(
-    "--objective",
-    type=click.Choice(["way", "length", "speed", "disc", "acceleration"]),
-    default="way",
-    show_default=True,
-    help=N_(
-        "With turn: the shortest way inside the disc, the shortest turn itself, the greatest head "
-        "speed, the smallest disc, or the least peak acceleration."
-    ),
-)
-@click.option(
-    "--least-radius",
-    type=click.FloatRange(min=0.0, max=1e6),
-    default=0.0,
-    help=N_("With turn: no bend is tighter, in metres."),
-)
-@click.option(
-    "--longest",
-    type=click.FloatRange(min=0.0, min_open=True, max=1e6),
-    help=N_("With turn: the turn itself is no longer, in metres."),
-)
-@click.option(
-    "--longest-way",
-    type=click.FloatRange(min=0.0, min_open=True, max=1e6),
-    help=N_("With turn: the whole way inside the disc is no longer, in metres."),
-)
-@click.option(
-    "--plan-file",
-    type=FILE,
-    metavar="FILE",
-    help=N_("With turn: write the plan with the turn that was found."),
+    help=N_("Write the plan walked at its own head speed, slowed down only where a limit wants it."),
 )
 @force_option
 @json_option
 @brackets_option
 @explain_option
 @shared_options
-def solve(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """Print an answer, as text or JSON."""
+def speed(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
+    """Print the greatest head speed; with --pace also write a pace, as a plan of its own."""
+    path: Path | None = options["pace_file"]
+    read = _read(plan, settings, quiet, "--pace", path)
+    if path is None:
+        return _print_speed(read, options, quiet)
+    return _print_pace(read, path, options, quiet)
+
+
+@solve.command(
+    help=N_(
+        "The best turn of the plan's family.\n\nPLAN is a *.dragon.toml file or the name of a built-in "
+        "plan whose route is a turn: turn. The plan's turn.family names the family. Exit code 4: no "
+        "turn was found that keeps the limits."
+    )
+)
+@plan_options
+@click.option(
+    "--objective",
+    type=click.Choice(["way", "length", "speed", "disc", "acceleration"]),
+    default="way",
+    show_default=True,
+    help=N_(
+        "The shortest way inside the disc, the shortest turn itself, the greatest head speed, the "
+        "smallest disc, or the least peak acceleration."
+    ),
+)
+@click.option(
+    "--least-radius",
+    type=click.FloatRange(min=0.0, max=1e6),
+    default=0.0,
+    help=N_("No bend is tighter, in metres."),
+)
+@click.option(
+    "--longest",
+    type=click.FloatRange(min=0.0, min_open=True, max=1e6),
+    help=N_("The turn itself is no longer, in metres."),
+)
+@click.option(
+    "--longest-way",
+    type=click.FloatRange(min=0.0, min_open=True, max=1e6),
+    help=N_("The whole way inside the disc is no longer, in metres."),
+)
+@click.option(
+    "--plan-file", type=FILE, metavar="FILE", help=N_("Write the plan with the turn that was found.")
+)
+@force_option
+@json_option
+@explain_option
+@shared_options
+def turn(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
+    """Print the best turn; with --plan-file also write the plan with it."""
+    from benchdragon.files import refuse_existing
+    from benchdragon.solve.turn import STAGES, Wish, best_turn
+
+    path: Path | None = options["plan_file"]
+    read = _read(plan, settings, quiet, "--plan-file", path)
+    longest, longest_way = (options[name] or math.inf for name in ("longest", "longest_way"))
+    wish = Wish(options["objective"], options["least_radius"], longest, longest_way)
+    refuse_existing([] if path is None else [path], options["force"])
+    with progress(quiet, STAGES) as advance:
+        best = best_turn(read, wish, advance=advance)
+    if path is not None:
+        _write(best.plan, path)
+    _print_turn(read, best, wish.objective, options)
+    return 0
+
+
+def _read(plan: str, settings: tuple[str, ...], quiet: bool, option: str, path: Path | None) -> "Plan":
+    """The plan of a question that may write another into a file; refuses what cannot be written."""
     from benchdragon.plans.schema import read_plan
 
-    _refuse_strays(options)
-    for name, path in (("--pace", options["pace_file"]), ("--plan-file", options["plan_file"])):
-        if path is not None:
-            check_ending(name, path, [".toml"])
+    refuse_strays(("force", path is not None, WITHOUT, option))
+    if path is not None:
+        check_ending(option, path, [".toml"])
     read = read_plan(plan, settings)
     announce_compiling(quiet)
-    if options["span"] is not None:
-        return _print_sizes(read, options, quiet)
-    if options["what"] == "speed":
-        return _print_speed(read, options, quiet)
-    if options["what"] == "turn":
-        return _print_turn(read, options, quiet)
-    tried: list[str] = []
-    with progress(quiet, 1) as advance:
+    return read
 
-        def tell(text: str) -> None:
-            tried.append(text)
-            advance(0.0, text)
 
-        found = _solved(read, options, tell)
+def _write(plan: "Plan", path: Path) -> None:
+    from benchdragon.files import whole_file
+
+    with whole_file(path) as temporary:
+        temporary.write_text(plan.toml(), encoding="utf-8")
+
+
+def _solve_size(
+    name: str, plan: str, settings: tuple[str, ...], quiet: bool, options: dict[str, Any]
+) -> int:
+    """The limit of a size, or with --range all sizes that will do."""
+    from benchdragon.plans.schema import read_plan
+
+    ranged = options["span"] is not None
+    refuse_strays(
+        *((option, not ranged, BESIDE, "--range") for option in ("prove", "brackets")),
+        ("count", ranged, WITHOUT, "--range"),
+    )
+    read = read_plan(plan, settings)
+    announce_compiling(quiet)
+    return (_print_sizes if ranged else _print_limit)(name, read, options, quiet)
+
+
+def _print_limit(name: str, plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
     from benchdragon.solve.trials import question
 
-    lines = _solved_lines(read, options, found, tried) if options["explain"] else []
-    asked = question(options["what"])
-    _print_solved(read, _(asked.text), found, options, lines, up=asked.sense > 0.0)
+    tried: list[str] = []
+    with progress(quiet, 1) as advance:
+        found = _limit(name, plan, options, _told(advance, tried))
+    lines = _limit_lines(name, plan, options, found, tried) if options["explain"] else []
+    asked = question(name)
+    _print_solved(plan, _(asked.text), found, options, lines, up=asked.sense > 0.0)
     return _code(found)
 
 
-def _explained(lines: list[str]) -> dict[str, list[str]]:
-    """The lines of --explain as a part of JSON, if there are any."""
-    return {"explanation": lines} if lines else {}
+def _told(advance: Advance, tried: list[str]) -> Callable[[str], None]:
+    """What shows each size that is tried, and keeps it."""
+
+    def tell(text: str) -> None:
+        tried.append(text)
+        advance(0.0, text)
+
+    return tell
+
+
+def _stepped(options: dict[str, Any]) -> bool:
+    """Whether the paper's traversal is asked for, which `pitch` alone knows."""
+    return options.get("method") == "traversal"
+
+
+def _limit(name: str, plan: "Plan", options: dict[str, Any], tell: Callable[[str], None]) -> Answer:
+    """The limit of a size, exactly or as the paper finds it."""
+    from benchdragon.paper.traversal import traversed_pitch
+    from benchdragon.solve.size import limit
+
+    if _stepped(options):
+        return traversed_pitch(plan, options["pitch_step"], options["time_step"], advance=tell)
+    return limit(plan, name, prove=options["prove"], advance=tell)
+
+
+def _limit_lines(
+    name: str, plan: "Plan", options: dict[str, Any], found: Answer, tried: list[str]
+) -> list[str]:
+    """The lines of --explain for a limit."""
+    from benchdragon.explain.answers import limit_lines
+    from benchdragon.paper.explanation import traversal_lines
+
+    if _stepped(options):
+        return traversal_lines(found, options["pitch_step"], options["time_step"], tried)
+    return limit_lines(plan, name, found, tried)
+
+
+def _about(plan: "Plan", lines: list[str]) -> dict[str, Any]:
+    """What every JSON answer ends with: the lines of --explain, if any, plan and version."""
+    explained: dict[str, Any] = {"explanation": lines} if lines else {}
+    return {**explained, "plan_sha256": plan.sha256, "version": __version__}
 
 
 def _code(found: Answer) -> int:
     """The exit code of an answer."""
     return {"infeasible": NO_SOLUTION, "undecided": UNDECIDED}.get(found.status, 0)
-
-
-def _refuse_strays(options: dict[str, Any]) -> None:
-    """Refuse options that say nothing about what is asked for, rather than overlook them."""
-    what, stepped = options["what"], options["method"] == "traversal"
-    turning, sized, ranged = what == "turn", what not in {"speed", "turn"}, options["span"] is not None
-    refuse_strays(
-        ("pace_file", what == "speed", BESIDE, what),
-        ("brackets", not turning, BESIDE, what),
-        *((name, turning, BESIDE, what) for name in ("objective", "least_radius", "longest")),
-        *((name, turning, BESIDE, what) for name in ("longest_way", "plan_file")),
-        *((name, sized, BESIDE, what) for name in ("prove", "method", "span")),
-        *((name, not ranged, BESIDE, "--range") for name in ("prove", "method")),
-        ("count", ranged, WITHOUT, "--range"),
-        *((name, stepped, WITHOUT, "--method traversal") for name in ("pitch_step", "time_step")),
-        ("force", bool(options["pace_file"] or options["plan_file"]), WITHOUT, "--pace, --plan-file"),
-    )
-
-
-def _solved_lines(plan: "Plan", options: dict[str, Any], found: Answer, tried: list[str]) -> list[str]:
-    """The lines of --explain for a limit."""
-    from benchdragon.explain.answers import limit_lines
-    from benchdragon.paper.explanation import traversal_lines
-
-    if options["method"] == "exact":
-        return limit_lines(plan, options["what"], found, tried)
-    return traversal_lines(found, options["pitch_step"], options["time_step"], tried)
 
 
 def _print_solved(
@@ -210,8 +354,7 @@ def _print_solved(
 ) -> None:
     """An answer as JSON, with `more` beside it, or for readers, rounded `up` or down."""
     if options["as_json"]:
-        about = {**_explained(lines), "plan_sha256": plan.sha256, "version": __version__}
-        click.echo(json.dumps(found.as_json(**more, **about)))
+        click.echo(json.dumps(found.as_json(**more, **_about(plan, lines))))
         return
     print_title(plan)
     print_answer(name, found, up=up, brackets=options["brackets"])
@@ -220,23 +363,75 @@ def _print_solved(
     print_explanation(lines)
 
 
-def _print_speed(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
-    """The greatest head speed; with --pace also a pace, as a plan of its own."""
-    from benchdragon.files import refuse_existing, whole_file
-    from benchdragon.solve.head_speed import greatest_head_speed, slowed, with_pace
+def _print_sizes(name: str, plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
+    """All sizes of a range that will do."""
+    from benchdragon.solve.size import walkable_sizes
 
-    path: Path | None = options["pace_file"]
-    if path is None:
-        with progress(quiet, 1) as advance:
-            found = greatest_head_speed(plan, advance=advance)
-        lines = _speed_lines(plan, found, None) if options["explain"] else []
-        _print_solved(plan, _("greatest head speed"), found, options, lines)
-        return _code(found)
+    low, high = parse_lengths("--range", options["span"])
+    count = options["count"]
+    with progress(quiet, count) as advance:
+        found = walkable_sizes(plan, name, low, high, count, advance=lambda text: advance(1.0, text))
+    lines: list[str] = []
+    if options["explain"]:
+        from benchdragon.explain.answers import spans_lines
+
+        lines = spans_lines(found, low, high, count)
+    if options["as_json"]:
+        click.echo(json.dumps({**_sizes_json(found), **_about(plan, lines)}))
+    else:
+        _echo_sizes(found)
+        print_explanation(lines)
+    return 0 if found.spans else UNDECIDED if found.undecided else NO_SOLUTION
+
+
+def _sizes_json(found: "WalkableSizes") -> dict[str, Any]:
+    """Sizes that will do as plain data, m."""
+    return {
+        "walkable": [[span.low, span.high] for span in found.spans],
+        "tried": [span.tried for span in found.spans],
+        "borders": [list(span.borders) for span in found.spans],
+        "step": found.step,
+        "undecided": found.undecided,
+    }
+
+
+def _echo_sizes(found: "WalkableSizes") -> None:
+    """Sizes that will do, for readers."""
+    from benchdragon.solve.size import undecided_text
+
+    for span in found.spans:
+        text = _("walkable from {low} m to {high} m (sizes tried there: {tried}, {step} m apart)")
+        ends = {"low": f"{span.low:.12g}", "high": f"{span.high:.12g}", "step": f"{found.step:.4g}"}
+        click.echo(text.format(tried=span.tried, **ends))
+        for border in span.borders:
+            text = _("  {size} m is a border: just beyond it the walk fails")
+            click.echo(text.format(size=f"{border:.12g}"))
+    if not found.spans:
+        click.echo(_("no size tried is walkable"))
+    if found.undecided:
+        click.echo(undecided_text(found.undecided))
+
+
+def _print_speed(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
+    """The greatest head speed."""
+    from benchdragon.solve.head_speed import greatest_head_speed
+
+    with progress(quiet, 1) as advance:
+        found = greatest_head_speed(plan, advance=advance)
+    lines = _speed_lines(plan, found, None) if options["explain"] else []
+    _print_solved(plan, _("greatest head speed"), found, options, lines)
+    return _code(found)
+
+
+def _print_pace(plan: "Plan", path: Path, options: dict[str, Any], quiet: bool) -> int:
+    """The greatest head speed, and a pace that slows down only where it must, written to a file."""
+    from benchdragon.files import refuse_existing
+    from benchdragon.solve.head_speed import slowed, with_pace
+
     refuse_existing([path], options["force"])
     with progress(quiet, 1) as advance:
         pace = slowed(plan, advance=advance)
-    with whole_file(path) as temporary:
-        temporary.write_text(with_pace(plan, pace).toml(), encoding="utf-8")
+    _write(with_pace(plan, pace), path)
     more: dict[str, Any] = {"pace": {"seconds": pace.seconds, "saved": pace.saved, "file": str(path)}}
     lines = _speed_lines(plan, pace.steady, pace) if options["explain"] else []
     json_lines = lines if options["as_json"] else []
@@ -259,95 +454,33 @@ def _speed_lines(plan: "Plan", found: Answer, pace: "Pace | None") -> list[str]:
     return speed_lines(plan, found, pace)
 
 
-def _print_turn(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
-    """The best turn; with --plan-file also the plan with it."""
-    from benchdragon.files import refuse_existing, whole_file
-    from benchdragon.solve.turn import OBJECTIVES, STAGES, Wish, best_turn
-
-    wish = Wish(
-        options["objective"],
-        options["least_radius"],
-        options["longest"] or math.inf,
-        options["longest_way"] or math.inf,
-    )
-    path: Path | None = options["plan_file"]
-    refuse_existing([] if path is None else [path], options["force"])
-    with progress(quiet, STAGES) as advance:
-        best = best_turn(plan, wish, advance=advance)
-    if path is not None:
-        with whole_file(path) as temporary:
-            temporary.write_text(best.plan.toml(), encoding="utf-8")
+def _print_turn(plan: "Plan", best: "BestTurn", objective: str, options: dict[str, Any]) -> None:
+    """The best turn of a plan, as text or JSON."""
     lines: list[str] = []
     if options["explain"]:
         from benchdragon.explain import answers as explain_answers
 
         lines = explain_answers.turn_lines(best)
     if options["as_json"]:
-        about = {**_explained(lines), "plan_sha256": plan.sha256, "version": __version__}
-        click.echo(json.dumps({**best.as_json(), **about}))
-        return 0
+        click.echo(json.dumps({**best.as_json(), **_about(plan, lines)}))
+        return
     print_title(plan)
+    _echo_turn(best, objective)
+    if options["plan_file"] is not None:
+        print_files([options["plan_file"]])
+    print_explanation(lines)
+
+
+def _echo_turn(best: "BestTurn", objective: str) -> None:
+    """The best turn for readers."""
+    from benchdragon.solve.turn import OBJECTIVES
+
     click.echo(
         _("{name}: {value} {unit}  (best found)").format(
-            name=_(OBJECTIVES[wish.objective]),
+            name=_(OBJECTIVES[objective]),
             value=f"{best.objective.value:.6f}",
             unit=best.objective.unit,
         )
     )
     for line in turn_lines(best):
         click.echo(f"  {line}")
-    if path is not None:
-        print_files([path])
-    print_explanation(lines)
-    return 0
-
-
-def _solved(plan: "Plan", options: dict[str, Any], advance: Any) -> Answer:
-    from benchdragon.paper.traversal import traversed_pitch
-    from benchdragon.solve.size import limit
-
-    if options["method"] == "exact":
-        return limit(plan, options["what"], prove=options["prove"], advance=advance)
-    if options["what"] != "pitch" or options["prove"]:
-        raise InputError(_("the traversal answers for pitch alone, and proves nothing"))
-    return traversed_pitch(plan, options["pitch_step"], options["time_step"], advance=advance)
-
-
-def _print_sizes(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
-    from benchdragon.solve.size import undecided_text, walkable_sizes
-
-    low, high = parse_lengths("--range", options["span"])
-    with progress(quiet, options["count"]) as advance:
-        sizes = walkable_sizes(
-            plan, options["what"], low, high, options["count"], advance=lambda text: advance(1.0, text)
-        )
-    lines: list[str] = []
-    if options["explain"]:
-        from benchdragon.explain.answers import spans_lines
-
-        lines = spans_lines(sizes, low, high, options["count"])
-    code = 0 if sizes.spans else UNDECIDED if sizes.undecided else NO_SOLUTION
-    if options["as_json"]:
-        about = {**_explained(lines), "plan_sha256": plan.sha256, "version": __version__}
-        found = {
-            "walkable": [[span.low, span.high] for span in sizes.spans],
-            "tried": [span.tried for span in sizes.spans],
-            "borders": [list(span.borders) for span in sizes.spans],
-            "step": sizes.step,
-            "undecided": sizes.undecided,
-        }
-        click.echo(json.dumps({**found, **about}))
-        return code
-    for span in sizes.spans:
-        text = _("walkable from {low} m to {high} m (sizes tried there: {tried}, {step} m apart)")
-        ends = {"low": f"{span.low:.12g}", "high": f"{span.high:.12g}", "step": f"{sizes.step:.4g}"}
-        click.echo(text.format(tried=span.tried, **ends))
-        for border in span.borders:
-            text = _("  {size} m is a border: just beyond it the walk fails")
-            click.echo(text.format(size=f"{border:.12g}"))
-    if not sizes.spans:
-        click.echo(_("no size tried is walkable"))
-    if sizes.undecided:
-        click.echo(undecided_text(sizes.undecided))
-    print_explanation(lines)
-    return code

@@ -1,0 +1,126 @@
+"""The questions of `solve`: each has its own options, and no other's."""
+
+import re
+
+import click
+import pytest
+from rich.cells import cell_len
+
+from benchdragon.cli.main import run
+from benchdragon.cli.solve import solve
+from benchdragon.i18n import _
+from benchdragon.solve.trials import QUESTIONS
+from tests.cli.verbs import VERBS, options
+
+ALL = {"--set", "--json", "--explain", "--lang", "--quiet"}
+SIZE = ALL | {"--range", "--count", "--prove", "--brackets"}
+OPTIONS = {
+    "pitch": SIZE | {"--method", "--pitch-step", "--time-step"},
+    "disc": SIZE,
+    "width": SIZE,
+    "length": SIZE,
+    "speed": ALL | {"--brackets", "--pace", "--force"},
+    "turn": ALL
+    | {"--objective", "--least-radius", "--longest", "--longest-way", "--plan-file", "--force"},
+}
+STRAYS = [
+    (question, option)
+    for question, own in OPTIONS.items()
+    for option in sorted(set().union(*OPTIONS.values()) - own)
+]
+
+
+def ran(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
+    """Exit code and both streams of a command line of `solve`."""
+    code = run(["solve", *words])
+    out, err = capsys.readouterr()
+    return code, out, err
+
+
+def test_each_question_about_a_size_can_be_asked() -> None:
+    assert list(OPTIONS) == list(solve.commands)
+    assert list(QUESTIONS) == [name for name, own in OPTIONS.items() if own >= SIZE]
+    assert len(STRAYS) == 56
+
+
+@pytest.mark.parametrize("question", OPTIONS)
+def test_a_question_shows_its_own_options_alone(
+    capsys: pytest.CaptureFixture[str], spoken: str, question: str
+) -> None:
+    code, out, err = ran(capsys, question, "--help")
+    assert (code, err) == (0, "")
+    assert set(re.findall(r"^  (?:-\w, )?(--[\w-]+)", out, re.MULTILINE)) == OPTIONS[question] | {
+        "--help"
+    }
+    assert set(options(VERBS[f"solve {question}"])) == OPTIONS[question]
+    assert _(solve.commands[question].help or "").split("\n\n")[0] in out
+
+
+def test_the_questions_are_listed_with_a_line_each(
+    capsys: pytest.CaptureFixture[str], spoken: str
+) -> None:
+    code, out, err = ran(capsys, "--help")
+    listed = out.split(_("Commands"))[1].splitlines()[1:]
+    assert (code, err) == (0, "")
+    assert [line.split(maxsplit=1) for line in listed] == [
+        [name, _(question.help or "").split("\n\n")[0]] for name, question in solve.commands.items()
+    ]
+    assert max(map(cell_len, listed)) < 80
+
+
+def test_without_a_question_the_help_is_shown_as_for_wrong_usage(
+    capsys: pytest.CaptureFixture[str], spoken: str
+) -> None:
+    _code, shown, _err = ran(capsys, "--help")
+    assert ran(capsys) == (2, "", shown)
+
+
+@pytest.mark.parametrize("words", [["spiral", "turn"], ["pitches"], [""], ["PITCH", "turn", "--json"]])
+def test_an_unknown_question_is_refused_with_the_known_ones(
+    capsys: pytest.CaptureFixture[str], spoken: str, words: list[str]
+) -> None:
+    code, out, err = ran(capsys, *words)
+    assert (code, out) == (2, "")
+    assert _("No such command {name!r}.").format(name=words[0]) in err
+    assert _("Known: {names}.").format(names="pitch, disc, width, length, speed, turn") in err
+    assert "Traceback" not in err
+
+
+@pytest.mark.parametrize(("question", "option"), STRAYS)
+def test_an_option_of_other_questions_is_refused(
+    capsys: pytest.CaptureFixture[str], spoken: str, question: str, option: str
+) -> None:
+    for words in (
+        [question, "turn", option],
+        [question, option, "turn"],
+        [question, f"{option}=1", "turn"],
+    ):
+        code, out, err = ran(capsys, *words)
+        assert (code, out) == (2, "")
+        assert _("No such option {name!r}.").format(name=option) in err
+        assert err.count(f"benchdragon solve {question}") == 2
+        assert "Traceback" not in err
+
+
+@pytest.mark.parametrize("question", OPTIONS)
+def test_options_are_not_asked_before_the_question(
+    capsys: pytest.CaptureFixture[str], question: str
+) -> None:
+    code, out, err = ran(capsys, "--json", question, "turn")
+    assert (code, out) == (2, "")
+    assert "No such option '--json'" in err
+
+
+def test_the_plan_may_stand_before_and_after_options(capsys: pytest.CaptureFixture[str]) -> None:
+    settings = ["--set", "dragon.benches=3", "--set", "walk.start=0", "--set", "walk.end=3"]
+    asked = ["speed", "turn", *settings]
+    first = ran(capsys, *asked)
+    assert first[0] == 0
+    assert ran(capsys, "speed", *settings, "turn") == first
+    assert ran(capsys, "speed", *settings[:2], "turn", *settings[2:]) == first
+
+
+def test_the_language_may_be_asked_before_the_question() -> None:
+    assert isinstance(solve, click.Group)
+    assert list(options(solve)) == ["--lang"]
+    assert run(["solve", "--lang", "en", "pitch", "--help"]) == 0
