@@ -23,7 +23,6 @@ from unittest import mock
 import numba
 import numpy as np
 import numpy.typing as npt
-from benchdragon.analysis.quick import quick_verdict
 from scipy.optimize import fsolve
 from textbook import Stepped
 from textbook import smallest_pitch as textbook_pitch
@@ -403,7 +402,7 @@ def quick_rows(quick: bool) -> list[str]:
     ):  # fmt: skip
         plan = read_plan(source, settings)
         lines.append(
-            beside(source, settings, [partial(check, plan), partial(quick_verdict, plan)], quick)
+            beside(source, settings, [partial(check, plan), partial(check, plan, quick=True)], quick)
         )
     lines += [
         "",

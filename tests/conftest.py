@@ -25,12 +25,13 @@ settings.load_profile("benchdragon")
 @pytest.fixture(scope="session")
 def found() -> Results:
     """What the paper comes to; fewer turns and fewer dances will do in a test."""
-    told: list[str] = []
+    told: list[tuple[float, str]] = []
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(results, "FRONT_SPEEDS", (1.3,))
         patch.setattr(results, "DRAWS", 12)
-        computed = results.results(told.append)
-    assert len(told) == results.STEPS
+        computed = results.results(lambda share, text: told.append((share, text)))
+    shares = [share for share, _text in told]
+    assert shares == [pytest.approx(n / results.STEPS) for n in range(results.STEPS)]
     return computed
 
 
@@ -38,12 +39,15 @@ def found() -> Results:
 def folder(tmp_path_factory: pytest.TempPathFactory, found: Results) -> Path:
     """A folder that `reproduce` has filled."""
     folder = tmp_path_factory.mktemp("out")
-    told: list[str] = []
+    told: list[tuple[float, str]] = []
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(reproducing, "results", lambda _advance: found)
-        written = reproducing.reproduce(folder, advance=told.append)
+        patch.setattr(reproducing, "results", lambda _progress: found)
+        written = reproducing.reproduce(folder, progress=lambda share, text: told.append((share, text)))
     assert written.files == reproducing.planned_files(folder)
-    assert len(told) == reproducing.STEPS - results.STEPS
+    shares = [share for share, _text in told]
+    assert shares == sorted(shares)
+    assert reproducing.COMPUTED == shares[0] < shares[-1] < 1.0
+    assert all(text for _share, text in told)
     return folder
 
 

@@ -16,6 +16,7 @@ from benchdragon.figures.walk import walk_pictures
 from benchdragon.files import FileRefusedError, refuse_existing, whole_file
 from benchdragon.i18n import use_language
 from benchdragon.plans.schema import read_plan
+from benchdragon.progress import silent
 
 Written = Callable[[Path], None]
 
@@ -80,7 +81,7 @@ def written() -> dict[str, Written]:
     figure = walk_pictures(walk, what.times, "", None, throw=True)["dragon"]
 
     def table(name: str) -> Written:
-        return lambda path: WRITERS[name](path, what, lambda _share: None)
+        return lambda path: WRITERS[name](path, what, silent)
 
     found = {name: table(name) for name in WRITERS}
     found |= dict.fromkeys(("png", "svg", "pdf"), lambda path: write_picture(figure, path, "", "x"))

@@ -33,6 +33,7 @@ from benchdragon.analysis.contact import Hunt, clearance_above
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.kernels.box import least_distance
 from benchdragon.plans.schema import read_plan
+from benchdragon.progress import silent
 
 TRUTH = json.loads((Path(__file__).parents[1] / "truth" / "contest.json").read_text("utf-8"))
 FIRST_CONTACT = 412.4738376821147
@@ -321,7 +322,7 @@ def test_who_stands_in_contact_touches_from_the_start_on(rest: bool, start: floa
 def test_brackets_end_where_the_head_stands() -> None:
     profile = SpeedProfile((0.0, 10.0, 20.0), (1.0, 0.0, 0.0))
     walk = Walk(Dragon.uniform(20), Route((Spiral(0.55, 12.0 * math.pi, 0.0),)), profile)
-    hunt = Hunt(walk, 0.0, 5.0, 0.0, lambda _share: None)
+    hunt = Hunt(walk, 0.0, 5.0, 0.0, silent)
     for s in (5.0, math.nextafter(5.0, 0.0), math.nextafter(5.0, 9.0)):
         answer = hunt.answer_at(s, s, "found", 0, 8)
         assert answer.lower <= answer.value <= answer.upper
@@ -331,7 +332,7 @@ def test_brackets_end_where_the_head_stands() -> None:
 def test_brackets_are_sure_without_rounding(profile: tuple[tuple[float, ...], ...]) -> None:
     route = Route((Spiral(0.55, 32.0 * math.pi, 0.0),))
     walk = Walk(Dragon.uniform(20), route, SpeedProfile(*profile), 0.1)
-    hunt = Hunt(walk, 0.1, 9.0, 0.0, lambda _share: None)
+    hunt = Hunt(walk, 0.1, 9.0, 0.0, silent)
     for s in np.random.default_rng(3).uniform(1.0, 9.0, 60).tolist():
         answer = hunt.answer_at(s, s, "found", 0, 8)
         assert walk.exact_head_position(answer.lower) <= s <= walk.exact_head_position(answer.upper)
@@ -443,7 +444,7 @@ def test_a_tail_that_comes_there_is_named_where_it_does() -> None:
 
 
 def test_a_failure_far_past_what_was_searched_leaves_the_walk_undecided() -> None:
-    hunt = Hunt(FOLDING, 0.0, 40.0, 0.0, lambda _share: None)
+    hunt = Hunt(FOLDING, 0.0, 40.0, 0.0, silent)
     with pytest.raises(WalkError) as caught:
         first_contact(FOLDING, 0.0, 40.0)
     fails = caught.value.head

@@ -400,7 +400,7 @@ def test_what_the_head_is_put_off_by_at_both_ends_counts(
     ]
     heads: list[float] = []
 
-    def found(_walk: Walk, _ledger: Ledger, head: float, _advance: object) -> Errors:
+    def found(_walk: Walk, _ledger: Ledger, head: float, _progress: object) -> Errors:
         heads.append(head)
         return Errors(0.0, 0.0, 0.0, 1)
 

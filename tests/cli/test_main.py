@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from rich.cells import cell_len
 
-from benchdragon.cli.console import Lines, progress
+from benchdragon.cli.console import Lines, shown_progress
 from benchdragon.cli.main import program, run
 from benchdragon.cli.parsing import MOST_TIMES, parse_handles, parse_lengths, parse_time, parse_times
 from benchdragon.errors import InputError
@@ -402,10 +402,10 @@ def test_a_line_each_thirty_seconds_tells_how_far_it_is(capsys: pytest.CaptureFi
         assert seconds == 30.0
         return over.get()
 
-    for told in ([], [(0.0, "first")], [(1.0, "first"), (2.0, "second"), (0.0, None)]):
-        with Lines(4.0, wait) as advance:
+    for told in ([], [(0.0, "first")], [(0.25, "first"), (0.75, "second"), (0.75, "")]):
+        with Lines(wait) as progress:
             for share, text in told:
-                advance(share, text)
+                progress(share, text)
             for last in (False, False, True):
                 over.put(last)
     out, err = capsys.readouterr()
@@ -421,7 +421,7 @@ def test_a_line_each_thirty_seconds_tells_how_far_it_is(capsys: pytest.CaptureFi
 
 
 def test_progress_is_told_unless_it_is_to_be_quiet(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert isinstance(progress(False, 1.0), Lines)
-    assert not isinstance(progress(True, 1.0), Lines)
+    assert isinstance(shown_progress(False), Lines)
+    assert not isinstance(shown_progress(True), Lines)
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
-    assert not isinstance(progress(False, 1.0), Lines)
+    assert not isinstance(shown_progress(False), Lines)

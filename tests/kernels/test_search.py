@@ -43,6 +43,7 @@ from benchdragon.kernels.box import (
 from benchdragon.kernels.chain import rates
 from benchdragon.kernels.curve import FloatArray, Y
 from benchdragon.model.placement import Placement
+from benchdragon.progress import silent
 
 BENCHES = [Bench(1.6, 0.4, 0.1, 0.2), *[Bench(1.1, 0.3, 0.1, 0.1)] * 5]
 ROUTES = {
@@ -302,7 +303,7 @@ def test_a_margin_no_pair_keeps_to_the_digit_is_a_graze() -> None:
 
 def test_too_few_looks_leave_a_search_stuck() -> None:
     walk = spiral_walk(0.78)
-    hunt = Hunt(walk, 0.0, 15.0, 0.0, lambda _share: None)
+    hunt = Hunt(walk, 0.0, 15.0, 0.0, silent)
     step = next(iter(hunt.steps(0.0)))
     room = search.room(17, 16, len(step.first), 0)
     members, inverse = np.unique(np.concatenate([step.first, step.second]), return_inverse=True)
@@ -608,7 +609,7 @@ def test_steps_go_on_to_the_very_end_of_the_part_where_the_head_meets_others() -
 
 def test_a_search_that_gives_up_says_how_low_it_may_be() -> None:
     walk = spiral_walk(0.3)
-    hunt = Hunt(walk, 0.0, 12.0, 0.0, lambda _share: None)
+    hunt = Hunt(walk, 0.0, 12.0, 0.0, silent)
     step = next(iter(hunt.steps(0.6)))
     least = min(
         float(np.min(pair_distances(walk.placement(np.linspace(step.start, step.end, 200)), i, j)))
@@ -719,7 +720,7 @@ def test_the_least_bound_of_a_part_is_that_of_any_pair() -> None:
 
 def test_every_pair_of_a_step_is_looked_at() -> None:
     walk = Walk(Dragon.uniform(4, 2.2), Route((Line(30.0),)))
-    hunt = Hunt(walk, 15.0, 16.0, 1.5, lambda _share: None)
+    hunt = Hunt(walk, 15.0, 16.0, 1.5, silent)
     for second, found in (([3, 2], 1), ([2, 3], 0)):
         note = np.zeros(search.NOTES)
         step = Step(15.0, 15.2, np.array([0, 0]), np.array(second))
@@ -732,7 +733,7 @@ def test_the_end_of_a_step_is_looked_at() -> None:
     walk, ends = spiral_walk(0.3), (10.0 - 9e-14, 10.0)
     falls = [pair_distances(walk.placement(ends), 0, j).tolist() for j in range(2, 16)]
     j, (_before, at) = next((j, pair) for j, pair in enumerate(falls, 2) if pair[0] > pair[1] + 9e-15)
-    hunt = Hunt(walk, 9.0, 10.0, at + 2e-15, lambda _share: None, 1e-15)
+    hunt = Hunt(walk, 9.0, 10.0, at + 2e-15, silent, 1e-15)
     note = np.zeros(search.NOTES)
     step = Step(*ends, np.array([0]), np.array([j]))
     assert hunt.seek(search.FIRST_TOUCH, step, *ends, note) == search.FOUND
@@ -760,7 +761,7 @@ def test_a_pair_within_rounding_of_the_margin_is_neither_clear_nor_found(
 ) -> None:
     walk = Walk(Dragon.uniform(3, 2.2), Route((Line(30.0),)))
     distance = 2.0 * 1.65 - 2.2
-    hunt = Hunt(walk, 15.0, 16.0, distance + beyond, lambda _share: None, 1e-6)
+    hunt = Hunt(walk, 15.0, 16.0, distance + beyond, silent, 1e-6)
     pair = np.array([0]), np.array([2])
     note = np.zeros(search.NOTES)
     assert hunt.seek(search.FIRST_TOUCH, Step(15.0, 15.2, *pair), 15.0, 15.2, note) == ending
@@ -777,8 +778,5 @@ def test_a_bracket_begins_where_all_was_clear() -> None:
 
 def test_ground_is_asked_for_the_room_of_rounding() -> None:
     walk = spiral_walk(0.3)
-    steps = [
-        list(Hunt(walk, 0.0, 12.0, 0.0, lambda _share: None, slack).steps(0.0))
-        for slack in (1e-13, 0.6)
-    ]
+    steps = [list(Hunt(walk, 0.0, 12.0, 0.0, silent, slack).steps(0.0)) for slack in (1e-13, 0.6)]
     assert [bool(some) for some in steps] == [False, True]

@@ -167,7 +167,7 @@ def test_a_written_report_leads_to_pages_that_are_there(
     pages = tmp_path / "pages"
     pages.mkdir()
     (pages / "established.html").write_text("here", "utf-8")
-    monkeypatch.setattr(reproducing, "results", lambda _advance: found)
+    monkeypatch.setattr(reproducing, "results", lambda _progress: found)
     monkeypatch.setattr(reproducing, "PICTURE_KINDS", ("png",))
     monkeypatch.chdir(tmp_path)
     out = Path("deep/out")

@@ -2,7 +2,6 @@
 
 import json
 import math
-from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 
@@ -21,7 +20,6 @@ from benchdragon.player.scene import (
     MOST_BENCHES,
     MOST_JOINTS,
     REACH,
-    STEPS,
     Span,
     checked_dance,
     plain_dance,
@@ -215,12 +213,11 @@ def test_what_is_sent_survives_the_wire() -> None:
     assert dance.benches.length[0] == 3.41
 
 
-def test_a_dance_advances_by_as_many_steps_as_it_says() -> None:
+def test_a_dance_tells_how_far_it_is_and_what_is_done() -> None:
     told: list[tuple[float, str]] = []
-    advance: Callable[[float, str], None] = lambda share, text: told.append((share, text))  # noqa: E731
-    plain_dance(read_plan("turn", TURN[1:]).build(), Span(0.0, 1.0), advance)
-    assert sum(share for share, _text in told) == STEPS
-    assert all(text for _share, text in told)
+    plain_dance(read_plan("turn", TURN[1:]).build(), Span(0.0, 1.0), lambda *said: told.append(said))
+    assert [share for share, _text in told] == [0.0, 0.25, 0.5, 0.75]
+    assert len({text for _share, text in told if text}) == len(told)
 
 
 @pytest.mark.parametrize(

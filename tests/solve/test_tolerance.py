@@ -296,7 +296,7 @@ def test_the_verb_tells_pitches_and_chances(tmp_path: Path, capsys: pytest.Captu
 def test_the_share_done_is_told_to_the_end(monkeypatch: pytest.MonkeyPatch) -> None:
     told: list[tuple[float, str]] = []
     bar = nullcontext(lambda share, text: told.append((share, text)))
-    monkeypatch.setattr("benchdragon.cli.tolerance.progress", lambda *_given: bar)
+    monkeypatch.setattr("benchdragon.cli.tolerance.shown_progress", lambda *_given: bar)
     words = ["margins", "spiral-in", "--set", "disc.radius=4.5", "--set", "dragon.benches=30"]
     assert run([*words, "--aside", "0.01", "--draws", "4"]) == 0
-    assert told == [(0.25, "as given")] * 4
+    assert told == [(0.25 * n, "as given") for n in range(5)]

@@ -1,7 +1,6 @@
 """Whether a walk is safe: first contact, least clearance, speeds and accelerations against limits."""
 
 import time as clock
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -22,23 +21,19 @@ from benchdragon.analysis.speed import (
     given_limits,
     greatest,
     greatest_speed,
-    part_of,
 )
 from benchdragon.errors import InputError, UnsureError, WalkError, of_kind
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import ROUNDING, Answer
 from benchdragon.model.walk import Motion, Walk
 from benchdragon.plans.schema import Plan
-
-Advance = Callable[[float, str], None]
+from benchdragon.progress import Progress, Stages, silent
 
 # Grazes that a check looks past for a sure contact.
 MOST_GRAZES = 100
 # Samples of the clearance drawn, and seconds shown after a contact.
 SAMPLES = 1000
 AFTER = 3.0
-# How often a check advances by 1.
-STEPS = 4
 # How wide a quick check's brackets may be: of clearances, m, and of speeds, relative.
 QUICK_CLEARANCE, QUICK_SPEED = 1e-3, 1e-4
 
@@ -115,7 +110,7 @@ class Report:
 
 
 def check(
-    plan: Plan, advance: Advance | None = None, *, prove: bool = False, quick: bool = False
+    plan: Plan, progress: Progress = silent, *, prove: bool = False, quick: bool = False
 ) -> Report:
     """Check the whole walk of a plan against its margin and its limits.
 
@@ -133,27 +128,27 @@ def check(
     """
     of_kind("plan", plan, Plan)
     began = clock.perf_counter()
-    tell = advance or (lambda _share, _text: None)
+    stage = Stages(progress, 4)
     walk = plan.build()
     span = start, end = plan.span(walk)
     tolerances = (QUICK_CLEARANCE,) if quick else None
     contact, clearance = None, _clear_throughout(plan, walk, span) if quick else None
     if clearance is None:
-        tell(0.0, _("looking for contact"))
+        told = stage(_("looking for contact"))
         search = prove_contact if prove else first_contact
         margin = plan.limits.margin
-        contact = search(walk, start, end, margin=margin, advance=part_of(tell, _("contact")))
+        contact = search(walk, start, end, margin=margin, progress=told)
         contact = _sure_contact(walk, start, end, margin, contact)
     if contact is not None and contact.witness is not None:
         span = start, contact.upper
     if clearance is None:
         clearance = _no_clearance(contact) or least_clearance(
-            walk, *span, advance=part_of(tell, _("clearance")), **_given(tolerances=tolerances)
+            walk, *span, progress=stage(_("clearance")), **_given(tolerances=tolerances)
         )
     wide = _given(tolerance=QUICK_SPEED if quick else None)
-    speed = greatest_speed(walk, *span, advance=part_of(tell, _("greatest speed")), **wide)
+    speed = greatest_speed(walk, *span, progress=stage(_("greatest speed")), **wide)
     speed = _decided_speed(plan, walk, span, speed)
-    peaks = _limited_peaks(plan, walk, span, part_of(tell, _("other limits")))
+    peaks = _limited_peaks(plan, walk, span, stage(_("other limits")))
     return Report(
         plan, walk, start, end, contact, clearance, speed, peaks,
         findings=all_findings(plan, walk, span, contact, {"speed": speed, **peaks}),
@@ -204,7 +199,7 @@ def _limited_peaks(
     plan: Plan,
     walk: Walk,
     span: tuple[float, float],
-    advance: Callable[[float], None] | None = None,
+    progress: Progress,
 ) -> dict[str, Answer]:
     """The greatest of each quantity but speed that the plan limits, over a span of the walk, s.
 
@@ -216,10 +211,7 @@ def _limited_peaks(
         peaks[name] = greatest(
             walk, QUANTITIES[name], *span, tolerance=RATE_TOLERANCE, limit=limit * (1.0 + ROUNDING)
         )
-        if advance:
-            advance((n + 1) / len(limits))
-    if advance:
-        advance(1.0)
+        progress((n + 1) / len(limits), "")
     return peaks
 
 

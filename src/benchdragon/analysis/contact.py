@@ -8,7 +8,7 @@ that holds in between (kernels/bounds.py, design/first_contact.py).
 import collections
 import math
 import time as clock
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
@@ -25,8 +25,7 @@ from benchdragon.kernels.route import END_SLACK, IntArray
 from benchdragon.model.answer import Answer, Status, Witness
 from benchdragon.model.placement import Placement
 from benchdragon.model.walk import Motion, Walk
-
-Advance = Callable[[float], None]
+from benchdragon.progress import Progress, silent
 
 # What computed distances may be off by, m: a few dozen roundings of coordinates of 50 m; farther out
 # it grows with them. A smaller one could call a graze clear, a larger one widens brackets.
@@ -109,7 +108,7 @@ class Hunt:
     start: float  # head positions, m
     end: float
     margin: float
-    advance: Advance
+    progress: Progress
     slack: float = 0.0
     ledger: Ledger | None = None
     since: float = -math.inf  # the time at which it begins, s
@@ -139,7 +138,7 @@ class Hunt:
             yield from self._small_steps(known, sound, ground.reach, ground.cell / PARTS)
             if sound < upto:
                 raise self.stopped(sound, sound + 2.0 * ground.cell)
-            self.advance((upto - self.start) / (self.end - self.start))
+            self.progress((upto - self.start) / (self.end - self.start), "")
         if self.end > end + END_SLACK:
             raise self.stopped(end, self.end)
 
@@ -262,7 +261,7 @@ def _hunt(
     start: float,
     end: float,
     margin: float,
-    advance: Advance | None,
+    progress: Progress,
     slack: float = 0.0,
     ledger: Ledger | None = None,
 ) -> Hunt:
@@ -271,7 +270,7 @@ def _hunt(
     in_order(start, end)
     walk.motion([start])  # raises where the dragon cannot stand at the start
     a, b = walk.head_position([start, end]).tolist()
-    return Hunt(walk, a, b, margin, advance or (lambda _share: None), slack, ledger, start)
+    return Hunt(walk, a, b, margin, progress, slack, ledger, start)
 
 
 def contact_windows(
@@ -283,7 +282,7 @@ def contact_windows(
     most: int = 1000,
     slack: float = 0.0,
     ledger: Ledger | None = None,
-    advance: Advance | None = None,
+    progress: Progress = silent,
 ) -> list[Window]:
     """All spans of time in start..end (s) in which two benches but neighbours are nearer than margin.
 
@@ -297,7 +296,7 @@ def contact_windows(
         WalkError: if the dragon cannot stand at some time, and no windows fill `most` before.
         UnsureError: if it could not be shown that it can.
     """
-    hunt = _hunt(walk, start, end, margin, advance, slack, ledger)
+    hunt = _hunt(walk, start, end, margin, progress, slack, ledger)
     opened = _touching_at_start(hunt)
     windows = [] if opened is None else [Window(opened, None)]
     if len(windows) >= most:
@@ -368,7 +367,7 @@ def first_contact(
     *,
     margin: float = 0.0,
     slack: float = 0.0,
-    advance: Advance | None = None,
+    progress: Progress = silent,
 ) -> Answer | None:
     """The first time in start..end, s, at which two benches but neighbours touch; None if never.
 
@@ -382,7 +381,7 @@ def first_contact(
         WalkError: if no contact comes before a time at which the dragon cannot stand.
         UnsureError: if that could not be decided.
     """
-    windows = contact_windows(walk, start, end, margin=margin, most=1, slack=slack, advance=advance)
+    windows = contact_windows(walk, start, end, margin=margin, most=1, slack=slack, progress=progress)
     return windows[0].opens if windows else None
 
 
@@ -393,7 +392,7 @@ def least_clearance(
     *,
     within: float = math.inf,
     tolerances: Sequence[float] = TOLERANCES,
-    advance: Advance | None = None,
+    progress: Progress = silent,
 ) -> Answer:
     """The least distance, m, that any two benches but neighbours keep from start to end (s).
 
@@ -406,7 +405,7 @@ def least_clearance(
         WalkError: if the dragon cannot stand at some time.
         UnsureError: if that could not be decided.
     """
-    hunt = _hunt(walk, start, end, 0.0, advance)
+    hunt = _hunt(walk, start, end, 0.0, progress)
     if len(walk.dragon) < 3:
         return Answer(math.inf, math.inf, math.inf, "m", "found")
     return _least(hunt, _guess(hunt), within, tolerances)
@@ -427,7 +426,7 @@ def clearance_above(
         WalkError: if the dragon cannot stand at some time, and no low distance was met before.
         UnsureError: if that could not be decided.
     """
-    hunt = _hunt(walk, start, end, margin, None)
+    hunt = _hunt(walk, start, end, margin, silent)
     if len(walk.dragon) < 3:
         return Answer(math.inf, math.inf, math.inf, "m", "found")
     best = _guess(hunt)
@@ -522,7 +521,7 @@ def clearance_curve(walk: Walk, times: npt.ArrayLike) -> ClearanceCurve:
     tightest = [tightest_pairs(motion, i)[0] for i in range(len(at))]
     clearance = np.array([near.distance for near in tightest])
     inner = np.flatnonzero((clearance[1:-1] <= clearance[:-2]) & (clearance[1:-1] < clearance[2:])) + 1
-    hunt = _hunt(walk, float(at[0]), float(at[-1]), 0.0, None)
+    hunt = _hunt(walk, float(at[0]), float(at[-1]), 0.0, silent)
     minima = [_local_minimum(hunt, motion, int(i), clearance) for i in inner if clearance[i] > 0.0]
     return ClearanceCurve(at, clearance, np.array([near.benches for near in tightest]), minima)
 

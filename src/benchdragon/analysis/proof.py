@@ -9,7 +9,6 @@ verdict is done in doubles, with room for their rounding: every answer says so (
 """
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
@@ -28,11 +27,11 @@ from benchdragon.kernels.regions import EDGE
 from benchdragon.kernels.route import IntArray
 from benchdragon.model.answer import Answer, Status
 from benchdragon.model.walk import Walk
+from benchdragon.progress import Progress, silent
 
 if TYPE_CHECKING:
     from flint import arb
 
-Advance = Callable[[float], None]
 Pair = tuple["arb", "arb"]
 
 BITS = 100
@@ -272,7 +271,7 @@ def _away(point: tuple["arb", "arb"], x: float, y: float) -> float:
     return _size(point[0] - x) + _size(point[1] - y)
 
 
-def errors(walk: Walk, ledger: Ledger, head: float = 0.0, advance: Advance | None = None) -> Errors:
+def errors(walk: Walk, ledger: Ledger, head: float = 0.0, progress: Progress = silent) -> Errors:
     """The most that the places in a ledger are off by.
 
     `head` is what the head's route positions that were asked for are off by, m.
@@ -293,8 +292,7 @@ def errors(walk: Walk, ledger: Ledger, head: float = 0.0, advance: Advance | Non
                 worst[kind], checker.chain_error(sizes, row[t], u[t], x[t], y[t], off)
             )
             done += u.shape[1]
-            if advance:
-                advance(done / total)
+            progress(done / total, "")
     beside, along = worst[0].tolist()
     return Errors(beside, along, float(worst[1].max()), checker.places)
 
@@ -317,7 +315,7 @@ def clock_error(walk: Walk, start: float, end: float) -> float:
 
 
 def prove_contact(
-    walk: Walk, start: float, end: float, *, margin: float = 0.0, advance: Advance | None = None
+    walk: Walk, start: float, end: float, *, margin: float = 0.0, progress: Progress = silent
 ) -> Answer | None:
     """`first_contact`, proved: clear up to `lower`, and a pair nearer than the margin by `upper`.
 
@@ -335,7 +333,7 @@ def prove_contact(
     for _trial in range(MOST_TRIALS):
         ledger = Ledger()
         windows = contact_windows(walk, start, end, margin=margin, most=1, slack=slack, ledger=ledger)
-        found = errors(walk, ledger, clock_error(walk, start, end), advance)
+        found = errors(walk, ledger, clock_error(walk, start, end), progress)
         needed = needed_slack(walk, found, _extent(ledger))
         if found.others > OTHERS or not needed < MOST_SLACK:
             break

@@ -7,7 +7,7 @@ where its acceleration jumps, a walk is searched over the head's place (see kern
 import math
 import sys
 import time as clock
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -26,8 +26,7 @@ from benchdragon.model.answer import Answer, Witness
 from benchdragon.model.profile import SpeedProfile, Stretches
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
-
-Advance = Callable[[float], None]
+from benchdragon.progress import Progress, silent
 
 # The bracket's width, as a share of the value; rounding allows no narrower than the least.
 TOLERANCE, LEAST_TOLERANCE = 1e-10, 1e-12
@@ -98,7 +97,7 @@ def greatest_speed(
     end: float,
     *,
     tolerance: float = TOLERANCE,
-    advance: Advance | None = None,
+    progress: Progress = silent,
 ) -> Answer:
     """The greatest speed of any handle from start to end (s), m/s, over continuous time.
 
@@ -108,7 +107,7 @@ def greatest_speed(
         InputError: for an end before the start, or a tolerance that is not between 1e-12 and 1.
         WalkError: if the dragon cannot stand at some time that was looked at.
     """
-    return greatest(walk, QUANTITIES["speed"], start, end, tolerance=tolerance, advance=advance)
+    return greatest(walk, QUANTITIES["speed"], start, end, tolerance=tolerance, progress=progress)
 
 
 def greatest(
@@ -119,7 +118,7 @@ def greatest(
     *,
     tolerance: float = TOLERANCE,
     limit: float = math.inf,
-    advance: Advance | None = None,
+    progress: Progress = silent,
 ) -> Answer:
     """The greatest of a quantity from start to end (s), in its unit, over continuous time.
 
@@ -138,7 +137,7 @@ def greatest(
     of_kind("walk", walk, Walk)
     in_order(start, end)
     stretches = walk.profile.stretches(start, end).moved(walk.start)
-    peak = _Search(walk, quantity, tolerance, limit).over(stretches, advance)
+    peak = _Search(walk, quantity, tolerance, limit).over(stretches, progress)
     witness = replace(witness_of(walk, peak), time=peak.time)
     seconds = clock.perf_counter() - began
     return Answer(
@@ -154,7 +153,7 @@ def greatest_of(
     *,
     tolerance: float = TOLERANCE,
     limit: float = math.inf,
-    advance: Advance | None = None,
+    progress: Progress = silent,
 ) -> Peak:
     """The greatest of a quantity while a head at 1 m/s walks from position first to last, m.
 
@@ -165,7 +164,7 @@ def greatest_of(
         WalkError: if the dragon cannot stand at some position that was looked at.
     """
     stretches = SpeedProfile.constant(1.0).stretches(first, last)
-    return _Search(walk, quantity, tolerance, limit).over(stretches, advance)
+    return _Search(walk, quantity, tolerance, limit).over(stretches, progress)
 
 
 def hulls(
@@ -200,21 +199,6 @@ def witness_of(walk: Walk, peak: Peak) -> Witness:
     return Witness(time if math.isfinite(time) else None, peak.s, benches, point, math.nan)
 
 
-def part_of(
-    advance: Callable[[float, str], None] | None, text: str, parts: int = 1
-) -> Callable[[float], None]:
-    """What turns the growing share of one search of `parts` into advances under a text."""
-    done = 0.0
-
-    def tell(share: float) -> None:
-        nonlocal done
-        if advance is not None and share > done:
-            advance((share - done) / parts, text)
-            done = share
-
-    return tell
-
-
 @dataclass(frozen=True)
 class _Part:
     """Head positions, m, between which the links' handles need a look: no value is above the bound."""
@@ -242,7 +226,7 @@ class _Search:
         self._links = walk.dragon.links
         self._per = max(3, PLACES // (len(walk.dragon) + 1))
 
-    def over(self, stretches: Stretches, advance: Advance | None) -> Peak:
+    def over(self, stretches: Stretches, progress: Progress) -> Peak:
         """The greatest value on these stretches of the walk, their ways being route positions."""
         self._stretches = stretches
         first, last = stretches.ways.ravel()[[0, -1]].tolist()
@@ -251,11 +235,9 @@ class _Search:
             self._links = part.links
             for at, which in self._grids(part.start, part.end, STEP):
                 self._search(at[:-1], at[1:], which, self._bounds(at, np.arange(len(which)), which))
-                if advance and last > first:
+                if last > first:
                     done = (float(at[-1]) - part.start) / (part.end - part.start)
-                    advance((n + done) / len(parts))
-        if advance and last > first:
-            advance(1.0)
+                    progress((n + done) / len(parts), "")
         time = self._stretches.time(self.stretch, self.where)
         return Peak(self.seen, max(self.upper, self.seen), time, self.where, self.row, self.looks)
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from benchdragon.cli.console import print_files, progress
+from benchdragon.cli.console import print_files, shown_progress
 from benchdragon.cli.options import (
     BESIDE,
     FILE,
@@ -154,8 +154,8 @@ def _write_film(
         plan, *parse_span(options), options["fps"] or RATES[path.suffix], options["speed_up"] or 1.0
     )
     refuse_existing([path], options["force"])
-    with progress(quiet, len(film.times), remaining=True) as advance:
-        write_film(film, path, look, advance)
+    with shown_progress(quiet, remaining=True) as progress:
+        write_film(film, path, look, progress)
     return [path], {
         "frames": len(film.times),
         "fps": film.fps,
@@ -182,9 +182,9 @@ def _write_pictures(
         times = np.array(list(dict.fromkeys(parse_times(options["at"]).tolist())))
     files = [path] if options["sheet"] else still_paths(path, times.tolist())
     refuse_existing(files, options["force"])
-    with progress(quiet, len(files), remaining=len(files) > 1) as advance:
+    with shown_progress(quiet, remaining=len(files) > 1) as progress:
         if options["sheet"]:
             write_sheet(plan, times, path, look, *grid)
         else:
-            write_stills(plan, times, files, look, advance)
+            write_stills(plan, times, files, look, progress)
     return files, {"times": times.tolist(), "size": look.size}

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon.cli.answers import print_answer, print_title
-from benchdragon.cli.console import print_explanation, print_files, progress
+from benchdragon.cli.console import print_explanation, print_files, shown_progress
 from benchdragon.cli.options import (
     WITHOUT,
     announce_compiling,
@@ -53,7 +53,6 @@ UNSAFE, UNDECIDED = 1, 5
 @shared_options
 def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print a report, as text or JSON, and write tables and pictures of it."""
-    from benchdragon.analysis.check import STEPS
     from benchdragon.analysis.check import check as checked
     from benchdragon.plans.schema import read_plan
 
@@ -68,10 +67,10 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
         from benchdragon.export.check_files import planned_files, write_files
 
         files = planned_files(folder, options["formats"].split(","), options["force"])
-    with progress(quiet, STEPS) as advance:
-        report = checked(read, advance, prove=options["prove"])
+    with shown_progress(quiet) as progress:
+        report = checked(read, progress, prove=options["prove"])
         if files:
-            advance(0.0, _("writing"))
+            progress(1.0, _("writing"))
             write_files(report, files)
     lines: list[str] = []
     if options["explain"]:

@@ -16,13 +16,13 @@ import click
 from benchdragon.digits import decimals
 from benchdragon.i18n import N_, _
 from benchdragon.model.numbering import handle_names, numbering_text
+from benchdragon.progress import Progress, silent
 
 if TYPE_CHECKING:
     from rich.console import Console
 
     from benchdragon.solve.turn import BestTurn
 
-Advance = Callable[..., None]
 
 # Seconds between two lines of progress.
 LINE_EACH = 30.0
@@ -201,41 +201,39 @@ def _console(stderr: bool = False) -> "Console":
     return Console(stderr=stderr, width=wide)
 
 
-def progress(quiet: bool, total: float, *, remaining: bool = False) -> AbstractContextManager[Advance]:
-    """A bar on standard error, or a line now and then; the block gets advance(share, text).
+def shown_progress(quiet: bool, *, remaining: bool = False) -> AbstractContextManager[Progress]:
+    """A bar on standard error, or a line now and then, of the progress that the block tells.
 
     With `remaining` the bar tells how long it will yet take, for work whose steps take equally long.
     """
     if quiet:
-        return nullcontext(lambda _share=0.0, _text="": None)
-    return _Bar(total, remaining) if sys.stderr.isatty() else Lines(total)
+        return nullcontext(silent)
+    return _Bar(remaining) if sys.stderr.isatty() else Lines()
 
 
 class Lines:
     """A line each LINE_EACH seconds, for a standard error on which no bar can be drawn.
 
     Args:
-        total: what the shares of the work sum up to.
         wait: waits so many seconds and tells whether the work is over.
     """
 
-    def __init__(self, total: float, wait: Callable[[float], bool] | None = None) -> None:
-        self._total, self._done, self._text = total, 0.0, ""
+    def __init__(self, wait: Callable[[float], bool] | None = None) -> None:
+        self._share, self._text = 0.0, ""
         self._over = threading.Event()
         self._wait = wait or self._over.wait
         self._thread = threading.Thread(target=self._tell, daemon=True)
 
-    def __enter__(self) -> Advance:
+    def __enter__(self) -> Progress:
         self._thread.start()
-        return self._advance
+        return self._told
 
     def __exit__(self, *_exception: object) -> None:
         self._over.set()
         self._thread.join()
 
-    def _advance(self, share: float = 0.0, text: str | None = None) -> None:
-        self._done += share
-        self._text = self._text if text is None else text
+    def _told(self, share: float, text: str) -> None:
+        self._share, self._text = share, text or self._text
 
     def _tell(self) -> None:
         seconds = 0.0
@@ -245,7 +243,7 @@ class Lines:
                 click.echo(self._line(seconds), err=True)
 
     def _line(self, seconds: float) -> str:
-        share = int(100.0 * self._done / self._total + 1e-9)
+        share = int(100.0 * self._share + 1e-9)
         parts = [_("{seconds} s so far").format(seconds=f"{seconds:.0f}")]
         parts += [_("{share} % done").format(share=share)] if share else []
         parts += [self._text] if self._text else []
@@ -253,29 +251,24 @@ class Lines:
 
 
 class _Bar:
-    def __init__(self, total: float, remaining: bool) -> None:
-        from rich.progress import (
-            BarColumn,
-            Progress,
-            TextColumn,
-            TimeElapsedColumn,
-            TimeRemainingColumn,
-        )
+    def __init__(self, remaining: bool) -> None:
+        from rich import progress
+        from rich.progress import BarColumn, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
         left = (TextColumn(_("left:")), TimeRemainingColumn()) if remaining else ()
         columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn(), *left)
-        self._progress = Progress(*columns, console=_console(stderr=True), transient=True)
-        self._task = self._progress.add_task("", total=total)
+        self._bar = progress.Progress(*columns, console=_console(stderr=True), transient=True)
+        self._task = self._bar.add_task("", total=1.0)
 
-    def __enter__(self) -> Advance:
-        self._progress.start()
-        return self._advance
+    def __enter__(self) -> Progress:
+        self._bar.start()
+        return self._told
 
     def __exit__(self, *_exception: object) -> None:
-        self._progress.stop()
+        self._bar.stop()
 
-    def _advance(self, share: float, text: str | None = None) -> None:
-        self._progress.update(self._task, advance=share, description=text)
+    def _told(self, share: float, text: str) -> None:
+        self._bar.update(self._task, completed=share, description=text or None)
 
 
 # What limits are called; the keys are those of `Judge.rooms`.

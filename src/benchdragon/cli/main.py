@@ -18,12 +18,11 @@ import click
 from benchdragon.cli.animate import animate
 from benchdragon.cli.check import check
 from benchdragon.cli.console import (
-    Advance,
     print_explanation,
     print_files,
     print_reproduction,
     print_table,
-    progress,
+    shown_progress,
 )
 from benchdragon.cli.help import HelpfulGroup, translated
 from benchdragon.cli.options import (
@@ -55,6 +54,7 @@ from benchdragon.cli.view import view
 from benchdragon.errors import BenchDragonError, InputError, MachineError, reason
 from benchdragon.i18n import N_, _, language
 from benchdragon.plans.toml import bench_count, read_toml
+from benchdragon.progress import Stages
 from benchdragon.version import __version__
 
 if TYPE_CHECKING:
@@ -118,12 +118,11 @@ def reproduce(
     output: Path, force: bool, docs: str | None, as_json: bool, explain: bool, quiet: bool
 ) -> int:
     """Write the paper's files and print the answers."""
-    from benchdragon.paper.reproduce import STEPS
     from benchdragon.paper.reproduce import reproduce as reproduced
 
     announce_compiling(quiet)
-    with progress(quiet, STEPS) as advance:
-        found = reproduced(output, force, lambda text: advance(1.0, text), docs)
+    with shown_progress(quiet) as progress:
+        found = reproduced(output, force, progress, docs)
     answer: dict[str, Any] = {**found.answers, "files": [str(path) for path in found.files]}
     if explain:
         from benchdragon.paper.explanation import reproduce_lines
@@ -386,12 +385,12 @@ def _motion_files(what: "Selection", plan: "Plan", options: dict[str, Any], quie
     kinds = [name for name in formats if name in PICTURE_FORMATS]
     names = [f"{name}.{kind}" for name in picture_names(what) for kind in kinds]
     refuse_existing([*tables, *(folder / name for name in names)], options["force"])
-    with progress(quiet, len(tables) + len(names)) as advance:
+    with shown_progress(quiet) as progress:
+        stage = Stages(progress, len(tables) + len(names))
         for path in tables:
-            advance(0.0, path.name)
-            WRITERS[path.suffix[1:]](path, what, advance)
+            WRITERS[path.suffix[1:]](path, what, stage(path.name))
         if names:
-            _write_pictures(what, plan, folder, kinds, advance)
+            _write_pictures(what, plan, folder, kinds, stage)
     files = [*tables, *(folder / name for name in names)]
     first = what.walk.motion(what.times[:1], throw=what.throw) if options["explain"] else None
     lines = [] if first is None else _explained(first, options)
@@ -412,7 +411,7 @@ def picture_names(what: "Selection") -> list[str]:
 
 
 def _write_pictures(
-    what: "Selection", plan: "Plan", folder: Path, kinds: Sequence[str], advance: Advance
+    what: "Selection", plan: "Plan", folder: Path, kinds: Sequence[str], stage: Stages
 ) -> None:
     from benchdragon.figures.style import write_picture
     from benchdragon.figures.walk import walk_pictures
@@ -421,9 +420,8 @@ def _write_pictures(
     figures = walk_pictures(what.walk, what.times, title, plan.disc.radius, what.throw)
     for name in picture_names(what):
         for kind in kinds:
-            advance(0.0, f"{name}.{kind}")
+            stage(f"{name}.{kind}")
             write_picture(figures[name], folder / f"{name}.{kind}", title, plan.sha256)
-            advance(1.0)
 
 
 def _notes() -> Callable[..., None]:

@@ -2,14 +2,13 @@
 
 import json
 import math
-from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from benchdragon.cli.answers import print_answer, print_title
-from benchdragon.cli.console import Advance, print_explanation, print_files, progress, turn_lines
+from benchdragon.cli.console import print_explanation, print_files, shown_progress, turn_lines
 from benchdragon.cli.help import HelpfulGroup
 from benchdragon.cli.options import (
     BESIDE,
@@ -30,6 +29,7 @@ from benchdragon.cli.options import (
 from benchdragon.cli.parsing import check_ending, parse_lengths
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import Answer
+from benchdragon.progress import Progress
 from benchdragon.version import __version__
 
 if TYPE_CHECKING:
@@ -232,15 +232,15 @@ def speed(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
 def turn(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print the best turn; with --plan-file also write the plan with it."""
     from benchdragon.files import refuse_existing
-    from benchdragon.solve.turn import STAGES, Wish, best_turn
+    from benchdragon.solve.turn import Wish, best_turn
 
     path: Path | None = options["plan_file"]
     read = _read(plan, settings, quiet, "--plan-file", path)
     longest, longest_way = (options[name] or math.inf for name in ("longest", "longest_way"))
     wish = Wish(options["objective"], options["least_radius"], longest, longest_way)
     refuse_existing([] if path is None else [path], options["force"])
-    with progress(quiet, STAGES) as advance:
-        best = best_turn(read, wish, advance=advance)
+    with shown_progress(quiet) as progress:
+        best = best_turn(read, wish, progress=progress)
     if path is not None:
         _write(best.plan, path)
     _print_turn(read, best, wish.objective, options)
@@ -286,22 +286,22 @@ def _print_limit(name: str, plan: "Plan", options: dict[str, Any], quiet: bool) 
     from benchdragon.solve.trials import question
 
     tried: list[str] = []
-    with progress(quiet, 1) as advance:
-        found = _limit(name, plan, options, _told(advance, tried))
+    with shown_progress(quiet) as progress:
+        found = _limit(name, plan, options, _kept(progress, tried))
     lines = _limit_lines(name, plan, options, found, tried) if options["explain"] else []
     asked = question(name)
     _print_solved(plan, _(asked.text), found, options, lines, up=asked.sense > 0.0)
     return _code(found)
 
 
-def _told(advance: Advance, tried: list[str]) -> Callable[[str], None]:
-    """What shows each size that is tried, and keeps it."""
+def _kept(progress: Progress, tried: list[str]) -> Progress:
+    """The same progress; what is said to be tried is kept."""
 
-    def tell(text: str) -> None:
+    def told(share: float, text: str) -> None:
         tried.append(text)
-        advance(0.0, text)
+        progress(share, text)
 
-    return tell
+    return told
 
 
 def _stepped(options: dict[str, Any]) -> bool:
@@ -309,14 +309,14 @@ def _stepped(options: dict[str, Any]) -> bool:
     return options.get("method") == "traversal"
 
 
-def _limit(name: str, plan: "Plan", options: dict[str, Any], tell: Callable[[str], None]) -> Answer:
+def _limit(name: str, plan: "Plan", options: dict[str, Any], progress: Progress) -> Answer:
     """The limit of a size, exactly or as the paper finds it."""
     from benchdragon.paper.traversal import traversed_pitch
     from benchdragon.solve.size import limit
 
     if _stepped(options):
-        return traversed_pitch(plan, options["pitch_step"], options["time_step"], advance=tell)
-    return limit(plan, name, prove=options["prove"], advance=tell)
+        return traversed_pitch(plan, options["pitch_step"], options["time_step"], progress=progress)
+    return limit(plan, name, prove=options["prove"], progress=progress)
 
 
 def _limit_lines(
@@ -369,8 +369,8 @@ def _print_sizes(name: str, plan: "Plan", options: dict[str, Any], quiet: bool) 
 
     low, high = parse_lengths("--range", options["span"])
     count = options["count"]
-    with progress(quiet, count) as advance:
-        found = walkable_sizes(plan, name, low, high, count, advance=lambda text: advance(1.0, text))
+    with shown_progress(quiet) as progress:
+        found = walkable_sizes(plan, name, low, high, count, progress=progress)
     lines: list[str] = []
     if options["explain"]:
         from benchdragon.explain.answers import spans_lines
@@ -416,8 +416,8 @@ def _print_speed(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
     """The greatest head speed."""
     from benchdragon.solve.head_speed import greatest_head_speed
 
-    with progress(quiet, 1) as advance:
-        found = greatest_head_speed(plan, advance=advance)
+    with shown_progress(quiet) as progress:
+        found = greatest_head_speed(plan, progress=progress)
     lines = _speed_lines(plan, found, None) if options["explain"] else []
     _print_solved(plan, _("greatest head speed"), found, options, lines)
     return _code(found)
@@ -429,8 +429,8 @@ def _print_pace(plan: "Plan", path: Path, options: dict[str, Any], quiet: bool) 
     from benchdragon.solve.head_speed import slowed, with_pace
 
     refuse_existing([path], options["force"])
-    with progress(quiet, 1) as advance:
-        pace = slowed(plan, advance=advance)
+    with shown_progress(quiet) as progress:
+        pace = slowed(plan, progress=progress)
     _write(with_pace(plan, pace), path)
     more: dict[str, Any] = {"pace": {"seconds": pace.seconds, "saved": pace.saved, "file": str(path)}}
     lines = _speed_lines(plan, pace.steady, pace) if options["explain"] else []

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from benchdragon.cli.console import print_explanation, print_files, print_rows, progress
+from benchdragon.cli.console import print_explanation, print_files, print_rows, shown_progress
 from benchdragon.cli.options import (
     WITHOUT,
     announce_compiling,
@@ -21,6 +21,7 @@ from benchdragon.cli.options import (
 )
 from benchdragon.digits import decimals_or_dash, finite_or_none
 from benchdragon.i18n import N_, _, language
+from benchdragon.progress import Stages
 from benchdragon.version import __version__
 
 if TYPE_CHECKING:
@@ -107,15 +108,12 @@ def _walked(
     given = {name: options[name] for name in SLIPS if options[name] is not None}
     cases = {"given": Case(N_("as given"), Slips(**given))} if given else CASES
     found = {}
-    with progress(quiet, len(cases)) as advance:
+    with shown_progress(quiet) as progress:
+        stage = Stages(progress, len(cases))
         for name, case in cases.items():
-
-            def tell(share: float, text: str = _(case.text)) -> None:
-                advance(share, text)
-
             found[name] = tolerance(
                 plan, case.slips, options["draws"], seed=options["seed"], workers=options["workers"],
-                own=True, advance=tell,
+                own=True, progress=stage(_(case.text)),
             )  # fmt: skip
     return found, {name: _(case.text) for name, case in cases.items()}
 

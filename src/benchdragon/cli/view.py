@@ -1,11 +1,12 @@
 """The verb `view`: the dance as one page for any browser."""
 
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import click
 
-from benchdragon.cli.console import print_files, progress
+from benchdragon.cli.console import print_files, shown_progress
 from benchdragon.cli.options import (
     FILE,
     announce_compiling,
@@ -16,6 +17,7 @@ from benchdragon.cli.options import (
 )
 from benchdragon.cli.parsing import check_ending, parse_span
 from benchdragon.i18n import N_
+from benchdragon.progress import part
 
 
 @click.command(
@@ -35,7 +37,7 @@ from benchdragon.i18n import N_
 @shared_options
 def view(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Write the player."""
-    from benchdragon.analysis import check
+    from benchdragon.analysis.check import check
     from benchdragon.files import refuse_existing
     from benchdragon.plans.schema import read_plan
     from benchdragon.player import scene
@@ -49,8 +51,9 @@ def view(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> i
     announce_compiling(quiet)
     start, end = read.span(read.build())
     span = scene.Span(start if first is None else first, end if last is None else last)
-    with progress(quiet, check.STEPS + scene.STEPS) as advance:
-        shown = scene.judged_dance(read, lambda plan: check.check(plan, advance), span, advance)
+    with shown_progress(quiet) as progress:
+        judge = partial(check, progress=part(progress, 0.0, 0.5))
+        shown = scene.judged_dance(read, judge, span, part(progress, 0.5, 1.0))
         write_player(path, shown)
     print_files([path])
     return 0

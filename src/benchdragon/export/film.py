@@ -5,7 +5,7 @@ memory than a short one; a GIF alone is held whole, and is limited for it.
 """
 
 import warnings
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -21,9 +21,8 @@ from benchdragon.i18n import _, language
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
+from benchdragon.progress import Progress, silent
 from benchdragon.version import __version__
-
-Advance = Callable[[float, str], None]
 
 # Twenty minutes at 30 frames a second.
 MOST_FRAMES = 36_000
@@ -183,14 +182,14 @@ def film_path(path: Path) -> Path:
     return other
 
 
-def write_film(film: Film, path: Path, look: Look, advance: Advance | None = None) -> None:
+def write_film(film: Film, path: Path, look: Look, progress: Progress = silent) -> None:
     """Write a film as MP4 or GIF.
 
     Args:
         film: what is shown.
         path: its suffix says how.
         look: size, colours, and what is followed.
-        advance: is told of each frame.
+        progress: is told of each frame.
 
     Raises:
         InputError: for what a GIF cannot hold, or a bench that is not there.
@@ -204,7 +203,6 @@ def write_film(film: Film, path: Path, look: Look, advance: Advance | None = Non
     title = plan.title(language())
     place = Place.of(film.walk, film.walk.motion(times[[0, -1]]), plan.disc.radius)
     scene = MovingScene(look, place, title, pace_text(film.speed_up))
-    tell = advance or (lambda _share, _text: None)
 
     def frames() -> Iterator[memoryview]:
         done = 0
@@ -212,7 +210,7 @@ def write_film(film: Film, path: Path, look: Look, advance: Advance | None = Non
             for index in range(len(motion.times)):
                 yield scene.frame(motion, index)
                 done += 1
-                tell(1.0, _("frame {n} of {count}").format(n=done, count=len(times)))
+                progress(done / len(times), _("frame {n} of {count}").format(n=done, count=len(times)))
 
     about = f"plan sha256 {plan.sha256}; benchdragon {__version__}"
     name = "".join(sign for sign in title if sign.isprintable())
@@ -256,7 +254,7 @@ def still_paths(path: Path, times: Sequence[float]) -> list[Path]:
 
 
 def write_stills(
-    plan: Plan, times: FloatArray, paths: Sequence[Path], look: Look, advance: Advance | None = None
+    plan: Plan, times: FloatArray, paths: Sequence[Path], look: Look, progress: Progress = silent
 ) -> None:
     """Write a picture of the dance at each of `times` (s), all to one scale.
 
@@ -272,12 +270,11 @@ def write_stills(
     _check_follow(walk, look)
     motion = walk.motion(times)
     place = Place.of(walk, motion, plan.disc.radius)
-    tell = advance or (lambda _share, _text: None)
     for index, path in enumerate(paths):
         scene = Scene(look, place, title)
         scene.show(motion, index)
         write_picture(scene.figure, path, title, plan.sha256, as_sized=True)
-        tell(1.0, path.name)
+        progress((index + 1) / len(paths), path.name)
 
 
 def write_sheet(plan: Plan, times: FloatArray, path: Path, look: Look, columns: int, rows: int) -> None:

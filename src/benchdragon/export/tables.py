@@ -20,6 +20,7 @@ from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.numbering import handle_names, handle_place, numbering_text
 from benchdragon.model.walk import Motion, Walk
+from benchdragon.progress import Progress
 
 # What a spreadsheet can hold: columns after the first, and rows for x and y below the header.
 MOST_TIMES_XLSX = 16_383
@@ -28,8 +29,6 @@ MOST_HANDLES_XLSX = 524_287
 MOST_CELLS_XLSX = 6_000_000
 # Handles times times of an NPZ or NetCDF, which is held in memory whole: 1.6 GB.
 MOST_PLACES_IN_MEMORY = 40_000_000
-
-Advance = Callable[[float], None]
 
 
 @dataclass(frozen=True)
@@ -66,10 +65,10 @@ class Selection:
         return tables
 
 
-Writer = Callable[[Path, Selection, Advance], None]
+Writer = Callable[[Path, Selection, Progress], None]
 
 
-def write_xlsx(path: Path, what: Selection, advance: Advance) -> None:
+def write_xlsx(path: Path, what: Selection, progress: Progress) -> None:
     """The contest's layout: places (x and y rows of each handle) and speeds, one column a time.
 
     A third sheet tells the number of each handle beside the contest's name.
@@ -104,13 +103,13 @@ def write_xlsx(path: Path, what: Selection, advance: Advance) -> None:
             _write_row(
                 places, 2 * i + 2, _("{handle} y (m)").format(handle=names[handle]), y[:, i], six
             )
-            advance(0.67 / len(handles))
+            progress(0.67 * (i + 1) / len(handles), "")
         speeds = _sheet(book, _("Speeds"), times)
         for i, handle in enumerate(handles):
             _write_row(
                 speeds, i + 1, _("{handle} (m/s)").format(handle=names[handle]), speed[:, i], six
             )
-            advance(0.33 / len(handles))
+            progress(0.67 + 0.33 * (i + 1) / len(handles), "")
         _write_numbering(book, handles, names)
 
 
@@ -177,19 +176,21 @@ def _write_row(sheet: Any, row: int, name: str, values: FloatArray, style: Any) 
             sheet.write_number(row, column, value, style)
 
 
-def write_csv(path: Path, what: Selection, advance: Advance) -> None:
+def write_csv(path: Path, what: Selection, progress: Progress) -> None:
     """Long form, time_s,handle,x_m,y_m,v_m_s, in full precision; UTF-8 with a mark for spreadsheets."""
     with whole_file(path) as temporary, temporary.open("w", encoding="utf-8-sig", newline="") as out:
         out.write("time_s,handle,x_m,y_m,v_m_s\r\n")
+        done = 0
         for motion in what.motions():
+            done += len(motion.times)
             columns = [column.tolist() for column in _long(motion, what.handles)]
             for t, handle, x, y, v in zip(*columns, strict=True):
                 text = f"{x!r},{y!r},{v!r}" if x == x else ",,"
                 out.write(f"{t!r},{handle},{text}\r\n")
-            advance(len(motion.times) / len(what.times))
+            progress(done / len(what.times), "")
 
 
-def write_npz(path: Path, what: Selection, advance: Advance) -> None:
+def write_npz(path: Path, what: Selection, progress: Progress) -> None:
     """NumPy arrays time (T,), handle (H,), x, y, s, speed (T, H).
 
     Raises:
@@ -200,10 +201,10 @@ def write_npz(path: Path, what: Selection, advance: Advance) -> None:
     x, y, s, speed = what.gathered("x", "y", "s", "speed")
     with whole_file(path) as temporary, temporary.open("wb") as out:
         np.savez_compressed(out, time=times, handle=np.array(handles), x=x, y=y, s=s, speed=speed)
-    advance(1.0)
+    progress(1.0, "")
 
 
-def write_parquet(path: Path, what: Selection, advance: Advance) -> None:
+def write_parquet(path: Path, what: Selection, progress: Progress) -> None:
     """The CSV's long form as Parquet (needs the extra `data`)."""
     try:
         import pyarrow as pa  # an optional extra
@@ -214,14 +215,16 @@ def write_parquet(path: Path, what: Selection, advance: Advance) -> None:
     kinds = [pa.float64(), pa.int32(), pa.float64(), pa.float64(), pa.float64()]
     schema = pa.schema(list(zip(names, kinds, strict=True)))
     with whole_file(path) as temporary, parquet.ParquetWriter(temporary, schema) as out:
+        done = 0
         for motion in what.motions():
+            done += len(motion.times)
             out.write_table(
                 pa.table(dict(zip(names, _long(motion, what.handles), strict=True)), schema)
             )
-            advance(len(motion.times) / len(what.times))
+            progress(done / len(what.times), "")
 
 
-def write_netcdf(path: Path, what: Selection, advance: Advance) -> None:
+def write_netcdf(path: Path, what: Selection, progress: Progress) -> None:
     """NetCDF 4 with x, y, s, speed over (time, handle), units included (needs the extra `data`).
 
     Raises:
@@ -247,7 +250,7 @@ def write_netcdf(path: Path, what: Selection, advance: Advance) -> None:
             for name in units:
                 out.variables[name][done:end, :] = getattr(motion, name)[:, handles]
             done = end
-            advance(len(motion.times) / len(times))
+            progress(done / len(times), "")
 
 
 WRITERS: dict[str, Writer] = {

@@ -2,7 +2,6 @@
 
 import json
 import os
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -28,10 +27,10 @@ from benchdragon.paper.evidence_figures import (
 )
 from benchdragon.paper.publish import write_html, write_pdf
 from benchdragon.paper.report import FLOW, report
-from benchdragon.paper.results import STEPS as RESULT_STEPS
 from benchdragon.paper.results import Results, as_json, results
 from benchdragon.paper.turn_figures import ShownTurn, front_picture, turns_picture
 from benchdragon.plans.schema import TurnRoute
+from benchdragon.progress import Progress, Stages, part, silent
 from benchdragon.solve.tolerance import CASES
 
 TURN_TIMES = (-50.0, 0.0, 14.0, 50.0)
@@ -44,9 +43,8 @@ PICTURES = (
 TABLES = ("result1.xlsx", "result2.xlsx", "result4.xlsx", "spiral.csv", "spiral.npz")
 
 # How often `reproduce` reports an advance.
-STEPS = RESULT_STEPS + 3 + len(PICTURE_KINDS)
-
-Advance = Callable[[str], None]
+# Share of the work that the answers take; the rest goes into files.
+COMPUTED = 0.8
 
 
 @dataclass(frozen=True)
@@ -65,14 +63,14 @@ def planned_files(folder: Path) -> list[Path]:
 
 
 def reproduce(
-    folder: Path, force: bool = False, advance: Advance = lambda _text: None, docs: str | None = None
+    folder: Path, force: bool = False, progress: Progress = silent, docs: str | None = None
 ) -> Reproduction:
     """Walk the paper's two parts and write report, tables, pictures and `answers.json` into `folder`.
 
     Args:
         folder: made if it is not there.
         force: whether files that are there are overwritten.
-        advance: is told what is being done.
+        progress: is told what is being done.
         docs: folder or address of the documentation's pages, for links in the report; None: no links.
 
     Raises:
@@ -81,14 +79,15 @@ def reproduce(
     """
     files, pages = planned_files(folder), None if docs is None else pages_from(folder, docs)
     refuse_existing(files, force)
-    found = results(advance)
-    advance(_("tables"))
+    found = results(part(progress, 0.0, COMPUTED))
+    stage = Stages(part(progress, COMPUTED, 1.0), 3 + len(PICTURE_KINDS))
+    stage(_("tables"))
     _write_tables(folder, found)
-    advance(_("pictures"))
+    stage(_("pictures"))
     figures = all_figures(found)
-    _write_pictures(folder, found, figures, advance)
+    _write_pictures(folder, found, figures, stage)
     answers = as_json(found)
-    advance(_("report"))
+    stage(_("report"))
     written = report(found, pages)
     write_html(folder / "report.html", written, folder)
     write_pdf(folder / "report.pdf", written, folder)
@@ -120,11 +119,11 @@ def _write_tables(folder: Path, found: Results) -> None:
         ("spiral.csv", write_csv),
         ("spiral.npz", write_npz),
     ):
-        write(folder / name, what, lambda _share: None)
+        write(folder / name, what, silent)
     write_moment_xlsx(folder / "result2.xlsx", moment(found.report)[0])
     walk = found.turn_motion.walk
     whole = Selection(walk, np.arange(-100.0, 101.0), range(len(walk.dragon) + 1))
-    write_xlsx(folder / "result4.xlsx", whole, lambda _share: None)
+    write_xlsx(folder / "result4.xlsx", whole, silent)
 
 
 def all_figures(found: Results) -> dict[str, Figure]:
@@ -182,12 +181,12 @@ def _evidence_figures(found: Results) -> dict[str, Figure]:
     }
 
 
-def _write_pictures(folder: Path, found: Results, figures: dict[str, Figure], advance: Advance) -> None:
+def _write_pictures(folder: Path, found: Results, figures: dict[str, Figure], stage: Stages) -> None:
     others = {"turn": found.turn, "pitch": found.disc, "margins": found.disc}
     for figure in figures.values():
         lay_out(figure)
     for kind in PICTURE_KINDS:
-        advance(_("pictures") + f" ({kind})")
+        stage(_("pictures") + f" ({kind})")
         for name, figure in figures.items():
             plan = others.get(name.partition("-")[0], found.spiral)
             path = folder / f"{name}.{kind}"

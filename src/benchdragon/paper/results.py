@@ -35,6 +35,7 @@ from benchdragon.paper.runge_kutta import head_positions
 from benchdragon.paper.sensitivity import contact_rates, limit_rates, sizes_of, speed_rates
 from benchdragon.paper.traversal import PitchCurve, first_overlap, pitch_curve, traversed_pitch
 from benchdragon.plans.schema import Plan, TurnRoute, read_plan
+from benchdragon.progress import Progress, Stages, silent
 from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.size import limit, smallest_pitch
 from benchdragon.solve.tolerance import CASES, Tolerance, tolerance
@@ -71,8 +72,6 @@ DIFFERENCE_STEP = 1e-4
 
 # How often `results` reports an advance.
 STEPS = 12
-
-Advance = Callable[[str], None]
 
 
 @dataclass(frozen=True)
@@ -152,48 +151,49 @@ class Results:
         return None if witness is None else walk.route.length - witness.s
 
 
-def results(advance: Advance = lambda _text: None) -> Results:
+def results(progress: Progress = silent) -> Results:
     """Walk the paper's two parts, search, try, draw: about a minute on two cores.
 
     The search for better turns runs beside the rest in a process of its own; so a script that calls
     this does so under `if __name__ == "__main__":`.
     """
+    stage = Stages(progress, STEPS)
     spiral, turn = read_plan("spiral-in"), read_plan("turn")
     disc = read_plan("spiral-in", [f"disc.radius={turn.disc.radius}"])
     workers = min(2, os.cpu_count() or 1)
     prove = find_spec("flint") is not None
     with _beside(turn, FRONT_SPEEDS, language()) as better:
-        advance(_("walking"))
+        stage(_("walking"))
         walk = spiral.build()
         motion = walk.motion(np.arange(301.0))
         turn_motion = turn.build().motion(np.linspace(-100.0, 100.0, 2001))
-        advance(_("Runge-Kutta and differences"))
+        stage(_("Runge-Kutta and differences"))
         head_order = runge_kutta_convergence(walk)
         speed_orders = difference_convergence(walk, DIFFERENCE_TIMES)
         still = walk.motion([300.0])
-        advance(_("first contact"))
+        stage(_("first contact"))
         report = check(spiral, prove=prove)
         clearance = clearance_over(report)
-        advance(_("smallest pitch"))
+        stage(_("smallest pitch"))
         smallest = limit(disc, "pitch", prove=prove)
-        advance(_("turn"))
+        stage(_("turn"))
         turn_report = check(turn)
         head_speed = greatest_head_speed(turn, tolerance=1e-12)
-        advance(_("traversal of pitches"))
+        stage(_("traversal of pitches"))
         traversal = [(p, t, traversed_pitch(disc, p, t, first=first)) for p, t, first in TRAVERSALS]
         stepped = stepped_contacts(walk, motion.times[0], report)
-        advance(_("angles over the pitch"))
+        stage(_("angles over the pitch"))
         curve = figure_curve(disc, smallest.value)
-        advance(_("derivatives"))
+        stage(_("derivatives"))
         rates = all_rates(spiral, disc, turn, report, smallest, head_speed)
         drawn: dict[str, Tolerance] = {}
         for name, case in CASES.items():
             if len(drawn) % 3 == 0:
-                advance(_("imprecise dances"))
+                stage(_("imprecise dances"))
             drawn[name] = tolerance(disc, case.slips, DRAWS, seed=SEED, workers=workers)
-        advance(_("better turns"))
+        stage(_("better turns"))
         front = better()
-    advance(_("equations"))
+    stage(_("equations"))
     return Results(
         spiral, disc, turn, motion, turn_motion, report, clearance, turn_report, head_speed,
         smallest, front, curve, traversal, stepped, head_order, speed_orders,

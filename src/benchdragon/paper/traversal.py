@@ -18,7 +18,8 @@ from benchdragon.model.curves import Spiral
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan, SpiralInRoute
 from benchdragon.plans.toml import PlanError
-from benchdragon.solve.size import MOST_COUNT, Advance
+from benchdragon.progress import Progress, silent
+from benchdragon.solve.size import MOST_COUNT
 from benchdragon.solve.trials import QUESTIONS, Family
 
 # Angles that differ by more than this from one pitch to the next, rad, are a jump and not a slope.
@@ -31,7 +32,7 @@ def traversed_pitch(
     time_step: float,
     *,
     first: float | None = None,
-    advance: Advance | None = None,
+    progress: Progress = silent,
 ) -> Answer:
     """The smallest pitch as the paper finds it: pitches in steps, a flag at times in steps.
 
@@ -44,7 +45,7 @@ def traversed_pitch(
         pitch_step: pitches tried are its multiples, m.
         time_step: s.
         first: where the traversal begins, m; None: at four fifths of the plan's pitch.
-        advance: is told what is being tried.
+        progress: is told what is being tried.
 
     Raises:
         InputError: for steps that are not positive, or a plan without a pitch.
@@ -52,13 +53,12 @@ def traversed_pitch(
     began = clock.perf_counter()
     positive("pitch_step", pitch_step, "m")
     positive("time_step", time_step, "s")
-    tell = advance or (lambda _text: None)
     family = Family(plan, QUESTIONS["pitch"], 0.0)
     n = math.ceil((0.8 * plan.value("route.pitch") if first is None else first) / pitch_step - 1e-9)
     looks = 0
     for tried in range(n, n + MOST_COUNT):
         pitch = tried * pitch_step
-        tell(f"{pitch:.9g} m")
+        progress(0.0, f"{pitch:.9g} m")
         walk, start, end = family.walk(pitch)
         times = np.append(np.arange(start, end, time_step), end)
         looks += len(times)
@@ -107,7 +107,7 @@ def pitch_curve(
     pitches: npt.ArrayLike,
     *,
     resolution: float = math.inf,
-    advance: Advance | None = None,
+    progress: Progress = silent,
 ) -> PitchCurve:
     """The two angles of the paper's Fig 2 at given pitches, m, for a spiral-in plan with a disc.
 
@@ -120,14 +120,13 @@ def pitch_curve(
     radius = plan.value("disc.radius")
     if not isinstance(plan.route, SpiralInRoute):
         raise PlanError(_("this picture is for plans whose route.kind is spiral-in"))
-    tell = advance or (lambda _text: None)
     inward = plan.model_copy(update={"disc": plan.disc.model_copy(update={"radius": None})})
     family = Family(inward, QUESTIONS["pitch"], plan.limits.margin)
     least: dict[float, float] = {}
     wanted = np.unique(np.asarray(pitches, dtype=np.float64)).tolist()
     while wanted:
         for pitch in wanted:
-            tell(f"{pitch:.9g} m")
+            progress(0.0, f"{pitch:.9g} m")
             least[pitch] = _least_angle(family, pitch)
         known = sorted(least)
         wanted = [

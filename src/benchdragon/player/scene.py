@@ -24,9 +24,8 @@ from benchdragon.player.frames import (
     packed_bytes,
     packed_frames,
 )
+from benchdragon.progress import Progress, Stages, silent
 from benchdragon.version import __version__
-
-Advance = Callable[[float, str], None]
 
 # What a page may show off its place, m.
 MOST_ERROR = 1e-3
@@ -37,8 +36,6 @@ MOST_TIMES, MOST_LOOKS = 1500, 3_000_000
 AROUND = 5.0
 MOST_BENCHES = 5_000
 MOST_JOINTS = 200
-# How often a dance advances by 1.
-STEPS = 3
 
 
 @dataclass(frozen=True)
@@ -69,7 +66,7 @@ class Span:
 
 
 def checked_dance(
-    report: Report, span: Span | None = None, advance: Advance | None = None
+    report: Report, span: Span | None = None, progress: Progress = silent
 ) -> messages.Dance:
     """The dance of a plan that was checked, with what the check found.
 
@@ -79,7 +76,7 @@ def checked_dance(
     """
     plan = report.plan
     shown = span or Span(report.start, report.end)
-    dance = plain_dance(report.walk, shown, advance)
+    dance = plain_dance(report.walk, shown, progress)
     last = dance.frames.start + dance.frames.step * (dance.frames.count - 1)
     found = [occasion for occasion in _answers(report) if shown.start <= occasion.time <= last]
     nearest = _with_tightest(dance.nearest, report.clearance, (shown.start, last))
@@ -90,7 +87,7 @@ def judged_dance(
     plan: Plan,
     judge: Callable[[Plan], Report],
     span: Span | None = None,
-    advance: Advance | None = None,
+    progress: Progress = silent,
 ) -> messages.Dance:
     """The dance of a plan, judged; one that cannot be walked to its end as far as it can.
 
@@ -103,9 +100,9 @@ def judged_dance(
     except WalkError as error:
         walk = plan.build()
         whole = plan.span(walk)
-        dance = plain_dance(walk, span or Span(*whole), advance)
+        dance = plain_dance(walk, span or Span(*whole), progress)
         return _of_plan(plan, dance, verdict_of_fall(plan, whole, error), [])
-    return checked_dance(report, span, advance)
+    return checked_dance(report, span, progress)
 
 
 def _of_plan(
@@ -125,7 +122,7 @@ def _of_plan(
     )
 
 
-def plain_dance(walk: Walk, span: Span, advance: Advance | None = None) -> messages.Dance:
+def plain_dance(walk: Walk, span: Span, progress: Progress = silent) -> messages.Dance:
     """The dance of a walk: its only occasions are joints, and an end where the benches cannot follow.
 
     Raises:
@@ -137,15 +134,15 @@ def plain_dance(walk: Walk, span: Span, advance: Advance | None = None) -> messa
                 most=MOST_BENCHES, count=len(walk.dragon)
             )
         )
-    tell = advance or (lambda _share, _text: None)
-    tell(0.0, _("placing the benches"))
+    stage = Stages(progress, 4)
+    stage(_("placing the benches"))
     shot = frames(walk, span.start, span.end, 0.9 * span.most_error, span.looks)
-    tell(1.0, _("looking who is near whom"))
+    stage(_("looking who is near whom"))
     nearest, tightness = _nearness(walk, shot, span.times)
-    tell(1.0, _("drawing the route"))
+    stage(_("drawing the route"))
     low, high = (float(quanta) * QUANTUM for quanta in (shot.places.min(), shot.places.max()))
     way = course(walk, max(low - AROUND, -walk.route.extension), min(high + AROUND, walk.route.length))
-    tell(1.0, _("packing"))
+    stage(_("packing"))
     sizes = {
         name: np.round(getattr(walk.dragon, name), 6).tolist() for name in messages.Sizes.model_fields
     }

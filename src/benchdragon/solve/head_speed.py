@@ -2,7 +2,6 @@
 
 import math
 import time as clock
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,7 +16,6 @@ from benchdragon.analysis.speed import (
     given_limits,
     greatest_of,
     hulls,
-    part_of,
     witness_of,
 )
 from benchdragon.errors import InputError, UnsureError, of_kind
@@ -28,8 +26,7 @@ from benchdragon.model.answer import Answer
 from benchdragon.model.profile import MOST_SPEED, SpeedProfile
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
-
-Advance = Callable[[float, str], None]
+from benchdragon.progress import Progress, part, silent
 
 # A pace stays below what is allowed by this share, far above rounding.
 PRUDENCE = 1e-9
@@ -69,7 +66,7 @@ def _limits_of(plan: Plan) -> dict[str, float]:
 
 
 def greatest_head_speed(
-    plan: Plan, *, tolerance: float = TOLERANCE, advance: Advance | None = None
+    plan: Plan, *, tolerance: float = TOLERANCE, progress: Progress = silent
 ) -> Answer:
     """The greatest constant head speed, m/s, with which the plan's whole walk keeps its limits.
 
@@ -90,12 +87,12 @@ def greatest_head_speed(
     first, last = walk.head_position(plan.span(walk)).tolist()
     lower, upper, looks = MOST_SPEED, math.inf, 0
     decisive: tuple[str, Peak] | None = None
-    for name, allowed in limits.items():
+    for n, (name, allowed) in enumerate(limits.items()):
         quantity = QUANTITIES[name]
         width = tolerance if name == "speed" else max(tolerance, RATE_TOLERANCE)
-        tell = part_of(advance, _(quantity.text), len(limits))
+        told = part(progress, n / len(limits), (n + 1) / len(limits), _(quantity.text))
         limit = allowed / lower**quantity.power  # who keeps to this allows more than those before
-        peak = greatest_of(walk, quantity, first, last, tolerance=width, limit=limit, advance=tell)
+        peak = greatest_of(walk, quantity, first, last, tolerance=width, limit=limit, progress=told)
         looks += peak.looks
         if peak.upper <= limit:
             continue
@@ -130,7 +127,7 @@ def _assumed(quantity: Quantity, allowed: float) -> str:
     )
 
 
-def slowed(plan: Plan, *, advance: Advance | None = None) -> Pace:
+def slowed(plan: Plan, *, progress: Progress = silent) -> Pace:
     """A pace at the plan's own head speed that slows down only where a limit would be exceeded.
 
     Between looks no handle or bench exceeds a limit either: over each step of the head the pace keeps
@@ -144,7 +141,7 @@ def slowed(plan: Plan, *, advance: Advance | None = None) -> Pace:
     """
     if plan.walk.profile:
         raise InputError(_("the plan has a profile of its own: take walk.profile out"))
-    steady = greatest_head_speed(plan, advance=advance)
+    steady = greatest_head_speed(plan, progress=progress)
     if steady.status == "undecided":
         raise UnsureError(_("it could not be shown that the dragon stands all along"))
     walk = plan.build()

@@ -8,7 +8,7 @@ whose root is where the search goes next; the answer is the root at which the wh
 import itertools
 import math
 import time as clock
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -20,9 +20,8 @@ from benchdragon.i18n import _
 from benchdragon.model.answer import Answer, Status, Witness
 from benchdragon.plans.schema import Plan
 from benchdragon.plans.toml import PlanError
+from benchdragon.progress import Progress, silent
 from benchdragon.solve.trials import TOLERANCE, Family, Meeting, Trial, meeting_of, question, root_near
-
-Advance = Callable[[str], None]
 
 # Sizes tried at most; the contest's pitch takes 4.
 MOST_TRIALS = 80
@@ -105,7 +104,7 @@ def limit(
     margin: float | None = None,
     tolerance: float = TOLERANCE,
     prove: bool = False,
-    advance: Advance | None = None,
+    progress: Progress = silent,
 ) -> Answer:
     """The size of `plan` next to which a walk stops staying clear: see QUESTIONS for the names.
 
@@ -115,7 +114,7 @@ def limit(
         margin: distance, m, that benches must keep; None: the plan's own.
         tolerance: how wide the bracket may be, m; no narrower than 1e-12 can be had.
         prove: whether both ends of the bracket are established again by `prove`, which widens it.
-        advance: is told what is being tried.
+        progress: is told what is being tried.
 
     Returns:
         The limit, m. Its bracket: at one end the whole walk stays clear, at the other a pair comes
@@ -133,16 +132,15 @@ def limit(
     """
     began = clock.perf_counter()
     of_kind("plan", plan, Plan)
-    tell = advance or (lambda _text: None)
     family = Family(plan, question(name), plan.limits.margin if margin is None else margin, tolerance)
     _refuse_centre(plan, name)
     if prove:
         require_flint()
-    answer = _limit(family, tell, began)
-    return _proved(family, answer, tell, began) if prove and answer.status == "found" else answer
+    answer = _limit(family, progress, began)
+    return _proved(family, answer, progress, began) if prove and answer.status == "found" else answer
 
 
-def _proved(family: Family, answer: Answer, tell: Advance, began: float) -> Answer:
+def _proved(family: Family, answer: Answer, progress: Progress, began: float) -> Answer:
     """The answer with a bracket both ends of which are proved."""
     near = answer.witness
     if near is None or len(near.benches) != 2:
@@ -151,7 +149,7 @@ def _proved(family: Family, answer: Answer, tell: Advance, began: float) -> Answ
     half = 0.5 * (answer.upper - answer.lower)
     for _trial in range(MOST_WIDENINGS):
         good, bad = (answer.value + side * family.question.sense * half for side in (1.0, -1.0))
-        tell(_("proving at {size} m").format(size=f"{good:.16g}"))
+        progress(0.5, _("proving at {size} m").format(size=f"{good:.16g}"))
         walk, start, end = family.walk(good)
         _below, meeting = family.low_point(bad, meeting_of(walk, end, near))
         if prove_nearer(family.walk(bad)[0], meeting.s, i, j, family.margin) and (
@@ -166,11 +164,11 @@ def _proved(family: Family, answer: Answer, tell: Advance, began: float) -> Answ
     raise UnsureError(_("the bracket could not be proved"))
 
 
-def _limit(family: Family, tell: Advance, began: float) -> Answer:
+def _limit(family: Family, progress: Progress, began: float) -> Answer:
     plan = family.plan
     sense = family.question.sense
     family.walk(plan.value(family.question.keys[0]))  # raises where the plan itself is wrong
-    good, failed, unsure = _first_clear(family, plan.value(family.question.keys[0]), tell)
+    good, failed, unsure = _first_clear(family, plan.value(family.question.keys[0]), progress)
     if good is None:
         status: Status = "undecided" if unsure else "infeasible"
         texts = _assumed(family, unsure)
@@ -184,7 +182,7 @@ def _limit(family: Family, tell: Advance, began: float) -> Answer:
     for _trial in range(MOST_TRIALS):
         root = None if meeting is None else root_near(family, meeting, at)
         size, shift = bracket.target(root)
-        tell(f"{size:.9g} m")
+        progress(0.0, f"{size:.9g} m")
         trial = family.trial(size)
         bracket.looks += trial.looks
         if trial.clear is None:
@@ -216,7 +214,7 @@ def _refuse_centre(plan: Plan, name: str) -> None:
 
 
 def _first_clear(
-    family: Family, size: float, tell: Advance
+    family: Family, size: float, progress: Progress
 ) -> tuple[float | None, Trial | None, list[float]]:
     """A size that passes, from `size` towards the safe side, if there is one.
 
@@ -225,7 +223,7 @@ def _first_clear(
     failed: Trial | None = None
     unsure: list[float] = []
     for _growth in range(MOST_GROWTHS):
-        tell(f"{size:.9g} m")
+        progress(0.0, f"{size:.9g} m")
         trial = family.trial(size)
         if trial.clear:
             return size, failed, unsure
@@ -256,7 +254,7 @@ def _witness(family: Family, size: float, meeting: Meeting | None) -> Witness | 
     except (InputError, PlanError):
         return None
     first, last = walk.head_position([start, end]).tolist()
-    hunt = Hunt(walk, first, last, family.margin, lambda _share: None, since=start)
+    hunt = Hunt(walk, first, last, family.margin, silent, since=start)
     return hunt.witness(min(meeting.s, last), meeting.i, meeting.j)
 
 
@@ -310,7 +308,7 @@ def walkable_sizes(
     count: int = 50,
     *,
     margin: float | None = None,
-    advance: Advance | None = None,
+    progress: Progress = silent,
 ) -> WalkableSizes:
     """The sizes between low and high (m) with which the walk stays clear, tried at `count` places.
 
@@ -334,10 +332,9 @@ def walkable_sizes(
         )
     _refuse_centre(plan, name)
     family = Family(plan, question(name), plan.limits.margin if margin is None else margin)
-    tell = advance or (lambda _text: None)
     trials = []
-    for size in np.linspace(low, high, count).tolist():
-        tell(f"{size:.9g} m")
+    for n, size in enumerate(np.linspace(low, high, count).tolist()):
+        progress(n / count, f"{size:.9g} m")
         trials.append(family.trial(size))
     spans = []
     for clear, run in itertools.groupby(range(count), key=lambda n: trials[n].clear):

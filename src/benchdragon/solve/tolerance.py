@@ -5,8 +5,8 @@ a time or all together: many dances are drawn at random, and each is walked. All
 joined; the dances of one seed are the same for all sizes of a plan, so that a size can be sought.
 """
 
+import itertools
 import math
-from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, fields
 
@@ -28,6 +28,7 @@ from benchdragon.i18n import N_, _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.dragon import Dragon
 from benchdragon.plans.schema import Plan
+from benchdragon.progress import Progress, silent
 from benchdragon.solve.rehearsal import GRAZE, CannotFollowError, Hint, Rehearsal, strayed
 from benchdragon.solve.size import limit
 
@@ -44,8 +45,6 @@ MOST_DRAWS = 100_000
 CONFIDENCE = 0.95
 # Chances of touching for which a pitch is told.
 RISKS = (0.5, 0.1, 0.05, 0.02)
-
-Advance = Callable[[float], None]
 
 
 @dataclass(frozen=True)
@@ -246,7 +245,7 @@ def tolerance(
     seed: int = 1,
     workers: int = 1,
     own: bool = False,
-    advance: Advance | None = None,
+    progress: Progress = silent,
 ) -> Tolerance:
     """The pitch that each of so many random dances needs: see `Tolerance`.
 
@@ -261,7 +260,7 @@ def tolerance(
         seed: of the random numbers.
         workers: threads.
         own: whether each dance is walked at the plan's own pitch, too.
-        advance: is told the share done since it was last told.
+        progress: is told after each dance.
 
     Raises:
         InputError: for a number of draws out of range, a plan without a pitch, or one of whose
@@ -272,12 +271,12 @@ def tolerance(
     of_kind("slips", slips, Slips)
     whole("draws", draws, 1, MOST_DRAWS)
     exact = _exact_pitch(plan)
-    tell = advance or (lambda _share: None)
+    done = itertools.count(1)
 
     def one(number: int) -> tuple[float, bool]:
         draw = Draw(slips, seed, number)
         found = needed_pitch(plan, draw, exact), own and touches(plan, draw)
-        tell(1.0 / draws)
+        progress(next(done) / draws, "")
         return found
 
     with ThreadPoolExecutor(workers) as pool:

@@ -5,9 +5,10 @@ through it as those do. What comes out is judged by `pace` and `contact`, over c
 with the whole dragon, and searched anew with narrower limits where sampling had flattered it.
 """
 
+import itertools
 import math
 import time as clock
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -25,9 +26,8 @@ from benchdragon.model.curves import Route
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.turns import Turn
 from benchdragon.plans.schema import Plan, TurnRoute
+from benchdragon.progress import Progress, part, silent
 from benchdragon.solve.head_speed import greatest_head_speed
-
-Advance = Callable[[float, str], None]
 
 # Benches that are walked through a turn while searching, and how far the head goes at a time, m: in
 # the global search and in the local one.
@@ -37,8 +37,8 @@ CLEAR_BENCHES, CLEAR_STEP = 40, 0.6
 # Differential evolution: members for each unknown, generations, and the seeds of its random numbers: a
 # few short searches end in more valleys than a long one. The local search starts from each.
 MEMBERS, GENERATIONS, SEEDS = 10, 22, (1, 2)
-# How often a search advances by 1.
-STAGES = 1
+# Share of the work that the search all over the family takes.
+SEARCHED = 0.8
 # Least spread of the population, relative, at which it stops.
 SPREAD = 1e-4
 # Edge of the first simplex, as a share of each range.
@@ -290,7 +290,7 @@ class Judge:
         return WORSE * (1.0 + exceeded) if exceeded > 0.0 else found[self.sought]
 
 
-def best_turn(plan: Plan, wish: Wish | None = None, *, advance: Advance | None = None) -> BestTurn:
+def best_turn(plan: Plan, wish: Wish | None = None, *, progress: Progress = silent) -> BestTurn:
     """The best turn of the plan's family for a wish, under the plan's limits.
 
     Limits are limits.speed with the head at walk.speed (or as fast as it may, if that is the wish),
@@ -306,32 +306,32 @@ def best_turn(plan: Plan, wish: Wish | None = None, *, advance: Advance | None =
     of_kind("wish", wished, Wish)
     if wished.objective == "speed" and plan.limits.speed is None:
         raise InputError(_("the plan has no limit of speed: set limits.speed=2, for example"))
-    return _best(Judge(plan, wished), advance or (lambda _share, _text: None))
+    return _best(Judge(plan, wished), progress)
 
 
-def _best(judge: Judge, tell: Advance, near: Sequence[float] | None = None) -> BestTurn:
+def _best(judge: Judge, progress: Progress, near: Sequence[float] | None = None) -> BestTurn:
     """The best turn; one `near` it may be known."""
     began = clock.perf_counter()
-    starts = _global_search(judge, tell, near)
+    starts = _global_search(judge, part(progress, 0.0, SEARCHED, _("global search")), near)
     judge.step = STEPS[1]
-    tell(0.0, _("local search"))
+    progress(SEARCHED, _("local search"))
     x = min((_local_search(judge, start) for start in starts), key=judge.score)
-    return _settled(judge, x, tell, began)
+    return _settled(judge, x, progress, began)
 
 
-def _settled(judge: Judge, x: Sequence[float], tell: Advance, began: float) -> BestTurn:
+def _settled(judge: Judge, x: Sequence[float], progress: Progress, began: float) -> BestTurn:
     """The local optimum near x, by exact figures."""
     for narrowing in range(NARROWINGS):
-        tell(0.0, _("local search"))
+        progress(SEARCHED, _("local search"))
         x = _local_search(judge, x)
-        tell(0.0, _("exact figures"))
+        progress(SEARCHED, _("exact figures"))
         best, exceeded = _exact(judge, x, began, PRUDENCE * 2.0**narrowing)
         if not exceeded:
             return best
     raise NoSolutionError(_("no turn of this family was found that keeps the limits"))
 
 
-def _global_search(judge: Judge, tell: Advance, near: Sequence[float] | None) -> list[list[float]]:
+def _global_search(judge: Judge, progress: Progress, near: Sequence[float] | None) -> list[list[float]]:
     """The best turns that are found all over the family, by one search after another."""
     from scipy.optimize import Bounds, OptimizeResult, differential_evolution  # slow to import
 
@@ -340,8 +340,9 @@ def _global_search(judge: Judge, tell: Advance, near: Sequence[float] | None) ->
 
     def callback(intermediate_result: OptimizeResult) -> None:
         del intermediate_result
-        tell(1.0 / (GENERATIONS * len(SEEDS)), _("global search"))
+        progress(next(generation) / (GENERATIONS * len(SEEDS)), "")
 
+    generation = itertools.count(1)
     starts: list[list[float]] = []
     for seed in SEEDS:
         found = differential_evolution(
@@ -484,7 +485,7 @@ def _enough(judge: Judge, sampled: dict[str, float]) -> float:
 
 
 def pareto_front(
-    plan: Plan, speeds: Sequence[float], wish: Wish | None = None, *, advance: Advance | None = None
+    plan: Plan, speeds: Sequence[float], wish: Wish | None = None, *, progress: Progress = silent
 ) -> list[BestTurn]:
     """Shortest turns for head speeds (m/s, increasing) that they must allow under limits.speed.
 
@@ -497,14 +498,14 @@ def pareto_front(
     if plan.limits.speed is None:
         raise InputError(_("the plan has no limit of speed: set limits.speed=2, for example"))
     wished = wish or Wish()
-    tell = advance or (lambda _share, _text: None)
     found: list[BestTurn] = []
     x: list[float] | None = None
-    for speed in speeds:
+    for n, speed in enumerate(speeds):
         changed = plan.with_value("walk.speed", positive("speed", speed, "m/s"))
-        tell(1.0, _("turns for {speed} m/s").format(speed=f"{speed:.3f}"))
+        text = _("turns for {speed} m/s").format(speed=f"{speed:.3f}")
+        told = part(progress, n / len(speeds), (n + 1) / len(speeds), text)
         try:
-            best = _best(Judge(changed, wished), lambda _share, text: tell(0.0, text), x)
+            best = _best(Judge(changed, wished), told, x)
         except InputError:
             break
         found.append(best)

@@ -14,9 +14,8 @@ from typing import Any, get_args
 
 import numpy as np
 
-from benchdragon.analysis.check import STEPS, check
+from benchdragon.analysis.check import check
 from benchdragon.analysis.records import Record, answer_of, verdict_of
-from benchdragon.analysis.speed import part_of
 from benchdragon.errors import InputError
 from benchdragon.export.tables import WRITERS, Selection
 from benchdragon.i18n import _, language
@@ -27,14 +26,13 @@ from benchdragon.plans.source import Source
 from benchdragon.plans.toml import parsed
 from benchdragon.player.page import write_player
 from benchdragon.player.scene import Span, judged_dance
+from benchdragon.progress import Progress, part
 from benchdragon.solve.head_speed import greatest_head_speed, slowed, with_pace
 from benchdragon.solve.size import limit
 from benchdragon.solve.tolerance import CASES, RISKS, Slips, tolerance
-from benchdragon.solve.turn import STAGES, Wish, best_turn
+from benchdragon.solve.turn import Wish, best_turn
 from benchdragon.studio import messages
 from benchdragon.studio.limits import Settings, too_much
-
-Advance = Callable[[float, str], None]
 
 # Steps of an exported motion, s: the first that gives few enough places, times ten and so on.
 EXPORT_STEPS = (1.0, 2.0, 5.0)
@@ -97,7 +95,7 @@ def sent(found: Record) -> Made:
     return Made(found.model_dump_json(by_alias=True).encode())
 
 
-def opened(ask: Ask, _advance: Advance) -> Made:
+def opened(ask: Ask, _progress: Progress) -> Made:
     """The plan in the text of a plan file."""
     data = parsed(ask.text, "plan")
     check_depth(data, ask.settings.depth)
@@ -106,24 +104,24 @@ def opened(ask: Ask, _advance: Advance) -> Made:
     return sent(messages.OpenedPlan(plan=plan))
 
 
-def written(ask: Ask, _advance: Advance) -> Made:
+def written(ask: Ask, _progress: Progress) -> Made:
     """The plan as a plan file."""
     return Made(ask.whole.toml().encode(), MEDIA["toml"], "dance.dragon.toml")
 
 
-def judged(ask: Ask, _advance: Advance) -> Made:
+def judged(ask: Ask, _progress: Progress) -> Made:
     """Whether the walk is safe."""
     return sent(verdict_of(check(ask.whole, quick=True)))
 
 
-def danced(ask: Ask, advance: Advance) -> Made:
+def danced(ask: Ask, progress: Progress) -> Made:
     """The dance as the player shows it."""
     plan = ask.whole
     sketch = Span(*plan.span(plan.build()), looks=FEW_LOOKS, times=FEW_TIMES)
-    return sent(judged_dance(plan, partial(check, quick=True), sketch, advance))
+    return sent(judged_dance(plan, partial(check, quick=True), sketch, progress))
 
 
-def limited(name: str, ask: Ask, _advance: Advance) -> Made:
+def limited(name: str, ask: Ask, _progress: Progress) -> Made:
     """How small or large one size may be."""
     return sent(answer_of(limit(ask.whole, name, tolerance=SIZE), ask.whole))
 
@@ -201,7 +199,7 @@ def export_times(plan: Plan, walk: Walk, places: int) -> FloatArray:
     return times[: int(np.argmax(failed))] if failed.any() else times
 
 
-def exported(name: str, ask: Ask, advance: Advance) -> Made:
+def exported(name: str, ask: Ask, progress: Progress) -> Made:
     """A table or the pictures of a dance, as a file."""
     plan = ask.whole
     with tempfile.TemporaryDirectory() as folder:
@@ -209,7 +207,7 @@ def exported(name: str, ask: Ask, advance: Advance) -> Made:
             return Made(_pictures(plan, name, Path(folder), ask.settings), MEDIA["zip"], f"{name}.zip")
         path = Path(folder) / name
         if name == "player.html":
-            write_player(path, judged_dance(plan, check, advance=advance))
+            write_player(path, judged_dance(plan, check, progress=progress))
         elif name == "check.xlsx":
             from benchdragon.export.check_files import write_files
 
@@ -218,7 +216,7 @@ def exported(name: str, ask: Ask, advance: Advance) -> Made:
             walk = plan.build()
             times = export_times(plan, walk, ask.settings.places)
             what = Selection(walk, times, range(len(walk.dragon) + 1))
-            WRITERS[path.suffix[1:]](path, what, lambda share: advance(share, name))
+            WRITERS[path.suffix[1:]](path, what, part(progress, 0.0, 1.0, name))
         return Made(path.read_bytes(), MEDIA[path.suffix[1:]], name)
 
 
@@ -241,12 +239,7 @@ def _pictures(plan: Plan, kind: str, folder: Path, settings: Settings) -> bytes:
     return packed.getvalue()
 
 
-def _portion(advance: Advance, parts: int) -> Advance:
-    """Shares of a search that advances by `parts` in all."""
-    return lambda share, text: advance(share / parts, text)
-
-
-def best(ask: Ask, advance: Advance) -> Made:
+def best(ask: Ask, progress: Progress) -> Made:
     """The best turn."""
     options, plan = ask.options, ask.whole
     wish = Wish(
@@ -255,7 +248,7 @@ def best(ask: Ask, advance: Advance) -> Made:
         options.longest or float("inf"),
         options.longest_way or float("inf"),
     )
-    found = best_turn(plan, wish, advance=_portion(advance, STAGES))
+    found = best_turn(plan, wish, progress=progress)
     speed, route = found.head_speed, plan.route
     before = route.turn(plan).way(route.disc(plan)) if isinstance(route, TurnRoute) else None
     return sent(
@@ -273,26 +266,26 @@ def best(ask: Ask, advance: Advance) -> Made:
     )
 
 
-def proved(ask: Ask, advance: Advance) -> Made:
+def proved(ask: Ask, progress: Progress) -> Made:
     """Whether the walk is safe, proved."""
-    return sent(verdict_of(check(ask.whole, _portion(advance, STEPS), prove=True)))
+    return sent(verdict_of(check(ask.whole, progress, prove=True)))
 
 
-def head_speed(ask: Ask, advance: Advance) -> Made:
+def head_speed(ask: Ask, progress: Progress) -> Made:
     """How fast the head may walk."""
-    return sent(answer_of(greatest_head_speed(ask.whole, advance=advance), ask.whole))
+    return sent(answer_of(greatest_head_speed(ask.whole, progress=progress), ask.whole))
 
 
-def paced(ask: Ask, advance: Advance) -> Made:
+def paced(ask: Ask, progress: Progress) -> Made:
     """A pace that slows down only where it must."""
     plan = ask.whole
-    pace = slowed(plan, advance=advance)
+    pace = slowed(plan, progress=progress)
     steady = answer_of(pace.steady, plan)
     slow = with_pace(plan, pace)
     return sent(messages.PaceFound(plan=slow, steady=steady, seconds=pace.seconds, saved=pace.saved))
 
 
-def room_needed(ask: Ask, advance: Advance) -> Made:
+def room_needed(ask: Ask, progress: Progress) -> Made:
     """How much room imprecise people need; with no slip given, those of all cases together."""
     options, plan = ask.options, ask.whole
     if options.draws > ask.settings.draws:
@@ -300,15 +293,8 @@ def room_needed(ask: Ask, advance: Advance) -> Made:
     slips = Slips(**{field.name: getattr(options, field.name) for field in fields(Slips)})
     if slips == Slips():
         slips = CASES["all"].slips
-    tell = part_of(advance, _("random dances"))
-    done = 0.0
-
-    def count(share: float) -> None:
-        nonlocal done
-        done += share
-        tell(done)
-
-    found = tolerance(plan, slips, options.draws, seed=options.seed, own=True, advance=count)
+    told = part(progress, 0.0, 1.0, _("random dances"))
+    found = tolerance(plan, slips, options.draws, seed=options.seed, own=True, progress=told)
     pitch = plan.value("route.pitch")
     chance, lower, upper = found.touching()
     pitches = [messages.PitchFor(risk=risk, pitch=found.pitch_for(risk)) for risk in RISKS]
@@ -320,7 +306,7 @@ def room_needed(ask: Ask, advance: Advance) -> Made:
     )  # fmt: skip
 
 
-TASKS: dict[str, Callable[[Ask, Advance], Made]] = {
+TASKS: dict[str, Callable[[Ask, Progress], Made]] = {
     "open": opened,
     "toml": written,
     "verdict": judged,

@@ -143,18 +143,19 @@ def _outcome(connection: Connection, ask: Ask) -> tuple[str, object, object]:
     What is "spent" is the process: of memory that ran out not all comes back.
     """
     use_language(ask.language)
-    told = [0.0, 0.0]
+    last_told, last_text = 0.0, ""
 
-    def advance(share: float, text: str) -> None:
-        told[0] += share
-        if clock.monotonic() - told[1] >= TELL:
-            told[1] = clock.monotonic()
-            connection.send(("advance", min(told[0], 1.0), text))
+    def progress(share: float, text: str) -> None:
+        nonlocal last_told, last_text
+        last_text = text or last_text
+        if clock.monotonic() - last_told >= TELL:
+            last_told = clock.monotonic()
+            connection.send(("progress", share, last_text))
 
     try:
         if ask.plan is not None:
             check_plan(ask.plan, ask.settings)
-        return "made", TASKS[ask.name](ask, advance), None
+        return "made", TASKS[ask.name](ask, progress), None
     except BenchDragonError as error:
         return "refused", 422, str(error)
     except ArithmeticError:
@@ -374,7 +375,7 @@ class Lane:
             if not minded.connection.poll(LOOK):
                 continue
             kind, one, two = minded.connection.recv()
-            if kind == "advance":
+            if kind == "progress":
                 work.share, work.text = one, two
             elif kind == "made":
                 work.future.set_result(one)
