@@ -7,7 +7,6 @@ import pytest
 import shapely
 
 from benchdragon import (
-    Answer,
     Arc,
     Clothoid,
     Dragon,
@@ -16,7 +15,6 @@ from benchdragon import (
     SpeedProfile,
     Spiral,
     Walk,
-    WalkError,
     contact_windows,
     first_contact,
     least_clearance,
@@ -27,6 +25,8 @@ from benchdragon.figures.walk import bench_corners
 from benchdragon.kernels.curve import FloatArray
 
 SEEDS = range(40)
+# In which benches touch; all of them can be walked to their ends. (Those that cannot: hard_dances.py.)
+TOUCHING = {2, 4, 5, 8, 9, 10, *range(12, 23), 24, 28, 29, 31, 33, 35}
 # Samples of the walk before the contact, and just around it.
 SAMPLES = 200
 
@@ -84,25 +84,11 @@ def nearest(walk: Walk, times: FloatArray) -> FloatArray:
     return least
 
 
-def outcome(walk: Walk, start: float, end: float, margin: float) -> Answer | WalkError | None:
-    """The first contact, or why the walk cannot be walked to its end."""
-    try:
-        return first_contact(walk, start, end, margin=margin)
-    except WalkError as error:
-        return error
-
-
 @pytest.mark.parametrize("seed", SEEDS)
 def test_sampling_never_finds_a_contact_before_the_first_and_finds_one_after(seed: int) -> None:
     walk, start, end, margin = random_walk(seed)
-    found = outcome(walk, start, end, margin)
-    if isinstance(found, WalkError):
-        # It cannot be walked on: up to there it can, and nothing touches.
-        assert found.t is not None
-        assert walk.motion(found.t, throw=False).status[0] == found.status
-        before = np.linspace(start, found.t - 1e-6, SAMPLES)
-        assert (nearest(walk, before) >= margin - 1e-9).all()
-        return
+    found = first_contact(walk, start, end, margin=margin)
+    assert (found is not None) == (seed in TOUCHING)
     if found is None:
         assert (nearest(walk, np.linspace(start, end, SAMPLES)) >= margin - 1e-9).all()
         return
@@ -118,26 +104,10 @@ def test_sampling_never_finds_a_contact_before_the_first_and_finds_one_after(see
         assert nearest(walk, np.array([found.upper]))[0] <= max(margin, 1e-12)
 
 
-def test_the_random_walks_are_worth_trying() -> None:
-    endings = {"contact": 0, "clear": 0, "cannot": 0}
-    for seed in SEEDS:
-        walk, start, end, margin = random_walk(seed)
-        found = outcome(walk, start, end, margin)
-        if isinstance(found, WalkError):
-            endings["cannot"] += 1
-        elif found is None or found.lower > start:
-            endings["clear" if found is None else "contact"] += 1
-    assert endings["contact"] >= 15
-    assert endings["clear"] >= 8
-
-
 @pytest.mark.parametrize("seed", [4, 8, 12, 16, 20, 24, 27, 28, 36])
 def test_no_sample_is_below_the_least_clearance(seed: int) -> None:
     walk, start, end, _margin = random_walk(seed)
-    try:
-        found = least_clearance(walk, start, end)
-    except WalkError:
-        return
+    found = least_clearance(walk, start, end)
     assert found.lower <= found.value <= found.upper
     sampled = nearest(walk, np.linspace(start, end, SAMPLES))
     assert sampled.min() >= found.lower - 1e-9
@@ -149,10 +119,7 @@ def test_no_sample_is_below_the_least_clearance(seed: int) -> None:
 @pytest.mark.parametrize("seed", [1, 5, 9, 13, 17, 21, 25, 33])
 def test_windows_are_where_sampling_sees_overlaps(seed: int) -> None:
     walk, start, end, margin = random_walk(seed)
-    try:
-        windows = contact_windows(walk, start, end, margin=margin, most=200)
-    except WalkError:
-        return
+    windows = contact_windows(walk, start, end, margin=margin, most=200)
     times = np.linspace(start, end, SAMPLES)
     inside = np.zeros(len(times), dtype=bool)
     unsure = np.zeros(len(times), dtype=bool)
@@ -169,10 +136,7 @@ def test_windows_are_where_sampling_sees_overlaps(seed: int) -> None:
 def test_no_sample_is_above_the_greatest_speed(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(speeds, "sieve_pays", lambda _walk, _way: True)
     walk, start, end, _margin = random_walk(seed)
-    try:
-        found = greatest_speed(walk, start, end, tolerance=1e-4)
-    except WalkError:
-        return
+    found = greatest_speed(walk, start, end, tolerance=1e-4)
     assert found.lower == found.value <= found.upper
     sampled = walk.motion(np.linspace(start, end, 20 * SAMPLES), throw=False).speed
     assert np.nanmax(sampled) <= found.upper
