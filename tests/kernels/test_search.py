@@ -201,8 +201,15 @@ def test_second_order_bounds_lose_a_hundredth_for_a_tenth_of_the_step() -> None:
 
 MIXED = [Bench(1.6, 0.4, 0.1, 0.2), *[Bench(1.0 + 0.1 * n, 0.7 - 0.1 * n, 0.1, 0.1) for n in range(5)]]
 
+# In each group of sizes a broad bench and, boxed after it, a slim one.
+CONTRARY = [
+    Bench(length + 0.01 * (width < 1.0), width, 0.1, 0.1)
+    for length in (1.0, 1.2, 1.4)
+    for width in (1.2, 0.2)
+]
 
-@pytest.mark.parametrize("benches", [BENCHES, MIXED], ids=["alike", "mixed"])
+
+@pytest.mark.parametrize("benches", [BENCHES, MIXED, CONTRARY], ids=["alike", "mixed", "contrary"])
 @pytest.mark.parametrize("name", SMOOTH)
 def test_cells_hold_the_benches_that_walk_through_them(name: str, benches: list[Bench]) -> None:
     route, start = ROUTES[name]
@@ -221,6 +228,28 @@ def test_cells_hold_the_benches_that_walk_through_them(name: str, benches: list[
                 along, across = offset(hull, cell, *corner(table, i, k))
                 assert abs(along) <= hull[cell, HALF_LENGTH] + 1e-12
                 assert abs(across) <= hull[cell, HALF_WIDTH] + 1e-12
+
+
+@pytest.mark.parametrize("name", SMOOTH)
+def test_cells_leave_room_for_how_far_corners_bulge_between_their_borders(name: str) -> None:
+    """A corner's way bulges from its chord by an eighth of the square of the step times its bend."""
+    route, start = ROUTES[name]
+    dragon = Dragon(BENCHES)
+    ground = Ground(dragon, route, 10.0, start)
+    ground.extend(start + 3.0)
+    hull, most = ground.hulls[ground.group[0]], 0.0
+    for cell in range(int(start / ground.cell) + 1, int((start + 2.5) / ground.cell)):
+        borders = np.array([cell, cell + 0.5, cell + 1.0]) * ground.cell
+        tables = [boxes(Walk(dragon, route).motion([s]), 0) for s in borders]
+        for k in range(4):
+            first, middle, last = (np.array(corner(table, 0, k)) for table in tables)
+            bulge = 0.5 * float(np.hypot(*(first - 2.0 * middle + last)))
+            most = max(most, bulge)
+            for x, y in (first, last):
+                along, across = offset(hull, cell - ground.low, x, y)
+                assert abs(along) + 0.99 * bulge <= hull[cell - ground.low, HALF_LENGTH] + 1e-12
+                assert abs(across) + 0.99 * bulge <= hull[cell - ground.low, HALF_WIDTH] + 1e-12
+    assert most > 1e-4
 
 
 def test_a_bench_that_leaps_is_never_said_to_follow() -> None:
