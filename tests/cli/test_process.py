@@ -151,7 +151,8 @@ def test_memory_that_runs_out_is_no_verdict_either(monkeypatch: pytest.MonkeyPat
 @pytest.mark.parametrize(("name", "code"), [("SIGTERM", 143), ("SIGHUP", 129), ("SIGINT", 130)])
 def test_no_signal_leaves_anything_half_written(tmp_path: Path, name: str, code: int) -> None:
     script = (
-        "import os, signal, sys; from benchdragon import __main__ as program, tables\n"
+        "import os, signal, sys; from benchdragon import __main__ as program\n"
+        "from benchdragon.export import tables\n"
         # A background job of a shell is born deaf to SIGINT.
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
         f"tables._long = lambda *_: os.kill(os.getpid(), signal.{name})\n"
