@@ -1,10 +1,11 @@
-# `make demo` and `make test` set up everything they need in .venv/.
+# `make demo` and `make test` set up everything they need in .venv/. While at work: `make quick`, half a
+# minute of lint, types, import contracts and a test of each room.
 PYTHON ?= python3
 BIN := .venv/bin
 PAGES := 'src/benchdragon/web/*.js' 'src/benchdragon/web/*.css'
 NPM := $(shell command -v npm 2>/dev/null)
 
-.PHONY: demo test docs bench truth mutants messages keys types lock fonts clean
+.PHONY: demo test quick lint manual-test docs bench truth mutants messages keys types map lock fonts clean
 
 .venv/installed: requirements.lock pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed")'
@@ -21,15 +22,24 @@ demo: .venv/installed
 	$(BIN)/benchdragon reproduce -o out --force $(if $(wildcard docs/_build/html/en/established.html),--docs docs/_build/html/en)
 	$(BIN)/benchdragon view turn -o out/turn.html --force
 
-test: .venv/installed $(if $(NPM),node_modules/installed)
+# All but the manual, which takes as long as the rest: `make manual-test`.
+test: lint $(if $(NPM),node_modules/installed)
+	$(if $(NPM),node_modules/.bin/tsc -p .,@echo "no npm here: the pages' JavaScript is not checked")
+	$(if $(NPM),node_modules/.bin/prettier --check --log-level warn $(PAGES))
+	BENCHDRAGON_COMPILE=never $(BIN)/python -m pytest -q -n auto tests/kernels --cov --cov-report=term-missing --cov-fail-under=95
+	$(BIN)/python -m pytest -q -n auto --dist loadgroup -m 'not manual'
+
+quick: lint
+	$(BIN)/python -m pytest -q @tests/quick.txt
+
+lint: .venv/installed
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-logo
-	$(if $(NPM),node_modules/.bin/tsc -p .,@echo "no npm here: the pages' JavaScript is not checked")
-	$(if $(NPM),node_modules/.bin/prettier --check --log-level warn $(PAGES))
-	BENCHDRAGON_COMPILE=never $(BIN)/python -m pytest -q -n auto tests/kernels --cov --cov-report=term-missing --cov-fail-under=95
-	$(BIN)/python -m pytest -q -n auto --dist loadgroup
+
+manual-test: .venv/installed
+	$(BIN)/python -m pytest -q -m manual tests/test_docs.py
 
 docs: .venv/installed
 	rm -rf docs/_build
@@ -56,6 +66,9 @@ keys: .venv/installed
 
 types: .venv/installed
 	$(BIN)/python tools/make_types.py
+
+map: .venv/installed
+	$(BIN)/python tools/make_map.py
 
 fonts: .venv/installed
 	$(BIN)/python tools/make_fonts.py
