@@ -1,0 +1,56 @@
+"""`make quick` runs a test of every room; continuous integration the manual, then all the rest."""
+
+import os
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+import benchdragon
+
+ROOT = Path(__file__).parent.parent
+QUICK = (ROOT / "tests" / "quick.txt").read_text("utf-8").splitlines()
+ROOMS = {path.parent.name for path in Path(benchdragon.__file__).parent.glob("*/__init__.py")}
+
+# Stands for make: it says what it was asked for, and fails where it is told to.
+MAKE = """\
+#!/bin/sh
+echo "made $1"
+[ "$1" != "$FAILING" ]
+"""
+
+
+def test_every_room_has_a_quick_test() -> None:
+    assert {line.split("/")[1] for line in QUICK if line.count("/") > 1} >= ROOMS
+    assert len(ROOMS) > 10
+
+
+@pytest.mark.parametrize("line", QUICK)
+def test_every_quick_test_is_there(line: str) -> None:
+    file, _colons, name = line.partition("::")
+    assert re.search(rf"^def {re.escape(name)}\(", (ROOT / file).read_text("utf-8"), re.MULTILINE)
+
+
+@pytest.mark.parametrize(
+    ("failing", "code"),
+    [
+        ("nothing", 0),
+        ("manual-test", 1),
+        ("test", 1),
+    ],
+)
+def test_integration_ends_with_the_tests_and_fails_where_the_manual_does(
+    tmp_path: Path, failing: str, code: int
+) -> None:
+    # With these before all others nothing is missed on this machine, and nothing installed.
+    tools = ("make", "chromium", "fc-list", "npm", "node")
+    for name in tools:
+        path = tmp_path / name
+        path.write_text(MAKE if name == "make" else "#!/bin/sh\necho here\n", "utf-8")
+        path.chmod(0o755)
+    done = subprocess.run(
+        [ROOT / ".ci" / "run"], capture_output=True, text=True, check=False,
+        env={"PATH": f"{tmp_path}{os.pathsep}{os.environ['PATH']}", "FAILING": failing},
+    )  # fmt: skip
+    assert (done.stdout.splitlines(), done.returncode) == (["made manual-test", "made test"], code)
