@@ -1,10 +1,13 @@
 """The site: the same pages in two languages, whose numbers lead to formulas, code and tests."""
 
+import ast
+import importlib
 import json
 import re
 import subprocess
 import sys
 from collections.abc import Iterator
+from operator import attrgetter
 from pathlib import Path
 
 import pytest
@@ -12,9 +15,6 @@ from bs4 import BeautifulSoup, Tag
 
 import benchdragon
 from tests.test_examples import shell_lines
-
-# One build after the other: their kernels would race for ports.
-pytestmark = pytest.mark.xdist_group("docs")
 
 ROOT = Path(__file__).parent.parent
 LANGUAGES = {"en": "en", "zh": "zh_CN"}
@@ -67,8 +67,30 @@ def test_both_languages_run_the_same_code_and_lead_to_the_same_places(page: str)
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_each_listing_that_a_page_leads_to_is_made(language: str) -> None:
     described = set(re.findall(r"automodule:: benchdragon\.(\S+)", source(language, "api.md")))
+    for name in benchdragon.__all__:
+        assert getattr(benchdragon, name).__module__.removeprefix("benchdragon.") in described, name
     for page in PAGES:
-        assert set(re.findall(r"{view}`(.*?):", source(language, page))) <= described, page
+        for room, name in re.findall(r"{view}`(.*?):(.*?)`", source(language, page)):
+            assert room in described, page
+            found = attrgetter(name)(importlib.import_module(f"benchdragon.{room}"))
+            # A name is listed in the module that defines it, not where it is imported.
+            assert getattr(found, "__module__", f"benchdragon.{room}") == f"benchdragon.{room}", name
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_what_the_cells_of_a_page_name_is_there(page: str) -> None:
+    """Without running them, as the site's own test does."""
+    cells = "\n".join(blocks(source("en", page), "{code-cell}"))
+    code = re.sub(r"^%.*$", "", cells, flags=re.MULTILINE)  # IPython's own lines
+    for node in ast.walk(ast.parse(code)):
+        if isinstance(node, ast.ImportFrom):
+            module = importlib.import_module(str(node.module))
+            assert [alias.name for alias in node.names if not hasattr(module, alias.name)] == []
+    done = subprocess.run(
+        [sys.executable, "-m", "ruff", "check", "--isolated", "--quiet", "--select=F821", "-"],
+        input=code, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert (done.returncode, done.stdout) == (0, "")
 
 
 def test_the_commands_are_those_of_the_readme_which_are_run() -> None:
@@ -78,9 +100,10 @@ def test_the_commands_are_those_of_the_readme_which_are_run() -> None:
         assert set(shell_lines(source("en", page))) <= set(readme), page
 
 
-def test_files_and_tests_that_the_steps_of_an_extension_name_are_there() -> None:
-    names = set(re.findall(r"`([\w/.]+)`", source("en", "extend.md")))
-    files = [name for name in names if "/" in name or name.endswith(".py")]
+@pytest.mark.parametrize("page", ["CONTRIBUTING.md", "docs/en/extend.md", "docs/zh/extend.md"])
+def test_files_and_tests_that_the_steps_of_an_extension_name_are_there(page: str) -> None:
+    names = set(re.findall(r"`([\w/.-]+)`", (ROOT / page).read_text("utf-8")))
+    files = [name for name in names if "/" in name or name.endswith((".py", ".pyi"))]
     assert len(files) > 10
     for name in files:
         assert (ROOT / name).exists() or (ROOT / "src" / "benchdragon" / name).exists(), name
@@ -110,6 +133,8 @@ def built(language: str, folder: Path) -> dict[str, BeautifulSoup]:
     }
 
 
+@pytest.mark.manual
+@pytest.mark.xdist_group("docs")  # one build after the other: their kernels would race for ports
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_a_site_is_built_offline_and_whole(language: str, tmp_path: Path) -> None:
     site = built(language, tmp_path)
@@ -190,7 +215,7 @@ def assert_the_smallest_pitch_leads_to_its_test(site: dict[str, BeautifulSoup]) 
     assert method.find("math") is not None
     steps = {target("established.html", link) for link in links(method)}
     listing, test = (
-        ("_modules/benchdragon/solve.html", "limit"),
+        ("_modules/benchdragon/solve/size.html", "limit"),
         ("evidence.html", "test-smallest-pitch"),
     )
     assert {listing, test} <= steps
