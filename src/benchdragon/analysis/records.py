@@ -53,7 +53,7 @@ class Answer(Record):
     witness: Witness | None
     assumptions: list[str]
     looks: int
-    seconds: float
+    seconds: Number
     plan_sha256: str
     version: str
 
@@ -91,7 +91,7 @@ class Verdict(Record):
         start: of the walk, s.
         end: of the walk, s.
         clearance: null where the dragon cannot walk, like the following.
-        seconds: how long it took.
+        seconds: how long it took; null in files, which are the same each time.
     """
 
     safe: bool
@@ -105,7 +105,7 @@ class Verdict(Record):
     greatest_speed: Answer | None
     peaks: list[LimitedPeak]
     findings: list[Finding]
-    seconds: float
+    seconds: Number
     plan_sha256: str
     version: str
 
@@ -162,7 +162,21 @@ def verdict_of_fall(plan: Plan, span: tuple[float, float], error: WalkError) -> 
         greatest_speed=None,
         peaks=[],
         findings=[fall],
-        seconds=0.0,
+        seconds=None,
         plan_sha256=plan.sha256,
         version=__version__,
     )
+
+
+def untimed(verdict: Verdict) -> Verdict:
+    """The same without how long anything took."""
+    answers = {
+        name: found and found.model_copy(update={"seconds": None})
+        for name in ("first_contact", "clearance", "greatest_speed")
+        for found in [getattr(verdict, name)]
+    }
+    peaks = [
+        peak.model_copy(update={"peak": peak.peak.model_copy(update={"seconds": None})})
+        for peak in verdict.peaks
+    ]
+    return verdict.model_copy(update={**answers, "peaks": peaks, "seconds": None})

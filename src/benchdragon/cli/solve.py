@@ -311,11 +311,12 @@ def _stepped(options: dict[str, Any]) -> bool:
 
 def _limit(name: str, plan: "Plan", options: dict[str, Any], progress: Progress) -> Answer:
     """The limit of a size, exactly or as the paper finds it."""
-    from benchdragon.paper.traversal import traversed_pitch
+    if _stepped(options):
+        from benchdragon.paper.traversal import traversed_pitch
+
+        return traversed_pitch(plan, options["pitch_step"], options["time_step"], progress=progress)
     from benchdragon.solve.size import limit
 
-    if _stepped(options):
-        return traversed_pitch(plan, options["pitch_step"], options["time_step"], progress=progress)
     return limit(plan, name, prove=options["prove"], progress=progress)
 
 
@@ -323,11 +324,12 @@ def _limit_lines(
     name: str, plan: "Plan", options: dict[str, Any], found: Answer, tried: list[str]
 ) -> list[str]:
     """The lines of --explain for a limit."""
-    from benchdragon.explain.answers import limit_lines
-    from benchdragon.paper.explanation import traversal_lines
-
     if _stepped(options):
+        from benchdragon.paper.explanation import traversal_lines
+
         return traversal_lines(found, options["pitch_step"], options["time_step"], tried)
+    from benchdragon.explain.answers import limit_lines
+
     return limit_lines(plan, name, found, tried)
 
 

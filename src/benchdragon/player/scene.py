@@ -8,7 +8,7 @@ import numpy as np
 
 from benchdragon.analysis.check import Report
 from benchdragon.analysis.distance import nearest_each
-from benchdragon.analysis.records import Verdict, verdict_of, verdict_of_fall
+from benchdragon.analysis.records import Verdict, untimed, verdict_of, verdict_of_fall
 from benchdragon.errors import InputError, WalkError, finite
 from benchdragon.i18n import Words, _, both
 from benchdragon.model.answer import Answer
@@ -80,7 +80,9 @@ def checked_dance(
     last = dance.frames.start + dance.frames.step * (dance.frames.count - 1)
     found = [occasion for occasion in _answers(report) if shown.start <= occasion.time <= last]
     nearest = _with_tightest(dance.nearest, report.clearance, (shown.start, last))
-    return _of_plan(plan, dance, verdict_of(report), found).model_copy(update={"nearest": nearest})
+    return _of_plan(plan, dance, untimed(verdict_of(report)), found).model_copy(
+        update={"nearest": nearest}
+    )
 
 
 def judged_dance(

@@ -10,7 +10,7 @@ export interface Answer {
   witness: Witness | null;
   assumptions: Array<string>;
   looks: number;
-  seconds: number;
+  seconds: number | null;
   plan_sha256: string;
   version: string;
 }
@@ -438,7 +438,7 @@ export interface TurnTable {
  *     start: of the walk, s.
  *     end: of the walk, s.
  *     clearance: null where the dragon cannot walk, like the following.
- *     seconds: how long it took.
+ *     seconds: how long it took; null in files, which are the same each time.
  */
 export interface Verdict {
   safe: boolean;
@@ -452,7 +452,7 @@ export interface Verdict {
   greatest_speed: Answer | null;
   peaks: Array<LimitedPeak>;
   findings: Array<Finding>;
-  seconds: number;
+  seconds: number | null;
   plan_sha256: string;
   version: string;
 }
