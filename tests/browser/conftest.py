@@ -9,7 +9,7 @@ from playwright.sync_api import Browser, Page, expect, sync_playwright
 
 from tests.browser.pages import FLAGS, Device, Language, Pages, browser_path, clean_pages
 from tests.browser.players import Scene
-from tests.browser.studios import LONG, Opened
+from tests.browser.studios import Opened
 from tests.studio.servers import process, wait_for
 
 
@@ -55,7 +55,7 @@ def opened(pages: Pages, studio: str) -> Opened:
 
     def open_page(device: Device = "desktop", language: Language = "en", where: str = "") -> Page:
         page = pages.open(f"{studio}/{where}", device, language)
-        expect(page.locator("canvas")).to_be_visible(timeout=LONG)
+        expect(page.locator("canvas")).to_be_visible()
         return page
 
     return open_page

@@ -6,7 +6,15 @@ from contextlib import contextmanager
 from typing import Literal
 from urllib.parse import urlsplit
 
-from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page, Request, WebSocket
+from playwright.sync_api import (
+    Browser,
+    BrowserContext,
+    ConsoleMessage,
+    Page,
+    Request,
+    WebSocket,
+    expect,
+)
 
 NAMES = ("/usr/bin/chromium", "chromium", "chromium-browser", "google-chrome")
 # For a machine with no screen and no network, where tests may be root; the last line keeps a page
@@ -21,7 +29,12 @@ FLAGS = [
     "--no-first-run",
     "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE localhost, EXCLUDE 127.0.0.1, EXCLUDE [::1]",
 ]
+# Milliseconds after which a page is taken to hang: a machine under load, which may have to compile the
+# kernels first, takes far less.
+HANGING = 300_000
 LOCALES = {"en": "en-US", "zh": "zh-CN"}
+
+expect.set_options(timeout=HANGING)
 
 Device = Literal["phone", "desktop"]
 Language = Literal["en", "zh"]
@@ -71,6 +84,7 @@ class Pages:
         )
         self._contexts.append(context)
         self._watch(context, origin_of(address))
+        context.set_default_timeout(HANGING)
         page = context.new_page()
         page.goto(address)
         return page

@@ -77,7 +77,7 @@ def page_of(pages: Pages, folder: Path, name: str, **changes: object) -> Page:
 
 def until(page: Page, said: str) -> None:
     """Wait until something is so; the page's policy keeps others from asking in it."""
-    for _look in range(400):
+    for _look in range(30_000):
         if page.evaluate(said):
             return
         page.wait_for_timeout(10)

@@ -5,9 +5,6 @@ from collections.abc import Callable
 
 from playwright.sync_api import Locator, Page, expect
 
-# Milliseconds after which an answer counts as none: kernels may have to be compiled before it.
-LONG = 90_000
-
 Opened = Callable[..., Page]
 
 
@@ -27,12 +24,12 @@ def change(page: Page, name: str, value: str) -> None:
 
 def settle(page: Page, pattern: str) -> None:
     """Wait for a verdict that reads so."""
-    expect(verdict(page)).to_have_text(re.compile(pattern), timeout=LONG)
+    expect(verdict(page)).to_have_text(re.compile(pattern))
 
 
 def settled(page: Page) -> Page:
     """The page, once it shows verdict, limit and dance of its plan."""
-    expect(page.locator("#studio")).to_have_attribute("aria-busy", "false", timeout=LONG)
-    expect(page.locator("[data-stale]")).to_have_count(0, timeout=LONG)
-    expect(page.locator(".verdict:is(.safe, .unsafe)")).to_have_count(1, timeout=LONG)
+    expect(page.locator("#studio")).to_have_attribute("aria-busy", "false")
+    expect(page.locator("[data-stale]")).to_have_count(0)
+    expect(page.locator(".verdict:is(.safe, .unsafe)")).to_have_count(1)
     return page

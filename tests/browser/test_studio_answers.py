@@ -12,7 +12,7 @@ from playwright.sync_api import Page, Route, expect
 
 from tests.browser.pages import Device, Language, Pages
 from tests.browser.players import until
-from tests.browser.studios import LONG, Opened, change, number, settle, settled, verdict
+from tests.browser.studios import Opened, change, number, settle, settled, verdict
 
 PITCH = "spiral pitch"
 OLD_PICTURE = "the picture is of an earlier plan"
@@ -69,7 +69,7 @@ def test_a_verdict_that_comes_in_late_is_marked_as_an_earlier_plans(opened: Open
     line.click()
     expect(page.get_by_role("dialog")).to_have_count(0)
     held.let_go(1)
-    expect(line).to_have_text(re.compile("^\u2716 Not safe"), timeout=LONG)
+    expect(line).to_have_text(re.compile("^\u2716 Not safe"))
     expect(line).to_have_class("verdict unsafe")
     expect(line).not_to_have_attribute("data-stale", "")
     line.click()
@@ -88,7 +88,7 @@ def test_a_limit_that_comes_in_late_is_marked_as_an_earlier_plans(opened: Opened
     expect(page.get_by_role("dialog").get_by_role("row", name="smallest pitch")).to_have_count(0)
     page.keyboard.press("Escape")
     held.let_go(1)
-    expect(line).to_have_text(re.compile("^smallest pitch: 0.4503"), timeout=LONG)
+    expect(line).to_have_text(re.compile("^smallest pitch: 0.4503"))
     expect(line).not_to_have_attribute("data-stale", "")
 
 
@@ -108,7 +108,7 @@ def test_a_dance_that_comes_in_late_is_marked_as_an_earlier_plans(opened: Opened
     expect(dialog.get_by_role("button")).to_have_text(["close"])  # no way into another plan's picture
     page.keyboard.press("Escape")
     held.let_go(1)
-    expect(note).to_be_hidden(timeout=LONG)
+    expect(note).to_be_hidden()
     expect(root).to_have_attribute("data-picture", "this")
     expect(root).to_have_attribute("aria-busy", "false")
 
@@ -123,7 +123,7 @@ def test_no_limit_is_shown_of_a_plan_that_has_none(opened: Opened) -> None:
     expect(page.locator(".limit")).to_be_hidden()
     page.unroute_all()
     page.get_by_role("button", name="undo").click()
-    expect(page.locator(".limit")).to_have_text(re.compile("^smallest pitch"), timeout=LONG)
+    expect(page.locator(".limit")).to_have_text(re.compile("^smallest pitch"))
     expect(page.locator(".limit")).to_be_visible()
 
 
@@ -175,7 +175,7 @@ def test_a_plan_file_that_is_read_late_does_not_take_a_newer_plans_place(
     change(page, PITCH, "0.5")
     held.let_go(0)
     told = page.locator("fieldset > output.told")
-    expect(told).to_contain_text("The plan was changed meanwhile", timeout=LONG)
+    expect(told).to_contain_text("The plan was changed meanwhile")
     expect(number(page, PITCH)).to_have_value("0.5")
 
 
@@ -204,7 +204,7 @@ def test_no_answer_is_neither_safe_nor_unsafe(
     colours.add(verdict(page).evaluate("one => getComputedStyle(one).color"))
     page.unroute_all()
     change(page, {"en": PITCH, "zh": "螺距"}[language], "0.445")
-    expect(verdict(page)).to_have_class("verdict unsafe", timeout=LONG)
+    expect(verdict(page)).to_have_class("verdict unsafe")
     colours.add(verdict(page).evaluate("one => getComputedStyle(one).color"))
     assert len(colours) == 3
     pages.faults.clear()  # the refusals are on the console
@@ -262,7 +262,7 @@ def test_a_long_questions_result_says_when_it_is_about_another_plan(opened: Open
     page = settled(opened())
     page.get_by_role("button", name="prove the verdict").click()
     job = page.locator(".jobs li")
-    expect(job).to_contain_text("Proved. Safe", timeout=LONG)
+    expect(job).to_contain_text("Proved. Safe")
     expect(job).to_have_attribute("data-plan", "this")
     expect(job).to_contain_text("about this plan")
     change(page, PITCH, "0.44")
@@ -284,9 +284,9 @@ def test_a_long_question_is_followed_on_after_looks_that_nobody_answered(
     )
     page.get_by_role("button", name="prove the verdict").click()
     job = page.locator(".jobs li")
-    expect(job).to_contain_text("too many questions", timeout=LONG)
-    expect(job).to_contain_text("The studio does not answer", timeout=LONG)
-    expect(job).to_contain_text("Proved. Safe", timeout=LONG)
+    expect(job).to_contain_text("too many questions")
+    expect(job).to_contain_text("The studio does not answer")
+    expect(job).to_contain_text("Proved. Safe")
     pages.faults.clear()  # the refusals are on the console
 
 
@@ -295,29 +295,29 @@ def test_long_questions_are_found_again_after_the_page_is_loaded_again(opened: O
     change(page, PITCH, "0.6")
     page.get_by_role("button", name="prove the verdict").click()
     jobs = page.locator(".jobs li")
-    expect(jobs).to_contain_text("Proved. Safe", timeout=LONG)
+    expect(jobs).to_contain_text("Proved. Safe")
     page.get_by_label("begin with").select_option("turn")
     settled(page)
     page.get_by_role("button", name="room for people who are not exact").click()  # minutes of work
-    expect(jobs.first).to_have_attribute("data-state", "running", timeout=LONG)
+    expect(jobs.first).to_have_attribute("data-state", "running")
     page.wait_for_url(re.compile("plan="))
     page.reload()
-    expect(jobs).to_have_count(2, timeout=LONG)
-    expect(jobs.first).to_have_attribute("data-state", "running", timeout=LONG)
+    expect(jobs).to_have_count(2)
+    expect(jobs.first).to_have_attribute("data-state", "running")
     # Loaded again it is another object of the same hash.
-    expect(jobs.first).to_have_attribute("data-plan", "this", timeout=LONG)
-    expect(jobs.last).to_contain_text("Proved. Safe", timeout=LONG)
+    expect(jobs.first).to_have_attribute("data-plan", "this")
+    expect(jobs.last).to_contain_text("Proved. Safe")
     expect(jobs.last).to_have_attribute("data-plan", "other")
     jobs.last.get_by_role("button", name="show that plan").click()
     expect(number(page, PITCH)).to_have_value("0.6")
     jobs.first.get_by_role("button", name="cancel").click()
-    expect(jobs.first).to_contain_text("cancelled", timeout=LONG)
+    expect(jobs.first).to_contain_text("cancelled")
     with page.expect_response(lambda response: response.request.method == "DELETE"):
         jobs.first.get_by_role("button", name="clear away").click()
     expect(jobs).to_have_count(1)
     page.reload()
-    expect(jobs).to_have_count(1, timeout=LONG)
-    expect(jobs).to_contain_text("Proved. Safe", timeout=LONG)
+    expect(jobs).to_have_count(1)
+    expect(jobs).to_contain_text("Proved. Safe")
 
 
 # --- links
@@ -340,7 +340,7 @@ def test_a_link_that_cannot_be_read_gets_no_verdict(
     page.goto(link)
     notice = page.get_by_role("alert")
     words = {"en": "The plan in this link cannot be read.", "zh": "链接中的方案无法读取。"}
-    expect(notice).to_contain_text(words[language], timeout=LONG)
+    expect(notice).to_contain_text(words[language])
     expect(notice.locator("code")).to_contain_text('"schema":1')
     expect(verdict(page)).to_have_class("verdict none")
     expect(verdict(page)).to_contain_text({"en": "No verdict", "zh": "没有结论"}[language])

@@ -8,7 +8,7 @@ from playwright.sync_api import expect
 
 from benchdragon.plans.schema import read_plan
 from tests.browser.pages import Device, Language, Pages
-from tests.browser.studios import LONG, Opened, change, number, settle, verdict
+from tests.browser.studios import Opened, change, number, settle, verdict
 
 SENTENCES = {
     "en": ("Safe: tightest", "Not safe: benches"),
@@ -30,7 +30,7 @@ def test_the_verdict_turns_between_a_pitch_of_46_and_of_44_cm(
     slider.fill("0.44")
     settle(page, f"{bad}.*181.2 s")
     expect(verdict(page)).to_have_class("verdict unsafe")
-    expect(page.locator(".limit")).to_have_text(re.compile(r"0\.4503"), timeout=LONG)
+    expect(page.locator(".limit")).to_have_text(re.compile(r"0\.4503"))
     slider.fill("0.46")
     settle(page, good)
     wide = page.evaluate("document.documentElement.scrollWidth <= innerWidth")
@@ -42,7 +42,7 @@ def test_the_evidence_is_one_click_away_and_leads_to_the_moment(opened: Opened) 
     number(page, "spiral pitch").fill("0.44")
     number(page, "spiral pitch").press("Enter")
     settle(page, "Not safe")
-    expect(page.locator("#studio")).to_have_attribute("aria-busy", "false", timeout=LONG)
+    expect(page.locator("#studio")).to_have_attribute("aria-busy", "false")
     verdict(page).click()
     dialog = page.get_by_role("dialog")
     expect(dialog).to_contain_text("181.196253")
@@ -65,9 +65,9 @@ def test_steps_go_back_and_forth_and_all_stands_in_the_address(opened: Opened) -
     redo.click()
     expect(benches).to_have_value("60")
     settle(page, "Safe")
-    expect(page.locator("#studio")).to_have_attribute("aria-busy", "false", timeout=LONG)
+    expect(page.locator("#studio")).to_have_attribute("aria-busy", "false")
     page.reload()
-    expect(number(page, "number of benches")).to_have_value("60", timeout=LONG)
+    expect(number(page, "number of benches")).to_have_value("60")
     page.get_by_role("button", name="中文").click()
     expect(page.get_by_role("button", name="撤销")).to_be_visible()
     settle(page, "安全")
@@ -100,7 +100,7 @@ def test_a_dance_that_cannot_be_shown_is_said_beside_its_verdict(opened: Opened,
     settle(page, "Safe")
     page.unroute("**/api/dance*")
     page.get_by_role("button", name="undo").click()
-    expect(page.locator(".verdicts")).not_to_contain_text("cannot be shown", timeout=LONG)
+    expect(page.locator(".verdicts")).not_to_contain_text("cannot be shown")
     pages.faults.clear()  # the refusal is on the console
 
 
@@ -111,11 +111,11 @@ def test_a_long_question_is_followed_and_cancelled(opened: Opened) -> None:
     page.get_by_role("button", name="best turn").click()
     job = page.locator(".jobs li").first
     expect(job.get_by_role("progressbar")).to_be_visible()
-    expect(job).to_have_attribute("data-state", "running", timeout=LONG)
+    expect(job).to_have_attribute("data-state", "running")
     job.get_by_role("button", name="cancel").click()
-    expect(job).to_contain_text("cancelled", timeout=LONG)
+    expect(job).to_contain_text("cancelled")
     page.get_by_role("button", name="greatest head speed").click()
-    expect(page.locator(".jobs li").first).to_contain_text("1.246266358 m/s (found)", timeout=LONG)
+    expect(page.locator(".jobs li").first).to_contain_text("1.246266358 m/s (found)")
 
 
 def test_another_kind_of_turn_takes_along_what_belonged_to_the_former(opened: Opened) -> None:
@@ -162,7 +162,7 @@ def test_the_player_is_exported_as_a_page_of_its_own(
 ) -> None:
     page = opened()
     page.get_by_label("file to export").select_option("player.html")
-    with page.expect_download(timeout=LONG) as saved:
+    with page.expect_download() as saved:
         page.get_by_role("button", name="export", exact=True).click()
     path = tmp_path / saved.value.suggested_filename
     saved.value.save_as(path)
@@ -208,7 +208,7 @@ def test_another_dance_is_in_sight(opened: Opened) -> None:
     """The dragon of Nanchang is twice as wide as the contest's."""
     page = opened()
     page.get_by_label("begin with").select_option("nanchang")
-    expect(page.locator("h1")).to_have_text("Nanchang", timeout=LONG)
+    expect(page.locator("h1")).to_have_text("Nanchang")
     far = page.evaluate(
         """() => { const { boxes, camera } = benchdragon.player;
           return Array.from(boxes.x, (x, n) => camera.toScreen(x, boxes.y[n]))
@@ -223,12 +223,12 @@ def test_what_is_refused_is_said_once_and_its_old_picture_too(opened: Opened, pa
     number(page, "number of benches").fill("1e9")
     number(page, "number of benches").press("Enter")
     settle(page, "wanted at most 1000000")
-    expect(page.get_by_text("the picture is of an earlier plan")).to_be_visible(timeout=LONG)
+    expect(page.get_by_text("the picture is of an earlier plan")).to_be_visible()
     assert page.get_by_text("wanted at most").filter(visible=True).count() == 1
     page.locator("h1").click()
     page.keyboard.press("Control+z")
     settle(page, "Safe")
-    expect(page.locator(".limit")).to_have_text("smallest pitch: 0.450337 m (found)", timeout=LONG)
+    expect(page.locator(".limit")).to_have_text("smallest pitch: 0.450337 m (found)")
     pages.faults.clear()  # the refusal is on the console
 
 
@@ -247,7 +247,7 @@ def test_a_long_question_changes_its_language_with_the_page(opened: Opened) -> N
     page = opened()
     page.get_by_role("button", name="prove the verdict").click()
     job = page.locator(".jobs li")
-    expect(job).to_contain_text("Proved", timeout=LONG)
+    expect(job).to_contain_text("Proved")
     page.get_by_role("button", name="中文").click()
     expect(job).to_contain_text("证明判断")
     expect(job).to_contain_text("已证明")
@@ -276,7 +276,7 @@ def test_with_all_limits_set_the_controls_and_the_evidence_stay_in_sight(
           benchdragon.change(plan, true);
         }"""
     )
-    expect(verdict(page)).to_have_text(re.compile("rad/s"), timeout=LONG)
+    expect(verdict(page)).to_have_text(re.compile("rad/s"))
     assert page.evaluate("document.querySelector('.verdicts').offsetHeight < 0.25 * innerHeight")
     verdict(page).click()
     if device == "desktop":
@@ -295,6 +295,4 @@ def test_people_who_are_not_exact_need_more_than_a_millimetre(opened: Opened) ->
     change(page, "spiral pitch", "0.451")
     page.get_by_role("button", name="room for people who are not exact").click()
     job = page.locator(".jobs li")
-    expect(job).to_contain_text(
-        re.compile(r"[1-9].* % of 100 random dances touch; at most"), timeout=LONG
-    )
+    expect(job).to_contain_text(re.compile(r"[1-9].* % of 100 random dances touch; at most"))

@@ -59,7 +59,7 @@ def ask_slowly(
     def ask() -> None:
         with suppress(*([httpx.TransportError] if lost else [])):
             url = f"{base}/api/plan"
-            found.append(httpx.post(url, json={"toml": SLOW}, headers=headers, timeout=120))
+            found.append(httpx.post(url, json={"toml": SLOW}, headers=headers, timeout=600))
 
     thread = threading.Thread(target=ask)
     thread.start()
@@ -86,7 +86,7 @@ def served(settings: Settings) -> Iterator[Served]:
     thread.start()
     wait_for(lambda: server.started)
     try:
-        with httpx.Client(base_url=base, timeout=120) as client:
+        with httpx.Client(base_url=base, timeout=600) as client:
             found = Served(client, application.state.studio, base)
             found.ready()
             yield found

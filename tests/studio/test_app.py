@@ -276,7 +276,7 @@ def test_two_languages_are_spoken_at_once(studio: Served) -> None:
         language = ("en", "zh")[number % 2]
         plan = with_part(dragon={"benches": 30 + number}, disc={})
         url = f"{studio.base}/api/limit/pitch?lang={language}"
-        found[number] = httpx.post(url, json={"plan": plan}, timeout=120).json()["error"]
+        found[number] = httpx.post(url, json={"plan": plan}, timeout=600).json()["error"]
 
     threads = [threading.Thread(target=ask, args=(number,)) for number in range(8)]
     for thread in threads:
@@ -516,7 +516,7 @@ def test_long_questions_are_limited_for_one_and_for_all_and_forgotten(small: Ser
 def test_a_signal_ends_the_studio_and_tells_those_who_wait() -> None:
     with (
         process("--workers", "1") as (server, base),
-        httpx.Client(base_url=base, timeout=120) as client,
+        httpx.Client(base_url=base, timeout=600) as client,
     ):
         wait_for(lambda: client.get("/healthz").json()["workers"]["quick"]["ready"] == 1)
         workers = children(server.pid)
@@ -547,7 +547,7 @@ def test_ctrl_c_ends_a_studio_that_has_only_begun_to_start() -> None:
 def test_no_worker_outlives_a_studio_that_is_killed() -> None:
     with (
         process("--workers", "1") as (server, base),
-        httpx.Client(base_url=base, timeout=120) as client,
+        httpx.Client(base_url=base, timeout=600) as client,
     ):
         wait_for(lambda: client.get("/healthz").json()["workers"]["quick"]["ready"] == 1)
         asking, _found = ask_slowly(base, lost=True)
@@ -670,7 +670,7 @@ def test_the_description_of_the_addresses_holds(studio: Served) -> None:
             @settings(max_examples=8, suppress_health_check=list(HealthCheck))
             @given(case=operation.as_strategy(generation_mode=mode))
             def holds(case: Any) -> None:
-                response = case.call(timeout=120)
+                response = case.call(timeout=600)
                 assert response.status_code not in {500, 503}, response.text
                 case.validate_response(response, excluded_checks=left_out)
 

@@ -2,11 +2,11 @@
 
 import time as clock
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
 from benchdragon.analysis.contact import (
+    TOLERANCES,
     ClearanceCurve,
     clearance_above,
     clearance_curve,
@@ -18,6 +18,7 @@ from benchdragon.analysis.proof import prove_contact
 from benchdragon.analysis.speed import (
     QUANTITIES,
     RATE_TOLERANCE,
+    TOLERANCE,
     given_limits,
     greatest,
     greatest_speed,
@@ -130,23 +131,11 @@ def check(
     began = clock.perf_counter()
     stage = Stages(progress, 4)
     walk = plan.build()
-    span = start, end = plan.span(walk)
-    tolerances = (QUICK_CLEARANCE,) if quick else None
-    contact, clearance = None, _clear_throughout(plan, walk, span) if quick else None
-    if clearance is None:
-        told = stage(_("looking for contact"))
-        search = prove_contact if prove else first_contact
-        margin = plan.limits.margin
-        contact = search(walk, start, end, margin=margin, progress=told)
-        contact = _sure_contact(walk, start, end, margin, contact)
-    if contact is not None and contact.witness is not None:
-        span = start, contact.upper
-    if clearance is None:
-        clearance = _no_clearance(contact) or least_clearance(
-            walk, *span, progress=stage(_("clearance")), **_given(tolerances=tolerances)
-        )
-    wide = _given(tolerance=QUICK_SPEED if quick else None)
-    speed = greatest_speed(walk, *span, progress=stage(_("greatest speed")), **wide)
+    start, end = plan.span(walk)
+    contact, clearance = _nearness(plan, walk, (start, end), stage, prove, quick)
+    span = start, end if contact is None or contact.witness is None else contact.upper
+    width = QUICK_SPEED if quick else TOLERANCE
+    speed = greatest_speed(walk, *span, tolerance=width, progress=stage(_("greatest speed")))
     speed = _decided_speed(plan, walk, span, speed)
     peaks = _limited_peaks(plan, walk, span, stage(_("other limits")))
     return Report(
@@ -157,9 +146,22 @@ def check(
     )  # fmt: skip
 
 
-def _given(**options: Any) -> dict[str, Any]:
-    """Those options that are not None."""
-    return {name: value for name, value in options.items() if value is not None}
+def _nearness(
+    plan: Plan, walk: Walk, span: tuple[float, float], stage: Stages, prove: bool, quick: bool
+) -> tuple[Answer | None, Answer]:
+    """The first contact, and the least clearance until then."""
+    clearance = _clear_throughout(plan, walk, span) if quick else None
+    if clearance is not None:
+        return None, clearance
+    margin, told = plan.limits.margin, stage(_("looking for contact"))
+    search = prove_contact if prove else first_contact
+    contact = search(walk, *span, margin=margin, progress=told)
+    contact = _sure_contact(walk, *span, margin, contact)
+    if (touching := _no_clearance(contact)) is not None:
+        return contact, touching
+    until = span[1] if contact is None or contact.witness is None else contact.upper
+    widths, told = (QUICK_CLEARANCE,) if quick else TOLERANCES, stage(_("clearance"))
+    return contact, least_clearance(walk, span[0], until, tolerances=widths, progress=told)
 
 
 def _clear_throughout(plan: Plan, walk: Walk, span: tuple[float, float]) -> Answer | None:

@@ -170,13 +170,11 @@ def verdict_of_fall(plan: Plan, span: tuple[float, float], error: WalkError) -> 
 
 def untimed(verdict: Verdict) -> Verdict:
     """The same without how long anything took."""
-    answers = {
-        name: found and found.model_copy(update={"seconds": None})
-        for name in ("first_contact", "clearance", "greatest_speed")
-        for found in [getattr(verdict, name)]
-    }
-    peaks = [
-        peak.model_copy(update={"peak": peak.peak.model_copy(update={"seconds": None})})
-        for peak in verdict.peaks
-    ]
+
+    def without(answer: Answer | None) -> Answer | None:
+        return answer and answer.model_copy(update={"seconds": None})
+
+    peaks = [peak.model_copy(update={"peak": without(peak.peak)}) for peak in verdict.peaks]
+    names = ("first_contact", "clearance", "greatest_speed")
+    answers = {name: without(getattr(verdict, name)) for name in names}
     return verdict.model_copy(update={**answers, "peaks": peaks, "seconds": None})
