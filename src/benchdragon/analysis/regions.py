@@ -2,7 +2,7 @@
 
 The route is cut into cells, and what benches of each size sweep over in a cell is boxed once. Only
 cells whose boxes come within reach of one another are ever looked at again (kernels/regions.py). Cells
-of a spiral that lie outside the radius of `shelter` are boxed only where another part comes near.
+of a spiral that lie outside the radius of `spiral_bound` are boxed only where another part comes near.
 """
 
 import math
@@ -61,7 +61,7 @@ class Step:
 
 
 class Ledger:
-    """All chains that an answer rests on, as computed, for a proof to look over (see `prove`).
+    """All chains that an answer rests on, as computed, for a proof to look over (see `proof`).
 
     Attributes:
         looks: (head positions, row, u, x, y) of chains of the search, the last four (T, handles).

@@ -1,4 +1,4 @@
-"""How answers of solve and reproduce came about, in plain words (see `explain`)."""
+"""How answers of solve and reproduce came about, in plain words (see `text`)."""
 
 import math
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""How a check came about, in plain words: what meets, why nothing is missed (see `explain`)."""
+"""How a check came about, in plain words: what meets, why nothing is missed (see `text`)."""
 
 from typing import NamedTuple
 

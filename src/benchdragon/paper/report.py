@@ -1,6 +1,6 @@
 """The report on the paper: what it says, claim by claim, beside what comes out, and how that is known.
 
-Here it is text, tables and names of pictures in the language in use; `report_files` writes it as HTML
+Here it is text, tables and names of pictures in the language in use; `publish` writes it as HTML
 and PDF. Every number is one of the run's own, or the paper's.
 """
 

@@ -1,7 +1,7 @@
 """Better turns: a global search over a family, then a local one, then exact figures of what it found.
 
 While it searches, a turn is judged by sampling the first benches of the dragon: all later ones walk
-through it as those do. What comes out is judged by `pace` and `contact`, over continuous time and
+through it as those do. What comes out is judged by `head_speed` and `contact`, over continuous time and
 with the whole dragon, and searched anew with narrower limits where sampling had flattered it.
 """
 

@@ -1,7 +1,7 @@
 """The studio: a server for the page on which a dance is planned, judged and watched.
 
-It computes nothing itself: worker processes do (`studio_workers`), what may be asked stands in
-`tasks.TASKS`, what it bears in `studio_settings`. Addresses stand in `_routes`.
+It computes nothing itself: worker processes do (`workers`), what may be asked stands in
+`tasks.TASKS`, what it bears in `limits`. Addresses stand in `_routes`.
 """
 
 import asyncio
