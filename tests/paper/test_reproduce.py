@@ -82,6 +82,7 @@ def test_the_command_prints_answers_and_files(
     found: Results,
 ) -> None:
     monkeypatch.setattr(reproducing, "results", lambda _progress: found)
+    monkeypatch.setattr(reproducing, "PICTURE_KINDS", ("png",))
     assert run(["reproduce", "-o", str(tmp_path / "a"), "--explain"]) == 0
     out = capsys.readouterr().out
     assert "measured order of RK4 3.97" in out
