@@ -215,6 +215,8 @@ def recorded(monkeypatch: pytest.MonkeyPatch) -> list[str]:
         calls.append(repr(settings))
         listening("somewhere")
 
+    # Whom earlier tests told to watch would say here that kernels are being compiled.
+    benchdragon.kernels.jit.watch_compiling(lambda: None, 1e6)
     # A machine so slow that its progress is told would say more once than again.
     monkeypatch.setattr(benchdragon.cli.console, "LINE_EACH", 1e6)
     for module in (benchdragon.model.placement, benchdragon.solve.tolerance):

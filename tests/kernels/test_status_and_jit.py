@@ -126,6 +126,8 @@ def listeners(monkeypatch: pytest.MonkeyPatch) -> list[tuple[str, Any]]:
     FakeTimer.made = []
     monkeypatch.setattr(threading, "Timer", FakeTimer)
     monkeypatch.setattr(event, "register", lambda kind, listener: found.append((kind, listener)))
+    monkeypatch.setattr(event, "unregister", lambda kind, listener: found.remove((kind, listener)))
+    monkeypatch.setattr(jit, "_watching", [])
     return found
 
 
@@ -147,6 +149,15 @@ def test_slow_compiling_is_timed_once_from_the_outermost_kernel(
     assert started[0].calls == ["start", "cancel"]
     listener.on_start(None)
     assert sum("start" in timer.calls for timer in FakeTimer.made) == 2
+
+
+@pytest.mark.usefixtures("compiling")
+def test_who_watches_last_watches_alone(listeners: list[tuple[str, Any]]) -> None:
+    jit.watch_compiling(lambda: None, 1.0)
+    first = listeners[0]
+    jit.watch_compiling(lambda: None, 1.0)
+    assert len(listeners) == 1
+    assert listeners[0] != first
 
 
 def test_plain_kernels_have_no_compiling_to_watch(

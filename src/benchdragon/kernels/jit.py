@@ -64,8 +64,14 @@ def kernel(function: Function) -> Function:
     return cast("Function", compiled)
 
 
+_watching: list[Any] = []
+
+
 def watch_compiling(slow: Callable[[], None], after: float) -> None:
-    """Call `slow` once the kernels have been compiling for `after` seconds (on another thread)."""
+    """Call `slow` once the kernels have been compiling for `after` seconds (on another thread).
+
+    Whoever watched before does so no longer.
+    """
     if not COMPILED:
         return
     from numba.core import event  # only doors want to be told
@@ -87,4 +93,8 @@ def watch_compiling(slow: Callable[[], None], after: float) -> None:
                 self.timer.cancel()
 
     register: Any = event.register
-    register("numba:compile", Watch())
+    unregister: Any = event.unregister
+    while _watching:
+        unregister("numba:compile", _watching.pop())
+    _watching.append(Watch())
+    register("numba:compile", _watching[-1])
