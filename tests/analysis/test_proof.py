@@ -8,7 +8,18 @@ import mpmath
 import numpy as np
 import pytest
 
-from benchdragon import Arc, Clothoid, Dragon, Line, Route, SpeedProfile, Spiral, UnsureError, Walk
+from benchdragon import (
+    Arc,
+    Clothoid,
+    Dragon,
+    InputError,
+    Line,
+    Route,
+    SpeedProfile,
+    Spiral,
+    UnsureError,
+    Walk,
+)
 from benchdragon.analysis import contact
 from benchdragon.analysis import proof as prove
 from benchdragon.analysis.check import check
@@ -74,6 +85,20 @@ def test_a_graze_within_the_errors_stays_undecided() -> None:
 def test_an_overlap_is_proved_and_a_gap_is_not(walk: Walk) -> None:
     assert prove_nearer(walk, FIRST_CONTACT + 1e-9, 0, 8, 0.0)
     assert not prove_nearer(walk, FIRST_CONTACT - 1e-9, 0, 8, 0.0)
+
+
+def test_a_curve_that_is_not_enclosed_is_refused_before_any_work(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(prove, "ENCLOSED", (Line, Arc))
+    monkeypatch.setattr(prove, "contact_windows", lambda *_args, **_more: pytest.fail("it searched"))
+    monkeypatch.setattr(solve, "_limit", lambda *_args: pytest.fail("it searched"))
+    route = Route.joined([Line(30.0), Clothoid(6.0, 0.0, 0.4)])
+    wanted = r"^part 2 of the route is a clothoid, and proofs know lines, arcs, clothoids and Archi"
+    with pytest.raises(InputError, match=wanted):
+        prove_contact(Walk(Dragon.uniform(3, 2.2), route), 0.0, 1.0)
+    with pytest.raises(InputError, match=r"^part 1 of the route is a spiral, and proofs know"):
+        limit(read_plan("spiral-in", ["disc.radius=4.5"]), "pitch", prove=True)
 
 
 @pytest.mark.parametrize(

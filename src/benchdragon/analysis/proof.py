@@ -19,13 +19,14 @@ from benchdragon.analysis.contact import SLACK, contact_windows
 from benchdragon.analysis.distance import pair_distances
 from benchdragon.analysis.regions import Ledger
 from benchdragon.analysis.spiral_bound import SPARE
-from benchdragon.errors import MissingExtraError, UnsureError, of_kind
+from benchdragon.errors import InputError, MissingExtraError, UnsureError, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.regions import EDGE
 from benchdragon.kernels.route import IntArray
 from benchdragon.model.answer import Answer, Status
+from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
 from benchdragon.model.walk import Walk
 from benchdragon.progress import Progress, silent
 
@@ -48,6 +49,8 @@ KINK = 1e-11
 OTHERS = 0.1 * EDGE
 # Slack is doubled at most so often, and never beyond this, m.
 MOST_TRIALS, MOST_SLACK = 4, 1e-6
+# Curves whose points and tangents a `Checker` encloses.
+ENCLOSED = (Line, Arc, Clothoid, Spiral)
 # Roundings of the few products that bound an error, and what factors change by within one.
 ROUNDED_UP = 1.0 + 1e-6
 
@@ -79,6 +82,22 @@ def require_flint() -> None:
         import flint  # noqa: F401 - an optional extra
     except ImportError:
         raise MissingExtraError("prove") from None
+
+
+def require_enclosed(route: Route) -> None:
+    """Say which part of a route cannot be proved, if there is one.
+
+    Raises:
+        InputError: if one is of a kind that a `Checker` does not enclose.
+    """
+    for number, curve in enumerate(route, start=1):
+        if not isinstance(curve, ENCLOSED):
+            raise InputError(
+                _(
+                    "part {number} of the route is {kind}, and proofs know lines, arcs, clothoids and "
+                    "Archimedean spirals alone"
+                ).format(number=number, kind=_(curve.called))
+            )
 
 
 @dataclass(frozen=True)
@@ -323,11 +342,13 @@ def prove_contact(
     `assumed` says. Graze within rounding: the answer stays "undecided".
 
     Raises:
+        InputError: for a route with a part that cannot be proved.
         MissingExtraError: without python-flint.
         UnsureError: if errors of places cannot be bounded well enough.
         WalkError: as `first_contact`.
     """
     of_kind("walk", walk, Walk)
+    require_enclosed(walk.route)
     require_flint()
     slack = SLACK
     for _trial in range(MOST_TRIALS):

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from benchdragon.i18n import N_, _
+from benchdragon.i18n import _
 from benchdragon.kernels.status import Status
 from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line, Route, Spiral
 from benchdragon.model.walk import Motion, Walk
@@ -20,13 +20,6 @@ DIGITS, LEAST_DECIMALS, MOST_DECIMALS = 8, 6, 10
 MOST_SPANS = 6
 # Simpson's rule of three points is shown for clothoids that turn by at most this, rad.
 GENTLE = 1.0
-
-KINDS: dict[type[AnyCurve], str] = {
-    Line: N_("a line"),
-    Arc: N_("an arc"),
-    Clothoid: N_("a clothoid"),
-    Spiral: N_("a spiral"),
-}
 
 
 def number(value: float) -> str:
@@ -142,15 +135,15 @@ def _place(route: Route, s: float, i: int, known: _Place | None) -> _Place:
         "u{i} = s{i} - sA = {way} m."
     )
     where = text.format(
-        i=i, kind=_(KINDS[type(curve)]), n=part + 1, count=len(route.curves),
+        i=i, kind=_(curve.called), n=part + 1, count=len(route.curves),
         way=f"{number(s)} - {number(start)} = {number(s - start)}",
     )  # fmt: skip
     new = known is None or known.part != part
     if isinstance(curve, Spiral):
         lines, alpha, theta = _on_spiral(curve, s - start, i, new)
         return _Place(part, curve, i, alpha, (where, *lines), theta)
-    step = {Line: _on_line, Arc: _on_arc, Clothoid: _on_clothoid}[type(curve)]
-    first, lines, alpha = step(curve, s - start, i)
+    steps = {Line: _on_line, Arc: _on_arc, Clothoid: _on_clothoid}
+    first, lines, alpha = steps.get(type(curve), _on_curve)(curve, s - start, i)
     lines = [first, *lines] if new else lines
     return _Place(part, curve, i, alpha, (where, *lines))
 
@@ -310,6 +303,16 @@ def _simpson_line(start: tuple[float, float], angles: tuple[float, ...], u: floa
         numbers.append(f"{name}{i} ≈ {number(origin)} + {number(u)}/6·({waves}) = {number(rough)} m")
     text = _("Roughly, by Simpson's rule (start, middle, end): {numbers}.")
     return text.format(numbers="; ".join(numbers))
+
+
+def _on_curve(curve: AnyCurve, u: float, i: int) -> tuple[str, list[str], float]:
+    """A place on a curve whose formulas are not written out: where they lead."""
+    (x, y), first = curve.start_pose
+    at, alpha = curve.point(u).tolist(), float(curve.heading(u))
+    start = _("It starts at A = {point} m; its direction is αA = {alpha}.")
+    text = _("Its formulas give x{i} = {x} m; y{i} = {y} m; α{i} = {alpha}.")
+    line = text.format(i=i, x=number(at[0]), y=number(at[1]), alpha=number(alpha))
+    return start.format(point=pair(x, y), alpha=number(first)), [line], alpha
 
 
 def _link_line(walk: Walk) -> str:

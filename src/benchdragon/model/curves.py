@@ -8,13 +8,13 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Self
+from typing import ClassVar, Self
 
 import numpy as np
 import numpy.typing as npt
 
 from benchdragon.errors import InputError, finite, not_negative, positive
-from benchdragon.i18n import _
+from benchdragon.i18n import N_, _
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import evaluate
@@ -34,7 +34,13 @@ LEAST_METRES = 1e-6
 
 
 class Curve:
-    """What every curve and every route can tell: where it runs, at any arc length."""
+    """What every curve and every route can tell: where it runs, at any arc length.
+
+    Attributes:
+        called: what kind of curve it is, in words.
+    """
+
+    called: ClassVar[str]
 
     @cached_property
     def rows(self) -> FloatArray:
@@ -156,6 +162,8 @@ class Line(Curve):
         start_heading: rad.
     """
 
+    called: ClassVar[str] = N_("a line")
+
     length_m: float
     start: Point = (0.0, 0.0)
     start_heading: float = 0.0
@@ -184,6 +192,8 @@ class Arc(Curve):
         start: (x, y) of its start, m.
         start_heading: rad.
     """
+
+    called: ClassVar[str] = N_("an arc")
 
     radius: float
     sweep: float
@@ -227,6 +237,8 @@ class Spiral(Curve):
         mirrored: whether the polar angle falls, not grows, with theta. Unmirrored, the walk inward
             is clockwise and the walk outward counter-clockwise.
     """
+
+    called: ClassVar[str] = N_("a spiral")
 
     pitch: float
     start_angle: float
@@ -310,6 +322,8 @@ class Clothoid(Curve):
         start: (x, y) of its start, m.
         start_heading: rad.
     """
+
+    called: ClassVar[str] = N_("a clothoid")
 
     length_m: float
     start_curvature: float

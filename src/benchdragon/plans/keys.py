@@ -8,36 +8,21 @@ import tomlkit
 from pydantic.fields import FieldInfo
 
 from benchdragon.i18n import N_, _
+from benchdragon.plans.faults import kinds_of
 from benchdragon.plans.schema import PartsRoute, Plan, SpiralInRoute, TurnRoute
 from benchdragon.plans.tables import (
-    ArcPart,
+    PARTS,
     BenchTable,
-    ClothoidPart,
+    CurvePart,
     DiscTable,
     DragonTable,
+    Key,
     LimitsTable,
-    LinePart,
     MetaTable,
-    SpiralPart,
     Table,
     TurnTable,
     WalkTable,
 )
-
-
-@dataclass(frozen=True)
-class Key:
-    """What a key means.
-
-    Args:
-        text: in a few words.
-        example: as it may stand in a file.
-        unit: of a bare number; "" for what has none.
-    """
-
-    text: str
-    example: Any
-    unit: str = ""
 
 
 @dataclass(frozen=True)
@@ -54,6 +39,14 @@ INSETS = {
     "front_inset": Key(N_("from the front edge to the front hole"), "27.5 cm", "m"),
     "rear_inset": Key(N_("from the rear edge to the rear hole"), "27.5 cm", "m"),
 }
+
+
+def _part_section(part: type[CurvePart]) -> Section:
+    (kind,) = kinds_of(part)
+    means = {"kind": Key(N_("kind of the part"), kind), **part.keys}
+    return Section(f'[[route.part]] kind = "{kind}"', part.about, part, means)
+
+
 SECTIONS = (
     Section(
         "", N_("The plan itself."), Plan,
@@ -118,40 +111,7 @@ SECTIONS = (
             "heading": Key(N_("direction in which it starts, from x to y"), 90, "deg"),
         },
     ),
-    Section(
-        '[[route.part]] kind = "line"', N_("A straight line."), LinePart,
-        {
-            "kind": Key(N_("kind of the part"), "line"),
-            "length": Key(N_("length of the part"), "30 m", "m"),
-        },
-    ),
-    Section(
-        '[[route.part]] kind = "arc"', N_("An arc of a circle."), ArcPart,
-        {
-            "kind": Key(N_("kind of the part"), "arc"),
-            "radius": Key(N_("radius of the circle"), 8, "m"),
-            "angle": Key(N_("angle turned through; positive turns left"), 90, "deg"),
-        },
-    ),
-    Section(
-        '[[route.part]] kind = "clothoid"', N_("A curve whose curvature changes evenly."), ClothoidPart,
-        {
-            "kind": Key(N_("kind of the part"), "clothoid"),
-            "length": Key(N_("length of the part"), 6, "m"),
-            "start_curvature": Key(N_("curvature at its start; positive turns left"), 0, "1/m"),
-            "end_curvature": Key(N_("curvature at its end; positive turns left"), 0.125, "1/m"),
-        },
-    ),
-    Section(
-        '[[route.part]] kind = "spiral"', N_("A spiral from one radius to another."), SpiralPart,
-        {
-            "kind": Key(N_("kind of the part"), "spiral"),
-            "pitch": Key(N_("distance between neighbouring turns of the spiral"), "80 cm", "m"),
-            "start_radius": Key(N_("radius where the part starts"), 12, "m"),
-            "end_radius": Key(N_("radius where the part ends"), 5, "m"),
-            "clockwise": Key(N_("whether the dragon walks it clockwise"), True),
-        },
-    ),
+    *(_part_section(part) for part in PARTS),
     Section(
         "[disc]", N_("The turning space, a circle about the spiral's centre; not beside parts."),
         DiscTable,

@@ -4,13 +4,15 @@ Metres, seconds and degrees, or a string with a unit ("55 cm", "3 min 12 s"). Ke
 """
 
 import math
-from typing import Annotated, Any, Literal
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Annotated, Any, ClassVar, Literal, get_args
 
 import numpy as np
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field
 
 from benchdragon.errors import InputError
-from benchdragon.i18n import _
+from benchdragon.i18n import N_, _
 from benchdragon.model.curves import MOST_METRES, AnyCurve, Arc, Clothoid, Line, Spiral
 from benchdragon.model.dragon import MOST_BENCHES, Dragon, SizeError
 from benchdragon.model.profile import SpeedProfile
@@ -147,8 +149,44 @@ class DragonTable(Table):
         return Dragon.of_sizes(*np.repeat(sizes, [one.count for one in self.bench], axis=0).T)
 
 
-class LinePart(Table):
+@dataclass(frozen=True)
+class Key:
+    """What a key means.
+
+    Args:
+        text: in a few words.
+        example: as it may stand in a file.
+        unit: of a bare number; "" for what has none.
+    """
+
+    text: str
+    example: Any
+    unit: str = ""
+
+
+class CurvePart(Table):
+    """A part of a route: a curve that a plan may name.
+
+    Attributes:
+        about: what it is, in words.
+        keys: what each key means, but for `kind`, which means the same in all.
+    """
+
+    about: ClassVar[str]
+    keys: ClassVar[Mapping[str, Key]]
+
+    def build(self) -> AnyCurve:
+        """The curve, at the origin."""
+        raise NotImplementedError
+
+
+class LinePart(CurvePart):
     """A straight line."""
+
+    about: ClassVar[str] = N_("A straight line.")
+    keys: ClassVar[Mapping[str, Key]] = {
+        "length": Key(N_("length of the part"), "30 m", "m"),
+    }
 
     kind: Literal["line"]
     length: Length
@@ -158,8 +196,14 @@ class LinePart(Table):
         return Line(self.length)
 
 
-class ArcPart(Table):
+class ArcPart(CurvePart):
     """A circular arc; a positive angle turns left."""
+
+    about: ClassVar[str] = N_("An arc of a circle.")
+    keys: ClassVar[Mapping[str, Key]] = {
+        "radius": Key(N_("radius of the circle"), 8, "m"),
+        "angle": Key(N_("angle turned through; positive turns left"), 90, "deg"),
+    }
 
     kind: Literal["arc"]
     radius: Length
@@ -170,8 +214,15 @@ class ArcPart(Table):
         return Arc(self.radius, math.radians(self.angle))
 
 
-class ClothoidPart(Table):
+class ClothoidPart(CurvePart):
     """A curve whose curvature changes evenly; positive curvature, 1/m, turns left."""
+
+    about: ClassVar[str] = N_("A curve whose curvature changes evenly.")
+    keys: ClassVar[Mapping[str, Key]] = {
+        "length": Key(N_("length of the part"), 6, "m"),
+        "start_curvature": Key(N_("curvature at its start; positive turns left"), 0, "1/m"),
+        "end_curvature": Key(N_("curvature at its end; positive turns left"), 0.125, "1/m"),
+    }
 
     kind: Literal["clothoid"]
     length: Length
@@ -183,8 +234,16 @@ class ClothoidPart(Table):
         return Clothoid(self.length, self.start_curvature, self.end_curvature)
 
 
-class SpiralPart(Table):
+class SpiralPart(CurvePart):
     """An Archimedean spiral from one radius to another; as first part its centre is the origin."""
+
+    about: ClassVar[str] = N_("A spiral from one radius to another.")
+    keys: ClassVar[Mapping[str, Key]] = {
+        "pitch": Key(N_("distance between neighbouring turns of the spiral"), "80 cm", "m"),
+        "start_radius": Key(N_("radius where the part starts"), 12, "m"),
+        "end_radius": Key(N_("radius where the part ends"), 5, "m"),
+        "clockwise": Key(N_("whether the dragon walks it clockwise"), True),
+    }
 
     kind: Literal["spiral"]
     pitch: Pitch
@@ -200,7 +259,9 @@ class SpiralPart(Table):
         )
 
 
-Part = Annotated[LinePart | ArcPart | ClothoidPart | SpiralPart, Field(discriminator="kind")]
+AnyPart = LinePart | ArcPart | ClothoidPart | SpiralPart
+PARTS: tuple[type[CurvePart], ...] = get_args(AnyPart)
+Part = Annotated[AnyPart, Field(discriminator="kind")]
 
 
 class DiscTable(Table):

@@ -14,7 +14,13 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from benchdragon.analysis.contact import SLACK, Hunt
-from benchdragon.analysis.proof import assumed, prove_contact, prove_nearer, require_flint
+from benchdragon.analysis.proof import (
+    assumed,
+    prove_contact,
+    prove_nearer,
+    require_enclosed,
+    require_flint,
+)
 from benchdragon.errors import InputError, UnsureError, of_kind
 from benchdragon.i18n import _
 from benchdragon.model.answer import Answer, Status, Witness
@@ -125,7 +131,7 @@ def limit(
 
     Raises:
         InputError: for an unknown name, or a head that walks to the centre of a spiral, where no bench
-            can follow whatever its size.
+            can follow whatever its size; for a proof on a route with a part that cannot be proved.
         PlanError: for a plan without that size.
         MissingExtraError: for a proof without python-flint.
         UnsureError: if the bracket could not be proved.
@@ -135,6 +141,7 @@ def limit(
     family = Family(plan, question(name), plan.limits.margin if margin is None else margin, tolerance)
     _refuse_centre(plan, name)
     if prove:
+        require_enclosed(family.walk(plan.value(family.question.keys[0]))[0].route)
         require_flint()
     answer = _limit(family, progress, began)
     return _proved(family, answer, progress, began) if prove and answer.status == "found" else answer
