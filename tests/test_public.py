@@ -86,7 +86,7 @@ def test_a_dragon_cannot_be_changed() -> None:
         (bd.Dragon, "benches must be a list of Bench, not 1.0"),
         (lambda any_: bd.Dragon([bd.Bench(2.0), any_]), "bench 2 must be a Bench, not 1.0"),
         (bd.Route, "curves must be a list of curves, not 1.0"),
-        (lambda any_: bd.Route((bd.Line(1.0), any_)), "curve 2 must be a Line, Arc, Spiral or Clot"),
+        (lambda any_: bd.Route((bd.Line(1.0), any_)), "curve 2 must be a Line, Arc, Spiral, Clot"),
         (bd.clearances, "placed must be a Placement, not 1.0"),
         (
             lambda any_: bd.tightest_pairs(MOTION, any_),
@@ -114,6 +114,7 @@ CALLS: dict[str, tuple[Any, ...]] = {
     "Arc": (5.0, 1.0),
     "Bench": (2.0, 0.3, 0.1, 0.1),
     "Clothoid": (5.0, 0.0, 0.1),
+    "LogSpiral": (5.0, 0.2, 0.1),
     "Dragon": ([bd.Bench(2.0)],),
     "Line": (5.0,),
     "Route": ((bd.Line(5.0),),),

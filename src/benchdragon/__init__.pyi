@@ -23,6 +23,7 @@ from .model.answer import Witness as Witness
 from .model.curves import Arc as Arc
 from .model.curves import Clothoid as Clothoid
 from .model.curves import Line as Line
+from .model.curves import LogSpiral as LogSpiral
 from .model.curves import Route as Route
 from .model.curves import Spiral as Spiral
 from .model.dragon import Bench as Bench

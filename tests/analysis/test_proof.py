@@ -14,6 +14,7 @@ from benchdragon import (
     Dragon,
     InputError,
     Line,
+    LogSpiral,
     Route,
     SpeedProfile,
     Spiral,
@@ -38,7 +39,7 @@ from benchdragon.kernels.bounds import reach
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, set_box
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
-from benchdragon.plans.schema import read_plan
+from benchdragon.plans.schema import checked, read_plan
 from benchdragon.solve import size as solve
 from benchdragon.solve.size import limit
 
@@ -90,13 +91,19 @@ def test_an_overlap_is_proved_and_a_gap_is_not(walk: Walk) -> None:
 def test_a_curve_that_is_not_enclosed_is_refused_before_any_work(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(prove, "ENCLOSED", (Line, Arc))
     monkeypatch.setattr(prove, "contact_windows", lambda *_args, **_more: pytest.fail("it searched"))
     monkeypatch.setattr(solve, "_limit", lambda *_args: pytest.fail("it searched"))
-    route = Route.joined([Line(30.0), Clothoid(6.0, 0.0, 0.4)])
-    wanted = r"^part 2 of the route is a clothoid, and proofs know lines, arcs, clothoids and Archi"
+    route = Route.joined([Line(30.0), LogSpiral(6.0, 0.1, 0.4)])
+    wanted = r"^part 2 of the route is a logarithmic spiral, and proofs know lines, arcs, clothoids and"
     with pytest.raises(InputError, match=wanted):
         prove_contact(Walk(Dragon.uniform(3, 2.2), route), 0.0, 1.0)
+    parts = [{"kind": "line", "length": 60.0}]
+    parts.append({"kind": "log-spiral", "length": 20.0, "start_curvature": 0.1, "end_curvature": 0.3})
+    plan = checked({"schema": 1, "dragon": {"benches": 4}, "route": {"part": parts}}, "plan")
+    for ask in (lambda: check(plan, prove=True), lambda: limit(plan, "width", prove=True)):
+        with pytest.raises(InputError, match=wanted):
+            ask()
+    monkeypatch.setattr(prove, "ENCLOSED", (Line, Arc))
     with pytest.raises(InputError, match=r"^part 1 of the route is a spiral, and proofs know"):
         limit(read_plan("spiral-in", ["disc.radius=4.5"]), "pitch", prove=True)
 

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from benchdragon import Dragon, Line, LogSpiral, Route
 from benchdragon.analysis.check import check
 from benchdragon.analysis.distance import pair_distances, tightest_pairs
 from benchdragon.cli.main import run
@@ -96,6 +97,21 @@ def test_motion_is_explained_on_every_part_of_every_plan(name: str, spoken: str)
         for i, (x, y) in enumerate(zip(motion.x[0, :2], motion.y[0, :2], strict=True)):
             assert stated(f"x{i}", lines) == pytest.approx(x, abs=1e-6)
             assert stated(f"y{i}", lines) == pytest.approx(y, abs=1e-6)
+
+
+def test_a_place_on_a_curve_without_formulas_here_is_told_all_the_same(spoken: str) -> None:
+    route = Route.joined([Line(60.0), LogSpiral(20.0, 0.1, 0.3)])
+    motion = Walk(Dragon.uniform(4, 2.2), route).motion([61.0, 75.0])
+    lines = motion_lines(motion)
+    agree(lines, 8)
+    chinese_or_not(lines, spoken)
+    for t, head in enumerate((1.0, 15.0)):
+        here = motion_lines(Walk(Dragon.uniform(4, 2.2), route).motion([60.0 + head]))
+        kind = {"en": "on a logarithmic spiral, part 2 of 2", "zh": "对数螺线"}[spoken]
+        assert kind in "\n".join(here)
+        for i in range(2):
+            assert stated(f"x{i}", here) == pytest.approx(motion.x[t, i], abs=1e-6)
+            assert stated(f"y{i}", here) == pytest.approx(motion.y[t, i], abs=1e-6)
 
 
 def test_the_first_sound_time_is_explained_and_a_dragon_that_never_stands_is_said_so() -> None:

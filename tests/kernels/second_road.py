@@ -1,7 +1,8 @@
 """Points of a route by formulas that the kernels do not use, many at a time, as complex numbers.
 
-Arcs as e^i - 1 about their centre, clothoids by SciPy's Fresnel integrals, spirals by
-bisection of their length. `first_root` looks for the next handle by a dense scan and SciPy's brentq.
+Arcs as e^i - 1 about their centre, clothoids by SciPy's Fresnel integrals, spirals by bisection of
+their length, logarithmic spirals as powers of their radius about the pole. `first_root` looks for
+the next handle by a dense scan and SciPy's brentq.
 """
 
 import numpy as np
@@ -9,7 +10,7 @@ import numpy.typing as npt
 from scipy.optimize import brentq
 from scipy.special import fresnel
 
-from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
+from benchdragon.model.curves import Arc, Clothoid, Line, LogSpiral, Route, Spiral
 
 Complex = npt.NDArray[np.complex128]
 Float = npt.NDArray[np.float64]
@@ -59,6 +60,15 @@ def spiral_points(spiral: Spiral, s: Float) -> Complex:
     return np.asarray(complex(*spiral.centre) + spiral.k * theta * expi(spiral.rotation + hand * theta))
 
 
+def log_spiral_points(curve: LogSpiral, s: Float) -> Complex:
+    """About its pole, from which the arm leans by one angle against the tangent, long as its radius."""
+    radii = 1.0 / curve.start_curvature, 1.0 / curve.end_curvature
+    lean = (radii[1] - radii[0]) / curve.length_m + 1j  # of radius and tangent
+    grown = 1.0 + lean.real * s / radii[0]
+    arm = radii[0] / lean * expi(curve.start_heading)
+    return np.asarray(complex(*curve.start) + arm * (grown ** (1.0 + 1j / lean.real) - 1.0))
+
+
 def points(route: Route, s: npt.ArrayLike) -> Complex:
     """Points of `route` at route positions s."""
     at = np.atleast_1d(np.asarray(s, dtype=np.float64))
@@ -73,6 +83,8 @@ def points(route: Route, s: npt.ArrayLike) -> Complex:
                 out[part == i] = arc_points(curve, local)
             case Clothoid():
                 out[part == i] = clothoid_points(curve, local)
+            case LogSpiral():
+                out[part == i] = log_spiral_points(curve, local)
             case Spiral():
                 out[part == i] = spiral_points(curve, local)
     return out

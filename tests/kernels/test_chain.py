@@ -21,7 +21,7 @@ from benchdragon.kernels.jit import COMPILED
 from benchdragon.kernels.route import IntArray, locate, positions
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.status import Status
-from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line, Route, Spiral
+from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line, LogSpiral, Route, Spiral
 from benchdragon.model.turns import TwoArcTurn
 
 Float = npt.NDArray[np.float64]
@@ -81,6 +81,7 @@ MIXED: list[AnyCurve] = [
     Clothoid(6.0, 0.0, 0.25),
     Arc(4.0, 2.0),
     Clothoid(8.0, 0.25, -0.1),
+    LogSpiral(7.0, -0.1, -0.25),
     Line(5.0),
     Spiral(1.5, 45.0, 18.0, mirrored=True),
     Arc(4.0, -1.0),

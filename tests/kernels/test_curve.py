@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.integrate import quad
 
 from benchdragon.kernels import curve as kernel
-from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line, Route, Spiral
+from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line, LogSpiral, Route, Spiral
 from tests.kernels.second_road import points
 
 CURVES: dict[str, AnyCurve] = {
@@ -22,6 +22,8 @@ CURVES: dict[str, AnyCurve] = {
     "clothoid": Clothoid(6.0, 0.1, -0.4, (1.0, 1.0), 0.3),
     "clothoid of many rows": Clothoid(20.0, -1.5, 2.0, (-3.0, 5.0), 2.0),
     "clothoid that leaves a line": Clothoid(5.0, 0.0, 0.3),
+    "logarithmic spiral that opens": LogSpiral(14.0, 0.5, 0.15, (1.0, -2.0), 0.4),
+    "logarithmic spiral that winds up": LogSpiral(9.0, -0.25, -0.7, (0.0, 3.0), -2.0),
     "spiral in": Spiral(1.7, 30.0, 9.0),
     "spiral out": Spiral(1.7, 2.0, 30.0),
     "spiral in, mirrored": Spiral(0.55, 60.0, 5.0, (2.0, 3.0), 0.4, mirrored=True),
@@ -205,3 +207,53 @@ def test_a_place_behind_an_inward_spiral_lies_farther_out() -> None:
 def test_a_length_beyond_the_centre_stays_at_the_centre() -> None:
     spiral = Spiral(0.55, 20.0, 0.0)
     assert kernel.parameter_at(spiral.rows, 0, spiral.length + 1.0) == 0.0
+
+
+@given(
+    st.floats(0.1, 40.0),
+    st.floats(-3.0, 3.0).filter(lambda bend: abs(bend) > 1e-3),
+    st.floats(-3.0, 3.0),
+    st.floats(0.0, 1.0),
+)
+def test_any_logarithmic_spiral_is_the_integral_of_its_tangent(
+    length: float, first: float, winding: float, share: float
+) -> None:
+    """From nearly an arc on to a hundredfold of its curvature, against 40 digits of the definition."""
+    last = first * math.exp(1.5 * winding)
+    assume(length * abs(last) < 1e3)
+    spiral = LogSpiral(length, first, last, (1.0, 2.0), 0.5)
+    s = share * length
+    with mp.workdps(40):
+        gain = (mp.mpf(first) / mp.mpf(last) - 1) / mp.mpf(length)
+        turn = mp.log1p(gain * s) * first / gain if gain else mp.mpf(first) * s
+        radius = (1 + gain * s) / first
+        lean = gain / first + 1j  # the point goes round the pole as the radius grows
+        wanted = complex(mp.expj(0.5) * (radius * mp.expj(turn) - 1 / mp.mpf(first)) / lean) + 1 + 2j
+    near = 2e-14 * (1.0 + length)
+    assert abs(complex(*spiral.point(s)) - wanted) <= near
+    assert float(spiral.heading(s)) == pytest.approx(0.5 + float(turn), rel=1e-13, abs=1e-13)
+    assert float(spiral.curvature(s)) == pytest.approx(float(1 / radius), rel=1e-12)
+
+
+@pytest.mark.parametrize("bend", [1.3, -0.4, 1e-3, 2e-8])
+def test_a_logarithmic_spiral_whose_radius_stays_is_an_arc(bend: float) -> None:
+    length = 1.5
+    arc = Arc(1.0 / abs(bend), bend * length, (1.0, 2.0), 0.5)
+    for last in (bend, bend * (1.0 + 1e-15)):
+        spiral = LogSpiral(length, bend, last, (1.0, 2.0), 0.5)
+        for u in np.linspace(0.0, length, 7):
+            on_arc = np.array(kernel.place(arc.rows, 0, u))
+            np.testing.assert_allclose(kernel.place(spiral.rows, 0, u), on_arc, rtol=0.0, atol=4e-15)
+
+
+@pytest.mark.parametrize("winding", [1e4, 1e-4])
+@pytest.mark.parametrize("bend", [1.0, -1e-3])
+def test_the_tightest_logarithmic_spiral_arrives_at_its_last_curvature(
+    bend: float, winding: float
+) -> None:
+    spiral = LogSpiral(0.5 / abs(bend), bend, bend * winding)
+    assert float(spiral.curvature(spiral.length)) == pytest.approx(bend * winding, rel=1e-11)
+    ahead, behind = spiral.point([spiral.length, spiral.length * (1.0 - 1e-6)])
+    wanted = points(Route((spiral,)), [spiral.length, spiral.length * (1.0 - 1e-6)])
+    assert abs(complex(*ahead) - wanted[0]) <= 1e-13 * spiral.length
+    assert abs(complex(*behind) - wanted[1]) <= 1e-13 * spiral.length

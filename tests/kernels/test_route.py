@@ -22,7 +22,7 @@ from benchdragon.kernels.route import (
     step_back,
 )
 from benchdragon.kernels.status import Status
-from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line, Route, Spiral
+from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line, LogSpiral, Route, Spiral
 from tests.kernels.second_road import first_root, points
 
 # Cosine between bench and route from which on a search may stall instead of arriving.
@@ -48,7 +48,10 @@ def chord(route: Route, a: float, b: float) -> float:
 
 
 ROUTE = Route.joined(
-    [Line(5.0), Arc(2.0, 1.0), Clothoid(9.0, 0.5, -0.6), Line(1.0), Spiral(1.0, 20.0, 10.0)]
+    [
+        *(Line(5.0), Arc(2.0, 1.0), Clothoid(9.0, 0.5, -0.6), LogSpiral(4.0, -0.6, -0.2), Line(1.0)),
+        Spiral(1.0, 20.0, 10.0),
+    ]
 )
 
 
@@ -143,8 +146,9 @@ def wander(rng: np.random.Generator, link: float, kinks: bool) -> Route:
             Arc(link * rng.uniform(0.2, 2.0), side * rng.uniform(0.2, 4.0)),
             Clothoid(link * rng.uniform(0.3, 4.0), bends[0], bends[1]),
             Spiral(link * rng.uniform(0.1, 1.5), a, b, mirrored=side < 0.0),
+            LogSpiral(link * rng.uniform(0.3, 4.0), side * abs(bends[0]), side * abs(bends[1])),
         ]
-        curve = kinds[int(rng.integers(4))]
+        curve = kinds[int(rng.integers(5))]
         point, heading = curves[-1].end_pose
         if kinks:
             heading += float(rng.choice([0.0, rng.uniform(-math.pi, math.pi), math.pi]))
@@ -239,6 +243,8 @@ NASTY = {
     "zigzag back and forth": zigzag(0.5, 1.5, 20),
     "clothoid that winds up": Route.joined([Line(5.0), Clothoid(12.0, 0.0, 4.0)]),
     "clothoid that unwinds": Route.joined([Line(5.0), Clothoid(12.0, 4.0, -4.0)]),
+    "logarithmic spiral that winds up": Route.joined([Line(5.0), LogSpiral(12.0, 0.1, 4.0)]),
+    "logarithmic spiral that unwinds": Route.joined([Line(5.0), LogSpiral(12.0, -4.0, -0.1)]),
     "in to the centre": Route((Spiral(1.0, 20.0, 0.0),)),
     "out from the centre": Route((Spiral(1.0, 0.0, 20.0),)),
     "in and out through the centre": Route.joined([Spiral(1.0, 9.0, 0.0), Spiral(1.0, 0.0, 9.0)]),
@@ -307,7 +313,9 @@ def test_a_handle_is_found_up_to_the_cosine_at_which_a_bench_counts_as_folded(co
 
 
 def test_a_route_that_ends_before_the_link_does_is_too_short() -> None:
-    for curve in (Arc(3.0, 0.4), Clothoid(1.2, 0.1, 0.3), Spiral(1.0, 0.0, 1.0)):
+    for curve in (
+        *(Arc(3.0, 0.4), Clothoid(1.2, 0.1, 0.3), LogSpiral(1.2, 0.1, 0.3), Spiral(1.0, 0.0, 1.0)),
+    ):
         route = Route((curve,))
         _j, _u, rear, v, status = behind(route, route.length, LINK)
         assert status == Status.ROUTE_TOO_SHORT

@@ -12,6 +12,7 @@ from benchdragon import (
     Clothoid,
     Dragon,
     Line,
+    LogSpiral,
     Route,
     Spiral,
     Walk,
@@ -51,6 +52,7 @@ ROUTES = {
     "arc": (Route.joined([Line(12.0), Arc(1.6, 5.0), Line(9.0)]), 14.0),
     "joint": (Route.joined([Line(12.0), Arc(1.6, 1.0), Arc(2.0, -1.5), Line(9.0)]), 12.9),
     "clothoid": (Route.joined([Line(12.0), Clothoid(3.0, 0.0, 0.6), Arc(1.0 / 0.6, 3.0)]), 15.5),
+    "logarithmic spiral": (Route.joined([Line(12.0), LogSpiral(5.0, 0.1, 0.8), Arc(1.25, 3.0)]), 16.5),
     "kink": (
         Route((Line(12.0), Line(9.0).moved((12.0, 0.0), 0.4)), kinks=True),
         11.97,

@@ -11,6 +11,7 @@ from benchdragon import (
     Clothoid,
     Dragon,
     Line,
+    LogSpiral,
     Route,
     SpeedProfile,
     Spiral,
@@ -102,6 +103,26 @@ def test_sampling_never_finds_a_contact_before_the_first_and_finds_one_after(see
     assert windows[0].opens.value == found.value
     if found.status == "found":
         assert nearest(walk, np.array([found.upper]))[0] <= max(margin, 1e-12)
+
+
+@pytest.mark.parametrize("margin", [0.0, 0.1])
+@pytest.mark.parametrize("side", [1.0, -1.0])
+@pytest.mark.parametrize("seed", [1, 2, 5])
+def test_sampling_agrees_about_contact_on_a_logarithmic_spiral(
+    seed: int, side: float, margin: float
+) -> None:
+    dragon = random_dragon(np.random.default_rng(seed))
+    route = Route.joined([Line(60.0), LogSpiral(90.0, side / 7.0, side / 1.2)])
+    walk = Walk(dragon, route, start=60.0)
+    found = first_contact(walk, 0.0, 88.0, margin=margin)
+    assert (found is None) == (seed == 2 and margin == 0.0)
+    if found is None:
+        assert (nearest(walk, np.linspace(0.0, 88.0, SAMPLES)) > 0.0).all()
+        return
+    assert 0.0 < found.lower <= found.value <= found.upper <= found.lower + 1e-9
+    before = found.lower - np.geomspace(1e-9, found.lower, SAMPLES)
+    assert (nearest(walk, before) >= margin - 1e-9).all()
+    assert nearest(walk, np.array([found.upper]))[0] <= max(margin, 1e-12)
 
 
 @pytest.mark.parametrize("seed", [4, 8, 12, 16, 20, 24, 27, 28, 36])

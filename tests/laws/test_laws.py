@@ -8,7 +8,19 @@ import numpy.typing as npt
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from benchdragon import Arc, Clothoid, Dragon, Line, Motion, Route, SpeedProfile, Spiral, Status, Walk
+from benchdragon import (
+    Arc,
+    Clothoid,
+    Dragon,
+    Line,
+    LogSpiral,
+    Motion,
+    Route,
+    SpeedProfile,
+    Spiral,
+    Status,
+    Walk,
+)
 from benchdragon.kernels.curve import place
 from benchdragon.kernels.route import locate
 from benchdragon.model.curves import AnyCurve
@@ -45,7 +57,7 @@ class Dance:
 
 @st.composite
 def dances(draw: st.DrawFn) -> Dance:
-    """Line, clothoid, arc, clothoid, line, spiral, none tighter than two of the longest links."""
+    """Curves of every kind, none of them tighter than two of the longest links."""
     count = draw(st.integers(1, 40))
     lengths = draw(st.lists(st.floats(0.3, 3.0), min_size=count, max_size=count))
     insets = draw(st.floats(0.0, 0.4))
@@ -53,6 +65,7 @@ def dances(draw: st.DrawFn) -> Dance:
     widest = 2.0 * max(lengths)
     bend = draw(st.floats(-1.0, 1.0)) / widest
     assume(abs(bend) * widest > 0.02)
+    opened = bend * draw(st.floats(0.05, 1.0))
     last = draw(st.floats(-1.0, 1.0)) / widest
     pitch = draw(st.floats(0.5, 3.0))
     near = widest + pitch + draw(st.floats(0.0, 10.0))
@@ -68,7 +81,8 @@ def dances(draw: st.DrawFn) -> Dance:
             first,
             Clothoid(draw(st.floats(0.5, 15.0)), 0.0, bend),
             Arc(1.0 / abs(bend), math.copysign(draw(st.floats(0.1, 5.0)), bend)),
-            Clothoid(draw(st.floats(0.5, 15.0)), bend, last),
+            LogSpiral(draw(st.floats(0.5, 15.0)), bend, opened),
+            Clothoid(draw(st.floats(0.5, 15.0)), opened, last),
             Line(draw(st.floats(0.5, 20.0))),
             Spiral.between(pitch, start, end, mirrored=draw(st.booleans())),
         ]
@@ -85,7 +99,7 @@ shares = st.lists(st.floats(0.0, 1.0), min_size=2, max_size=8)
 @given(dances())
 def test_a_dragon_of_any_sizes_walks_a_gentle_route_of_every_kind_of_curve(dance: Dance) -> None:
     kinds = [type(curve) for curve in dance.curves]
-    assert kinds == [Line, Clothoid, Arc, Clothoid, Line, Spiral]
+    assert kinds == [Line, Clothoid, Arc, LogSpiral, Clothoid, Line, Spiral]
     motion = dance.motion(80)  # raises where a bench finds no place
     assert (motion.status == Status.OK).all()
     for table in (motion.x, motion.y, motion.s, motion.speed, motion.acceleration):
@@ -185,6 +199,8 @@ def mirrored(curve: AnyCurve) -> AnyCurve:
             return Arc(curve.radius, -curve.sweep)
         case Clothoid():
             return Clothoid(curve.length_m, -curve.start_curvature, -curve.end_curvature)
+        case LogSpiral():
+            return LogSpiral(curve.length_m, -curve.start_curvature, -curve.end_curvature)
         case Spiral():
             return Spiral(curve.pitch, curve.start_angle, curve.end_angle, mirrored=not curve.mirrored)
 

@@ -1,20 +1,25 @@
 """Lines, arcs, spirals, clothoids, and routes of them."""
 
 import math
+import re
 from collections.abc import Callable
 from dataclasses import FrozenInstanceError
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from benchdragon import Arc, Clothoid, InputError, Line, Route, Spiral
+import benchdragon
+from benchdragon import Arc, Clothoid, InputError, Line, LogSpiral, Route, Spiral
 from benchdragon.model.curves import JOINT_GAP, MOST_METRES, AnyCurve, Curve
 
+PACKAGE = Path(benchdragon.__file__).parent
 CURVES: dict[str, AnyCurve] = {
     "line": Line(7.0, (1.0, -2.0), 0.7),
     "arc": Arc(3.0, -2.5, (4.0, 1.0), -2.0),
     "clothoid": Clothoid(20.0, -1.5, 2.0, (-3.0, 5.0), 2.0),
+    "logarithmic spiral": LogSpiral(9.0, -0.7, -0.2, (-3.0, 5.0), 2.0),
     "spiral in": Spiral(1.7, 30.0, 9.0, (1.0, 2.0), 0.3),
     "spiral out": Spiral(1.7, 9.0, 30.0, (1.0, 2.0), 0.3, mirrored=True),
 }
@@ -137,7 +142,8 @@ def test_lines_and_inward_spirals_run_on_behind_their_start() -> None:
         before, after = curve.point([-1e-4, 1e-4])
         assert np.hypot(*(after - before)) == pytest.approx(2e-4, rel=1e-9)
         assert np.isfinite(curve.point(-1e6)).all()
-    for other in (Arc(1.0, 1.0), Clothoid(1.0, 0.0, 1.0), Spiral(1.0, 10.0, 20.0)):
+    others = Arc(1.0, 1.0), Clothoid(1.0, 0.0, 1.0), LogSpiral(1.0, 0.2, 0.1), Spiral(1.0, 10.0, 20.0)
+    for other in others:
         assert other.extension == 0.0
 
 
@@ -221,6 +227,19 @@ WRONG: list[tuple[Callable[[], object], str]] = [
     (lambda: Clothoid(1.0, 0.0, math.inf), r"end_curvature must be finite, not inf 1/m"),
     (lambda: Clothoid(2.0, 0.0, 1e4), r"a clothoid may turn by at most 10000 rad, not 20000 rad"),
     (lambda: Clothoid(1.0, 0.0, 1.0, (2e8, 0.0)), r"start .*must lie within 1e8 m of the origin"),
+    (lambda: LogSpiral(0.0, 0.1, 1.0), r"length must be positive, not 0.0 m"),
+    (lambda: LogSpiral(1.0, math.nan, 1.0), r"start_curvature must be finite, not nan 1/m"),
+    (lambda: LogSpiral(1.0, 0.1, math.inf), r"end_curvature must be finite, not inf 1/m"),
+    (lambda: LogSpiral(1.0, 0.0, 1.0), r"must have the same sign .* not be 0 and 1 1/m"),
+    (lambda: LogSpiral(1.0, 1.0, 0.0), r"must have the same sign .* not be 1 and 0 1/m"),
+    (lambda: LogSpiral(1.0, -0.1, 0.1), r"must have the same sign .* not be -0.1 and 0.1 1/m"),
+    (lambda: LogSpiral(1.0, 1e-5, 1.0), r"differ by a factor of at most 10000, not be 1e-05 and 1 1/m"),
+    (lambda: LogSpiral(1.0, 1.0, 1e-5), r"differ by a factor of at most 10000, not be 1 and 1e-05 1/m"),
+    (
+        lambda: LogSpiral(2.0, 1e3, 1e4),
+        r"a logarithmic spiral may turn by at most 10000 rad, not 20000",
+    ),
+    (lambda: LogSpiral(1.0, 0.1, 1.0, (2e8, 0.0)), r"start .*must lie within 1e8 m of the origin"),
     (lambda: Route(()), r"a route needs at least one curve"),
     (lambda: Route.joined([]), r"a route needs at least one curve"),
 ]
@@ -251,11 +270,19 @@ QUOTED: Any = "7"
         lambda: Spiral(QUOTED, 20.0, 10.0),
         lambda: Spiral.between(1.7, QUOTED, 4.5),
         lambda: Clothoid(QUOTED, 0.0, 1.0),
+        lambda: LogSpiral(1.0, QUOTED, 1.0),
     ],
 )
 def test_numbers_in_quotes_are_refused(make: Callable[[], object]) -> None:
     with pytest.raises(InputError, match="must be a number, not '"):
         make()
+
+
+def test_the_curve_to_copy_stands_in_the_four_files_that_the_manual_names() -> None:
+    said = re.compile(r"log[-_ ]?spiral", re.IGNORECASE)
+    files = [path for path in PACKAGE.rglob("*.py*") if path.suffix != ".pyc"]
+    found = {str(path.relative_to(PACKAGE)) for path in files if said.search(path.read_text("utf-8"))}
+    assert found == {"kernels/curve.py", "model/curves.py", "plans/tables.py", "__init__.pyi"}
 
 
 def test_a_gap_is_refused_and_names_the_joint_and_its_size() -> None:

@@ -19,6 +19,7 @@ PARTS: list[dict[str, Any]] = [
     {"kind": "arc", "radius": 8.0, "angle": 60.0},
     {"kind": "clothoid", "length": 6.0, "end_curvature": 0.1},
     {"kind": "spiral", "pitch": 1.5, "start_radius": 9.0, "end_radius": 6.0},
+    {"kind": "log-spiral", "length": 5.0, "start_curvature": -0.1, "end_curvature": -0.2},
 ]
 DRAGON = {"benches": 4, "head_length": 2.2}
 SPIRAL = {"kind": "spiral-in", "pitch": 1.0, "start_turn": 4}
@@ -83,6 +84,9 @@ VARIED: dict[str, Any] = {
     "route.part.3.start_radius": 10.0,
     "route.part.3.end_radius": 7.0,
     "route.part.3.clockwise": False,
+    "route.part.4.length": 6.0,
+    "route.part.4.start_curvature": -0.15,
+    "route.part.4.end_curvature": -0.15,
     "route.start": [1.0, 2.0],
     "route.heading": 30.0,
     "disc.radius": 2.9,

@@ -1,8 +1,8 @@
 """Point, tangent and curvature of one piece of a route: one `if kind` for all kinds.
 
 A route is a table of floats, one row a piece, its columns named below. Each kind has a natural
-parameter u: arc length for lines, arcs and clothoids, the polar angle theta for spirals. It keeps
-full precision where arc length would have to be inverted.
+parameter u: the polar angle theta for spirals, arc length for the others. It keeps full precision
+where arc length would have to be inverted.
 """
 
 import math
@@ -18,8 +18,9 @@ LINE = 0.0
 ARC = 1.0
 CLOTHOID = 2.0
 SPIRAL = 3.0
+LOG_SPIRAL = 4.0
 
-KIND = 0  # one of the four above
+KIND = 0  # one of the five above
 PART = 1  # number of the curve, from 0, that the row belongs to (a clothoid may fill several rows)
 S_START = 2  # route position of the row's start, m
 LENGTH = 3  # m
@@ -29,8 +30,10 @@ U_BACK = 6  # parameter up to which a follower may stand: U_START, or infinite o
 X = 7  # start point; of a spiral the centre, m
 Y = 8
 ANGLE = 9  # heading at the start; of a spiral the polar axis, rad
-P = 10  # arc, clothoid: curvature at the start, 1/m; spiral: pitch / 2 pi, m
-Q = 11  # clothoid: change of curvature per metre, 1/m^2; spiral: +1, or -1 if mirrored
+P = 10  # curvature at the start, 1/m; spiral: pitch / 2 pi, m
+# Clothoid: change of curvature per metre, 1/m^2; spiral: +1, or -1 if mirrored; logarithmic spiral:
+# change of the radius of curvature per metre, as a share of what it is at the start, 1/m.
+Q = 11
 AXIS_X = 12  # cosine and sine of ANGLE
 AXIS_Y = 13
 COLUMNS = 14
@@ -78,6 +81,36 @@ def clothoid_point(rows: FloatArray, j: int, u: float) -> tuple[float, float]:
 
 
 @kernel
+def log_spiral_turn(rows: FloatArray, j: int, u: float) -> tuple[float, float]:
+    """The angle turned through by arc length u, rad, and its ratio to what curvature P alone turns.
+
+    It is the integral of the curvature P / (1 + Q u): P / Q log(1 + Q u).
+    """
+    gained = rows[j, Q] * u
+    share = 1.0 if gained == 0.0 else math.log1p(gained) / gained
+    return rows[j, P] * u * share, share
+
+
+@kernel
+def log_spiral_point(rows: FloatArray, j: int, u: float) -> tuple[float, float]:
+    """Point after arc length u: the integral of the unit tangent, in closed form.
+
+    As a complex number, with the start at 0 and walked towards 1, it is
+    ((1 + Q u) e^(i turn) - 1) / (Q + i P). What would cancel is written as e^(i turn) - 1 =
+    i turn sinc(turn / 2) e^(i turn / 2).
+    """
+    turn, share = log_spiral_turn(rows, j, u)
+    size = math.hypot(rows[j, P], rows[j, Q])
+    bend, gain = rows[j, P] / size, rows[j, Q] / size
+    chord = bend * share * sinc(0.5 * turn)
+    a = gain * math.cos(turn) - chord * math.sin(0.5 * turn)
+    b = gain * math.sin(turn) + chord * math.cos(0.5 * turn)
+    x, y = u * (gain * a + bend * b), u * (gain * b - bend * a)
+    c, s = rows[j, AXIS_X], rows[j, AXIS_Y]
+    return rows[j, X] + c * x - s * y, rows[j, Y] + s * x + c * y
+
+
+@kernel
 def place(rows: FloatArray, j: int, u: float) -> tuple[float, float, float, float]:
     """Point (m) and unit tangent in the walking direction, (x, y, tx, ty), at parameter u of row j."""
     kind = rows[j, KIND]
@@ -103,7 +136,7 @@ def place(rows: FloatArray, j: int, u: float) -> tuple[float, float, float, floa
         chord = u * sinc(half)
         x, y = rows[j, X] + chord * math.cos(middle), rows[j, Y] + chord * math.sin(middle)
         return x, y, math.cos(middle + half), math.sin(middle + half)
-    x, y = clothoid_point(rows, j, u)
+    x, y = log_spiral_point(rows, j, u) if kind == LOG_SPIRAL else clothoid_point(rows, j, u)
     angle = heading(rows, j, u)
     return x, y, math.cos(angle), math.sin(angle)
 
@@ -114,6 +147,8 @@ def heading(rows: FloatArray, j: int, u: float) -> float:
     if rows[j, KIND] == SPIRAL:
         back = 0.0 if walks_up(rows, j) > 0.0 else math.pi
         return rows[j, ANGLE] + rows[j, Q] * (u + math.atan(u)) + back
+    if rows[j, KIND] == LOG_SPIRAL:
+        return rows[j, ANGLE] + log_spiral_turn(rows, j, u)[0]
     return rows[j, ANGLE] + u * (rows[j, P] + 0.5 * rows[j, Q] * u)
 
 
@@ -123,6 +158,8 @@ def curvature(rows: FloatArray, j: int, u: float) -> float:
     if rows[j, KIND] == SPIRAL:
         z = 1.0 + u * u
         return walks_up(rows, j) * rows[j, Q] * (1.0 + z) / (rows[j, P] * z * math.sqrt(z))
+    if rows[j, KIND] == LOG_SPIRAL:
+        return rows[j, P] / (1.0 + rows[j, Q] * u)
     return rows[j, P] + rows[j, Q] * u
 
 

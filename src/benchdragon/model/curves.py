@@ -1,4 +1,4 @@
-"""Line, Arc, Spiral, Clothoid, and the Route that joins them: frozen records of geometry.
+"""Line, Arc, Spiral, Clothoid, LogSpiral, and the Route that joins them: frozen records of geometry.
 
 Every curve is walked from its start to its end, s being the arc length from the start. Metres and
 radians; x right, y up, counter-clockwise positive, so that a left turn has positive curvature.
@@ -25,8 +25,12 @@ Point = tuple[float, float]
 # Ends that lie nearer than this, m and rad, count as joined: far above rounding, far below a hand.
 JOINT_GAP = 1e-9
 JOINT_KINK = 1e-9
-# A clothoid may turn by this, rad, in all; more would fill the memory with rows.
-MOST_CLOTHOID_TURN = 1e4
+# A clothoid or a logarithmic spiral may turn by this, rad, in all; more would fill the memory with rows
+# of the one, and with the other take too long to search.
+MOST_TURN = 1e4
+# The curvatures at both ends of a logarithmic spiral differ by at most this factor: near its pole,
+# rounding of lengths would blur its curvature.
+MOST_WINDING = 1e4
 # Sizes and coordinates, m: beyond it doubles no longer hold a micrometre.
 MOST_METRES = 1e8
 # Pitches and radii, m: their inverses spoil sums where they are smaller.
@@ -150,6 +154,21 @@ def _size(name: str, value: float) -> float:
             )
         )
     return value
+
+
+def _turn_bound(length: float, a: float, b: float) -> float:
+    """At least the angle, rad, that a curve of `length` metres with curvatures from a to b turns by."""
+    return length * max(abs(a), abs(b))
+
+
+def _check_turn(called: str, length: float, a: float, b: float) -> None:
+    turn = _turn_bound(length, a, b)
+    if turn > MOST_TURN:
+        raise InputError(
+            _("{kind} may turn by at most {most} rad, not {value} rad").format(
+                kind=_(called), most=f"{MOST_TURN:g}", value=f"{turn:g}"
+            )
+        )
 
 
 @dataclass(frozen=True)
@@ -336,19 +355,11 @@ class Clothoid(Curve):
         finite("start_curvature", self.start_curvature, "1/m")
         finite("end_curvature", self.end_curvature, "1/m")
         _check_pose(self.start, self.start_heading)
-        if self._turn_bound > MOST_CLOTHOID_TURN:
-            raise InputError(
-                _("a clothoid may turn by at most {most} rad, not {value} rad").format(
-                    most=f"{MOST_CLOTHOID_TURN:g}", value=f"{self._turn_bound:g}"
-                )
-            )
-
-    @property
-    def _turn_bound(self) -> float:
-        return self.length_m * max(abs(self.start_curvature), abs(self.end_curvature))
+        _check_turn(self.called, self.length_m, self.start_curvature, self.end_curvature)
 
     def _lower(self) -> FloatArray:
-        count = max(1, math.ceil(self._turn_bound / kernel.CLOTHOID_TURN))
+        turn = _turn_bound(self.length_m, self.start_curvature, self.end_curvature)
+        count = max(1, math.ceil(turn / kernel.CLOTHOID_TURN))
         piece = self.length_m / count
         change = (self.end_curvature - self.start_curvature) / self.length_m
         point, heading, rows = self.start, self.start_heading, []
@@ -366,7 +377,57 @@ class Clothoid(Curve):
         return replace(self, start=point, start_heading=heading)
 
 
-AnyCurve = Line | Arc | Spiral | Clothoid
+@dataclass(frozen=True)
+class LogSpiral(Curve):
+    """A curve whose radius of curvature changes linearly with arc length (logarithmic spiral).
+
+    Args:
+        length_m: its length, m.
+        start_curvature: 1/m, left positive, not 0.
+        end_curvature: 1/m, of the same sign; nearer to 0 opens the curve, farther from it winds it up.
+        start: (x, y) of its start, m.
+        start_heading: rad.
+
+    Raises:
+        InputError: for curvatures of different signs, or of which one is over MOST_WINDING times the
+            other; and if it turns by more than MOST_TURN.
+    """
+
+    called: ClassVar[str] = N_("a logarithmic spiral")
+
+    length_m: float
+    start_curvature: float
+    end_curvature: float
+    start: Point = (0.0, 0.0)
+    start_heading: float = 0.0
+
+    def __post_init__(self) -> None:
+        _size("length", self.length_m)
+        finite("start_curvature", self.start_curvature, "1/m")
+        finite("end_curvature", self.end_curvature, "1/m")
+        _check_pose(self.start, self.start_heading)
+        a, b = self.start_curvature, self.end_curvature
+        if b == 0.0 or not 1.0 / MOST_WINDING <= a / b <= MOST_WINDING:
+            raise InputError(
+                _(
+                    "the curvatures of a logarithmic spiral must have the same sign and differ by a "
+                    "factor of at most {most}, not be {start} and {end} 1/m"
+                ).format(most=f"{MOST_WINDING:g}", start=f"{a:g}", end=f"{b:g}")
+            )
+        _check_turn(self.called, self.length_m, a, b)
+
+    def _lower(self) -> FloatArray:
+        bend = self.start_curvature
+        gain = (bend - self.end_curvature) / self.end_curvature / self.length_m
+        row = _row(kernel.LOG_SPIRAL, self.length_m, self.start, self.start_heading, bend, gain)
+        return row[np.newaxis]
+
+    def moved(self, point: Point, heading: float) -> Self:
+        """The same curve starting at `point` with `heading`."""
+        return replace(self, start=point, start_heading=heading)
+
+
+AnyCurve = Line | Arc | Spiral | Clothoid | LogSpiral
 
 
 @dataclass(frozen=True)
@@ -393,9 +454,9 @@ class Route(Curve):
         for i, curve in enumerate(self.curves, start=1):
             if not isinstance(curve, AnyCurve):
                 raise InputError(
-                    _("curve {number} must be a Line, Arc, Spiral or Clothoid, not {value}").format(
-                        number=i, value=repr(curve)[:80]
-                    )
+                    _(
+                        "curve {number} must be a Line, Arc, Spiral, Clothoid or LogSpiral, not {value}"
+                    ).format(number=i, value=repr(curve)[:80])
                 )
         if not self.curves:
             raise InputError(_("a route needs at least one curve"))

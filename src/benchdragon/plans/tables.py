@@ -13,7 +13,7 @@ from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Fie
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
-from benchdragon.model.curves import MOST_METRES, AnyCurve, Arc, Clothoid, Line, Spiral
+from benchdragon.model.curves import MOST_METRES, AnyCurve, Arc, Clothoid, Line, LogSpiral, Spiral
 from benchdragon.model.dragon import MOST_BENCHES, Dragon, SizeError
 from benchdragon.model.profile import SpeedProfile
 from benchdragon.model.turns import Turn, three_pieces, two_arcs
@@ -259,7 +259,27 @@ class SpiralPart(CurvePart):
         )
 
 
-AnyPart = LinePart | ArcPart | ClothoidPart | SpiralPart
+class LogSpiralPart(CurvePart):
+    """A logarithmic spiral: both its curvatures, 1/m, have the same sign; positive ones turn left."""
+
+    about: ClassVar[str] = N_("A curve whose radius of curvature changes evenly.")
+    keys: ClassVar[Mapping[str, Key]] = {
+        "length": Key(N_("length of the part"), 12, "m"),
+        "start_curvature": Key(N_("curvature at its start; positive turns left"), 0.1, "1/m"),
+        "end_curvature": Key(N_("curvature at its end, of the same sign"), 0.25, "1/m"),
+    }
+
+    kind: Literal["log-spiral"]
+    length: Length
+    start_curvature: Curvature
+    end_curvature: Curvature
+
+    def build(self) -> AnyCurve:
+        """The curve, at the origin."""
+        return LogSpiral(self.length, self.start_curvature, self.end_curvature)
+
+
+AnyPart = LinePart | ArcPart | ClothoidPart | SpiralPart | LogSpiralPart
 PARTS: tuple[type[CurvePart], ...] = get_args(AnyPart)
 Part = Annotated[AnyPart, Field(discriminator="kind")]
 

@@ -245,6 +245,14 @@ export interface LinePart {
   length: number;
 }
 
+/** A logarithmic spiral: both its curvatures, 1/m, have the same sign; positive ones turn left. */
+export interface LogSpiralPart {
+  kind: "log-spiral";
+  length: number;
+  start_curvature: number;
+  end_curvature: number;
+}
+
 /** What imprecise dances need: see `tolerance.Tolerance`; chance at the plan's own pitch. */
 export interface MarginsFound {
   draws: number;
@@ -301,7 +309,7 @@ export interface PaceFound {
 /** Any parts, each moved to where the one before it ends. */
 export interface PartsRoute {
   kind: "parts";
-  part: Array<LinePart | ArcPart | ClothoidPart | SpiralPart>;
+  part: Array<LinePart | ArcPart | ClothoidPart | SpiralPart | LogSpiralPart>;
   start?: [number, number] | null;
   heading?: number | null;
 }
