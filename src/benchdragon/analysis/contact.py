@@ -199,7 +199,7 @@ class Hunt:
         if self.ledger is not None:
             count = int(self._room.logged[0])
             if count > LOG:
-                raise UnsureError(_("a proof would need too many looks in one step"))
+                raise UnsureError(_("a proof would need too many evaluations in one step"))
             self.ledger.add_log(self._room.log[:count], handles)
             self._room.logged[0] = 0
         return ending

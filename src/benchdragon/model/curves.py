@@ -193,7 +193,7 @@ class Arc(Curve):
     def __post_init__(self) -> None:
         _bend("radius", self.radius)
         if finite("sweep", self.sweep, "rad") == 0.0:
-            raise InputError(_("an arc must turn by an angle other than 0"))
+            raise InputError(_("the angle of an arc must not be 0"))
         _size("length", self.radius * abs(self.sweep))
         _check_pose(self.start, self.start_heading)
 
@@ -324,7 +324,7 @@ class Clothoid(Curve):
         _check_pose(self.start, self.start_heading)
         if self._turn_bound > MOST_CLOTHOID_TURN:
             raise InputError(
-                _("a clothoid may turn by at most {most} rad, not {value} rad").format(
+                _("a clothoid may sweep at most {most} rad, not {value} rad").format(
                     most=f"{MOST_CLOTHOID_TURN:g}", value=f"{self._turn_bound:g}"
                 )
             )
@@ -424,7 +424,7 @@ class Route(Curve):
         gap = math.hypot(bx - ax, by - ay)
         if gap > JOINT_GAP:
             raise InputError(
-                _("curves {first} and {second} do not meet: there is a gap of {gap} m").format(
+                _("curves {first} and {second} do not meet: they are {gap} m apart").format(
                     first=i, second=i + 1, gap=f"{gap:.6g}"
                 )
             )
@@ -432,8 +432,8 @@ class Route(Curve):
         if kink > JOINT_KINK and not self.kinks:
             raise InputError(
                 _(
-                    "curves {first} and {second} meet at a kink of {kink} degrees; "
-                    "allow kinks or turn one of them"
+                    "curves {first} and {second} meet at a kink of {kink} degrees; allow kinks "
+                    "or rotate one of them"
                 ).format(first=i, second=i + 1, kink=f"{math.degrees(kink):.6g}")
             )
 

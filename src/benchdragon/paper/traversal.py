@@ -68,7 +68,7 @@ def traversed_pitch(
         pitch, pitch - pitch_step, pitch, "m", "undecided", None,
         (
             _("pitches in steps of {step} m").format(step=f"{pitch_step:g}"),
-            _("contact looked for each {step} s").format(step=f"{time_step:g}"),
+            _("contact checked every {step} s").format(step=f"{time_step:g}"),
         ),
         looks, clock.perf_counter() - began,
     )  # fmt: skip

@@ -130,16 +130,16 @@ SECTIONS = (
         {
             "kind": Key(N_("kind of the part"), "arc"),
             "radius": Key(N_("radius of the circle"), 8, "m"),
-            "angle": Key(N_("angle turned through; positive turns left"), 90, "deg"),
+            "angle": Key(N_("angle swept; positive to the left"), 90, "deg"),
         },
     ),
     Section(
-        '[[route.part]] kind = "clothoid"', N_("A curve whose curvature changes evenly."), ClothoidPart,
+        '[[route.part]] kind = "clothoid"', N_("A clothoid: curvature changes evenly."), ClothoidPart,
         {
             "kind": Key(N_("kind of the part"), "clothoid"),
             "length": Key(N_("length of the part"), 6, "m"),
-            "start_curvature": Key(N_("curvature at its start; positive turns left"), 0, "1/m"),
-            "end_curvature": Key(N_("curvature at its end; positive turns left"), 0.125, "1/m"),
+            "start_curvature": Key(N_("curvature at its start; positive to the left"), 0, "1/m"),
+            "end_curvature": Key(N_("curvature at its end; positive to the left"), 0.125, "1/m"),
         },
     ),
     Section(
@@ -153,7 +153,7 @@ SECTIONS = (
         },
     ),
     Section(
-        "[disc]", N_("The turning space, a circle about the spiral's centre; not beside parts."),
+        "[disc]", N_("The turning disc: a circle about the spiral's centre; not beside parts."),
         DiscTable,
         {"radius": Key(N_("its radius; for a turn 4.5 m where nothing is said"), 4.5, "m")},
     ),
@@ -189,11 +189,11 @@ SECTIONS = (
         {
             "speed": Key(N_("greatest speed of any handle"), 2, "m/s"),
             "acceleration": Key(N_("greatest acceleration of any handle along the route"), 1, "m/s^2"),
-            "lateral_acceleration": Key(N_("greatest acceleration of any handle across"), 1, "m/s^2"),
-            "total_acceleration": Key(N_("greatest acceleration of any handle in all"), 1.5, "m/s^2"),
+            "lateral_acceleration": Key(N_("greatest lateral acceleration of any handle"), 1, "m/s^2"),
+            "total_acceleration": Key(N_("greatest total acceleration of any handle"), 1.5, "m/s^2"),
             "turning_rate": Key(N_("greatest turning rate of any bench"), 60, "deg/s"),
             "head_acceleration": Key(N_("greatest change of the head's own speed"), 0.5, "m/s^2"),
-            "margin": Key(N_("least distance of benches that are no neighbours"), "5 cm", "m"),
+            "margin": Key(N_("margin: the clearance that non-adjacent benches must keep"), "5 cm", "m"),
         },
     ),
 )  # fmt: skip

@@ -140,7 +140,7 @@ def slowed(plan: Plan, *, progress: Progress = silent) -> Pace:
         UnsureError: if that could not be decided, or if no pace was found to keep the limits.
     """
     if plan.walk.profile:
-        raise InputError(_("the plan has a profile of its own: take walk.profile out"))
+        raise InputError(_("the plan has a speed profile of its own: take walk.profile out"))
     steady = greatest_head_speed(plan, progress=progress)
     if steady.status == "undecided":
         raise UnsureError(_("it could not be shown that the dragon stands all along"))

@@ -144,7 +144,7 @@ def _proved(family: Family, answer: Answer, progress: Progress, began: float) ->
     """The answer with a bracket both ends of which are proved."""
     near = answer.witness
     if near is None or len(near.benches) != 2:
-        raise UnsureError(_("only a limit at which two benches meet can be proved"))
+        raise UnsureError(_("only an answer that two benches decide can be proved"))
     i, j = (number - 1 for number in near.benches)
     half = 0.5 * (answer.upper - answer.lower)
     for _trial in range(MOST_WIDENINGS):
@@ -268,7 +268,7 @@ def _assumed(family: Family, unsure: Sequence[float]) -> tuple[str, ...]:
 
 def undecided_text(sizes: Sequence[float]) -> str:
     """That sizes, m, could not be decided."""
-    text = _("{count} of the sizes tried, from {low} m to {high} m, could not be decided")
+    text = _("{count} of the sizes tried, from {low} m to {high} m, are undecided")
     return text.format(count=len(sizes), low=f"{min(sizes):.6g}", high=f"{max(sizes):.6g}")
 
 

@@ -60,7 +60,7 @@ WIDER = 1.001
 
 OBJECTIVES = {
     "length": N_("shortest turn"),
-    "way": N_("shortest way inside the disc"),
+    "way": N_("shortest path inside the disc"),
     "speed": N_("greatest head speed"),
     "disc": N_("smallest disc"),
     "acceleration": N_("least peak total acceleration"),
