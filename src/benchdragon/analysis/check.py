@@ -77,8 +77,8 @@ class Report:
         walk: that of the plan.
         start: of the walk, s.
         end: of the walk, s; the answers but the first speak of it up to a contact, if there is one.
-        first_contact: when two benches but neighbours first touch, or come nearer than the margin.
-        clearance: the least distance that they keep, m; 0 where they touch.
+        first_contact: when two non-adjacent benches first touch, or come nearer than the margin.
+        clearance: the least that they keep, m; 0 where they touch.
         greatest_speed: of any handle, m/s.
         peaks: the greatest of what else is limited, by the names of the limits, in SI units.
         findings: empty if the walk is safe.

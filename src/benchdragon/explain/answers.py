@@ -108,7 +108,7 @@ def _pair_lines(family: Family, answer: Answer, near: Witness) -> list[str]:
 
 
 def spans_lines(sizes: WalkableSizes, low: float, high: float, count: int) -> list[str]:
-    """How all walkable sizes of a range are found."""
+    """How all safe sizes of a range are found."""
     numbers = f"({number(high)} - {number(low)})/({count} - 1) = {number(sizes.step)}"
     lines = [
         _("{count} sizes were tried, {step} m apart, each on the whole walk.").format(

@@ -36,7 +36,7 @@ def traversed_pitch(
 ) -> Answer:
     """The smallest pitch as the paper finds it: pitches in steps, a flag at times in steps.
 
-    The flag rises when the gap of any two benches but neighbours is negative at a time that is looked
+    The flag rises when the gap of any two non-adjacent benches is negative at a time that is looked
     at, the last always among them; contact between two times, or a pitch between two steps, is not
     seen. So the answer is "undecided" and depends on both steps (m and s): compare `smallest_pitch`.
 
@@ -75,7 +75,7 @@ def traversed_pitch(
 
 
 def first_overlap(walk: Walk, times: FloatArray) -> float | None:
-    """The first in the list `times` (s) at which two benches but neighbours overlap; None if none.
+    """The first in the list `times` (s) at which two non-adjacent benches overlap; None if none.
 
     The paper's flag: the separating axis theorem at each time, and nothing said of what lies between.
     """

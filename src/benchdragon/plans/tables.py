@@ -269,7 +269,7 @@ class LimitsTable(Table):
 
     Greatest speed and accelerations (m/s^2) of any handle: along the route, across it and in total;
     turning rate (degrees a second) of any bench, change of the head's own speed (m/s^2), and distance
-    of benches but neighbours.
+    of non-adjacent benches.
     """
 
     speed: Annotated[Speed, Field(gt=0.0)] | None = None

@@ -130,7 +130,7 @@ def _assumed(quantity: Quantity, allowed: float) -> str:
 def slowed(plan: Plan, *, progress: Progress = silent) -> Pace:
     """A pace at the plan's own head speed that slows down only where a limit would be exceeded.
 
-    Between looks no handle or bench exceeds a limit either: over each step of the head the pace keeps
+    Between evaluations none exceeds a limit either: over each step of the head the pace keeps
     to what a bound on all of them allows (see kernels/pacing.py). The head changes its speed by at most
     limits.head_acceleration.
 

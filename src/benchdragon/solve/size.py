@@ -274,7 +274,7 @@ def undecided_text(sizes: Sequence[float]) -> str:
 
 @dataclass(frozen=True)
 class Span:
-    """Sizes from low to high, m, between which all `tried` that were tried were walkable.
+    """Sizes from low to high, m, between which all `tried` that were tried were safe.
 
     `borders` are those of its ends that were searched for: just beyond, a walk fails.
     """
@@ -290,7 +290,7 @@ class WalkableSizes:
     """What trying sizes of a range came to.
 
     Attributes:
-        spans: of walkable sizes, in order.
+        spans: of safe sizes, in order.
         step: between sizes tried, m.
         undecided: sizes that could not be decided, m.
     """
@@ -349,7 +349,7 @@ def walkable_sizes(
 
 
 def _edge(family: Family, trials: Sequence[Trial], n: int, side: int) -> float:
-    """How far sizes are walkable from trial number n, which passes, to one side of it."""
+    """How far sizes are safe from trial number n, which passes, to one side of it."""
     if not 0 <= n + side < len(trials) or trials[n + side].clear is None:
         return trials[n].size
     return _border(family, trials[n].size, trials[n + side].size)

@@ -161,7 +161,7 @@ def rehearsal(plan: Plan, draw: Draw) -> Rehearsal:
 
 
 def least_clearance(plan: Plan, draw: Draw) -> float:
-    """The least distance of benches but neighbours in one dance, m; minus the depth of an overlap.
+    """The least distance of non-adjacent benches in one dance, m; minus the depth of an overlap.
 
     See `Rehearsal.least`.
 
