@@ -120,16 +120,16 @@ def test_the_tool_keeps_what_is_wanted_drops_what_is_not_and_names_what_is_missi
 ) -> None:
     old = tmp_path / "old.po"
     old.write_text(
-        'msgid "Places"\nmsgstr "位置"\n\nmsgid "Long gone"\nmsgstr "早已不用"\n', encoding="utf-8"
+        'msgid "Positions"\nmsgstr "位置"\n\nmsgid "Long gone"\nmsgstr "早已不用"\n', encoding="utf-8"
     )
     missing = TOOL.make(old, tmp_path / "new.po")
     made = catalogue(tmp_path / "new.po")
-    places = made.get("Places")
+    places = made.get("Positions")
     assert places is not None
     assert places.string == "位置"
     assert "Long gone" not in made
     assert "Speeds" in missing
-    assert "Places" not in missing
+    assert "Positions" not in missing
 
 
 def test_what_pages_say_is_wanted_too(tmp_path: Path) -> None:
@@ -186,24 +186,24 @@ def test_tasks_and_threads_may_speak_languages_of_their_own() -> None:
         with spoken_in(spoken):
             mine.set()
             await other.wait()
-            return language(), _("Places")
+            return language(), _("Positions")
 
     async def both() -> list[tuple[str, str]]:
         a, b = asyncio.Event(), asyncio.Event()
         return list(await asyncio.gather(said_in("en", b, a), said_in("zh", a, b)))
 
-    assert asyncio.run(both()) == [("en", "Places"), ("zh", "位置")]
+    assert asyncio.run(both()) == [("en", "Positions"), ("zh", "位置")]
     with spoken_in("zh"), ThreadPoolExecutor(1) as pool:
-        assert _("Places") == "位置"
-        assert pool.submit(_, "Places").result() == "Places"
+        assert _("Positions") == "位置"
+        assert pool.submit(_, "Positions").result() == "Positions"
     assert language() == "en"
 
 
 def test_a_language_of_ones_own_yields_to_no_default() -> None:
     with spoken_in("en"):
         use_language("zh")
-        assert _("Places") == "Places"
-    assert _("Places") == "位置"
+        assert _("Positions") == "Positions"
+    assert _("Positions") == "位置"
     use_language("en")
 
 

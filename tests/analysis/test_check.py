@@ -164,17 +164,17 @@ def test_all_walkable_pitches_are_printed(capsys: pytest.CaptureFixture[str]) ->
     words = ["solve", "pitch", "spiral-in", "--set", "disc.radius=4.5", "--count", "3"]
     code, out, _err = spoken(capsys, *words, "--range", "0.44..0.46", "--json")
     assert code == 0
-    ((low, high),) = json.loads(out)["walkable"]
+    ((low, high),) = json.loads(out)["safe"]
     assert low == pytest.approx(0.4503373930271955, abs=2e-12)
     assert high == 0.46
     assert json.loads(out)["borders"] == [[low]]
     code, out, _err = spoken(capsys, *words, "--range", "0.44..0.46")
     assert out.splitlines() == [
-        f"walkable from {low:.12g} m to 0.46 m (sizes tried there: 1, 0.01 m apart)",
-        f"  {low:.12g} m is a border: just beyond it the walk fails",
+        f"safe from {low:.12g} m to 0.46 m (sizes tried there: 1, 0.01 m apart)",
+        f"  {low:.12g} m is a border: just beyond it the walk is not safe",
     ]
     code, out, _err = spoken(capsys, *words, "--range", "0.40..0.41")
-    assert (code, out.strip()) == (4, "no size tried is walkable")
+    assert (code, out.strip()) == (4, "no size tried is safe")
 
 
 def test_limits_of_acceleration_and_turning_rate_are_checked() -> None:

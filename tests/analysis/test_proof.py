@@ -484,7 +484,7 @@ def test_looks_beyond_the_room_of_the_log_are_no_proof(
     walk: Walk, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(contact, "LOG", 3)
-    with pytest.raises(UnsureError, match="too many looks"):
+    with pytest.raises(UnsureError, match="too many evaluations"):
         prove_contact(walk, 412.0, 413.0)
 
 
@@ -529,7 +529,7 @@ def test_a_proof_says_what_it_rests_on(walk: Walk) -> None:
     exact, doubles, places = found.assumptions
     assert exact == "the stored numbers of route and benches are exact"
     assert "double precision" in doubles
-    assert "places enclosed with 100 bits" in places
+    assert "positions enclosed with 100 bits" in places
 
 
 def test_a_proof_holds_at_any_speed() -> None:

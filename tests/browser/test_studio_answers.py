@@ -298,7 +298,7 @@ def test_long_questions_are_found_again_after_the_page_is_loaded_again(opened: O
     expect(jobs).to_contain_text("Proved. Safe")
     page.get_by_label("begin with").select_option("turn")
     settled(page)
-    page.get_by_role("button", name="room for people who are not exact").click()  # minutes of work
+    page.get_by_role("button", name="tolerance for people who are not exact").click()  # minutes of work
     expect(jobs.first).to_have_attribute("data-state", "running")
     page.wait_for_url(re.compile("plan="))
     page.reload()

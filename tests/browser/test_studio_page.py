@@ -249,7 +249,7 @@ def test_a_long_question_changes_its_language_with_the_page(opened: Opened) -> N
     job = page.locator(".jobs li")
     expect(job).to_contain_text("Proved")
     page.get_by_role("button", name="中文").click()
-    expect(job).to_contain_text("证明判断")
+    expect(job).to_contain_text("证明结论")
     expect(job).to_contain_text("已证明")
 
 
@@ -293,6 +293,6 @@ def test_people_who_are_not_exact_need_more_than_a_millimetre(opened: Opened) ->
     page = opened()
     change(page, "number of benches", "30")  # two coils before the disc, and little to compute
     change(page, "spiral pitch", "0.451")
-    page.get_by_role("button", name="room for people who are not exact").click()
+    page.get_by_role("button", name="tolerance for people who are not exact").click()
     job = page.locator(".jobs li")
     expect(job).to_contain_text(re.compile(r"[1-9].* % of 100 random dances touch; at most"))

@@ -202,7 +202,7 @@ def test_a_contact_with_a_margin_and_one_that_is_broken_say_so(spoken: str) -> N
     assert any("0.3 m" in line for line in lines)
     assert max(numbers_after("|q", lines)) == pytest.approx(0.3, abs=1e-6)
     assert lines[-1] == {
-        "en": "The limit is 1.5 m/s; it is broken.", "zh": "限值是 1.5 m/s，超过了。",
+        "en": "The limit is 1.5 m/s; it is exceeded.", "zh": "限值是 1.5 m/s，已超过。",
     }[spoken]  # fmt: skip
 
 
@@ -254,7 +254,7 @@ def test_the_traversal_and_the_range_are_explained(
     chinese_or_not(lines, spoken)
     assert "0.46" in lines[1]
     found = json_of(capsys, *plain, "--range", "0.44..0.47", "--count", "4")
-    spans, lines = found["walkable"], lines_of(capsys, *plain, "--range", "0.44..0.47", "--count", "4")
+    spans, lines = found["safe"], lines_of(capsys, *plain, "--range", "0.44..0.47", "--count", "4")
     agree(lines, 2)
     chinese_or_not(lines, spoken)
     assert isinstance(spans, list)

@@ -113,9 +113,9 @@ def test_more_than_a_format_holds_is_refused(tmp_path: Path) -> None:
     for times, handles in ((many, [0]), (many[:10_000], ALL)):
         with pytest.raises(InputError, match="choose fewer"):
             write_xlsx(tmp_path / "a.xlsx", Selection(WALK, times, handles), silent)
-    with pytest.raises(InputError, match="such a file holds at most 40000000 places"):
+    with pytest.raises(InputError, match="such a file holds at most 40000000 positions"):
         write_npz(tmp_path / "a.npz", Selection(WALK, np.arange(200_000.0), ALL), silent)
-    with pytest.raises(InputError, match="such a file holds at most 40000000 places"):
+    with pytest.raises(InputError, match="such a file holds at most 40000000 positions"):
         write_netcdf(tmp_path / "a.nc", Selection(WALK, np.arange(200_000.0), ALL), silent)
     assert not list(tmp_path.iterdir())
 

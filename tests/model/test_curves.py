@@ -225,7 +225,7 @@ WRONG: list[tuple[Callable[[], object], str]] = [
     (lambda: Clothoid(0.0, 0.0, 1.0), r"length must be positive, not 0.0 m"),
     (lambda: Clothoid(1.0, math.nan, 1.0), r"start_curvature must be finite, not nan 1/m"),
     (lambda: Clothoid(1.0, 0.0, math.inf), r"end_curvature must be finite, not inf 1/m"),
-    (lambda: Clothoid(2.0, 0.0, 1e4), r"a clothoid may turn by at most 10000 rad, not 20000 rad"),
+    (lambda: Clothoid(2.0, 0.0, 1e4), r"a clothoid may sweep at most 10000 rad, not 20000 rad"),
     (lambda: Clothoid(1.0, 0.0, 1.0, (2e8, 0.0)), r"start .*must lie within 1e8 m of the origin"),
     (lambda: LogSpiral(0.0, 0.1, 1.0), r"length must be positive, not 0.0 m"),
     (lambda: LogSpiral(1.0, math.nan, 1.0), r"start_curvature must be finite, not nan 1/m"),
@@ -237,7 +237,7 @@ WRONG: list[tuple[Callable[[], object], str]] = [
     (lambda: LogSpiral(1.0, 1.0, 1e-5), r"differ by a factor of at most 10000, not be 1 and 1e-05 1/m"),
     (
         lambda: LogSpiral(2.0, 1e3, 1e4),
-        r"a logarithmic spiral may turn by at most 10000 rad, not 20000",
+        r"a logarithmic spiral may sweep at most 10000 rad, not 20000",
     ),
     (lambda: LogSpiral(1.0, 0.1, 1.0, (2e8, 0.0)), r"start .*must lie within 1e8 m of the origin"),
     (lambda: Route(()), r"a route needs at least one curve"),
@@ -286,7 +286,7 @@ def test_the_curve_to_copy_stands_in_the_four_files_that_the_manual_names() -> N
 
 
 def test_a_gap_is_refused_and_names_the_joint_and_its_size() -> None:
-    wanted = r"^curves 2 and 3 do not meet: there is a gap of 0.05 m$"
+    wanted = r"^curves 2 and 3 do not meet: they are 0.05 m apart$"
     with pytest.raises(InputError, match=wanted):
         Route((Line(1.0), Line(1.0, (1.0, 0.0)), Line(1.0, (2.0, 0.05))))
     with pytest.raises(InputError, match=wanted):
@@ -294,7 +294,7 @@ def test_a_gap_is_refused_and_names_the_joint_and_its_size() -> None:
 
 
 def test_a_kink_is_refused_and_names_the_joint_and_its_size() -> None:
-    wanted = r"^curves 1 and 2 meet at a kink of 90 degrees; allow kinks or turn one of them$"
+    wanted = r"^curves 1 and 2 meet at a kink of 90 degrees; allow kinks or rotate one of them$"
     with pytest.raises(InputError, match=wanted):
         Route((Line(1.0), Line(1.0, (1.0, 0.0), 0.5 * math.pi)))
 

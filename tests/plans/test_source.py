@@ -143,8 +143,8 @@ profile = [
     assert refused(tmp_path / "x.toml", text) == [
         f"x.toml:4: dragon.body_length: bench 2: {insets}",
         "x.toml:5: dragon.tail_length: bench 9: length must be at most 10000 m, not 20000 m",
-        "x.toml:9: route.part.1: an arc must turn by an angle other than 0",
-        "x.toml:13: route.part.2: a clothoid may turn by at most 10000 rad, not 5e+07 rad",
+        "x.toml:9: route.part.1: the angle of an arc must not be 0",
+        "x.toml:13: route.part.2: a clothoid may sweep at most 10000 rad, not 5e+07 rad",
         "x.toml:18: walk.profile: the times of a speed profile must increase",
     ]
 

@@ -106,7 +106,7 @@ def test_a_benchs_own_tightest_moment_is_no_looser_than_the_checks() -> None:
 def test_a_broken_margin_is_named_as_such() -> None:
     dance = danced(*TURN, "limits.margin=0.5")
     (broken,) = occasions(dance, "contact")
-    assert (broken.text.en, dance.margin) == ("margin broken", 0.5)
+    assert (broken.text.en, dance.margin) == ("margin not kept", 0.5)
     near = read_plan("turn", TURN[1:]).build().motion([broken.time])
     a, b = (n - 1 for n in broken.benches)
     shapes = [shapely.Polygon([corner(boxes(near, 0), i, k) for k in range(4)]) for i in (a, b)]

@@ -174,7 +174,7 @@ def test_where_it_cannot_be_decided_the_bracket_stays_as_wide(
     # No wider than by a tenth on either side.
     assert found.lower > 0.9 * band[0]
     assert found.upper < 1.1 * band[1]
-    assert "could not be decided" in found.assumptions[-1]
+    assert "are undecided" in found.assumptions[-1]
 
 
 def test_where_nothing_can_be_decided_nothing_is_found(

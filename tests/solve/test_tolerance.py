@@ -219,7 +219,9 @@ def test_wrong_slips_and_draws_are_refused() -> None:
         Slips(width=-0.1)
     with pytest.raises(InputError, match="draws must be a whole number from 1"):
         tolerance(disc(), Slips(), 0)
-    with pytest.raises(InputError, match=r"dance 1 has a bench that cannot be.*make the slips smaller"):
+    with pytest.raises(
+        InputError, match=r"dance 1 has a bench that cannot be.*make the deviations smaller"
+    ):
         tolerance(disc(), Slips(length=1.0), 1)
 
 

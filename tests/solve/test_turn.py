@@ -159,7 +159,7 @@ def test_the_command_line_finds_writes_and_says_it(
     words += ["--set", "walk.speed=1.3", "--set", "dragon.benches=30", "--plan-file", str(path)]
     assert run(words) == 0
     out = capsys.readouterr().out
-    assert "shortest way inside the disc" in out
+    assert "shortest path inside the disc" in out
     assert "arc to the right, radius" in out
     assert str(path) in out
     assert run([*words, "--json"]) == 2  # it is there already

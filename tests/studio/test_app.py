@@ -124,7 +124,7 @@ def test_presets_are_plans_in_two_languages_with_the_standing_of_each_figure(stu
             {"limits": {"margin": 0.2}},
             False,
             "come nearer than the 20 cm asked for",
-            "间距小于要求的 20 cm",
+            "相距不到要求的 20 cm",
         ),
         (
             {"limits": {"speed": 0.5, "margin": 0.2}},
@@ -237,7 +237,7 @@ def test_a_long_question_that_has_no_answer_says_why(studio: Served) -> None:
     started = post(studio, "/api/jobs", PLAN, question="speed", lang="zh").json()
     found = ended(studio, started["id"])
     assert found["state"] == "failed"
-    assert found["error"] == "方案中没有龙头速度可以遵守的限制：例如可设 limits.speed=2"
+    assert found["error"] == "方案中没有龙头速度可以满足的限值：例如可设 limits.speed=2"
 
 
 def test_a_long_question_is_cancelled_while_others_are_answered(studio: Served) -> None:
@@ -431,7 +431,9 @@ def test_a_smaller_studio_says_what_is_too_much(small: Served) -> None:
         "at most 50 benches, not 51": with_part(dragon={"benches": 51}),
         "at most 50 benches, not 60": with_part(dragon={"bench": [{"length": 2, "count": 60}]}),
         "at most 2 parts of a route, not 3": with_part(route={"part": [line] * 3}, disc={}),
-        "at most 2 points of a profile, not 3": with_part(walk={"profile": [[0, 1], [1, 1], [2, 1]]}),
+        "at most 2 points of a speed profile, not 3": with_part(
+            walk={"profile": [[0, 1], [1, 1], [2, 1]]}
+        ),
     }
     for text, plan in wanted.items():
         found = post(small, "/api/verdict", plan)

@@ -77,8 +77,8 @@ class Report:
         walk: that of the plan.
         start: of the walk, s.
         end: of the walk, s; the answers but the first speak of it up to a contact, if there is one.
-        first_contact: when two benches but neighbours first touch, or come nearer than the margin.
-        clearance: the least distance that they keep, m; 0 where they touch.
+        first_contact: when two non-adjacent benches first touch, or come nearer than the margin.
+        clearance: the least that they keep, m; 0 where they touch.
         greatest_speed: of any handle, m/s.
         peaks: the greatest of what else is limited, by the names of the limits, in SI units.
         findings: empty if the walk is safe.
@@ -153,7 +153,7 @@ def _nearness(
     clearance = _clear_throughout(plan, walk, span) if quick else None
     if clearance is not None:
         return None, clearance
-    margin, told = plan.limits.margin, stage(_("looking for contact"))
+    margin, told = plan.limits.margin, stage(_("searching for contact"))
     search = prove_contact if prove else first_contact
     contact = search(walk, *span, margin=margin, progress=told)
     contact = _sure_contact(walk, *span, margin, contact)
@@ -287,7 +287,7 @@ def _limit_findings(name: str, peak: Answer, limit: float) -> list[Finding]:
         )
     if kept is False and name == "speed":
         sentence = N_(
-            "a handle of bench {bench} walks at {value} m/s at t = {t} s, the limit being {limit} m/s"
+            "a handle of bench {bench} moves at {value} m/s at t = {t} s, the limit being {limit} m/s"
         )
     words = {
         "what": quantity.text, "bench": str(near.benches[0]), "unit": quantity.unit,

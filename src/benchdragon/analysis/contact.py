@@ -76,7 +76,7 @@ class ClearanceCurve:
 
     Attributes:
         times: s, (T,).
-        clearance: least distance of any pair that are not neighbours, m, (T,); negative: overlap.
+        clearance: of all pairs of non-adjacent benches, the least, m, (T,); negative: overlap.
         benches: the pair, (T, 2).
         minima: for each sample that is lower than those beside it, the least clearance between these.
     """
@@ -199,7 +199,7 @@ class Hunt:
         if self.ledger is not None:
             count = int(self._room.logged[0])
             if count > LOG:
-                raise UnsureError(_("a proof would need too many looks in one step"))
+                raise UnsureError(_("a proof would need too many evaluations in one step"))
             self.ledger.add_log(self._room.log[:count], handles)
             self._room.logged[0] = 0
         return ending
@@ -284,7 +284,7 @@ def contact_windows(
     ledger: Ledger | None = None,
     progress: Progress = silent,
 ) -> list[Window]:
-    """All spans of time in start..end (s) in which two benches but neighbours are nearer than margin.
+    """All spans of time in start..end (s) in which two non-adjacent benches are nearer than margin.
 
     Never late and none left out, whatever the speed: what lies outside of all windows is clear by
     bounds. A window whose opening is "undecided" is a graze: there a pair comes within rounding of the
@@ -369,7 +369,7 @@ def first_contact(
     slack: float = 0.0,
     progress: Progress = silent,
 ) -> Answer | None:
-    """The first time in start..end, s, at which two benches but neighbours touch; None if never.
+    """The first time in start..end, s, at which two non-adjacent benches touch; None if never.
 
     With a margin (m), the first time at which two are nearer than that. The answer's bracket: all is
     clear up to `lower`, and at `upper` a pair surely touches. `slack`, m, is what computed distances
@@ -394,7 +394,7 @@ def least_clearance(
     tolerances: Sequence[float] = TOLERANCES,
     progress: Progress = silent,
 ) -> Answer:
-    """The least distance, m, that any two benches but neighbours keep from start to end (s).
+    """The least clearance, m, of any two non-adjacent benches from start to end (s).
 
     0 where benches overlap; infinite for a dragon of one or two benches. The bracket is 1e-12 m wide;
     wider, 1e-8 or 1e-5 m, where benches keep one distance for a while, or `tolerances` ends earlier.

@@ -361,7 +361,9 @@ def prove_contact(
         if needed <= slack:
             return _proved(windows[0].opens, found, slack) if windows else None
         slack = 2.0 * needed
-    raise UnsureError(_("the errors of computed places could not be bounded well enough for a proof"))
+    raise UnsureError(
+        _("the errors of computed positions could not be bounded well enough for a proof")
+    )
 
 
 def prove_nearer(walk: Walk, s: float, i: int, j: int, margin: float) -> bool:
@@ -393,8 +395,8 @@ def assumed() -> tuple[str, ...]:
 
 def _proved(answer: Answer, found: Errors, slack: float) -> Answer:
     text = _(
-        "{count} places enclosed with {bits} bits: distances rest on places within {error} m, "
-        "of an allowed {slack} m"
+        "{count} positions enclosed with {bits} bits: distances rest on positions within {error} "
+        "m, of an allowed {slack} m"
     ).format(count=found.places, bits=BITS, error=f"{found.beside:.1e}", slack=f"{slack:.1e}")
     status: Status = "undecided" if answer.status == "undecided" else "proved"
     return replace(answer, status=status, assumptions=(*assumed(), text))

@@ -259,7 +259,7 @@ class Ground:
         wanted = math.floor(end / self.cell) + 1 - self.low
         if wanted > MOST_CELLS:
             raise InputError(
-                _("the way is too long to be searched: {count} cells, at most {most}").format(
+                _("the route is too long to be searched: {count} cells, at most {most}").format(
                     count=wanted, most=MOST_CELLS
                 )
             )

@@ -1,6 +1,6 @@
 """The greatest speed, acceleration or turning rate over a whole walk, and how fast the head may walk.
 
-All of them are bracketed by bounds that hold between looks, at whatever speed the head walks: cut
+All of them are bracketed by bounds that hold between evaluations, at whatever speed the head walks: cut
 where its acceleration jumps, a walk is searched over the head's place (see kernels/drive.py).
 """
 

@@ -35,7 +35,7 @@ def print_answer(name: str, answer: Answer, *, up: bool, brackets: bool) -> None
         return
     value = repr(answer.value) if brackets else figures(answer.sure(up=up), up=up)
     if answer.status == "unlimited":
-        text = _("{name}: no limit was met up to {value} {unit}")
+        text = _("{name}: unlimited up to {value} {unit}")
         click.echo(text.format(name=name, value=value, unit=answer.unit))
         return
     text = _("{name}: {value} {unit} ({status})")

@@ -84,7 +84,7 @@ def print_reproduction(answers: dict[str, Any]) -> None:
     print_table(_("The contest's table, pitch 0.55 m"), benches, rows)
     rk, turn = answers["runge_kutta"], answers["turn"]
     lines = [
-        _("chords keep their length to {error} m").format(
+        _("chords equal their links to within {error} m").format(
             error=f"{answers['largest_chord_error_m']:.1e}"
         ),
         _(
@@ -144,8 +144,8 @@ def _turn_lines(turn: dict[str, Any]) -> list[str]:
         ),
     ]
     text = _(
-        "shorter turn (arc, line, arc): {length} m, way inside the disc {way} m, radii from {radius} "
-        "m, greatest head speed {speed} m/s"
+        "shorter turn (arc, line, arc): {length} m, path inside the disc {way} m, radii from "
+        "{radius} m, greatest head speed {speed} m/s"
     )
     return lines + [
         text.format(
@@ -276,20 +276,20 @@ LIMITS = {
     "radius": N_("radius of the tightest bend"),
     "disc": N_("radius of the disc"),
     "length": N_("length of the turn"),
-    "way": N_("way inside the disc"),
+    "way": N_("path inside the disc"),
     "speed": N_("speed of a handle"),
     "turning_rate": N_("turning rate of a bench"),
     "lateral_acceleration": N_("lateral acceleration of a handle"),
     "total_acceleration": N_("total acceleration of a handle"),
     "acceleration": N_("acceleration of a handle along the route"),
-    "clearance": N_("distance of benches"),
+    "clearance": N_("clearance"),
 }
 
 
 def turn_lines(best: "BestTurn") -> list[str]:
     """The turn in words, a line each, in the language in use."""
     found = [
-        _("turn {length} m long, whole way inside the disc {way} m").format(
+        _("turn {length} m long, path inside the disc {way} m").format(
             length=f"{best.length:.4f}", way=f"{best.way:.4f}"
         ),
         _("leaves the spiral at radius {a} m, joins the other at {b} m").format(

@@ -93,7 +93,7 @@ def program() -> None:
 @program.command(
     help=N_(
         "Repeat the paper, claim by claim, and write a report: the contest's answers, tables and "
-        "pictures, how far off each method is, and what imprecise people need."
+        "pictures, an error analysis, and the tolerance that imprecise people need."
     )
 )
 @click.option(
@@ -139,7 +139,7 @@ def reproduce(
 
 @program.command(
     help=N_(
-        "Place and speed of every handle at chosen times.\n\nPLAN is a *.dragon.toml file or "
+        "Position and speed of every handle at chosen times.\n\nPLAN is a *.dragon.toml file or "
         "the name of a built-in plan: spiral-in, turn."
     )
 )
@@ -180,7 +180,10 @@ def reproduce(
     type=click.Choice(["closed-form", "rk4", "adaptive"]),
     default="closed-form",
     show_default=True,
-    help=N_("Road to the head's place; the others integrate the spiral's differential equation."),
+    help=N_(
+        "Method for the head's position; all but closed-form integrate the spiral's "
+        "differential equation."
+    ),
 )
 @click.option(
     "--step",
@@ -306,7 +309,7 @@ def _motion_json(
     chosen = list(range(len(walk.dragon) + 1)) if handles is None else handles
     if len(times) * len(chosen) > MOST_PLACES_JSON:
         raise InputError(
-            _("JSON holds at most {most} places; choose fewer times or handles, or -o").format(
+            _("JSON holds at most {most} positions; choose fewer times or handles, or -o").format(
                 most=MOST_PLACES_JSON
             )
         )

@@ -44,8 +44,8 @@ NO_SOLUTION, UNDECIDED = 4, 5
 @click.group(
     cls=HelpfulGroup,
     help=N_(
-        "What a plan may be at its limits.\n\nEach question has options of its own; benchdragon solve "
-        "pitch --help, for example, shows those of the first."
+        "The extreme sizes and speeds of a plan.\n\nEach question has options of its own; "
+        "benchdragon solve pitch --help, for example, shows those of the first."
     ),
 )
 @lang_option
@@ -70,15 +70,19 @@ def size_options(command: Command) -> Command:
         "--range",
         "span",
         metavar="LOW..HIGH",
-        help=N_("All sizes from LOW to HIGH, in metres, with which the walk stays clear."),
+        help=N_(
+            "All sizes from LOW to HIGH, in metres, for which the walk is safe: no contact, "
+            "and the margin kept."
+        ),
     )(command)
 
 
 @solve.command(
     help=N_(
-        "The smallest pitch of the spiral that keeps the whole walk clear.\n\nPLAN is a *.dragon.toml "
-        "file or the name of a built-in plan: spiral-in, turn. A spiral needs an end: --set "
-        "disc.radius=4.5, for example. Exit code 4: there is no such pitch; 5: undecided."
+        "The smallest pitch of the spiral with which the walk is safe.\n\nSafe means here: no "
+        "contact, and the margin kept. PLAN is a *.dragon.toml file or the name of a built-in "
+        "plan: spiral-in, turn. A spiral needs an end: --set disc.radius=4.5, for example. Exit "
+        "code 4: there is no such pitch; 5: undecided."
     )
 )
 @plan_options
@@ -101,7 +105,7 @@ def size_options(command: Command) -> Command:
     type=click.FloatRange(min=1e-2, max=100.0),
     default=1.0,
     show_default=True,
-    help=N_("Step of the traversal's looks for contact, in seconds."),
+    help=N_("Time step of the traversal's contact checks, in seconds."),
 )
 @size_options
 def pitch(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
@@ -117,9 +121,10 @@ def pitch(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
 
 @solve.command(
     help=N_(
-        "The smallest radius of the disc that keeps the whole walk clear.\n\nPLAN is a *.dragon.toml "
-        "file or the name of a built-in plan: spiral-in, turn. It needs a disc to begin with: --set "
-        "disc.radius=4.5, for example. Exit code 4: there is no such radius; 5: undecided."
+        "The smallest radius of the disc with which the walk is safe.\n\nSafe means here: no "
+        "contact, and the margin kept. PLAN is a *.dragon.toml file or the name of a built-in "
+        "plan: spiral-in, turn. It needs a disc to begin with: --set disc.radius=4.5, for "
+        "example. Exit code 4: there is no such radius; 5: undecided."
     )
 )
 @plan_options
@@ -131,9 +136,10 @@ def disc(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> i
 
 @solve.command(
     help=N_(
-        "The greatest width of the benches that keeps the whole walk clear.\n\nPLAN is a *.dragon.toml "
-        "file or the name of a built-in plan: spiral-in, turn. A spiral needs an end: --set "
-        "disc.radius=4.5, for example. Exit code 4: there is no such width; 5: undecided."
+        "The greatest width of the benches with which the walk is safe.\n\nSafe means here: no "
+        "contact, and the margin kept. PLAN is a *.dragon.toml file or the name of a built-in "
+        "plan: spiral-in, turn. A spiral needs an end: --set disc.radius=4.5, for example. Exit "
+        "code 4: there is no such width; 5: undecided."
     )
 )
 @plan_options
@@ -145,10 +151,10 @@ def width(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
 
 @solve.command(
     help=N_(
-        "The greatest length of the benches that keeps the whole walk clear.\n\nThe head's length "
-        "stays. PLAN is a *.dragon.toml file or the name of a built-in plan: spiral-in, turn. A spiral "
-        "needs an end: --set disc.radius=4.5, for example. Exit code 4: there is no such length; 5: "
-        "undecided."
+        "The greatest length of the benches with which the walk is safe.\n\nSafe means here: no "
+        "contact, and the margin kept. The head's length stays. PLAN is a *.dragon.toml file or "
+        "the name of a built-in plan: spiral-in, turn. A spiral needs an end: --set "
+        "disc.radius=4.5, for example. Exit code 4: there is no such length; 5: undecided."
     )
 )
 @plan_options
@@ -172,7 +178,7 @@ def length(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     "pace_file",
     type=FILE,
     metavar="FILE",
-    help=N_("Write the plan walked at its own head speed, slowed down only where a limit wants it."),
+    help=N_("Write the plan walked at its own head speed, slowed down only where a limit requires it."),
 )
 @force_option
 @json_option
@@ -202,8 +208,8 @@ def speed(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     default="way",
     show_default=True,
     help=N_(
-        "The shortest way inside the disc, the shortest turn itself, the greatest head speed, the "
-        "smallest disc, or the least peak acceleration."
+        "The shortest path inside the disc, the shortest turn itself, the greatest head speed, "
+        "the smallest disc, or the least peak acceleration."
     ),
 )
 @click.option(
@@ -220,7 +226,7 @@ def speed(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
 @click.option(
     "--longest-way",
     type=click.FloatRange(min=0.0, min_open=True, max=1e6),
-    help=N_("The whole way inside the disc is no longer, in metres."),
+    help=N_("The path inside the disc is no longer, in metres."),
 )
 @click.option(
     "--plan-file", type=FILE, metavar="FILE", help=N_("Write the plan with the turn that was found.")
@@ -389,7 +395,7 @@ def _print_sizes(name: str, plan: "Plan", options: dict[str, Any], quiet: bool) 
 def _sizes_json(found: "WalkableSizes") -> dict[str, Any]:
     """Sizes that will do as plain data, m."""
     return {
-        "walkable": [[span.low, span.high] for span in found.spans],
+        "safe": [[span.low, span.high] for span in found.spans],
         "tried": [span.tried for span in found.spans],
         "borders": [list(span.borders) for span in found.spans],
         "step": found.step,
@@ -402,14 +408,14 @@ def _echo_sizes(found: "WalkableSizes") -> None:
     from benchdragon.solve.size import undecided_text
 
     for span in found.spans:
-        text = _("walkable from {low} m to {high} m (sizes tried there: {tried}, {step} m apart)")
+        text = _("safe from {low} m to {high} m (sizes tried there: {tried}, {step} m apart)")
         ends = {"low": f"{span.low:.12g}", "high": f"{span.high:.12g}", "step": f"{found.step:.4g}"}
         click.echo(text.format(tried=span.tried, **ends))
         for border in span.borders:
-            text = _("  {size} m is a border: just beyond it the walk fails")
+            text = _("  {size} m is a border: just beyond it the walk is not safe")
             click.echo(text.format(size=f"{border:.12g}"))
     if not found.spans:
-        click.echo(_("no size tried is walkable"))
+        click.echo(_("no size tried is safe"))
     if found.undecided:
         click.echo(undecided_text(found.undecided))
 

@@ -36,7 +36,7 @@ from benchdragon.i18n import N_, _
 @click.option(
     "--workers",
     type=click.IntRange(1, 64),
-    help=N_("Processes for quick answers. Default: one a core, at most 8."),
+    help=N_("Workers for quick questions. Default: one a core, at most 8."),
 )
 @shared_options
 def studio(quiet: bool, no_browser: bool, workers: int | None, **options: Any) -> int:

@@ -29,9 +29,9 @@ if TYPE_CHECKING:
     from benchdragon.solve.tolerance import Tolerance
 
 SLIPS = {
-    "aside": N_("Handles off the line, to either side: standard deviation in metres."),
-    "stray": N_("The trodden line off the drawn one, smoothly, in metres."),
-    "play": N_("Play of the pins and pull, in metres of a bench's link."),
+    "aside": N_("Handles off the route, to either side: standard deviation in metres."),
+    "stray": N_("The route that is walked off the one that is drawn, smoothly, in metres."),
+    "play": N_("Pin play and pull: how far they change a bench's link, in metres."),
     "height": N_("Height of a handle over the one before, in metres."),
     "length": N_("Lengths of benches, in metres."),
     "width": N_("Widths of benches, in metres."),
@@ -47,11 +47,11 @@ def slip_options(command: Any) -> Any:
 
 @click.command(
     help=N_(
-        "How much room imprecise people need: the pitch at which benches rarely touch.\n\nRandom "
-        "dances are walked, handles off the line, lines that drift, benches that vary, and the "
-        "smallest pitch that each needs is sought. Without options each slip is tried by itself, "
-        "then all together. PLAN is a *.dragon.toml file or the name of a built-in plan; a spiral "
-        "needs an end: --set disc.radius=4.5, for example."
+        "The tolerance that imprecise people need: the pitch at which benches rarely touch.\n\n"
+        "Random dances are walked: handles off the route, routes that drift, benches that vary; "
+        "the smallest pitch that each needs is sought. Without options each deviation is tried "
+        "by itself, then all together. PLAN is a *.dragon.toml file or the name of a built-in "
+        "plan; a spiral needs an end: --set disc.radius=4.5, for example."
     )
 )
 @plan_options
@@ -61,10 +61,14 @@ def slip_options(command: Any) -> Any:
     type=click.IntRange(1, 100_000),
     default=100,
     show_default=True,
-    help=N_("Random dances."),
+    help=N_("Number of random dances."),
 )
 @click.option(
-    "--seed", type=click.IntRange(0, 2**31), default=1, show_default=True, help=N_("Of the draws.")
+    "--seed",
+    type=click.IntRange(0, 2**31),
+    default=1,
+    show_default=True,
+    help=N_("Seed of the random dances."),
 )
 @workers_option(2)
 @folder_option
@@ -162,7 +166,7 @@ def print_margins(
     from benchdragon.solve.tolerance import RISKS
 
     columns = [
-        _("slips"),
+        _("deviations"),
         _("chance at {pitch} m (%)").format(pitch=f"{pitch:g}"),
         *(f"{100.0 * risk:g} %" for risk in RISKS),
     ]
@@ -178,14 +182,14 @@ def print_margins(
     first = next(iter(found.values()))
     click.echo(
         _(
-            "exact people need {pitch} m; {draws} dances each, more allow surer answers (-: too "
-            "few to say)"
+            "without deviations: {pitch} m; {draws} random dances each, more allow surer answers "
+            "(-: too few to say)"
         ).format(pitch=f"{first.exact:.4f}", draws=first.needed.size)
     )
     click.echo(
         _(
-            "the chance counts dances walked at that pitch; the pitches take for granted that a dance "
-            "which stays clear with its pitch stays clear with larger ones"
+            "the chance counts dances walked at that pitch; the pitches take for granted that a "
+            "dance free of contact with its pitch is so with larger ones"
         )
     )
     if margin:

@@ -27,10 +27,10 @@ MOST_LISTED = 12
 
 def limit_lines(plan: Plan, name: str, answer: Answer, tried: Sequence[str]) -> list[str]:
     """How the limit of a size was found; `tried` are the sizes in the order in which they were."""
-    text = _("Sought: {what} with which no two benches but neighbours touch on the whole walk.")
+    text = _("Sought: {what} for which no two non-adjacent benches touch on the whole walk.")
     if plan.limits.margin:
         text = _(
-            "Sought: {what} with which benches but neighbours stay {margin} m apart on the whole walk."
+            "Sought: {what} for which non-adjacent benches stay {margin} m apart on the whole walk."
         )
     lines = [
         text.format(what=_(question(name).text), margin=number(plan.limits.margin)),
@@ -43,16 +43,16 @@ def limit_lines(plan: Plan, name: str, answer: Answer, tried: Sequence[str]) -> 
     if answer.status == "unlimited":
         return [
             *lines,
-            _("All of them pass; farther than {size} m none was tried.").format(
-                size=number(answer.value)
-            ),
+            _("All of them pass; none beyond {size} m was tried.").format(size=number(answer.value)),
         ]
     family = Family(plan, question(name), plan.limits.margin)
     if answer.witness is not None and len(answer.witness.benches) == 2:
         lines += _pair_lines(family, answer, answer.witness)
     lines.append(_bracket_line(answer, family.question.sense))
     if answer.status == "proved":
-        lines.append(_("Proof: both ends were computed again with balls that hold the numbers surely."))
+        lines.append(
+            _("Proof: both ends were computed again in ball arithmetic, which encloses every number.")
+        )
     return lines
 
 
@@ -60,13 +60,13 @@ def _bracket_line(answer: Answer, sense: float) -> str:
     """Why the bracket of a limit is sure; sense +1: larger sizes are safer."""
     good, bad = (answer.upper, answer.lower)[:: int(sense)]
     text = _(
-        "The bracket is sure: with {good} m the whole walk was found clear, with {bad} m two benches "
-        "come too near (or the dragon cannot walk); width {width} m. Sizes farther off were not "
-        "tried."
+        "The bracket is established: with {good} m the whole walk is free of contact, with {bad} "
+        "m two benches come too near (or the dragon cannot follow the route); width {width} m. "
+        "Sizes beyond it were not tried."
     )
     if answer.status == "undecided":
         text = _(
-            "Left open between {good} m, which passes, and {bad} m, which does not; width {width} m."
+            "Undecided between {good} m, which passes, and {bad} m, which does not; width {width} m."
         )
     return text.format(good=f"{good:.16g}", bad=f"{bad:.16g}", width=tiny(answer.upper - answer.lower))
 
@@ -92,9 +92,9 @@ def _pair_lines(family: Family, answer: Answer, near: Witness) -> list[str]:
     root = root_near(family, meeting, answer.value)
     if root is not None and math.isfinite(room):
         text = _(
-            "Their least distance less the margin of {margin} m is a function f of the size. With "
-            "{aside} m, f = {room} m; it changes by {slope} m per metre of size. So f = 0 near "
-            "{numbers} m. Repeating this (the secant method) gives {value} m."
+            "Their least clearance minus the margin of {margin} m is a function f of the size. "
+            "With {aside} m, f = {room} m; it changes by {slope} m per metre of size. So f = 0 "
+            "near {numbers} m. Repeating this (the secant method) gives {value} m."
         )
         numbers = f"{number(aside)} - {signed(room)}/{signed(root[1])}"
         step = f"{number(aside)} - f/{signed(root[1])} = {numbers} = {number(aside - room / root[1])}"
@@ -108,7 +108,7 @@ def _pair_lines(family: Family, answer: Answer, near: Witness) -> list[str]:
 
 
 def spans_lines(sizes: WalkableSizes, low: float, high: float, count: int) -> list[str]:
-    """How all walkable sizes of a range are found."""
+    """How all safe sizes of a range are found."""
     numbers = f"({number(high)} - {number(low)})/({count} - 1) = {number(sizes.step)}"
     lines = [
         _("{count} sizes were tried, {step} m apart, each on the whole walk.").format(
@@ -125,18 +125,16 @@ def spans_lines(sizes: WalkableSizes, low: float, high: float, count: int) -> li
         lines.append(text.format(**ends, tried=span.tried, width=width))
     if sizes.undecided:
         lines.append(undecided_text(sizes.undecided) + ".")
-    return [*lines, _("A gap narrower than a step can be missed.")]
+    return [*lines, _("Unsafe sizes between two that were tried can be missed.")]
 
 
 def speed_lines(plan: Plan, answer: Answer, pace: Pace | None = None) -> list[str]:
     """How fast the head may walk: the limit that decides by what the route makes of a head at 1 m/s."""
     near = answer.witness
     if near is None or not math.isfinite(answer.value):
-        text = _(
-            "Whatever the speed, hardly anything that is limited occurs; {looks} places were looked at."
-        )
+        text = _("Whatever the speed, hardly anything that is limited occurs; {looks} evaluations.")
         if answer.status == "undecided":
-            text = _("Some handle might be as fast as one likes; {looks} places were looked at.")
+            text = _("Some handle might be arbitrarily fast; {looks} evaluations.")
         return [text.format(looks=answer.looks)]
     walk = plan.build()
     name, allowed, peak = _deciding(plan, walk, answer, near)
@@ -155,9 +153,9 @@ def speed_lines(plan: Plan, answer: Answer, pace: Pace | None = None) -> list[st
         text = _("This grows with the square of the head's speed. So v = √(limit/peak) = {numbers}.")
     lines.append(text.format(numbers=numbers))
     text = _(
-        "The peak is sure: steps of the head are halved until a bound on what happens inside each "
-        "step shows that it holds no more (branch and bound). {looks} places of the dragon; {lower} "
-        "m/s surely keeps the limit; bracket {width} m/s."
+        "The peak is established: steps of the head are halved until bounds show that none holds "
+        "a greater value (branch and bound). {looks} evaluations; {lower} m/s surely keeps the "
+        "limit; bracket {width} m/s."
     )
     width = tiny(answer.upper - answer.lower)
     lines.append(text.format(looks=answer.looks, lower=number(answer.lower), width=width))
@@ -191,12 +189,12 @@ def _pace_lines(plan: Plan, pace: Pace) -> list[str]:
     even = min(pace.steady.lower, plan.walk.speed)
     walk = plan.build()
     first, last = walk.head_position(plan.span(walk)).tolist()
-    text = _("At one speed throughout the walk takes way/speed = {numbers} s.")
+    text = _("At constant speed the walk takes distance/speed = {numbers} s.")
     numbers = f"{number(last - first)}/{number(even)} = {number((last - first) / even)}"
     lines = [text.format(numbers=numbers)]
     text = _(
-        "The pace goes at {speed} m/s and slows down only where a limit wants it, changing by at most "
-        "{change} m/s²: {numbers} s."
+        "With a speed profile the head walks at {speed} m/s and slows down only where a limit "
+        "requires it, changing by at most {change} m/s²: {numbers} s."
     )
     numbers = f"{number((last - first) / even)} - {number(pace.saved)} = {number(pace.seconds)}"
     change = number(plan.limits.head_acceleration)
@@ -215,7 +213,7 @@ def turn_lines(best: BestTurn) -> list[str]:
         angle = 0.5 * length * (a + b)
         text = _("A line of {length} m.") if not a and not b else _("An arc: radius·angle = {arc} m.")
         if a != b:
-            text = _("A clothoid of {length} m; it turns by length·(κ1 + κ2)/2 = {turned} (left +).")
+            text = _("A clothoid of {length} m; it sweeps length·(κ1 + κ2)/2 = {turned} (left +).")
         radius = "" if not a else f"{number(1.0 / abs(a))}·{number(abs(angle))} = {number(length)}"
         turned = f"{number(length)}·({number(a)} + {signed(b)})/2 = {number(angle)}"
         lines.append(text.format(length=number(length), arc=radius, turned=turned))
@@ -251,7 +249,7 @@ def two_arc_lines(turn: TwoArcTurn) -> list[str]:
         text.format(sums=sums, ratio=number(turn.ratio), a=number(radii[0]), b=number(radii[1]))
     )
     length = f"{number(total)}·2·{number(psi)} = {number(turn.length)}"
-    return [*lines, _("Both turn by 2ψ. Length: (r1 + r2)·2ψ = {length} m.").format(length=length)]
+    return [*lines, _("Both sweep 2ψ. Length: (r1 + r2)·2ψ = {length} m.").format(length=length)]
 
 
 def _spiral_lines(best: BestTurn, disc: float) -> list[str]:
@@ -277,5 +275,5 @@ def _spiral_lines(best: BestTurn, disc: float) -> list[str]:
     whole = sum(spirals) + turn.length
     return [
         *lines,
-        _("Whole way inside the disc: {numbers} m.").format(numbers=f"{parts} = {number(whole)}"),
+        _("Path inside the disc: {numbers} m.").format(numbers=f"{parts} = {number(whole)}"),
     ]

@@ -28,12 +28,12 @@ def check_lines(report: Report) -> list[str]:
     walk = report.walk
     first, last = walk.head_position([report.start, report.end]).tolist()
     benches, margin = len(walk.dragon), report.plan.limits.margin
-    text = _("The walk goes from t = {a} s to t = {b} s; the head's way is {way} m.")
+    text = _("The walk goes from t = {a} s to t = {b} s; the head walks {way} m.")
     way = f"{number(last)} - {signed(first)} = {number(last - first)}"
     lines = [text.format(a=number(report.start), b=number(report.end), way=way)]
     text = _(
-        "Neighbours share a handle and lie at different heights. Counted are all other pairs: "
-        "(n - 1)·(n - 2)/2 = {numbers}."
+        "Adjacent benches share a handle and lie at different heights. All other pairs count: (n "
+        "- 1)·(n - 2)/2 = {numbers}."
     )
     pairs = (benches - 1) * (benches - 2) // 2
     lines.append(text.format(numbers=f"({benches} - 1)·({benches} - 2)/2 = {pairs}"))
@@ -49,8 +49,8 @@ def check_lines(report: Report) -> list[str]:
     if report.proved:
         lines.append(
             _(
-                "Proof: every place that this rests on was computed again with balls that hold it "
-                "surely."
+                "Proof: every position that this rests on was computed again in ball arithmetic, "
+                "which encloses it."
             )
         )
     return [*lines, *_greatest_speed_lines(walk, report.greatest_speed, report.plan.limits.speed)]
@@ -60,10 +60,10 @@ def _bound_lines(walk: Walk, first: float, near: Witness, margin: float) -> list
     """The bound by which a step of the head is passed over, and an example of it."""
     text = _(
         "Why no instant is missed: in one step of the head a point of a bench moves at most D, "
-        "known from the ways of its handles. If two benches are d apart before and d' after the "
+        "known from how far its handles go. If two benches are d apart before and d' after the "
         "step, they are never nearer than (d + d' - D - D')/2 in between. More than {margin} m: "
-        "the whole step is clear; else it is halved. (A finer bound of the same kind, on "
-        "accelerations, saves most of the halving.)"
+        "the whole step is free of contact; else it is halved. (A finer bound of the same kind, "
+        "on accelerations, saves most of the halving.)"
     )
     return [text.format(margin=number(margin)), *_example_lines(walk, first, near, margin)]
 
@@ -122,15 +122,15 @@ def _contact_lines(contact: Answer | None, margin: float) -> list[str]:
     what = _("are less than {margin} m apart").format(margin=number(margin))
     what = what if margin else _("touch")
     if contact is None:
-        return [_("At no time two of them {what}.").format(what=what)]
+        return [_("At no time do two of them {what}.").format(what=what)]
     text = _(
-        "The first time that two {what} is t = {t} s: all is clear until {lower} s, and at {upper} s "
-        "it has surely happened; bracket {width} s."
+        "The first time that two {what} is t = {t} s: it does not happen until {lower} s, and at "
+        "{upper} s it surely has; bracket {width} s."
     )
     if contact.status == "undecided":
         text = _(
-            "Whether two {what} at t = {t} s is too close to tell; all is clear until {lower} s; the "
-            "doubt ends at {upper} s; bracket {width} s."
+            "Whether two {what} at t = {t} s is too close to tell; it does not happen until "
+            "{lower} s, and the doubt ends at {upper} s; bracket {width} s."
         )
     return [
         text.format(
@@ -174,8 +174,8 @@ def gap_lines(placed: Placement, i: int, j: int) -> list[str]:
         )  # fmt: skip
     near = nearness(table, i, j)
     text = _(
-        "The gap is the greatest of the four: {gap} m. Above 0: a straight line fits between the "
-        "two; 0: they just touch; below 0: they overlap."
+        "The signed gap is the greatest of the four: {gap} m. Above 0: a straight line fits "
+        "between the two; 0: they just touch; below 0: they overlap."
     )
     lines += [*_free_lines(one, two), text.format(gap=number(near.gap))]
     (bench, corner), (other, side) = near.features
@@ -215,7 +215,7 @@ def _clearance_line(walk: Walk, answer: Answer, near: Witness) -> str:
     still = walk.placement([near.s])
     points = nearness(boxes(still, 0), i, j).points
     text = _(
-        "Least distance: benches {a} and {b}, nearest points {p} and {q} m: {numbers}; bracket "
+        "Least clearance: benches {a} and {b}, nearest points {p} and {q} m: {numbers}; bracket "
         "{width} m."
     )
     return text.format(
@@ -237,9 +237,9 @@ def _greatest_speed_lines(walk: Walk, answer: Answer, limit: float | None) -> li
         text = _("The limit is {limit} m/s; it is kept.")
         kept = answer.keeps(limit)
         if kept is None:
-            text = _("The limit is {limit} m/s; that it is kept could not be shown.")
+            text = _("The limit is {limit} m/s; whether it is kept is undecided.")
         if kept is False:
-            text = _("The limit is {limit} m/s; it is broken.")
+            text = _("The limit is {limit} m/s; it is exceeded.")
         lines.append(text.format(limit=number(limit)))
     return lines
 

@@ -104,8 +104,8 @@ class _Place:
 def _head_line(walk: Walk, time: float) -> str:
     s = float(walk.head_position([time])[0])
     text = _(
-        "Way of the head = speed·time (the area under its speed). At t = {t} s it stands at "
-        "s0 = {start} + {way} = {s} m of the route."
+        "Distance walked by the head = speed·time (the area under its speed). At t = {t} s it "
+        "stands at s0 = {start} + {way} = {s} m of the route."
     )
     return text.format(t=number(time), start=number(walk.start), way=_way_text(walk, time), s=number(s))
 
@@ -319,9 +319,9 @@ def _link_line(walk: Walk) -> str:
     length, _width, front, rear = (float(size) for size in walk.dragon.sizes[:, 0])
     text = _(
         "Handle 1 is the rear of bench 1: d = length - insets = {link} m from the head in a "
-        "straight line. It stands at the first such place behind the head. The search goes back by "
-        "what the distance still lacks to d; that is never too far, as no way is shorter than a "
-        "straight line."
+        "straight line. It stands at the first such position behind the head. The search steps "
+        "back by what the distance still lacks to d; that is never too far, as no path is "
+        "shorter than a straight line."
     )
     link = f"{number(length)} - {number(front)} - {number(rear)} = {number(length - front - rear)}"
     return text.format(link=link)

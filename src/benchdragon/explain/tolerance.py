@@ -21,7 +21,9 @@ def margin_lines(plan: Plan, found: Tolerance) -> list[str]:
         InputError: if the dances were not walked at the plan's own pitch.
     """
     return [
-        _("Exact people need {pitch} m: the answer of solve pitch.").format(pitch=number(found.exact)),
+        _("Without deviations the pitch needed is {pitch} m: the answer of solve pitch.").format(
+            pitch=number(found.exact)
+        ),
         *_dance_lines(plan, found),
         *_chance_lines(found, plan.value("route.pitch")),
         *_risk_lines(found),
@@ -44,24 +46,26 @@ def _dance_lines(plan: Plan, found: Tolerance) -> list[str]:
     front, rear = float(plain.front_inset[n]), float(plain.rear_inset[n])
     needed = needed_pitch(plan, draw, found.exact)
     return [
-        _("{count} dances are drawn; standard deviations: {slips}.").format(
+        _("{count} random dances; standard deviations: {slips}.").format(
             count=found.needed.size, slips=slips or "0"
         ),
         _(
-            "For example dance 1, bench {bench}: length {length} m, its rear handle stands {height} m "
-            "higher or lower than its front one, play {play} m. Seen from above its link is √((length "
-            "- insets)² - height²) + play = √(({length} - {front} - {rear})² - {height}²) + {play} = "
-            "{link} m."
+            "For example dance 1, bench {bench}: length {length} m, its rear handle stands "
+            "{height} m higher or lower than its front one, pin play {play} m. Seen from above "
+            "its link is √((length - insets)² - height²) + play = √(({length} - {front} - "
+            "{rear})² - {height}²) + {play} = {link} m."
         ).format(
             bench=n + 1, length=number(length), height=number(abs(height)), front=number(front),
             rear=number(rear), play=signed(play), link=number(float(drawn.links[n])),
         ),
-        _("Its front, handle {handle}, stands {aside} m aside of the trodden line, all along.").format(
+        _("Its front, handle {handle}, stays {aside} m beside the route that is walked, from "
+          "start to end.").format(
             handle=n, aside=number(found.slips.aside * float(draw.noise(4, len(plain) + 1)[n]))
         ),
         _(
-            "Walked with several pitches, dance 1 stays clear with {pitch} m, and touches with "
-            "{less} m less. That it stays clear with all larger ones is taken for granted."
+            "Walked with several pitches, dance 1 is free of contact with {pitch} m, and touches "
+            "with {less} m less. That it is free of contact with all larger ones is taken for "
+            "granted."
         ).format(pitch=number(needed), less=number(TOLERANCE)),
     ]  # fmt: skip
 

@@ -95,7 +95,7 @@ def write_xlsx(path: Path, what: Selection, progress: Progress) -> None:
     names = handle_names(len(what.walk.dragon) + 1)
     with whole_bytes(path) as made, _workbook(made) as book:
         six = book.add_format({"num_format": "0.000000"})
-        places = _sheet(book, _("Places"), times)
+        places = _sheet(book, _("Positions"), times)
         for i, handle in enumerate(handles):
             _write_row(
                 places, 2 * i + 1, _("{handle} x (m)").format(handle=names[handle]), x[:, i], six
@@ -265,9 +265,9 @@ WRITERS: dict[str, Writer] = {
 def _check_memory(what: Selection) -> None:
     if len(what.times) * len(what.handles) > MOST_PLACES_IN_MEMORY:
         raise InputError(
-            _("such a file holds at most {most} places; choose fewer times or handles, or CSV").format(
-                most=MOST_PLACES_IN_MEMORY
-            )
+            _(
+                "such a file holds at most {most} positions; choose fewer times or handles, or CSV"
+            ).format(most=MOST_PLACES_IN_MEMORY)
         )
 
 

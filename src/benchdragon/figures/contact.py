@@ -99,6 +99,6 @@ def clearance_picture(curve: ClearanceCurve, margin: float = 0.0, title: str = "
             )  # fmt: skip
         panel.set_xlabel(_("time (s)"))
         panel.set_ylabel(_("clearance (cm)"))
-        panel.set_title(_("Least distance of any two benches but neighbours"))
+        panel.set_title(_("Least clearance of non-adjacent benches"))
         panel.legend(loc="best", fontsize="small", framealpha=0.9)
         return figure

@@ -165,7 +165,7 @@ def _check_turn(called: str, length: float, a: float, b: float) -> None:
     turn = _turn_bound(length, a, b)
     if turn > MOST_TURN:
         raise InputError(
-            _("{kind} may turn by at most {most} rad, not {value} rad").format(
+            _("{kind} may sweep at most {most} rad, not {value} rad").format(
                 kind=_(called), most=f"{MOST_TURN:g}", value=f"{turn:g}"
             )
         )
@@ -222,7 +222,7 @@ class Arc(Curve):
     def __post_init__(self) -> None:
         _bend("radius", self.radius)
         if finite("sweep", self.sweep, "rad") == 0.0:
-            raise InputError(_("an arc must turn by an angle other than 0"))
+            raise InputError(_("the angle of an arc must not be 0"))
         _size("length", self.radius * abs(self.sweep))
         _check_pose(self.start, self.start_heading)
 
@@ -499,7 +499,7 @@ class Route(Curve):
         gap = math.hypot(bx - ax, by - ay)
         if gap > JOINT_GAP:
             raise InputError(
-                _("curves {first} and {second} do not meet: there is a gap of {gap} m").format(
+                _("curves {first} and {second} do not meet: they are {gap} m apart").format(
                     first=i, second=i + 1, gap=f"{gap:.6g}"
                 )
             )
@@ -507,8 +507,8 @@ class Route(Curve):
         if kink > JOINT_KINK and not self.kinks:
             raise InputError(
                 _(
-                    "curves {first} and {second} meet at a kink of {kink} degrees; "
-                    "allow kinks or turn one of them"
+                    "curves {first} and {second} meet at a kink of {kink} degrees; allow kinks "
+                    "or rotate one of them"
                 ).format(first=i, second=i + 1, kink=f"{math.degrees(kink):.6g}")
             )
 

@@ -341,7 +341,7 @@ def _arc_lengths(gap: Gap, first: float, bend: float, last: float) -> tuple[floa
         ways += _middle_ways(between, 1.0 / bend - 1.0 / first, 1.0 / last - 1.0 / bend)
     found = [_lengths(gap, first, bend, last, *pair) for pair in ways]
     if not found:
-        raise InputError(_("no circle of the middle curvature touches both arcs"))
+        raise InputError(_("no circle of the middle curvature is tangent to both arcs"))
     return min(found, key=sum)
 
 

@@ -156,7 +156,7 @@ class Walk:
         if clock.size * (len(self.dragon) + 1) > MOST_PLACES:
             raise InputError(
                 _(
-                    "{asked} places (handles by times) are more than one motion may hold ({most})"
+                    "{asked} positions (handles by times) are more than one motion may hold ({most})"
                 ).format(asked=clock.size * (len(self.dragon) + 1), most=MOST_PLACES)
             )
         motion = Motion(self, clock, self.head_position(clock), workers=workers)

@@ -114,7 +114,7 @@ def _fifth(walk: Walk) -> Equation:
     link = float(walk.dragon.links[0])
     return Equation(
         5, N_("left side, which should be d squared"), dx + dy, link * link, "m^2",
-        N_("misprint: both brackets want a square"),
+        N_("misprint: both terms in parentheses should be squared"),
     )  # fmt: skip
 
 

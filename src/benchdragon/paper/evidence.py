@@ -33,14 +33,14 @@ ROADS = {
     for road in (
         Road(
             "chain",
-            N_("Where handles are"),
+            N_("Positions of the handles"),
             "established.html#chain",
             "benchdragon.kernels.chain.march",
             "tests/truth/test_truth.py, tests/model/test_walk.py",
         ),
         Road(
             "speeds",
-            N_("How fast handles are"),
+            N_("Speeds of the handles"),
             "established.html#speeds",
             "benchdragon.model.walk.Motion.speed_ratio",
             "tests/laws/test_laws.py, tests/paper/test_differences.py",
@@ -91,11 +91,11 @@ def contact_of(found: Results) -> Answer:
 
 def errors(found: Results) -> Iterable[Block]:
     """Orders, accumulation along the benches, and what steps do."""
-    yield Heading(_("How far off each method is"), "errors")
+    yield Heading(_("Error analysis"), "errors")
     yield say(
         _(
             "Runge-Kutta of order 4 is of order {rk} here, fitted where rounding does not show. "
-            "Differences of places are of order {forward} (forward), {central} (central) and "
+            "Differences of positions are of order {forward} (forward), {central} (central) and "
             "{backward} (backward)."
         ),
         rk=f"{found.head_order.order:.3f}",
@@ -104,11 +104,11 @@ def errors(found: Results) -> Iterable[Block]:
     yield Picture("errors-orders", _("Errors over steps; the slopes are the orders."))
     yield say(
         _(
-            "Every chord is as long as its link to {chord} m. Errors of places add up along the "
-            "benches: bisecting theta to 1e-8, as programs for the contest do, puts a handle up to "
-            "{bisected} m off, so that sixth decimals flip. Here every handle is found to "
-            "rounding, from the place before it; the angle is carried with the digits that a sum "
-            "would lose. All handles are within {here} m of their exact places."
+            "Every chord equals its link to within {chord} m. Position errors add up along the "
+            "benches: bisecting theta to 1e-8, as programs for the contest do, puts a handle up "
+            "to {bisected} m off, enough to change the sixth decimal. Here every handle is "
+            "computed to rounding from the one before it; the angle keeps the digits that a "
+            "plain sum would lose. All handles are within {here} m of their exact positions."
         ),
         chord=f"{float(found.residuals.max()):.1e}",
         bisected=f"{float(found.off_bisected.max()):.1e}",
@@ -117,10 +117,10 @@ def errors(found: Results) -> Iterable[Block]:
     yield Picture("errors-chain", _("Errors along the 223 benches, 300 s after the start."))
     yield say(
         _(
-            "A search that looks at times one by one answers with the first time at which it looks "
-            "and benches overlap: so 412 s and 413 s arise with steps of a second. A traversal of "
-            "pitches answers with a multiple of its step: so 0.452 m arises. Looking at the disc "
-            "alone misses the graze before it."
+            "A search in time steps answers with the first of its times at which benches "
+            "overlap: hence 412 s and 413 s from steps of a second. A traversal of pitches "
+            "answers with a multiple of its step: hence 0.452 m. Evaluating at the disc alone "
+            "misses the graze before it."
         )
     )
     yield Picture("errors-steps", _("What stepped searches answer, over their steps."))
@@ -165,12 +165,12 @@ SIZE_NAMES = {
 
 def conditioning(found: Results) -> Iterable[Block]:
     """How each answer moves with each size."""
-    yield Heading(_("What a centimetre changes"), "conditioning")
+    yield Heading(_("Sensitivity analysis"), "conditioning")
     yield say(
         _(
-            "How each answer moves with each size: derivatives of the chain itself, and beside "
-            "them differences of two answers, {step} m (or that much of the ratio) to either side. "
-            "A size that plays no part has 0."
+            "How each answer changes with each size: derivatives of the chain itself, and for "
+            "comparison difference quotients of two answers, {step} m (or that much of the "
+            "ratio) to either side. A size without influence has sensitivity 0."
         ),
         step=f"{DIFFERENCE_STEP:g}",
     )
@@ -200,12 +200,12 @@ def people(found: Results) -> Iterable[Block]:
     some = found.margins["all"]
     yield say(
         _(
-            "The paper assumes that every handle keeps to the line (1), that pull and friction "
+            "The paper assumes that every handle keeps to the route (1), that pull and friction "
             "play no part (2), that the pitch does not vary (3), that heights do not matter (4). "
-            "Here each is dropped in turn: {draws} dances are drawn at random (seed {seed}) and "
+            "Here these are relaxed one at a time: {draws} random dances (seed {seed}) are "
             "walked, benches rigid and joined, and the pitch that each needs is sought. Lengths "
-            "are standard deviations. Between two evaluations a bound holds, so that no contact is "
-            "missed; that a dance which stays clear with its pitch stays clear with larger ones is "
+            "are standard deviations. Between two evaluations a bound holds, so that no contact "
+            "is missed; that a dance without contact at its pitch has none at larger ones is "
             "taken for granted."
         ),
         draws=some.needed.size,
@@ -213,12 +213,12 @@ def people(found: Results) -> Iterable[Block]:
     )
     yield Picture("margins", _("The chance that benches touch, over the pitch."))
     columns = (
-        _("dropped"),
+        _("relaxed assumption"),
         _("by how much (cm)"),
         _("median (m)"),
-        _("1 in 10 touches at most (m)"),
-        _("1 in 20 touches at most (m)"),
-        _("room over the exact pitch (cm)"),
+        _("at most 1 in 10 touches (m)"),
+        _("at most 1 in 20 touches (m)"),
+        _("tolerance over the exact pitch (cm)"),
     )
     rows = []
     for name, one in found.margins.items():
@@ -235,9 +235,9 @@ def people(found: Results) -> Iterable[Block]:
     yield Table(columns, (2.4, 1.0, 0.8, 1.0, 1.0, 1.0), tuple(rows))
     yield say(
         _(
-            "To read off a margin: the last column is what a troupe adds to the exact pitch, so "
-            "that at most one dance in twenty touches; said with 95 % confidence. How far a troupe "
-            "strays it must measure itself."
+            "To read off a tolerance: the last column is what a troupe adds to the exact pitch, "
+            "so that at most one dance in twenty touches; said with 95 % confidence. How far a "
+            "troupe strays it must measure itself."
         )
     )
 
@@ -274,9 +274,9 @@ def _derivations(found: Results) -> dict[str, tuple[tuple[str, ...], str]]:
                 f"|P(s_i) - P(s_i+1)| = d_i,  d_0 = {links[0]:g} m,  d_i = {links[1]:g} m",
             ),
             _(
-                "The head's place is its way along the route, inverted. Each next handle is the "
-                "nearest place behind that is one link away: stepping back by link less chord "
-                "cannot jump over it."
+                "The head's position comes from inverting the arc length that it has walked. "
+                "Each next handle is at the nearest position behind that is one link away: "
+                "stepping back by link minus chord cannot jump over it."
             ),
         ),
         "speeds": (
@@ -293,8 +293,8 @@ def _derivations(found: Results) -> dict[str, tuple[tuple[str, ...], str]]:
             ),
             _(
                 "While the head goes on by a step, no point of a bench travels farther than D, "
-                "which the handles' ways give: where the bound stays above 0 nothing touches in "
-                "the whole step; else it is halved."
+                "which follows from how far its handles go: where the bound stays above 0 the "
+                "whole step is free of contact; else it is halved."
             ),
         ),
         "smallest-pitch": (
@@ -304,10 +304,10 @@ def _derivations(found: Results) -> dict[str, tuple[tuple[str, ...], str]]:
                 "dp/dw = {rate:.6f}".format(rate=rate["dragon.width"]),
             ),
             _(
-                "A pitch is tried by the search that misses no contact. Where it fails, the pair "
-                "that touches gives its least distance as a smooth function of the pitch; its root "
-                "is tried next. At the lower end of the bracket that pair overlaps, at the upper "
-                "end the whole walk is clear."
+                "Each pitch is tried with the search that misses no contact. Where it fails, the "
+                "least clearance of the pair that touches is a smooth function of the pitch, "
+                "whose root is tried next. At the lower end of the bracket that pair overlaps; "
+                "at the upper end the whole walk is free of contact."
             ),
         ),
         "turn": (
@@ -323,8 +323,8 @@ def _derivations(found: Results) -> dict[str, tuple[tuple[str, ...], str]]:
             (f"v = {found.turn.limits.speed:g} / {ratio:.12f} = {found.head_speed.value:.12f} m/s",),
             _(
                 "The greatest ratio of a handle's speed to the head's, over all handles and all "
-                "times, by bounds on how ratios change: what is not looked at cannot exceed the "
-                "upper end of the bracket."
+                "times, by bounds on how ratios change: between evaluations no ratio can exceed "
+                "the upper end of the bracket."
             ),
         ),
     }
@@ -336,7 +336,8 @@ def left_out() -> Iterable[Block]:
     yield say(
         _(
             "Benches do not bend, arms do not tire, the ground is flat, nobody stumbles. The "
-            "chances above hold for slips that are independent, normal and constant through a "
-            "dance; a troupe's own may be others. Better turns are found, not proved."
+            "chances above hold for deviations that are independent, normally distributed and "
+            "constant throughout a dance; those of a real troupe may differ. Better turns are "
+            "found, not proved."
         )
     )

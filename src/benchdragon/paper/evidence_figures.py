@@ -34,7 +34,7 @@ def convergence_picture(
         figure = named_figure(12.0, 5.4, title)
         left, right = figure.subplots(1, 2)
         _draw_order(left, place, _("Runge-Kutta (RK4)"), 0)
-        left.set_ylabel(_("error of the head's place (m)"))
+        left.set_ylabel(_("error of the head's position (m)"))
         for n, (scheme, found) in enumerate(speeds.items()):
             _draw_order(right, found, names[scheme], n)
         right.set_ylabel(_("largest error of a velocity (m/s)"))
@@ -42,7 +42,7 @@ def convergence_picture(
             panel.set_xlabel(_("step (s)"))
             panel.legend(fontsize="small", framealpha=0.9)
         left.set_title(_("Where the head is after 300 s"))
-        right.set_title(_("Velocities of all handles from differences of places"))
+        right.set_title(_("Velocities of all handles from differences of positions"))
         return figure
 
 

@@ -21,15 +21,16 @@ def traversal_lines(
             step=number(pitch_step), sizes=listed(tried)
         ),
         _(
-            "For each the dragon is looked at every {step} s, {looks} looks in all. The first pitch "
-            "at which no two benches overlap at any look is the answer: {pitch} m."
+            "For each, the dragon is evaluated every {step} s: {looks} evaluations in all. The "
+            "answer is the first pitch at which no evaluation finds two benches overlapping: "
+            "{pitch} m."
         ).format(
             step=number(time_step), looks=answer.looks,
             pitch=f"{round(answer.value / pitch_step)}·{number(pitch_step)} = {number(answer.value)}",
         ),
         _(
-            "What lies between two looks or between two pitches is not seen; the exact method misses "
-            "nothing."
+            "What happens between two evaluations or between two pitches is not seen; the exact "
+            "method misses nothing."
         ),
     ]  # fmt: skip
 
@@ -43,8 +44,9 @@ def _walk_lines(answers: dict[str, Any]) -> list[str]:
     """Motion, Runge-Kutta, differences."""
     pitch = read_plan("spiral-in").value("route.pitch")
     text = _(
-        "Motion: r = k·θ, k = pitch/(2·π) = {k} m. The head's angle follows from its way, every other "
-        "handle from the one before it, one link away. Chords keep their length to {error} m."
+        "Motion: r = k·θ, k = pitch/(2·π) = {k} m. The head's angle follows from the distance "
+        "walked, every other handle from the one before it, one link away. Chords equal their "
+        "links to within {error} m."
     )
     k = f"{number(pitch)}/(2·π) = {number(pitch / (2.0 * math.pi))}"
     lines = [text.format(k=k, error=tiny(answers["largest_chord_error_m"]))]
@@ -67,8 +69,8 @@ def _touch_lines(answers: dict[str, Any]) -> list[str]:
     a, b = first["witness"]["benches"]
     lines = [text.format(a=a, b=b, t=number(first["value"]))]
     text = _(
-        "Smallest pitch: benches {a} and {b} just graze at {pitch} m. The paper's traversals are off "
-        "by what their steps leave (the last looks at the disc alone): {steps} m."
+        "Smallest pitch: benches {a} and {b} just graze at {pitch} m. The paper's traversals are "
+        "off by the error of their steps (the last evaluates at the disc alone): {steps} m."
     )
     exact = smallest["value"]
     steps = "; ".join(
@@ -92,8 +94,8 @@ def _paper_turn_lines(turn: dict[str, Any]) -> list[str]:
     a, b = near["witness"]["benches"]
     lines.append(text.format(a=a, b=b, gap=number(near["value"])))
     text = _(
-        "Arc, line, arc: way inside the disc {way} m, {numbers} m less than the paper's turn; the "
-        "head may walk at {speed} m/s."
+        "Arc, line, arc: path inside the disc {way} m, {numbers} m less than with the paper's "
+        "turn; the head may walk at {speed} m/s."
     )
     for best in turn["better"]:
         way, whole = best["way"], turn["length_m"]

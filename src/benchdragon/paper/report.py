@@ -39,10 +39,10 @@ FLOW = (
     (N_("head: Runge-Kutta in steps"), N_("head: arc length in closed form, inverted")),
     (
         N_("handles: try theta until it fits"),
-        N_("handles: nearest place one link behind, none skipped"),
+        N_("handles: nearest position one link behind, none skipped"),
     ),
-    (N_("speeds: differences of places"), N_("speeds: rigid benches, differentiated")),
-    (N_("contact: SAT, a flag at each step"), N_("contact: bounds that hold between looks")),
+    (N_("speeds: differences of positions"), N_("speeds: rigid benches, differentiated")),
+    (N_("contact: SAT, a flag at each step"), N_("contact: bounds that hold between evaluations")),
     (N_("pitch: traversal in steps"), N_("pitch: root of the pair that decides")),
     (N_("turn: two arcs, geometry"), N_("turn: families of arcs, lines, clothoids; speed bounded")),
 )
@@ -84,10 +84,11 @@ def _opening(found: Results) -> Iterable[Block]:
     )
     yield say(
         _(
-            '"Proved" means: all positions behind the answer were enclosed in ball arithmetic with 100 '
-            'bits, within the room that the bounds leave. "Found" means: bounds that hold for all '
-            'moments, in floating point with room for its rounding. "Best found" means: a search came '
-            "to it, and something better may exist."
+            '"Proved" means: all positions behind the answer were enclosed in ball arithmetic '
+            'with 100 bits, and their errors stay within what the bounds allow for. "Found" '
+            "means: bounds that hold at all moments, computed in floating point with an "
+            'allowance for its rounding. "Best found" means: a search arrived at it, and '
+            "something better may exist."
         )
     )
 
@@ -124,7 +125,7 @@ def _walk_claims(found: Results) -> Iterable[tuple[Words, ...]]:
     last = table(found.motion, [300.0])[-1]
     yield (
         "2",
-        _("places of the handles, by Runge-Kutta"),
+        _("positions of the handles, by Runge-Kutta"),
         _("no table printed"),
         _("rear of the tail at 300 s: ({x}, {y}) m").format(
             x=f"{last['x_m']:.6f}", y=f"{last['y_m']:.6f}"
@@ -142,7 +143,10 @@ def _walk_claims(found: Results) -> Iterable[tuple[Words, ...]]:
         f"{paper.HEAD_SPEED:g} m/s",
         "1 m/s",
         _("up to {error} m/s").format(error=f"{found.speed_error:.1e}"),
-        _("differences of places a second apart cut corners: the head seems slower by that much"),
+        _(
+            "differences of positions a second apart measure the chord, not the path: the head's "
+            "speed comes out too small by that much"
+        ),
         _how("speeds", _("exact, from rigid benches")),
     )
 
@@ -157,8 +161,8 @@ def _contact_claims(found: Results) -> Iterable[tuple[Words, ...]]:
         f"{first.value:.9f} s",
         _("{late} s late with steps of 1 s").format(late=f"{stepped - first.value:.3f}"),
         _(
-            "a flag looked at each second rises at {seen} s; {before} s is the last second that "
-            "looks clear"
+            "with a time step of 1 s the contact flag is first set at {seen} s; at {before} s it "
+            "sees no contact yet"
         ).format(seen=f"{stepped:g}", before=f"{stepped - 1.0:g}"),
         _how("first-contact", established(first)),
     )
@@ -233,8 +237,8 @@ def _other_claims(found: Results) -> Iterable[tuple[Words, ...]]:
         _("root of the pair that decides, to {width} m").format(width=f"{width:.0e}"),
         "",
         _(
-            "steps of 0.002 m take {coarse} placings of the dragon, of 0.0005 m {fine}; times side "
-            "by side: benchmarks/RESULTS.md"
+            "steps of 0.002 m require {coarse} evaluations of the chain, of 0.0005 m {fine}; "
+            "times side by side: benchmarks/RESULTS.md"
         ).format(coarse=coarse, fine=fine),
         _how("smallest-pitch", _("counted")),
     )
@@ -259,7 +263,7 @@ def _other_claims(found: Results) -> Iterable[tuple[Words, ...]]:
             pitch=decimals_or_dash(aside.pitch_for(0.1), 3)
         ),
         "",
-        _("with handles {slip} cm off the line, to either side, as a standard deviation").format(
+        _("with handles {slip} cm off the route, to either side, as a standard deviation").format(
             slip=f"{100.0 * aside.slips.aside:g}"
         ),
         Link(_("chapter on people"), "#people"),
@@ -295,12 +299,12 @@ def _questions(found: Results) -> Iterable[Block]:
     standing = moment(found.report)[0]
     yield _one_moment(table(standing, standing.times.tolist()))
     yield Picture("contact", _("The first contact, and close by."))
-    yield Picture("clearance", _("Least distance of benches but neighbours up to the contact."))
+    yield Picture("clearance", _("Clearance of non-adjacent benches up to the contact."))
     yield Heading(_("Question 3: the smallest pitch"), "question-3", 2)
     yield Paragraph(
         (
             _(
-                "The head comes to a disc of radius {radius} m without a touch from pitch {pitch} "
+                "The head reaches a disc of radius {radius} m without contact from pitch {pitch} "
                 "m on ({how}). "
             ).format(
                 radius=f"{found.turn.disc.radius:g}",
@@ -345,7 +349,7 @@ def _turn_questions(found: Results) -> Iterable[Block]:
     columns = (
         _("head speed (m/s)"),
         _("turn (m)"),
-        _("way inside the disc (m)"),
+        _("path inside the disc (m)"),
         _("tightest bend (m)"),
         _("clearance (m)"),
     )
@@ -428,8 +432,15 @@ def _figures() -> Iterable[Block]:
 
 
 def _equations(found: Results) -> Iterable[Block]:
-    yield Heading(_("The paper's equations, tried on the walk"), "equations")
-    columns = (_("equation"), _("gives"), _("as printed"), _("the walk"), _("difference"), _("remark"))
+    yield Heading(_("The paper's equations, tested on exact values"), "equations")
+    columns = (
+        _("equation"),
+        _("gives"),
+        _("as printed"),
+        _("exact value"),
+        _("difference"),
+        _("remark"),
+    )
     rows = tuple(
         (
             f"({one.number})",

@@ -189,7 +189,7 @@ def results(progress: Progress = silent) -> Results:
         drawn: dict[str, Tolerance] = {}
         for name, case in CASES.items():
             if len(drawn) % 3 == 0:
-                stage(_("imprecise dances"))
+                stage(_("random dances"))
             drawn[name] = tolerance(disc, case.slips, DRAWS, seed=SEED, workers=workers)
         stage(_("better turns"))
         front = better()

@@ -36,7 +36,7 @@ def traversed_pitch(
 ) -> Answer:
     """The smallest pitch as the paper finds it: pitches in steps, a flag at times in steps.
 
-    The flag rises when the gap of any two benches but neighbours is negative at a time that is looked
+    The flag rises when the gap of any two non-adjacent benches is negative at a time that is looked
     at, the last always among them; contact between two times, or a pitch between two steps, is not
     seen. So the answer is "undecided" and depends on both steps (m and s): compare `smallest_pitch`.
 
@@ -68,14 +68,14 @@ def traversed_pitch(
         pitch, pitch - pitch_step, pitch, "m", "undecided", None,
         (
             _("pitches in steps of {step} m").format(step=f"{pitch_step:g}"),
-            _("contact looked for each {step} s").format(step=f"{time_step:g}"),
+            _("contact checked every {step} s").format(step=f"{time_step:g}"),
         ),
         looks, clock.perf_counter() - began,
     )  # fmt: skip
 
 
 def first_overlap(walk: Walk, times: FloatArray) -> float | None:
-    """The first in the list `times` (s) at which two benches but neighbours overlap; None if none.
+    """The first in the list `times` (s) at which two non-adjacent benches overlap; None if none.
 
     The paper's flag: the separating axis theorem at each time, and nothing said of what lies between.
     """

@@ -43,7 +43,7 @@ def turns_picture(shown: Sequence[ShownTurn], disc: float, title: str = "") -> F
         panels = figure.subplots(1, len(shown), squeeze=False)[0]
         for panel, one in zip(panels, shown, strict=True):
             _draw_turn(panel, one.turn, disc)
-            text = _("turn {length} m, way inside the disc {way} m").format(
+            text = _("turn {length} m, path inside the disc {way} m").format(
                 length=f"{one.turn.length:.4f}", way=f"{one.turn.way(disc):.4f}"
             )
             if one.head_speed is not None:
@@ -123,7 +123,7 @@ def front_picture(
     with matplotlib.rc_context(STYLE):
         figure = named_figure(8.0, 5.6, title)
         panel = figure.subplots()
-        panel.plot(speeds, ways, "o-", color=HEAD, label=_("way inside the disc"))
+        panel.plot(speeds, ways, "o-", color=HEAD, label=_("path inside the disc"))
         panel.plot(speeds, lengths, "s--", color=BODY, mfc="none", label=_("the turn itself"))
         panel.plot(*paper, "*", color="black", ms=14, label=_("the paper's two arcs"))
         panel.set_xlabel(_("greatest head speed (m/s)"))

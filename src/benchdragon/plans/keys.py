@@ -113,7 +113,7 @@ SECTIONS = (
     ),
     *(_part_section(part) for part in PARTS),
     Section(
-        "[disc]", N_("The turning space, a circle about the spiral's centre; not beside parts."),
+        "[disc]", N_("The turning disc: a circle about the spiral's centre; not beside parts."),
         DiscTable,
         {"radius": Key(N_("its radius; for a turn 4.5 m where nothing is said"), 4.5, "m")},
     ),
@@ -149,11 +149,11 @@ SECTIONS = (
         {
             "speed": Key(N_("greatest speed of any handle"), 2, "m/s"),
             "acceleration": Key(N_("greatest acceleration of any handle along the route"), 1, "m/s^2"),
-            "lateral_acceleration": Key(N_("greatest acceleration of any handle across"), 1, "m/s^2"),
-            "total_acceleration": Key(N_("greatest acceleration of any handle in all"), 1.5, "m/s^2"),
+            "lateral_acceleration": Key(N_("greatest lateral acceleration of any handle"), 1, "m/s^2"),
+            "total_acceleration": Key(N_("greatest total acceleration of any handle"), 1.5, "m/s^2"),
             "turning_rate": Key(N_("greatest turning rate of any bench"), 60, "deg/s"),
             "head_acceleration": Key(N_("greatest change of the head's own speed"), 0.5, "m/s^2"),
-            "margin": Key(N_("least distance of benches that are no neighbours"), "5 cm", "m"),
+            "margin": Key(N_("margin: the clearance that non-adjacent benches must keep"), "5 cm", "m"),
         },
     ),
 )  # fmt: skip

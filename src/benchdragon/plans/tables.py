@@ -202,7 +202,7 @@ class ArcPart(CurvePart):
     about: ClassVar[str] = N_("An arc of a circle.")
     keys: ClassVar[Mapping[str, Key]] = {
         "radius": Key(N_("radius of the circle"), 8, "m"),
-        "angle": Key(N_("angle turned through; positive turns left"), 90, "deg"),
+        "angle": Key(N_("angle swept; positive to the left"), 90, "deg"),
     }
 
     kind: Literal["arc"]
@@ -217,11 +217,11 @@ class ArcPart(CurvePart):
 class ClothoidPart(CurvePart):
     """A curve whose curvature changes evenly; positive curvature, 1/m, turns left."""
 
-    about: ClassVar[str] = N_("A curve whose curvature changes evenly.")
+    about: ClassVar[str] = N_("A clothoid: curvature changes evenly.")
     keys: ClassVar[Mapping[str, Key]] = {
         "length": Key(N_("length of the part"), 6, "m"),
-        "start_curvature": Key(N_("curvature at its start; positive turns left"), 0, "1/m"),
-        "end_curvature": Key(N_("curvature at its end; positive turns left"), 0.125, "1/m"),
+        "start_curvature": Key(N_("curvature at its start; positive to the left"), 0, "1/m"),
+        "end_curvature": Key(N_("curvature at its end; positive to the left"), 0.125, "1/m"),
     }
 
     kind: Literal["clothoid"]
@@ -262,10 +262,10 @@ class SpiralPart(CurvePart):
 class LogSpiralPart(CurvePart):
     """A logarithmic spiral: both its curvatures, 1/m, have the same sign; positive ones turn left."""
 
-    about: ClassVar[str] = N_("A curve whose radius of curvature changes evenly.")
+    about: ClassVar[str] = N_("A logarithmic spiral: the radius of curvature changes evenly.")
     keys: ClassVar[Mapping[str, Key]] = {
         "length": Key(N_("length of the part"), 12, "m"),
-        "start_curvature": Key(N_("curvature at its start; positive turns left"), 0.1, "1/m"),
+        "start_curvature": Key(N_("curvature at its start; positive to the left"), 0.1, "1/m"),
         "end_curvature": Key(N_("curvature at its end, of the same sign"), 0.25, "1/m"),
     }
 
@@ -350,7 +350,7 @@ class LimitsTable(Table):
 
     Greatest speed and accelerations (m/s^2) of any handle: along the route, across it and in total;
     turning rate (degrees a second) of any bench, change of the head's own speed (m/s^2), and distance
-    of benches but neighbours.
+    of non-adjacent benches.
     """
 
     speed: Annotated[Speed, Field(gt=0.0)] | None = None

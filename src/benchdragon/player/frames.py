@@ -128,8 +128,8 @@ def frames(
             return Frames(start, even, found[0][:, :kept], found[1][:, :kept], error, leap)
     raise InputError(
         _(
-            "frames of {benches} benches from {start} s to {end} s would be off by more than {error} m "
-            "or fill more than {most} places: choose a shorter time"
+            "frames of {benches} benches from {start} s to {end} s would be off by more than "
+            "{error} m or fill more than {most} positions: choose a shorter time"
         ).format(
             benches=len(walk.dragon), start=f"{start:g}", end=f"{until:g}", error=f"{most_error:g}",
             most=MOST_PLACES,

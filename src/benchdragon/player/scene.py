@@ -137,9 +137,9 @@ def plain_dance(walk: Walk, span: Span, progress: Progress = silent) -> messages
             )
         )
     stage = Stages(progress, 4)
-    stage(_("placing the benches"))
+    stage(_("computing positions"))
     shot = frames(walk, span.start, span.end, 0.9 * span.most_error, span.looks)
-    stage(_("looking who is near whom"))
+    stage(_("finding benches near one another"))
     nearest, tightness = _nearness(walk, shot, span.times)
     stage(_("drawing the route"))
     low, high = (float(quanta) * QUANTUM for quanta in (shot.places.min(), shot.places.max()))
@@ -226,7 +226,7 @@ def _answers(report: Report) -> list[messages.Occasion]:
     found = []
     if contact is not None and contact.witness is not None:
         apart = contact.witness.gap > 0.0 and report.plan.limits.margin > 0.0
-        name = both(lambda: _("margin broken") if apart else _("first contact"))
+        name = both(lambda: _("margin not kept") if apart else _("first contact"))
         found.append(_occasion("contact", contact.value, name, contact.witness.benches))
     elif near is not None and near.time is not None:
         gap = f"{100.0 * report.clearance.value:.3g}"

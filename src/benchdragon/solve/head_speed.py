@@ -130,7 +130,7 @@ def _assumed(quantity: Quantity, allowed: float) -> str:
 def slowed(plan: Plan, *, progress: Progress = silent) -> Pace:
     """A pace at the plan's own head speed that slows down only where a limit would be exceeded.
 
-    Between looks no handle or bench exceeds a limit either: over each step of the head the pace keeps
+    Between evaluations none exceeds a limit either: over each step of the head the pace keeps
     to what a bound on all of them allows (see kernels/pacing.py). The head changes its speed by at most
     limits.head_acceleration.
 
@@ -140,7 +140,7 @@ def slowed(plan: Plan, *, progress: Progress = silent) -> Pace:
         UnsureError: if that could not be decided, or if no pace was found to keep the limits.
     """
     if plan.walk.profile:
-        raise InputError(_("the plan has a profile of its own: take walk.profile out"))
+        raise InputError(_("the plan has a speed profile of its own: take walk.profile out"))
     steady = greatest_head_speed(plan, progress=progress)
     if steady.status == "undecided":
         raise UnsureError(_("it could not be shown that the dragon stands all along"))

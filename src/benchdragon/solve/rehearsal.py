@@ -162,7 +162,7 @@ class Rehearsal:
         return None if ending == search.CLEAR else float(note[search.UPPER])
 
     def least(self) -> float:
-        """The least distance of benches but neighbours, m; minus the depth of an overlap that was seen.
+        """The least distance of non-adjacent benches, m; minus the depth of an overlap that was seen.
 
         No bench comes nearer by more than TOLERANCE, unless they overlap.
 

@@ -151,7 +151,7 @@ def _proved(family: Family, answer: Answer, progress: Progress, began: float) ->
     """The answer with a bracket both ends of which are proved."""
     near = answer.witness
     if near is None or len(near.benches) != 2:
-        raise UnsureError(_("only a limit at which two benches meet can be proved"))
+        raise UnsureError(_("only an answer that two benches decide can be proved"))
     i, j = (number - 1 for number in near.benches)
     half = 0.5 * (answer.upper - answer.lower)
     for _trial in range(MOST_WIDENINGS):
@@ -275,13 +275,13 @@ def _assumed(family: Family, unsure: Sequence[float]) -> tuple[str, ...]:
 
 def undecided_text(sizes: Sequence[float]) -> str:
     """That sizes, m, could not be decided."""
-    text = _("{count} of the sizes tried, from {low} m to {high} m, could not be decided")
+    text = _("{count} of the sizes tried, from {low} m to {high} m, are undecided")
     return text.format(count=len(sizes), low=f"{min(sizes):.6g}", high=f"{max(sizes):.6g}")
 
 
 @dataclass(frozen=True)
 class Span:
-    """Sizes from low to high, m, between which all `tried` that were tried were walkable.
+    """Sizes from low to high, m, between which all `tried` that were tried were safe.
 
     `borders` are those of its ends that were searched for: just beyond, a walk fails.
     """
@@ -297,7 +297,7 @@ class WalkableSizes:
     """What trying sizes of a range came to.
 
     Attributes:
-        spans: of walkable sizes, in order.
+        spans: of safe sizes, in order.
         step: between sizes tried, m.
         undecided: sizes that could not be decided, m.
     """
@@ -356,7 +356,7 @@ def walkable_sizes(
 
 
 def _edge(family: Family, trials: Sequence[Trial], n: int, side: int) -> float:
-    """How far sizes are walkable from trial number n, which passes, to one side of it."""
+    """How far sizes are safe from trial number n, which passes, to one side of it."""
     if not 0 <= n + side < len(trials) or trials[n + side].clear is None:
         return trials[n].size
     return _border(family, trials[n].size, trials[n + side].size)

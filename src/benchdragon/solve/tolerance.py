@@ -83,9 +83,9 @@ class Case:
 
 # What a practised troupe may keep to. The last drops all at once.
 CASES = {
-    "aside": Case(N_("1: each handle up to some centimetres off the line"), Slips(aside=0.02)),
-    "play": Case(N_("2: pins with play, benches pulled or pushed"), Slips(play=0.01)),
-    "stray": Case(N_("3: the trodden spiral drifts"), Slips(stray=0.02)),
+    "aside": Case(N_("1: each handle some centimetres off the route"), Slips(aside=0.02)),
+    "play": Case(N_("2: pin play, benches pulled or pushed"), Slips(play=0.01)),
+    "stray": Case(N_("3: the spiral that is walked drifts"), Slips(stray=0.02)),
     "height": Case(N_("4: handles at different heights"), Slips(height=0.1)),
     "benches": Case(N_("benches that vary"), Slips(length=0.02, width=0.005)),
     "all": Case(N_("all of these"), Slips(0.02, 0.02, 0.01, 0.1, 0.02, 0.005)),
@@ -118,9 +118,9 @@ class Draw:
             return Dragon.of_sizes(length, width, plain.front_inset, plain.rear_inset - longer)
         except InputError as error:
             raise InputError(
-                _("dance {number} has a bench that cannot be: {why}; make the slips smaller").format(
-                    number=self.number + 1, why=error
-                )
+                _(
+                    "dance {number} has a bench that cannot be: {why}; make the deviations smaller"
+                ).format(number=self.number + 1, why=error)
             ) from None
 
     def lane(self, way: float) -> tuple[FloatArray, float]:
@@ -161,7 +161,7 @@ def rehearsal(plan: Plan, draw: Draw) -> Rehearsal:
 
 
 def least_clearance(plan: Plan, draw: Draw) -> float:
-    """The least distance of benches but neighbours in one dance, m; minus the depth of an overlap.
+    """The least distance of non-adjacent benches in one dance, m; minus the depth of an overlap.
 
     See `Rehearsal.least`.
 
@@ -288,11 +288,11 @@ def _exact_pitch(plan: Plan) -> float:
     if plan.route.kind == "spiral-in" and plan.disc.radius is None and plan.walk.end is None:
         raise InputError(_("say how far in the head comes: set disc.radius=4.5, for example"))
     if len(plan.dragon.build()) < 3:
-        raise InputError(_("no benches of this dragon can touch: it has no two but neighbours"))
+        raise InputError(_("no benches of this dragon can touch: no two are non-adjacent"))
     found = limit(plan, "pitch")
     if found.status in {"found", "unlimited"}:
         return found.value
-    raise UnsureError(_("no pitch was found with which this dragon stays clear"))
+    raise UnsureError(_("no pitch was found with which this dragon is free of contact"))
 
 
 @dataclass
@@ -360,7 +360,7 @@ def needed_pitch(plan: Plan, draw: Draw, guess: float) -> float:
             slope = min(max((fb - fa) / (b - a), LEAST_SLOPE), MOST_SLOPE)
         a, fa, b = b, fb, _next(b, fb, slope, touching, clear)
     raise UnsureError(
-        _("no pitch near {guess} m was found with which dance {number} just stays clear").format(
+        _("no pitch near {guess} m was found with which dance {number} is just free of contact").format(
             guess=f"{guess:.4g}", number=draw.number + 1
         )
     )

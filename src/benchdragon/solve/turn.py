@@ -60,7 +60,7 @@ WIDER = 1.001
 
 OBJECTIVES = {
     "length": N_("shortest turn"),
-    "way": N_("shortest way inside the disc"),
+    "way": N_("shortest path inside the disc"),
     "speed": N_("greatest head speed"),
     "disc": N_("smallest disc"),
     "acceleration": N_("least peak total acceleration"),
@@ -107,7 +107,7 @@ class BestTurn:
         length: of the turn itself, m.
         way: whole way inside the disc, m.
         head_speed: the greatest constant head speed under the plan's limits; None without a limit.
-        clearance: the least distance of benches over the whole manoeuvre.
+        clearance: the least over the whole manoeuvre.
         active: names of the limits that it just keeps: keys of `Judge.rooms`.
     """
 

@@ -156,7 +156,7 @@ def check_plan(plan: Plan, settings: Settings) -> None:
         ),
         _("kinds of benches"): (len(own), limits.benches),
         _("parts of a route"): (len(getattr(plan.route, "part", ())), limits.parts),
-        _("points of a profile"): (len(plan.walk.profile), limits.profile),
+        _("points of a speed profile"): (len(plan.walk.profile), limits.profile),
     }
     for wanted, (count, most) in counts.items():
         if count > most:

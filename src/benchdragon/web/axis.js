@@ -68,7 +68,7 @@ export class Axis {
     );
     const last = points.length ? points[points.length - 1].split(",")[0] : "0";
     const area = draw("polygon", { points: `0,100 ${points.join(" ")} ${last},100` });
-    const name = _("distance of the tightest pair over time, from 0 below to {most} above", {
+    const name = _("clearance over time, from 0 below to {most} above", {
       most: shortLength(nearest.reach),
     });
     const svg = draw(

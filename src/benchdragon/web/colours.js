@@ -66,7 +66,7 @@ export function scaleOf(kind, scene, stand, boxes) {
   if (kind === "clearance") {
     const high = scene.sent.nearest.reach;
     return {
-      name: _("distance to the nearest bench"),
+      name: _("clearance to the nearest bench"),
       low: 0,
       high,
       unit: "m",

@@ -13,7 +13,7 @@ export function statusText(status) {
     found: _("found"),
     infeasible: _("no solution"),
     undecided: _("undecided"),
-    unlimited: _("no limit met"),
+    unlimited: _("unlimited"),
   }[status];
 }
 
@@ -92,7 +92,7 @@ export function evidenceDialog(verdict, pitch, jump) {
       dialog.close();
       jump(time);
     });
-  const heads = [_("answer"), _("value"), _("between"), _("how established"), _("where and when")];
+  const heads = [_("answer"), _("value"), _("bracket"), _("how established"), _("where and when")];
   const rows = [
     row(_("first contact"), verdict.first_contact, go),
     row(_("least clearance"), verdict.clearance, go),
@@ -121,7 +121,7 @@ export function evidenceDialog(verdict, pitch, jump) {
       "p",
       { class: "source" },
       _(
-        "Found: every bracket holds by bounds that leave room for rounding; nothing is sampled. Proved: all positions behind it were verified in ball arithmetic. Walk from {start} s to {end} s; plan {hash}, benchdragon {version}.",
+        "Found: every bracket rests on bounds that allow for rounding; nothing is sampled. Proved: all positions behind it were verified in ball arithmetic. Walk from {start} s to {end} s; plan {hash}, benchdragon {version}.",
         {
           start: decimals(verdict.start ?? 0, 1),
           end: decimals(verdict.end ?? 0, 1),

@@ -206,7 +206,7 @@ export class Face {
     return make(
       "footer",
       {},
-      _("Looked at between its frames, no place was off by more than {error} mm.", { error }),
+      _("Checked between frames: no position is off by more than {error} mm.", { error }),
       ` ${made}`,
     );
   }

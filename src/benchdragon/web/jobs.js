@@ -20,7 +20,7 @@ export function questionText(question) {
     prove: _("prove the verdict"),
     speed: _("greatest head speed"),
     pace: _("slow down only where it must"),
-    margins: _("room for people who are not exact"),
+    margins: _("tolerance for people who are not exact"),
   }[question];
 }
 
@@ -36,8 +36,8 @@ function turnText(found) {
     gap: decimals(100 * (found.clearance.lower ?? 0), 1),
   };
   if (before - way < EQUAL)
-    return _("no turn of this kind with a shorter way than {before} m was found", lengths);
-  return _("way inside the disc {way} m, {before} m before; benches at least {gap} cm apart", lengths);
+    return _("no turn of this kind with a shorter path than {before} m was found", lengths);
+  return _("path inside the disc {way} m, {before} m before; benches at least {gap} cm apart", lengths);
 }
 
 /** The plan that was found, if it is any better. @param {JobState["result"]} result */

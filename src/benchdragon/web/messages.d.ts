@@ -227,7 +227,7 @@ export interface LimitedPeak {
  *
  * Greatest speed and accelerations (m/s^2) of any handle: along the route, across it and in total;
  * turning rate (degrees a second) of any bench, change of the head's own speed (m/s^2), and distance
- * of benches but neighbours.
+ * of non-adjacent benches.
  */
 export interface LimitsTable {
   speed?: number | null;

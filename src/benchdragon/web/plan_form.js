@@ -196,7 +196,7 @@ const GROUPS = [
       },
       {
         key: "limits.margin",
-        text: () => _("room to keep between benches"),
+        text: () => _("margin to keep between benches"),
         unit: "m",
         low: 0,
         high: 0.5,

@@ -98,7 +98,7 @@ class Studio {
       onclick: () => this.#evidence(),
     });
     return {
-      verdict: new Line(verdict, _("looking ...")),
+      verdict: new Line(verdict, _("computing ...")),
       limit: new Line(make("output", { class: "limit" })),
       dance: new Line(make("output")),
       file: new Line(make("output", { class: "told" })),
@@ -175,11 +175,11 @@ class Studio {
     );
     const names = {
       "player.html": _("player (a page)"),
-      "motion.xlsx": _("places, spreadsheet"),
-      "motion.csv": _("places, CSV"),
-      "motion.npz": _("places, NumPy"),
-      "motion.parquet": _("places, Parquet"),
-      "motion.nc": _("places, NetCDF"),
+      "motion.xlsx": _("positions, spreadsheet"),
+      "motion.csv": _("positions, CSV"),
+      "motion.npz": _("positions, NumPy"),
+      "motion.parquet": _("positions, Parquet"),
+      "motion.nc": _("positions, NetCDF"),
       "check.xlsx": _("moment of contact, spreadsheet"),
       png: _("pictures, PNG"),
       svg: _("pictures, SVG"),
