@@ -18,8 +18,8 @@ import time
 import numpy as np
 
 from benchdragon.plans.schema import read_plan
-from benchdragon.solve import rehearsal as module
-from benchdragon.solve.rehearsal import Rehearsal
+from benchdragon.solve import random_dance as module
+from benchdragon.solve.random_dance import Rehearsal
 from benchdragon.solve.size import limit
 from benchdragon.solve.tolerance import CASES, Draw, Slips, needed_pitch, rehearsal
 

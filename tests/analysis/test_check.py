@@ -11,9 +11,9 @@ from benchdragon.analysis.check import all_findings, check, sentence
 from benchdragon.analysis.speed import QUANTITIES, greatest, greatest_speed
 from benchdragon.cli.answers import print_answer
 from benchdragon.cli.main import run
-from benchdragon.digits import figures
 from benchdragon.i18n import use_language
 from benchdragon.model.answer import Answer, Witness
+from benchdragon.number_format import figures
 from benchdragon.plans.schema import checked, read_plan
 
 

@@ -9,7 +9,7 @@ from rich.cells import cell_len
 from benchdragon.cli.main import run
 from benchdragon.cli.solve import solve
 from benchdragon.i18n import _
-from benchdragon.solve.trials import QUESTIONS
+from benchdragon.solve.size_trials import QUESTIONS
 from tests.cli.verbs import VERBS, options
 
 ALL = {"--set", "--json", "--explain", "--lang", "--quiet"}

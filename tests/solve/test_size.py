@@ -16,9 +16,9 @@ from benchdragon.paper.traversal import pitch_curve, traversed_pitch
 from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.solve import size as solve
-from benchdragon.solve import trials
+from benchdragon.solve import size_trials as trials
 from benchdragon.solve.size import Span, limit, smallest_pitch, walkable_sizes
-from benchdragon.solve.trials import QUESTIONS, TOLERANCE, Family, Meeting, root_near
+from benchdragon.solve.size_trials import QUESTIONS, TOLERANCE, Family, Meeting, root_near
 
 SMALLEST_PITCH = 0.4503373930271955
 

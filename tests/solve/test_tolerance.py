@@ -18,8 +18,8 @@ from benchdragon.explain.tolerance import margin_lines
 from benchdragon.kernels import curve as kernel
 from benchdragon.model.dragon import Dragon
 from benchdragon.plans.schema import Plan, read_plan
-from benchdragon.solve import rehearsal as rehearsal_module
-from benchdragon.solve.rehearsal import Hint, Meeting, Rehearsal
+from benchdragon.solve import random_dance as rehearsal_module
+from benchdragon.solve.random_dance import Hint, Meeting, Rehearsal
 from benchdragon.solve.size import limit
 from benchdragon.solve.tolerance import (
     CASES,

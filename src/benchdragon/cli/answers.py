@@ -5,9 +5,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from benchdragon.digits import decimals, figures
 from benchdragon.i18n import _, language
 from benchdragon.model.answer import Answer, Witness
+from benchdragon.number_format import decimals, figures
 
 if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan

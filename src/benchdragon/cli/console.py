@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from benchdragon.digits import decimals
 from benchdragon.i18n import N_, _
 from benchdragon.model.numbering import handle_names, numbering_text
+from benchdragon.number_format import decimals
 from benchdragon.progress import Progress, silent
 
 if TYPE_CHECKING:

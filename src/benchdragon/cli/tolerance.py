@@ -19,8 +19,8 @@ from benchdragon.cli.options import (
     shared_options,
     workers_option,
 )
-from benchdragon.digits import decimals_or_dash, finite_or_none
 from benchdragon.i18n import N_, _, language
+from benchdragon.number_format import decimals_or_dash, finite_or_none
 from benchdragon.progress import Stages
 from benchdragon.version import __version__
 

@@ -16,7 +16,7 @@ from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan, TurnRoute
 from benchdragon.solve.head_speed import Pace
 from benchdragon.solve.size import WalkableSizes, undecided_text
-from benchdragon.solve.trials import Family, Meeting, question, root_near
+from benchdragon.solve.size_trials import Family, Meeting, question, root_near
 from benchdragon.solve.turn import BestTurn
 
 # How far from a limit the pair's distance is looked at, m of the size.

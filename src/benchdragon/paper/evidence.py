@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from benchdragon.digits import decimals, decimals_or_dash
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import Answer
+from benchdragon.number_format import decimals, decimals_or_dash
 from benchdragon.paper.document import Block, Formula, Heading, Link, Paragraph, Picture, Table, Words
 from benchdragon.paper.results import DIFFERENCE_STEP, Rate, Results
 from benchdragon.solve.tolerance import CASES

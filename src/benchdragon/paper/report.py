@@ -8,10 +8,10 @@ import math
 from collections.abc import Iterable, Sequence
 
 from benchdragon.analysis.check import moment
-from benchdragon.digits import decimals, decimals_or_dash
 from benchdragon.i18n import N_, _, language
 from benchdragon.model.answer import Answer
 from benchdragon.model.numbering import handle_names, numbering_text
+from benchdragon.number_format import decimals, decimals_or_dash
 from benchdragon.paper import claims as paper
 from benchdragon.paper.document import Block, Document, Heading, Link, Paragraph, Picture, Table, Words
 from benchdragon.paper.evidence import (

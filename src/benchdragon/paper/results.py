@@ -14,13 +14,13 @@ import numpy as np
 
 from benchdragon.analysis.check import Report, check, clearance_over, moment
 from benchdragon.analysis.contact import ClearanceCurve, first_contact
-from benchdragon.digits import finite_or_none
 from benchdragon.errors import BenchDragonError, UnsureError
 from benchdragon.i18n import _, language, use_language
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.answer import Answer
 from benchdragon.model.turns import TwoArcTurn
 from benchdragon.model.walk import Motion, Walk
+from benchdragon.number_format import finite_or_none
 from benchdragon.paper.claims import Equation, equations
 from benchdragon.paper.convergence import (
     Convergence,

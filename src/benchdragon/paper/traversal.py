@@ -20,7 +20,7 @@ from benchdragon.plans.schema import Plan, SpiralInRoute
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, silent
 from benchdragon.solve.size import MOST_COUNT
-from benchdragon.solve.trials import QUESTIONS, Family
+from benchdragon.solve.size_trials import QUESTIONS, Family
 
 # Angles that differ by more than this from one pitch to the next, rad, are a jump and not a slope.
 JUMP = 0.5

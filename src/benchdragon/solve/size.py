@@ -27,7 +27,15 @@ from benchdragon.model.answer import Answer, Status, Witness
 from benchdragon.plans.schema import Plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, silent
-from benchdragon.solve.trials import TOLERANCE, Family, Meeting, Trial, meeting_of, question, root_near
+from benchdragon.solve.size_trials import (
+    TOLERANCE,
+    Family,
+    Meeting,
+    Trial,
+    meeting_of,
+    question,
+    root_near,
+)
 
 # Sizes tried at most; the contest's pitch takes 4.
 MOST_TRIALS = 80

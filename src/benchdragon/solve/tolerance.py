@@ -29,7 +29,7 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.dragon import Dragon
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, silent
-from benchdragon.solve.rehearsal import GRAZE, CannotFollowError, Hint, Rehearsal, strayed
+from benchdragon.solve.random_dance import GRAZE, CannotFollowError, Hint, Rehearsal, strayed
 from benchdragon.solve.size import limit
 
 # A trodden line strays smoothly: places d apart are correlated by exp(-d^2 / (2 STRAY_LENGTH^2)), m;

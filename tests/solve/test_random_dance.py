@@ -13,7 +13,7 @@ from benchdragon.kernels.perturbed import stand_along
 from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
 from benchdragon.model.dragon import Dragon
 from benchdragon.plans.schema import Plan, read_plan
-from benchdragon.solve.rehearsal import TOLERANCE, CannotFollowError, Rehearsal, strayed
+from benchdragon.solve.random_dance import TOLERANCE, CannotFollowError, Rehearsal, strayed
 from benchdragon.solve.tolerance import CASES, Draw, Slips, rehearsal
 
 ROUTES = {
@@ -127,7 +127,7 @@ def test_a_dance_too_long_to_be_searched_is_refused() -> None:
 def test_more_pairs_than_there_was_room_for_are_searched_all_the_same(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    from benchdragon.solve import rehearsal as module
+    from benchdragon.solve import random_dance as module
 
     dance = rehearsal(read_plan(*PLANS["spiral"]), Draw(Slips(aside=0.01), 1, 0))
     found = dance.touch(0.3)
