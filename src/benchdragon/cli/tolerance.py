@@ -47,7 +47,7 @@ def slip_options(command: Any) -> Any:
 
 @click.command(
     help=N_(
-        "The tolerance that imprecise people need: the pitch at which benches rarely touch.\n\n"
+        "The tolerance that imprecise people need, as the pitch at which benches rarely touch.\n\n"
         "Random dances are walked: handles off the route, routes that drift, benches that vary; "
         "the smallest pitch that each needs is sought. Without options each deviation is tried "
         "by itself, then all together. PLAN is a *.dragon.toml file or the name of a built-in "

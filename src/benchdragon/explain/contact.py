@@ -198,13 +198,13 @@ def _free_lines(one: _Box, two: _Box) -> list[str]:
         numbers = (
             f"|{dot_text(q, box.way)}| - {number(box.half)} - {half}·{number(c)} - {wide}·{number(s)}"
         )
-        text = _("Free space along bench {n}: {numbers} m")
+        text = _("Separation along bench {n}: {numbers} m")
         lines.append(text.format(n=box.bench, numbers=f"{law} = {numbers} = {number(along)}"))
         law = f"|q×{name}| - b{own} - a{rest}·s - b{rest}·c"
         numbers = (
             f"|{cross_text(q, box.way)}| - {number(box.wide)} - {half}·{number(s)} - {wide}·{number(c)}"
         )
-        text = _("Free space across bench {n}: {numbers} m")
+        text = _("Separation across bench {n}: {numbers} m")
         lines.append(text.format(n=box.bench, numbers=f"{law} = {numbers} = {number(across)}"))
     return lines
 
