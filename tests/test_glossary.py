@@ -32,7 +32,7 @@ OTHER_SENSES = {
     r"\bthe body is not JSON\b|\ba body of the type\b": "of a request",
     r"\bclosed by its bracket\b|\bbrackets at most\b": "a sign of TOML",
     r"\btolerance must lie\b": "the name of an argument",
-    r"\bbenches must be a list of Bench\b|\ba Line, Arc, Spiral, Clothoid or Log": "names of classes",
+    r"\bbenches must be a list of Bench\b|\ba Line, Arc, Spiral, Clothoid or \w+": "classes",
     r"\barc length\b": "length of any curve: 弧长",
     r"\bextra studio\b": "what pip installs",
     r"^spiral pitch$": "the label of a slider: 螺距 alone says it",
