@@ -1,9 +1,11 @@
-"""How far long work is: one protocol, told by searches and writers, heard by terminal and studio."""
+"""How far long work is: one protocol, told by searches and writers, heard by terminal and studio.
+
+Whoever passes `progress=` gets calls progress(share, text): the share of the work that is done, 0 to 1
+and never less than before, and what is being done; an empty text leaves that as it was.
+"""
 
 from collections.abc import Callable
 
-# Told the share of the work that is done, 0 to 1 and never less than before, and what is being done;
-# an empty text leaves that as it was.
 Progress = Callable[[float, str], None]
 
 

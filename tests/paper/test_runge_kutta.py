@@ -123,6 +123,8 @@ def test_integrating_needs_a_spiral_under_the_head() -> None:
         head_positions(TURNING, [-5.0, 0.0, 5.0], "adaptive")
 
 
-def test_a_road_that_nobody_knows_is_refused() -> None:
+def test_a_method_that_nobody_knows_is_refused() -> None:
+    with pytest.raises(InputError, match=r"^method must be one of rk4, adaptive, not euler"):
+        head_angles(SPIRAL, RAMP, 15.0, [1.0], "euler")  # type: ignore[arg-type]
     with pytest.raises(InputError, match="euler"):
         head_positions(COILING, [0.0], "euler")  # type: ignore[arg-type]

@@ -120,6 +120,7 @@ def check(
     brackets of the clearance and of the greatest speed may be QUICK_CLEARANCE and QUICK_SPEED wide,
     and no contact is looked for where that clearance shows that there is none. They are established
     as ever, and what has its limit inside of a wide bracket is asked again to the last digit.
+    `progress` is told how far it is: see `benchdragon.progress`.
 
     Raises:
         InputError: for what is no plan.

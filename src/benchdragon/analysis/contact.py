@@ -289,7 +289,7 @@ def contact_windows(
     Never late and none left out, whatever the speed: what lies outside of all windows is clear by
     bounds. A window whose opening is "undecided" is a graze: there a pair comes within rounding of the
     margin. Stops after `most` windows. `slack` is what computed distances may be off by, m (0: 1e-13,
-    more far out), and `ledger` takes down all places that the answer rests on: see `prove`.
+    more far out), and `ledger` takes down all places that the answer rests on: see `proof`.
 
     Raises:
         InputError: for a negative margin or an end before the start.

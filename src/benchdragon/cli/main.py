@@ -276,16 +276,13 @@ def _times(options: dict[str, Any], plan: "Plan", walk: "Walk") -> "np.ndarray[A
 
 
 def _moved(walk: "Walk", times: Any, options: dict[str, Any]) -> "Motion":
-    found = walk.motion(times, throw=False, workers=options["workers"])
-    if options["leader"] != "closed-form":
-        from benchdragon.model.walk import Motion
-        from benchdragon.paper.runge_kutta import head_positions
+    throw, workers = not options["keep_going"], options["workers"]
+    if options["leader"] == "closed-form":
+        return walk.motion(times, throw=throw, workers=workers)
+    from benchdragon.paper.runge_kutta import head_positions
 
-        ahead = head_positions(walk, times, options["leader"], options["step"])
-        found = Motion(walk, found.times, ahead, workers=options["workers"])
-    if not options["keep_going"]:
-        found.check()
-    return found
+    ahead = head_positions(walk, times, options["leader"], options["step"])
+    return walk.motion_at(times, ahead, throw=throw, workers=workers)
 
 
 def _failures(motions: "Iterable[Motion]") -> int:

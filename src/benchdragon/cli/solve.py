@@ -304,7 +304,8 @@ def _kept(progress: Progress, tried: list[str]) -> Progress:
     """The same progress; what is said to be tried is kept."""
 
     def told(share: float, text: str) -> None:
-        tried.append(text)
+        if text:
+            tried.append(text)
         progress(share, text)
 
     return told

@@ -151,6 +151,12 @@ class Walk:
             InputError: for times that are not finite, or too many at once.
             WalkError: with `throw`, for the first time in the list that fails.
         """
+        return self.motion_at(times, self.head_position(times), throw=throw, workers=workers)
+
+    def motion_at(
+        self, times: npt.ArrayLike, head_s: FloatArray, *, throw: bool = True, workers: int = 1
+    ) -> "Motion":
+        """The same with the head at given route positions, m, (T,), found in another way."""
         clock = _clock(times)
         whole("workers", workers, 1, MOST_WORKERS)
         if clock.size * (len(self.dragon) + 1) > MOST_PLACES:
@@ -159,7 +165,7 @@ class Walk:
                     "{asked} positions (handles by times) are more than one motion may hold ({most})"
                 ).format(asked=clock.size * (len(self.dragon) + 1), most=MOST_PLACES)
             )
-        motion = Motion(self, clock, self.head_position(clock), workers=workers)
+        motion = Motion(self, clock, head_s, workers=workers)
         if throw:
             motion.check()
         return motion

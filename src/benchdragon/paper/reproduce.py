@@ -42,7 +42,6 @@ PICTURES = (
 )  # fmt: skip
 TABLES = ("result1.xlsx", "result2.xlsx", "result4.xlsx", "spiral.csv", "spiral.npz")
 
-# How often `reproduce` reports an advance.
 # Share of the work that the answers take; the rest goes into files.
 COMPUTED = 0.8
 

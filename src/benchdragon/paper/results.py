@@ -70,7 +70,7 @@ FRONT_SPEEDS = (1.3, 1.5, 1.7)
 DRAWS, SEED = 100, 2024
 DIFFERENCE_STEP = 1e-4
 
-# How often `results` reports an advance.
+# Stages of `results`.
 STEPS = 12
 
 

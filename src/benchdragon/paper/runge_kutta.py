@@ -41,12 +41,6 @@ def head_positions(
     Raises:
         InputError: for a head on another curve, another method, or too many steps.
     """
-    if method not in METHODS:
-        raise InputError(
-            _("leader must be one of {known}, not {method}").format(
-                known=", ".join(METHODS), method=method
-            )
-        )
     exact, route = walk.head_position(times), walk.route
     part = _only_part(walk, exact, method)
     curve = route.curves[part]
@@ -96,6 +90,12 @@ def head_angles(
         method: "rk4", the classical one of fixed step, or "adaptive", SciPy's DOP853.
         step: of "rk4", s, at most; legs between times and knots are cut into equal steps.
     """
+    if method not in METHODS:
+        raise InputError(
+            _("method must be one of {known}, not {method}").format(
+                known=", ".join(METHODS), method=method
+            )
+        )
     positive("step", step, "s")
     sign = 1.0 if spiral.end_angle > spiral.start_angle else -1.0
 

@@ -127,7 +127,7 @@ def limit(
         name: "pitch", "disc", "width" or "length".
         margin: distance, m, that benches must keep; None: the plan's own.
         tolerance: how wide the bracket may be, m; no narrower than 1e-12 can be had.
-        prove: whether both ends of the bracket are established again by `prove`, which widens it.
+        prove: whether both ends of the bracket are established again by `proof`, which widens it.
         progress: is told what is being tried.
 
     Returns:
@@ -164,7 +164,7 @@ def _proved(family: Family, answer: Answer, progress: Progress, began: float) ->
     half = 0.5 * (answer.upper - answer.lower)
     for _trial in range(MOST_WIDENINGS):
         good, bad = (answer.value + side * family.question.sense * half for side in (1.0, -1.0))
-        progress(0.5, _("proving at {size} m").format(size=f"{good:.16g}"))
+        progress(0.0, _("proving at {size} m").format(size=f"{good:.16g}"))
         walk, start, end = family.walk(good)
         _below, meeting = family.low_point(bad, meeting_of(walk, end, near))
         if prove_nearer(family.walk(bad)[0], meeting.s, i, j, family.margin) and (

@@ -9,6 +9,7 @@ import itertools
 import math
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, fields
+from threading import Lock
 
 import numpy as np
 from scipy.interpolate import CubicSpline
@@ -271,12 +272,13 @@ def tolerance(
     of_kind("slips", slips, Slips)
     whole("draws", draws, 1, MOST_DRAWS)
     exact = _exact_pitch(plan)
-    done = itertools.count(1)
+    done, lock = itertools.count(1), Lock()
 
     def one(number: int) -> tuple[float, bool]:
         draw = Draw(slips, seed, number)
         found = needed_pitch(plan, draw, exact), own and touches(plan, draw)
-        progress(next(done) / draws, "")
+        with lock:
+            progress(next(done) / draws, "")
         return found
 
     with ThreadPoolExecutor(workers) as pool:

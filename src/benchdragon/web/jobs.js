@@ -107,7 +107,7 @@ export class JobList {
     this.element = make("ul", { class: "jobs", "aria-live": "polite" });
   }
 
-  /** Say everything in the language in use; sentences of the server stay as they came. */
+  /** Say everything in the language in use; errors and progress of the server stay as they came. */
   retell() {
     for (const { say } of this.entries) say();
     this.show(this.plan);
