@@ -4,7 +4,6 @@ SI units. Numbers that are not finite come as null: JSON knows none. What reader
 languages, but for the assumptions of an answer: those are in the language in which it was sought.
 """
 
-import math
 from typing import Annotated, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict
@@ -14,12 +13,13 @@ from benchdragon.analysis.check import Report, peak_text, sentence
 from benchdragon.errors import WalkError
 from benchdragon.i18n import Words, _, both
 from benchdragon.model import answer
+from benchdragon.number_format import finite_or_none
 from benchdragon.plans.schema import Plan
 from benchdragon.version import __version__
 
 
 def _finite_or_none(value: object) -> object:
-    return None if isinstance(value, float) and not math.isfinite(value) else value
+    return finite_or_none(value) if isinstance(value, float) else value
 
 
 Number = Annotated[float | None, BeforeValidator(_finite_or_none)]

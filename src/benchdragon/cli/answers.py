@@ -1,16 +1,26 @@
 """Answers for readers: value, how it was established, where and when it comes about."""
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from benchdragon.i18n import _, language
 from benchdragon.model.answer import Answer, Witness
 from benchdragon.number_format import decimals, figures
+from benchdragon.version import __version__
 
 if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
+
+# Exit codes of answers; 0 is safe, or found.
+UNSAFE, NO_SOLUTION, UNDECIDED = 1, 4, 5
+
+
+def about(plan: "Plan", lines: list[str]) -> dict[str, Any]:
+    """What every JSON answer ends with: the lines of --explain, if any, plan and version."""
+    explained: dict[str, Any] = {"explanation": lines} if lines else {}
+    return {**explained, "plan_sha256": plan.sha256, "version": __version__}
 
 
 def print_title(plan: "Plan") -> None:

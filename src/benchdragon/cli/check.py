@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from benchdragon.cli.answers import print_answer, print_title
+from benchdragon.cli.answers import UNDECIDED, UNSAFE, about, print_answer, print_title
 from benchdragon.cli.console import print_explanation, print_files, shown_progress
 from benchdragon.cli.options import (
     WITHOUT,
@@ -24,8 +24,6 @@ from benchdragon.i18n import N_, _
 
 if TYPE_CHECKING:
     from benchdragon.analysis.check import Report
-
-UNSAFE, UNDECIDED = 1, 5
 
 
 @click.command(
@@ -82,7 +80,7 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
 
         shown = {"plan": read.data()} if options["show_plan"] else {}
         record = verdict_of(report).model_dump(mode="json")
-        click.echo(json.dumps({**record, **_explained(lines), **shown}))
+        click.echo(json.dumps({**record, **about(read, lines), **shown}))
     else:
         print_report(report, options["brackets"])
         if files:
@@ -93,11 +91,6 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
 
             click.echo("\n" + commented(read.data(), {}), nl=False)
     return 0 if report.safe else UNSAFE if report.decided else UNDECIDED
-
-
-def _explained(lines: list[str]) -> dict[str, list[str]]:
-    """The lines of --explain as a part of JSON, if there are any."""
-    return {"explanation": lines} if lines else {}
 
 
 def print_report(report: "Report", brackets: bool = False) -> None:

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon.cli.animate import animate
+from benchdragon.cli.answers import about
 from benchdragon.cli.check import check
 from benchdragon.cli.console import (
     print_explanation,
@@ -53,6 +54,7 @@ from benchdragon.cli.tolerance import margins
 from benchdragon.cli.view import view
 from benchdragon.errors import BenchDragonError, InputError, MachineError, reason
 from benchdragon.i18n import N_, _, language
+from benchdragon.number_format import finite_or_none
 from benchdragon.plans.toml import bench_count, read_toml
 from benchdragon.progress import Stages
 from benchdragon.version import __version__
@@ -314,17 +316,13 @@ def _motion_json(
     tables = {"x": found.x, "y": found.y, "speed": found.speed}
     answer: dict[str, Any] = {"time": times.tolist(), "handle": chosen}
     for name, values in tables.items():
-        answer[name] = [[_number(value) for value in row] for row in values[:, chosen].tolist()]
+        answer[name] = [[finite_or_none(value) for value in row] for row in values[:, chosen].tolist()]
     answer["status"] = [int(status) for status in found.status]
     answer.update(plan_sha256=plan.sha256, version=__version__)
     if options["explain"]:
         answer["explanation"] = _explained(found, options)
     click.echo(json.dumps(answer))
     return _failures([found])
-
-
-def _number(value: float) -> float | None:
-    return value if value == value else None
 
 
 def _motion_table(
@@ -395,9 +393,7 @@ def _motion_files(what: "Selection", plan: "Plan", options: dict[str, Any], quie
     first = what.walk.motion(what.times[:1], throw=what.throw) if options["explain"] else None
     lines = [] if first is None else _explained(first, options)
     if options["as_json"]:
-        about: dict[str, Any] = {"explanation": lines} if lines else {}
-        about |= {"plan_sha256": plan.sha256, "version": __version__}
-        click.echo(json.dumps({"files": [str(path) for path in files], **about}))
+        click.echo(json.dumps({"files": [str(path) for path in files], **about(plan, lines)}))
     else:
         print_files(files)
         print_explanation(lines)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from benchdragon.cli.answers import print_answer, print_title
+from benchdragon.cli.answers import NO_SOLUTION, UNDECIDED, about, print_answer, print_title
 from benchdragon.cli.console import print_explanation, print_files, shown_progress, turn_lines
 from benchdragon.cli.help import HelpfulGroup
 from benchdragon.cli.options import (
@@ -30,15 +30,12 @@ from benchdragon.cli.parsing import check_ending, parse_lengths
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import Answer
 from benchdragon.progress import Progress
-from benchdragon.version import __version__
 
 if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
     from benchdragon.solve.head_speed import Pace
     from benchdragon.solve.size import WalkableSizes
     from benchdragon.solve.turn import BestTurn
-
-NO_SOLUTION, UNDECIDED = 4, 5
 
 
 @click.group(
@@ -340,12 +337,6 @@ def _limit_lines(
     return limit_lines(plan, name, found, tried)
 
 
-def _about(plan: "Plan", lines: list[str]) -> dict[str, Any]:
-    """What every JSON answer ends with: the lines of --explain, if any, plan and version."""
-    explained: dict[str, Any] = {"explanation": lines} if lines else {}
-    return {**explained, "plan_sha256": plan.sha256, "version": __version__}
-
-
 def _code(found: Answer) -> int:
     """The exit code of an answer."""
     return {"infeasible": NO_SOLUTION, "undecided": UNDECIDED}.get(found.status, 0)
@@ -363,7 +354,7 @@ def _print_solved(
 ) -> None:
     """An answer as JSON, with `more` beside it, or for readers, rounded `up` or down."""
     if options["as_json"]:
-        click.echo(json.dumps(found.as_json(**more, **_about(plan, lines))))
+        click.echo(json.dumps(found.as_json(**more, **about(plan, lines))))
         return
     print_title(plan)
     print_answer(name, found, up=up, brackets=options["brackets"])
@@ -386,7 +377,7 @@ def _print_sizes(name: str, plan: "Plan", options: dict[str, Any], quiet: bool) 
 
         lines = spans_lines(found, low, high, count)
     if options["as_json"]:
-        click.echo(json.dumps({**_sizes_json(found), **_about(plan, lines)}))
+        click.echo(json.dumps({**_sizes_json(found), **about(plan, lines)}))
     else:
         _echo_sizes(found)
         print_explanation(lines)
@@ -471,7 +462,7 @@ def _print_turn(plan: "Plan", best: "BestTurn", objective: str, options: dict[st
 
         lines = explain_answers.turn_lines(best)
     if options["as_json"]:
-        click.echo(json.dumps({**best.as_json(), **_about(plan, lines)}))
+        click.echo(json.dumps({**best.as_json(), **about(plan, lines)}))
         return
     print_title(plan)
     _echo_turn(best, objective)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from benchdragon.cli.answers import about
 from benchdragon.cli.console import print_explanation, print_files, print_rows, shown_progress
 from benchdragon.cli.options import (
     WITHOUT,
@@ -22,7 +23,6 @@ from benchdragon.cli.options import (
 from benchdragon.i18n import N_, _, language
 from benchdragon.number_format import decimals_or_dash, finite_or_none
 from benchdragon.progress import Stages
-from benchdragon.version import __version__
 
 if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
@@ -91,10 +91,8 @@ def margins(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -
     pitch = read.value("route.pitch")
     lines = _lines(read, found, texts) if options["explain"] else []
     if options["as_json"]:
-        about: dict[str, Any] = {"explanation": lines} if lines else {}
-        about |= {"plan_sha256": read.sha256, "version": __version__, "seed": options["seed"]}
         cases = {name: as_json(one, pitch) for name, one in found.items()}
-        click.echo(json.dumps({"cases": cases, **about}))
+        click.echo(json.dumps({"cases": cases, **about(read, lines), "seed": options["seed"]}))
         return 0
     print_margins(found, texts, pitch, read.limits.margin)
     if files:

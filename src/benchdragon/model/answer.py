@@ -4,6 +4,8 @@ import math
 from dataclasses import dataclass, replace
 from typing import Any, Literal, Self
 
+from benchdragon.number_format import finite_or_none
+
 # What exceeds a limit by less than this share keeps to it: bounds leave a tenth of it for rounding.
 ROUNDING = 1e-11
 
@@ -80,10 +82,10 @@ class Answer:
         """The answer as plain data, with `more` beside it; numbers that are not finite become None."""
         data = {name: getattr(self, name) for name in ("value", "lower", "upper", "unit", "status")}
         for name in ("value", "lower", "upper"):
-            data[name] = data[name] if abs(data[name]) < float("inf") else None
+            data[name] = finite_or_none(data[name])
         witness = self.witness
         data["witness"] = None if witness is None else dict(vars(witness))
-        if witness is not None and math.isnan(witness.gap):
-            data["witness"]["gap"] = None
+        if witness is not None:
+            data["witness"]["gap"] = finite_or_none(witness.gap)
         data["assumptions"] = list(self.assumptions)
         return {**data, "looks": self.looks, "seconds": self.seconds, **more}

@@ -171,6 +171,14 @@ def _check_turn(called: str, length: float, a: float, b: float) -> None:
         )
 
 
+def _check_bent(curve: "Clothoid | LogSpiral") -> None:
+    """Check what curves share that are told by their length and the curvatures at both ends."""
+    _size("length", curve.length_m)
+    finite("start_curvature", curve.start_curvature, "1/m")
+    finite("end_curvature", curve.end_curvature, "1/m")
+    _check_pose(curve.start, curve.start_heading)
+
+
 @dataclass(frozen=True)
 class Line(Curve):
     """A straight line; it runs on straight behind its start.
@@ -351,10 +359,7 @@ class Clothoid(Curve):
     start_heading: float = 0.0
 
     def __post_init__(self) -> None:
-        _size("length", self.length_m)
-        finite("start_curvature", self.start_curvature, "1/m")
-        finite("end_curvature", self.end_curvature, "1/m")
-        _check_pose(self.start, self.start_heading)
+        _check_bent(self)
         _check_turn(self.called, self.length_m, self.start_curvature, self.end_curvature)
 
     def _lower(self) -> FloatArray:
@@ -402,10 +407,7 @@ class LogSpiral(Curve):
     start_heading: float = 0.0
 
     def __post_init__(self) -> None:
-        _size("length", self.length_m)
-        finite("start_curvature", self.start_curvature, "1/m")
-        finite("end_curvature", self.end_curvature, "1/m")
-        _check_pose(self.start, self.start_heading)
+        _check_bent(self)
         a, b = self.start_curvature, self.end_curvature
         if b == 0.0 or not 1.0 / MOST_WINDING <= a / b <= MOST_WINDING:
             raise InputError(
