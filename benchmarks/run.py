@@ -37,14 +37,14 @@ from benchdragon import (
     first_contact,
     tightest_pairs,
 )
-from benchdragon.analysis import regions as ground
+from benchdragon.analysis import regions
 from benchdragon.analysis.check import check
 from benchdragon.analysis.distance import nearest_each
 from benchdragon.kernels.chain import march
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.size import limit, smallest_pitch
-from benchdragon.solve.turn import Wish, best_turn
+from benchdragon.solve.turn import TurnGoal, best_turn
 from benchdragon.studio.tasks import SIZE
 
 FloatArray = npt.NDArray[np.float64]
@@ -312,9 +312,9 @@ def workers() -> list[str]:
     ]  # fmt: skip
 
 
-def unsheltered(job: Callable[[], object]) -> None:
+def without_spiral_bound(job: Callable[[], object]) -> None:
     """Run a search that boxes every cell, as on curves that are no spirals."""
-    with mock.patch.object(ground, "sheltered", return_value=np.empty((0, 2))):
+    with mock.patch.object(regions, "clear_spans", return_value=np.empty((0, 2))):
         job()
 
 
@@ -329,27 +329,27 @@ def contact_rows(quick: bool) -> list[str]:
     ours, bare, theirs = fastest(
         [
             lambda: first_contact(walk, 0.0, 430.0),
-            lambda: unsheltered(lambda: first_contact(walk, 0.0, 430.0)),
+            lambda: without_spiral_bound(lambda: first_contact(walk, 0.0, 430.0)),
             lambda: Stepped(walk).first_contact(0.0, 430.0, 1.0, 1e-9),
         ],
         1 if quick else 3,
     )
     our_pitch, bare_pitch = fastest(
-        [lambda: smallest_pitch(disc), lambda: unsheltered(lambda: smallest_pitch(disc))],
+        [lambda: smallest_pitch(disc), lambda: without_spiral_bound(lambda: smallest_pitch(disc))],
         1 if quick else 5,
     )
     (their_time,) = fastest([lambda: textbook_pitch(disc, 0.44, 0.46, 1.0, 0.01 if quick else 1e-4)], 1)
-    looks = 0 if found is None else found.looks
+    value, placed = (0.0, 0) if found is None else (found.value, found.evaluations)
     lines = [
         "| question | by | s | chains placed | answer |",
         "|---|---|---|---|---|",
-        f"| first contact | ours | {ours:.3g} | {looks} | {found.value if found else 0.0:.13f} s |",
-        f"| | ours, as if no turns were sheltered | {bare:.3g} | {looks} | the same |",
+        f"| first contact | ours | {ours:.3g} | {placed} | {value:.13f} s |",
+        f"| | ours, without the bound for spirals | {bare:.3g} | {placed} | the same |",
         f"| | textbook: each second, then bisection to 1e-9 s | {theirs:.3g} | {search.chains} "
         f"| {textbook or 0.0:.9f} s |",
         f"| smallest pitch | ours, bracket {pitch.upper - pitch.lower:.0e} m | {our_pitch:.3g} | "
         f"| {pitch.value:.13f} m |",
-        f"| | ours, as if no turns were sheltered | {bare_pitch:.3g} | | the same |",
+        f"| | ours, without the bound for spirals | {bare_pitch:.3g} | | the same |",
         f"| | textbook: bisection to 1e-4 m, each second | {their_time:.3g} | {chains} "
         f"| {their_pitch:.5f} m |",
         "",
@@ -383,7 +383,7 @@ def turn_rows(quick: bool) -> list[str]:
     if not quick:
         plan = read_plan("turn", ["turn.family=arc-line-arc", "walk.speed=1.3"])
         began = time.perf_counter()
-        best = best_turn(plan, Wish("way", least_radius=1.5027))
+        best = best_turn(plan, TurnGoal("way", least_radius=1.5027))
         seconds = time.perf_counter() - began
         lines.append(
             f"| best turn, arc-line-arc, at 1.3 m/s | 223 | {seconds:.3g} | {best.way:.4f} m |"

@@ -78,8 +78,8 @@ async def person(
 
 async def ready(client: httpx.AsyncClient) -> bool:
     """Whether all workers are."""
-    lanes = (await client.get("/healthz")).json()["workers"].values()
-    return all(lane["ready"] == lane["workers"] for lane in lanes)
+    queues = (await client.get("/healthz")).json()["workers"].values()
+    return all(worker_queue["ready"] == worker_queue["workers"] for worker_queue in queues)
 
 
 async def alone(client: httpx.AsyncClient, plan: dict[str, Any], digits: int) -> None:

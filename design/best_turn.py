@@ -14,7 +14,7 @@ from scipy.optimize import Bounds, differential_evolution, dual_annealing
 from benchdragon.model.turns import two_arcs
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.head_speed import greatest_head_speed
-from benchdragon.solve.turn import GENERATIONS, MEMBERS, Judge, Wish
+from benchdragon.solve.turn import GENERATIONS, MEMBERS, TurnEvaluator, TurnGoal
 
 
 def two_arcs_alone() -> None:
@@ -37,24 +37,28 @@ def searches() -> None:
     print("family         by                      way, m   sampled turns   s")
     for family in ("arc-line-arc", "arc-arc-arc"):
         plan = read_plan("turn", [f"turn.family={family}", "walk.speed=1.3"])
-        wish = Wish("way", least_radius=1.5027)
+        goal = TurnGoal("way", least_radius=1.5027)
         for name in ("differential evolution", "dual annealing"):
-            judge = Judge(plan, wish)
+            evaluator = TurnEvaluator(plan, goal)
 
-            def score(x: np.ndarray[tuple[int], np.dtype[np.float64]], judge: Judge = judge) -> float:
-                return judge.score(x.tolist())
+            def score(
+                x: np.ndarray[tuple[int], np.dtype[np.float64]], evaluator: TurnEvaluator = evaluator
+            ) -> float:
+                return evaluator.score(x.tolist())
 
             began = time.perf_counter()
-            most = MEMBERS * GENERATIONS * len(judge.bounds)
+            most = MEMBERS * GENERATIONS * len(evaluator.bounds)
             if name == "dual annealing":
-                found = dual_annealing(score, judge.bounds, maxfun=most, no_local_search=True, rng=1)
+                found = dual_annealing(
+                    score, evaluator.bounds, maxfun=most, no_local_search=True, rng=1
+                )
             else:
                 found = differential_evolution(
-                    score, Bounds(*np.array(judge.bounds).T), popsize=MEMBERS, maxiter=GENERATIONS,
+                    score, Bounds(*np.array(evaluator.bounds).T), popsize=MEMBERS, maxiter=GENERATIONS,
                     rng=1, polish=False, init="sobol",
                 )  # fmt: skip
             spent = time.perf_counter() - began
-            print(f"{family:14s} {name:22s} {found.fun:7.3f} {judge.looks:12d} {spent:8.1f}")
+            print(f"{family:14s} {name:22s} {found.fun:7.3f} {evaluator.evaluations:12d} {spent:8.1f}")
 
 
 if __name__ == "__main__":

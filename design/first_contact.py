@@ -24,9 +24,9 @@ second, each 0.1 s would have said.
 import numpy as np
 
 from benchdragon import Walk, clearances, contact_windows
-from benchdragon.analysis.regions import PARTS, Ground
-from benchdragon.kernels import bounds as sweep
+from benchdragon.analysis.regions import PARTS, BroadPhase
 from benchdragon.kernels import search as kernel
+from benchdragon.kernels import step_bounds
 from benchdragon.plans.schema import read_plan
 
 
@@ -37,40 +37,40 @@ def looks_for(walk: Walk, slack: float, smooth: bool) -> int:
     note = np.zeros(kernel.NOTES)
     rows, links, sizes = walk.route.rows, walk.dragon.links[:9], walk.dragon.sizes
     if smooth:
-        kernel.seek(
+        kernel.search_step(
             search, kernel.FIRST_TOUCH, rows, links, sizes, members, first, second,
             412.0, 412.5, 0.0, slack, slack, 1_000_000, note,
         )  # fmt: skip
-        return int(note[kernel.LOOKS])
+        return int(note[kernel.EVALUATIONS])
     return travel_only(walk, slack)
 
 
 def travel_only(walk: Walk, slack: float) -> int:
     """The same by the travel bound alone: leftmost halves first."""
-    still, looks = Walk(walk.dragon, walk.route), 0
-    places = sweep.empty_places(10, 2)
-    handles, bench = np.empty((10, sweep.HANDLE_COLUMNS)), np.empty(sweep.BENCH_COLUMNS)
+    still, evaluations = Walk(walk.dragon, walk.route), 0
+    places = step_bounds.empty_placements(10, 2)
+    handles, bench = np.empty((10, step_bounds.HANDLE_COLUMNS)), np.empty(step_bounds.BENCH_COLUMNS)
     stack, at = [412.5], 412.0
     while stack:
         end = stack[-1]
-        looks += 1
+        evaluations += 1
         ends = np.array([at, end])
-        sweep.stand(walk.route.rows, walk.dragon.links[:9], ends, 0, 2, places)
-        sweep.bound_handles(walk.route.rows, walk.dragon.links[:9], places, 0, 1, handles)
+        step_bounds.place_chain(walk.route.rows, walk.dragon.links[:9], ends, 0, 2, places)
+        step_bounds.bound_handles(walk.route.rows, walk.dragon.links[:9], places, 0, 1, handles)
         spent = 0.0
         for i in (0, 8):
-            sweep.bound_bench(handles, i, walk.dragon.sizes, i, bench)
-            spent += bench[sweep.TRAVEL]
+            step_bounds.bound_bench(handles, i, walk.dragon.sizes, i, bench)
+            spent += bench[step_bounds.TRAVEL]
         a, b = clearances(still.motion(ends))
         if a <= slack:
-            return looks
+            return evaluations
         if 0.5 * (a + b - spent) > 0.0:
             at = stack.pop()
-        elif end - at < slack or looks > 20_000:
-            return looks
+        elif end - at < slack or evaluations > 20_000:
+            return evaluations
         else:
             stack.append(0.5 * (at + end))
-    return looks
+    return evaluations
 
 
 def main() -> None:
@@ -82,12 +82,12 @@ def main() -> None:
     for slack in (1e-10, 1e-13):
         print(f"{slack:8.0e} {'-':>20s} {looks_for(walk, slack, True):17d}")
 
-    ground = Ground(walk.dragon, walk.route, 1e-6, 0.0)
-    ground.extend(413.0)
-    steps = list(ground.steps(0.0, 413.0))
-    benches, every = len(walk.dragon), int(413.0 / (ground.cell / PARTS))
+    broad_phase = BroadPhase(walk.dragon, walk.route, 1e-6, 0.0)
+    broad_phase.extend(413.0)
+    steps = list(broad_phase.steps(0.0, 413.0))
+    benches, every = len(walk.dragon), int(413.0 / (broad_phase.cell / PARTS))
     pairs = sum(len(step.first) for step in steps)
-    print(f"\ncells of {ground.cell:.3g} m, cut into {PARTS}: {ground.count} cells")
+    print(f"\ncells of {broad_phase.cell:.3g} m, cut into {PARTS}: {broad_phase.count} cells")
     print(f"pairs of benches times steps: {(benches - 1) * (benches - 2) // 2 * every:,} in all")
     print(f"left to the search: {pairs:,}, from head position {steps[0].start:.1f} m on")
 
@@ -97,7 +97,7 @@ def main() -> None:
         low = clearances(walk.motion(times)) < 0.0
         print(f"{step:7g} {times[low][0]:17.2f}")
     (window,) = contact_windows(walk, 400.0, 413.0)
-    print(f"  exact {window.opens.value:.10f}, {window.opens.looks} looks")
+    print(f"  exact {window.opens.value:.10f}, {window.opens.evaluations} looks")
 
 
 if __name__ == "__main__":

@@ -52,7 +52,7 @@ def by_scan(route: Route, s: float, link: float) -> float:
     return float(back[np.argmax(apart >= link)])
 
 
-def looks(route: Route, s: float) -> int:
+def evaluations(route: Route, s: float) -> int:
     """How many places one search looks at, counted in its plain Python form."""
     count = 0
     kept = {name: getattr(kernel, name) for name in ("place", "polish", "next_handle")}
@@ -87,7 +87,7 @@ def show_looks() -> None:
     for name, curve in cases.items():
         route = Route((curve,))
         places = np.linspace(min(5.0, 0.5 * route.length), route.length, 40)
-        counts = [looks(route, float(s)) for s in places]
+        counts = [evaluations(route, float(s)) for s in places]
         print(f"{name}: {statistics.mean(counts):.1f} places a handle, at most {max(counts)}")
 
 

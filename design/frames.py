@@ -21,7 +21,7 @@ import numpy as np
 import numpy.typing as npt
 
 from benchdragon.plans.schema import read_plan
-from benchdragon.player.frames import LEVEL, LOOKS, QUANTUM, Frames, between, packed_frames
+from benchdragon.player.frames import LEVEL, QUANTUM, SHARES, Frames, between, packed_frames
 
 Table = npt.NDArray[np.float64]
 START, END = -20.0, 100.0
@@ -47,7 +47,7 @@ def main() -> None:
         heading = np.stack([walk.route.heading(row) for row in s])
         vx, vy = v * np.cos(heading), v * np.sin(heading)
         off = np.zeros(3)
-        for share in LOOKS:
+        for share in SHARES:
             exact = walk.motion(times[:-1] + share * step)
             ex, ey, es = exact.x.T, exact.y.T, exact.s.T
             lines = [table[:, :-1] + share * np.diff(table, axis=1) for table in (x, y)]

@@ -19,9 +19,9 @@ import numpy as np
 
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve import random_dance as module
-from benchdragon.solve.random_dance import Rehearsal
+from benchdragon.solve.random_dance import RandomDance
 from benchdragon.solve.size import limit
-from benchdragon.solve.tolerance import CASES, Draw, Slips, needed_pitch, rehearsal
+from benchdragon.solve.tolerance import CASES, Deviations, Draw, needed_pitch, random_dance
 
 DRAWS = 5
 PLANS = {
@@ -30,7 +30,7 @@ PLANS = {
 }
 
 
-def evaluated(dance: Rehearsal, step: float) -> float:
+def evaluated(dance: RandomDance, step: float) -> float:
     """The least distance at places of the head so far apart, m."""
     grid = np.linspace(dance.start, dance.end, 2 + int((dance.end - dance.start) / step))
     return min(dance.nearest(at)[0].distance for at in np.array_split(grid, 1 + len(grid) // 500))
@@ -41,7 +41,8 @@ def losses() -> None:
     print("1. how much nearer benches come than evaluations say, mm: median, greatest")
     for name, (kind, settings) in PLANS.items():
         dances = [
-            rehearsal(read_plan(kind, settings), Draw(CASES["aside"].slips, 1, n)) for n in range(DRAWS)
+            random_dance(read_plan(kind, settings), Draw(CASES["aside"].deviations, 1, n))
+            for n in range(DRAWS)
         ]
         true = [dance.least() for dance in dances]
         for step in (1.0, 0.2, 0.05):
@@ -57,7 +58,7 @@ def steps() -> None:
     print("2. seconds of a search that misses nothing, by steps as a share of the shortest link")
     chosen = module.STEP
     for name, (kind, settings) in PLANS.items():
-        dance = rehearsal(read_plan(kind, settings), Draw(CASES["aside"].slips, 1, 0))
+        dance = random_dance(read_plan(kind, settings), Draw(CASES["aside"].deviations, 1, 0))
         dance.touch()
         for share in (0.06, 0.09, 0.125, 0.18, 0.25):
             module.STEP = share
@@ -74,7 +75,12 @@ def pitches() -> None:
         plan = read_plan(kind, settings)
         exact = limit(plan, "pitch").value
         print(f"   {name}: solve pitch says {exact:.6f}")
-        for case in (Slips(), CASES["aside"].slips, CASES["stray"].slips, CASES["all"].slips):
+        for case in (
+            Deviations(),
+            CASES["aside"].deviations,
+            CASES["stray"].deviations,
+            CASES["all"].deviations,
+        ):
             began = time.thread_time()
             needed = needed_pitch(plan, Draw(case, 1, 0), exact)
             print(f"   {needed:.6f} {time.thread_time() - began:.2f}")

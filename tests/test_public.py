@@ -121,11 +121,11 @@ CALLS: dict[str, tuple[Any, ...]] = {
     "SpeedProfile": ((0.0,), (1.0,)),
     "Spiral": (1.0, 10.0, 5.0),
     "Turn": (1.7, 4.5, 4.5, ((1.0, 0.2, 0.2),)),
-    "Slips": (0.01,),
+    "Deviations": (0.01,),
     "Placement": (DRAGON, ROUTE, [20.0, 21.0]),
     "TwoArcTurn": (1.7, 4.5, 2.0),
     "Walk": (DRAGON, ROUTE, WALK.profile, 0.0),
-    "Wish": (),
+    "TurnGoal": (),
     "best_turn": (TURN,),
     "check": (PLAN,),
     "clearance_curve": (WALK, [0.0, 1.0, 2.0]),
@@ -141,7 +141,7 @@ CALLS: dict[str, tuple[Any, ...]] = {
     "smallest_pitch": (PLAN,),
     "three_pieces": (1.7, 4.5, 4.5, (2.0, 2.0)),
     "tightest_pairs": (MOTION, 0, 1),
-    "tolerance": (PLAN, bd.Slips(0.01), 2),
+    "tolerance": (PLAN, bd.Deviations(0.01), 2),
     "two_arcs": (1.7, 4.5, 4.5, 2.0),
 }
 # What the package makes, and nobody else has to.

@@ -42,11 +42,11 @@ from .player.page import show as show
 from .solve.head_speed import greatest_head_speed as greatest_head_speed
 from .solve.size import limit as limit
 from .solve.size import smallest_pitch as smallest_pitch
-from .solve.tolerance import Slips as Slips
+from .solve.tolerance import Deviations as Deviations
 from .solve.tolerance import Tolerance as Tolerance
 from .solve.tolerance import tolerance as tolerance
 from .solve.turn import BestTurn as BestTurn
-from .solve.turn import Wish as Wish
+from .solve.turn import TurnGoal as TurnGoal
 from .solve.turn import best_turn as best_turn
 
 __all__: list[str]

@@ -29,7 +29,7 @@ from benchdragon import (
     least_clearance,
 )
 from benchdragon.analysis import contact
-from benchdragon.analysis.contact import Hunt, clearance_above
+from benchdragon.analysis.contact import ContactSearch, clearance_above
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.kernels.box import least_distance
 from benchdragon.plans.schema import read_plan
@@ -54,7 +54,7 @@ def test_the_contests_first_contact_is_the_true_one(contest: Walk) -> None:
     assert found.witness is not None
     assert found.witness.benches == (1, 9)
     assert found.witness.features == ((1, "front left"), (9, "right"))
-    assert found.looks < 2000
+    assert found.evaluations < 2000
 
 
 def test_a_bracket_of_a_picosecond_can_be_had(contest: Walk) -> None:
@@ -106,7 +106,7 @@ def test_a_pair_that_touches_for_an_instant_only() -> None:
     assert window.opens.status == "found"
     assert window.closes is not None
     assert 0.005 < window.closes.value - window.opens.value < 0.008
-    assert window.closes.looks < 20_000
+    assert window.closes.evaluations < 20_000
     assert window.opens.witness is not None
     assert window.opens.witness.benches == (1, 20)
 
@@ -322,7 +322,7 @@ def test_who_stands_in_contact_touches_from_the_start_on(rest: bool, start: floa
 def test_brackets_end_where_the_head_stands() -> None:
     profile = SpeedProfile((0.0, 10.0, 20.0), (1.0, 0.0, 0.0))
     walk = Walk(Dragon.uniform(20), Route((Spiral(0.55, 12.0 * math.pi, 0.0),)), profile)
-    hunt = Hunt(walk, 0.0, 5.0, 0.0, silent)
+    hunt = ContactSearch(walk, 0.0, 5.0, 0.0, silent)
     for s in (5.0, math.nextafter(5.0, 0.0), math.nextafter(5.0, 9.0)):
         answer = hunt.answer_at(s, s, "found", 0, 8)
         assert answer.lower <= answer.value <= answer.upper
@@ -332,7 +332,7 @@ def test_brackets_end_where_the_head_stands() -> None:
 def test_brackets_are_sure_without_rounding(profile: tuple[tuple[float, ...], ...]) -> None:
     route = Route((Spiral(0.55, 32.0 * math.pi, 0.0),))
     walk = Walk(Dragon.uniform(20), route, SpeedProfile(*profile), 0.1)
-    hunt = Hunt(walk, 0.1, 9.0, 0.0, silent)
+    hunt = ContactSearch(walk, 0.1, 9.0, 0.0, silent)
     for s in np.random.default_rng(3).uniform(1.0, 9.0, 60).tolist():
         answer = hunt.answer_at(s, s, "found", 0, 8)
         assert walk.exact_head_position(answer.lower) <= s <= walk.exact_head_position(answer.upper)
@@ -444,7 +444,7 @@ def test_a_tail_that_comes_there_is_named_where_it_does() -> None:
 
 
 def test_a_failure_far_past_what_was_searched_leaves_the_walk_undecided() -> None:
-    hunt = Hunt(FOLDING, 0.0, 40.0, 0.0, silent)
+    hunt = ContactSearch(FOLDING, 0.0, 40.0, 0.0, silent)
     with pytest.raises(WalkError) as caught:
         first_contact(FOLDING, 0.0, 40.0)
     fails = caught.value.head
@@ -459,7 +459,7 @@ def test_a_least_clearance_leaves_room_below(contest: Walk) -> None:
     assert 1e-12 <= found.value - found.lower < 1.3e-12
 
 
-def test_benches_in_two_shelters_come_near() -> None:
+def test_benches_in_two_clear_spans_come_near() -> None:
     """A wide head on its way out, past benches on their way in: turns of two spirals."""
     walk = read_plan("turn").build()
     width = np.full(223, 0.3)

@@ -28,7 +28,7 @@ SPIRAL, TURN = read_plan("spiral-in").build(), read_plan("turn").build()
 
 
 def by_shapely(walk: Walk, t: float) -> list[tuple[float, int, int]]:
-    """Distances of all pairs that are not neighbours, smallest first, by another road."""
+    """Distances of all pairs that are not neighbours, smallest first, by another method."""
     table = boxes(walk.motion([t]), 0)
     shapes = [shapely.Polygon([corner(table, i, k) for k in range(4)]) for i in range(len(table))]
     return sorted(

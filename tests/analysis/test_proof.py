@@ -21,8 +21,7 @@ from benchdragon import (
     UnsureError,
     Walk,
 )
-from benchdragon.analysis import contact
-from benchdragon.analysis import proof as prove
+from benchdragon.analysis import contact, proof
 from benchdragon.analysis.check import check
 from benchdragon.analysis.contact import Window, contact_windows, first_contact
 from benchdragon.analysis.proof import (
@@ -35,12 +34,12 @@ from benchdragon.analysis.proof import (
 )
 from benchdragon.analysis.regions import Ledger
 from benchdragon.kernels import curve as kernel
-from benchdragon.kernels.bounds import reach
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, set_box
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.step_bounds import reach
 from benchdragon.plans.schema import checked, read_plan
-from benchdragon.solve import size as solve
+from benchdragon.solve import size
 from benchdragon.solve.size import limit
 
 FIRST_CONTACT = 412.4738376821147
@@ -91,8 +90,8 @@ def test_an_overlap_is_proved_and_a_gap_is_not(walk: Walk) -> None:
 def test_a_curve_that_is_not_enclosed_is_refused_before_any_work(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(prove, "contact_windows", lambda *_args, **_more: pytest.fail("it searched"))
-    monkeypatch.setattr(solve, "_limit", lambda *_args: pytest.fail("it searched"))
+    monkeypatch.setattr(proof, "contact_windows", lambda *_args, **_more: pytest.fail("it searched"))
+    monkeypatch.setattr(size, "_limit", lambda *_args: pytest.fail("it searched"))
     route = Route.joined([Line(30.0), LogSpiral(6.0, 0.1, 0.4)])
     wanted = r"^part 2 of the route is a logarithmic spiral, and proofs know lines, arcs, clothoids and"
     with pytest.raises(InputError, match=wanted):
@@ -103,7 +102,7 @@ def test_a_curve_that_is_not_enclosed_is_refused_before_any_work(
     for ask in (lambda: check(plan, prove=True), lambda: limit(plan, "width", prove=True)):
         with pytest.raises(InputError, match=wanted):
             ask()
-    monkeypatch.setattr(prove, "ENCLOSED", (Line, Arc))
+    monkeypatch.setattr(proof, "ENCLOSED", (Line, Arc))
     with pytest.raises(InputError, match=r"^part 1 of the route is a spiral, and proofs know"):
         limit(read_plan("spiral-in", ["disc.radius=4.5"]), "pitch", prove=True)
 
@@ -164,23 +163,27 @@ def test_computed_places_are_within_a_few_roundings(walk: Walk) -> None:
 
 def test_a_place_that_is_off_is_found_out(walk: Walk) -> None:
     ledger = _ledger(walk)
-    _at, _row, _u, x, _y = ledger.looks[0]
+    _at, _row, _u, x, _y = ledger.evaluations[0]
     x[0, 1] += 1e-9
     assert errors(walk, ledger).beside > 0.9e-9
 
 
 def test_a_wrong_parameter_is_found_out(walk: Walk) -> None:
     ledger = _ledger(walk)
-    _at, _row, u, _x, _y = ledger.looks[0]
+    _at, _row, u, _x, _y = ledger.evaluations[0]
     u[0, 2] += 1e-9
     assert errors(walk, ledger).along > 1e-9
 
 
-@pytest.mark.parametrize("table", ["looks", "cells", "grid"])
+@pytest.mark.parametrize("table", ["evaluations", "cells", "grid"])
 @pytest.mark.parametrize("column", ["head position", "x of the head", "x", "y"])
 def test_the_last_chain_of_every_table_is_looked_over(walk: Walk, table: str, column: str) -> None:
     ledger = _ledger(walk)
-    chains = {"looks": ledger.looks, "grid": ledger.grid, "cells": [c for _link, c in ledger.cells]}
+    chains = {
+        "evaluations": ledger.evaluations,
+        "grid": ledger.grid,
+        "cells": [c for _link, c in ledger.cells],
+    }
     at, _row, _u, x, y = chains[table][-1]
     assert len(at) > 1
     if column == "head position":
@@ -189,7 +192,7 @@ def test_the_last_chain_of_every_table_is_looked_over(walk: Walk, table: str, co
         (y if column == "y" else x)[-1, 0 if column == "x of the head" else -1] += 1e-9
     found = errors(walk, ledger)
     least = 0.9e-9
-    if table == "looks":
+    if table == "evaluations":
         assert found.beside > least
         assert found.others < least
         assert (found.along > least) == (column == "head position")
@@ -369,8 +372,8 @@ def _errors_of(monkeypatch: pytest.MonkeyPatch, *found: Errors) -> list[float]:
         slacks.append(slack)
         return contact_windows(*arguments, slack=slack, **more)  # type: ignore[arg-type]
 
-    monkeypatch.setattr(prove, "contact_windows", windows)
-    monkeypatch.setattr(prove, "errors", lambda *_arguments: next(told))
+    monkeypatch.setattr(proof, "contact_windows", windows)
+    monkeypatch.setattr(proof, "errors", lambda *_arguments: next(told))
     return slacks
 
 
@@ -412,7 +415,7 @@ def test_the_chain_of_a_contact_at_the_start_is_looked_over(walk: Walk) -> None:
     assert (found.status, found.lower, found.upper) == ("proved", 413.0, 413.0)
     ledger = Ledger()
     contact_windows(walk, 413.0, 414.0, most=1, ledger=ledger)
-    (look,) = ledger.looks
+    (look,) = ledger.evaluations
     motion = walk.motion([413.0])
     for table, other in zip(look[1:], (*motion.state(0), motion.x[0], motion.y[0]), strict=True):
         np.testing.assert_array_equal(table[0], other)
@@ -436,7 +439,7 @@ def test_what_the_head_is_put_off_by_at_both_ends_counts(
         heads.append(head)
         return Errors(0.0, 0.0, 0.0, 1)
 
-    monkeypatch.setattr(prove, "errors", found)
+    monkeypatch.setattr(proof, "errors", found)
     assert prove_contact(late, start, end) is None
     assert max(off) <= Fraction(heads[0]) < 2 * max(off) + Fraction(1, 10**30)
     assert max(off) > 0
@@ -453,7 +456,7 @@ def test_what_the_head_is_put_off_by_is_an_error_of_every_chain(walk: Walk) -> N
 def test_an_overlap_within_the_errors_is_not_proved(
     walk: Walk, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(prove, "errors", lambda *_arguments: Errors(1e-7, 0.0, 0.0, 1))
+    monkeypatch.setattr(proof, "errors", lambda *_arguments: Errors(1e-7, 0.0, 0.0, 1))
     assert not prove_nearer(walk, FIRST_CONTACT + 1e-9, 0, 8, 0.0)
     assert prove_nearer(walk, FIRST_CONTACT + 1e-4, 0, 8, 0.0)
 
@@ -462,10 +465,10 @@ def test_the_chain_of_an_overlap_is_looked_over(walk: Walk, monkeypatch: pytest.
     chains: list[tuple[FloatArray, ...]] = []
 
     def found(_walk: Walk, ledger: Ledger) -> Errors:
-        chains.extend(ledger.looks)
+        chains.extend(ledger.evaluations)
         return Errors(0.0, 0.0, 0.0, 1)
 
-    monkeypatch.setattr(prove, "errors", found)
+    monkeypatch.setattr(proof, "errors", found)
     assert prove_nearer(walk, 413.0, 0, 8, 0.0)
     ((at, _row, _u, x, y),) = chains
     motion = walk.motion([413.0])
@@ -492,9 +495,9 @@ def test_looks_beyond_the_room_of_the_log_are_no_proof(
 def test_a_limit_is_proved_at_both_ends(monkeypatch: pytest.MonkeyPatch, end: str) -> None:
     plan = read_plan("spiral-in", ["disc.radius=4.5", "dragon.benches=20"])
     found = limit(plan, "pitch", prove=True)
-    assert (found.status, found.assumptions) == ("proved", prove.assumed())
+    assert (found.status, found.assumptions) == ("proved", proof.assumed())
     monkeypatch.setattr(
-        solve, end, {"prove_nearer": lambda *_a: False}.get(end, lambda *_a, **_m: found)
+        size, end, {"prove_nearer": lambda *_a: False}.get(end, lambda *_a, **_m: found)
     )
     with pytest.raises(UnsureError, match="could not be proved"):
         limit(plan, "pitch", prove=True)

@@ -1,4 +1,4 @@
-"""Greatest speeds, accelerations and turning rates, against dense sampling and with a sieve."""
+"""Greatest speeds, accelerations, turning rates: against dense sampling, and by the coarse bound."""
 
 import json
 import math
@@ -9,7 +9,7 @@ import numpy.typing as npt
 import pytest
 
 from benchdragon import Arc, Clothoid, Dragon, Line, Route, SpeedProfile, Spiral, Walk, WalkError
-from benchdragon.analysis import speed as speeds
+from benchdragon.analysis import speed
 from benchdragon.analysis.speed import QUANTITIES, Quantity, greatest, greatest_speed
 from benchdragon.model.answer import Answer
 from benchdragon.model.curves import AnyCurve
@@ -35,51 +35,53 @@ def walk_of(name: str) -> tuple[Walk, float, float]:
     return Walk(UNEVEN, walk.route, walk.profile, walk.start) if name == "uneven" else walk, *span
 
 
-def unsieved(walk: Walk, start: float, end: float, tolerance: float) -> Answer:
+def without_coarse_bound(walk: Walk, start: float, end: float, tolerance: float) -> Answer:
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(speeds, "sieve_pays", lambda _walk, _way: False)
+        patch.setattr(speed, "coarse_bound_pays", lambda _walk, _way: False)
         return greatest_speed(walk, start, end, tolerance=tolerance)
 
 
 @pytest.mark.parametrize("tolerance", [1e-3, 1e-9])
 @pytest.mark.parametrize("name", [*PLANS, "uneven"])
-def test_a_sieve_changes_no_answer(name: str, tolerance: float) -> None:
+def test_the_coarse_bound_changes_no_answer(name: str, tolerance: float) -> None:
     walk, start, end = walk_of(name)
-    assert speeds.sieve_pays(walk, float(np.ptp(walk.head_position([start, end]))))
-    found, plain = (way(walk, start, end, tolerance=tolerance) for way in (greatest_speed, unsieved))
+    assert speed.coarse_bound_pays(walk, float(np.ptp(walk.head_position([start, end]))))
+    found, plain = (
+        way(walk, start, end, tolerance=tolerance) for way in (greatest_speed, without_coarse_bound)
+    )
     assert found.upper <= found.lower * (1.0 + 1.01 * tolerance)
     assert max(found.lower, plain.lower) <= min(found.upper, plain.upper)
-    assert found.looks < plain.looks
+    assert found.evaluations < plain.evaluations
     assert found.witness is not None
     assert found.witness.time is not None
     motion = walk.motion([found.witness.time])
     assert motion.speed.max() == pytest.approx(found.value, rel=1e-9)
 
 
-def test_a_sieve_heeds_a_head_whose_speed_changes() -> None:
+def test_the_coarse_bound_heeds_a_head_whose_speed_changes() -> None:
     walk, _start, _end = walk_of("turn")
     profile = SpeedProfile((-60.0, 0.0, 20.0, 30.0, 60.0), (0.0, 1.0, 0.4, 1.9, 0.3))
     changing = Walk(walk.dragon, walk.route, profile, walk.start)
     found = greatest_speed(changing, -60.0, 90.0, tolerance=1e-6)
-    plain = unsieved(changing, -60.0, 90.0, 1e-6)
+    plain = without_coarse_bound(changing, -60.0, 90.0, 1e-6)
     assert found.value == pytest.approx(plain.value, rel=1e-6)
     assert found.upper <= found.lower * (1.0 + 1e-5)
     sampled = changing.motion(np.linspace(-60.0, 90.0, 20_001)).speed.max()
     assert sampled <= found.upper
 
 
-def test_a_walk_that_falls_says_so_through_a_sieve() -> None:
+def test_a_walk_that_falls_says_so_through_the_coarse_bound() -> None:
     walk = read_plan("spiral-in", ["dragon.benches=60"]).build()
     with pytest.raises(WalkError):
         greatest_speed(walk, 0.0, walk.route.length + 5.0)
 
 
-def test_short_walks_of_uneven_dragons_need_no_sieve() -> None:
+def test_short_walks_of_uneven_dragons_need_no_coarse_bound() -> None:
     walk, _start, _end = walk_of("coil")
     lengths = np.random.default_rng(2).uniform(2.0, 2.4, len(walk.dragon))
-    assert speeds.sieve_pays(walk, 200.0)
-    assert not speeds.sieve_pays(walk, 1.0)
-    assert not speeds.sieve_pays(Walk(Dragon.of_sizes(lengths, 0.3, 0.2, 0.2), walk.route), 200.0)
+    assert speed.coarse_bound_pays(walk, 200.0)
+    assert not speed.coarse_bound_pays(walk, 1.0)
+    assert not speed.coarse_bound_pays(Walk(Dragon.of_sizes(lengths, 0.3, 0.2, 0.2), walk.route), 200.0)
 
 
 Float = npt.NDArray[np.float64]
@@ -129,10 +131,10 @@ def starting_and_stopping(name: str) -> tuple[Walk, float, float]:
 def sampled(walk: Walk, name: str, times: Float) -> Float:
     """A quantity's size at these times, of the handle or bench that has most of it."""
     motion = walk.motion(times)
-    along, speed = motion.acceleration, motion.speed
-    across = walk.route.curvature(motion.s) * speed**2
+    along, speeds = motion.acceleration, motion.speed
+    across = walk.route.curvature(motion.s) * speeds**2
     values = {
-        "speed": speed,
+        "speed": speeds,
         "turning_rate": motion.turning_rate,
         "lateral_acceleration": across,
         "total_acceleration": np.hypot(along, across),
@@ -165,7 +167,7 @@ def test_what_starts_and_stops_ask_for_is_what_sampling_sees(name: str, quantity
     assert seen <= found.upper * (1.0 + 1e-9)
     assert found.value <= seen * (1.0 + 1e-4)
     assert found.unit == quantity.unit
-    assert found.looks > 0
+    assert found.evaluations > 0
     near = found.witness
     assert near is not None
     assert near.time is not None

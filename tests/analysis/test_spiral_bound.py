@@ -1,4 +1,4 @@
-"""The bound that shelters turns of a spiral from one another, against benches placed one by one."""
+"""The bound by which turns of a spiral keep apart, against benches placed one by one."""
 
 import math
 
@@ -7,9 +7,9 @@ import pytest
 from scipy.optimize import brentq
 
 from benchdragon import Dragon, Route, Spiral, Walk
-from benchdragon.analysis import regions as ground
+from benchdragon.analysis import regions
 from benchdragon.analysis.contact import first_contact, least_clearance
-from benchdragon.analysis.spiral_bound import Shape, sheltered, sheltered_radius
+from benchdragon.analysis.spiral_bound import Shape, clear_radius, clear_spans
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, set_box
 from benchdragon.kernels.curve import FloatArray
 
@@ -51,7 +51,7 @@ def test_outside_of_the_radius_no_two_benches_come_near(seed: int) -> None:
     sizes = np.array([[size, rng.uniform(0.1, 0.4), inset, inset] for size in length])
     reach, b = rng.uniform(0.0, 0.1), rng.uniform(0.8, 2.5) / (2.0 * math.pi)
     inner, outer = (Shape.of(row.reshape(4, 1), 0.5 * reach) for row in sizes)
-    radius = sheltered_radius(b, inner, outer, float((length - 2.0 * inset).min()))
+    radius = clear_radius(b, inner, outer, float((length - 2.0 * inset).min()))
     assert math.isfinite(radius)
     near = [nearest(b, radius * factor, *sizes) for factor in (1.0, 1.01, 1.1, 1.5, 3.0)]
     assert min(near) >= reach
@@ -59,16 +59,16 @@ def test_outside_of_the_radius_no_two_benches_come_near(seed: int) -> None:
 
 def test_the_bound_is_near_the_truth() -> None:
     b, (head, body) = 0.55 / (2.0 * math.pi), CONTEST.sizes[:, :2].T
-    radius = sheltered_radius(b, HEAD, BODY, BETWEEN)
+    radius = clear_radius(b, HEAD, BODY, BETWEEN)
     assert 2.5 < radius < 3.1
     assert 0.0 < nearest(b, radius, head, body) < 0.05
-    assert nearest(b, 2.2, head, body) < 0.0  # where benches touch there is no shelter
+    assert nearest(b, 2.2, head, body) < 0.0  # where benches touch there is no clear span
 
 
-def test_narrow_turns_shelter_only_where_benches_keep_apart() -> None:
+def test_narrow_turns_are_clear_only_where_benches_keep_apart() -> None:
     sizes = np.array([1.4, 0.3, 0.2, 0.2])
     b, shape = 0.42 / (2.0 * math.pi), Shape.of(sizes.reshape(4, 1), 0.0)
-    radius = sheltered_radius(b, shape, shape, 1.0)
+    radius = clear_radius(b, shape, shape, 1.0)
     assert radius < 2.5
     assert nearest(b, 1.07, sizes, sizes) < 0.0 < nearest(b, radius, sizes, sizes)
 
@@ -76,19 +76,19 @@ def test_narrow_turns_shelter_only_where_benches_keep_apart() -> None:
 def test_parts_of_a_route() -> None:
     inward = Spiral(0.55, 32.0 * math.pi, 0.0)
     route = Route((inward,))
-    ((start, end),) = sheltered(route, HEAD, BODY, BETWEEN)
+    ((start, end),) = clear_spans(route, HEAD, BODY, BETWEEN)
     radius = float(np.hypot(*route.point(end)))
     assert start == -math.inf
-    assert radius == pytest.approx(sheltered_radius(inward.k, HEAD, BODY, BETWEEN), rel=1e-12)
+    assert radius == pytest.approx(clear_radius(inward.k, HEAD, BODY, BETWEEN), rel=1e-12)
     outward = Route((Spiral(0.55, 8.0 * math.pi, 64.0 * math.pi),))
-    ((start, end),) = sheltered(outward, HEAD, BODY, BETWEEN)
+    ((start, end),) = clear_spans(outward, HEAD, BODY, BETWEEN)
     assert end == outward.length
     # The rear handle may stand a link behind, nearer to the centre, and is outside the radius too.
-    assert float(np.hypot(*outward.point(start))) > sheltered_radius(inward.k, BODY, HEAD, BETWEEN)
+    assert float(np.hypot(*outward.point(start))) > clear_radius(inward.k, BODY, HEAD, BETWEEN)
     narrow = Route((Spiral(0.3, 32.0 * math.pi, 0.0),))
-    assert sheltered(narrow, HEAD, BODY, BETWEEN).shape == (0, 2)
+    assert clear_spans(narrow, HEAD, BODY, BETWEEN).shape == (0, 2)
     short = Route((Spiral(0.55, 12.0 * math.pi, 0.0),))
-    assert np.isneginf(sheltered(short, HEAD, BODY, BETWEEN)[0, 0])
+    assert np.isneginf(clear_spans(short, HEAD, BODY, BETWEEN)[0, 0])
 
 
 @pytest.mark.parametrize(
@@ -98,14 +98,14 @@ def test_parts_of_a_route() -> None:
         (Spiral(0.6, 10.0 * math.pi, 24.0 * math.pi), 110.0, 70.0),
     ],
 )
-def test_answers_are_the_same_without_shelter(
+def test_answers_are_the_same_without_the_bound(
     monkeypatch: pytest.MonkeyPatch, spiral: Spiral, start: float, end: float
 ) -> None:
     walk = Walk(Dragon.uniform(60), Route((spiral,)), start=start)
     answers = []
     for _turn in range(2):
         answers.append((first_contact(walk, 0.0, end), least_clearance(walk, 0.0, 60.0)))
-        monkeypatch.setattr(ground, "sheltered", lambda *_arguments: np.empty((0, 2)))
+        monkeypatch.setattr(regions, "clear_spans", lambda *_arguments: np.empty((0, 2)))
     (contact, least), (other, other_least) = answers
     assert least.value == pytest.approx(other_least.value, abs=1e-12)
     assert (contact is None) == (other is None) == (spiral.end_angle > spiral.start_angle)
@@ -113,13 +113,13 @@ def test_answers_are_the_same_without_shelter(
         assert contact.value == pytest.approx(other.value, abs=2e-11)
 
 
-def test_benches_that_reach_past_the_link_between_have_no_shelter() -> None:
+def test_benches_that_reach_past_the_link_between_have_no_clear_span() -> None:
     short, long = Shape(1.0, 1.0, 0.3, 0.1), Shape(1.0, 1.0, 0.6, 0.1)
-    assert math.isfinite(sheltered_radius(0.2, short, short, 1.0))
-    assert sheltered_radius(0.2, long, long, 1.0) == math.inf
+    assert math.isfinite(clear_radius(0.2, short, short, 1.0))
+    assert clear_radius(0.2, long, long, 1.0) == math.inf
 
 
-def test_benches_that_may_leap_have_no_shelter() -> None:
+def test_benches_that_may_leap_have_no_clear_span() -> None:
     shape = Shape(1.0, 1.0, 0.1, 0.1)
     assert shape.follows(1.0, 3.0)
     assert not shape.follows(2.0, 1.01)

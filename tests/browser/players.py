@@ -69,7 +69,7 @@ def page_of(pages: Pages, folder: Path, name: str, **changes: object) -> Page:
     path = EXAMPLES / f"{name}.dragon.toml"
     plan = read_plan(str(path) if path.exists() else name)
     walk = plan.build()
-    dance = plain_dance(walk, Span(*plan.span(walk), looks=(0.5,))).model_copy(update=changes)
+    dance = plain_dance(walk, Span(*plan.span(walk), shares=(0.5,))).model_copy(update=changes)
     file = folder / "dance.html"
     file.write_text(player_page(dance, "en"), "utf-8")
     return ready(pages.open(file.as_uri()))

@@ -277,10 +277,12 @@ def test_a_long_question_is_followed_on_after_looks_that_nobody_answered(
     opened: Opened, pages: Pages
 ) -> None:
     page = settled(opened())
-    looks = "**/api/jobs/*"
-    page.route(looks, lambda route: route.abort(), times=1)
+    evaluations = "**/api/jobs/*"
+    page.route(evaluations, lambda route: route.abort(), times=1)
     page.route(
-        looks, lambda route: route.fulfill(status=429, json={"error": "too many questions"}), times=1
+        evaluations,
+        lambda route: route.fulfill(status=429, json={"error": "too many questions"}),
+        times=1,
     )
     page.get_by_role("button", name="prove the verdict").click()
     job = page.locator(".jobs li")

@@ -20,7 +20,7 @@ from benchdragon.errors import InputError
 from benchdragon.i18n import spoken_in
 from benchdragon.model.answer import Answer
 from benchdragon.plans.schema import Plan, TurnRoute
-from benchdragon.solve.turn import BestTurn, Wish
+from benchdragon.solve.turn import BestTurn, TurnGoal
 from tests.cli.verbs import VERBS, options
 
 # A dance of a few metres, to be asked about often.
@@ -129,8 +129,8 @@ CASES: dict[str, Case] = {
     "solve turn --explain": Case(BEST, ["--explain"]),
     "margins --set": Case([*MARGINS, "--json"], ["--set", "limits.margin=0.1"]),
     **{
-        f"margins --{slip}": Case([*MARGINS, "--json"], [f"--{slip}", "0.02"])
-        for slip in ("aside", "stray", "play", "height", "length", "width")
+        f"margins --{deviation}": Case([*MARGINS, "--json"], [f"--{deviation}", "0.02"])
+        for deviation in ("aside", "stray", "play", "height", "length", "width")
     },
     "margins --draws": Case(MARGINS, ["--draws", "5"]),
     "margins --seed": Case([*MARGINS, "--json"], ["--seed", "2"]),
@@ -204,8 +204,8 @@ def recorded(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
         return call
 
-    def best(plan: Plan, wish: Wish, **_options: Any) -> BestTurn:
-        calls.append(repr(wish))
+    def best(plan: Plan, goal: TurnGoal, **_options: Any) -> BestTurn:
+        calls.append(repr(goal))
         assert isinstance(plan.route, TurnRoute)
         turn = plan.route.turn(plan)
         way = Answer(turn.length, turn.length, turn.length, "m", "found")

@@ -1,4 +1,4 @@
-"""Point, tangent, heading and curvature of one piece, each against another road."""
+"""Point, tangent, heading and curvature of one piece, each against another method."""
 
 import math
 
@@ -12,7 +12,7 @@ from scipy.integrate import quad
 
 from benchdragon.kernels import curve as kernel
 from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line, LogSpiral, Route, Spiral
-from tests.kernels.second_road import points
+from tests.kernels.reference import points
 
 CURVES: dict[str, AnyCurve] = {
     "line": Line(7.0, (1.0, -2.0), 0.7),
@@ -48,7 +48,7 @@ def around(s: npt.NDArray[np.float64], h: float) -> npt.NDArray[np.float64]:
 
 
 @each_curve
-def test_points_agree_with_the_second_road(curve: AnyCurve) -> None:
+def test_points_agree_with_the_reference(curve: AnyCurve) -> None:
     s = np.linspace(0.0, 1.0, 25) * curve.length
     found = curve.point(s)
     wanted = points(Route((curve,)), s)

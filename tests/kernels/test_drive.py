@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from benchdragon import Arc, Clothoid, Dragon, Line, Route, Spiral
-from benchdragon.kernels import bounds as sweep
-from benchdragon.kernels import chain, drive
+from benchdragon.kernels import chain, drive, step_bounds
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.placement import Placement
 
@@ -30,9 +29,9 @@ QUANTITIES = {
 }
 
 
-def placed(route: Route, at: FloatArray) -> sweep.Places:
-    places = sweep.empty_places(len(DRAGON) + 1, len(at))
-    assert sweep.stand(route.rows, DRAGON.links, at, 0, len(at), places)
+def placed(route: Route, at: FloatArray) -> step_bounds.Placements:
+    places = step_bounds.empty_placements(len(DRAGON) + 1, len(at))
+    assert step_bounds.place_chain(route.rows, DRAGON.links, at, 0, len(at), places)
     return places
 
 
@@ -104,7 +103,7 @@ def test_values_at_both_ends_are_the_formulas() -> None:
     drives = np.tile([0.3, 0.9, -0.4], (30, 1))
     for name, quantity in QUANTITIES.items():
         values, where = np.empty((30, 2)), np.empty((30, 2), dtype=np.int64)
-        drive.look(route.rows, places, change, turn, slots, drives, quantity, values, where)
+        drive.greatest_at_ends(route.rows, places, change, turn, slots, drives, quantity, values, where)
         for end, square in enumerate((0.3, 0.9)):
             seen = seen_at(route, at[end : 30 + end], np.full(30, square), -0.4, name)
             np.testing.assert_allclose(values[:, end], seen, rtol=1e-9)
@@ -130,9 +129,9 @@ def test_who_stands_asks_for_nothing_and_a_kink_for_everything() -> None:
 def test_more_jumps_at_once_than_are_told_apart_are_bounded_together() -> None:
     bends = [Arc(2.0, 0.05 if n % 2 else -0.05) for n in range(60)]
     route = Route.joined([Line(6.0), *bends])
-    at, row = np.array([9.0, 9.6]), np.empty((len(DRAGON) + 1, sweep.HANDLE_COLUMNS))
+    at, row = np.array([9.0, 9.6]), np.empty((len(DRAGON) + 1, step_bounds.HANDLE_COLUMNS))
     places = placed(route, at)
-    sweep.bound_handles(route.rows, DRAGON.links, places, 0, 1, row)
+    step_bounds.bound_handles(route.rows, DRAGON.links, places, 0, 1, row)
     crossing, sides = np.empty(drive.MOST_JUMPS, dtype=np.int64), np.empty((drive.MOST_JUMPS, 4))
     assert drive.find_jumps(route.rows, places, 0, 1, row, crossing, sides) == drive.MOST_JUMPS
     drives = np.array([[0.5, 0.9, 0.4]])

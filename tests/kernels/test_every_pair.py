@@ -5,12 +5,11 @@ import math
 import numpy as np
 import pytest
 
-from benchdragon.kernels import bounds as sweep
-from benchdragon.kernels import search
+from benchdragon.kernels import search, step_bounds
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, boxes_at, nearest_pair
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.every_pair import CROWDED, near_in_step, patrol
-from benchdragon.kernels.perturbed import bound_beside, stand_along
+from benchdragon.kernels.every_pair import CROWDED, near_in_step, search_all_pairs
+from benchdragon.kernels.perturbed import bound_beside, place_along
 from benchdragon.model.curves import Arc, Line, Route, Spiral
 from benchdragon.model.dragon import Dragon
 
@@ -43,18 +42,18 @@ def searched(
     first, second = np.empty(COUNT * COUNT, dtype=np.int64), np.empty(COUNT * COUNT, dtype=np.int64)
     note = np.zeros(search.NOTES)
     note[search.NEAREST], note[search.FLOOR] = 1.0, math.inf
-    ending = patrol(
+    ending = search_all_pairs(
         room, goal, route.rows, dragon.links, aside, dragon.sizes, np.linspace(start, end, 61),
         first, second, margin, slack, 1e-9, 10_000, note,
     )  # fmt: skip
     return ending, note
 
 
-def sampled(name: str, dragon: Dragon, aside: FloatArray, count: int) -> sweep.Places:
+def sampled(name: str, dragon: Dragon, aside: FloatArray, count: int) -> step_bounds.Placements:
     route, start, end = ROUTES[name]
-    places = sweep.empty_places(COUNT + 1, count)
+    places = step_bounds.empty_placements(COUNT + 1, count)
     at = np.linspace(start, end, count)
-    assert stand_along(route.rows, dragon.links, aside, at, places) == count
+    assert place_along(route.rows, dragon.links, aside, at, places) == count
     return places
 
 
@@ -88,16 +87,18 @@ def test_pairs_left_out_keep_farther_apart_all_through_the_step(name: str) -> No
     room = search.room(COUNT + 1, COUNT, 1, 0)
     members, radius = np.arange(COUNT), 0.5 * np.hypot(dragon.length, dragon.width)
     first, second = np.empty(COUNT * COUNT, dtype=np.int64), np.empty(COUNT * COUNT, dtype=np.int64)
-    handles, left_out = np.empty((COUNT + 1, sweep.HANDLE_COLUMNS)), 0
+    handles, left_out = np.empty((COUNT + 1, step_bounds.HANDLE_COLUMNS)), 0
     for at in np.linspace(start, end - 0.3, 12):
         room.at[0], room.at[1] = at, at + 0.3
         for slot in (0, 1):
-            assert search.look(route.rows, dragon.links, aside, dragon.sizes, members, room, slot, 0)
+            assert search.evaluate_slot(
+                route.rows, dragon.links, aside, dragon.sizes, members, room, slot, 0
+            )
         search.bound_members(route.rows, dragon.links, aside, dragon.sizes, members, room, 1)
         bound_beside(route.rows, dragon.links, aside, room.places, 0, 1, handles)
         np.testing.assert_array_equal(room.handles[1:], handles[1:])
-        places = sweep.empty_places(COUNT + 1, 13)
-        assert stand_along(route.rows, dragon.links, aside, np.linspace(at, at + 0.3, 13), places) == 13
+        places = step_bounds.empty_placements(COUNT + 1, 13)
+        assert place_along(route.rows, dragon.links, aside, np.linspace(at, at + 0.3, 13), places) == 13
         least = np.full((COUNT, COUNT), math.inf)
         table = np.empty((COUNT, BOX_COLUMNS))
         for t in range(13):
@@ -120,7 +121,7 @@ def test_a_search_without_room_for_its_pairs_says_so() -> None:
     room = search.room(COUNT + 1, COUNT, COUNT, 0)
     scratch = np.empty(2, dtype=np.int64), np.empty(2, dtype=np.int64)
     note = np.zeros(search.NOTES)
-    ending = patrol(
+    ending = search_all_pairs(
         room, search.FIRST_TOUCH, route.rows, dragon.links, aside, dragon.sizes,
         np.array([start, end]), *scratch, 0.2, 1e-8, 1e-9, 100, note,
     )  # fmt: skip

@@ -5,8 +5,7 @@ import pytest
 from scipy.optimize import linprog
 
 from benchdragon import Arc, Dragon, Line, Route
-from benchdragon.kernels import bounds as sweep
-from benchdragon.kernels import drive, pacing
+from benchdragon.kernels import drive, pacing, step_bounds
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.placement import Placement
 
@@ -24,10 +23,10 @@ def random_hulls(seed: int) -> FloatArray:
     rng = np.random.default_rng(seed)
     hulls = np.empty((STEPS, HANDLES, pacing.HULL_COLUMNS))
     hulls[..., pacing.FAST] = rng.uniform(0.6, 1.6, (STEPS, HANDLES))
-    hulls[..., pacing.SWAY] = rng.uniform(0.0, 0.9, (STEPS, HANDLES))
+    hulls[..., pacing.TURNING_RATE] = rng.uniform(0.0, 0.9, (STEPS, HANDLES))
     middle = rng.uniform(-1.0, 1.0, (STEPS, HANDLES))
-    hulls[..., pacing.FADE] = middle - rng.uniform(0.0, 0.1, (STEPS, HANDLES))
-    hulls[..., pacing.GROW] = middle + rng.uniform(0.0, 0.1, (STEPS, HANDLES))
+    hulls[..., pacing.GROWTH_LOW] = middle - rng.uniform(0.0, 0.1, (STEPS, HANDLES))
+    hulls[..., pacing.GROWTH_HIGH] = middle + rng.uniform(0.0, 0.1, (STEPS, HANDLES))
     hulls[..., pacing.BEND] = rng.uniform(0.0, 0.6, (STEPS, HANDLES))
     return hulls
 
@@ -37,11 +36,12 @@ def most_of(hull: FloatArray, limits: FloatArray, square: float, rate: float) ->
     fast, bend = hull[:, pacing.FAST], hull[:, pacing.BEND]
     across = fast**2 * square * bend
     along = np.max(
-        [np.abs(fast * (rate + hull[:, g] * square)) for g in (pacing.FADE, pacing.GROW)], axis=0
+        [np.abs(fast * (rate + hull[:, g] * square)) for g in (pacing.GROWTH_LOW, pacing.GROWTH_HIGH)],
+        axis=0,
     )
     shares = [
         fast * np.sqrt(square) / limits[drive.SPEEDS],
-        hull[:, pacing.SWAY] * np.sqrt(square) / limits[drive.TURNING],
+        hull[:, pacing.TURNING_RATE] * np.sqrt(square) / limits[drive.TURNING],
         across / limits[drive.ACROSS],
         np.hypot(along, across) / limits[drive.TOTAL],
         along / limits[drive.ALONG],
@@ -109,28 +109,28 @@ def test_a_hull_holds_all_that_happens_in_its_steps() -> None:
     dragon = Dragon.of_sizes(np.array([1.8, 1.1, 1.4]), 0.2, 0.0, 0.0)
     route = Route.joined([Line(8.0), Arc(1.6, 1.0), Line(0.5), Arc(2.0, -1.5), Line(9.0)])
     at = np.linspace(7.0, 16.0, 121)
-    places = sweep.empty_places(len(dragon) + 1, len(at))
-    assert sweep.stand(route.rows, dragon.links, at, 0, len(at), places)
+    places = step_bounds.empty_placements(len(dragon) + 1, len(at))
+    assert step_bounds.place_chain(route.rows, dragon.links, at, 0, len(at), places)
     hulls = np.zeros((30, len(dragon) + 1, pacing.HULL_COLUMNS))
-    hulls[..., pacing.FADE], hulls[..., pacing.GROW] = np.inf, -np.inf
+    hulls[..., pacing.GROWTH_LOW], hulls[..., pacing.GROWTH_HIGH] = np.inf, -np.inf
     slots = np.arange(120)
     pacing.widen(route.rows, dragon.links, places, slots, slots // 4, hulls)
     one = Placement(dragon, route, np.linspace(7.0, 16.0, 3000, endpoint=False))
     found = hulls[np.arange(3000) // 100]
     growth = one.ratio_rate / one.speed_ratio
     assert (one.speed_ratio <= found[..., pacing.FAST]).all()
-    assert (np.abs(one.turn_rate) <= found[:, 1:, pacing.SWAY]).all()
+    assert (np.abs(one.turn_rate) <= found[:, 1:, pacing.TURNING_RATE]).all()
     assert (np.abs(route.curvature(one.s)) <= found[..., pacing.BEND] + 1e-12).all()
-    assert (found[..., pacing.FADE] <= growth + 1e-12).all()
-    assert (growth <= found[..., pacing.GROW] + 1e-12).all()
-    assert hulls[..., pacing.GROW].max() < growth.max() + 0.3
-    assert hulls[..., pacing.FADE].min() > growth.min() - 0.3
+    assert (found[..., pacing.GROWTH_LOW] <= growth + 1e-12).all()
+    assert (growth <= found[..., pacing.GROWTH_HIGH] + 1e-12).all()
+    assert hulls[..., pacing.GROWTH_HIGH].max() < growth.max() + 0.3
+    assert hulls[..., pacing.GROWTH_LOW].min() > growth.min() - 0.3
 
 
 def test_no_pace_goes_where_no_speed_is_allowed() -> None:
     hulls = random_hulls(1)
     hulls[6, 2, pacing.FAST] = np.inf
-    hulls[6, 2, pacing.FADE], hulls[6, 2, pacing.GROW] = -np.inf, np.inf
+    hulls[6, 2, pacing.GROWTH_LOW], hulls[6, 2, pacing.GROWTH_HIGH] = -np.inf, np.inf
     with np.errstate(invalid="ignore"):
         squares = paced(hulls, np.array(LIMITS["all"]), 1.0, 0.3)
     assert squares[6] == squares[7] == 0.0

@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 from benchdragon.analysis.distance import boxes
-from benchdragon.kernels import bounds as sweep
+from benchdragon.kernels import step_bounds
 from benchdragon.kernels.box import box_distance, least_distance
-from benchdragon.kernels.perturbed import bound_beside, moved, parallel_bend, stand_along, stand_beside
+from benchdragon.kernels.perturbed import bound_beside, moved, parallel_bend, place_along, place_beside
 from benchdragon.kernels.route import locate, positions
 from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.walk import Walk
-from tests.kernels.second_road import Float, points
+from tests.kernels.reference import Float, points
 
 ROUTES = {
     "spiral": Route((Spiral.between(0.9, 9.0, 3.0),)),
@@ -25,9 +25,11 @@ BENCHES = Dragon.uniform(9, head_length=2.4)
 ASIDE = np.array([0.03, -0.02, 0.0, 0.04, -0.05, 0.01, 0.02, -0.03, 0.05, -0.01])
 
 
-def chains(route: Route, at: Float, aside: Float = ASIDE, dragon: Dragon = BENCHES) -> sweep.Places:
-    places = sweep.empty_places(len(dragon) + 1, len(at))
-    assert stand_along(route.rows, dragon.links, aside, at, places) == len(at)
+def chains(
+    route: Route, at: Float, aside: Float = ASIDE, dragon: Dragon = BENCHES
+) -> step_bounds.Placements:
+    places = step_bounds.empty_placements(len(dragon) + 1, len(at))
+    assert place_along(route.rows, dragon.links, aside, at, places) == len(at)
     return places
 
 
@@ -59,8 +61,8 @@ def test_a_chain_followed_on_is_the_one_sought_afresh(name: str) -> None:
     at = np.linspace(route.length - 9.0, route.length - 0.5, 40)
     followed = chains(route, at)
     for t in (0, 17, 39):
-        fresh = sweep.empty_places(len(BENCHES) + 1, len(at))
-        assert stand_beside(route.rows, BENCHES.links, ASIDE, at, t, t, fresh)
+        fresh = step_bounds.empty_placements(len(BENCHES) + 1, len(at))
+        assert place_beside(route.rows, BENCHES.links, ASIDE, at, t, t, fresh)
         assert np.abs(fresh.x[:, t] - followed.x[:, t]).max() < 1e-9
         assert np.abs(fresh.y[:, t] - followed.y[:, t]).max() < 1e-9
         assert fresh.ratio[:, t] == pytest.approx(followed.ratio[:, t], abs=1e-7)
@@ -93,9 +95,9 @@ def test_who_would_walk_beyond_the_centre_of_an_arc_cannot_stand() -> None:
     route = Route.joined([Line(12.0), Arc(0.8, 2.0), Line(10.0)])
     dragon = Dragon.uniform(3, 0.8, 0.8, 0.8, 0.1, 0.1, 0.1)
     at = np.linspace(11.5, 14.0, 26)
-    places = sweep.empty_places(4, len(at))
-    assert stand_along(route.rows, dragon.links, np.full(4, 0.3), at, places) == len(at)
-    stood = stand_along(route.rows, dragon.links, np.full(4, 0.79), at, places)
+    places = step_bounds.empty_placements(4, len(at))
+    assert place_along(route.rows, dragon.links, np.full(4, 0.3), at, places) == len(at)
+    stood = place_along(route.rows, dragon.links, np.full(4, 0.79), at, places)
     assert at[stood] == pytest.approx(12.0, abs=0.1)
 
 
@@ -103,8 +105,8 @@ def test_no_follower_walks_beyond_the_centre_of_an_arc() -> None:
     """Its bench is so long that it might stand on the far side of the arc."""
     route, at = Route.joined([Line(14.0), Arc(0.8, 0.3), Line(10.0)]), np.linspace(13.5, 18.0, 46)
     dragon = Dragon.uniform(3, 2.2, 2.2, 2.2, 0.1, 0.1, 0.1)
-    places, s = sweep.empty_places(4, len(at)), np.empty(len(at))
-    stood = stand_along(route.rows, dragon.links, np.array([0.0, 0.77, 0.0, 0.0]), at, places)
+    places, s = step_bounds.empty_placements(4, len(at)), np.empty(len(at))
+    stood = place_along(route.rows, dragon.links, np.array([0.0, 0.77, 0.0, 0.0]), at, places)
     positions(route.rows, places.row[1, :stood], places.u[1, :stood], s[:stood])
     assert 13.9 < s[:stood].max() < 14.0
 
@@ -124,28 +126,30 @@ def test_bounds_hold_everywhere_in_a_step_beside_the_route(name: str, h: float) 
     at = np.linspace(start, start + h, 41)
     fine, ends = chains(route, at), chains(route, at[[0, -1]])
     count, links = len(ASIDE), BENCHES.links
-    bounds = np.empty((count, sweep.HANDLE_COLUMNS))
+    bounds = np.empty((count, step_bounds.HANDLE_COLUMNS))
     bound_beside(route.rows, links, ASIDE, ends, 0, 1, bounds)
     z = fine.x + 1j * fine.y
     steps = np.abs(np.diff(z, axis=1))
-    assert (steps.sum(axis=1) <= bounds[:, sweep.PATH] + 1e-10).all()
-    assert (steps.sum(axis=1) >= 0.9 * bounds[:, sweep.PATH]).all()
-    assert (fine.ratio <= bounds[:, [sweep.SPEED]] + 1e-9).all()
-    assert (fine.ratio >= bounds[:, [sweep.SLOWEST]] - 1e-9).all()
+    assert (steps.sum(axis=1) <= bounds[:, step_bounds.PATH] + 1e-10).all()
+    assert (steps.sum(axis=1) >= 0.9 * bounds[:, step_bounds.PATH]).all()
+    assert (fine.ratio <= bounds[:, [step_bounds.SPEED]] + 1e-9).all()
+    assert (fine.ratio >= bounds[:, [step_bounds.SLOWEST]] - 1e-9).all()
     way = steps[0].mean()
     rates = np.diff(np.log(fine.ratio), axis=1) / way
-    assert (rates <= bounds[:, [sweep.GROW]] + 1e-5).all()
-    assert (rates >= bounds[:, [sweep.FADE]] - 1e-5).all()
+    assert (rates <= bounds[:, [step_bounds.GROWTH_HIGH]] + 1e-5).all()
+    assert (rates >= bounds[:, [step_bounds.GROWTH_LOW]] - 1e-5).all()
     turns = np.abs(np.diff(np.unwrap(np.angle(z[:-1] - z[1:]), axis=1), axis=1)).max(axis=1) / way
-    assert (turns <= bounds[1:, sweep.SWAY] + 1e-8).all()
+    assert (turns <= bounds[1:, step_bounds.TURNING_RATE] + 1e-8).all()
     force = np.abs(np.diff(z, 2, axis=1)).max(axis=1) / way**2
     if name != "joint":  # where the curvature leaps, differences over the joint blur it
-        assert (force <= bounds[:, sweep.FORCE] + 1e-4).all()
+        assert (force <= bounds[:, step_bounds.ACCELERATION] + 1e-4).all()
     tangent = np.unwrap(np.arctan2(fine.ty, fine.tx), axis=1)
-    assert (np.abs(np.diff(tangent, axis=1)).sum(axis=1) <= bounds[:, sweep.BENT] + 1e-9).all()
+    assert (
+        np.abs(np.diff(tangent, axis=1)).sum(axis=1) <= bounds[:, step_bounds.HEADING_CHANGE] + 1e-9
+    ).all()
     bend = np.diff(tangent, axis=1) / steps
-    assert (bend <= bounds[:, [sweep.LEFT]] + 1e-5).all()
-    assert (bend >= bounds[:, [sweep.RIGHT]] - 1e-5).all()
+    assert (bend <= bounds[:, [step_bounds.LEFT]] + 1e-5).all()
+    assert (bend >= bounds[:, [step_bounds.RIGHT]] - 1e-5).all()
     assert np.isfinite(bounds[1:]).all()
 
 

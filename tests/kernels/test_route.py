@@ -23,7 +23,7 @@ from benchdragon.kernels.route import (
 )
 from benchdragon.kernels.status import Status
 from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line, LogSpiral, Route, Spiral
-from tests.kernels.second_road import first_root, points
+from tests.kernels.reference import first_root, points
 
 # Cosine between bench and route from which on a search may stall instead of arriving.
 NEARLY_SQUARE = 0.015

@@ -22,14 +22,12 @@ from benchdragon import (
     first_contact,
     least_clearance,
 )
-from benchdragon.analysis.contact import Hunt
+from benchdragon.analysis.contact import ContactSearch
 from benchdragon.analysis.distance import boxes, pair_distances
-from benchdragon.analysis.regions import Ground, Ledger, Step
+from benchdragon.analysis.regions import BroadPhase, Ledger, Step
 from benchdragon.analysis.speed import greatest_speed
-from benchdragon.kernels import bounds as sweep
 from benchdragon.kernels import curve as kernel
-from benchdragon.kernels import regions as cells
-from benchdragon.kernels import search
+from benchdragon.kernels import regions, search, step_bounds
 from benchdragon.kernels.box import (
     BOX_COLUMNS,
     HALF_LENGTH,
@@ -62,9 +60,9 @@ ROUTES = {
 SMOOTH = [name for name in ROUTES if name != "kink"]
 
 
-def chains(walk: Walk, at: FloatArray) -> sweep.Places:
-    places = sweep.empty_places(len(walk.dragon) + 1, len(at))
-    assert sweep.stand(walk.route.rows, walk.dragon.links, at, 0, len(at), places)
+def chains(walk: Walk, at: FloatArray) -> step_bounds.Placements:
+    places = step_bounds.empty_placements(len(walk.dragon) + 1, len(at))
+    assert step_bounds.place_chain(walk.route.rows, walk.dragon.links, at, 0, len(at), places)
     return places
 
 
@@ -77,20 +75,20 @@ def test_bounds_hold_everywhere_in_a_step(name: str, h: float) -> None:
     places = chains(walk, at)
     ends = chains(walk, at[[0, -1]])
     count = len(walk.dragon) + 1
-    bounds = np.empty((count, sweep.HANDLE_COLUMNS))
-    sweep.bound_handles(route.rows, walk.dragon.links, ends, 0, 1, bounds)
+    bounds = np.empty((count, step_bounds.HANDLE_COLUMNS))
+    step_bounds.bound_handles(route.rows, walk.dragon.links, ends, 0, 1, bounds)
     paths = np.hypot(np.diff(places.x, axis=1), np.diff(places.y, axis=1)).sum(axis=1)
-    assert (paths <= bounds[:, sweep.PATH] + 1e-12).all()
-    assert (places.ratio <= bounds[:, [sweep.SPEED]] + 1e-12).all()
-    assert (places.ratio >= bounds[:, [sweep.SLOWEST]] - 1e-12).all()
+    assert (paths <= bounds[:, step_bounds.PATH] + 1e-12).all()
+    assert (places.ratio <= bounds[:, [step_bounds.SPEED]] + 1e-12).all()
+    assert (places.ratio >= bounds[:, [step_bounds.SLOWEST]] - 1e-12).all()
     rates = np.diff(np.log(places.ratio), axis=1) / (at[1] - at[0])
-    assert (rates <= bounds[:, [sweep.GROW]] + 1e-6).all()
-    assert (rates >= bounds[:, [sweep.FADE]] - 1e-6).all()
+    assert (rates <= bounds[:, [step_bounds.GROWTH_HIGH]] + 1e-6).all()
+    assert (rates >= bounds[:, [step_bounds.GROWTH_LOW]] - 1e-6).all()
     direction = np.unwrap(np.arctan2(-np.diff(places.y, axis=0), -np.diff(places.x, axis=0)), axis=1)
     sway = np.abs(np.diff(direction, axis=1)).max(axis=1) / (at[1] - at[0])
-    assert (sway <= bounds[1:, sweep.SWAY] + 1e-9).all()
-    assert math.isfinite(bounds[-1, sweep.SPEED])
-    assert math.isfinite(bounds[-1, sweep.GROW]) == (name != "kink")
+    assert (sway <= bounds[1:, step_bounds.TURNING_RATE] + 1e-9).all()
+    assert math.isfinite(bounds[-1, step_bounds.SPEED])
+    assert math.isfinite(bounds[-1, step_bounds.GROWTH_HIGH]) == (name != "kink")
 
 
 @pytest.mark.parametrize("name", SMOOTH)
@@ -101,8 +99,8 @@ def test_no_point_outruns_its_bounds(name: str) -> None:
     at = np.linspace(start, start + h, 41)
     dt = at[1] - at[0]
     places, ends = chains(walk, at), chains(walk, at[[0, -1]])
-    handles = np.empty((len(BENCHES) + 1, sweep.HANDLE_COLUMNS))
-    sweep.bound_handles(route.rows, walk.dragon.links, ends, 0, 1, handles)
+    handles = np.empty((len(BENCHES) + 1, step_bounds.HANDLE_COLUMNS))
+    step_bounds.bound_handles(route.rows, walk.dragon.links, ends, 0, 1, handles)
     pulls = np.empty_like(places.u)
     change, turn = np.empty_like(places.u), np.empty((len(BENCHES), len(at)))
     rates(
@@ -119,19 +117,19 @@ def test_no_point_outruns_its_bounds(name: str) -> None:
     for i, n in itertools.product(range(len(BENCHES) + 1), range(len(at))):
         bend = kernel.curvature(route.rows, places.row[i, n], places.u[i, n])
         pulls[i, n] = math.hypot(change[i, n], places.ratio[i, n] ** 2 * bend)
-    assert (pulls.max(axis=1) <= handles[:, sweep.FORCE] + 1e-9).all()
-    placed, bench = walk.placement(at), np.empty(sweep.BENCH_COLUMNS)
+    assert (pulls.max(axis=1) <= handles[:, step_bounds.ACCELERATION] + 1e-9).all()
+    placed, bench = walk.placement(at), np.empty(step_bounds.BENCH_COLUMNS)
     tables = [boxes(placed, n) for n in range(len(at))]
     for i in range(len(BENCHES)):
-        sweep.bound_bench(handles, i, walk.dragon.sizes, i, bench)
+        step_bounds.bound_bench(handles, i, walk.dragon.sizes, i, bench)
         corners = np.array([[corner(table, i, k) for k in range(4)] for table in tables])
         moved = np.hypot(*np.moveaxis(np.diff(corners, axis=0), -1, 0))
         second = np.hypot(*np.moveaxis(np.diff(corners, 2, axis=0), -1, 0)) / dt**2
-        assert moved.sum(axis=0).max() <= bench[sweep.TRAVEL]
-        assert moved.max() / dt <= bench[sweep.PACE]
-        assert second.max() <= bench[sweep.PULL] + 1e-6
-        assert np.abs(turn[i]).max() <= bench[sweep.TURN] + 1e-12
-        assert np.abs(np.diff(turn[i])).max() / dt <= bench[sweep.TWIST] + 1e-9
+        assert moved.sum(axis=0).max() <= bench[step_bounds.TRAVEL]
+        assert moved.max() / dt <= bench[step_bounds.POINT_SPEED]
+        assert second.max() <= bench[step_bounds.POINT_ACCELERATION] + 1e-6
+        assert np.abs(turn[i]).max() <= bench[step_bounds.TURN] + 1e-12
+        assert np.abs(np.diff(turn[i])).max() / dt <= bench[step_bounds.ANGULAR_ACCELERATION] + 1e-9
 
 
 @pytest.mark.parametrize(
@@ -145,18 +143,18 @@ def test_an_angle_may_go_there_and_back_within_a_step(
 
     Or by what curvature turns a heading by in half the step.
     """
-    places = sweep.empty_places(2, 2)
+    places = step_bounds.empty_placements(2, 2)
     for table, value in ((places.y, 0.0), (places.ty, 0.0), (places.tx, 1.0), (places.ratio, 1.0)):
         table[:] = value
     places.x[:] = [[1.0, 1.0], [0.0, 0.0]]
-    bounds = np.zeros((2, sweep.HANDLE_COLUMNS))
-    bounds[:, [sweep.PATH, sweep.BENT]] = path, bent
-    bounds[:, [sweep.RIGHT, sweep.LEFT]] = -bend, bend
-    bounds[0, [sweep.SLOWEST, sweep.SPEED]] = 1.0
-    sweep.bound_next(1.0, places, 0, 0, 1, 1.0, bounds)
-    assert bounds[1, sweep.SPEED] >= 1.0 / math.cos(angle)
-    assert bounds[1, sweep.SLOWEST] <= math.cos(angle)
-    assert bounds[1, sweep.SWAY] >= 2.0 * math.sin(angle)
+    bounds = np.zeros((2, step_bounds.HANDLE_COLUMNS))
+    bounds[:, [step_bounds.PATH, step_bounds.HEADING_CHANGE]] = path, bent
+    bounds[:, [step_bounds.RIGHT, step_bounds.LEFT]] = -bend, bend
+    bounds[0, [step_bounds.SLOWEST, step_bounds.SPEED]] = 1.0
+    step_bounds.bound_next(1.0, places, 0, 0, 1, 1.0, bounds)
+    assert bounds[1, step_bounds.SPEED] >= 1.0 / math.cos(angle)
+    assert bounds[1, step_bounds.SLOWEST] <= math.cos(angle)
+    assert bounds[1, step_bounds.TURNING_RATE] >= 2.0 * math.sin(angle)
 
 
 @pytest.mark.parametrize("name", ROUTES)
@@ -167,21 +165,21 @@ def test_distances_stay_between_their_bounds(name: str) -> None:
         at = np.linspace(start, start + h, 21)
         ends = chains(walk, at[[0, -1]])
         count = len(walk.dragon)
-        handles = np.empty((count + 1, sweep.HANDLE_COLUMNS))
-        sweep.bound_handles(route.rows, walk.dragon.links, ends, 0, 1, handles)
-        sweeps = np.empty((count, sweep.BENCH_COLUMNS))
+        handles = np.empty((count + 1, step_bounds.HANDLE_COLUMNS))
+        step_bounds.bound_handles(route.rows, walk.dragon.links, ends, 0, 1, handles)
+        sweeps = np.empty((count, step_bounds.BENCH_COLUMNS))
         for i in range(count):
-            sweep.bound_bench(handles, i, walk.dragon.sizes, i, sweeps[i])
+            step_bounds.bound_bench(handles, i, walk.dragon.sizes, i, sweeps[i])
         tables = [boxes(walk.motion([t]), 0) for t in at]
         both = np.concatenate([tables[0], tables[-1]])
         for i in range(count):
             for j in range(i + 2, count):
                 sampled = min(box_distance(table, i, j) for table in tables)
-                rows = (both, i, j, count + i, count + j, sweeps, i, j, handles[0, sweep.PATH])
+                rows = (both, i, j, count + i, count + j, sweeps, i, j, handles[0, step_bounds.PATH])
                 for wanted in (-1.0, 0.0, math.inf):
-                    assert sweep.apart_bound(*rows, wanted) <= sampled + 1e-12
+                    assert step_bounds.apart_bound(*rows, wanted) <= sampled + 1e-12
                 highest = max(box_gap(table, i, j) for table in tables)
-                assert sweep.gap_ceiling(*rows) >= highest - 1e-12
+                assert step_bounds.gap_ceiling(*rows) >= highest - 1e-12
 
 
 def test_second_order_bounds_lose_a_hundredth_for_a_tenth_of_the_step() -> None:
@@ -190,14 +188,14 @@ def test_second_order_bounds_lose_a_hundredth_for_a_tenth_of_the_step() -> None:
     losses = []
     for h in (0.1, 0.01):
         ends = chains(walk, np.array([start, start + h]))
-        handles = np.empty((len(BENCHES) + 1, sweep.HANDLE_COLUMNS))
-        sweep.bound_handles(route.rows, walk.dragon.links, ends, 0, 1, handles)
-        sweeps = np.empty((2, sweep.BENCH_COLUMNS))
+        handles = np.empty((len(BENCHES) + 1, step_bounds.HANDLE_COLUMNS))
+        step_bounds.bound_handles(route.rows, walk.dragon.links, ends, 0, 1, handles)
+        sweeps = np.empty((2, step_bounds.BENCH_COLUMNS))
         tables = [boxes(walk.motion([t]), 0)[[0, 3]] for t in (start, start + h)]
         for n, i in enumerate((0, 3)):
-            sweep.bound_bench(handles, i, walk.dragon.sizes, i, sweeps[n])
+            step_bounds.bound_bench(handles, i, walk.dragon.sizes, i, sweeps[n])
         both = np.concatenate(tables)
-        losses.append(sweep.face_loss(both, 0, 1, sweeps, 0, 1, handles[0, sweep.PATH]))
+        losses.append(step_bounds.face_loss(both, 0, 1, sweeps, 0, 1, handles[0, step_bounds.PATH]))
     assert losses[1] == pytest.approx(0.01 * losses[0], rel=0.5)
 
 
@@ -216,16 +214,16 @@ CONTRARY = [
 def test_cells_hold_the_benches_that_walk_through_them(name: str, benches: list[Bench]) -> None:
     route, start = ROUTES[name]
     dragon = Dragon(benches)
-    ground = Ground(dragon, route, 10.0, start)
-    ground.extend(start + 3.0)
-    assert not ground.doubts
+    broad_phase = BroadPhase(dragon, route, 10.0, start)
+    broad_phase.extend(start + 3.0)
+    assert not broad_phase.doubts
     walk = Walk(dragon, route)
     for s in np.linspace(start, start + 2.9, 23):
         motion = walk.motion([s])
         table = boxes(motion, 0)
         for i in range(len(dragon)):
-            cell = math.floor(motion.s[0, i] / ground.cell) - ground.low
-            hull = ground.hulls[ground.group[i]]
+            cell = math.floor(motion.s[0, i] / broad_phase.cell) - broad_phase.low
+            hull = broad_phase.hulls[broad_phase.group[i]]
             for k in range(4):
                 along, across = offset(hull, cell, *corner(table, i, k))
                 assert abs(along) <= hull[cell, HALF_LENGTH] + 1e-12
@@ -237,20 +235,20 @@ def test_cells_leave_room_for_how_far_corners_bulge_between_their_borders(name: 
     """A corner's way bulges from its chord by an eighth of the square of the step times its bend."""
     route, start = ROUTES[name]
     dragon = Dragon(BENCHES)
-    ground = Ground(dragon, route, 10.0, start)
-    ground.extend(start + 3.0)
-    hull, most = ground.hulls[ground.group[0]], 0.0
-    for cell in range(int(start / ground.cell) + 1, int((start + 2.5) / ground.cell)):
-        borders = np.array([cell, cell + 0.5, cell + 1.0]) * ground.cell
+    broad_phase = BroadPhase(dragon, route, 10.0, start)
+    broad_phase.extend(start + 3.0)
+    hull, most = broad_phase.hulls[broad_phase.group[0]], 0.0
+    for cell in range(int(start / broad_phase.cell) + 1, int((start + 2.5) / broad_phase.cell)):
+        borders = np.array([cell, cell + 0.5, cell + 1.0]) * broad_phase.cell
         tables = [boxes(Walk(dragon, route).motion([s]), 0) for s in borders]
         for k in range(4):
             first, middle, last = (np.array(corner(table, 0, k)) for table in tables)
             bulge = 0.5 * float(np.hypot(*(first - 2.0 * middle + last)))
             most = max(most, bulge)
             for x, y in (first, last):
-                along, across = offset(hull, cell - ground.low, x, y)
-                assert abs(along) + 0.99 * bulge <= hull[cell - ground.low, HALF_LENGTH] + 1e-12
-                assert abs(across) + 0.99 * bulge <= hull[cell - ground.low, HALF_WIDTH] + 1e-12
+                along, across = offset(hull, cell - broad_phase.low, x, y)
+                assert abs(along) + 0.99 * bulge <= hull[cell - broad_phase.low, HALF_LENGTH] + 1e-12
+                assert abs(across) + 0.99 * bulge <= hull[cell - broad_phase.low, HALF_WIDTH] + 1e-12
     assert most > 1e-4
 
 
@@ -259,22 +257,25 @@ def test_a_bench_that_leaps_is_never_said_to_follow() -> None:
     route = Route.joined([Line(10.0), Arc(0.45, math.pi), Line(10.0)])
     link = np.array([1.0])
     at = np.linspace(9.0, 13.0, 161)
-    places = sweep.empty_places(2, len(at))
-    sweep.stand(route.rows, link, at, 0, len(at), places)
+    places = step_bounds.empty_placements(2, len(at))
+    step_bounds.place_chain(route.rows, link, at, 0, len(at), places)
     said = []
     for n in range(len(at) - 1):
         if places.failed[0, n] or places.failed[0, n + 1]:
             continue
-        bounds = np.empty((2, sweep.HANDLE_COLUMNS))
-        sweep.bound_handles(route.rows, link, places, n, n + 1, bounds)
-        sure = cells.follows(route.rows, places, n, n + 1, 1.0) and bounds[1, sweep.SPEED] < math.inf
+        bounds = np.empty((2, step_bounds.HANDLE_COLUMNS))
+        step_bounds.bound_handles(route.rows, link, places, n, n + 1, bounds)
+        sure = (
+            regions.follows(route.rows, places, n, n + 1, 1.0)
+            and bounds[1, step_bounds.SPEED] < math.inf
+        )
         said.append(sure)
         if sure:
             inner = np.linspace(at[n], at[n + 1], 9)
-            fine = sweep.empty_places(2, 9)
-            assert sweep.stand(route.rows, link, inner, 0, 9, fine)
+            fine = step_bounds.empty_placements(2, 9)
+            assert step_bounds.place_chain(route.rows, link, inner, 0, 9, fine)
             moved = np.hypot(np.diff(fine.x[1]), np.diff(fine.y[1]))
-            assert moved.max() <= 1.01 * bounds[1, sweep.SPEED] * (inner[1] - inner[0])
+            assert moved.max() <= 1.01 * bounds[1, step_bounds.SPEED] * (inner[1] - inner[0])
     assert any(said)
 
 
@@ -282,10 +283,12 @@ def test_a_wide_arc_is_followed_though_it_turns_by_more_than_a_right_angle() -> 
     route = Route.joined([Line(5.0), Arc(1.0, 6.0), Line(5.0)])
     link = np.array([1.7])
     at = np.linspace(7.0, 7.1, 2)
-    places = sweep.empty_places(2, 2)
-    assert sweep.stand(route.rows, link, at, 0, 2, places)
-    assert sweep.turning(route.rows, places.row[1, 0], places.u[1, 0], 1, places.u[0, 1]) > 1.6
-    assert cells.follows(route.rows, places, 0, 1, 1.7)
+    places = step_bounds.empty_placements(2, 2)
+    assert step_bounds.place_chain(route.rows, link, at, 0, 2, places)
+    assert (
+        step_bounds.heading_bound(route.rows, places.row[1, 0], places.u[1, 0], 1, places.u[0, 1]) > 1.6
+    )
+    assert regions.follows(route.rows, places, 0, 1, 1.7)
 
 
 def spiral_walk(width: float, pitch: float = 0.8) -> Walk:
@@ -334,14 +337,14 @@ def test_a_margin_no_pair_keeps_to_the_digit_is_a_graze() -> None:
 
 def test_too_few_looks_leave_a_search_stuck() -> None:
     walk = spiral_walk(0.78)
-    hunt = Hunt(walk, 0.0, 15.0, 0.0, silent)
-    step = next(iter(hunt.steps(0.0)))
+    contact_search = ContactSearch(walk, 0.0, 15.0, 0.0, silent)
+    step = next(iter(contact_search.steps(0.0)))
     room = search.room(17, 16, len(step.first), 0)
     members, inverse = np.unique(np.concatenate([step.first, step.second]), return_inverse=True)
     for goal in (search.FIRST_TOUCH, search.LEAST):
         note = np.zeros(search.NOTES)
         note[search.NEAREST] = note[search.FLOOR] = math.inf
-        ending = search.seek(
+        ending = search.search_step(
             room, goal, walk.route.rows, walk.dragon.links[: members[-1] + 1], walk.dragon.sizes,
             members, inverse[: len(step.first)], inverse[len(step.first) :],
             step.start, step.start + 4.0, 0.0, 1e-13, 1e-13, 2, note,
@@ -352,7 +355,7 @@ def test_too_few_looks_leave_a_search_stuck() -> None:
 def test_a_ledger_holds_every_look() -> None:
     walk, ledger = spiral_walk(0.78), Ledger()
     (window,) = contact_windows(walk, 0.0, 15.0, most=1, ledger=ledger)
-    assert sum(len(chain[0]) for chain in ledger.looks) == window.opens.looks
+    assert sum(len(chain[0]) for chain in ledger.evaluations) == window.opens.evaluations
     assert ledger.cells
     assert ledger.grid
 
@@ -381,15 +384,15 @@ def test_a_pairs_distances_along_a_walk() -> None:
 
 def test_a_bench_that_cannot_stand_leaves_its_cell_in_doubt() -> None:
     route = Route.joined([Line(10.0), Arc(0.3, math.pi), Line(10.0)])
-    ground = Ground(Dragon.of_sizes(np.full(3, 1.4), 0.2, 0.1, 0.1), route, 0.1, 8.0)
-    ground.extend(14.0)
-    assert ground.doubts
-    known, sound = ground.sound_until(8.0, 14.0)
+    broad_phase = BroadPhase(Dragon.of_sizes(np.full(3, 1.4), 0.2, 0.1, 0.1), route, 0.1, 8.0)
+    broad_phase.extend(14.0)
+    assert broad_phase.doubts
+    known, sound = broad_phase.sound_until(8.0, 14.0)
     # The head's own bench folds at 10.64 m; hulls hold it up to the cell of that place.
     assert known < sound < 12.0
-    assert known > sound - ground.cell - 1e-6
-    assert ground.sound_until(8.0, known) == (known, known)
-    stands = Placement(ground.dragon, route, [sound, sound + 1e-6])
+    assert known > sound - broad_phase.cell - 1e-6
+    assert broad_phase.sound_until(8.0, known) == (known, known)
+    stands = Placement(broad_phase.dragon, route, [sound, sound + 1e-6])
     assert [bool(status) for status in stands.status] == [False, True]
 
 
@@ -412,11 +415,11 @@ def test_a_bench_that_surely_follows_never_leaps_or_folds_in_between(name: str, 
     link, route = BUMPS[name]
     links = np.array([link])
     at = np.arange(3.0, route.length - step, step)
-    places = sweep.empty_places(2, len(at))
-    sweep.stand(route.rows, links, at, 0, len(at), places)
+    places = step_bounds.empty_placements(2, len(at))
+    step_bounds.place_chain(route.rows, links, at, 0, len(at), places)
     sure = 0
     for n in range(len(at) - 1):
-        if places.failed[0, n : n + 2].any() or not cells.follows(route.rows, places, n, n + 1, link):
+        if places.failed[0, n : n + 2].any() or not regions.follows(route.rows, places, n, n + 1, link):
             continue
         sure += 1
         between = np.linspace(at[n], at[n + 1], 25)
@@ -431,10 +434,10 @@ def test_a_bench_that_surely_follows_never_leaps_or_folds_in_between(name: str, 
 def test_a_leap_is_not_overlooked_however_short_the_step() -> None:
     link, route = BUMPS["loop"]
     links, before, after = np.array([link]), 11.0, 11.1
-    places = sweep.empty_places(2, 2)
+    places = step_bounds.empty_placements(2, 2)
 
     def stands(a: float, b: float) -> bool:
-        return bool(sweep.stand(route.rows, links, np.array([a, b]), 0, 2, places))
+        return bool(step_bounds.place_chain(route.rows, links, np.array([a, b]), 0, 2, places))
 
     while after - before > 1e-9:
         middle = 0.5 * (before + after)
@@ -444,7 +447,7 @@ def test_a_leap_is_not_overlooked_however_short_the_step() -> None:
     for back in np.geomspace(1e-4, 0.1, 7):
         for ahead in np.geomspace(1e-5, 0.1, 13):
             if stands(before - back, after + ahead):
-                assert not cells.follows(route.rows, places, 0, 1, link)
+                assert not regions.follows(route.rows, places, 0, 1, link)
                 tried += 1
     assert tried > 40
 
@@ -456,15 +459,15 @@ def test_paths_and_turns_run_over_all_pieces_and_joints() -> None:
     curves = (Line(1.0), arc.moved((1.0, 0.0), 0.0), Line(1.0).moved((x, y), heading + kink))
     rows = Route(curves, kinks=True).rows.copy()
     rows[2, Y] += gap
-    assert sweep.walked(rows, 0, 0.9, 2, 0.1) == pytest.approx(0.2 + 0.02 + gap, abs=1e-12)
-    assert sweep.walked(rows, 1, 0.01, 2, 0.1) == pytest.approx(0.11 + gap, abs=1e-12)
-    assert sweep.turning(rows, 0, 0.9, 2, 0.1) == pytest.approx(0.4 + kink, abs=1e-12)
-    assert sweep.turning(rows, 1, 0.01, 2, 0.1) == pytest.approx(0.2 + kink, abs=1e-12)
-    assert sweep.bends(rows, 1, 0.01, 2, 0.1) == (-math.inf, math.inf)
+    assert step_bounds.path_bound(rows, 0, 0.9, 2, 0.1) == pytest.approx(0.2 + 0.02 + gap, abs=1e-12)
+    assert step_bounds.path_bound(rows, 1, 0.01, 2, 0.1) == pytest.approx(0.11 + gap, abs=1e-12)
+    assert step_bounds.heading_bound(rows, 0, 0.9, 2, 0.1) == pytest.approx(0.4 + kink, abs=1e-12)
+    assert step_bounds.heading_bound(rows, 1, 0.01, 2, 0.1) == pytest.approx(0.2 + kink, abs=1e-12)
+    assert step_bounds.curvature_range(rows, 1, 0.01, 2, 0.1) == (-math.inf, math.inf)
     smooth = Route.joined([Line(1.0), arc, Line(1.0)]).rows.copy()
-    np.testing.assert_allclose(sweep.bends(smooth, 0, 0.9, 2, 0.1), (0.0, 20.0))
+    np.testing.assert_allclose(step_bounds.curvature_range(smooth, 0, 0.9, 2, 0.1), (0.0, 20.0))
     smooth[1, Y] += 1e-11  # a gap leaps, too
-    assert sweep.bends(smooth, 0, 0.9, 1, 0.01) == (-math.inf, math.inf)
+    assert step_bounds.curvature_range(smooth, 0, 0.9, 1, 0.01) == (-math.inf, math.inf)
 
 
 def test_a_peak_is_no_lower_than_what_slopes_allow() -> None:
@@ -472,10 +475,10 @@ def test_a_peak_is_no_lower_than_what_slopes_allow() -> None:
         # Up as steeply as may be, then down as steeply as may be.
         turn = (end - start - low * h) / (high - low)
         assert 0.0 < turn < h
-        assert sweep.peak(start, end, low, high, h) == pytest.approx(start + high * turn)
-    assert sweep.peak(0.0, 0.1, 0.0, 1.0, 0.5) == 0.1
-    assert sweep.peak(0.3, 0.1, -1.0, 0.0, 0.5) == 0.3
-    assert sweep.peak(0.3, 0.1, -math.inf, 1.0, 0.5) == math.inf
+        assert step_bounds.peak(start, end, low, high, h) == pytest.approx(start + high * turn)
+    assert step_bounds.peak(0.0, 0.1, 0.0, 1.0, 0.5) == 0.1
+    assert step_bounds.peak(0.3, 0.1, -1.0, 0.0, 0.5) == 0.3
+    assert step_bounds.peak(0.3, 0.1, -math.inf, 1.0, 0.5) == math.inf
 
 
 @pytest.mark.parametrize(("nose", "tail"), [(0.4, 0.2), (0.2, 0.4)])
@@ -493,7 +496,7 @@ def test_no_point_of_a_bench_moves_farther_than_its_reach(nose: float, tail: flo
             for k in range(4):
                 (px, py), (qx, qy) = corner(before, 0, k), corner(after, 0, k)
                 most = max(most, math.hypot(px - qx, py - qy))
-        bound = sweep.reach(front, rear, sizes, 0)
+        bound = step_bounds.reach(front, rear, sizes, 0)
         assert 0.75 * bound < most <= bound * (1.0 + 1e-5)
 
 
@@ -520,11 +523,11 @@ def test_heights_over_a_face_leave_the_straight_line_by_no_more_than_its_loss(na
     angle = turn * t + 0.5 * twist * t * t
     height = y * np.cos(angle) - x * np.sin(angle)
     off = np.abs(height - np.interp(t, t[[0, -1]], height[[0, -1]])).max()
-    sweeps = np.zeros((2, sweep.BENCH_COLUMNS))
-    sweeps[0, sweep.PACE] = math.hypot(*velocity) + h * math.hypot(*acceleration)
-    sweeps[0, sweep.PULL] = math.hypot(*acceleration)
-    sweeps[1, sweep.TURN], sweeps[1, sweep.TWIST] = turn + twist * h, twist
-    loss = sweep.face_loss(table, 0, 1, sweeps, 0, 1, h)
+    sweeps = np.zeros((2, step_bounds.BENCH_COLUMNS))
+    sweeps[0, step_bounds.POINT_SPEED] = math.hypot(*velocity) + h * math.hypot(*acceleration)
+    sweeps[0, step_bounds.POINT_ACCELERATION] = math.hypot(*acceleration)
+    sweeps[1, step_bounds.TURN], sweeps[1, step_bounds.ANGULAR_ACCELERATION] = turn + twist * h, twist
+    loss = step_bounds.face_loss(table, 0, 1, sweeps, 0, 1, h)
     assert 0.6 * loss < off <= loss
 
 
@@ -535,13 +538,13 @@ def test_a_direction_is_lost_to_second_order_by_both_benches() -> None:
     table[:, [4, 5]] = 0.5
     table[[1, 3], 0] = 3.0
     for pulls in ((8.0, 0.0), (0.0, 8.0), (5.0, 3.0)):
-        sweeps = np.zeros((2, sweep.BENCH_COLUMNS))
-        sweeps[:, sweep.PULL] = pulls
+        sweeps = np.zeros((2, step_bounds.BENCH_COLUMNS))
+        sweeps[:, step_bounds.POINT_ACCELERATION] = pulls
         nearest = 2.0 - 0.125 * sum(pulls) * h * h
-        bound = sweep.facing_bound(table, 0, 1, 2, 3, sweeps, 0, 1, h)
+        bound = step_bounds.facing_bound(table, 0, 1, 2, 3, sweeps, 0, 1, h)
         assert bound == pytest.approx(nearest, abs=1e-12)
-        sweeps[:, sweep.TRAVEL] = np.array(pulls) * 0.25 * h * h
-        assert sweep.apart_bound(table, 0, 1, 2, 3, sweeps, 0, 1, h, 0.0) <= nearest
+        sweeps[:, step_bounds.TRAVEL] = np.array(pulls) * 0.25 * h * h
+        assert step_bounds.apart_bound(table, 0, 1, 2, 3, sweeps, 0, 1, h, 0.0) <= nearest
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -555,7 +558,7 @@ def test_all_pairs_whose_cells_are_partners_meet(seed: int) -> None:
     partners = [np.flatnonzero(row) for row in wanted.reshape(groups * count, -1)]
     offsets = np.concatenate([[0], np.cumsum([len(row) for row in partners])])
     first, second = np.empty((2, 200), dtype=np.int64)
-    found = cells.meeting_pairs(
+    found = regions.meeting_pairs(
         s, 0, group, cell, low, offsets, np.concatenate(partners), count, first, second
     )
     pairs = set(zip(first[:found].tolist(), second[:found].tolist(), strict=True))
@@ -578,7 +581,7 @@ def test_route_positions_near_a_border_count_on_both_sides() -> None:
         # Who stands in cell 3 meets who stands in cell 0 or 1.
         partners = np.array([1 if behind > 0.5 else 0])
         s = np.array([[ahead] * 2, [2.5, 2.5], [behind] * 2])
-        assert cells.meeting_pairs(s, 0, group, 1.0, 0, offsets, partners, 5, first, second) == 1
+        assert regions.meeting_pairs(s, 0, group, 1.0, 0, offsets, partners, 5, first, second) == 1
         assert (first[0], second[0]) == (0, 2)
 
 
@@ -607,10 +610,10 @@ def test_no_pair_comes_near_but_in_the_steps_that_name_it(name: str) -> None:
     walk = Walk(sizes, route)
     at = np.linspace(start, end, 100)
     placed = walk.placement(at)
-    ground = Ground(sizes, route, reach, start)
+    broad_phase = BroadPhase(sizes, route, reach, start)
     named: list[set[tuple[int, int]]] = [set() for _s in at]
-    for done, upto in ground.strides(start, end):
-        for step in ground.steps(done, upto):
+    for done, upto in broad_phase.strides(start, end):
+        for step in broad_phase.steps(done, upto):
             inside = np.flatnonzero((at >= step.start) & (at <= step.end))
             for n in inside.tolist():
                 named[n] |= set(zip(step.first.tolist(), step.second.tolist(), strict=True))
@@ -627,11 +630,11 @@ def test_no_pair_comes_near_but_in_the_steps_that_name_it(name: str) -> None:
 def test_steps_go_on_to_the_very_end_of_the_part_where_the_head_meets_others() -> None:
     """Benches 1 and 3 are within reach all along; only the head is like itself."""
     sizes = Dragon([Bench(1.7, 0.4, 0.2, 0.3), *[Bench(1.1, 0.3, 0.1, 0.1)] * 2])
-    ground = Ground(sizes, Route((Line(30.0),)), 10.0, 8.0)
+    broad_phase = BroadPhase(sizes, Route((Line(30.0),)), 10.0, 8.0)
     for parts in (91.9, 99.0, 100.0 - 1e-6):
-        end = 0.25 * parts * ground.cell
-        ground.extend(end)
-        steps = list(ground.steps(8.0, end))
+        end = 0.25 * parts * broad_phase.cell
+        broad_phase.extend(end)
+        steps = list(broad_phase.steps(8.0, end))
         assert (steps[0].start, steps[-1].end) == (8.0, end)
         for step, after in itertools.pairwise(steps):
             assert step.end == after.start
@@ -640,8 +643,8 @@ def test_steps_go_on_to_the_very_end_of_the_part_where_the_head_meets_others() -
 
 def test_a_search_that_gives_up_says_how_low_it_may_be() -> None:
     walk = spiral_walk(0.3)
-    hunt = Hunt(walk, 0.0, 12.0, 0.0, silent)
-    step = next(iter(hunt.steps(0.6)))
+    contact_search = ContactSearch(walk, 0.0, 12.0, 0.0, silent)
+    step = next(iter(contact_search.steps(0.6)))
     least = min(
         float(np.min(pair_distances(walk.placement(np.linspace(step.start, step.end, 200)), i, j)))
         for i, j in zip(step.first.tolist(), step.second.tolist(), strict=True)
@@ -651,7 +654,7 @@ def test_a_search_that_gives_up_says_how_low_it_may_be() -> None:
     for most in (2, 3, 5):
         note = np.zeros(search.NOTES)
         note[search.NEAREST] = note[search.FLOOR] = math.inf
-        ending = search.seek(
+        ending = search.search_step(
             search.room(17, 16, count, 0), search.LEAST, walk.route.rows,
             walk.dragon.links[: members[-1] + 1], walk.dragon.sizes, members, inverse[:count],
             inverse[count:], step.start, step.end, 0.0, 1e-13, 1e-13, most, note,
@@ -669,7 +672,7 @@ def test_what_was_given_up_first_is_not_forgotten() -> None:
     for end in (start + 0.05, start + 0.2):
         note = np.zeros(search.NOTES)
         note[search.NEAREST] = note[search.FLOOR] = math.inf
-        search.seek(
+        search.search_step(
             search.room(4, 2, 1, 0), search.LEAST, route.rows, dragon.links[:3], dragon.sizes,
             np.array([0, 2]), one, one + 1, start, end, 0.0, 1e-9, 0.06, 100, note,
         )  # fmt: skip
@@ -693,30 +696,30 @@ def test_faces_that_are_left_and_come_back_lose() -> None:
     table[:, 2] = 1.0
     table[:, [4, 5]] = 0.5
     table[[1, 3], 0] = 3.0
-    sweeps = np.zeros((2, sweep.BENCH_COLUMNS))
-    sweeps[0, sweep.PULL] = 8.0
+    sweeps = np.zeros((2, step_bounds.BENCH_COLUMNS))
+    sweeps[0, step_bounds.POINT_ACCELERATION] = 8.0
     rows = (table, 0, 1, 2, 3, sweeps, 0, 1, h)
-    assert sweep.face_bound(*rows) <= 2.0 - 0.125 * 8.0 * h * h
-    assert sweep.face_ceiling(*rows) >= 2.0 + 0.125 * 8.0 * h * h
+    assert step_bounds.face_bound(*rows) <= 2.0 - 0.125 * 8.0 * h * h
+    assert step_bounds.face_ceiling(*rows) >= 2.0 + 0.125 * 8.0 * h * h
     for row in (1, 3):  # farther off at the start, or at the end
         table[[1, 3], 0] = 3.0
         table[row, 0] = 4.0
-        assert sweep.face_bound(*rows) < 2.0
-        assert sweep.face_ceiling(*rows) > 3.0
+        assert step_bounds.face_bound(*rows) < 2.0
+        assert step_bounds.face_ceiling(*rows) > 3.0
 
 
 def faced(gap: float, travel: float, pull: float) -> tuple[search.Search, FloatArray]:
     """What a search knows of two benches as far apart at both ends of a part, and a fresh note."""
     room = search.room(4, 2, 1, 0)
     room.at[:2] = 0.0, 0.1
-    room.handles[0, sweep.PATH] = 0.1
+    room.handles[0, step_bounds.PATH] = 0.1
     room.alive[1, 0], room.kept[1] = 0, 1
     room.boxes[:4] = 0.0
     room.boxes[:4, 2] = 1.0
     room.boxes[:4, [4, 5]] = 0.5
     room.boxes[[1, 3], 0] = 1.0 + gap
     room.sweeps[:] = 0.0
-    room.sweeps[:, sweep.TRAVEL], room.sweeps[:, sweep.PULL] = travel, pull
+    room.sweeps[:, step_bounds.TRAVEL], room.sweeps[:, step_bounds.POINT_ACCELERATION] = travel, pull
     return room, np.zeros(search.NOTES)
 
 
@@ -751,11 +754,11 @@ def test_the_least_bound_of_a_part_is_that_of_any_pair() -> None:
 
 def test_every_pair_of_a_step_is_looked_at() -> None:
     walk = Walk(Dragon.uniform(4, 2.2), Route((Line(30.0),)))
-    hunt = Hunt(walk, 15.0, 16.0, 1.5, silent)
+    contact_search = ContactSearch(walk, 15.0, 16.0, 1.5, silent)
     for second, found in (([3, 2], 1), ([2, 3], 0)):
         note = np.zeros(search.NOTES)
         step = Step(15.0, 15.2, np.array([0, 0]), np.array(second))
-        assert hunt.seek(search.FIRST_TOUCH, step, 15.0, 15.2, note) == search.FOUND
+        assert contact_search.search_step(search.FIRST_TOUCH, step, 15.0, 15.2, note) == search.FOUND
         assert note[search.PAIR] == found
         assert note[search.UPPER] == 15.0
 
@@ -764,10 +767,10 @@ def test_the_end_of_a_step_is_looked_at() -> None:
     walk, ends = spiral_walk(0.3), (10.0 - 9e-14, 10.0)
     falls = [pair_distances(walk.placement(ends), 0, j).tolist() for j in range(2, 16)]
     j, (_before, at) = next((j, pair) for j, pair in enumerate(falls, 2) if pair[0] > pair[1] + 9e-15)
-    hunt = Hunt(walk, 9.0, 10.0, at + 2e-15, silent, 1e-15)
+    contact_search = ContactSearch(walk, 9.0, 10.0, at + 2e-15, silent, 1e-15)
     note = np.zeros(search.NOTES)
     step = Step(*ends, np.array([0]), np.array([j]))
-    assert hunt.seek(search.FIRST_TOUCH, step, *ends, note) == search.FOUND
+    assert contact_search.search_step(search.FIRST_TOUCH, step, *ends, note) == search.FOUND
     assert note[search.UPPER] == 10.0
 
 
@@ -776,11 +779,11 @@ def test_distances_fall_by_no_more_than_half_the_travel() -> None:
     table[:, 2] = 1.0
     table[:, [4, 5]] = 0.5
     table[[1, 3], 0] = 3.0
-    sweeps = np.zeros((2, sweep.BENCH_COLUMNS))
-    sweeps[:, sweep.PULL] = math.inf  # as across a kink: there and back, leaping
+    sweeps = np.zeros((2, step_bounds.BENCH_COLUMNS))
+    sweeps[:, step_bounds.POINT_ACCELERATION] = math.inf  # as across a kink: there and back, leaping
     for travel in ((0.6, 0.0), (0.0, 0.6), (0.4, 0.2)):
-        sweeps[:, sweep.TRAVEL] = travel
-        assert sweep.apart_bound(table, 0, 1, 2, 3, sweeps, 0, 1, 1.0, 0.0) == pytest.approx(1.7)
+        sweeps[:, step_bounds.TRAVEL] = travel
+        assert step_bounds.apart_bound(table, 0, 1, 2, 3, sweeps, 0, 1, 1.0, 0.0) == pytest.approx(1.7)
 
 
 @pytest.mark.parametrize(
@@ -792,10 +795,13 @@ def test_a_pair_within_rounding_of_the_margin_is_neither_clear_nor_found(
 ) -> None:
     walk = Walk(Dragon.uniform(3, 2.2), Route((Line(30.0),)))
     distance = 2.0 * 1.65 - 2.2
-    hunt = Hunt(walk, 15.0, 16.0, distance + beyond, silent, 1e-6)
+    contact_search = ContactSearch(walk, 15.0, 16.0, distance + beyond, silent, 1e-6)
     pair = np.array([0]), np.array([2])
     note = np.zeros(search.NOTES)
-    assert hunt.seek(search.FIRST_TOUCH, Step(15.0, 15.2, *pair), 15.0, 15.2, note) == ending
+    assert (
+        contact_search.search_step(search.FIRST_TOUCH, Step(15.0, 15.2, *pair), 15.0, 15.2, note)
+        == ending
+    )
 
 
 def test_a_bracket_begins_where_all_was_clear() -> None:
@@ -809,5 +815,7 @@ def test_a_bracket_begins_where_all_was_clear() -> None:
 
 def test_ground_is_asked_for_the_room_of_rounding() -> None:
     walk = spiral_walk(0.3)
-    steps = [list(Hunt(walk, 0.0, 12.0, 0.0, silent, slack).steps(0.0)) for slack in (1e-13, 0.6)]
+    steps = [
+        list(ContactSearch(walk, 0.0, 12.0, 0.0, silent, slack).steps(0.0)) for slack in (1e-13, 0.6)
+    ]
     assert [bool(some) for some in steps] == [False, True]

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from benchdragon import Arc, Bench, Dragon, Line, Route, Spiral, Walk
-from benchdragon.kernels import bounds as sweep
-from benchdragon.kernels import speed_bounds as sieve
+from benchdragon.kernels import speed_bounds, step_bounds
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
 
@@ -26,9 +25,9 @@ def ratios_in_cells(walk: Walk, low: int, count: int) -> tuple[FloatArray, IntAr
     out = np.empty((len(links), count))
     for g in range(len(links)):
         link = walk.dragon.links[np.flatnonzero(group == g)[:1][0] :][:1]
-        places = sweep.empty_places(2, len(borders))
-        sweep.stand(walk.route.rows, link, borders, 0, len(borders), places)
-        sieve.cell_ratios(walk.route.rows, link, places, out[g])
+        places = step_bounds.empty_placements(2, len(borders))
+        step_bounds.place_chain(walk.route.rows, link, borders, 0, len(borders), places)
+        speed_bounds.cell_ratios(walk.route.rows, link, places, out[g])
     return out, group.astype(np.int64)
 
 
@@ -43,14 +42,14 @@ def test_no_handle_is_faster_than_its_cells_say(name: str, h: float) -> None:
     dense = walk.motion(np.linspace(at[:-1], at[1:], 9).ravel()).speed_ratio
     dense = dense.reshape(9, len(at) - 1, -1).max(axis=0)
     limit = float(np.median(dense.max(axis=1)))
-    steps = np.empty((len(at) - 1, sieve.STEP_COLUMNS))
-    sieve.bound_steps(s, group, ratios, CELL, low, np.full(len(steps), limit), steps)
+    steps = np.empty((len(at) - 1, speed_bounds.STEP_COLUMNS))
+    speed_bounds.bound_steps(s, group, ratios, CELL, low, np.full(len(steps), limit), steps)
     for step, seen in zip(steps, dense, strict=True):
-        assert seen.max() <= step[sieve.MOST] * sweep.ROUNDED_UP
-        assert step[sieve.MOST] <= seen.max() * (1.0 + h)
-        open_ = int(step[sieve.OPEN])
-        assert seen[open_:].max(initial=0.0) <= step[sieve.SETTLED] * sweep.ROUNDED_UP
-        assert step[sieve.SETTLED] <= max(limit, 1.0)
+        assert seen.max() <= step[speed_bounds.MOST] * step_bounds.ROUNDED_UP
+        assert step[speed_bounds.MOST] <= seen.max() * (1.0 + h)
+        open_ = int(step[speed_bounds.OPEN])
+        assert seen[open_:].max(initial=0.0) <= step[speed_bounds.SETTLED] * step_bounds.ROUNDED_UP
+        assert step[speed_bounds.SETTLED] <= max(limit, 1.0)
         assert (seen <= limit).all() or open_ > int(np.flatnonzero(seen > limit)[-1])
 
 
@@ -60,9 +59,9 @@ def test_the_head_itself_counts_and_who_cannot_stand_is_never_passed_over() -> N
     assert ratios[:, 20] == pytest.approx(1.0)
     assert np.isinf(ratios[:, -1]).all()
     s = np.array([[5.0, 5.1], [3.7, 3.8]])
-    steps = np.empty((1, sieve.STEP_COLUMNS))
-    sieve.bound_steps(s, group[:1], ratios, CELL, 0, np.array([0.5]), steps)
-    assert steps[0, sieve.OPEN] == 2
-    sieve.bound_steps(s + 1.5, group[:1], ratios, CELL, 0, np.array([2.0]), steps)
-    assert steps[0, sieve.OPEN] == 2
-    assert math.isinf(steps[0, sieve.MOST])
+    steps = np.empty((1, speed_bounds.STEP_COLUMNS))
+    speed_bounds.bound_steps(s, group[:1], ratios, CELL, 0, np.array([0.5]), steps)
+    assert steps[0, speed_bounds.OPEN] == 2
+    speed_bounds.bound_steps(s + 1.5, group[:1], ratios, CELL, 0, np.array([2.0]), steps)
+    assert steps[0, speed_bounds.OPEN] == 2
+    assert math.isinf(steps[0, speed_bounds.MOST])

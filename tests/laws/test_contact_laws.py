@@ -20,7 +20,7 @@ from benchdragon import (
     first_contact,
     least_clearance,
 )
-from benchdragon.analysis import speed as speeds
+from benchdragon.analysis import speed
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.figures.walk import bench_corners
 from benchdragon.kernels.curve import FloatArray
@@ -155,7 +155,7 @@ def test_windows_are_where_sampling_sees_overlaps(seed: int) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_no_sample_is_above_the_greatest_speed(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(speeds, "sieve_pays", lambda _walk, _way: True)
+    monkeypatch.setattr(speed, "coarse_bound_pays", lambda _walk, _way: True)
     walk, start, end, _margin = random_walk(seed)
     found = greatest_speed(walk, start, end, tolerance=1e-4)
     assert found.lower == found.value <= found.upper

@@ -20,7 +20,7 @@ from benchdragon.paper.convergence import (
 )
 from benchdragon.paper.traversal import first_overlap
 from benchdragon.plans.schema import read_plan
-from tests.truth.road import place_behind, spiral_walk
+from tests.truth.reference import place_behind, spiral_walk
 
 
 @pytest.fixture(scope="module")

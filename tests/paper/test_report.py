@@ -12,7 +12,7 @@ from pypdf import PdfReader
 from benchdragon.errors import InputError, UnsureError
 from benchdragon.i18n import use_language
 from benchdragon.paper import reproduce as reproducing
-from benchdragon.paper.document import Heading, Link, Paragraph, Picture, Table, Words
+from benchdragon.paper.document import Heading, Inline, Link, Paragraph, Picture, Table
 from benchdragon.paper.publish import breakable, write_html, write_pdf
 from benchdragon.paper.report import report
 from benchdragon.paper.reproduce import pages_from, reproduce
@@ -62,7 +62,7 @@ def test_links_lead_to_the_documentation_where_that_is_given(found: Results) -> 
     assert "#how-smallest-pitch" in links
 
 
-def parts(block: object) -> list[Words]:
+def parts(block: object) -> list[Inline]:
     if isinstance(block, Paragraph):
         return list(block.words)
     return [cell for row in block.rows for cell in row] if isinstance(block, Table) else []

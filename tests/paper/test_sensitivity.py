@@ -10,8 +10,8 @@ from benchdragon.analysis.contact import first_contact
 from benchdragon.errors import InputError
 from benchdragon.model.answer import Answer
 from benchdragon.paper.sensitivity import (
+    Configuration,
     Drift,
-    Stand,
     changed,
     contact_rates,
     drift,
@@ -100,18 +100,18 @@ def test_the_greatest_head_speed_moves_with_every_size_as_differences_say() -> N
 
 def test_walking_is_the_change_whose_rates_are_the_speed_ratios() -> None:
     motion = spiral().build().motion([300.0])
-    stand = Stand.of(motion)
-    change = changed(stand, walking(stand))
+    configuration = Configuration.of(motion)
+    change = changed(configuration, walking(configuration))
     assert change.along == pytest.approx(motion.speed_ratio[0], abs=1e-12)
     assert change.turn == pytest.approx(motion.turning_rate[0], abs=1e-12)
 
 
 def test_a_longer_link_moves_the_handles_behind_it_and_none_before() -> None:
     walk = spiral().build()
-    stand = Stand.of(walk.motion([300.0]))
+    configuration = Configuration.of(walk.motion([300.0]))
     sizes = np.zeros((4, 223))
     sizes[0, 100] = 1.0
-    along = changed(stand, Drift(np.zeros((224, 2)), np.zeros(224), sizes)).along
+    along = changed(configuration, Drift(np.zeros((224, 2)), np.zeros(224), sizes)).along
     assert not along[:101].any()
     assert (along[101:] < -0.9).all()
 

@@ -17,9 +17,9 @@ from benchdragon.model.curves import Arc
 from benchdragon.plans.schema import read_plan
 from benchdragon.player import frames as door
 from benchdragon.player.frames import (
-    LOOKS,
     NEAR,
     QUANTUM,
+    SHARES,
     STEPS,
     STRETCH,
     STRETCH_ERROR,
@@ -102,7 +102,7 @@ def test_no_place_is_farther_off_than_stated_wherever_else_one_looks(name: str) 
     assert found.error <= ERROR
     others = [0.06, 0.19, 0.31, 0.44, 0.56, 0.69, 0.81, 0.94]
     others += np.random.default_rng(7).uniform(0.0, 1.0, 4).tolist()
-    assert not set(others) & set(LOOKS)
+    assert not set(others) & set(SHARES)
     worst = 0.0
     before = found.start + found.step * np.arange(found.count - 1, dtype=np.float64)
     for share in others:

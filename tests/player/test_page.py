@@ -206,7 +206,7 @@ def test_titles_cannot_break_out_of_the_page() -> None:
 def test_dances_of_400_seconds_make_small_files(tmp_path: Path, benches: int, most: int) -> None:
     walk = read_plan("turn", [f"dragon.benches={benches}"]).build()
     path = tmp_path / "dance.html"
-    write_player(path, plain_dance(walk, Span(-100.0, 300.0, looks=(0.5,))))
+    write_player(path, plain_dance(walk, Span(-100.0, 300.0, shares=(0.5,))))
     assert 100_000 < path.stat().st_size < most
 
 

@@ -94,7 +94,7 @@ def test_a_benchs_own_tightest_moment_is_no_looser_than_the_checks() -> None:
     report = check(read_plan("turn", ["dragon.benches=60", "walk.speed=2"]))
     near = report.clearance.witness
     assert near is not None
-    sketch = checked_dance(report, Span(report.start, report.end, looks=(0.5,), times=200)).nearest
+    sketch = checked_dance(report, Span(report.start, report.end, shares=(0.5,), times=200)).nearest
     for bench, other in (near.benches, near.benches[::-1]):
         assert sketch.distance[bench - 1] <= report.clearance.value + 1e-5
         assert sketch.other[bench - 1] == other

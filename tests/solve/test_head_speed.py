@@ -99,13 +99,13 @@ def test_hulls_are_not_left_and_tight() -> None:
     growth = motion.ratio_rate / motion.speed_ratio
     bend = np.abs(walk.route.curvature(motion.s))
     assert (motion.speed_ratio <= found[cell, :, pacing.FAST]).all()
-    assert (np.abs(motion.turn_rate) <= found[cell, 1:, pacing.SWAY]).all()
+    assert (np.abs(motion.turn_rate) <= found[cell, 1:, pacing.TURNING_RATE]).all()
     assert (bend <= found[cell, :, pacing.BEND] * (1.0 + 1e-12)).all()
-    assert (found[cell, :, pacing.FADE] <= growth + 1e-9).all()
-    assert (growth <= found[cell, :, pacing.GROW] + 1e-9).all()
+    assert (found[cell, :, pacing.GROWTH_LOW] <= growth + 1e-9).all()
+    assert (growth <= found[cell, :, pacing.GROWTH_HIGH] + 1e-9).all()
     assert found[:, :, pacing.FAST].max() < motion.speed_ratio.max() * 1.02
-    assert found[:, :, pacing.GROW].max() < growth.max() * 1.2
-    assert found[:, :, pacing.FADE].min() > growth.min() * 1.2
+    assert found[:, :, pacing.GROWTH_HIGH].max() < growth.max() * 1.2
+    assert found[:, :, pacing.GROWTH_LOW].min() > growth.min() * 1.2
 
 
 def test_a_pace_keeps_the_limit_saves_time_and_is_a_plan() -> None:
@@ -267,7 +267,7 @@ def test_what_a_route_never_asks_for_has_no_limit() -> None:
     data["route"] = {"part": [{"kind": "line", "length": 40.0}]}
     found = greatest_head_speed(checked(data, "straight"))
     assert found.status == "unlimited"
-    assert found.looks < 10_000
+    assert found.evaluations < 10_000
 
 
 def test_a_head_that_stands_before_its_walk_is_not_taken_for_one_that_runs() -> None:

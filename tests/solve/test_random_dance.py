@@ -6,15 +6,15 @@ import numpy as np
 import pytest
 
 from benchdragon.errors import InputError
-from benchdragon.kernels.bounds import bends, empty_places
 from benchdragon.kernels.box import nearest_pair
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.perturbed import stand_along
+from benchdragon.kernels.perturbed import place_along
+from benchdragon.kernels.step_bounds import curvature_range, empty_placements
 from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
 from benchdragon.model.dragon import Dragon
 from benchdragon.plans.schema import Plan, read_plan
-from benchdragon.solve.random_dance import TOLERANCE, CannotFollowError, Rehearsal, strayed
-from benchdragon.solve.tolerance import CASES, Draw, Slips, rehearsal
+from benchdragon.solve.random_dance import TOLERANCE, CannotFollowError, RandomDance, strayed
+from benchdragon.solve.tolerance import CASES, Deviations, Draw, random_dance
 
 ROUTES = {
     "spiral": Route((Spiral.between(0.9, 14.0, 6.0),)),
@@ -34,13 +34,13 @@ PLANS = {
 }  # fmt: skip
 
 
-def brute(dance: Rehearsal, step: float = 5e-3) -> float:
+def brute(dance: RandomDance, step: float = 5e-3) -> float:
     """The least distance at places of the head so far apart, each chain followed on from the last."""
     least = np.inf
     grid = np.linspace(dance.start, dance.end, 2 + int((dance.end - dance.start) / step))
     for at in np.array_split(grid, 1 + len(grid) // 500):
-        places = empty_places(len(dance.dragon) + 1, len(at))
-        assert stand_along(dance.rows, dance.dragon.links, dance.aside, at, places) == len(at)
+        places = empty_placements(len(dance.dragon) + 1, len(at))
+        assert place_along(dance.rows, dance.dragon.links, dance.aside, at, places) == len(at)
         least = min(least, nearest_pair(dance.dragon.sizes, places.x, places.y)[0])
     return float(least)
 
@@ -49,11 +49,11 @@ def brute(dance: Rehearsal, step: float = 5e-3) -> float:
 @pytest.mark.parametrize("case", ["aside", "stray", "all"])
 def test_no_evaluation_comes_nearer_than_is_told(name: str, case: str) -> None:
     plan = read_plan(*PLANS[name])
-    draw = Draw(CASES[case].slips, 7, len(case))
+    draw = Draw(CASES[case].deviations, 7, len(case))
     # Benches so much narrower that they overlap by 2 mm, or keep 1 mm.
     for room in (-2e-3, 1e-3):
-        width = plan.value("dragon.width") + brute(rehearsal(plan, draw), 0.05) - room
-        dance = rehearsal(plan.with_value("dragon.width", width), draw)
+        width = plan.value("dragon.width") + brute(random_dance(plan, draw), 0.05) - room
+        dance = random_dance(plan.with_value("dragon.width", width), draw)
         least = brute(dance)
         told = dance.least()
         assert dance.touch(max(least, 0.0) + 1e-6) is not None
@@ -66,8 +66,8 @@ def test_no_evaluation_comes_nearer_than_is_told(name: str, case: str) -> None:
 
 def turned(line: FloatArray, at: FloatArray) -> FloatArray:
     """Points of a line given as rows, at positions along it."""
-    places = empty_places(1, len(at))
-    assert stand_along(line, np.empty(0), np.zeros(1), at, places) == len(at)
+    places = empty_placements(1, len(at))
+    assert place_along(line, np.empty(0), np.zeros(1), at, places) == len(at)
     return np.asarray(places.x[0] + 1j * places.y[0])
 
 
@@ -105,7 +105,7 @@ def test_a_line_that_strays_is_smooth_and_as_far_aside_as_it_should(name: str) -
     meant = x + 1j * y + 1j * np.exp(1j * heading) * off(drawn)[0]
     assert np.abs(nodes - meant).max() < 1e-10
     for j in range(1, len(rows) - 1):
-        low, high = bends(rows, j, 0.0, j + 1, 0.0)
+        low, high = curvature_range(rows, j, 0.0, j + 1, 0.0)
         assert high - low < 3.0  # infinite at a kink or a gap
     assert all(a < b for a, b in pairwise(drawn))
 
@@ -113,7 +113,7 @@ def test_a_line_that_strays_is_smooth_and_as_far_aside_as_it_should(name: str) -
 def test_a_bench_that_cannot_follow_is_told_with_the_place() -> None:
     route = Route.joined([Line(10.0), Arc(0.6, 3.0), Line(5.0)])
     dragon = Dragon.uniform(4, 0.9, 0.9, 0.9, 0.1, 0.1, 0.1)
-    dance = Rehearsal(dragon, route.rows, np.full(5, 0.59), 8.0, 12.0)
+    dance = RandomDance(dragon, route.rows, np.full(5, 0.59), 8.0, 12.0)
     for ask in (dance.low_meeting, dance.touch, dance.least):
         with pytest.raises(CannotFollowError, match=r"head at (9\.\d+|10(\.\d+)?) m or after"):
             ask()
@@ -121,7 +121,7 @@ def test_a_bench_that_cannot_follow_is_told_with_the_place() -> None:
 
 def test_a_dance_too_long_to_be_searched_is_refused() -> None:
     with pytest.raises(InputError, match="too long"):
-        Rehearsal(Dragon.uniform(20_000), ROUTES["spiral"].rows, np.empty(0), 0.0, 200.0)
+        RandomDance(Dragon.uniform(20_000), ROUTES["spiral"].rows, np.empty(0), 0.0, 200.0)
 
 
 def test_more_pairs_than_there_was_room_for_are_searched_all_the_same(
@@ -129,7 +129,7 @@ def test_more_pairs_than_there_was_room_for_are_searched_all_the_same(
 ) -> None:
     from benchdragon.solve import random_dance as module
 
-    dance = rehearsal(read_plan(*PLANS["spiral"]), Draw(Slips(aside=0.01), 1, 0))
+    dance = random_dance(read_plan(*PLANS["spiral"]), Draw(Deviations(aside=0.01), 1, 0))
     found = dance.touch(0.3)
     monkeypatch.setattr(module, "PARTNERS", 1)
     assert dance.touch(0.3) == found
@@ -137,7 +137,7 @@ def test_more_pairs_than_there_was_room_for_are_searched_all_the_same(
 
 def test_evaluations_of_a_hint_lie_no_farther_apart_than_is_said() -> None:
     plan: Plan = read_plan(*PLANS["turn"])
-    dance = rehearsal(plan, Draw(Slips(), 1, 0))
+    dance = random_dance(plan, Draw(Deviations(), 1, 0))
     low = dance.low_meeting()
     assert low.distance == pytest.approx(brute(dance), abs=2e-4)
     again = dance.meeting_near(dance.hint(low.s))

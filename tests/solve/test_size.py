@@ -15,9 +15,8 @@ from benchdragon.model.walk import Walk
 from benchdragon.paper.traversal import pitch_curve, traversed_pitch
 from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.plans.toml import PlanError
-from benchdragon.solve import size as solve
-from benchdragon.solve import size_trials as trials
-from benchdragon.solve.size import Span, limit, smallest_pitch, walkable_sizes
+from benchdragon.solve import size, size_trials
+from benchdragon.solve.size import Span, feasible_sizes, limit, smallest_pitch
 from benchdragon.solve.size_trials import QUESTIONS, TOLERANCE, Family, Meeting, root_near
 
 SMALLEST_PITCH = 0.4503373930271955
@@ -119,13 +118,13 @@ def test_no_size_at_all_is_infeasible() -> None:
 
 
 def test_walkable_pitches_begin_at_the_smallest(disc: Plan) -> None:
-    found = walkable_sizes(disc, "pitch", 0.43, 0.47, 5)
+    found = feasible_sizes(disc, "pitch", 0.43, 0.47, 5)
     (span,) = found.spans
     assert span.low == pytest.approx(SMALLEST_PITCH, abs=2e-12)
     assert (span.high, span.tried) == (0.47, 2)
     assert found.step == pytest.approx(0.01)
     assert found.undecided == ()
-    assert walkable_sizes(disc, "pitch", 0.40, 0.43, 3).spans == ()
+    assert feasible_sizes(disc, "pitch", 0.40, 0.43, 3).spans == ()
 
 
 def undecided(monkeypatch: pytest.MonkeyPatch, low: float, high: float) -> None:
@@ -139,7 +138,7 @@ def undecided(monkeypatch: pytest.MonkeyPatch, low: float, high: float) -> None:
             raise UnsureError("not this one")
         return real(walk, start, end, margin=margin)
 
-    monkeypatch.setattr(trials, "first_contact", search)
+    monkeypatch.setattr(size_trials, "first_contact", search)
 
 
 @pytest.mark.parametrize("band", [(0.49, 0.51), (0.46, 0.47), (0.50, 0.60), (0.3, 0.4)])
@@ -156,7 +155,7 @@ def test_the_last_size_tried_beside_undecided_ones_may_be_the_one_beyond_them(
     disc: Plan, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     undecided(monkeypatch, 0.52, 0.6)
-    monkeypatch.setattr(solve, "MOST_BESIDE", 3)
+    monkeypatch.setattr(size, "MOST_BESIDE", 3)
     found = limit(disc.with_value("dragon.benches", 40), "pitch")
     assert found.status == "found"
     assert found.upper - found.lower <= 1e-12
@@ -191,7 +190,7 @@ def test_undecided_sizes_of_a_range_are_told_and_end_a_span(
     disc: Plan, monkeypatch: pytest.MonkeyPatch, band: tuple[float, float]
 ) -> None:
     undecided(monkeypatch, *band)
-    found = walkable_sizes(disc, "pitch", 0.43, 0.49, 7)
+    found = feasible_sizes(disc, "pitch", 0.43, 0.49, 7)
     assert found.spans == (Span(0.47, 0.49, 3, ()),)
     assert found.undecided == pytest.approx((0.46,))
 
@@ -206,7 +205,7 @@ def test_the_unsafe_end_of_a_bracket_is_where_the_pair_was_seen_to_touch(
         root = root_near(family, meeting, size)
         return root and (root[0] + (offsets.pop() if offsets else 0.0), *root[1:])
 
-    monkeypatch.setattr(solve, "root_near", off)
+    monkeypatch.setattr(size, "root_near", off)
     found = limit(read_plan("spiral-in", ["disc.radius=4.5", "dragon.benches=40"]), "pitch")
     assert not offsets
     assert found.status == "found"
@@ -236,7 +235,7 @@ def test_a_head_that_walks_to_the_centre_is_refused(name: str) -> None:
     with pytest.raises(InputError, match=r"say how far in the head comes: set disc\.radius"):
         limit(read_plan("spiral-in"), name)
     with pytest.raises(InputError, match="say how far in"):
-        walkable_sizes(read_plan("spiral-in"), name, 0.5, 0.6)
+        feasible_sizes(read_plan("spiral-in"), name, 0.5, 0.6)
     assert limit(read_plan("spiral-in", ["walk.end=100"]), "width").status == "found"
 
 
@@ -279,8 +278,8 @@ def test_least_clearance_is_the_slope_of_the_pitch_away(disc: Plan) -> None:
     ("call", "text"),
     [
         (lambda plan: limit(plan, "colour"), "pitch, disc, width, length"),
-        (lambda plan: walkable_sizes(plan, "pitch", 0.5, 0.4), "range"),
-        (lambda plan: walkable_sizes(plan, "pitch", 0.4, 0.5, 1), "count"),
+        (lambda plan: feasible_sizes(plan, "pitch", 0.5, 0.4), "range"),
+        (lambda plan: feasible_sizes(plan, "pitch", 0.4, 0.5, 1), "count"),
         (lambda plan: traversed_pitch(plan, 0.0, 1.0), "pitch_step must be positive"),
         (lambda plan: traversed_pitch(plan, 0.001, math.nan), "time_step must be finite"),
     ],

@@ -19,16 +19,16 @@ from benchdragon.kernels import curve as kernel
 from benchdragon.model.dragon import Dragon
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.solve import random_dance as rehearsal_module
-from benchdragon.solve.random_dance import Hint, Meeting, Rehearsal
+from benchdragon.solve.random_dance import Hint, Meeting, RandomDance
 from benchdragon.solve.size import limit
 from benchdragon.solve.tolerance import (
     CASES,
+    Deviations,
     Draw,
-    Slips,
     Tolerance,
     Trials,
     least_clearance,
-    rehearsal,
+    random_dance,
     tolerance,
     touches,
 )
@@ -49,15 +49,15 @@ ROUTES = {
 
 
 @pytest.mark.parametrize("name", ROUTES)
-@pytest.mark.parametrize("slips", [Slips(), Slips(aside=1e-9), Slips(stray=1e-9)])
-def test_people_who_are_all_but_exact_need_the_exact_pitch(name: str, slips: Slips) -> None:
+@pytest.mark.parametrize("slips", [Deviations(), Deviations(aside=1e-9), Deviations(stray=1e-9)])
+def test_people_who_are_all_but_exact_need_the_exact_pitch(name: str, deviations: Deviations) -> None:
     plan = read_plan(*ROUTES[name])
-    found = tolerance(plan, slips, 1)
+    found = tolerance(plan, deviations, 1)
     assert found.exact == limit(plan, "pitch").value
     # The line of one who strays is made of arcs, which leave the route by 1e-5 m.
-    assert found.needed[0] == pytest.approx(found.exact, abs=5e-5 if slips.stray else 1.1e-5)
+    assert found.needed[0] == pytest.approx(found.exact, abs=5e-5 if deviations.stray else 1.1e-5)
     clear = plan.with_value("route.pitch", found.exact + 1e-5)
-    assert least_clearance(clear, Draw(slips, 1, 0)) == pytest.approx(0.0, abs=1e-4)
+    assert least_clearance(clear, Draw(deviations, 1, 0)) == pytest.approx(0.0, abs=1e-4)
 
 
 def test_a_dance_touches_where_the_check_finds_a_contact() -> None:
@@ -66,74 +66,74 @@ def test_a_dance_touches_where_the_check_finds_a_contact() -> None:
     plan = read_plan("turn", ["route.pitch=1.03", *(f"dragon.{size}" for size in sizes)])
     walk = plan.build()
     assert first_contact(walk, *plan.span(walk)) is not None
-    for slips in (Slips(), Slips(aside=1e-9)):
-        found = tolerance(plan, slips, 2, own=True)
+    for deviations in (Deviations(), Deviations(aside=1e-9)):
+        found = tolerance(plan, deviations, 2, own=True)
         assert found.touching()[0] == found.touching(1.03)[0] == 1.0
         assert found.needed == pytest.approx(found.exact, abs=1.1e-5)
 
 
 def test_a_graze_between_evaluations_counts(monkeypatch: pytest.MonkeyPatch) -> None:
     """Evaluations so far apart that they see nothing: the search decides alone."""
-    plan, draw = read_plan("turn", ["dragon.benches=30", "route.pitch=1.14"]), Draw(Slips(), 1, 0)
+    plan, draw = read_plan("turn", ["dragon.benches=30", "route.pitch=1.14"]), Draw(Deviations(), 1, 0)
     exact = limit(plan, "pitch").value
     monkeypatch.setattr(rehearsal_module, "HINT_STEP", 12.0)
     monkeypatch.setattr(rehearsal_module, "SHRINKS", 0)
-    assert rehearsal(plan, draw).low_meeting().distance > 1e-3
+    assert random_dance(plan, draw).low_meeting().distance > 1e-3
     assert touches(plan, draw)
     assert not touches(plan.with_value("route.pitch", exact + 1e-5), draw)
     trials = Trials(plan, draw, [Hint(0.0, 0.0)])
-    monkeypatch.setattr(Rehearsal, "low_meeting", lambda _self: Meeting(5e-6, 140.0, 0, 16))
-    monkeypatch.setattr(Rehearsal, "meeting_near", lambda _self, _hint: Meeting(5e-6, 140.0, 0, 16))
+    monkeypatch.setattr(RandomDance, "low_meeting", lambda _self: Meeting(5e-6, 140.0, 0, 16))
+    monkeypatch.setattr(RandomDance, "meeting_near", lambda _self, _hint: Meeting(5e-6, 140.0, 0, 16))
     assert trials.room(1.14) < 0.0
     assert trials.room(exact + 1e-3) == 5e-6
 
 
 def test_a_margin_is_kept_by_the_pitch_needed() -> None:
     plan = read_plan("turn", ["dragon.benches=30", "limits.margin=0.05"])
-    found = tolerance(plan, Slips(aside=1e-9), 1)
+    found = tolerance(plan, Deviations(aside=1e-9), 1)
     assert found.exact == limit(plan, "pitch").value
     assert found.needed[0] == pytest.approx(found.exact, abs=1.1e-5)
 
 
 def test_a_dance_s_line_runs_as_it_was_drawn() -> None:
-    plan, draw = disc(0.5, 20), Draw(Slips(aside=0.02, stray=0.05), 3, 1)
-    dance, route = rehearsal(plan, draw), plan.build().route
-    lane, step = draw.lane(150.0)
+    plan, draw = disc(0.5, 20), Draw(Deviations(aside=0.02, stray=0.05), 3, 1)
+    dance, route = random_dance(plan, draw), plan.build().route
+    offsets, step = draw.offsets(150.0)
     starts = dance.rows[1::2]
     assert np.abs(dance.aside).max() > 0.02
     # Aside of the drawn spiral by what was drawn, to the left, and bent little more than it.
     assert (np.abs(starts[:, kernel.P]) < 0.25).all()
     s = np.linspace(route.length - 100.0, route.length - 1.0, 30_000)
-    back = step * np.arange(lane.size)  # from the route's end
+    back = step * np.arange(offsets.size)  # from the route's end
     line, left = route.point(s) @ [1.0, 1j], 1j * np.exp(1j * route.heading(s))
     for row in starts[-40:-2]:
         place = complex(row[kernel.X], row[kernel.Y])
         n = int(np.abs(line - place).argmin())
         off = float(((place - line[n]) * left[n].conjugate()).real)
-        assert off == pytest.approx(np.interp(route.length - s[n], back, lane), abs=2e-3)
+        assert off == pytest.approx(np.interp(route.length - s[n], back, offsets), abs=2e-3)
         # And with the heading that this gives it.
         turned = math.remainder(row[kernel.ANGLE] - float(route.heading(s[n])), math.tau)
-        slope = -np.interp(route.length - s[n], back, np.gradient(lane, step))
+        slope = -np.interp(route.length - s[n], back, np.gradient(offsets, step))
         assert turned == pytest.approx(slope, abs=1e-3)
 
 
 def test_the_chance_at_the_plan_s_own_pitch_is_that_of_dances_walked_at_it() -> None:
-    plan, slips = disc(0.5, 60), Slips(aside=0.02)
-    found = tolerance(plan, slips, 10, seed=3, own=True, workers=2)
-    assert found.hits == sum(touches(plan, Draw(slips, 3, n)) for n in range(10))
+    plan, deviations = disc(0.5, 60), Deviations(aside=0.02)
+    found = tolerance(plan, deviations, 10, seed=3, own=True, workers=2)
+    assert found.hits == sum(touches(plan, Draw(deviations, 3, n)) for n in range(10))
     assert 0 < found.hits < 10
     assert found.touching() == found.touching(0.5)
-    other = Tolerance(slips, 3, found.exact, found.needed, 7)
+    other = Tolerance(deviations, 3, found.exact, found.needed, 7)
     assert other.touching()[0] == 0.7
     with pytest.raises(InputError, match="own pitch"):
-        tolerance(plan, slips, 1).touching()
+        tolerance(plan, deviations, 1).touching()
 
 
 def test_longer_benches_need_what_the_exact_search_says() -> None:
     """Sizes alone are random here: the exact search walks the same benches, each with its own size."""
-    draw = Draw(Slips(length=0.02, width=0.005), 5, 0)
+    draw = Draw(Deviations(length=0.02, width=0.005), 5, 0)
     plain = disc(benches=60)
-    needed = tolerance(plain, draw.slips, 1, seed=5).needed[0]
+    needed = tolerance(plain, draw.deviations, 1, seed=5).needed[0]
     for side, clear in ((-1e-5, False), (0.0, True)):
         walk = plain.with_value("route.pitch", float(needed) + side).build()
         dragon = draw.dragon(walk.dragon)
@@ -145,8 +145,8 @@ def test_longer_benches_need_what_the_exact_search_says() -> None:
 def test_each_slip_changes_what_it_says() -> None:
     plain = Dragon.uniform(2000)
 
-    def drawn(**slips: float) -> Dragon:
-        return Draw(Slips(**slips), 1, 0).dragon(plain)
+    def drawn(**deviations: float) -> Dragon:
+        return Draw(Deviations(**deviations), 1, 0).dragon(plain)
 
     assert np.std(drawn(length=0.02).length - plain.length) == pytest.approx(0.02, rel=0.1)
     assert np.std(drawn(width=0.01).width - plain.width) == pytest.approx(0.01, rel=0.1)
@@ -161,38 +161,38 @@ def test_each_slip_changes_what_it_says() -> None:
 def test_the_trodden_line_strays_as_far_as_it_should_and_smoothly() -> None:
     spread, steps = [], []
     for number in range(40):
-        lane, step = Draw(Slips(stray=0.02), 1, number).lane(400.0)
-        spread.append(lane.std())
-        steps.append(np.abs(np.diff(lane)).max() / step)
+        offsets, step = Draw(Deviations(stray=0.02), 1, number).offsets(400.0)
+        spread.append(offsets.std())
+        steps.append(np.abs(np.diff(offsets)).max() / step)
     assert np.mean(spread) == pytest.approx(0.02, rel=0.1)
     assert max(steps) < 0.02  # m per m: no kinks
-    long, short = (Draw(Slips(stray=0.02), 1, 0).lane(way)[0] for way in (400.0, 100.0))
+    long, short = (Draw(Deviations(stray=0.02), 1, 0).offsets(way)[0] for way in (400.0, 100.0))
     assert long[: short.size] == pytest.approx(short)
 
 
 def test_a_seed_gives_the_same_dances_for_any_number_of_threads() -> None:
     plan = disc(benches=60)
-    one, two = (tolerance(plan, CASES["all"].slips, 6, seed=9, workers=n) for n in (1, 2))
+    one, two = (tolerance(plan, CASES["all"].deviations, 6, seed=9, workers=n) for n in (1, 2))
     assert (one.needed == two.needed).all()
-    more = tolerance(plan, CASES["all"].slips, 8, seed=9)
+    more = tolerance(plan, CASES["all"].deviations, 8, seed=9)
     assert set(one.needed) < set(more.needed)
-    other = tolerance(plan, CASES["all"].slips, 6, seed=10)
+    other = tolerance(plan, CASES["all"].deviations, 6, seed=10)
     assert not set(one.needed) & set(other.needed)
 
 
 def test_a_larger_pitch_than_needed_stays_clear_and_a_smaller_one_does_not() -> None:
-    plan, slips = disc(benches=80), CASES["all"].slips
-    needed = tolerance(plan, slips, 5, seed=4).needed
+    plan, deviations = disc(benches=80), CASES["all"].deviations
+    needed = tolerance(plan, deviations, 5, seed=4).needed
     for more in (-0.03, -1e-5, 0.0, 0.03, 0.1):
         for number, pitch in enumerate(needed):
             at = plan.with_value("route.pitch", float(pitch) + more)
-            clear = [not touches(at, Draw(slips, 4, n)) for n in range(5)]
+            clear = [not touches(at, Draw(deviations, 4, n)) for n in range(5)]
             # Sorted: the dances that need less stay clear, and with more pitch this one does too.
             assert sum(clear) >= number + 1 if more >= 0.0 else sum(clear) <= number
 
 
 def test_the_bounds_of_a_chance_are_those_of_clopper_and_pearson() -> None:
-    found = Tolerance(Slips(), 1, 0.45, np.linspace(0.45, 0.55, 101))
+    found = Tolerance(Deviations(), 1, 0.45, np.linspace(0.45, 0.55, 101))
     for pitch in (0.44, 0.5, 0.545, 0.56):
         share, low, high = found.touching(pitch)
         hits = int((found.needed > pitch).sum())
@@ -206,23 +206,23 @@ def test_a_pitch_for_a_risk_is_sure_as_often_as_is_said() -> None:
     wrong = 0
     for _trial in range(2000):
         needed = np.sort(random.random(100))
-        wrong += Tolerance(Slips(), 1, 0.0, needed).pitch_for(0.1) < 0.9
+        wrong += Tolerance(Deviations(), 1, 0.0, needed).pitch_for(0.1) < 0.9
     assert 0.01 < wrong / 2000 < 0.065
-    assert math.isinf(Tolerance(Slips(), 1, 0.0, np.linspace(0, 1, 20)).pitch_for(0.1))
-    assert Tolerance(Slips(), 1, 0.0, np.linspace(0, 1, 59)).pitch_for(0.05) == 1.0
+    assert math.isinf(Tolerance(Deviations(), 1, 0.0, np.linspace(0, 1, 20)).pitch_for(0.1))
+    assert Tolerance(Deviations(), 1, 0.0, np.linspace(0, 1, 59)).pitch_for(0.05) == 1.0
 
 
 def test_wrong_slips_and_draws_are_refused() -> None:
     with pytest.raises(InputError, match="at most 1 m"):
-        Slips(aside=1.5)
+        Deviations(aside=1.5)
     with pytest.raises(InputError, match="negative"):
-        Slips(width=-0.1)
+        Deviations(width=-0.1)
     with pytest.raises(InputError, match="draws must be a whole number from 1"):
-        tolerance(disc(), Slips(), 0)
+        tolerance(disc(), Deviations(), 0)
     with pytest.raises(
         InputError, match=r"dance 1 has a bench that cannot be.*make the deviations smaller"
     ):
-        tolerance(disc(), Slips(length=1.0), 1)
+        tolerance(disc(), Deviations(length=1.0), 1)
 
 
 @pytest.mark.parametrize(
@@ -239,22 +239,22 @@ def test_plans_that_have_no_such_pitch_are_refused_in_words(
     settings: list[str], error: type[BenchDragonError], words: str | None
 ) -> None:
     with pytest.raises(error, match=words):
-        tolerance(read_plan("spiral-in", settings), Slips(), 1)
+        tolerance(read_plan("spiral-in", settings), Deviations(), 1)
 
 
 def test_the_plan_s_own_pitch_does_not_matter_and_other_routes_are_walked_too() -> None:
-    slips = Slips(aside=0.02)
-    near, far = (tolerance(disc(pitch, 60), slips, 3, seed=2) for pitch in (0.55, 1.5))
+    deviations = Deviations(aside=0.02)
+    near, far = (tolerance(disc(pitch, 60), deviations, 3, seed=2) for pitch in (0.55, 1.5))
     assert near.needed == pytest.approx(far.needed, abs=1e-5)
     assert near.exact == pytest.approx(far.exact, abs=1e-9)
-    turning = tolerance(read_plan("turn", ["dragon.benches=30"]), slips, 2)
+    turning = tolerance(read_plan("turn", ["dragon.benches=30"]), deviations, 2)
     assert turning.exact == limit(read_plan("turn", ["dragon.benches=30"]), "pitch").value
     assert turning.needed[0] > 0.9 * turning.exact
 
 
 def test_the_way_to_a_margin_is_explained(spoken: str, capsys: pytest.CaptureFixture[str]) -> None:
-    plan, slips = disc(benches=30), Slips(aside=0.02, height=0.1)
-    found = tolerance(plan, slips, 60, seed=1)
+    plan, deviations = disc(benches=30), Deviations(aside=0.02, height=0.1)
+    found = tolerance(plan, deviations, 60, seed=1)
     plan = plan.with_value("route.pitch", float(found.needed[29]))
     found = replace(found, hits=30)
     lines = margin_lines(plan, found)
@@ -264,9 +264,9 @@ def test_the_way_to_a_margin_is_explained(spoken: str, capsys: pytest.CaptureFix
     assert shown(found.pitch_for(0.05)) in text
     assert shown(found.exact) in text
     assert "30/60 = 0.5" in text
-    dragon = Draw(slips, 1, 0).dragon(plan.build().dragon)
+    dragon = Draw(deviations, 1, 0).dragon(plan.build().dragon)
     assert f"= {shown(float(dragon.links[1]))} m" in text
-    few = margin_lines(plan, tolerance(plan, slips, 5, seed=1, own=True))
+    few = margin_lines(plan, tolerance(plan, deviations, 5, seed=1, own=True))
     assert shown(0.95**5) in few[-1]
     words = ["margins", "spiral-in", "--set", "disc.radius=4.5", "--set", "dragon.benches=40"]
     assert run([*words, "--aside", "0.01", "--draws", "5", "--explain", "--json", "--quiet"]) == 0

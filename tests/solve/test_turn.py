@@ -15,9 +15,9 @@ from benchdragon.figures.walk import bench_corners
 from benchdragon.model.turns import TwoArcTurn
 from benchdragon.model.walk import Motion
 from benchdragon.plans.schema import Plan, read_plan
-from benchdragon.solve import turn as best_turn
+from benchdragon.solve import turn
 from benchdragon.solve.head_speed import greatest_head_speed
-from benchdragon.solve.turn import BestTurn, Judge, Wish, pareto_front
+from benchdragon.solve.turn import BestTurn, TurnEvaluator, TurnGoal, pareto_front
 from benchdragon.solve.turn import best_turn as sought
 
 PAPER = TwoArcTurn(1.7)
@@ -30,9 +30,9 @@ def plan(*settings: str) -> Plan:
 @pytest.fixture(autouse=True)
 def _short_searches(monkeypatch: pytest.MonkeyPatch) -> None:
     """Searches of a test need not be as long as a user's."""
-    monkeypatch.setattr(best_turn, "SEEDS", (1,))
-    monkeypatch.setattr(best_turn, "GENERATIONS", 10)
-    monkeypatch.setattr(best_turn, "LOCAL", 80)
+    monkeypatch.setattr(turn, "SEEDS", (1,))
+    monkeypatch.setattr(turn, "GENERATIONS", 10)
+    monkeypatch.setattr(turn, "LOCAL", 80)
 
 
 def sampled(best: BestTurn) -> tuple[float, float]:
@@ -50,8 +50,8 @@ def sampled(best: BestTurn) -> tuple[float, float]:
 
 
 def test_a_shorter_and_faster_turn_keeps_its_limits_by_brute_force() -> None:
-    wish = Wish("way", least_radius=PAPER.radii[1])
-    best = sought(plan("walk.speed=1.3"), wish)
+    goal = TurnGoal("way", least_radius=PAPER.radii[1])
+    best = sought(plan("walk.speed=1.3"), goal)
     assert best.length == pytest.approx(sum(piece[0] for piece in best.turn.pieces))
     assert best.length <= best.way < 11.5
     assert best.turn.least_radius >= PAPER.radii[1] * (1.0 - 1e-6)
@@ -65,7 +65,7 @@ def test_a_shorter_and_faster_turn_keeps_its_limits_by_brute_force() -> None:
 
 
 def test_the_fastest_turn_no_longer_than_the_paper_s() -> None:
-    best = sought(plan(), Wish("speed", longest=PAPER.length, longest_way=PAPER.length))
+    best = sought(plan(), TurnGoal("speed", longest=PAPER.length, longest_way=PAPER.length))
     assert best.way <= PAPER.length * (1.0 + 1e-6)
     assert best.objective.unit == "m/s"
     assert best.objective.value > 1.7
@@ -75,13 +75,13 @@ def test_the_fastest_turn_no_longer_than_the_paper_s() -> None:
 
 def test_between_the_disc_s_joints_no_two_arcs_are_shorter_by_an_independent_optimiser() -> None:
     settings = ["turn.family=arc-arc", "turn.entry_radius=4.5", "turn.exit_radius=4.5"]
-    best = sought(plan(*settings, "walk.speed=1.2"), Wish("length"))
+    best = sought(plan(*settings, "walk.speed=1.2"), TurnGoal("length"))
     assert best.length == pytest.approx(PAPER.length, abs=1e-9)
     assert best.way == pytest.approx(PAPER.length, abs=1e-9)
 
 
 def test_the_front_rises_with_the_speed() -> None:
-    front = pareto_front(plan(), (1.3, 1.6), Wish("way"))
+    front = pareto_front(plan(), (1.3, 1.6), TurnGoal("way"))
     assert [best.plan.walk.speed for best in front] == [1.3, 1.6]
     assert front[0].way < front[1].way < PAPER.length
     for best in front:
@@ -90,8 +90,8 @@ def test_the_front_rises_with_the_speed() -> None:
 
 
 def test_clothoids_bound_accelerations_and_cost_length() -> None:
-    plain = sought(plan("walk.speed=1.3"), Wish("way"))
-    eased = sought(plan("walk.speed=1.3", "turn.ease=0.8"), Wish("way"))
+    plain = sought(plan("walk.speed=1.3"), TurnGoal("way"))
+    eased = sought(plan("walk.speed=1.3", "turn.ease=0.8"), TurnGoal("way"))
     assert 0.1 < eased.way - plain.way < 2.0
     bends = [end for _length, *ends in eased.turn.pieces for end in ends]
     assert bends[1:-1:2] == bends[2:-1:2]
@@ -108,29 +108,29 @@ def test_clothoids_bound_accelerations_and_cost_length() -> None:
 @pytest.mark.parametrize("family", ["arc-arc", "arc-line-arc", "arc-arc-arc"])
 @pytest.mark.parametrize("objective", ["way", "acceleration"])
 def test_unknowns_and_tables_are_inverses(family: str, objective: str) -> None:
-    judge = Judge(read_plan("turn", [f"turn.family={family}"]), Wish(objective))
-    x = [0.5 * (low + high) for low, high in judge.bounds]
-    table = judge.plan.turn.model_copy(update=judge.table(x))
-    found = judge.plan.model_copy(update={"turn": table})
+    evaluator = TurnEvaluator(read_plan("turn", [f"turn.family={family}"]), TurnGoal(objective))
+    x = [0.5 * (low + high) for low, high in evaluator.bounds]
+    table = evaluator.plan.turn.model_copy(update=evaluator.table(x))
+    found = evaluator.plan.model_copy(update={"turn": table})
     best = BestTurn(found, None, None, 0.0, 0.0, None, None, ())  # type: ignore[arg-type]
-    assert best_turn._unknowns(best, judge.wish) == pytest.approx(x)
+    assert turn._unknowns(best, evaluator.goal) == pytest.approx(x)
 
 
 @pytest.mark.parametrize(
     ("settings", "wish", "text"),
     [
-        ([], Wish("way", longest_way=5.0), "no turn of this family"),
-        (["limits.margin=1.2"], Wish("way"), "no turn of this family"),
+        ([], TurnGoal("way", longest_way=5.0), "no turn of this family"),
+        (["limits.margin=1.2"], TurnGoal("way"), "no turn of this family"),
     ],
 )
-def test_wishes_that_cannot_be_are_said_so(settings: list[str], wish: Wish, text: str) -> None:
+def test_wishes_that_cannot_be_are_said_so(settings: list[str], goal: TurnGoal, text: str) -> None:
     with pytest.raises(NoSolutionError, match=text):
-        sought(plan(*settings), wish)
+        sought(plan(*settings), goal)
     assert NoSolutionError.exit_code == 4
 
 
 def test_the_smallest_disc_is_put_into_the_plan() -> None:
-    best = sought(plan("walk.speed=1.0"), Wish("disc"))
+    best = sought(plan("walk.speed=1.0"), TurnGoal("disc"))
     assert best.objective.value < 3.5
     assert best.plan.disc.radius == best.objective.value
     best.plan.build()
@@ -141,7 +141,7 @@ def test_only_turns_have_a_best_turn() -> None:
     with pytest.raises(BenchDragonError, match="route is a turn"):
         sought(read_plan("spiral-in"))
     with pytest.raises(InputError, match="wanted one of"):
-        Wish("beauty")
+        TurnGoal("beauty")
 
 
 def test_a_turn_that_is_not_there_ends_as_the_help_says(capsys: pytest.CaptureFixture[str]) -> None:
@@ -173,7 +173,7 @@ def test_the_command_line_finds_writes_and_says_it(
 
 def test_one_joint_may_stay_while_the_other_moves() -> None:
     plan = read_plan("turn", ["turn.entry_radius=4.2"])
-    best = best_turn.best_turn(plan)
+    best = turn.best_turn(plan)
     assert best.turn.entry_radius == 4.2
     assert best.turn.exit_radius <= 4.5
     assert best.head_speed is not None

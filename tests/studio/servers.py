@@ -43,7 +43,12 @@ class Served:
 
     def ready(self) -> None:
         """Wait until all workers are ready."""
-        wait_for(lambda: all(lane.ready == lane.count for lane in self.studio.pool.lanes.values()))
+        wait_for(
+            lambda: all(
+                worker_queue.ready == worker_queue.count
+                for worker_queue in self.studio.pool.queues.values()
+            )
+        )
 
     def open_slowly(self, **headers: str) -> tuple[threading.Thread, list[httpx.Response]]:
         """Ask a question that takes seconds, from a thread; the answer comes into the list."""

@@ -21,7 +21,7 @@ from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.studio.app import Answers
 from benchdragon.studio.limits import PlanLimits, Settings
 from benchdragon.studio.security import HEADERS, Gate, accepted_language
-from benchdragon.studio.tasks import Made, export_times
+from benchdragon.studio.tasks import TaskResult, export_times
 from tests.studio.servers import (
     PLAN,
     TURN,
@@ -465,16 +465,16 @@ def test_a_body_that_does_not_come_is_not_waited_for(small: Served) -> None:
 def test_a_crowd_is_told_to_come_back_who_left_leaves_no_work_and_what_takes_long_is_ended(
     small: Served,
 ) -> None:
-    lane = small.studio.pool.lanes["quick"]
+    worker_queue = small.studio.pool.queues["quick"]
     slow, slow_answer = small.open_slowly()
-    wait_for(lambda: lane.busy == 1)
+    wait_for(lambda: worker_queue.busy == 1)
     with pytest.raises(httpx.ReadTimeout):
         httpx.post(
             f"{small.base}/api/verdict", json={"plan": with_part(disc={"radius": 6})}, timeout=0.3
         )
-    wait_for(lambda: lane.waiting == 0)
+    wait_for(lambda: worker_queue.waiting == 0)
     waiting, answer = small.open_slowly(**{"x-client": "a"})
-    wait_for(lambda: lane.waiting == 1)
+    wait_for(lambda: worker_queue.waiting == 1)
     found = post(small, "/api/verdict", with_part(disc={"radius": 5}))
     assert found.status_code == 429
     assert found.headers["retry-after"] == "2"
@@ -636,8 +636,8 @@ def test_what_goes_wrong_inside_is_a_sentence_and_a_line_in_the_log(
 def test_answers_are_kept_until_there_are_too_many_bytes() -> None:
     answers = Answers(80)
     for name in "abcdefghi":
-        answers.keep(name, Made(b"0123456789"))
-        answers.keep("too large", Made(b"x" * 11))
+        answers.keep(name, TaskResult(b"0123456789"))
+        answers.keep("too large", TaskResult(b"x" * 11))
         assert answers.get("a") is not None
     assert [name for name in "abcdefghi" if answers.get(name) is None] == ["b"]
     assert answers.get("too large") is None

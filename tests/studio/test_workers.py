@@ -16,25 +16,32 @@ import pytest
 from benchdragon.plans.schema import Plan
 from benchdragon.studio import workers as studio_workers
 from benchdragon.studio.limits import Settings
-from benchdragon.studio.tasks import TASKS, Ask, Made
-from benchdragon.studio.workers import First, Lane, Minded, RefusedError, Work, _outcome
+from benchdragon.studio.tasks import TASKS, TaskRequest, TaskResult
+from benchdragon.studio.workers import (
+    QueuedTask,
+    RefusedError,
+    StartOrder,
+    WorkerProcess,
+    WorkerQueue,
+    _outcome,
+)
 from tests.studio.servers import PLAN, Served, served, wait_for
 
 pytestmark = pytest.mark.xdist_group("studio")
 # Seconds in which what is certain to come has come; only a test that fails waits so long.
 SOON = 20.0
-ANSWER = ("made", Made(b"{}"), None)
+ANSWER = ("made", TaskResult(b"{}"), None)
 
 
-def asked(name: str, client: str | None) -> Work:
-    return Work(Ask(name, "en", Settings(), Plan.model_validate(PLAN)), client)
+def asked(name: str, client: str | None) -> QueuedTask:
+    return QueuedTask(TaskRequest(name, "en", Settings(), Plan.model_validate(PLAN)), client)
 
 
 @pytest.fixture
-def lane() -> Lane:
+def worker_queue() -> WorkerQueue:
     """A lane of two workers that were not started."""
     settings = Settings(abandoned_seconds=0.0)
-    return Lane("quick", 2, 8, settings, First())
+    return WorkerQueue("quick", 2, 8, settings, StartOrder())
 
 
 class Hand:
@@ -71,10 +78,12 @@ class Hands:
         self.failure_after: float = math.inf
         self.stillborn = 0
         patch.setattr(studio_workers, "IDLE_LOOK", 3600.0)  # who is not told sleeps on
-        patch.setattr(Lane, "_started", lambda _lane: self._started())
-        self.lane = Lane("quick", settings.pop("workers", 1), 8, Settings(**settings), First())
+        patch.setattr(WorkerQueue, "_started", lambda _lane: self._started())
+        self.worker_queue = WorkerQueue(
+            "quick", settings.pop("workers", 1), 8, Settings(**settings), StartOrder()
+        )
 
-    def _started(self) -> Minded:
+    def _started(self) -> WorkerProcess:
         if self.failure or len(self.made) >= self.failure_after:
             raise self.failure or OSError("no process")
         hand = Hand()
@@ -83,23 +92,23 @@ class Hands:
             hand.ours.recv()
             hand.theirs.close()
         process: Any = hand
-        return Minded(process, hand.ours, "")
+        return WorkerProcess(process, hand.ours, "")
 
-    def put(self, name: str, client: str | None = None) -> Work:
-        work = asked(name, client)
-        self.lane.put(work)
-        return work
+    def put(self, name: str, client: str | None = None) -> QueuedTask:
+        task = asked(name, client)
+        self.worker_queue.put(task)
+        return task
 
     def start(self, workers: int = 1) -> None:
-        self.lane.start()
-        wait_for(lambda: self.lane.ready == workers)
+        self.worker_queue.start()
+        wait_for(lambda: self.worker_queue.ready == workers)
 
-    def who_has(self, work: Work) -> Connection:
+    def who_has(self, task: QueuedTask) -> Connection:
         """The end of the pipe of the worker that was given a question."""
-        wait_for(lambda: work.running)
+        wait_for(lambda: task.running)
         wait_for(self._given)
         found = self._given()[0]
-        assert found.recv() == work.ask
+        assert found.recv() == task.request
         return found
 
     def _given(self) -> list[Connection]:
@@ -118,8 +127,8 @@ def hands(monkeypatch: pytest.MonkeyPatch) -> Any:
 
     yield make
     for one in made:
-        one.lane.retire()
-        one.lane.end()
+        one.worker_queue.retire()
+        one.worker_queue.end()
 
 
 Make = Callable[..., Hands]
@@ -145,32 +154,32 @@ def test_a_worker_gets_no_more_memory_than_it_may_have() -> None:
 
 
 def test_a_newer_question_takes_the_place_of_the_older_and_does_not_queue_again() -> None:
-    lane = Lane("quick", 1, 2, Settings(), First())
+    worker_queue = WorkerQueue("quick", 1, 2, Settings(), StartOrder())
     names = (("verdict", "a"), ("verdict", "b"), ("verdict", "a"), ("dance", "a"))
     works = [asked(name, client) for name, client in names]
-    for work in works[:3]:
-        lane.put(work)
-    assert list(lane._waiting) == [works[2], works[1]]
+    for task in works[:3]:
+        worker_queue.put(task)
+    assert list(worker_queue._waiting) == [works[2], works[1]]
     with pytest.raises(RefusedError, match="a newer question"):
         works[0].future.result()
     with pytest.raises(RefusedError, match="workers are starting"):
-        lane.put(works[3])
-    lane.ready = 1
+        worker_queue.put(works[3])
+    worker_queue.ready = 1
     with pytest.raises(RefusedError, match="too many"):
-        lane.put(works[3])
+        worker_queue.put(works[3])
 
 
 def test_a_lane_whose_workers_never_start_says_so(caplog: pytest.LogCaptureFixture) -> None:
-    lane = Lane("no such lane", 1, 8, Settings(spawns=1), First())
-    work = asked("verdict", None)
-    lane.put(work)
-    lane.start()
+    worker_queue = WorkerQueue("no such lane", 1, 8, Settings(spawns=1), StartOrder())
+    task = asked("verdict", None)
+    worker_queue.put(task)
+    worker_queue.start()
     with pytest.raises(RefusedError, match="workers do not start"):
-        work.future.result()
+        task.future.result()
     with pytest.raises(RefusedError, match="workers do not start"):
-        lane.put(asked("verdict", None))
-    lane.retire()
-    lane.end()
+        worker_queue.put(asked("verdict", None))
+    worker_queue.retire()
+    worker_queue.end()
     assert caplog.text.count("died before it was ready") == 1
 
 
@@ -188,59 +197,64 @@ def test_a_process_that_ran_out_of_memory_is_spent_and_says_nothing_of_the_plan(
 def outcome(failure: Exception) -> tuple[str, Any, Any]:
     """What a worker sends where a task fails."""
 
-    def fail(ask: Ask, advance: Any) -> Made:
+    def fail(request: TaskRequest, advance: Any) -> TaskResult:
         raise failure
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setitem(TASKS, "fail", fail)
         ours, theirs = multiprocessing.Pipe()
         with ours, theirs:
-            return _outcome(theirs, Ask("fail", "en", Settings()))
+            return _outcome(theirs, TaskRequest("fail", "en", Settings()))
 
 
-def test_what_runs_on_for_nobody_is_stopped(lane: Lane) -> None:
+def test_what_runs_on_for_nobody_is_stopped(worker_queue: WorkerQueue) -> None:
     ours, theirs = multiprocessing.Pipe()
-    minded = Minded(multiprocessing.Process(), ours, "")
-    work = asked("verdict", None)
-    lane.abandon(work)
-    assert not lane._answered(minded, work)
-    assert theirs.recv() == work.ask
+    worker = WorkerProcess(multiprocessing.Process(), ours, "")
+    task = asked("verdict", None)
+    worker_queue.abandon(task)
+    assert not worker_queue._answered(worker, task)
+    assert theirs.recv() == task.request
     with pytest.raises(RefusedError, match="withdrawn") as refused:
-        work.future.result(0)
+        task.future.result(0)
     assert refused.value.status == 409
 
 
-def test_a_client_runs_one_question_of_a_name_and_long_ones_leave_a_worker_free(lane: Lane) -> None:
-    lane._running.add(asked("verdict", "a"))
-    assert not lane._may_run(asked("verdict", "a"))
-    assert lane._may_run(asked("verdict", "b"))
-    assert lane._may_run(asked("verdict", None))
-    assert lane._may_run(asked("dance", "a"))
-    lane._running.add(asked("dance", "a"))
-    assert not lane._may_run(asked("limit/pitch", "b"))
+def test_a_client_runs_one_question_of_a_name_and_long_ones_leave_a_worker_free(
+    worker_queue: WorkerQueue,
+) -> None:
+    worker_queue._running.add(asked("verdict", "a"))
+    assert not worker_queue._may_run(asked("verdict", "a"))
+    assert worker_queue._may_run(asked("verdict", "b"))
+    assert worker_queue._may_run(asked("verdict", None))
+    assert worker_queue._may_run(asked("dance", "a"))
+    worker_queue._running.add(asked("dance", "a"))
+    assert not worker_queue._may_run(asked("limit/pitch", "b"))
 
 
 def test_what_is_withdrawn_while_it_waits_takes_no_place() -> None:
-    lane = Lane("quick", 1, 1, Settings(), First())
+    worker_queue = WorkerQueue("quick", 1, 1, Settings(), StartOrder())
     withdrawn, next_one = asked("verdict", "a"), asked("verdict", "b")
-    lane.put(withdrawn)
-    assert lane.withdraw(withdrawn)
-    lane.put(next_one)
-    assert list(lane._waiting) == [next_one]
+    worker_queue.put(withdrawn)
+    assert worker_queue.withdraw(withdrawn)
+    worker_queue.put(next_one)
+    assert list(worker_queue._waiting) == [next_one]
     with pytest.raises(RefusedError, match="withdrawn"):
         withdrawn.future.result(0)
-    assert not lane.withdraw(withdrawn)
+    assert not worker_queue.withdraw(withdrawn)
 
 
 # --- who takes a dead one's place
 
 # How a question may end that takes its worker along, and what is said of it.
-ENDINGS: dict[str, tuple[Callable[[Lane, Work, Connection], Any], int]] = {
+ENDINGS: dict[str, tuple[Callable[[WorkerQueue, QueuedTask, Connection], Any], int]] = {
     "the worker died": (lambda _lane, _work, worker: worker.close(), 503),
     "what it sent is nonsense": (lambda _lane, _work, worker: worker.send("nonsense"), 500),
     "its memory ran out": (lambda _lane, _work, worker: worker.send(("spent", 507, "no memory")), 507),
-    "it was cancelled": (lambda lane, work, _worker: lane.stop(work, 410, "cancelled"), 410),
-    "its client is gone": (lambda lane, work, _worker: lane.abandon(work), 409),
+    "it was cancelled": (
+        lambda worker_queue, task, _worker: worker_queue.stop(task, 410, "cancelled"),
+        410,
+    ),
+    "its client is gone": (lambda worker_queue, task, _worker: worker_queue.abandon(task), 409),
 }
 
 
@@ -252,13 +266,13 @@ def test_a_worker_that_is_lost_over_a_question_leaves_its_place_to_another(
     lost.start()
     end, status = ENDINGS[ending]
     for number in range(1, 4):  # a place that leaks is missed by the next
-        work = lost.put("limit/pitch", "a")
-        end(lost.lane, work, lost.who_has(work))
+        task = lost.put("limit/pitch", "a")
+        end(lost.worker_queue, task, lost.who_has(task))
         with pytest.raises(RefusedError) as refused:
-            work.future.result(SOON)
+            task.future.result(SOON)
         assert refused.value.status == status
-        wait_for(lambda number=number: len(lost.made) == number + 1 and lost.lane.ready == 1)
-        assert lost.lane.busy == 0
+        wait_for(lambda number=number: len(lost.made) == number + 1 and lost.worker_queue.ready == 1)
+        assert lost.worker_queue.busy == 0
         assert not lost.made[number - 1].alive
     last = lost.put("limit/pitch", "a")
     lost.who_has(last).send(ANSWER)
@@ -273,15 +287,15 @@ def test_a_worker_that_refused_or_failed_over_a_question_goes_on(
 ) -> None:
     one = hands()
     one.start()
-    work = one.put("verdict")
-    worker = one.who_has(work)
+    task = one.put("verdict")
+    worker = one.who_has(task)
     worker.send(sent)
     with pytest.raises(RefusedError) as refused:
-        work.future.result(SOON)
+        task.future.result(SOON)
     assert refused.value.status == status
     again = one.put("verdict")
     assert worker.poll(SOON)
-    assert worker.recv() == again.ask
+    assert worker.recv() == again.request
     worker.send(ANSWER)
     assert again.future.result(SOON) == ANSWER[1]
 
@@ -295,7 +309,7 @@ def test_a_question_cancelled_by_who_waits_costs_no_worker(hands: Make) -> None:
     assert cancelled.future.cancel()
     worker.send(ANSWER)
     assert worker.poll(SOON)
-    assert worker.recv() == last.ask
+    assert worker.recv() == last.request
     worker.send(ANSWER)
     assert last.future.result(SOON) == ANSWER[1]
 
@@ -308,7 +322,7 @@ def test_a_worker_that_dies_before_it_is_ready_is_ended_and_lets_others_start(ha
 
 
 def test_a_start_that_fails_leaves_the_turn_to_the_next() -> None:
-    first = First()
+    first = StartOrder()
     with pytest.raises(OSError, match="no process"), first.turn():
         raise OSError("no process")
     assert not first._lock.locked()
@@ -341,33 +355,33 @@ def test_who_runs_is_changed_only_where_nobody_reads_it(hands: Make) -> None:
     """A set that changes while another worker's thread looks through it ends that thread."""
     one = hands()
 
-    class Watched(set[Work]):
-        def discard(self, work: object) -> None:
-            assert one.lane._changed._is_owned()  # type: ignore[attr-defined]
-            super().discard(work)
+    class Watched(set[QueuedTask]):
+        def discard(self, task: object) -> None:
+            assert one.worker_queue._changed._is_owned()  # type: ignore[attr-defined]
+            super().discard(task)
 
-    one.lane._running = Watched()
+    one.worker_queue._running = Watched()
     one.start()
     for _again in range(2):
-        work = one.put("verdict")
-        one.who_has(work).send(ANSWER)
-        assert work.future.result(SOON) == ANSWER[1]
+        task = one.put("verdict")
+        one.who_has(task).send(ANSWER)
+        assert task.future.result(SOON) == ANSWER[1]
 
 
 def test_a_lane_that_lost_all_its_workers_has_some_again_as_soon_as_they_start(hands: Make) -> None:
     lost = hands(spawns=2, respawn_seconds=0.01)
     lost.start()
-    work = lost.put("verdict")
+    task = lost.put("verdict")
     lost.failure = OSError("no memory")
-    lost.who_has(work).close()
-    wait_for(lambda: lost.lane.lost)
+    lost.who_has(task).close()
+    wait_for(lambda: lost.worker_queue.lost)
     with pytest.raises(RefusedError, match="workers do not start") as refused:
         lost.put("verdict")
     assert (refused.value.status, refused.value.retry) == (503, 2)
     lost.failure = None
-    wait_for(lambda: lost.lane.ready == 1)
-    assert not lost.lane.lost
-    assert lost.lane._deaths == 0  # else the next death would be one too many
+    wait_for(lambda: lost.worker_queue.ready == 1)
+    assert not lost.worker_queue.lost
+    assert lost.worker_queue._deaths == 0  # else the next death would be one too many
     again = lost.put("verdict")
     lost.who_has(again).send(ANSWER)
     assert again.future.result(SOON) == ANSWER[1]
@@ -377,10 +391,10 @@ def test_a_worker_that_is_left_answers_while_others_do_not_start(hands: Make) ->
     left = hands(workers=2, spawns=2, respawn_seconds=3600.0)
     left.failure_after = 1
     left.start()
-    wait_for(lambda: left.lane._deaths >= 2)
-    work = left.put("verdict")
-    left.who_has(work).send(ANSWER)
-    assert work.future.result(SOON) == ANSWER[1]
+    wait_for(lambda: left.worker_queue._deaths >= 2)
+    task = left.put("verdict")
+    left.who_has(task).send(ANSWER)
+    assert task.future.result(SOON) == ANSWER[1]
 
 
 # --- with true processes
@@ -415,23 +429,23 @@ def test_memory_that_ran_out_is_no_verdict_and_costs_the_next_question_nothing(p
 
 
 def test_workers_that_are_killed_busy_idle_and_before_they_are_ready_come_back(poor: Served) -> None:
-    lane = poor.studio.pool.lanes["quick"]
+    worker_queue = poor.studio.pool.queues["quick"]
 
     def kill() -> bool:
         for worker in multiprocessing.active_children():
             if worker.name.startswith("benchdragon quick"):
                 worker.kill()
-        return lane.lost
+        return worker_queue.lost
 
     slow, found = poor.open_slowly()
-    wait_for(lambda: lane.busy == 1)
+    wait_for(lambda: worker_queue.busy == 1)
     kill()
     slow.join()
     assert found[0].status_code == 503
     assert "broke down" in found[0].json()["error"]
     wait_for(kill)
     assert verdict(poor).json()["error"] == "the studio's workers do not start; its log says why"
-    wait_for(lambda: lane.ready == 1)
+    wait_for(lambda: worker_queue.ready == 1)
     assert verdict(poor).json()["safe"]
     kill()
     assert verdict(poor).status_code in {200, 503}

@@ -1,8 +1,8 @@
-"""Every value of contest.json made again, by a second road that shares nothing with the package.
+"""Every value of contest.json made again, by an implementation that shares nothing with the package.
 
 `python -m tests.truth.make_truth` compares what it makes with what is kept and tells the largest
 difference; with --write it writes the file instead. Floats say where to look (scan.py); the answers
-come from root finding in many digits (road.py).
+come from root finding in many digits (reference.py).
 """
 
 import argparse
@@ -15,8 +15,8 @@ from typing import Any, NamedTuple
 import mpmath as mp
 import numpy as np
 
-from tests.truth import road, scan
-from tests.truth.road import Bench, Number, Points
+from tests.truth import reference, scan
+from tests.truth.reference import Bench, Number, Points
 
 FILE = Path(__file__).parent / "contest.json"
 DIGITS = 40
@@ -49,12 +49,12 @@ def first_contact(
         return mp.mpf(start), look.pair
 
     def gap(head: Number) -> Number:
-        return road.pair_gap(point, dragon, head, look.pair)
+        return reference.pair_gap(point, dragon, head, look.pair)
 
     bracket = tuple(mp.mpf(look.head) + side * mp.mpf("1e-8") for side in (-1, 1))
     if not gap(bracket[0]) > 0 > gap(bracket[1]):
         raise ArithmeticError(f"benches {look.pair} do not touch at {look.head}")
-    head = road.root(gap, *bracket)
+    head = reference.root(gap, *bracket)
     if not bracket[0] < head < bracket[1]:
         raise ArithmeticError(f"the root for benches {look.pair} lies not at {look.head}")
     return head, look.pair
@@ -85,29 +85,29 @@ class PitchFamily(NamedTuple):
 
     def start(self, pitch: Number) -> Number:
         k, theta = pitch / (2 * mp.pi), 2 * mp.pi * mp.mpf(self.radius) / pitch
-        return road.arc_length(k, theta) - road.arc_length(k, 2 * mp.pi * mp.mpf(self.turns))
+        return reference.arc_length(k, theta) - reference.arc_length(k, 2 * mp.pi * mp.mpf(self.turns))
 
     def corners(self, pitch: Number, head: Number, pair: scan.Pair) -> tuple[Any, Any]:
-        point = road.spiral_walk(pitch, 2 * mp.pi * mp.mpf(self.radius) / pitch)
-        return road.pair_corners(point, self.dragon, head, pair)
+        point = reference.spiral_walk(pitch, 2 * mp.pi * mp.mpf(self.radius) / pitch)
+        return reference.pair_corners(point, self.dragon, head, pair)
 
 
 def smallest_pitch(family: PitchFamily, first: float, step: float = 0.05) -> Graze:
     """The border below which two benches touch, coming from pitch `first`, m."""
     rough, look = scan.smallest_pitch(family.rough, benches(family.dragon), first, step)
     pitch, head = mp.mpf(rough), mp.mpf(look.head)
-    rows = road.separations(*family.corners(pitch, head, look.pair))
+    rows = reference.separations(*family.corners(pitch, head, look.pair))
     side = max(range(8), key=lambda n: min(rows[n]))
     corner = min(range(4), key=lambda n: rows[side][n])
 
     def apart(pitch: Number, head: Number) -> Number:
         """How far the corner that touches lies outside the side that it touches."""
-        return road.separations(*family.corners(pitch, head, look.pair))[side][corner]
+        return reference.separations(*family.corners(pitch, head, look.pair))[side][corner]
 
     start = family.start(pitch)
     if min(abs(head), abs(head - start)) < 1e-6:
         at_start = abs(head - start) < abs(head)
-        pitch = road.root(
+        pitch = reference.root(
             lambda p: apart(p, family.start(p) if at_start else mp.mpf(0)),
             pitch,
             pitch + mp.mpf("1e-8"),
@@ -115,7 +115,7 @@ def smallest_pitch(family: PitchFamily, first: float, step: float = 0.05) -> Gra
         head = family.start(pitch) if at_start else mp.mpf(0)
     else:
         pitch, head = _graze(apart, pitch, head)
-    gap = road.gap(*family.corners(pitch, head, look.pair))
+    gap = reference.gap(*family.corners(pitch, head, look.pair))
     if abs(gap) > mp.mpf(10) ** (8 - mp.mp.dps) or abs(head - look.head) > 1e-3:
         raise ArithmeticError(f"benches {look.pair} do not graze at {look.head}: gap {mp.nstr(gap, 5)}")
     return Graze(pitch, head, look.pair)
@@ -145,11 +145,11 @@ def greatest_ratio(
     By golden section, which minds no kink; the place is good to three tenths of the digits.
     """
     near, handles = scan.fastest(rough, benches(dragon).links, start, end)
-    there = road.speeds(point, road.places(point, dragon, near, max(handles)))
+    there = reference.speeds(point, reference.places(point, dragon, near, max(handles)))
     handle = max(handles, key=lambda i: there[i])
 
     def ratio(head: Number) -> Number:
-        return road.speeds(point, road.places(point, dragon, head, handle))[-1]
+        return reference.speeds(point, reference.places(point, dragon, head, handle))[-1]
 
     golden = (mp.sqrt(5) - 1) / 2
     low, high = mp.mpf(near) - scan.FINE, mp.mpf(near) + scan.FINE
@@ -174,25 +174,25 @@ def _text(value: Number, digits: int = 18) -> str:
 
 def entries(point: Points, head: Number | str, numbers: Sequence[int]) -> dict[str, Entry]:
     """x and y, m, and speed, of these handles of the contest's dragon."""
-    s = road.places(point, road.contest_dragon(), mp.mpf(head), max(numbers))
-    speeds = road.speeds(point, s)
+    s = reference.places(point, reference.contest_dragon(), mp.mpf(head), max(numbers))
+    speeds = reference.speeds(point, s)
     at = {i: point(s[i]) for i in numbers}
     return {str(i): (_text(at[i].real), _text(at[i].imag), _text(speeds[i])) for i in numbers}
 
 
 def spiral_entries(t: int | Number, numbers: Sequence[int] = HANDLES) -> dict[str, Entry]:
     with mp.workdps(DIGITS):
-        return entries(road.spiral_walk(PITCH, 2 * TURNS * mp.pi), t, numbers)
+        return entries(reference.spiral_walk(PITCH, 2 * TURNS * mp.pi), t, numbers)
 
 
 def turn_entries(t: int | str, numbers: Sequence[int] = HANDLES) -> dict[str, Entry]:
     with mp.workdps(DIGITS):
-        return entries(road.turn_walk(TURN_PITCH, RADIUS, RATIO), t, numbers)
+        return entries(reference.turn_walk(TURN_PITCH, RADIUS, RATIO), t, numbers)
 
 
 def turn_summary() -> dict[str, str | tuple[str, str]]:
     with mp.workdps(DIGITS):
-        size = road.turn_sizes(TURN_PITCH, RADIUS, RATIO)
+        size = reference.turn_sizes(TURN_PITCH, RADIUS, RATIO)
         plain = {name: _text(size[name]) for name in ("r1", "r2", "sweep", "length", "theta")}
         centres = {name: (_text(size[name].real), _text(size[name].imag)) for name in ("c1", "c2")}
         return {**plain, **centres}
@@ -202,7 +202,7 @@ def contact_values() -> dict[str, Any]:
     with mp.workdps(DIGITS):
         theta = 2 * TURNS * mp.pi
         rough = scan.spiral_walk(float(PITCH), float(theta))
-        point, dragon = road.spiral_walk(PITCH, theta), road.contest_dragon()
+        point, dragon = reference.spiral_walk(PITCH, theta), reference.contest_dragon()
         found = first_contact(point, rough, dragon, 0.0, 430.0)
         if found is None:
             raise ArithmeticError("no contact")
@@ -211,20 +211,20 @@ def contact_values() -> dict[str, Any]:
 
 def pitch_values() -> dict[str, str]:
     with mp.workdps(DIGITS):
-        found = smallest_pitch(PitchFamily(road.contest_dragon(), RADIUS, TURNS), float(PITCH))
+        found = smallest_pitch(PitchFamily(reference.contest_dragon(), RADIUS, TURNS), float(PITCH))
         pitch, head = _text(found.pitch), _text(found.head)
         return {"smallest_pitch_m": pitch, "smallest_pitch_at_s_before_disc": head}
 
 
 def ratio_values() -> dict[str, Any]:
     with mp.workdps(PEAK_DIGITS):
-        size = road.turn_sizes(TURN_PITCH, RADIUS, RATIO)
+        size = reference.turn_sizes(TURN_PITCH, RADIUS, RATIO)
         rough = scan.turn_walk({name: complex(value) for name, value in size.items()})
-        point, dragon = road.turn_walk(TURN_PITCH, RADIUS, RATIO), road.contest_dragon()
+        point, dragon = reference.turn_walk(TURN_PITCH, RADIUS, RATIO), reference.contest_dragon()
         # Once the tail has left the turn all of the dragon is on a spiral that opens.
         whole = float(size["length"]) + sum(float(bench.link) for bench in dragon) * 1.02
         greatest, head, _handle = greatest_ratio(point, rough, dragon, float(TURN_TIMES[0]), whole)
-        there = road.speeds(point, road.places(point, dragon, head, RATIOS - 1))
+        there = reference.speeds(point, reference.places(point, dragon, head, RATIOS - 1))
         return {
             "greatest_ratio": _text(greatest),
             "greatest_ratio_at_s": _text(head),

@@ -1,4 +1,4 @@
-"""The second road finds the reference values again, and agrees with the package on random dragons."""
+"""The reference finds the kept values again, and agrees with the package on random dragons."""
 
 import ast
 import json
@@ -18,9 +18,9 @@ import benchdragon as bd
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, box_gap, boxes_at
 from benchdragon.plans.schema import Plan, checked
 from benchdragon.solve.size import limit
-from tests.truth import make_truth, road, scan
+from tests.truth import make_truth, reference, scan
 from tests.truth.make_truth import spiral_entries, turn_entries, turn_summary
-from tests.truth.road import Bench
+from tests.truth.reference import Bench
 
 HERE = Path(__file__).parent
 TRUTH = json.loads((HERE / "contest.json").read_text(encoding="utf-8"))
@@ -38,10 +38,10 @@ def difference(a: str, b: str) -> float:
 
 
 def test_the_second_road_shares_nothing_with_the_package() -> None:
-    roads = [path for path in HERE.glob("*.py") if path.name != Path(__file__).name]
-    assert {path.stem for path in roads} >= {"make_truth", "road", "scan"}
+    paths = [path for path in HERE.glob("*.py") if path.name != Path(__file__).name]
+    assert {path.stem for path in paths} >= {"make_truth", "reference", "scan"}
     known = {*sys.stdlib_module_names, "mpmath", "numpy", "tests.truth"} - {"importlib"}
-    for path in roads:
+    for path in paths:
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
             if isinstance(node, ast.ImportFrom):
@@ -76,15 +76,15 @@ def test_the_two_arcs_are_found_again_from_their_tangency() -> None:
 def test_the_first_contact_is_found_again() -> None:
     # The benches that touch are among the first 25, and those stand as they do in the whole dragon.
     theta = 2 * make_truth.TURNS * mp.pi
-    point, rough = road.spiral_walk("0.55", theta), scan.spiral_walk(0.55, float(theta))
-    found = make_truth.first_contact(point, rough, road.contest_dragon(25), 390.0, 430.0)
+    point, rough = reference.spiral_walk("0.55", theta), scan.spiral_walk(0.55, float(theta))
+    found = make_truth.first_contact(point, rough, reference.contest_dragon(25), 390.0, 430.0)
     assert found is not None
     assert found[1] == (1, 9)
     assert difference(found[0], TRUTH["first_contact_s"]) <= 1e-15
 
 
 def test_the_smallest_pitch_is_found_again() -> None:
-    family = make_truth.PitchFamily(road.contest_dragon(40), "4.5", 16)
+    family = make_truth.PitchFamily(reference.contest_dragon(40), "4.5", 16)
     found = make_truth.smallest_pitch(family, 0.5, 0.2)
     assert found.pair == (1, 20)
     assert difference(found.pitch, TRUTH["smallest_pitch_m"]) <= 1e-15
@@ -104,16 +104,16 @@ def test_a_difference_is_told_with_its_place() -> None:
         make_truth.difference(made, {"a": {"0": ["1.0"]}, "b": "3.0"})
 
 
-# Random dragons and walks, on both roads.
+# Random dragons and walks, by both implementations.
 
 
 class Walked(NamedTuple):
-    """A walk of one dragon, as the package and as the second road know it; s = 0 at its time 0."""
+    """A walk of one dragon, as the package and as the reference know it; s = 0 at its time 0."""
 
     walk: bd.Walk
     end: float
     dragon: list[Bench]
-    point: road.Points
+    point: reference.Points
     rough: scan.Points
 
 
@@ -142,7 +142,7 @@ def random_spiral(rng: np.random.Generator, least: int = 5) -> Walked:
     dragon = random_dragon(rng, least, (0.4 * pitch, 0.8 * pitch), (0.9, 2.0))
     end = 2.0 * math.pi * float(packaged(dragon).links.max() * rng.uniform(0.6, 0.8)) / pitch
     walk = bd.Walk(packaged(dragon), bd.Route((bd.Spiral(pitch, theta, end),)))
-    exact, rough = road.spiral_walk(mp.mpf(pitch), mp.mpf(theta)), scan.spiral_walk(pitch, theta)
+    exact, rough = reference.spiral_walk(mp.mpf(pitch), mp.mpf(theta)), scan.spiral_walk(pitch, theta)
     return Walked(walk, walk.route.length, dragon, exact, rough)
 
 
@@ -153,10 +153,10 @@ def random_turn(rng: np.random.Generator, width: tuple[float, float] = (0.15, 0.
     turn = bd.TwoArcTurn(pitch, radius, ratio)
     route = turn.route()
     walk = bd.Walk(packaged(dragon), route, start=float(route.joints[1]))
-    sizes = road.turn_sizes(mp.mpf(pitch), mp.mpf(radius), mp.mpf(ratio))
+    sizes = reference.turn_sizes(mp.mpf(pitch), mp.mpf(radius), mp.mpf(ratio))
     rough = scan.turn_walk({name: complex(value) for name, value in sizes.items()})
     end = turn.length + 1.05 * float(walk.dragon.links.sum())
-    return Walked(walk, end, dragon, road.turn_walk(pitch, radius, ratio), rough)
+    return Walked(walk, end, dragon, reference.turn_walk(pitch, radius, ratio), rough)
 
 
 @pytest.mark.parametrize("kind", [random_spiral, random_turn])
@@ -167,10 +167,10 @@ def test_places_and_speeds_are_those_of_the_second_road(kind: Roll, seed: int) -
     times = rng.uniform(0.0, case.end, 3)
     motion = case.walk.motion(times)
     for n, time in enumerate(times.tolist()):
-        s = road.places(case.point, case.dragon, time, len(case.dragon))
+        s = reference.places(case.point, case.dragon, time, len(case.dragon))
         at = np.array([complex(case.point(place)) for place in s])
         assert np.abs(motion.x[n] + 1j * motion.y[n] - at).max() <= 1e-11
-        speeds = np.array([float(speed) for speed in road.speeds(case.point, s)])
+        speeds = np.array([float(speed) for speed in reference.speeds(case.point, s)])
         assert np.abs(motion.speed[n] - speeds).max() <= 1e-11
 
 
@@ -180,9 +180,9 @@ def test_the_scan_stands_where_the_second_road_does(kind: Roll) -> None:
     heads = np.linspace(0.0, case.end, 4)
     s = scan.places(case.rough, make_truth.benches(case.dragon).links, heads)
     for n, head in enumerate(heads.tolist()):
-        exact = road.places(case.point, case.dragon, head, len(case.dragon))
+        exact = reference.places(case.point, case.dragon, head, len(case.dragon))
         assert np.abs(s[:, n] - [float(place) for place in exact]).max() <= 1e-9
-        speeds = [float(speed) for speed in road.speeds(case.point, exact)]
+        speeds = [float(speed) for speed in reference.speeds(case.point, exact)]
         assert np.abs(scan.ratios(case.rough, s)[:, n] - speeds).max() <= 1e-6
 
 
@@ -204,8 +204,8 @@ def test_gap_and_distance_of_boxes_are_those_of_corners_and_sides(
         x[:, n], y[:, n] = (x0, x0 - link * math.cos(heading)), (y0, y0 - link * math.sin(heading))
         boxes_at(sizes[:, n : n + 1].copy(), x, y, n, boxes[n : n + 1])
         fore, aft = (mp.mpc(x[row, n], y[row, n]) for row in range(2))
-        corners.append(road.corners(fore, aft, Bench(*sizes[:, n].tolist())))
-    gap, distance = road.gap(*corners), road.distance(*corners)
+        corners.append(reference.corners(fore, aft, Bench(*sizes[:, n].tolist())))
+    gap, distance = reference.gap(*corners), reference.distance(*corners)
     assert box_gap(boxes, 0, 1) == pytest.approx(float(gap), abs=1e-13)
     assert max(box_distance(boxes, 0, 1), 0.0) == pytest.approx(float(distance), abs=1e-13)
 
@@ -229,7 +229,7 @@ def compare_first_contact(case: Walked) -> None:
     assert found.value == pytest.approx(float(other[0]), abs=1e-10)
     assert found.lower <= other[0] <= found.upper
     assert found.witness is not None
-    # Of several pairs that overlap from the start each road names another one.
+    # Of several pairs that overlap from the start each names another one.
     assert found.witness.benches == other[1] or other[0] == 0
 
 
@@ -252,7 +252,7 @@ def random_pitch_question(rng: np.random.Generator) -> tuple[Plan, make_truth.Pi
 
 @pytest.mark.parametrize("seed", range(4))
 def test_the_smallest_pitch_is_that_of_the_second_road(seed: int) -> None:
-    # Smaller pitches may be walkable again. Both roads come from 0.8 m and stop at a border above which
+    # Smaller pitches may be walkable again. Both come from 0.8 m and stop at a border above which
     # the walk is clear: in these cases it is the same one.
     plan, family = random_pitch_question(np.random.default_rng(200 + seed))
     found, other = limit(plan, "pitch"), make_truth.smallest_pitch(family, 0.8, 0.1)

@@ -2,7 +2,7 @@
 
 Time enters through the head's route position alone, so that all searches run over that and hold for
 any speed. No bench is assumed clear because it was looked at: what is passed over is clear by a bound
-that holds in between (kernels/bounds.py, design/first_contact.py).
+that holds in between (kernels/step_bounds.py, design/first_contact.py).
 """
 
 import collections
@@ -16,7 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from benchdragon.analysis.distance import boxes, low_pair, nearness, pairs_within, tightest_pairs
-from benchdragon.analysis.regions import PARTS, PLACES, Ground, Ledger, Step
+from benchdragon.analysis.regions import PARTS, PLACES, BroadPhase, Ledger, Step
 from benchdragon.errors import InputError, UnsureError, in_order, not_negative, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels import search as kernel
@@ -37,20 +37,20 @@ WIDTH, WIDTH_ROUNDINGS = 1e-13, 4.0
 # Grazes nearer than this to the end of a window, s, belong to it.
 FRAYED = 1e-5
 # Chains marched in one step of a search; a graze takes some hundred.
-MOST_LOOKS = 200_000
+MOST_EVALUATIONS = 200_000
 # Chains that a proof may log in one step: 30 MB for 223 benches.
 LOG = 4096
 # In dragons of at most so many benches low distances are looked for before bounds are sought; of longer
 # ones the first guess, m, is multiplied by so much until some pair comes nearer.
 MOST_SAMPLED, FIRST_REACH, WIDER = 5_000, 0.003, 6.0
 # Least clearances are bracketed to the last of these, m. The ones before only bring the least value
-# seen near enough for most steps to be passed over at once: 25,000 -> 2,000 looks for the contest's.
+# seen near enough for most steps to be passed over at once: 25,000 -> 2,000 evaluations.
 TOLERANCES = (math.inf, 1e-5, 1e-8, 1e-12)
 # Chains marched in one step for one of these; where benches keep the same distance for a while no
 # number would do for the last.
-MOST_LEAST_LOOKS = 2000
+MOST_LEAST_EVALUATIONS = 2000
 # Places looked at for why a walk could not be followed.
-LOOKS_AHEAD = 65
+SAMPLES_AHEAD = 65
 # The head's way between what was searched and a failure, m: more, and it is not known what comes first.
 UNKNOWN = 1e-6
 # Samples of a clearance curve: each takes a millisecond for 223 benches.
@@ -101,7 +101,7 @@ class Best:
 
 
 @dataclass
-class Hunt:
+class ContactSearch:
     """A search along a walk from one head position to another."""
 
     walk: Walk
@@ -112,7 +112,7 @@ class Hunt:
     slack: float = 0.0
     ledger: Ledger | None = None
     since: float = -math.inf  # the time at which it begins, s
-    looks: int = 0
+    evaluations: int = 0
     began: float = field(default_factory=clock.perf_counter)
 
     def __post_init__(self) -> None:
@@ -130,14 +130,14 @@ class Hunt:
             UnsureError: likewise, if it could not be shown that it can.
         """
         walk = self.walk
-        ground = Ground(walk.dragon, walk.route, reach + self.slack, self.start, self.ledger)
+        broad_phase = BroadPhase(walk.dragon, walk.route, reach + self.slack, self.start, self.ledger)
         end = min(self.end, walk.route.length)
-        for done, upto in ground.strides(self.start, end):
-            known, sound = ground.sound_until(done, upto)
-            yield from ground.steps(done, known)
-            yield from self._small_steps(known, sound, ground.reach, ground.cell / PARTS)
+        for done, upto in broad_phase.strides(self.start, end):
+            known, sound = broad_phase.sound_until(done, upto)
+            yield from broad_phase.steps(done, known)
+            yield from self._small_steps(known, sound, broad_phase.reach, broad_phase.cell / PARTS)
             if sound < upto:
-                raise self.stopped(sound, sound + 2.0 * ground.cell)
+                raise self.stopped(sound, sound + 2.0 * broad_phase.cell)
             self.progress((upto - self.start) / (self.end - self.start), "")
         if self.end > end + END_SLACK:
             raise self.stopped(end, self.end)
@@ -162,7 +162,7 @@ class Hunt:
     def stopped(self, sound: float, until: float) -> Exception:
         """Why the walk could not be followed past head position `sound`, looked for up to `until`."""
         # A bench may stand square to the route for a tenth of a millimetre only, and then leap.
-        ahead = np.geomspace(UNKNOWN, max(min(until, self.end) - sound, UNKNOWN), LOOKS_AHEAD)
+        ahead = np.geomspace(UNKNOWN, max(min(until, self.end) - sound, UNKNOWN), SAMPLES_AHEAD)
         error = self.walk.first_failure(np.concatenate([[sound], sound + ahead]))
         if error is not None and error.head <= sound + 2.0 * UNKNOWN:
             return error
@@ -172,7 +172,7 @@ class Hunt:
             )
         )
 
-    def seek(
+    def search_step(
         self, goal: int, step: Step, start: float, end: float, note: FloatArray, tolerance: float = 0.0
     ) -> int:
         """Run the kernel's search on part of a step; PAIR in `note` then counts pairs of the step.
@@ -189,13 +189,16 @@ class Hunt:
             self._room = kernel.room(*self._shape, 0 if self.ledger is None else LOG)
         dragon = self.walk.dragon
         width = max(WIDTH, WIDTH_ROUNDINGS * math.ulp(end))
-        before, most = note[kernel.LOOKS], MOST_LEAST_LOOKS if tolerance else MOST_LOOKS
-        ending = kernel.seek(
+        before, most = (
+            note[kernel.EVALUATIONS],
+            MOST_LEAST_EVALUATIONS if tolerance else MOST_EVALUATIONS,
+        )
+        ending = kernel.search_step(
             self._room, goal, self.walk.route.rows, dragon.links[: handles - 1], dragon.sizes,
             members, inverse[:count], inverse[count:], start, end,
             self.margin, tolerance or self.slack, width, most, note,
         )  # fmt: skip
-        self.looks += int(note[kernel.LOOKS] - before)
+        self.evaluations += int(note[kernel.EVALUATIONS] - before)
         if self.ledger is not None:
             count = int(self._room.logged[0])
             if count > LOG:
@@ -222,7 +225,9 @@ class Hunt:
         value = min(max(self.time_at(middle), early), late)
         seconds = clock.perf_counter() - self.began
         witness = self.witness(upper, i, j)
-        return Answer(value, early, late, "s", status, witness, self.assumed(), self.looks, seconds)
+        return Answer(
+            value, early, late, "s", status, witness, self.assumed(), self.evaluations, seconds
+        )
 
     def assumed(self) -> tuple[str, ...]:
         """What answers rest on."""
@@ -256,7 +261,7 @@ class Hunt:
         return self.walk.exact_head_position(t) - Fraction(s)
 
 
-def _hunt(
+def _contact_search(
     walk: Walk,
     start: float,
     end: float,
@@ -264,13 +269,13 @@ def _hunt(
     progress: Progress,
     slack: float = 0.0,
     ledger: Ledger | None = None,
-) -> Hunt:
+) -> ContactSearch:
     of_kind("walk", walk, Walk)
     not_negative("margin", margin, "m")
     in_order(start, end)
     walk.motion([start])  # raises where the dragon cannot stand at the start
     a, b = walk.head_position([start, end]).tolist()
-    return Hunt(walk, a, b, margin, progress, slack, ledger, start)
+    return ContactSearch(walk, a, b, margin, progress, slack, ledger, start)
 
 
 def contact_windows(
@@ -296,33 +301,33 @@ def contact_windows(
         WalkError: if the dragon cannot stand at some time, and no windows fill `most` before.
         UnsureError: if it could not be shown that it can.
     """
-    hunt = _hunt(walk, start, end, margin, progress, slack, ledger)
-    opened = _touching_at_start(hunt)
+    search = _contact_search(walk, start, end, margin, progress, slack, ledger)
+    opened = _touching_at_start(search)
     windows = [] if opened is None else [Window(opened, None)]
     if len(windows) >= most:
         return windows
-    for step in hunt.steps(margin):
-        _search_step(hunt, step, windows, most)
+    for step in search.steps(margin):
+        _search_step(search, step, windows, most)
         if len(windows) >= most:
             break
     return windows
 
 
-def _search_step(hunt: Hunt, step: Step, windows: list[Window], most: int) -> None:
+def _search_step(search: ContactSearch, step: Step, windows: list[Window], most: int) -> None:
     """Add to `windows` what opens and closes in a step, until there are `most`."""
     at = step.start
     while at < step.end and len(windows) < most:
         touching = bool(windows) and windows[-1].closes is None
         note = np.zeros(kernel.NOTES)
         goal = kernel.TOUCH_END if touching else kernel.FIRST_TOUCH
-        ending = hunt.seek(goal, step, at, step.end, note)
+        ending = search.search_step(goal, step, at, step.end, note)
         if ending == kernel.CLEAR:
             return
         if ending == kernel.FALLEN:
-            raise hunt.stopped(float(note[kernel.LOWER]), step.end)
+            raise search.stopped(float(note[kernel.LOWER]), step.end)
         lower, at, p = float(note[kernel.LOWER]), float(note[kernel.UPPER]), int(note[kernel.PAIR])
         status: Status = "found" if ending == kernel.FOUND else "undecided"
-        found = hunt.answer_at(lower, at, status, int(step.first[p]), int(step.second[p]))
+        found = search.answer_at(lower, at, status, int(step.first[p]), int(step.second[p]))
         if touching and status == "found":
             windows[-1] = Window(windows[-1].opens, found)
         elif not touching and status == "found":
@@ -348,16 +353,16 @@ def _widened(window: Window, graze: Answer) -> Window:
     )
 
 
-def _touching_at_start(hunt: Hunt) -> Answer | None:
+def _touching_at_start(search: ContactSearch) -> Answer | None:
     """The contact in which a walk starts, if it does."""
-    placed = hunt.placement(hunt.start)
+    placed = search.placement(search.start)
     tightest = tightest_pairs(placed)
-    if not tightest or tightest[0].distance > hunt.margin - hunt.slack:
+    if not tightest or tightest[0].distance > search.margin - search.slack:
         return None
-    if hunt.ledger is not None:
-        hunt.ledger.add_placement(placed)
+    if search.ledger is not None:
+        search.ledger.add_placement(placed)
     i, j = tightest[0].benches
-    return hunt.answer_at(hunt.start, hunt.start, "found", i - 1, j - 1)
+    return search.answer_at(search.start, search.start, "found", i - 1, j - 1)
 
 
 def first_contact(
@@ -405,10 +410,10 @@ def least_clearance(
         WalkError: if the dragon cannot stand at some time.
         UnsureError: if that could not be decided.
     """
-    hunt = _hunt(walk, start, end, 0.0, progress)
+    search = _contact_search(walk, start, end, 0.0, progress)
     if len(walk.dragon) < 3:
         return Answer(math.inf, math.inf, math.inf, "m", "found")
-    return _least(hunt, _guess(hunt), within, tolerances)
+    return _least(search, _guess(search), within, tolerances)
 
 
 def clearance_above(
@@ -426,55 +431,59 @@ def clearance_above(
         WalkError: if the dragon cannot stand at some time, and no low distance was met before.
         UnsureError: if that could not be decided.
     """
-    hunt = _hunt(walk, start, end, margin, silent)
+    search = _contact_search(walk, start, end, margin, silent)
     if len(walk.dragon) < 3:
         return Answer(math.inf, math.inf, math.inf, "m", "found")
-    best = _guess(hunt)
+    best = _guess(search)
     if best.distance <= margin:
         return None
-    found = _least(hunt, best, math.inf, tolerances)
+    found = _least(search, best, math.inf, tolerances)
     return found if found.lower > margin else None
 
 
-def _least(hunt: Hunt, best: Best, within: float, tolerances: Sequence[float]) -> Answer:
+def _least(search: ContactSearch, best: Best, within: float, tolerances: Sequence[float]) -> Answer:
     """The least clearance, some distance being known: see `least_clearance`."""
-    reach = best.distance if len(hunt.walk.dragon) <= MOST_SAMPLED else FIRST_REACH
+    reach = best.distance if len(search.walk.dragon) <= MOST_SAMPLED else FIRST_REACH
     if not best.distance:
-        collections.deque(hunt.steps(0.0), maxlen=0)  # whether the dragon can walk all the way
+        collections.deque(search.steps(0.0), maxlen=0)  # whether the dragon can walk all the way
     while best.distance > 0.0:
         reach = min(reach, best.distance, within)
-        steps = list(hunt.steps(reach))
+        steps = list(search.steps(reach))
         for tolerance in tolerances:
-            best = _lowered(hunt, steps, best, min(reach, best.distance), tolerance)
+            best = _lowered(search, steps, best, min(reach, best.distance), tolerance)
         if best.distance <= reach:
             break
         if reach >= within:
-            return Answer(math.inf, within, math.inf, "m", "found", None, hunt.assumed(), hunt.looks)
+            return Answer(
+                math.inf, within, math.inf, "m", "found", None, search.assumed(), search.evaluations
+            )
         reach *= WIDER
-    return _clearance_answer(hunt, best)
+    return _clearance_answer(search, best)
 
 
-def _guess(hunt: Hunt) -> Best:
+def _guess(search: ContactSearch) -> Best:
     """A low distance, looked for here and there, so that what is farther need not be searched."""
-    dragon = hunt.walk.dragon
+    dragon = search.walk.dragon
     if len(dragon) > MOST_SAMPLED:
-        nearest = tightest_pairs(hunt.placement(hunt.start))[0]
+        nearest = tightest_pairs(search.placement(search.start))[0]
         return Best(
-            max(nearest.distance, 0.0), hunt.start, (nearest.benches[0] - 1, nearest.benches[1] - 1)
+            max(nearest.distance, 0.0), search.start, (nearest.benches[0] - 1, nearest.benches[1] - 1)
         )
-    distance, where, i, j = low_pair(hunt.walk, hunt.start, hunt.end)
+    distance, where, i, j = low_pair(search.walk, search.start, search.end)
     return Best(max(distance, 0.0), where, (i, j))
 
 
-def _lowered(hunt: Hunt, steps: Sequence[Step], best: Best, reach: float, tolerance: float) -> Best:
+def _lowered(
+    search: ContactSearch, steps: Sequence[Step], best: Best, reach: float, tolerance: float
+) -> Best:
     """`best`, or what is lower in the steps, which hold all pairs within `reach`."""
     known, note = best, np.zeros(kernel.NOTES)
     note[kernel.NEAREST], note[kernel.FLOOR] = reach, math.inf
     for step in steps:
         before = note[kernel.NEAREST]
-        ending = hunt.seek(kernel.LEAST, step, step.start, step.end, note, tolerance)
+        ending = search.search_step(kernel.LEAST, step, step.start, step.end, note, tolerance)
         if ending == kernel.FALLEN:
-            raise hunt.stopped(float(note[kernel.LOWER]), step.end)
+            raise search.stopped(float(note[kernel.LOWER]), step.end)
         if note[kernel.NEAREST] < before:
             p = int(note[kernel.PAIR])
             best = Best(
@@ -490,13 +499,21 @@ def _lowered(hunt: Hunt, steps: Sequence[Step], best: Best, reach: float, tolera
     return replace(best, floor=min(float(note[kernel.FLOOR]), float(note[kernel.NEAREST]) - tolerance))
 
 
-def _clearance_answer(hunt: Hunt, best: Best) -> Answer:
-    seconds = clock.perf_counter() - hunt.began
-    lower = max(best.floor - hunt.slack, 0.0)
-    upper = best.distance + hunt.slack if best.distance else 0.0
-    witness = hunt.witness(best.where, *best.pair)
+def _clearance_answer(search: ContactSearch, best: Best) -> Answer:
+    seconds = clock.perf_counter() - search.began
+    lower = max(best.floor - search.slack, 0.0)
+    upper = best.distance + search.slack if best.distance else 0.0
+    witness = search.witness(best.where, *best.pair)
     return Answer(
-        best.distance, lower, upper, "m", "found", witness, hunt.assumed(), hunt.looks, seconds
+        best.distance,
+        lower,
+        upper,
+        "m",
+        "found",
+        witness,
+        search.assumed(),
+        search.evaluations,
+        seconds,
     )
 
 
@@ -521,12 +538,12 @@ def clearance_curve(walk: Walk, times: npt.ArrayLike) -> ClearanceCurve:
     tightest = [tightest_pairs(motion, i)[0] for i in range(len(at))]
     clearance = np.array([near.distance for near in tightest])
     inner = np.flatnonzero((clearance[1:-1] <= clearance[:-2]) & (clearance[1:-1] < clearance[2:])) + 1
-    hunt = _hunt(walk, float(at[0]), float(at[-1]), 0.0, silent)
-    minima = [_local_minimum(hunt, motion, int(i), clearance) for i in inner if clearance[i] > 0.0]
+    search = _contact_search(walk, float(at[0]), float(at[-1]), 0.0, silent)
+    minima = [_local_minimum(search, motion, int(i), clearance) for i in inner if clearance[i] > 0.0]
     return ClearanceCurve(at, clearance, np.array([near.benches for near in tightest]), minima)
 
 
-def _local_minimum(hunt: Hunt, motion: Motion, i: int, clearance: FloatArray) -> Answer:
+def _local_minimum(search: ContactSearch, motion: Motion, i: int, clearance: FloatArray) -> Answer:
     """The least clearance between the times beside number i."""
     start, end = float(motion.head_s[i - 1]), float(motion.head_s[i + 1])
     moved = motion.walk.dragon.lever * float(np.abs(np.diff(motion.s[i - 1 : i + 2], axis=0)).max())
@@ -535,5 +552,5 @@ def _local_minimum(hunt: Hunt, motion: Motion, i: int, clearance: FloatArray) ->
     best = Best(float(clearance[i]), float(motion.head_s[i]), (near[0] - 1, near[1] - 1))
     steps = [Step(start, end, first, second)]
     for tolerance in TOLERANCES:
-        best = _lowered(hunt, steps, best, best.distance, tolerance)
-    return _clearance_answer(hunt, best)
+        best = _lowered(search, steps, best, best.distance, tolerance)
+    return _clearance_answer(search, best)

@@ -299,7 +299,7 @@ def errors(walk: Walk, ledger: Ledger, head: float = 0.0, progress: Progress = s
     links = walk.dragon.links
     checker = Checker(walk.route.rows, float(links.max()))
     jobs: list[tuple[int, FloatArray, tuple[FloatArray, ...]]] = []
-    jobs += [(0, links, chains) for chains in ledger.looks]
+    jobs += [(0, links, chains) for chains in ledger.evaluations]
     jobs += [(1, np.array([link]), chains) for link, chains in ledger.cells]
     jobs += [(1, links, chains) for chains in ledger.grid]
     total, done = sum(len(chains[0]) * chains[2].shape[1] for _kind, _links, chains in jobs), 0
@@ -404,4 +404,6 @@ def _proved(answer: Answer, found: Errors, slack: float) -> Answer:
 
 def _extent(ledger: Ledger) -> float:
     """The largest coordinate of chains that distances were taken from, m."""
-    return max((float(np.abs(chain[3:]).max()) for chain in ledger.looks if len(chain[0])), default=0.0)
+    return max(
+        (float(np.abs(chain[3:]).max()) for chain in ledger.evaluations if len(chain[0])), default=0.0
+    )

@@ -52,7 +52,7 @@ class Answer(Record):
     status: Literal["proved", "found", "infeasible", "undecided", "unlimited"]
     witness: Witness | None
     assumptions: list[str]
-    looks: int
+    evaluations: int
     seconds: Number
     plan_sha256: str
     version: str

@@ -12,17 +12,17 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from benchdragon.analysis.spiral_bound import Shape, sheltered
+from benchdragon.analysis.spiral_bound import Shape, clear_spans
 from benchdragon.errors import InputError, UnsureError
 from benchdragon.i18n import _
 from benchdragon.kernels import regions as kernel
-from benchdragon.kernels.bounds import empty_places, stand
 from benchdragon.kernels.box import BOX_COLUMNS, CX, CY, HALF_LENGTH, HALF_WIDTH
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.regions import EDGE
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import LOGGED
 from benchdragon.kernels.status import Status
+from benchdragon.kernels.step_bounds import empty_placements, place_chain
 from benchdragon.model.curves import Route
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.placement import Placement
@@ -64,14 +64,14 @@ class Ledger:
     """All chains that an answer rests on, as computed, for a proof to look over (see `proof`).
 
     Attributes:
-        looks: (head positions, row, u, x, y) of chains of the search, the last four (T, handles).
+        evaluations: (head positions, row, u, x, y) of chains of the search, the last four (T, handles).
         grid: the same of whole dragons, whose places need to be known to EDGE only.
         cells: (link, (front positions, row, u, x, y)) of single benches at the borders of cells,
             needed to EDGE likewise.
     """
 
     def __init__(self) -> None:
-        self.looks: list[tuple[FloatArray, ...]] = []
+        self.evaluations: list[tuple[FloatArray, ...]] = []
         self.grid: list[tuple[FloatArray, ...]] = []
         self.cells: list[tuple[float, tuple[FloatArray, ...]]] = []
 
@@ -83,16 +83,16 @@ class Ledger:
     def add_log(self, log: FloatArray, handles: int) -> None:
         """Take down chains from the log of a search."""
         table = log[:, 1:].reshape(len(log), -1, LOGGED)[:, :handles]
-        self.looks.append((log[:, 0].copy(), *(table[:, :, n].copy() for n in range(LOGGED))))
+        self.evaluations.append((log[:, 0].copy(), *(table[:, :, n].copy() for n in range(LOGGED))))
 
     def add_placement(self, placed: Placement) -> None:
         """Take down the first chain of a placement that distances were taken from."""
         row, u = placed.state(0)
         chain = (row.astype(np.float64), u, placed.x[0], placed.y[0])
-        self.looks.append((placed.head_s[:1], *(table[np.newaxis] for table in chain)))
+        self.evaluations.append((placed.head_s[:1], *(table[np.newaxis] for table in chain)))
 
 
-class Ground:
+class BroadPhase:
     """The cells of a route that a dragon walks, from where its tail stands at first.
 
     Args:
@@ -124,8 +124,8 @@ class Ground:
         self.groups = int(self._group_of.max()) + 1
         self._between = self._least_ways()
         self.cell = CELL * float(dragon.links.min())
-        self._shelters = self._find_shelters()
-        self._shelter = np.empty((self.groups, self.groups, 0), dtype=np.int64)  # see _shelters_of
+        self._clear_spans = self._find_clear_spans()
+        self._span_of = np.empty((self.groups, self.groups, 0), dtype=np.int64)  # see _spans_of
         s = self._positions(np.array([start]))[:, 0]
         self.low = math.floor(s[-2] / self.cell) if len(dragon) > 1 else math.floor(s[0] / self.cell)
         # Where each group's rearmost bench stands at first: it never comes behind that.
@@ -151,16 +151,16 @@ class Ground:
                 ways[a, b] = (ahead[members[nearest]] - ahead[fronts]).min(initial=np.inf)
         return ways
 
-    def _find_shelters(self) -> dict[tuple[int, int], FloatArray]:
-        """The shelters of benches of groups a and, behind them, b, where there are such."""
+    def _find_clear_spans(self) -> dict[tuple[int, int], FloatArray]:
+        """Spans of the route where benches of groups a and, behind them, b, keep apart."""
         shapes = [
             Shape.of(self._classes[:, self._group_of == g], 0.5 * self.reach)
             for g in range(self.groups)
         ]
         between = float(self.dragon.links.min())
         pairs = list(zip(*np.nonzero(np.isfinite(self._between)), strict=True))
-        found = {(a, b): sheltered(self.route, shapes[a], shapes[b], between) for a, b in pairs}
-        # Benches that can meet no other must follow too: nothing shelters their cells.
+        found = {(a, b): clear_spans(self.route, shapes[a], shapes[b], between) for a, b in pairs}
+        # Benches that can meet no other must follow too: no span spares their cells.
         alone = set(range(self.groups)).difference(*pairs)
         return {**found, **{(g, g): np.empty((0, 2)) for g in alone}}
 
@@ -173,7 +173,7 @@ class Ground:
         """Parts of start..end, m, to be extended by one after another: short where a search may end."""
         done, stride, met = start, LEAST_STRIDE, False
         while done < end:
-            upto = min(end, max(done + stride, self._shelter_end(done)))
+            upto = min(end, max(done + stride, self._clear_end(done)))
             self.extend(upto)
             yield done, upto
             first = bool(self._pairs) and not met
@@ -182,12 +182,12 @@ class Ground:
             stride = LEAST_STRIDE if first else min(2.0 * stride, most)
             done = upto
 
-    def _shelter_end(self, s: float) -> float:
+    def _clear_end(self, s: float) -> float:
         """Up to where the head surely meets no other, standing at s, m; not more than s if nowhere."""
         head = int(self.group[0])
         ends = [
             max((end for start, end in parts if start <= s), default=s)
-            for (a, _b), parts in self._shelters.items()
+            for (a, _b), parts in self._clear_spans.items()
             if a == head
         ]
         return min(ends, default=s)
@@ -268,8 +268,8 @@ class Ground:
         old = self.count
         fresh = np.full((self.groups, wanted - old, BOX_COLUMNS), np.nan)
         self.hulls = np.concatenate([self.hulls, fresh], axis=1)
-        shelter = self._shelters_of(np.arange(old, wanted))
-        self._shelter = np.concatenate([self._shelter, shelter], axis=2)
+        span = self._spans_of(np.arange(old, wanted))
+        self._span_of = np.concatenate([self._span_of, span], axis=2)
         exposed = self._exposed()
         for g in range(self.groups):
             rear = math.floor(self._rear[g] / self.cell) - self.low
@@ -279,30 +279,30 @@ class Ground:
         for a, b, k, m in self._near(old):
             first, second = self._refined(a, b, k, m, PARTS)
             if 0 < len(first) <= SPARSE * (wanted - old):
-                first, second = self._sifted(a, b, first, second)
+                first, second = self._undecided(a, b, first, second)
             if len(first):
                 groups = np.full((2, len(first)), [[a], [b]])
                 self._pairs.append(np.array([groups[0], first, groups[1], second]))
 
-    def _shelters_of(self, cells: IntArray) -> IntArray:
-        """In which shelter of each pair of groups these cells lie, borders included; -1: in none."""
+    def _spans_of(self, cells: IntArray) -> IntArray:
+        """In which clear span of each pair of groups these cells lie, borders included; -1: in none."""
         found = np.full((self.groups, self.groups, len(cells)), -1)
         back, ahead = ((cells + self.low + n) * self.cell for n in (0, 1))
-        for (a, b), parts in self._shelters.items():
+        for (a, b), parts in self._clear_spans.items():
             for n, (start, end) in enumerate(parts):
                 found[a, b, (back - EDGE >= start) & (ahead + EDGE <= end)] = n
         return found
 
     def _exposed(self) -> npt.NDArray[np.bool_]:
-        """Which cells to box, (groups, count): where a bench may come near one of another shelter."""
+        """Which cells to box, (groups, count): where a bench may come near one of another span."""
         exposed = np.zeros((self.groups, self.count), dtype=bool)
         arms = np.array([self._arm(g) for g in range(self.groups)])
         middle = (np.arange(self.count) + self.low + 0.5) * self.cell
         places = self.route.point(np.clip(middle, self._rear.min(), self.route.length))
-        for (a, b), parts in self._shelters.items():
+        for (a, b), parts in self._clear_spans.items():
             reach = arms[a] + arms[b] + self.reach
             for n in range(-1, len(parts)):
-                inside = self._shelter[a, b] == n
+                inside = self._span_of[a, b] == n
                 near = inside if n < 0 else _near_others(places, inside, reach)
                 exposed[a, near] = exposed[b, near] = True
         return exposed
@@ -349,11 +349,11 @@ class Ground:
         at = borders.ravel()
         many = borders.shape[-1]
         slots = (np.arange(0, at.size, many)[:, np.newaxis] + np.arange(many - 1)).ravel()
-        places = empty_places(2, len(at))
+        places = empty_placements(2, len(at))
         bench = np.ascontiguousarray(self._classes[:, k : k + 1])
         links = bench[0] - bench[2] - bench[3]
         links.flags.writeable = False  # one kind of array, so that kernels are compiled once
-        stand(self.route.rows, links, at, 0, len(at), places)
+        place_chain(self.route.rows, links, at, 0, len(at), places)
         if self.ledger is not None:
             stood = places.failed[0] == Status.OK
             tables = (places.row, places.u, places.x, places.y)
@@ -384,8 +384,8 @@ class Ground:
                     near = tree.sparse_distance_matrix(other, reach, output_type="ndarray")
                     k, m = some[near["i"]], known[b][near["j"]]
                     keep = (k + 1 - m) * self.cell >= self._between[a, b]
-                    shelter = self._shelter[a, b]
-                    keep &= (shelter[k] < 0) | (shelter[k] != shelter[m])
+                    span = self._span_of[a, b]
+                    keep &= (span[k] < 0) | (span[k] != span[m])
                     k, m = k[keep], m[keep]
                     flags = np.empty(len(k), dtype=np.int64)
                     kernel.near_pairs(self.hulls[a], self.hulls[b], k, m, self.reach, flags)
@@ -408,7 +408,7 @@ class Ground:
         kernel.near_pairs(self._fine[parts, a], self._fine[parts, b], first, second, self.reach, flags)
         return first[flags > 0], second[flags > 0]
 
-    def _sifted(self, a: int, b: int, k: IntArray, m: IntArray) -> tuple[IntArray, IntArray]:
+    def _undecided(self, a: int, b: int, k: IntArray, m: IntArray) -> tuple[IntArray, IntArray]:
         """The pairs of parts of which a part of each is within reach."""
         first, second = (cells // PARTS for cells in self._refined(a, b, k, m, PARTS * PARTS))
         cells = self.count * PARTS

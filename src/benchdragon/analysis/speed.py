@@ -15,9 +15,7 @@ import numpy as np
 
 from benchdragon.errors import InputError, UnsureError, in_order, of_kind
 from benchdragon.i18n import N_, _
-from benchdragon.kernels import bounds as sweep
-from benchdragon.kernels import drive, pacing
-from benchdragon.kernels import speed_bounds as sieve
+from benchdragon.kernels import drive, pacing, speed_bounds, step_bounds
 from benchdragon.kernels.chain import rates
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.regions import EDGE
@@ -41,10 +39,10 @@ MOST_OPEN = 5_000_000
 NOTHING = 1e-9
 # The bracket's width where a limit is kept, as a share of the value, and of the limit at most.
 ROUGHLY, LITTLE = 1e-2, 1e-2
-# Steps of a sieve, and its cells, as shares of the shortest link; the share of a walk that the first
-# ones may let through before finer ones are tried; what a cell costs, in handles bounded
-# (design/sieve.py).
-SIEVE_STEPS, SIEVE_CELLS, ROUGH, CELL_COST = (0.8, 0.2, 0.05), (0.05, 0.025, 0.0125), 0.25, 3.0
+# Steps of the coarse bound, and its cells, as shares of the shortest link; the share of a walk that the
+# first ones may leave undecided before finer ones are tried; what a cell costs, in handles bounded
+# (design/coarse_bound.py).
+COARSE_STEPS, COARSE_CELLS, ROUGH, CELL_COST = (0.8, 0.2, 0.05), (0.05, 0.025, 0.0125), 0.25, 3.0
 # Handles times head positions at a time: 60 MB.
 PLACES = 1_000_000
 
@@ -88,7 +86,7 @@ class Peak:
     time: float
     s: float
     row: int
-    looks: int
+    evaluations: int
 
 
 def greatest_speed(
@@ -141,7 +139,15 @@ def greatest(
     witness = replace(witness_of(walk, peak), time=peak.time)
     seconds = clock.perf_counter() - began
     return Answer(
-        peak.value, peak.value, peak.upper, quantity.unit, "found", witness, (), peak.looks, seconds
+        peak.value,
+        peak.value,
+        peak.upper,
+        quantity.unit,
+        "found",
+        witness,
+        (),
+        peak.evaluations,
+        seconds,
     )
 
 
@@ -180,7 +186,7 @@ def hulls(
     search = _Search(walk, QUANTITIES["speed"], TOLERANCE, math.inf)
     handles, fine = len(walk.dragon) + 1, np.linspace(first, last, steps * finer + 1)
     found = np.zeros((steps, handles, pacing.HULL_COLUMNS))
-    found[:, :, pacing.FADE], found[:, :, pacing.GROW] = math.inf, -math.inf
+    found[:, :, pacing.GROWTH_LOW], found[:, :, pacing.GROWTH_HIGH] = math.inf, -math.inf
     per = max(1, PLACES // handles)
     for n in range(0, steps * finer, per):
         at = fine[n : n + per + 1]
@@ -220,7 +226,7 @@ class _Search:
                 )
             )
         self.walk, self.quantity, self.tolerance, self.limit = walk, quantity, tolerance, limit
-        self.seen, self.where, self.row, self.upper, self.looks = -1.0, 0.0, 0, 0.0, 0
+        self.seen, self.where, self.row, self.upper, self.evaluations = -1.0, 0.0, 0, 0.0, 0
         self.stretch = 0
         self._stretches = walk.profile.stretches(0.0, 0.0)
         self._links = walk.dragon.links
@@ -239,7 +245,7 @@ class _Search:
                     done = (float(at[-1]) - part.start) / (part.end - part.start)
                     progress((n + done) / len(parts), "")
         time = self._stretches.time(self.stretch, self.where)
-        return Peak(self.seen, max(self.upper, self.seen), time, self.where, self.row, self.looks)
+        return Peak(self.seen, max(self.upper, self.seen), time, self.where, self.row, self.evaluations)
 
     def _enough(self) -> float:
         """What no bound need be drawn tighter than."""
@@ -252,15 +258,15 @@ class _Search:
     def _parts(self, first: float, last: float) -> list["_Part"]:
         """Where the greatest value may be."""
         whole = _Part(first, last, self.walk.dragon.links, math.inf)
-        if self.quantity.kind != drive.SPEEDS or not sieve_pays(self.walk, last - first):
+        if self.quantity.kind != drive.SPEEDS or not coarse_bound_pays(self.walk, last - first):
             return [whole]
-        for share in SIEVE_CELLS:
-            cells = _Sieve(self.walk, first, last, share)
-            parts = list(self._open_parts(cells, whole, SIEVE_STEPS[0]))
+        for share in COARSE_CELLS:
+            cells = _CoarseBound(self.walk, first, last, share)
+            parts = list(self._open_parts(cells, whole, COARSE_STEPS[0]))
             # Where the head is fastest all along, as on a spiral inward, no cell may be loose.
             if self.row or sum(part.end - part.start for part in parts) <= ROUGH * (last - first):
                 break
-        for step in SIEVE_STEPS[1:]:
+        for step in COARSE_STEPS[1:]:
             coarse = self._worthwhile(parts)
             parts = [finer for part in coarse for finer in self._open_parts(cells, part, step)]
         return parts
@@ -273,11 +279,11 @@ class _Search:
             else:
                 self.upper = max(self.upper, part.bound)
 
-    def _open_parts(self, cells: "_Sieve", part: "_Part", step: float) -> Iterator["_Part"]:
-        """What a sieve lets through of a part of the walk, in steps of `step` shortest links."""
+    def _open_parts(self, cells: "_CoarseBound", part: "_Part", step: float) -> Iterator["_Part"]:
+        """What the coarse bound leaves undecided of a part, in steps of `step` shortest links."""
         links = self.walk.dragon.links
         for at, which in self._grids(part.start, part.end, step):
-            handles, bounds = self._sifted(cells, at, which)
+            handles, bounds = self._undecided(cells, at, which)
             borders = np.flatnonzero(np.diff(np.concatenate([[0], handles > 0, [0]])))
             for a, b in borders.reshape(-1, 2):
                 short = links[: max(int(handles[a:b].max()) - 1, 1)]
@@ -312,13 +318,15 @@ class _Search:
         out[:, drive.RATE] = self._stretches.rates[which]
         return out
 
-    def _sifted(self, cells: "_Sieve", at: FloatArray, which: IntArray) -> tuple[IntArray, FloatArray]:
+    def _undecided(
+        self, cells: "_CoarseBound", at: FloatArray, which: IntArray
+    ) -> tuple[IntArray, FloatArray]:
         """Handles from the head on that may exceed what is seen, in each step, and bounds on all.
 
         0 where none may.
         """
         motion = self.walk.placement(at)
-        self.looks += len(at)
+        self.evaluations += len(at)
         speeds = np.sqrt(self._drives(at[:-1], at[1:], which)[:, : drive.RATE])
         rows = motion.speed_ratio.argmax(axis=1)
         rows = np.column_stack([rows[:-1], rows[1:]])
@@ -326,10 +334,14 @@ class _Search:
         values = np.column_stack([ratios[:-1], ratios[1:]]) * speeds
         self._note(at, np.arange(len(which)), which, values, rows)
         most = speeds.max(axis=1)
-        wanted = max(self._enough() / sweep.ROUNDED_UP, self.seen)
+        wanted = max(self._enough() / step_bounds.ROUNDED_UP, self.seen)
         steps = cells.steps(motion.s.T, wanted / np.maximum(most, sys.float_info.min))
-        self.upper = max(self.upper, sweep.ROUNDED_UP * float((steps[:, sieve.SETTLED] * most).max()))
-        return steps[:, sieve.OPEN].astype(np.int64), sweep.ROUNDED_UP * steps[:, sieve.MOST] * most
+        self.upper = max(
+            self.upper, step_bounds.ROUNDED_UP * float((steps[:, speed_bounds.SETTLED] * most).max())
+        )
+        return steps[:, speed_bounds.OPEN].astype(np.int64), step_bounds.ROUNDED_UP * steps[
+            :, speed_bounds.MOST
+        ] * most
 
     def _search(self, a: FloatArray, b: FloatArray, which: IntArray, bounds: FloatArray) -> None:
         """Look through steps from a to b, m, halving those that may hold a greater value."""
@@ -364,12 +376,12 @@ class _Search:
         self._note(at, slots, which, *values_at(rows, links, places, slots, drives, kind))
         return bounds
 
-    def places(self, at: FloatArray) -> sweep.Places:
+    def places(self, at: FloatArray) -> step_bounds.Placements:
         """The dragon with its head at these positions, m."""
-        places = sweep.empty_places(len(self._links) + 1, len(at))
-        if not sweep.stand(self.walk.route.rows, self._links, at, 0, len(at), places):
+        places = step_bounds.empty_placements(len(self._links) + 1, len(at))
+        if not step_bounds.place_chain(self.walk.route.rows, self._links, at, 0, len(at), places):
             raise self._failure(at)
-        self.looks += len(at)
+        self.evaluations += len(at)
         return places
 
     def _failure(self, at: FloatArray) -> Exception:
@@ -390,7 +402,7 @@ class _Search:
 def values_at(
     rows: FloatArray,
     links: FloatArray,
-    places: sweep.Places,
+    places: step_bounds.Placements,
     slots: IntArray,
     drives: FloatArray,
     kind: int,
@@ -400,18 +412,18 @@ def values_at(
     if kind not in {drive.SPEEDS, drive.ACROSS}:
         rates(rows, links, *places[:5], change, turn)
     values, where = np.empty((len(slots), 2)), np.empty((len(slots), 2), dtype=np.int64)
-    drive.look(rows, places, change, turn, slots, drives, kind, values, where)
+    drive.greatest_at_ends(rows, places, change, turn, slots, drives, kind, values, where)
     return values, where
 
 
-def sieve_pays(walk: Walk, way: float) -> bool:
-    """Whether a sieve costs less than a look along the whole `way` of the head, m."""
+def coarse_bound_pays(walk: Walk, way: float) -> bool:
+    """Whether the coarse bound costs less than evaluations along the whole `way` of the head, m."""
     links = walk.dragon.links
-    cells = len(np.unique(links)) * (way + float(links.sum())) / SIEVE_CELLS[0]
+    cells = len(np.unique(links)) * (way + float(links.sum())) / COARSE_CELLS[0]
     return CELL_COST * cells < len(links) * way / STEP
 
 
-class _Sieve:
+class _CoarseBound:
     """The greatest speed ratios in cells of the route, for the benches of each link: see the kernel."""
 
     def __init__(self, walk: Walk, first: float, last: float, share: float) -> None:
@@ -428,14 +440,14 @@ class _Sieve:
             b = min(math.floor(ahead / self._cell) + 1 - self._low, count)
             borders = np.clip((np.arange(a, b + 1) + self._low) * self._cell, s[0, -1], last)
             link = walk.dragon.links[members[0] : members[0] + 1]
-            places = sweep.empty_places(2, len(borders))
-            sweep.stand(walk.route.rows, link, borders, 0, len(borders), places)
-            sieve.cell_ratios(walk.route.rows, link, places, self._ratios[g, a:b])
+            places = step_bounds.empty_placements(2, len(borders))
+            step_bounds.place_chain(walk.route.rows, link, borders, 0, len(borders), places)
+            speed_bounds.cell_ratios(walk.route.rows, link, places, self._ratios[g, a:b])
 
     def steps(self, s: FloatArray, limits: FloatArray) -> FloatArray:
         """What they say of the steps between positions s, m, (handles, T), (T - 1, STEP_COLUMNS)."""
-        out = np.empty((len(limits), sieve.STEP_COLUMNS))
-        sieve.bound_steps(s, self._group, self._ratios, self._cell, self._low, limits, out)
+        out = np.empty((len(limits), speed_bounds.STEP_COLUMNS))
+        speed_bounds.bound_steps(s, self._group, self._ratios, self._cell, self._low, limits, out)
         return out
 
 

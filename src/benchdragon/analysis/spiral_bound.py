@@ -4,7 +4,7 @@ On r = b theta a point has the excess sigma = r - b phi, phi counted on from tur
 spiral, and one pitch more for the same point seen from one turn farther in. Seen from its own turn, a
 bench reaches up to `out` above 0 and down to `dip` below. Where out + dip of any two stays below the
 pitch, neighbouring turns cannot touch. All the bounds below fall as the radius grows, so that one
-radius decides (design/shelter.py shows how near they come to what benches do).
+radius decides (design/spiral_bound.py shows how near they come to what benches do).
 """
 
 import math
@@ -80,7 +80,7 @@ class Shape:
         return max(before, behind) + side, 0.5 * half * half * bend + side
 
 
-def sheltered(route: Route, ahead: Shape, behind: Shape, between: float) -> FloatArray:
+def clear_spans(route: Route, ahead: Shape, behind: Shape, between: float) -> FloatArray:
     """Parts of a route, m, (parts, 2), in one of which two benches cannot come near each other.
 
     One of `ahead` and, with a link of at least `between` metres in between, one of `behind` keep apart
@@ -92,7 +92,7 @@ def sheltered(route: Route, ahead: Shape, behind: Shape, between: float) -> Floa
         if row[kernel.KIND] == kernel.SPIRAL:
             inward = bool(row[kernel.U_END] < row[kernel.U_START])
             inner, outer = (ahead, behind) if inward else (behind, ahead)
-            theta = sheltered_radius(float(row[kernel.P]), inner, outer, between)
+            theta = clear_radius(float(row[kernel.P]), inner, outer, between)
             theta /= float(row[kernel.P])
             parts.append(_part(route.rows, j, theta, WAY * max(ahead.link, behind.link)))
     return np.array([part for part in parts if part[0] < part[1]]).reshape(-1, 2)
@@ -111,7 +111,7 @@ def _part(rows: FloatArray, j: int, theta: float, way: float) -> tuple[float, fl
     return (-math.inf if endless else start + way), border
 
 
-def sheltered_radius(b: float, inner: Shape, outer: Shape, between: float) -> float:
+def clear_radius(b: float, inner: Shape, outer: Shape, between: float) -> float:
     """Benches with handles outside this radius, m, of r = b theta keep apart; infinite if nowhere.
 
     `inner` is the bench that may stand one turn farther in; a link of at least `between` metres lies

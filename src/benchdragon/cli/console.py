@@ -271,7 +271,7 @@ class _Bar:
         self._bar.update(self._task, completed=share, description=text or None)
 
 
-# What limits are called; the keys are those of `Judge.rooms`.
+# What limits are called; the keys are those of `TurnEvaluator.rooms`.
 LIMITS = {
     "radius": N_("radius of the tightest bend"),
     "disc": N_("radius of the disc"),

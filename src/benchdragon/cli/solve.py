@@ -34,7 +34,7 @@ from benchdragon.progress import Progress
 if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
     from benchdragon.solve.head_speed import Pace
-    from benchdragon.solve.size import WalkableSizes
+    from benchdragon.solve.size import FeasibleSizes
     from benchdragon.solve.turn import BestTurn
 
 
@@ -235,18 +235,18 @@ def speed(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
 def turn(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print the best turn; with --plan-file also write the plan with it."""
     from benchdragon.files import refuse_existing
-    from benchdragon.solve.turn import Wish, best_turn
+    from benchdragon.solve.turn import TurnGoal, best_turn
 
     path: Path | None = options["plan_file"]
     read = _read(plan, settings, quiet, "--plan-file", path)
     longest, longest_way = (options[name] or math.inf for name in ("longest", "longest_way"))
-    wish = Wish(options["objective"], options["least_radius"], longest, longest_way)
+    goal = TurnGoal(options["objective"], options["least_radius"], longest, longest_way)
     refuse_existing([] if path is None else [path], options["force"])
     with shown_progress(quiet) as progress:
-        best = best_turn(read, wish, progress=progress)
+        best = best_turn(read, goal, progress=progress)
     if path is not None:
         _write(best.plan, path)
-    _print_turn(read, best, wish.objective, options)
+    _print_turn(read, best, goal.objective, options)
     return 0
 
 
@@ -365,12 +365,12 @@ def _print_solved(
 
 def _print_sizes(name: str, plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
     """All sizes of a range that will do."""
-    from benchdragon.solve.size import walkable_sizes
+    from benchdragon.solve.size import feasible_sizes
 
     low, high = parse_lengths("--range", options["span"])
     count = options["count"]
     with shown_progress(quiet) as progress:
-        found = walkable_sizes(plan, name, low, high, count, progress=progress)
+        found = feasible_sizes(plan, name, low, high, count, progress=progress)
     lines: list[str] = []
     if options["explain"]:
         from benchdragon.explain.answers import spans_lines
@@ -384,7 +384,7 @@ def _print_sizes(name: str, plan: "Plan", options: dict[str, Any], quiet: bool) 
     return 0 if found.spans else UNDECIDED if found.undecided else NO_SOLUTION
 
 
-def _sizes_json(found: "WalkableSizes") -> dict[str, Any]:
+def _sizes_json(found: "FeasibleSizes") -> dict[str, Any]:
     """Sizes that will do as plain data, m."""
     return {
         "safe": [[span.low, span.high] for span in found.spans],
@@ -395,7 +395,7 @@ def _sizes_json(found: "WalkableSizes") -> dict[str, Any]:
     }
 
 
-def _echo_sizes(found: "WalkableSizes") -> None:
+def _echo_sizes(found: "FeasibleSizes") -> None:
     """Sizes that will do, for readers."""
     from benchdragon.solve.size import undecided_text
 

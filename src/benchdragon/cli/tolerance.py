@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
     from benchdragon.solve.tolerance import Tolerance
 
-SLIPS = {
+DEVIATIONS = {
     "aside": N_("Handles off the route, to either side: standard deviation in metres."),
     "stray": N_("The route that is walked off the one that is drawn, smoothly, in metres."),
     "play": N_("Pin play and pull: how far they change a bench's link, in metres."),
@@ -38,9 +38,9 @@ SLIPS = {
 }
 
 
-def slip_options(command: Any) -> Any:
+def deviation_options(command: Any) -> Any:
     """An option for each way to be imprecise."""
-    for name, text in reversed(SLIPS.items()):
+    for name, text in reversed(DEVIATIONS.items()):
         command = click.option(f"--{name}", type=click.FloatRange(0.0, 1.0), help=text)(command)
     return command
 
@@ -55,7 +55,7 @@ def slip_options(command: Any) -> Any:
     )
 )
 @plan_options
-@slip_options
+@deviation_options
 @click.option(
     "--draws",
     type=click.IntRange(1, 100_000),
@@ -105,17 +105,17 @@ def _walked(
     plan: "Plan", options: dict[str, Any], quiet: bool
 ) -> tuple[dict[str, "Tolerance"], dict[str, str]]:
     """What each case needs, and what to call it."""
-    from benchdragon.solve.tolerance import CASES, Case, Slips, tolerance
+    from benchdragon.solve.tolerance import CASES, Case, Deviations, tolerance
 
-    given = {name: options[name] for name in SLIPS if options[name] is not None}
-    cases = {"given": Case(N_("as given"), Slips(**given))} if given else CASES
+    given = {name: options[name] for name in DEVIATIONS if options[name] is not None}
+    cases = {"given": Case(N_("as given"), Deviations(**given))} if given else CASES
     found = {}
     with shown_progress(quiet) as progress:
         stage = Stages(progress, len(cases))
         for name, case in cases.items():
             found[name] = tolerance(
-                plan, case.slips, options["draws"], seed=options["seed"], workers=options["workers"],
-                own=True, progress=stage(_(case.text)),
+                plan, case.deviations, options["draws"], own=True, seed=options["seed"],
+                workers=options["workers"], progress=stage(_(case.text)),
             )  # fmt: skip
     return found, {name: _(case.text) for name, case in cases.items()}
 
@@ -148,7 +148,7 @@ def as_json(one: "Tolerance", pitch: float) -> dict[str, Any]:
     share, low, high = one.touching()
     safe = {f"{risk:g}": finite_or_none(one.pitch_for(risk)) for risk in RISKS}
     return {
-        "slips": {field.name: getattr(one.slips, field.name) for field in fields(one.slips)},
+        "slips": {field.name: getattr(one.deviations, field.name) for field in fields(one.deviations)},
         "draws": one.needed.size,
         "exact": one.exact,
         "touching": {"pitch": pitch, "share": share, "lower": low, "upper": high},

@@ -15,7 +15,7 @@ from benchdragon.model.turns import TwoArcTurn
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan, TurnRoute
 from benchdragon.solve.head_speed import Pace
-from benchdragon.solve.size import WalkableSizes, undecided_text
+from benchdragon.solve.size import FeasibleSizes, undecided_text
 from benchdragon.solve.size_trials import Family, Meeting, question, root_near
 from benchdragon.solve.turn import BestTurn
 
@@ -107,7 +107,7 @@ def _pair_lines(family: Family, answer: Answer, near: Witness) -> list[str]:
     return [*lines, *gap_lines(walk.placement([meeting.s]), i, j)]
 
 
-def spans_lines(sizes: WalkableSizes, low: float, high: float, count: int) -> list[str]:
+def spans_lines(sizes: FeasibleSizes, low: float, high: float, count: int) -> list[str]:
     """How all safe sizes of a range are found."""
     numbers = f"({number(high)} - {number(low)})/({count} - 1) = {number(sizes.step)}"
     lines = [
@@ -132,10 +132,12 @@ def speed_lines(plan: Plan, answer: Answer, pace: Pace | None = None) -> list[st
     """How fast the head may walk: the limit that decides by what the route makes of a head at 1 m/s."""
     near = answer.witness
     if near is None or not math.isfinite(answer.value):
-        text = _("Whatever the speed, hardly anything that is limited occurs; {looks} evaluations.")
+        text = _(
+            "Whatever the speed, hardly anything that is limited occurs; {evaluations} evaluations."
+        )
         if answer.status == "undecided":
-            text = _("Some handle might be arbitrarily fast; {looks} evaluations.")
-        return [text.format(looks=answer.looks)]
+            text = _("Some handle might be arbitrarily fast; {evaluations} evaluations.")
+        return [text.format(evaluations=answer.evaluations)]
     walk = plan.build()
     name, allowed, peak = _deciding(plan, walk, answer, near)
     lines = ratio_lines(walk, near)[1] if name == "speed" else []
@@ -154,11 +156,11 @@ def speed_lines(plan: Plan, answer: Answer, pace: Pace | None = None) -> list[st
     lines.append(text.format(numbers=numbers))
     text = _(
         "The peak is established: steps of the head are halved until bounds show that none holds "
-        "a greater value (branch and bound). {looks} evaluations; {lower} m/s surely keeps the "
+        "a greater value (branch and bound). {evaluations} evaluations; {lower} m/s surely keeps the "
         "limit; bracket {width} m/s."
     )
     width = tiny(answer.upper - answer.lower)
-    lines.append(text.format(looks=answer.looks, lower=number(answer.lower), width=width))
+    lines.append(text.format(evaluations=answer.evaluations, lower=number(answer.lower), width=width))
     return lines if pace is None else [*lines, *_pace_lines(plan, pace)]
 
 
@@ -223,10 +225,10 @@ def turn_lines(best: BestTurn) -> list[str]:
     if best.head_speed is not None:
         lines += speed_lines(best.plan, best.head_speed)
     text = _(
-        "{looks} turns were judged: first all over the family (differential evolution), then near "
-        "the best. What came out was judged again exactly. That no better one exists is not shown."
+        "{evaluations} turns were judged: first all over the family (differential evolution), then "
+        "near the best. What came out was judged again exactly. That no better one exists is not shown."
     )
-    return [*lines, text.format(looks=best.objective.looks)]
+    return [*lines, text.format(evaluations=best.objective.evaluations)]
 
 
 def two_arc_lines(turn: TwoArcTurn) -> list[str]:

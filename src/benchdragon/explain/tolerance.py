@@ -32,22 +32,22 @@ def margin_lines(plan: Plan, found: Tolerance) -> list[str]:
 
 def _dance_lines(plan: Plan, found: Tolerance) -> list[str]:
     """The first dance: its second bench, and the pitch that it needs."""
-    draw, plain = Draw(found.slips, found.seed, 0), plan.build().dragon
-    slips = ", ".join(
-        f"{field.name} {number(getattr(found.slips, field.name))} m"
-        for field in fields(found.slips)
-        if getattr(found.slips, field.name)
+    draw, plain = Draw(found.deviations, found.seed, 0), plan.build().dragon
+    deviations = ", ".join(
+        f"{field.name} {number(getattr(found.deviations, field.name))} m"
+        for field in fields(found.deviations)
+        if getattr(found.deviations, field.name)
     )
     drawn = draw.dragon(plain)
     n = min(1, len(plain) - 1)
-    height = found.slips.height * float(draw.noise(3, len(plain))[n])
-    play = found.slips.play * float(draw.noise(2, len(plain))[n])
+    height = found.deviations.height * float(draw.noise(3, len(plain))[n])
+    play = found.deviations.play * float(draw.noise(2, len(plain))[n])
     length = float(drawn.length[n])
     front, rear = float(plain.front_inset[n]), float(plain.rear_inset[n])
     needed = needed_pitch(plan, draw, found.exact)
     return [
         _("{count} random dances; standard deviations: {slips}.").format(
-            count=found.needed.size, slips=slips or "0"
+            count=found.needed.size, deviations=deviations or "0"
         ),
         _(
             "For example dance 1, bench {bench}: length {length} m, its rear handle stands "
@@ -60,7 +60,7 @@ def _dance_lines(plan: Plan, found: Tolerance) -> list[str]:
         ),
         _("Its front, handle {handle}, stays {aside} m beside the route that is walked, from "
           "start to end.").format(
-            handle=n, aside=number(found.slips.aside * float(draw.noise(4, len(plain) + 1)[n]))
+            handle=n, aside=number(found.deviations.aside * float(draw.noise(4, len(plain) + 1)[n]))
         ),
         _(
             "Walked with several pitches, dance 1 is free of contact with {pitch} m, and touches "

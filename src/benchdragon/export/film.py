@@ -32,7 +32,7 @@ MOST_GIF_PIXELS = 400_000_000
 MOST_FPS, MOST_FPS_GIF = 120, 50
 MOST_STILLS, MOST_SIDE = 100, 10
 # Instants among which the last is sought at which the dragon stands, for a contact sheet.
-LOOKS = 2001
+SAMPLES = 2001
 # What is right where nothing is asked.
 SIZES = {".mp4": (1920, 1080), ".gif": (960, 540)}
 RATES = {".mp4": 30, ".gif": 20}
@@ -153,7 +153,7 @@ def spread_times(plan: Plan, start: float | None, end: float | None, count: int)
     """
     walk = plan.build()
     first, last = asked_span(plan, walk, start, end)
-    sound = sound_times(walk, np.linspace(first, last, LOOKS))
+    sound = sound_times(walk, np.linspace(first, last, SAMPLES))
     return np.linspace(first, float(sound[-1]), count)
 
 

@@ -13,11 +13,14 @@ import math
 
 import numpy as np
 
-from benchdragon.kernels.bounds import (
-    FADE,
+from benchdragon.kernels.curve import U_END, U_START, FloatArray, curvature
+from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.step_bounds import (
     FRONT_HIGH,
     FRONT_LOW,
-    GROW,
+    GROWTH_HIGH,
+    GROWTH_LOW,
     HANDLE_COLUMNS,
     LEFT,
     REAR_HIGH,
@@ -26,19 +29,16 @@ from benchdragon.kernels.bounds import (
     ROUNDED_UP,
     SLOWEST,
     SPEED,
-    SWAY,
     TURN_HIGH,
     TURN_LOW,
-    Places,
-    bends,
+    TURNING_RATE,
+    Placements,
     bound_handles,
+    curvature_range,
+    magnitude,
     product,
-    size,
-    times,
+    scaled,
 )
-from benchdragon.kernels.curve import U_END, U_START, FloatArray, curvature
-from benchdragon.kernels.jit import kernel
-from benchdragon.kernels.route import IntArray
 
 # What is bounded: speeds and accelerations of handles, turning rates of benches.
 SPEEDS = 0
@@ -62,7 +62,7 @@ MOST_JUMPS = 3
 @kernel
 def value_at(
     rows: FloatArray,
-    places: Places,
+    places: Placements,
     change: FloatArray,
     turn: FloatArray,
     i: int,
@@ -85,9 +85,9 @@ def value_at(
 
 
 @kernel
-def look(
+def greatest_at_ends(
     rows: FloatArray,
-    places: Places,
+    places: Placements,
     change: FloatArray,
     turn: FloatArray,
     slots: IntArray,
@@ -124,7 +124,7 @@ def jump_row(rows: FloatArray, first: int, last: int) -> int:
 @kernel
 def find_jumps(
     rows: FloatArray,
-    places: Places,
+    places: Placements,
     a: int,
     b: int,
     table: FloatArray,
@@ -146,8 +146,8 @@ def find_jumps(
             continue
         end, start = rows[j, U_END], rows[j + 1, U_START]
         crossing[count] = i
-        sides[count, 0], sides[count, 1] = bends(rows, ja, places.u[i, a], j, end)
-        sides[count, 2], sides[count, 3] = bends(rows, j + 1, start, jb, places.u[i, b])
+        sides[count, 0], sides[count, 1] = curvature_range(rows, ja, places.u[i, a], j, end)
+        sides[count, 2], sides[count, 3] = curvature_range(rows, j + 1, start, jb, places.u[i, b])
         count += 1
     return count
 
@@ -165,11 +165,11 @@ def side_rates(table: FloatArray, bend: FloatArray, rates: FloatArray) -> None:
             rates[i + 1 :, 0], rates[i + 1 :, 1] = -math.inf, math.inf
             return
         turn_low, turn_high = table[i + 1, TURN_LOW], table[i + 1, TURN_HIGH]
-        low, high = times(table[i, SLOWEST], table[i, SPEED], bend[i, 0], bend[i, 1])
+        low, high = scaled(table[i, SLOWEST], table[i, SPEED], bend[i, 0], bend[i, 1])
         front_low, front_high = product(
             table[i + 1, FRONT_LOW], table[i + 1, FRONT_HIGH], low - turn_high, high - turn_low
         )
-        low, high = times(table[i + 1, SLOWEST], table[i + 1, SPEED], bend[i + 1, 0], bend[i + 1, 1])
+        low, high = scaled(table[i + 1, SLOWEST], table[i + 1, SPEED], bend[i + 1, 0], bend[i + 1, 1])
         rear_low, rear_high = product(
             table[i + 1, REAR_LOW], table[i + 1, REAR_HIGH], low - turn_high, high - turn_low
         )
@@ -180,7 +180,7 @@ def side_rates(table: FloatArray, bend: FloatArray, rates: FloatArray) -> None:
 @kernel
 def most_speed(table: FloatArray, drive: FloatArray, quantity: int) -> float:
     """At most the quantity, a speed or a turning rate, in a step with these bounds on handles."""
-    column, square = SPEED if quantity == SPEEDS else SWAY, max(drive[FROM], drive[TO])
+    column, square = SPEED if quantity == SPEEDS else TURNING_RATE, max(drive[FROM], drive[TO])
     return float(table[:, column].max()) * math.sqrt(square) if square > 0.0 else 0.0
 
 
@@ -198,9 +198,9 @@ def most_acceleration(
         fast = table[i, SPEED]
         if not fast < math.inf:
             return math.inf
-        across = fast * fast * square * size(bend[i, 0], bend[i, 1])
-        low, high = times(least_square, square, rates[i, 0], rates[i, 1])
-        along = fast * size(drive[RATE] + low, drive[RATE] + high)
+        across = fast * fast * square * magnitude(bend[i, 0], bend[i, 1])
+        low, high = scaled(least_square, square, rates[i, 0], rates[i, 1])
+        along = fast * magnitude(drive[RATE] + low, drive[RATE] + high)
         value = math.hypot(along, across)
         if quantity != TOTAL:
             value = along if quantity == ALONG else across
@@ -213,7 +213,7 @@ def most_acceleration(
 @kernel
 def most_in_step(
     rows: FloatArray,
-    places: Places,
+    places: Placements,
     a: int,
     b: int,
     table: FloatArray,
@@ -224,15 +224,15 @@ def most_in_step(
 ) -> float:
     """At most a quantity from slot a to slot b; `table` holds the handles' bounds.
 
-    FADE and GROW of the table are drawn tighter, over all sides of the jumps that are crossed. `bend`
-    and `rates` are scratch, (handles, 2).
+    GROWTH_LOW and GROWTH_HIGH of the table are drawn tighter, over all sides of the jumps that are
+    crossed. `bend` and `rates` are scratch, (handles, 2).
     """
     if quantity in (SPEEDS, TURNING):
         return most_speed(table, drive, quantity)
     crossing, sides = np.empty(MOST_JUMPS, dtype=np.int64), np.empty((MOST_JUMPS, 4))
     jumps = find_jumps(rows, places, a, b, table, crossing, sides)
     bend[:, 0], bend[:, 1] = table[:, RIGHT], table[:, LEFT]
-    table[:, FADE], table[:, GROW] = math.inf, -math.inf
+    table[:, GROWTH_LOW], table[:, GROWTH_HIGH] = math.inf, -math.inf
     most = 0.0
     for side in range(2**jumps):
         for n in range(jumps):
@@ -241,8 +241,8 @@ def most_in_step(
             bend[crossing[n], 1] = sides[n, 2 * after + 1]
         side_rates(table, bend, rates)
         most = max(most, most_acceleration(table, bend, rates, drive, quantity))
-        table[:, FADE] = np.minimum(table[:, FADE], rates[:, 0])
-        table[:, GROW] = np.maximum(table[:, GROW], rates[:, 1])
+        table[:, GROWTH_LOW] = np.minimum(table[:, GROWTH_LOW], rates[:, 0])
+        table[:, GROWTH_HIGH] = np.maximum(table[:, GROWTH_HIGH], rates[:, 1])
     return most
 
 
@@ -250,7 +250,7 @@ def most_in_step(
 def ceilings(
     rows: FloatArray,
     links: FloatArray,
-    places: Places,
+    places: Placements,
     slots: IntArray,
     drives: FloatArray,
     quantity: int,

@@ -9,7 +9,6 @@ import math
 
 import numpy as np
 
-from benchdragon.kernels.bounds import PATH, PULL, TRAVEL, face_bound
 from benchdragon.kernels.box import CX, CY, box_gap
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.jit import kernel
@@ -23,11 +22,12 @@ from benchdragon.kernels.search import (
     PAIR,
     UPPER,
     Search,
+    bisect,
     bound_members,
     close_left,
-    halvings,
-    look,
+    evaluate_slot,
 )
+from benchdragon.kernels.step_bounds import PATH, POINT_ACCELERATION, TRAVEL, face_bound
 
 # How a search ended, besides the ways of kernels/search.py: room for more pairs is needed.
 CROWDED = 7
@@ -60,7 +60,7 @@ def near_in_step(
                 spent = sweeps[i, TRAVEL] + sweeps[j, TRAVEL]
                 if box_gap(boxes, j, i) > wanted + spent:
                     continue
-                if sweeps[i, PULL] + sweeps[j, PULL] < math.inf:
+                if sweeps[i, POINT_ACCELERATION] + sweeps[j, POINT_ACCELERATION] < math.inf:
                     n, m = count + j, count + i
                     if face_bound(boxes, j, i, n, m, sweeps, j, i, h) > wanted:
                         continue
@@ -73,7 +73,7 @@ def near_in_step(
 
 
 @kernel
-def patrol(
+def search_all_pairs(
     search: Search,
     goal: int,
     rows: FloatArray,
@@ -93,18 +93,18 @@ def patrol(
 
     Handle i walks aside[i] metres to the left of the route. Pair p of benches, from 0, is first[p] and
     second[p], which are scratch; note[PAIR] becomes first bench times their number plus second. The
-    rest is that of `search.seek`. After CROWDED the search must begin anew with longer scratch.
+    rest is that of `search.search_step`. After CROWDED the search must begin anew with longer scratch.
     """
     count, handles = sizes.shape[1], links.shape[0] + 1
     members, apart = np.arange(count), np.empty(count)
     radius = 0.5 * np.sqrt(sizes[0] * sizes[0] + sizes[1] * sizes[1])
     worst = CLEAR
     search.at[0] = at[0]
-    if not look(rows, links, aside, sizes, members, search, 0, 0):
+    if not evaluate_slot(rows, links, aside, sizes, members, search, 0, 0):
         return stopped(search, 0, note)
     for t in range(at.shape[0] - 1):
         search.at[1] = at[t + 1]
-        if not look(rows, links, aside, sizes, members, search, 1, 0):
+        if not evaluate_slot(rows, links, aside, sizes, members, search, 1, 0):
             return stopped(search, 1, note)
         bound_members(rows, links, aside, sizes, members, search, 1)
         wanted = note[NEAREST] - slack if goal == LEAST else margin + slack
@@ -117,7 +117,7 @@ def patrol(
         search.alive[1, :found] = np.arange(found)
         search.kept[1] = found
         before, note[PAIR] = note[PAIR], -1.0
-        ending = halvings(
+        ending = bisect(
             search, goal, rows, links, aside, sizes, members, first[:found], second[:found], 1, 2,
             margin, slack, width, most, note,
         )  # fmt: skip

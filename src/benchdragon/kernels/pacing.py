@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from benchdragon.kernels import bounds as sweep
+from benchdragon.kernels import step_bounds
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.drive import ACROSS, ALONG, SPEEDS, TOTAL, TURNING, most_in_step
 from benchdragon.kernels.jit import kernel
@@ -19,9 +19,9 @@ from benchdragon.kernels.route import IntArray
 
 # Columns of what bounds a handle over a step: w, the turning rate of the bench before it, g, curvature.
 FAST = 0
-SWAY = 1
-FADE = 2
-GROW = 3
+TURNING_RATE = 1
+GROWTH_LOW = 2
+GROWTH_HIGH = 3
 BEND = 4
 HULL_COLUMNS = 5
 
@@ -38,25 +38,27 @@ HALVINGS = 52
 def widen(
     rows: FloatArray,
     links: FloatArray,
-    places: sweep.Places,
+    places: step_bounds.Placements,
     slots: IntArray,
     which: IntArray,
     hulls: FloatArray,
 ) -> None:
     """Widen hulls[which[n]], (handles, HULL_COLUMNS), by the step from slots[n] to the next."""
     handles = links.shape[0] + 1
-    table, bend = np.empty((handles, sweep.HANDLE_COLUMNS)), np.empty((handles, 2))
+    table, bend = np.empty((handles, step_bounds.HANDLE_COLUMNS)), np.empty((handles, 2))
     rates, even = np.empty((handles, 2)), np.array([1.0, 1.0, 0.0])
     for n in range(slots.shape[0]):
         a, b, hull = slots[n], slots[n] + 1, hulls[which[n]]
-        sweep.bound_handles(rows, links, places, a, b, table)
+        step_bounds.bound_handles(rows, links, places, a, b, table)
         most_in_step(rows, places, a, b, table, even, ALONG, bend, rates)
         for i in range(handles):
-            bent = sweep.size(table[i, sweep.RIGHT], table[i, sweep.LEFT])
-            hull[i, FAST] = max(hull[i, FAST], sweep.ROUNDED_UP * table[i, sweep.SPEED])
-            hull[i, SWAY] = max(hull[i, SWAY], sweep.ROUNDED_UP * table[i, sweep.SWAY])
-            hull[i, FADE] = min(hull[i, FADE], table[i, sweep.FADE])
-            hull[i, GROW] = max(hull[i, GROW], table[i, sweep.GROW])
+            bent = step_bounds.magnitude(table[i, step_bounds.RIGHT], table[i, step_bounds.LEFT])
+            hull[i, FAST] = max(hull[i, FAST], step_bounds.ROUNDED_UP * table[i, step_bounds.SPEED])
+            hull[i, TURNING_RATE] = max(
+                hull[i, TURNING_RATE], step_bounds.ROUNDED_UP * table[i, step_bounds.TURNING_RATE]
+            )
+            hull[i, GROWTH_LOW] = min(hull[i, GROWTH_LOW], table[i, step_bounds.GROWTH_LOW])
+            hull[i, GROWTH_HIGH] = max(hull[i, GROWTH_HIGH], table[i, step_bounds.GROWTH_HIGH])
             hull[i, BEND] = max(hull[i, BEND], bent)
 
 
@@ -68,11 +70,11 @@ def allowed(hull: FloatArray, limits: FloatArray, square: float) -> tuple[float,
         fast = hull[i, FAST]
         across = fast * fast * square * hull[i, BEND]
         over = fast * fast * square > limits[SPEEDS] ** 2 or across > min(limits[ACROSS], limits[TOTAL])
-        if over or hull[i, SWAY] ** 2 * square > limits[TURNING] ** 2:
+        if over or hull[i, TURNING_RATE] ** 2 * square > limits[TURNING] ** 2:
             return 1.0, -1.0
         most = min(limits[ALONG], math.sqrt(max(limits[TOTAL] ** 2 - across * across, 0.0))) / fast
-        low = max(low, -most - hull[i, FADE] * square)
-        high = min(high, most - hull[i, GROW] * square)
+        low = max(low, -most - hull[i, GROWTH_LOW] * square)
+        high = min(high, most - hull[i, GROWTH_HIGH] * square)
     return (low, high) if low <= high else (1.0, -1.0)
 
 

@@ -2,31 +2,11 @@
 
 Handle i walks on the curve that runs aside[i] metres to the left of the route. Its place there is told
 by the place (row, u) of the route beside which it stands; its tangent is the route's, its curvature
-k / (1 - aside k). So everything that is known of chains on a route holds for it (kernels/bounds.py).
+k / (1 - aside k). So everything that is known of chains on a route holds for it (see `step_bounds`).
 """
 
 import math
 
-from benchdragon.kernels.bounds import (
-    BENT,
-    FADE,
-    FORCE,
-    GROW,
-    LEFT,
-    PATH,
-    RIGHT,
-    SLOWEST,
-    SPEED,
-    SWAY,
-    Places,
-    bends,
-    bound_next,
-    leans,
-    size,
-    stand,
-    turning,
-    walked,
-)
 from benchdragon.kernels.curve import (
     U_BACK,
     U_END,
@@ -40,6 +20,26 @@ from benchdragon.kernels.curve import (
 from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.route import FOLD_COSINE, locate
 from benchdragon.kernels.status import Status
+from benchdragon.kernels.step_bounds import (
+    ACCELERATION,
+    GROWTH_HIGH,
+    GROWTH_LOW,
+    HEADING_CHANGE,
+    LEFT,
+    PATH,
+    RIGHT,
+    SLOWEST,
+    SPEED,
+    TURNING_RATE,
+    Placements,
+    bench_angles,
+    bound_next,
+    curvature_range,
+    heading_bound,
+    magnitude,
+    path_bound,
+    place_chain,
+)
 
 # Newton steps for the way along the route by which a handle gives, on the route's curvature.
 STEPS = 3
@@ -83,7 +83,7 @@ def give(along: float, across: float, straight: float, turned: float, link: floa
 
 @kernel
 def settle(
-    rows: FloatArray, link: float, aside: float, j: int, u: float, t: int, i: int, places: Places
+    rows: FloatArray, link: float, aside: float, j: int, u: float, t: int, i: int, places: Placements
 ) -> float:
     """Place handle i in slot t beside the route near place (j, u), one link from the one before it.
 
@@ -111,14 +111,14 @@ def settle(
 
 
 @kernel
-def sway(
+def place_perturbed(
     rows: FloatArray,
     links: FloatArray,
     aside: FloatArray,
     at: FloatArray,
     near: int,
     t: int,
-    places: Places,
+    places: Placements,
 ) -> bool:
     """Place the chain in slot t beside the route, its head at at[t]; whether all of it can stand there.
 
@@ -140,7 +140,7 @@ def sway(
         given += settle(rows, links[i - 1], aside[i], j, u, t, i, places)
         if given == math.inf:
             return False
-        _, front, _, rear = leans(places, i - 1, t, links[i - 1])
+        _, front, _, rear = bench_angles(places, i - 1, t, links[i - 1])
         if min(front, rear) < FOLD_COSINE:
             return False
         places.ratio[i, t] = places.ratio[i - 1, t] * front / rear
@@ -148,33 +148,33 @@ def sway(
 
 
 @kernel
-def stand_beside(
+def place_beside(
     rows: FloatArray,
     links: FloatArray,
     aside: FloatArray,
     at: FloatArray,
     near: int,
     t: int,
-    out: Places,
+    out: Placements,
 ) -> bool:
     """Place the chain in slot t with its head at at[t], on the route if `aside` is empty, else beside.
 
     Beside it, it is followed on from slot `near`; where that is t, or fails, from where it would stand
     on the route.
     """
-    if aside.shape[0] and near != t and sway(rows, links, aside, at, near, t, out):
+    if aside.shape[0] and near != t and place_perturbed(rows, links, aside, at, near, t, out):
         return True
-    sound = stand(rows, links, at, t, t + 1, out)
-    return sound and (aside.shape[0] == 0 or sway(rows, links, aside, at, t, t, out))
+    sound = place_chain(rows, links, at, t, t + 1, out)
+    return sound and (aside.shape[0] == 0 or place_perturbed(rows, links, aside, at, t, t, out))
 
 
 @kernel
-def stand_along(
-    rows: FloatArray, links: FloatArray, aside: FloatArray, at: FloatArray, out: Places
+def place_along(
+    rows: FloatArray, links: FloatArray, aside: FloatArray, at: FloatArray, out: Placements
 ) -> int:
     """Place chains with their heads at all of `at`, in order; how many can stand until one cannot."""
     for t in range(at.shape[0]):
-        if not stand_beside(rows, links, aside, at, max(t - 1, 0), t, out):
+        if not place_beside(rows, links, aside, at, max(t - 1, 0), t, out):
             return t
     return at.shape[0]
 
@@ -191,7 +191,7 @@ def bound_beside(
     rows: FloatArray,
     links: FloatArray,
     aside: FloatArray,
-    places: Places,
+    places: Placements,
     a: int,
     b: int,
     bounds: FloatArray,
@@ -200,13 +200,13 @@ def bound_beside(
     for i in range(aside.shape[0]):
         ja, ua = places.row[i, a], places.u[i, a]
         jb, ub = places.row[i, b], places.u[i, b]
-        low, high = bends(rows, ja, ua, jb, ub)
+        low, high = curvature_range(rows, ja, ua, jb, ub)
         bounds[i, RIGHT], bounds[i, LEFT] = parallel_bend(low, aside[i]), parallel_bend(high, aside[i])
-        bounds[i, BENT] = turning(rows, ja, ua, jb, ub)
-        bounds[i, PATH] = walked(rows, ja, ua, jb, ub) + abs(aside[i]) * bounds[i, BENT]
+        bounds[i, HEADING_CHANGE] = heading_bound(rows, ja, ua, jb, ub)
+        bounds[i, PATH] = path_bound(rows, ja, ua, jb, ub) + abs(aside[i]) * bounds[i, HEADING_CHANGE]
         if i > 0:
             bound_next(links[i - 1], places, i - 1, a, b, bounds[0, PATH], bounds)
             continue
         bounds[0, SLOWEST], bounds[0, SPEED] = 1.0, 1.0
-        bounds[0, FADE], bounds[0, GROW], bounds[0, SWAY] = 0.0, 0.0, 0.0
-        bounds[0, FORCE] = size(bounds[0, RIGHT], bounds[0, LEFT])
+        bounds[0, GROWTH_LOW], bounds[0, GROWTH_HIGH], bounds[0, TURNING_RATE] = 0.0, 0.0, 0.0
+        bounds[0, ACCELERATION] = magnitude(bounds[0, RIGHT], bounds[0, LEFT])

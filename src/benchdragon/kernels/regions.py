@@ -9,19 +9,6 @@ import math
 
 import numpy as np
 
-from benchdragon.kernels.bounds import (
-    BENCH_COLUMNS,
-    HANDLE_COLUMNS,
-    PATH,
-    PULL,
-    SPEED,
-    TRAVEL,
-    Places,
-    bound_bench,
-    bound_handles,
-    turning,
-    walked,
-)
 from benchdragon.kernels.box import (
     BOX_COLUMNS,
     CX,
@@ -40,6 +27,19 @@ from benchdragon.kernels.curve import U_END, U_START, FloatArray, place, turning
 from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.route import IntArray, step_back
 from benchdragon.kernels.status import Status
+from benchdragon.kernels.step_bounds import (
+    BENCH_COLUMNS,
+    HANDLE_COLUMNS,
+    PATH,
+    POINT_ACCELERATION,
+    SPEED,
+    TRAVEL,
+    Placements,
+    bound_bench,
+    bound_handles,
+    heading_bound,
+    path_bound,
+)
 
 # Below this turning between two handles, rad, the chord grows all the way from one to the other.
 SQUARE = 0.5 * math.pi - 2e-3
@@ -52,7 +52,7 @@ EDGE = 1e-7
 
 
 @kernel
-def follows(rows: FloatArray, places: Places, a: int, b: int, link: float) -> bool:
+def follows(rows: FloatArray, places: Placements, a: int, b: int, link: float) -> bool:
     """Whether handle 1 surely follows handle 0 without a leap while that walks from slot a to slot b.
 
     So it is when, for every front place, the distance to the places behind either surely grows or
@@ -61,8 +61,8 @@ def follows(rows: FloatArray, places: Places, a: int, b: int, link: float) -> bo
     """
     front, u = places.row[0, b], places.u[0, b]
     rear, end = places.row[1, a], places.u[1, a]
-    path = walked(rows, places.row[0, a], places.u[0, a], front, u)
-    if turning(rows, rear, end, front, u) < SQUARE:
+    path = path_bound(rows, places.row[0, a], places.u[0, a], front, u)
+    if heading_bound(rows, rear, end, front, u) < SQUARE:
         return True
     x, y = places.x[0, b], places.y[0, b]
     j, v, piece = front, u, 0.125 * link
@@ -74,7 +74,7 @@ def follows(rows: FloatArray, places: Places, a: int, b: int, link: float) -> bo
         last = j == rear and (w - end) * (v - end) <= 0.0
         if last:
             w = end
-        if turning(rows, j, w, front, u) < SQUARE or grows(rows, j, v, w, x, y, path, link):
+        if heading_bound(rows, j, w, front, u) < SQUARE or grows(rows, j, v, w, x, y, path, link):
             if last:
                 return True
             v = w
@@ -96,7 +96,7 @@ def grows(
     """
     px, py, tx, ty = place(rows, j, v)
     dx, dy = x - px, y - py
-    chord, back = math.hypot(dx, dy), walked(rows, j, w, j, v)
+    chord, back = math.hypot(dx, dy), path_bound(rows, j, w, j, v)
     if chord + path + back < SHORT * link:
         return True
     if path + back >= chord:
@@ -114,7 +114,7 @@ def sweep_cells(
     links: FloatArray,
     sizes: FloatArray,
     k: int,
-    places: Places,
+    places: Placements,
     slots: IntArray,
     targets: IntArray,
     hulls: FloatArray,
@@ -137,7 +137,7 @@ def sweep_cells(
         fast = not handles[1, SPEED] < math.inf
         sound[n] = 0.0 if fast or not follows(rows, places, a, a + 1, links[0]) else 1.0
         h = handles[0, PATH]
-        bulge = min(0.125 * bench[PULL] * h * h, 0.5 * bench[TRAVEL])
+        bulge = min(0.125 * bench[POINT_ACCELERATION] * h * h, 0.5 * bench[TRAVEL])
         widen(sizes, k, places, a, bulge, hulls, c)
 
 
@@ -145,7 +145,7 @@ def sweep_cells(
 def widen(
     sizes: FloatArray,
     k: int,
-    places: Places,
+    places: Placements,
     a: int,
     bulge: float,
     hulls: FloatArray,

@@ -2,7 +2,7 @@
 
 Each search opens the leftmost part of a step of the head first, carries along only the pairs of
 benches that could not be shown to keep apart, and halves the part while any are left. What it passes
-over is clear by a bound that holds for the whole of it (kernels/bounds.py), never by looking only.
+over is clear by a bound that holds for the whole of it (kernels/step_bounds.py), never by looking only.
 """
 
 import math
@@ -10,23 +10,23 @@ from typing import NamedTuple
 
 import numpy as np
 
-from benchdragon.kernels.bounds import (
+from benchdragon.kernels.box import BOX_COLUMNS, box_distance, set_box
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.perturbed import bound_beside, place_beside
+from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.step_bounds import (
     BENCH_COLUMNS,
     HANDLE_COLUMNS,
     PATH,
     TRAVEL,
-    Places,
+    Placements,
     apart_bound,
     bound_bench,
     bound_handles,
-    empty_places,
+    empty_placements,
     gap_ceiling,
 )
-from benchdragon.kernels.box import BOX_COLUMNS, box_distance, set_box
-from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import kernel
-from benchdragon.kernels.perturbed import bound_beside, stand_beside
-from benchdragon.kernels.route import IntArray
 
 # What a search is after.
 FIRST_TOUCH = 0  # the first head position at which a pair is nearer than the margin
@@ -37,7 +37,7 @@ LEAST = 2  # the least distance of any pair
 CLEAR = 0  # the step is clear; TOUCH_END: touched throughout; LEAST: the bracket is closed
 FOUND = 1  # LEAST: benches overlap
 GRAZE = 2  # in the bracket a pair comes so near the margin that rounding hides on which side
-STUCK = 3  # too many looks; up to the bracket's lower end all is as for CLEAR
+STUCK = 3  # too many evaluations; up to the bracket's lower end all is as for CLEAR
 FALLEN = 4  # the chain cannot stand at some place of the head
 # How a part of the step is judged, besides CLEAR, FOUND and GRAZE.
 UNSURE = 5  # only rounding is left to tell
@@ -47,7 +47,7 @@ SPLIT = 6  # its halves must be looked at
 LOWER = 0  # head position: as for CLEAR up to here, unless infinite
 UPPER = 1  # head position at which FOUND is sure, or at which LEAST was seen
 PAIR = 2  # number of the pair
-LOOKS = 3  # chains marched
+EVALUATIONS = 3  # chains marched
 NEAREST = 4  # LEAST: the least distance seen, m
 LOWEST = 5  # LEAST: no pair alive comes nearer in the part at hand, m
 FLOOR = 6  # LEAST: no pair comes nearer in the parts that were given up, m
@@ -63,7 +63,7 @@ class Search(NamedTuple):
     """What one search works on: open right ends in slots 1.., the left end in slot 0."""
 
     at: FloatArray  # head positions, (DEPTH,)
-    places: Places
+    places: Placements
     handles: FloatArray  # scratch, (handles, HANDLE_COLUMNS)
     sweeps: FloatArray  # (members, BENCH_COLUMNS)
     boxes: FloatArray  # (DEPTH * members, BOX_COLUMNS), slot by slot
@@ -78,7 +78,7 @@ def room(handles: int, members: int, pairs: int, chains: int) -> Search:
     """Room for searches of up to so many handles, members and pairs; `chains` of them logged."""
     return Search(
         np.empty(DEPTH),
-        empty_places(handles, DEPTH),
+        empty_placements(handles, DEPTH),
         np.empty((handles, HANDLE_COLUMNS)),
         np.empty((members, BENCH_COLUMNS)),
         np.empty((DEPTH * members, BOX_COLUMNS)),
@@ -90,7 +90,7 @@ def room(handles: int, members: int, pairs: int, chains: int) -> Search:
 
 
 @kernel
-def begin(search: Search, pairs: int, start: float, end: float) -> int:
+def open_step(search: Search, pairs: int, start: float, end: float) -> int:
     """Open the step from head position start to end; the slot of its end, 0 if there is no pair."""
     search.at[0], search.at[1] = start, end
     search.alive[1, :pairs] = np.arange(pairs)
@@ -115,7 +115,7 @@ def write_log(search: Search, slot: int, handles: int) -> None:
 
 
 @kernel
-def look(
+def evaluate_slot(
     rows: FloatArray,
     links: FloatArray,
     aside: FloatArray,
@@ -125,8 +125,8 @@ def look(
     slot: int,
     near: int,
 ) -> bool:
-    """Place the chain at a slot, as in `stand_beside`, and box its members; whether it can stand."""
-    if not stand_beside(rows, links, aside, search.at, near, slot, search.places):
+    """Place the chain at a slot, as in `place_beside`, and box its members; whether it can stand."""
+    if not place_beside(rows, links, aside, search.at, near, slot, search.places):
         return False
     write_log(search, slot, links.shape[0] + 1)
     count = members.shape[0]
@@ -322,7 +322,7 @@ def judge(
 
 
 @kernel
-def seek(
+def search_step(
     search: Search,
     goal: int,
     rows: FloatArray,
@@ -346,15 +346,15 @@ def seek(
     far below the least distance seen the bound may lie. Parts of at most `width` metres are not halved.
     For LEAST note[NEAREST] and note[FLOOR] hold what earlier steps found; otherwise `note` is fresh.
     """
-    top = begin(search, first.shape[0], start, end)
-    return halvings(
+    top = open_step(search, first.shape[0], start, end)
+    return bisect(
         search, goal, rows, links, np.empty(0), sizes, members, first, second, top, top - 1,
         margin, slack, width, most, note,
     )  # fmt: skip
 
 
 @kernel
-def halvings(
+def bisect(
     search: Search,
     goal: int,
     rows: FloatArray,
@@ -372,25 +372,25 @@ def halvings(
     most: int,
     note: FloatArray,
 ) -> int:
-    """Search a step that was begun, see `seek`, whose slots before number `ready` were looked at.
+    """Search a step that was begun, see `search_step`, whose chains before slot `ready` were placed.
 
     Handle i walks aside[i] metres to the left of the route; all on it if `aside` is empty.
     """
     count, handles = members.shape[0], links.shape[0] + 1
-    looks = 0
+    evaluations = 0
     note[LOWER] = math.inf
     while top > 0:
         while ready <= top:
-            if not look(rows, links, aside, sizes, members, search, ready, 0):
+            if not evaluate_slot(rows, links, aside, sizes, members, search, ready, 0):
                 note[LOWER], note[UPPER] = min(note[LOWER], search.at[0]), search.at[ready]
                 return FALLEN
             ready += 1
-            looks += 1
-            note[LOOKS] += 1.0
+            evaluations += 1
+            note[EVALUATIONS] += 1.0
         bound_members(rows, links, aside, sizes, members, search, top)
         verdict = judge(search, goal, top, count, first, second, margin, slack, note)
         if verdict == SPLIT:
-            full = top + 2 >= DEPTH or looks >= most
+            full = top + 2 >= DEPTH or evaluations >= most
             if not full and search.at[top] - search.at[0] > width:
                 top = halve(search, top)
                 continue

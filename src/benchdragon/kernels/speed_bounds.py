@@ -3,19 +3,19 @@
 The ratio of the speeds at a bench's two handles depends on its link and on where its front handle
 stands, and on nothing else. The greatest in each cell of the route is found once; the product down a
 chain then bounds all of its speeds over a long step of the head. That is looser than a chain's own
-bounds, but far cheaper, and sees where a greatest speed cannot be (design/sieve.py).
+bounds, but far cheaper, and sees where a greatest speed cannot be (design/coarse_bound.py).
 """
 
 import math
 
 import numpy as np
 
-from benchdragon.kernels.bounds import HANDLE_COLUMNS, SPEED, Places, bound_handles
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.regions import EDGE
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.status import Status
+from benchdragon.kernels.step_bounds import HANDLE_COLUMNS, SPEED, Placements, bound_handles
 
 # Columns of what is known of a step of the head.
 MOST = 0  # no handle has a greater speed ratio
@@ -25,7 +25,7 @@ STEP_COLUMNS = 3
 
 
 @kernel
-def cell_ratios(rows: FloatArray, links: FloatArray, places: Places, out: FloatArray) -> None:
+def cell_ratios(rows: FloatArray, links: FloatArray, places: Placements, out: FloatArray) -> None:
     """Fill out[n] with the greatest ratio of speeds, rear handle over front handle, in cell n.
 
     `links` is one link, `places` its two handles with the front one at each border. A bench that

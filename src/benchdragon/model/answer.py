@@ -47,7 +47,7 @@ class Answer:
             "unlimited" (none met up to the value).
         witness: what shows it.
         assumptions: what it rests on.
-        looks: how many times the dragon was placed to find it.
+        evaluations: how many times the dragon was placed to find it.
         seconds: how long that took.
     """
 
@@ -58,7 +58,7 @@ class Answer:
     status: Status
     witness: Witness | None = None
     assumptions: tuple[str, ...] = ()
-    looks: int = 0
+    evaluations: int = 0
     seconds: float = 0.0
 
     def with_status(self, status: Status) -> Self:
@@ -88,4 +88,4 @@ class Answer:
         if witness is not None:
             data["witness"]["gap"] = finite_or_none(witness.gap)
         data["assumptions"] = list(self.assumptions)
-        return {**data, "looks": self.looks, "seconds": self.seconds, **more}
+        return {**data, "evaluations": self.evaluations, "seconds": self.seconds, **more}

@@ -13,7 +13,7 @@ from benchdragon.model.curves import Spiral
 from benchdragon.model.walk import Motion, Walk
 from benchdragon.paper.differences import SCHEMES, difference_errors, order
 from benchdragon.paper.runge_kutta import head_positions
-from benchdragon.paper.sensitivity import Drift, Stand, changed, dot
+from benchdragon.paper.sensitivity import Configuration, Drift, changed, dot
 
 # Steps, s, at which methods are compared. Runge-Kutta is fitted where rounding does not show.
 DIFFERENCE_STEPS = (0.8, 0.4, 0.2, 0.1, 0.05, 0.025)
@@ -91,11 +91,11 @@ def accumulated(motion: Motion) -> FloatArray:
     sizes = np.zeros((4, handles - 1))
     sizes[0] = -residual.astype(np.float64)
     # What would put the head and the links right moves each handle by its error.
-    stand, (px, py) = Stand.of(motion), _head_place(motion)
+    configuration, (px, py) = Configuration.of(motion), _head_place(motion)
     apart = complex(float(px - x[0]), float(py - y[0]))
-    head = dot(apart, stand.tangent[0])
+    head = dot(apart, configuration.tangent[0])
     moved = Drift(np.zeros((handles, 2)), np.zeros(handles), sizes, head)
-    return np.asarray(np.abs(changed(stand, moved).along))
+    return np.asarray(np.abs(changed(configuration, moved).along))
 
 
 def _head_place(motion: Motion) -> tuple[np.longdouble, np.longdouble]:

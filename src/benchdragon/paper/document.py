@@ -11,7 +11,7 @@ class Link:
     target: str
 
 
-Words = str | Link
+Inline = str | Link
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,7 @@ class Heading:
 class Paragraph:
     """Words, some of which may be links."""
 
-    words: tuple[Words, ...]
+    words: tuple[Inline, ...]
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,7 @@ class Table:
 
     columns: tuple[str, ...]
     widths: tuple[float, ...]
-    rows: tuple[tuple[Words, ...], ...]
+    rows: tuple[tuple[Inline, ...], ...]
     numbers: bool = False
 
 

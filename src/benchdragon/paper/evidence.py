@@ -9,13 +9,13 @@ import numpy as np
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import Answer
 from benchdragon.number_format import decimals, decimals_or_dash
-from benchdragon.paper.document import Block, Formula, Heading, Link, Paragraph, Picture, Table, Words
+from benchdragon.paper.document import Block, Formula, Heading, Inline, Link, Paragraph, Picture, Table
 from benchdragon.paper.results import DIFFERENCE_STEP, Rate, Results
 from benchdragon.solve.tolerance import CASES
 
 
 @dataclass(frozen=True)
-class Road:
+class Evidence:
     """How a number is established: where it is derived, in code, and proved by a test.
 
     The page is that of the documentation, with its anchor.
@@ -28,45 +28,45 @@ class Road:
     test: str
 
 
-ROADS = {
-    road.anchor: road
-    for road in (
-        Road(
+EVIDENCE = {
+    evidence.anchor: evidence
+    for evidence in (
+        Evidence(
             "chain",
             N_("Positions of the handles"),
             "established.html#chain",
             "benchdragon.kernels.chain.march",
             "tests/truth/test_truth.py, tests/model/test_walk.py",
         ),
-        Road(
+        Evidence(
             "speeds",
             N_("Speeds of the handles"),
             "established.html#speeds",
             "benchdragon.model.walk.Motion.speed_ratio",
             "tests/laws/test_laws.py, tests/paper/test_differences.py",
         ),
-        Road(
+        Evidence(
             "first-contact",
             N_("The first contact"),
             "established.html#first-contact",
             "benchdragon.analysis.contact.first_contact",
             "tests/analysis/test_contact.py, tests/laws/test_contact_laws.py",
         ),
-        Road(
+        Evidence(
             "smallest-pitch",
             N_("The smallest pitch"),
             "established.html#smallest-pitch",
             "benchdragon.solve.size.limit",
             "tests/solve/test_size.py, tests/analysis/test_proof.py",
         ),
-        Road(
+        Evidence(
             "turn",
             N_("The turn"),
             "established.html#turn",
             "benchdragon.model.turns.TwoArcTurn, benchdragon.solve.turn.best_turn",
             "tests/model/test_turns.py, tests/solve/test_turn.py",
         ),
-        Road(
+        Evidence(
             "greatest-head-speed",
             N_("The greatest head speed"),
             "established.html#greatest-head-speed",
@@ -189,7 +189,7 @@ def conditioning(found: Results) -> Iterable[Block]:
         )
 
 
-def _rate_row(rate: Rate, scale: float) -> tuple[Words, ...]:
+def _rate_row(rate: Rate, scale: float) -> tuple[Inline, ...]:
     name = f"{_(SIZE_NAMES[rate.key])} ({rate.key})"
     return (name, *(decimals(scale * value, 8) for value in (rate.exact, rate.difference)))
 
@@ -222,7 +222,7 @@ def people(found: Results) -> Iterable[Block]:
     )
     rows = []
     for name, one in found.margins.items():
-        slips = ", ".join(f"{100.0 * size:g}" for size in vars(one.slips).values() if size)
+        deviations = ", ".join(f"{100.0 * size:g}" for size in vars(one.deviations).values() if size)
         median, tenth, twentieth = np.median(one.needed), one.pitch_for(0.1), one.pitch_for(0.05)
         room = 100.0 * (twentieth - found.smallest.value)
         numbers = (
@@ -231,7 +231,7 @@ def people(found: Results) -> Iterable[Block]:
             decimals_or_dash(twentieth),
             decimals_or_dash(room, 1),
         )
-        rows.append((_(CASES[name].text), slips, *numbers))
+        rows.append((_(CASES[name].text), deviations, *numbers))
     yield Table(columns, (2.4, 1.0, 0.8, 1.0, 1.0, 1.0), tuple(rows))
     yield say(
         _(
@@ -242,26 +242,26 @@ def people(found: Results) -> Iterable[Block]:
     )
 
 
-def roads(found: Results, docs: str | None) -> Iterable[Block]:
+def evidence_table(found: Results, docs: str | None) -> Iterable[Block]:
     """For each number its derivation, code and tests; links to `docs` if that is given."""
     yield Heading(_("How each number was established"), "how")
     for anchor, (formulas, text) in _derivations(found).items():
-        road = ROADS[anchor]
-        yield Heading(_(road.title), f"how-{anchor}", 2)
+        evidence = EVIDENCE[anchor]
+        yield Heading(_(evidence.title), f"how-{anchor}", 2)
         yield Paragraph((text,))
         for formula in formulas:
             yield Formula(formula)
-        words: list[Words] = [
-            _("Code: {code}. Tests: {tests}.").format(code=road.code, tests=road.test)
+        words: list[Inline] = [
+            _("Code: {code}. Tests: {tests}.").format(code=evidence.code, tests=evidence.test)
         ]
         if docs is not None:
-            target = f"{docs.rstrip('/')}/{road.page}"
+            target = f"{docs.rstrip('/')}/{evidence.page}"
             words += [" ", Link(_("The page that derives it, with code and test"), target)]
         yield Paragraph(tuple(words))
 
 
 def _derivations(found: Results) -> dict[str, tuple[tuple[str, ...], str]]:
-    """For each road, formulas with this run's numbers in them, and what is done in words."""
+    """For each number, formulas with this run's numbers in them, and what is done in words."""
     k = found.spiral.value("route.pitch") / (2.0 * math.pi)
     first, smallest, arcs = contact_of(found), found.smallest, found.two_arcs
     links = found.motion.walk.dragon.links

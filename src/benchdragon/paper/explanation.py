@@ -21,11 +21,11 @@ def traversal_lines(
             step=number(pitch_step), sizes=listed(tried)
         ),
         _(
-            "For each, the dragon is evaluated every {step} s: {looks} evaluations in all. The "
+            "For each, the dragon is evaluated every {step} s: {evaluations} evaluations in all. The "
             "answer is the first pitch at which no evaluation finds two benches overlapping: "
             "{pitch} m."
         ).format(
-            step=number(time_step), looks=answer.looks,
+            step=number(time_step), evaluations=answer.evaluations,
             pitch=f"{round(answer.value / pitch_step)}·{number(pitch_step)} = {number(answer.value)}",
         ),
         _(

@@ -19,11 +19,11 @@ from benchdragon.paper.document import (
     Document,
     Formula,
     Heading,
+    Inline,
     Link,
     Paragraph,
     Picture,
     Table,
-    Words,
 )
 from benchdragon.version import __version__
 
@@ -128,7 +128,7 @@ class Pages(FPDF):
         self.set_font("Noto", "B" if bold else "", size)
         self.multi_cell(0, 0.5 * size, breakable(text), align="L", new_x="LMARGIN", new_y="NEXT")
 
-    def _write(self, part: Words) -> None:
+    def _write(self, part: Inline) -> None:
         if isinstance(part, str):
             self.write(LINE, breakable(part))
             return

@@ -13,14 +13,14 @@ from benchdragon.model.answer import Answer
 from benchdragon.model.numbering import handle_names, numbering_text
 from benchdragon.number_format import decimals, decimals_or_dash
 from benchdragon.paper import claims as paper
-from benchdragon.paper.document import Block, Document, Heading, Link, Paragraph, Picture, Table, Words
+from benchdragon.paper.document import Block, Document, Heading, Inline, Link, Paragraph, Picture, Table
 from benchdragon.paper.evidence import (
     conditioning,
     contact_of,
     errors,
+    evidence_table,
     left_out,
     people,
-    roads,
     say,
 )
 from benchdragon.paper.results import (
@@ -65,7 +65,7 @@ def report(found: Results, docs: str | None = None) -> Document:
         *errors(found),
         *conditioning(found),
         *people(found),
-        *roads(found, docs),
+        *evidence_table(found, docs),
         *left_out(),
     ]
     return Document(title, language(), tuple(blocks))
@@ -121,7 +121,7 @@ def _claims(found: Results) -> Iterable[Block]:
     yield Table(columns, (0.7, 1.5, 1.2, 1.4, 1.0, 2.6, 1.2), tuple(rows))
 
 
-def _walk_claims(found: Results) -> Iterable[tuple[Words, ...]]:
+def _walk_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
     last = table(found.motion, [300.0])[-1]
     yield (
         "2",
@@ -151,7 +151,7 @@ def _walk_claims(found: Results) -> Iterable[tuple[Words, ...]]:
     )
 
 
-def _contact_claims(found: Results) -> Iterable[tuple[Words, ...]]:
+def _contact_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
     first, smallest = contact_of(found), found.smallest
     stepped = dict(found.stepped)[1.0]
     yield (
@@ -187,7 +187,7 @@ def _contact_claims(found: Results) -> Iterable[tuple[Words, ...]]:
     )
 
 
-def _turn_claims(found: Results) -> Iterable[tuple[Words, ...]]:
+def _turn_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
     arcs = found.two_arcs
     yield (
         "3, (1), (2)",
@@ -224,9 +224,9 @@ def _turn_claims(found: Results) -> Iterable[tuple[Words, ...]]:
     )
 
 
-def _other_claims(found: Results) -> Iterable[tuple[Words, ...]]:
+def _other_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
     coarse, fine = (
-        next(answer.looks for p, t, answer in found.traversal if (p, t) == steps)
+        next(answer.evaluations for p, t, answer in found.traversal if (p, t) == steps)
         for steps in ((0.002, 1.0), (0.0005, 1.0))
     )
     width = found.smallest.upper - found.smallest.lower
@@ -264,7 +264,7 @@ def _other_claims(found: Results) -> Iterable[tuple[Words, ...]]:
         ),
         "",
         _("with handles {slip} cm off the route, to either side, as a standard deviation").format(
-            slip=f"{100.0 * aside.slips.aside:g}"
+            deviation=f"{100.0 * aside.deviations.aside:g}"
         ),
         Link(_("chapter on people"), "#people"),
     )
@@ -386,7 +386,7 @@ def _motion_tables(rows: Sequence[dict[str, float]], times: Sequence[float]) -> 
     widths = (0.6, 1.6, *(1.0 for _time in times))
     names = handle_names(TABLE_HANDLES[-1] + 1)
     by_place = {(row["time_s"], row["handle"]): row for row in rows}
-    lines: list[tuple[Words, ...]] = []
+    lines: list[tuple[Inline, ...]] = []
     for handle in TABLE_HANDLES:
         for axis, text in (("x", _("{handle} x (m)")), ("y", _("{handle} y (m)"))):
             cells = (f"{by_place[t, handle][f'{axis}_m']:.6f}" for t in times)

@@ -39,7 +39,7 @@ from benchdragon.progress import Progress, Stages, silent
 from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.size import limit, smallest_pitch
 from benchdragon.solve.tolerance import CASES, Tolerance, tolerance
-from benchdragon.solve.turn import BestTurn, Wish, pareto_front
+from benchdragon.solve.turn import BestTurn, TurnGoal, pareto_front
 from benchdragon.version import __version__
 
 if TYPE_CHECKING:
@@ -103,7 +103,7 @@ class Results:
         curve: angles over the pitch, the paper's Fig 2.
         traversal: (pitch step, m; time step, s; answer), stepped: (time step, s; contact seen, s).
         head_order: of Runge-Kutta, speed_orders: of each difference formula.
-        head_errors: of the head's place, m, by step of each road beside the closed form.
+        head_errors: of the head's place, m, by step of each method beside the closed form.
         speed_error: of the head's speed from forward differences a second apart, m/s.
         off, off_bisected: how far handles are from their exact places, m; residuals: of chords, m.
         rates: how answers move with sizes, by name of the answer.
@@ -190,7 +190,7 @@ def results(progress: Progress = silent) -> Results:
         for name, case in CASES.items():
             if len(drawn) % 3 == 0:
                 stage(_("random dances"))
-            drawn[name] = tolerance(disc, case.slips, DRAWS, seed=SEED, workers=workers)
+            drawn[name] = tolerance(disc, case.deviations, DRAWS, seed=SEED, workers=workers)
         stage(_("better turns"))
         front = better()
     stage(_("equations"))
@@ -263,8 +263,8 @@ def _end_with_parent() -> None:
 def better_turns(plan: Plan, speeds: Sequence[float], spoken: str) -> list[BestTurn]:
     """Shortest turns with a line between the arcs, for each head speed (m/s), in a language."""
     use_language(spoken)
-    wish = Wish("way", least_radius=TwoArcTurn(plan.value("route.pitch")).radii[1])
-    return pareto_front(plan.with_table("turn", family="arc-line-arc"), speeds, wish)
+    goal = TurnGoal("way", least_radius=TwoArcTurn(plan.value("route.pitch")).radii[1])
+    return pareto_front(plan.with_table("turn", family="arc-line-arc"), speeds, goal)
 
 
 def head_errors(walk: Walk, times: FloatArray) -> dict[str, float]:
@@ -413,7 +413,7 @@ def _difference(found: Results, scheme: Any) -> dict[str, float]:
 
 def _margin(one: Tolerance) -> dict[str, Any]:
     return {
-        "slips_m": vars(one.slips),
+        "slips_m": vars(one.deviations),
         "draws": one.needed.size,
         "seed": one.seed,
         "exact_m": one.exact,

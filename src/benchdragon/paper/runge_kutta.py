@@ -1,4 +1,4 @@
-"""The paper's road to the head's place: Runge-Kutta for d theta / dt = -v / (k sqrt(1 + theta^2)).
+"""The paper's way to the head's place: Runge-Kutta for d theta / dt = -v / (k sqrt(1 + theta^2)).
 
 The closed form needs no differential equation (see `profile.SpeedProfile.distance`); the two check each
 other, and what is integrated shows how errors come about.
@@ -136,7 +136,7 @@ def _rk4(rate: Rate, a: float, b: float, theta: float, step: float) -> float:
 
 
 def _adaptive(rate: Rate, a: float, b: float, theta: float, _step: float) -> float:
-    from scipy.integrate import solve_ivp  # slow to import, and needed by this road alone
+    from scipy.integrate import solve_ivp  # slow to import, and needed by this method alone
 
     solution = solve_ivp(
         lambda t, y: [rate(t, y[0])], (a, b), [theta], method="DOP853", rtol=1e-13, atol=1e-13

@@ -57,7 +57,7 @@ class Drift:
 
 
 @dataclass(frozen=True)
-class Stand:
+class Configuration:
     """The dragon at one instant, as vectors: complex numbers x + iy.
 
     Attributes:
@@ -77,7 +77,7 @@ class Stand:
     sizes: FloatArray
 
     @classmethod
-    def of(cls, motion: Motion) -> "Stand":
+    def of(cls, motion: Motion) -> "Configuration":
         """The one time of a motion."""
         route, s = motion.walk.route, motion.s[0]
         place = motion.x[0] + 1j * motion.y[0]
@@ -112,27 +112,27 @@ def dot(a: complex, b: complex) -> float:
     return float(a.real * b.real + a.imag * b.imag)
 
 
-def changed(stand: Stand, drift: Drift) -> Change:
+def changed(configuration: Configuration, drift: Drift) -> Change:
     """How all handles move with a number: |P_i - P_i+1| = d_i, differentiated from head to tail.
 
     u . (v_i - v_i+1) = d d_i with v = t da + dP: the law of speeds with two terms more.
     """
     shift = drift.point[:, 0] + 1j * drift.point[:, 1]
-    along = np.empty(len(stand.place))
+    along = np.empty(len(configuration.place))
     along[0] = drift.head
-    moved = stand.tangent[0] * drift.head + shift[0]
+    moved = configuration.tangent[0] * drift.head + shift[0]
     for i, link in enumerate(drift.links):
-        u = stand.bench[i]
-        along[i + 1] = (dot(u, moved - shift[i + 1]) - link) / dot(u, stand.tangent[i + 1])
-        moved = stand.tangent[i + 1] * along[i + 1] + shift[i + 1]
-    place = stand.tangent * along + shift
-    turn = np.imag(np.conj(stand.bench) * (place[:-1] - place[1:])) / stand.links
+        u = configuration.bench[i]
+        along[i + 1] = (dot(u, moved - shift[i + 1]) - link) / dot(u, configuration.tangent[i + 1])
+        moved = configuration.tangent[i + 1] * along[i + 1] + shift[i + 1]
+    place = configuration.tangent * along + shift
+    turn = np.imag(np.conj(configuration.bench) * (place[:-1] - place[1:])) / configuration.links
     return Change(along, place, turn)
 
 
-def walking(stand: Stand) -> Drift:
+def walking(configuration: Configuration) -> Drift:
     """The drift that is the walk itself: the head goes on, per metre of its way."""
-    n = len(stand.place)
+    n = len(configuration.place)
     return Drift(np.zeros((n, 2)), np.zeros(n), np.zeros((4, n - 1)), 1.0)
 
 
@@ -196,19 +196,19 @@ class Touch:
         )
 
 
-def distance_rate(stand: Stand, change: Change, drift: Drift, touch: Touch) -> float:
+def distance_rate(configuration: Configuration, change: Change, drift: Drift, touch: Touch) -> float:
     """How the distance of a corner of one bench from a side of another changes, m per unit."""
     i, j = touch.owner, touch.other
-    length, width, front, _rear = stand.sizes[:, i]
+    length, width, front, _rear = configuration.sizes[:, i]
     d_length, d_width, d_front, _d_rear = drift.sizes[:, i]
-    u, turn = stand.bench[i], change.turn[i]
+    u, turn = configuration.bench[i], change.turn[i]
     ahead, d_ahead = (front, d_front) if touch.at_front else (front - length, d_front - d_length)
     across, d_across = 0.5 * touch.left * width, 0.5 * touch.left * d_width
     # The corner is P + (ahead + i across) u, and u turns.
     tip = (ahead + 1j * across) * u
     d_corner = change.place[i] + (d_ahead + 1j * d_across) * u + 1j * turn * tip
-    corner_at = stand.place[i] + tip
-    v = stand.bench[j]
+    corner_at = configuration.place[i] + tip
+    v = configuration.bench[j]
     normal = {"left": 1j * v, "right": -1j * v, "front": v, "rear": -v}[touch.side]
     half = {
         "left": 0.5 * drift.sizes[1, j],
@@ -216,22 +216,22 @@ def distance_rate(stand: Stand, change: Change, drift: Drift, touch: Touch) -> f
         "front": drift.sizes[2, j],
         "rear": drift.sizes[0, j] - drift.sizes[2, j],
     }[touch.side]
-    arm = corner_at - stand.place[j]
+    arm = corner_at - configuration.place[j]
     swing = dot(1j * change.turn[j] * normal, arm)
     return swing + dot(normal, d_corner - change.place[j]) - float(half)
 
 
-def log_ratio_rate(stand: Stand, change: Change, drift: Drift, handle: int) -> float:
+def log_ratio_rate(configuration: Configuration, change: Change, drift: Drift, handle: int) -> float:
     """How the logarithm of a handle's speed ratio changes, 1 per unit.
 
     The ratio is a product of (t_i . u) / (t_i+1 . u) over the benches before the handle.
     """
-    swing = stand.bend * change.along + drift.heading
+    swing = configuration.bend * change.along + drift.heading
     total = 0.0
     for i in range(handle):
-        u = stand.bench[i]
+        u = configuration.bench[i]
         for end, sign in ((i, 1.0), (i + 1, -1.0)):
-            t = stand.tangent[end]
+            t = configuration.tangent[end]
             total += sign * (change.turn[i] - swing[end]) * dot(t, 1j * u) / dot(t, u)
     return total
 
@@ -263,10 +263,13 @@ def contact_rates(plan: Plan, contact: Answer) -> dict[str, float]:
     witness = _known(contact)
     touch, walk = Touch.of(witness), plan.build()
     motion = walk.motion([contact.value])
-    stand = Stand.of(motion)
-    forward = walking(stand)
-    closing = distance_rate(stand, changed(stand, forward), forward, touch) * motion.head_speed[0]
-    rates = _distance_rates(plan, motion, stand, touch)
+    configuration = Configuration.of(motion)
+    forward = walking(configuration)
+    closing = (
+        distance_rate(configuration, changed(configuration, forward), forward, touch)
+        * motion.head_speed[0]
+    )
+    rates = _distance_rates(plan, motion, configuration, touch)
     return {key: -rate / float(closing) for key, rate in rates.items()}
 
 
@@ -288,15 +291,15 @@ def limit_rates(plan: Plan, name: str, limit: Answer) -> dict[str, float]:
     time = walk.time_at(_known(limit).s)
 
     def closing(t: float) -> float:
-        stand = Stand.of(walk.motion([t]))
-        forward = walking(stand)
-        return distance_rate(stand, changed(stand, forward), forward, touch)
+        configuration = Configuration.of(walk.motion([t]))
+        forward = walking(configuration)
+        return distance_rate(configuration, changed(configuration, forward), forward, touch)
 
     motion = walk.motion([_level(closing, time)])
-    stand = Stand.of(motion)
+    configuration = Configuration.of(motion)
     own = drift(there, keys, motion)
-    slope = distance_rate(stand, changed(stand, own), own, touch)
-    rates = _distance_rates(there, motion, stand, touch)
+    slope = distance_rate(configuration, changed(configuration, own), own, touch)
+    rates = _distance_rates(there, motion, configuration, touch)
     return {key: -rate / slope for key, rate in rates.items() if key not in keys}
 
 
@@ -318,20 +321,22 @@ def speed_rates(plan: Plan, head_speed: Answer) -> dict[str, float]:
         return float(still.motion([t]).acceleration[0, handle])
 
     motion = still.motion([_level(rise, witness.s - walk.start)])
-    stand = Stand.of(motion)
+    configuration = Configuration.of(motion)
     rates = {}
     for key in sizes_of(plan):
         moved = drift(plan, (key,), motion)
-        change = changed(stand, moved)
-        rates[key] = -head_speed.value * log_ratio_rate(stand, change, moved, handle)
+        change = changed(configuration, moved)
+        rates[key] = -head_speed.value * log_ratio_rate(configuration, change, moved, handle)
     return rates
 
 
-def _distance_rates(plan: Plan, motion: Motion, stand: Stand, touch: Touch) -> dict[str, float]:
+def _distance_rates(
+    plan: Plan, motion: Motion, configuration: Configuration, touch: Touch
+) -> dict[str, float]:
     rates = {}
     for key in sizes_of(plan):
         moved = drift(plan, (key,), motion)
-        rates[key] = distance_rate(stand, changed(stand, moved), moved, touch)
+        rates[key] = distance_rate(configuration, changed(configuration, moved), moved, touch)
     return rates
 
 

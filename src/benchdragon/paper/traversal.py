@@ -1,4 +1,4 @@
-"""The paper's road to the smallest pitch: stepped pitches and times, and its picture over the pitch."""
+"""The paper's way to the smallest pitch: stepped pitches and times, and its picture over the pitch."""
 
 import itertools
 import math
@@ -55,13 +55,13 @@ def traversed_pitch(
     positive("time_step", time_step, "s")
     family = Family(plan, QUESTIONS["pitch"], 0.0)
     n = math.ceil((0.8 * plan.value("route.pitch") if first is None else first) / pitch_step - 1e-9)
-    looks = 0
+    evaluations = 0
     for tried in range(n, n + MOST_COUNT):
         pitch = tried * pitch_step
         progress(0.0, f"{pitch:.9g} m")
         walk, start, end = family.walk(pitch)
         times = np.append(np.arange(start, end, time_step), end)
-        looks += len(times)
+        evaluations += len(times)
         if first_overlap(walk, times[::-1]) is None:
             break
     return Answer(
@@ -70,7 +70,7 @@ def traversed_pitch(
             _("pitches in steps of {step} m").format(step=f"{pitch_step:g}"),
             _("contact checked every {step} s").format(step=f"{time_step:g}"),
         ),
-        looks, clock.perf_counter() - began,
+        evaluations, clock.perf_counter() - began,
     )  # fmt: skip
 
 

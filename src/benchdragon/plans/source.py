@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
 
-Made = TypeVar("Made")
+Built = TypeVar("Built")
 
 # What is named at once; of more it is said how many.
 MOST_FAULTS = 20
@@ -45,7 +45,7 @@ class Faults:
     def __init__(self) -> None:
         self.found: list[Fault] = []
 
-    def tried(self, key: str, make: Callable[[], Made]) -> Made | None:
+    def tried(self, key: str, make: Callable[[], Built]) -> Built | None:
         """What `make` makes of the key; None, and a fault, where it cannot."""
         try:
             return make()

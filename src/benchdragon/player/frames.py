@@ -29,7 +29,7 @@ QUANTUM = 1e-4
 # Seconds between frames that are tried, largest first.
 STEPS = tuple(2.0**n for n in range(2, -7, -1))
 # Looks between two frames, as shares of the step.
-LOOKS = (0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875)
+SHARES = (0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875)
 # Frames looked at first, to see whether a step can do at all.
 TRIED = 40
 # With frames so near to one another, s, a handle that is so far from its cubic, m, has leapt.
@@ -92,7 +92,7 @@ def between(s: FloatArray, rise: FloatArray, share: float) -> FloatArray:
 
 
 def frames(
-    walk: Walk, start: float, end: float, most_error: float, looks: tuple[float, ...] = LOOKS
+    walk: Walk, start: float, end: float, most_error: float, shares: tuple[float, ...] = SHARES
 ) -> Frames:
     """The fewest frames between two times, s, that are nowhere farther off than `most_error`, m.
 
@@ -115,7 +115,7 @@ def frames(
         hopeless = step > NEAR and count > 4 * TRIED and _tried(walk, start, even, count) > most_error
         if hopeless:
             continue
-        found, errors = _shot(walk, start, even, count, looks)
+        found, errors = _shot(walk, start, even, count, shares)
         far = np.flatnonzero(~(errors <= LEAP))
         if far.size and step > NEAR:
             continue
@@ -148,7 +148,7 @@ def _tried(walk: Walk, start: float, step: float, count: int) -> float:
 
 
 def _shot(
-    walk: Walk, start: float, step: float, count: int, looks: tuple[float, ...]
+    walk: Walk, start: float, step: float, count: int, shares: tuple[float, ...]
 ) -> tuple[tuple[IntArray, IntArray], FloatArray]:
     """Places and speeds in quanta at evenly spaced times; the error between each frame and the next, m.
 
@@ -159,7 +159,7 @@ def _shot(
     shot = Frames(start, step, _quanta(s), _quanta(v), math.nan, False)
     errors = np.where(np.isnan(s).any(axis=0), np.nan, 0.0)
     errors = errors[:-1] + errors[1:]
-    for share in looks:
+    for share in shares:
         exact = np.concatenate([part[0] for part in _slices(walk, times[:-1] + share * step)], axis=1)
         errors = np.maximum(errors, np.abs(shot.positions(share) - exact).max(axis=0))
     return (shot.places, shot.speeds), errors
@@ -272,8 +272,8 @@ def _stretch(walk: Walk, low: float, high: float, origin: tuple[float, float]) -
         nodes = exact.astype(np.float32)
         step = np.array([(high - low) / (count - 1)])
         piece = Course(np.array([low]), step, np.array([count]), nodes, origin, 0.0)
-        looks = np.linspace(low, high, 4 * (count - 1) + 1)
-        error = float(np.hypot(*(piece.place(looks) - walk.route.point(looks)).T).max())
+        shares = np.linspace(low, high, 4 * (count - 1) + 1)
+        error = float(np.hypot(*(piece.place(shares) - walk.route.point(shares)).T).max())
         if error <= STRETCH_ERROR or count > 4096:
             return nodes, error
         count = 2 * count - 1

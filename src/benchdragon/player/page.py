@@ -36,8 +36,8 @@ TEXT = re.compile(r'(?<![\w$.])_\(\s*("(?:[^"\\]|\\.)*")')
 MOST_BYTES = 10_000_000
 # In a notebook: bytes, and benches times seconds (about 10 s of work).
 MOST_FRAMED, MOST_SHOWN = 3_000_000, 500_000
-# Of a motion at one time, so many seconds are shown before and after it, as far as so many looks see
-# the dragon stand.
+# Of a motion at one time, so many seconds are shown before and after it, as far as the dragon can be
+# placed at so many times among them.
 BESIDE, TRIED = 5.0, 50
 
 

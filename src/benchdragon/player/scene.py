@@ -16,8 +16,8 @@ from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
 from benchdragon.player import messages
 from benchdragon.player.frames import (
-    LOOKS,
     QUANTUM,
+    SHARES,
     Frames,
     course,
     frames,
@@ -31,7 +31,7 @@ from benchdragon.version import __version__
 MOST_ERROR = 1e-3
 # How far benches are looked at for their nearest, m; at how many times at most, and places.
 REACH = 1.0
-MOST_TIMES, MOST_LOOKS = 1500, 3_000_000
+MOST_TIMES, MOST_DISTANCES = 1500, 3_000_000
 # Route drawn before the tail and past the head, m.
 AROUND = 5.0
 MOST_BENCHES = 5_000
@@ -46,14 +46,14 @@ class Span:
         start: s.
         end: s.
         most_error: how far a place may be off between frames, m.
-        looks: where between two frames that is looked at, as shares of a step.
+        shares: where between two frames that is looked at, as shares of a step.
         times: at how many times at most it is looked who is near whom.
     """
 
     start: float
     end: float
     most_error: float = MOST_ERROR
-    looks: tuple[float, ...] = LOOKS
+    shares: tuple[float, ...] = SHARES
     times: int = MOST_TIMES
 
     def __post_init__(self) -> None:
@@ -138,7 +138,7 @@ def plain_dance(walk: Walk, span: Span, progress: Progress = silent) -> messages
         )
     stage = Stages(progress, 4)
     stage(_("computing positions"))
-    shot = frames(walk, span.start, span.end, 0.9 * span.most_error, span.looks)
+    shot = frames(walk, span.start, span.end, 0.9 * span.most_error, span.shares)
     stage(_("finding benches near one another"))
     nearest, tightness = _nearness(walk, shot, span.times)
     stage(_("drawing the route"))
@@ -179,7 +179,7 @@ def _nearness(walk: Walk, shot: Frames, most: int) -> tuple[messages.Nearest, me
     benches = len(walk.dragon)
     walked = QUANTUM * float(shot.places[0, -1] - shot.places[0, 0])
     wanted = 4.0 * max(walked, shot.end - shot.start, 0.5)  # a look each 0.25 m, and each 0.25 s
-    count = int(min(most, max(2, MOST_LOOKS // benches), wanted))
+    count = int(min(most, max(2, MOST_DISTANCES // benches), wanted))
     times = np.linspace(shot.start, shot.end, count)
     best, when = np.full(benches, np.inf), np.zeros(benches)
     other, over_time = np.zeros(benches, dtype=np.int64), []

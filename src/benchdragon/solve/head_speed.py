@@ -85,7 +85,7 @@ def greatest_head_speed(
     limits = _limits_of(plan)
     walk = plan.build()
     first, last = walk.head_position(plan.span(walk)).tolist()
-    lower, upper, looks = MOST_SPEED, math.inf, 0
+    lower, upper, evaluations = MOST_SPEED, math.inf, 0
     decisive: tuple[str, Peak] | None = None
     for n, (name, allowed) in enumerate(limits.items()):
         quantity = QUANTITIES[name]
@@ -93,7 +93,7 @@ def greatest_head_speed(
         told = part(progress, n / len(limits), (n + 1) / len(limits), _(quantity.text))
         limit = allowed / lower**quantity.power  # who keeps to this allows more than those before
         peak = greatest_of(walk, quantity, first, last, tolerance=width, limit=limit, progress=told)
-        looks += peak.looks
+        evaluations += peak.evaluations
         if peak.upper <= limit:
             continue
         lower = _head_speed(quantity, allowed, peak.upper)
@@ -112,7 +112,7 @@ def greatest_head_speed(
         "found" if lower > 0.0 else "undecided",
         witness_of(walk, decisive[1]),
         (_assumed(QUANTITIES[decisive[0]], limits[decisive[0]]),),
-        looks,
+        evaluations,
         clock.perf_counter() - began,
     )
 

@@ -15,12 +15,12 @@ from benchdragon.errors import BenchDragonError, InputError
 from benchdragon.i18n import _
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels import search
-from benchdragon.kernels.bounds import empty_places
 from benchdragon.kernels.box import nearest_pair
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.every_pair import CROWDED, patrol
-from benchdragon.kernels.perturbed import stand_along
+from benchdragon.kernels.every_pair import CROWDED, search_all_pairs
+from benchdragon.kernels.perturbed import place_along
 from benchdragon.kernels.route import evaluate
+from benchdragon.kernels.step_bounds import empty_placements
 from benchdragon.model.curves import Route
 from benchdragon.model.dragon import Dragon
 
@@ -35,7 +35,7 @@ STEP = 0.125
 # How far least distances may lie below those told, m; what is nearer to touching than this, m, touches.
 TOLERANCE, GRAZE = 1e-4, 1e-7
 # Parts of a step as short as this, m, are not halved; chains that one step may take.
-WIDTH, MOST_LOOKS = 1e-8, 20_000
+WIDTH, MOST_EVALUATIONS = 1e-8, 20_000
 # Pairs a bench may have near it at first; more, if they are found, take another search.
 PARTNERS = 24
 # Limits of one dance: handles times evaluations (60 bytes each), and pairs times evaluations.
@@ -71,7 +71,7 @@ class Meeting:
 
 
 @dataclass(frozen=True)
-class Rehearsal:
+class RandomDance:
     """A dance to be searched.
 
     Attributes:
@@ -142,8 +142,8 @@ class Rehearsal:
         Raises:
             CannotFollowError: where the dragon cannot stand.
         """
-        places = empty_places(len(self.dragon) + 1, at.size)
-        stood = stand_along(self.rows, self.dragon.links, self.aside, at, places)
+        places = empty_placements(len(self.dragon) + 1, at.size)
+        stood = place_along(self.rows, self.dragon.links, self.aside, at, places)
         if stood < at.size:
             raise _stopped(float(at[stood]))
         distance, t, i, j = nearest_pair(self.dragon.sizes, places.x, places.y)
@@ -158,7 +158,7 @@ class Rehearsal:
             CannotFollowError: where the dragon cannot stand.
         """
         note = np.zeros(search.NOTES)
-        ending = self._patrol(search.FIRST_TOUCH, margin, GRAZE, note)
+        ending = self._search(search.FIRST_TOUCH, margin, GRAZE, note)
         return None if ending == search.CLEAR else float(note[search.UPPER])
 
     def least(self) -> float:
@@ -174,11 +174,11 @@ class Rehearsal:
             return hint
         note = np.zeros(search.NOTES)
         note[search.NEAREST], note[search.FLOOR] = hint, math.inf
-        self._patrol(search.LEAST, 0.0, TOLERANCE, note)
+        self._search(search.LEAST, 0.0, TOLERANCE, note)
         return float(note[search.NEAREST])
 
-    def _patrol(self, goal: int, margin: float, slack: float, note: FloatArray) -> int:
-        """Search the walk: see `every_pair.patrol`."""
+    def _search(self, goal: int, margin: float, slack: float, note: FloatArray) -> int:
+        """Search the walk: see `every_pair.search_all_pairs`."""
         dragon, partners = self.dragon, PARTNERS
         benches = len(dragon)
         while True:
@@ -186,9 +186,9 @@ class Rehearsal:
             first, second = np.empty(pairs, dtype=np.int64), np.empty(pairs, dtype=np.int64)
             room = search.room(benches + 1, benches, pairs, 0)
             found = note.copy()
-            ending = patrol(
+            ending = search_all_pairs(
                 room, goal, self.rows, dragon.links, self.aside, dragon.sizes, self._grid(STEP),
-                first, second, margin, slack, WIDTH, MOST_LOOKS, found,
+                first, second, margin, slack, WIDTH, MOST_EVALUATIONS, found,
             )  # fmt: skip
             if ending != CROWDED:
                 break

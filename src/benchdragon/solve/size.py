@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from benchdragon.analysis.contact import SLACK, Hunt
+from benchdragon.analysis.contact import SLACK, ContactSearch
 from benchdragon.analysis.proof import (
     assumed,
     prove_contact,
@@ -63,7 +63,7 @@ class Limit:
     good: float
     bad: float
     tried: bool = False
-    looks: int = 0
+    evaluations: int = 0
     caution: float = 2.5
     failures: int = 0
     unsure: list[float] = field(default_factory=list)
@@ -133,7 +133,7 @@ def limit(
     Returns:
         The limit, m. Its bracket: at one end the whole walk stays clear, at the other a pair comes
         nearer than the margin (or the dragon cannot walk). Sizes beyond were not tried; see
-        `walkable_sizes`. Status "infeasible": no size passes; "unlimited": all that were tried do,
+        `feasible_sizes`. Status "infeasible": no size passes; "unlimited": all that were tried do,
         to a hundredth (or hundred times) of the plan's; "undecided": sizes in the bracket
         could not be decided, as the last of `assumptions` says. The witness is the pair that decides.
 
@@ -199,7 +199,7 @@ def _limit(family: Family, progress: Progress, began: float) -> Answer:
         size, shift = bracket.target(root)
         progress(0.0, f"{size:.9g} m")
         trial = family.trial(size)
-        bracket.looks += trial.looks
+        bracket.evaluations += trial.evaluations
         if trial.clear is None:
             bracket.unsure.append(size)
         elif trial.clear:
@@ -256,7 +256,7 @@ def _limit_answer(bracket: Limit, value: float, meeting: Meeting | None, began: 
     witness = _witness(family, bracket.bad, meeting)
     return Answer(
         min(max(value, lower), upper), lower, upper, "m", "undecided" if bracket.doubts else "found",
-        witness, _assumed(family, bracket.unsure), bracket.looks, clock.perf_counter() - began,
+        witness, _assumed(family, bracket.unsure), bracket.evaluations, clock.perf_counter() - began,
     )  # fmt: skip
 
 
@@ -269,8 +269,8 @@ def _witness(family: Family, size: float, meeting: Meeting | None) -> Witness | 
     except (InputError, PlanError):
         return None
     first, last = walk.head_position([start, end]).tolist()
-    hunt = Hunt(walk, first, last, family.margin, silent, since=start)
-    return hunt.witness(min(meeting.s, last), meeting.i, meeting.j)
+    search = ContactSearch(walk, first, last, family.margin, silent, since=start)
+    return search.witness(min(meeting.s, last), meeting.i, meeting.j)
 
 
 def _assumed(family: Family, unsure: Sequence[float]) -> tuple[str, ...]:
@@ -301,7 +301,7 @@ class Span:
 
 
 @dataclass(frozen=True)
-class WalkableSizes:
+class FeasibleSizes:
     """What trying sizes of a range came to.
 
     Attributes:
@@ -315,7 +315,7 @@ class WalkableSizes:
     undecided: tuple[float, ...]
 
 
-def walkable_sizes(
+def feasible_sizes(
     plan: Plan,
     name: str,
     low: float,
@@ -324,7 +324,7 @@ def walkable_sizes(
     *,
     margin: float | None = None,
     progress: Progress = silent,
-) -> WalkableSizes:
+) -> FeasibleSizes:
     """The sizes between low and high (m) with which the walk stays clear, tried at `count` places.
 
     Where a span borders on sizes that do not pass, the border is found as by `limit`; where on ones
@@ -360,7 +360,7 @@ def walkable_sizes(
             borders = tuple(end for end, size in zip(ends, tried, strict=True) if end != size)
             spans.append(Span(*ends, len(members), borders))
     undecided = tuple(trial.size for trial in trials if trial.clear is None)
-    return WalkableSizes(tuple(spans), (high - low) / (count - 1), undecided)
+    return FeasibleSizes(tuple(spans), (high - low) / (count - 1), undecided)
 
 
 def _edge(family: Family, trials: Sequence[Trial], n: int, side: int) -> float:

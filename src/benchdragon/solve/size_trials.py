@@ -85,7 +85,7 @@ class Trial:
     size: float
     clear: bool | None
     meeting: Meeting | None
-    looks: int
+    evaluations: int
     seconds: float
 
 
@@ -109,18 +109,18 @@ class Family:
     def trial(self, size: float) -> Trial:
         """Walk it; what cannot be walked is not clear."""
         began = clock.perf_counter()
-        meeting, looks, clear = None, 0, None
+        meeting, evaluations, clear = None, 0, None
         try:
             walk, start, end = self.walk(size)
             contact = first_contact(walk, start, end, margin=self.margin)
             clear = contact is None
             if contact is not None and contact.witness is not None:
-                meeting, looks = meeting_of(walk, end, contact.witness), contact.looks
+                meeting, evaluations = meeting_of(walk, end, contact.witness), contact.evaluations
         except (WalkError, InputError, PlanError):
             clear = False
         except UnsureError:
             clear = None
-        return Trial(size, clear, meeting, looks, clock.perf_counter() - began)
+        return Trial(size, clear, meeting, evaluations, clock.perf_counter() - began)
 
     def tightest(self, size: float) -> Meeting | None:
         """About where which pair comes nearest in a walk; None if none comes near."""

@@ -30,7 +30,7 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.dragon import Dragon
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, silent
-from benchdragon.solve.random_dance import GRAZE, CannotFollowError, Hint, Rehearsal, strayed
+from benchdragon.solve.random_dance import GRAZE, CannotFollowError, Hint, RandomDance, strayed
 from benchdragon.solve.size import limit
 
 # A trodden line strays smoothly: places d apart are correlated by exp(-d^2 / (2 STRAY_LENGTH^2)), m;
@@ -49,7 +49,7 @@ RISKS = (0.5, 0.1, 0.05, 0.02)
 
 
 @dataclass(frozen=True)
-class Slips:
+class Deviations:
     """How far from exact a dance is: standard deviations, m; 0 keeps the paper's assumption.
 
     Attributes:
@@ -69,9 +69,9 @@ class Slips:
     width: float = 0.0
 
     def __post_init__(self) -> None:
-        for slip in fields(self):
-            if not_negative(slip.name, getattr(self, slip.name), "m") > 1.0:
-                raise InputError(_("{name} must be at most 1 m").format(name=slip.name))
+        for deviation in fields(self):
+            if not_negative(deviation.name, getattr(self, deviation.name), "m") > 1.0:
+                raise InputError(_("{name} must be at most 1 m").format(name=deviation.name))
 
 
 @dataclass(frozen=True)
@@ -79,17 +79,17 @@ class Case:
     """One of the paper's assumptions dropped, in words, and by how much."""
 
     text: str
-    slips: Slips
+    deviations: Deviations
 
 
 # What a practised troupe may keep to. The last drops all at once.
 CASES = {
-    "aside": Case(N_("1: each handle some centimetres off the route"), Slips(aside=0.02)),
-    "play": Case(N_("2: pin play, benches pulled or pushed"), Slips(play=0.01)),
-    "stray": Case(N_("3: the spiral that is walked drifts"), Slips(stray=0.02)),
-    "height": Case(N_("4: handles at different heights"), Slips(height=0.1)),
-    "benches": Case(N_("benches that vary"), Slips(length=0.02, width=0.005)),
-    "all": Case(N_("all of these"), Slips(0.02, 0.02, 0.01, 0.1, 0.02, 0.005)),
+    "aside": Case(N_("1: each handle some centimetres off the route"), Deviations(aside=0.02)),
+    "play": Case(N_("2: pin play, benches pulled or pushed"), Deviations(play=0.01)),
+    "stray": Case(N_("3: the spiral that is walked drifts"), Deviations(stray=0.02)),
+    "height": Case(N_("4: handles at different heights"), Deviations(height=0.1)),
+    "benches": Case(N_("benches that vary"), Deviations(length=0.02, width=0.005)),
+    "all": Case(N_("all of these"), Deviations(0.02, 0.02, 0.01, 0.1, 0.02, 0.005)),
 }
 
 
@@ -97,7 +97,7 @@ CASES = {
 class Draw:
     """One dance drawn at random: what is added to the plan's sizes and places, m."""
 
-    slips: Slips
+    deviations: Deviations
     seed: int
     number: int
 
@@ -107,14 +107,14 @@ class Draw:
 
     def dragon(self, plain: Dragon) -> Dragon:
         """The benches of this dance, seen from above."""
-        slips, n = self.slips, len(plain)
-        length = plain.length + slips.length * self.noise(0, n)
-        width = plain.width + slips.width * self.noise(1, n)
+        deviations, n = self.deviations, len(plain)
+        length = plain.length + deviations.length * self.noise(0, n)
+        width = plain.width + deviations.width * self.noise(1, n)
         link = length - plain.front_inset - plain.rear_inset
-        height = slips.height * self.noise(3, n)
+        height = deviations.height * self.noise(3, n)
         level = np.sqrt(np.maximum(link * link - height * height, 0.0)) - link
         # Pins with play move the benches, not their edges: the rear inset takes it up.
-        longer = slips.play * self.noise(2, n) + level
+        longer = deviations.play * self.noise(2, n) + level
         try:
             return Dragon.of_sizes(length, width, plain.front_inset, plain.rear_inset - longer)
         except InputError as error:
@@ -124,19 +124,19 @@ class Draw:
                 ).format(number=self.number + 1, why=error)
             ) from None
 
-    def lane(self, way: float) -> tuple[FloatArray, float]:
+    def offsets(self, way: float) -> tuple[FloatArray, float]:
         """How far aside the trodden line lies, m, from the end of `way` (m) back, and its step, m."""
         step = STRAY_LENGTH / STRAY_ENTRIES
-        if not self.slips.stray:
+        if not self.deviations.stray:
             return np.zeros(2), step
         # A Gaussian filter of spread w leaves noise a deviation of (4 pi w^2)^(-1/4).
         spread, edge = STRAY_ENTRIES / math.sqrt(2.0), 4 * STRAY_ENTRIES
         rough = self.noise(5, math.ceil(way / step) + 2 * edge)
         smooth = gaussian_filter1d(rough, spread)[edge : -edge + 2]
-        return self.slips.stray * smooth * (4.0 * math.pi * spread**2) ** 0.25, step
+        return self.deviations.stray * smooth * (4.0 * math.pi * spread**2) ** 0.25, step
 
 
-def rehearsal(plan: Plan, draw: Draw) -> Rehearsal:
+def random_dance(plan: Plan, draw: Draw) -> RandomDance:
     """One dance of a plan, drawn at random, from the start of its walk to the end.
 
     Raises:
@@ -147,30 +147,30 @@ def rehearsal(plan: Plan, draw: Draw) -> Rehearsal:
     times = plan.span(walk)
     in_order(*times)
     start, end = walk.head_position(list(times)).tolist()
-    slips, rows = draw.slips, walk.route.rows
-    if slips.stray:
+    deviations, rows = draw.deviations, walk.route.rows
+    if deviations.stray:
         low = float(walk.motion(times[:1]).s.min()) - STRAY_LENGTH
-        lane, step = draw.lane(end - low)
-        curve = CubicSpline(step * np.arange(lane.size), lane)
+        offsets, step = draw.offsets(end - low)
+        curve = CubicSpline(step * np.arange(offsets.size), offsets)
         rows, drawn, along = strayed(
             walk.route, lambda s: (curve(end - s), -curve(end - s, 1)), low, end
         )
         start, end = np.interp([start, end], drawn, along).tolist()
-    beside = slips.aside or slips.stray
-    aside = slips.aside * draw.noise(4, len(dragon) + 1) if beside else np.empty(0)
-    return Rehearsal(dragon, rows, aside, start, end)
+    beside = deviations.aside or deviations.stray
+    aside = deviations.aside * draw.noise(4, len(dragon) + 1) if beside else np.empty(0)
+    return RandomDance(dragon, rows, aside, start, end)
 
 
 def least_clearance(plan: Plan, draw: Draw) -> float:
     """The least distance of non-adjacent benches in one dance, m; minus the depth of an overlap.
 
-    See `Rehearsal.least`.
+    See `RandomDance.least`.
 
     Raises:
         WalkError: where the exact dragon cannot stand at the start.
         CannotFollowError: where the drawn one cannot walk.
     """
-    return rehearsal(plan, draw).least()
+    return random_dance(plan, draw).least()
 
 
 def touches(plan: Plan, draw: Draw) -> bool:
@@ -179,7 +179,7 @@ def touches(plan: Plan, draw: Draw) -> bool:
     No contact is missed; a pair within 1e-7 m of the margin counts.
     """
     try:
-        dance = rehearsal(plan, draw)
+        dance = random_dance(plan, draw)
         low = dance.low_meeting().distance
         return low <= plan.limits.margin or dance.touch(plan.limits.margin) is not None
     except (WalkError, CannotFollowError):
@@ -198,7 +198,7 @@ class Tolerance:
         hits: dances that touch at the plan's own pitch; None if they were not walked at it.
     """
 
-    slips: Slips
+    deviations: Deviations
     seed: int
     exact: float
     needed: FloatArray
@@ -240,7 +240,7 @@ class Tolerance:
 
 def tolerance(
     plan: Plan,
-    slips: Slips,
+    deviations: Deviations,
     draws: int = 100,
     *,
     seed: int = 1,
@@ -256,7 +256,7 @@ def tolerance(
 
     Args:
         plan: the dance; the exact pitch is sought from its own.
-        slips: how far from exact.
+        deviations: how far from exact.
         draws: dances, 1 to 100,000.
         seed: of the random numbers.
         workers: threads.
@@ -269,13 +269,13 @@ def tolerance(
         UnsureError: where no pitch was found.
     """
     of_kind("plan", plan, Plan)
-    of_kind("slips", slips, Slips)
+    of_kind("slips", deviations, Deviations)
     whole("draws", draws, 1, MOST_DRAWS)
     exact = _exact_pitch(plan)
     done, lock = itertools.count(1), Lock()
 
     def one(number: int) -> tuple[float, bool]:
-        draw = Draw(slips, seed, number)
+        draw = Draw(deviations, seed, number)
         found = needed_pitch(plan, draw, exact), own and touches(plan, draw)
         with lock:
             progress(next(done) / draws, "")
@@ -283,7 +283,7 @@ def tolerance(
 
     with ThreadPoolExecutor(workers) as pool:
         needed, hits = zip(*pool.map(one, range(draws)), strict=True)
-    return Tolerance(slips, seed, exact, np.sort(needed), sum(hits) if own else None)
+    return Tolerance(deviations, seed, exact, np.sort(needed), sum(hits) if own else None)
 
 
 def _exact_pitch(plan: Plan) -> float:
@@ -319,7 +319,7 @@ class Trials:
         """
         margin = self.plan.limits.margin
         try:
-            dance = rehearsal(self.plan.with_value("route.pitch", pitch), self.draw)
+            dance = random_dance(self.plan.with_value("route.pitch", pitch), self.draw)
             known = [dance.meeting_near(hint) for hint in self.hints]
             if not known or min(known).distance >= margin:
                 known.append(dance.low_meeting())

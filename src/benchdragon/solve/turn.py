@@ -18,7 +18,7 @@ from benchdragon.analysis.contact import least_clearance
 from benchdragon.analysis.speed import QUANTITIES, given_limits, greatest_of, values_at
 from benchdragon.errors import InputError, NoSolutionError, finite, of_kind, positive
 from benchdragon.i18n import N_, _
-from benchdragon.kernels import bounds as sweep
+from benchdragon.kernels import step_bounds
 from benchdragon.kernels.box import least_distance
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.answer import Answer
@@ -68,7 +68,7 @@ OBJECTIVES = {
 
 
 @dataclass(frozen=True)
-class Wish:
+class TurnGoal:
     """What is sought of a turn, and what it must keep besides the plan's limits.
 
     Attributes:
@@ -108,7 +108,7 @@ class BestTurn:
         way: whole way inside the disc, m.
         head_speed: the greatest constant head speed under the plan's limits; None without a limit.
         clearance: the least over the whole manoeuvre.
-        active: names of the limits that it just keeps: keys of `Judge.rooms`.
+        active: names of the limits that it just keeps: keys of `TurnEvaluator.rooms`.
     """
 
     plan: Plan
@@ -140,15 +140,15 @@ class BestTurn:
 
 
 @dataclass
-class Judge:
+class TurnEvaluator:
     """Judges turns of a plan's family by sampling."""
 
     plan: Plan
-    wish: Wish
+    goal: TurnGoal
     # What sampling is corrected by: the exact figure is so many times the sampled one.
     factors: dict[str, float] = field(default_factory=dict)
     step: float = STEPS[0]
-    looks: int = 0
+    evaluations: int = 0
 
     def __post_init__(self) -> None:
         route = self.plan.route
@@ -160,16 +160,16 @@ class Judge:
         self.few, self.more = (
             Dragon.of_sizes(*(size[:count] for size in sizes)) for count in (BENCHES, CLEAR_BENCHES)
         )
-        self.narrowest = max(WIDER * 0.5 * float(dragon.links.max()), self.wish.least_radius)
+        self.narrowest = max(WIDER * 0.5 * float(dragon.links.max()), self.goal.least_radius)
 
     @property
     def sought(self) -> str:
         """The figure that is to be small."""
-        objective = self.wish.objective
+        objective = self.goal.objective
         return "total_acceleration" if objective == "acceleration" else objective
 
     @property
-    def judged(self) -> list[str]:
+    def quantities(self) -> list[str]:
         """Quantities that a turn is judged by: speed, what is limited, and what is sought."""
         wanted = {"speed", self.sought, *given_limits(self.plan)}
         return [name for name in QUANTITIES if name in wanted]
@@ -188,7 +188,7 @@ class Judge:
             "arc-line-arc": [radius, radius],
             "arc-arc-arc": [radius, (-1.0 / self.narrowest, 1.0 / self.narrowest), radius],
         }[table.family]
-        ease = [(0.0, LONGEST_EASE)] if self.wish.objective == "acceleration" else []
+        ease = [(0.0, LONGEST_EASE)] if self.goal.objective == "acceleration" else []
         return [*joints, *inner, *ease]
 
     def table(self, x: Sequence[float]) -> dict[str, object]:
@@ -196,7 +196,7 @@ class Judge:
         family = self.plan.turn.family
         entry, exit_, *inner = (float(value) for value in x)
         said: dict[str, object] = {"entry_radius": entry, "exit_radius": exit_}
-        if self.wish.objective == "acceleration":
+        if self.goal.objective == "acceleration":
             said["ease"] = inner.pop()
         if family == "arc-arc":
             return {**said, "ratio": math.exp(inner[0])}
@@ -215,7 +215,7 @@ class Judge:
 
     def figures(self, x: Sequence[float], complete: bool) -> dict[str, float] | None:
         """What a turn comes to, by name; clearance only if the rest is within limits, or `complete`."""
-        self.looks += 1
+        self.evaluations += 1
         try:
             turn = self.turn(x)
             route = turn.route(lead=1.0, trail=1000.0)
@@ -237,11 +237,11 @@ class Judge:
     def _rates(self, route: Route) -> dict[str, float]:
         places = self._places(route, self.few, self.step)
         if places is None:
-            return dict.fromkeys(self.judged, math.inf)
+            return dict.fromkeys(self.quantities, math.inf)
         slots = np.arange(places.u.shape[1] - 1)
         steady = np.tile([1.0, 1.0, 0.0], (len(slots), 1))
         found = {}
-        for name in self.judged:
+        for name in self.quantities:
             kind = QUANTITIES[name].kind
             values = values_at(route.rows, self.few.links, places, slots, steady, kind)[0]
             found[name] = float(values.max()) * self.factors.get(name, 1.0)
@@ -254,25 +254,25 @@ class Judge:
         near = least_distance(self.more.sizes, places.x, places.y)
         return near + self.factors.get("clearance", 0.0)
 
-    def _places(self, route: Route, dragon: Dragon, step: float) -> sweep.Places | None:
+    def _places(self, route: Route, dragon: Dragon, step: float) -> step_bounds.Placements | None:
         """The dragon from where its head enters the turn to where its tail has left it."""
         first = float(route.joints[1])
         last = float(route.joints[-2] + dragon.links.sum())
         at = np.linspace(first, last, math.ceil((last - first) / step) + 1)
-        places = sweep.empty_places(len(dragon) + 1, len(at))
-        stands = sweep.stand(route.rows, dragon.links, at, 0, len(at), places)
+        places = step_bounds.empty_placements(len(dragon) + 1, len(at))
+        stands = step_bounds.place_chain(route.rows, dragon.links, at, 0, len(at), places)
         return places if stands else None
 
     def rooms(self, found: dict[str, float]) -> dict[str, float]:
         """What is left of each limit, as a share of it; negative where it is exceeded."""
-        plan, wish, head = self.plan, self.wish, self.plan.walk.speed
+        plan, goal, head = self.plan, self.goal, self.plan.walk.speed
         rooms = {"radius": found["radius"] / self.narrowest - 1.0}
-        if wish.objective != "disc":
+        if goal.objective != "disc":
             rooms["disc"] = 1.0 - found["disc"] / self.disc
-        if math.isfinite(wish.longest):
-            rooms["length"] = 1.0 - found["length"] / wish.longest
-        if math.isfinite(wish.longest_way):
-            rooms["way"] = 1.0 - found["way"] / wish.longest_way
+        if math.isfinite(goal.longest):
+            rooms["length"] = 1.0 - found["length"] / goal.longest
+        if math.isfinite(goal.longest_way):
+            rooms["way"] = 1.0 - found["way"] / goal.longest_way
         for name, limit in given_limits(plan).items():
             if name != self.sought:
                 peak = found.get(name, math.inf) * head ** QUANTITIES[name].power
@@ -290,7 +290,7 @@ class Judge:
         return WORSE * (1.0 + exceeded) if exceeded > 0.0 else found[self.sought]
 
 
-def best_turn(plan: Plan, wish: Wish | None = None, *, progress: Progress = silent) -> BestTurn:
+def best_turn(plan: Plan, goal: TurnGoal | None = None, *, progress: Progress = silent) -> BestTurn:
     """The best turn of the plan's family for a wish, under the plan's limits.
 
     Limits are limits.speed with the head at walk.speed (or as fast as it may, if that is the wish),
@@ -302,41 +302,47 @@ def best_turn(plan: Plan, wish: Wish | None = None, *, progress: Progress = sile
         InputError: for a plan without a turn, or if no turn keeps the limits.
     """
     of_kind("plan", plan, Plan)
-    wished = Wish() if wish is None else wish
-    of_kind("wish", wished, Wish)
+    wished = TurnGoal() if goal is None else goal
+    of_kind("wish", wished, TurnGoal)
     if wished.objective == "speed" and plan.limits.speed is None:
         raise InputError(_("the plan has no limit of speed: set limits.speed=2, for example"))
-    return _best(Judge(plan, wished), progress)
+    return _best(TurnEvaluator(plan, wished), progress)
 
 
-def _best(judge: Judge, progress: Progress, near: Sequence[float] | None = None) -> BestTurn:
+def _best(
+    evaluator: TurnEvaluator, progress: Progress, near: Sequence[float] | None = None
+) -> BestTurn:
     """The best turn; one `near` it may be known."""
     began = clock.perf_counter()
-    starts = _global_search(judge, part(progress, 0.0, SEARCHED, _("global search")), near)
-    judge.step = STEPS[1]
+    starts = _global_search(evaluator, part(progress, 0.0, SEARCHED, _("global search")), near)
+    evaluator.step = STEPS[1]
     progress(SEARCHED, _("local search"))
-    x = min((_local_search(judge, start) for start in starts), key=judge.score)
-    return _settled(judge, x, progress, began)
+    x = min((_local_search(evaluator, start) for start in starts), key=evaluator.score)
+    return _settled(evaluator, x, progress, began)
 
 
-def _settled(judge: Judge, x: Sequence[float], progress: Progress, began: float) -> BestTurn:
+def _settled(
+    evaluator: TurnEvaluator, x: Sequence[float], progress: Progress, began: float
+) -> BestTurn:
     """The local optimum near x, by exact figures."""
     for narrowing in range(NARROWINGS):
         progress(SEARCHED, _("local search"))
-        x = _local_search(judge, x)
+        x = _local_search(evaluator, x)
         progress(SEARCHED, _("exact figures"))
-        best, exceeded = _exact(judge, x, began, PRUDENCE * 2.0**narrowing)
+        best, exceeded = _exact(evaluator, x, began, PRUDENCE * 2.0**narrowing)
         if not exceeded:
             return best
     raise NoSolutionError(_("no turn of this family was found that keeps the limits"))
 
 
-def _global_search(judge: Judge, progress: Progress, near: Sequence[float] | None) -> list[list[float]]:
+def _global_search(
+    evaluator: TurnEvaluator, progress: Progress, near: Sequence[float] | None
+) -> list[list[float]]:
     """The best turns that are found all over the family, by one search after another."""
     from scipy.optimize import Bounds, OptimizeResult, differential_evolution  # slow to import
 
     def score(x: FloatArray) -> float:
-        return judge.score(x.tolist())
+        return evaluator.score(x.tolist())
 
     def callback(intermediate_result: OptimizeResult) -> None:
         del intermediate_result
@@ -346,8 +352,8 @@ def _global_search(judge: Judge, progress: Progress, near: Sequence[float] | Non
     starts: list[list[float]] = []
     for seed in SEEDS:
         found = differential_evolution(
-            score, Bounds(*np.array(judge.bounds).T), popsize=MEMBERS, maxiter=GENERATIONS, tol=SPREAD,
-            rng=seed, polish=False, callback=callback, init="sobol", x0=near,
+            score, Bounds(*np.array(evaluator.bounds).T), popsize=MEMBERS, maxiter=GENERATIONS,
+            tol=SPREAD, rng=seed, polish=False, callback=callback, init="sobol", x0=near,
         )  # fmt: skip
         if found.fun < WORSE:
             starts.append([float(value) for value in found.x])
@@ -356,14 +362,14 @@ def _global_search(judge: Judge, progress: Progress, near: Sequence[float] | Non
     return starts
 
 
-def _local_search(judge: Judge, x: Sequence[float]) -> list[float]:
+def _local_search(evaluator: TurnEvaluator, x: Sequence[float]) -> list[float]:
     """A local optimum by COBYQA, in unknowns from 0 to 1, and downhill from there."""
     from scipy.optimize import Bounds, NonlinearConstraint, minimize  # slow to import
 
-    low, high = np.array(judge.bounds).T
+    low, high = np.array(evaluator.bounds).T
     free = high > low  # joints that the plan says stay
     seen: dict[bytes, dict[str, float]] = {}
-    names = list(judge.rooms(_complete(judge, x)))
+    names = list(evaluator.rooms(_complete(evaluator, x)))
 
     def unknowns(z: FloatArray) -> FloatArray:
         whole = low.copy()
@@ -373,31 +379,31 @@ def _local_search(judge: Judge, x: Sequence[float]) -> list[float]:
     def figures(z: FloatArray) -> dict[str, float]:
         key = z.tobytes()
         if key not in seen:
-            seen[key] = _complete(judge, unknowns(z).tolist())
+            seen[key] = _complete(evaluator, unknowns(z).tolist())
         return seen[key]
 
-    def goal(z: FloatArray) -> float:
-        return figures(z)[judge.sought]
+    def penalty(z: FloatArray) -> float:
+        return figures(z)[evaluator.sought]
 
     result = minimize(
-        goal,
+        penalty,
         ((np.asarray(x) - low)[free] / (high - low)[free]),
         method="COBYQA",
         bounds=Bounds(0.0, 1.0),
         constraints=NonlinearConstraint(
-            lambda z: [judge.rooms(figures(z))[name] for name in names], 0.0, np.inf
+            lambda z: [evaluator.rooms(figures(z))[name] for name in names], 0.0, np.inf
         ),
         options={"maxfev": LOCAL, "initial_tr_radius": 0.02, "final_tr_radius": 1e-7},
     )
     found: list[float] = unknowns(np.clip(result.x, 0.0, 1.0)).tolist()
-    return _descended(judge, min(list(x), found, key=judge.score))
+    return _descended(evaluator, min(list(x), found, key=evaluator.score))
 
 
-def _descended(judge: Judge, x: list[float]) -> list[float]:
+def _descended(evaluator: TurnEvaluator, x: list[float]) -> list[float]:
     """Downhill from x by Nelder and Mead's simplex, over the edges where one limit takes over."""
     from scipy.optimize import minimize  # slow to import
 
-    bounds = np.array(judge.bounds)
+    bounds = np.array(evaluator.bounds)
     free = bounds[:, 1] > bounds[:, 0]
     low, high = bounds[free].T
     start = np.asarray(x)[free]
@@ -410,43 +416,47 @@ def _descended(judge: Judge, x: list[float]) -> list[float]:
         return [float(value) for value in whole]
 
     def score(z: FloatArray) -> float:
-        return judge.score(inside(z))
+        return evaluator.score(inside(z))
 
     result = minimize(
         score, start, method="Nelder-Mead",
         options={"initial_simplex": corners, "maxfev": LOCAL, "xatol": 1e-5, "fatol": 1e-6},
     )  # fmt: skip
-    return min(x, inside(result.x), key=judge.score)
+    return min(x, inside(result.x), key=evaluator.score)
 
 
-def _complete(judge: Judge, x: Sequence[float]) -> dict[str, float]:
+def _complete(evaluator: TurnEvaluator, x: Sequence[float]) -> dict[str, float]:
     """All figures; of a turn that does not exist, hopeless ones."""
-    bad = dict.fromkeys(("length", "way", "disc", *judge.judged), HOPELESS)
+    bad = dict.fromkeys(("length", "way", "disc", *evaluator.quantities), HOPELESS)
     bad |= {"radius": 0.0, "clearance": -1.0}
-    return {**bad, **(judge.figures(x, complete=True) or {})}
+    return {**bad, **(evaluator.figures(x, complete=True) or {})}
 
 
-def _exact(judge: Judge, x: Sequence[float], began: float, prudence: float) -> tuple[BestTurn, bool]:
-    """The turn's exact figures, and whether one exceeds a limit; `judge` is corrected by them."""
-    sampled = _complete(judge, x)
-    plan = judge.plan.model_copy(update={"turn": judge.plan.turn.model_copy(update=judge.table(x))})
-    exact, clearance = _exact_figures(plan, sampled, _enough(judge, sampled))
-    rooms = judge.rooms(exact)
-    _correct(judge, sampled, exact, prudence)
-    if judge.wish.objective == "disc":
+def _exact(
+    evaluator: TurnEvaluator, x: Sequence[float], began: float, prudence: float
+) -> tuple[BestTurn, bool]:
+    """The turn's exact figures, and whether one exceeds a limit; `evaluator` is corrected by them."""
+    sampled = _complete(evaluator, x)
+    plan = evaluator.plan.model_copy(
+        update={"turn": evaluator.plan.turn.model_copy(update=evaluator.table(x))}
+    )
+    exact, clearance = _exact_figures(plan, sampled, _enough(evaluator, sampled))
+    rooms = evaluator.rooms(exact)
+    _correct(evaluator, sampled, exact, prudence)
+    if evaluator.goal.objective == "disc":
         plan = plan.with_value("disc.radius", exact["disc"])
     speed = greatest_head_speed(plan) if plan.limits.speed is not None else None
-    value, unit = exact[judge.sought], "m"
-    if judge.wish.objective == "speed":
+    value, unit = exact[evaluator.sought], "m"
+    if evaluator.goal.objective == "speed":
         value, unit = (math.nan if speed is None else speed.value), "m/s"
-    elif judge.wish.objective == "acceleration":
-        value, unit = exact[judge.sought] * plan.walk.speed**2, "m/s^2"
+    elif evaluator.goal.objective == "acceleration":
+        value, unit = exact[evaluator.sought] * plan.walk.speed**2, "m/s^2"
     answer = Answer(
         value, value, value, unit, "found", None,
         (_("best that was found in this family; better ones may exist"),),
-        judge.looks, clock.perf_counter() - began,
+        evaluator.evaluations, clock.perf_counter() - began,
     )  # fmt: skip
-    turn, disc = judge.turn(x), plan.disc.radius or judge.disc
+    turn, disc = evaluator.turn(x), plan.disc.radius or evaluator.disc
     active = tuple(name for name, room in rooms.items() if room <= ACTIVE)
     best = BestTurn(plan, turn, answer, turn.length, turn.way(disc), speed, clearance, active)
     return best, any(room < -EXCEEDED for room in rooms.values())
@@ -470,26 +480,28 @@ def _judged(sampled: dict[str, float]) -> list[str]:
     return [name for name in QUANTITIES if sampled.get(name, HOPELESS) < HOPELESS]
 
 
-def _correct(judge: Judge, sampled: dict[str, float], exact: dict[str, float], prudence: float) -> None:
+def _correct(
+    evaluator: TurnEvaluator, sampled: dict[str, float], exact: dict[str, float], prudence: float
+) -> None:
     """Tell the judge by how much sampling flatters a turn like this, and somewhat more."""
     for name in _judged(sampled):
         change = exact[name] / sampled[name] * (1.0 + prudence)
-        judge.factors[name] = judge.factors.get(name, 1.0) * change
+        evaluator.factors[name] = evaluator.factors.get(name, 1.0) * change
     less = min(exact["clearance"] - sampled["clearance"] - prudence, 0.0)
-    judge.factors["clearance"] = judge.factors.get("clearance", 0.0) + less
+    evaluator.factors["clearance"] = evaluator.factors.get("clearance", 0.0) + less
 
 
-def _enough(judge: Judge, sampled: dict[str, float]) -> float:
+def _enough(evaluator: TurnEvaluator, sampled: dict[str, float]) -> float:
     """How far to look for the least clearance, m: somewhat farther than what sampling saw."""
-    return max(1.2 * sampled["clearance"], judge.plan.limits.margin, 0.05)
+    return max(1.2 * sampled["clearance"], evaluator.plan.limits.margin, 0.05)
 
 
 def pareto_front(
-    plan: Plan, speeds: Sequence[float], wish: Wish | None = None, *, progress: Progress = silent
+    plan: Plan, speeds: Sequence[float], goal: TurnGoal | None = None, *, progress: Progress = silent
 ) -> list[BestTurn]:
     """Shortest turns for head speeds (m/s, increasing) that they must allow under limits.speed.
 
-    Each search knows the turn before it; the list ends where none is found. `wish` says what is to
+    Each search knows the turn before it; the list ends where none is found. `goal` says what is to
     be short, and the other limits.
 
     Raises:
@@ -497,7 +509,7 @@ def pareto_front(
     """
     if plan.limits.speed is None:
         raise InputError(_("the plan has no limit of speed: set limits.speed=2, for example"))
-    wished = wish or Wish()
+    wished = goal or TurnGoal()
     found: list[BestTurn] = []
     x: list[float] | None = None
     for n, speed in enumerate(speeds):
@@ -505,7 +517,7 @@ def pareto_front(
         text = _("turns for {speed} m/s").format(speed=f"{speed:.3f}")
         told = part(progress, n / len(speeds), (n + 1) / len(speeds), text)
         try:
-            best = _best(Judge(changed, wished), told, x)
+            best = _best(TurnEvaluator(changed, wished), told, x)
         except InputError:
             break
         found.append(best)
@@ -515,8 +527,8 @@ def pareto_front(
     return found
 
 
-def _unknowns(best: BestTurn, wish: Wish) -> list[float]:
-    """The unknowns of a turn: inverse of `Judge.table`."""
+def _unknowns(best: BestTurn, goal: TurnGoal) -> list[float]:
+    """The unknowns of a turn: inverse of `TurnEvaluator.table`."""
     table = best.plan.turn
     if table.entry_radius is None or table.exit_radius is None:
         raise AssertionError("a best turn says its joints")
@@ -526,4 +538,4 @@ def _unknowns(best: BestTurn, wish: Wish) -> list[float]:
     elif table.radii is not None:
         middle = [table.curvature] if table.family == "arc-arc-arc" else []
         x += [table.radii[0], *middle, table.radii[1]]
-    return [*x, table.ease] if wish.objective == "acceleration" else x
+    return [*x, table.ease] if goal.objective == "acceleration" else x

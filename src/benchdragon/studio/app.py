@@ -29,8 +29,8 @@ from benchdragon.studio import messages
 from benchdragon.studio.jobs import Jobs
 from benchdragon.studio.limits import Settings
 from benchdragon.studio.security import ANYWHERE, Gate
-from benchdragon.studio.tasks import Ask, Made
-from benchdragon.studio.workers import Pool, RefusedError, Work
+from benchdragon.studio.tasks import TaskRequest, TaskResult
+from benchdragon.studio.workers import Pool, QueuedTask, RefusedError
 from benchdragon.version import __version__
 
 try:
@@ -85,20 +85,20 @@ class Answers:
 
     def __init__(self, most: int) -> None:
         self._most, self._size = most, 0
-        self._kept: OrderedDict[str, Made] = OrderedDict()
+        self._kept: OrderedDict[str, TaskResult] = OrderedDict()
 
-    def get(self, key: str) -> Made | None:
+    def get(self, key: str) -> TaskResult | None:
         """The answer under a key, if it is still there."""
         if key in self._kept:
             self._kept.move_to_end(key)
         return self._kept.get(key)
 
-    def keep(self, key: str, made: Made) -> None:
+    def keep(self, key: str, result: TaskResult) -> None:
         """Keep an answer; the oldest go."""
-        if key in self._kept or len(made.data) > self._most // 8:
+        if key in self._kept or len(result.data) > self._most // 8:
             return
-        self._kept[key] = made
-        self._size += len(made.data)
+        self._kept[key] = result
+        self._size += len(result.data)
         while self._size > self._most:
             self._size -= len(self._kept.popitem(last=False)[1].data)
 
@@ -109,46 +109,46 @@ class Studio:
     def __init__(self, settings: Settings) -> None:
         self.settings = settings
         self.pool = Pool(settings)
-        self.jobs = Jobs(self.pool.lanes["jobs"], settings)
+        self.jobs = Jobs(self.pool.queues["jobs"], settings)
         self.answers = Answers(settings.cache)
 
-    def work(self, name: str, plan: Plan | None, client: str | None, **more: Any) -> Work:
+    def task(self, name: str, plan: Plan | None, client: str | None, **more: Any) -> QueuedTask:
         """A question in the language of the request."""
         spoken = more.pop("language", None) or language()
-        return Work(Ask(name, spoken, self.settings, plan, **more), client)
+        return QueuedTask(TaskRequest(name, spoken, self.settings, plan, **more), client)
 
-    async def answer(self, request: Request, work: Work) -> Response:
+    async def answer(self, request: Request, task: QueuedTask) -> Response:
         """The answer to a question, kept or new.
 
         Raises:
             RefusedError: if there is none.
         """
-        _subject(request, work.ask.plan)
-        key = _key(work.ask)
-        made = self.answers.get(key)
-        if made is None:
-            made = await self._computed(request, work)
-            if made.name is None:
-                self.answers.keep(key, made)
+        _subject(request, task.request.plan)
+        key = _key(task.request)
+        result = self.answers.get(key)
+        if result is None:
+            result = await self._computed(request, task)
+            if result.name is None:
+                self.answers.keep(key, result)
         headers = dict(request.state.subject)
-        if made.name is not None:
-            headers["Content-Disposition"] = f'attachment; filename="{made.name}"'
-        return Response(made.data, media_type=made.media, headers=headers)
+        if result.name is not None:
+            headers["Content-Disposition"] = f'attachment; filename="{result.name}"'
+        return Response(result.data, media_type=result.media, headers=headers)
 
-    async def _computed(self, request: Request, work: Work) -> Made:
-        lane = self.pool.lane(work.ask.name)
-        lane.put(work)
-        future = asyncio.wrap_future(work.future)
+    async def _computed(self, request: Request, task: QueuedTask) -> TaskResult:
+        worker_queue = self.pool.worker_queue(task.request.name)
+        worker_queue.put(task)
+        future = asyncio.wrap_future(task.future)
         gone = asyncio.ensure_future(_gone(request))
         both: set[asyncio.Future[Any]] = {future, gone}
         try:
             done, _pending = await asyncio.wait(
                 both, timeout=self.settings.wait_seconds, return_when=asyncio.FIRST_COMPLETED
             )
-            if not done and not lane.withdraw(work, 503, lane.late):
+            if not done and not worker_queue.withdraw(task, 503, worker_queue.late):
                 await asyncio.wait(both, return_when=asyncio.FIRST_COMPLETED)
             if gone.done():
-                lane.abandon(work)
+                worker_queue.abandon(task)
             return await future
         finally:
             gone.cancel()
@@ -165,10 +165,10 @@ async def _gone(request: Request) -> None:
         pass
 
 
-def _key(ask: Ask) -> str:
+def _key(request: TaskRequest) -> str:
     """A name of all that an answer depends on."""
-    plan = "" if ask.plan is None else ask.plan.model_dump_json()
-    parts = (ask.name, ask.language, ask.text, plan)
+    plan = "" if request.plan is None else request.plan.model_dump_json()
+    parts = (request.name, request.language, request.text, plan)
     return sha256("\0".join(parts).encode()).hexdigest()
 
 
@@ -250,13 +250,16 @@ def _page_routes(application: FastAPI, studio: Studio) -> None:
     @get("/healthz", responses=_documented())
     async def health() -> messages.Health:
         """How the studio stands; a lane that is not ready yet compiles the kernels."""
-        lanes = {
-            name: messages.Lane(
-                workers=lane.count, ready=lane.ready, busy=lane.busy, waiting=lane.waiting
+        queues = {
+            name: messages.QueueState(
+                workers=worker_queue.count,
+                ready=worker_queue.ready,
+                busy=worker_queue.busy,
+                waiting=worker_queue.waiting,
             )
-            for name, lane in studio.pool.lanes.items()
+            for name, worker_queue in studio.pool.queues.items()
         }
-        return messages.Health(status="ok", version=__version__, workers=lanes)
+        return messages.Health(status="ok", version=__version__, workers=queues)
 
     @get("/api/words", responses=_documented())
     async def words() -> dict[str, str]:
@@ -280,37 +283,37 @@ def _quick_routes(router: APIRouter, studio: Studio) -> None:
     @post("/verdict", model=Verdict)
     async def verdict(request: Request, body: messages.PlanBody, client: Client = None) -> Response:
         """Whether a walk is safe."""
-        return await studio.answer(request, studio.work("verdict", body.plan, client))
+        return await studio.answer(request, studio.task("verdict", body.plan, client))
 
     @post("/dance", model=Dance)
     async def dance(request: Request, body: messages.PlanBody, client: Client = None) -> Response:
         """The dance as the player shows it."""
-        return await studio.answer(request, studio.work("dance", body.plan, client))
+        return await studio.answer(request, studio.task("dance", body.plan, client))
 
     @post("/limit/{what}", model=Answer)
     async def limit(
         request: Request, what: messages.LimitName, body: messages.PlanBody, client: Client = None
     ) -> Response:
         """How small (pitch, disc) or large (width, length) a size may be, m."""
-        return await studio.answer(request, studio.work(f"limit/{what}", body.plan, client))
+        return await studio.answer(request, studio.task(f"limit/{what}", body.plan, client))
 
     @post("/plan", model=messages.OpenedPlan)
     async def opened(request: Request, body: messages.TextBody, client: Client = None) -> Response:
         """The plan in the text of a plan file."""
-        return await studio.answer(request, studio.work("open", None, client, text=body.toml))
+        return await studio.answer(request, studio.task("open", None, client, text=body.toml))
 
     @post("/toml", media="application/toml")
     async def text(request: Request, body: messages.PlanBody, client: Client = None) -> Response:
         """The plan as a plan file."""
-        return await studio.answer(request, studio.work("toml", body.plan, client))
+        return await studio.answer(request, studio.task("toml", body.plan, client))
 
     @post("/export/{kind}", media="application/octet-stream")
     async def export(
         request: Request, kind: messages.ExportName, body: messages.ExportBody, client: Client = None
     ) -> Response:
         """A table, or the pictures as a zip."""
-        work = studio.work(f"export/{kind}", body.plan, client, language=body.lang)
-        return await studio.answer(request, work)
+        task = studio.task(f"export/{kind}", body.plan, client, language=body.lang)
+        return await studio.answer(request, task)
 
 
 def _job_routes(router: APIRouter, studio: Studio) -> None:
@@ -321,8 +324,8 @@ def _job_routes(router: APIRouter, studio: Studio) -> None:
         """Take on a long question."""
         _subject(request, body.plan)
         response.headers.update(request.state.subject)
-        work = studio.work(f"job/{body.question}", body.plan, client, options=body.options)
-        return messages.JobStarted(id=studio.jobs.start(body.question, work))
+        task = studio.task(f"job/{body.question}", body.plan, client, options=body.options)
+        return messages.JobStarted(id=studio.jobs.start(body.question, task))
 
     @router.get("/jobs", responses=_documented(422))
     async def mine(client: Client = None) -> list[messages.JobTaken]:

@@ -10,38 +10,38 @@ from benchdragon.i18n import N_, _
 from benchdragon.plans.schema import Plan
 from benchdragon.studio import messages
 from benchdragon.studio.limits import Settings
-from benchdragon.studio.workers import BROKEN, CANCELLED, RETRY, Lane, RefusedError, Work
+from benchdragon.studio.workers import BROKEN, CANCELLED, RETRY, QueuedTask, RefusedError, WorkerQueue
 
 CANCELLED_STATUS = 410
 
 
 @dataclass
 class Job:
-    """A long question: its name, its work, and when it was first seen to have ended, s."""
+    """A long question: its name, its task, and when it was first seen to have ended, s."""
 
     id: str
     question: messages.Question
-    work: Work
+    task: QueuedTask
     ended: float | None = None
 
     @property
     def plan(self) -> Plan:
         """What is asked about."""
-        return self.work.ask.whole
+        return self.task.request.whole
 
     @property
     def state(self) -> dict[str, Any]:
         """A `messages.JobState` as plain data."""
-        about: dict[str, Any] = {"id": self.id, "question": self.question, "text": self.work.text}
+        about: dict[str, Any] = {"id": self.id, "question": self.question, "text": self.task.text}
         about |= {"plan_sha256": self.plan.sha256}
-        about |= {"state": "waiting", "share": self.work.share, "result": None, "error": None}
-        if self.work.running:
+        about |= {"state": "waiting", "share": self.task.share, "result": None, "error": None}
+        if self.task.running:
             about["state"] = "running"
-        if not self.work.future.done():
+        if not self.task.future.done():
             return about
-        error = self.work.future.exception()
+        error = self.task.future.exception()
         if error is None:
-            result = json.loads(self.work.future.result().data)
+            result = json.loads(self.task.future.result().data)
             return {**about, "state": "done", "share": 1.0, "text": "", "result": result}
         cancelled = isinstance(error, RefusedError) and error.status == CANCELLED_STATUS
         text = error.text if isinstance(error, RefusedError) else _(BROKEN)
@@ -51,30 +51,30 @@ class Job:
 class Jobs:
     """All long questions that are not yet forgotten, oldest first."""
 
-    def __init__(self, lane: Lane, settings: Settings) -> None:
-        self._lane, self._settings = lane, settings
+    def __init__(self, worker_queue: WorkerQueue, settings: Settings) -> None:
+        self._queue, self._settings = worker_queue, settings
         self._jobs: dict[str, Job] = {}
 
-    def start(self, question: messages.Question, work: Work) -> str:
+    def start(self, question: messages.Question, task: QueuedTask) -> str:
         """Take a question on; its name.
 
         Raises:
             RefusedError: if too many wait, or this client has too many.
         """
         self._forget()
-        mine = [job for job in self._jobs.values() if job.work.client == work.client]
-        if sum(not job.work.future.done() for job in mine) >= self._settings.jobs_each:
+        mine = [job for job in self._jobs.values() if job.task.client == task.client]
+        if sum(not job.task.future.done() for job in mine) >= self._settings.jobs_each:
             text = _("you have {count} long questions open: wait for one, or cancel it")
             raise RefusedError(429, text.format(count=self._settings.jobs_each), RETRY)
-        self._lane.put(work, newest=False)
-        job = Job(secrets.token_urlsafe(16), question, work)
+        self._queue.put(task, newest=False)
+        job = Job(secrets.token_urlsafe(16), question, task)
         self._jobs[job.id] = job
         return job.id
 
     def of(self, client: str | None) -> list[Job]:
         """The questions of a client that says its name."""
         self._forget()
-        return [job for job in self._jobs.values() if client and job.work.client == client]
+        return [job for job in self._jobs.values() if client and job.task.client == client]
 
     def found(self, name: str) -> Job:
         """The question of that name.
@@ -90,10 +90,10 @@ class Jobs:
     def cancel(self, name: str) -> Job:
         """Cancel a question, waiting or running; forget one that has ended."""
         job = self.found(name)
-        if job.work.future.done():
+        if job.task.future.done():
             del self._jobs[name]
         else:
-            self._lane.stop(job.work, CANCELLED_STATUS, CANCELLED)
+            self._queue.stop(job.task, CANCELLED_STATUS, CANCELLED)
         return job
 
     def _forget(self) -> None:
@@ -101,7 +101,7 @@ class Jobs:
         now = clock.monotonic()
         ended = []
         for job in self._jobs.values():
-            if job.work.future.done():
+            if job.task.future.done():
                 job.ended = now if job.ended is None else job.ended
                 ended.append(job)
         many = max(len(ended) - self._settings.kept_jobs, 0)

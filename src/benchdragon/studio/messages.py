@@ -72,7 +72,7 @@ class JobOptions(Body):
         longest_way: of "turn": the whole way inside the disc is no longer, m.
         draws: of "margins": random dances.
         seed: of "margins".
-        aside: of "margins", like the following: standard deviations, m; see `Slips`. Where all are
+        aside: of "margins", like the following: standard deviations, m; see `Deviations`. Where all are
             0, those that `tolerance.CASES` takes together.
     """
 
@@ -205,7 +205,7 @@ class Preset(Record):
     plan: SentPlan
 
 
-class Lane(Record):
+class QueueState(Record):
     """Workers of one kind of question."""
 
     workers: int
@@ -219,4 +219,4 @@ class Health(Record):
 
     status: Literal["ok"]
     version: str
-    workers: dict[str, Lane]
+    workers: dict[str, QueueState]

@@ -29,8 +29,8 @@ from benchdragon.player.scene import Span, judged_dance
 from benchdragon.progress import Progress, part
 from benchdragon.solve.head_speed import greatest_head_speed, slowed, with_pace
 from benchdragon.solve.size import limit
-from benchdragon.solve.tolerance import CASES, RISKS, Slips, tolerance
-from benchdragon.solve.turn import Wish, best_turn
+from benchdragon.solve.tolerance import CASES, RISKS, Deviations, tolerance
+from benchdragon.solve.turn import TurnGoal, best_turn
 from benchdragon.studio import messages
 from benchdragon.studio.limits import Settings, too_much
 
@@ -40,7 +40,7 @@ EXPORT_STEPS = (1.0, 2.0, 5.0)
 SIZE = 1e-5
 # Looks between two frames of a dance that may change at once again, and times at which it is looked
 # who is near whom.
-FEW_LOOKS, FEW_TIMES = (0.5,), 500
+FEW_SHARES, FEW_TIMES = (0.5,), 500
 MEDIA = {
     "html": "text/html; charset=utf-8",
     "xlsx": "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet",
@@ -54,7 +54,7 @@ MEDIA = {
 
 
 @dataclass(frozen=True)
-class Ask:
+class TaskRequest:
     """A question put to a worker.
 
     Attributes:
@@ -82,7 +82,7 @@ class Ask:
 
 
 @dataclass(frozen=True)
-class Made:
+class TaskResult:
     """What a worker made: bytes, their media type, and a file's name, if it is one."""
 
     data: bytes
@@ -90,40 +90,40 @@ class Made:
     name: str | None = None
 
 
-def sent(found: Record) -> Made:
+def sent(found: Record) -> TaskResult:
     """An answer as JSON."""
-    return Made(found.model_dump_json(by_alias=True).encode())
+    return TaskResult(found.model_dump_json(by_alias=True).encode())
 
 
-def opened(ask: Ask, _progress: Progress) -> Made:
+def opened(request: TaskRequest, _progress: Progress) -> TaskResult:
     """The plan in the text of a plan file."""
-    data = parsed(ask.text, "plan")
-    check_depth(data, ask.settings.depth)
-    plan = checked(data, Source("plan", ask.text))
-    check_plan(plan, ask.settings)
+    data = parsed(request.text, "plan")
+    check_depth(data, request.settings.depth)
+    plan = checked(data, Source("plan", request.text))
+    check_plan(plan, request.settings)
     return sent(messages.OpenedPlan(plan=plan))
 
 
-def written(ask: Ask, _progress: Progress) -> Made:
+def written(request: TaskRequest, _progress: Progress) -> TaskResult:
     """The plan as a plan file."""
-    return Made(ask.whole.toml().encode(), MEDIA["toml"], "dance.dragon.toml")
+    return TaskResult(request.whole.toml().encode(), MEDIA["toml"], "dance.dragon.toml")
 
 
-def judged(ask: Ask, _progress: Progress) -> Made:
+def judged(request: TaskRequest, _progress: Progress) -> TaskResult:
     """Whether the walk is safe."""
-    return sent(verdict_of(check(ask.whole, quick=True)))
+    return sent(verdict_of(check(request.whole, quick=True)))
 
 
-def danced(ask: Ask, progress: Progress) -> Made:
+def danced(request: TaskRequest, progress: Progress) -> TaskResult:
     """The dance as the player shows it."""
-    plan = ask.whole
-    sketch = Span(*plan.span(plan.build()), looks=FEW_LOOKS, times=FEW_TIMES)
+    plan = request.whole
+    sketch = Span(*plan.span(plan.build()), shares=FEW_SHARES, times=FEW_TIMES)
     return sent(judged_dance(plan, partial(check, quick=True), sketch, progress))
 
 
-def limited(name: str, ask: Ask, _progress: Progress) -> Made:
+def limited(name: str, request: TaskRequest, _progress: Progress) -> TaskResult:
     """How small or large one size may be."""
-    return sent(answer_of(limit(ask.whole, name, tolerance=SIZE), ask.whole))
+    return sent(answer_of(limit(request.whole, name, tolerance=SIZE), request.whole))
 
 
 def check_depth(data: Any, most: int) -> None:
@@ -199,12 +199,14 @@ def export_times(plan: Plan, walk: Walk, places: int) -> FloatArray:
     return times[: int(np.argmax(failed))] if failed.any() else times
 
 
-def exported(name: str, ask: Ask, progress: Progress) -> Made:
+def exported(name: str, request: TaskRequest, progress: Progress) -> TaskResult:
     """A table or the pictures of a dance, as a file."""
-    plan = ask.whole
+    plan = request.whole
     with tempfile.TemporaryDirectory() as folder:
         if name in {"png", "svg", "pdf"}:
-            return Made(_pictures(plan, name, Path(folder), ask.settings), MEDIA["zip"], f"{name}.zip")
+            return TaskResult(
+                _pictures(plan, name, Path(folder), request.settings), MEDIA["zip"], f"{name}.zip"
+            )
         path = Path(folder) / name
         if name == "player.html":
             write_player(path, judged_dance(plan, check, progress=progress))
@@ -214,10 +216,10 @@ def exported(name: str, ask: Ask, progress: Progress) -> Made:
             write_files(check(plan), [path])
         else:
             walk = plan.build()
-            times = export_times(plan, walk, ask.settings.places)
+            times = export_times(plan, walk, request.settings.places)
             what = Selection(walk, times, range(len(walk.dragon) + 1))
             WRITERS[path.suffix[1:]](path, what, part(progress, 0.0, 1.0, name))
-        return Made(path.read_bytes(), MEDIA[path.suffix[1:]], name)
+        return TaskResult(path.read_bytes(), MEDIA[path.suffix[1:]], name)
 
 
 def _pictures(plan: Plan, kind: str, folder: Path, settings: Settings) -> bytes:
@@ -239,16 +241,16 @@ def _pictures(plan: Plan, kind: str, folder: Path, settings: Settings) -> bytes:
     return packed.getvalue()
 
 
-def best(ask: Ask, progress: Progress) -> Made:
+def best(request: TaskRequest, progress: Progress) -> TaskResult:
     """The best turn."""
-    options, plan = ask.options, ask.whole
-    wish = Wish(
+    options, plan = request.options, request.whole
+    goal = TurnGoal(
         options.objective,
         options.least_radius,
         options.longest or float("inf"),
         options.longest_way or float("inf"),
     )
-    found = best_turn(plan, wish, progress=progress)
+    found = best_turn(plan, goal, progress=progress)
     speed, route = found.head_speed, plan.route
     before = route.turn(plan).way(route.disc(plan)) if isinstance(route, TurnRoute) else None
     return sent(
@@ -266,35 +268,37 @@ def best(ask: Ask, progress: Progress) -> Made:
     )
 
 
-def proved(ask: Ask, progress: Progress) -> Made:
+def proved(request: TaskRequest, progress: Progress) -> TaskResult:
     """Whether the walk is safe, proved."""
-    return sent(verdict_of(check(ask.whole, progress, prove=True)))
+    return sent(verdict_of(check(request.whole, progress, prove=True)))
 
 
-def head_speed(ask: Ask, progress: Progress) -> Made:
+def head_speed(request: TaskRequest, progress: Progress) -> TaskResult:
     """How fast the head may walk."""
-    return sent(answer_of(greatest_head_speed(ask.whole, progress=progress), ask.whole))
+    return sent(answer_of(greatest_head_speed(request.whole, progress=progress), request.whole))
 
 
-def paced(ask: Ask, progress: Progress) -> Made:
+def paced(request: TaskRequest, progress: Progress) -> TaskResult:
     """A pace that slows down only where it must."""
-    plan = ask.whole
+    plan = request.whole
     pace = slowed(plan, progress=progress)
     steady = answer_of(pace.steady, plan)
     slow = with_pace(plan, pace)
     return sent(messages.PaceFound(plan=slow, steady=steady, seconds=pace.seconds, saved=pace.saved))
 
 
-def room_needed(ask: Ask, progress: Progress) -> Made:
+def room_needed(request: TaskRequest, progress: Progress) -> TaskResult:
     """How much room imprecise people need; with no slip given, those of all cases together."""
-    options, plan = ask.options, ask.whole
-    if options.draws > ask.settings.draws:
-        raise too_much(_("random dances"), ask.settings.draws, options.draws)
-    slips = Slips(**{field.name: getattr(options, field.name) for field in fields(Slips)})
-    if slips == Slips():
-        slips = CASES["all"].slips
+    options, plan = request.options, request.whole
+    if options.draws > request.settings.draws:
+        raise too_much(_("random dances"), request.settings.draws, options.draws)
+    deviations = Deviations(
+        **{field.name: getattr(options, field.name) for field in fields(Deviations)}
+    )
+    if deviations == Deviations():
+        deviations = CASES["all"].deviations
     told = part(progress, 0.0, 1.0, _("random dances"))
-    found = tolerance(plan, slips, options.draws, seed=options.seed, own=True, progress=told)
+    found = tolerance(plan, deviations, options.draws, seed=options.seed, own=True, progress=told)
     pitch = plan.value("route.pitch")
     chance, lower, upper = found.touching()
     pitches = [messages.PitchFor(risk=risk, pitch=found.pitch_for(risk)) for risk in RISKS]
@@ -306,7 +310,7 @@ def room_needed(ask: Ask, progress: Progress) -> Made:
     )  # fmt: skip
 
 
-TASKS: dict[str, Callable[[Ask, Progress], Made]] = {
+TASKS: dict[str, Callable[[TaskRequest, Progress], TaskResult]] = {
     "open": opened,
     "toml": written,
     "verdict": judged,
@@ -321,7 +325,7 @@ TASKS: dict[str, Callable[[Ask, Progress], Made]] = {
 }
 
 
-def warm(lane: str, settings: Settings) -> None:
+def warm(kind: str, settings: Settings) -> None:
     """Dry answers of what a lane is asked most, so that the first asker need not wait."""
     coil = read_plan("spiral-in", ["dragon.benches=40", "disc.radius=4.5", "route.start_turn=10"])
     turn = read_plan("turn", ["dragon.benches=10", "walk.start=-5"])
@@ -331,5 +335,5 @@ def warm(lane: str, settings: Settings) -> None:
         "files": [("export/png", few)],
         "jobs": [("job/speed", turn)],
     }
-    for name, plan in asked[lane]:
-        TASKS[name](Ask(name, "en", settings, plan), lambda _share, _text: None)
+    for name, plan in asked[kind]:
+        TASKS[name](TaskRequest(name, "en", settings, plan), lambda _share, _text: None)

@@ -1,4 +1,4 @@
-"""The studio's workers: processes that compute, a thread each that minds them, lanes of questions.
+"""The studio's workers: processes that compute, a thread each that watches them, queues of questions.
 
 A worker that is over its time or out of memory, or dies, is replaced; whoever asked gets a
 `RefusedError`, a sentence. A worker ends by itself when the studio's end of its pipe is gone, however
@@ -29,11 +29,11 @@ from pathlib import Path
 from benchdragon.errors import BenchDragonError
 from benchdragon.i18n import N_, _, spoken_in, use_language
 from benchdragon.studio.limits import Settings
-from benchdragon.studio.tasks import TASKS, Ask, Made, check_plan, warm
+from benchdragon.studio.tasks import TASKS, TaskRequest, TaskResult, check_plan, warm
 
 LOG = logging.getLogger(__name__)
-# How often a busy worker's minder looks whether it is to stop, and an idle one's whether it lives, s.
-LOOK, IDLE_LOOK = 0.05, 1.0
+# How often a supervisor looks whether a busy worker is to stop, and whether an idle one lives, s.
+POLL, IDLE_POLL = 0.05, 1.0
 # Progress is told at most so often, s.
 TELL = 0.1
 # Seconds until a client that was turned away may come again.
@@ -65,11 +65,11 @@ class RefusedError(Exception):
 
 
 @dataclass(eq=False)
-class Work:
+class QueuedTask:
     """A question on its way.
 
     Attributes:
-        ask: what is asked.
+        request: what is asked.
         client: who asks, as far as they say.
         future: the answer, or a RefusedError.
         share: of the work, 0 to 1, as far as told.
@@ -79,9 +79,9 @@ class Work:
         stop: why it is to be stopped, if it is.
     """
 
-    ask: Ask
+    request: TaskRequest
     client: str | None = None
-    future: Future[Made] = field(default_factory=Future)
+    future: Future[TaskResult] = field(default_factory=Future)
     share: float = 0.0
     text: str = ""
     running: bool = False
@@ -90,7 +90,7 @@ class Work:
 
     def refuse(self, status: int, text: str, retry: int | None = None, **values: object) -> None:
         """Answer with a sentence, in the asker's language, if there is no answer yet."""
-        with spoken_in(self.ask.language):
+        with spoken_in(self.request.language):
             refusal = RefusedError(status, _(text).format(**values), retry)
         with suppress(InvalidStateError):  # who asked may have gone
             self.future.set_exception(refusal)
@@ -99,15 +99,15 @@ class Work:
 # --- in the worker's process
 
 
-def work(connection: Connection, lane: str, settings: Settings, folder: str) -> None:
+def run_worker(connection: Connection, kind: str, settings: Settings, folder: str) -> None:
     """Answer what comes through the pipe, one after another, until it closes."""
     for name in (signal.SIGINT, signal.SIGTERM):  # they are for the studio, which ends its workers
         signal.signal(name, signal.SIG_IGN)
     tempfile.tempdir = folder
     warnings.simplefilter("ignore")
-    inbox: queue.SimpleQueue[Ask] = queue.SimpleQueue()
+    inbox: queue.SimpleQueue[TaskRequest] = queue.SimpleQueue()
     threading.Thread(target=_listen, args=(connection, inbox, folder), daemon=True).start()
-    warm(lane, settings)
+    warm(kind, settings)
     _bound_memory(settings.memory)
     connection.send(("ready", None, None))
     while True:
@@ -115,7 +115,7 @@ def work(connection: Connection, lane: str, settings: Settings, folder: str) -> 
         connection.send(outcome)
 
 
-def _listen(connection: Connection, inbox: "queue.SimpleQueue[Ask]", folder: str) -> None:
+def _listen(connection: Connection, inbox: "queue.SimpleQueue[TaskRequest]", folder: str) -> None:
     """Hand on what comes; when the studio is gone, go too, in the middle of whatever it is."""
     try:
         while True:
@@ -137,12 +137,12 @@ def _bound_memory(more: int) -> None:
         LOG.debug("memory of workers stays unbounded here")
 
 
-def _outcome(connection: Connection, ask: Ask) -> tuple[str, object, object]:
+def _outcome(connection: Connection, request: TaskRequest) -> tuple[str, object, object]:
     """("made", Made, None), ("refused" or "spent", status, sentence) or ("broken", traceback, None).
 
     What is "spent" is the process: of memory that ran out not all comes back.
     """
-    use_language(ask.language)
+    use_language(request.language)
     last_told, last_text = 0.0, ""
 
     def progress(share: float, text: str) -> None:
@@ -153,9 +153,9 @@ def _outcome(connection: Connection, ask: Ask) -> tuple[str, object, object]:
             connection.send(("progress", share, last_text))
 
     try:
-        if ask.plan is not None:
-            check_plan(ask.plan, ask.settings)
-        return "made", TASKS[ask.name](ask, progress), None
+        if request.plan is not None:
+            check_plan(request.plan, request.settings)
+        return "made", TASKS[request.name](request, progress), None
     except BenchDragonError as error:
         return "refused", 422, str(error)
     except ArithmeticError:
@@ -172,7 +172,7 @@ def _outcome(connection: Connection, ask: Ask) -> tuple[str, object, object]:
 
 
 @dataclass
-class Minded:
+class WorkerProcess:
     """A worker's process, and the studio's end of its pipe."""
 
     process: BaseProcess
@@ -187,31 +187,34 @@ class Minded:
         shutil.rmtree(self.folder, ignore_errors=True)
 
 
-def _slow(work: Work) -> bool:
+def _slow(task: QueuedTask) -> bool:
     """Whether a quick question takes several times as long as a verdict."""
-    return work.ask.name.partition("/")[0] in {"limit", "dance"}
+    return task.request.name.partition("/")[0] in {"limit", "dance"}
 
 
-class Lane:
+class WorkerQueue:
     """Questions of one kind that wait for the workers of that kind."""
 
-    def __init__(self, name: str, count: int, room: int, settings: Settings, first: "First") -> None:
+    def __init__(
+        self, name: str, count: int, room: int, settings: Settings, first: "StartOrder"
+    ) -> None:
         self.name, self.count, self.room, self.settings = name, count, room, settings
         self.ready = 0
-        self._first = first
-        self._waiting: deque[Work] = deque()
-        self._running: set[Work] = set()
+        self._start_order = first
+        self._waiting: deque[QueuedTask] = deque()
+        self._running: set[QueuedTask] = set()
         self._changed = threading.Condition()
         self._closing = False
         self._deaths = 0  # in a row, of workers that were not ready yet
-        self._minders = [
-            threading.Thread(target=self._mind, name=f"{name} {n}", daemon=True) for n in range(count)
+        self._supervisors = [
+            threading.Thread(target=self._supervise, name=f"{name} {n}", daemon=True)
+            for n in range(count)
         ]
 
     def start(self) -> None:
         """Start the workers."""
-        for minder in self._minders:
-            minder.start()
+        for supervisor in self._supervisors:
+            supervisor.start()
 
     @property
     def waiting(self) -> int:
@@ -233,45 +236,45 @@ class Lane:
         """Why a question has waited long."""
         return CROWDED if self.ready else STARTING
 
-    def put(self, work: Work, *, newest: bool = True) -> None:
+    def put(self, task: QueuedTask, *, newest: bool = True) -> None:
         """Have a question wait; `newest`: in the place of its client's older one of the same name.
 
         Raises:
             RefusedError: if too many wait, or there is nobody to answer.
         """
-        with self._changed, spoken_in(work.ask.language):
+        with self._changed, spoken_in(task.request.language):
             if self._closing:
                 raise RefusedError(503, _(CLOSING))
             if self.lost:
                 raise RefusedError(503, _(NO_WORKERS), RETRY)
             for place, old in enumerate(self._waiting):
-                if newest and _same(old, work):
-                    self._waiting[place] = work  # not behind all others, each time anew
+                if newest and _same(old, task):
+                    self._waiting[place] = task  # not behind all others, each time anew
                     old.refuse(409, SUPERSEDED)
                     return
             if len(self._waiting) >= self.room:
                 raise RefusedError(429, _(self.late), RETRY)
-            self._waiting.append(work)
+            self._waiting.append(task)
             self._changed.notify()
 
-    def withdraw(self, work: Work, status: int = 409, text: str = WITHDRAWN) -> bool:
+    def withdraw(self, task: QueuedTask, status: int = 409, text: str = WITHDRAWN) -> bool:
         """Take back a question that still waits; whether it did."""
         with self._changed:
-            if work not in self._waiting:
+            if task not in self._waiting:
                 return False
-            self._waiting.remove(work)
-        work.refuse(status, text, RETRY)
+            self._waiting.remove(task)
+        task.refuse(status, text, RETRY)
         return True
 
-    def abandon(self, work: Work) -> None:
+    def abandon(self, task: QueuedTask) -> None:
         """Take back a question that nobody waits for; one that runs ends soon, or is stopped."""
-        if not self.withdraw(work):
-            work.abandoned = True
+        if not self.withdraw(task):
+            task.abandoned = True
 
-    def stop(self, work: Work, status: int, text: str) -> None:
+    def stop(self, task: QueuedTask, status: int, text: str) -> None:
         """Stop a question, waiting or running; the worker that has it is replaced."""
-        if not self.withdraw(work, status, text):
-            work.stop = status, text
+        if not self.withdraw(task, status, text):
+            task.stop = status, text
 
     def retire(self) -> None:
         """Take no more questions, and tell those who wait."""
@@ -285,134 +288,134 @@ class Lane:
         with self._changed:
             waiting = list(self._waiting)
             self._waiting.clear()
-        for work in waiting:
-            work.refuse(503, text, RETRY)
+        for task in waiting:
+            task.refuse(503, text, RETRY)
 
     def end(self) -> None:
-        """End all workers of a lane that has retired; those whose questions run are told."""
+        """End all workers of a queue that has retired; those whose questions run are told."""
         with self._changed:
-            for work in self._running:
-                work.stop = 503, CLOSING
-        for minder in self._minders:
-            minder.join()
+            for task in self._running:
+                task.stop = 503, CLOSING
+        for supervisor in self._supervisors:
+            supervisor.join()
 
-    def _mind(self) -> None:
+    def _supervise(self) -> None:
         """Keep one worker at work."""
         while not self._closing:
-            minded = self._spawned()
-            if minded is not None:
-                self._serve(minded)
+            worker = self._spawned()
+            if worker is not None:
+                self._serve(worker)
             elif self.lost:
                 self._dismiss(NO_WORKERS)
                 with self._changed:
                     self._changed.wait_for(lambda: self._closing, self.settings.respawn_seconds)
 
-    def _serve(self, minded: Minded) -> None:
+    def _serve(self, worker: WorkerProcess) -> None:
         """Have a worker answer one question after another, as long as it can."""
         with self._changed:
             self.ready += 1
             self._deaths = 0
         try:
-            while (work := self._next(minded)) is not None and self._fit(minded, work):
+            while (task := self._next(worker)) is not None and self._fit(worker, task):
                 pass
         finally:
             with self._changed:
                 self.ready -= 1
-            minded.end()
+            worker.end()
 
-    def _next(self, minded: Minded) -> Work | None:
+    def _next(self, worker: WorkerProcess) -> QueuedTask | None:
         """The next question, marked as running; None once the lane closes or the worker is dead."""
         with self._changed:
-            while not self._closing and minded.process.is_alive():
-                work = next(filter(self._may_run, self._waiting), None)
-                if work is not None:
-                    self._waiting.remove(work)
-                    if not work.future.set_running_or_notify_cancel():
+            while not self._closing and worker.process.is_alive():
+                task = next(filter(self._may_run, self._waiting), None)
+                if task is not None:
+                    self._waiting.remove(task)
+                    if not task.future.set_running_or_notify_cancel():
                         continue
-                    work.running = True
-                    self._running.add(work)
-                    return work
-                self._changed.wait(IDLE_LOOK)
+                    task.running = True
+                    self._running.add(task)
+                    return task
+                self._changed.wait(IDLE_POLL)
         return None
 
-    def _may_run(self, work: Work) -> bool:
+    def _may_run(self, task: QueuedTask) -> bool:
         """Whether a question may run now: one of a name a client, and long ones leave a worker free."""
-        if any(_same(old, work) for old in self._running):
+        if any(_same(old, task) for old in self._running):
             return False
-        return not _slow(work) or sum(map(_slow, self._running)) < max(self.count - 1, 1)
+        return not _slow(task) or sum(map(_slow, self._running)) < max(self.count - 1, 1)
 
-    def _fit(self, minded: Minded, work: Work) -> bool:
+    def _fit(self, worker: WorkerProcess, task: QueuedTask) -> bool:
         """Have a worker answer; whether it can go on to the next question."""
         try:
-            return self._answered(minded, work)
+            return self._answered(worker, task)
         except (EOFError, OSError):
-            LOG.warning("a worker died over %s", work.ask.name)
-            work.refuse(503, DIED, RETRY)
+            LOG.warning("a worker died over %s", task.request.name)
+            task.refuse(503, DIED, RETRY)
         except Exception:  # whatever came through the pipe, somebody must mind the next worker
-            LOG.exception("the answer to %s cannot be read", work.ask.name)
-            work.refuse(500, BROKEN)
+            LOG.exception("the answer to %s cannot be read", task.request.name)
+            task.refuse(500, BROKEN)
         finally:
             with self._changed:
-                self._running.discard(work)
+                self._running.discard(task)
                 self._changed.notify_all()  # what waited for this one to end may run now
         return False
 
-    def _answered(self, minded: Minded, work: Work) -> bool:
-        seconds = self.settings.time_limit(work.ask.name)
+    def _answered(self, worker: WorkerProcess, task: QueuedTask) -> bool:
+        seconds = self.settings.time_limit(task.request.name)
         began = clock.monotonic()
         until = began + seconds
-        minded.connection.send(work.ask)
+        worker.connection.send(task.request)
         while True:
-            if work.stop is not None:
-                work.refuse(*work.stop)
+            if task.stop is not None:
+                task.refuse(*task.stop)
                 return False
-            if work.abandoned and clock.monotonic() > began + self.settings.abandoned_seconds:
-                work.refuse(409, WITHDRAWN, RETRY)
+            if task.abandoned and clock.monotonic() > began + self.settings.abandoned_seconds:
+                task.refuse(409, WITHDRAWN, RETRY)
                 return False
             if clock.monotonic() > until:
-                work.refuse(504, OVERDUE, seconds=f"{seconds:g}")
+                task.refuse(504, OVERDUE, seconds=f"{seconds:g}")
                 return False
-            if not minded.connection.poll(LOOK):
+            if not worker.connection.poll(POLL):
                 continue
-            kind, one, two = minded.connection.recv()
+            kind, one, two = worker.connection.recv()
             if kind == "progress":
-                work.share, work.text = one, two
+                task.share, task.text = one, two
             elif kind == "made":
-                work.future.set_result(one)
+                task.future.set_result(one)
                 return True
             elif kind in {"refused", "spent"}:
-                work.future.set_exception(RefusedError(one, two))
+                task.future.set_exception(RefusedError(one, two))
                 return bool(kind == "refused")
             else:
-                LOG.error("%s failed:\n%s", work.ask.name, one)
-                work.refuse(500, BROKEN)
+                LOG.error("%s failed:\n%s", task.request.name, one)
+                task.refuse(500, BROKEN)
                 return True
 
-    def _spawned(self) -> Minded | None:
+    def _spawned(self) -> WorkerProcess | None:
         """A worker that is ready; None if the lane closes, or it died before."""
-        minded: Minded | None = None
-        with self._first.turn():
+        worker: WorkerProcess | None = None
+        with self._start_order.turn():
             try:
                 while not self._closing:
-                    minded = minded or self._started()
-                    if minded.connection.poll(LOOK):
-                        minded.connection.recv()
-                        self._first.done()
-                        return minded
+                    worker = worker or self._started()
+                    if worker.connection.poll(POLL):
+                        worker.connection.recv()
+                        self._start_order.done()
+                        return worker
             except Exception:  # no memory, no process, a script without a guard ...
                 LOG.exception("a worker of the lane %s died before it was ready", self.name)
                 with self._changed:
                     self._deaths += 1
-            if minded is not None:
-                minded.end()
+            if worker is not None:
+                worker.end()
         return None
 
-    def _started(self) -> Minded:
+    def _started(self) -> WorkerProcess:
         context = multiprocessing.get_context("spawn")
         ours, theirs = context.Pipe()
         folder = tempfile.mkdtemp(prefix="benchdragon-studio-")
         process = context.Process(
-            target=work,
+            target=run_worker,
             args=(theirs, self.name, self.settings, folder),
             daemon=True,
             name=f"benchdragon {self.name}",
@@ -423,14 +426,14 @@ class Lane:
             shutil.rmtree(folder, ignore_errors=True)
             raise
         theirs.close()
-        return Minded(process, ours, folder)
+        return WorkerProcess(process, ours, folder)
 
 
-def _same(old: Work, new: Work) -> bool:
-    return old.client is not None and (old.client, old.ask.name) == (new.client, new.ask.name)
+def _same(old: QueuedTask, new: QueuedTask) -> bool:
+    return old.client is not None and (old.client, old.request.name) == (new.client, new.request.name)
 
 
-class First:
+class StartOrder:
     """Lets one worker compile the kernels, and the others start once they can load them."""
 
     def __init__(self) -> None:
@@ -441,7 +444,7 @@ class First:
     def turn(self) -> Iterator[None]:
         """Where a worker may start: one by one until the first is ready, then any."""
         while not self._warm.is_set():
-            if self._lock.acquire(timeout=LOOK):
+            if self._lock.acquire(timeout=POLL):
                 try:
                     if not self._warm.is_set():
                         yield
@@ -459,32 +462,35 @@ class Pool:
     """All lanes of a studio: quick answers, files, long questions."""
 
     def __init__(self, settings: Settings) -> None:
-        first = First()
+        first = StartOrder()
         self.settings = settings
-        self.lanes = {
-            "quick": Lane("quick", settings.workers, settings.queue, settings, first),
-            "files": Lane("files", 1, settings.queue, settings, first),
-            "jobs": Lane("jobs", 1, settings.jobs, settings, first),
+        self.queues = {
+            "quick": WorkerQueue("quick", settings.workers, settings.queue, settings, first),
+            "files": WorkerQueue("files", 1, settings.queue, settings, first),
+            "jobs": WorkerQueue("jobs", 1, settings.jobs, settings, first),
         }
 
     def start(self) -> None:
         """Start all workers; none outlives this process, however it ends."""
         atexit.register(self.close, 0.0)
-        for lane in self.lanes.values():
-            lane.start()
+        for worker_queue in self.queues.values():
+            worker_queue.start()
 
-    def lane(self, name: str) -> Lane:
+    def worker_queue(self, name: str) -> WorkerQueue:
         """The lane for a question of that name."""
         kind = name.partition("/")[0]
-        return self.lanes[{"export": "files", "job": "jobs"}.get(kind, "quick")]
+        return self.queues[{"export": "files", "job": "jobs"}.get(kind, "quick")]
 
     def close(self, grace: float | None = None) -> None:
         """End all workers, running questions after `grace` seconds; those who wait are told."""
         until = clock.monotonic() + (self.settings.grace if grace is None else grace)
-        for lane in self.lanes.values():
-            lane.retire()
-        while any(lane.busy for lane in self.lanes.values()) and clock.monotonic() < until:
-            clock.sleep(LOOK)
-        for lane in self.lanes.values():
-            lane.end()
+        for worker_queue in self.queues.values():
+            worker_queue.retire()
+        while (
+            any(worker_queue.busy for worker_queue in self.queues.values())
+            and clock.monotonic() < until
+        ):
+            clock.sleep(POLL)
+        for worker_queue in self.queues.values():
+            worker_queue.end()
         atexit.unregister(self.close)

@@ -9,7 +9,7 @@ export interface Answer {
   status: "proved" | "found" | "infeasible" | "undecided" | "unlimited";
   witness: Witness | null;
   assumptions: Array<string>;
-  looks: number;
+  evaluations: number;
   seconds: number | null;
   plan_sha256: string;
   version: string;
@@ -135,7 +135,7 @@ export interface Frames {
 export interface Health {
   status: "ok";
   version: string;
-  workers: Record<string, Lane>;
+  workers: Record<string, QueueState>;
 }
 
 /** A long question about a plan. */
@@ -155,7 +155,7 @@ export interface JobBody {
  *     longest_way: of "turn": the whole way inside the disc is no longer, m.
  *     draws: of "margins": random dances.
  *     seed: of "margins".
- *     aside: of "margins", like the following: standard deviations, m; see `Slips`. Where all are
+ *     aside: of "margins", like the following: standard deviations, m; see `Deviations`. Where all are
  *         0, those that `tolerance.CASES` takes together.
  */
 export interface JobOptions {
@@ -205,14 +205,6 @@ export interface JobTaken {
   question: "turn" | "prove" | "speed" | "pace" | "margins";
   plan: Record<string, unknown>;
   plan_sha256: string;
-}
-
-/** Workers of one kind of question. */
-export interface Lane {
-  workers: number;
-  ready: number;
-  busy: number;
-  waiting: number;
 }
 
 /** The greatest of a quantity that the plan limits, and what that is in words. */
@@ -349,6 +341,14 @@ export interface Preset {
 /** What went wrong, as one sentence in the language asked for. */
 export interface Problem {
   error: string;
+}
+
+/** Workers of one kind of question. */
+export interface QueueState {
+  workers: number;
+  ready: number;
+  busy: number;
+  waiting: number;
 }
 
 /** Sizes of every bench, m, bench 1 first. */

@@ -1,4 +1,4 @@
-"""Why turns of a spiral are sheltered by a closed form: how near it comes, and what it saves.
+"""Why turns of a spiral are shown clear by a closed form: how near it comes, and what it saves.
 
 The other ways to the same end: box every cell (what other curves need), or follow the excess of the
 corners over the angle numerically, which would need a proof that it falls all the way out.
@@ -11,13 +11,13 @@ from unittest import mock
 import numpy as np
 
 from benchdragon import Dragon, first_contact, tightest_pairs
-from benchdragon.analysis import regions as ground
-from benchdragon.analysis.spiral_bound import Shape, sheltered, sheltered_radius
+from benchdragon.analysis import regions
+from benchdragon.analysis.spiral_bound import Shape, clear_radius, clear_spans
 from benchdragon.kernels.curve import P
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import read_plan
 
-WITH = sheltered
+WITH = clear_spans
 
 
 def nearest_to_meeting(walk: Walk, radius: float) -> float:
@@ -44,11 +44,11 @@ def main() -> None:
     dragon = Dragon.uniform()
     head, body = (Shape.of(dragon.sizes[:, part], 0.0) for part in (slice(1), slice(1, 2)))
     between = float(dragon.links.min())
-    print("pitch, m   head sheltered from, m   bodies, m   least distance of the head there, m")
+    print("pitch, m   head clear from, m   bodies, m   least distance of the head there, m")
     for pitch in (0.45, 0.5, 0.55, 0.7, 1.0, 1.7):
         b = pitch / (2.0 * math.pi)
-        radius = sheltered_radius(b, head, body, between)
-        bodies = sheltered_radius(b, body, body, between)
+        radius = clear_radius(b, head, body, between)
+        bodies = clear_radius(b, body, body, between)
         walk = read_plan("spiral-in", [f"route.pitch={pitch}"]).build()
         near = nearest_to_meeting(walk, radius)
         print(f"{pitch:8g} {radius:24.3f} {bodies:11.3f} {near:37.3f}")
@@ -63,7 +63,7 @@ def main() -> None:
         first_contact(walk, 0.0, end)
         times = []
         for way in (WITH, lambda *_arguments: np.empty((0, 2))):
-            with mock.patch.object(ground, "sheltered", way):
+            with mock.patch.object(regions, "clear_spans", way):
                 times.append(1e3 * seconds(walk, end))
         print(f"{name:10s} {end:5g} s {times[0]:18.1f} {times[1]:13.1f}")
 

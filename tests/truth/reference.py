@@ -1,4 +1,4 @@
-"""The second road in mpmath: walks, handles, speeds, and how far benches are apart, in any precision.
+"""The reference implementation in mpmath: walks, handles, speeds and distances, in any precision.
 
 It shares nothing with the package. A walk is a function from route position to point, m. Handles are
 found by stepping back until the chord is as long as the link, and then inside that bracket; tangents

@@ -4,7 +4,7 @@ Everything is a function of the head's route position sigma. Every handle walks 
 so that its places at the two ends of a step enclose it in between; from those follow bounds on
 speeds and accelerations per metre of sigma, handle by handle down the chain. A quantity whose second
 derivative is at most M then stays within M h^2 / 8 of the straight line between its ends, which is
-what makes a few looks enough (design/first_contact.py).
+what makes a few evaluations enough (design/first_contact.py).
 """
 
 import math
@@ -42,13 +42,13 @@ from benchdragon.kernels.status import Status
 PATH = 0  # arc length walked in the step, m
 SLOWEST = 1  # least ds_i / dsigma
 SPEED = 2  # greatest ds_i / dsigma
-FADE = 3  # least d log(ds_i / dsigma) / dsigma, 1/m
-GROW = 4  # greatest
-FORCE = 5  # greatest acceleration of the handle's point, 1/m
-SWAY = 6  # greatest turning rate of the bench before it, rad/m
+GROWTH_LOW = 3  # least d log(ds_i / dsigma) / dsigma, 1/m
+GROWTH_HIGH = 4  # greatest
+ACCELERATION = 5  # greatest acceleration of the handle's point, 1/m
+TURNING_RATE = 6  # greatest turning rate of the bench before it, rad/m
 RIGHT = 7  # least curvature of its piece of route, 1/m
 LEFT = 8  # greatest
-BENT = 9  # at least what the heading varies by in all, rad
+HEADING_CHANGE = 9  # at least what the heading varies by in all, rad
 TURN_LOW = 10  # least turning rate of the bench before it, left positive, rad/m
 TURN_HIGH = 11  # greatest
 FRONT_LOW = 12  # least tangent of the angle from that bench to the route at its front handle
@@ -58,10 +58,10 @@ REAR_HIGH = 15
 HANDLE_COLUMNS = 16
 # Columns of a table of bench bounds, one row a bench. The first three hold for all of its points.
 TRAVEL = 0  # path length, m
-PACE = 1  # speed
-PULL = 2  # acceleration, 1/m
+POINT_SPEED = 1  # speed
+POINT_ACCELERATION = 2  # acceleration, 1/m
 TURN = 3  # turning rate, rad/m
-TWIST = 4  # rate of change of the turning rate, rad/m^2
+ANGULAR_ACCELERATION = 4  # rate of change of the turning rate, rad/m^2
 BENCH_COLUMNS = 5
 
 # Headings and places that differ by more than this at a joint, rad and m, count as a kink or a gap.
@@ -72,7 +72,7 @@ ROUNDED_UP = 1.0 + 1e-12
 PASSES = 3
 
 
-class Places(NamedTuple):
+class Placements(NamedTuple):
     """Chains at several head positions, each array (handles, slots): see `chain.march`."""
 
     row: IntArray
@@ -86,9 +86,9 @@ class Places(NamedTuple):
 
 
 @kernel
-def empty_places(handles: int, slots: int) -> Places:
+def empty_placements(handles: int, slots: int) -> Placements:
     """Room for chains of so many handles at so many head positions."""
-    return Places(
+    return Placements(
         np.empty((handles, slots), dtype=np.int64),
         np.empty((handles, slots)),
         np.empty((handles, slots)),
@@ -101,8 +101,8 @@ def empty_places(handles: int, slots: int) -> Places:
 
 
 @kernel
-def stand(
-    rows: FloatArray, links: FloatArray, at: FloatArray, first: int, last: int, out: Places
+def place_chain(
+    rows: FloatArray, links: FloatArray, at: FloatArray, first: int, last: int, out: Placements
 ) -> bool:
     """March the chain with its head at at[first..last-1]; whether it can stand at all of them."""
     march(rows, links, at, first, last, out.row, out.u, out.x, out.y, out.ratio, out.failed)
@@ -117,7 +117,7 @@ def stand(
 
 
 @kernel
-def walked(rows: FloatArray, ja: int, ua: float, jb: int, ub: float) -> float:
+def path_bound(rows: FloatArray, ja: int, ua: float, jb: int, ub: float) -> float:
     """At least the path, m, from place (ja, ua) on to (jb, ub), gaps at joints included."""
     if ja == jb:
         return abs(ub - ua) * max(stretch(rows, ja, ua), stretch(rows, ja, ub))
@@ -135,7 +135,7 @@ def walked(rows: FloatArray, ja: int, ua: float, jb: int, ub: float) -> float:
 
 
 @kernel
-def bends(rows: FloatArray, ja: int, ua: float, jb: int, ub: float) -> tuple[float, float]:
+def curvature_range(rows: FloatArray, ja: int, ua: float, jb: int, ub: float) -> tuple[float, float]:
     """Least and greatest curvature from (ja, ua) to (jb, ub), 1/m; infinite across a kink or a gap.
 
     On each kind of piece curvature is monotone in u.
@@ -153,7 +153,7 @@ def bends(rows: FloatArray, ja: int, ua: float, jb: int, ub: float) -> tuple[flo
 
 
 @kernel
-def turning(rows: FloatArray, ja: int, ua: float, jb: int, ub: float) -> float:
+def heading_bound(rows: FloatArray, ja: int, ua: float, jb: int, ub: float) -> float:
     """At least the angle, rad, by which the heading varies in all from (ja, ua) on to (jb, ub)."""
     if ja == jb:
         return turning_bound(rows, ja, ua, ub)
@@ -169,7 +169,7 @@ def turning(rows: FloatArray, ja: int, ua: float, jb: int, ub: float) -> float:
 
 
 @kernel
-def leans(places: Places, i: int, t: int, link: float) -> tuple[float, float, float, float]:
+def bench_angles(places: Placements, i: int, t: int, link: float) -> tuple[float, float, float, float]:
     """Sine and cosine of the angle from bench i to the route, at its front and at its rear handle."""
     dx = (places.x[i, t] - places.x[i + 1, t]) / link
     dy = (places.y[i, t] - places.y[i + 1, t]) / link
@@ -179,7 +179,7 @@ def leans(places: Places, i: int, t: int, link: float) -> tuple[float, float, fl
 
 
 @kernel
-def times(low: float, high: float, least: float, most: float) -> tuple[float, float]:
+def scaled(low: float, high: float, least: float, most: float) -> tuple[float, float]:
     """Least and greatest product of a number in low..high, not negative, and one in least..most."""
     return (high if least < 0.0 else low) * least, (high if most > 0.0 else low) * most
 
@@ -188,12 +188,12 @@ def times(low: float, high: float, least: float, most: float) -> tuple[float, fl
 def product(low: float, high: float, least: float, most: float) -> tuple[float, float]:
     """Least and greatest product of a number in low..high and one in least..most."""
     if low >= 0.0:
-        return times(low, high, least, most)
+        return scaled(low, high, least, most)
     if high <= 0.0:
-        greatest, smallest = times(-high, -low, least, most)
+        greatest, smallest = scaled(-high, -low, least, most)
         return -smallest, -greatest
-    a, b = times(0.0, -low, least, most)
-    c, d = times(0.0, high, least, most)
+    a, b = scaled(0.0, -low, least, most)
+    c, d = scaled(0.0, high, least, most)
     return min(c, -b), max(d, -a)
 
 
@@ -216,35 +216,39 @@ def peak(start: float, end: float, low: float, high: float, h: float) -> float:
 
 
 @kernel
-def size(low: float, high: float) -> float:
+def magnitude(low: float, high: float) -> float:
     """The greatest absolute value between low and high."""
     return max(abs(low), abs(high))
 
 
 @kernel
 def bound_handles(
-    rows: FloatArray, links: FloatArray, places: Places, a: int, b: int, bounds: FloatArray
+    rows: FloatArray, links: FloatArray, places: Placements, a: int, b: int, bounds: FloatArray
 ) -> None:
     """Fill bounds, (handles, HANDLE_COLUMNS), for the head's step from slot a to slot b."""
     ja, ua, jb, ub = places.row[0, a], places.u[0, a], places.row[0, b], places.u[0, b]
-    h = walked(rows, ja, ua, jb, ub)
-    low, high = bends(rows, ja, ua, jb, ub)
+    h = path_bound(rows, ja, ua, jb, ub)
+    low, high = curvature_range(rows, ja, ua, jb, ub)
     bounds[0, PATH], bounds[0, SLOWEST], bounds[0, SPEED] = h, 1.0, 1.0
-    bounds[0, FADE], bounds[0, GROW] = 0.0, 0.0
-    bounds[0, FORCE], bounds[0, SWAY] = size(low, high), 0.0
-    bounds[0, LEFT], bounds[0, RIGHT], bounds[0, BENT] = high, low, turning(rows, ja, ua, jb, ub)
+    bounds[0, GROWTH_LOW], bounds[0, GROWTH_HIGH] = 0.0, 0.0
+    bounds[0, ACCELERATION], bounds[0, TURNING_RATE] = magnitude(low, high), 0.0
+    bounds[0, LEFT], bounds[0, RIGHT], bounds[0, HEADING_CHANGE] = (
+        high,
+        low,
+        heading_bound(rows, ja, ua, jb, ub),
+    )
     for i in range(links.shape[0]):
         ja, ua = places.row[i + 1, a], places.u[i + 1, a]
         jb, ub = places.row[i + 1, b], places.u[i + 1, b]
-        bounds[i + 1, RIGHT], bounds[i + 1, LEFT] = bends(rows, ja, ua, jb, ub)
-        bounds[i + 1, BENT] = turning(rows, ja, ua, jb, ub)
-        bounds[i + 1, PATH] = walked(rows, ja, ua, jb, ub)
+        bounds[i + 1, RIGHT], bounds[i + 1, LEFT] = curvature_range(rows, ja, ua, jb, ub)
+        bounds[i + 1, HEADING_CHANGE] = heading_bound(rows, ja, ua, jb, ub)
+        bounds[i + 1, PATH] = path_bound(rows, ja, ua, jb, ub)
         bound_next(links[i], places, i, a, b, h, bounds)
 
 
 @kernel
 def bound_next(
-    link: float, places: Places, i: int, a: int, b: int, h: float, bounds: FloatArray
+    link: float, places: Placements, i: int, a: int, b: int, h: float, bounds: FloatArray
 ) -> None:
     """Fill row i + 1 of bounds from row i; infinite where the bench may stand square to the route.
 
@@ -254,51 +258,54 @@ def bound_next(
     w' / w = v' / v - tan f f' + tan r r'. An angle that varies by V in all stays within V / 2 of what
     it is at one of the two ends, and a narrower range of angles narrows their rates in turn.
     """
-    sa, ca, ta, da = leans(places, i, a, link)
-    sb, cb, tb, db = leans(places, i, b, link)
+    sa, ca, ta, da = bench_angles(places, i, a, link)
+    sb, cb, tb, db = bench_angles(places, i, b, link)
     slow, fast = bounds[i, SLOWEST], bounds[i, SPEED]
     swing = (bounds[i, PATH] + bounds[i + 1, PATH]) / link
-    front, rear = 0.5 * (bounds[i, BENT] + swing), 0.5 * (bounds[i + 1, BENT] + swing)
-    bounds[i + 1, SLOWEST], bounds[i + 1, FADE] = 0.0, -math.inf
-    bounds[i + 1, SPEED] = bounds[i + 1, GROW] = bounds[i + 1, FORCE] = bounds[i + 1, SWAY] = math.inf
+    front = 0.5 * (bounds[i, HEADING_CHANGE] + swing)
+    rear = 0.5 * (bounds[i + 1, HEADING_CHANGE] + swing)
+    bounds[i + 1, SLOWEST], bounds[i + 1, GROWTH_LOW] = 0.0, -math.inf
+    bounds[i + 1, SPEED], bounds[i + 1, GROWTH_HIGH] = math.inf, math.inf
+    bounds[i + 1, ACCELERATION], bounds[i + 1, TURNING_RATE] = math.inf, math.inf
     for _ in range(PASSES):
         f_low, f_high = max(min(sa, sb) - front, -1.0), min(max(sa, sb) + front, 1.0)
         r_low, r_high = max(min(ta, tb) - rear, -1.0), min(max(ta, tb) + rear, 1.0)
-        front_sine, rear_sine = size(f_low, f_high), size(r_low, r_high)
+        front_sine, rear_sine = magnitude(f_low, f_high), magnitude(r_low, r_high)
         front_cosine, rear_cosine = min(ca, cb) - front_sine * front, min(da, db) - rear_sine * rear
         if not (min(front_cosine, rear_cosine) > FOLD_COSINE and fast < math.inf):
             return
         front_most = min(max(ca, cb) + front_sine * front, 1.0)
         rear_most = min(max(da, db) + rear_sine * rear, 1.0)
         next_slow, next_fast = slow * front_cosine / rear_most, fast * front_most / rear_cosine
-        low, high = times(slow, fast, f_low, f_high)
-        other_low, other_high = times(next_slow, next_fast, r_low, r_high)
+        low, high = scaled(slow, fast, f_low, f_high)
+        other_low, other_high = scaled(next_slow, next_fast, r_low, r_high)
         turn_low, turn_high = (low - other_high) / link, (high - other_low) / link
-        low, high = times(slow, fast, bounds[i, RIGHT], bounds[i, LEFT])
+        low, high = scaled(slow, fast, bounds[i, RIGHT], bounds[i, LEFT])
         front_low, front_high = low - turn_high, high - turn_low
-        low, high = times(next_slow, next_fast, bounds[i + 1, RIGHT], bounds[i + 1, LEFT])
+        low, high = scaled(next_slow, next_fast, bounds[i + 1, RIGHT], bounds[i + 1, LEFT])
         rear_low, rear_high = low - turn_high, high - turn_low
-        front = min(front, 0.5 * size(front_low, front_high) * h)
-        rear = min(rear, 0.5 * size(rear_low, rear_high) * h)
+        front = min(front, 0.5 * magnitude(front_low, front_high) * h)
+        rear = min(rear, 0.5 * magnitude(rear_low, rear_high) * h)
         low, high = tangents(f_low, f_high, front_cosine, front_most)
         bounds[i + 1, FRONT_LOW], bounds[i + 1, FRONT_HIGH] = low, high
         front_low, front_high = product(low, high, front_low, front_high)
         low, high = tangents(r_low, r_high, rear_cosine, rear_most)
         bounds[i + 1, REAR_LOW], bounds[i + 1, REAR_HIGH] = low, high
         rear_low, rear_high = product(low, high, rear_low, rear_high)
-        fade = bounds[i, FADE] - front_high + rear_low
-        grow = bounds[i, GROW] - front_low + rear_high
+        growth_low = bounds[i, GROWTH_LOW] - front_high + rear_low
+        growth_high = bounds[i, GROWTH_HIGH] - front_low + rear_high
         wa, wb = places.ratio[i + 1, a], places.ratio[i + 1, b]
-        low, high = times(next_slow, next_fast, fade, grow)
+        low, high = scaled(next_slow, next_fast, growth_low, growth_high)
         next_fast = min(next_fast, peak(wa, wb, low, high, h))
         next_slow = max(next_slow, -peak(-wa, -wb, -high, -low, h))
         bounds[i + 1, SLOWEST], bounds[i + 1, SPEED] = next_slow, next_fast
-        bounds[i + 1, FADE], bounds[i + 1, GROW] = fade, grow
-        bounds[i + 1, SWAY] = size(turn_low, turn_high)
+        bounds[i + 1, GROWTH_LOW], bounds[i + 1, GROWTH_HIGH] = growth_low, growth_high
+        bounds[i + 1, TURNING_RATE] = magnitude(turn_low, turn_high)
         bounds[i + 1, TURN_LOW], bounds[i + 1, TURN_HIGH] = turn_low, turn_high
-    bend = size(bounds[i + 1, RIGHT], bounds[i + 1, LEFT])
+    bend = magnitude(bounds[i + 1, RIGHT], bounds[i + 1, LEFT])
     speed = bounds[i + 1, SPEED]
-    bounds[i + 1, FORCE] = math.hypot(speed * size(fade, grow), speed * speed * bend)
+    along = speed * magnitude(growth_low, growth_high)
+    bounds[i + 1, ACCELERATION] = math.hypot(along, speed * speed * bend)
 
 
 @kernel
@@ -320,10 +327,13 @@ def bound_bench(handles: FloatArray, i: int, sizes: FloatArray, k: int, out: Flo
     """Fill out, one row of BENCH_COLUMNS, for bench i of the chain, with the sizes in column k."""
     link = sizes[0, k] - sizes[2, k] - sizes[3, k]
     out[TRAVEL] = ROUNDED_UP * reach(handles[i, PATH], handles[i + 1, PATH], sizes, k)
-    out[PACE] = ROUNDED_UP * reach(handles[i, SPEED], handles[i + 1, SPEED], sizes, k)
-    out[PULL] = ROUNDED_UP * reach(handles[i, FORCE], handles[i + 1, FORCE], sizes, k)
-    out[TURN] = ROUNDED_UP * handles[i + 1, SWAY]
-    out[TWIST] = ROUNDED_UP * (handles[i, FORCE] + handles[i + 1, FORCE]) / link
+    out[POINT_SPEED] = ROUNDED_UP * reach(handles[i, SPEED], handles[i + 1, SPEED], sizes, k)
+    out[POINT_ACCELERATION] = ROUNDED_UP * reach(
+        handles[i, ACCELERATION], handles[i + 1, ACCELERATION], sizes, k
+    )
+    out[TURN] = ROUNDED_UP * handles[i + 1, TURNING_RATE]
+    both = handles[i, ACCELERATION] + handles[i + 1, ACCELERATION]
+    out[ANGULAR_ACCELERATION] = ROUNDED_UP * both / link
 
 
 @kernel
@@ -350,11 +360,11 @@ def face_loss(
     along, across = offset(boxes, ja, boxes[ia, CX], boxes[ia, CY])
     ahead = max(abs(along) - boxes[ja, HALF_LENGTH], 0.0)
     aside = max(abs(across) - boxes[ja, HALF_WIDTH], 0.0)
-    pace = sweeps[i, PACE] + sweeps[j, PACE]
+    pace = sweeps[i, POINT_SPEED] + sweeps[j, POINT_SPEED]
     far = math.hypot(ahead, aside) + math.hypot(boxes[ia, HALF_LENGTH], boxes[ia, HALF_WIDTH])
     turn = sweeps[j, TURN]
-    second = sweeps[i, PULL] + sweeps[j, PULL] + 2.0 * pace * turn
-    second += (far + pace * h) * (sweeps[j, TWIST] + turn * turn)
+    second = sweeps[i, POINT_ACCELERATION] + sweeps[j, POINT_ACCELERATION] + 2.0 * pace * turn
+    second += (far + pace * h) * (sweeps[j, ANGULAR_ACCELERATION] + turn * turn)
     return 0.125 * second * h * h
 
 
@@ -457,7 +467,7 @@ def facing_bound(
     nx, ny = (ahead * ux - aside * uy) / apart, (ahead * uy + aside * ux) / apart
     if mine:  # from i towards j
         nx, ny = -nx, -ny
-    loss = 0.125 * (sweeps[i, PULL] + sweeps[j, PULL]) * h * h
+    loss = 0.125 * (sweeps[i, POINT_ACCELERATION] + sweeps[j, POINT_ACCELERATION]) * h * h
     return min(separation(boxes, ia, ja, nx, ny), separation(boxes, ib, jb, nx, ny)) - loss
 
 
@@ -481,7 +491,7 @@ def apart_bound(
     """
     start, end = box_distance(boxes, ia, ja), box_distance(boxes, ib, jb)
     best = 0.5 * (start + end - sweeps[i, TRAVEL] - sweeps[j, TRAVEL])
-    smooth = math.isfinite(sweeps[i, PULL] + sweeps[j, PULL])
+    smooth = math.isfinite(sweeps[i, POINT_ACCELERATION] + sweeps[j, POINT_ACCELERATION])
     if best > wanted or not smooth:
         return best
     best = max(best, face_bound(boxes, ia, ja, ib, jb, sweeps, i, j, h))

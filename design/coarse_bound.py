@@ -1,11 +1,11 @@
-"""Why greatest speeds are sought through a sieve of cells, and clearances from a low one seen.
+"""Why greatest speeds are sought through a coarse bound over cells, and clearances from a low one seen.
 
 A step of the head can be passed over if no handle exceeds in it what has been seen elsewhere. Two
 bounds can say so.
 
-1. The chain's: enclosures of angles and rates, bench by bench from the head (kernels/bounds.py). It
-   loses in second order, as a search for the last digit needs, but costs a chain with its bounds for
-   every tenth of a link, wherever the dragon is.
+1. The chain's: enclosures of angles and rates, bench by bench from the head (kernels/step_bounds.py).
+   It loses in second order, as a search for the last digit needs, but costs a chain with its bounds
+   for every tenth of a link, wherever the dragon is.
 2. The cells': a bench's rear handle is faster than its front one by a ratio that depends on its link
    and the front handle's place alone. The greatest in each cell of the route is found once for each
    link; products down the chain bound every step of the head, and name the last bench that can be
@@ -27,8 +27,7 @@ from functools import partial
 from unittest import mock
 
 from benchdragon import Walk, least_clearance
-from benchdragon.analysis import contact
-from benchdragon.analysis import speed as speeds
+from benchdragon.analysis import contact, speed
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.model.answer import Answer
 from benchdragon.plans.schema import read_plan
@@ -52,16 +51,17 @@ def timed(job: Callable[[], Answer], repeats: int = 3) -> tuple[float, Answer]:
 
 
 def speed_rows(name: str, walk: Walk, span: tuple[float, float]) -> None:
-    """Greatest speeds by several steps and cells, and without a sieve."""
+    """Greatest speeds by several steps and cells, and without the coarse bound."""
     for steps in ((0.8,), (0.2,), (0.8, 0.2), (0.8, 0.2, 0.05)):
         for cell in (0.1, 0.05, 0.025):
-            with mock.patch.multiple(speeds, SIEVE_STEPS=steps, SIEVE_CELLS=(cell,)):
+            with mock.patch.multiple(speed, COARSE_STEPS=steps, COARSE_CELLS=(cell,)):
                 spent, found = timed(partial(greatest_speed, walk, *span))
             text = ", ".join(f"{step:g}" for step in steps)
-            print(f"{name:20s} {text:14s} {cell:5g} {spent:8.1f} {found.looks:7d}  {found.value:.11f}")
-    with mock.patch.object(speeds, "sieve_pays", return_value=False):
+            row = f"{name:20s} {text:14s} {cell:5g} {spent:8.1f}"
+            print(f"{row} {found.evaluations:7d}  {found.value:.11f}")
+    with mock.patch.object(speed, "coarse_bound_pays", return_value=False):
         spent, found = timed(partial(greatest_speed, walk, *span), 1)
-    print(f"{name:20s} {'no sieve':20s} {spent:8.1f} {found.looks:7d}  {found.value:.11f}")
+    print(f"{name:20s} {'no coarse bound':20s} {spent:8.1f} {found.evaluations:7d}  {found.value:.11f}")
 
 
 def main() -> None:
@@ -70,7 +70,7 @@ def main() -> None:
     for name, (source, *settings) in PLANS.items():
         plan = read_plan(source, settings)
         walks[name] = plan.build(), plan.span(plan.build())
-    print("greatest speed       steps, cell in links         ms   looks  m/s")
+    print("greatest speed       steps, cell in links         ms  placed  m/s")
     for name, (walk, span) in walks.items():
         speed_rows(name, walk, span)
     print("\nleast clearance      from a low one seen, ms   from guesses that grow, ms   m")
