@@ -23,9 +23,9 @@ SMALLEST_PITCH = 0.452
 HEAD_SPEED = 1.0
 # rad: its boundary angles of the two arcs.
 ANGLES = {"theta_max1": 4.0055, "theta_min1": 0.9841, "theta_min2": -2.1575, "theta_max2": 0.8639}
-# Times, s, at which its equations are tried: the head in the first arc, on the way out, and the
-# dragon's second handle on another curve than the first.
-ON_FIRST_ARC, ON_WAY_OUT, ON_WAY_IN = 5.0, 60.0, -50.0
+# Times, s, at which its equations are tried: after the head enters each of the two arcs, and on the
+# ways out and in.
+ON_ARCS, ON_WAY_OUT, ON_WAY_IN = (5.0, 2.0), 60.0, -50.0
 
 
 @dataclass(frozen=True)
@@ -76,7 +76,7 @@ def equations(plan: Plan) -> list[Equation]:
             N_("right; so the length of two tangent arcs is fixed"),
         ),
         _third(walk, turn),
-        _fourth(walk, turn),
+        *(_fourth(walk, turn, arc) for arc in (0, 1)),
         _fifth(walk),
         _sixth(walk, turn),
     ]  # fmt: skip
@@ -91,20 +91,27 @@ def _third(walk: Walk, turn: TwoArcTurn) -> Equation:
     theta = abs(place) / k
     return Equation(
         3, N_("d theta/dt on the way out"), 1.0 / (k * math.sqrt(1.0 + theta * theta)),
-        (velocity / place).imag, "rad/s", N_("right on the way out; the way in needs a minus sign"),
+        (velocity / place).imag, "rad/s", N_("right, and meant, for the way out; inward it is negative"),
     )  # fmt: skip
 
 
-def _fourth(walk: Walk, turn: TwoArcTurn) -> Equation:
-    """The angle on the first arc, from where the arc begins."""
-    x, y = (table[:, 0] for table in _at(walk, [0.0, ON_FIRST_ARC]))
-    centre = complex(*turn.centres()[0])
+def _fourth(walk: Walk, turn: TwoArcTurn, arc: int) -> Equation:
+    """The angle on one of the two arcs, from where the arc begins."""
+    begins = arc * turn.radii[0] * turn.sweep  # the head walks 1 m/s, and enters the first at 0 s
+    x, y = (table[:, 0] for table in _at(walk, [begins, begins + ON_ARCS[arc]]))
+    centre = complex(*turn.centres()[arc])
     swung = cmath.phase((complex(x[1], y[1]) - centre) / (complex(x[0], y[0]) - centre))
-    return Equation(
-        4, N_("theta - theta0 on the first arc, 5 s after it begins"), -1.0 / turn.radii[0], swung,
-        "rad",
-        N_("misprint: -t/r belongs where -1/r stands"),
-    )  # fmt: skip
+    says, remark = (
+        (
+            N_("theta - theta0 on the first arc, 5 s after it begins"),
+            N_("misprint: t stands there as 1; theta = theta0 - t/r1 holds"),
+        ),
+        (
+            N_("theta - theta0 on the second arc, 2 s after it begins"),
+            N_("the same misprint, and the other sign: theta = theta0 + t/r2 holds"),
+        ),
+    )[arc]
+    return Equation(4, says, -1.0 / turn.radii[arc], swung, "rad", remark)
 
 
 def _fifth(walk: Walk) -> Equation:
