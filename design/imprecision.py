@@ -10,7 +10,7 @@ Run: python design/imprecision.py
    for each bench, as for exact dances, would cost benches times cells; all pairs of a step cost less.
    Steps of an eighth of the shortest link are best: longer ones leave bounds too loose for the tail.
 3. The pitch needed is sought with evaluations here and there, which is cheap, and the search that
-   misses nothing is asked once or twice, at the end. With no slips it gives what `solve pitch` gives.
+   misses nothing is asked once or twice, at the end. Without deviations it gives what `solve pitch` gives.
 """
 
 import time
@@ -70,7 +70,7 @@ def steps() -> None:
 
 def pitches() -> None:
     """Pitches needed, and what each costs."""
-    print("3. the pitch needed, m, and seconds a dance; the first line without slips")
+    print("3. the pitch needed, m, and seconds a dance; the first line without deviations")
     for name, (kind, settings) in PLANS.items():
         plan = read_plan(kind, settings)
         exact = limit(plan, "pitch").value

@@ -140,6 +140,6 @@ def test_evaluations_of_a_hint_lie_no_farther_apart_than_is_said() -> None:
     dance = random_dance(plan, Draw(Deviations(), 1, 0))
     low = dance.low_meeting()
     assert low.distance == pytest.approx(brute(dance), abs=2e-4)
-    again = dance.meeting_near(dance.hint(low.s))
+    again = dance.meeting_near(dance.hint(low))
     assert again.distance == pytest.approx(low.distance, abs=1e-6)
     assert (again.i, again.j) == (low.i, low.j)

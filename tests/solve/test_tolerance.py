@@ -49,7 +49,7 @@ ROUTES = {
 
 
 @pytest.mark.parametrize("name", ROUTES)
-@pytest.mark.parametrize("slips", [Deviations(), Deviations(aside=1e-9), Deviations(stray=1e-9)])
+@pytest.mark.parametrize("deviations", [Deviations(), Deviations(aside=1e-9), Deviations(stray=1e-9)])
 def test_people_who_are_all_but_exact_need_the_exact_pitch(name: str, deviations: Deviations) -> None:
     plan = read_plan(*ROUTES[name])
     found = tolerance(plan, deviations, 1)
@@ -81,8 +81,10 @@ def test_a_graze_between_evaluations_counts(monkeypatch: pytest.MonkeyPatch) -> 
     assert random_dance(plan, draw).low_meeting().distance > 1e-3
     assert touches(plan, draw)
     assert not touches(plan.with_value("route.pitch", exact + 1e-5), draw)
-    trials = Trials(plan, draw, [Hint(0.0, 0.0)])
-    monkeypatch.setattr(RandomDance, "low_meeting", lambda _self: Meeting(5e-6, 140.0, 0, 16))
+    trials = Trials(plan, draw, [Hint(0.0, 0.0, 30)])
+    monkeypatch.setattr(
+        RandomDance, "low_meeting", lambda _self, _margin=None: Meeting(5e-6, 140.0, 0, 16)
+    )
     monkeypatch.setattr(RandomDance, "meeting_near", lambda _self, _hint: Meeting(5e-6, 140.0, 0, 16))
     assert trials.room(1.14) < 0.0
     assert trials.room(exact + 1e-3) == 5e-6
@@ -279,7 +281,7 @@ def test_the_verb_tells_pitches_and_chances(tmp_path: Path, capsys: pytest.Captu
     assert run([*words, "--aside", "0.02", "--json", "--draws", "20"]) == 0
     found = json.loads(capsys.readouterr().out)["cases"]["given"]
     assert found["draws"] == len(found["needed"]) == 20
-    assert found["slips"]["aside"] == 0.02
+    assert found["deviations"]["aside"] == 0.02
     assert found["touching"]["pitch"] == 0.55
     assert found["pitch_for"]["0.02"] is None  # twenty dances are too few for one in fifty
     assert found["pitch_for"]["0.5"] in found["needed"]

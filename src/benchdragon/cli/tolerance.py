@@ -134,7 +134,7 @@ def _write_pictures(
 
 
 def _lines(plan: "Plan", found: dict[str, "Tolerance"], texts: dict[str, str]) -> list[str]:
-    """How the last case came about, which is all slips together if none was given."""
+    """How the last case came about, which is all deviations together if none was given."""
     from benchdragon.explain.tolerance import margin_lines
 
     name, one = list(found.items())[-1]
@@ -148,7 +148,7 @@ def as_json(one: "Tolerance", pitch: float) -> dict[str, Any]:
     share, low, high = one.touching()
     safe = {f"{risk:g}": finite_or_none(one.pitch_for(risk)) for risk in RISKS}
     return {
-        "slips": {field.name: getattr(one.deviations, field.name) for field in fields(one.deviations)},
+        "deviations": {field.name: getattr(one.deviations, field.name) for field in fields(one.deviations)},
         "draws": one.needed.size,
         "exact": one.exact,
         "touching": {"pitch": pitch, "share": share, "lower": low, "upper": high},

@@ -46,7 +46,7 @@ def _dance_lines(plan: Plan, found: Tolerance) -> list[str]:
     front, rear = float(plain.front_inset[n]), float(plain.rear_inset[n])
     needed = needed_pitch(plan, draw, found.exact)
     return [
-        _("{count} random dances; standard deviations: {slips}.").format(
+        _("{count} random dances; standard deviations: {deviations}.").format(
             count=found.needed.size, deviations=deviations or "0"
         ),
         _(

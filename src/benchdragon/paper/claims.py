@@ -91,7 +91,8 @@ def _third(walk: Walk, turn: TwoArcTurn) -> Equation:
     theta = abs(place) / k
     return Equation(
         3, N_("d theta/dt on the way out"), 1.0 / (k * math.sqrt(1.0 + theta * theta)),
-        (velocity / place).imag, "rad/s", N_("right, and meant, for the way out; inward it is negative"),
+        (velocity / place).imag, "rad/s",
+        N_("right, and meant, for the way out; inward it is negative"),
     )  # fmt: skip
 
 

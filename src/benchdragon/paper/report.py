@@ -263,7 +263,7 @@ def _other_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
             pitch=decimals_or_dash(aside.pitch_for(0.1), 3)
         ),
         "",
-        _("with handles {slip} cm off the route, to either side, as a standard deviation").format(
+        _("with handles {deviation} cm off the route, to either side, as a standard deviation").format(
             deviation=f"{100.0 * aside.deviations.aside:g}"
         ),
         Link(_("chapter on people"), "#people"),

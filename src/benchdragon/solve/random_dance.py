@@ -23,12 +23,16 @@ from benchdragon.kernels.route import evaluate
 from benchdragon.kernels.step_bounds import empty_placements
 from benchdragon.model.curves import Route
 from benchdragon.model.dragon import Dragon
+from benchdragon.solve.dance_bound import Offset, Part
 
 # Head positions evaluated for a hint, as a share of the shortest link; how often the range about the
 # least distance is then evaluated in so many parts.
-HINT_STEP, SHRINKS, PARTS = 0.3, 4, 16
-# How far around a place known from another pitch, as a share of the longest link.
-AROUND = 1.5
+HINT_STEP, SHRINKS, PARTS = 0.3, 4, 8
+# How far around a place known from another pitch, as a share of the longest link; how many benches
+# beyond those that met there.
+AROUND, BEYOND = 1.5, 12
+# The end of the walk that tells about how near benches come where none can touch, m.
+LAST = 20.0
 # Steps of the head that are searched at once, as a share of the shortest link: longer ones leave looser
 # bounds (design/imprecision.py).
 STEP = 0.125
@@ -54,10 +58,14 @@ class CannotFollowError(BenchDragonError):
 
 @dataclass(frozen=True)
 class Hint:
-    """A place of the head by its distance from the walk's start, m, or from its end."""
+    """A place of the head by its distance from the walk's start, m, or from its end.
+
+    The first `count` benches are those to be looked at.
+    """
 
     after: float
     left: float
+    count: int
 
 
 @dataclass(frozen=True, order=True)
@@ -80,6 +88,8 @@ class RandomDance:
         aside: how far to the left of the line each handle walks, m; empty: on it.
         start: the head's first place along the line, m.
         end: its last.
+        open: parts of the way, along the line, outside which no benches come as near as so many metres
+            (see `open_parts`); None: the whole way whatever the distance.
     """
 
     dragon: Dragon
@@ -87,29 +97,49 @@ class RandomDance:
     aside: FloatArray
     start: float
     end: float
+    open: Callable[[float], tuple[Part, ...]] | None = None
 
     def __post_init__(self) -> None:
-        steps = self._grid(HINT_STEP).size
+        steps = self._grid(self._whole, HINT_STEP).size
         handles = len(self.dragon) + 1
         if handles * steps > MOST_PLACES or 0.5 * handles**2 * steps > MOST_PAIRS:
             raise InputError(_("the walk is too long, or the dragon, for random dances"))
 
-    def _grid(self, share: float) -> FloatArray:
+    @property
+    def _whole(self) -> Part:
+        return Part(self.start, self.end, len(self.dragon))
+
+    def _open(self, margin: float) -> tuple[Part, ...]:
+        """Parts of the way outside which no benches come within a margin, m, and what counts as that."""
+        return (self._whole,) if self.open is None else self.open(margin + 2.0 * GRAZE)
+
+    def _grid(self, part: Part, share: float) -> FloatArray:
         """Head positions no farther apart than that share of the shortest link, m."""
         step = share * float(self.dragon.links.min())
-        return np.linspace(self.start, self.end, 2 + int((self.end - self.start) / step))
+        return np.linspace(part.start, part.end, 2 + int((part.end - part.start) / step))
 
-    def low_meeting(self) -> Meeting:
+    def _leading(self, count: int) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Links, offsets of handles, and sizes of the first benches."""
+        sizes = np.ascontiguousarray(self.dragon.sizes[:, :count])
+        return self.dragon.links[:count], self.aside[: count + 1], sizes
+
+    def low_meeting(self, margin: float | None = None) -> Meeting:
         """Where benches come about nearest: evaluated here and there, then around the least.
+
+        With a margin, m, only where some may come so near; where none can, near the end of the walk.
 
         Raises:
             CannotFollowError: where the dragon cannot stand.
         """
-        return self._lowest(self._grid(HINT_STEP))
+        last = Part(max(self.start, self.end - LAST), self.end, len(self.dragon))
+        parts = (self._whole,) if margin is None else self._open(margin) or (last,)
+        grids = [(self._grid(part, HINT_STEP), part.count) for part in parts]
+        (_meeting, t), n = min((self.nearest(*grid), n) for n, grid in enumerate(grids))
+        return self._lowest(grids[n][0][max(t - 1, 0) : t + 2], grids[n][1])
 
-    def hint(self, s: float) -> Hint:
-        """The head's place s, m, as told to a dance with another pitch."""
-        return Hint(s - self.start, self.end - s)
+    def hint(self, meeting: Meeting) -> Hint:
+        """The head's place, as told to a dance with another pitch."""
+        return Hint(meeting.s - self.start, self.end - meeting.s, meeting.j + 1 + BEYOND)
 
     def meeting_near(self, hint: Hint) -> Meeting:
         """Where benches come about nearest around a place known from another pitch.
@@ -124,42 +154,48 @@ class RandomDance:
         if abs(centres[1] - centres[0]) < 0.1 * around:
             centres = centres[:1]
         ends = [np.clip([s - around, s + around], self.start, self.end) for s in centres]
-        return min(self._lowest(np.linspace(low, high, PARTS + 1)) for low, high in ends)
+        return min(self._lowest(np.linspace(low, high, PARTS + 1), hint.count) for low, high in ends)
 
-    def _lowest(self, at: FloatArray) -> Meeting:
-        """The lowest meeting with the head at these places, or between those about it."""
-        best, t = self.nearest(at)
+    def _lowest(self, at: FloatArray, count: int) -> Meeting:
+        """The lowest meeting of the first benches with the head at these places, or about it."""
+        best, t = self.nearest(at, count)
         for _shrink in range(SHRINKS):
             low, high = at[max(t - 1, 0)], at[min(t + 1, at.size - 1)]
             at = np.linspace(low, high, PARTS + 1)
-            found, t = self.nearest(at)
+            found, t = self.nearest(at, min(count, best.j + 1 + BEYOND))
             best = min(best, found)
         return best
 
-    def nearest(self, at: FloatArray) -> tuple[Meeting, int]:
+    def nearest(self, at: FloatArray, count: int | None = None) -> tuple[Meeting, int]:
         """The nearest pair with the head at any of these places, m, in order, and at which.
+
+        Of the first `count` benches, or of all.
 
         Raises:
             CannotFollowError: where the dragon cannot stand.
         """
-        places = empty_placements(len(self.dragon) + 1, at.size)
-        stood = place_along(self.rows, self.dragon.links, self.aside, at, places)
+        links, aside, sizes = self._leading(count or len(self.dragon))
+        places = empty_placements(links.size + 1, at.size)
+        stood = place_along(self.rows, links, aside, at, places)
         if stood < at.size:
             raise _stopped(float(at[stood]))
-        distance, t, i, j = nearest_pair(self.dragon.sizes, places.x, places.y)
+        distance, t, i, j = nearest_pair(sizes, places.x, places.y)
         return Meeting(float(distance), float(at[t]), i, j), t
 
-    def touch(self, margin: float = 0.0) -> float | None:
-        """The head's first place, m, with benches nearer than a margin, m, or all but; None if nowhere.
+    def touch(self, margin: float = 0.0) -> Meeting | None:
+        """The first place at which benches come nearer than a margin, m, or all but; None if nowhere.
 
         None is missed, see kernels/search.py; a pair that comes within GRAZE of the margin may count.
 
         Raises:
             CannotFollowError: where the dragon cannot stand.
         """
-        note = np.zeros(search.NOTES)
-        ending = self._search(search.FIRST_TOUCH, margin, GRAZE, note)
-        return None if ending == search.CLEAR else float(note[search.UPPER])
+        for part in self._open(margin):
+            note = np.zeros(search.NOTES)
+            if self._search(part, search.FIRST_TOUCH, margin, GRAZE, note) != search.CLEAR:
+                i, j = divmod(int(note[search.PAIR]), part.count)
+                return Meeting(margin, float(note[search.UPPER]), i, j)
+        return None
 
     def least(self) -> float:
         """The least distance of non-adjacent benches, m; minus the depth of an overlap that was seen.
@@ -174,20 +210,20 @@ class RandomDance:
             return hint
         note = np.zeros(search.NOTES)
         note[search.NEAREST], note[search.FLOOR] = hint, math.inf
-        self._search(search.LEAST, 0.0, TOLERANCE, note)
+        self._search(self._whole, search.LEAST, 0.0, TOLERANCE, note)
         return float(note[search.NEAREST])
 
-    def _search(self, goal: int, margin: float, slack: float, note: FloatArray) -> int:
-        """Search the walk: see `every_pair.search_all_pairs`."""
-        dragon, partners = self.dragon, PARTNERS
-        benches = len(dragon)
+    def _search(self, part: Part, goal: int, margin: float, slack: float, note: FloatArray) -> int:
+        """Search a part of the walk: see `every_pair.search_all_pairs`."""
+        links, aside, sizes = self._leading(part.count)
+        partners, benches = PARTNERS, part.count
         while True:
             pairs = min(partners * benches, benches * (benches - 1) // 2)
             first, second = np.empty(pairs, dtype=np.int64), np.empty(pairs, dtype=np.int64)
             room = search.room(benches + 1, benches, pairs, 0)
             found = note.copy()
             ending = search_all_pairs(
-                room, goal, self.rows, dragon.links, self.aside, dragon.sizes, self._grid(STEP),
+                room, goal, self.rows, links, aside, sizes, self._grid(part, STEP),
                 first, second, margin, slack, WIDTH, MOST_EVALUATIONS, found,
             )  # fmt: skip
             if ending != CROWDED:
@@ -206,7 +242,7 @@ def _stopped(s: float) -> CannotFollowError:
 
 
 def strayed(
-    route: Route, off: Callable[[FloatArray], tuple[FloatArray, FloatArray]], low: float, end: float
+    route: Route, off: Offset, low: float, end: float
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """A line that runs aside of a route, as rows of arcs: see kernels/curve.py.
 

@@ -9,6 +9,7 @@ import itertools
 import math
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, fields
+from functools import cache
 from threading import Lock
 
 import numpy as np
@@ -30,6 +31,7 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.dragon import Dragon
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, silent
+from benchdragon.solve.dance_bound import WAYS, Offset, Part, open_parts
 from benchdragon.solve.random_dance import GRAZE, CannotFollowError, Hint, RandomDance, strayed
 from benchdragon.solve.size import limit
 
@@ -42,6 +44,8 @@ STRAY_LENGTH, STRAY_ENTRIES = 10.0, 20
 TOLERANCE, MOST_TRIALS, LEAST_SLOPE, MOST_SLOPE, UNWALKABLE = 1e-5, 60, 0.5, 3.0, 1.01
 # What a pitch may come to be, times the one that exact people need.
 NARROWEST, WIDEST = 0.7, 4.0
+# Offsets from the route want about so many times their standard deviation more of a pitch.
+LIKELY = 2.0
 MOST_DRAWS = 100_000
 CONFIDENCE = 0.95
 # Chances of touching for which a pitch is told.
@@ -135,6 +139,12 @@ class Draw:
         smooth = gaussian_filter1d(rough, spread)[edge : -edge + 2]
         return self.deviations.stray * smooth * (4.0 * math.pi * spread**2) ** 0.25, step
 
+    def offset(self, low: float, end: float) -> Offset:
+        """The same as a smooth function of route position from `low` to `end`, m, with its slope."""
+        offsets, step = self.offsets(end - low)
+        curve = CubicSpline(step * np.arange(offsets.size), offsets)
+        return lambda s: (curve(end - s), -curve(end - s, 1))
+
 
 def random_dance(plan: Plan, draw: Draw) -> RandomDance:
     """One dance of a plan, drawn at random, from the start of its walk to the end.
@@ -147,18 +157,25 @@ def random_dance(plan: Plan, draw: Draw) -> RandomDance:
     times = plan.span(walk)
     in_order(*times)
     start, end = walk.head_position(list(times)).tolist()
+    span = start, end
     deviations, rows = draw.deviations, walk.route.rows
-    if deviations.stray:
-        low = float(walk.motion(times[:1]).s.min()) - STRAY_LENGTH
-        offsets, step = draw.offsets(end - low)
-        curve = CubicSpline(step * np.arange(offsets.size), offsets)
-        rows, drawn, along = strayed(
-            walk.route, lambda s: (curve(end - s), -curve(end - s, 1)), low, end
-        )
-        start, end = np.interp([start, end], drawn, along).tolist()
+    offset: Offset | None = None
     beside = deviations.aside or deviations.stray
     aside = deviations.aside * draw.noise(4, len(dragon) + 1) if beside else np.empty(0)
-    return RandomDance(dragon, rows, aside, start, end)
+    if deviations.stray:
+        low = start - WAYS * float(dragon.links.sum()) - STRAY_LENGTH
+        offset = draw.offset(low, end)
+    drawn = along = np.array(span)
+    if offset is not None:
+        rows, drawn, along = strayed(walk.route, offset, low, end)
+        start, end = np.interp(span, drawn, along).tolist()
+
+    @cache
+    def open_(wanted: float) -> tuple[Part, ...]:
+        parts = open_parts(walk.route, dragon, aside, offset, span, wanted)
+        return tuple(part.mapped(lambda s: float(np.interp(s, drawn, along))) for part in parts)
+
+    return RandomDance(dragon, rows, aside, start, end, open_)
 
 
 def least_clearance(plan: Plan, draw: Draw) -> float:
@@ -180,7 +197,7 @@ def touches(plan: Plan, draw: Draw) -> bool:
     """
     try:
         dance = random_dance(plan, draw)
-        low = dance.low_meeting().distance
+        low = dance.low_meeting(plan.limits.margin).distance
         return low <= plan.limits.margin or dance.touch(plan.limits.margin) is not None
     except (WalkError, CannotFollowError):
         return True
@@ -191,9 +208,9 @@ class Tolerance:
     """What dances drawn at random need: for each the smallest pitch with which it stays clear.
 
     Attributes:
-        slips: how far from exact they are.
+        deviations: how far from exact they are.
         seed: of the draws.
-        exact: the smallest pitch without slips, m.
+        exact: the smallest pitch without deviations, m.
         needed: m, in increasing order, (draws,).
         hits: dances that touch at the plan's own pitch; None if they were not walked at it.
     """
@@ -269,7 +286,7 @@ def tolerance(
         UnsureError: where no pitch was found.
     """
     of_kind("plan", plan, Plan)
-    of_kind("slips", deviations, Deviations)
+    of_kind("deviations", deviations, Deviations)
     whole("draws", draws, 1, MOST_DRAWS)
     exact = _exact_pitch(plan)
     done, lock = itertools.count(1), Lock()
@@ -322,9 +339,9 @@ class Trials:
             dance = random_dance(self.plan.with_value("route.pitch", pitch), self.draw)
             known = [dance.meeting_near(hint) for hint in self.hints]
             if not known or min(known).distance >= margin:
-                known.append(dance.low_meeting())
+                known.append(dance.low_meeting(margin))
             low = min(known)
-            self.hints = [dance.hint(low.s), *self.hints[1:]]
+            self.hints = [dance.hint(low), *self.hints[1:]]
             if not 0.0 <= low.distance - margin <= TOLERANCE:
                 return low.distance - margin
             place = dance.touch(margin)
@@ -347,7 +364,8 @@ def needed_pitch(plan: Plan, draw: Draw, guess: float) -> float:
     """
     trials = Trials(plan, draw)
     touching, clear = 0.0, math.inf
-    a, fa, b, slope = guess, math.nan, guess, 1.0
+    first = guess + LIKELY * math.hypot(draw.deviations.aside, draw.deviations.stray)
+    a, fa, b, slope = first, math.nan, first, 1.0
     for _trial in range(MOST_TRIALS):
         if not NARROWEST * guess < b < WIDEST * guess:
             break

@@ -288,7 +288,7 @@ def paced(request: TaskRequest, progress: Progress) -> TaskResult:
 
 
 def room_needed(request: TaskRequest, progress: Progress) -> TaskResult:
-    """How much room imprecise people need; with no slip given, those of all cases together."""
+    """How much room imprecise people need; with no deviation given, those of all cases together."""
     options, plan = request.options, request.whole
     if options.draws > request.settings.draws:
         raise too_much(_("random dances"), request.settings.draws, options.draws)
