@@ -1,7 +1,7 @@
 """The verb `margins`: how much room imprecise people need."""
 
 import json
-from dataclasses import fields
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -148,7 +148,7 @@ def as_json(one: "Tolerance", pitch: float) -> dict[str, Any]:
     share, low, high = one.touching()
     safe = {f"{risk:g}": finite_or_none(one.pitch_for(risk)) for risk in RISKS}
     return {
-        "deviations": {field.name: getattr(one.deviations, field.name) for field in fields(one.deviations)},
+        "deviations": asdict(one.deviations),
         "draws": one.needed.size,
         "exact": one.exact,
         "touching": {"pitch": pitch, "share": share, "lower": low, "upper": high},

@@ -110,7 +110,7 @@ class RandomDance:
         return Part(self.start, self.end, len(self.dragon))
 
     def _open(self, margin: float) -> tuple[Part, ...]:
-        """Parts of the way outside which no benches come within a margin, m, and what counts as that."""
+        """Parts of the way outside which no benches come within a margin, m, or what counts as that."""
         return (self._whole,) if self.open is None else self.open(margin + 2.0 * GRAZE)
 
     def _grid(self, part: Part, share: float) -> FloatArray:

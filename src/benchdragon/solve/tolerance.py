@@ -203,6 +203,17 @@ def touches(plan: Plan, draw: Draw) -> bool:
         return True
 
 
+def chance(hits: int, count: int, confidence: float = CONFIDENCE) -> tuple[float, float, float]:
+    """Share of `count` trials that hit, and the bounds of the probability by Clopper and Pearson.
+
+    They hold with at least that confidence, whatever the probability and the number of trials.
+    """
+    tail = 0.5 * (1.0 - confidence)
+    low = float(beta.ppf(tail, hits, count - hits + 1)) if hits else 0.0
+    high = float(beta.ppf(1.0 - tail, hits + 1, count - hits)) if hits < count else 1.0
+    return hits / count, low, high
+
+
 @dataclass(frozen=True)
 class Tolerance:
     """What dances drawn at random need: for each the smallest pitch with which it stays clear.
@@ -236,10 +247,7 @@ class Tolerance:
             hits = self.hits
         else:
             raise InputError(_("the dances were not walked at the plan's own pitch"))
-        tail = 0.5 * (1.0 - confidence)
-        low = float(beta.ppf(tail, hits, count - hits + 1)) if hits else 0.0
-        high = float(beta.ppf(1.0 - tail, hits + 1, count - hits)) if hits < count else 1.0
-        return hits / count, low, high
+        return chance(hits, count, confidence)
 
     def pitch_for(self, risk: float, confidence: float = CONFIDENCE) -> float:
         """A pitch, m, at which the dance touches with at most that probability, with that confidence.
