@@ -211,6 +211,20 @@ def test_a_pitch_for_a_risk_is_sure_as_often_as_is_said() -> None:
         wrong += Tolerance(Deviations(), 1, 0.0, needed).pitch_for(0.1) < 0.9
     assert 0.01 < wrong / 2000 < 0.065
     assert math.isinf(Tolerance(Deviations(), 1, 0.0, np.linspace(0, 1, 20)).pitch_for(0.1))
+
+
+def test_a_pitch_from_which_a_risk_begins_is_sure_as_often_as_is_said() -> None:
+    wrong = 0
+    for seed in range(1000):
+        needed = np.sort(np.random.default_rng(seed).random(80))
+        one = Tolerance(Deviations(), 1, 0.0, needed)
+        wrong += one.pitch_from(0.1) > 0.9
+        assert one.pitch_from(0.1) < one.pitch_for(0.1)
+    assert 0.01 * 1000 < wrong < 0.06 * 1000  # 5 % allowed; a bound that is never wrong is too wide
+    assert Tolerance(Deviations(), 1, 0.0, np.ones(1)).pitch_from(0.5) == 0.0
+
+
+def test_59_draws_are_just_enough_for_1_in_20() -> None:
     assert Tolerance(Deviations(), 1, 0.0, np.linspace(0, 1, 59)).pitch_for(0.05) == 1.0
 
 

@@ -1,6 +1,7 @@
 """The verb `margins`: how much room imprecise people need."""
 
 import json
+import math
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -147,14 +148,22 @@ def as_json(one: "Tolerance", pitch: float) -> dict[str, Any]:
 
     share, low, high = one.touching()
     safe = {f"{risk:g}": finite_or_none(one.pitch_for(risk)) for risk in RISKS}
+    least = {f"{risk:g}": one.pitch_from(risk) or None for risk in RISKS}
     return {
         "deviations": asdict(one.deviations),
         "draws": one.needed.size,
         "exact": one.exact,
         "touching": {"pitch": pitch, "share": share, "lower": low, "upper": high},
         "pitch_for": safe,
+        "pitch_from": least,
         "needed": one.needed.tolist(),
     }
+
+
+def pitch_range(one: "Tolerance", risk: float) -> str:
+    """Where the pitch for a chance lies, m, for readers."""
+    least, most = one.pitch_from(risk), one.pitch_for(risk)
+    return f"{decimals_or_dash(least or math.inf)}..{decimals_or_dash(most)}"
 
 
 def print_margins(
@@ -171,17 +180,17 @@ def print_margins(
     rows = []
     for name, one in found.items():
         chance = "{:.1f} ({:.1f}..{:.1f})".format(*(100.0 * part for part in one.touching()))
-        safe = [one.pitch_for(risk) for risk in RISKS]
-        rows.append((texts[name], chance, *(decimals_or_dash(size) for size in safe)))
+        rows.append((texts[name], chance, *(pitch_range(one, risk) for risk in RISKS)))
     title = _(
-        "Chance that benches touch; pitch (m) at which they touch no more often, with 95 % confidence"
+        "Chance that benches touch; pitch (m) at which they touch so often: from..to, with 95 % "
+        "confidence at either end"
     )
     print_rows(title, columns, rows)
     first = next(iter(found.values()))
     click.echo(
         _(
-            "without deviations: {pitch} m; {draws} random dances each, more allow surer answers "
-            "(-: too few to say)"
+            "without deviations: {pitch} m; {draws} random dances each, more bring the two ends "
+            "nearer (-: too few to say); the larger pitch is the one to take"
         ).format(pitch=f"{first.exact:.4f}", draws=first.needed.size)
     )
     click.echo(

@@ -175,7 +175,9 @@ def _evidence_figures(found: Results) -> dict[str, Figure]:
         "errors-chain": accumulation_picture(found.off, found.off_bisected, found.residuals),
         "errors-steps": stepping_picture(found.stepped, by_pitch, exact),
         "margins": margin_picture(
-            found.margins, {name: _(case.text) for name, case in CASES.items()}, title
+            {name: found.dances.tolerance(name) for name in CASES},
+            {name: _(case.text) for name, case in CASES.items()},
+            title,
         ),
     }
 

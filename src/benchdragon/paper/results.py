@@ -31,6 +31,7 @@ from benchdragon.paper.convergence import (
     runge_kutta_convergence,
 )
 from benchdragon.paper.differences import SCHEMES, difference_errors, difference_speeds
+from benchdragon.paper.random_dances import Run, kept_run, walked_again
 from benchdragon.paper.runge_kutta import head_positions
 from benchdragon.paper.sensitivity import contact_rates, limit_rates, sizes_of, speed_rates
 from benchdragon.paper.traversal import PitchCurve, first_overlap, pitch_curve, traversed_pitch
@@ -38,7 +39,7 @@ from benchdragon.plans.schema import Plan, TurnRoute, read_plan
 from benchdragon.progress import Progress, Stages, silent
 from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.size import limit, smallest_pitch
-from benchdragon.solve.tolerance import CASES, Tolerance, tolerance
+from benchdragon.solve.tolerance import CASES
 from benchdragon.solve.turn import BestTurn, TurnGoal, pareto_front
 from benchdragon.version import __version__
 
@@ -66,12 +67,12 @@ CONTACT_STEPS = (10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02)
 FIGURE_PITCHES, FIGURE_RESOLUTION = (0.43, 0.47, 21), 5e-4
 # Head speeds, m/s, for which the shortest turn is sought; bends are no tighter than the paper's.
 FRONT_SPEEDS = (1.3, 1.5, 1.7)
-# Random dances for each of the paper's assumptions; steps, m, of the differences beside derivatives.
-DRAWS, SEED = 100, 2024
+# Random dances of each case that are walked again; steps, m, of the differences beside derivatives.
+AGAIN = 5
 DIFFERENCE_STEP = 1e-4
 
 # Stages of `results`.
-STEPS = 12
+STEPS = 11
 
 
 @dataclass(frozen=True)
@@ -107,7 +108,8 @@ class Results:
         speed_error: of the head's speed from forward differences a second apart, m/s.
         off, off_bisected: how far handles are from their exact places, m; residuals: of chords, m.
         rates: how answers move with sizes, by name of the answer.
-        margins: of imprecise dances, by name of the case.
+        dances: random dances, kept with the program.
+        again: how far those that were walked again now lie from what is kept, at most, m.
         equations: the paper's, tried.
     """
 
@@ -133,7 +135,8 @@ class Results:
     off_bisected: FloatArray
     residuals: FloatArray
     rates: dict[str, list[Rate]]
-    margins: dict[str, Tolerance]
+    dances: Run
+    again: float
     equations: Sequence[Equation]
 
     @property
@@ -160,7 +163,6 @@ def results(progress: Progress = silent) -> Results:
     stage = Stages(progress, STEPS)
     spiral, turn = read_plan("spiral-in"), read_plan("turn")
     disc = read_plan("spiral-in", [f"disc.radius={turn.disc.radius}"])
-    workers = min(2, os.cpu_count() or 1)
     prove = find_spec("flint") is not None
     with _beside(turn, FRONT_SPEEDS, language()) as better:
         stage(_("walking"))
@@ -186,11 +188,9 @@ def results(progress: Progress = silent) -> Results:
         curve = figure_curve(disc, smallest.value)
         stage(_("derivatives"))
         rates = all_rates(spiral, disc, turn, report, smallest, head_speed)
-        drawn: dict[str, Tolerance] = {}
-        for name, case in CASES.items():
-            if len(drawn) % 3 == 0:
-                stage(_("random dances"))
-            drawn[name] = tolerance(disc, case.deviations, DRAWS, seed=SEED, workers=workers)
+        stage(_("random dances"))
+        dances = kept_run()
+        again = walked_again(dances, AGAIN)
         stage(_("better turns"))
         front = better()
     stage(_("equations"))
@@ -198,7 +198,7 @@ def results(progress: Progress = silent) -> Results:
         spiral, disc, turn, motion, turn_motion, report, clearance, turn_report, head_speed,
         smallest, front, curve, traversal, stepped, head_order, speed_orders,
         head_errors(walk, motion.times), speed_error(walk), accumulated(still), bisected(still),
-        chord_residuals(motion), rates, drawn, equations(turn),
+        chord_residuals(motion), rates, dances, again, equations(turn),
     )  # fmt: skip
 
 
@@ -394,7 +394,7 @@ def as_json(found: Results) -> dict[str, Any]:
             "here": found.off.tolist(), "bisected": found.off_bisected.tolist(),
         },
         "rates": {name: [vars(rate) for rate in rates] for name, rates in found.rates.items()},
-        "margins": {name: _margin(one) for name, one in found.margins.items()},
+        "margins": {name: _margin(found.dances, name) for name in CASES},
         "equations": [vars(equation) for equation in found.equations],
     }  # fmt: skip
 
@@ -411,12 +411,15 @@ def _difference(found: Results, scheme: Any) -> dict[str, float]:
     }
 
 
-def _margin(one: Tolerance) -> dict[str, Any]:
+def _margin(run: Run, name: str) -> dict[str, Any]:
+    one, vouched = run.tolerance(name), run.vouched[name]
     return {
-        "slips_m": vars(one.deviations),
+        "deviations_m": vars(one.deviations),
         "draws": one.needed.size,
         "seed": one.seed,
         "exact_m": one.exact,
         "median_m": float(np.median(one.needed)),
         **{f"pitch_for_{risk:g}_m": finite_or_none(one.pitch_for(risk)) for risk in (0.5, 0.1, 0.05)},
+        "other_dances": {"pitch_m": vouched.pitch, "draws": vouched.draws, "touched": vouched.hits},
+        **{f"pitch_from_{risk:g}_m": one.pitch_from(risk) for risk in (0.5, 0.1, 0.05)},
     }

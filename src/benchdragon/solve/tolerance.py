@@ -262,6 +262,16 @@ class Tolerance:
             return math.inf
         return float(self.needed[count - 1 - allowed])
 
+    def pitch_from(self, risk: float, confidence: float = CONFIDENCE) -> float:
+        """A pitch, m, at which the dance touches with at least that probability, with that confidence.
+
+        The other end of the bracket that `pitch_for` closes; 0 where the draws are too few to say.
+        """
+        count = self.needed.size
+        chance = binom.sf(np.arange(count), count, risk)  # of more than 0, 1, ... dances
+        more = int(np.searchsorted(-chance, confidence - 1.0)) + 1
+        return float(self.needed[count - more]) if more <= count else 0.0
+
 
 def tolerance(
     plan: Plan,
