@@ -16,8 +16,10 @@ SPIRALS = {
     "short benches": ["disc.radius=5", "dragon.benches=80", "dragon.head_length=2.2",
                       "dragon.body_length=1.5", "dragon.width=0.35", "walk.start=150"],
     "wide": ["disc.radius=6", "dragon.benches=60", "dragon.width=0.6", "walk.start=60"],
+    "long ends": ["disc.radius=5", "dragon.benches=60", "dragon.front_inset=0.6",
+                  "dragon.rear_inset=0.6", "dragon.body_length=3", "walk.start=100"],
 }  # fmt: skip
-PITCHES = {"contest": 0.52, "to the left": 0.53, "short benches": 0.56, "wide": 0.83}
+PITCHES = {"contest": 0.52, "to the left": 0.53, "short benches": 0.56, "wide": 0.83, "long ends": 0.68}
 PLENTY = Deviations(0.025, 0.025, 0.01, 0.05, 0.02, 0.01)
 
 
