@@ -28,6 +28,7 @@ from benchdragon.solve.tolerance import (
     Tolerance,
     Trials,
     least_clearance,
+    needed_pitch,
     random_dance,
     tolerance,
     touches,
@@ -88,6 +89,15 @@ def test_a_graze_between_evaluations_counts(monkeypatch: pytest.MonkeyPatch) -> 
     monkeypatch.setattr(RandomDance, "meeting_near", lambda _self, _hint: Meeting(5e-6, 140.0, 0, 16))
     assert trials.room(1.14) < 0.0
     assert trials.room(exact + 1e-3) == 5e-6
+
+
+def test_a_pitch_at_which_distances_leap_is_found() -> None:
+    """The line of this dance is drawn by one arc more on one side of it."""
+    plan = read_plan("spiral-in", ["disc.radius=4.5"])
+    draw = Draw(CASES["stray"].deviations, 1, 202)
+    pitch = needed_pitch(plan, draw, 0.4503373930272)
+    assert not touches(plan.with_value("route.pitch", pitch), draw)
+    assert touches(plan.with_value("route.pitch", pitch - 1.1e-5), draw)
 
 
 def test_a_margin_is_kept_by_the_pitch_needed() -> None:
