@@ -90,6 +90,15 @@ def test_a_graze_between_evaluations_counts(monkeypatch: pytest.MonkeyPatch) -> 
     assert trials.room(exact + 1e-3) == 5e-6
 
 
+def test_a_pitch_at_which_distances_leap_is_found() -> None:
+    """The line of this dance is drawn by one arc more on one side of it."""
+    plan = read_plan("spiral-in", ["disc.radius=4.5"])
+    draw = Draw(CASES["stray"].deviations, 1, 202)
+    pitch = needed_pitch(plan, draw, 0.4503373930272)
+    assert not touches(plan.with_value("route.pitch", pitch), draw)
+    assert touches(plan.with_value("route.pitch", pitch - 1.1e-5), draw)
+
+
 def test_a_margin_is_kept_by_the_pitch_needed() -> None:
     plan = read_plan("turn", ["dragon.benches=30", "limits.margin=0.05"])
     found = tolerance(plan, Deviations(aside=1e-9), 1)

@@ -346,11 +346,11 @@ class Trials:
     draw: Draw
     hints: list[Hint] = field(default_factory=list)
 
-    def room(self, pitch: float) -> float:
+    def room(self, pitch: float, *, sure: bool = False) -> float:
         """A low distance of benches less the margin, m; NaN where a bench cannot follow.
 
-        Above TOLERANCE it is that of places evaluated here and there. From 0 to TOLERANCE no pair
-        anywhere comes nearer than the margin; below 0 some pair does.
+        Above TOLERANCE it is that of places evaluated here and there, unless it is to be `sure`. From 0
+        to TOLERANCE no pair anywhere comes nearer than the margin; below 0 some pair does.
         """
         margin = self.plan.limits.margin
         try:
@@ -360,7 +360,7 @@ class Trials:
                 known.append(dance.low_meeting(margin))
             low = min(known)
             self.hints = [dance.hint(low), *self.hints[1:]]
-            if not 0.0 <= low.distance - margin <= TOLERANCE:
+            if low.distance < margin or not (sure or low.distance - margin <= TOLERANCE):
                 return low.distance - margin
             place = dance.touch(margin)
             if place is None:
@@ -387,10 +387,12 @@ def needed_pitch(plan: Plan, draw: Draw, guess: float) -> float:
     for _trial in range(MOST_TRIALS):
         if not NARROWEST * guess < b < WIDEST * guess:
             break
-        fb = trials.room(b)
+        # Lines that stray are drawn by arcs, whose number leaps with the pitch, and distances with it.
+        sure = 0.0 < b - touching <= TOLERANCE
+        fb = trials.room(b, sure=sure)
         if not fb >= 0.0:
             touching, clear = max(touching, b), clear if clear > b else math.inf
-        elif fb <= TOLERANCE and b > touching:
+        elif (sure or fb <= TOLERANCE) and b > touching:
             clear = min(clear, b)
         if clear - touching <= TOLERANCE:
             return clear
