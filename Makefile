@@ -26,7 +26,7 @@ demo: .venv/installed
 test: lint $(if $(NPM),node_modules/installed)
 	$(if $(NPM),node_modules/.bin/tsc -p .,@echo "no npm here: the pages' JavaScript is not checked")
 	$(if $(NPM),node_modules/.bin/prettier --check --log-level warn $(PAGES))
-	BENCHDRAGON_COMPILE=never $(BIN)/python -m pytest -q -n auto tests/kernels --cov --cov-report=term-missing --cov-fail-under=95
+	BENCHDRAGON_COMPILE=never $(BIN)/python -m pytest -q -n auto -m 'not compiled' tests/kernels --cov --cov-report=term-missing --cov-fail-under=95
 	$(BIN)/python -m pytest -q -n auto --dist loadgroup -m 'not manual'
 
 quick: lint

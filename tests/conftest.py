@@ -1,5 +1,6 @@
 """For all tests: one hypothesis profile, the same examples each time; languages; results."""
 
+import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -49,6 +50,21 @@ def folder(tmp_path_factory: pytest.TempPathFactory, found: Results) -> Path:
     assert reproducing.COMPUTED == shares[0] < shares[-1] < 1.0
     assert all(text for _share, text in told)
     return folder
+
+
+@pytest.fixture
+def ready(folder: Path, found: Results, monkeypatch: pytest.MonkeyPatch) -> None:
+    """`reproduce` finds answers and pictures ready, and writes its report and answers alone."""
+
+    def copy(to: Path, *_rest: object) -> None:
+        to.mkdir(parents=True, exist_ok=True)
+        for name in reproducing.PICTURES:
+            shutil.copy(folder / f"{name}.png", to)
+
+    monkeypatch.setattr(reproducing, "results", lambda _progress: found)
+    monkeypatch.setattr(reproducing, "_write_tables", lambda *_arguments: None)
+    monkeypatch.setattr(reproducing, "all_figures", lambda _found: {})
+    monkeypatch.setattr(reproducing, "_write_pictures", copy)
 
 
 @pytest.fixture(params=["en", "zh"])

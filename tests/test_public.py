@@ -4,14 +4,18 @@ import json
 import pickle
 import subprocess
 import sys
+import tarfile
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from hatchling.builders.sdist import SdistBuilder
 
 import benchdragon as bd
 
+ROOT = Path(__file__).parents[1]
 DRAGON = bd.Dragon.uniform(3)
 ROUTE = bd.Route((bd.Line(50.0), bd.Arc(5.0, 1.0).moved((50.0, 0.0), 0.0)))
 WALK = bd.Walk(DRAGON, ROUTE, start=20.0)
@@ -213,3 +217,22 @@ def test_without_the_extra_it_is_named(
     monkeypatch.setitem(sys.modules, library, None)
     with pytest.raises(bd.BenchDragonError, match=r"pip install 'benchdragon\[data\]'"):
         getattr(MOTION, method)()
+
+
+def test_the_source_archive_holds_all_that_tests_read(tmp_path: Path) -> None:
+    (archive,) = SdistBuilder(str(ROOT)).build(directory=str(tmp_path))
+    with tarfile.open(archive) as opened:
+        held = {name.partition("/")[2] for name in opened.getnames()}
+    single = {
+        ".ci/run",
+        "CONTRIBUTING.md",
+        "Makefile",
+        "README.zh-CN.md",
+        "tests/quick.txt",
+        "tsconfig.json",
+    }
+    folders = ("benchmarks", "design", "docs/en", "docs/zh", "examples", "src", "tests", "tools")
+    found = (
+        path for folder in folders for path in (ROOT / folder).rglob("*.*") if path.suffix != ".pyc"
+    )
+    assert single | {path.relative_to(ROOT).as_posix() for path in found} <= held

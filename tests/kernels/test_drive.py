@@ -62,7 +62,7 @@ def seen_at(route: Route, at: FloatArray, squares: FloatArray, rate: float, name
 
 @pytest.mark.parametrize("name", QUANTITIES)
 @pytest.mark.parametrize("driven", DRIVES)
-@pytest.mark.parametrize("path", ROUTES)
+@pytest.mark.parametrize("path", ["joints", pytest.param("spiral", marks=pytest.mark.compiled)])
 def test_nothing_in_a_step_exceeds_its_bound(path: str, driven: str, name: str) -> None:
     route, (start, end, rate), parts = ROUTES[path], DRIVES[driven], 8
     first, last = SPANS[path]

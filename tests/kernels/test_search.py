@@ -209,6 +209,7 @@ CONTRARY = [
 ]
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("benches", [BENCHES, MIXED, CONTRARY], ids=["alike", "mixed", "contrary"])
 @pytest.mark.parametrize("name", SMOOTH)
 def test_cells_hold_the_benches_that_walk_through_them(name: str, benches: list[Bench]) -> None:
@@ -316,6 +317,7 @@ def test_a_contact_ends_where_sampling_sees_it_end() -> None:
     assert (inside == (clearances(walk.motion(times)) <= 0.0)).all()
 
 
+@pytest.mark.compiled
 def test_the_least_clearance_is_below_every_sample() -> None:
     walk = spiral_walk(0.3)
     found = least_clearance(walk, 0.0, 12.0)
@@ -326,6 +328,7 @@ def test_the_least_clearance_is_below_every_sample() -> None:
     assert all(low.value >= found.lower for low in curve.minima)
 
 
+@pytest.mark.compiled
 def test_a_margin_no_pair_keeps_to_the_digit_is_a_graze() -> None:
     walk = spiral_walk(0.3)
     low = least_clearance(walk, 4.0, 6.0)
@@ -603,6 +606,7 @@ MEETING_SIZES = {
 }
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("name", MEETINGS)
 def test_no_pair_comes_near_but_in_the_steps_that_name_it(name: str) -> None:
     route, start, end, reach = MEETINGS[name]

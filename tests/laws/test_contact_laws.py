@@ -77,7 +77,7 @@ def nearest(walk: Walk, times: FloatArray) -> FloatArray:
     least = np.full(len(times), math.inf)
     for t in range(len(times)):
         corners = bench_corners(motion, t)
-        benches = np.array([shapely.Polygon(corner) for corner in corners], dtype=object)
+        benches = np.asarray(shapely.polygons(corners))
         middles = corners.mean(axis=1)
         near = np.hypot(*(middles[i] - middles[j]).T) < 6.0
         if near.any():

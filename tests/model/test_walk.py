@@ -1,5 +1,6 @@
 """A dragon on a route: against the reference values, and what may be asked of it."""
 
+import hashlib
 import json
 import math
 from pathlib import Path
@@ -26,6 +27,7 @@ from benchdragon import (
 from benchdragon.kernels.curve import P
 from benchdragon.kernels.jit import COMPILED
 from benchdragon.model.walk import MOST_PLACES, SLICE_PLACES
+from benchdragon.plans.schema import read_plan
 
 TRUTH = json.loads((Path(__file__).parents[1] / "truth" / "contest.json").read_text(encoding="utf-8"))
 TABLES = (
@@ -167,6 +169,29 @@ def test_results_do_not_depend_on_the_number_of_workers(walk: Walk) -> None:
         for name in TABLES:
             a, b = getattr(alone, name), getattr(together, name)
             np.testing.assert_array_equal(a, b, err_msg=name)
+
+
+# Of x, y, speed of every handle at seven times. Six decimals: no value is so near to the middle between
+# two of them that another machine's sines could round it the other way.
+RECORDED = {
+    "spiral-in": "e5274c666a33607c1186fd52739051b0610c32ced32c78f7b8b9875d240a0705",
+    "turn": "6efa0e13bdee3588c22377a7c7e4d484159e3790de3212f296e14b443731b6be",
+}
+
+
+@pytest.mark.parametrize("name", RECORDED)
+def test_a_built_in_dance_is_the_recorded_one_with_any_number_of_workers(name: str) -> None:
+    plan = read_plan(name)
+    walk = plan.build()
+    times = np.linspace(*plan.span(walk), 301)
+    motions = [walk.motion(times, workers=workers) for workers in (1, 2, 4)]
+    for table in TABLES:
+        assert len({getattr(motion, table).tobytes() for motion in motions}) == 1, table
+    some = np.stack([motions[0].x[::50], motions[0].y[::50], motions[0].speed[::50]])
+    assert some.shape == (3, 7, 224)
+    rounded = np.round(some * 1e6)
+    assert np.abs(np.abs(some * 1e6 - rounded) - 0.5).min() > 1e-5
+    assert hashlib.sha256(rounded.astype("<i8").tobytes()).hexdigest() == RECORDED[name]
 
 
 def test_failures_do_not_depend_on_the_number_of_workers() -> None:

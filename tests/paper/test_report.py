@@ -11,7 +11,6 @@ from pypdf import PdfReader
 
 from benchdragon.errors import InputError, UnsureError
 from benchdragon.i18n import use_language
-from benchdragon.paper import reproduce as reproducing
 from benchdragon.paper.document import Heading, Inline, Link, Paragraph, Picture, Table
 from benchdragon.paper.publish import breakable, write_html, write_pdf
 from benchdragon.paper.report import report
@@ -161,14 +160,13 @@ def test_files_are_not_huge(folder: Path, name: str) -> None:
     assert 100_000 < (folder / name).stat().st_size < 12_000_000
 
 
+@pytest.mark.usefixtures("ready")
 def test_a_written_report_leads_to_pages_that_are_there(
-    folder: Path, found: Results, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     pages = tmp_path / "pages"
     pages.mkdir()
     (pages / "established.html").write_text("here", "utf-8")
-    monkeypatch.setattr(reproducing, "results", lambda _progress: found)
-    monkeypatch.setattr(reproducing, "PICTURE_KINDS", ("png",))
     monkeypatch.chdir(tmp_path)
     out = Path("deep/out")
     reproduce(out, docs="pages")

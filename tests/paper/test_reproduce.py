@@ -7,10 +7,8 @@ from python_calamine import CalamineWorkbook
 from benchdragon.cli.main import run
 from benchdragon.explain.text import number
 from benchdragon.files import FileRefusedError
-from benchdragon.paper import reproduce as reproducing
 from benchdragon.paper.explanation import reproduce_lines
 from benchdragon.paper.reproduce import planned_files, reproduce
-from benchdragon.paper.results import Results
 from tests.calculator import agree, chinese_or_not
 
 # What the paper comes to is computed once, by one worker.
@@ -75,14 +73,10 @@ def test_a_second_run_is_refused_unless_forced(folder: Path) -> None:
         reproduce(folder)
 
 
+@pytest.mark.usefixtures("ready")
 def test_the_command_prints_answers_and_files(
-    tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
-    found: Results,
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(reproducing, "results", lambda _progress: found)
-    monkeypatch.setattr(reproducing, "PICTURE_KINDS", ("png",))
     assert run(["reproduce", "-o", str(tmp_path / "a"), "--explain"]) == 0
     out = capsys.readouterr().out
     assert "measured order of RK4 3.97" in out
