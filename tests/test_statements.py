@@ -1,6 +1,7 @@
-"""What README and manual say of the paper, in both languages, where code alone would not hold them to it."""
+"""What README and manual say of the paper and of the program, in both languages, held to what is so."""
 
 import re
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -39,3 +40,12 @@ def test_the_errata_say_what_holds_on_each_arc_and_leave_the_third_equation_be(
     assert "theta = theta0 + t/r2" in said
     assert "(5)" in said
     assert "(3)" not in said  # printed for the way out, and right there
+
+
+@pytest.mark.parametrize("language", READMES)
+@pytest.mark.parametrize("name", ["README", "errors"])
+def test_the_papers_pitch_tells_no_step(name: str, language: str) -> None:
+    lines = page(name, language).splitlines()
+    said = " ".join(a + b for a, b in pairwise(lines) if "0.452" in a + b)
+    assert "0.002 m" in said
+    assert "0.004 m" in said

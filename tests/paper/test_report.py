@@ -93,6 +93,7 @@ def test_the_paper_s_figures_and_claims_are_all_there(folder: Path) -> None:
     page = "".join(Page((folder / "report.html").read_text("utf-8")).words)
     for number in (
         "0.452 m",
+        "consistent with pitches in steps of 0.004 or 0.002 m",
         "4.0055, 0.9841, -2.1575, 0.8639",
         "1 m/s",
         "(1)",

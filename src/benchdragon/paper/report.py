@@ -166,7 +166,8 @@ def _contact_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
         ).format(seen=f"{stepped:g}", before=f"{stepped - 1.0:g}"),
         _how("first-contact", established(first)),
     )
-    coarse = next(answer for p, t, answer in found.traversal if (p, t) == (0.002, 1.0))
+    printed = f"{paper.SMALLEST_PITCH:.3f}"
+    same = [p for p, t, answer in found.traversal if t == 1.0 and f"{answer.value:.3f}" == printed]
     benches = smallest.witness.benches if smallest.witness else (0, 0)
     yield (
         _("abstract, 3, Fig 2"),
@@ -175,10 +176,10 @@ def _contact_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
         f"{smallest.value:.12f} m",
         f"{paper.SMALLEST_PITCH - smallest.value:.6f} m",
         _(
-            "pitches in steps of 0.002 m and a flag each second give {coarse} m; bench {a} grazes "
-            "bench {b} {before} m before the disc"
+            "consistent with pitches in steps of {steps} m and a flag each second (the paper prints "
+            "no step); bench {a} grazes bench {b} {before} m before the disc"
         ).format(
-            coarse=f"{coarse.value:.3f}",
+            steps=_(" or ").join(f"{step:g}" for step in same),
             a=benches[0],
             b=benches[1],
             before=f"{found.before_disc or 0.0:.4f}",

@@ -58,8 +58,8 @@ SHORT_STEP = 0.1
 # Steps of the paper's traversal whose answers are compared, pitch (m) and time (s), and the first pitch
 # tried; the last looks at the moment alone at which the head reaches the disc.
 TRAVERSALS = (
-    (0.02, 1.0, 0.42), (0.01, 1.0, 0.42), (0.005, 1.0, 0.42), (0.002, 1.0, 0.44), (0.001, 1.0, 0.44),
-    (0.0005, 1.0, 0.44), (0.002, 0.2, 0.44), (0.001, 1e6, 0.41),
+    (0.02, 1.0, 0.42), (0.01, 1.0, 0.42), (0.005, 1.0, 0.42), (0.004, 1.0, 0.44), (0.002, 1.0, 0.44),
+    (0.001, 1.0, 0.44), (0.0005, 1.0, 0.44), (0.002, 0.2, 0.44), (0.001, 1e6, 0.41),
 )  # fmt: skip
 # Steps of a search that looks at times one by one, s.
 CONTACT_STEPS = (10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02)
