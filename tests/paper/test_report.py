@@ -18,6 +18,7 @@ from benchdragon.paper.report import report
 from benchdragon.paper.reproduce import pages_from, reproduce
 from benchdragon.paper.results import Results, _beside
 from benchdragon.plans.schema import read_plan
+from tests.test_number_format import SIGNED_ZERO
 
 pytestmark = pytest.mark.xdist_group("paper")
 
@@ -102,6 +103,12 @@ def test_the_paper_s_figures_and_claims_are_all_there(folder: Path) -> None:
         "Fig 4",
     ):
         assert number in page, number
+
+
+def test_no_zero_of_the_report_has_a_sign(folder: Path) -> None:
+    page = "|".join(Page((folder / "report.html").read_text("utf-8")).words)
+    assert "|0.000000|" in page  # y of the head at 0 s, -3e-14 m
+    assert SIGNED_ZERO.findall(page) == []
 
 
 def test_the_pdf_has_an_outline_pictures_and_links(folder: Path) -> None:

@@ -251,7 +251,7 @@ def _contact_findings(contact: Answer | None, margin: float) -> list[Finding]:
         ),
     }[code]
     a, b = near.benches
-    words = {"a": str(a), "b": str(b), "t": f"{contact.value:.6f}", "margin": f"{margin:g}"}
+    words = {"a": str(a), "b": str(b), "t": f"{contact.value:z.6f}", "margin": f"{margin:g}"}
     return [Finding(code, contact.value, near.benches, max(near.gap, 0.0), margin, sentence, words)]
 
 
@@ -265,7 +265,7 @@ def _head_findings(walk: Walk, span: tuple[float, float], limit: float) -> list[
     sentence = N_(
         "the head changes its speed by {value} m/s^2 from t = {t} s on, the limit being {limit} m/s^2"
     )
-    words = {"t": f"{time:.6f}", **_told_apart(value, limit)}
+    words = {"t": f"{time:z.6f}", **_told_apart(value, limit)}
     return [Finding("head_acceleration", time, (1,), value, limit, sentence, words)]
 
 
@@ -292,7 +292,7 @@ def _limit_findings(name: str, peak: Answer, limit: float) -> list[Finding]:
         )
     words = {
         "what": quantity.text, "bench": str(near.benches[0]), "unit": quantity.unit,
-        "t": f"{near.time:.6f}", **_told_apart(peak.value, limit),
+        "t": f"{near.time:z.6f}", **_told_apart(peak.value, limit),
     }  # fmt: skip
     code = "undecided" if kept is None else name
     return [Finding(code, near.time, near.benches, peak.value, limit, sentence, words)]
@@ -314,7 +314,7 @@ def sentence(report: Report) -> str:
         if first.code == "margin":
             text = _("benches {a} and {b} come nearer than the {margin} cm asked for at {t} s")
         a, b = first.benches
-        text = text.format(a=a, b=b, t=f"{first.time:.1f}", margin=f"{100.0 * first.limit:g}")
+        text = text.format(a=a, b=b, t=f"{first.time:z.1f}", margin=f"{100.0 * first.limit:g}")
     more = len(report.findings) - 1
     if more:
         text = _("{finding}; findings besides: {count}").format(finding=text, count=more)
@@ -333,7 +333,7 @@ def _kept(report: Report) -> str:
                 gap=f"{100.0 * report.clearance.value:.3g}",
                 a=near.benches[0],
                 b=near.benches[1],
-                t=f"{near.time:.1f}",
+                t=f"{near.time:z.1f}",
             )
         ]
     if limits.margin:

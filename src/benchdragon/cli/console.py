@@ -37,7 +37,7 @@ def print_table(title: str, benches: int, rows: Sequence[tuple[float, int, Seque
     columns = (
         _("time (s)"), _("handle"), _("in the contest"), _("x (m)"), _("y (m)"), _("speed (m/s)"),
     )  # fmt: skip
-    cells = [(f"{t:.6g}", str(i), names[i], *map(decimals, values)) for t, i, values in rows]
+    cells = [(f"{t:z.6g}", str(i), names[i], *map(decimals, values)) for t, i, values in rows]
     print_rows(title, columns, cells)
     click.echo(numbering_text())
 
@@ -315,7 +315,7 @@ def _piece_text(length: float, a: float, b: float) -> str:
     """One piece of a turn in words."""
     if a != b:
         return _("clothoid, {length} m, from curvature {a} 1/m to {b} 1/m").format(
-            length=f"{length:.4f}", a=f"{a:.4f}", b=f"{b:.4f}"
+            length=f"{length:.4f}", a=f"{a:z.4f}", b=f"{b:z.4f}"
         )
     if not a:
         return _("line, {length} m").format(length=f"{length:.4f}")

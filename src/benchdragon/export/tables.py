@@ -153,7 +153,7 @@ def _sheet(book: Any, name: str, times: FloatArray) -> Any:
     sheet.freeze_panes(1, 1)
     sheet.set_column(0, 0, 18)
     sheet.set_column(1, len(times), 12)
-    sheet.write_row(0, 1, [f"{t:.12g} s" for t in times])
+    sheet.write_row(0, 1, [f"{t:z.12g} s" for t in times])
     return sheet
 
 
@@ -275,9 +275,9 @@ def _long(motion: Motion, handles: Sequence[int]) -> list[Any]:
     """Columns time, handle, x, y, speed of one slice, time by time."""
     count = len(handles)
     return [
-        np.repeat(motion.times, count),
+        np.repeat(motion.times + 0.0, count),  # that is 0 and not -0
         np.tile(np.asarray(handles, dtype=np.int32), len(motion.times)),
-        motion.x[:, handles].ravel(),
-        motion.y[:, handles].ravel(),
+        motion.x[:, handles].ravel() + 0.0,
+        motion.y[:, handles].ravel() + 0.0,
         motion.speed[:, handles].ravel(),
     ]

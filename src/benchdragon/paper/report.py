@@ -128,7 +128,7 @@ def _walk_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
         _("positions of the handles, by Runge-Kutta"),
         _("no table printed"),
         _("rear of the tail at 300 s: ({x}, {y}) m").format(
-            x=f"{last['x_m']:.6f}", y=f"{last['y_m']:.6f}"
+            x=decimals(last["x_m"]), y=decimals(last["y_m"])
         ),
         f"{found.head_errors['rk4_step_0.1_s_m']:.1e} m",
         _("the head by Runge-Kutta (steps of 0.1 s) and by the closed form: they agree"),
@@ -394,14 +394,14 @@ def _motion_tables(rows: Sequence[dict[str, float]], times: Sequence[float]) -> 
     lines: list[tuple[Inline, ...]] = []
     for handle in TABLE_HANDLES:
         for axis, text in (("x", _("{handle} x (m)")), ("y", _("{handle} y (m)"))):
-            cells = (f"{by_place[t, handle][f'{axis}_m']:.6f}" for t in times)
+            cells = (decimals(by_place[t, handle][f"{axis}_m"]) for t in times)
             lines.append((str(handle), text.format(handle=names[handle]), *cells))
     yield Table(columns, widths, tuple(lines), numbers=True)
     speeds = [
         (
             str(handle),
             _("{handle} (m/s)").format(handle=names[handle]),
-            *(f"{by_place[t, handle]['speed_m_s']:.6f}" for t in times),
+            *(decimals(by_place[t, handle]["speed_m_s"]) for t in times),
         )
         for handle in TABLE_HANDLES
     ]
