@@ -11,6 +11,7 @@ from pypdf import PdfReader
 
 from benchdragon.errors import InputError, UnsureError
 from benchdragon.i18n import use_language
+from benchdragon.model.numbering import handle_text
 from benchdragon.paper import reproduce as reproducing
 from benchdragon.paper.document import Heading, Inline, Link, Paragraph, Picture, Table
 from benchdragon.paper.publish import breakable, write_html, write_pdf
@@ -103,6 +104,13 @@ def test_the_paper_s_figures_and_claims_are_all_there(folder: Path) -> None:
         "Fig 4",
     ):
         assert number in page, number
+
+
+def test_the_handle_that_decides_is_named_as_elsewhere(found: Results, spoken: str) -> None:
+    assert found.head_speed.witness is not None
+    assert found.head_speed.witness.handle == 3
+    words = " ".join(str(part) for block in report(found).blocks for part in parts(block))
+    assert handle_text(3, 223) in words
 
 
 def test_no_zero_of_the_report_has_a_sign(folder: Path) -> None:

@@ -26,6 +26,7 @@ from benchdragon.analysis.speed import (
 from benchdragon.errors import InputError, UnsureError, WalkError, of_kind
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import ROUNDING, Answer
+from benchdragon.model.numbering import handle_words
 from benchdragon.model.walk import Motion, Walk
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, Stages, silent
@@ -65,7 +66,8 @@ class Finding:
     @property
     def text(self) -> str:
         """The finding as a sentence, in the language in use."""
-        return _(self.sentence).format(**{name: _(word) for name, word in self.words.items()})
+        words = {name: _(word).format(**self.words) for name, word in self.words.items()}
+        return _(self.sentence).format(**words)
 
 
 @dataclass(frozen=True)
@@ -288,10 +290,16 @@ def _limit_findings(name: str, peak: Answer, limit: float) -> list[Finding]:
         )
     if kept is False and name == "speed":
         sentence = N_(
-            "a handle of bench {bench} moves at {value} m/s at t = {t} s, the limit being {limit} m/s"
+            "handle {handle} ({where}) moves at {value} m/s at t = {t} s, the limit being {limit} m/s"
+        )
+    elif kept is False and near.handle is not None:
+        sentence = N_(
+            "{what} is {value} {unit} at handle {handle} ({where}) at t = {t} s, the limit being "
+            "{limit} {unit}"
         )
     words = {
-        "what": quantity.text, "bench": str(near.benches[0]), "unit": quantity.unit,
+        "what": quantity.text, "unit": quantity.unit,
+        **handle_words(near.handle or 0, near.benches[0]),
         "t": f"{near.time:z.6f}", **_told_apart(peak.value, limit),
     }  # fmt: skip
     code = "undecided" if kept is None else name

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon.i18n import N_, _
-from benchdragon.model.numbering import handle_names, numbering_text
+from benchdragon.model.numbering import handle_names, handle_text, numbering_text
 from benchdragon.number_format import decimals
 from benchdragon.progress import Progress, silent
 
@@ -130,8 +130,9 @@ def _turn_lines(turn: dict[str, Any]) -> list[str]:
     lines = [
         _(
             "greatest head speed with no handle above 2 m/s: {speed} m/s, in a bracket of {width} m/s, "
-            "decided at t = {time} s"
+            "decided by {handle} at t = {time} s"
         ).format(
+            handle=handle_text(speed["witness"]["handle"], speed["witness"]["benches"][0]),
             speed=f"{speed['value']:.12f}",
             width=f"{speed['upper'] - speed['lower']:.1e}",
             time=f"{speed['witness']['time']:.6f}",

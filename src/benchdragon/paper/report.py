@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 from benchdragon.analysis.check import moment
 from benchdragon.i18n import N_, _, language
 from benchdragon.model.answer import Answer
-from benchdragon.model.numbering import handle_names, numbering_text
+from benchdragon.model.numbering import handle_names, handle_text, numbering_text
 from benchdragon.number_format import decimals, decimals_or_dash
 from benchdragon.paper import claims as paper
 from benchdragon.paper.document import Block, Document, Heading, Inline, Link, Paragraph, Picture, Table
@@ -328,6 +328,11 @@ def _bench(answer: Answer, which: int) -> int:
     return answer.witness.benches[which] if answer.witness else 0
 
 
+def _handle(answer: Answer) -> str:
+    near = answer.witness
+    return handle_text(near.handle, near.benches[0]) if near and near.handle is not None else "-"
+
+
 def _turn_questions(found: Results) -> Iterable[Block]:
     arcs, near = found.two_arcs, found.turn_report.clearance
     yield Heading(_("Question 4: the turn"), "question-4", 2)
@@ -374,12 +379,13 @@ def _turn_questions(found: Results) -> Iterable[Block]:
     yield Heading(_("Question 5: how fast the head may walk"), "question-5", 2)
     yield say(
         _(
-            "No handle exceeds {limit} m/s up to a head speed of {speed} m/s ({how}), decided at t "
-            "= {t} s."
+            "No handle exceeds {limit} m/s up to a head speed of {speed} m/s ({how}), decided by "
+            "{handle} at t = {t} s."
         ),
         limit=f"{found.turn.limits.speed:g}",
         speed=f"{speed.value:.12f}",
         how=established(speed),
+        handle=_handle(speed),
         t=f"{speed.witness.time if speed.witness and speed.witness.time else 0.0:.6f}",
     )
     yield Picture("turn-speeds", _("Speeds of all handles while the dragon turns."))
