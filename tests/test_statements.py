@@ -1,10 +1,13 @@
 """What README and manual say of the paper and of the program, in both languages, held to what is so."""
 
 import re
+from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
 
 import pytest
+
+from benchdragon import greatest_head_speed, read_plan
 
 ROOT = Path(__file__).parent.parent
 READMES = {"en": "README.md", "zh": "README.zh-CN.md"}
@@ -49,3 +52,38 @@ def test_the_papers_pitch_tells_no_step(name: str, language: str) -> None:
     said = " ".join(a + b for a, b in pairwise(lines) if "0.452" in a + b)
     assert "0.002 m" in said
     assert "0.004 m" in said
+
+
+def texts() -> Iterator[tuple[str, str]]:
+    """All that people read in English and Chinese, the program's own words and code's among it."""
+    folders = [ROOT / name for name in ("src/benchdragon", "docs", "design", "benchmarks")]
+    for path in [*ROOT.glob("*.md"), *(path for folder in folders for path in folder.rglob("*"))]:
+        if path.suffix in {".md", ".py", ".po", ".js"} and "_build" not in path.parts:
+            yield path.name, path.read_text("utf-8")
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        r"\btests?\b[^.\n]{0,20}\bprov(?:e|es|ed|ing)\b",  # a test can fail; it proves nothing
+        r"\bprov(?:ed|en) by (?:a |the )?tests?\b",
+        r"测试[^。\n]{0,6}证明|由测试证明",
+        r"[0-9]+ ?位(?:精度|算术|的?球算术)",  # digits of which base?
+        r"100 位(?!二进制)|40 位(?!十进制)",
+    ],
+)
+def test_no_text_claims_what_is_not_so(claim: str) -> None:
+    assert [(name, found) for name, text in texts() for found in re.findall(claim, text)] == []
+
+
+@pytest.mark.parametrize("language", READMES)
+def test_readmes_quote_no_number_of_evaluations(language: str) -> None:
+    counted = r"\b(?:some|about) [0-9][0-9,]* (?:evaluations|looks)|[0-9百千]+ ?次求值"
+    assert re.findall(counted, page("README", language)) == []
+
+
+def test_the_bracket_of_the_greatest_head_speed_is_as_narrow_as_the_readmes_say() -> None:
+    found = greatest_head_speed(read_plan("turn"))
+    assert found.upper - found.lower == pytest.approx(1e-10, rel=0.5)
+    for language in READMES:
+        assert "1e-10 m/s" in page("README", language)

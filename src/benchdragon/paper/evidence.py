@@ -17,7 +17,7 @@ from benchdragon.solve.tolerance import CASES
 
 @dataclass(frozen=True)
 class Evidence:
-    """How a number is established: where it is derived, in code, and proved by a test.
+    """How a number is established: where it is derived, computed, and tested.
 
     The page is that of the documentation, with its anchor.
     """
