@@ -15,6 +15,12 @@ def handle_names(handles: int) -> list[str]:
     return [_("Head"), *bodies, *tail, _("Tail (rear)")]
 
 
+def contest_names(handles: int) -> list[str]:
+    """The same as the contest's own files have it, in whatever language."""
+    bodies = [f"第{i}节龙身" for i in range(1, handles - 2)]
+    return ["龙头", *bodies, *(["龙尾"] if handles > 2 else []), "龙尾（后）"]
+
+
 def handle_place(handle: int, benches: int) -> str:
     """Where a handle is in a dragon of so many benches, by the numbers of the benches."""
     words = handle_words(handle, benches)
