@@ -7,7 +7,9 @@ from pathlib import Path
 
 import pytest
 
+import benchdragon
 from benchdragon import greatest_head_speed, read_plan
+from tests.test_docs import blocks, source
 
 ROOT = Path(__file__).parent.parent
 READMES = {"en": "README.md", "zh": "README.zh-CN.md"}
@@ -87,3 +89,26 @@ def test_the_bracket_of_the_greatest_head_speed_is_as_narrow_as_the_readmes_say(
     assert found.upper - found.lower == pytest.approx(1e-10, rel=0.5)
     for language in READMES:
         assert "1e-10 m/s" in page("README", language)
+
+
+def test_in_which_sense_the_turn_is_as_short_as_can_be(capsys: pytest.CaptureFixture[str]) -> None:
+    """The manual's own cell: the paper's arcs, deeper joints, and a line; the readmes quote it."""
+    (cell,) = (
+        code for code in blocks(source("en", "question-4.md"), "{code-cell}") if "4.45 m" in code
+    )
+    exec(cell, {name: getattr(benchdragon, name) for name in benchdragon.__all__})
+    rows = [line[26:].split() for line in capsys.readouterr().out.splitlines()[1:]]
+    (turn, path, apart, head), deep, deeper, line = ([float(number) for number in row] for row in rows)
+    assert turn == path == 13.6212
+    assert deeper[0] < deep[0] < turn
+    assert deeper[1] > deep[1] > path
+    assert deeper[3] < deep[3] < head
+    assert line[0] < turn
+    assert line[1] < path
+    assert line[3] > head
+    assert min(apart, deep[2], deeper[2], line[2]) > 0.2
+    for language in READMES:
+        readme = page("README", language)
+        for number in (f"{turn} m", f"{deeper[0]} m", f"{deeper[1]} m", f"{deeper[2]:.3f} m"):
+            assert number in readme.replace("\n ", ""), number
+        assert f"{deeper[3]:.3f} m/s" in readme

@@ -113,6 +113,15 @@ def test_the_handle_that_decides_is_named_as_elsewhere(found: Results, spoken: s
     assert handle_text(3, 223) in words
 
 
+def test_the_turn_is_said_to_be_shorter_in_two_senses(found: Results, folder: Path) -> None:
+    deeper = json.loads((folder / "answers.json").read_text("utf-8"))["turn"]["deeper_joints"]
+    assert deeper["length_m"] < found.two_arcs.length < deeper["way_m"]
+    assert deeper["clearance"]["lower"] == pytest.approx(0.271, abs=1e-3)
+    page = "".join(Page((folder / "report.html").read_text("utf-8")).words)
+    for number in (deeper["length_m"], deeper["way_m"], deeper["clearance"]["lower"]):
+        assert f"{number:.4f} m" in page
+
+
 def test_no_zero_of_the_report_has_a_sign(folder: Path) -> None:
     page = "|".join(Page((folder / "report.html").read_text("utf-8")).words)
     assert "|0.000000|" in page  # y of the head at 0 s, -3e-14 m

@@ -30,6 +30,7 @@ from benchdragon.paper.results import (
     Results,
     table,
 )
+from benchdragon.plans.schema import TurnRoute
 from benchdragon.solve.turn import BestTurn
 from benchdragon.version import __version__
 
@@ -209,7 +210,8 @@ def _turn_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
         _(
             "not so: with a line between two arcs no bend is tighter than the paper's, and the "
             "head may walk at {speed} m/s instead of {paper} m/s"
-        ).format(speed=f"{_allowed(best):.4f}", paper=f"{found.head_speed.value:.4f}"),
+        ).format(speed=f"{_allowed(best):.4f}", paper=f"{found.head_speed.value:.4f}")
+        + _deeper_text(found),
         _how("turn", _("best found; its limits are kept by exact figures")),
     )
     angles = dict(zip(paper.ANGLES, arcs.boundary_angles(), strict=True))
@@ -222,6 +224,21 @@ def _turn_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
         f"{off:.1e}",
         _("right to the digits printed"),
         _how("turn", _("closed form")),
+    )
+
+
+def _deeper_text(found: Results) -> str:
+    """The turn alone is shorter within the paper's own family, too."""
+    turn = found.deeper_turn
+    return _(
+        ". The turn alone gets shorter with two tangent arcs as well, if their joints may move: "
+        "{length} m with joints at radius {radius} m, least clearance {gap} m. The path inside "
+        "the disc gets longer then: {way} m"
+    ).format(
+        length=f"{turn.length:.4f}",
+        radius=f"{turn.entry_radius:g}",
+        gap=f"{found.deeper.clearance.lower:.4f}",
+        way=f"{turn.way(TurnRoute.disc(found.turn)):.4f}",
     )
 
 
