@@ -97,7 +97,7 @@ def main() -> None:
         low = clearances(walk.motion(times)) < 0.0
         print(f"{step:7g} {times[low][0]:17.2f}")
     (window,) = contact_windows(walk, 400.0, 413.0)
-    print(f"  exact {window.opens.value:.10f}, {window.opens.evaluations} looks")
+    print(f"  exact {window.opens.value:.10f}, {window.opens.evaluations} evaluations")
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ import math
 
 def decimals(value: float, count: int = 6) -> str:
     """So many decimals, without the sign of a zero."""
-    return f"{round(value, count) + 0.0:.{count}f}"
+    return f"{value:z.{count}f}"
 
 
 def figures(value: float, *, up: bool) -> str:

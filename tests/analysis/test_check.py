@@ -111,9 +111,9 @@ def test_files_show_the_moment_of_contact(capsys: pytest.CaptureFixture[str], tm
     assert all(str(path) in out for path in tmp_path.iterdir())
     rows = CalamineWorkbook.from_path(tmp_path / "result2.xlsx").get_sheet_by_index(0).to_python()
     assert len(rows) == 42
-    assert rows[0][1:] == ["x (m)", "y (m)", "speed (m/s)"]
+    assert rows[0] == ["", "横坐标x (m)", "纵坐标y (m)", "速度 (m/s)"]
     head = read_plan("spiral-in", ["dragon.benches=40"]).build().motion([412.4738376821147])
-    assert rows[1][1:] == pytest.approx([head.x[0, 0], head.y[0, 0], 1.0], abs=1e-9)
+    assert rows[1][1:] == [round(head.x[0, 0], 6), round(head.y[0, 0], 6), 1.0]
     code, _out, err = spoken(capsys, *words)
     assert code == 2
     assert "--force" in err

@@ -1,5 +1,6 @@
 """The questions of `solve`: each has its own options, and no other's."""
 
+import json
 import re
 
 import click
@@ -9,6 +10,7 @@ from rich.cells import cell_len
 from benchdragon.cli.main import run
 from benchdragon.cli.solve import solve
 from benchdragon.i18n import _
+from benchdragon.model.numbering import handle_text
 from benchdragon.solve.size_trials import QUESTIONS
 from tests.cli.verbs import VERBS, options
 
@@ -124,3 +126,21 @@ def test_the_language_may_be_asked_before_the_question() -> None:
     assert isinstance(solve, click.Group)
     assert list(options(solve)) == ["--lang"]
     assert run(["solve", "--lang", "en", "pitch", "--help"]) == 0
+
+
+def test_the_fastest_handle_has_one_name_wherever_it_is_told(
+    capsys: pytest.CaptureFixture[str], spoken: str
+) -> None:
+    """Handles 3 to 7 stand on one arc and are equally fast: the first of them is named."""
+    turn = ["turn", "--set", "dragon.benches=30", "--quiet"]
+    name = handle_text(3, 30)
+    _code, shown, _err = ran(capsys, "speed", *turn, "--explain")
+    assert len(re.findall(re.escape(name), shown)) == 2  # beside the answer, and step by step
+    _code, told, _err = ran(capsys, "speed", *turn, "--json")
+    assert json.loads(told)["witness"]["handle"] == 3
+    assert json.loads(told)["witness"]["benches"] == [4]
+    assert run(["check", *turn, "--set", "limits.speed=1.5", "--explain"]) == 1
+    assert len(re.findall(re.escape(name), capsys.readouterr().out)) == 3  # and as a finding
+    assert run(["check", *turn, "--json"]) == 0
+    witness = json.loads(capsys.readouterr().out)["greatest_speed"]["witness"]
+    assert (witness["handle"], witness["benches"]) == (3, [4])

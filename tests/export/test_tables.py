@@ -1,4 +1,7 @@
+import re
+import zipfile
 from pathlib import Path
+from typing import Any
 
 import h5netcdf
 import numpy as np
@@ -11,7 +14,9 @@ from benchdragon.errors import MissingExtraError
 from benchdragon.export.tables import (
     WRITERS,
     Selection,
+    write_contest_xlsx,
     write_csv,
+    write_moment_xlsx,
     write_netcdf,
     write_npz,
     write_parquet,
@@ -22,7 +27,7 @@ from benchdragon.model.numbering import handle_names
 from benchdragon.plans.schema import read_plan
 from benchdragon.progress import silent
 
-WALK = read_plan("spiral-in").build()
+WALK, TURN = read_plan("spiral-in").build(), read_plan("turn").build()
 TIMES = np.array([0.0, 60.5, 300.0])
 ALL = range(224)
 
@@ -48,6 +53,63 @@ def test_the_spreadsheet_has_the_contests_layout(tmp_path: Path) -> None:
     assert x == pytest.approx(np.round(motion.x.T, 6), abs=1e-12)
     speed = np.array([row[1:] for row in speeds[1:]], dtype=float)
     assert speed == pytest.approx(np.round(motion.speed.T, 6), abs=1e-12)
+
+
+def sheets(path: Path) -> dict[str, list[list[Any]]]:
+    """The sheets of a workbook by their names."""
+    book = CalamineWorkbook.from_path(path)
+    return {name: book.get_sheet_by_name(name).to_python() for name in book.sheet_names}
+
+
+BODIES = [f"第{i}节龙身" for i in range(1, 222)]
+
+
+@pytest.mark.parametrize(("start", "end"), [(0.0, 300.0), (-100.0, 100.0)])
+def test_the_contests_files_are_its_own_whatever_the_language(
+    tmp_path: Path, spoken: str, start: float, end: float
+) -> None:
+    del spoken
+    times = np.arange(start, end + 1.0)
+    write_contest_xlsx(tmp_path / "a.xlsx", Selection(TURN, times, ALL), silent)
+    found = sheets(tmp_path / "a.xlsx")
+    assert list(found) == ["位置", "速度"]
+    for sheet in found.values():
+        assert sheet[0] == ["", *(f"{t:g} s" for t in times)]
+    names = ["龙头", *BODIES, "龙尾", "龙尾（后）"]
+    rows = [f"{name}{axis} (m)" for name in names for axis in "xy"]
+    assert [row[0] for row in found["位置"][1:]] == rows
+    bodies = [f"{name}  (m/s)" for name in [*BODIES, "龙尾"]]
+    assert [row[0] for row in found["速度"][1:]] == ["龙头 (m/s)", *bodies, "龙尾（后） (m/s)"]
+    motion = TURN.motion(times)
+    for row, exact in zip(found["速度"][1:], motion.speed.T, strict=True):
+        assert row[1:] == [round(value, 6) for value in exact.tolist()]
+
+
+def test_the_contests_moment_is_its_own_whatever_the_language(tmp_path: Path, spoken: str) -> None:
+    del spoken
+    motion = WALK.motion([0.0])
+    write_moment_xlsx(tmp_path / "a.xlsx", motion)
+    found = sheets(tmp_path / "a.xlsx")
+    assert list(found) == ["Sheet1"]
+    head, *rows = found["Sheet1"]
+    assert head == ["", "横坐标x (m)", "纵坐标y (m)", "速度 (m/s)"]
+    assert [row[0] for row in rows] == ["龙头", *BODIES, "龙尾", "龙尾（后）"]
+    assert [row[1] for row in rows] == [round(value, 6) for value in motion.x[0].tolist()]
+    assert str(rows[0][2]) in {"0.0", "0"}  # y of the head is -3e-14 m
+
+
+def test_cells_of_the_contests_files_show_six_decimals(tmp_path: Path) -> None:
+    write_moment_xlsx(tmp_path / "a.xlsx", WALK.motion([0.0]))
+    write_contest_xlsx(tmp_path / "b.xlsx", Selection(WALK, TIMES, ALL), silent)
+    for name in ("a.xlsx", "b.xlsx"):
+        with zipfile.ZipFile(tmp_path / name) as book:
+            assert 'formatCode="0.000000"' in book.read("xl/styles.xml").decode()
+            cells = re.findall(
+                r'<c r="B[0-9]+"([^>]*)><v>', book.read("xl/worksheets/sheet1.xml").decode()
+            )
+        numbers = [cell for cell in cells if 't="s"' not in cell]
+        assert len(numbers) >= 224
+        assert set(numbers) == {' s="1"'}
 
 
 def test_short_dragons_have_names_for_their_handles() -> None:

@@ -11,12 +11,14 @@ from pypdf import PdfReader
 
 from benchdragon.errors import InputError, UnsureError
 from benchdragon.i18n import use_language
+from benchdragon.model.numbering import handle_text
 from benchdragon.paper.document import Heading, Inline, Link, Paragraph, Picture, Table
 from benchdragon.paper.publish import breakable, write_html, write_pdf
 from benchdragon.paper.report import report
 from benchdragon.paper.reproduce import pages_from, reproduce
 from benchdragon.paper.results import Results, _beside
 from benchdragon.plans.schema import read_plan
+from tests.test_number_format import SIGNED_ZERO
 
 pytestmark = pytest.mark.xdist_group("paper")
 
@@ -92,6 +94,7 @@ def test_the_paper_s_figures_and_claims_are_all_there(folder: Path) -> None:
     page = "".join(Page((folder / "report.html").read_text("utf-8")).words)
     for number in (
         "0.452 m",
+        "consistent with pitches in steps of 0.004 or 0.002 m",
         "4.0055, 0.9841, -2.1575, 0.8639",
         "1 m/s",
         "(1)",
@@ -100,6 +103,28 @@ def test_the_paper_s_figures_and_claims_are_all_there(folder: Path) -> None:
         "Fig 4",
     ):
         assert number in page, number
+
+
+def test_the_handle_that_decides_is_named_as_elsewhere(found: Results, spoken: str) -> None:
+    assert found.head_speed.witness is not None
+    assert found.head_speed.witness.handle == 3
+    words = " ".join(str(part) for block in report(found).blocks for part in parts(block))
+    assert handle_text(3, 223) in words
+
+
+def test_the_turn_is_said_to_be_shorter_in_two_senses(found: Results, folder: Path) -> None:
+    deeper = json.loads((folder / "answers.json").read_text("utf-8"))["turn"]["deeper_joints"]
+    assert deeper["length_m"] < found.two_arcs.length < deeper["way_m"]
+    assert deeper["clearance"]["lower"] == pytest.approx(0.271, abs=1e-3)
+    page = "".join(Page((folder / "report.html").read_text("utf-8")).words)
+    for number in (deeper["length_m"], deeper["way_m"], deeper["clearance"]["lower"]):
+        assert f"{number:.4f} m" in page
+
+
+def test_no_zero_of_the_report_has_a_sign(folder: Path) -> None:
+    page = "|".join(Page((folder / "report.html").read_text("utf-8")).words)
+    assert "|0.000000|" in page  # y of the head at 0 s, -3e-14 m
+    assert SIGNED_ZERO.findall(page) == []
 
 
 def test_the_pdf_has_an_outline_pictures_and_links(folder: Path) -> None:

@@ -239,8 +239,10 @@ def test_a_head_that_walks_to_the_centre_is_refused(name: str) -> None:
     assert limit(read_plan("spiral-in", ["walk.end=100"]), "width").status == "found"
 
 
-def test_the_traversal_finds_the_papers_pitch_with_its_coarse_steps(disc: Plan) -> None:
-    found = traversed_pitch(disc, 0.002, 1.0)
+@pytest.mark.parametrize("step", [0.002, 0.004])
+def test_the_papers_pitch_comes_of_more_than_one_step(disc: Plan, step: float) -> None:
+    """The paper prints none: so its pitch is consistent with a step, and does not tell it."""
+    found = traversed_pitch(disc, step, 1.0)
     assert found.value == pytest.approx(0.452, abs=1e-12)
     assert found.status == "undecided"
 

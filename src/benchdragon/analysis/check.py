@@ -26,6 +26,7 @@ from benchdragon.analysis.speed import (
 from benchdragon.errors import InputError, UnsureError, WalkError, of_kind
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import ROUNDING, Answer
+from benchdragon.model.numbering import handle_words
 from benchdragon.model.walk import Motion, Walk
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, Stages, silent
@@ -65,7 +66,8 @@ class Finding:
     @property
     def text(self) -> str:
         """The finding as a sentence, in the language in use."""
-        return _(self.sentence).format(**{name: _(word) for name, word in self.words.items()})
+        words = {name: _(word).format(**self.words) for name, word in self.words.items()}
+        return _(self.sentence).format(**words)
 
 
 @dataclass(frozen=True)
@@ -251,7 +253,7 @@ def _contact_findings(contact: Answer | None, margin: float) -> list[Finding]:
         ),
     }[code]
     a, b = near.benches
-    words = {"a": str(a), "b": str(b), "t": f"{contact.value:.6f}", "margin": f"{margin:g}"}
+    words = {"a": str(a), "b": str(b), "t": f"{contact.value:z.6f}", "margin": f"{margin:g}"}
     return [Finding(code, contact.value, near.benches, max(near.gap, 0.0), margin, sentence, words)]
 
 
@@ -265,7 +267,7 @@ def _head_findings(walk: Walk, span: tuple[float, float], limit: float) -> list[
     sentence = N_(
         "the head changes its speed by {value} m/s^2 from t = {t} s on, the limit being {limit} m/s^2"
     )
-    words = {"t": f"{time:.6f}", **_told_apart(value, limit)}
+    words = {"t": f"{time:z.6f}", **_told_apart(value, limit)}
     return [Finding("head_acceleration", time, (1,), value, limit, sentence, words)]
 
 
@@ -288,11 +290,17 @@ def _limit_findings(name: str, peak: Answer, limit: float) -> list[Finding]:
         )
     if kept is False and name == "speed":
         sentence = N_(
-            "a handle of bench {bench} moves at {value} m/s at t = {t} s, the limit being {limit} m/s"
+            "handle {handle} ({where}) moves at {value} m/s at t = {t} s, the limit being {limit} m/s"
+        )
+    elif kept is False and near.handle is not None:
+        sentence = N_(
+            "{what} is {value} {unit} at handle {handle} ({where}) at t = {t} s, the limit being "
+            "{limit} {unit}"
         )
     words = {
-        "what": quantity.text, "bench": str(near.benches[0]), "unit": quantity.unit,
-        "t": f"{near.time:.6f}", **_told_apart(peak.value, limit),
+        "what": quantity.text, "unit": quantity.unit,
+        **handle_words(near.handle or 0, near.benches[0]),
+        "t": f"{near.time:z.6f}", **_told_apart(peak.value, limit),
     }  # fmt: skip
     code = "undecided" if kept is None else name
     return [Finding(code, near.time, near.benches, peak.value, limit, sentence, words)]
@@ -314,7 +322,7 @@ def sentence(report: Report) -> str:
         if first.code == "margin":
             text = _("benches {a} and {b} come nearer than the {margin} cm asked for at {t} s")
         a, b = first.benches
-        text = text.format(a=a, b=b, t=f"{first.time:.1f}", margin=f"{100.0 * first.limit:g}")
+        text = text.format(a=a, b=b, t=f"{first.time:z.1f}", margin=f"{100.0 * first.limit:g}")
     more = len(report.findings) - 1
     if more:
         text = _("{finding}; findings besides: {count}").format(finding=text, count=more)
@@ -333,7 +341,7 @@ def _kept(report: Report) -> str:
                 gap=f"{100.0 * report.clearance.value:.3g}",
                 a=near.benches[0],
                 b=near.benches[1],
-                t=f"{near.time:.1f}",
+                t=f"{near.time:z.1f}",
             )
         ]
     if limits.margin:

@@ -44,7 +44,7 @@ LOG = 4096
 # ones the first guess, m, is multiplied by so much until some pair comes nearer.
 MOST_SAMPLED, FIRST_REACH, WIDER = 5_000, 0.003, 6.0
 # Least clearances are bracketed to the last of these, m. The ones before only bring the least value
-# seen near enough for most steps to be passed over at once: 25,000 -> 2,000 evaluations.
+# seen near enough for most steps to be passed over at once.
 TOLERANCES = (math.inf, 1e-5, 1e-8, 1e-12)
 # Chains marched in one step for one of these; where benches keep the same distance for a while no
 # number would do for the last.

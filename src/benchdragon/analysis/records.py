@@ -40,6 +40,7 @@ class Witness(Record):
     point: tuple[Number, Number]
     gap: Number
     features: list[tuple[int, str]]
+    handle: int | None
 
 
 class Answer(Record):

@@ -20,7 +20,7 @@ from benchdragon.kernels.chain import rates
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.regions import EDGE
 from benchdragon.kernels.route import IntArray
-from benchdragon.model.answer import Answer, Witness
+from benchdragon.model.answer import ROUNDING, Answer, Witness
 from benchdragon.model.profile import SpeedProfile, Stretches
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
@@ -124,8 +124,8 @@ def greatest(
     bracket is `tolerance` times the answer wide (wider where the greatest value lasts, infinite across
     a kink of the route): its lower end was seen, its upper end is exceeded by nobody, by a bound on how
     the quantity changes (kernels/drive.py). Given a `limit`, a value that surely keeps to it has a
-    bracket of 1 % of the value or of the limit. The witness names the handle's bench (handle i leads
-    bench i + 1) and its place.
+    bracket of 1 % of the value or of the limit. The witness names the first handle that reaches it, or
+    the bench, and its place.
 
     Raises:
         InputError: for an end before the start, or a tolerance that is not between 1e-12 and 1.
@@ -136,7 +136,7 @@ def greatest(
     in_order(start, end)
     stretches = walk.profile.stretches(start, end).moved(walk.start)
     peak = _Search(walk, quantity, tolerance, limit).over(stretches, progress)
-    witness = replace(witness_of(walk, peak), time=peak.time)
+    witness = replace(witness_of(walk, quantity, peak), time=peak.time)
     seconds = clock.perf_counter() - began
     return Answer(
         peak.value,
@@ -196,13 +196,25 @@ def hulls(
     return fine[::finer], found
 
 
-def witness_of(walk: Walk, peak: Peak) -> Witness:
-    """Where a peak comes about: its bench, and when a head at the walk's own speed is there."""
-    motion = walk.placement([peak.s])
-    point = float(motion.x[0, peak.row]), float(motion.y[0, peak.row])
+def witness_of(walk: Walk, quantity: Quantity, peak: Peak) -> Witness:
+    """Where a peak comes about: handle or bench, and when a head at the walk's own speed is there."""
+    motion, row = walk.placement([peak.s]), peak.row
+    if quantity.kind == drive.SPEEDS:
+        row = fastest_handle(motion.speed_ratio[0])
+    point = float(motion.x[0, row]), float(motion.y[0, row])
     time = walk.time_at(peak.s)
-    benches = (min(peak.row + 1, len(walk.dragon)),)
-    return Witness(time if math.isfinite(time) else None, peak.s, benches, point, math.nan)
+    return Witness(
+        time if math.isfinite(time) else None, peak.s, (min(row + 1, len(walk.dragon)),), point,
+        math.nan, handle=None if quantity.kind == drive.TURNING else row,
+    )  # fmt: skip
+
+
+def fastest_handle(speeds: FloatArray) -> int:
+    """The first handle that comes to the greatest of these speeds but for rounding.
+
+    On one arc all handles are equally fast: rounding alone would name now this one and now that.
+    """
+    return int((speeds >= speeds.max() * (1.0 - ROUNDING)).argmax())
 
 
 @dataclass(frozen=True)

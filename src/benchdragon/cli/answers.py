@@ -7,6 +7,7 @@ import click
 
 from benchdragon.i18n import _, language
 from benchdragon.model.answer import Answer, Witness
+from benchdragon.model.numbering import handle_text
 from benchdragon.number_format import decimals, figures
 from benchdragon.version import __version__
 
@@ -63,9 +64,13 @@ def print_answer(name: str, answer: Answer, *, up: bool, brackets: bool) -> None
 def _print_witness(near: Witness | None, count: int) -> None:
     """Where and when an answer comes about, with so many decimals."""
     if near is not None and len(near.benches) == 1:
+        bench = near.benches[0]
+        who = _("bench {bench}").format(bench=bench)
+        if near.handle is not None:
+            who = handle_text(near.handle, bench)
         click.echo(
-            _("  bench {a} at t = {t} s, head at {s} m of the route, at ({x}, {y}) m").format(
-                a=near.benches[0],
+            _("  {who} at t = {t} s, head at {s} m of the route, at ({x}, {y}) m").format(
+                who=who,
                 t="-" if near.time is None or math.isinf(near.time) else decimals(near.time, count),
                 s=decimals(near.s, count),
                 x=decimals(near.point[0], count),

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon.i18n import N_, _
-from benchdragon.model.numbering import handle_names, numbering_text
+from benchdragon.model.numbering import handle_names, handle_text, numbering_text
 from benchdragon.number_format import decimals
 from benchdragon.progress import Progress, silent
 
@@ -37,7 +37,7 @@ def print_table(title: str, benches: int, rows: Sequence[tuple[float, int, Seque
     columns = (
         _("time (s)"), _("handle"), _("in the contest"), _("x (m)"), _("y (m)"), _("speed (m/s)"),
     )  # fmt: skip
-    cells = [(f"{t:.6g}", str(i), names[i], *map(decimals, values)) for t, i, values in rows]
+    cells = [(f"{t:z.6g}", str(i), names[i], *map(decimals, values)) for t, i, values in rows]
     print_rows(title, columns, cells)
     click.echo(numbering_text())
 
@@ -130,8 +130,9 @@ def _turn_lines(turn: dict[str, Any]) -> list[str]:
     lines = [
         _(
             "greatest head speed with no handle above 2 m/s: {speed} m/s, in a bracket of {width} m/s, "
-            "decided at t = {time} s"
+            "decided by {handle} at t = {time} s"
         ).format(
+            handle=handle_text(speed["witness"]["handle"], speed["witness"]["benches"][0]),
             speed=f"{speed['value']:.12f}",
             width=f"{speed['upper'] - speed['lower']:.1e}",
             time=f"{speed['witness']['time']:.6f}",
@@ -315,7 +316,7 @@ def _piece_text(length: float, a: float, b: float) -> str:
     """One piece of a turn in words."""
     if a != b:
         return _("clothoid, {length} m, from curvature {a} 1/m to {b} 1/m").format(
-            length=f"{length:.4f}", a=f"{a:.4f}", b=f"{b:.4f}"
+            length=f"{length:.4f}", a=f"{a:z.4f}", b=f"{b:z.4f}"
         )
     if not a:
         return _("line, {length} m").format(length=f"{length:.4f}")

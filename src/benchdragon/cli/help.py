@@ -32,8 +32,9 @@ class WideFormatter(click.HelpFormatter):
 
 
 def _padded(text: str) -> str:
-    """`text` with a sign that is not printed behind each that takes two columns."""
-    return "".join(sign + PAD * (east_asian_width(sign) in "WF") for sign in text)
+    """`text` with a sign that is not printed behind each that takes two columns, but the last."""
+    wide = "".join(sign + PAD * (east_asian_width(sign) in "WF") for sign in text)
+    return wide.removesuffix(PAD)
 
 
 class WideContext(click.Context):

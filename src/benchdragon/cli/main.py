@@ -313,7 +313,7 @@ def _motion_json(
             )
         )
     found = _moved(walk, times, options)
-    tables = {"x": found.x, "y": found.y, "speed": found.speed}
+    tables = {"x": found.x + 0.0, "y": found.y + 0.0, "speed": found.speed}  # 0, not -0
     answer: dict[str, Any] = {"time": times.tolist(), "handle": chosen}
     for name, values in tables.items():
         answer[name] = [[finite_or_none(value) for value in row] for row in values[:, chosen].tolist()]

@@ -38,7 +38,7 @@ def parse_times(text: str) -> "np.ndarray[Any, Any]":
     found: list[float] = []
     for item in text.split(","):
         found.extend(_item_times(item.strip(), MOST_TIMES - len(found)))
-    return np.array(found)
+    return np.array(found) + 0.0  # 0, not -0
 
 
 def spread(start: float, stop: float, step: float = 1.0, *, room: int = MOST_TIMES) -> list[float]:

@@ -6,11 +6,12 @@ import numpy as np
 
 from benchdragon.analysis.check import Report
 from benchdragon.analysis.distance import boxes, nearness
+from benchdragon.analysis.speed import fastest_handle
 from benchdragon.explain.text import cross_text, distance_text, dot_text, number, pair, signed, tiny
 from benchdragon.i18n import _
 from benchdragon.model.answer import Answer, Witness
 from benchdragon.model.dragon import Dragon
-from benchdragon.model.numbering import handle_place
+from benchdragon.model.numbering import handle_text
 from benchdragon.model.placement import Placement
 from benchdragon.model.walk import Walk
 
@@ -19,8 +20,6 @@ from benchdragon.model.walk import Walk
 BEFORE, ENOUGH = 1.0, 1e-3
 # A speed ratio is written out as a product of so many factors at most.
 MOST_FACTORS = 8
-# Speed ratios that differ by less, relative, count as equal.
-EQUAL = 1e-9
 
 
 def check_lines(report: Report) -> list[str]:
@@ -246,10 +245,9 @@ def _greatest_speed_lines(walk: Walk, answer: Answer, limit: float | None) -> li
 
 def ratio_lines(walk: Walk, near: Witness) -> tuple[float, list[str]]:
     """The greatest speed ratio with the head where a witness says, and how it comes about."""
-    s, row = near.s, near.benches[0] - 1
+    s = near.s
     ratios = walk.placement([s]).speed_ratio[0]
-    if ratios[row] < ratios.max() * (1.0 - EQUAL):  # the last bench has a handle at its rear, too
-        row = int(np.argmax(ratios))
+    row = fastest_handle(ratios)
     ratio = float(ratios[row])
     if not row:
         text = _(
@@ -263,7 +261,7 @@ def ratio_lines(walk: Walk, near: Witness) -> tuple[float, list[str]]:
     text = _(
         "A bench hands speed on from its front to its rear: v' = v·(t·w)/(t'·w), with w its "
         "direction, t and t' those of the route at its two ends. With the head at {s} m of the route "
-        "handle {i} ({where}) is the fastest: ratio to the head's speed = {numbers}."
+        "{handle} is the fastest: ratio to the head's speed = {numbers}."
     )
-    where = handle_place(row, len(walk.dragon))
-    return ratio, [text.format(s=number(s), i=row, where=where, numbers=numbers)]
+    handle = handle_text(row, len(walk.dragon))
+    return ratio, [text.format(s=number(s), handle=handle, numbers=numbers)]

@@ -26,7 +26,7 @@ def number(value: float) -> str:
     """A number as an explanation shows it: 8 digits, at least 6 decimals, no zeros at the end."""
     size = math.floor(math.log10(abs(value))) if value else 0
     decimals = min(max(DIGITS - 1 - size, LEAST_DECIMALS), MOST_DECIMALS)
-    text = f"{round(value, decimals) + 0.0:.{decimals}f}"
+    text = f"{value:z.{decimals}f}"
     return text.rstrip("0").rstrip(".")
 
 

@@ -449,7 +449,7 @@ def round_length(most: float) -> float:
 
 def clock_text(t: float) -> str:
     """A time to the tenth of a second."""
-    tenths = f"{round(t, 1) + 0.0:.1f}".replace("-", "\N{MINUS SIGN}")
+    tenths = f"{t:z.1f}".replace("-", "\N{MINUS SIGN}")
     return _("t = {t} s").format(t=tenths)
 
 

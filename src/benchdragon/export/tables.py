@@ -1,4 +1,4 @@
-"""Tables of a walk: XLSX in the contest's layout, CSV, NPZ, Parquet, NetCDF.
+"""Tables of a walk: XLSX laid out as the contest's, CSV, NPZ, Parquet, NetCDF; the contest's own files.
 
 Every writer takes the walk and the times and marches them itself, slice by slice where the format
 can be written so: marching costs far less than writing.
@@ -18,7 +18,7 @@ from benchdragon.errors import InputError, MissingExtraError
 from benchdragon.files import whole_bytes, whole_file
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.model.numbering import handle_names, handle_place, numbering_text
+from benchdragon.model.numbering import contest_names, handle_names, handle_place, numbering_text
 from benchdragon.model.walk import Motion, Walk
 from benchdragon.progress import Progress
 
@@ -68,8 +68,19 @@ class Selection:
 Writer = Callable[[Path, Selection, Progress], None]
 
 
+@dataclass(frozen=True)
+class _Labels:
+    """What the sheets of positions and of speeds are called, and the rows of each handle."""
+
+    positions: str
+    speeds: str
+    x: list[str]
+    y: list[str]
+    speed: list[str]
+
+
 def write_xlsx(path: Path, what: Selection, progress: Progress) -> None:
-    """The contest's layout: places (x and y rows of each handle) and speeds, one column a time.
+    """Positions (x and y rows of each handle) and speeds, one column a time, in the language in use.
 
     A third sheet tells the number of each handle beside the contest's name.
 
@@ -91,42 +102,53 @@ def write_xlsx(path: Path, what: Selection, progress: Progress) -> None:
                 "or another format"
             ).format(most=MOST_CELLS_XLSX)
         )
-    x, y, speed = what.gathered("x", "y", "speed")
     names = handle_names(len(what.walk.dragon) + 1)
+    texts = _("{handle} x (m)"), _("{handle} y (m)"), _("{handle} (m/s)")
+    labels = _Labels(
+        _("Positions"), _("Speeds"), *([text.format(handle=name) for name in names] for text in texts)
+    )
     with whole_bytes(path) as made, _workbook(made) as book:
-        six = book.add_format({"num_format": "0.000000"})
-        places = _sheet(book, _("Positions"), times)
-        for i, handle in enumerate(handles):
-            _write_row(
-                places, 2 * i + 1, _("{handle} x (m)").format(handle=names[handle]), x[:, i], six
-            )
-            _write_row(
-                places, 2 * i + 2, _("{handle} y (m)").format(handle=names[handle]), y[:, i], six
-            )
-            progress(0.67 * (i + 1) / len(handles), "")
-        speeds = _sheet(book, _("Speeds"), times)
-        for i, handle in enumerate(handles):
-            _write_row(
-                speeds, i + 1, _("{handle} (m/s)").format(handle=names[handle]), speed[:, i], six
-            )
-            progress(0.67 + 0.33 * (i + 1) / len(handles), "")
+        _write_motion(book, what, labels, progress)
         _write_numbering(book, handles, names)
 
 
+def write_contest_xlsx(path: Path, what: Selection, progress: Progress) -> None:
+    """The contest's result1.xlsx and result4.xlsx, labels and all, in whatever language."""
+    names = contest_names(len(what.walk.dragon) + 1)
+    # The contest has two spaces behind the bodies and the tail.
+    speeds = [f"{name}{' ' if name in {names[0], names[-1]} else '  '}(m/s)" for name in names]
+    x, y = ([f"{name}{axis} (m)" for name in names] for axis in "xy")
+    with whole_bytes(path) as made, _workbook(made) as book:
+        _write_motion(book, what, _Labels("位置", "速度", x, y, speeds), progress)
+
+
 def write_moment_xlsx(path: Path, motion: Motion) -> None:
-    """The contest's layout for the first time of `motion`: x, y and speed of each handle."""
-    names = handle_names(motion.x.shape[1])
+    """The contest's result2.xlsx for the first time of `motion`, in whatever language."""
     with whole_bytes(path) as made, _workbook(made) as book:
         six = book.add_format({"num_format": "0.000000"})
         sheet = book.add_worksheet("Sheet1")
         sheet.freeze_panes(1, 1)
         sheet.set_column(0, 3, 18)
-        sheet.write_row(0, 1, [_("x (m)"), _("y (m)"), _("speed (m/s)")])
-        columns = (motion.x[0], motion.y[0], motion.speed[0])
-        for i, name in enumerate(names):
-            sheet.write_string(i + 1, 0, name)
-            sheet.write_row(i + 1, 1, [float(values[i]) for values in columns], six)
-        _write_numbering(book, range(len(names)), names)
+        sheet.write_row(0, 1, ["横坐标x (m)", "纵坐标y (m)", "速度 (m/s)"])
+        table = np.column_stack([motion.x[0], motion.y[0], motion.speed[0]])
+        for i, name in enumerate(contest_names(len(table))):
+            _write_row(sheet, i + 1, name, table[i], six)
+
+
+def _write_motion(book: Any, what: Selection, labels: _Labels, progress: Progress) -> None:
+    """The sheets of positions and of speeds."""
+    handles = what.handles
+    x, y, speed = what.gathered("x", "y", "speed")
+    six = book.add_format({"num_format": "0.000000"})
+    positions = _sheet(book, labels.positions, what.times)
+    for i, handle in enumerate(handles):
+        _write_row(positions, 2 * i + 1, labels.x[handle], x[:, i], six)
+        _write_row(positions, 2 * i + 2, labels.y[handle], y[:, i], six)
+        progress(0.67 * (i + 1) / len(handles), "")
+    speeds = _sheet(book, labels.speeds, what.times)
+    for i, handle in enumerate(handles):
+        _write_row(speeds, i + 1, labels.speed[handle], speed[:, i], six)
+        progress(0.67 + 0.33 * (i + 1) / len(handles), "")
 
 
 @contextmanager
@@ -153,7 +175,7 @@ def _sheet(book: Any, name: str, times: FloatArray) -> Any:
     sheet.freeze_panes(1, 1)
     sheet.set_column(0, 0, 18)
     sheet.set_column(1, len(times), 12)
-    sheet.write_row(0, 1, [f"{t:.12g} s" for t in times])
+    sheet.write_row(0, 1, [f"{t:z.12g} s" for t in times])
     return sheet
 
 
@@ -275,9 +297,9 @@ def _long(motion: Motion, handles: Sequence[int]) -> list[Any]:
     """Columns time, handle, x, y, speed of one slice, time by time."""
     count = len(handles)
     return [
-        np.repeat(motion.times, count),
+        np.repeat(motion.times + 0.0, count),  # that is 0 and not -0
         np.tile(np.asarray(handles, dtype=np.int32), len(motion.times)),
-        motion.x[:, handles].ravel(),
-        motion.y[:, handles].ravel(),
+        motion.x[:, handles].ravel() + 0.0,
+        motion.y[:, handles].ravel() + 0.0,
         motion.speed[:, handles].ravel(),
     ]

@@ -26,6 +26,7 @@ from benchdragon.figures.style import (
 )
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.answer import ROUNDING
 from benchdragon.model.curves import Route
 from benchdragon.model.walk import Motion, Walk
 
@@ -244,8 +245,10 @@ def _beyond(motion: Motion, low: float, high: float) -> dict[str, str]:
         ("min", _("lowest: {speed} m/s, handle {handle}, t = {t} s"), np.nanargmin),
         ("max", _("highest: {speed} m/s, handle {handle}, t = {t} s"), np.nanargmax),
     ):
-        time, handle = np.unravel_index(find(motion.speed), motion.speed.shape)
-        speed = float(motion.speed[time, handle])
+        time = int(find(motion.speed)) // motion.speed.shape[1]
+        speed = float(motion.speed.flat[find(motion.speed)])
+        # Of handles on one arc, which are equally fast, the first.
+        handle = int(np.isclose(motion.speed[time], speed, rtol=ROUNDING, atol=0.0).argmax())
         if not low <= speed <= high:
             clock = f"{motion.times[time]:.4g}".replace("-", "\N{MINUS SIGN}")
             texts[side] = text.format(speed=f"{speed:.4g}", handle=handle, t=clock)

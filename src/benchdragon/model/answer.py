@@ -23,6 +23,8 @@ class Witness:
         point: where they meet or are nearest (the corner's side), m.
         gap: their signed gap by the separating axis theorem, m; NaN for one bench.
         features: what meets: the corner of one bench, and the side or corner of the other.
+        handle: of an answer about a handle its number, 0..N: the first of those that come to the same;
+            the bench is the one that it leads, the last bench for handle N.
     """
 
     time: float | None
@@ -31,6 +33,7 @@ class Witness:
     point: tuple[float, float]
     gap: float
     features: tuple[tuple[int, str], ...] = ()
+    handle: int | None = None
 
 
 @dataclass(frozen=True)

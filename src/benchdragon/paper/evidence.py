@@ -17,7 +17,7 @@ from benchdragon.solve.tolerance import CASES
 
 @dataclass(frozen=True)
 class Evidence:
-    """How a number is established: where it is derived, in code, and proved by a test.
+    """How a number is established: where it is derived, computed, and tested.
 
     The page is that of the documentation, with its anchor.
     """
@@ -120,8 +120,9 @@ def errors(found: Results) -> Iterable[Block]:
         _(
             "A search in time steps answers with the first of its times at which benches "
             "overlap: hence 412 s and 413 s from steps of a second. A traversal of pitches "
-            "answers with a multiple of its step: hence 0.452 m. Evaluating at the disc alone "
-            "misses the graze before it."
+            "answers with a multiple of its step: 0.452 m is consistent with steps of 0.002 m and "
+            "of 0.004 m, and the paper prints none. Evaluating at the disc alone misses the graze "
+            "before it."
         )
     )
     yield Picture("errors-steps", _("What stepped searches answer, over their steps."))

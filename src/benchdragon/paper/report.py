@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 from benchdragon.analysis.check import moment
 from benchdragon.i18n import N_, _, language
 from benchdragon.model.answer import Answer
-from benchdragon.model.numbering import handle_names, numbering_text
+from benchdragon.model.numbering import handle_names, handle_text, numbering_text
 from benchdragon.number_format import decimals, decimals_or_dash
 from benchdragon.paper import claims as paper
 from benchdragon.paper.document import Block, Document, Heading, Inline, Link, Paragraph, Picture, Table
@@ -30,6 +30,7 @@ from benchdragon.paper.results import (
     Results,
     table,
 )
+from benchdragon.plans.schema import TurnRoute
 from benchdragon.solve.turn import BestTurn
 from benchdragon.version import __version__
 
@@ -128,7 +129,7 @@ def _walk_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
         _("positions of the handles, by Runge-Kutta"),
         _("no table printed"),
         _("rear of the tail at 300 s: ({x}, {y}) m").format(
-            x=f"{last['x_m']:.6f}", y=f"{last['y_m']:.6f}"
+            x=decimals(last["x_m"]), y=decimals(last["y_m"])
         ),
         f"{found.head_errors['rk4_step_0.1_s_m']:.1e} m",
         _("the head by Runge-Kutta (steps of 0.1 s) and by the closed form: they agree"),
@@ -166,7 +167,8 @@ def _contact_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
         ).format(seen=f"{stepped:g}", before=f"{stepped - 1.0:g}"),
         _how("first-contact", established(first)),
     )
-    coarse = next(answer for p, t, answer in found.traversal if (p, t) == (0.002, 1.0))
+    printed = f"{paper.SMALLEST_PITCH:.3f}"
+    same = [p for p, t, answer in found.traversal if t == 1.0 and f"{answer.value:.3f}" == printed]
     benches = smallest.witness.benches if smallest.witness else (0, 0)
     yield (
         _("abstract, 3, Fig 2"),
@@ -175,10 +177,10 @@ def _contact_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
         f"{smallest.value:.12f} m",
         f"{paper.SMALLEST_PITCH - smallest.value:.6f} m",
         _(
-            "pitches in steps of 0.002 m and a flag each second give {coarse} m; bench {a} grazes "
-            "bench {b} {before} m before the disc"
+            "consistent with pitches in steps of {steps} m and a flag each second (the paper prints "
+            "no step); bench {a} grazes bench {b} {before} m before the disc"
         ).format(
-            coarse=f"{coarse.value:.3f}",
+            steps=_(" or ").join(f"{step:g}" for step in same),
             a=benches[0],
             b=benches[1],
             before=f"{found.before_disc or 0.0:.4f}",
@@ -208,7 +210,8 @@ def _turn_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
         _(
             "not so: with a line between two arcs no bend is tighter than the paper's, and the "
             "head may walk at {speed} m/s instead of {paper} m/s"
-        ).format(speed=f"{_allowed(best):.4f}", paper=f"{found.head_speed.value:.4f}"),
+        ).format(speed=f"{_allowed(best):.4f}", paper=f"{found.head_speed.value:.4f}")
+        + _deeper_text(found),
         _how("turn", _("best found; its limits are kept by exact figures")),
     )
     angles = dict(zip(paper.ANGLES, arcs.boundary_angles(), strict=True))
@@ -221,6 +224,21 @@ def _turn_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
         f"{off:.1e}",
         _("right to the digits printed"),
         _how("turn", _("closed form")),
+    )
+
+
+def _deeper_text(found: Results) -> str:
+    """The turn alone is shorter within the paper's own family, too."""
+    turn = found.deeper_turn
+    return _(
+        ". The turn alone gets shorter with two tangent arcs as well, if their joints may move: "
+        "{length} m with joints at radius {radius} m, least clearance {gap} m. The path inside "
+        "the disc gets longer then: {way} m"
+    ).format(
+        length=f"{turn.length:.4f}",
+        radius=f"{turn.entry_radius:g}",
+        gap=f"{found.deeper.clearance.lower:.4f}",
+        way=f"{turn.way(TurnRoute.disc(found.turn)):.4f}",
     )
 
 
@@ -327,6 +345,11 @@ def _bench(answer: Answer, which: int) -> int:
     return answer.witness.benches[which] if answer.witness else 0
 
 
+def _handle(answer: Answer) -> str:
+    near = answer.witness
+    return handle_text(near.handle, near.benches[0]) if near and near.handle is not None else "-"
+
+
 def _turn_questions(found: Results) -> Iterable[Block]:
     arcs, near = found.two_arcs, found.turn_report.clearance
     yield Heading(_("Question 4: the turn"), "question-4", 2)
@@ -373,12 +396,13 @@ def _turn_questions(found: Results) -> Iterable[Block]:
     yield Heading(_("Question 5: how fast the head may walk"), "question-5", 2)
     yield say(
         _(
-            "No handle exceeds {limit} m/s up to a head speed of {speed} m/s ({how}), decided at t "
-            "= {t} s."
+            "No handle exceeds {limit} m/s up to a head speed of {speed} m/s ({how}), decided by "
+            "{handle} at t = {t} s."
         ),
         limit=f"{found.turn.limits.speed:g}",
         speed=f"{speed.value:.12f}",
         how=established(speed),
+        handle=_handle(speed),
         t=f"{speed.witness.time if speed.witness and speed.witness.time else 0.0:.6f}",
     )
     yield Picture("turn-speeds", _("Speeds of all handles while the dragon turns."))
@@ -393,14 +417,14 @@ def _motion_tables(rows: Sequence[dict[str, float]], times: Sequence[float]) -> 
     lines: list[tuple[Inline, ...]] = []
     for handle in TABLE_HANDLES:
         for axis, text in (("x", _("{handle} x (m)")), ("y", _("{handle} y (m)"))):
-            cells = (f"{by_place[t, handle][f'{axis}_m']:.6f}" for t in times)
+            cells = (decimals(by_place[t, handle][f"{axis}_m"]) for t in times)
             lines.append((str(handle), text.format(handle=names[handle]), *cells))
     yield Table(columns, widths, tuple(lines), numbers=True)
     speeds = [
         (
             str(handle),
             _("{handle} (m/s)").format(handle=names[handle]),
-            *(f"{by_place[t, handle]['speed_m_s']:.6f}" for t in times),
+            *(decimals(by_place[t, handle]["speed_m_s"]) for t in times),
         )
         for handle in TABLE_HANDLES
     ]

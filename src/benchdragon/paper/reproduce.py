@@ -11,7 +11,13 @@ from matplotlib.figure import Figure
 
 from benchdragon.analysis.check import moment
 from benchdragon.errors import InputError
-from benchdragon.export.tables import Selection, write_csv, write_moment_xlsx, write_npz, write_xlsx
+from benchdragon.export.tables import (
+    Selection,
+    write_contest_xlsx,
+    write_csv,
+    write_moment_xlsx,
+    write_npz,
+)
 from benchdragon.figures.contact import clearance_picture, moment_picture
 from benchdragon.figures.style import lay_out, write_picture
 from benchdragon.figures.tolerance import margin_picture
@@ -114,7 +120,7 @@ def _write_tables(folder: Path, found: Results) -> None:
     walk = found.motion.walk
     what = Selection(walk, found.motion.times, range(len(walk.dragon) + 1))
     for name, write in (
-        ("result1.xlsx", write_xlsx),
+        ("result1.xlsx", write_contest_xlsx),
         ("spiral.csv", write_csv),
         ("spiral.npz", write_npz),
     ):
@@ -122,7 +128,7 @@ def _write_tables(folder: Path, found: Results) -> None:
     write_moment_xlsx(folder / "result2.xlsx", moment(found.report)[0])
     walk = found.turn_motion.walk
     whole = Selection(walk, np.arange(-100.0, 101.0), range(len(walk.dragon) + 1))
-    write_xlsx(folder / "result4.xlsx", whole, silent)
+    write_contest_xlsx(folder / "result4.xlsx", whole, silent)
 
 
 def all_figures(found: Results) -> dict[str, Figure]:

@@ -18,7 +18,7 @@ from benchdragon.errors import BenchDragonError, UnsureError
 from benchdragon.i18n import _, language, use_language
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.answer import Answer
-from benchdragon.model.turns import TwoArcTurn
+from benchdragon.model.turns import Turn, TwoArcTurn
 from benchdragon.model.walk import Motion, Walk
 from benchdragon.number_format import finite_or_none
 from benchdragon.paper.claims import Equation, equations
@@ -58,8 +58,8 @@ SHORT_STEP = 0.1
 # Steps of the paper's traversal whose answers are compared, pitch (m) and time (s), and the first pitch
 # tried; the last looks at the moment alone at which the head reaches the disc.
 TRAVERSALS = (
-    (0.02, 1.0, 0.42), (0.01, 1.0, 0.42), (0.005, 1.0, 0.42), (0.002, 1.0, 0.44), (0.001, 1.0, 0.44),
-    (0.0005, 1.0, 0.44), (0.002, 0.2, 0.44), (0.001, 1e6, 0.41),
+    (0.02, 1.0, 0.42), (0.01, 1.0, 0.42), (0.005, 1.0, 0.42), (0.004, 1.0, 0.44), (0.002, 1.0, 0.44),
+    (0.001, 1.0, 0.44), (0.0005, 1.0, 0.44), (0.002, 0.2, 0.44), (0.001, 1e6, 0.41),
 )  # fmt: skip
 # Steps of a search that looks at times one by one, s.
 CONTACT_STEPS = (10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02)
@@ -67,6 +67,8 @@ CONTACT_STEPS = (10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02)
 FIGURE_PITCHES, FIGURE_RESOLUTION = (0.43, 0.47, 21), 5e-4
 # Head speeds, m/s, for which the shortest turn is sought; bends are no tighter than the paper's.
 FRONT_SPEEDS = (1.3, 1.5, 1.7)
+# Radius, m, at which joints of the paper's two arcs lie deeper than on the disc's edge.
+DEEPER = 4.4
 # Random dances of each case that are walked again; steps, m, of the differences beside derivatives.
 AGAIN = 5
 DIFFERENCE_STEP = 1e-4
@@ -99,6 +101,7 @@ class Results:
         motion: of the first part, each second; turn_motion: of the second, each tenth of a second.
         report: of the first part: first contact; turn_report: of the second.
         clearance: of the first part, over time.
+        deeper: of the second part with joints at DEEPER.
         head_speed: the greatest in the second part; smallest: the smallest pitch.
         front: shortest turns for each of FRONT_SPEEDS.
         curve: angles over the pitch, the paper's Fig 2.
@@ -121,6 +124,7 @@ class Results:
     report: Report
     clearance: ClearanceCurve
     turn_report: Report
+    deeper: Report
     head_speed: Answer
     smallest: Answer
     front: Sequence[BestTurn]
@@ -145,6 +149,11 @@ class Results:
         return TwoArcTurn(
             self.turn.value("route.pitch"), TurnRoute.disc(self.turn), self.turn.turn.ratio
         )
+
+    @property
+    def deeper_turn(self) -> Turn:
+        """The paper's two arcs with joints at DEEPER."""
+        return self.deeper.plan.turn.build(self.turn.value("route.pitch"), TurnRoute.disc(self.turn))
 
     @property
     def before_disc(self) -> float | None:
@@ -180,6 +189,7 @@ def results(progress: Progress = silent) -> Results:
         smallest = limit(disc, "pitch", prove=prove)
         stage(_("turn"))
         turn_report = check(turn)
+        deeper = check(turn.with_table("turn", entry_radius=DEEPER, exit_radius=DEEPER))
         head_speed = greatest_head_speed(turn, tolerance=1e-12)
         stage(_("traversal of pitches"))
         traversal = [(p, t, traversed_pitch(disc, p, t, first=first)) for p, t, first in TRAVERSALS]
@@ -195,8 +205,8 @@ def results(progress: Progress = silent) -> Results:
         front = better()
     stage(_("equations"))
     return Results(
-        spiral, disc, turn, motion, turn_motion, report, clearance, turn_report, head_speed,
-        smallest, front, curve, traversal, stepped, head_order, speed_orders,
+        spiral, disc, turn, motion, turn_motion, report, clearance, turn_report, deeper,
+        head_speed, smallest, front, curve, traversal, stepped, head_order, speed_orders,
         head_errors(walk, motion.times), speed_error(walk), accumulated(still), bisected(still),
         chord_residuals(motion), rates, dances, again, equations(turn),
     )  # fmt: skip
@@ -388,6 +398,7 @@ def as_json(found: Results) -> dict[str, Any]:
             "table": table(found.turn.build().motion(MOTION_TIMES), MOTION_TIMES),
             "greatest_head_speed": found.head_speed.as_json(),
             "clearance": found.turn_report.clearance.as_json(),
+            "deeper_joints": _deeper(found),
             "better": [best.as_json() for best in found.front],
         },
         "errors_along_the_dragon_m": {
@@ -397,6 +408,16 @@ def as_json(found: Results) -> dict[str, Any]:
         "margins": {name: _margin(found.dances, name) for name in CASES},
         "equations": [vars(equation) for equation in found.equations],
     }  # fmt: skip
+
+
+def _deeper(found: Results) -> dict[str, Any]:
+    turn = found.deeper_turn
+    return {
+        "joints_m": DEEPER,
+        "length_m": turn.length,
+        "way_m": turn.way(TurnRoute.disc(found.turn)),
+        "clearance": found.deeper.clearance.as_json(),
+    }
 
 
 def _difference(found: Results, scheme: Any) -> dict[str, float]:

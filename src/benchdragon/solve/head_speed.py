@@ -72,8 +72,8 @@ def greatest_head_speed(
 
     Limits are those on handles' speeds and accelerations and on benches' turning rates, over
     continuous time. The value is the bracket's lower end: what surely keeps all of them. The witness
-    is the handle (its bench, leading it: handle i leads bench i + 1) or bench of the limit that
-    decides, its time that of a head at the plan's own speed. `tolerance` is that of the greatest speed
+    is the handle (the first that reaches the greatest speed) or the bench of the limit that decides,
+    its time that of a head at the plan's own speed. `tolerance` is that of the greatest speed
     ratio; turning rates and accelerations have at least 1e-6.
 
     Raises:
@@ -110,7 +110,7 @@ def greatest_head_speed(
         upper,
         "m/s",
         "found" if lower > 0.0 else "undecided",
-        witness_of(walk, decisive[1]),
+        witness_of(walk, QUANTITIES[decisive[0]], decisive[1]),
         (_assumed(QUANTITIES[decisive[0]], limits[decisive[0]]),),
         evaluations,
         clock.perf_counter() - began,

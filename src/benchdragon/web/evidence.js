@@ -40,11 +40,21 @@ export function answerText(answer) {
   return _("{value} ({how})", { value, how: statusText(answer.status) });
 }
 
+/** A handle with its place, as the program names it; the bench is the last for the tail's rear. @param {number} handle @param {number} bench */
+function handleText(handle, bench) {
+  let where = _("between benches {a} and {b}", { a: handle, b: handle + 1 });
+  if (handle === 0) where = _("front of bench 1");
+  else if (handle === bench) where = _("rear of bench {bench}", { bench });
+  return _("handle {handle} ({where})", { handle, where });
+}
+
 /** @param {Answer} answer */
 function whereText({ witness }) {
   if (!witness) return "";
   const [a, b] = witness.benches;
   const time = witness.time === null ? "\u2013" : decimals(witness.time, 3);
+  if (witness.handle !== null)
+    return _("{handle}, t = {time} s", { handle: handleText(witness.handle, a), time });
   return b
     ? _("benches {a} and {b}, t = {time} s", { a, b, time })
     : _("bench {a}, t = {time} s", { a, time });

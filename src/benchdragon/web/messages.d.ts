@@ -487,6 +487,7 @@ export interface Witness {
   point: [number | null, number | null];
   gap: number | null;
   features: Array<[number, string]>;
+  handle: number | null;
 }
 
 /** The same words in both languages. */

@@ -1,0 +1,72 @@
+"""No zero that is shown has a sign: neither a number's own, nor one left over from rounding."""
+
+import re
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from python_calamine import CalamineWorkbook
+
+from benchdragon.cli.main import run
+from benchdragon.explain.text import number
+from benchdragon.export.film_scene import clock_text
+from benchdragon.number_format import decimals, decimals_or_dash
+from tests.test_docs import LANGUAGES, blocks, source
+
+SIGNED_ZERO = re.compile(r"(?<![\w.)])[-\N{MINUS SIGN}]0(?:\.0*)?(?![\d.eE])")
+
+
+@given(st.one_of(st.floats(-1e-5, 1e-5), st.floats(allow_nan=False)), st.integers(0, 9))
+def test_a_number_that_reads_as_zero_has_no_sign(value: float, count: int) -> None:
+    for text in (decimals(value, count), decimals_or_dash(value, count)):
+        assert not SIGNED_ZERO.fullmatch(text), value
+
+
+def test_explanations_and_films_show_no_signed_zero() -> None:
+    for value in (-0.0, -1e-30, -1e-12):
+        assert number(value) == "0"
+        assert clock_text(value) == "t = 0.0 s"
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        "motion spiral-in --at=-0",  # the head is at (8.8, -3e-14)
+        "motion spiral-in --at=-0 --json --only 1",
+        "motion spiral-in --at 0 --explain",
+        "check spiral-in --set walk.start=-0.0 --set walk.end=5 --set limits.speed=0.5",
+        "solve speed spiral-in --set walk.end=10 --set limits.speed=1",
+    ],
+)
+def test_the_terminal_shows_no_signed_zero(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    run([*command.split(), "--quiet"])
+    printed = capsys.readouterr().out
+    assert "0" in printed
+    assert SIGNED_ZERO.findall(printed) == []
+
+
+def test_files_hold_no_signed_zero(tmp_path: Path) -> None:
+    command = "motion spiral-in --at=-0 --only 0,1 --format xlsx,csv --quiet -o"
+    assert run([*command.split(), str(tmp_path)]) == 0
+    for sheet in CalamineWorkbook.from_path(tmp_path / "motion.xlsx").sheet_names[:2]:
+        rows = CalamineWorkbook.from_path(tmp_path / "motion.xlsx").get_sheet_by_name(sheet).to_python()
+        assert rows[0] == ["", "0 s"]
+        assert all(not SIGNED_ZERO.fullmatch(f"{row[1]:.6f}") for row in rows[1:])
+    assert SIGNED_ZERO.findall((tmp_path / "motion.csv").read_text("utf-8-sig")) == []
+
+
+def test_a_page_shows_no_signed_zero(tmp_path: Path) -> None:
+    assert run(["view", "spiral-in", "--start=-0", "--end", "3", "-o", str(tmp_path / "a.html")]) == 0
+    words = re.sub(
+        r"<(script|style).*?</\1>", " ", (tmp_path / "a.html").read_text("utf-8"), flags=re.S
+    )
+    assert SIGNED_ZERO.findall(re.sub(r"<[^>]*>", " ", words)) == []
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("name", ["question-1.md", "question-2.md", "question-4.md"])
+def test_tables_of_positions_in_the_manual_drop_the_sign(name: str, language: str) -> None:
+    tables = [cell for cell in blocks(source(language, name), "{code-cell}") if "12.6f" in cell]
+    assert tables
+    assert all("z12.6f" in cell for cell in tables)
