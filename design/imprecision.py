@@ -10,7 +10,11 @@ Run: python design/imprecision.py
    for each bench, as for exact dances, would cost benches times cells; all pairs of a step cost less.
    Steps of an eighth of the shortest link are best: longer ones leave bounds too loose for the tail.
 3. The pitch needed is sought with evaluations here and there, which is cheap, and the search that
-   misses nothing is asked once or twice, at the end. Without deviations it gives what `solve pitch` gives.
+   misses nothing is asked once or twice, at the end. Without deviations it gives what `solve pitch`
+   gives.
+4. On an inward spiral a bound in closed form (solve/dance_bound.py) leaves little to be searched near
+   the pitch needed: a few benches near the centre where sizes vary, a third of the dance where all of
+   its handles are off the route.
 """
 
 import time
@@ -86,7 +90,23 @@ def pitches() -> None:
             print(f"   {needed:.6f} {time.thread_time() - began:.2f}")
 
 
+def left() -> None:
+    """How much of dances must be searched: head's way times benches, as a share of all."""
+    print("4. share of each dance that is left to be searched, for five dances, by pitch")
+    for name, case in CASES.items():
+        for pitch in (0.46, 0.48, 0.5, 0.55):
+            plan = read_plan("spiral-in", ["disc.radius=4.5", f"route.pitch={pitch}"])
+            shares = []
+            for n in range(DRAWS):
+                dance = random_dance(plan, Draw(case.deviations, 1, n))
+                parts = dance.open(1e-6) if dance.open else ()
+                work = sum((part.end - part.start) * part.count for part in parts)
+                shares.append(work / ((dance.end - dance.start) * len(dance.dragon)))
+            print(f"   {name:8} {pitch:4g} m: " + " ".join(f"{share:.3f}" for share in shares))
+
+
 if __name__ == "__main__":
     losses()
     steps()
     pitches()
+    left()
