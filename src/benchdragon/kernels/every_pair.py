@@ -61,10 +61,9 @@ def near_in_step(
                 if box_gap(boxes, j, i) > wanted + spent:
                     continue
                 if sweeps[i, POINT_ACCELERATION] + sweeps[j, POINT_ACCELERATION] < math.inf:
-                    n, m = count + j, count + i
-                    if face_bound(boxes, j, i, n, m, sweeps, j, i, h) > wanted:
+                    if face_bound(boxes, sweeps, count, j, i, h) > wanted:
                         continue
-                    if face_bound(boxes, i, j, m, n, sweeps, i, j, h) > wanted:
+                    if face_bound(boxes, sweeps, count, i, j, h) > wanted:
                         continue
                 if found < first.shape[0]:
                     first[found], second[found] = j, i

@@ -194,9 +194,7 @@ def keep_near(
     for n in range(search.kept[top]):
         p = search.alive[top, n]
         i, j = first[p], second[p]
-        bound = apart_bound(
-            search.boxes, i, j, top * count + i, top * count + j, search.sweeps, i, j, h, wanted
-        )
+        bound = apart_bound(search.boxes, search.sweeps, top * count, i, j, h, wanted)
         if not bound > wanted:
             search.alive[top, kept] = p
             kept += 1
@@ -262,9 +260,7 @@ def judge_end(
         ceiling = math.inf
         if not held and max(a, b) < margin + 2.0 * slack:
             h = search.handles[0, PATH]
-            ceiling = gap_ceiling(
-                search.boxes, i, j, top * count + i, top * count + j, search.sweeps, i, j, h
-            )
+            ceiling = gap_ceiling(search.boxes, search.sweeps, top * count, i, j, h)
             held = ceiling < min(margin - slack, 0.0)
         if a < nearest:
             nearest, note[PAIR] = a, p

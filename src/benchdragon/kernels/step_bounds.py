@@ -348,20 +348,17 @@ def separation(boxes: FloatArray, i: int, j: int, nx: float, ny: float) -> float
 
 
 @kernel
-def face_loss(
-    boxes: FloatArray, ia: int, ja: int, sweeps: FloatArray, i: int, j: int, h: float
-) -> float:
+def face_loss(boxes: FloatArray, sweeps: FloatArray, i: int, j: int, h: float) -> float:
     """What the height of a corner of bench i over a face of bench j may leave the straight line by, m.
 
-    Bench i has row ia of `boxes` at the start of the step and row i of `sweeps`. The height of a corner
-    P over a face with normal N and foot Y is (P - Y) . N, with second derivative at most
-    pull + 2 pace turn + |P - Y| (twist + turn^2).
+    The height of a corner P over a face with normal N and foot Y is (P - Y) . N, with second derivative
+    at most pull + 2 pace turn + |P - Y| (twist + turn^2).
     """
-    along, across = offset(boxes, ja, boxes[ia, CX], boxes[ia, CY])
-    ahead = max(abs(along) - boxes[ja, HALF_LENGTH], 0.0)
-    aside = max(abs(across) - boxes[ja, HALF_WIDTH], 0.0)
+    along, across = offset(boxes, j, boxes[i, CX], boxes[i, CY])
+    ahead = max(abs(along) - boxes[j, HALF_LENGTH], 0.0)
+    aside = max(abs(across) - boxes[j, HALF_WIDTH], 0.0)
     pace = sweeps[i, POINT_SPEED] + sweeps[j, POINT_SPEED]
-    far = math.hypot(ahead, aside) + math.hypot(boxes[ia, HALF_LENGTH], boxes[ia, HALF_WIDTH])
+    far = math.hypot(ahead, aside) + math.hypot(boxes[i, HALF_LENGTH], boxes[i, HALF_WIDTH])
     turn = sweeps[j, TURN]
     second = sweeps[i, POINT_ACCELERATION] + sweeps[j, POINT_ACCELERATION] + 2.0 * pace * turn
     second += (far + pace * h) * (sweeps[j, ANGULAR_ACCELERATION] + turn * turn)
@@ -369,41 +366,19 @@ def face_loss(
 
 
 @kernel
-def face_bound(
-    boxes: FloatArray,
-    ia: int,
-    ja: int,
-    ib: int,
-    jb: int,
-    sweeps: FloatArray,
-    i: int,
-    j: int,
-    h: float,
-) -> float:
-    """Least separation that a face of bench j keeps from bench i over a step, m.
-
-    Benches have rows ia, ja of `boxes` at the start, ib, jb at the end, and i, j of `sweeps`.
-    """
-    ax, ay, bx, by = boxes[ja, UX], boxes[ja, UY], boxes[jb, UX], boxes[jb, UY]
-    front = min(separation(boxes, ja, ia, ax, ay), separation(boxes, jb, ib, bx, by))
-    rear = min(separation(boxes, ja, ia, -ax, -ay), separation(boxes, jb, ib, -bx, -by))
-    left = min(separation(boxes, ja, ia, -ay, ax), separation(boxes, jb, ib, -by, bx))
-    right = min(separation(boxes, ja, ia, ay, -ax), separation(boxes, jb, ib, by, -bx))
-    return max(front, rear, left, right) - face_loss(boxes, ia, ja, sweeps, i, j, h)
+def face_bound(boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int, h: float) -> float:
+    """Least separation that a face of bench j keeps from bench i over a step, m."""
+    ib, jb = end + i, end + j
+    ax, ay, bx, by = boxes[j, UX], boxes[j, UY], boxes[jb, UX], boxes[jb, UY]
+    front = min(separation(boxes, j, i, ax, ay), separation(boxes, jb, ib, bx, by))
+    rear = min(separation(boxes, j, i, -ax, -ay), separation(boxes, jb, ib, -bx, -by))
+    left = min(separation(boxes, j, i, -ay, ax), separation(boxes, jb, ib, -by, bx))
+    right = min(separation(boxes, j, i, ay, -ax), separation(boxes, jb, ib, by, -bx))
+    return max(front, rear, left, right) - face_loss(boxes, sweeps, i, j, h)
 
 
 @kernel
-def face_ceiling(
-    boxes: FloatArray,
-    ia: int,
-    ja: int,
-    ib: int,
-    jb: int,
-    sweeps: FloatArray,
-    i: int,
-    j: int,
-    h: float,
-) -> float:
+def face_ceiling(boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int, h: float) -> float:
     """Greatest separation that any face of bench j reaches from bench i over a step, m.
 
     A face is no farther off than any one corner is over it.
@@ -413,7 +388,7 @@ def face_ceiling(
         nearest = math.inf
         for k in range(4):
             height = -math.inf
-            for row, base in ((ia, ja), (ib, jb)):
+            for row, base in ((i, j), (end + i, end + j)):
                 x, y = corner(boxes, row, k)
                 along, across = offset(boxes, base, x, y)
                 out = along if face < 2 else across
@@ -421,41 +396,21 @@ def face_ceiling(
                 height = max(height, (out if face % 2 == 0 else -out) - half)
             nearest = min(nearest, height)
         most = max(most, nearest)
-    return most + face_loss(boxes, ia, ja, sweeps, i, j, h)
+    return most + face_loss(boxes, sweeps, i, j, h)
 
 
 @kernel
-def gap_ceiling(
-    boxes: FloatArray,
-    ia: int,
-    ja: int,
-    ib: int,
-    jb: int,
-    sweeps: FloatArray,
-    i: int,
-    j: int,
-    h: float,
-) -> float:
+def gap_ceiling(boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int, h: float) -> float:
     """At least the signed gap of benches i and j anywhere in a step, m: negative if they overlap."""
-    one = face_ceiling(boxes, ia, ja, ib, jb, sweeps, i, j, h)
-    return max(one, face_ceiling(boxes, ja, ia, jb, ib, sweeps, j, i, h))
+    one = face_ceiling(boxes, sweeps, end, i, j, h)
+    return max(one, face_ceiling(boxes, sweeps, end, j, i, h))
 
 
 @kernel
-def facing_bound(
-    boxes: FloatArray,
-    ia: int,
-    ja: int,
-    ib: int,
-    jb: int,
-    sweeps: FloatArray,
-    i: int,
-    j: int,
-    h: float,
-) -> float:
-    """The same along the fixed direction in which they are nearest at the start, m."""
-    mine, which = nearest_corner(boxes, ia, ja)
-    owner, other = (ia, ja) if mine else (ja, ia)
+def facing_bound(boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int, h: float) -> float:
+    """Least separation of benches i and j along the direction in which they are nearest at first, m."""
+    mine, which = nearest_corner(boxes, i, j)
+    owner, other = (i, j) if mine else (j, i)
     x, y = corner(boxes, owner, which)
     along, across = offset(boxes, other, x, y)
     half, wide = boxes[other, HALF_LENGTH], boxes[other, HALF_WIDTH]
@@ -468,35 +423,26 @@ def facing_bound(
     if mine:  # from i towards j
         nx, ny = -nx, -ny
     loss = 0.125 * (sweeps[i, POINT_ACCELERATION] + sweeps[j, POINT_ACCELERATION]) * h * h
-    return min(separation(boxes, ia, ja, nx, ny), separation(boxes, ib, jb, nx, ny)) - loss
+    return min(separation(boxes, i, j, nx, ny), separation(boxes, end + i, end + j, nx, ny)) - loss
 
 
 @kernel
 def apart_bound(
-    boxes: FloatArray,
-    ia: int,
-    ja: int,
-    ib: int,
-    jb: int,
-    sweeps: FloatArray,
-    i: int,
-    j: int,
-    h: float,
-    wanted: float,
+    boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int, h: float, wanted: float
 ) -> float:
     """At most the distance of benches i and j anywhere in a step, m; only as good as `wanted` needs.
 
     Path lengths add, so that half the distances at both ends less half the travel is one bound; the
     others follow faces and directions to second order.
     """
-    start, end = box_distance(boxes, ia, ja), box_distance(boxes, ib, jb)
-    best = 0.5 * (start + end - sweeps[i, TRAVEL] - sweeps[j, TRAVEL])
+    before, after = box_distance(boxes, i, j), box_distance(boxes, end + i, end + j)
+    best = 0.5 * (before + after - sweeps[i, TRAVEL] - sweeps[j, TRAVEL])
     smooth = math.isfinite(sweeps[i, POINT_ACCELERATION] + sweeps[j, POINT_ACCELERATION])
     if best > wanted or not smooth:
         return best
-    best = max(best, face_bound(boxes, ia, ja, ib, jb, sweeps, i, j, h))
+    best = max(best, face_bound(boxes, sweeps, end, i, j, h))
     if best <= wanted:
-        best = max(best, face_bound(boxes, ja, ia, jb, ib, sweeps, j, i, h))
+        best = max(best, face_bound(boxes, sweeps, end, j, i, h))
     if best <= wanted:
-        best = max(best, facing_bound(boxes, ia, ja, ib, jb, sweeps, i, j, h))
+        best = max(best, facing_bound(boxes, sweeps, end, i, j, h))
     return best
