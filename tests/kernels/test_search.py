@@ -27,7 +27,7 @@ from benchdragon.analysis.distance import boxes, pair_distances
 from benchdragon.analysis.regions import BroadPhase, Ledger, Step
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.kernels import curve as kernel
-from benchdragon.kernels import regions, search, step_bounds
+from benchdragon.kernels import pair_bounds, regions, search, step_bounds
 from benchdragon.kernels.box import (
     BOX_COLUMNS,
     HALF_LENGTH,
@@ -177,9 +177,9 @@ def test_distances_stay_between_their_bounds(name: str) -> None:
                 sampled = min(box_distance(table, i, j) for table in tables)
                 rows = (both, sweeps, count, i, j, handles[0, step_bounds.PATH])
                 for wanted in (-1.0, 0.0, math.inf):
-                    assert step_bounds.apart_bound(*rows, wanted) <= sampled + 1e-12
+                    assert pair_bounds.apart_bound(*rows, wanted) <= sampled + 1e-12
                 highest = max(box_gap(table, i, j) for table in tables)
-                assert step_bounds.gap_ceiling(*rows) >= highest - 1e-12
+                assert pair_bounds.gap_ceiling(*rows) >= highest - 1e-12
 
 
 def test_second_order_bounds_lose_a_hundredth_for_a_tenth_of_the_step() -> None:
@@ -195,7 +195,7 @@ def test_second_order_bounds_lose_a_hundredth_for_a_tenth_of_the_step() -> None:
         for n, i in enumerate((0, 3)):
             step_bounds.bound_bench(handles, i, walk.dragon.sizes, i, sweeps[n])
         both = np.concatenate(tables)
-        losses.append(step_bounds.face_loss(both, sweeps, 0, 1, handles[0, step_bounds.PATH]))
+        losses.append(pair_bounds.face_loss(both, sweeps, 0, 1, handles[0, step_bounds.PATH]))
     assert losses[1] == pytest.approx(0.01 * losses[0], rel=0.5)
 
 
@@ -527,7 +527,7 @@ def test_heights_over_a_face_leave_the_straight_line_by_no_more_than_its_loss(na
     sweeps[0, step_bounds.POINT_SPEED] = math.hypot(*velocity) + h * math.hypot(*acceleration)
     sweeps[0, step_bounds.POINT_ACCELERATION] = math.hypot(*acceleration)
     sweeps[1, step_bounds.TURN], sweeps[1, step_bounds.ANGULAR_ACCELERATION] = turn + twist * h, twist
-    loss = step_bounds.face_loss(table, sweeps, 0, 1, h)
+    loss = pair_bounds.face_loss(table, sweeps, 0, 1, h)
     assert 0.6 * loss < off <= loss
 
 
@@ -541,10 +541,10 @@ def test_a_direction_is_lost_to_second_order_by_both_benches() -> None:
         sweeps = np.zeros((2, step_bounds.BENCH_COLUMNS))
         sweeps[:, step_bounds.POINT_ACCELERATION] = pulls
         nearest = 2.0 - 0.125 * sum(pulls) * h * h
-        bound = step_bounds.facing_bound(table, sweeps, 2, 0, 1, h)
+        bound = pair_bounds.facing_bound(table, sweeps, 2, 0, 1, h)
         assert bound == pytest.approx(nearest, abs=1e-12)
         sweeps[:, step_bounds.TRAVEL] = np.array(pulls) * 0.25 * h * h
-        assert step_bounds.apart_bound(table, sweeps, 2, 0, 1, h, 0.0) <= nearest
+        assert pair_bounds.apart_bound(table, sweeps, 2, 0, 1, h, 0.0) <= nearest
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -699,13 +699,13 @@ def test_faces_that_are_left_and_come_back_lose() -> None:
     sweeps = np.zeros((2, step_bounds.BENCH_COLUMNS))
     sweeps[0, step_bounds.POINT_ACCELERATION] = 8.0
     rows = (table, sweeps, 2, 0, 1, h)
-    assert step_bounds.face_bound(*rows) <= 2.0 - 0.125 * 8.0 * h * h
-    assert step_bounds.face_ceiling(*rows) >= 2.0 + 0.125 * 8.0 * h * h
+    assert pair_bounds.face_bound(*rows) <= 2.0 - 0.125 * 8.0 * h * h
+    assert pair_bounds.face_ceiling(*rows) >= 2.0 + 0.125 * 8.0 * h * h
     for row in (1, 3):  # farther off at the start, or at the end
         table[[1, 3], 0] = 3.0
         table[row, 0] = 4.0
-        assert step_bounds.face_bound(*rows) < 2.0
-        assert step_bounds.face_ceiling(*rows) > 3.0
+        assert pair_bounds.face_bound(*rows) < 2.0
+        assert pair_bounds.face_ceiling(*rows) > 3.0
 
 
 def faced(gap: float, travel: float, pull: float) -> tuple[search.Search, FloatArray]:
@@ -783,7 +783,7 @@ def test_distances_fall_by_no_more_than_half_the_travel() -> None:
     sweeps[:, step_bounds.POINT_ACCELERATION] = math.inf  # as across a kink: there and back, leaping
     for travel in ((0.6, 0.0), (0.0, 0.6), (0.4, 0.2)):
         sweeps[:, step_bounds.TRAVEL] = travel
-        assert step_bounds.apart_bound(table, sweeps, 2, 0, 1, 1.0, 0.0) == pytest.approx(1.7)
+        assert pair_bounds.apart_bound(table, sweeps, 2, 0, 1, 1.0, 0.0) == pytest.approx(1.7)
 
 
 @pytest.mark.parametrize(

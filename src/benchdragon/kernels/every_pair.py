@@ -12,6 +12,7 @@ import numpy as np
 from benchdragon.kernels.box import CX, CY, box_gap
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.pair_bounds import face_bound
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import (
     CLEAR,
@@ -27,7 +28,7 @@ from benchdragon.kernels.search import (
     close_left,
     evaluate_slot,
 )
-from benchdragon.kernels.step_bounds import PATH, POINT_ACCELERATION, TRAVEL, face_bound
+from benchdragon.kernels.step_bounds import PATH, POINT_ACCELERATION, TRAVEL
 
 # How a search ended, besides the ways of kernels/search.py: room for more pairs is needed.
 CROWDED = 7

@@ -2,7 +2,7 @@
 
 Each search opens the leftmost part of a step of the head first, carries along only the pairs of
 benches that could not be shown to keep apart, and halves the part while any are left. What it passes
-over is clear by a bound that holds for the whole of it (kernels/step_bounds.py), never by looking only.
+over is clear by a bound that holds for the whole of it (kernels/pair_bounds.py), never by looking only.
 """
 
 import math
@@ -13,6 +13,7 @@ import numpy as np
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, set_box
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.pair_bounds import apart_bound, gap_ceiling
 from benchdragon.kernels.perturbed import bound_beside, place_beside
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.step_bounds import (
@@ -21,11 +22,9 @@ from benchdragon.kernels.step_bounds import (
     PATH,
     TRAVEL,
     Placements,
-    apart_bound,
     bound_bench,
     bound_handles,
     empty_placements,
-    gap_ceiling,
 )
 
 # What a search is after.
