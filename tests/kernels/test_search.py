@@ -41,6 +41,7 @@ from benchdragon.kernels.box import (
 )
 from benchdragon.kernels.chain import rates
 from benchdragon.kernels.curve import FloatArray, Y
+from benchdragon.kernels.route import IntArray
 from benchdragon.model.placement import Placement
 from benchdragon.progress import silent
 
@@ -335,6 +336,12 @@ def test_a_margin_no_pair_keeps_to_the_digit_is_a_graze() -> None:
         assert found.value == pytest.approx(low.witness.time, abs=1e-3)
 
 
+def search_chain(walk: Walk, members: IntArray) -> search.Chain:
+    """The benches up to the last of the members, on the walk's route."""
+    dragon, links = walk.dragon, walk.dragon.links[: members[-1] + 1]
+    return search.Chain(walk.route.rows, links, np.empty(0), dragon.sizes, members)
+
+
 def test_too_few_looks_leave_a_search_stuck() -> None:
     walk = spiral_walk(0.78)
     contact_search = ContactSearch(walk, 0.0, 15.0, 0.0, silent)
@@ -345,9 +352,8 @@ def test_too_few_looks_leave_a_search_stuck() -> None:
         note = np.zeros(search.NOTES)
         note[search.NEAREST] = note[search.FLOOR] = math.inf
         ending = search.search_step(
-            room, goal, walk.route.rows, walk.dragon.links[: members[-1] + 1], walk.dragon.sizes,
-            members, inverse[: len(step.first)], inverse[len(step.first) :],
-            step.start, step.start + 4.0, 0.0, 1e-13, 1e-13, 2, note,
+            room, goal, search_chain(walk, members), search.Pairs(*np.split(inverse, 2)),
+            step.start, step.start + 4.0, search.Limits(0.0, 1e-13, 1e-13, 2), note,
         )  # fmt: skip
         assert ending == (search.STUCK if goal == search.FIRST_TOUCH else search.GRAZE)
 
@@ -650,14 +656,13 @@ def test_a_search_that_gives_up_says_how_low_it_may_be() -> None:
         for i, j in zip(step.first.tolist(), step.second.tolist(), strict=True)
     )
     members, inverse = np.unique(np.concatenate([step.first, step.second]), return_inverse=True)
-    count = len(step.first)
     for most in (2, 3, 5):
         note = np.zeros(search.NOTES)
         note[search.NEAREST] = note[search.FLOOR] = math.inf
         ending = search.search_step(
-            search.room(17, 16, count, 0), search.LEAST, walk.route.rows,
-            walk.dragon.links[: members[-1] + 1], walk.dragon.sizes, members, inverse[:count],
-            inverse[count:], step.start, step.end, 0.0, 1e-13, 1e-13, most, note,
+            search.room(17, 16, len(step.first), 0), search.LEAST, search_chain(walk, members),
+            search.Pairs(*np.split(inverse, 2)), step.start, step.end,
+            search.Limits(0.0, 1e-13, 1e-13, most), note,
         )  # fmt: skip
         assert ending == search.GRAZE
         assert 0.0 < note[search.FLOOR] <= least
@@ -667,14 +672,15 @@ def test_a_search_that_gives_up_says_how_low_it_may_be() -> None:
 def test_what_was_given_up_first_is_not_forgotten() -> None:
     """Across a kink bounds are loose; behind it they are narrow, and lie higher."""
     route, start = ROUTES["kink"]
-    dragon, one = Dragon(BENCHES), np.array([0])
+    chain = search_chain(Walk(Dragon(BENCHES), route), np.array([0, 2]))
+    pairs = search.Pairs(np.array([0]), np.array([1]))
     floors = []
     for end in (start + 0.05, start + 0.2):
         note = np.zeros(search.NOTES)
         note[search.NEAREST] = note[search.FLOOR] = math.inf
         search.search_step(
-            search.room(4, 2, 1, 0), search.LEAST, route.rows, dragon.links[:3], dragon.sizes,
-            np.array([0, 2]), one, one + 1, start, end, 0.0, 1e-9, 0.06, 100, note,
+            search.room(4, 2, 1, 0), search.LEAST, chain, pairs, start, end,
+            search.Limits(0.0, 1e-9, 0.06, 100), note,
         )  # fmt: skip
         floors.append(note[search.FLOOR])
     assert 0.0 < floors[1] <= floors[0] + 1e-12 < math.inf
@@ -731,13 +737,13 @@ def test_a_contact_lasts_only_if_travel_or_faces_say_so(
     travel: float, pull: float, ending: int
 ) -> None:
     room, note = faced(-0.01, travel, pull)
-    assert search.judge_end(room, 1, 2, np.array([0]), np.array([1]), 0.0, 1e-13, note) == ending
+    pairs, limits = search.Pairs(np.array([0]), np.array([1])), search.Limits(0.0, 1e-13, 1e-13, 2)
+    assert search.judge_end(room, 1, 2, pairs, limits, note) == ending
 
 
 def test_the_least_bound_of_a_part_is_that_of_any_pair() -> None:
     room, _note = faced(2.0, 0.1, math.inf)
     room.boxes[[0, 2], 1] = 1.0
-    pairs = np.array([0, 0]), np.array([1, 1])
     room = room._replace(
         alive=np.array([[0, 0], [0, 1]]), boxes=np.concatenate([room.boxes, room.boxes])
     )
@@ -747,8 +753,8 @@ def test_the_least_bound_of_a_part_is_that_of_any_pair() -> None:
     for second in ([1, 2], [2, 1]):
         room.kept[1] = 2
         room.alive[1] = 0, 1
-        pairs = np.array([0, 0]), np.array(second)
-        assert search.keep_near(room, 1, 3, *pairs, 9.0) == pytest.approx(1.9)
+        pairs = search.Pairs(np.array([0, 0]), np.array(second))
+        assert search.keep_near(room, 1, 3, pairs, 9.0) == pytest.approx(1.9)
         assert room.kept[1] == 2
 
 

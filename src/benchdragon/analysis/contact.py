@@ -189,15 +189,14 @@ class ContactSearch:
             self._room = kernel.room(*self._shape, 0 if self.ledger is None else LOG)
         dragon = self.walk.dragon
         width = max(WIDTH, WIDTH_ROUNDINGS * math.ulp(end))
-        before, most = (
-            note[kernel.EVALUATIONS],
-            MOST_LEAST_EVALUATIONS if tolerance else MOST_EVALUATIONS,
+        before = note[kernel.EVALUATIONS]
+        chain = kernel.Chain(
+            self.walk.route.rows, dragon.links[: handles - 1], np.empty(0), dragon.sizes, members
         )
-        ending = kernel.search_step(
-            self._room, goal, self.walk.route.rows, dragon.links[: handles - 1], dragon.sizes,
-            members, inverse[:count], inverse[count:], start, end,
-            self.margin, tolerance or self.slack, width, most, note,
-        )  # fmt: skip
+        pairs = kernel.Pairs(inverse[:count], inverse[count:])
+        most = MOST_LEAST_EVALUATIONS if tolerance else MOST_EVALUATIONS
+        limits = kernel.Limits(self.margin, tolerance or self.slack, width, most)
+        ending = kernel.search_step(self._room, goal, chain, pairs, start, end, limits, note)
         self.evaluations += int(note[kernel.EVALUATIONS] - before)
         if self.ledger is not None:
             count = int(self._room.logged[0])
