@@ -70,11 +70,7 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
         if files:
             progress(1.0, _("writing"))
             write_files(report, files)
-    lines: list[str] = []
-    if options["explain"]:
-        from benchdragon.explain.contact import check_lines
-
-        lines = check_lines(report)
+    lines = _explained(report) if options["explain"] else []
     if options["as_json"]:
         from benchdragon.analysis.records import verdict_of
 
@@ -91,6 +87,13 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
 
             click.echo("\n" + commented(read.data(), {}), nl=False)
     return 0 if report.safe else UNSAFE if report.decided else UNDECIDED
+
+
+def _explained(report: "Report") -> list[str]:
+    """The lines of --explain."""
+    from benchdragon.explain.contact import check_lines
+
+    return check_lines(report)
 
 
 def print_report(report: "Report", brackets: bool = False) -> None:
