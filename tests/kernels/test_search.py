@@ -22,9 +22,10 @@ from benchdragon import (
     first_contact,
     least_clearance,
 )
-from benchdragon.analysis.contact import ContactSearch
+from benchdragon.analysis.contact_search import ContactSearch
 from benchdragon.analysis.distance import boxes, pair_distances
-from benchdragon.analysis.regions import BroadPhase, Ledger, Step
+from benchdragon.analysis.ledger import Ledger
+from benchdragon.analysis.regions import BroadPhase, Step
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels import pair_bounds, regions, search, step_bounds

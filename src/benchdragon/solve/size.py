@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from benchdragon.analysis.contact import SLACK, ContactSearch
+from benchdragon.analysis.contact_search import SLACK, ContactSearch
 from benchdragon.analysis.proof import (
     assumed,
     prove_contact,
