@@ -116,49 +116,43 @@ def pitch(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     return _solve_size("pitch", plan, settings, quiet, options)
 
 
-@solve.command(
-    help=N_(
+# Questions that differ by the size alone.
+SIZES = {
+    "disc": N_(
         "The smallest radius of the disc with which the walk is safe.\n\nSafe means here: no "
         "contact, and the margin kept. PLAN is a *.dragon.toml file or the name of a built-in "
         "plan: spiral-in, turn. It needs a disc to begin with: --set disc.radius=4.5, for "
         "example. Exit code 4: there is no such radius; 5: undecided."
-    )
-)
-@plan_options
-@size_options
-def disc(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """Answer for the disc."""
-    return _solve_size("disc", plan, settings, quiet, options)
-
-
-@solve.command(
-    help=N_(
+    ),
+    "width": N_(
         "The greatest width of the benches with which the walk is safe.\n\nSafe means here: no "
         "contact, and the margin kept. PLAN is a *.dragon.toml file or the name of a built-in "
         "plan: spiral-in, turn. A spiral needs an end: --set disc.radius=4.5, for example. Exit "
         "code 4: there is no such width; 5: undecided."
-    )
-)
-@plan_options
-@size_options
-def width(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """Answer for the benches' width."""
-    return _solve_size("width", plan, settings, quiet, options)
-
-
-@solve.command(
-    help=N_(
+    ),
+    "length": N_(
         "The greatest length of the benches with which the walk is safe.\n\nSafe means here: no "
         "contact, and the margin kept. The head's length stays. PLAN is a *.dragon.toml file or "
         "the name of a built-in plan: spiral-in, turn. A spiral needs an end: --set "
         "disc.radius=4.5, for example. Exit code 4: there is no such length; 5: undecided."
-    )
-)
-@plan_options
-@size_options
-def length(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """Answer for the benches' length."""
-    return _solve_size("length", plan, settings, quiet, options)
+    ),
+}
+
+
+def size_question(name: str) -> click.Command:
+    """The question of a size, which has no options of its own."""
+
+    @click.command(name, help=SIZES[name])
+    @plan_options
+    @size_options
+    def asked(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
+        return _solve_size(name, plan, settings, quiet, options)
+
+    return asked
+
+
+for size in SIZES:
+    solve.add_command(size_question(size))
 
 
 @solve.command(
