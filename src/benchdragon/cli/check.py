@@ -14,6 +14,7 @@ from benchdragon.cli.options import (
     brackets_option,
     explain_option,
     folder_option,
+    formats_option,
     json_option,
     plan_options,
     prove_option,
@@ -36,14 +37,7 @@ if TYPE_CHECKING:
 @plan_options
 @prove_option
 @folder_option
-@click.option(
-    "--format",
-    "formats",
-    default="xlsx,png",
-    show_default=True,
-    metavar="LIST",
-    help=N_("What to write: xlsx, png, svg, pdf."),
-)
+@formats_option("xlsx,png", N_("What to write: xlsx, png, svg, pdf."))
 @click.option("--show-plan", is_flag=True, help=N_("Print the plan in effect too, as a plan file."))
 @json_option
 @brackets_option

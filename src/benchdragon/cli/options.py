@@ -93,15 +93,24 @@ def force_option(command: Command) -> Command:
     )
 
 
-def folder_option(command: Command) -> Command:
+def folder_option(command: Command, default: Path | None = None) -> Command:
     """--output and --force."""
     return click.option(
         "-o",
         "--output",
         type=FOLDER,
         metavar="DIR",
+        default=default,
+        show_default=default is not None,
         help=N_("Folder for the files."),
     )(force_option(command))
+
+
+def formats_option(default: str, text: str) -> Callable[[Command], Command]:
+    """--format, which says in `text` what there is."""
+    return click.option(
+        "--format", "formats", default=default, show_default=True, metavar="LIST", help=text
+    )
 
 
 def json_option(command: Command) -> Command:
