@@ -10,13 +10,13 @@ from benchdragon.cli.answers import UNDECIDED, UNSAFE, about, print_answer, prin
 from benchdragon.cli.console import print_explanation, print_files, shown_progress
 from benchdragon.cli.options import (
     WITHOUT,
-    announce_compiling,
     brackets_option,
     explain_option,
     folder_option,
     formats_option,
     json_option,
     plan_options,
+    plan_to_walk,
     prove_option,
     refuse_strays,
     shared_options,
@@ -46,13 +46,11 @@ if TYPE_CHECKING:
 def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print a report, as text or JSON, and write tables and pictures of it."""
     from benchdragon.analysis.check import check as checked
-    from benchdragon.plans.schema import read_plan
 
     refuse_strays(
         *((name, options["output"] is not None, WITHOUT, "-o") for name in ("formats", "force"))
     )
-    read = read_plan(plan, settings)
-    announce_compiling(quiet)
+    read = plan_to_walk(plan, settings, quiet)
     folder: Path | None = options["output"]
     files: list[Path] = []
     if folder is not None:

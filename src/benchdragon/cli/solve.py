@@ -15,13 +15,13 @@ from benchdragon.cli.options import (
     FILE,
     WITHOUT,
     Command,
-    announce_compiling,
     brackets_option,
     explain_option,
     force_option,
     json_option,
     lang_option,
     plan_options,
+    plan_to_walk,
     prove_option,
     refuse_strays,
     shared_options,
@@ -246,14 +246,10 @@ def turn(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> i
 
 def _read(plan: str, settings: tuple[str, ...], quiet: bool, option: str, path: Path | None) -> "Plan":
     """The plan of a question that may write another into a file; refuses what cannot be written."""
-    from benchdragon.plans.schema import read_plan
-
     refuse_strays(("force", path is not None, WITHOUT, option))
     if path is not None:
         check_ending(option, path, [".toml"])
-    read = read_plan(plan, settings)
-    announce_compiling(quiet)
-    return read
+    return plan_to_walk(plan, settings, quiet)
 
 
 def _write(plan: "Plan", path: Path) -> None:
@@ -267,15 +263,12 @@ def _solve_size(
     name: str, plan: str, settings: tuple[str, ...], quiet: bool, options: dict[str, Any]
 ) -> int:
     """The limit of a size, or with --range all sizes that will do."""
-    from benchdragon.plans.schema import read_plan
-
     ranged = options["span"] is not None
     refuse_strays(
         *((option, not ranged, BESIDE, "--range") for option in ("prove", "brackets")),
         ("count", ranged, WITHOUT, "--range"),
     )
-    read = read_plan(plan, settings)
-    announce_compiling(quiet)
+    read = plan_to_walk(plan, settings, quiet)
     return (_print_sizes if ranged else _print_limit)(name, read, options, quiet)
 
 
