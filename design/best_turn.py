@@ -14,7 +14,8 @@ from scipy.optimize import Bounds, differential_evolution, dual_annealing
 from benchdragon.model.turns import two_arcs
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.head_speed import greatest_head_speed
-from benchdragon.solve.turn import GENERATIONS, MEMBERS, TurnEvaluator, TurnGoal
+from benchdragon.solve.minima import GENERATIONS, MEMBERS
+from benchdragon.solve.turn import TurnEvaluator, TurnGoal
 
 
 def two_arcs_alone() -> None:

@@ -33,14 +33,12 @@ from benchdragon.plans.schema import read_plan
 def looks_for(walk: Walk, slack: float, smooth: bool) -> int:
     """Chains marched until benches 1 and 9 touch, from 412 m on, by both bounds or by travel."""
     search = kernel.room(10, 2, 1, 0)
-    members, first, second = np.array([0, 8]), np.array([0]), np.array([1])
-    note = np.zeros(kernel.NOTES)
-    rows, links, sizes = walk.route.rows, walk.dragon.links[:9], walk.dragon.sizes
+    dragon, note = walk.dragon, np.zeros(kernel.NOTES)
+    chain = kernel.Chain(walk.route.rows, dragon.links[:9], np.empty(0), dragon.sizes, np.array([0, 8]))
+    pairs = kernel.Pairs(np.array([0]), np.array([1]))
+    limits = kernel.Limits(0.0, slack, slack, 1_000_000)
     if smooth:
-        kernel.search_step(
-            search, kernel.FIRST_TOUCH, rows, links, sizes, members, first, second,
-            412.0, 412.5, 0.0, slack, slack, 1_000_000, note,
-        )  # fmt: skip
+        kernel.search_step(search, kernel.FIRST_TOUCH, chain, pairs, 412.0, 412.5, limits, note)
         return int(note[kernel.EVALUATIONS])
     return travel_only(walk, slack)
 

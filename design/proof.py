@@ -37,8 +37,8 @@ Below: the errors found for the contest's dragon, and the brackets that they all
 """
 
 from benchdragon.analysis.contact import contact_windows
+from benchdragon.analysis.ledger import Ledger
 from benchdragon.analysis.proof import errors, needed_slack, prove_contact
-from benchdragon.analysis.regions import Ledger
 from benchdragon.plans.schema import read_plan
 
 

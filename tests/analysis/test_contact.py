@@ -29,7 +29,8 @@ from benchdragon import (
     least_clearance,
 )
 from benchdragon.analysis import contact
-from benchdragon.analysis.contact import ContactSearch, clearance_above
+from benchdragon.analysis.contact import clearance_above
+from benchdragon.analysis.contact_search import ContactSearch
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.kernels.box import least_distance
 from benchdragon.plans.schema import read_plan

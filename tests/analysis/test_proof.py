@@ -21,9 +21,10 @@ from benchdragon import (
     UnsureError,
     Walk,
 )
-from benchdragon.analysis import contact, proof
+from benchdragon.analysis import contact_search, proof
 from benchdragon.analysis.check import check
 from benchdragon.analysis.contact import Window, contact_windows, first_contact
+from benchdragon.analysis.ledger import Ledger
 from benchdragon.analysis.proof import (
     Checker,
     Errors,
@@ -32,7 +33,6 @@ from benchdragon.analysis.proof import (
     prove_contact,
     prove_nearer,
 )
-from benchdragon.analysis.regions import Ledger
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, set_box
 from benchdragon.kernels.curve import FloatArray
@@ -486,7 +486,7 @@ def test_slack_grows_with_the_largest_coordinate(monkeypatch: pytest.MonkeyPatch
 def test_looks_beyond_the_room_of_the_log_are_no_proof(
     walk: Walk, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(contact, "LOG", 3)
+    monkeypatch.setattr(contact_search, "LOG", 3)
     with pytest.raises(UnsureError, match="too many evaluations"):
         prove_contact(walk, 412.0, 413.0)
 

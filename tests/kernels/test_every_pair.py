@@ -85,16 +85,15 @@ def test_pairs_left_out_keep_farther_apart_all_through_the_step(name: str) -> No
     route, start, end = ROUTES[name]
     dragon, aside = dancers(5, 0.2)
     room = search.room(COUNT + 1, COUNT, 1, 0)
-    members, radius = np.arange(COUNT), 0.5 * np.hypot(dragon.length, dragon.width)
+    chain = search.Chain(route.rows, dragon.links, aside, dragon.sizes, np.arange(COUNT))
+    radius = 0.5 * np.hypot(dragon.length, dragon.width)
     first, second = np.empty(COUNT * COUNT, dtype=np.int64), np.empty(COUNT * COUNT, dtype=np.int64)
     handles, left_out = np.empty((COUNT + 1, step_bounds.HANDLE_COLUMNS)), 0
     for at in np.linspace(start, end - 0.3, 12):
         room.at[0], room.at[1] = at, at + 0.3
         for slot in (0, 1):
-            assert search.evaluate_slot(
-                route.rows, dragon.links, aside, dragon.sizes, members, room, slot, 0
-            )
-        search.bound_members(route.rows, dragon.links, aside, dragon.sizes, members, room, 1)
+            assert search.evaluate_slot(chain, room, slot, 0)
+        search.bound_members(chain, room, 1)
         bound_beside(route.rows, dragon.links, aside, room.places, 0, 1, handles)
         np.testing.assert_array_equal(room.handles[1:], handles[1:])
         places = step_bounds.empty_placements(COUNT + 1, 13)

@@ -22,12 +22,13 @@ from benchdragon import (
     first_contact,
     least_clearance,
 )
-from benchdragon.analysis.contact import ContactSearch
+from benchdragon.analysis.contact_search import ContactSearch
 from benchdragon.analysis.distance import boxes, pair_distances
-from benchdragon.analysis.regions import BroadPhase, Ledger, Step
+from benchdragon.analysis.ledger import Ledger
+from benchdragon.analysis.regions import BroadPhase, Step
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.kernels import curve as kernel
-from benchdragon.kernels import regions, search, step_bounds
+from benchdragon.kernels import pair_bounds, regions, search, step_bounds
 from benchdragon.kernels.box import (
     BOX_COLUMNS,
     HALF_LENGTH,
@@ -41,6 +42,7 @@ from benchdragon.kernels.box import (
 )
 from benchdragon.kernels.chain import rates
 from benchdragon.kernels.curve import FloatArray, Y
+from benchdragon.kernels.route import IntArray
 from benchdragon.model.placement import Placement
 from benchdragon.progress import silent
 
@@ -175,11 +177,11 @@ def test_distances_stay_between_their_bounds(name: str) -> None:
         for i in range(count):
             for j in range(i + 2, count):
                 sampled = min(box_distance(table, i, j) for table in tables)
-                rows = (both, i, j, count + i, count + j, sweeps, i, j, handles[0, step_bounds.PATH])
+                rows = (both, sweeps, count, i, j, handles[0, step_bounds.PATH])
                 for wanted in (-1.0, 0.0, math.inf):
-                    assert step_bounds.apart_bound(*rows, wanted) <= sampled + 1e-12
+                    assert pair_bounds.apart_bound(*rows, wanted) <= sampled + 1e-12
                 highest = max(box_gap(table, i, j) for table in tables)
-                assert step_bounds.gap_ceiling(*rows) >= highest - 1e-12
+                assert pair_bounds.gap_ceiling(*rows) >= highest - 1e-12
 
 
 def test_second_order_bounds_lose_a_hundredth_for_a_tenth_of_the_step() -> None:
@@ -195,7 +197,7 @@ def test_second_order_bounds_lose_a_hundredth_for_a_tenth_of_the_step() -> None:
         for n, i in enumerate((0, 3)):
             step_bounds.bound_bench(handles, i, walk.dragon.sizes, i, sweeps[n])
         both = np.concatenate(tables)
-        losses.append(step_bounds.face_loss(both, 0, 1, sweeps, 0, 1, handles[0, step_bounds.PATH]))
+        losses.append(pair_bounds.face_loss(both, sweeps, 0, 1, handles[0, step_bounds.PATH]))
     assert losses[1] == pytest.approx(0.01 * losses[0], rel=0.5)
 
 
@@ -338,6 +340,12 @@ def test_a_margin_no_pair_keeps_to_the_digit_is_a_graze() -> None:
         assert found.value == pytest.approx(low.witness.time, abs=1e-3)
 
 
+def search_chain(walk: Walk, members: IntArray) -> search.Chain:
+    """The benches up to the last of the members, on the walk's route."""
+    dragon, links = walk.dragon, walk.dragon.links[: members[-1] + 1]
+    return search.Chain(walk.route.rows, links, np.empty(0), dragon.sizes, members)
+
+
 def test_too_few_looks_leave_a_search_stuck() -> None:
     walk = spiral_walk(0.78)
     contact_search = ContactSearch(walk, 0.0, 15.0, 0.0, silent)
@@ -348,9 +356,8 @@ def test_too_few_looks_leave_a_search_stuck() -> None:
         note = np.zeros(search.NOTES)
         note[search.NEAREST] = note[search.FLOOR] = math.inf
         ending = search.search_step(
-            room, goal, walk.route.rows, walk.dragon.links[: members[-1] + 1], walk.dragon.sizes,
-            members, inverse[: len(step.first)], inverse[len(step.first) :],
-            step.start, step.start + 4.0, 0.0, 1e-13, 1e-13, 2, note,
+            room, goal, search_chain(walk, members), search.Pairs(*np.split(inverse, 2)),
+            step.start, step.start + 4.0, search.Limits(0.0, 1e-13, 1e-13, 2), note,
         )  # fmt: skip
         assert ending == (search.STUCK if goal == search.FIRST_TOUCH else search.GRAZE)
 
@@ -530,7 +537,7 @@ def test_heights_over_a_face_leave_the_straight_line_by_no_more_than_its_loss(na
     sweeps[0, step_bounds.POINT_SPEED] = math.hypot(*velocity) + h * math.hypot(*acceleration)
     sweeps[0, step_bounds.POINT_ACCELERATION] = math.hypot(*acceleration)
     sweeps[1, step_bounds.TURN], sweeps[1, step_bounds.ANGULAR_ACCELERATION] = turn + twist * h, twist
-    loss = step_bounds.face_loss(table, 0, 1, sweeps, 0, 1, h)
+    loss = pair_bounds.face_loss(table, sweeps, 0, 1, h)
     assert 0.6 * loss < off <= loss
 
 
@@ -544,10 +551,10 @@ def test_a_direction_is_lost_to_second_order_by_both_benches() -> None:
         sweeps = np.zeros((2, step_bounds.BENCH_COLUMNS))
         sweeps[:, step_bounds.POINT_ACCELERATION] = pulls
         nearest = 2.0 - 0.125 * sum(pulls) * h * h
-        bound = step_bounds.facing_bound(table, 0, 1, 2, 3, sweeps, 0, 1, h)
+        bound = pair_bounds.facing_bound(table, sweeps, 2, 0, 1, h)
         assert bound == pytest.approx(nearest, abs=1e-12)
         sweeps[:, step_bounds.TRAVEL] = np.array(pulls) * 0.25 * h * h
-        assert step_bounds.apart_bound(table, 0, 1, 2, 3, sweeps, 0, 1, h, 0.0) <= nearest
+        assert pair_bounds.apart_bound(table, sweeps, 2, 0, 1, h, 0.0) <= nearest
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -654,14 +661,13 @@ def test_a_search_that_gives_up_says_how_low_it_may_be() -> None:
         for i, j in zip(step.first.tolist(), step.second.tolist(), strict=True)
     )
     members, inverse = np.unique(np.concatenate([step.first, step.second]), return_inverse=True)
-    count = len(step.first)
     for most in (2, 3, 5):
         note = np.zeros(search.NOTES)
         note[search.NEAREST] = note[search.FLOOR] = math.inf
         ending = search.search_step(
-            search.room(17, 16, count, 0), search.LEAST, walk.route.rows,
-            walk.dragon.links[: members[-1] + 1], walk.dragon.sizes, members, inverse[:count],
-            inverse[count:], step.start, step.end, 0.0, 1e-13, 1e-13, most, note,
+            search.room(17, 16, len(step.first), 0), search.LEAST, search_chain(walk, members),
+            search.Pairs(*np.split(inverse, 2)), step.start, step.end,
+            search.Limits(0.0, 1e-13, 1e-13, most), note,
         )  # fmt: skip
         assert ending == search.GRAZE
         assert 0.0 < note[search.FLOOR] <= least
@@ -671,14 +677,15 @@ def test_a_search_that_gives_up_says_how_low_it_may_be() -> None:
 def test_what_was_given_up_first_is_not_forgotten() -> None:
     """Across a kink bounds are loose; behind it they are narrow, and lie higher."""
     route, start = ROUTES["kink"]
-    dragon, one = Dragon(BENCHES), np.array([0])
+    chain = search_chain(Walk(Dragon(BENCHES), route), np.array([0, 2]))
+    pairs = search.Pairs(np.array([0]), np.array([1]))
     floors = []
     for end in (start + 0.05, start + 0.2):
         note = np.zeros(search.NOTES)
         note[search.NEAREST] = note[search.FLOOR] = math.inf
         search.search_step(
-            search.room(4, 2, 1, 0), search.LEAST, route.rows, dragon.links[:3], dragon.sizes,
-            np.array([0, 2]), one, one + 1, start, end, 0.0, 1e-9, 0.06, 100, note,
+            search.room(4, 2, 1, 0), search.LEAST, chain, pairs, start, end,
+            search.Limits(0.0, 1e-9, 0.06, 100), note,
         )  # fmt: skip
         floors.append(note[search.FLOOR])
     assert 0.0 < floors[1] <= floors[0] + 1e-12 < math.inf
@@ -702,14 +709,14 @@ def test_faces_that_are_left_and_come_back_lose() -> None:
     table[[1, 3], 0] = 3.0
     sweeps = np.zeros((2, step_bounds.BENCH_COLUMNS))
     sweeps[0, step_bounds.POINT_ACCELERATION] = 8.0
-    rows = (table, 0, 1, 2, 3, sweeps, 0, 1, h)
-    assert step_bounds.face_bound(*rows) <= 2.0 - 0.125 * 8.0 * h * h
-    assert step_bounds.face_ceiling(*rows) >= 2.0 + 0.125 * 8.0 * h * h
+    rows = (table, sweeps, 2, 0, 1, h)
+    assert pair_bounds.face_bound(*rows) <= 2.0 - 0.125 * 8.0 * h * h
+    assert pair_bounds.face_ceiling(*rows) >= 2.0 + 0.125 * 8.0 * h * h
     for row in (1, 3):  # farther off at the start, or at the end
         table[[1, 3], 0] = 3.0
         table[row, 0] = 4.0
-        assert step_bounds.face_bound(*rows) < 2.0
-        assert step_bounds.face_ceiling(*rows) > 3.0
+        assert pair_bounds.face_bound(*rows) < 2.0
+        assert pair_bounds.face_ceiling(*rows) > 3.0
 
 
 def faced(gap: float, travel: float, pull: float) -> tuple[search.Search, FloatArray]:
@@ -735,13 +742,13 @@ def test_a_contact_lasts_only_if_travel_or_faces_say_so(
     travel: float, pull: float, ending: int
 ) -> None:
     room, note = faced(-0.01, travel, pull)
-    assert search.judge_end(room, 1, 2, np.array([0]), np.array([1]), 0.0, 1e-13, note) == ending
+    pairs, limits = search.Pairs(np.array([0]), np.array([1])), search.Limits(0.0, 1e-13, 1e-13, 2)
+    assert search.judge_end(room, 1, 2, pairs, limits, note) == ending
 
 
 def test_the_least_bound_of_a_part_is_that_of_any_pair() -> None:
     room, _note = faced(2.0, 0.1, math.inf)
     room.boxes[[0, 2], 1] = 1.0
-    pairs = np.array([0, 0]), np.array([1, 1])
     room = room._replace(
         alive=np.array([[0, 0], [0, 1]]), boxes=np.concatenate([room.boxes, room.boxes])
     )
@@ -751,8 +758,8 @@ def test_the_least_bound_of_a_part_is_that_of_any_pair() -> None:
     for second in ([1, 2], [2, 1]):
         room.kept[1] = 2
         room.alive[1] = 0, 1
-        pairs = np.array([0, 0]), np.array(second)
-        assert search.keep_near(room, 1, 3, *pairs, 9.0) == pytest.approx(1.9)
+        pairs = search.Pairs(np.array([0, 0]), np.array(second))
+        assert search.keep_near(room, 1, 3, pairs, 9.0) == pytest.approx(1.9)
         assert room.kept[1] == 2
 
 
@@ -787,7 +794,7 @@ def test_distances_fall_by_no_more_than_half_the_travel() -> None:
     sweeps[:, step_bounds.POINT_ACCELERATION] = math.inf  # as across a kink: there and back, leaping
     for travel in ((0.6, 0.0), (0.0, 0.6), (0.4, 0.2)):
         sweeps[:, step_bounds.TRAVEL] = travel
-        assert step_bounds.apart_bound(table, 0, 1, 2, 3, sweeps, 0, 1, 1.0, 0.0) == pytest.approx(1.7)
+        assert pair_bounds.apart_bound(table, sweeps, 2, 0, 1, 1.0, 0.0) == pytest.approx(1.7)
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@ from benchdragon.figures.walk import bench_corners
 from benchdragon.model.turns import TwoArcTurn
 from benchdragon.model.walk import Motion
 from benchdragon.plans.schema import Plan, read_plan
-from benchdragon.solve import turn
+from benchdragon.solve import minima, turn
 from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.turn import BestTurn, TurnEvaluator, TurnGoal, pareto_front
 from benchdragon.solve.turn import best_turn as sought
@@ -30,9 +30,9 @@ def plan(*settings: str) -> Plan:
 @pytest.fixture(autouse=True)
 def _short_searches(monkeypatch: pytest.MonkeyPatch) -> None:
     """Searches of a test need not be as long as a user's."""
-    monkeypatch.setattr(turn, "SEEDS", (1,))
-    monkeypatch.setattr(turn, "GENERATIONS", 10)
-    monkeypatch.setattr(turn, "LOCAL", 80)
+    monkeypatch.setattr(minima, "SEEDS", (1,))
+    monkeypatch.setattr(minima, "GENERATIONS", 10)
+    monkeypatch.setattr(minima, "LOCAL", 80)
 
 
 def sampled(best: BestTurn) -> tuple[float, float]:

@@ -15,9 +15,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from benchdragon.analysis.contact import SLACK, contact_windows
+from benchdragon.analysis.contact import contact_windows
+from benchdragon.analysis.contact_search import SLACK
 from benchdragon.analysis.distance import pair_distances
-from benchdragon.analysis.regions import Ledger
+from benchdragon.analysis.ledger import Ledger
 from benchdragon.analysis.spiral_bound import SPARE
 from benchdragon.errors import InputError, MissingExtraError, UnsureError, of_kind
 from benchdragon.i18n import _

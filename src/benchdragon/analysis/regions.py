@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from benchdragon.analysis.ledger import Ledger
 from benchdragon.analysis.spiral_bound import Shape, clear_spans
 from benchdragon.errors import InputError, UnsureError
 from benchdragon.i18n import _
@@ -20,8 +21,6 @@ from benchdragon.kernels.box import BOX_COLUMNS, CX, CY, HALF_LENGTH, HALF_WIDTH
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.regions import EDGE
 from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.search import LOGGED
-from benchdragon.kernels.status import Status
 from benchdragon.kernels.step_bounds import empty_placements, place_chain
 from benchdragon.model.curves import Route
 from benchdragon.model.dragon import Dragon
@@ -58,38 +57,6 @@ class Step:
     end: float
     first: IntArray
     second: IntArray
-
-
-class Ledger:
-    """All chains that an answer rests on, as computed, for a proof to look over (see `proof`).
-
-    Attributes:
-        evaluations: (head positions, row, u, x, y) of chains of the search, the last four (T, handles).
-        grid: the same of whole dragons, whose places need to be known to EDGE only.
-        cells: (link, (front positions, row, u, x, y)) of single benches at the borders of cells,
-            needed to EDGE likewise.
-    """
-
-    def __init__(self) -> None:
-        self.evaluations: list[tuple[FloatArray, ...]] = []
-        self.grid: list[tuple[FloatArray, ...]] = []
-        self.cells: list[tuple[float, tuple[FloatArray, ...]]] = []
-
-    def add_grid(self, placed: Placement) -> None:
-        """Take down whole dragons, which need to be known to EDGE only."""
-        chains = (table.T.astype(np.float64) for table in placed.tables)
-        self.grid.append((placed.head_s, *chains))
-
-    def add_log(self, log: FloatArray, handles: int) -> None:
-        """Take down chains from the log of a search."""
-        table = log[:, 1:].reshape(len(log), -1, LOGGED)[:, :handles]
-        self.evaluations.append((log[:, 0].copy(), *(table[:, :, n].copy() for n in range(LOGGED))))
-
-    def add_placement(self, placed: Placement) -> None:
-        """Take down the first chain of a placement that distances were taken from."""
-        row, u = placed.state(0)
-        chain = (row.astype(np.float64), u, placed.x[0], placed.y[0])
-        self.evaluations.append((placed.head_s[:1], *(table[np.newaxis] for table in chain)))
 
 
 class BroadPhase:
@@ -355,10 +322,7 @@ class BroadPhase:
         links.flags.writeable = False  # one kind of array, so that kernels are compiled once
         place_chain(self.route.rows, links, at, 0, len(at), places)
         if self.ledger is not None:
-            stood = places.failed[0] == Status.OK
-            tables = (places.row, places.u, places.x, places.y)
-            chains = (at[stood], *(table[:, stood].T.astype(np.float64) for table in tables))
-            self.ledger.cells.append((float(links[0]), chains))
+            self.ledger.add_cells(float(links[0]), at, places)
         sound = np.empty(len(slots))
         rows = np.arange(len(slots)) if targets is None else targets
         kernel.sweep_cells(self.route.rows, links, bench, 0, places, slots, rows, hulls, sound)

@@ -137,18 +137,10 @@ def greatest(
     stretches = walk.profile.stretches(start, end).moved(walk.start)
     peak = _Search(walk, quantity, tolerance, limit).over(stretches, progress)
     witness = replace(witness_of(walk, quantity, peak), time=peak.time)
-    seconds = clock.perf_counter() - began
     return Answer(
-        peak.value,
-        peak.value,
-        peak.upper,
-        quantity.unit,
-        "found",
-        witness,
-        (),
-        peak.evaluations,
-        seconds,
-    )
+        peak.value, peak.value, peak.upper, quantity.unit, "found", witness, (), peak.evaluations,
+        clock.perf_counter() - began,
+    )  # fmt: skip
 
 
 def greatest_of(

@@ -11,10 +11,10 @@ from benchdragon.cli.options import (
     BESIDE,
     FILE,
     WITHOUT,
-    announce_compiling,
     force_option,
     json_option,
     plan_options,
+    plan_to_walk,
     refuse_strays,
     shared_options,
     span_options,
@@ -106,10 +106,7 @@ def animate(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -
     check_ending("-o", path, [f".{name}" for name in FILM_FORMATS + PICTURE_FORMATS])
     picture = kind in PICTURE_FORMATS
     _refuse_strays(options, picture)
-    from benchdragon.plans.schema import read_plan
-
-    read = read_plan(plan, settings)
-    announce_compiling(quiet)
+    read = plan_to_walk(plan, settings, quiet)
     files, about = (_write_pictures if picture else _write_film)(read, path, options, quiet)
     if options["as_json"]:
         about |= {"plan_sha256": read.sha256, "version": __version__}

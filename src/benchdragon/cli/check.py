@@ -10,12 +10,13 @@ from benchdragon.cli.answers import UNDECIDED, UNSAFE, about, print_answer, prin
 from benchdragon.cli.console import print_explanation, print_files, shown_progress
 from benchdragon.cli.options import (
     WITHOUT,
-    announce_compiling,
     brackets_option,
     explain_option,
     folder_option,
+    formats_option,
     json_option,
     plan_options,
+    plan_to_walk,
     prove_option,
     refuse_strays,
     shared_options,
@@ -36,14 +37,7 @@ if TYPE_CHECKING:
 @plan_options
 @prove_option
 @folder_option
-@click.option(
-    "--format",
-    "formats",
-    default="xlsx,png",
-    show_default=True,
-    metavar="LIST",
-    help=N_("What to write: xlsx, png, svg, pdf."),
-)
+@formats_option("xlsx,png", N_("What to write: xlsx, png, svg, pdf."))
 @click.option("--show-plan", is_flag=True, help=N_("Print the plan in effect too, as a plan file."))
 @json_option
 @brackets_option
@@ -52,13 +46,11 @@ if TYPE_CHECKING:
 def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print a report, as text or JSON, and write tables and pictures of it."""
     from benchdragon.analysis.check import check as checked
-    from benchdragon.plans.schema import read_plan
 
     refuse_strays(
         *((name, options["output"] is not None, WITHOUT, "-o") for name in ("formats", "force"))
     )
-    read = read_plan(plan, settings)
-    announce_compiling(quiet)
+    read = plan_to_walk(plan, settings, quiet)
     folder: Path | None = options["output"]
     files: list[Path] = []
     if folder is not None:
@@ -70,11 +62,7 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
         if files:
             progress(1.0, _("writing"))
             write_files(report, files)
-    lines: list[str] = []
-    if options["explain"]:
-        from benchdragon.explain.contact import check_lines
-
-        lines = check_lines(report)
+    lines = _explained(report) if options["explain"] else []
     if options["as_json"]:
         from benchdragon.analysis.records import verdict_of
 
@@ -91,6 +79,13 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
 
             click.echo("\n" + commented(read.data(), {}), nl=False)
     return 0 if report.safe else UNSAFE if report.decided else UNDECIDED
+
+
+def _explained(report: "Report") -> list[str]:
+    """The lines of --explain."""
+    from benchdragon.explain.contact import check_lines
+
+    return check_lines(report)
 
 
 def print_report(report: "Report", brackets: bool = False) -> None:

@@ -10,6 +10,7 @@ import sys
 import warnings
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -27,11 +28,11 @@ from benchdragon.cli.console import (
 )
 from benchdragon.cli.help import HelpfulGroup, translated
 from benchdragon.cli.options import (
-    FOLDER,
     WITHOUT,
     announce_compiling,
     explain_option,
-    force_option,
+    folder_option,
+    formats_option,
     json_option,
     lang_option,
     plan_options,
@@ -98,16 +99,7 @@ def program() -> None:
         "pictures, an error analysis, and the tolerance that imprecise people need."
     )
 )
-@click.option(
-    "-o",
-    "--output",
-    type=FOLDER,
-    metavar="DIR",
-    default=Path("out"),
-    show_default=True,
-    help=N_("Folder for the files."),
-)
-@force_option
+@partial(folder_option, default=Path("out"))
 @click.option(
     "--docs",
     metavar="PLACE",
@@ -160,22 +152,8 @@ def reproduce(
     metavar="HANDLES",
     help=N_("Handles to give, for example 1,51,101; handle 0 is the head's front."),
 )
-@click.option(
-    "-o",
-    "--output",
-    type=FOLDER,
-    metavar="DIR",
-    help=N_("Folder for the files."),
-)
-@click.option(
-    "--format",
-    "formats",
-    default="xlsx,csv,png",
-    show_default=True,
-    metavar="LIST",
-    help=N_("What to write: xlsx, csv, npz, parquet, nc, png, svg, pdf."),
-)
-@force_option
+@folder_option
+@formats_option("xlsx,csv,png", N_("What to write: xlsx, csv, npz, parquet, nc, png, svg, pdf."))
 @json_option
 @click.option(
     "--leader",

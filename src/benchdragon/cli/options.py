@@ -2,13 +2,16 @@
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 from click.core import ParameterSource
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import LANGUAGES, N_, _
+
+if TYPE_CHECKING:
+    from benchdragon.plans.schema import Plan
 
 Command = Callable[..., int | None]  # groups give nothing
 
@@ -93,15 +96,24 @@ def force_option(command: Command) -> Command:
     )
 
 
-def folder_option(command: Command) -> Command:
+def folder_option(command: Command, default: Path | None = None) -> Command:
     """--output and --force."""
     return click.option(
         "-o",
         "--output",
         type=FOLDER,
         metavar="DIR",
+        default=default,
+        show_default=default is not None,
         help=N_("Folder for the files."),
     )(force_option(command))
+
+
+def formats_option(default: str, text: str) -> Callable[[Command], Command]:
+    """--format, which says in `text` what there is."""
+    return click.option(
+        "--format", "formats", default=default, show_default=True, metavar="LIST", help=text
+    )
 
 
 def json_option(command: Command) -> Command:
@@ -183,3 +195,12 @@ def announce_compiling(quiet: bool) -> None:
             click.echo(text, err=True)
 
     watch_compiling(say, SLOW_COMPILE)
+
+
+def plan_to_walk(plan: str, settings: tuple[str, ...], quiet: bool) -> "Plan":
+    """The plan that PLAN and --set say, for a verb that will walk it."""
+    from benchdragon.plans.schema import read_plan
+
+    read = read_plan(plan, settings)
+    announce_compiling(quiet)
+    return read

@@ -15,13 +15,13 @@ from benchdragon.cli.options import (
     FILE,
     WITHOUT,
     Command,
-    announce_compiling,
     brackets_option,
     explain_option,
     force_option,
     json_option,
     lang_option,
     plan_options,
+    plan_to_walk,
     prove_option,
     refuse_strays,
     shared_options,
@@ -116,49 +116,43 @@ def pitch(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     return _solve_size("pitch", plan, settings, quiet, options)
 
 
-@solve.command(
-    help=N_(
+# Questions that differ by the size alone.
+SIZES = {
+    "disc": N_(
         "The smallest radius of the disc with which the walk is safe.\n\nSafe means here: no "
         "contact, and the margin kept. PLAN is a *.dragon.toml file or the name of a built-in "
         "plan: spiral-in, turn. It needs a disc to begin with: --set disc.radius=4.5, for "
         "example. Exit code 4: there is no such radius; 5: undecided."
-    )
-)
-@plan_options
-@size_options
-def disc(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """Answer for the disc."""
-    return _solve_size("disc", plan, settings, quiet, options)
-
-
-@solve.command(
-    help=N_(
+    ),
+    "width": N_(
         "The greatest width of the benches with which the walk is safe.\n\nSafe means here: no "
         "contact, and the margin kept. PLAN is a *.dragon.toml file or the name of a built-in "
         "plan: spiral-in, turn. A spiral needs an end: --set disc.radius=4.5, for example. Exit "
         "code 4: there is no such width; 5: undecided."
-    )
-)
-@plan_options
-@size_options
-def width(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """Answer for the benches' width."""
-    return _solve_size("width", plan, settings, quiet, options)
-
-
-@solve.command(
-    help=N_(
+    ),
+    "length": N_(
         "The greatest length of the benches with which the walk is safe.\n\nSafe means here: no "
         "contact, and the margin kept. The head's length stays. PLAN is a *.dragon.toml file or "
         "the name of a built-in plan: spiral-in, turn. A spiral needs an end: --set "
         "disc.radius=4.5, for example. Exit code 4: there is no such length; 5: undecided."
-    )
-)
-@plan_options
-@size_options
-def length(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
-    """Answer for the benches' length."""
-    return _solve_size("length", plan, settings, quiet, options)
+    ),
+}
+
+
+def size_question(name: str) -> click.Command:
+    """The question of a size, which has no options of its own."""
+
+    @click.command(name, help=SIZES[name])
+    @plan_options
+    @size_options
+    def asked(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
+        return _solve_size(name, plan, settings, quiet, options)
+
+    return asked
+
+
+for size in SIZES:
+    solve.add_command(size_question(size))
 
 
 @solve.command(
@@ -252,14 +246,10 @@ def turn(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> i
 
 def _read(plan: str, settings: tuple[str, ...], quiet: bool, option: str, path: Path | None) -> "Plan":
     """The plan of a question that may write another into a file; refuses what cannot be written."""
-    from benchdragon.plans.schema import read_plan
-
     refuse_strays(("force", path is not None, WITHOUT, option))
     if path is not None:
         check_ending(option, path, [".toml"])
-    read = read_plan(plan, settings)
-    announce_compiling(quiet)
-    return read
+    return plan_to_walk(plan, settings, quiet)
 
 
 def _write(plan: "Plan", path: Path) -> None:
@@ -273,15 +263,12 @@ def _solve_size(
     name: str, plan: str, settings: tuple[str, ...], quiet: bool, options: dict[str, Any]
 ) -> int:
     """The limit of a size, or with --range all sizes that will do."""
-    from benchdragon.plans.schema import read_plan
-
     ranged = options["span"] is not None
     refuse_strays(
         *((option, not ranged, BESIDE, "--range") for option in ("prove", "brackets")),
         ("count", ranged, WITHOUT, "--range"),
     )
-    read = read_plan(plan, settings)
-    announce_compiling(quiet)
+    read = plan_to_walk(plan, settings, quiet)
     return (_print_sizes if ranged else _print_limit)(name, read, options, quiet)
 
 

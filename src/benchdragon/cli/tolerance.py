@@ -12,11 +12,11 @@ from benchdragon.cli.answers import about
 from benchdragon.cli.console import print_explanation, print_files, print_rows, shown_progress
 from benchdragon.cli.options import (
     WITHOUT,
-    announce_compiling,
     explain_option,
     folder_option,
     json_option,
     plan_options,
+    plan_to_walk,
     refuse_strays,
     shared_options,
     workers_option,
@@ -79,11 +79,9 @@ def deviation_options(command: Any) -> Any:
 def margins(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print pitches and chances, as a table or JSON, and draw them."""
     from benchdragon.files import refuse_existing
-    from benchdragon.plans.schema import read_plan
 
     refuse_strays(("force", options["output"] is not None, WITHOUT, "-o"))
-    read = read_plan(plan, settings)
-    announce_compiling(quiet)
+    read = plan_to_walk(plan, settings, quiet)
     folder: Path | None = options["output"]
     files = [] if folder is None else [folder / f"margins.{kind}" for kind in ("png", "svg", "pdf")]
     refuse_existing(files, options["force"])

@@ -19,7 +19,7 @@ from benchdragon.figures.style import write_picture
 from benchdragon.files import whole_file
 from benchdragon.i18n import _, language
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.model.walk import Walk
+from benchdragon.model.walk import Motion, Walk
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, silent
 from benchdragon.version import __version__
@@ -253,6 +253,14 @@ def still_paths(path: Path, times: Sequence[float]) -> list[Path]:
     return [path.with_stem(f"{path.stem}-{t:.6g}s") for t in times]
 
 
+def _instants(plan: Plan, times: FloatArray, look: Look) -> tuple[Motion, Place]:
+    """The dance at each of `times` (s), and what holds all of them."""
+    walk = plan.build()
+    _check_follow(walk, look)
+    motion = walk.motion(times)
+    return motion, Place.of(walk, motion, plan.disc.radius)
+
+
 def write_stills(
     plan: Plan, times: FloatArray, paths: Sequence[Path], look: Look, progress: Progress = silent
 ) -> None:
@@ -266,10 +274,8 @@ def write_stills(
         raise InputError(
             _("at most {most} stills, not {count}").format(most=MOST_STILLS, count=len(times))
         )
-    walk, title = plan.build(), plan.title(language())
-    _check_follow(walk, look)
-    motion = walk.motion(times)
-    place = Place.of(walk, motion, plan.disc.radius)
+    title = plan.title(language())
+    motion, place = _instants(plan, times, look)
     for index, path in enumerate(paths):
         scene = Scene(look, place, title)
         scene.show(motion, index)
@@ -296,10 +302,8 @@ def write_sheet(plan: Plan, times: FloatArray, path: Path, look: Look, columns: 
                 count=len(times), columns=columns, rows=rows
             )
         )
-    walk, title = plan.build(), plan.title(language())
-    _check_follow(walk, look)
-    motion = walk.motion(times)
-    place = Place.of(walk, motion, plan.disc.radius)
+    title = plan.title(language())
+    motion, place = _instants(plan, times, look)
     figure = sheet(look, place, title, motion, columns, rows)
     write_picture(figure, path, title, plan.sha256, as_sized=True)
 

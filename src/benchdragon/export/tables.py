@@ -87,21 +87,8 @@ def write_xlsx(path: Path, what: Selection, progress: Progress) -> None:
     Raises:
         InputError: for more than a spreadsheet can hold.
     """
-    times, handles = what.times, what.handles
-    if len(times) > MOST_TIMES_XLSX or len(handles) > MOST_HANDLES_XLSX:
-        raise InputError(
-            _(
-                "a spreadsheet holds at most {times} times and {handles} handles; choose fewer, "
-                "or another format"
-            ).format(times=MOST_TIMES_XLSX, handles=MOST_HANDLES_XLSX)
-        )
-    if 3 * len(times) * len(handles) > MOST_CELLS_XLSX:
-        raise InputError(
-            _(
-                "a spreadsheet of over {most} cells is refused; choose fewer times or handles, "
-                "or another format"
-            ).format(most=MOST_CELLS_XLSX)
-        )
+    _check_cells(what)
+    handles = what.handles
     names = handle_names(len(what.walk.dragon) + 1)
     texts = _("{handle} x (m)"), _("{handle} y (m)"), _("{handle} (m/s)")
     labels = _Labels(
@@ -282,6 +269,24 @@ WRITERS: dict[str, Writer] = {
     "parquet": write_parquet,
     "nc": write_netcdf,
 }
+
+
+def _check_cells(what: Selection) -> None:
+    times, handles = len(what.times), len(what.handles)
+    if times > MOST_TIMES_XLSX or handles > MOST_HANDLES_XLSX:
+        raise InputError(
+            _(
+                "a spreadsheet holds at most {times} times and {handles} handles; choose fewer, "
+                "or another format"
+            ).format(times=MOST_TIMES_XLSX, handles=MOST_HANDLES_XLSX)
+        )
+    if 3 * times * handles > MOST_CELLS_XLSX:
+        raise InputError(
+            _(
+                "a spreadsheet of over {most} cells is refused; choose fewer times or handles, "
+                "or another format"
+            ).format(most=MOST_CELLS_XLSX)
+        )
 
 
 def _check_memory(what: Selection) -> None:

@@ -109,28 +109,9 @@ def draw_dragon(panel: Axes, motion: Motion, index: int, disc: float | None, fra
     route = route_points(motion.walk.route, tail, end)
     panel.plot(route[:, 0], route[:, 1], color=ROUTE, lw=0.5, zorder=1, label=_("route"))
     if disc is not None:
-        circle = Circle(
-            motion.walk.route.centre,
-            disc,
-            fill=False,
-            ec=DISC,
-            lw=1.2,
-            ls="--",
-            zorder=2,
-            label=_("disc"),
-        )
-        panel.add_patch(circle)
-    corners = bench_corners(motion, index)
-    sound = np.asarray(~np.isnan(corners).any(axis=(1, 2)))
-    body = PolyCollection(
-        list(corners[1:][sound[1:]]), fc=BODY, ec="black", lw=0.25, zorder=3, label=_("benches")
-    )
-    panel.add_collection(body)
-    if sound[0]:
-        head = PolyCollection(
-            [corners[0]], fc=HEAD, ec="black", lw=0.6, hatch="////", zorder=4, label=_("head")
-        )
-        panel.add_collection(head)
+        ring = {"fill": False, "ec": DISC, "lw": 1.2, "ls": "--", "zorder": 2}
+        panel.add_patch(Circle(motion.walk.route.centre, disc, label=_("disc"), **ring))
+    _draw_benches(panel, bench_corners(motion, index))
     panel.set_aspect("equal")
     panel.set_xlabel(_("x (m)"))
     panel.set_ylabel(_("y (m)"))
@@ -145,6 +126,20 @@ def draw_dragon(panel: Axes, motion: Motion, index: int, disc: float | None, fra
         Overview(axes, ground, route, ROUTE, "black").show(motion, index, frame)
         text = _("{length} m across").format(length=f"{ground.width:.3g}")
         axes.text(0.03, 0.94, text, fontsize="x-small", va="top", transform=axes.transAxes)
+
+
+def _draw_benches(panel: Axes, corners: FloatArray) -> None:
+    """Draw the benches that stand, the head hatched."""
+    sound = np.asarray(~np.isnan(corners).any(axis=(1, 2)))
+    body = PolyCollection(
+        list(corners[1:][sound[1:]]), fc=BODY, ec="black", lw=0.25, zorder=3, label=_("benches")
+    )
+    panel.add_collection(body)
+    if sound[0]:
+        head = PolyCollection(
+            [corners[0]], fc=HEAD, ec="black", lw=0.6, hatch="////", zorder=4, label=_("head")
+        )
+        panel.add_collection(head)
 
 
 class Overview:

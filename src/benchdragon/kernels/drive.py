@@ -33,6 +33,7 @@ from benchdragon.kernels.step_bounds import (
     TURN_LOW,
     TURNING_RATE,
     Placements,
+    angle_rates,
     bound_handles,
     curvature_range,
     magnitude,
@@ -157,22 +158,20 @@ def side_rates(table: FloatArray, bend: FloatArray, rates: FloatArray) -> None:
     """Fill rates, (handles, 2), with least and greatest d log(ds_i / dsigma) / dsigma, 1/m.
 
     For any moment of the step in `table` at which every handle's curvature lies within bend[i]; see
-    `bounds.bound_next`.
+    `step_bounds.bound_rates`.
     """
     rates[0, 0], rates[0, 1] = 0.0, 0.0
     for i in range(table.shape[0] - 1):
         if not table[i + 1, SPEED] < math.inf:
             rates[i + 1 :, 0], rates[i + 1 :, 1] = -math.inf, math.inf
             return
-        turn_low, turn_high = table[i + 1, TURN_LOW], table[i + 1, TURN_HIGH]
-        low, high = scaled(table[i, SLOWEST], table[i, SPEED], bend[i, 0], bend[i, 1])
-        front_low, front_high = product(
-            table[i + 1, FRONT_LOW], table[i + 1, FRONT_HIGH], low - turn_high, high - turn_low
-        )
-        low, high = scaled(table[i + 1, SLOWEST], table[i + 1, SPEED], bend[i + 1, 0], bend[i + 1, 1])
-        rear_low, rear_high = product(
-            table[i + 1, REAR_LOW], table[i + 1, REAR_HIGH], low - turn_high, high - turn_low
-        )
+        turn = table[i + 1, TURN_LOW], table[i + 1, TURN_HIGH]
+        slow, fast = table[i, SLOWEST], table[i, SPEED]
+        low, high = angle_rates(slow, fast, bend[i, 0], bend[i, 1], turn)
+        front_low, front_high = product(table[i + 1, FRONT_LOW], table[i + 1, FRONT_HIGH], low, high)
+        slow, fast = table[i + 1, SLOWEST], table[i + 1, SPEED]
+        low, high = angle_rates(slow, fast, bend[i + 1, 0], bend[i + 1, 1], turn)
+        rear_low, rear_high = product(table[i + 1, REAR_LOW], table[i + 1, REAR_HIGH], low, high)
         rates[i + 1, 0] = rates[i, 0] - front_high + rear_low
         rates[i + 1, 1] = rates[i, 1] - front_low + rear_high
 

@@ -12,6 +12,7 @@ import numpy as np
 from benchdragon.kernels.box import CX, CY, box_gap
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.pair_bounds import face_bound
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import (
     CLEAR,
@@ -21,13 +22,16 @@ from benchdragon.kernels.search import (
     NEAREST,
     PAIR,
     UPPER,
+    Chain,
+    Limits,
+    Pairs,
     Search,
     bisect,
     bound_members,
     close_left,
     evaluate_slot,
 )
-from benchdragon.kernels.step_bounds import PATH, POINT_ACCELERATION, TRAVEL, face_bound
+from benchdragon.kernels.step_bounds import PATH, POINT_ACCELERATION, TRAVEL
 
 # How a search ended, besides the ways of kernels/search.py: room for more pairs is needed.
 CROWDED = 7
@@ -61,15 +65,39 @@ def near_in_step(
                 if box_gap(boxes, j, i) > wanted + spent:
                     continue
                 if sweeps[i, POINT_ACCELERATION] + sweeps[j, POINT_ACCELERATION] < math.inf:
-                    n, m = count + j, count + i
-                    if face_bound(boxes, j, i, n, m, sweeps, j, i, h) > wanted:
+                    if face_bound(boxes, sweeps, count, j, i, h) > wanted:
                         continue
-                    if face_bound(boxes, i, j, m, n, sweeps, i, j, h) > wanted:
+                    if face_bound(boxes, sweeps, count, i, j, h) > wanted:
                         continue
                 if found < first.shape[0]:
                     first[found], second[found] = j, i
                 found += 1
     return found
+
+
+@kernel
+def search_near(
+    search: Search, goal: int, chain: Chain, scratch: Pairs, limits: Limits, note: FloatArray
+) -> int:
+    """Search the step from slot 0 to slot 1, both placed, for `goal`: see `search_all_pairs`."""
+    sizes, count = chain.sizes, chain.members.shape[0]
+    radius = 0.5 * np.sqrt(sizes[0] * sizes[0] + sizes[1] * sizes[1])
+    bound_members(chain, search, 1)
+    near = note[NEAREST] - limits.slack if goal == LEAST else limits.margin + limits.slack
+    found = near_in_step(search, radius, np.empty(count), near, scratch.first, scratch.second)
+    if found > scratch.first.shape[0]:
+        return CROWDED
+    if found == 0:
+        close_left(search, 1, chain.links.shape[0] + 1, count)
+        return CLEAR
+    search.alive[1, :found] = np.arange(found)
+    search.kept[1] = found
+    before, note[PAIR] = note[PAIR], -1.0
+    pairs = Pairs(scratch.first[:found], scratch.second[:found])
+    ending = bisect(search, goal, chain, pairs, 1, 2, limits, note)
+    p = int(note[PAIR])
+    note[PAIR] = before if p < 0 else float(pairs.first[p] * count + pairs.second[p])
+    return ending
 
 
 @kernel
@@ -93,36 +121,20 @@ def search_all_pairs(
 
     Handle i walks aside[i] metres to the left of the route. Pair p of benches, from 0, is first[p] and
     second[p], which are scratch; note[PAIR] becomes first bench times their number plus second. The
-    rest is that of `search.search_step`. After CROWDED the search must begin anew with longer scratch.
+    rest is that of `search.Limits` and `search.search_step`. After CROWDED the search must begin anew
+    with longer scratch.
     """
-    count, handles = sizes.shape[1], links.shape[0] + 1
-    members, apart = np.arange(count), np.empty(count)
-    radius = 0.5 * np.sqrt(sizes[0] * sizes[0] + sizes[1] * sizes[1])
+    chain = Chain(rows, links, aside, sizes, np.arange(sizes.shape[1]))
+    limits = Limits(margin, slack, width, most)
     worst = CLEAR
     search.at[0] = at[0]
-    if not evaluate_slot(rows, links, aside, sizes, members, search, 0, 0):
+    if not evaluate_slot(chain, search, 0, 0):
         return stopped(search, 0, note)
     for t in range(at.shape[0] - 1):
         search.at[1] = at[t + 1]
-        if not evaluate_slot(rows, links, aside, sizes, members, search, 1, 0):
+        if not evaluate_slot(chain, search, 1, 0):
             return stopped(search, 1, note)
-        bound_members(rows, links, aside, sizes, members, search, 1)
-        wanted = note[NEAREST] - slack if goal == LEAST else margin + slack
-        found = near_in_step(search, radius, apart, wanted, first, second)
-        if found > first.shape[0]:
-            return CROWDED
-        if found == 0:
-            close_left(search, 1, handles, count)
-            continue
-        search.alive[1, :found] = np.arange(found)
-        search.kept[1] = found
-        before, note[PAIR] = note[PAIR], -1.0
-        ending = bisect(
-            search, goal, rows, links, aside, sizes, members, first[:found], second[:found], 1, 2,
-            margin, slack, width, most, note,
-        )  # fmt: skip
-        p = int(note[PAIR])
-        note[PAIR] = before if p < 0 else float(first[p] * count + second[p])
+        ending = search_near(search, goal, chain, Pairs(first, second), limits, note)
         if ending not in (CLEAR, GRAZE) or (ending == GRAZE and goal != LEAST):
             return ending
         worst = max(worst, ending)

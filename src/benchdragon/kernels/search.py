@@ -2,7 +2,7 @@
 
 Each search opens the leftmost part of a step of the head first, carries along only the pairs of
 benches that could not be shown to keep apart, and halves the part while any are left. What it passes
-over is clear by a bound that holds for the whole of it (kernels/step_bounds.py), never by looking only.
+over is clear by a bound that holds for the whole of it (kernels/pair_bounds.py), never by looking only.
 """
 
 import math
@@ -13,6 +13,7 @@ import numpy as np
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, set_box
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.pair_bounds import apart_bound, gap_ceiling
 from benchdragon.kernels.perturbed import bound_beside, place_beside
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.step_bounds import (
@@ -21,11 +22,9 @@ from benchdragon.kernels.step_bounds import (
     PATH,
     TRAVEL,
     Placements,
-    apart_bound,
     bound_bench,
     bound_handles,
     empty_placements,
-    gap_ceiling,
 )
 
 # What a search is after.
@@ -57,6 +56,40 @@ NOTES = 7
 LOGGED = 4
 # Halvings that may be open at once; 2^-60 of any step is below rounding.
 DEPTH = 60
+
+
+class Chain(NamedTuple):
+    """The benches that are searched, and what they walk on.
+
+    Handle i walks aside[i] metres to the left of the route; all on it if `aside` is empty. Links are
+    those of the benches up to the last member.
+    """
+
+    rows: FloatArray
+    links: FloatArray
+    aside: FloatArray
+    sizes: FloatArray
+    members: IntArray  # benches that are looked at, from 0, ascending
+
+
+class Pairs(NamedTuple):
+    """Pair p is members first[p] and second[p]."""
+
+    first: IntArray
+    second: IntArray
+
+
+class Limits(NamedTuple):
+    """How near is near, and when to stop.
+
+    `slack` is what distances may be off by, m; for LEAST it is how far below the least distance seen
+    the bound may lie. Parts of at most `width` metres are not halved; `most` evaluations are made.
+    """
+
+    margin: float
+    slack: float
+    width: float
+    most: int
 
 
 class Search(NamedTuple):
@@ -115,45 +148,30 @@ def write_log(search: Search, slot: int, handles: int) -> None:
 
 
 @kernel
-def evaluate_slot(
-    rows: FloatArray,
-    links: FloatArray,
-    aside: FloatArray,
-    sizes: FloatArray,
-    members: IntArray,
-    search: Search,
-    slot: int,
-    near: int,
-) -> bool:
+def evaluate_slot(chain: Chain, search: Search, slot: int, near: int) -> bool:
     """Place the chain at a slot, as in `place_beside`, and box its members; whether it can stand."""
+    rows, links, aside = chain.rows, chain.links, chain.aside
     if not place_beside(rows, links, aside, search.at, near, slot, search.places):
         return False
     write_log(search, slot, links.shape[0] + 1)
-    count = members.shape[0]
+    count, places = chain.members.shape[0], search.places
     for m in range(count):
-        set_box(
-            sizes, members[m], search.places.x, search.places.y, slot, search.boxes, slot * count + m
-        )
+        i, row = chain.members[m], slot * count + m
+        set_box(chain.sizes, i, places.x, places.y, slot, search.boxes, row)
     return True
 
 
 @kernel
-def bound_members(
-    rows: FloatArray,
-    links: FloatArray,
-    aside: FloatArray,
-    sizes: FloatArray,
-    members: IntArray,
-    search: Search,
-    top: int,
-) -> None:
+def bound_members(chain: Chain, search: Search, top: int) -> None:
     """Bounds on the benches' motion over the part from slot 0 to slot top."""
+    rows, links, aside = chain.rows, chain.links, chain.aside
     if aside.shape[0] == 0:
         bound_handles(rows, links, search.places, 0, top, search.handles)
     else:
         bound_beside(rows, links, aside, search.places, 0, top, search.handles)
-    for m in range(members.shape[0]):
-        bound_bench(search.handles, members[m], sizes, members[m], search.sweeps[m])
+    for m in range(chain.members.shape[0]):
+        i = chain.members[m]
+        bound_bench(search.handles, i, chain.sizes, i, search.sweeps[m])
 
 
 @kernel
@@ -186,17 +204,13 @@ def end_distance(search: Search, slot: int, members: int, i: int, j: int) -> flo
 
 
 @kernel
-def keep_near(
-    search: Search, top: int, count: int, first: IntArray, second: IntArray, wanted: float
-) -> float:
+def keep_near(search: Search, top: int, count: int, pairs: Pairs, wanted: float) -> float:
     """Leave alive the pairs that may come as near as `wanted` in the part; the least bound of them."""
     h, kept, lowest = search.handles[0, PATH], 0, math.inf
     for n in range(search.kept[top]):
         p = search.alive[top, n]
-        i, j = first[p], second[p]
-        bound = apart_bound(
-            search.boxes, i, j, top * count + i, top * count + j, search.sweeps, i, j, h, wanted
-        )
+        i, j = pairs.first[p], pairs.second[p]
+        bound = apart_bound(search.boxes, search.sweeps, top * count, i, j, h, wanted)
         if not bound > wanted:
             search.alive[top, kept] = p
             kept += 1
@@ -207,25 +221,19 @@ def keep_near(
 
 @kernel
 def judge_touch(
-    search: Search,
-    top: int,
-    count: int,
-    first: IntArray,
-    second: IntArray,
-    margin: float,
-    slack: float,
-    note: FloatArray,
+    search: Search, top: int, count: int, pairs: Pairs, limits: Limits, note: FloatArray
 ) -> int:
     """How the part up to slot `top` stands for FIRST_TOUCH."""
+    margin, slack = limits.margin, limits.slack
     nearest = math.inf
     for n in range(search.kept[top]):
         p = search.alive[top, n]
-        apart = end_distance(search, 0, count, first[p], second[p])
+        apart = end_distance(search, 0, count, pairs.first[p], pairs.second[p])
         nearest = min(nearest, apart)
         if apart <= margin - slack:
             note[UPPER], note[PAIR] = search.at[0], p
             return FOUND
-    least = keep_near(search, top, count, first, second, margin + slack)
+    least = keep_near(search, top, count, pairs, margin + slack)
     if search.kept[top] == 0:
         # A graze is over when it is left well behind: rounding makes distances flicker.
         note[UPPER] = search.at[0]
@@ -234,8 +242,8 @@ def judge_touch(
     for n in range(search.kept[top]):
         p = search.alive[top, n]
         note[PAIR] = p
-        a = end_distance(search, 0, count, first[p], second[p])
-        b = end_distance(search, top, count, first[p], second[p])
+        a = end_distance(search, 0, count, pairs.first[p], pairs.second[p])
+        b = end_distance(search, top, count, pairs.first[p], pairs.second[p])
         if b <= margin - slack or max(a, b) > margin + 2.0 * slack or min(a, b) - least > 0.5 * slack:
             return SPLIT
     return UNSURE
@@ -243,28 +251,20 @@ def judge_touch(
 
 @kernel
 def judge_end(
-    search: Search,
-    top: int,
-    count: int,
-    first: IntArray,
-    second: IntArray,
-    margin: float,
-    slack: float,
-    note: FloatArray,
+    search: Search, top: int, count: int, pairs: Pairs, limits: Limits, note: FloatArray
 ) -> int:
     """How the part stands for TOUCH_END: one pair must stay near, by its travel or by its faces."""
+    margin, slack = limits.margin, limits.slack
     nearest, held, rounding = math.inf, False, False
-    for p in range(first.shape[0]):
-        i, j = first[p], second[p]
+    for p in range(pairs.first.shape[0]):
+        i, j = pairs.first[p], pairs.second[p]
         a, b = end_distance(search, 0, count, i, j), end_distance(search, top, count, i, j)
         spent = search.sweeps[i, TRAVEL] + search.sweeps[j, TRAVEL]
         held = held or 0.5 * (a + b + spent) < margin - slack
         ceiling = math.inf
         if not held and max(a, b) < margin + 2.0 * slack:
             h = search.handles[0, PATH]
-            ceiling = gap_ceiling(
-                search.boxes, i, j, top * count + i, top * count + j, search.sweeps, i, j, h
-            )
+            ceiling = gap_ceiling(search.boxes, search.sweeps, top * count, i, j, h)
             held = ceiling < min(margin - slack, 0.0)
         if a < nearest:
             nearest, note[PAIR] = a, p
@@ -280,118 +280,79 @@ def judge_end(
 
 @kernel
 def judge_least(
-    search: Search,
-    top: int,
-    count: int,
-    first: IntArray,
-    second: IntArray,
-    tolerance: float,
-    note: FloatArray,
+    search: Search, top: int, count: int, pairs: Pairs, limits: Limits, note: FloatArray
 ) -> int:
     """How the part stands for LEAST; the least distance seen may fall."""
     for n in range(search.kept[top]):
         p = search.alive[top, n]
         for slot in (0, top):
-            apart = end_distance(search, slot, count, first[p], second[p])
+            apart = end_distance(search, slot, count, pairs.first[p], pairs.second[p])
             if apart < note[NEAREST]:
                 note[NEAREST], note[UPPER], note[PAIR] = apart, search.at[slot], p
     if note[NEAREST] <= 0.0:
         return FOUND
-    note[LOWEST] = keep_near(search, top, count, first, second, note[NEAREST] - tolerance)
+    note[LOWEST] = keep_near(search, top, count, pairs, note[NEAREST] - limits.slack)
     return CLEAR if search.kept[top] == 0 else SPLIT
 
 
 @kernel
 def judge(
-    search: Search,
-    goal: int,
-    top: int,
-    count: int,
-    first: IntArray,
-    second: IntArray,
-    margin: float,
-    slack: float,
-    note: FloatArray,
+    search: Search, goal: int, top: int, count: int, pairs: Pairs, limits: Limits, note: FloatArray
 ) -> int:
     """How the part up to slot `top` stands for the goal."""
     if goal == FIRST_TOUCH:
-        return judge_touch(search, top, count, first, second, margin, slack, note)
+        return judge_touch(search, top, count, pairs, limits, note)
     if goal == TOUCH_END:
-        return judge_end(search, top, count, first, second, margin, slack, note)
-    return judge_least(search, top, count, first, second, slack, note)
+        return judge_end(search, top, count, pairs, limits, note)
+    return judge_least(search, top, count, pairs, limits, note)
 
 
 @kernel
 def search_step(
     search: Search,
     goal: int,
-    rows: FloatArray,
-    links: FloatArray,
-    sizes: FloatArray,
-    members: IntArray,
-    first: IntArray,
-    second: IntArray,
+    chain: Chain,
+    pairs: Pairs,
     start: float,
     end: float,
-    margin: float,
-    slack: float,
-    width: float,
-    most: int,
+    limits: Limits,
     note: FloatArray,
 ) -> int:
     """Search head positions start..end, m, for `goal`; how it ended. `note` receives what was found.
 
-    Pair p is benches members[first[p]] and members[second[p]], from 0, ascending; links are those of
-    the benches up to the last member. `slack` is what distances may be off by, m; for LEAST it is how
-    far below the least distance seen the bound may lie. Parts of at most `width` metres are not halved.
     For LEAST note[NEAREST] and note[FLOOR] hold what earlier steps found; otherwise `note` is fresh.
     """
-    top = open_step(search, first.shape[0], start, end)
-    return bisect(
-        search, goal, rows, links, np.empty(0), sizes, members, first, second, top, top - 1,
-        margin, slack, width, most, note,
-    )  # fmt: skip
+    top = open_step(search, pairs.first.shape[0], start, end)
+    return bisect(search, goal, chain, pairs, top, top - 1, limits, note)
 
 
 @kernel
 def bisect(
     search: Search,
     goal: int,
-    rows: FloatArray,
-    links: FloatArray,
-    aside: FloatArray,
-    sizes: FloatArray,
-    members: IntArray,
-    first: IntArray,
-    second: IntArray,
+    chain: Chain,
+    pairs: Pairs,
     top: int,
     ready: int,
-    margin: float,
-    slack: float,
-    width: float,
-    most: int,
+    limits: Limits,
     note: FloatArray,
 ) -> int:
-    """Search a step that was begun, see `search_step`, whose chains before slot `ready` were placed.
-
-    Handle i walks aside[i] metres to the left of the route; all on it if `aside` is empty.
-    """
-    count, handles = members.shape[0], links.shape[0] + 1
-    evaluations = 0
-    note[LOWER] = math.inf
+    """Search a step that was begun, see `search_step`, whose chains before slot `ready` were placed."""
+    count, handles = chain.members.shape[0], chain.links.shape[0] + 1
+    evaluations, note[LOWER] = 0, math.inf
     while top > 0:
         while ready <= top:
-            if not evaluate_slot(rows, links, aside, sizes, members, search, ready, 0):
+            if not evaluate_slot(chain, search, ready, 0):
                 note[LOWER], note[UPPER] = min(note[LOWER], search.at[0]), search.at[ready]
                 return FALLEN
             ready += 1
             evaluations += 1
             note[EVALUATIONS] += 1.0
-        bound_members(rows, links, aside, sizes, members, search, top)
-        verdict = judge(search, goal, top, count, first, second, margin, slack, note)
+        bound_members(chain, search, top)
+        verdict = judge(search, goal, top, count, pairs, limits, note)
         if verdict == SPLIT:
-            full = top + 2 >= DEPTH or evaluations >= most
-            if not full and search.at[top] - search.at[0] > width:
+            full = top + 2 >= DEPTH or evaluations >= limits.most
+            if not full and search.at[top] - search.at[0] > limits.width:
                 top = halve(search, top)
                 continue
             verdict = STUCK if full and goal != LEAST else UNSURE
@@ -404,26 +365,17 @@ def bisect(
         if verdict == UNSURE:
             note[FLOOR] = min(note[FLOOR], note[LOWEST])
         close_left(search, top, handles, count)
-        top -= 1
-        ready -= 1
-    return close(search, goal, count, first, second, margin, slack, note)
+        top, ready = top - 1, ready - 1
+    return close(search, goal, count, pairs, limits, note)
 
 
 @kernel
-def close(
-    search: Search,
-    goal: int,
-    count: int,
-    first: IntArray,
-    second: IntArray,
-    margin: float,
-    slack: float,
-    note: FloatArray,
-) -> int:
+def close(search: Search, goal: int, count: int, pairs: Pairs, limits: Limits, note: FloatArray) -> int:
     """How a search ended that came to the end of its step, which is the left end now."""
     if goal == FIRST_TOUCH:
-        for p in range(first.shape[0]):
-            if end_distance(search, 0, count, first[p], second[p]) <= margin - slack:
+        for p in range(pairs.first.shape[0]):
+            apart = end_distance(search, 0, count, pairs.first[p], pairs.second[p])
+            if apart <= limits.margin - limits.slack:
                 note[LOWER], note[UPPER] = min(note[LOWER], search.at[0]), search.at[0]
                 note[PAIR] = p
                 return FOUND

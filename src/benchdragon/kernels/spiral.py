@@ -116,6 +116,39 @@ def angles_after(
 
 
 @kernel
+def halley_step(a: float, h: float, sigma: float, d2: float) -> tuple[float, float, float, float]:
+    """One Halley step from h: the new h, by how much it fell, and sine and cosine of its half."""
+    s, c = small_sincos(0.5 * h)
+    b = a + sigma * h
+    s2 = s * s
+    sin_h = 2.0 * s * c
+    f = h * h + 4.0 * a * b * s2 - d2
+    f1 = h + 2.0 * sigma * a * s2 + a * b * sin_h  # F' / 2
+    f2 = 1.0 + 2.0 * sigma * a * sin_h + a * b * (1.0 - 2.0 * s2)  # F'' / 2
+    change = 2.0 * f * f1 / (4.0 * f1 * f1 - f * f2)
+    half = 0.5 * change
+    return h - change, change, s - half * c, c + half * s
+
+
+@kernel
+def rear_ratio(
+    ratio: float, a: float, b: float, shift: float, sigma: float, s: float, c: float
+) -> tuple[float, float]:
+    """The rear's speed ratio behind a front of `ratio`; and 1 / b, from the same division.
+
+    db/da = -F_a / F_b; times the arc per angle at b over that at a, the ratio of speeds. `shift` is
+    sigma h; s and c are sine and cosine of h / 2.
+    """
+    s2 = s * s
+    common = shift + a * b * sigma * (2.0 * s * c)
+    arc_a, arc_b = 1.0 + a * a, 1.0 + b * b
+    below = (common + 2.0 * a * s2) * arc_a
+    shared = 1.0 / (below * b)
+    geared = (common - 2.0 * b * s2) * math.sqrt(arc_a * arc_b)
+    return ratio * geared * (b * shared), below * shared
+
+
+@kernel
 def halley_pass(
     rows: FloatArray,
     j: int,
@@ -136,50 +169,25 @@ def halley_pass(
     many lanes still took a large step.
     """
     k, hand, sigma = rows[j, P], rows[j, Q], -walks_up(rows, j)
-    axis_x, axis_y = rows[j, AXIS_X], rows[j, AXIS_Y]
-    centre_x, centre_y = rows[j, X], rows[j, Y]
+    axis_x, axis_y, centre_x, centre_y = rows[j, AXIS_X], rows[j, AXIS_Y], rows[j, X], rows[j, Y]
     d2 = (link / k) * (link / k)
-    large = 0
-    i = max(i, 0)
-    start = max(start, 0)
+    large, i, start = 0, max(i, 0), max(start, 0)
     for lane in range(end - start):
         t = start + lane
         a = u[i, t]
-        h = state[GUESS + lane] * scale
-        s, c = small_sincos(0.5 * h)
-        b = a + sigma * h
-        s2 = s * s
-        sin_h = 2.0 * s * c
-        f = h * h + 4.0 * a * b * s2 - d2
-        f1 = h + 2.0 * sigma * a * s2 + a * b * sin_h  # F' / 2
-        f2 = 1.0 + 2.0 * sigma * a * sin_h + a * b * (1.0 - 2.0 * s2)  # F'' / 2
-        change = 2.0 * f * f1 / (4.0 * f1 * f1 - f * f2)
-        h -= change
+        h, change, s, c = halley_step(a, state[GUESS + lane] * scale, sigma, d2)
         large += 1 if abs(change * change * change) > LARGE_STEP * h * h else 0
-        half = 0.5 * change
-        s2 = (s - half * c) * (s - half * c)
-        sin_h = 2.0 * (s - half * c) * (c + half * s)
         shift = sigma * h + state[REST + lane]
         b = a + shift
         tail = shift - (b - a)
-        # db/da = -F_a / F_b; times the arc per angle at b over that at a, the ratio of speeds.
-        common = sigma * h + a * b * sigma * sin_h
-        # One division serves both this and a / b.
-        arc_a, arc_b = 1.0 + a * a, 1.0 + b * b
-        below = (common + 2.0 * a * s2) * arc_a
-        shared = 1.0 / (below * b)
-        geared = (common - 2.0 * b * s2) * math.sqrt(arc_a * arc_b)
-        ratio[i + 1, t] = ratio[i, t] * geared * (b * shared)
-        state[NEXT_REST + lane] = tail
-        state[NEXT_GUESS + lane] = h * a * (below * shared)
-        state[FOUND + lane] = h
+        ratio[i + 1, t], inverse = rear_ratio(ratio[i, t], a, b, sigma * h, sigma, s, c)
+        state[NEXT_REST + lane], state[FOUND + lane] = tail, h
+        state[NEXT_GUESS + lane] = h * a * inverse
         sine, cosine = sincos(b)
-        cos_b = cosine - tail * sine
-        sin_b = hand * (sine + tail * cosine)
-        r = k * b
+        cos_b, sin_b = cosine - tail * sine, hand * (sine + tail * cosine)
         u[i + 1, t] = b
-        x[i + 1, t] = centre_x + r * (axis_x * cos_b - axis_y * sin_b)
-        y[i + 1, t] = centre_y + r * (axis_y * cos_b + axis_x * sin_b)
+        x[i + 1, t] = centre_x + k * b * (axis_x * cos_b - axis_y * sin_b)
+        y[i + 1, t] = centre_y + k * b * (axis_y * cos_b + axis_x * sin_b)
     return large
 
 

@@ -12,18 +12,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from benchdragon.kernels.box import (
-    CX,
-    CY,
-    HALF_LENGTH,
-    HALF_WIDTH,
-    UX,
-    UY,
-    box_distance,
-    corner,
-    nearest_corner,
-    offset,
-)
 from benchdragon.kernels.chain import march
 from benchdragon.kernels.curve import (
     U_END,
@@ -70,6 +58,10 @@ SMOOTH = 1e-12
 ROUNDED_UP = 1.0 + 1e-12
 # How often bounds on a bench's angles are drawn tighter by the rates that follow from them.
 PASSES = 3
+
+
+# What an angle may be: its least and greatest sine, then its least and greatest cosine.
+Angle = tuple[float, float, float, float]
 
 
 class Placements(NamedTuple):
@@ -198,9 +190,22 @@ def product(low: float, high: float, least: float, most: float) -> tuple[float, 
 
 
 @kernel
-def tangents(low: float, high: float, least: float, most: float) -> tuple[float, float]:
-    """Least and greatest tangent of an angle with its sine in low..high, its cosine in least..most."""
+def tangents(angle: Angle) -> tuple[float, float]:
+    """Least and greatest tangent of an angle."""
+    low, high, least, most = angle
     return low / (least if low < 0.0 else most), high / (least if high > 0.0 else most)
+
+
+@kernel
+def angle_rates(
+    slow: float, fast: float, right: float, left: float, turn: tuple[float, float]
+) -> tuple[float, float]:
+    """Least and greatest rate, rad/m, of the angle from a bench to the route at a handle.
+
+    That walks at slow..fast where the route's curvature is right..left, as the bench turns at `turn`.
+    """
+    low, high = scaled(slow, fast, right, left)
+    return low - turn[1], high - turn[0]
 
 
 @kernel
@@ -247,65 +252,84 @@ def bound_handles(
 
 
 @kernel
+def angle_range(sa: float, sb: float, ca: float, cb: float, change: float) -> Angle:
+    """What an angle may be that stays within `change`, rad, of what it is at one of two ends.
+
+    There its sine and cosine are sa, ca and sb, cb.
+    """
+    low, high = max(min(sa, sb) - change, -1.0), min(max(sa, sb) + change, 1.0)
+    loss = magnitude(low, high) * change
+    return low, high, min(ca, cb) - loss, min(max(ca, cb) + loss, 1.0)
+
+
+@kernel
 def bound_next(
     link: float, places: Placements, i: int, a: int, b: int, h: float, bounds: FloatArray
 ) -> None:
     """Fill row i + 1 of bounds from row i; infinite where the bench may stand square to the route.
 
-    Let f, r be the angles from the bench to the route at its front and rear handle, v, w the handles'
-    speeds and tau the bench's turning rate. The rigid bench keeps w cos r = v cos f and
-    tau = (v sin f - w sin r) / link; hence f' = v curvature - tau, r' likewise, and
-    w' / w = v' / v - tan f f' + tan r r'. An angle that varies by V in all stays within V / 2 of what
-    it is at one of the two ends, and a narrower range of angles narrows their rates in turn.
+    An angle that varies by V in all stays within V / 2 of what it is at one of the two ends, and a
+    narrower range of angles narrows their rates in turn.
     """
     sa, ca, ta, da = bench_angles(places, i, a, link)
     sb, cb, tb, db = bench_angles(places, i, b, link)
-    slow, fast = bounds[i, SLOWEST], bounds[i, SPEED]
     swing = (bounds[i, PATH] + bounds[i + 1, PATH]) / link
     front = 0.5 * (bounds[i, HEADING_CHANGE] + swing)
     rear = 0.5 * (bounds[i + 1, HEADING_CHANGE] + swing)
+    seen = places.ratio[i + 1, a], places.ratio[i + 1, b]
     bounds[i + 1, SLOWEST], bounds[i + 1, GROWTH_LOW] = 0.0, -math.inf
     bounds[i + 1, SPEED], bounds[i + 1, GROWTH_HIGH] = math.inf, math.inf
     bounds[i + 1, ACCELERATION], bounds[i + 1, TURNING_RATE] = math.inf, math.inf
     for _ in range(PASSES):
-        f_low, f_high = max(min(sa, sb) - front, -1.0), min(max(sa, sb) + front, 1.0)
-        r_low, r_high = max(min(ta, tb) - rear, -1.0), min(max(ta, tb) + rear, 1.0)
-        front_sine, rear_sine = magnitude(f_low, f_high), magnitude(r_low, r_high)
-        front_cosine, rear_cosine = min(ca, cb) - front_sine * front, min(da, db) - rear_sine * rear
-        if not (min(front_cosine, rear_cosine) > FOLD_COSINE and fast < math.inf):
+        f, r = angle_range(sa, sb, ca, cb, front), angle_range(ta, tb, da, db, rear)
+        if not (min(f[2], r[2]) > FOLD_COSINE and bounds[i, SPEED] < math.inf):
             return
-        front_most = min(max(ca, cb) + front_sine * front, 1.0)
-        rear_most = min(max(da, db) + rear_sine * rear, 1.0)
-        next_slow, next_fast = slow * front_cosine / rear_most, fast * front_most / rear_cosine
-        low, high = scaled(slow, fast, f_low, f_high)
-        other_low, other_high = scaled(next_slow, next_fast, r_low, r_high)
-        turn_low, turn_high = (low - other_high) / link, (high - other_low) / link
-        low, high = scaled(slow, fast, bounds[i, RIGHT], bounds[i, LEFT])
-        front_low, front_high = low - turn_high, high - turn_low
-        low, high = scaled(next_slow, next_fast, bounds[i + 1, RIGHT], bounds[i + 1, LEFT])
-        rear_low, rear_high = low - turn_high, high - turn_low
-        front = min(front, 0.5 * magnitude(front_low, front_high) * h)
-        rear = min(rear, 0.5 * magnitude(rear_low, rear_high) * h)
-        low, high = tangents(f_low, f_high, front_cosine, front_most)
-        bounds[i + 1, FRONT_LOW], bounds[i + 1, FRONT_HIGH] = low, high
-        front_low, front_high = product(low, high, front_low, front_high)
-        low, high = tangents(r_low, r_high, rear_cosine, rear_most)
-        bounds[i + 1, REAR_LOW], bounds[i + 1, REAR_HIGH] = low, high
-        rear_low, rear_high = product(low, high, rear_low, rear_high)
-        growth_low = bounds[i, GROWTH_LOW] - front_high + rear_low
-        growth_high = bounds[i, GROWTH_HIGH] - front_low + rear_high
-        wa, wb = places.ratio[i + 1, a], places.ratio[i + 1, b]
-        low, high = scaled(next_slow, next_fast, growth_low, growth_high)
-        next_fast = min(next_fast, peak(wa, wb, low, high, h))
-        next_slow = max(next_slow, -peak(-wa, -wb, -high, -low, h))
-        bounds[i + 1, SLOWEST], bounds[i + 1, SPEED] = next_slow, next_fast
-        bounds[i + 1, GROWTH_LOW], bounds[i + 1, GROWTH_HIGH] = growth_low, growth_high
-        bounds[i + 1, TURNING_RATE] = magnitude(turn_low, turn_high)
-        bounds[i + 1, TURN_LOW], bounds[i + 1, TURN_HIGH] = turn_low, turn_high
+        front_rate, rear_rate = bound_rates(link, f, r, seen, i, h, bounds)
+        front = min(front, 0.5 * front_rate * h)
+        rear = min(rear, 0.5 * rear_rate * h)
     bend = magnitude(bounds[i + 1, RIGHT], bounds[i + 1, LEFT])
     speed = bounds[i + 1, SPEED]
-    along = speed * magnitude(growth_low, growth_high)
+    along = speed * magnitude(bounds[i + 1, GROWTH_LOW], bounds[i + 1, GROWTH_HIGH])
     bounds[i + 1, ACCELERATION] = math.hypot(along, speed * speed * bend)
+
+
+@kernel
+def bound_rates(
+    link: float, f: Angle, r: Angle, seen: tuple[float, float], i: int, h: float, bounds: FloatArray
+) -> tuple[float, float]:
+    """Fill speeds and rates of row i + 1 of bounds from row i; at most |f'| and |r'|, rad/m.
+
+    Let f, r be the angles from the bench to the route at its front and rear handle, v, w the handles'
+    speeds and tau the bench's turning rate. The rigid bench keeps w cos r = v cos f and
+    tau = (v sin f - w sin r) / link; hence f' = v curvature - tau, r' likewise, and
+    w' / w = v' / v - tan f f' + tan r r'. At the two ends of the step w is as `seen`.
+    """
+    slow, fast = bounds[i, SLOWEST], bounds[i, SPEED]
+    next_slow, next_fast = slow * f[2] / r[3], fast * f[3] / r[2]
+    low, high = scaled(slow, fast, f[0], f[1])
+    other_low, other_high = scaled(next_slow, next_fast, r[0], r[1])
+    turn_low, turn_high = (low - other_high) / link, (high - other_low) / link
+    turn = turn_low, turn_high
+    front_low, front_high = angle_rates(slow, fast, bounds[i, RIGHT], bounds[i, LEFT], turn)
+    right, left = bounds[i + 1, RIGHT], bounds[i + 1, LEFT]
+    rear_low, rear_high = angle_rates(next_slow, next_fast, right, left, turn)
+    rates = magnitude(front_low, front_high), magnitude(rear_low, rear_high)
+    low, high = tangents(f)
+    bounds[i + 1, FRONT_LOW], bounds[i + 1, FRONT_HIGH] = low, high
+    front_low, front_high = product(low, high, front_low, front_high)
+    low, high = tangents(r)
+    bounds[i + 1, REAR_LOW], bounds[i + 1, REAR_HIGH] = low, high
+    rear_low, rear_high = product(low, high, rear_low, rear_high)
+    growth_low = bounds[i, GROWTH_LOW] - front_high + rear_low
+    growth_high = bounds[i, GROWTH_HIGH] - front_low + rear_high
+    low, high = scaled(next_slow, next_fast, growth_low, growth_high)
+    next_fast = min(next_fast, peak(seen[0], seen[1], low, high, h))
+    next_slow = max(next_slow, -peak(-seen[0], -seen[1], -high, -low, h))
+    bounds[i + 1, SLOWEST], bounds[i + 1, SPEED] = next_slow, next_fast
+    bounds[i + 1, GROWTH_LOW], bounds[i + 1, GROWTH_HIGH] = growth_low, growth_high
+    bounds[i + 1, TURNING_RATE] = magnitude(turn_low, turn_high)
+    bounds[i + 1, TURN_LOW], bounds[i + 1, TURN_HIGH] = turn_low, turn_high
+    return rates
 
 
 @kernel
@@ -334,169 +358,3 @@ def bound_bench(handles: FloatArray, i: int, sizes: FloatArray, k: int, out: Flo
     out[TURN] = ROUNDED_UP * handles[i + 1, TURNING_RATE]
     both = handles[i, ACCELERATION] + handles[i + 1, ACCELERATION]
     out[ANGULAR_ACCELERATION] = ROUNDED_UP * both / link
-
-
-@kernel
-def separation(boxes: FloatArray, i: int, j: int, nx: float, ny: float) -> float:
-    """How far box j lies beyond box i along the unit vector (nx, ny), m; a lower bound of distance."""
-    total = (boxes[j, CX] - boxes[i, CX]) * nx + (boxes[j, CY] - boxes[i, CY]) * ny
-    for k in (i, j):
-        ux, uy = boxes[k, UX], boxes[k, UY]
-        total -= boxes[k, HALF_LENGTH] * abs(ux * nx + uy * ny)
-        total -= boxes[k, HALF_WIDTH] * abs(ux * ny - uy * nx)
-    return total
-
-
-@kernel
-def face_loss(
-    boxes: FloatArray, ia: int, ja: int, sweeps: FloatArray, i: int, j: int, h: float
-) -> float:
-    """What the height of a corner of bench i over a face of bench j may leave the straight line by, m.
-
-    Bench i has row ia of `boxes` at the start of the step and row i of `sweeps`. The height of a corner
-    P over a face with normal N and foot Y is (P - Y) . N, with second derivative at most
-    pull + 2 pace turn + |P - Y| (twist + turn^2).
-    """
-    along, across = offset(boxes, ja, boxes[ia, CX], boxes[ia, CY])
-    ahead = max(abs(along) - boxes[ja, HALF_LENGTH], 0.0)
-    aside = max(abs(across) - boxes[ja, HALF_WIDTH], 0.0)
-    pace = sweeps[i, POINT_SPEED] + sweeps[j, POINT_SPEED]
-    far = math.hypot(ahead, aside) + math.hypot(boxes[ia, HALF_LENGTH], boxes[ia, HALF_WIDTH])
-    turn = sweeps[j, TURN]
-    second = sweeps[i, POINT_ACCELERATION] + sweeps[j, POINT_ACCELERATION] + 2.0 * pace * turn
-    second += (far + pace * h) * (sweeps[j, ANGULAR_ACCELERATION] + turn * turn)
-    return 0.125 * second * h * h
-
-
-@kernel
-def face_bound(
-    boxes: FloatArray,
-    ia: int,
-    ja: int,
-    ib: int,
-    jb: int,
-    sweeps: FloatArray,
-    i: int,
-    j: int,
-    h: float,
-) -> float:
-    """Least separation that a face of bench j keeps from bench i over a step, m.
-
-    Benches have rows ia, ja of `boxes` at the start, ib, jb at the end, and i, j of `sweeps`.
-    """
-    ax, ay, bx, by = boxes[ja, UX], boxes[ja, UY], boxes[jb, UX], boxes[jb, UY]
-    front = min(separation(boxes, ja, ia, ax, ay), separation(boxes, jb, ib, bx, by))
-    rear = min(separation(boxes, ja, ia, -ax, -ay), separation(boxes, jb, ib, -bx, -by))
-    left = min(separation(boxes, ja, ia, -ay, ax), separation(boxes, jb, ib, -by, bx))
-    right = min(separation(boxes, ja, ia, ay, -ax), separation(boxes, jb, ib, by, -bx))
-    return max(front, rear, left, right) - face_loss(boxes, ia, ja, sweeps, i, j, h)
-
-
-@kernel
-def face_ceiling(
-    boxes: FloatArray,
-    ia: int,
-    ja: int,
-    ib: int,
-    jb: int,
-    sweeps: FloatArray,
-    i: int,
-    j: int,
-    h: float,
-) -> float:
-    """Greatest separation that any face of bench j reaches from bench i over a step, m.
-
-    A face is no farther off than any one corner is over it.
-    """
-    most = -math.inf
-    for face in range(4):
-        nearest = math.inf
-        for k in range(4):
-            height = -math.inf
-            for row, base in ((ia, ja), (ib, jb)):
-                x, y = corner(boxes, row, k)
-                along, across = offset(boxes, base, x, y)
-                out = along if face < 2 else across
-                half = boxes[base, HALF_LENGTH] if face < 2 else boxes[base, HALF_WIDTH]
-                height = max(height, (out if face % 2 == 0 else -out) - half)
-            nearest = min(nearest, height)
-        most = max(most, nearest)
-    return most + face_loss(boxes, ia, ja, sweeps, i, j, h)
-
-
-@kernel
-def gap_ceiling(
-    boxes: FloatArray,
-    ia: int,
-    ja: int,
-    ib: int,
-    jb: int,
-    sweeps: FloatArray,
-    i: int,
-    j: int,
-    h: float,
-) -> float:
-    """At least the signed gap of benches i and j anywhere in a step, m: negative if they overlap."""
-    one = face_ceiling(boxes, ia, ja, ib, jb, sweeps, i, j, h)
-    return max(one, face_ceiling(boxes, ja, ia, jb, ib, sweeps, j, i, h))
-
-
-@kernel
-def facing_bound(
-    boxes: FloatArray,
-    ia: int,
-    ja: int,
-    ib: int,
-    jb: int,
-    sweeps: FloatArray,
-    i: int,
-    j: int,
-    h: float,
-) -> float:
-    """The same along the fixed direction in which they are nearest at the start, m."""
-    mine, which = nearest_corner(boxes, ia, ja)
-    owner, other = (ia, ja) if mine else (ja, ia)
-    x, y = corner(boxes, owner, which)
-    along, across = offset(boxes, other, x, y)
-    half, wide = boxes[other, HALF_LENGTH], boxes[other, HALF_WIDTH]
-    ahead, aside = along - min(max(along, -half), half), across - min(max(across, -wide), wide)
-    apart = math.hypot(ahead, aside)
-    if apart == 0.0:
-        return -math.inf
-    ux, uy = boxes[other, UX], boxes[other, UY]
-    nx, ny = (ahead * ux - aside * uy) / apart, (ahead * uy + aside * ux) / apart
-    if mine:  # from i towards j
-        nx, ny = -nx, -ny
-    loss = 0.125 * (sweeps[i, POINT_ACCELERATION] + sweeps[j, POINT_ACCELERATION]) * h * h
-    return min(separation(boxes, ia, ja, nx, ny), separation(boxes, ib, jb, nx, ny)) - loss
-
-
-@kernel
-def apart_bound(
-    boxes: FloatArray,
-    ia: int,
-    ja: int,
-    ib: int,
-    jb: int,
-    sweeps: FloatArray,
-    i: int,
-    j: int,
-    h: float,
-    wanted: float,
-) -> float:
-    """At most the distance of benches i and j anywhere in a step, m; only as good as `wanted` needs.
-
-    Path lengths add, so that half the distances at both ends less half the travel is one bound; the
-    others follow faces and directions to second order.
-    """
-    start, end = box_distance(boxes, ia, ja), box_distance(boxes, ib, jb)
-    best = 0.5 * (start + end - sweeps[i, TRAVEL] - sweeps[j, TRAVEL])
-    smooth = math.isfinite(sweeps[i, POINT_ACCELERATION] + sweeps[j, POINT_ACCELERATION])
-    if best > wanted or not smooth:
-        return best
-    best = max(best, face_bound(boxes, ia, ja, ib, jb, sweeps, i, j, h))
-    if best <= wanted:
-        best = max(best, face_bound(boxes, ja, ia, jb, ib, sweeps, j, i, h))
-    if best <= wanted:
-        best = max(best, facing_bound(boxes, ia, ja, ib, jb, sweeps, i, j, h))
-    return best

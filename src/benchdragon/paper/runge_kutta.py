@@ -97,13 +97,7 @@ def head_angles(
             )
         )
     positive("step", step, "s")
-    sign = 1.0 if spiral.end_angle > spiral.start_angle else -1.0
-
-    def rate(t: float, theta: float) -> float:
-        speed = float(np.interp(t, profile.times, profile.speeds))
-        return sign * speed / (spiral.k * math.sqrt(1.0 + theta * theta))
-
-    advance = _adaptive if method == "adaptive" else _rk4
+    advance, rate = _adaptive if method == "adaptive" else _rk4, _rate(spiral, profile)
     found = {0.0: float(spiral.angle(start))}
     stops = sorted({0.0, *times, *profile.times})
     if sum(abs(b - a) for a, b in itertools.pairwise(stops)) / step > MOST_STEPS:
@@ -120,6 +114,17 @@ def head_angles(
 
 
 Rate = Callable[[float, float], float]
+
+
+def _rate(spiral: Spiral, profile: SpeedProfile) -> Rate:
+    """d theta / dt, rad/s, at time t and angle theta."""
+    sign = 1.0 if spiral.end_angle > spiral.start_angle else -1.0
+
+    def rate(t: float, theta: float) -> float:
+        speed = float(np.interp(t, profile.times, profile.speeds))
+        return sign * speed / (spiral.k * math.sqrt(1.0 + theta * theta))
+
+    return rate
 
 
 def _rk4(rate: Rate, a: float, b: float, theta: float, step: float) -> float:

@@ -7,8 +7,35 @@ from typing import Any, get_args
 from pydantic import BaseModel
 from pydantic_core import ErrorDetails
 
-from benchdragon.i18n import _
+from benchdragon.i18n import N_, _
 from benchdragon.plans.source import Fault
+
+# What was wanted, by pydantic's name of the error, which fills in the braces.
+WANTED = {
+    "greater_than": N_("more than {gt}"),
+    "greater_than_equal": N_("at least {ge}"),
+    "less_than_equal": N_("at most {le}"),
+    "finite_number": N_("a finite number"),
+    "float_type": N_("a number"),
+    "float_parsing": N_("a number"),
+    "int_type": N_("a whole number"),
+    "int_parsing": N_("a whole number"),
+    "int_from_float": N_("a whole number"),
+    "bool_type": N_("true or false"),
+    "bool_parsing": N_("true or false"),
+    "string_type": N_("text"),
+    "string_pattern_mismatch": N_("text like {pattern}"),
+    "list_type": N_("a list"),
+    "tuple_type": N_("a list"),
+    "literal_error": "{expected}",
+    "union_tag_invalid": "{expected_tags}",
+    "model_type": N_("a table"),
+    "model_attributes_type": N_("a table"),
+    "dict_type": N_("a table"),
+    "union_tag_not_found": N_("a table with the key kind"),
+    "too_short": N_("at least {min_length} entries"),
+    "too_long": N_("at most {max_length} entries"),
+}
 
 
 def tables_in(annotation: object) -> list[type[BaseModel]]:
@@ -50,40 +77,14 @@ def _sentence(error: ErrorDetails, path: list[str], where: str, model: type[Base
         return _("{where} is not a known key").format(where=where) + hint
     if kind == "missing":
         return _("{where} is missing").format(where=where)
-    wanted = {
-        "greater_than": _("more than {gt}"),
-        "greater_than_equal": _("at least {ge}"),
-        "less_than_equal": _("at most {le}"),
-        "finite_number": _("a finite number"),
-        "float_type": _("a number"),
-        "float_parsing": _("a number"),
-        "int_type": _("a whole number"),
-        "int_parsing": _("a whole number"),
-        "int_from_float": _("a whole number"),
-        "bool_type": _("true or false"),
-        "bool_parsing": _("true or false"),
-        "string_type": _("text"),
-        "string_pattern_mismatch": _("text like {pattern}"),
-        "list_type": _("a list"),
-        "tuple_type": _("a list"),
-        "literal_error": "{expected}",
-        "union_tag_invalid": "{expected_tags}",
-        "model_type": _("a table"),
-        "model_attributes_type": _("a table"),
-        "dict_type": _("a table"),
-        "union_tag_not_found": _("a table with the key kind"),
-        "too_short": _("at least {min_length} entries"),
-        "too_long": _("at most {max_length} entries"),
-    }.get(kind)
-    if wanted is None:
+    if kind not in WANTED:
         return f"{where}: {context.get('error', error['msg'])}"
     came = json.dumps(error["input"], ensure_ascii=False, default=str)
     if kind == "union_tag_invalid":
         came, where = json.dumps(context.get("tag"), ensure_ascii=False), f"{where}.kind"
     came = came if len(came) <= 60 else came[:57] + "..."
-    return _("{where}: wanted {wanted}, not {came}").format(
-        where=where, wanted=wanted.format(**context).replace(" or ", ", "), came=came
-    )
+    wanted = _(WANTED[kind]).format(**context).replace(" or ", ", ")
+    return _("{where}: wanted {wanted}, not {came}").format(where=where, wanted=wanted, came=came)
 
 
 def _is_tag(path: list[str], i: int, data: Any) -> bool:

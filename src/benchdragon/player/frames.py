@@ -102,18 +102,14 @@ def frames(
         InputError: for a walk that needs more than MOST_PLACES, or goes beyond FARTHEST.
         WalkError: if the dragon does not stand at the start.
     """
-    farthest = max(-float(walk.motion([start]).s.min()), float(walk.head_position([end])[0]))
-    if farthest > FARTHEST:
-        text = _("a player shows {most} m of a route, and this walk goes to {far} m")
-        raise InputError(text.format(most=f"{FARTHEST:g}", far=f"{farthest:g}"))
+    _check_farthest(walk, start, end)
     until, leap = end, False
     for step in STEPS:
         count = max(math.ceil((until - start) / step - 1e-9), 1) + 1
         if count * (len(walk.dragon) + 1) > MOST_PLACES:
             break
         even = (until - start) / (count - 1)
-        hopeless = step > NEAR and count > 4 * TRIED and _tried(walk, start, even, count) > most_error
-        if hopeless:
+        if step > NEAR and count > 4 * TRIED and _tried(walk, start, even, count) > most_error:
             continue
         found, errors = _shot(walk, start, even, count, shares)
         far = np.flatnonzero(~(errors <= LEAP))
@@ -135,6 +131,13 @@ def frames(
             most=MOST_PLACES,
         )
     )  # fmt: skip
+
+
+def _check_farthest(walk: Walk, start: float, end: float) -> None:
+    farthest = max(-float(walk.motion([start]).s.min()), float(walk.head_position([end])[0]))
+    if farthest > FARTHEST:
+        text = _("a player shows {most} m of a route, and this walk goes to {far} m")
+        raise InputError(text.format(most=f"{FARTHEST:g}", far=f"{farthest:g}"))
 
 
 def _tried(walk: Walk, start: float, step: float, count: int) -> float:

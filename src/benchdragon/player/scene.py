@@ -12,12 +12,14 @@ from benchdragon.analysis.records import Verdict, untimed, verdict_of, verdict_o
 from benchdragon.errors import InputError, WalkError, finite
 from benchdragon.i18n import Words, _, both
 from benchdragon.model.answer import Answer
+from benchdragon.model.dragon import Dragon
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
 from benchdragon.player import messages
 from benchdragon.player.frames import (
     QUANTUM,
     SHARES,
+    Course,
     Frames,
     course,
     frames,
@@ -142,25 +144,16 @@ def plain_dance(walk: Walk, span: Span, progress: Progress = silent) -> messages
     stage(_("finding benches near one another"))
     nearest, tightness = _nearness(walk, shot, span.times)
     stage(_("drawing the route"))
-    low, high = (float(quanta) * QUANTUM for quanta in (shot.places.min(), shot.places.max()))
-    way = course(walk, max(low - AROUND, -walk.route.extension), min(high + AROUND, walk.route.length))
+    way = _way(walk, shot)
     stage(_("packing"))
-    sizes = {
-        name: np.round(getattr(walk.dragon, name), 6).tolist() for name in messages.Sizes.model_fields
-    }
-    stretches = zip(way.starts.tolist(), way.steps.tolist(), way.counts.tolist(), strict=True)
     return messages.Dance(
         version=__version__,
         plan_sha256="",
         title=Words(en="", zh=""),
-        benches=messages.Sizes(**sizes),
+        benches=_sizes(walk.dragon),
         disc=None,
         centre=walk.route.centre,
-        course=messages.Course(
-            stretches=[messages.Stretch(start=a, step=b, nodes=n) for a, b, n in stretches],
-            origin=way.origin,
-            packed=packed_bytes(way.nodes.ravel()),
-        ),
+        course=_course(way),
         frames=messages.Frames(
             start=shot.start, step=shot.step, count=shot.count, quantum=QUANTUM,
             packed=packed_frames(shot), largest_error=shot.error + way.error,
@@ -172,6 +165,28 @@ def plain_dance(walk: Walk, span: Span, progress: Progress = silent) -> messages
         speed_limit=None,
         verdict=None,
     )  # fmt: skip
+
+
+def _sizes(dragon: Dragon) -> messages.Sizes:
+    """The sizes of all benches, to a micrometre."""
+    names = messages.Sizes.model_fields
+    return messages.Sizes(**{name: np.round(getattr(dragon, name), 6).tolist() for name in names})
+
+
+def _way(walk: Walk, shot: Frames) -> Course:
+    """The route that is walked on in the frames, and somewhat more of it."""
+    low, high = (float(quanta) * QUANTUM for quanta in (shot.places.min(), shot.places.max()))
+    return course(walk, max(low - AROUND, -walk.route.extension), min(high + AROUND, walk.route.length))
+
+
+def _course(way: Course) -> messages.Course:
+    """The route as a page takes it."""
+    stretches = zip(way.starts.tolist(), way.steps.tolist(), way.counts.tolist(), strict=True)
+    return messages.Course(
+        stretches=[messages.Stretch(start=a, step=b, nodes=n) for a, b, n in stretches],
+        origin=way.origin,
+        packed=packed_bytes(way.nodes.ravel()),
+    )
 
 
 def _nearness(walk: Walk, shot: Frames, most: int) -> tuple[messages.Nearest, messages.Tightness]:

@@ -22,7 +22,7 @@ from benchdragon.errors import InputError, UnsureError, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels import pacing
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.model.answer import Answer
+from benchdragon.model.answer import Answer, Status
 from benchdragon.model.profile import MOST_SPEED, SpeedProfile
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
@@ -85,36 +85,48 @@ def greatest_head_speed(
     limits = _limits_of(plan)
     walk = plan.build()
     first, last = walk.head_position(plan.span(walk)).tolist()
-    lower, upper, evaluations = MOST_SPEED, math.inf, 0
-    decisive: tuple[str, Peak] | None = None
+    found = _Bracket()
     for n, (name, allowed) in enumerate(limits.items()):
         quantity = QUANTITIES[name]
         width = tolerance if name == "speed" else max(tolerance, RATE_TOLERANCE)
         told = part(progress, n / len(limits), (n + 1) / len(limits), _(quantity.text))
-        limit = allowed / lower**quantity.power  # who keeps to this allows more than those before
+        limit = allowed / found.lower**quantity.power  # who keeps to this allows more than those before
         peak = greatest_of(walk, quantity, first, last, tolerance=width, limit=limit, progress=told)
-        evaluations += peak.evaluations
-        if peak.upper <= limit:
-            continue
-        lower = _head_speed(quantity, allowed, peak.upper)
-        most = _head_speed(quantity, allowed, peak.value / (1.0 + ROUNDING))
-        if most < upper or decisive is None:
-            upper, decisive = most, (name, peak)
-        if lower == 0.0:
+        found.evaluations += peak.evaluations
+        if peak.upper > limit:
+            found.narrow(quantity, allowed, peak)
+        if found.lower == 0.0:
             break
-    if decisive is None:  # what is limited hardly occurs
-        return Answer(MOST_SPEED, MOST_SPEED, upper, "m/s", "unlimited")
-    return Answer(
-        lower if lower > 0.0 else math.nan,
-        lower,
-        upper,
-        "m/s",
-        "found" if lower > 0.0 else "undecided",
-        witness_of(walk, QUANTITIES[decisive[0]], decisive[1]),
-        (_assumed(QUANTITIES[decisive[0]], limits[decisive[0]]),),
-        evaluations,
-        clock.perf_counter() - began,
-    )
+    return found.answer(walk, began)
+
+
+@dataclass
+class _Bracket:
+    """The greatest head speed, m/s, as far as limits were looked at, and the one that decides."""
+
+    lower: float = MOST_SPEED
+    upper: float = math.inf
+    evaluations: int = 0
+    decisive: tuple[Quantity, float, Peak] | None = None
+
+    def narrow(self, quantity: Quantity, allowed: float, peak: Peak) -> None:
+        """Take in a limit that is exceeded at the lower end: its peak with the head at 1 m/s."""
+        self.lower = _head_speed(quantity, allowed, peak.upper)
+        most = _head_speed(quantity, allowed, peak.value / (1.0 + ROUNDING))
+        if most < self.upper or self.decisive is None:
+            self.upper, self.decisive = most, (quantity, allowed, peak)
+
+    def answer(self, walk: Walk, began: float) -> Answer:
+        """The answer, sought since `began`."""
+        if self.decisive is None:  # what is limited hardly occurs
+            return Answer(MOST_SPEED, MOST_SPEED, self.upper, "m/s", "unlimited")
+        quantity, allowed, peak = self.decisive
+        status: Status = "found" if self.lower > 0.0 else "undecided"
+        value = self.lower if status == "found" else math.nan
+        return Answer(
+            value, self.lower, self.upper, "m/s", status, witness_of(walk, quantity, peak),
+            (_assumed(quantity, allowed),), self.evaluations, clock.perf_counter() - began,
+        )  # fmt: skip
 
 
 def _head_speed(quantity: Quantity, allowed: float, peak: float) -> float:

@@ -8,12 +8,12 @@ whose root is where the search goes next; the answer is the root at which the wh
 import itertools
 import math
 import time as clock
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from benchdragon.analysis.contact import SLACK, ContactSearch
+from benchdragon.analysis.contact_search import SLACK, ContactSearch
 from benchdragon.analysis.proof import (
     assumed,
     prove_contact,
@@ -145,11 +145,9 @@ def limit(
         UnsureError: if the bracket could not be proved.
     """
     began = clock.perf_counter()
-    of_kind("plan", plan, Plan)
-    family = Family(plan, question(name), plan.limits.margin if margin is None else margin, tolerance)
-    _refuse_centre(plan, name)
+    family = _family(plan, name, margin, tolerance)
     if prove:
-        require_enclosed(family.walk(plan.value(family.question.keys[0]))[0].route)
+        require_enclosed(family.walk(family.first)[0].route)
         require_flint()
     answer = _limit(family, progress, began)
     return _proved(family, answer, progress, began) if prove and answer.status == "found" else answer
@@ -180,10 +178,9 @@ def _proved(family: Family, answer: Answer, progress: Progress, began: float) ->
 
 
 def _limit(family: Family, progress: Progress, began: float) -> Answer:
-    plan = family.plan
     sense = family.question.sense
-    family.walk(plan.value(family.question.keys[0]))  # raises where the plan itself is wrong
-    good, failed, unsure = _first_clear(family, plan.value(family.question.keys[0]), progress)
+    family.walk(family.first)  # raises where the plan itself is wrong
+    good, failed, unsure = _first_clear(family, progress)
     if good is None:
         status: Status = "undecided" if unsure else "infeasible"
         texts = _assumed(family, unsure)
@@ -222,20 +219,22 @@ def _limit(family: Family, progress: Progress, began: float) -> Answer:
     return _limit_answer(bracket, bracket.good, meeting, began).with_status("undecided")
 
 
-def _refuse_centre(plan: Plan, name: str) -> None:
+def _family(plan: Plan, name: str, margin: float | None, tolerance: float = TOLERANCE) -> Family:
+    """The walks among which a limit is sought; not such as must fail whatever their size."""
+    of_kind("plan", plan, Plan)
+    family = Family(plan, question(name), plan.limits.margin if margin is None else margin, tolerance)
     centre = plan.disc.radius is None and plan.walk.end is None
     if name != "disc" and plan.route.kind == "spiral-in" and centre:
         raise InputError(_("say how far in the head comes: set disc.radius=4.5, for example"))
+    return family
 
 
-def _first_clear(
-    family: Family, size: float, progress: Progress
-) -> tuple[float | None, Trial | None, list[float]]:
-    """A size that passes, from `size` towards the safe side, if there is one.
+def _first_clear(family: Family, progress: Progress) -> tuple[float | None, Trial | None, list[float]]:
+    """A size that passes, from the plan's own towards the safe side, if there is one.
 
     And the last that did not, and those that could not be decided.
     """
-    failed: Trial | None = None
+    size, failed = family.first, None
     unsure: list[float] = []
     for _growth in range(MOST_GROWTHS):
         progress(0.0, f"{size:.9g} m")
@@ -333,6 +332,16 @@ def feasible_sizes(
     Raises:
         InputError: as `limit`; for an empty range, or a count outside 2..10,000.
     """
+    _check_range(low, high, count)
+    family, trials = _family(plan, name, margin), []
+    for n, size in enumerate(np.linspace(low, high, count).tolist()):
+        progress(n / count, f"{size:.9g} m")
+        trials.append(family.trial(size))
+    undecided = tuple(trial.size for trial in trials if trial.clear is None)
+    return FeasibleSizes(tuple(_spans(family, trials)), (high - low) / (count - 1), undecided)
+
+
+def _check_range(low: float, high: float, count: int) -> None:
     if not 0.0 < low < high < math.inf:
         raise InputError(
             _("wanted a range from a positive size to a larger one, not {low} to {high} m").format(
@@ -345,22 +354,17 @@ def feasible_sizes(
                 most=MOST_COUNT, count=count
             )
         )
-    _refuse_centre(plan, name)
-    family = Family(plan, question(name), plan.limits.margin if margin is None else margin)
-    trials = []
-    for n, size in enumerate(np.linspace(low, high, count).tolist()):
-        progress(n / count, f"{size:.9g} m")
-        trials.append(family.trial(size))
-    spans = []
-    for clear, run in itertools.groupby(range(count), key=lambda n: trials[n].clear):
+
+
+def _spans(family: Family, trials: Sequence[Trial]) -> Iterator[Span]:
+    """Runs of trials that pass, and how far beyond their ends sizes still do."""
+    for clear, run in itertools.groupby(range(len(trials)), key=lambda n: trials[n].clear):
         if clear:
             members = list(run)
             ends = _edge(family, trials, members[0], -1), _edge(family, trials, members[-1], 1)
             tried = (trials[members[0]].size, trials[members[-1]].size)
             borders = tuple(end for end, size in zip(ends, tried, strict=True) if end != size)
-            spans.append(Span(*ends, len(members), borders))
-    undecided = tuple(trial.size for trial in trials if trial.clear is None)
-    return FeasibleSizes(tuple(spans), (high - low) / (count - 1), undecided)
+            yield Span(*ends, len(members), borders)
 
 
 def _edge(family: Family, trials: Sequence[Trial], n: int, side: int) -> float:

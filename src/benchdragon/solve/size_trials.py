@@ -98,6 +98,11 @@ class Family:
     margin: float
     tolerance: float = TOLERANCE
 
+    @property
+    def first(self) -> float:
+        """The plan's own size, from which the search begins."""
+        return self.plan.value(self.question.keys[0])
+
     def walk(self, size: float) -> tuple[Walk, float, float]:
         """The walk of a size, and the times between which it must stay clear."""
         plan = self.plan

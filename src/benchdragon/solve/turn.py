@@ -5,11 +5,11 @@ through it as those do. What comes out is judged by `head_speed` and `contact`, 
 with the whole dragon, and searched anew with narrower limits where sampling had flattered it.
 """
 
-import itertools
 import math
 import time as clock
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -20,7 +20,6 @@ from benchdragon.errors import InputError, NoSolutionError, finite, of_kind, pos
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import step_bounds
 from benchdragon.kernels.box import least_distance
-from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.answer import Answer
 from benchdragon.model.curves import Route
 from benchdragon.model.dragon import Dragon
@@ -28,24 +27,18 @@ from benchdragon.model.turns import Turn
 from benchdragon.plans.schema import Plan, TurnRoute
 from benchdragon.progress import Progress, part, silent
 from benchdragon.solve.head_speed import greatest_head_speed
+from benchdragon.solve.minima import constrained_point, downhill_point, low_points
 
 # Benches that are walked through a turn while searching, and how far the head goes at a time, m: in
 # the global search and in the local one.
 BENCHES, STEPS = 16, (0.2, 0.08)
 # Benches and step, m, for their distances: one turn farther out is some 17 benches away.
 CLEAR_BENCHES, CLEAR_STEP = 40, 0.6
-# Differential evolution: members for each unknown, generations, and the seeds of its random numbers: a
-# few short searches end in more valleys than a long one. The local search starts from each.
-MEMBERS, GENERATIONS, SEEDS = 10, 22, (1, 2)
 # Share of the work that the search all over the family takes.
 SEARCHED = 0.8
-# Least spread of the population, relative, at which it stops.
-SPREAD = 1e-4
-# Edge of the first simplex, as a share of each range.
-SIMPLEX = 0.02
-# Evaluations of each local search; how often limits are narrowed after exact figures, and by what share
-# more than those tell, twice as much each time.
-LOCAL, NARROWINGS, PRUDENCE = 200, 8, 5e-5
+# How often limits are narrowed after exact figures, and by what share more than those tell, twice as
+# much each time.
+NARROWINGS, PRUDENCE = 8, 5e-5
 # A limit that is kept to within this share counts as active; it may be exceeded by the other.
 ACTIVE, EXCEEDED = 2e-3, 1e-7
 # What a turn that does not exist is worth, and the worst of a limit that is exceeded by all of itself.
@@ -321,9 +314,7 @@ def _best(
     return _settled(evaluator, x, progress, began)
 
 
-def _settled(
-    evaluator: TurnEvaluator, x: Sequence[float], progress: Progress, began: float
-) -> BestTurn:
+def _settled(evaluator: TurnEvaluator, x: list[float], progress: Progress, began: float) -> BestTurn:
     """The local optimum near x, by exact figures."""
     for narrowing in range(NARROWINGS):
         progress(SEARCHED, _("local search"))
@@ -338,91 +329,32 @@ def _settled(
 def _global_search(
     evaluator: TurnEvaluator, progress: Progress, near: Sequence[float] | None
 ) -> list[list[float]]:
-    """The best turns that are found all over the family, by one search after another."""
-    from scipy.optimize import Bounds, OptimizeResult, differential_evolution  # slow to import
-
-    def score(x: FloatArray) -> float:
-        return evaluator.score(x.tolist())
-
-    def callback(intermediate_result: OptimizeResult) -> None:
-        del intermediate_result
-        progress(next(generation) / (GENERATIONS * len(SEEDS)), "")
-
-    generation = itertools.count(1)
-    starts: list[list[float]] = []
-    for seed in SEEDS:
-        found = differential_evolution(
-            score, Bounds(*np.array(evaluator.bounds).T), popsize=MEMBERS, maxiter=GENERATIONS,
-            tol=SPREAD, rng=seed, polish=False, callback=callback, init="sobol", x0=near,
-        )  # fmt: skip
-        if found.fun < WORSE:
-            starts.append([float(value) for value in found.x])
+    """The best turns that are found all over the family."""
+    found = low_points(evaluator.score, evaluator.bounds, progress, near)
+    starts = [x for x, score in found if score < WORSE]
     if not starts:
         raise NoSolutionError(_("no turn of this family was found that keeps the limits"))
     return starts
 
 
-def _local_search(evaluator: TurnEvaluator, x: Sequence[float]) -> list[float]:
-    """A local optimum by COBYQA, in unknowns from 0 to 1, and downhill from there."""
-    from scipy.optimize import Bounds, NonlinearConstraint, minimize  # slow to import
-
-    low, high = np.array(evaluator.bounds).T
-    free = high > low  # joints that the plan says stay
-    seen: dict[bytes, dict[str, float]] = {}
+def _local_search(evaluator: TurnEvaluator, x: list[float]) -> list[float]:
+    """A local optimum within limits, and downhill from there, over the edges where one takes over."""
     names = list(evaluator.rooms(_complete(evaluator, x)))
 
-    def unknowns(z: FloatArray) -> FloatArray:
-        whole = low.copy()
-        whole[free] += (high - low)[free] * z
-        return np.asarray(whole)
+    @cache
+    def figures(point: tuple[float, ...]) -> dict[str, float]:
+        return _complete(evaluator, point)
 
-    def figures(z: FloatArray) -> dict[str, float]:
-        key = z.tobytes()
-        if key not in seen:
-            seen[key] = _complete(evaluator, unknowns(z).tolist())
-        return seen[key]
+    def sought(point: list[float]) -> float:
+        return figures(tuple(point))[evaluator.sought]
 
-    def penalty(z: FloatArray) -> float:
-        return figures(z)[evaluator.sought]
+    def rooms(point: list[float]) -> list[float]:
+        left = evaluator.rooms(figures(tuple(point)))
+        return [left[name] for name in names]
 
-    result = minimize(
-        penalty,
-        ((np.asarray(x) - low)[free] / (high - low)[free]),
-        method="COBYQA",
-        bounds=Bounds(0.0, 1.0),
-        constraints=NonlinearConstraint(
-            lambda z: [evaluator.rooms(figures(z))[name] for name in names], 0.0, np.inf
-        ),
-        options={"maxfev": LOCAL, "initial_tr_radius": 0.02, "final_tr_radius": 1e-7},
-    )
-    found: list[float] = unknowns(np.clip(result.x, 0.0, 1.0)).tolist()
-    return _descended(evaluator, min(list(x), found, key=evaluator.score))
-
-
-def _descended(evaluator: TurnEvaluator, x: list[float]) -> list[float]:
-    """Downhill from x by Nelder and Mead's simplex, over the edges where one limit takes over."""
-    from scipy.optimize import minimize  # slow to import
-
-    bounds = np.array(evaluator.bounds)
-    free = bounds[:, 1] > bounds[:, 0]
-    low, high = bounds[free].T
-    start = np.asarray(x)[free]
-    step = np.where(start + SIMPLEX * (high - low) <= high, 1.0, -1.0) * SIMPLEX * (high - low)
-    corners = np.vstack([start, start + np.diag(step)])
-
-    def inside(z: FloatArray) -> list[float]:
-        whole = np.array(x)
-        whole[free] = np.clip(z, low, high)
-        return [float(value) for value in whole]
-
-    def score(z: FloatArray) -> float:
-        return evaluator.score(inside(z))
-
-    result = minimize(
-        score, start, method="Nelder-Mead",
-        options={"initial_simplex": corners, "maxfev": LOCAL, "xatol": 1e-5, "fatol": 1e-6},
-    )  # fmt: skip
-    return min(x, inside(result.x), key=evaluator.score)
+    found = constrained_point(sought, rooms, evaluator.bounds, x)
+    best = min(x, found, key=evaluator.score)
+    return min(best, downhill_point(evaluator.score, evaluator.bounds, best), key=evaluator.score)
 
 
 def _complete(evaluator: TurnEvaluator, x: Sequence[float]) -> dict[str, float]:

@@ -17,7 +17,7 @@ from typing import Annotated, Any, Literal, cast
 
 from pydantic_core import ErrorDetails
 
-from benchdragon.analysis.records import Answer, Record, Verdict
+from benchdragon.analysis.records import Answer, Verdict
 from benchdragon.errors import BenchDragonError, InputError, MissingExtraError, reason
 from benchdragon.i18n import _, language
 from benchdragon.plans.faults import fault_of
@@ -197,7 +197,8 @@ def app(settings: Settings | None = None) -> FastAPI:
     application.add_exception_handler(RequestValidationError, _invalid)
     application.add_exception_handler(BenchDragonError, _wrong)
     application.add_exception_handler(RefusedError, _refused)
-    _page_routes(application, studio)
+    _page_routes(application)
+    _fact_routes(application, studio)
     router = APIRouter(prefix="/api", dependencies=[Depends(_spoken)])
     _quick_routes(router, studio)
     _job_routes(router, studio)
@@ -227,7 +228,7 @@ def _file(media: str) -> dict[str, Any]:
     return {"content": {media: {"schema": {"type": "string", "format": "binary"}}}}
 
 
-def _page_routes(application: FastAPI, studio: Studio) -> None:
+def _page_routes(application: FastAPI) -> None:
     get = application.get
 
     @get("/", response_class=Response, responses={**_documented(), 200: _file("text/html")})
@@ -246,6 +247,10 @@ def _page_routes(application: FastAPI, studio: Studio) -> None:
         if path is None or path.suffix not in STATIC:
             raise RefusedError(404, _("there is nothing at this address"))
         return Response(path.read_bytes(), media_type=STATIC[path.suffix])
+
+
+def _fact_routes(application: FastAPI, studio: Studio) -> None:
+    get = application.get
 
     @get("/healthz", responses=_documented())
     async def health() -> messages.Health:
@@ -272,42 +277,41 @@ def _page_routes(application: FastAPI, studio: Studio) -> None:
         return [messages.Preset.model_validate(preset) for preset in presets()]
 
 
-def _quick_routes(router: APIRouter, studio: Studio) -> None:
-    def post(
-        path: str, media: str | None = None, model: type[Record] | None = None
-    ) -> Callable[..., Any]:
-        good: dict[str, Any] = {"model": model} if model else _file(media or "")
-        responses = {**_documented(*COMPUTED), 200: good}
-        return router.post(path, response_class=Response, response_model=None, responses=responses)
+def _computed_route(good: dict[str, Any]) -> dict[str, Any]:
+    """How FastAPI is told of a route that hands on what a worker computed."""
+    responses = {**_documented(*COMPUTED), 200: good}
+    return {"response_class": Response, "response_model": None, "responses": responses}
 
-    @post("/verdict", model=Verdict)
+
+def _quick_routes(router: APIRouter, studio: Studio) -> None:
+    @router.post("/verdict", **_computed_route({"model": Verdict}))
     async def verdict(request: Request, body: messages.PlanBody, client: Client = None) -> Response:
         """Whether a walk is safe."""
         return await studio.answer(request, studio.task("verdict", body.plan, client))
 
-    @post("/dance", model=Dance)
+    @router.post("/dance", **_computed_route({"model": Dance}))
     async def dance(request: Request, body: messages.PlanBody, client: Client = None) -> Response:
         """The dance as the player shows it."""
         return await studio.answer(request, studio.task("dance", body.plan, client))
 
-    @post("/limit/{what}", model=Answer)
+    @router.post("/limit/{what}", **_computed_route({"model": Answer}))
     async def limit(
         request: Request, what: messages.LimitName, body: messages.PlanBody, client: Client = None
     ) -> Response:
         """How small (pitch, disc) or large (width, length) a size may be, m."""
         return await studio.answer(request, studio.task(f"limit/{what}", body.plan, client))
 
-    @post("/plan", model=messages.OpenedPlan)
+    @router.post("/plan", **_computed_route({"model": messages.OpenedPlan}))
     async def opened(request: Request, body: messages.TextBody, client: Client = None) -> Response:
         """The plan in the text of a plan file."""
         return await studio.answer(request, studio.task("open", None, client, text=body.toml))
 
-    @post("/toml", media="application/toml")
+    @router.post("/toml", **_computed_route(_file("application/toml")))
     async def text(request: Request, body: messages.PlanBody, client: Client = None) -> Response:
         """The plan as a plan file."""
         return await studio.answer(request, studio.task("toml", body.plan, client))
 
-    @post("/export/{kind}", media="application/octet-stream")
+    @router.post("/export/{kind}", **_computed_route(_file("application/octet-stream")))
     async def export(
         request: Request, kind: messages.ExportName, body: messages.ExportBody, client: Client = None
     ) -> Response:

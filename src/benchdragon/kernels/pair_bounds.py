@@ -1,0 +1,141 @@
+"""How near, or how far apart, two benches come anywhere in a step of the head.
+
+Row i of `boxes` is bench i at the start of the step, row end + i the same bench at its end, and row i
+of `sweeps` bounds its motion in between (kernels/step_bounds.py); h is the length of the step, m.
+"""
+
+import math
+
+from benchdragon.kernels.box import (
+    CX,
+    CY,
+    HALF_LENGTH,
+    HALF_WIDTH,
+    UX,
+    UY,
+    box_distance,
+    corner,
+    nearest_corner,
+    offset,
+)
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.step_bounds import (
+    ANGULAR_ACCELERATION,
+    POINT_ACCELERATION,
+    POINT_SPEED,
+    TRAVEL,
+    TURN,
+)
+
+
+@kernel
+def separation(boxes: FloatArray, i: int, j: int, nx: float, ny: float) -> float:
+    """How far box j lies beyond box i along the unit vector (nx, ny), m; a lower bound of distance."""
+    total = (boxes[j, CX] - boxes[i, CX]) * nx + (boxes[j, CY] - boxes[i, CY]) * ny
+    for k in (i, j):
+        ux, uy = boxes[k, UX], boxes[k, UY]
+        total -= boxes[k, HALF_LENGTH] * abs(ux * nx + uy * ny)
+        total -= boxes[k, HALF_WIDTH] * abs(ux * ny - uy * nx)
+    return total
+
+
+@kernel
+def face_loss(boxes: FloatArray, sweeps: FloatArray, i: int, j: int, h: float) -> float:
+    """What the height of a corner of bench i over a face of bench j may leave the straight line by, m.
+
+    The height of a corner P over a face with normal N and foot Y is (P - Y) . N, with second derivative
+    at most pull + 2 pace turn + |P - Y| (twist + turn^2).
+    """
+    along, across = offset(boxes, j, boxes[i, CX], boxes[i, CY])
+    ahead = max(abs(along) - boxes[j, HALF_LENGTH], 0.0)
+    aside = max(abs(across) - boxes[j, HALF_WIDTH], 0.0)
+    pace = sweeps[i, POINT_SPEED] + sweeps[j, POINT_SPEED]
+    far = math.hypot(ahead, aside) + math.hypot(boxes[i, HALF_LENGTH], boxes[i, HALF_WIDTH])
+    turn = sweeps[j, TURN]
+    second = sweeps[i, POINT_ACCELERATION] + sweeps[j, POINT_ACCELERATION] + 2.0 * pace * turn
+    second += (far + pace * h) * (sweeps[j, ANGULAR_ACCELERATION] + turn * turn)
+    return 0.125 * second * h * h
+
+
+@kernel
+def face_bound(boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int, h: float) -> float:
+    """Least separation that a face of bench j keeps from bench i over a step, m."""
+    ib, jb = end + i, end + j
+    ax, ay, bx, by = boxes[j, UX], boxes[j, UY], boxes[jb, UX], boxes[jb, UY]
+    front = min(separation(boxes, j, i, ax, ay), separation(boxes, jb, ib, bx, by))
+    rear = min(separation(boxes, j, i, -ax, -ay), separation(boxes, jb, ib, -bx, -by))
+    left = min(separation(boxes, j, i, -ay, ax), separation(boxes, jb, ib, -by, bx))
+    right = min(separation(boxes, j, i, ay, -ax), separation(boxes, jb, ib, by, -bx))
+    return max(front, rear, left, right) - face_loss(boxes, sweeps, i, j, h)
+
+
+@kernel
+def face_ceiling(boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int, h: float) -> float:
+    """Greatest separation that any face of bench j reaches from bench i over a step, m.
+
+    A face is no farther off than any one corner is over it.
+    """
+    most = -math.inf
+    for face in range(4):
+        nearest = math.inf
+        for k in range(4):
+            height = -math.inf
+            for row, base in ((i, j), (end + i, end + j)):
+                x, y = corner(boxes, row, k)
+                along, across = offset(boxes, base, x, y)
+                out = along if face < 2 else across
+                half = boxes[base, HALF_LENGTH] if face < 2 else boxes[base, HALF_WIDTH]
+                height = max(height, (out if face % 2 == 0 else -out) - half)
+            nearest = min(nearest, height)
+        most = max(most, nearest)
+    return most + face_loss(boxes, sweeps, i, j, h)
+
+
+@kernel
+def gap_ceiling(boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int, h: float) -> float:
+    """At least the signed gap of benches i and j anywhere in a step, m: negative if they overlap."""
+    one = face_ceiling(boxes, sweeps, end, i, j, h)
+    return max(one, face_ceiling(boxes, sweeps, end, j, i, h))
+
+
+@kernel
+def facing_bound(boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int, h: float) -> float:
+    """Least separation of benches i and j along the direction in which they are nearest at first, m."""
+    mine, which = nearest_corner(boxes, i, j)
+    owner, other = (i, j) if mine else (j, i)
+    x, y = corner(boxes, owner, which)
+    along, across = offset(boxes, other, x, y)
+    half, wide = boxes[other, HALF_LENGTH], boxes[other, HALF_WIDTH]
+    ahead, aside = along - min(max(along, -half), half), across - min(max(across, -wide), wide)
+    apart = math.hypot(ahead, aside)
+    if apart == 0.0:
+        return -math.inf
+    ux, uy = boxes[other, UX], boxes[other, UY]
+    nx, ny = (ahead * ux - aside * uy) / apart, (ahead * uy + aside * ux) / apart
+    if mine:  # from i towards j
+        nx, ny = -nx, -ny
+    loss = 0.125 * (sweeps[i, POINT_ACCELERATION] + sweeps[j, POINT_ACCELERATION]) * h * h
+    return min(separation(boxes, i, j, nx, ny), separation(boxes, end + i, end + j, nx, ny)) - loss
+
+
+@kernel
+def apart_bound(
+    boxes: FloatArray, sweeps: FloatArray, end: int, i: int, j: int, h: float, wanted: float
+) -> float:
+    """At most the distance of benches i and j anywhere in a step, m; only as good as `wanted` needs.
+
+    Path lengths add, so that half the distances at both ends less half the travel is one bound; the
+    others follow faces and directions to second order.
+    """
+    before, after = box_distance(boxes, i, j), box_distance(boxes, end + i, end + j)
+    best = 0.5 * (before + after - sweeps[i, TRAVEL] - sweeps[j, TRAVEL])
+    smooth = math.isfinite(sweeps[i, POINT_ACCELERATION] + sweeps[j, POINT_ACCELERATION])
+    if best > wanted or not smooth:
+        return best
+    best = max(best, face_bound(boxes, sweeps, end, i, j, h))
+    if best <= wanted:
+        best = max(best, face_bound(boxes, sweeps, end, j, i, h))
+    if best <= wanted:
+        best = max(best, facing_bound(boxes, sweeps, end, i, j, h))
+    return best
