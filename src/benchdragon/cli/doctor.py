@@ -11,7 +11,17 @@ from benchdragon.i18n import N_, _, language
 from benchdragon.kernels.jit import CACHE_FOLDER, COMPILED
 from benchdragon.version import __version__
 
-LIBRARIES = ("numpy", "numba", "scipy", "matplotlib", "pydantic", "click", "rich", "XlsxWriter")
+LIBRARIES = (
+    "numpy",
+    "numba",
+    "scipy",
+    "matplotlib",
+    "pydantic",
+    "click",
+    "rich",
+    "XlsxWriter",
+    "python-calamine",
+)
 EXTRAS = {
     N_("extra data"): ("xarray", "pyarrow", "h5netcdf", "h5py"),
     N_("extra prove"): ("flint",),

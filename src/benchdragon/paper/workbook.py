@@ -1,0 +1,322 @@
+"""The contest's workbooks as others write them: result1, result2 and result4, read from .xlsx files.
+
+Rows are known by their labels and columns by their headers, wherever they stand: half or full width,
+in Chinese or English, with titles above, numbers as text, sheets in any order.
+"""
+
+import lzma
+import re
+import zipfile
+import zlib
+from collections.abc import Sequence
+from dataclasses import dataclass
+from io import BytesIO
+from pathlib import Path
+from typing import Any, Literal, get_args
+from unicodedata import normalize
+
+import numpy as np
+
+from benchdragon.errors import InputError, reason
+from benchdragon.i18n import _
+from benchdragon.kernels.curve import FloatArray
+
+Quantity = Literal["x", "y", "speed"]
+QUANTITIES: tuple[Quantity, ...] = get_args(Quantity)
+# Handles of the contest's dragon.
+HANDLES = 224
+# What is read: bytes of the file and of what it unpacks to, cells of its sheets with the empty ones
+# between, signs of cells that share a text, and times.
+MOST_BYTES, MOST_UNPACKED = 32 * 2**20, 192 * 2**20
+MOST_CELLS, MOST_SIGNS, MOST_TIMES = 1_000_000, 500_000_000, 1001
+# Numbers beyond are slips of the pen, s and m.
+MOST_SECONDS, MOST_METRES = 1e4, 1e6
+# Columns in which labels are sought: an index may stand before them.
+LABEL_COLUMNS = 3
+
+# What archives raise that are torn, or packed in a way that is not known.
+BROKEN = (
+    zipfile.BadZipFile, zlib.error, lzma.LZMAError, OSError, EOFError, ValueError, RuntimeError,
+)  # fmt: skip
+MARKS = {b"\xd0\xcf\x11\xe0": "ole", b"PK": "zip"}
+ENCRYPTED = "EncryptedPackage".encode("utf-16-le")
+CELL = re.compile(rb"<(?:\w+:)?c(?=[\s/>])")
+ROW = re.compile(rb"<(?:\w+:)?row(?=[\s/>])(?:[^>]*?\sr\s*=\s*[\"'](\d{1,9}))?")
+REFERENCE = re.compile(rb"<(?:\w+:)?c\s[^>]*?\br\s*=\s*[\"']([A-Z]{1,3})(\d{1,9})")
+SHARED = re.compile(rb"<(?:\w+:)?c\s[^>]*?\bt\s*=\s*[\"']s[\"']")
+
+LABEL = re.compile(
+    r"(?P<head>龙头|head)|(?:第(?P<body>\d{1,3})节龙身|body(?P<number>\d{1,3}))"
+    r"|(?P<rear>龙尾\(?后\)?|tail\(rear\))|(?P<tail>龙尾|tail)"
+)
+TIME = re.compile(r"(?:t=)?([-+]?\d+(?:\.\d*)?)(?:s|秒)?")
+REST = re.compile(r"(?:前?把手)?(?:[横纵]坐标)?[xy]?(?:坐标|速度|speed)?(?:\(?m(?:/s)?\)?)?")
+# What the headers of result2 say, in the order of looking.
+COLUMNS: dict[Quantity, tuple[str, ...]] = {
+    "speed": ("速度", "speed", "m/s"),
+    "x": ("x", "横"),
+    "y": ("y", "纵"),
+}
+AXES: tuple[Quantity, ...] = ("x", "y")
+SHEETS: dict[Quantity, tuple[str, ...]] = {
+    "x": ("位置", "坐标", "position"),
+    "speed": ("速度", "speed"),
+}
+
+Rows = Sequence[Sequence[Any]]
+# Rows of a quantity by handle.
+Found = dict[Quantity, dict[int, FloatArray]]
+
+
+@dataclass(frozen=True, eq=False)
+class Workbook:
+    """What a workbook holds.
+
+    Attributes:
+        times: of its columns, s, (T,); None for result2, which is of one moment.
+        values: x, y (m) and speed (m/s), (3, T, 224); NaN where a cell holds no number.
+        crossed: whether positions stand in a sheet that is called speeds, or the reverse.
+    """
+
+    times: FloatArray | None
+    values: FloatArray
+    crossed: bool
+
+
+def read_workbook(path: Path) -> Workbook:
+    """Read a workbook in the layout of result1, result2 or result4.
+
+    Raises:
+        InputError: for a file that is none, or is larger than such a workbook can be.
+    """
+    sheets = _sheets(path)
+    found = [(name, *read) for name, rows in sheets if (read := _table(rows))]
+    series = [item for item in found if item[1] is not None]
+    if not (chosen := series or found[:1]):
+        raise InputError(
+            _(
+                "{path}: no sheet is laid out as those of result1, result2 and result4: rows 龙头, "
+                "第1节龙身, ... (or Head, Body 1, ...), and columns of times, or x, y and speed"
+            ).format(path=path)
+        )
+    times = _times_of(chosen)
+    values = np.full((3, 1 if times is None else len(times), HANDLES), np.nan)
+    for _name, own, rows in reversed(chosen):  # the first sheet has the last word
+        at = slice(None) if own is None or times is None else np.searchsorted(times, own)
+        for quantity, handles in rows.items():
+            for handle, numbers in handles.items():
+                values[QUANTITIES.index(quantity), at, handle] = numbers
+    if np.isnan(values).all():
+        raise InputError(_("{path}: the workbook holds no numbers").format(path=path))
+    return Workbook(times, values, any(_crossed(name, rows) for name, _own, rows in chosen))
+
+
+def _times_of(tables: Sequence[tuple[str, FloatArray | None, Found]]) -> FloatArray | None:
+    own = [times for _name, times, _rows in tables if times is not None]
+    return np.unique(np.concatenate(own)) if own else None
+
+
+def _crossed(name: str, rows: Found) -> bool:
+    """Whether a sheet is named after the other quantity."""
+    held: Quantity = "x" if rows.get("x") or rows.get("y") else "speed"
+    told = [kind for kind, words in SHEETS.items() if any(word in _plain(name) for word in words)]
+    return bool(told) and held not in told
+
+
+def _sheets(path: Path) -> list[tuple[str, Rows]]:
+    """Names and rows of all sheets."""
+    from python_calamine import CalamineError, CalamineWorkbook
+
+    try:
+        with CalamineWorkbook.from_filelike(_unpacked(path)) as book:
+            names = book.sheet_names
+            return [(name, book.get_sheet_by_name(name).to_python()) for name in names]
+    except InputError:
+        raise
+    except (CalamineError, *BROKEN) as error:
+        raise InputError(
+            _("{path} cannot be read as an .xlsx workbook: {why}").format(path=path, why=error)
+        ) from None
+
+
+def _unpacked(path: Path) -> BytesIO:
+    """The parts of a workbook that hold cells, checked for size, as an archive of their own.
+
+    Raises:
+        InputError: for another kind of file, or too much.
+    """
+    content = _content(path)
+    copy, size = BytesIO(), 0
+    with zipfile.ZipFile(BytesIO(content)) as archive, zipfile.ZipFile(copy, "w") as out:
+        for member in archive.infolist():
+            if not member.filename.endswith((".xml", ".rels")):
+                continue
+            size += member.file_size
+            if size > MOST_UNPACKED:
+                raise _too_much(path, _("it unpacks to over {most} MB"), MOST_UNPACKED // 2**20)
+            # Reading ends where the archive says that the member does.
+            data = archive.read(member)
+            out.writestr(member.filename, data)
+    _check_cells(path, copy)
+    copy.seek(0)
+    return copy
+
+
+def _content(path: Path) -> bytes:
+    """The bytes of a file that begins as an .xlsx workbook does."""
+    try:
+        large = path.stat().st_size > MOST_BYTES
+        content = path.read_bytes() if path.is_file() and not large else b""
+    except OSError as error:
+        raise InputError(f"{path}: {reason(error)}") from None
+    except ValueError:  # signs that no name of a file holds
+        raise InputError(f"{str(path)!r}: {_('there is no such file or folder')}") from None
+    if large:
+        raise _too_much(path, _("it is over {most} MB large"), MOST_BYTES // 2**20)
+    kind = next((kind for mark, kind in MARKS.items() if content.startswith(mark)), "")
+    if kind == "ole" and ENCRYPTED in content:
+        raise InputError(_("{path} is encrypted: save it without a password").format(path=path))
+    if kind != "zip":
+        raise InputError(_("{path} is no .xlsx workbook: save it as one").format(path=path))
+    return content
+
+
+def _too_much(path: Path, text: str, most: int) -> InputError:
+    why = text.format(most=most)
+    return InputError(_("{path} is no workbook of the contest: {why}").format(path=path, why=why))
+
+
+def _check_cells(path: Path, copy: BytesIO) -> None:
+    """Refuse sheets that reach too far: empty cells between others take memory, too."""
+    cells, shared, longest = 0, 0, 0
+    with zipfile.ZipFile(copy) as archive:
+        for member in archive.infolist():
+            data = archive.read(member)
+            cells += _extent(data)
+            shared += sum(1 for _found in SHARED.finditer(data))
+            if "sharedstrings" in member.filename.lower():
+                longest = max(map(len, re.split(rb"<(?:\w+:)?si\b", data)))
+    if cells > MOST_CELLS or shared * longest > MOST_SIGNS:
+        raise _too_much(path, _("its sheets reach over more than {most} cells"), MOST_CELLS)
+
+
+def _extent(data: bytes) -> int:
+    """Rows by columns of the rectangle that a sheet's cells lie in; 0 for what is no sheet."""
+    count = sum(1 for _found in CELL.finditer(data))
+    if not count or count > MOST_CELLS:
+        return count
+    lines = [int(found[1] or 0) for found in ROW.finditer(data)]
+    places = [found.groups() for found in REFERENCE.finditer(data)]
+    rows = max([len(lines), *lines, *{int(row) for _column, row in places}])
+    columns = max([_number_of(column) for column in {column for column, _row in places}], default=0)
+    # Cells that do not say where they stand may all stand side by side.
+    return rows * (columns if len(places) == count else count)
+
+
+def _number_of(letters: bytes) -> int:
+    number = 0
+    for letter in letters:
+        number = 26 * number + letter - ord("A") + 1
+    return number
+
+
+def _plain(cell: object) -> str:
+    """A cell's text, half width, in small letters and without spaces."""
+    text = normalize("NFKC", f"{cell:g}" if isinstance(cell, float) else str(cell))
+    return "".join(text.lower().split()).replace("−", "-")
+
+
+def _number(cell: object) -> float:
+    """The number in a cell; NaN if it holds none."""
+    try:
+        number = float(cell if isinstance(cell, int | float) else _plain(cell))
+    except (ValueError, OverflowError):
+        return float("nan")
+    return number if abs(number) <= MOST_METRES and not isinstance(cell, bool) else float("nan")
+
+
+def _time(cell: object) -> float | None:
+    found = TIME.fullmatch(_plain(cell)) if not isinstance(cell, bool) else None
+    return float(found[1]) if found and abs(float(found[1])) <= MOST_SECONDS else None
+
+
+def _handle(cell: object) -> tuple[int, str] | None:
+    """The handle that a label names, and what the label says behind it."""
+    text = _plain(cell) if isinstance(cell, str) else ""
+    found = LABEL.match(text)
+    if found is None or not REST.fullmatch(text, found.end()):
+        return None
+    number = found["body"] or found["number"]
+    if number:
+        handle = int(number)
+    else:
+        handle = 0 if found["head"] else HANDLES - 1 if found["rear"] else HANDLES - 2
+    bodies = 0 < handle < HANDLES - 2
+    return (handle, text[found.end() :]) if bodies or not number else None
+
+
+def _table(rows: Rows) -> tuple[FloatArray | None, Found] | None:
+    """Times (None: one moment) and rows by quantity and handle of a sheet; None if it is no table."""
+    column, labels = _labels(rows)
+    if not labels:
+        return None
+    first = min(labels)
+    header = next(
+        (row for row in reversed(rows[:first]) if any(_plain(cell) for cell in row[column + 1 :])), ()
+    )
+    times = {j: t for j, cell in enumerate(header) if j > column and (t := _time(cell)) is not None}
+    if len(times) > MOST_TIMES:
+        raise InputError(_("at most {most} times are compared").format(most=MOST_TIMES))
+    if times:
+        return _series(rows, labels, times)
+    moment = _moment_columns(header, column)
+    if len(moment) < 2:
+        return None
+    columns: Found = {
+        quantity: {handle: np.array([_cell(rows[i], j)]) for i, (handle, _rest) in labels.items()}
+        for quantity, j in moment.items()
+    }
+    return None, columns
+
+
+def _labels(rows: Rows) -> tuple[int, dict[int, tuple[int, str]]]:
+    """The column that names most handles, and by row which, and the rest of the label."""
+    best: tuple[int, dict[int, tuple[int, str]]] = (0, {})
+    for column in range(LABEL_COLUMNS):
+        found = {
+            i: label
+            for i, row in enumerate(rows)
+            if column < len(row) and (label := _handle(row[column])) is not None
+        }
+        if len(found) > len(best[1]):
+            best = column, found
+    return best
+
+
+def _series(
+    rows: Rows, labels: dict[int, tuple[int, str]], times: dict[int, float]
+) -> tuple[FloatArray, Found]:
+    """A sheet whose columns are times, in increasing order; the first of equal ones counts."""
+    clock, order = np.unique(list(times.values()), return_index=True)
+    columns = [list(times)[n] for n in order]
+    found: Found = {"x": {}, "y": {}, "speed": {}}
+    for i, (handle, rest) in labels.items():
+        axes = [axis for axis in AXES if any(sign in rest for sign in COLUMNS[axis])]
+        quantity: Quantity = axes[0] if axes else "speed"
+        found[quantity].setdefault(handle, np.array([_cell(rows[i], j) for j in columns]))
+    return clock, found
+
+
+def _moment_columns(header: Sequence[object], column: int) -> dict[Quantity, int]:
+    """Which columns of result2 hold x, y and speed."""
+    found: dict[Quantity, int] = {}
+    for j, cell in enumerate(header):
+        text = _plain(cell)
+        told = next((name for name, words in COLUMNS.items() if any(w in text for w in words)), None)
+        if j > column and told:
+            found.setdefault(told, j)
+    return found
+
+
+def _cell(row: Sequence[object], column: int) -> float:
+    return _number(row[column]) if column < len(row) else float("nan")
