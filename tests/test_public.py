@@ -150,14 +150,14 @@ CALLS: dict[str, tuple[Any, ...]] = {
 }
 # What the package makes, and nobody else has to.
 MADE = {
-    "Answer", "BestTurn", "ClearanceCurve", "Motion", "Nearness", "Plan", "Report", "Status",
-    "Tolerance", "Window", "Witness",
+    "Answer", "BestTurn", "ClearanceCurve", "Comparison", "Motion", "Nearness", "Plan", "Report",
+    "Status", "Tolerance", "Window", "Witness",
     "BenchDragonError", "InputError", "NoSolutionError", "UnsureError", "WalkError",
 }  # fmt: skip
 
 
 def test_every_public_constructor_and_function_is_tried() -> None:
-    assert {*CALLS, *MADE, "read_plan"} == set(bd.__all__)
+    assert {*CALLS, *MADE, "compare", "read_plan"} == set(bd.__all__)
 
 
 @pytest.mark.parametrize("name", CALLS)

@@ -36,6 +36,8 @@ from .model.turns import three_pieces as three_pieces
 from .model.turns import two_arcs as two_arcs
 from .model.walk import Motion as Motion
 from .model.walk import Walk as Walk
+from .paper.compare import Comparison as Comparison
+from .paper.compare import compare as compare
 from .plans.schema import Plan as Plan
 from .plans.schema import read_plan as read_plan
 from .player.page import show as show
