@@ -25,6 +25,7 @@ LINES = {
     "solve speed": ["solve", "speed", "PLAN"],
     "solve turn": ["solve", "turn", "PLAN"],
     "margins": ["margins", "PLAN"],
+    "compare": ["compare", "result1.xlsx"],
     "view": ["view", "PLAN", "-o", "x.html"],
     "animate": ["animate", "PLAN", "-o", "x.png"],
     "studio": ["studio", "--no-browser"],
@@ -98,6 +99,9 @@ MORE = [
     ["motion", "/dev/null", "--at", "3"], ["motion", "/", "--at", "3"],
     ["motion", "x" * 5000, "--at", "3"],
     ["motion", "", "--at", "3"], ["view", "turn", "-o", ""],
+    ["compare"], ["compare", ""], ["compare", "/"], ["compare", "/dev/null"], ["compare", "x" * 5000],
+    *(["compare", f"{name}.toml"] for name in FILES), ["compare", "a.xlsx", "b.xlsx"],
+    ["compare", "龙.xlsx"], ["compare", "\ud800"],
 ]  # fmt: skip
 
 

@@ -19,6 +19,7 @@ import click
 from benchdragon.cli.animate import animate
 from benchdragon.cli.answers import about
 from benchdragon.cli.check import check
+from benchdragon.cli.compare import compare
 from benchdragon.cli.console import (
     print_explanation,
     print_files,
@@ -202,7 +203,7 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     return _motion_table(walk, read, times, handles, options)
 
 
-for verb in (check, solve, margins, view, studio, animate, plan, schema):
+for verb in (check, solve, margins, compare, view, studio, animate, plan, schema):
     program.add_command(verb)
 
 
