@@ -62,26 +62,20 @@ MOST_JUMPS = 3
 
 @kernel
 def value_at(
-    rows: FloatArray,
-    places: Placements,
-    change: FloatArray,
-    turn: FloatArray,
-    i: int,
-    t: int,
-    square: float,
-    rate: float,
-    quantity: int,
+    ratio: float, change: float, turn: float, bend: float, square: float, rate: float, quantity: int
 ) -> float:
-    """A quantity's size at slot t: of handle i, or of bench i (from 0); 0 behind the last bench."""
-    ratio = places.ratio[i, t]
+    """A quantity's size: of a handle, or of the bench behind it, from its speed ratio and what it does.
+
+    change = d2 s_i / dsigma^2 and turn = d heading / dsigma, 1/m; bend is the route's curvature there.
+    """
     if quantity == SPEEDS:
         return ratio * math.sqrt(square)
     if quantity == TURNING:
-        return abs(turn[i, t]) * math.sqrt(square) if i < turn.shape[0] else 0.0
-    along = abs(ratio * rate + change[i, t] * square)
+        return abs(turn) * math.sqrt(square)
+    along = abs(ratio * rate + change * square)
     if quantity == ALONG:
         return along
-    across = ratio * ratio * square * abs(curvature(rows, places.row[i, t], places.u[i, t]))
+    across = ratio * ratio * square * abs(bend)
     return across if quantity == ACROSS else math.hypot(along, across)
 
 
@@ -101,13 +95,19 @@ def greatest_at_ends(
 
     Steps go from slots[n] to the next slot; change = d2 s_i / dsigma^2 and turn are `chain.rates`'.
     """
-    for n in range(slots.shape[0]):
-        for end in range(2):
-            values[n, end] = -1.0
-            for i in range(places.u.shape[0]):
-                square, rate = drives[n, FROM + end], drives[n, RATE]
+    ratios, row, u = places.ratio, places.row, places.u
+    curved = quantity in (ACROSS, TOTAL)
+    values[:] = -1.0
+    for i in range(ratios.shape[0]):  # handle by handle, as the chains lie in memory
+        for n in range(slots.shape[0]):
+            for end in range(2):
                 t = slots[n] + end
-                value = value_at(rows, places, change, turn, i, t, square, rate, quantity)
+                bend = curvature(rows, row[i, t], u[i, t]) if curved else 0.0
+                turned = turn[i, t] if i < turn.shape[0] else 0.0  # no bench is behind the last handle
+                value = value_at(
+                    ratios[i, t], change[i, t], turned, bend, drives[n, FROM + end], drives[n, RATE],
+                    quantity,
+                )  # fmt: skip
                 if value > values[n, end]:
                     values[n, end], where[n, end] = value, i
 
