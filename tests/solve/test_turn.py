@@ -89,6 +89,17 @@ def test_the_front_rises_with_the_speed() -> None:
         assert exact.lower >= best.plan.walk.speed * (1.0 - 1e-6)
 
 
+def test_the_front_is_as_short_as_any_turn_known_where_it_bends() -> None:
+    goal = TurnGoal("way", least_radius=PAPER.radii[1])
+    front = pareto_front(plan(), (1.66, 1.683, 1.7), goal)
+    slow, middle, fast = (best.way for best in front)
+    assert slow < 12.49
+    assert middle < 12.603
+    assert fast < 12.75
+    assert front[1].head_speed is not None
+    assert front[1].head_speed.lower >= 1.683 * (1.0 - 1e-6)
+
+
 def test_clothoids_bound_accelerations_and_cost_length() -> None:
     plain = sought(plan("walk.speed=1.3"), TurnGoal("way"))
     eased = sought(plan("walk.speed=1.3", "turn.ease=0.8"), TurnGoal("way"))

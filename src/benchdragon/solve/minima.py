@@ -25,13 +25,8 @@ SIMPLEX = 0.02
 LOCAL = 200
 
 
-def low_points(
-    score: Score, ranges: Ranges, progress: Progress, near: Sequence[float] | None = None
-) -> list[tuple[list[float], float]]:
-    """Low points that are found all over the ranges by one search after another, and their scores.
-
-    Each search begins with a point `near` one, if that is known.
-    """
+def low_points(score: Score, ranges: Ranges, progress: Progress) -> list[tuple[list[float], float]]:
+    """Low points that are found all over the ranges by one search after another, and their scores."""
     from scipy.optimize import Bounds, OptimizeResult, differential_evolution  # slow to import
 
     def value(x: FloatArray) -> float:
@@ -46,7 +41,7 @@ def low_points(
     for seed in SEEDS:
         found = differential_evolution(
             value, Bounds(*np.array(ranges).T), popsize=MEMBERS, maxiter=GENERATIONS,
-            tol=SPREAD, rng=seed, polish=False, callback=callback, init="sobol", x0=near,
+            tol=SPREAD, rng=seed, polish=False, callback=callback, init="sobol",
         )  # fmt: skip
         points.append(([float(value) for value in found.x], float(found.fun)))
     return points
@@ -57,8 +52,12 @@ def constrained_point(
     rooms: Callable[[list[float]], Sequence[float]],
     ranges: Ranges,
     x: Sequence[float],
+    most: int = LOCAL,
 ) -> list[float]:
-    """A low point near x at which none of the rooms is negative, by COBYQA, in unknowns from 0 to 1."""
+    """A low point near x at which none of the rooms is negative, by COBYQA, in unknowns from 0 to 1.
+
+    It takes at most so many evaluations.
+    """
     from scipy.optimize import Bounds, NonlinearConstraint, minimize  # slow to import
 
     low, high = np.array(ranges).T
@@ -79,12 +78,12 @@ def constrained_point(
         method="COBYQA",
         bounds=Bounds(0.0, 1.0),
         constraints=NonlinearConstraint(lambda z: rooms(point(z)), 0.0, np.inf),
-        options={"maxfev": LOCAL, "initial_tr_radius": 0.02, "final_tr_radius": 1e-7},
+        options={"maxfev": most, "initial_tr_radius": 0.02, "final_tr_radius": 1e-7},
     )
     return point(np.clip(result.x, 0.0, 1.0))
 
 
-def downhill_point(score: Score, ranges: Ranges, x: Sequence[float]) -> list[float]:
+def downhill_point(score: Score, ranges: Ranges, x: Sequence[float], most: int = LOCAL) -> list[float]:
     """A low point downhill from x by Nelder and Mead's simplex, which goes over edges too."""
     from scipy.optimize import minimize  # slow to import
 
@@ -105,6 +104,6 @@ def downhill_point(score: Score, ranges: Ranges, x: Sequence[float]) -> list[flo
 
     result = minimize(
         value, start, method="Nelder-Mead",
-        options={"initial_simplex": corners, "maxfev": LOCAL, "xatol": 1e-5, "fatol": 1e-6},
+        options={"initial_simplex": corners, "maxfev": most, "xatol": 1e-5, "fatol": 1e-6},
     )  # fmt: skip
     return point(result.x)

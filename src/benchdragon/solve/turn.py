@@ -5,6 +5,7 @@ through it as those do. What comes out is judged by `head_speed` and `contact`, 
 with the whole dragon, and searched anew with narrower limits where sampling had flattered it.
 """
 
+import contextlib
 import math
 import time as clock
 from collections.abc import Sequence
@@ -27,7 +28,7 @@ from benchdragon.model.turns import Turn
 from benchdragon.plans.schema import Plan, TurnRoute
 from benchdragon.progress import Progress, part, silent
 from benchdragon.solve.head_speed import greatest_head_speed
-from benchdragon.solve.minima import constrained_point, downhill_point, low_points
+from benchdragon.solve.minima import LOCAL, constrained_point, downhill_point, low_points
 
 # Benches that are walked through a turn while searching, and how far the head goes at a time, m: in
 # the global search and in the local one.
@@ -36,6 +37,9 @@ BENCHES, STEPS = 16, (0.2, 0.08)
 CLEAR_BENCHES, CLEAR_STEP = 40, 0.6
 # Share of the work that the search all over the family takes.
 SEARCHED = 0.8
+# Of the speeds of a front, the shares along it at which the whole family is searched; evaluations of
+# each local search by coarse sampling, and the share of the work that this takes.
+ANCHORS, SKETCH, SKETCHED = (0.0, 0.5, 1.0), 100, 0.4
 # How often limits are narrowed after exact figures, and by what share more than those tell, twice as
 # much each time.
 NARROWINGS, PRUDENCE = 8, 5e-5
@@ -302,12 +306,9 @@ def best_turn(plan: Plan, goal: TurnGoal | None = None, *, progress: Progress = 
     return _best(TurnEvaluator(plan, wished), progress)
 
 
-def _best(
-    evaluator: TurnEvaluator, progress: Progress, near: Sequence[float] | None = None
-) -> BestTurn:
-    """The best turn; one `near` it may be known."""
+def _best(evaluator: TurnEvaluator, progress: Progress) -> BestTurn:
     began = clock.perf_counter()
-    starts = _global_search(evaluator, part(progress, 0.0, SEARCHED, _("global search")), near)
+    starts = _global_search(evaluator, part(progress, 0.0, SEARCHED, _("global search")))
     evaluator.step = STEPS[1]
     progress(SEARCHED, _("local search"))
     x = min((_local_search(evaluator, start) for start in starts), key=evaluator.score)
@@ -326,18 +327,16 @@ def _settled(evaluator: TurnEvaluator, x: list[float], progress: Progress, began
     raise NoSolutionError(_("no turn of this family was found that keeps the limits"))
 
 
-def _global_search(
-    evaluator: TurnEvaluator, progress: Progress, near: Sequence[float] | None
-) -> list[list[float]]:
+def _global_search(evaluator: TurnEvaluator, progress: Progress) -> list[list[float]]:
     """The best turns that are found all over the family."""
-    found = low_points(evaluator.score, evaluator.bounds, progress, near)
+    found = low_points(evaluator.score, evaluator.bounds, progress)
     starts = [x for x, score in found if score < WORSE]
     if not starts:
         raise NoSolutionError(_("no turn of this family was found that keeps the limits"))
     return starts
 
 
-def _local_search(evaluator: TurnEvaluator, x: list[float]) -> list[float]:
+def _local_search(evaluator: TurnEvaluator, x: list[float], most: int = LOCAL) -> list[float]:
     """A local optimum within limits, and downhill from there, over the edges where one takes over."""
     names = list(evaluator.rooms(_complete(evaluator, x)))
 
@@ -352,9 +351,10 @@ def _local_search(evaluator: TurnEvaluator, x: list[float]) -> list[float]:
         left = evaluator.rooms(figures(tuple(point)))
         return [left[name] for name in names]
 
-    found = constrained_point(sought, rooms, evaluator.bounds, x)
+    found = constrained_point(sought, rooms, evaluator.bounds, x, most)
     best = min(x, found, key=evaluator.score)
-    return min(best, downhill_point(evaluator.score, evaluator.bounds, best), key=evaluator.score)
+    lower = downhill_point(evaluator.score, evaluator.bounds, best, most)
+    return min(best, lower, key=evaluator.score)
 
 
 def _complete(evaluator: TurnEvaluator, x: Sequence[float]) -> dict[str, float]:
@@ -433,8 +433,9 @@ def pareto_front(
 ) -> list[BestTurn]:
     """Shortest turns for head speeds (m/s, increasing) that they must allow under limits.speed.
 
-    Each search knows the turn before it; the list ends where none is found. `goal` says what is to
-    be short, and the other limits.
+    The turn of each speed is sought from several starts, and the best is kept: searches all over the
+    family at ANCHORS of the speeds, the turn of the speed below and that of the speed above. The list
+    ends where none is found. `goal` says what is to be short, and the other limits.
 
     Raises:
         InputError: without limits.speed, or if not even the first speed is possible.
@@ -442,21 +443,85 @@ def pareto_front(
     if plan.limits.speed is None:
         raise InputError(_("the plan has no limit of speed: set limits.speed=2, for example"))
     wished = goal or TurnGoal()
-    found: list[BestTurn] = []
-    x: list[float] | None = None
-    for n, speed in enumerate(speeds):
-        changed = plan.with_value("walk.speed", positive("speed", speed, "m/s"))
-        text = _("turns for {speed} m/s").format(speed=f"{speed:.3f}")
-        told = part(progress, n / len(speeds), (n + 1) / len(speeds), text)
-        try:
-            best = _best(TurnEvaluator(changed, wished), told, x)
-        except InputError:
-            break
-        found.append(best)
-        x = _unknowns(best, wished)
-    if not found:
+    judges = [
+        TurnEvaluator(plan.with_value("walk.speed", positive("speed", speed, "m/s")), wished)
+        for speed in speeds
+    ]
+    texts = [_("turns for {speed} m/s").format(speed=f"{speed:.3f}") for speed in speeds]
+    sketched = _sketched(judges, part(progress, 0.0, SKETCHED), texts)
+    if not sketched:
         raise NoSolutionError(_("no turn of this family was found that keeps the limits"))
+    settled = _settled_front(judges, sketched, part(progress, SKETCHED, 1.0), texts)
+    return list(reversed(settled))
+
+
+def _sketched(
+    judges: Sequence[TurnEvaluator], progress: Progress, texts: Sequence[str]
+) -> list[list[float]]:
+    """The best turn of each judge by coarse sampling, from slow to fast and back again."""
+    last = len(judges) - 1
+    anchors = {round(share * last) for share in ANCHORS}
+    best: list[list[float]] = []
+    for n, judge in enumerate(judges):
+        progress(0.7 * n / len(judges), texts[n])
+        starts = best[-1:]
+        if n in anchors:
+            starts = starts + _found_all_over(judge)
+        ends = [_local_search(judge, start, SKETCH) for start in starts]
+        x = min(ends, key=judge.score, default=None)
+        if x is None or judge.score(x) >= WORSE:
+            break
+        best.append(x)
+    for n in range(len(best) - 2, -1, -1):
+        progress(1.0 - 0.3 * n / len(judges), texts[n])
+        above = _local_search(judges[n], best[n + 1], SKETCH)
+        best[n] = min(best[n], above, key=judges[n].score)
+    return best
+
+
+def _settled_front(
+    judges: Sequence[TurnEvaluator],
+    sketched: Sequence[list[float]],
+    progress: Progress,
+    texts: Sequence[str],
+) -> list[BestTurn]:
+    """The exact turns of the front, the fastest first; none is worse than that of the speed above."""
+    found: list[BestTurn] = []
+    for n in range(len(sketched) - 1, -1, -1):
+        judge = judges[n]
+        progress(1.0 - (n + 1) / len(sketched), texts[n])
+        judge.step = STEPS[1]
+        # What sampling hides is told beforehand, so that one local search will mostly do.
+        _exact(judge, sketched[n], clock.perf_counter(), PRUDENCE)
+        if found:
+            best = _better(judge, sketched[n], found[-1])
+        else:
+            best = _first_settled(judge, sketched[n]) or _first_settled(judge, *_found_all_over(judge))
+        if best is not None:
+            found.append(best)
     return found
+
+
+def _found_all_over(judge: TurnEvaluator) -> list[list[float]]:
+    with contextlib.suppress(NoSolutionError):
+        return _global_search(judge, silent)
+    return []
+
+
+def _better(judge: TurnEvaluator, sketched: list[float], faster: BestTurn) -> BestTurn | None:
+    """The turn settled from a sketch; from a faster turn if that is better than what comes out."""
+    best = _first_settled(judge, sketched)
+    if best is None or best.objective.value > faster.objective.value:
+        best = _first_settled(judge, _unknowns(faster, judge.goal)) or best
+    return best
+
+
+def _first_settled(judge: TurnEvaluator, *starts: list[float]) -> BestTurn | None:
+    """The turn settled from the first start that comes to one."""
+    for start in starts:
+        with contextlib.suppress(NoSolutionError):
+            return _settled(judge, start, silent, clock.perf_counter())
+    return None
 
 
 def _unknowns(best: BestTurn, goal: TurnGoal) -> list[float]:
