@@ -279,7 +279,7 @@ def write_stills(
     for index, path in enumerate(paths):
         scene = Scene(look, place, title)
         scene.show(motion, index)
-        write_picture(scene.figure, path, title, plan.sha256, as_sized=True)
+        write_picture(scene.figure, path, title, plan.sha256)
         progress((index + 1) / len(paths), path.name)
 
 
@@ -305,7 +305,7 @@ def write_sheet(plan: Plan, times: FloatArray, path: Path, look: Look, columns: 
     title = plan.title(language())
     motion, place = _instants(plan, times, look)
     figure = sheet(look, place, title, motion, columns, rows)
-    write_picture(figure, path, title, plan.sha256, as_sized=True)
+    write_picture(figure, path, title, plan.sha256)
 
 
 def pace_text(speed_up: float) -> str:

@@ -8,8 +8,8 @@ from matplotlib.figure import Figure
 
 from benchdragon.analysis.contact import ClearanceCurve
 from benchdragon.analysis.distance import boxes, nearness
-from benchdragon.figures.style import BODY, DISC, HEAD, STYLE, named_figure
-from benchdragon.figures.walk import bench_corners, draw_dragon, framing_of
+from benchdragon.figures.style import BODY, DISC, HEAD, PAGE_WIDTH, STYLE, named_figure
+from benchdragon.figures.walk import bench_corners, draw_dragon, framing_of, name_below
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.answer import Answer
@@ -19,6 +19,9 @@ from benchdragon.model.walk import Motion
 TOUCH = "#D55E00"
 # Ground about the two points of a close-up, m.
 CLOSE = 0.6
+# A valley of a clearance curve lies below the peaks beside it by more than this share of the curve's
+# height; one that is a near miss comes so near to the margin, m.
+VALLEY, NEAR_MISS = 0.02, 0.005
 
 
 def moment_picture(
@@ -34,11 +37,11 @@ def moment_picture(
     i, j = (number - 1 for number in answer.witness.benches)
     near = nearness(boxes(motion, 0), i, j)
     with matplotlib.rc_context(STYLE):
-        figure = named_figure(14.4, 7.6, title)
+        figure = named_figure(PAGE_WIDTH, 3.9, title)
         whole, close = figure.subplots(1, 2)
         middle = np.mean(near.points, axis=0)
         draw_dragon(whole, motion, 0, disc, framing_of(motion, [0], disc, [tuple(middle)]))
-        whole.plot(*middle, "s", ms=14, mfc="none", mec=TOUCH, mew=2.0, zorder=5)
+        whole.plot(*middle, "s", ms=9, mfc="none", mec=TOUCH, mew=1.5, zorder=5)
         whole.set_title(_("t = {t} s").format(t=f"{motion.times[0]:.9g}".replace("-", "−")))
         _draw_close(close, motion, (i, j), middle, CLOSE + 0.5 * max(near.distance, 0.0))
         (ax, ay), (bx, by) = near.points
@@ -47,6 +50,7 @@ def moment_picture(
         close.set_title(
             _("benches {a} and {b}: {gap}").format(a=i + 1, b=j + 1, gap=_distance_text(near.distance))
         )
+        name_below(figure, whole, close)
         return figure
 
 
@@ -75,30 +79,85 @@ def _draw_close(
     panel.set_aspect("equal")
     panel.set_xlabel(_("x (m)"))
     panel.set_ylabel(_("y (m)"))
-    panel.legend(loc="upper right", fontsize="small", framealpha=0.9)
 
 
 def clearance_picture(curve: ClearanceCurve, margin: float = 0.0, title: str = "") -> Figure:
-    """Clearance over time with the limit it must keep, its local minima, and overlaps hatched."""
+    """Clearance over time with the limit it must keep, its valleys, and overlaps hatched.
+
+    Valleys that come within NEAR_MISS of the limit are drawn once more, enlarged and with their depths.
+    """
+    valleys = _valleys(curve)
     with matplotlib.rc_context(STYLE):
-        figure = named_figure(9.6, 5.2, title)
+        figure = named_figure(PAGE_WIDTH, 3.4, title)
         panel = figure.subplots()
-        clear = 100.0 * curve.clearance
-        panel.plot(curve.times, clear, color=BODY, lw=1.2, label=_("clearance"))
-        if curve.minima:
-            known = [(near.time, low.value) for low in curve.minima if (near := low.witness)]
-            at = np.array(known, dtype=np.float64)
-            panel.plot(at[:, 0], 100.0 * at[:, 1], ".", color="black", ms=4, label=_("local minima"))
+        _draw_clearance(panel, curve, valleys, 100.0)
         panel.axhline(0.0, color=TOUCH, lw=1.4, label=_("touching"))
         if margin > 0.0:
             panel.axhline(100.0 * margin, color=DISC, lw=1.4, ls="--", label=_("margin"))
-        if (clear < 0.0).any():
-            panel.fill_between(
-                curve.times, clear, 0.0, where=list(clear < 0.0), fc="none", ec=TOUCH, hatch="////",
-                label=_("overlap"),
-            )  # fmt: skip
         panel.set_xlabel(_("time (s)"))
         panel.set_ylabel(_("clearance (cm)"))
         panel.set_title(_("Least clearance of non-adjacent benches"))
-        panel.legend(loc="best", fontsize="small", framealpha=0.9)
+        near = valleys[(valleys[:, 1] > 0.0) & (valleys[:, 1] < margin + NEAR_MISS)]
+        crowded = len(near) and near[-1, 0] - near[0, 0] < 0.2 * np.ptp(curve.times)
+        if crowded:
+            _draw_near_misses(panel, curve, near)
+        panel.legend(loc="upper right" if crowded else "best", framealpha=0.9)
         return figure
+
+
+def _valleys(curve: ClearanceCurve) -> FloatArray:
+    """Times, s, and clearances, m, of the local minima well below the peaks beside them, (V, 2).
+
+    A minimum between two pairs that take turns on a peak is none.
+    """
+    known = [(near.time, low.value) for low in curve.minima if (near := low.witness)]
+    at = np.array(known, dtype=np.float64).reshape(-1, 2)
+    depth = VALLEY * float(np.ptp(curve.clearance))
+    kept = [min(_rises(curve, t, low)) > depth for t, low in at]
+    return np.asarray(at[np.array(kept, dtype=bool)])
+
+
+def _rises(curve: ClearanceCurve, time: float, low: float) -> tuple[float, float]:
+    """How high the curve rises above a minimum on either side before it is as low again, m."""
+    middle = int(np.searchsorted(curve.times, time))
+    sides = curve.clearance[:middle][::-1], curve.clearance[middle:]
+    heights = []
+    for side in sides:
+        lower = np.flatnonzero(side < low)
+        stretch = side[: lower[0]] if len(lower) else side
+        heights.append(float(stretch.max(initial=low)) - low)
+    return heights[0], heights[1]
+
+
+def _draw_clearance(panel: Axes, curve: ClearanceCurve, valleys: FloatArray, scale: float) -> None:
+    """The curve, its valleys, and overlaps hatched; `scale` units of the picture to a metre."""
+    clear = scale * curve.clearance
+    panel.plot(curve.times, clear, color=BODY, lw=1.1, label=_("clearance"))
+    if len(valleys):
+        low = scale * valleys[:, 1]
+        panel.plot(valleys[:, 0], low, ".", color="black", ms=4.0, label=_("local minima"))
+    if (clear < 0.0).any():
+        panel.fill_between(
+            curve.times, clear, 0.0, where=list(clear < 0.0), fc="none", ec=TOUCH, hatch="////",
+            lw=0.0, label=_("overlap"),
+        )  # fmt: skip
+
+
+def _draw_near_misses(panel: Axes, curve: ClearanceCurve, near: FloatArray) -> None:
+    """An inset that shows the lowest valleys, in millimetres."""
+    inset = panel.inset_axes((0.09, 0.22, 0.42, 0.42))
+    _draw_clearance(inset, curve, near, 1e3)
+    inset.axhline(0.0, color=TOUCH, lw=1.4)
+    first, last = near[0, 0], near[-1, 0]
+    room = 0.45 * (last - first) + 2.0
+    top = 6.0 * float(near[:, 1].max())
+    inset.set(xlim=(first - room, last + room), ylim=(-300.0 * top, 1e3 * top))
+    inset.set_ylabel(_("clearance (mm)"))
+    for t, low in near:
+        inset.annotate(
+            f"{1e3 * low:.3g} mm", (t, 1e3 * low), xytext=(0, 14), textcoords="offset points",
+            ha="center", fontsize=7.5, arrowprops={"arrowstyle": "-", "lw": 0.6},
+            bbox={"fc": "white", "ec": "none", "alpha": 0.8, "pad": 0.8},
+        )  # fmt: skip
+    shown = (first - room, -30.0 * top, last - first + 2.0 * room, 130.0 * top)
+    panel.indicate_inset(shown, inset, edgecolor="black")

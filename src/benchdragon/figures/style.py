@@ -16,6 +16,12 @@ from benchdragon.version import __version__
 
 FONT_FOLDER = Path(__file__).parents[1] / "fonts"
 FONT_FILES = tuple(FONT_FOLDER / f"NotoSansSC-{weight}.ttf" for weight in ("Regular", "Bold"))
+# A figure is drawn at the size at which it is printed: inches across the text of an A4 page. There no
+# text is smaller than LEAST_TEXT, in points; TINY makes the exponents of its labels as large as that.
+PAGE_WIDTH = 7.05
+LEAST_TEXT, TINY = 7.0, 10.0
+# Dots an inch of PNG files.
+DOTS = 220
 # Fixed, so that the same plan gives the same bytes.
 STYLE: Any = {
     "font.family": ["Noto Sans SC", "DejaVu Sans"],
@@ -23,7 +29,14 @@ STYLE: Any = {
     "svg.fonttype": "path",
     "svg.hashsalt": "benchdragon",
     "figure.constrained_layout.use": True,
-    "axes.titlesize": "medium",
+    "font.size": 9.0,
+    "figure.titlesize": 10.0,
+    "axes.titlesize": 9.0,
+    "axes.labelsize": 8.5,
+    "xtick.labelsize": 8.0,
+    "ytick.labelsize": 8.0,
+    "legend.fontsize": 7.5,
+    "mathtext.fontset": "dejavusans",
     "axes.axisbelow": True,
     "axes.grid": True,
     "grid.alpha": 0.3,
@@ -73,7 +86,7 @@ def drawable(text: str) -> str:
 def named_figure(width: float, height: float, title: str) -> Figure:
     """An empty figure, in inches, under a title; signs that cannot be drawn become "?"."""
     _use_fonts()
-    figure = Figure(figsize=(width, height))
+    figure = Figure(figsize=(width, height), dpi=DOTS)
     if title:
         figure.suptitle(drawable(title))
     return figure
@@ -86,13 +99,8 @@ def lay_out(figure: Figure) -> None:
     figure.set_layout_engine("none")
 
 
-def write_picture(
-    figure: Figure, path: Path, title: str, plan_sha256: str, *, as_sized: bool = False
-) -> None:
-    """Save `figure` as the suffix of `path` says; the file holds the plan's hash and the version.
-
-    With `as_sized` its size and its dots an inch stay as they are; else it is cut to what is drawn.
-    """
+def write_picture(figure: Figure, path: Path, title: str, plan_sha256: str) -> None:
+    """Save `figure` as the suffix of `path` says; the file holds the plan's hash and the version."""
     program, about = f"benchdragon {__version__}", f"plan sha256 {plan_sha256}"
     metadata: dict[str, dict[str, str | None]] = {
         ".png": {"Title": title, "Description": about, "Software": program},
@@ -100,7 +108,4 @@ def write_picture(
         ".pdf": {"Title": title, "Subject": about, "Creator": program, "CreationDate": None},
     }
     with whole_bytes(path) as made, matplotlib.rc_context(STYLE):
-        size: dict[str, Any] = {"dpi": 150, "bbox_inches": "tight"}
-        if as_sized:
-            size = {"dpi": figure.dpi}
-        figure.savefig(made, format=path.suffix[1:], metadata=metadata[path.suffix], **size)
+        figure.savefig(made, format=path.suffix[1:], metadata=metadata[path.suffix], dpi=figure.dpi)

@@ -6,7 +6,7 @@ import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
 
-from benchdragon.figures.style import SERIES, STYLE, named_figure
+from benchdragon.figures.style import PAGE_WIDTH, SERIES, STYLE, named_figure
 from benchdragon.i18n import _
 from benchdragon.solve.tolerance import Tolerance
 
@@ -20,7 +20,7 @@ def margin_picture(found: Mapping[str, Tolerance], names: Mapping[str, str], tit
         title: above all.
     """
     with matplotlib.rc_context(STYLE):
-        figure = named_figure(9.6, 5.8, title)
+        figure = named_figure(PAGE_WIDTH, 3.8, title)
         panel = figure.subplots()
         low = min(float(one.needed[0]) for one in found.values())
         high = max(float(one.needed[-1]) for one in found.values())
@@ -37,11 +37,10 @@ def margin_picture(found: Mapping[str, Tolerance], names: Mapping[str, str], tit
             )
         exact = 100.0 * next(iter(found.values())).exact
         panel.axvline(exact, color="black", lw=1.0)
-        panel.annotate(
-            _("exact"), (exact, 1.0), xytext=(4, 6), textcoords="offset points", fontsize="small"
-        )
+        panel.annotate(_("exact"), (exact, 1.0), xytext=(4, 3), textcoords="offset points")
+        panel.set(ylim=(-0.04, 1.12))
         panel.set_xlabel(_("pitch (cm)"))
         panel.set_ylabel(_("chance that benches touch"))
         panel.set_title(_("The pitch that imprecise people need; bands: 95 % confidence"))
-        panel.legend(fontsize="small", framealpha=0.9)
+        panel.legend(framealpha=0.9)
         return figure

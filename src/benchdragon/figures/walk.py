@@ -20,6 +20,8 @@ from benchdragon.figures.style import (
     BODY,
     DISC,
     HEAD,
+    LEAST_TEXT,
+    PAGE_WIDTH,
     ROUTE,
     STYLE,
     named_figure,
@@ -56,14 +58,24 @@ def dragon_picture(
     columns = min(len(indices), 2)
     panels = -(-len(indices) // columns)
     with matplotlib.rc_context(STYLE):
-        figure = named_figure(7.2 * columns, 7.0 * panels + 0.4, title)
+        side = PAGE_WIDTH / 2 if columns > 1 else 0.62 * PAGE_WIDTH
+        figure = named_figure(side * columns, side * panels + 0.3, title)
         axes = figure.subplots(panels, columns, squeeze=False).ravel()
         framed = framing_of(motion, indices, disc)
         for panel, index in zip(axes, indices, strict=False):
             draw_dragon(panel, motion, index, disc, framed)
         for panel in axes[len(indices) :]:
             panel.set_axis_off()
+        name_below(figure, axes[0])
         return figure
+
+
+def name_below(figure: Figure, *panels: Axes) -> None:
+    """One legend for all panels, below them: what the labelled things of `panels` are called."""
+    named = [panel.get_legend_handles_labels() for panel in panels]
+    handles = [handle for some, _labels in named for handle in some]
+    labels = [label for _handles, some in named for label in some]
+    figure.legend(handles, labels, loc="outside lower center", ncols=len(labels), frameon=False)
 
 
 def framing_of(
@@ -117,7 +129,6 @@ def draw_dragon(panel: Axes, motion: Motion, index: int, disc: float | None, fra
     panel.set_ylabel(_("y (m)"))
     clock = f"{motion.times[index]:g}".replace("-", "\N{MINUS SIGN}")
     panel.set_title(_("t = {t} s").format(t=clock))
-    panel.legend(loc="upper right", fontsize="small", framealpha=0.9)
     frame = framed.frame(1.0, np.stack([motion.x[index], motion.y[index]], axis=-1))
     panel.set(xlim=frame.limits[0], ylim=frame.limits[1])
     if framed.cut(1.0):
@@ -125,7 +136,7 @@ def draw_dragon(panel: Axes, motion: Motion, index: int, disc: float | None, fra
         axes = panel.inset_axes(place, zorder=7)
         Overview(axes, ground, route, ROUTE, "black").show(motion, index, frame)
         text = _("{length} m across").format(length=f"{ground.width:.3g}")
-        axes.text(0.03, 0.94, text, fontsize="x-small", va="top", transform=axes.transAxes)
+        axes.text(0.03, 0.94, text, fontsize=LEAST_TEXT, va="top", transform=axes.transAxes)
 
 
 def _draw_benches(panel: Axes, corners: FloatArray) -> None:
@@ -184,7 +195,7 @@ def speed_map(motion: Motion, title: str = "", joints: Sequence[float] = ()) -> 
     faster or slower than the rest, the colours tell the rest apart, and the extremes are named.
     """
     with matplotlib.rc_context(STYLE):
-        figure = named_figure(9.0, 5.2, title)
+        figure = named_figure(0.85 * PAGE_WIDTH, 3.3, title)
         panel = figure.subplots()
         panel.grid(False)
         times = _edges(motion.times)
@@ -199,7 +210,7 @@ def speed_map(motion: Motion, title: str = "", joints: Sequence[float] = ()) -> 
             name = _("passing a joint of the route") if n == 0 else None
             panel.plot(passed, range(len(passed)), color="white", lw=0.8, ls="--", label=name)
         if joints:
-            panel.legend(loc="lower left", fontsize="small", facecolor="#555555", labelcolor="white")
+            panel.legend(loc="lower left", facecolor="#555555", labelcolor="white")
         panel.invert_yaxis()
         panel.set_xlabel(_("time (s)"))
         panel.set_ylabel(_("handle (0: the head's front)"))
@@ -265,7 +276,7 @@ def head_angle_picture(motion: Motion, title: str = "") -> Figure:
     dx, dy = motion.x[:, 0] - cx, motion.y[:, 0] - cy
     angle = np.degrees(np.unwrap(np.arctan2(dy, dx)))
     with matplotlib.rc_context(STYLE):
-        figure = named_figure(8.0, 5.6, title)
+        figure = named_figure(0.85 * PAGE_WIDTH, 4.0, title)
         above, below = figure.subplots(2, 1, sharex=True)
         above.plot(motion.times, angle, color=HEAD, marker="." if len(angle) < 30 else None)
         above.set_ylabel(_("polar angle (degrees)"))
