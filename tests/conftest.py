@@ -59,7 +59,8 @@ def ready(folder: Path, found: Results, monkeypatch: pytest.MonkeyPatch) -> None
     def copy(to: Path, *_rest: object) -> None:
         to.mkdir(parents=True, exist_ok=True)
         for name in reproducing.PICTURES:
-            shutil.copy(folder / f"{name}.png", to)
+            for kind in ("svg", "pdf"):
+                shutil.copy(folder / f"{name}.{kind}", to)
 
     monkeypatch.setattr(reproducing, "results", lambda _progress: found)
     monkeypatch.setattr(reproducing, "_write_tables", lambda *_arguments: None)

@@ -7,13 +7,23 @@ from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
-from pypdf import PdfReader
+from pypdf import PageObject, PdfReader
 
 from benchdragon.errors import InputError, UnsureError
 from benchdragon.i18n import use_language
 from benchdragon.model.numbering import handle_text
-from benchdragon.paper.document import Heading, Inline, Link, Paragraph, Picture, Table
-from benchdragon.paper.publish import breakable, write_html, write_pdf
+from benchdragon.paper.document import (
+    Formula,
+    Heading,
+    Inline,
+    Link,
+    Paragraph,
+    Picture,
+    Reference,
+    Table,
+)
+from benchdragon.paper.pages import MARGIN, MM, breakable, write_pdf
+from benchdragon.paper.publish import write_html
 from benchdragon.paper.report import report
 from benchdragon.paper.reproduce import pages_from, reproduce
 from benchdragon.paper.results import Results, _beside
@@ -23,6 +33,19 @@ from tests.test_number_format import SIGNED_ZERO
 pytestmark = pytest.mark.xdist_group("paper")
 
 ENGLISH = re.compile(r"[A-Za-z]{3,} [a-z]{3,} [a-z]{3,}")
+
+
+# A picture laid on a page of the PDF: where its lower left corner is.
+DRAWN = re.compile(r"q 1 0 0 1 ([\d.]+) ([\d.]+) cm /Drawn\d+ Do Q")
+# Of a page's height, so much at most is empty below what stands on it.
+EMPTY = 0.4
+
+
+def contents(page: PageObject) -> str:
+    """The streams of a page, as text."""
+    streams = page.get_contents()
+    assert streams is not None
+    return streams.get_data().decode("latin-1")
 
 
 class Page(HTMLParser):
@@ -47,10 +70,11 @@ class Page(HTMLParser):
         self.words.append(data)
 
 
-def test_the_page_needs_nothing_beside_it(folder: Path) -> None:
+def test_the_page_needs_nothing_beside_it(folder: Path, found: Results) -> None:
     page = Page((folder / "report.html").read_text("utf-8"))
-    assert len(page.sources) == 15
-    assert all(source.startswith("data:image/png;base64,") for source in page.sources)
+    drawn = [block for block in report(found).blocks if isinstance(block, Picture | Formula)]
+    assert len(page.sources) == len(drawn) > 25
+    assert all(source.startswith("data:image/svg+xml;base64,") for source in page.sources)
     assert page.links
     assert all(link.startswith("#") and link[1:] in page.anchors for link in page.links)
 
@@ -127,12 +151,13 @@ def test_no_zero_of_the_report_has_a_sign(folder: Path) -> None:
     assert SIGNED_ZERO.findall(page) == []
 
 
-def test_the_pdf_has_an_outline_pictures_and_links(folder: Path) -> None:
+def test_the_pdf_has_an_outline_pictures_and_links(folder: Path, found: Results) -> None:
     pdf = PdfReader(folder / "report.pdf")
+    drawn = [block for block in report(found).blocks if isinstance(block, Picture | Formula)]
     assert pdf.metadata is not None
     assert "benchdragon" in (pdf.metadata.creator or "")
     assert len([entry for entry in pdf.outline if not isinstance(entry, list)]) == 9
-    assert sum(len(page.images) for page in pdf.pages) == 15
+    assert sum(len(DRAWN.findall(contents(page))) for page in pdf.pages) == len(drawn)
     assert any("/Annots" in page for page in pdf.pages)
 
 
@@ -174,6 +199,68 @@ def test_both_languages_say_the_same_blocks(found: Results) -> None:
             assert vars(one).get("name") == vars(other).get("name")
         if isinstance(one, Table) and isinstance(other, Table):
             assert [len(row) for row in one.rows] == [len(row) for row in other.rows]
+
+
+def test_tables_and_pictures_are_numbered_captioned_and_referred_to(
+    found: Results, spoken: str
+) -> None:
+    del spoken
+    document = report(found)
+    shown = [block for block in document.blocks if isinstance(block, Table | Picture)]
+    names = [block.name for block in shown]
+    assert len(set(names)) == len(names) == len(document.labels)
+    assert len({document.labels[name] for name in names}) == len(names)
+    captions = [block.caption for block in shown]
+    assert all(captions)
+    assert len(set(captions)) == len(captions)
+    referred = {
+        part.name for block in document.blocks for part in parts(block) if isinstance(part, Reference)
+    }
+    assert referred == set(names)
+
+
+def test_each_caption_stands_once_in_both_files(folder: Path, found: Results) -> None:
+    document = report(found)
+    page = "".join(Page((folder / "report.html").read_text("utf-8")).words)
+    pdf = "".join(page.extract_text() for page in PdfReader(folder / "report.pdf").pages)
+    for label in document.labels.values():
+        assert page.count(f"{label}. ") == 1, label
+        assert pdf.count(f"{label}. ") == 1, label
+
+
+def test_the_contents_lead_to_the_pages_of_all_chapters(folder: Path, found: Results) -> None:
+    pages = [page.extract_text() for page in PdfReader(folder / "report.pdf").pages]
+    listed = re.findall(r"^(.+?)\s*(\d+)$", pages[0].partition("Contents")[2], re.MULTILINE)
+    numbers = {text.strip(): int(number) for text, number in listed}
+    for heading in report(found).headings:
+        assert heading.text in pages[numbers[heading.text] - 1], heading.text
+        if numbers[heading.text] > 1:
+            assert heading.text in pages[0]
+    assert report(found).date in pages[0]
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_no_page_but_the_last_is_half_empty(
+    folder: Path, found: Results, tmp_path: Path, language: str
+) -> None:
+    use_language(language)
+    try:
+        write_pdf(tmp_path / "report.pdf", report(found), folder)
+    finally:
+        use_language("en")
+    pages = PdfReader(tmp_path / "report.pdf").pages
+    height = float(pages[0].mediabox.height)
+    for number, page in enumerate(pages[:-1], start=1):
+        low = [float(y) for _x, y in DRAWN.findall(contents(page))]
+
+        def visit(
+            text: str, cm: list[float], tm: list[float], *_font: object, low: list[float] = low
+        ) -> None:
+            if text.strip() and tm[5] * cm[3] + cm[5] > MARGIN / MM:
+                low.append(tm[5] * cm[3] + cm[5])
+
+        page.extract_text(visitor_text=visit)
+        assert min(low) < EMPTY * height, f"page {number}"
 
 
 def test_chinese_lines_may_break_after_signs_but_not_before_stops() -> None:

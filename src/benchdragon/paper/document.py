@@ -1,6 +1,11 @@
 """A document: headings, words with links, tables, formulas and names of pictures, in one language."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
+from string import Formatter
+
+from benchdragon.i18n import _
 
 
 @dataclass(frozen=True)
@@ -11,7 +16,14 @@ class Link:
     target: str
 
 
-Inline = str | Link
+@dataclass(frozen=True)
+class Reference:
+    """The number of a table or a picture, by its name; leads there."""
+
+    name: str
+
+
+Inline = str | Link | Reference
 
 
 @dataclass(frozen=True)
@@ -32,8 +44,9 @@ class Paragraph:
 
 @dataclass(frozen=True)
 class Formula:
-    """A line by itself."""
+    """A formula by itself, in the TeX that matplotlib sets; `text` for those who cannot see it."""
 
+    tex: str
     text: str
 
 
@@ -41,6 +54,8 @@ class Formula:
 class Table:
     """Columns with their shares of the width, and rows of words; numbers stand to the right."""
 
+    name: str
+    caption: str
     columns: tuple[str, ...]
     widths: tuple[float, ...]
     rows: tuple[tuple[Inline, ...], ...]
@@ -60,13 +75,69 @@ Block = Heading | Paragraph | Formula | Table | Picture
 
 @dataclass(frozen=True)
 class Document:
-    """The whole report."""
+    """The whole report.
+
+    Attributes:
+        title: above all.
+        language: "en" or "zh".
+        date: of the day on which it was made, YYYY-MM-DD.
+        blocks: from the first to the last; the contents stand before the first heading.
+    """
 
     title: str
     language: str
+    date: str
     blocks: tuple[Block, ...]
+
+    @property
+    def headings(self) -> list[Heading]:
+        """Headings of all levels, in order."""
+        return [block for block in self.blocks if isinstance(block, Heading)]
 
     @property
     def chapters(self) -> list[Heading]:
         """Headings of the first level."""
-        return [block for block in self.blocks if isinstance(block, Heading) and block.level == 1]
+        return [heading for heading in self.headings if heading.level == 1]
+
+    @cached_property
+    def labels(self) -> dict[str, str]:
+        """What tables and pictures are called, "Figure 3", by their names; kinds are numbered apart."""
+        kinds = ((Picture, _("Figure {number}")), (Table, _("Table {number}")))
+        return {
+            block.name: text.format(number=number)
+            for kind, text in kinds
+            for number, block in enumerate(
+                (block for block in self.blocks if isinstance(block, kind)), start=1
+            )
+        }
+
+    def link(self, reference: Reference) -> Link:
+        """A reference as a link."""
+        return Link(self.labels[reference.name], f"#{anchor_of(reference.name)}")
+
+
+def anchor_of(name: str) -> str:
+    """What links to a table or a picture lead to."""
+    return f"shown-{name}"
+
+
+def say(text: str, **values: object) -> Paragraph:
+    """A paragraph of words with values in them, some of which may be links and references.
+
+    Sentences may be joined by a space; Chinese has none after a full stop.
+    """
+    return Paragraph(tuple(_filled(text.replace("。 ", "。"), values)))
+
+
+def _filled(text: str, values: dict[str, object]) -> Iterator[Inline]:
+    plain = ""
+    for before, name, _format, _conversion in Formatter().parse(text):
+        plain += before
+        value = values[name] if name else ""
+        if isinstance(value, Link | Reference):
+            yield from (part for part in (plain, value) if part)
+            plain = ""
+        else:
+            plain += str(value)
+    if plain:
+        yield plain

@@ -4,6 +4,7 @@ Here it is text, tables and names of pictures in the language in use; `publish` 
 and PDF. Every number is one of the run's own, or the paper's.
 """
 
+import datetime
 import math
 from collections.abc import Iterable, Sequence
 
@@ -13,16 +14,21 @@ from benchdragon.model.answer import Answer
 from benchdragon.model.numbering import handle_names, handle_text, numbering_text
 from benchdragon.number_format import decimals, decimals_or_dash
 from benchdragon.paper import claims as paper
-from benchdragon.paper.document import Block, Document, Heading, Inline, Link, Paragraph, Picture, Table
-from benchdragon.paper.evidence import (
-    conditioning,
-    contact_of,
-    errors,
-    evidence_table,
-    left_out,
-    people,
+from benchdragon.paper.derivations import contact_of, evidence_table
+from benchdragon.paper.document import (
+    Block,
+    Document,
+    Formula,
+    Heading,
+    Inline,
+    Link,
+    Paragraph,
+    Picture,
+    Reference,
+    Table,
     say,
 )
+from benchdragon.paper.evidence import conditioning, errors, left_out, people
 from benchdragon.paper.results import (
     MOTION_TIMES,
     TABLE_HANDLES,
@@ -61,7 +67,7 @@ def report(found: Results, docs: str | None = None) -> Document:
         *_opening(found),
         *_claims(found),
         *_questions(found),
-        *_figures(),
+        *_flow(),
         *_equations(found),
         *errors(found),
         *conditioning(found),
@@ -69,7 +75,7 @@ def report(found: Results, docs: str | None = None) -> Document:
         *evidence_table(found, docs),
         *left_out(),
     ]
-    return Document(title, language(), tuple(blocks))
+    return Document(title, language(), datetime.date.today().isoformat(), tuple(blocks))
 
 
 def _opening(found: Results) -> Iterable[Block]:
@@ -119,7 +125,14 @@ def _claims(found: Results) -> Iterable[Block]:
         _("how known"),
     )
     rows = [*_walk_claims(found), *_contact_claims(found), *_turn_claims(found), *_other_claims(found)]
-    yield Table(columns, (0.7, 1.5, 1.2, 1.4, 1.0, 2.6, 1.2), tuple(rows))
+    yield say(
+        _("{claims} holds each claim of the paper beside what comes out here."),
+        claims=Reference("claims"),
+    )
+    yield Table(
+        "claims", _("The paper's claims, and what comes out here."), columns,
+        (0.7, 1.5, 1.2, 1.4, 1.0, 2.6, 1.2), tuple(rows),
+    )  # fmt: skip
 
 
 def _walk_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
@@ -200,7 +213,7 @@ def _turn_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
         _("right: of two tangent arcs between the same joints, whatever the ratio of their radii"),
         _how("turn", _("closed form")),
     )
-    best = found.front[0]
+    best = found.front[found.told]
     yield (
         _("abstract, 4"),
         _("the turn cannot be made shorter"),
@@ -243,12 +256,18 @@ def _deeper_text(found: Results) -> str:
 
 
 def _other_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
+    yield _method_claim(found)
+    yield _reliability_claim(found)
+    yield _people_claim(found)
+
+
+def _method_claim(found: Results) -> tuple[Inline, ...]:
     coarse, fine = (
         next(answer.evaluations for p, t, answer in found.traversal if (p, t) == steps)
         for steps in ((0.002, 1.0), (0.0005, 1.0))
     )
     width = found.smallest.upper - found.smallest.lower
-    yield (
+    return (
         "4",
         _("faster methods are future work"),
         _("a traversal in steps"),
@@ -260,7 +279,10 @@ def _other_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
         ).format(coarse=coarse, fine=fine),
         _how("smallest-pitch", _("counted")),
     )
-    yield (
+
+
+def _reliability_claim(found: Results) -> tuple[Inline, ...]:
+    return (
         "1, 4",
         _("reliable by error analysis"),
         _("none printed"),
@@ -272,8 +294,11 @@ def _other_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
         _("Runge-Kutta; forward, central and backward differences: as theory has it"),
         Link(_("chapter on errors"), "#errors"),
     )
+
+
+def _people_claim(found: Results) -> tuple[Inline, ...]:
     aside, together = (found.dances.tolerance(name) for name in ("aside", "all"))
-    yield (
+    return (
         "2",
         _("assumptions 1 to 4: people are exact"),
         _("neglected"),
@@ -298,6 +323,15 @@ def _allowed(best: BestTurn) -> float:
 
 def _questions(found: Results) -> Iterable[Block]:
     yield Heading(_("The contest's five questions"), "questions")
+    yield from _first_question(found)
+    yield from _second_question(found)
+    yield from _third_question(found)
+    yield from _fourth_question(found)
+    yield from _better_turns(found)
+    yield from _fifth_question(found)
+
+
+def _first_question(found: Results) -> Iterable[Block]:
     yield Heading(_("Question 1: where handles are, and how fast"), "question-1", 2)
     yield say(
         _("Pitch {pitch} m, head speed 1 m/s; all handles each second: {file}."),
@@ -305,10 +339,25 @@ def _questions(found: Results) -> Iterable[Block]:
         file="result1.xlsx",
     )
     yield Paragraph((numbering_text(),))
-    yield from _motion_tables(table(found.motion, TABLE_TIMES), TABLE_TIMES)
+    yield say(
+        _(
+            "{places} and {speeds} hold the contest's handles at its times. {dragon} shows the dragon, "
+            "{map} the speeds of all handles."
+        ),
+        places=Reference("spiral-places"),
+        speeds=Reference("spiral-handle-speeds"),
+        dragon=Reference("spiral-dragon"),
+        map=Reference("spiral-speeds"),
+    )
+    rows = table(found.motion, TABLE_TIMES)
+    yield _places("spiral-places", _("Positions in the first part, m."), rows, TABLE_TIMES)
+    yield _speeds("spiral-handle-speeds", _("Speeds in the first part, m/s."), rows, TABLE_TIMES)
     yield Picture("spiral-dragon", _("The dragon at the start and after 300 s."))
     yield Picture("spiral-speeds", _("Speeds of all handles over time."))
-    first = contact_of(found)
+
+
+def _second_question(found: Results) -> Iterable[Block]:
+    first, standing = contact_of(found), moment(found.report)[0]
     yield Heading(_("Question 2: when benches first touch"), "question-2", 2)
     yield say(
         _("At t = {t} s ({how}) bench {a} touches bench {b}; the whole dragon then: {file}."),
@@ -318,10 +367,21 @@ def _questions(found: Results) -> Iterable[Block]:
         b=_bench(first, 1),
         file="result2.xlsx",
     )
-    standing = moment(found.report)[0]
+    yield say(
+        _(
+            "{handles} holds the contest's handles at that moment, {contact} shows it, and {clearance} "
+            "how near benches come before: twice they miss one another by millimetres."
+        ),
+        handles=Reference("contact-handles"),
+        contact=Reference("contact"),
+        clearance=Reference("clearance"),
+    )
     yield _one_moment(table(standing, standing.times.tolist()))
     yield Picture("contact", _("The first contact, and close by."))
     yield Picture("clearance", _("Clearance of non-adjacent benches up to the contact."))
+
+
+def _third_question(found: Results) -> Iterable[Block]:
     yield Heading(_("Question 3: the smallest pitch"), "question-3", 2)
     yield Paragraph(
         (
@@ -337,8 +397,16 @@ def _questions(found: Results) -> Iterable[Block]:
             ".",
         )
     )
+    yield say(
+        _(
+            "{pitch} draws the two angles that the paper compares. They do not cross: at the smallest "
+            "pitch the angle that the head reaches jumps over that of the disc, because the contact "
+            "that decides happens {before} m before the disc."
+        ),
+        pitch=Reference("pitch"),
+        before=f"{found.before_disc or 0.0:.3f}",
+    )
     yield Picture("pitch", _("The paper's Fig 2: how far in the head comes, over the pitch."))
-    yield from _turn_questions(found)
 
 
 def _bench(answer: Answer, which: int) -> int:
@@ -350,7 +418,7 @@ def _handle(answer: Answer) -> str:
     return handle_text(near.handle, near.benches[0]) if near and near.handle is not None else "-"
 
 
-def _turn_questions(found: Results) -> Iterable[Block]:
+def _fourth_question(found: Results) -> Iterable[Block]:
     arcs, near = found.two_arcs, found.turn_report.clearance
     yield Heading(_("Question 4: the turn"), "question-4", 2)
     yield say(
@@ -367,12 +435,46 @@ def _turn_questions(found: Results) -> Iterable[Block]:
         b=_bench(near, 1),
         file="result4.xlsx",
     )
-    yield from _motion_tables(
-        table(found.turn.build().motion(MOTION_TIMES), MOTION_TIMES), MOTION_TIMES
+    yield say(
+        _(
+            "{construction} shows how the arcs lie, {dragon} the dragon on them; {places} and {speeds} "
+            "hold the contest's handles at its times, {map} the speeds of all."
+        ),
+        construction=Reference("turn-disc"),
+        dragon=Reference("turn-dragon"),
+        places=Reference("turn-places"),
+        speeds=Reference("turn-handle-speeds"),
+        map=Reference("turn-speeds"),
     )
-    yield Picture("turn-disc", _("The turn: the paper's Fig 3."))
+    yield Picture(
+        "turn-disc",
+        _(
+            "The turn, the paper's Fig 3: arcs C1 and C2 about O1 and O2 meet at C, on the diameter "
+            "AB; l1 and l2 are tangents of the spirals and of the arcs."
+        ),
+    )
+    rows = table(found.turn.build().motion(MOTION_TIMES), MOTION_TIMES)
+    yield _places("turn-places", _("Positions in the second part, m."), rows, MOTION_TIMES)
+    yield _speeds("turn-handle-speeds", _("Speeds in the second part, m/s."), rows, MOTION_TIMES)
     yield Picture("turn-dragon", _("The dragon turning: the paper's Fig 4."))
+    yield Picture("turn-speeds", _("Speeds of all handles while the dragon turns."))
+
+
+def _better_turns(found: Results) -> Iterable[Block]:
+    yield say(
+        _(
+            "A line between the arcs makes the turn shorter ({better}). For each of {count} head "
+            "speeds the shortest such turn was sought from several starts, and the best kept ({front}, "
+            "{lengths}): searches of the whole family at three of the speeds, and the turns of the "
+            "speeds below and above. No bend is tighter than the paper's."
+        ),
+        better=Reference("turn-better"),
+        count=len(found.front),
+        front=Reference("turn-front"),
+        lengths=Reference("front"),
+    )
     yield Picture("turn-better", _("The paper's turn beside shorter ones."))
+    yield Picture("turn-front", _("Length against greatest head speed; best found."))
     columns = (
         _("head speed (m/s)"),
         _("turn (m)"),
@@ -390,45 +492,73 @@ def _turn_questions(found: Results) -> Iterable[Block]:
         )
         for best in found.front
     )
-    yield Table(columns, (1, 1, 1, 1, 1), rows, numbers=True)
-    yield Picture("turn-front", _("Length against greatest head speed; best found."))
+    caption = _("The shortest turns that were found, by the head speed that they allow.")
+    yield Table("front", caption, columns, (1, 1, 1, 1, 1), rows, numbers=True)
+
+
+def _fifth_question(found: Results) -> Iterable[Block]:
     speed = found.head_speed
+    limit = found.turn.limits.speed or math.nan
     yield Heading(_("Question 5: how fast the head may walk"), "question-5", 2)
     yield say(
         _(
             "No handle exceeds {limit} m/s up to a head speed of {speed} m/s ({how}), decided by "
             "{handle} at t = {t} s."
         ),
-        limit=f"{found.turn.limits.speed:g}",
+        limit=f"{limit:g}",
         speed=f"{speed.value:.12f}",
         how=established(speed),
         handle=_handle(speed),
-        t=f"{speed.witness.time if speed.witness and speed.witness.time else 0.0:.6f}",
+        t=f"{found.turn_greatest_at:.6f}",
     )
-    yield Picture("turn-speeds", _("Speeds of all handles while the dragon turns."))
+    yield say(
+        _(
+            "{ratio} shows why: the greatest speed ratio of any handle is {greatest}, for a moment. It "
+            "is a peak between two seconds, which samples miss."
+        ),
+        ratio=Reference("turn-ratio"),
+        greatest=f"{limit / speed.value:.6f}",
+    )
+    yield Picture(
+        "turn-ratio",
+        _("The greatest speed ratio of all handles over time, and the moment that decides."),
+    )
 
 
-def _motion_tables(rows: Sequence[dict[str, float]], times: Sequence[float]) -> Iterable[Block]:
-    """Places, then speeds: a row a handle, a column a time."""
-    columns = (_("handle"), _("in the contest"), *(f"{t:g} s" for t in times))
-    widths = (0.6, 1.6, *(1.0 for _time in times))
-    names = handle_names(TABLE_HANDLES[-1] + 1)
+def _places(name: str, caption: str, rows: Sequence[dict[str, float]], times: Sequence[float]) -> Table:
+    """Positions: two rows a handle, a column a time."""
     by_place = {(row["time_s"], row["handle"]): row for row in rows}
-    lines: list[tuple[Inline, ...]] = []
-    for handle in TABLE_HANDLES:
-        for axis, text in (("x", _("{handle} x (m)")), ("y", _("{handle} y (m)"))):
-            cells = (decimals(by_place[t, handle][f"{axis}_m"]) for t in times)
-            lines.append((str(handle), text.format(handle=names[handle]), *cells))
-    yield Table(columns, widths, tuple(lines), numbers=True)
-    speeds = [
+    names = handle_names(TABLE_HANDLES[-1] + 1)
+    lines = tuple(
+        (
+            str(handle),
+            text.format(handle=names[handle]),
+            *(decimals(by_place[t, handle][f"{axis}_m"]) for t in times),
+        )
+        for handle in TABLE_HANDLES
+        for axis, text in (("x", _("{handle} x (m)")), ("y", _("{handle} y (m)")))
+    )
+    return Table(name, caption, *_time_columns(times), lines, numbers=True)
+
+
+def _speeds(name: str, caption: str, rows: Sequence[dict[str, float]], times: Sequence[float]) -> Table:
+    """Speeds: a row a handle, a column a time."""
+    by_place = {(row["time_s"], row["handle"]): row for row in rows}
+    names = handle_names(TABLE_HANDLES[-1] + 1)
+    lines = tuple(
         (
             str(handle),
             _("{handle} (m/s)").format(handle=names[handle]),
             *(decimals(by_place[t, handle]["speed_m_s"]) for t in times),
         )
         for handle in TABLE_HANDLES
-    ]
-    yield Table(columns, widths, tuple(speeds), numbers=True)
+    )
+    return Table(name, caption, *_time_columns(times), lines, numbers=True)
+
+
+def _time_columns(times: Sequence[float]) -> tuple[tuple[str, ...], tuple[float, ...]]:
+    columns = (_("handle"), _("in the contest"), *(f"{t:g} s" for t in times))
+    return columns, (0.6, 1.6, *(1.0 for _time in times))
 
 
 def _one_moment(rows: Sequence[dict[str, float]]) -> Table:
@@ -442,25 +572,39 @@ def _one_moment(rows: Sequence[dict[str, float]]) -> Table:
         )
         for row in rows
     )
-    return Table(columns, (0.6, 1, 1, 1, 1), lines, numbers=True)
+    caption = _("The contest's handles at the first contact.")
+    return Table("contact-handles", caption, columns, (0.6, 1, 1, 1, 1), lines, numbers=True)
 
 
-def _figures() -> Iterable[Block]:
+def _flow() -> Iterable[Block]:
     yield Heading(_("The paper's figures"), "figures")
-    yield Paragraph(
-        (
-            _("Fig 1, its flow of work, stands below beside ours; "),
-            Link(_("Fig 2"), "#question-3"),
-            ", ",
-            Link(_("Fig 3 and Fig 4"), "#question-4"),
-            _(" stand with the questions."),
-        )
+    yield say(
+        _(
+            "The paper's Fig 1, its flow of work, stands in {flow} beside ours; its Fig 2 is {pitch}, "
+            "its Fig 3 {turn}, its Fig 4 {dragon}."
+        ),
+        flow=Reference("flow"),
+        pitch=Reference("pitch"),
+        turn=Reference("turn-disc"),
+        dragon=Reference("turn-dragon"),
     )
     yield Picture("flow", _("What the paper does, and what is done here."))
 
 
 def _equations(found: Results) -> Iterable[Block]:
     yield Heading(_("The paper's equations, tested on exact values"), "equations")
+    yield say(
+        _(
+            "{equations} holds the value of each equation as it is printed, and what the walk does. "
+            "{triangle} shows the triangle of equation (6), with the link of bench 1 for the paper's d:"
+        ),
+        equations=Reference("equations"),
+        triangle=Reference("geometry-triangle"),
+    )
+    yield Formula(
+        r"\cos\theta = \dfrac{d_1^2 + r_1^2 - L_1^2}{2\,d_1 r_1}",
+        "cos θ = (d1² + r1² - L1²)/(2 d1 r1)",
+    )
     columns = (
         _("equation"),
         _("gives"),
@@ -480,4 +624,9 @@ def _equations(found: Results) -> Iterable[Block]:
         )
         for one in found.equations
     )
-    yield Table(columns, (0.6, 2.0, 1.3, 1.3, 0.8, 2.2), rows)
+    caption = _("The paper's equations as printed, and exact values.")
+    yield Table("equations", caption, columns, (0.6, 2.0, 1.3, 1.3, 0.8, 2.2), rows)
+    yield Picture(
+        "geometry-triangle",
+        _("Handle 0 on the second arc, handle 1 on the first: the triangle of the cosine law."),
+    )

@@ -1,6 +1,7 @@
 """The paper again, from one call: its tables, pictures and answers, and a report on all of them."""
 
 import json
+import math
 import os
 from dataclasses import dataclass
 from pathlib import Path
@@ -24,6 +25,7 @@ from benchdragon.figures.tolerance import margin_picture
 from benchdragon.figures.walk import dragon_picture, head_angle_picture, speed_map
 from benchdragon.files import refuse_existing, whole_file
 from benchdragon.i18n import _, language
+from benchdragon.paper.derivations import contact_of
 from benchdragon.paper.evidence_figures import (
     accumulation_picture,
     convergence_picture,
@@ -31,20 +33,31 @@ from benchdragon.paper.evidence_figures import (
     pitch_picture,
     stepping_picture,
 )
-from benchdragon.paper.publish import write_html, write_pdf
+from benchdragon.paper.geometry_figures import axes_picture, polar_picture, triangle_picture
+from benchdragon.paper.pages import write_pdf
+from benchdragon.paper.publish import write_html
 from benchdragon.paper.report import FLOW, report
 from benchdragon.paper.results import Results, as_json, results
-from benchdragon.paper.turn_figures import ShownTurn, front_picture, turns_picture
+from benchdragon.paper.turn_figures import (
+    ShownTurn,
+    construction_picture,
+    front_picture,
+    ratio_picture,
+    turns_picture,
+)
 from benchdragon.plans.schema import TurnRoute
 from benchdragon.progress import Progress, Stages, part, silent
 from benchdragon.solve.tolerance import CASES
 
 TURN_TIMES = (-50.0, 0.0, 14.0, 50.0)
+# Times, s, over which the greatest speed ratio is drawn (from, to, step), how far about its greatest
+# value it is enlarged, and how long before the contact the separating axes are drawn.
+RATIO_TIMES, CLOSE, BEFORE_CONTACT = (-10.0, 60.0, 0.02), 0.6, 1.5
 PICTURE_KINDS = ("png", "svg", "pdf")
 PICTURES = (
     "spiral-dragon", "spiral-speeds", "spiral-head", "contact", "clearance", "pitch", "turn-disc",
-    "turn-dragon", "turn-speeds", "turn-better", "turn-front", "flow", "errors-orders", "errors-chain",
-    "errors-steps", "margins",
+    "turn-dragon", "turn-speeds", "turn-better", "turn-front", "turn-ratio", "flow", "errors-orders",
+    "errors-chain", "errors-steps", "margins", "geometry-polar", "geometry-triangle", "geometry-axes",
 )  # fmt: skip
 TABLES = ("result1.xlsx", "result2.xlsx", "result4.xlsx", "spiral.csv", "spiral.npz")
 
@@ -133,58 +146,70 @@ def _write_tables(folder: Path, found: Results) -> None:
 
 def all_figures(found: Results) -> dict[str, Figure]:
     """The pictures, by the names in PICTURES."""
-    return {**_spiral_figures(found), **_turn_figures(found), **_evidence_figures(found)}
+    return {
+        **_spiral_figures(found),
+        **_turn_figures(found),
+        **_evidence_figures(found),
+        **_geometry_figures(found),
+    }
 
 
 def _spiral_figures(found: Results) -> dict[str, Figure]:
-    title, plan = found.spiral.title(language()), found.spiral
     return {
-        "spiral-dragon": dragon_picture(found.motion, title, (0, 300)),
-        "spiral-speeds": speed_map(found.motion, title),
-        "spiral-head": head_angle_picture(found.motion, title),
-        "contact": moment_picture(*moment(found.report), title),
-        "clearance": clearance_picture(found.clearance, plan.limits.margin, title),
-        "pitch": pitch_picture(found.curve, found.smallest.value, title),
+        "spiral-dragon": dragon_picture(found.motion, "", (0, 300)),
+        "spiral-speeds": speed_map(found.motion),
+        "spiral-head": head_angle_picture(found.motion),
+        "contact": moment_picture(*moment(found.report)),
+        "clearance": clearance_picture(found.clearance, found.spiral.limits.margin),
+        "pitch": pitch_picture(found.curve, found.smallest.value),
     }
 
 
 def _turn_figures(found: Results) -> dict[str, Figure]:
-    plan, motion, front = found.turn, found.turn_motion, found.front
-    title, disc = plan.title(language()), TurnRoute.disc(plan)
+    plan, motion, disc = found.turn, found.turn_motion, TurnRoute.disc(found.turn)
     at = [int(np.searchsorted(motion.times, t)) for t in TURN_TIMES]
     turn, fastest = plan.turn.build(plan.value("route.pitch"), disc), found.head_speed.value
     paper = ShownTurn(_("the paper's two arcs"), turn, fastest)
-    allowed = [best.head_speed.value if best.head_speed else 0.0 for best in front]
-    better = [
-        ShownTurn(_("arc, line, arc"), best.turn, speed)
-        for best, speed in zip(front, allowed, strict=True)
-    ]
-    points = [(speed, best.way, best.length) for best, speed in zip(front, allowed, strict=True)]
+    front = [(best.head_speed.value if best.head_speed else 0.0, best) for best in found.front]
+    better = [ShownTurn(_("arc, line, arc"), best.turn, speed) for speed, best in front]
+    points = [(speed, best.way, best.length) for speed, best in front]
+    walk, middle = motion.walk, found.turn_greatest_at
+    close = walk.motion(np.linspace(middle - CLOSE, middle + CLOSE, 801))
+    limit = plan.limits.speed or math.nan
     return {
-        "turn-disc": turns_picture([paper], disc, title),
-        "turn-dragon": dragon_picture(motion, title, at, disc),
-        "turn-speeds": speed_map(motion, title, motion.walk.route.joints[1:-1].tolist()),
-        "turn-better": turns_picture([paper, better[0], better[-1]], disc, title),
-        "turn-front": front_picture(points, (fastest, turn.length), title),
+        "turn-disc": construction_picture(found.two_arcs),
+        "turn-dragon": dragon_picture(motion, "", at, disc),
+        "turn-speeds": speed_map(motion, "", walk.route.joints[1:-1].tolist()),
+        "turn-better": turns_picture([paper, better[found.told], better[-1]], disc),
+        "turn-front": front_picture(points, (fastest, turn.length)),
+        "turn-ratio": ratio_picture(
+            walk.motion(np.arange(*RATIO_TIMES)), close, found.head_speed, limit
+        ),
     }
 
 
 def _evidence_figures(found: Results) -> dict[str, Figure]:
-    title = found.spiral.title(language())
-    contact = found.report.first_contact
-    exact = (contact.value if contact else float("nan"), found.smallest.value)
     by_pitch = [(p, answer.value) for p, t, answer in found.traversal if t == 1.0]
     flow = [(_(paper), _(here)) for paper, here in FLOW]
     return {
         "flow": flow_picture(flow),
         "errors-orders": convergence_picture(found.head_order, found.speed_orders),
         "errors-chain": accumulation_picture(found.off, found.off_bisected, found.residuals),
-        "errors-steps": stepping_picture(found.stepped, by_pitch, exact),
+        "errors-steps": stepping_picture(found.stepped, found.windows, by_pitch, found.smallest.value),
         "margins": margin_picture(
             {name: found.dances.tolerance(name) for name in CASES},
             {name: _(case.text) for name, case in CASES.items()},
-            title,
         ),
+    }
+
+
+def _geometry_figures(found: Results) -> dict[str, Figure]:
+    contact, walk = contact_of(found), found.motion.walk
+    pair = contact.witness.benches[:2] if contact.witness else ()
+    return {
+        "geometry-polar": polar_picture(walk.motion([300.0])),
+        "geometry-triangle": triangle_picture(found.turn_motion.walk, found.two_arcs),
+        "geometry-axes": axes_picture(walk.motion([contact.value - BEFORE_CONTACT]), pair),
     }
 
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from benchdragon.analysis.check import Report, check, clearance_over, moment
-from benchdragon.analysis.contact import ClearanceCurve, first_contact
+from benchdragon.analysis.contact import ClearanceCurve, contact_windows, first_contact
 from benchdragon.errors import BenchDragonError, UnsureError
 from benchdragon.i18n import _, language, use_language
 from benchdragon.kernels.curve import FloatArray
@@ -63,10 +63,14 @@ TRAVERSALS = (
 )  # fmt: skip
 # Steps of a search that looks at times one by one, s.
 CONTACT_STEPS = (10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02)
+# How long these go on: until the dragon overlaps for good, s.
+STEPPED_UNTIL = 430.0
 # Pitches of the paper's Fig 2, m.
 FIGURE_PITCHES, FIGURE_RESOLUTION = (0.43, 0.47, 21), 5e-4
-# Head speeds, m/s, for which the shortest turn is sought; bends are no tighter than the paper's.
-FRONT_SPEEDS = (1.3, 1.5, 1.7)
+# Head speeds, m/s, for which the shortest turn is sought, and the one of them whose turn is told beside
+# the paper's; bends are no tighter than the paper's.
+FRONT_SPEEDS = tuple(round(1.26 + 0.02 * n, 2) for n in range(24))
+TOLD_SPEED = 1.3
 # Radius, m, at which joints of the paper's two arcs lie deeper than on the disc's edge.
 DEEPER = 4.4
 # Random dances of each case that are walked again; steps, m, of the differences beside derivatives.
@@ -106,6 +110,7 @@ class Results:
         front: shortest turns for each of FRONT_SPEEDS.
         curve: angles over the pitch, the paper's Fig 2.
         traversal: (pitch step, m; time step, s; answer), stepped: (time step, s; contact seen, s).
+        windows: spans of time in which benches touch, s, of the walk as far as STEPPED_UNTIL.
         head_order: of Runge-Kutta, speed_orders: of each difference formula.
         head_errors: of the head's place, m, by step of each method beside the closed form.
         speed_error: of the head's speed from forward differences a second apart, m/s.
@@ -131,6 +136,7 @@ class Results:
     curve: PitchCurve
     traversal: Sequence[tuple[float, float, Answer]]
     stepped: Sequence[tuple[float, float]]
+    windows: Sequence[tuple[float, float]]
     head_order: Convergence
     speed_orders: dict[str, Convergence]
     head_errors: dict[str, float]
@@ -154,6 +160,20 @@ class Results:
     def deeper_turn(self) -> Turn:
         """The paper's two arcs with joints at DEEPER."""
         return self.deeper.plan.turn.build(self.turn.value("route.pitch"), TurnRoute.disc(self.turn))
+
+    @property
+    def told(self) -> int:
+        """Which turn of the front is told beside the paper's."""
+        speeds = [best.plan.walk.speed for best in self.front]
+        return int(np.argmin(np.abs(np.array(speeds) - TOLD_SPEED)))
+
+    @property
+    def turn_greatest_at(self) -> float:
+        """When the greatest speed ratio of the second part occurs, s."""
+        witness = self.head_speed.witness
+        if witness is None or witness.time is None:
+            raise AssertionError("the greatest head speed has a moment")
+        return witness.time
 
     @property
     def before_disc(self) -> float | None:
@@ -194,6 +214,7 @@ def results(progress: Progress = silent) -> Results:
         stage(_("traversal of pitches"))
         traversal = [(p, t, traversed_pitch(disc, p, t, first=first)) for p, t, first in TRAVERSALS]
         stepped = stepped_contacts(walk, motion.times[0], report)
+        windows = windows_of(walk, motion.times[0])
         stage(_("angles over the pitch"))
         curve = figure_curve(disc, smallest.value)
         stage(_("derivatives"))
@@ -206,7 +227,7 @@ def results(progress: Progress = silent) -> Results:
     stage(_("equations"))
     return Results(
         spiral, disc, turn, motion, turn_motion, report, clearance, turn_report, deeper,
-        head_speed, smallest, front, curve, traversal, stepped, head_order, speed_orders,
+        head_speed, smallest, front, curve, traversal, stepped, windows, head_order, speed_orders,
         head_errors(walk, motion.times), speed_error(walk), accumulated(still), bisected(still),
         chord_residuals(motion), rates, dances, again, equations(turn),
     )  # fmt: skip
@@ -305,6 +326,14 @@ def stepped_contacts(walk: Walk, start: float, report: Report) -> list[tuple[flo
     return found
 
 
+def windows_of(walk: Walk, start: float) -> list[tuple[float, float]]:
+    """Spans of time in which benches touch, s, until STEPPED_UNTIL."""
+    return [
+        (window.opens.value, STEPPED_UNTIL if window.closes is None else window.closes.value)
+        for window in contact_windows(walk, start, STEPPED_UNTIL)
+    ]
+
+
 def figure_curve(disc: Plan, smallest: float) -> PitchCurve:
     """The paper's Fig 2, with both sides of the smallest pitch."""
     low, high, count = FIGURE_PITCHES
@@ -381,6 +410,7 @@ def as_json(found: Results) -> dict[str, Any]:
         "contact": {
             "first": touch[1].as_json(),
             "table": table(touch[0], touch[0].times.tolist()),
+            "windows_s": [list(window) for window in found.windows],
             "stepped": [{"time_step_s": step, "time_s": seen} for step, seen in found.stepped],
         },
         "pitch": {

@@ -1,0 +1,322 @@
+"""The report as a PDF: A4 pages, contents, an outline, links; pictures and formulas as drawn."""
+
+import io
+import re
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, cast
+
+from fpdf import FPDF, FontFace
+from fpdf.enums import MethodReturnValue, TableHeadingsDisplay
+from fpdf.fonts import TTFFont
+from fpdf.line_break import TextLine
+from matplotlib import font_manager
+from pypdf import PdfReader, PdfWriter
+from pypdf.generic import ArrayObject, DictionaryObject, NameObject, StreamObject
+
+from benchdragon.figures.style import FONT_FILES
+from benchdragon.files import whole_file
+from benchdragon.i18n import _
+from benchdragon.paper.document import (
+    Block,
+    Document,
+    Formula,
+    Heading,
+    Inline,
+    Link,
+    Paragraph,
+    Picture,
+    Reference,
+    Table,
+    anchor_of,
+)
+from benchdragon.paper.publish import drawn_formula
+from benchdragon.version import __version__
+
+# Sizes of the PDF: mm, and points of type.
+MARGIN, LINE, MM = 15.0, 5.2, 25.4 / 72.0
+TEXT_SIZE, TABLE_SIZE, SMALL, HEAD_SIZES = 9.5, 7.5, 8.5, {1: 15.0, 2: 11.5}
+EDGE, SHADE, LINK_COLOUR = (150, 150, 150), (235, 235, 235), (0, 84, 148)
+WEIGHTS = {"": "normal", "B": "bold"}
+# A table begins where so much of a page is left, mm: its caption and some rows; a table of numbers, one
+# line to a row, goes to the next page whole if that leaves at most so much empty.
+TABLE_ROOM, MOST_EMPTY = 32.0, 60.0
+ROW, PADDING = 0.5, 0.7
+# Pictures that found no room on a page stand at the head of the next, as far down as this share of it.
+HEAD_SHARE = 0.85
+# Chinese text may break after any sign; fpdf2 breaks where this stands, for which Noto has no glyph.
+BREAK = "\u200b"
+BREAKABLE = re.compile(
+    r"([\u3000-\u9fff\uff00-\uffef])(?![\uff0c\u3002\uff1b\uff1a\u3001\uff09\u201d])"
+)
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """A picture in place: a page of a PDF file, the number of the page that it is laid on, and where.
+
+    x and y, mm, are those of its lower left corner, from the page's lower left corner.
+    """
+
+    file: bytes
+    page: int
+    x: float
+    y: float
+
+
+class Pages(FPDF):
+    """A4 pages with numbers at their feet, and chapters that links lead to.
+
+    Pictures are left blank here; `drawn` says what belongs where.
+
+    Args:
+        document: what to write.
+        folder: of the pictures.
+        pages: on which page each heading stands, by its anchor, for the contents.
+    """
+
+    def __init__(self, document: Document, folder: Path, pages: dict[str, int]) -> None:
+        super().__init__(format="A4")
+        self._document, self._folder, self._pages = document, folder, pages
+        self._waiting: list[Picture] = []
+        self.drawn: list[Drawn] = []
+        self.found: dict[str, int] = {}
+        for style, file in zip(("", "B"), FONT_FILES, strict=True):
+            self.add_font("Noto", style, file)
+            self.add_font("DejaVu", style, font_manager.findfont(f"DejaVu Sans:{WEIGHTS[style]}"))
+        self.set_fallback_fonts(["DejaVu"], exact_match=False)
+        self.set_margin(MARGIN)
+        self.set_auto_page_break(True, MARGIN)
+        self.set_title(document.title)
+        self.set_creator(f"benchdragon {__version__}")
+        self.set_lang("zh-Hans" if document.language == "zh" else "en")
+        anchors = [heading.anchor for heading in document.headings]
+        # A link must lead somewhere before its chapter is set: to the first page until then.
+        names = [anchor_of(name) for name in document.labels]
+        self._links = {anchor: self.add_link(page=1) for anchor in [*anchors, *names]}
+
+    def _render_styled_text_line(self, text_line: TextLine, *details: Any, **more: Any) -> bool:
+        """Set a line without its marks: lines are broken by now, and who searches finds whole words."""
+        for fragment in text_line.fragments:
+            fragment.characters = [sign for sign in fragment.characters if sign != BREAK]
+        return super()._render_styled_text_line(text_line, *details, **more)
+
+    def header(self) -> None:
+        """Put pictures that found no room before at the head of the page."""
+        while self._waiting:
+            picture = self._waiting[0]
+            if self.get_y() > MARGIN and self._height(picture) > HEAD_SHARE * self.h - self.get_y():
+                break
+            self._place(self._waiting.pop(0))
+
+    def footer(self) -> None:
+        """Put the page's number at its foot."""
+        self.set_y(-MARGIN + 4.0)
+        self.set_font("Noto", size=8)
+        self.cell(0, 4, f"benchdragon {__version__} · {self.page_no()}", align="C")
+
+    def write_all(self) -> None:
+        """Set the title, the contents and all blocks."""
+        self.add_page()
+        self._spoken(self._document.title, HEAD_SIZES[1] + 4.0, bold=True)
+        self._spoken(self._document.date, TEXT_SIZE)
+        self.ln(3.0)
+        opening = True
+        for block in self._document.blocks:
+            if opening and isinstance(block, Heading):
+                self._contents()
+                opening = False
+            self._set(block)
+        while self._waiting:
+            self.add_page()
+
+    def _contents(self) -> None:
+        self._spoken(_("Contents"), HEAD_SIZES[2], bold=True)
+        self.ln(1.0)
+        for heading in self._document.headings:
+            self.set_font("Noto", "B" if heading.level == 1 else "", SMALL)
+            self.set_x(MARGIN + 6.0 * (heading.level - 1))
+            link = self._links[heading.anchor]
+            page = str(self._pages.get(heading.anchor, 0))
+            self.cell(self.epw - 20.0, 4.6, heading.text, link=link)
+            self.set_x(self.w - MARGIN - 14.0)
+            self.cell(14.0, 4.6, page, align="R", link=link, new_x="LMARGIN", new_y="NEXT")
+        self.ln(2.0)
+
+    def _set(self, block: Block) -> None:
+        match block:
+            case Heading():
+                self._heading(block)
+            case Paragraph():
+                self.set_font("Noto", size=TEXT_SIZE)
+                for part in block.words:
+                    self._write(part)
+                self.ln(LINE + 2.0)
+            case Formula():
+                self._formula(block)
+            case Table():
+                self._table(block)
+            case Picture():
+                self._picture(block)
+
+    def _heading(self, block: Heading) -> None:
+        if self.get_y() > (0.82 if block.level == 1 else 0.87) * self.h:
+            self.add_page()
+        self.ln(3.0)
+        self._arrive(block.anchor)
+        self.start_section(block.text, block.level - 1)
+        self._spoken(block.text, HEAD_SIZES[block.level], bold=True)
+        self.ln(1.5)
+
+    def _arrive(self, anchor: str) -> None:
+        """Links to an anchor lead here."""
+        self.found[anchor] = self.page_no()
+        self.set_link(self._links[anchor], page=self.page_no(), y=self.get_y())
+
+    def _spoken(self, text: str, size: float, bold: bool = False, align: str = "L") -> None:
+        self.set_font("Noto", "B" if bold else "", size)
+        self.multi_cell(0, 0.5 * size, breakable(text), align=align, new_x="LMARGIN", new_y="NEXT")
+
+    def _write(self, part: Inline) -> None:
+        if isinstance(part, str):
+            self.write(LINE, breakable(part))
+            return
+        link = self._document.link(part) if isinstance(part, Reference) else part
+        if self.get_string_width(link.text) > self.w - MARGIN - self.get_x() and self.get_x() > MARGIN:
+            self.ln(LINE)  # fpdf2 would break it in the middle of a word
+        self.set_text_color(*LINK_COLOUR)
+        self.write(LINE, breakable(link.text), self._target(link))
+        self.set_text_color(0)
+
+    def _target(self, link: Link) -> int | str:
+        return self._links[link.target[1:]] if link.target.startswith("#") else link.target
+
+    def _formula(self, block: Formula) -> None:
+        file, _width = drawn_formula(block, "pdf")
+        _wide, height = _size(file)
+        if self.get_y() + height > self.h - MARGIN:
+            self.add_page()
+        self._lay(file, MARGIN + 8.0, block.text)
+        self.ln(2.0)
+
+    def _table(self, block: Table) -> None:
+        left = self.h - MARGIN - self.get_y()
+        needed = 12.0 + (len(block.rows) + 1) * (ROW * TABLE_SIZE + 2.0 * PADDING)
+        if left < TABLE_ROOM or (block.numbers and left < min(needed, MOST_EMPTY)):
+            self.add_page()
+        self._arrive(anchor_of(block.name))
+        self._spoken(self._caption(block), SMALL)
+        self.ln(1.0)
+        self.set_font("Noto", size=TABLE_SIZE)
+        self.set_draw_color(*EDGE)
+        head = FontFace(emphasis="BOLD", fill_color=SHADE)
+        linked = FontFace(color=LINK_COLOUR)
+        with self.table(
+            col_widths=block.widths, line_height=ROW * TABLE_SIZE, padding=PADDING, headings_style=head,
+            text_align=["LEFT", *["RIGHT" if block.numbers else "LEFT"] * (len(block.columns) - 1)],
+            repeat_headings=TableHeadingsDisplay.ON_TOP_OF_EVERY_PAGE, v_align="TOP",
+        ) as table:  # fmt: skip
+            headings = table.row()
+            for name in block.columns:
+                headings.cell(breakable(name))
+            for cells in block.rows:
+                row = table.row()
+                for cell in cells:
+                    if isinstance(cell, str):
+                        row.cell(breakable(cell))
+                        continue
+                    link = self._document.link(cell) if isinstance(cell, Reference) else cell
+                    row.cell(breakable(link.text), style=linked, link=self._target(link))
+        self.ln(4.0)
+
+    def _caption(self, block: Table | Picture) -> str:
+        return f"{self._document.labels[block.name]}. {block.caption}"
+
+    def _picture(self, block: Picture) -> None:
+        """Place a picture where there is room: pictures keep their order."""
+        if self._waiting or self.get_y() + self._height(block) > self.h - MARGIN:
+            self._waiting.append(block)
+        else:
+            self._place(block)
+
+    def _file(self, block: Picture) -> bytes:
+        return (self._folder / f"{block.name}.pdf").read_bytes()
+
+    def _height(self, block: Picture) -> float:
+        """How much of a page a picture takes with its caption, mm."""
+        self.set_font("Noto", size=SMALL)
+        text = breakable(self._caption(block))
+        words: Any = self.multi_cell(
+            0, 0.5 * SMALL, text, dry_run=True, output=MethodReturnValue.HEIGHT
+        )
+        return _size(self._file(block))[1] + float(words) + 4.0
+
+    def _place(self, block: Picture) -> None:
+        file = self._file(block)
+        self._arrive(anchor_of(block.name))
+        self._lay(file, MARGIN + 0.5 * (self.epw - _size(file)[0]), block.caption)
+        self._spoken(self._caption(block), SMALL, align="C")
+        self.ln(4.0)
+
+    def _lay(self, file: bytes, x: float, text: str) -> None:
+        """Leave room for a picture, say what it is to those who cannot see it, and note its place."""
+        width, height = _size(file)
+        y = self.get_y()
+        self.set_fill_color(255)
+        with self._marked_sequence(alt_text=text):
+            self.rect(x, y, width, height, style="F")
+        self.drawn.append(Drawn(file, self.page_no(), x, self.h - y - height))
+        self.set_xy(MARGIN, y + height)
+
+
+def _size(file: bytes) -> tuple[float, float]:
+    """Width and height of a picture, mm."""
+    box = PdfReader(io.BytesIO(file)).pages[0].mediabox
+    return MM * float(box.width), MM * float(box.height)
+
+
+def breakable(text: str) -> str:
+    """Text in which lines may break after Chinese signs, but not before their stops."""
+    return BREAKABLE.sub(rf"\1{BREAK}", text)
+
+
+def write_pdf(path: Path, document: Document, folder: Path) -> None:
+    """Write the report as a PDF with the PDF pictures of `folder`, contents, an outline and links.
+
+    It is set twice: the first time tells the pages of the contents.
+    """
+    sketch = Pages(document, folder, {})
+    sketch.write_all()
+    for font in sketch.fonts.values():
+        if isinstance(font, TTFFont):
+            font.close()  # as `output` does
+    pages = Pages(document, folder, sketch.found)
+    pages.write_all()
+    writer = PdfWriter(clone_from=io.BytesIO(bytes(pages.output())))
+    for number, drawn in enumerate(pages.drawn):
+        _lay_on(writer, drawn, NameObject(f"/Drawn{number}"))
+    with whole_file(path) as temporary, temporary.open("wb") as made:
+        writer.write(made)
+
+
+def _lay_on(writer: PdfWriter, drawn: Drawn, name: NameObject) -> None:
+    """Put a picture in its place on a page: a form, shown by a stream after those of the page."""
+    picture = PdfReader(io.BytesIO(drawn.file)).pages[0]
+    contents = picture.get_contents()
+    if contents is None:
+        raise AssertionError("matplotlib draws on its pages")
+    form = StreamObject()
+    form.set_data(contents.get_data())
+    form[NameObject("/Type")] = NameObject("/XObject")
+    form[NameObject("/Subtype")] = NameObject("/Form")
+    form[NameObject("/BBox")] = picture.mediabox
+    form[NameObject("/Resources")] = picture["/Resources"].clone(writer)
+    page = writer.pages[drawn.page - 1]
+    resources = cast("DictionaryObject", page["/Resources"].get_object())
+    forms = resources.setdefault(NameObject("/XObject"), DictionaryObject()).get_object()
+    forms[name] = writer._add_object(form.flate_encode())
+    show = StreamObject()
+    show.set_data(f"q 1 0 0 1 {drawn.x / MM:.3f} {drawn.y / MM:.3f} cm {name} Do Q".encode())
+    before = page.raw_get("/Contents")
+    streams = before if isinstance(before, ArrayObject) else ArrayObject([before])
+    page[NameObject("/Contents")] = ArrayObject([*streams, writer._add_object(show)])
