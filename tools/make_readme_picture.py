@@ -14,7 +14,6 @@ def main() -> None:
     plan = read_plan("turn")
     motion = plan.build().motion([-5.0, 22.0])
     figure = dragon_picture(motion, "", (0, 1), plan.disc.radius)
-    figure.set_size_inches(10.0, 5.0)
     write_picture(figure, TARGET, plan.title("en"), plan.sha256)
 
 
