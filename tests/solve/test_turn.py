@@ -128,7 +128,7 @@ def test_unknowns_and_tables_are_inverses(family: str, objective: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("settings", "wish", "text"),
+    ("settings", "goal", "text"),
     [
         ([], TurnGoal("way", longest_way=5.0), "no turn of this family"),
         (["limits.margin=1.2"], TurnGoal("way"), "no turn of this family"),
