@@ -465,7 +465,7 @@ def _better_turns(found: Results) -> Iterable[Block]:
         _(
             "A line between the arcs makes the turn shorter ({better}). For each of {count} head "
             "speeds the shortest such turn was sought from several starts, and the best kept ({front}, "
-            "{lengths}): searches of the whole family at three of the speeds, and the turns of the "
+            "{lengths}): searches of the whole family at six of the speeds, and the turns of the "
             "speeds below and above. No bend is tighter than the paper's."
         ),
         better=Reference("turn-better"),

@@ -5,7 +5,7 @@ import os
 import signal
 import threading
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
@@ -184,16 +184,20 @@ class Results:
 
 
 def results(progress: Progress = silent) -> Results:
-    """Walk the paper's two parts, search, try, draw: about a minute on two cores.
+    """Walk the paper's two parts, search, try, draw: a minute or two on two cores.
 
-    The search for better turns runs beside the rest in a process of its own; so a script that calls
+    The searches for better turns run beside the rest in processes of their own; so a script that calls
     this does so under `if __name__ == "__main__":`.
     """
     stage = Stages(progress, STEPS)
     spiral, turn = read_plan("spiral-in"), read_plan("turn")
     disc = read_plan("spiral-in", [f"disc.radius={turn.disc.radius}"])
     prove = find_spec("flint") is not None
-    with _beside(turn, FRONT_SPEEDS, language()) as better:
+    with ExitStack() as searches:
+        better = [
+            searches.enter_context(_beside(turn, speeds, language()))
+            for speeds in _halves(FRONT_SPEEDS)
+        ]
         stage(_("walking"))
         walk = spiral.build()
         motion = walk.motion(np.arange(301.0))
@@ -223,7 +227,7 @@ def results(progress: Progress = silent) -> Results:
         dances = kept_run()
         again = walked_again(dances, AGAIN)
         stage(_("better turns"))
-        front = better()
+        front = [best for found in better for best in found()]
     stage(_("equations"))
     return Results(
         spiral, disc, turn, motion, turn_motion, report, clearance, turn_report, deeper,
@@ -231,6 +235,12 @@ def results(progress: Progress = silent) -> Results:
         head_errors(walk, motion.times), speed_error(walk), accumulated(still), bisected(still),
         chord_residuals(motion), rates, dances, again, equations(turn),
     )  # fmt: skip
+
+
+def _halves(speeds: Sequence[float]) -> list[Sequence[float]]:
+    """The slower and the faster ones, each with its own process; one list where there is one speed."""
+    middle = len(speeds) // 2
+    return [half for half in (speeds[:middle], speeds[middle:]) if half]
 
 
 @contextmanager
