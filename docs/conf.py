@@ -112,6 +112,13 @@ def join(_app: Sphinx, _page: str, source: list[str]) -> None:
     source[0] = SEAMLESS.sub("", source[0])
 
 
+def offer(app: Sphinx, page: str, source: list[str]) -> None:
+    """End a page whose cells run with a link to it as a notebook, with what the cells gave."""
+    if source[0].startswith("---\nfile_format: mystnb"):
+        text = "下载本页的 notebook" if app.config.language == "zh_CN" else "This page as a notebook"
+        source[0] += f"\n\n---\n\n{{nb-download}}`{text} <{page}.ipynb>`\n"
+
+
 def speak(_app: Sphinx, config: Config) -> None:
     """Set what depends on the language; pictures in cells follow BENCHDRAGON_LANG."""
     chinese = config.language == "zh_CN"
@@ -127,4 +134,5 @@ def setup(app: Sphinx) -> None:
     app.add_search_language(Search)
     app.connect("autodoc-process-docstring", escape)
     app.connect("source-read", join)
+    app.connect("source-read", offer)
     app.connect("config-inited", speak)
