@@ -8,7 +8,7 @@ import pytest
 
 from benchdragon.cli.main import run
 from benchdragon.plans.schema import read_plan
-from benchdragon.solve import turn
+from benchdragon.solve import minima
 
 ROOT = Path(__file__).parent.parent
 PLANS = sorted((ROOT / "examples").glob("*.dragon.toml"))
@@ -59,9 +59,9 @@ def python_blocks(readme: str) -> list[str]:
 def test_every_command_in_the_readme_works(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     shutil.copytree(ROOT / "examples", tmp_path / "examples")
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(turn, "SEEDS", (1,))  # tests/solve/test_turn.py asks how good turns are
-    monkeypatch.setattr(turn, "GENERATIONS", 10)
-    monkeypatch.setattr(turn, "LOCAL", 80)
+    monkeypatch.setattr(minima, "SEEDS", (1,))  # tests/solve/test_turn.py asks how good turns are
+    monkeypatch.setattr(minima, "GENERATIONS", 10)
+    monkeypatch.setattr(minima, "LOCAL", 80)
     commands = shell_lines((ROOT / "README.md").read_text("utf-8"))
     assert len(commands) >= 5
     for command in commands:

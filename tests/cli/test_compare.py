@@ -4,7 +4,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from benchdragon.__main__ import asked_language
 from benchdragon.cli.main import run
+from benchdragon.i18n import spoken_in
 from tests.paper.workbooks import CONTACT, TIMES, values, values_at, write_moment, write_series
 
 
@@ -41,6 +43,18 @@ def test_a_wrong_workbook_ends_with_1_and_its_mistake(
     assert lines[-3].startswith("  what that leaves unexplained is ")
     assert lines[-2] == "  671 of 672 numbers are off by more than 1e-06"
     assert lines[-1] == ("first departure: x of Head at t = 412.473838 s is 1.60786, exactly 1.209931")
+
+
+def test_language_and_quiet_have_an_effect(late: str, capsys: pytest.CaptureFixture[str]) -> None:
+    told = []
+    for options in (["--lang", "en"], ["--lang", "zh"], ["--lang", "en", "--quiet"]):
+        with spoken_in(asked_language(["compare", late, *options]) or "en"):
+            assert run(["compare", late, *options]) == 1
+        told.append(capsys.readouterr())
+    plain, chinese, quiet = told
+    assert "DOES NOT AGREE" in plain.out
+    assert "不一致" in chinese.out
+    assert (quiet.out, quiet.err) == (plain.out, "")
 
 
 def test_json_says_all_of_it(late: str, right: str, capsys: pytest.CaptureFixture[str]) -> None:

@@ -181,6 +181,8 @@ CASES: dict[str, Case] = {
 }
 # What these say comes after minutes of work: tests/paper/test_reproduce.py runs them.
 ELSEWHERE = {f"reproduce --{name}" for name in ("json", "explain", "lang", "quiet")}
+# These want a workbook: tests/cli/test_compare.py gives them.
+ELSEWHERE |= {f"compare --{name}" for name in ("as", "tolerance", "json", "lang", "quiet")}
 # Nothing is said on standard error, nor in a language, that could be left out.
 SILENT = {"plan --quiet", "schema --quiet", "doctor --quiet"}
 

@@ -155,6 +155,7 @@ def test_no_signal_leaves_anything_half_written(tmp_path: Path, name: str, code:
         "from benchdragon.export import tables\n"
         # A background job of a shell is born deaf to SIGINT.
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+        "signal.signal(signal.SIGHUP, signal.SIG_DFL)\n"  # and one of nohup to SIGHUP
         f"tables._long = lambda *_: os.kill(os.getpid(), signal.{name})\n"
         f"sys.argv = 'benchdragon motion spiral-in --at 0,9 -o {tmp_path / 'out'} --quiet'.split()\n"
         "program.main()"

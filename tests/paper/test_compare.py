@@ -239,11 +239,11 @@ UNKNOWN: dict[str, tuple[Callable[[], FloatArray], str]] = {
     "one slip": (slip, "1 of 20832 numbers are off by more than 1e-06"),
     "lengths for links": (
         lambda: values("result1", "dragon.front_inset=0", "dragon.rear_inset=0"),
-        "3.4100 m apart and those of the other benches 2.2000 m: these are the lengths of the benches",
+        "3.4100 m apart and those of all others 2.2000 m: these are the lengths of the benches",
     ),
     "holes too far in": (
         lambda: values("result1", "dragon.front_inset=0.3", "dragon.rear_inset=0.3"),
-        "2.8100 m apart and those of the other benches 1.6000 m; the links are 2.86 / 1.65 m",
+        "2.8100 m apart and those of all others 1.6000 m; the links are 2.86 / 1.65 m",
     ),
     "another pitch": (lambda: values("result1", "route.pitch=0.5"), "numbers are off"),
     "errors that add up": (drifting, "near the tail: errors of single benches add up"),

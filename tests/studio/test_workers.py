@@ -77,7 +77,7 @@ class Hands:
         self.failure: Exception | None = None
         self.failure_after: float = math.inf
         self.stillborn = 0
-        patch.setattr(studio_workers, "IDLE_LOOK", 3600.0)  # who is not told sleeps on
+        patch.setattr(studio_workers, "IDLE_POLL", 3600.0)  # who is not told sleeps on
         patch.setattr(WorkerQueue, "_started", lambda _lane: self._started())
         self.worker_queue = WorkerQueue(
             "quick", settings.pop("workers", 1), 8, Settings(**settings), StartOrder()

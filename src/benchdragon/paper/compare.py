@@ -146,7 +146,7 @@ def compare(path: str | Path, *, result: Result | None = None, tolerance: float 
     mistake, finding = _named(fit, swaps, departs)
     places, speeds = (_deviation(case, part) for part in (slice(0, 2), slice(2, 3)))
     remarks = [*_empty_cells(places, speeds), *_left(case, fit, tolerance)]
-    remarks += swaps if fit.guess else []
+    remarks += swaps if departs else []
     remarks += [_share(off, tolerance), *_how_computed(case, fit)] if departs else []
     return Comparison(
         kind, places.largest, speeds.largest, _first_departure(case, tolerance), mistake,
@@ -207,9 +207,9 @@ def _named(fit: Fit, swaps: list[str], departs: bool) -> tuple[Mistake | None, s
         return None, _("all numbers agree")
     if fit.guess is not None:
         return fit.guess.mistake, fit.guess.text
-    if swaps:
-        return "swapped", "; ".join(swaps)
-    return "unknown", _("no known mistake explains what is off")
+    if departs:
+        return "unknown", _("no known mistake explains what is off")
+    return "swapped", "; ".join(swaps)
 
 
 def _deviation(case: Case, part: slice) -> Deviation:
@@ -294,16 +294,16 @@ def _links(case: Case) -> list[str]:
     if scatter > LINK_SLACK or np.allclose(lengths, LINKS, rtol=0.0, atol=LINK_SLACK):
         return []
     text = _(
-        "the handles of the head are {head} m apart and those of the other benches {body} m; the links "
+        "the handles of the head are {first} m apart and those of all others {others} m; the links "
         "are {links} m"
     )
     if np.allclose(lengths, LENGTHS, rtol=0.0, atol=LINK_SLACK):
         text = _(
-            "the handles of the head are {head} m apart and those of the other benches {body} m: these "
+            "the handles of the head are {first} m apart and those of all others {others} m: these "
             "are the lengths of the benches; the links are {links} m"
         )
     links = " / ".join(f"{link:.2f}" for link in LINKS)
-    return [text.format(head=f"{lengths[0]:.4f}", body=f"{lengths[1]:.4f}", links=links)]
+    return [text.format(first=f"{lengths[0]:.4f}", others=f"{lengths[1]:.4f}", links=links)]
 
 
 def _growth(case: Case) -> list[str]:

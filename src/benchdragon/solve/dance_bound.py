@@ -30,12 +30,12 @@ WAYS = 1.1
 # Table of a line that strays, m; how much steeper it may be between; how far it is from what is
 # tabulated, across and along, m.
 GRID, STEEPER, ACROSS, ALONG = 0.25, 1.02, 1e-5, 0.1
-# Entries of a table of the route's radius.
-ENTRIES = 2000
+# Entries of a table of the route's radius lie so far apart, m.
+APART = 0.5
 # Stretches are searched together whose open benches differ by this factor at most.
 ALIKE = 1.3
-# What is left for rounding, m, and for the polar angle of a handle that is off the route, rad.
-SPARE, SPARE_ANGLE = 1e-6, 5e-3
+# What is left for rounding, m and rad.
+SPARE, SPARE_ANGLE = 1e-6, 1e-3
 
 Offset = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 
@@ -111,11 +111,10 @@ class _Bound:
         outward = math.copysign(1.0, y * math.cos(heading) - x * math.sin(heading))
         self._aside = outward * aside if aside.size else np.zeros(len(dragon) + 1)
         # Between entries the radius, a concave function of s, lies above by far less than ACROSS.
-        self._places = np.linspace(
-            span[0] - MOST_WAY * float(dragon.links.sum()) - 1.0, span[1], ENTRIES
-        )
-        offset_ = route.point(self._places) - self._centre
-        self._radius = np.hypot(offset_[:, 0], offset_[:, 1])
+        low = span[0] - MOST_WAY * float(dragon.links.sum()) - 1.0
+        self._places = np.linspace(low, span[1], 2 + int((span[1] - low) / APART))
+        away = route.point(self._places) - self._centre
+        self._radius = np.hypot(away[:, 0], away[:, 1])
         self._most_stray, self._slope = 0.0, 0.0
         self._grid, self._stray = np.zeros(0), np.zeros(0)
         if offset is not None:
@@ -165,7 +164,9 @@ class _Bound:
         radius, half = np.maximum(low, SPARE), 0.5 * width
         span = np.hypot(links + np.maximum(front, rear), half)
         body, ahead, behind = (
-            np.arcsin(np.minimum(size / radius, 1.0)) + SPARE_ANGLE
+            np.where(size < radius, np.arcsin(np.minimum(size / radius, 1.0)), math.pi)
+            + self._most * self._b / radius**2
+            + SPARE_ANGLE
             for size in (span, np.hypot(front, half), np.hypot(rear, half))
         )
         self._slack, self._ahead, self._behind = 2.0 * float(body.max()), ahead, behind
