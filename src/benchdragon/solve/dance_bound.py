@@ -110,11 +110,13 @@ class _Bound:
         (x, y), heading = route.point(span[1]) - self._centre, float(route.heading(span[1]))
         outward = math.copysign(1.0, y * math.cos(heading) - x * math.sin(heading))
         self._aside = outward * aside if aside.size else np.zeros(len(dragon) + 1)
-        # Between entries the radius, a concave function of s, lies above by far less than ACROSS.
+        # Between entries the radius lies above the line: its second derivative is at most b^2 / r^3.
         low = span[0] - MOST_WAY * float(dragon.links.sum()) - 1.0
         self._places = np.linspace(low, span[1], 2 + int((span[1] - low) / APART))
         away = route.point(self._places) - self._centre
         self._radius = np.hypot(away[:, 0], away[:, 1])
+        least = max(float(self._radius[-1]), SPARE)
+        above = 0.125 * APART**2 * self._b**2 / least**3
         self._most_stray, self._slope = 0.0, 0.0
         self._grid, self._stray = np.zeros(0), np.zeros(0)
         if offset is not None:
@@ -123,7 +125,7 @@ class _Bound:
             stray, slope = offset(self._grid)
             self._stray, self._slope = outward * stray, STEEPER * float(np.abs(slope).max())
             self._most_stray = float(np.abs(stray).max()) + self._slope * GRID + ACROSS
-        self._most = float(np.abs(self._aside).max()) + self._most_stray + ACROSS
+        self._most = float(np.abs(self._aside).max()) + self._most_stray + above
         self.holds = self._follows(float(np.abs(route.curvature(span[1]))))
         if self.holds:
             self._prepare()
@@ -139,8 +141,8 @@ class _Bound:
         most = np.abs(self._aside[:-1]) + self._most_stray
         if self._most * bend > MOST_ASIDE:
             return False
-        self._nearest = np.append(0.0, np.cumsum(links - self._apart)) / (1.0 + self._most * bend)
-        local = np.abs(self._route.curvature(self._end - self._nearest[:-1]))
+        roughly = np.append(0.0, np.cumsum(links - self._apart)[:-1]) / (1.0 + self._most * bend)
+        local = np.abs(self._route.curvature(self._end - roughly))
         bent = local / (1.0 - self._most * local)
         angle = 0.5 * bent * MOST_WAY * links
         chord = 1.0 - angle**2 / 6.0  # of an arc, at least
