@@ -1,5 +1,6 @@
 """Chapter of the report on how each number was established: in words, formulas and pictures."""
 
+import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
@@ -17,6 +18,7 @@ from benchdragon.paper.document import (
     say,
 )
 from benchdragon.paper.results import Results
+from benchdragon.solve.turn import BestTurn
 
 
 @dataclass(frozen=True)
@@ -266,3 +268,22 @@ DERIVATIONS: dict[str, Callable[[Results], Iterable[Block]]] = {
     "turn": _turn,
     "greatest-head-speed": _head_speed,
 }
+
+
+def how(anchor: str, text: str) -> Link:
+    """A link to how a number was established."""
+    return Link(text, f"#how-{anchor}")
+
+
+def established(answer: Answer) -> str:
+    """How an answer is known, and how narrow its bracket is."""
+    words = {"proved": _("proved"), "found": _("found")}.get(answer.status, _("undecided"))
+    width = answer.upper - answer.lower
+    return _("{status}, bracket {width} {unit}").format(
+        status=words, width=f"{width:.1e}", unit=answer.unit
+    )
+
+
+def allowed_speed(best: BestTurn) -> float:
+    """The greatest head speed of a turn, m/s; NaN without a limit."""
+    return math.nan if best.head_speed is None else best.head_speed.value

@@ -5,16 +5,12 @@ and PDF. Every number is one of the run's own, or the paper's.
 """
 
 import datetime
-import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
-from benchdragon.analysis.check import moment
 from benchdragon.i18n import N_, _, language
-from benchdragon.model.answer import Answer
-from benchdragon.model.numbering import handle_names, handle_text, numbering_text
 from benchdragon.number_format import decimals, decimals_or_dash
 from benchdragon.paper import claims as paper
-from benchdragon.paper.derivations import contact_of, evidence_table
+from benchdragon.paper.derivations import allowed_speed, contact_of, established, evidence_table, how
 from benchdragon.paper.document import (
     Block,
     Document,
@@ -22,22 +18,18 @@ from benchdragon.paper.document import (
     Heading,
     Inline,
     Link,
-    Paragraph,
     Picture,
     Reference,
     Table,
     say,
 )
 from benchdragon.paper.evidence import conditioning, errors, left_out, people
+from benchdragon.paper.questions import questions
 from benchdragon.paper.results import (
-    MOTION_TIMES,
-    TABLE_HANDLES,
-    TABLE_TIMES,
     Results,
     table,
 )
 from benchdragon.plans.schema import TurnRoute
-from benchdragon.solve.turn import BestTurn
 from benchdragon.version import __version__
 
 # The paper's flow of work (its Fig 1) beside ours.
@@ -66,7 +58,7 @@ def report(found: Results, docs: str | None = None) -> Document:
     blocks = [
         *_opening(found),
         *_claims(found),
-        *_questions(found),
+        *questions(found),
         *_flow(),
         *_equations(found),
         *errors(found),
@@ -97,19 +89,6 @@ def _opening(found: Results) -> Iterable[Block]:
             'allowance for its rounding. "Best found" means: a search arrived at it, and '
             "something better may exist."
         )
-    )
-
-
-def _how(anchor: str, text: str) -> Link:
-    return Link(text, f"#how-{anchor}")
-
-
-def established(answer: Answer) -> str:
-    """How an answer is known, and how narrow its bracket is."""
-    words = {"proved": _("proved"), "found": _("found")}.get(answer.status, _("undecided"))
-    width = answer.upper - answer.lower
-    return _("{status}, bracket {width} {unit}").format(
-        status=words, width=f"{width:.1e}", unit=answer.unit
     )
 
 
@@ -146,7 +125,7 @@ def _walk_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
         ),
         f"{found.head_errors['rk4_step_0.1_s_m']:.1e} m",
         _("the head by Runge-Kutta (steps of 0.1 s) and by the closed form: they agree"),
-        _how(
+        how(
             "chain",
             _("closed form; chords to {error} m").format(error=f"{found.motion.chord_error:.0e}"),
         ),
@@ -161,7 +140,7 @@ def _walk_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
             "differences of positions a second apart measure the chord, not the path: the head's "
             "speed comes out too small by that much"
         ),
-        _how("speeds", _("exact, from rigid benches")),
+        how("speeds", _("exact, from rigid benches")),
     )
 
 
@@ -178,7 +157,7 @@ def _contact_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
             "with a time step of 1 s the contact flag is first set at {seen} s; at {before} s it "
             "sees no contact yet"
         ).format(seen=f"{stepped:g}", before=f"{stepped - 1.0:g}"),
-        _how("first-contact", established(first)),
+        how("first-contact", established(first)),
     )
     printed = f"{paper.SMALLEST_PITCH:.3f}"
     same = [p for p, t, answer in found.traversal if t == 1.0 and f"{answer.value:.3f}" == printed]
@@ -198,7 +177,7 @@ def _contact_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
             b=benches[1],
             before=f"{found.before_disc or 0.0:.4f}",
         ),
-        _how("smallest-pitch", established(smallest)),
+        how("smallest-pitch", established(smallest)),
     )
 
 
@@ -211,7 +190,7 @@ def _turn_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
         f"{arcs.length:.10f} m",
         "0",
         _("right: of two tangent arcs between the same joints, whatever the ratio of their radii"),
-        _how("turn", _("closed form")),
+        how("turn", _("closed form")),
     )
     best = found.front[found.told]
     yield (
@@ -223,9 +202,9 @@ def _turn_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
         _(
             "not so: with a line between two arcs no bend is tighter than the paper's, and the "
             "head may walk at {speed} m/s instead of {paper} m/s"
-        ).format(speed=f"{_allowed(best):.4f}", paper=f"{found.head_speed.value:.4f}")
+        ).format(speed=f"{allowed_speed(best):.4f}", paper=f"{found.head_speed.value:.4f}")
         + _deeper_text(found),
-        _how("turn", _("best found; its limits are kept by exact figures")),
+        how("turn", _("best found; its limits are kept by exact figures")),
     )
     angles = dict(zip(paper.ANGLES, arcs.boundary_angles(), strict=True))
     off = max(abs(angles[name] - printed) for name, printed in paper.ANGLES.items())
@@ -236,7 +215,7 @@ def _turn_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
         ", ".join(f"{angle:.6f}" for angle in angles.values()),
         f"{off:.1e}",
         _("right to the digits printed"),
-        _how("turn", _("closed form")),
+        how("turn", _("closed form")),
     )
 
 
@@ -277,7 +256,7 @@ def _method_claim(found: Results) -> tuple[Inline, ...]:
             "steps of 0.002 m require {coarse} evaluations of the chain, of 0.0005 m {fine}; "
             "times side by side: benchmarks/RESULTS.md"
         ).format(coarse=coarse, fine=fine),
-        _how("smallest-pitch", _("counted")),
+        how("smallest-pitch", _("counted")),
     )
 
 
@@ -315,265 +294,6 @@ def _people_claim(found: Results) -> tuple[Inline, ...]:
         ),
         Link(_("chapter on people"), "#people"),
     )
-
-
-def _allowed(best: BestTurn) -> float:
-    return math.nan if best.head_speed is None else best.head_speed.value
-
-
-def _questions(found: Results) -> Iterable[Block]:
-    yield Heading(_("The contest's five questions"), "questions")
-    yield from _first_question(found)
-    yield from _second_question(found)
-    yield from _third_question(found)
-    yield from _fourth_question(found)
-    yield from _better_turns(found)
-    yield from _fifth_question(found)
-
-
-def _first_question(found: Results) -> Iterable[Block]:
-    yield Heading(_("Question 1: where handles are, and how fast"), "question-1", 2)
-    yield say(
-        _("Pitch {pitch} m, head speed 1 m/s; all handles each second: {file}."),
-        pitch=f"{found.spiral.value('route.pitch'):g}",
-        file="result1.xlsx",
-    )
-    yield Paragraph((numbering_text(),))
-    yield say(
-        _(
-            "{places} and {speeds} hold the contest's handles at its times. {dragon} shows the dragon, "
-            "{map} the speeds of all handles."
-        ),
-        places=Reference("spiral-places"),
-        speeds=Reference("spiral-handle-speeds"),
-        dragon=Reference("spiral-dragon"),
-        map=Reference("spiral-speeds"),
-    )
-    rows = table(found.motion, TABLE_TIMES)
-    yield _places("spiral-places", _("Positions in the first part, m."), rows, TABLE_TIMES)
-    yield _speeds("spiral-handle-speeds", _("Speeds in the first part, m/s."), rows, TABLE_TIMES)
-    yield Picture("spiral-dragon", _("The dragon at the start and after 300 s."))
-    yield Picture("spiral-speeds", _("Speeds of all handles over time."))
-
-
-def _second_question(found: Results) -> Iterable[Block]:
-    first, standing = contact_of(found), moment(found.report)[0]
-    yield Heading(_("Question 2: when benches first touch"), "question-2", 2)
-    yield say(
-        _("At t = {t} s ({how}) bench {a} touches bench {b}; the whole dragon then: {file}."),
-        t=f"{first.value:.10f}",
-        how=established(first),
-        a=_bench(first, 0),
-        b=_bench(first, 1),
-        file="result2.xlsx",
-    )
-    yield say(
-        _(
-            "{handles} holds the contest's handles at that moment, {contact} shows it, and {clearance} "
-            "how near benches come before: twice they miss one another by millimetres."
-        ),
-        handles=Reference("contact-handles"),
-        contact=Reference("contact"),
-        clearance=Reference("clearance"),
-    )
-    yield _one_moment(table(standing, standing.times.tolist()))
-    yield Picture("contact", _("The first contact, and close by."))
-    yield Picture("clearance", _("Clearance of non-adjacent benches up to the contact."))
-
-
-def _third_question(found: Results) -> Iterable[Block]:
-    yield Heading(_("Question 3: the smallest pitch"), "question-3", 2)
-    yield Paragraph(
-        (
-            _(
-                "The head reaches a disc of radius {radius} m without contact from pitch {pitch} "
-                "m on ({how}). "
-            ).format(
-                radius=f"{found.turn.disc.radius:g}",
-                pitch=f"{found.smallest.value:.13f}",
-                how=established(found.smallest),
-            ),
-            _how("smallest-pitch", _("How this is known")),
-            ".",
-        )
-    )
-    yield say(
-        _(
-            "{pitch} draws the two angles that the paper compares. They do not cross: at the smallest "
-            "pitch the angle that the head reaches jumps over that of the disc, because the contact "
-            "that decides happens {before} m before the disc."
-        ),
-        pitch=Reference("pitch"),
-        before=f"{found.before_disc or 0.0:.3f}",
-    )
-    yield Picture("pitch", _("The paper's Fig 2: how far in the head comes, over the pitch."))
-
-
-def _bench(answer: Answer, which: int) -> int:
-    return answer.witness.benches[which] if answer.witness else 0
-
-
-def _handle(answer: Answer) -> str:
-    near = answer.witness
-    return handle_text(near.handle, near.benches[0]) if near and near.handle is not None else "-"
-
-
-def _fourth_question(found: Results) -> Iterable[Block]:
-    arcs, near = found.two_arcs, found.turn_report.clearance
-    yield Heading(_("Question 4: the turn"), "question-4", 2)
-    yield say(
-        _(
-            "Radii {r1} m and {r2} m, both arcs swept by {angle} rad, length {length} m. Benches "
-            "{a} and {b} come nearest, {gap} m. All handles each second: {file}."
-        ),
-        r1=f"{arcs.radii[0]:.10f}",
-        r2=f"{arcs.radii[1]:.10f}",
-        angle=f"{arcs.sweep:.10f}",
-        length=f"{arcs.length:.10f}",
-        gap=f"{near.value:.6f}",
-        a=_bench(near, 0),
-        b=_bench(near, 1),
-        file="result4.xlsx",
-    )
-    yield say(
-        _(
-            "{construction} shows how the arcs lie, {dragon} the dragon on them; {places} and {speeds} "
-            "hold the contest's handles at its times, {map} the speeds of all."
-        ),
-        construction=Reference("turn-disc"),
-        dragon=Reference("turn-dragon"),
-        places=Reference("turn-places"),
-        speeds=Reference("turn-handle-speeds"),
-        map=Reference("turn-speeds"),
-    )
-    yield Picture(
-        "turn-disc",
-        _(
-            "The turn, the paper's Fig 3: arcs C1 and C2 about O1 and O2 meet at C, on the diameter "
-            "AB; l1 and l2 are tangents of the spirals and of the arcs."
-        ),
-    )
-    rows = table(found.turn.build().motion(MOTION_TIMES), MOTION_TIMES)
-    yield _places("turn-places", _("Positions in the second part, m."), rows, MOTION_TIMES)
-    yield _speeds("turn-handle-speeds", _("Speeds in the second part, m/s."), rows, MOTION_TIMES)
-    yield Picture("turn-dragon", _("The dragon turning: the paper's Fig 4."))
-    yield Picture("turn-speeds", _("Speeds of all handles while the dragon turns."))
-
-
-def _better_turns(found: Results) -> Iterable[Block]:
-    yield say(
-        _(
-            "A line between the arcs makes the turn shorter ({better}). For each of {count} head "
-            "speeds the shortest such turn was sought from several starts, and the best kept ({front}, "
-            "{lengths}): searches of the whole family at six of the speeds, and the turns of the "
-            "speeds below and above. No bend is tighter than the paper's."
-        ),
-        better=Reference("turn-better"),
-        count=len(found.front),
-        front=Reference("turn-front"),
-        lengths=Reference("front"),
-    )
-    yield Picture("turn-better", _("The paper's turn beside shorter ones."))
-    yield Picture("turn-front", _("Length against greatest head speed; best found."))
-    columns = (
-        _("head speed (m/s)"),
-        _("turn (m)"),
-        _("path inside the disc (m)"),
-        _("tightest bend (m)"),
-        _("clearance (m)"),
-    )
-    rows = tuple(
-        (
-            f"{_allowed(best):.4f}",
-            f"{best.length:.4f}",
-            f"{best.way:.4f}",
-            f"{best.turn.least_radius:.4f}",
-            f"{best.clearance.lower:.4f}",
-        )
-        for best in found.front
-    )
-    caption = _("The shortest turns that were found, by the head speed that they allow.")
-    yield Table("front", caption, columns, (1, 1, 1, 1, 1), rows, numbers=True)
-
-
-def _fifth_question(found: Results) -> Iterable[Block]:
-    speed = found.head_speed
-    limit = found.turn.limits.speed or math.nan
-    yield Heading(_("Question 5: how fast the head may walk"), "question-5", 2)
-    yield say(
-        _(
-            "No handle exceeds {limit} m/s up to a head speed of {speed} m/s ({how}), decided by "
-            "{handle} at t = {t} s."
-        ),
-        limit=f"{limit:g}",
-        speed=f"{speed.value:.12f}",
-        how=established(speed),
-        handle=_handle(speed),
-        t=f"{found.turn_greatest_at:.6f}",
-    )
-    yield say(
-        _(
-            "{ratio} shows why: the greatest speed ratio of any handle is {greatest}, for a moment. It "
-            "is a peak between two seconds, which samples miss."
-        ),
-        ratio=Reference("turn-ratio"),
-        greatest=f"{limit / speed.value:.6f}",
-    )
-    yield Picture(
-        "turn-ratio",
-        _("The greatest speed ratio of all handles over time, and the moment that decides."),
-    )
-
-
-def _places(name: str, caption: str, rows: Sequence[dict[str, float]], times: Sequence[float]) -> Table:
-    """Positions: two rows a handle, a column a time."""
-    by_place = {(row["time_s"], row["handle"]): row for row in rows}
-    names = handle_names(TABLE_HANDLES[-1] + 1)
-    lines = tuple(
-        (
-            str(handle),
-            text.format(handle=names[handle]),
-            *(decimals(by_place[t, handle][f"{axis}_m"]) for t in times),
-        )
-        for handle in TABLE_HANDLES
-        for axis, text in (("x", _("{handle} x (m)")), ("y", _("{handle} y (m)")))
-    )
-    return Table(name, caption, *_time_columns(times), lines, numbers=True)
-
-
-def _speeds(name: str, caption: str, rows: Sequence[dict[str, float]], times: Sequence[float]) -> Table:
-    """Speeds: a row a handle, a column a time."""
-    by_place = {(row["time_s"], row["handle"]): row for row in rows}
-    names = handle_names(TABLE_HANDLES[-1] + 1)
-    lines = tuple(
-        (
-            str(handle),
-            _("{handle} (m/s)").format(handle=names[handle]),
-            *(decimals(by_place[t, handle]["speed_m_s"]) for t in times),
-        )
-        for handle in TABLE_HANDLES
-    )
-    return Table(name, caption, *_time_columns(times), lines, numbers=True)
-
-
-def _time_columns(times: Sequence[float]) -> tuple[tuple[str, ...], tuple[float, ...]]:
-    columns = (_("handle"), _("in the contest"), *(f"{t:g} s" for t in times))
-    return columns, (0.6, 1.6, *(1.0 for _time in times))
-
-
-def _one_moment(rows: Sequence[dict[str, float]]) -> Table:
-    columns = (_("handle"), _("in the contest"), _("x (m)"), _("y (m)"), _("speed (m/s)"))
-    names = handle_names(TABLE_HANDLES[-1] + 1)
-    lines = tuple(
-        (
-            str(row["handle"]),
-            names[int(row["handle"])],
-            *(decimals(row[key]) for key in ("x_m", "y_m", "speed_m_s")),
-        )
-        for row in rows
-    )
-    caption = _("The contest's handles at the first contact.")
-    return Table("contact-handles", caption, columns, (0.6, 1, 1, 1, 1), lines, numbers=True)
 
 
 def _flow() -> Iterable[Block]:
