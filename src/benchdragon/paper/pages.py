@@ -38,9 +38,10 @@ MARGIN, LINE, MM = 15.0, 5.2, 25.4 / 72.0
 TEXT_SIZE, TABLE_SIZE, SMALL, HEAD_SIZES = 9.5, 7.5, 8.5, {1: 15.0, 2: 11.5}
 EDGE, SHADE, LINK_COLOUR = (150, 150, 150), (235, 235, 235), (0, 84, 148)
 WEIGHTS = {"": "normal", "B": "bold"}
-# A table begins where so much of a page is left, mm: its caption and some rows; a table of numbers, one
-# line to a row, goes to the next page whole if that leaves at most so much empty.
-TABLE_ROOM, MOST_EMPTY = 32.0, 60.0
+# Room on a page, mm, that a heading needs for itself and two lines, and a table for its caption and
+# some rows; a table of numbers, one line to a row, goes to the next page whole if less is left than
+# MOST_EMPTY.
+HEADING_ROOM, TABLE_ROOM, MOST_EMPTY = 26.0, 32.0, 85.0
 ROW, PADDING = 0.5, 0.7
 # Pictures that found no room on a page stand at the head of the next, as far down as this share of it.
 HEAD_SHARE = 0.85
@@ -160,7 +161,7 @@ class Pages(FPDF):
                 self._picture(block)
 
     def _heading(self, block: Heading) -> None:
-        if self.get_y() > (0.82 if block.level == 1 else 0.87) * self.h:
+        if self.get_y() > self.h - MARGIN - HEADING_ROOM:
             self.add_page()
         self.ln(3.0)
         self._arrive(block.anchor)
