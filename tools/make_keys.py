@@ -11,7 +11,14 @@ from benchdragon.i18n import LANGUAGES, _, spoken_in
 from benchdragon.plans.keys import SECTIONS, rows
 
 PAGES = Path(__file__).parent.parent / "docs"
+# Headers, and keys with or without a value, as they stand in files: `[turn]`, `route.kind = "turn"`.
+CODE = re.compile(r'\[\[?[a-z.]+\]\]?|\b[a-z]+\.[a-z]+\b(?: = "[a-z-]+")?')
 MARKED = re.compile(r"(?<=<!-- keys -->\n).*(?=<!-- end of keys -->)", re.DOTALL)
+
+
+def marked(text: str) -> str:
+    """A text whose headers and keys are marked as code."""
+    return CODE.sub(r"`\g<0>`", text)
 
 
 def tables() -> str:
@@ -19,11 +26,12 @@ def tables() -> str:
     parts = []
     for section in SECTIONS:
         columns = (_("key"), _("what it is"), _("unit"), _("default"), _("example"))
-        lines = [f"### `{section.header or 'schema'}`", "", _(section.text), ""]
+        lines = [f"### `{section.header or 'schema'}`", "", marked(_(section.text)), ""]
         lines += [f"| {' | '.join(columns)} |", "|---" * len(columns) + "|"]
         for name, text, unit, default, example in rows(section):
             said = f"`{default}`" if default not in ("-", _("must be said")) else default
-            lines.append(f"| `{name}` | {text} | {unit} | {said} | `{example}` |")
+            cells = (f"`{name}`", marked(text), unit.replace("^2", "²"), said, f"`{example}`")
+            lines.append(f"| {' | '.join(cells)} |")
         parts.append("\n".join(lines))
     return "\n" + "\n\n".join(parts) + "\n\n"
 

@@ -24,6 +24,9 @@ from benchdragon.plans.tables import (
     WalkTable,
 )
 
+# Keys that may be left out since the keys beside them tell their values.
+TOLD: Mapping[tuple[type[Table], str], str] = {(PartsRoute, "kind"): "parts"}
+
 
 @dataclass(frozen=True)
 class Section:
@@ -162,7 +165,8 @@ SECTIONS = (
 def schema() -> dict[str, Any]:
     """The JSON Schema of plan files, each key with what it means in the language in use."""
     whole = Plan.model_json_schema()
-    whole["$defs"][PartsRoute.__name__]["required"].remove("kind")  # which the parts tell
+    for table, name in TOLD:
+        whole["$defs"][table.__name__]["required"].remove(name)
     for section in SECTIONS:
         part = whole if section.table is Plan else whole["$defs"][section.table.__name__]
         part["description"] = _(section.text)
@@ -176,7 +180,9 @@ def rows(section: Section) -> Iterator[tuple[str, str, str, str, str]]:
     """Key, meaning, unit, default and example of each key of a section, as text."""
     fields = {field.alias or name: field for name, field in section.table.model_fields.items()}
     for name, key in section.keys.items():
-        yield name, _(key.text), key.unit, _default(fields[name]), written(key.example)
+        told = TOLD.get((section.table, name))
+        default = _default(fields[name]) if told is None else written(told)
+        yield name, _(key.text), key.unit, default, written(key.example)
 
 
 def _default(field: FieldInfo) -> str:
