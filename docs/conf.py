@@ -4,14 +4,17 @@ Pages need no network, neither here nor when they are read: formulas become Math
 fonts lie beside the pages. Cells run each time, so that every number is today's.
 """
 
+import json
 import os
 import re
+from pathlib import Path
 from typing import Any
 
 from docutils import nodes
 from docutils.utils.math.latex2mathml import tex2mathml
 from sphinx.application import Sphinx
 from sphinx.config import Config
+from sphinx.environment import BuildEnvironment
 from sphinx.search.zh import SearchChinese
 from sphinx.util.docutils import SphinxRole
 from sphinx.writers.html5 import HTML5Translator
@@ -43,6 +46,12 @@ nb_ipywidgets_js: dict[str, dict[str, str]] = {}
 # Ends of lines that leave no gap: between Chinese signs, or after a Chinese mark and before other text.
 MARK, SIGN = r"\u3000-\u303f\uff00-\uffef", r"\u4e00-\u9fff"
 SEAMLESS = re.compile(rf"(?<=[{MARK}{SIGN}])\n *(?=[{MARK}{SIGN}])|(?<=[{MARK}])\n *(?=[A-Za-z{{\[])")
+
+# What notebooks do not know: links to pages and labels, listings, labels, the link to the notebook.
+LINK = re.compile(r"\[([^][]*)\]\(([\w-]+\.md|#[\w-]+)\)")
+LISTING = re.compile(r"{view}`(.*?):(.*?)`")
+LABEL = re.compile(r"^\([\w-]+\)=\n", re.MULTILINE)
+DOWNLOAD = re.compile(r"\s*^---\s+{nb-download}`.*`\s*", re.MULTILINE)
 
 default_role = "literal"
 autodoc_default_options = {"members": True, "exclude-members": "model_config"}
@@ -119,11 +128,45 @@ def offer(app: Sphinx, page: str, source: list[str]) -> None:
         source[0] += f"\n\n---\n\n{{nb-download}}`{text} <{page}.ipynb>`\n"
 
 
+def plain(text: str, titles: dict[str, str]) -> str:
+    """Text of a page for a notebook: titles in place of links, names in place of listings."""
+    text = LISTING.sub(r"`\1.\2`", LABEL.sub("", DOWNLOAD.sub("", text)))
+    return LINK.sub(lambda link: link[1] or titles[link[2]], text)
+
+
+def once(outputs: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Outputs without those that MyST-NB merged into the first of their stream and left behind."""
+    kept: list[dict[str, Any]] = []
+    whole: dict[str, str] = {}
+    for output in outputs:
+        name, text = output.get("name"), "".join(output.get("text", "")).rstrip()
+        if name is None or name not in whole or text not in whole[name]:
+            kept.append(output)
+        if name is not None:
+            whole.setdefault(name, text)
+    return kept
+
+
+def part(app: Sphinx, env: BuildEnvironment) -> None:
+    """Make the notebooks readable without the pages beside them."""
+    titles = {f"{page}.md": title.astext() for page, title in env.titles.items()}
+    titles |= {f"#{name}": place[2] for name, place in env.domains.standard_domain.labels.items()}
+    for path in (Path(app.outdir).parent / "jupyter_execute").glob("*.ipynb"):
+        notebook = json.loads(path.read_text("utf-8"))
+        for cell in notebook["cells"]:
+            if cell["cell_type"] == "markdown":
+                cell["source"] = plain("".join(cell["source"]), titles)
+            else:
+                cell["outputs"] = once(cell["outputs"])
+        path.write_text(json.dumps(notebook, ensure_ascii=False, indent=1) + "\n", "utf-8")
+
+
 def speak(_app: Sphinx, config: Config) -> None:
     """Set what depends on the language; pictures in cells follow BENCHDRAGON_LANG."""
     chinese = config.language == "zh_CN"
     os.environ["BENCHDRAGON_LANG"] = "zh" if chinese else "en"
     config.html_title = "benchdragon 板凳龙" if chinese else "benchdragon"
+    config.copyright = "benchdragon 开发者" if chinese else author
     config.html_theme_options["search_bar_text"] = "搜索" if chinese else "Search"
 
 
@@ -135,4 +178,5 @@ def setup(app: Sphinx) -> None:
     app.connect("autodoc-process-docstring", escape)
     app.connect("source-read", join)
     app.connect("source-read", offer)
+    app.connect("env-updated", part)
     app.connect("config-inited", speak)

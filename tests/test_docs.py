@@ -4,6 +4,7 @@ import ast
 import importlib
 import json
 import re
+import runpy
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -163,6 +164,19 @@ def test_files_and_tests_that_the_steps_of_an_extension_name_are_there(page: str
         assert not name.startswith("test_") or f"def {name}(" in tests, name
 
 
+def test_a_notebook_names_pages_and_listings_and_says_each_output_once() -> None:
+    conf = runpy.run_path(str(ROOT / "docs" / "conf.py"))
+    text = "(turn)=\n## Turn\n\n[](model.md), [so](#turn), [](#turn): {view}`model.turns:two_arcs`."
+    titles = {"model.md": "The model", "#turn": "The turn"}
+    said = "## Turn\n\nThe model, so, The turn: `model.turns.two_arcs`."
+    assert conf["plain"](text, titles) == said
+    assert conf["plain"](text + "\n\n---\n\n{nb-download}`Here <turn.ipynb>`\n", titles) == said
+    whole = {"output_type": "stream", "name": "stdout", "text": ["1\n", "2\n"]}
+    left = {"output_type": "stream", "name": "stdout", "text": ["2\n"]}
+    shown: dict[str, object] = {"output_type": "display_data", "data": {}}
+    assert conf["once"]([whole, shown, left, shown]) == [whole, shown, shown]
+
+
 def built(language: str, folder: Path) -> dict[str, BeautifulSoup]:
     """Build a language without a warning; its pages by their names."""
     done = subprocess.run(
@@ -196,6 +210,7 @@ def test_a_site_is_built_offline_and_whole(language: str, tmp_path: Path) -> Non
     assert_every_public_name_is_described(site)
     assert_every_figure_says_what_it_shows(site)
     assert_words_are_found(language, tmp_path / "html")
+    assert_notebooks_stand_alone(tmp_path / "html")
 
 
 def assert_nothing_is_fetched(folder: Path, site: dict[str, BeautifulSoup]) -> None:
@@ -295,6 +310,16 @@ def assert_words_are_found(language: str, folder: Path) -> None:
     stemmer = re.search(r"window\.Stemmer = (\w+);", script)
     assert stemmer is not None
     assert f"{stemmer[1]}=function" in script
+
+
+def assert_notebooks_stand_alone(folder: Path) -> None:
+    """No link to a page of the site, which is not beside a notebook that was downloaded."""
+    notebooks = sorted((folder / "_downloads").rglob("*.ipynb"))
+    assert len(notebooks) > 10
+    for path in notebooks:
+        cells = json.loads(path.read_text("utf-8"))["cells"]
+        text = "\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown")
+        assert not re.search(r"\]\((#|[\w-]+\.md)|{view}|{nb-download}", text), path
 
 
 def assert_every_figure_says_what_it_shows(site: dict[str, BeautifulSoup]) -> None:
