@@ -1,6 +1,8 @@
 """No zero that is shown has a sign: neither a number's own, nor one left over from rounding."""
 
+import math
 import re
+from decimal import Decimal
 from pathlib import Path
 
 import pytest
@@ -11,7 +13,7 @@ from python_calamine import CalamineWorkbook
 from benchdragon.cli.main import run
 from benchdragon.explain.text import number
 from benchdragon.export.film_scene import clock_text
-from benchdragon.number_format import decimals, decimals_or_dash
+from benchdragon.number_format import decimals, decimals_or_dash, decimals_towards, outward
 from tests.test_docs import LANGUAGES, blocks, source
 
 SIGNED_ZERO = re.compile(r"(?<![\w.)])[-\N{MINUS SIGN}]0(?:\.0*)?(?![\d.eE])")
@@ -19,8 +21,29 @@ SIGNED_ZERO = re.compile(r"(?<![\w.)])[-\N{MINUS SIGN}]0(?:\.0*)?(?![\d.eE])")
 
 @given(st.one_of(st.floats(-1e-5, 1e-5), st.floats(allow_nan=False)), st.integers(0, 9))
 def test_a_number_that_reads_as_zero_has_no_sign(value: float, count: int) -> None:
-    for text in (decimals(value, count), decimals_or_dash(value, count)):
+    for text in (
+        decimals(value, count),
+        decimals_or_dash(value, count),
+        decimals_towards(value, count, up=True),
+        decimals_towards(value, count, up=False),
+    ):
         assert not SIGNED_ZERO.fullmatch(text), value
+
+
+@given(st.floats(-1e6, 1e6), st.integers(0, 6))
+def test_a_number_rounded_to_one_side_lies_there_and_less_than_a_digit_away(
+    value: float, count: int
+) -> None:
+    low, high = (Decimal(decimals_towards(value, count, up=up)) for up in (False, True))
+    exact = Decimal(repr(value))
+    assert low <= exact <= high
+    assert high - low <= Decimal(1).scaleb(-count)
+
+
+def test_a_range_is_rounded_outwards_and_what_is_exact_stays() -> None:
+    assert outward(0.50598, 0.5101542) == "0.5059..0.5102"
+    assert outward(0.51, 0.51, 2) == "0.51..0.51"
+    assert outward(-math.inf, math.inf) == "-..-"
 
 
 def test_explanations_and_films_show_no_signed_zero() -> None:

@@ -3,10 +3,29 @@
 import decimal
 import math
 
+# More than any float has before its point and we show behind it.
+DIGITS = 340
+
 
 def decimals(value: float, count: int = 6) -> str:
     """So many decimals, without the sign of a zero."""
     return f"{value:z.{count}f}"
+
+
+def decimals_towards(value: float, count: int = 4, *, up: bool) -> str:
+    """So many decimals, rounded up or down: the side on which what is said stays true; "-" for none."""
+    if not math.isfinite(value):
+        return "-"
+    rounding = decimal.ROUND_CEILING if up else decimal.ROUND_FLOOR
+    context = decimal.Context(prec=DIGITS, rounding=rounding)
+    exact = decimal.Decimal(repr(float(value)))
+    return f"{exact.quantize(decimal.Decimal(1).scaleb(-count), context=context):zf}"
+
+
+def outward(low: float, high: float, count: int = 4) -> str:
+    """A range, its ends rounded outwards."""
+    lowest, highest = decimals_towards(low, count, up=False), decimals_towards(high, count, up=True)
+    return f"{lowest}..{highest}"
 
 
 def figures(value: float, *, up: bool) -> str:

@@ -120,6 +120,11 @@ def test_the_clearance_marks_valleys_alone_and_enlarges_the_near_misses(found: R
     inset = figure.axes[0].child_axes[0]
     texts = [text.get_text() for text in inset.texts]
     assert texts == ["2.96 mm", "0.865 mm"]
+    for panel in (figure.axes[0], inset):
+        line, dots = panel.lines[:2]
+        drawn = {tuple(place) for place in np.asarray(line.get_xydata()).tolist()}
+        assert {tuple(place) for place in np.asarray(dots.get_xydata()).tolist()} <= drawn
+        assert (np.diff(np.asarray(line.get_xdata())) >= 0.0).all()
 
 
 def test_stepped_searches_see_the_first_multiple_in_a_window(found: Results) -> None:

@@ -8,11 +8,14 @@ from pathlib import Path
 
 import pytest
 from pypdf import PageObject, PdfReader
+from pypdf.generic import ContentStream
 
 from benchdragon.errors import InputError, UnsureError
 from benchdragon.i18n import use_language
 from benchdragon.model.numbering import handle_text
 from benchdragon.paper.document import (
+    Block,
+    Document,
     Formula,
     Heading,
     Inline,
@@ -28,6 +31,7 @@ from benchdragon.paper.report import report
 from benchdragon.paper.reproduce import pages_from, reproduce
 from benchdragon.paper.results import Results, _beside
 from benchdragon.plans.schema import read_plan
+from benchdragon.solve.tolerance import CASES
 from tests.test_number_format import SIGNED_ZERO
 
 pytestmark = pytest.mark.xdist_group("paper")
@@ -36,7 +40,7 @@ ENGLISH = re.compile(r"[A-Za-z]{3,} [a-z]{3,} [a-z]{3,}")
 
 
 # A picture laid on a page of the PDF: where its lower left corner is.
-DRAWN = re.compile(r"q 1 0 0 1 ([\d.]+) ([\d.]+) cm /Drawn\d+ Do Q")
+DRAWN = re.compile(r"1 0 0 1 ([\d.]+) ([\d.]+) cm /Drawn\d+ Do Q")
 # Of a page's height, so much at most is empty below what stands on it.
 EMPTY = 0.4
 
@@ -161,6 +165,58 @@ def test_the_pdf_has_an_outline_pictures_and_links(folder: Path, found: Results)
     assert any("/Annots" in page for page in pdf.pages)
 
 
+def test_pictures_are_drawn_as_on_a_page_of_their_own(folder: Path) -> None:
+    """Ends and joins of lines, widths, dashes and colours that a page sets reach no picture on it."""
+    # Joins, ends, mitre limit, width, dashes, colours; a page of matplotlib's starts with these.
+    fresh = {
+        "J": [0], "j": [0], "M": [10], "w": [1], "d": [[], 0], "G": [0], "g": [0],
+    }  # fmt: skip
+    shown = 0
+    for page in PdfReader(folder / "report.pdf").pages:
+        stack, state = [], dict(fresh)
+        for operands, operator in ContentStream(page.get_contents(), page.pdf).operations:
+            name = operator.decode()
+            if name == "q":
+                stack.append(dict(state))
+            elif name == "Q":
+                state = stack.pop()
+            elif name in {"RG", "K"}:
+                state["G"] = list(operands)
+            elif name in {"rg", "k"}:
+                state["g"] = list(operands)
+            elif name in fresh:
+                state[name] = list(operands)
+            elif name == "Do" and operands[0].startswith("/Drawn"):
+                assert state == fresh
+                shown += 1
+    assert shown > 25
+
+
+def test_what_is_said_to_suffice_is_not_rounded_down(found: Results) -> None:
+    by_name = {block.name: block for block in report(found).blocks if isinstance(block, Table)}
+    exact, dances = found.smallest.value, found.dances
+    rows = by_name["needed-pitches"].rows
+    for name, row in zip(CASES, rows, strict=True):
+        one = dances.tolerance(name)
+        for risk, cell in ((0.1, row[3]), (0.05, row[4])):
+            low, high = (float(end) for end in str(cell).split(".."))
+            assert low <= one.pitch_from(risk) <= one.pitch_for(risk) <= high < low + 0.01
+        assert 0.0 <= exact + 0.01 * float(str(row[6])) - one.pitch_for(0.05) <= 1e-4
+        low, high = (float(end) for end in str(row[5]).rstrip(")").partition("(")[2].split(".."))
+        assert low <= 100.0 * dances.vouched[name].chance[1]
+        assert high >= 100.0 * dances.vouched[name].chance[2]
+    said = " ".join(str(cell) for row in by_name["claims"].rows for cell in row)
+    assert "0.511 m with the first alone dropped" in said  # 0.51015 m
+
+
+def test_deviations_stand_in_the_order_of_the_rows_above(found: Results) -> None:
+    (table,) = (
+        one for one in report(found).blocks if isinstance(one, Table) and one.name == "needed-pitches"
+    )
+    *single, together = (str(row[1]).split(", ") for row in table.rows)
+    assert together == [size for sizes in single for size in sizes]
+
+
 def test_the_report_speaks_chinese(folder: Path, found: Results, tmp_path: Path) -> None:
     use_language("zh")
     try:
@@ -265,6 +321,40 @@ def test_no_page_but_the_last_is_half_empty(
 
 def test_chinese_lines_may_break_after_signs_but_not_before_stops() -> None:
     assert breakable("板凳。龙 a b") == "板\u200b凳。\u200b龙\u200b a b"
+    assert breakable("龙（板「凳」）走") == "龙\u200b（板\u200b「凳」）\u200b走\u200b"
+
+
+def laid_out(tmp_path: Path, folder: Path, *blocks: Block) -> PdfReader:
+    """A document of these blocks after a heading, as a PDF."""
+    document = Document("t", "en", "2000-01-01", (Heading("Chapter", "here"), *blocks))
+    write_pdf(tmp_path / "some.pdf", document, folder)
+    return PdfReader(tmp_path / "some.pdf")
+
+
+def test_a_link_is_never_broken_and_its_stops_stay_with_it(tmp_path: Path, folder: Path) -> None:
+    count = 70
+    lines = [
+        Paragraph(("龙" * n + "（", Link("如何 得知", "#here"), "）。板凳"))
+        for n in range(1, count + 1)
+    ]
+    pdf = laid_out(tmp_path, folder, *lines)
+    links = sum(len(page.get("/Annots", [])) for page in pdf.pages)
+    assert links == 2 + count  # two of the contents
+    text = "\n".join(page.extract_text() for page in pdf.pages)
+    assert re.findall(r"^[）。]|（\s*$", text, re.MULTILINE) == []
+
+
+@pytest.mark.parametrize("above", range(8, 28, 2))
+def test_no_picture_that_waits_parts_a_table_of_numbers(
+    tmp_path: Path, folder: Path, above: int
+) -> None:
+    rows = tuple((f"row{n}", "1.5") for n in range(14))
+    table = Table("numbers", "Some.", ("name", "value"), (1, 1), rows, numbers=True)
+    pictures = Picture("turn-disc", "A turn."), Picture("turn-dragon", "A dragon.")
+    pdf = laid_out(tmp_path, folder, *[Paragraph(("words",))] * above, *pictures, table)
+    (page,) = (page for page in pdf.pages if "Table 1. Some." in page.extract_text())
+    assert "row0" in page.extract_text()
+    assert "row13" in page.extract_text()
 
 
 @pytest.mark.parametrize("name", ["report.html", "report.pdf"])

@@ -33,8 +33,10 @@ from benchdragon.progress import Progress, Stages, silent
 
 # Grazes that a check looks past for a sure contact.
 MOST_GRAZES = 100
-# Samples of the clearance drawn, and seconds shown after a contact.
+# Samples of the clearance drawn, those of the last share of the time, where benches come nearest, and
+# seconds shown after a contact.
 SAMPLES = 1000
+LAST_SHARE, LAST_SAMPLES = 0.04, 300
 AFTER = 3.0
 # How wide a quick check's brackets may be: of clearances, m, and of speeds, relative.
 QUICK_CLEARANCE, QUICK_SPEED = 1e-3, 1e-4
@@ -385,7 +387,9 @@ def clearance_over(report: Report) -> ClearanceCurve:
     contact = report.first_contact
     if contact is not None:
         end = min(end, contact.upper + AFTER)
-    times = np.linspace(report.start, end, SAMPLES)
+    late = end - LAST_SHARE * (end - report.start)
+    before = np.linspace(report.start, late, SAMPLES, endpoint=False)
+    times = np.concatenate([before, np.linspace(late, end, LAST_SAMPLES)])
     while walk.motion(times, throw=False).status.any():  # the walk falls shortly after the contact
         times = times[:-1]
     return clearance_curve(walk, times)

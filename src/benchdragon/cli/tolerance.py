@@ -22,7 +22,7 @@ from benchdragon.cli.options import (
     workers_option,
 )
 from benchdragon.i18n import N_, _, language
-from benchdragon.number_format import decimals_or_dash, finite_or_none
+from benchdragon.number_format import finite_or_none, outward
 from benchdragon.progress import Stages
 
 if TYPE_CHECKING:
@@ -161,7 +161,7 @@ def as_json(one: "Tolerance", pitch: float) -> dict[str, Any]:
 def pitch_range(one: "Tolerance", risk: float) -> str:
     """Where the pitch for a chance lies, m, for readers."""
     least, most = one.pitch_from(risk), one.pitch_for(risk)
-    return f"{decimals_or_dash(least or math.inf)}..{decimals_or_dash(most)}"
+    return outward(least or -math.inf, most)
 
 
 def print_margins(
@@ -177,7 +177,8 @@ def print_margins(
     ]
     rows = []
     for name, one in found.items():
-        chance = "{:.1f} ({:.1f}..{:.1f})".format(*(100.0 * part for part in one.touching()))
+        share, low, high = (100.0 * part for part in one.touching())
+        chance = f"{share:.1f} ({outward(low, high, 1)})"
         rows.append((texts[name], chance, *(pitch_range(one, risk) for risk in RISKS)))
     title = _(
         "Chance that benches touch; pitch (m) at which they touch so often: from..to, with 95 % "

@@ -110,11 +110,16 @@ def _valleys(curve: ClearanceCurve) -> FloatArray:
 
     A minimum between two pairs that take turns on a peak is none.
     """
-    known = [(near.time, low.value) for low in curve.minima if (near := low.witness)]
-    at = np.array(known, dtype=np.float64).reshape(-1, 2)
+    at = _minima(curve)
     depth = VALLEY * float(np.ptp(curve.clearance))
     kept = [min(_rises(curve, t, low)) > depth for t, low in at]
     return np.asarray(at[np.array(kept, dtype=bool)])
+
+
+def _minima(curve: ClearanceCurve) -> FloatArray:
+    """Times, s, and clearances, m, of all local minima, (M, 2)."""
+    known = [(near.time, low.value) for low in curve.minima if (near := low.witness)]
+    return np.array(known, dtype=np.float64).reshape(-1, 2)
 
 
 def _rises(curve: ClearanceCurve, time: float, low: float) -> tuple[float, float]:
@@ -131,15 +136,19 @@ def _rises(curve: ClearanceCurve, time: float, low: float) -> tuple[float, float
 
 def _draw_clearance(panel: Axes, curve: ClearanceCurve, valleys: FloatArray, scale: float) -> None:
     """The curve, its valleys, and overlaps hatched; `scale` units of the picture to a metre."""
-    clear = scale * curve.clearance
-    panel.plot(curve.times, clear, color=BODY, lw=1.1, label=_("clearance"))
+    low = _minima(curve)
+    times = np.concatenate([curve.times, low[:, 0]])
+    order = np.argsort(times, kind="stable")
+    times = times[order]
+    clear = scale * np.concatenate([curve.clearance, low[:, 1]])[order]
+    panel.plot(times, clear, color=BODY, lw=1.1, label=_("clearance"))
     if len(valleys):
-        low = scale * valleys[:, 1]
-        panel.plot(valleys[:, 0], low, ".", color="black", ms=4.0, label=_("local minima"))
+        at = scale * valleys[:, 1]
+        panel.plot(valleys[:, 0], at, ".", color="black", ms=4.0, label=_("valleys"))
     if (clear < 0.0).any():
         panel.fill_between(
-            curve.times, clear, 0.0, where=list(clear < 0.0), fc="none", ec=TOUCH, hatch="////",
-            lw=0.0, label=_("overlap"),
+            times, clear, 0.0, where=list(clear < 0.0), interpolate=True, fc="none", ec=TOUCH,
+            hatch="////", lw=0.0, label=_("overlap"),
         )  # fmt: skip
 
 
@@ -160,4 +169,7 @@ def _draw_near_misses(panel: Axes, curve: ClearanceCurve, near: FloatArray) -> N
             bbox={"fc": "white", "ec": "none", "alpha": 0.8, "pad": 0.8},
         )  # fmt: skip
     shown = (first - room, -30.0 * top, last - first + 2.0 * room, 130.0 * top)
-    panel.indicate_inset(shown, inset, edgecolor="black")
+    indicator = panel.indicate_inset(shown, inset, edgecolor="black")
+    # Lower and upper left, lower and upper right: none runs through the inset's labels.
+    for line, seen in zip(indicator.connectors or (), (False, False, True, True), strict=False):
+        line.set_visible(seen)

@@ -248,8 +248,8 @@ def _beyond(motion: Motion, low: float, high: float) -> dict[str, str]:
         return {}
     texts = {}
     for side, text, find in (
-        ("min", _("lowest: {speed} m/s, handle {handle}, t = {t} s"), np.nanargmin),
-        ("max", _("highest: {speed} m/s, handle {handle}, t = {t} s"), np.nanargmax),
+        ("min", _("lowest of those drawn: {speed} m/s, handle {handle}, t = {t} s"), np.nanargmin),
+        ("max", _("highest of those drawn: {speed} m/s, handle {handle}, t = {t} s"), np.nanargmax),
     ):
         time = int(find(motion.speed)) // motion.speed.shape[1]
         speed = float(motion.speed.flat[find(motion.speed)])

@@ -37,7 +37,7 @@ class Equation:
         says: what it gives, in words.
         printed: its value as it is printed.
         true: what the walk does.
-        unit: of both.
+        unit: of both; "1" of a plain number.
         remark: what is to be said of it.
     """
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import Answer
+from benchdragon.paper.claims import SMALLEST_PITCH
 from benchdragon.paper.document import (
     Block,
     Formula,
@@ -216,7 +217,7 @@ def _turn(found: Results) -> Iterable[Block]:
     yield say(
         _(
             "{turn} shows why: the radii at A and at B are parallel, so that C lies on AB, and AC is "
-            "the base of an isosceles triangle with the angle alpha."
+            "the base of an isosceles triangle with the angle α."
         ),
         turn=Reference("turn-disc"),
     )
@@ -268,6 +269,13 @@ DERIVATIONS: dict[str, Callable[[Results], Iterable[Block]]] = {
     "turn": _turn,
     "greatest-head-speed": _head_speed,
 }
+
+
+def consistent_steps(found: Results) -> list[float]:
+    """Steps of pitch, m, with which a traversal that looks each second answers as the paper prints."""
+    printed = f"{SMALLEST_PITCH:.3f}"
+    tried = [(step, answer) for step, time, answer in found.traversal if time == 1.0]
+    return [step for step, answer in tried if f"{answer.value:.3f}" == printed]
 
 
 def how(anchor: str, text: str) -> Link:

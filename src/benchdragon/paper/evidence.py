@@ -5,8 +5,9 @@ from collections.abc import Iterable
 import numpy as np
 
 from benchdragon.i18n import N_, _
-from benchdragon.number_format import decimals, decimals_or_dash
-from benchdragon.paper.derivations import contact_of
+from benchdragon.number_format import decimals, decimals_or_dash, decimals_towards, outward
+from benchdragon.paper.claims import SMALLEST_PITCH
+from benchdragon.paper.derivations import consistent_steps, contact_of
 from benchdragon.paper.document import Block, Heading, Inline, Picture, Reference, Table, say
 from benchdragon.paper.evidence_figures import latest_step
 from benchdragon.paper.random_dances import DRAWS, OTHER_SEED, SEED
@@ -61,11 +62,15 @@ def _steps(found: Results) -> Iterable[Block]:
     yield say(
         _(
             "A search in time steps answers with the first of its times at which benches "
-            "overlap: hence 412 s and 413 s from steps of a second. A traversal of pitches "
-            "answers with a multiple of its step: 0.452 m is consistent with steps of 0.002 m and "
-            "of 0.004 m, and the paper prints none. Evaluating at the disc alone misses the graze "
-            "before it."
-        )
+            "overlap: with steps of a second {seen} s, and {before} s is the last that sees no "
+            "contact. A traversal of pitches answers with a multiple of its step: {pitch} m is "
+            "consistent with steps of {pitch_steps} m, and the paper prints none. Evaluating at "
+            "the disc alone misses the graze before it."
+        ),
+        seen=f"{dict(found.stepped)[1.0]:g}",
+        before=f"{dict(found.stepped)[1.0] - 1.0:g}",
+        pitch=f"{SMALLEST_PITCH:g}",
+        pitch_steps=_(" or ").join(f"{step:g}" for step in consistent_steps(found)),
     )
     step, seen = latest_step(found.windows, max(CONTACT_STEPS))
     yield say(
@@ -76,7 +81,7 @@ def _steps(found: Results) -> Iterable[Block]:
             "{seen} s, {late} s late, {times} times the step. Only a bound on what happens between "
             "times rules that out ({steps}, {seconds}, {pitches})."
         ),
-        windows=", ".join(f"{opens:.3f}\u2013{closes:.3f}" for opens, closes in found.windows[:-1]),
+        windows=_(", ").join(f"{opens:.3f}\u2013{closes:.3f}" for opens, closes in found.windows[:-1]),
         last=f"{found.windows[-1][0]:.3f}",
         step=f"{step:g}",
         seen=f"{seen:.3f}",
@@ -159,7 +164,7 @@ def conditioning(found: Results) -> Iterable[Block]:
         "greatest_head_speed": (_("greatest head speed"), _("mm/s per cm"), 1e3),
     }
     for name, (text, unit, scale) in names.items():
-        columns = (_("size"), _("derivative"), _("difference"))
+        columns = (_("size"), _("derivative"), _("difference quotient"))
         rows = tuple(_rate_row(rate, 0.01 * scale) for rate in found.rates[name])
         caption = _("Sensitivity: {answer} ({unit}).").format(answer=text, unit=unit)
         yield Table(f"rates-{name}", caption, columns, (1.6, 1, 1), rows, numbers=True)
@@ -213,6 +218,10 @@ def people(found: Results) -> Iterable[Block]:
     )
 
 
+# Deviations in the order of the rows of CASES.
+DEVIATION_ORDER = ("aside", "play", "stray", "height", "length", "width")
+
+
 def _needed_pitches(found: Results) -> Table:
     columns = (
         _("relaxed assumption"),
@@ -226,13 +235,15 @@ def _needed_pitches(found: Results) -> Table:
     rows = []
     for name in CASES:
         one, vouched = found.dances.tolerance(name), found.dances.vouched[name]
-        deviations = ", ".join(f"{100.0 * size:g}" for size in vars(one.deviations).values() if size)
+        sizes = [getattr(one.deviations, size) for size in DEVIATION_ORDER]
+        deviations = _(", ").join(f"{100.0 * size:g}" for size in sizes if size)
         room = 100.0 * (one.pitch_for(0.05) - found.smallest.value)
+        share, low, high = (100.0 * part for part in vouched.chance)
         numbers = (
             decimals_or_dash(np.median(one.needed)),
-            *(f"{one.pitch_from(risk):.4f}..{one.pitch_for(risk):.4f}" for risk in (0.1, 0.05)),
-            "{:.1f} ({:.1f}..{:.1f})".format(*(100.0 * part for part in vouched.chance)),
-            decimals_or_dash(room, 1),
+            *(outward(one.pitch_from(risk), one.pitch_for(risk)) for risk in (0.1, 0.05)),
+            f"{share:.1f} ({outward(low, high, 1)})",
+            decimals_towards(room, 2, up=True),
         )
         rows.append((_(CASES[name].text), deviations, *numbers))
     caption = _("The pitches that imprecise people need.")

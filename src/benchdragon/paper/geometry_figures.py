@@ -102,8 +102,8 @@ def triangle_picture(walk: Walk, turn: TwoArcTurn, title: str = "") -> Figure:
     """
     first, second = turn.arcs()
     link = float(walk.dragon.links[0])
-    # The front handle a third of a link into the second arc.
-    head = walk.time_at(walk.start + turn.radii[0] * turn.sweep + link / 3.0)
+    # The front handle half a link into the second arc, as `claims` has it.
+    head = walk.time_at(walk.start + turn.radii[0] * turn.sweep + 0.5 * link)
     motion = walk.motion([head])
     front, rear = (complex(motion.x[0, i], motion.y[0, i]) for i in (0, 1))
     centre = complex(*first.centre)
@@ -117,12 +117,12 @@ def triangle_picture(walk: Walk, turn: TwoArcTurn, title: str = "") -> Figure:
         _line(panel, (front, rear), DISC, lw=2.2)
         label(panel, "$d_1$", 0.5 * (centre + front), (7, -7))
         label(panel, "$r_1$", 0.5 * (centre + rear), (-9, -5))
-        label(panel, "$L_1$", 0.5 * (front + rear), (0, -10))
+        label(panel, "$L_1$", 0.7 * front + 0.3 * rear, (4, 9))
         mark_angle(panel, centre, (front - centre, rear - centre), 0.55, r"$\theta$")
         joint = complex(*first.end_pose[0])
         for name, at, side in (
-            ("$O_1$", centre, (-12, -2)), ("$P_0$", front, (11, 0)), ("$P_1$", rear, (0, 10)),
-            ("$C$", joint, (8, 9)),
+            ("$O_1$", centre, (-12, -2)), ("$P_0$", front, (10, -9)), ("$P_1$", rear, (0, 10)),
+            ("$C$", joint, (-3, -10)),
         ):  # fmt: skip
             _line(panel, (at,), marker="o", ms=3.5, zorder=6)
             label(panel, name, at, side)
@@ -194,6 +194,8 @@ def _draw_gap(panel: Axes, shapes: Sequence[FloatArray], left: float) -> None:
     low, high = float(lower.imag.max()), float(upper.imag.min())
     panel.annotate(
         "", (left - 0.12, low), (left - 0.12, high),
-        arrowprops={"arrowstyle": "<->", "lw": 0.9, "shrinkA": 0, "shrinkB": 0},
+        arrowprops={
+            "arrowstyle": "|-|,widthA=0.2,widthB=0.2", "lw": 0.9, "shrinkA": 0, "shrinkB": 0,
+        },
     )  # fmt: skip
     label(panel, "$g$", complex(left - 0.12, 0.5 * (low + high)), (-9, 0))

@@ -2,6 +2,7 @@
 
 import io
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, cast
@@ -38,18 +39,20 @@ MARGIN, LINE, MM = 15.0, 5.2, 25.4 / 72.0
 TEXT_SIZE, TABLE_SIZE, SMALL, HEAD_SIZES = 9.5, 7.5, 8.5, {1: 15.0, 2: 11.5}
 EDGE, SHADE, LINK_COLOUR = (150, 150, 150), (235, 235, 235), (0, 84, 148)
 WEIGHTS = {"": "normal", "B": "bold"}
-# Room on a page, mm, that a heading needs for itself and two lines, and a table for its caption and
-# some rows; a table of numbers, one line to a row, goes to the next page whole if less is left than
-# MOST_EMPTY.
-HEADING_ROOM, TABLE_ROOM, MOST_EMPTY = 26.0, 32.0, 85.0
+# Room on a page, mm, that a heading needs for itself and two lines, a table for its caption and some
+# rows, and a caption. A table of numbers goes to the next page whole if no more is left empty than
+# this, with pictures waiting for that page, and without.
+HEADING_ROOM, TABLE_ROOM, CAPTION = 26.0, 32.0, 6.0
+MOST_EMPTY_BEFORE_PICTURES, MOST_EMPTY = 100.0, 85.0
 ROW, PADDING = 0.5, 0.7
 # Pictures that found no room on a page stand at the head of the next, as far down as this share of it.
 HEAD_SHARE = 0.85
 # Chinese text may break after any sign; fpdf2 breaks where this stands, for which Noto has no glyph.
 BREAK = "\u200b"
-BREAKABLE = re.compile(
-    r"([\u3000-\u9fff\uff00-\uffef])(?![\uff0c\u3002\uff1b\uff1a\u3001\uff09\u201d])"
-)
+STOPS, OPENING = "\uff0c\u3002\uff1b\uff1a\u3001\uff09\u201d\u300d\u300b", "\uff08\u201c\u300c\u300a"
+BREAKABLE = re.compile(rf"([\u3000-\u9fff\uff00-\uffef])(?<![{OPENING}])(?![{STOPS}])")
+# What a PDF page starts with; fpdf2 leaves other ends and joins of lines, widths, dashes and colours.
+PLAIN = "0 J 0 j 1 w 10 M [] 0 d 0 G 0 g"
 
 
 @dataclass(frozen=True)
@@ -104,6 +107,7 @@ class Pages(FPDF):
 
     def header(self) -> None:
         """Put pictures that found no room before at the head of the page."""
+        self.set_text_color(0)  # fpdf2 takes up the colour of a link that goes on below
         while self._waiting:
             picture = self._waiting[0]
             if self.get_y() > MARGIN and self._height(picture) > HEAD_SHARE * self.h - self.get_y():
@@ -112,6 +116,7 @@ class Pages(FPDF):
 
     def footer(self) -> None:
         """Put the page's number at its foot."""
+        self.set_text_color(0)
         self.set_y(-MARGIN + 4.0)
         self.set_font("Noto", size=8)
         self.cell(0, 4, f"benchdragon {__version__} · {self.page_no()}", align="C")
@@ -150,8 +155,7 @@ class Pages(FPDF):
                 self._heading(block)
             case Paragraph():
                 self.set_font("Noto", size=TEXT_SIZE)
-                for part in block.words:
-                    self._write(part)
+                self._words(block.words)
                 self.ln(LINE + 2.0)
             case Formula():
                 self._formula(block)
@@ -178,16 +182,30 @@ class Pages(FPDF):
         self.set_font("Noto", "B" if bold else "", size)
         self.multi_cell(0, 0.5 * size, breakable(text), align=align, new_x="LMARGIN", new_y="NEXT")
 
-    def _write(self, part: Inline) -> None:
-        if isinstance(part, str):
-            self.write(LINE, breakable(part))
-            return
-        link = self._document.link(part) if isinstance(part, Reference) else part
-        if self.get_string_width(link.text) > self.w - MARGIN - self.get_x() and self.get_x() > MARGIN:
-            self.ln(LINE)  # fpdf2 would break it in the middle of a word
-        self.set_text_color(*LINK_COLOUR)
-        self.write(LINE, breakable(link.text), self._target(link))
-        self.set_text_color(0)
+    def _words(self, words: Sequence[Inline]) -> None:
+        """Set words; a link stands whole on a line, with the bracket before it and its stops."""
+        opened = ""
+        for part, after in zip(words, [*words[1:], ""], strict=True):
+            if isinstance(part, str):
+                text = part.rstrip(OPENING + "(")
+                self.write(LINE, breakable(text))
+                opened = part[len(text) :]
+                continue
+            link = self._document.link(part) if isinstance(part, Reference) else part
+            stops = (
+                after[: len(after) - len(after.lstrip(STOPS + ".,;:)"))]
+                if isinstance(after, str)
+                else ""
+            )
+            room = self.w - MARGIN - self.get_x() - 2.0 * self.c_margin
+            if self.get_string_width(opened + link.text + stops) > room and self.get_x() > MARGIN:
+                self.ln(LINE)
+            self.write(LINE, opened)
+            opened = ""
+            self.set_text_color(*LINK_COLOUR)
+            self.write(LINE, link.text, self._target(link))
+            self.set_text_color(0)
+        self.write(LINE, opened)
 
     def _target(self, link: Link) -> int | str:
         return self._links[link.target[1:]] if link.target.startswith("#") else link.target
@@ -201,9 +219,7 @@ class Pages(FPDF):
         self.ln(2.0)
 
     def _table(self, block: Table) -> None:
-        left = self.h - MARGIN - self.get_y()
-        needed = 12.0 + (len(block.rows) + 1) * (ROW * TABLE_SIZE + 2.0 * PADDING)
-        if left < TABLE_ROOM or (block.numbers and left < min(needed, MOST_EMPTY)):
+        while self._room() < self._needed(block):
             self.add_page()
         self._arrive(anchor_of(block.name))
         self._spoken(self._caption(block), SMALL)
@@ -232,6 +248,21 @@ class Pages(FPDF):
 
     def _caption(self, block: Table | Picture) -> str:
         return f"{self._document.labels[block.name]}. {block.caption}"
+
+    def _room(self) -> float:
+        """What is left of the page, mm."""
+        return float(self.h - MARGIN - self.get_y())
+
+    def _needed(self, block: Table) -> float:
+        """Room that a table needs to begin on a page, mm.
+
+        One of numbers, a line to a row, stands whole unless that leaves too much empty. Pictures that
+        wait would part it: then more may be left empty.
+        """
+        if not block.numbers:
+            return TABLE_ROOM
+        whole = CAPTION + (len(block.rows) + 1) * (ROW * TABLE_SIZE + 2.0 * PADDING)
+        return min(whole, MOST_EMPTY_BEFORE_PICTURES if self._waiting else MOST_EMPTY)
 
     def _picture(self, block: Picture) -> None:
         """Place a picture where there is room: pictures keep their order."""
@@ -277,7 +308,7 @@ def _size(file: bytes) -> tuple[float, float]:
 
 
 def breakable(text: str) -> str:
-    """Text in which lines may break after Chinese signs, but not before their stops."""
+    """Text in which lines may break after Chinese signs, not before stops or after "（"."""
     return BREAKABLE.sub(rf"\1{BREAK}", text)
 
 
@@ -317,7 +348,7 @@ def _lay_on(writer: PdfWriter, drawn: Drawn, name: NameObject) -> None:
     forms = resources.setdefault(NameObject("/XObject"), DictionaryObject()).get_object()
     forms[name] = writer._add_object(form.flate_encode())
     show = StreamObject()
-    show.set_data(f"q 1 0 0 1 {drawn.x / MM:.3f} {drawn.y / MM:.3f} cm {name} Do Q".encode())
+    show.set_data(f"q {PLAIN} 1 0 0 1 {drawn.x / MM:.3f} {drawn.y / MM:.3f} cm {name} Do Q".encode())
     before = page.raw_get("/Contents")
     streams = before if isinstance(before, ArrayObject) else ArrayObject([before])
     page[NameObject("/Contents")] = ArrayObject([*streams, writer._add_object(show)])

@@ -85,24 +85,20 @@ def _second_question(found: Results) -> Iterable[Block]:
     )
     yield _one_moment(table(standing, standing.times.tolist()))
     yield Picture("contact", _("The first contact, and close by."))
-    yield Picture("clearance", _("Clearance of non-adjacent benches up to the contact."))
+    yield Picture("clearance", _("Clearance of non-adjacent benches until shortly after the contact."))
 
 
 def _third_question(found: Results) -> Iterable[Block]:
     yield Heading(_("Question 3: the smallest pitch"), "question-3", 2)
-    yield Paragraph(
-        (
-            _(
-                "The head reaches a disc of radius {radius} m without contact from pitch {pitch} "
-                "m on ({how}). "
-            ).format(
-                radius=f"{found.turn.disc.radius:g}",
-                pitch=f"{found.smallest.value:.13f}",
-                how=established(found.smallest),
-            ),
-            how("smallest-pitch", _("How this is known")),
-            ".",
-        )
+    yield say(
+        _(
+            "The head reaches a disc of radius {radius} m without contact from pitch {pitch} "
+            "m on ({how}). {known}."
+        ),
+        radius=f"{found.turn.disc.radius:g}",
+        pitch=f"{found.smallest.value:.13f}",
+        how=established(found.smallest),
+        known=how("smallest-pitch", _("How this is known")),
     )
     yield say(
         _(

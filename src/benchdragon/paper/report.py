@@ -8,9 +8,16 @@ import datetime
 from collections.abc import Iterable
 
 from benchdragon.i18n import N_, _, language
-from benchdragon.number_format import decimals, decimals_or_dash
+from benchdragon.number_format import decimals, decimals_towards
 from benchdragon.paper import claims as paper
-from benchdragon.paper.derivations import allowed_speed, contact_of, established, evidence_table, how
+from benchdragon.paper.derivations import (
+    allowed_speed,
+    consistent_steps,
+    contact_of,
+    established,
+    evidence_table,
+    how,
+)
 from benchdragon.paper.document import (
     Block,
     Document,
@@ -75,8 +82,9 @@ def _opening(found: Results) -> Iterable[Block]:
         _(
             "W. Nie and J. Zhao model the bench dragon of 223 benches: spiral walk, contact, "
             "smallest pitch, turn. This report repeats each part, says what the paper gives, what "
-            "comes out here, why they differ, and how our number was established. All figures are "
-            "of this run: benchdragon {version}, plans {spiral}, {disc}, {turn}."
+            "comes out here, why they differ, and how our number was established. All figures but "
+            "those of the kept random dances are of this run: benchdragon {version}, plans "
+            "{spiral}, {disc}, {turn}."
         ),
         version=__version__,
         **{name: getattr(found, name).sha256[:8] for name in ("spiral", "disc", "turn")},
@@ -159,8 +167,6 @@ def _contact_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
         ).format(seen=f"{stepped:g}", before=f"{stepped - 1.0:g}"),
         how("first-contact", established(first)),
     )
-    printed = f"{paper.SMALLEST_PITCH:.3f}"
-    same = [p for p, t, answer in found.traversal if t == 1.0 and f"{answer.value:.3f}" == printed]
     benches = smallest.witness.benches if smallest.witness else (0, 0)
     yield (
         _("abstract, 3, Fig 2"),
@@ -172,7 +178,7 @@ def _contact_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
             "consistent with pitches in steps of {steps} m and a flag each second (the paper prints "
             "no step); bench {a} grazes bench {b} {before} m before the disc"
         ).format(
-            steps=_(" or ").join(f"{step:g}" for step in same),
+            steps=_(" or ").join(f"{step:g}" for step in consistent_steps(found)),
             a=benches[0],
             b=benches[1],
             before=f"{found.before_disc or 0.0:.4f}",
@@ -211,8 +217,8 @@ def _turn_claims(found: Results) -> Iterable[tuple[Inline, ...]]:
     yield (
         "3, 4",
         _("boundary angles of the arcs"),
-        ", ".join(f"{angle:.4f}" for angle in paper.ANGLES.values()),
-        ", ".join(f"{angle:.6f}" for angle in angles.values()),
+        _(", ").join(f"{angle:.4f}" for angle in paper.ANGLES.values()),
+        _(", ").join(f"{angle:.6f}" for angle in angles.values()),
         f"{off:.1e}",
         _("right to the digits printed"),
         how("turn", _("closed form")),
@@ -282,14 +288,14 @@ def _people_claim(found: Results) -> tuple[Inline, ...]:
         _("assumptions 1 to 4: people are exact"),
         _("neglected"),
         _("{pitch} m, for nineteen dances of twenty, with 95 % confidence").format(
-            pitch=decimals_or_dash(together.pitch_for(0.05), 3)
+            pitch=decimals_towards(together.pitch_for(0.05), 3, up=True)
         ),
         "",
         _(
             "all of them dropped and benches that vary; {pitch} m with the first alone dropped: "
             "handles {deviation} cm off the route, to either side, as a standard deviation"
         ).format(
-            pitch=decimals_or_dash(aside.pitch_for(0.05), 3),
+            pitch=decimals_towards(aside.pitch_for(0.05), 3, up=True),
             deviation=f"{100.0 * aside.deviations.aside:g}",
         ),
         Link(_("chapter on people"), "#people"),
@@ -337,8 +343,8 @@ def _equations(found: Results) -> Iterable[Block]:
         (
             f"({one.number})",
             _(one.says),
-            f"{one.printed:.9f} {one.unit}",
-            f"{one.true:.9f} {one.unit}",
+            _with_unit(one.printed, one.unit),
+            _with_unit(one.true, one.unit),
             f"{one.printed - one.true:.1e}",
             _(one.remark),
         )
@@ -350,3 +356,8 @@ def _equations(found: Results) -> Iterable[Block]:
         "geometry-triangle",
         _("Handle 0 on the second arc, handle 1 on the first: the triangle of the cosine law."),
     )
+
+
+def _with_unit(value: float, unit: str) -> str:
+    """A value of an equation, with its unit as readers write it."""
+    return f"{value:.9f} {unit.replace('^2', '²')}" if unit != "1" else f"{value:.9f}"

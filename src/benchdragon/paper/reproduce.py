@@ -22,7 +22,7 @@ from benchdragon.export.tables import (
 from benchdragon.figures.contact import clearance_picture, moment_picture
 from benchdragon.figures.style import lay_out, write_picture
 from benchdragon.figures.tolerance import margin_picture
-from benchdragon.figures.walk import dragon_picture, head_angle_picture, speed_map
+from benchdragon.figures.walk import dragon_picture, speed_map
 from benchdragon.files import refuse_existing, whole_file
 from benchdragon.i18n import _, language
 from benchdragon.paper.derivations import contact_of
@@ -52,10 +52,10 @@ from benchdragon.solve.tolerance import CASES
 TURN_TIMES = (-50.0, 0.0, 14.0, 50.0)
 # Times, s, over which the greatest speed ratio is drawn (from, to, step), how far about its greatest
 # value it is enlarged, and how long before the contact the separating axes are drawn.
-RATIO_TIMES, CLOSE, BEFORE_CONTACT = (-10.0, 60.0, 0.02), 0.6, 1.5
+RATIO_TIMES, CLOSE, BEFORE_CONTACT = (-10.0, 60.0, 0.02), 0.6, 2.5
 PICTURE_KINDS = ("png", "svg", "pdf")
 PICTURES = (
-    "spiral-dragon", "spiral-speeds", "spiral-head", "contact", "clearance", "pitch", "turn-disc",
+    "spiral-dragon", "spiral-speeds", "contact", "clearance", "pitch", "turn-disc",
     "turn-dragon", "turn-speeds", "turn-better", "turn-front", "turn-ratio", "flow", "errors-orders",
     "errors-chain", "errors-steps", "margins", "geometry-polar", "geometry-triangle", "geometry-axes",
 )  # fmt: skip
@@ -158,7 +158,6 @@ def _spiral_figures(found: Results) -> dict[str, Figure]:
     return {
         "spiral-dragon": dragon_picture(found.motion, "", (0, 300)),
         "spiral-speeds": speed_map(found.motion),
-        "spiral-head": head_angle_picture(found.motion),
         "contact": moment_picture(*moment(found.report)),
         "clearance": clearance_picture(found.clearance, found.spiral.limits.margin),
         "pitch": pitch_picture(found.curve, found.smallest.value),

@@ -177,7 +177,7 @@ def _draw_joint_lines(panel: Axes, first: Arc, second: Arc) -> None:
     for at, name, side in ((start, "$l_1$", -1.0), (end, "$l_2$", 1.0)):
         ends = at - tangent, at + tangent
         panel.plot([z.real for z in ends], [z.imag for z in ends], color=EASE, lw=1.0)
-        label(panel, name, at + side * tangent, (9.0 * side, 4.0 * side))
+        label(panel, name, at + side * tangent, (9.0, 4.0))
 
 
 def _draw_angles(panel: Axes, first: Arc, second: Arc) -> None:
@@ -198,7 +198,7 @@ def _letter_points(panel: Axes, first: Arc, second: Arc) -> None:
     places = {
         "$A$": (first.start_pose[0], (-9, -8)),
         "$B$": (second.end_pose[0], (9, 8)),
-        "$C$": (first.end_pose[0], (10, -8)),
+        "$C$": (first.end_pose[0], (-3, 11)),
         "$O$": ((0.0, 0.0), (9, -7)),
         "$O_1$": (first.centre, (12, -6)),
         "$O_2$": (second.centre, (-13, 4)),
