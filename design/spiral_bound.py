@@ -12,8 +12,8 @@ import numpy as np
 
 from benchdragon import Dragon, first_contact, tightest_pairs
 from benchdragon.analysis import regions
-from benchdragon.analysis.spiral_bound import Shape, clear_radius, clear_spans
 from benchdragon.kernels.curve import P
+from benchdragon.kernels.spiral_bound import clear_radius, clear_spans, shape_of
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import read_plan
 
@@ -42,7 +42,7 @@ def seconds(walk: Walk, end: float) -> float:
 def main() -> None:
     """Print the two tables."""
     dragon = Dragon.uniform()
-    head, body = (Shape.of(dragon.sizes[:, part], 0.0) for part in (slice(1), slice(1, 2)))
+    head, body = (shape_of(dragon.sizes[:, n].reshape(4, 1).copy(), 0.0) for n in (0, 1))
     between = float(dragon.links.min())
     print("pitch, m   head clear from, m   bodies, m   least distance of the head there, m")
     for pitch in (0.45, 0.5, 0.55, 0.7, 1.0, 1.7):
@@ -62,7 +62,7 @@ def main() -> None:
         walk = read_plan(name, settings).build()
         first_contact(walk, 0.0, end)
         times = []
-        for way in (WITH, lambda *_arguments: np.empty((0, 2))):
+        for way in (WITH, lambda *_arguments: 0):
             with mock.patch.object(regions, "clear_spans", way):
                 times.append(1e3 * seconds(walk, end))
         print(f"{name:10s} {end:5g} s {times[0]:18.1f} {times[1]:13.1f}")

@@ -14,6 +14,7 @@ from benchdragon.errors import not_negative, of_kind, whole
 from benchdragon.i18n import N_
 from benchdragon.kernels import box as kernel
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.grid import filled_grid, pairs_near
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.status import Status
 from benchdragon.model.placement import Placement
@@ -109,15 +110,13 @@ def _foot(table: FloatArray, j: int, x: float, y: float) -> tuple[tuple[float, f
 
 def pairs_within(table: FloatArray, reach: float) -> tuple[IntArray, IntArray]:
     """Rows of all pairs that are not neighbours and may be within `reach` metres: a superset."""
-    from scipy.spatial import cKDTree  # slow to import
-
     radius = np.hypot(table[:, kernel.HALF_LENGTH], table[:, kernel.HALF_WIDTH])
-    tree = cKDTree(table[:, [kernel.CX, kernel.CY]])
-    pairs = tree.query_pairs(2.0 * float(radius.max()) + reach, output_type="ndarray")
-    first, second = pairs.min(axis=1), pairs.max(axis=1)
-    apart = np.hypot(*(table[first, :2] - table[second, :2]).T)
+    widest, places = float(radius.max()), np.ascontiguousarray(table[:, [kernel.CX, kernel.CY]])
+    grid = filled_grid(places, widest + reach)
+    first, second = pairs_near(grid, places, places, 0, 2.0 * widest + reach)
+    apart = np.hypot(*(places[first] - places[second]).T)
     keep = (second - first >= 2) & (apart <= radius[first] + radius[second] + reach)
-    return first[keep].astype(np.int64), second[keep].astype(np.int64)
+    return first[keep], second[keep]
 
 
 def tightest_pairs(placed: Placement, index: int = 0, count: int = 1) -> list[Nearness]:

@@ -19,13 +19,13 @@ from benchdragon.analysis.contact import contact_windows
 from benchdragon.analysis.contact_search import SLACK
 from benchdragon.analysis.distance import pair_distances
 from benchdragon.analysis.ledger import Ledger
-from benchdragon.analysis.spiral_bound import SPARE
 from benchdragon.errors import InputError, MissingExtraError, UnsureError, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.regions import EDGE
 from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.spiral_bound import SPARE
 from benchdragon.model.answer import Answer, Status
 from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
 from benchdragon.model.walk import Walk

@@ -13,14 +13,15 @@ import numpy as np
 import numpy.typing as npt
 
 from benchdragon.analysis.ledger import Ledger
-from benchdragon.analysis.spiral_bound import Shape, clear_spans
 from benchdragon.errors import InputError, UnsureError
 from benchdragon.i18n import _
 from benchdragon.kernels import regions as kernel
 from benchdragon.kernels.box import BOX_COLUMNS, CX, CY, HALF_LENGTH, HALF_WIDTH
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.grid import filled_grid, has_near, pairs_near
 from benchdragon.kernels.regions import EDGE
 from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.spiral_bound import clear_spans, shape_of
 from benchdragon.kernels.step_bounds import empty_placements, place_chain
 from benchdragon.model.curves import Route
 from benchdragon.model.dragon import Dragon
@@ -45,8 +46,8 @@ MOST_CELLS = 2_000_000
 # Head's walk, m, that is prepared at a time: the least at first and when benches first can meet, for
 # there a search may end; then doubled, up to this or this share of the route that is known already.
 LEAST_STRIDE, STRIDE, SHARE = 8.0, 128.0, 0.1
-# Cells queried and places marched at a time: 100 MB.
-BLOCK, PLACES = 2048, 1_000_000
+# Places marched at a time: 100 MB.
+PLACES = 1_000_000
 
 
 @dataclass(frozen=True)
@@ -120,13 +121,14 @@ class BroadPhase:
 
     def _find_clear_spans(self) -> dict[tuple[int, int], FloatArray]:
         """Spans of the route where benches of groups a and, behind them, b, keep apart."""
-        shapes = [
-            Shape.of(self._classes[:, self._group_of == g], 0.5 * self.reach)
-            for g in range(self.groups)
-        ]
+        sizes = (self._classes[:, self._group_of == g] for g in range(self.groups))
+        shapes = [shape_of(np.ascontiguousarray(some), 0.5 * self.reach) for some in sizes]
         between = float(self.dragon.links.min())
         pairs = list(zip(*np.nonzero(np.isfinite(self._between)), strict=True))
-        found = {(a, b): clear_spans(self.route, shapes[a], shapes[b], between) for a, b in pairs}
+        found, spans = {}, np.empty((len(self.route.rows), 2))
+        for a, b in pairs:
+            count = clear_spans(self.route.rows, shapes[a], shapes[b], between, spans)
+            found[int(a), int(b)] = spans[:count].copy()
         # Benches that can meet no other must follow too: no span spares their cells.
         alone = set(range(self.groups)).difference(*pairs)
         return {**found, **{(g, g): np.empty((0, 2)) for g in alone}}
@@ -330,30 +332,28 @@ class BroadPhase:
 
     def _near(self, old: int) -> Iterator[tuple[int, int, IntArray, IntArray]]:
         """Groups a, b and cells k >= old, m <= k whose boxes are within reach, benches between them."""
-        from scipy.spatial import cKDTree  # slow to import
-
         radius = np.hypot(self.hulls[..., HALF_LENGTH], self.hulls[..., HALF_WIDTH])
-        centres = self.hulls[..., [CX, CY]]
-        known = [np.flatnonzero(~np.isnan(radius[g])) for g in range(self.groups)]
-        trees = [cKDTree(centres[g, known[g]]) if len(known[g]) else None for g in range(self.groups)]
-        for a in range(self.groups):
-            fresh = known[a][known[a] >= old]
-            for start in range(0, len(fresh), BLOCK):
-                some = fresh[start : start + BLOCK]
-                tree = cKDTree(centres[a, some])
-                for b, other in enumerate(trees):
-                    if other is None or self._between[a, b] == np.inf:
-                        continue
-                    reach = float(radius[a, some].max() + radius[b, known[b]].max()) + self.reach
-                    near = tree.sparse_distance_matrix(other, reach, output_type="ndarray")
-                    k, m = some[near["i"]], known[b][near["j"]]
-                    keep = (k + 1 - m) * self.cell >= self._between[a, b]
-                    span = self._span_of[a, b]
-                    keep &= (span[k] < 0) | (span[k] != span[m])
-                    k, m = k[keep], m[keep]
-                    flags = np.empty(len(k), dtype=np.int64)
-                    kernel.near_pairs(self.hulls[a], self.hulls[b], k, m, self.reach, flags)
-                    yield a, b, k[flags > 0], m[flags > 0]
+        for b in range(self.groups):
+            others = np.ascontiguousarray(self.hulls[b, :, [CX, CY]].T)
+            if np.isnan(others).all() or np.isinf(self._between[:, b]).all():
+                continue
+            widest = float(np.nanmax(radius[b]))
+            grid = filled_grid(others, widest)
+            for a in np.flatnonzero(np.isfinite(self._between[:, b])).tolist():
+                fresh = radius[a, old:]
+                if np.isnan(fresh).all():
+                    continue
+                places = np.ascontiguousarray(self.hulls[a, :, [CX, CY]].T)
+                k, m = pairs_near(
+                    grid, others, places, old, float(np.nanmax(fresh)) + widest + self.reach
+                )
+                keep = (k + 1 - m) * self.cell >= self._between[a, b]
+                span = self._span_of[a, b]
+                keep &= (span[k] < 0) | (span[k] != span[m])
+                k, m = k[keep], m[keep]
+                flags = np.empty(len(k), dtype=np.int64)
+                kernel.near_pairs(self.hulls[a], self.hulls[b], k, m, self.reach, flags)
+                yield a, b, k[flags > 0], m[flags > 0]
 
     def _refined(
         self, a: int, b: int, k: IntArray, m: IntArray, parts: int
@@ -456,11 +456,10 @@ def _near_others(
     places: FloatArray, inside: npt.NDArray[np.bool_], reach: float
 ) -> npt.NDArray[np.bool_]:
     """Which of the places inside are within reach of one that is not."""
-    from scipy.spatial import cKDTree  # slow to import
-
     near = np.zeros(len(places), dtype=bool)
     if inside.any() and not inside.all():
-        tree = cKDTree(places[~inside])
-        away, _nearest = tree.query(places[inside], distance_upper_bound=reach)
-        near[inside] = np.isfinite(away)
+        others, found = places[~inside], np.empty(len(places), dtype=np.int64)
+        flags = np.empty(int(inside.sum()), dtype=np.int64)
+        has_near(filled_grid(others, reach), others, places[inside], reach, found, flags)
+        near[inside] = flags > 0
     return near

@@ -1,7 +1,7 @@
 """Which parts of a random dance on an inward spiral must be searched: a bound in closed form.
 
 On r = b theta a point has the excess sigma = r - b phi, phi counted on from turn to turn: 0 on the
-spiral, one pitch more for the same point seen from one turn farther in (analysis/spiral_bound.py). A
+spiral, one pitch more for the same point seen from one turn farther in (kernels/spiral_bound.py). A
 handle a metres outward of the spiral has the excess a, but for second order. Bounds on the excess of
 benches follow from their handles, and tell, pair by pair, that neighbouring turns cannot come near each
 other (design/imprecision.py shows how little is left to be searched).
