@@ -830,3 +830,18 @@ def test_ground_is_asked_for_the_room_of_rounding() -> None:
         list(ContactSearch(walk, 0.0, 12.0, 0.0, silent, slack).steps(0.0)) for slack in (1e-13, 0.6)
     ]
     assert [bool(some) for some in steps] == [False, True]
+
+
+def test_pairs_are_numbered_by_the_benches_that_are_in_any() -> None:
+    rng = np.random.default_rng(0)
+    for _case in range(20):
+        both = np.sort(rng.choice(60, (int(rng.integers(1, 12)), 2)), axis=1)
+        both[:, 1] += 2
+        first, second = both[:, 0].copy(), both[:, 1].copy()
+        place, members = np.full(70, -1, dtype=np.int64), np.empty(24, dtype=np.int64)
+        mine, other = np.empty_like(first), np.empty_like(second)
+        count = search.number_members(first, second, members, place, mine, other)
+        assert members[:count].tolist() == np.unique(both).tolist()
+        assert (members[mine] == first).all()
+        assert (members[other] == second).all()
+        assert (place == -1).all()

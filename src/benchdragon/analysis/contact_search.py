@@ -66,6 +66,7 @@ class ContactSearch:
         placed = self.placement(self.start)
         extent = float(np.abs([placed.x, placed.y]).max())
         self.slack = self.slack or SLACK * max(1.0, extent / SLACK_REACH)
+        self._place = np.full(len(self.walk.dragon), -1, dtype=np.int64)
         self._room: kernel.Search | None = None
         self._shape = (0, 0, 0)
 
@@ -126,8 +127,10 @@ class ContactSearch:
 
         `tolerance` is that of LEAST, m.
         """
-        members, inverse = np.unique(np.concatenate([step.first, step.second]), return_inverse=True)
-        count = len(step.first)
+        count, first, second = len(step.first), np.empty_like(step.first), np.empty_like(step.second)
+        members = np.empty(min(2 * count, len(self._place)), dtype=np.int64)
+        found = kernel.number_members(step.first, step.second, members, self._place, first, second)
+        members = members[:found]
         handles = int(members[-1]) + 2
         shape = (handles, len(members), count)
         if self._room is None or any(a > b for a, b in zip(shape, self._shape, strict=True)):
@@ -140,7 +143,7 @@ class ContactSearch:
         chain = kernel.Chain(
             self.walk.route.rows, dragon.links[: handles - 1], np.empty(0), dragon.sizes, members
         )
-        pairs = kernel.Pairs(inverse[:count], inverse[count:])
+        pairs = kernel.Pairs(first, second)
         most = MOST_LEAST_EVALUATIONS if tolerance else MOST_EVALUATIONS
         limits = kernel.Limits(self.margin, tolerance or self.slack, width, most)
         ending = kernel.search_step(self._room, goal, chain, pairs, start, end, limits, note)

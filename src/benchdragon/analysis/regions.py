@@ -362,7 +362,7 @@ class BroadPhase:
         if not len(k):
             return k, m
         for g, numbers in ((a, k), (b, m)):
-            self._refine(g, np.unique(numbers), parts)
+            self._refine(g, numbers, parts)
         part = np.arange(PARTS)
         first = np.repeat((k[:, np.newaxis] * PARTS + part), PARTS, axis=1).ravel()
         second = np.tile((m[:, np.newaxis] * PARTS + part), PARTS).ravel()
@@ -385,7 +385,7 @@ class BroadPhase:
         if len(fine) < self.count * parts:
             more = np.full((self.count * parts - len(fine), BOX_COLUMNS), np.nan)
             self._fine[parts, g] = fine = np.concatenate([fine, more])
-        numbers = numbers[np.isnan(fine[numbers * PARTS, CX])]
+        numbers = np.unique(numbers[np.isnan(fine[numbers * PARTS, CX])])
         targets = (numbers[:, np.newaxis] * PARTS + np.arange(PARTS)).ravel()
         self._box(g, numbers, (parts // PARTS, PARTS), fine, targets)
 

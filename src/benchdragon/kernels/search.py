@@ -123,6 +123,35 @@ def room(handles: int, members: int, pairs: int, chains: int) -> Search:
 
 
 @kernel
+def number_members(
+    first: IntArray,
+    second: IntArray,
+    members: IntArray,
+    place: IntArray,
+    mine: IntArray,
+    other: IntArray,
+) -> int:
+    """Fill members with the benches of pairs, ascending, and mine, other with the pairs by members.
+
+    Gives how many members there are. Pair p is benches first[p] < second[p]. `place` is scratch, one
+    for each bench, all -1, as it is left.
+    """
+    last, count = 0, 0
+    for p in range(first.shape[0]):
+        place[first[p]] = place[second[p]] = 0
+        last = max(last, second[p])
+    for i in range(last + 1):
+        if place[i] == 0:
+            place[i], members[count] = count, i
+            count += 1
+    for p in range(first.shape[0]):
+        mine[p], other[p] = place[first[p]], place[second[p]]
+    for i in range(count):
+        place[members[i]] = -1
+    return count
+
+
+@kernel
 def open_step(search: Search, pairs: int, start: float, end: float) -> int:
     """Open the step from head position start to end; the slot of its end, 0 if there is no pair."""
     search.at[0], search.at[1] = start, end
