@@ -8,7 +8,7 @@ import pytest
 from benchdragon.kernels import search, step_bounds
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, boxes_at, nearest_pair
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.every_pair import CROWDED, near_in_step, search_all_pairs
+from benchdragon.kernels.every_pair import CROWDED, circles_of, near_in_step, search_all_pairs
 from benchdragon.kernels.perturbed import bound_beside, place_along
 from benchdragon.model.curves import Arc, Line, Route, Spiral
 from benchdragon.model.dragon import Dragon
@@ -86,7 +86,7 @@ def test_pairs_left_out_keep_farther_apart_all_through_the_step(name: str) -> No
     dragon, aside = dancers(5, 0.2)
     room = search.room(COUNT + 1, COUNT, 1, 0)
     chain = search.Chain(route.rows, dragon.links, aside, dragon.sizes, np.arange(COUNT))
-    radius = 0.5 * np.hypot(dragon.length, dragon.width)
+    circles = circles_of(dragon.sizes)
     first, second = np.empty(COUNT * COUNT, dtype=np.int64), np.empty(COUNT * COUNT, dtype=np.int64)
     handles, left_out = np.empty((COUNT + 1, step_bounds.HANDLE_COLUMNS)), 0
     for at in np.linspace(start, end - 0.3, 12):
@@ -106,11 +106,11 @@ def test_pairs_left_out_keep_farther_apart_all_through_the_step(name: str) -> No
                 for i in range(j - 1):
                     least[i, j] = min(least[i, j], box_distance(table, i, j))
         for wanted in (0.0, 0.1, 0.3, 0.65, 0.7, 0.75):  # the last: benches two apart, end to end
-            found = near_in_step(room, radius, np.empty(COUNT), wanted, first, second)
+            found = near_in_step(room, circles, wanted, first, second)
             kept = set(zip(first[:found].tolist(), second[:found].tolist(), strict=True))
             assert kept >= set(zip(*np.nonzero(least <= wanted), strict=True))
             left_out += COUNT * (COUNT - 1) // 2 - len(kept)
-            assert near_in_step(room, radius, np.empty(COUNT), wanted, first[:1], second[:1]) == found
+            assert near_in_step(room, circles, wanted, first[:1], second[:1]) == found
     assert left_out > 1000
 
 

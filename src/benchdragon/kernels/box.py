@@ -26,19 +26,27 @@ ACROSS = np.array([1.0, 1.0, -1.0, -1.0])
 
 
 @kernel
+def place_box(
+    sizes: FloatArray, n: int, i: int, x: FloatArray, y: FloatArray, t: int, out: FloatArray, k: int
+) -> None:
+    """Fill row k of `out` with a box of sizes n, whose handles stand at x[i..i+1, t], y[i..i+1, t].
+
+    `sizes` has four rows: length, width, front inset, rear inset, m.
+    """
+    link = sizes[0, n] - sizes[2, n] - sizes[3, n]
+    ux, uy = (x[i, t] - x[i + 1, t]) / link, (y[i, t] - y[i + 1, t]) / link
+    ahead = sizes[2, n] - 0.5 * sizes[0, n]
+    out[k, CX], out[k, CY] = x[i, t] + ahead * ux, y[i, t] + ahead * uy
+    out[k, UX], out[k, UY] = ux, uy
+    out[k, HALF_LENGTH], out[k, HALF_WIDTH] = 0.5 * sizes[0, n], 0.5 * sizes[1, n]
+
+
+@kernel
 def set_box(
     sizes: FloatArray, i: int, x: FloatArray, y: FloatArray, t: int, out: FloatArray, k: int
 ) -> None:
-    """Fill row k of `out` with the box of bench i, whose handles stand at x[i..i+1, t], y[i..i+1, t].
-
-    `sizes` is (4, benches): length, width, front inset, rear inset, m.
-    """
-    link = sizes[0, i] - sizes[2, i] - sizes[3, i]
-    ux, uy = (x[i, t] - x[i + 1, t]) / link, (y[i, t] - y[i + 1, t]) / link
-    ahead = sizes[2, i] - 0.5 * sizes[0, i]
-    out[k, CX], out[k, CY] = x[i, t] + ahead * ux, y[i, t] + ahead * uy
-    out[k, UX], out[k, UY] = ux, uy
-    out[k, HALF_LENGTH], out[k, HALF_WIDTH] = 0.5 * sizes[0, i], 0.5 * sizes[1, i]
+    """Fill row k of `out` with the box of bench i of a dragon with these sizes: see place_box."""
+    place_box(sizes, i, i, x, y, t, out, k)
 
 
 @kernel
@@ -149,6 +157,23 @@ def distances_along(
 
 
 @kernel
+def radii(sizes: FloatArray, out: FloatArray) -> float:
+    """Fill out with the radius of the circle around each bench, m; the greatest of them."""
+    greatest = 0.0
+    for i in range(out.shape[0]):
+        out[i] = 0.5 * math.sqrt(sizes[0, i] * sizes[0, i] + sizes[1, i] * sizes[1, i])
+        greatest = max(greatest, out[i])
+    return greatest
+
+
+@kernel
+def centres(boxes: FloatArray, cx: FloatArray, cy: FloatArray) -> None:
+    """Fill cx and cy with the centres of the first boxes, m: columns of their own are read faster."""
+    for i in range(cx.shape[0]):
+        cx[i], cy[i] = boxes[i, CX], boxes[i, CY]
+
+
+@kernel
 def nearest_pair(sizes: FloatArray, x: FloatArray, y: FloatArray) -> tuple[float, int, int, int]:
     """The least distance of any two benches but neighbours at any time, m; which time and benches.
 
@@ -157,12 +182,12 @@ def nearest_pair(sizes: FloatArray, x: FloatArray, y: FloatArray) -> tuple[float
     """
     count = sizes.shape[1]
     boxes = np.empty((count, BOX_COLUMNS))
-    cx, cy, apart = np.empty(count), np.empty(count), np.empty(count)
-    radius = 0.5 * np.sqrt(sizes[0] * sizes[0] + sizes[1] * sizes[1])
+    cx, cy, apart, radius = np.empty(count), np.empty(count), np.empty(count), np.empty(count)
+    radii(sizes, radius)
     least, when, first, second = math.inf, 0, 0, 0
     for t in range(x.shape[1]):
         boxes_at(sizes, x, y, t, boxes)
-        cx[:], cy[:] = boxes[:, CX], boxes[:, CY]
+        centres(boxes, cx, cy)
         for i in range(2, count):
             for j in range(i - 1):  # without a branch, so that it becomes SIMD
                 apart[j] = (cx[j] - cx[i]) ** 2 + (cy[j] - cy[i]) ** 2
@@ -199,10 +224,11 @@ def nearest_each(
     count = sizes.shape[1]
     boxes = np.empty((count, BOX_COLUMNS))
     boxes_at(sizes, x, y, t, boxes)
-    cx, cy, apart = boxes[:, CX].copy(), boxes[:, CY].copy(), np.empty(count)
-    radius = 0.5 * np.sqrt(sizes[0] * sizes[0] + sizes[1] * sizes[1])
-    distance[t, :], partner[t, :] = math.inf, -1
-    widest = radius.max() + reach
+    cx, cy, apart, radius = np.empty(count), np.empty(count), np.empty(count), np.empty(count)
+    centres(boxes, cx, cy)
+    widest = radii(sizes, radius) + reach
+    for i in range(count):
+        distance[t, i], partner[t, i] = math.inf, -1
     for i in range(2, count):
         for j in range(i - 1):  # without a branch, so that it becomes SIMD
             apart[j] = (cx[j] - cx[i]) ** 2 + (cy[j] - cy[i]) ** 2

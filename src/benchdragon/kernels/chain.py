@@ -4,6 +4,8 @@ Everything here is a function of the head's route position alone; time enters ab
 head's speed. A speed ratio is ds_i / ds_0.
 """
 
+import math
+
 import numpy as np
 
 from benchdragon.kernels.curve import FloatArray, P, curvature, place
@@ -94,6 +96,24 @@ def shared_angles(
 
 
 @kernel
+def first_guess(
+    rows: FloatArray,
+    j: int,
+    link: float,
+    i: int,
+    start: int,
+    end: int,
+    state: FloatArray,
+    u: FloatArray,
+) -> None:
+    """Fill `state` for lanes that begin at handle i on spiral row j: no rest, and link / radius."""
+    for n in range(STATE):
+        state[n] = 0.0
+    for t in range(start, end):
+        state[GUESS + t - start] = link / (rows[j, P] * u[i, t])
+
+
+@kernel
 def march_block(
     rows: FloatArray,
     links: FloatArray,
@@ -120,8 +140,7 @@ def march_block(
             scale = link / links[max(i - 1, 0)]
             if not abreast:
                 scale = 1.0
-                state[:] = 0.0
-                state[GUESS : GUESS + end - start] = link / (rows[j, P] * u[i, start:end])
+                first_guess(rows, j, link, i, start, end, state, u)
             abreast = spiral_links(rows, j, link, scale, i, start, end, state, u, x, y, ratio)
             if abreast:
                 for t in range(start, end):
@@ -150,10 +169,9 @@ def blank(
     if status == Status.OK or status == Status.BEFORE_ROUTE or status == Status.AFTER_ROUTE:
         failed[1, t] = 0
     if status != Status.OK:
-        first = failed[1, t]
-        row[first:, t] = 0
-        for numbers in (u, x, y, ratio):
-            numbers[first:, t] = np.nan
+        for i in range(failed[1, t], row.shape[0]):
+            row[i, t] = 0
+            u[i, t] = x[i, t] = y[i, t] = ratio[i, t] = math.nan
 
 
 @kernel

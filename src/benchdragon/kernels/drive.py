@@ -10,6 +10,7 @@ bounded side by side, each side with its own curvatures.
 """
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -61,6 +62,18 @@ MOST_JUMPS = 3
 
 
 @kernel
+def lesser(a: float, b: float) -> float:
+    """The lesser of two numbers; none if either is none, so that no bound is lost."""
+    return a if a <= b or math.isnan(a) else b
+
+
+@kernel
+def greater(a: float, b: float) -> float:
+    """The greater of two numbers; none if either is none."""
+    return a if a >= b or math.isnan(a) else b
+
+
+@kernel
 def value_at(
     ratio: float, change: float, turn: float, bend: float, square: float, rate: float, quantity: int
 ) -> float:
@@ -97,7 +110,8 @@ def greatest_at_ends(
     """
     ratios, row, u = places.ratio, places.row, places.u
     curved = quantity in (ACROSS, TOTAL)
-    values[:] = -1.0
+    for n in range(slots.shape[0]):
+        values[n, 0] = values[n, 1] = -1.0
     for i in range(ratios.shape[0]):  # handle by handle, as the chains lie in memory
         for n in range(slots.shape[0]):
             for end in range(2):
@@ -163,7 +177,8 @@ def side_rates(table: FloatArray, bend: FloatArray, rates: FloatArray) -> None:
     rates[0, 0], rates[0, 1] = 0.0, 0.0
     for i in range(table.shape[0] - 1):
         if not table[i + 1, SPEED] < math.inf:
-            rates[i + 1 :, 0], rates[i + 1 :, 1] = -math.inf, math.inf
+            for k in range(i + 1, table.shape[0]):
+                rates[k, 0], rates[k, 1] = -math.inf, math.inf
             return
         turn = table[i + 1, TURN_LOW], table[i + 1, TURN_HIGH]
         slow, fast = table[i, SLOWEST], table[i, SPEED]
@@ -180,7 +195,10 @@ def side_rates(table: FloatArray, bend: FloatArray, rates: FloatArray) -> None:
 def most_speed(table: FloatArray, drive: FloatArray, quantity: int) -> float:
     """At most the quantity, a speed or a turning rate, in a step with these bounds on handles."""
     column, square = SPEED if quantity == SPEEDS else TURNING_RATE, max(drive[FROM], drive[TO])
-    return float(table[:, column].max()) * math.sqrt(square) if square > 0.0 else 0.0
+    most = 0.0
+    for i in range(table.shape[0]):
+        most = greater(most, table[i, column])
+    return most * math.sqrt(square) if square > 0.0 else 0.0
 
 
 @kernel
@@ -209,6 +227,26 @@ def most_acceleration(
     return most
 
 
+class Scratch(NamedTuple):
+    """What bounds over a step are worked out in."""
+
+    bend: FloatArray  # least and greatest curvature at each handle, 1/m, (handles, 2)
+    rates: FloatArray  # of `side_rates`, (handles, 2)
+    crossing: IntArray  # of `find_jumps`
+    sides: FloatArray
+
+
+@kernel
+def scratch_for(handles: int) -> Scratch:
+    """Scratch for a chain of so many handles."""
+    return Scratch(
+        np.empty((handles, 2)),
+        np.empty((handles, 2)),
+        np.empty(MOST_JUMPS, dtype=np.int64),
+        np.empty((MOST_JUMPS, 4)),
+    )
+
+
 @kernel
 def most_in_step(
     rows: FloatArray,
@@ -218,20 +256,20 @@ def most_in_step(
     table: FloatArray,
     drive: FloatArray,
     quantity: int,
-    bend: FloatArray,
-    rates: FloatArray,
+    scratch: Scratch,
 ) -> float:
     """At most a quantity from slot a to slot b; `table` holds the handles' bounds.
 
     GROWTH_LOW and GROWTH_HIGH of the table are drawn tighter, over all sides of the jumps that are
-    crossed. `bend` and `rates` are scratch, (handles, 2).
+    crossed.
     """
     if quantity in (SPEEDS, TURNING):
         return most_speed(table, drive, quantity)
-    crossing, sides = np.empty(MOST_JUMPS, dtype=np.int64), np.empty((MOST_JUMPS, 4))
+    bend, rates, crossing, sides = scratch
     jumps = find_jumps(rows, places, a, b, table, crossing, sides)
-    bend[:, 0], bend[:, 1] = table[:, RIGHT], table[:, LEFT]
-    table[:, GROWTH_LOW], table[:, GROWTH_HIGH] = math.inf, -math.inf
+    for i in range(table.shape[0]):
+        bend[i, 0], bend[i, 1] = table[i, RIGHT], table[i, LEFT]
+        table[i, GROWTH_LOW], table[i, GROWTH_HIGH] = math.inf, -math.inf
     most = 0.0
     for side in range(2**jumps):
         for n in range(jumps):
@@ -240,8 +278,9 @@ def most_in_step(
             bend[crossing[n], 1] = sides[n, 2 * after + 1]
         side_rates(table, bend, rates)
         most = max(most, most_acceleration(table, bend, rates, drive, quantity))
-        table[:, GROWTH_LOW] = np.minimum(table[:, GROWTH_LOW], rates[:, 0])
-        table[:, GROWTH_HIGH] = np.maximum(table[:, GROWTH_HIGH], rates[:, 1])
+        for i in range(table.shape[0]):
+            table[i, GROWTH_LOW] = lesser(table[i, GROWTH_LOW], rates[i, 0])
+            table[i, GROWTH_HIGH] = greater(table[i, GROWTH_HIGH], rates[i, 1])
     return most
 
 
@@ -258,12 +297,12 @@ def ceilings(
     """Fill bounds[n] with the most that any handle or bench reaches from slots[n] to the next."""
     handles = links.shape[0] + 1
     table = np.empty((handles, HANDLE_COLUMNS))
-    bend, rates = np.empty((handles, 2)), np.empty((handles, 2))
+    scratch = scratch_for(handles)
     for n in range(slots.shape[0]):
         bounds[n] = 0.0
         if drives[n, FROM] == 0.0 and drives[n, TO] == 0.0 and drives[n, RATE] == 0.0:
             continue  # who stands needs no bound, not even where one is infinite
         a, b = slots[n], slots[n] + 1
         bound_handles(rows, links, places, a, b, table)
-        most = most_in_step(rows, places, a, b, table, drives[n], quantity, bend, rates)
+        most = most_in_step(rows, places, a, b, table, drives[n], quantity, scratch)
         bounds[n] = ROUNDED_UP * most

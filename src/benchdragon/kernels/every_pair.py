@@ -6,10 +6,11 @@ in a step are found by its benches' paths and faces, and searched as in kernels/
 """
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
-from benchdragon.kernels.box import CX, CY, box_gap
+from benchdragon.kernels.box import box_gap, centres, radii
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.pair_bounds import face_bound
@@ -29,6 +30,7 @@ from benchdragon.kernels.search import (
     bisect,
     bound_members,
     close_left,
+    enliven,
     evaluate_slot,
 )
 from benchdragon.kernels.step_bounds import PATH, POINT_ACCELERATION, TRAVEL
@@ -37,27 +39,53 @@ from benchdragon.kernels.step_bounds import PATH, POINT_ACCELERATION, TRAVEL
 CROWDED = 7
 
 
+class Circles(NamedTuple):
+    """Circles around benches, (benches,) each, in m; all but the radii are scratch."""
+
+    radius: FloatArray
+    cx: FloatArray  # centres
+    cy: FloatArray
+    reach: FloatArray  # radius and travel in a step
+    apart: FloatArray  # of one bench: square distance to the others, less what may be come nearer
+
+
+@kernel
+def circles_of(sizes: FloatArray) -> Circles:
+    """The circles of benches of these sizes."""
+    n = sizes.shape[1]
+    circles = Circles(np.empty(n), np.empty(n), np.empty(n), np.empty(n), np.empty(n))
+    radii(sizes, circles.radius)
+    return circles
+
+
+@kernel
+def grow(circles: Circles, search: Search) -> None:
+    """Fill centres and reach for the step from slot 0."""
+    centres(search.boxes, circles.cx, circles.cy)
+    for i in range(circles.reach.shape[0]):
+        circles.reach[i] = circles.radius[i] + search.sweeps[i, TRAVEL]
+
+
 @kernel
 def near_in_step(
     search: Search,
-    radius: FloatArray,
-    apart: FloatArray,
+    circles: Circles,
     wanted: float,
     first: IntArray,
     second: IntArray,
 ) -> int:
     """Pairs that may come as near as `wanted` in the step from slot 0 to slot 1; how many.
 
-    Counts on where first, second are full. `radius` is that of the benches, m, `apart` scratch.
+    Counts on where first, second are full. Of `circles` the radii must be there.
     """
-    count, found = radius.shape[0], 0
+    cx, cy, reach, apart = circles.cx, circles.cy, circles.reach, circles.apart
+    count, found = reach.shape[0], 0
     boxes, sweeps, h = search.boxes, search.sweeps, search.handles[0, PATH]
-    cx, cy = boxes[:count, CX].copy(), boxes[:count, CY].copy()
-    reaches = radius + sweeps[:count, TRAVEL]
+    grow(circles, search)
     for i in range(2, count):
-        most = reaches[i] + wanted
+        most = reach[i] + wanted
         for j in range(i - 1):  # without a branch, so that it becomes SIMD
-            near = max(reaches[j] + most, 0.0)
+            near = max(reach[j] + most, 0.0)
             apart[j] = (cx[j] - cx[i]) ** 2 + (cy[j] - cy[i]) ** 2 - near * near
         for j in range(i - 1):
             if apart[j] <= 0.0:
@@ -77,21 +105,25 @@ def near_in_step(
 
 @kernel
 def search_near(
-    search: Search, goal: int, chain: Chain, scratch: Pairs, limits: Limits, note: FloatArray
+    search: Search,
+    goal: int,
+    chain: Chain,
+    circles: Circles,
+    scratch: Pairs,
+    limits: Limits,
+    note: FloatArray,
 ) -> int:
     """Search the step from slot 0 to slot 1, both placed, for `goal`: see `search_all_pairs`."""
-    sizes, count = chain.sizes, chain.members.shape[0]
-    radius = 0.5 * np.sqrt(sizes[0] * sizes[0] + sizes[1] * sizes[1])
+    count = chain.members.shape[0]
     bound_members(chain, search, 1)
     near = note[NEAREST] - limits.slack if goal == LEAST else limits.margin + limits.slack
-    found = near_in_step(search, radius, np.empty(count), near, scratch.first, scratch.second)
+    found = near_in_step(search, circles, near, scratch.first, scratch.second)
     if found > scratch.first.shape[0]:
         return CROWDED
     if found == 0:
         close_left(search, 1, chain.links.shape[0] + 1, count)
         return CLEAR
-    search.alive[1, :found] = np.arange(found)
-    search.kept[1] = found
+    enliven(search, found)
     before, note[PAIR] = note[PAIR], -1.0
     pairs = Pairs(scratch.first[:found], scratch.second[:found])
     ending = bisect(search, goal, chain, pairs, 1, 2, limits, note)
@@ -124,8 +156,10 @@ def search_all_pairs(
     rest is that of `search.Limits` and `search.search_step`. After CROWDED the search must begin anew
     with longer scratch.
     """
-    chain = Chain(rows, links, aside, sizes, np.arange(sizes.shape[1]))
-    limits = Limits(margin, slack, width, most)
+    members, circles = np.empty(sizes.shape[1], dtype=np.int64), circles_of(sizes)
+    for i in range(members.shape[0]):
+        members[i] = i
+    chain, limits = Chain(rows, links, aside, sizes, members), Limits(margin, slack, width, most)
     worst = CLEAR
     search.at[0] = at[0]
     if not evaluate_slot(chain, search, 0, 0):
@@ -134,7 +168,7 @@ def search_all_pairs(
         search.at[1] = at[t + 1]
         if not evaluate_slot(chain, search, 1, 0):
             return stopped(search, 1, note)
-        ending = search_near(search, goal, chain, Pairs(first, second), limits, note)
+        ending = search_near(search, goal, chain, circles, Pairs(first, second), limits, note)
         if ending not in (CLEAR, GRAZE) or (ending == GRAZE and goal != LEAST):
             return ending
         worst = max(worst, ending)

@@ -13,7 +13,19 @@ import numpy as np
 
 from benchdragon.kernels import step_bounds
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.drive import ACROSS, ALONG, SPEEDS, TOTAL, TURNING, most_in_step
+from benchdragon.kernels.drive import (
+    ACROSS,
+    ALONG,
+    DRIVE_COLUMNS,
+    FROM,
+    RATE,
+    SPEEDS,
+    TO,
+    TOTAL,
+    TURNING,
+    most_in_step,
+    scratch_for,
+)
 from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.route import IntArray
 
@@ -45,12 +57,13 @@ def widen(
 ) -> None:
     """Widen hulls[which[n]], (handles, HULL_COLUMNS), by the step from slots[n] to the next."""
     handles = links.shape[0] + 1
-    table, bend = np.empty((handles, step_bounds.HANDLE_COLUMNS)), np.empty((handles, 2))
-    rates, even = np.empty((handles, 2)), np.array([1.0, 1.0, 0.0])
+    table, scratch = np.empty((handles, step_bounds.HANDLE_COLUMNS)), scratch_for(handles)
+    even = np.empty(DRIVE_COLUMNS)
+    even[FROM], even[TO], even[RATE] = 1.0, 1.0, 0.0
     for n in range(slots.shape[0]):
         a, b, hull = slots[n], slots[n] + 1, hulls[which[n]]
         step_bounds.bound_handles(rows, links, places, a, b, table)
-        most_in_step(rows, places, a, b, table, even, ALONG, bend, rates)
+        most_in_step(rows, places, a, b, table, even, ALONG, scratch)
         for i in range(handles):
             bent = step_bounds.magnitude(table[i, step_bounds.RIGHT], table[i, step_bounds.LEFT])
             hull[i, FAST] = max(hull[i, FAST], step_bounds.ROUNDED_UP * table[i, step_bounds.SPEED])

@@ -21,7 +21,7 @@ from benchdragon.kernels.box import (
     box_gap,
     corner,
     offset,
-    set_box,
+    place_box,
 )
 from benchdragon.kernels.curve import U_END, U_START, FloatArray, place, turning_bound
 from benchdragon.kernels.jit import kernel
@@ -127,6 +127,7 @@ def sweep_cells(
     one that cannot stand at both borders is not held.
     """
     handles, bench = np.empty((2, HANDLE_COLUMNS)), np.empty(BENCH_COLUMNS)
+    ends = np.empty((2, BOX_COLUMNS))
     for n in range(slots.shape[0]):
         a, c = slots[n], targets[n]
         if places.failed[0, a] != Status.OK or places.failed[0, a + 1] != Status.OK:
@@ -138,7 +139,7 @@ def sweep_cells(
         sound[n] = 0.0 if fast or not follows(rows, places, a, a + 1, links[0]) else 1.0
         h = handles[0, PATH]
         bulge = min(0.125 * bench[POINT_ACCELERATION] * h * h, 0.5 * bench[TRAVEL])
-        widen(sizes, k, places, a, bulge, hulls, c)
+        widen(sizes, k, places, a, bulge, hulls, c, ends)
 
 
 @kernel
@@ -150,12 +151,14 @@ def widen(
     bulge: float,
     hulls: FloatArray,
     c: int,
+    ends: FloatArray,
 ) -> None:
-    """Make hull c hold the bench of sizes k as in slots a and a + 1, and `bulge` metres more."""
-    ends = np.empty((2, BOX_COLUMNS))
-    one = sizes[:, k : k + 1]
-    set_box(one, 0, places.x, places.y, a, ends, 0)
-    set_box(one, 0, places.x, places.y, a + 1, ends, 1)
+    """Make hull c hold the bench of sizes k as in slots a and a + 1, and `bulge` metres more.
+
+    `ends` is scratch, (2, BOX_COLUMNS).
+    """
+    place_box(sizes, k, 0, places.x, places.y, a, ends, 0)
+    place_box(sizes, k, 0, places.x, places.y, a + 1, ends, 1)
     if math.isnan(hulls[c, CX]):
         ux, uy = ends[0, UX] + ends[1, UX], ends[0, UY] + ends[1, UY]
         size = math.hypot(ux, uy)
@@ -189,7 +192,8 @@ def near_pairs(
     """Set keep[p] to 1 where hulls[first[p]] and others[second[p]] are within reach, m, else to 0."""
     pair = np.empty((2, BOX_COLUMNS))
     for p in range(first.shape[0]):
-        pair[0], pair[1] = hulls[first[p]], others[second[p]]
+        for k in range(BOX_COLUMNS):
+            pair[0, k], pair[1, k] = hulls[first[p], k], others[second[p], k]
         near = box_gap(pair, 0, 1) <= reach  # cheap, and never above the distance
         keep[p] = 1 if near and box_distance(pair, 0, 1) <= reach else 0
 

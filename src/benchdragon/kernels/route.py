@@ -72,7 +72,8 @@ def evaluate(rows: FloatArray, s: FloatArray, out: FloatArray) -> None:
     for i in range(s.shape[0]):
         j, u, status = locate(rows, s[i])
         if status != Status.OK or not math.isfinite(s[i]):
-            out[i] = np.nan
+            for column in range(4):
+                out[i, column] = math.nan
             continue
         out[i, 0], out[i, 1], _, _ = place(rows, j, u)
         out[i, 2] = heading(rows, j, u)

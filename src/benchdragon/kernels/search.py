@@ -155,9 +155,16 @@ def number_members(
 def open_step(search: Search, pairs: int, start: float, end: float) -> int:
     """Open the step from head position start to end; the slot of its end, 0 if there is no pair."""
     search.at[0], search.at[1] = start, end
-    search.alive[1, :pairs] = np.arange(pairs)
-    search.kept[1] = pairs
+    enliven(search, pairs)
     return min(pairs, 1)
+
+
+@kernel
+def enliven(search: Search, pairs: int) -> None:
+    """Let all of so many pairs be alive in the step, whose end is in slot 1."""
+    for p in range(pairs):
+        search.alive[1, p] = p
+    search.kept[1] = pairs
 
 
 @kernel
@@ -167,8 +174,9 @@ def write_log(search: Search, slot: int, handles: int) -> None:
     search.logged[0] = n + 1
     if n >= search.log.shape[0]:
         return
-    search.log[n] = 0.0
     search.log[n, 0] = search.at[slot]
+    for k in range(1 + LOGGED * handles, search.log.shape[1]):
+        search.log[n, k] = 0.0
     for i in range(handles):
         search.log[n, 1 + LOGGED * i] = search.places.row[i, slot]
         search.log[n, 2 + LOGGED * i] = search.places.u[i, slot]
@@ -207,13 +215,15 @@ def bound_members(chain: Chain, search: Search, top: int) -> None:
 def close_left(search: Search, top: int, handles: int, members: int) -> None:
     """Make the right end in slot top the new left end."""
     search.at[0] = search.at[top]
-    for numbers in (
-        search.places.u, search.places.x, search.places.y,
-        search.places.ratio, search.places.tx, search.places.ty,
-    ):  # fmt: skip
-        numbers[:handles, 0] = numbers[:handles, top]
-    search.places.row[:handles, 0] = search.places.row[:handles, top]
-    search.boxes[:members] = search.boxes[top * members : (top + 1) * members]
+    places, boxes = search.places, search.boxes
+    for i in range(handles):
+        places.row[i, 0], places.u[i, 0] = places.row[i, top], places.u[i, top]
+        places.x[i, 0], places.y[i, 0] = places.x[i, top], places.y[i, top]
+        places.ratio[i, 0] = places.ratio[i, top]
+        places.tx[i, 0], places.ty[i, 0] = places.tx[i, top], places.ty[i, top]
+    for m in range(members):
+        for k in range(BOX_COLUMNS):
+            boxes[m, k] = boxes[top * members + m, k]
 
 
 @kernel
@@ -222,7 +232,8 @@ def halve(search: Search, top: int) -> int:
     search.at[top + 1] = 0.5 * (search.at[0] + search.at[top])
     count = search.kept[top]
     search.kept[top + 1] = count
-    search.alive[top + 1, :count] = search.alive[top, :count]
+    for n in range(count):
+        search.alive[top + 1, n] = search.alive[top, n]
     return top + 1
 
 
