@@ -14,22 +14,28 @@ NPM := $(shell command -v npm 2>/dev/null)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
 	touch $@
 
+# The kernels as one library; without a C compiler numba serves.
+.venv/engine: .venv/installed $(wildcard src/benchdragon/kernels/*.py src/benchdragon/engine/*.py src/benchdragon/engine/*.c)
+	-$(BIN)/python -m benchdragon.engine
+	touch $@
+
 node_modules/installed: package.json package-lock.json .npmrc
 	npm ci --no-audit --no-fund
 	touch $@
 
-demo: .venv/installed
+demo: .venv/engine
 	$(BIN)/benchdragon reproduce -o out --force $(if $(wildcard docs/_build/html/en/established.html),--docs docs/_build/html/en)
 	$(BIN)/benchdragon view turn -o out/turn.html --force
 
 # All but the manual, which takes as long as the rest: `make manual-test`.
-test: lint $(if $(NPM),node_modules/installed)
+test: lint .venv/engine $(if $(NPM),node_modules/installed)
 	$(if $(NPM),node_modules/.bin/tsc -p .,@echo "no npm here: the pages' JavaScript is not checked")
 	$(if $(NPM),node_modules/.bin/prettier --check --log-level warn $(PAGES))
-	BENCHDRAGON_COMPILE=never $(BIN)/python -m pytest -q -n auto -m 'not compiled' tests/kernels --cov --cov-report=term-missing --cov-fail-under=95
-	$(BIN)/python -m pytest -q -n auto --dist loadgroup -m 'not manual'
+	BENCHDRAGON_ENGINE=plain $(BIN)/python -m pytest -q -n auto -m 'not compiled' tests/kernels --cov --cov-report=term-missing --cov-fail-under=95
+	BENCHDRAGON_ENGINE=jit $(BIN)/python -m pytest -q -n auto tests/kernels
+	$(BIN)/python -m pytest -q -n auto --dist loadgroup -m 'not manual' --ignore tests/kernels
 
-quick: lint
+quick: lint .venv/engine
 	$(BIN)/python -m pytest -q @tests/quick.txt
 
 lint: .venv/installed
@@ -38,10 +44,10 @@ lint: .venv/installed
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-logo
 
-manual-test: .venv/installed
+manual-test: .venv/engine
 	$(BIN)/python -m pytest -q -m manual tests/test_docs.py
 
-docs: .venv/installed
+docs: .venv/engine
 	rm -rf docs/_build
 	$(BIN)/sphinx-build -q -W --keep-going -t report -c docs -d docs/_build/trees/en docs/en docs/_build/html/en
 	$(BIN)/sphinx-build -q -W --keep-going -t report -c docs -d docs/_build/trees/zh -D language=zh_CN docs/zh docs/_build/html/zh
@@ -49,7 +55,7 @@ docs: .venv/installed
 	$(BIN)/benchdragon --lang en reproduce --docs docs/_build/html/en -o docs/_build/html/en/report
 	$(BIN)/benchdragon --lang zh reproduce --docs docs/_build/html/zh -o docs/_build/html/zh/report
 
-bench: .venv/installed
+bench: .venv/engine
 	$(BIN)/python benchmarks/run.py
 
 truth: .venv/installed

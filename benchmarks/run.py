@@ -189,13 +189,13 @@ def row(name: str, rival: float, ours: float, error: float) -> str:
 
 
 def plain_python_seconds() -> float:
-    """The march of 8 times with BENCHDRAGON_COMPILE=never, in a process of its own, s."""
+    """The march of 8 times with BENCHDRAGON_ENGINE=plain, in a process of its own, s."""
     script = (
         "import time, numpy as np; from benchdragon.plans.schema import read_plan\n"
         "walk = read_plan('spiral-in').build(); walk.motion([0.0])\n"
         "start = time.perf_counter(); walk.motion(np.arange(8.0)); print(time.perf_counter() - start)"
     )
-    return float(in_process(script, BENCHDRAGON_COMPILE="never")[-1])
+    return float(in_process(script, BENCHDRAGON_ENGINE="plain")[-1])
 
 
 def in_process(script: str, **environment: str) -> list[str]:
@@ -286,7 +286,7 @@ def cold_starts() -> list[str]:
     lines = ["| whole process | s |", "|---|---|"]
     with tempfile.TemporaryDirectory() as folder:
         cache = {"XDG_CACHE_HOME": folder}
-        compiled = {**cache, "BENCHDRAGON_COMPILE": "always"}
+        compiled = {**cache, "BENCHDRAGON_ENGINE": "jit"}
         for name, arguments, environment, repeats in (
             ("`--help`", ["-m", "benchdragon", "--help"], cache, 5),
             ("`motion` of one time, as it is called", one, cache, 5),

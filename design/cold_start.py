@@ -42,8 +42,8 @@ def show_break_even() -> None:
     even = 0.0
     for times in (1, 10, 50, 100, 200, 400):
         run = ("-m", "benchdragon", "motion", "turn", f"--at=-3:{times - 4}:1", "--json", "--quiet")
-        plain = seconds(*run, BENCHDRAGON_COMPILE="never")
-        compiled = seconds(*run, BENCHDRAGON_COMPILE="always")
+        plain = seconds(*run, BENCHDRAGON_ENGINE="plain")
+        compiled = seconds(*run, BENCHDRAGON_ENGINE="jit")
         print(f"{224 * times:15d}    {plain:8.2f}    {compiled:8.2f}")
         if plain < compiled:
             even = 224.0 * times

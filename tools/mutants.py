@@ -117,7 +117,7 @@ def run_here(tests: list[str], source: str, plain: bool, said: str) -> None:
     import pytest
 
     os.chdir(ROOT)
-    os.environ["BENCHDRAGON_COMPILE"] = "never" if plain else "always"
+    os.environ["BENCHDRAGON_ENGINE"] = "plain" if plain else "jit"
     sys.path[:0] = [source, str(ROOT)]
     os.environ["PYTHONPATH"] = source  # for the processes that tests start
     options = ["-q", "-x", "--no-header", "--tb=line", "-p", "no:cacheprovider"]

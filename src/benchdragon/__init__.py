@@ -6,6 +6,21 @@ wait for numba.
 
 import lazy_loader
 
+from benchdragon.kernels.status import EngineError
 from benchdragon.version import __version__ as __version__
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+_fetch, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+
+
+def __getattr__(name: str) -> object:
+    """A public name.
+
+    Raises:
+        InputError: if BENCHDRAGON_ENGINE names an engine that cannot serve.
+    """
+    try:
+        return _fetch(name)
+    except EngineError as error:
+        from benchdragon.errors import engine_advice
+
+        raise engine_advice(error) from None

@@ -7,7 +7,7 @@ from operator import index
 from typing import Self
 
 from benchdragon.i18n import N_, _
-from benchdragon.kernels.status import Status
+from benchdragon.kernels.status import EngineError, Status
 
 
 class BenchDragonError(Exception):
@@ -106,6 +106,21 @@ ADVICE = {
         "({size}) is longer than the arc's diameter; use a larger radius or shorter benches"
     ),
 }
+
+
+def engine_advice(error: EngineError) -> InputError:
+    """What to do about an engine that cannot serve."""
+    (name,) = error.args
+    if name == "native":
+        return InputError(
+            _(
+                "BENCHDRAGON_ENGINE is native, but no library here was built from these kernels for "
+                "this processor: build it by `python -m benchdragon.engine`, or unset the variable"
+            )
+        )
+    return InputError(
+        _("BENCHDRAGON_ENGINE must be native, jit or plain, not {name}").format(name=repr(name))
+    )
 
 
 # What the system says, so that it is said in both languages.

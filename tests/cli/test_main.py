@@ -303,7 +303,7 @@ def test_a_small_question_is_answered_without_numba() -> None:
         "import sys; from benchdragon.cli.main import run; "
         "run(['motion', 'turn', '--at', '14', '--json']); sys.exit('numba' in sys.modules)"
     )
-    environment = {k: v for k, v in os.environ.items() if k != "BENCHDRAGON_COMPILE"}
+    environment = {k: v for k, v in os.environ.items() if k != "BENCHDRAGON_ENGINE"}
     done = subprocess.run(
         [sys.executable, "-c", script], capture_output=True, text=True, check=False, env=environment
     )
@@ -349,12 +349,12 @@ def test_a_sign_that_cannot_be_drawn_is_named_once_in_a_plain_sentence(
 def test_what_one_command_line_chose_does_not_reach_the_next(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    before = os.environ.get("BENCHDRAGON_COMPILE")
+    before = os.environ.get("BENCHDRAGON_ENGINE")
     assert (
         run(["motion", "spiral-in", "--at", "3", "--only", "0"]) == 0
     )  # so little that nothing is compiled
     capsys.readouterr()
-    assert os.environ.get("BENCHDRAGON_COMPILE") == before
+    assert os.environ.get("BENCHDRAGON_ENGINE") == before
 
 
 @pytest.mark.parametrize(

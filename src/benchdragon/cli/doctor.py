@@ -1,5 +1,6 @@
 """What this machine offers: versions, fonts, cache, and programs that later verbs can use."""
 
+import os
 import platform
 import shutil
 from dataclasses import dataclass
@@ -8,7 +9,7 @@ from importlib import metadata, util
 from benchdragon.export.encoders import find_ffmpeg
 from benchdragon.figures.style import FONT_FILES
 from benchdragon.i18n import N_, _, language
-from benchdragon.kernels.jit import CACHE_FOLDER, COMPILED
+from benchdragon.kernels import jit, native
 from benchdragon.version import __version__
 
 LIBRARIES = (
@@ -60,16 +61,31 @@ def findings() -> list[Finding]:
     found.append(
         Finding(N_("fonts"), ", ".join(path.name for path in fonts), len(fonts) == len(FONT_FILES))
     )
-    cache = (
-        str(CACHE_FOLDER)
-        if CACHE_FOLDER
-        else _("no cache folder can be written: each start compiles anew")
-    )
-    compiled = cache if COMPILED else _("kernels are left uncompiled")
-    found.append(Finding(N_("kernels"), compiled, COMPILED and CACHE_FOLDER is not None))
+    found.append(kernels())
     ffmpeg = find_ffmpeg()
     found.append(Finding("ffmpeg", ffmpeg or _("not found: films become GIFs"), ffmpeg is not None))
     for name, programs in PROGRAMS.items():
         path = next((place for place in map(shutil.which, programs) if place), None)
         found.append(Finding(name, path or _("not found (nothing needs it yet)"), path is not None))
     return found
+
+
+def kernels() -> Finding:
+    """Which engine serves the kernels, and why."""
+    if jit.ENGINE == jit.NATIVE:
+        return Finding(
+            N_("kernels"),
+            _("library built ahead of time: {path}").format(path=native.find_library()),
+            True,
+        )
+    if jit.ENGINE == jit.PLAIN:
+        return Finding(N_("kernels"), _("plain Python, as BENCHDRAGON_ENGINE says"), False)
+    cache = jit.CACHE_FOLDER or _("no cache folder can be written: each start compiles anew")
+    if os.environ.get(jit.VARIABLE):
+        why = _("compiled by numba, as BENCHDRAGON_ENGINE says: {cache}")
+    else:
+        why = _(
+            "compiled by numba, as no library here was built from these kernels for this processor "
+            "(`python -m benchdragon.engine` builds it): {cache}"
+        )
+    return Finding(N_("kernels"), why.format(cache=cache), jit.CACHE_FOLDER is not None)

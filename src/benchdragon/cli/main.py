@@ -54,8 +54,9 @@ from benchdragon.cli.solve import solve
 from benchdragon.cli.studio import studio
 from benchdragon.cli.tolerance import margins
 from benchdragon.cli.view import view
-from benchdragon.errors import BenchDragonError, InputError, MachineError, reason
+from benchdragon.errors import BenchDragonError, InputError, MachineError, engine_advice, reason
 from benchdragon.i18n import N_, _, language
+from benchdragon.kernels.status import EngineError
 from benchdragon.number_format import finite_or_none
 from benchdragon.plans.toml import bench_count, read_toml
 from benchdragon.progress import Stages
@@ -68,7 +69,7 @@ if TYPE_CHECKING:
     from benchdragon.model.walk import Motion, Walk
     from benchdragon.plans.schema import Plan
 
-COMPILE = "BENCHDRAGON_COMPILE"
+ENGINE = "BENCHDRAGON_ENGINE"
 # As shells report programs that a signal ended.
 INTERRUPTED = 128 + signal.SIGINT
 NOBODY_READS = 128 + 13
@@ -77,8 +78,8 @@ MOST_PLACES_JSON = 10_000_000
 MOST_ROWS_SHOWN = 400
 # Without --at a screen shows the whole walk in the first of these steps, s, that needs no more times.
 SCREEN_STEPS, SCREEN_TIMES = (1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 120.0, 300.0, 600.0, 1800.0, 3600.0), 12
-# Below this many handles times times, plain Python is done before numba would be imported
-# (design/cold_start.py).
+# Without the kernels' library: below this many handles times times, plain Python is done before numba
+# would be imported (design/cold_start.py).
 FEW_PLACES = 5_000
 PAPER_HANDLES = (0, 1, 51, 101, 151, 201)
 
@@ -185,7 +186,7 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     """Answer on the screen, as JSON, or as files."""
     _refuse_strays(options)
     data, source = read_toml(plan, settings)
-    _choose_compiling(data, options["at"], bool(options["output"]))
+    _choose_engine(data, options["at"], bool(options["output"]))
     from benchdragon.export.tables import Selection
     from benchdragon.plans.schema import checked
 
@@ -235,13 +236,16 @@ def _refuse_strays(options: dict[str, Any]) -> None:
     )
 
 
-def _choose_compiling(data: dict[str, Any], at: str | None, to_files: bool) -> None:
+def _choose_engine(data: dict[str, Any], at: str | None, to_files: bool) -> None:
     """Leave the kernels plain for a job that is over before numba would be imported."""
     count = bench_count(data)
     if to_files or at is None or count is None:
         return
-    if len(parse_times(at)) * count <= FEW_PLACES:
-        os.environ.setdefault(COMPILE, "never")
+    if len(parse_times(at)) * count <= FEW_PLACES and ENGINE not in os.environ:
+        from benchdragon.kernels.native import find_library
+
+        if find_library() is None:
+            os.environ[ENGINE] = "plain"
 
 
 def _times(options: dict[str, Any], plan: "Plan", walk: "Walk") -> "np.ndarray[Any, Any]":
@@ -413,7 +417,7 @@ def _notes() -> Callable[..., None]:
 
 def run(arguments: Sequence[str]) -> int:
     """Run one command line; its exit code. Errors become one sentence on standard error."""
-    compiling = os.environ.get(COMPILE)
+    engine = os.environ.get(ENGINE)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("always", UserWarning)
@@ -429,6 +433,8 @@ def run(arguments: Sequence[str]) -> int:
         return error.exit_code
     except BenchDragonError as error:
         return _failed(str(error), error.exit_code)
+    except EngineError as error:
+        return _failed(str(engine_advice(error)), InputError.exit_code)
     except (KeyboardInterrupt, click.Abort) as error:
         _say(_("interrupted; nothing half-written is left"))
         number = getattr(error.__cause__ or error, "args", ())
@@ -440,9 +446,9 @@ def run(arguments: Sequence[str]) -> int:
         return _failed(where + reason(error), MachineError.exit_code)
     except MemoryError:
         return _failed(_("memory ran out"), MachineError.exit_code)
-    finally:  # what `_choose_compiling` chose was for this command line alone
-        if compiling is None:
-            os.environ.pop(COMPILE, None)
+    finally:  # what `_choose_engine` chose was for this command line alone
+        if engine is None:
+            os.environ.pop(ENGINE, None)
 
 
 def _failed(text: str, code: int) -> int:

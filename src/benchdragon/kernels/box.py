@@ -8,8 +8,9 @@ import math
 
 import numpy as np
 
+from benchdragon.kernels.arrays import IntTable, IntVector, Table, Vector
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.jit import entry, kernel
 from benchdragon.kernels.route import IntArray
 
 CX = 0  # centre, m
@@ -49,15 +50,15 @@ def set_box(
     place_box(sizes, i, i, x, y, t, out, k)
 
 
-@kernel
-def boxes_at(sizes: FloatArray, x: FloatArray, y: FloatArray, t: int, out: FloatArray) -> None:
+@entry
+def boxes_at(sizes: Table, x: Table, y: Table, t: int, out: Table) -> None:
     """Fill `out`, (benches, BOX_COLUMNS), with the boxes of all benches at time number t."""
     for i in range(out.shape[0]):
         set_box(sizes, i, x, y, t, out, i)
 
 
-@kernel
-def box_gap(boxes: FloatArray, i: int, j: int) -> float:
+@entry
+def box_gap(boxes: Table, i: int, j: int) -> float:
     """Signed gap of two boxes, m: the largest separation along their four axes; negative inside.
 
     Never larger than the distance, and negative exactly when the boxes overlap.
@@ -74,16 +75,16 @@ def box_gap(boxes: FloatArray, i: int, j: int) -> float:
     return max(along_i, across_i, along_j, across_j)
 
 
-@kernel
-def corner(boxes: FloatArray, i: int, k: int) -> tuple[float, float]:
+@entry
+def corner(boxes: Table, i: int, k: int) -> tuple[float, float]:
     """Corner k of box i, m."""
     a, b = ALONG[k] * boxes[i, HALF_LENGTH], ACROSS[k] * boxes[i, HALF_WIDTH]
     ux, uy = boxes[i, UX], boxes[i, UY]
     return boxes[i, CX] + a * ux - b * uy, boxes[i, CY] + a * uy + b * ux
 
 
-@kernel
-def offset(boxes: FloatArray, j: int, x: float, y: float) -> tuple[float, float]:
+@entry
+def offset(boxes: Table, j: int, x: float, y: float) -> tuple[float, float]:
     """Point (x, y) in box j's own frame, m: ahead of its centre, and to its left."""
     dx, dy = x - boxes[j, CX], y - boxes[j, CY]
     ux, uy = boxes[j, UX], boxes[j, UY]
@@ -101,8 +102,8 @@ def corner_distance(boxes: FloatArray, i: int, k: int, j: int) -> float:
     return math.hypot(max(ahead, 0.0), max(aside, 0.0))
 
 
-@kernel
-def box_distance(boxes: FloatArray, i: int, j: int) -> float:
+@entry
+def box_distance(boxes: Table, i: int, j: int) -> float:
     """True distance of two boxes, m; where they overlap, the gap, which is negative.
 
     Two convex polygons that are apart are nearest at a corner of one of them.
@@ -116,8 +117,8 @@ def box_distance(boxes: FloatArray, i: int, j: int) -> float:
     return nearest
 
 
-@kernel
-def nearest_corner(boxes: FloatArray, i: int, j: int) -> tuple[bool, int]:
+@entry
+def nearest_corner(boxes: Table, i: int, j: int) -> tuple[bool, int]:
     """Where two boxes are nearest: whether at a corner of i (else of j), and at which corner.
 
     Of overlapping boxes the corner that lies deepest inside the other; if none lies inside, the one
@@ -134,9 +135,9 @@ def nearest_corner(boxes: FloatArray, i: int, j: int) -> tuple[bool, int]:
     return mine, which
 
 
-@kernel
+@entry
 def pair_distances(
-    boxes: FloatArray, first: IntArray, second: IntArray, gap: FloatArray, distance: FloatArray
+    boxes: Table, first: IntVector, second: IntVector, gap: Vector, distance: Vector
 ) -> None:
     """Fill gap[p] and distance[p] for the pairs of boxes (first[p], second[p])."""
     for p in range(first.shape[0]):
@@ -144,10 +145,8 @@ def pair_distances(
         distance[p] = box_distance(boxes, first[p], second[p])
 
 
-@kernel
-def distances_along(
-    sizes: FloatArray, x: FloatArray, y: FloatArray, i: int, j: int, out: FloatArray
-) -> None:
+@entry
+def distances_along(sizes: Table, x: Table, y: Table, i: int, j: int, out: Vector) -> None:
     """Fill out[t] with the distance of benches i and j at each time; minus the depth of an overlap."""
     boxes = np.empty((2, BOX_COLUMNS))
     for t in range(out.shape[0]):
@@ -173,8 +172,8 @@ def centres(boxes: FloatArray, cx: FloatArray, cy: FloatArray) -> None:
         cx[i], cy[i] = boxes[i, CX], boxes[i, CY]
 
 
-@kernel
-def nearest_pair(sizes: FloatArray, x: FloatArray, y: FloatArray) -> tuple[float, int, int, int]:
+@entry
+def nearest_pair(sizes: Table, x: Table, y: Table) -> tuple[float, int, int, int]:
     """The least distance of any two benches but neighbours at any time, m; which time and benches.
 
     Minus the depth inside. x and y are (handles, times). All pairs are looked at, but only those
@@ -201,21 +200,21 @@ def nearest_pair(sizes: FloatArray, x: FloatArray, y: FloatArray) -> tuple[float
     return least, when, first, second
 
 
-@kernel
-def least_distance(sizes: FloatArray, x: FloatArray, y: FloatArray) -> float:
+@entry
+def least_distance(sizes: Table, x: Table, y: Table) -> float:
     """The least distance alone, m: see nearest_pair."""
     return nearest_pair(sizes, x, y)[0]
 
 
-@kernel
+@entry
 def nearest_each(
-    sizes: FloatArray,
-    x: FloatArray,
-    y: FloatArray,
+    sizes: Table,
+    x: Table,
+    y: Table,
     t: int,
     reach: float,
-    distance: FloatArray,
-    partner: IntArray,
+    distance: Table,
+    partner: IntTable,
 ) -> None:
     """Fill row t with each bench's least distance to any but itself and its neighbours, and to which.
 

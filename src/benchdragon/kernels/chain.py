@@ -8,8 +8,9 @@ import math
 
 import numpy as np
 
+from benchdragon.kernels.arrays import IntTable, Table, Vector
 from benchdragon.kernels.curve import FloatArray, P, curvature, place
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.jit import entry, kernel
 from benchdragon.kernels.route import FOLD_COSINE, IntArray, folded, locate, next_handle
 from benchdragon.kernels.spiral import (
     GUESS,
@@ -174,19 +175,19 @@ def blank(
             u[i, t] = x[i, t] = y[i, t] = ratio[i, t] = math.nan
 
 
-@kernel
+@entry
 def march(
-    rows: FloatArray,
-    links: FloatArray,
-    s: FloatArray,
+    rows: Table,
+    links: Vector,
+    s: Vector,
     first: int,
     last: int,
-    row: IntArray,
-    u: FloatArray,
-    x: FloatArray,
-    y: FloatArray,
-    ratio: FloatArray,
-    failed: IntArray,
+    row: IntTable,
+    u: Table,
+    x: Table,
+    y: Table,
+    ratio: Table,
+    failed: IntTable,
 ) -> None:
     """Place every handle for each head position s[t], first <= t < last.
 
@@ -203,17 +204,17 @@ def march(
         blank(t, row, u, x, y, ratio, failed)
 
 
-@kernel
+@entry
 def rates(
-    rows: FloatArray,
-    links: FloatArray,
-    row: IntArray,
-    u: FloatArray,
-    x: FloatArray,
-    y: FloatArray,
-    ratio: FloatArray,
-    ratio_rate: FloatArray,
-    turn: FloatArray,
+    rows: Table,
+    links: Vector,
+    row: IntTable,
+    u: Table,
+    x: Table,
+    y: Table,
+    ratio: Table,
+    ratio_rate: Table,
+    turn: Table,
 ) -> None:
     """Second derivatives of the marched chain with respect to the head's position.
 

@@ -10,7 +10,8 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.arrays import Table
+from benchdragon.kernels.jit import entry, kernel
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -60,14 +61,14 @@ def sinc(x: float) -> float:
     return math.sin(x) / x
 
 
-@kernel
-def walks_up(rows: FloatArray, j: int) -> float:
+@entry
+def walks_up(rows: Table, j: int) -> float:
     """+1 where u grows in the walking direction, -1 on an inward spiral."""
     return 1.0 if rows[j, U_END] >= rows[j, U_START] else -1.0
 
 
-@kernel
-def clothoid_point(rows: FloatArray, j: int, u: float) -> tuple[float, float]:
+@entry
+def clothoid_point(rows: Table, j: int, u: float) -> tuple[float, float]:
     """Point after arc length u: Gauss-Legendre quadrature of the unit tangent."""
     heading, curvature, change = rows[j, ANGLE], rows[j, P], rows[j, Q]
     x = 0.0
@@ -141,8 +142,8 @@ def place(rows: FloatArray, j: int, u: float) -> tuple[float, float, float, floa
     return x, y, math.cos(angle), math.sin(angle)
 
 
-@kernel
-def heading(rows: FloatArray, j: int, u: float) -> float:
+@entry
+def heading(rows: Table, j: int, u: float) -> float:
     """Heading, rad, continuous along the piece (not folded into one turn)."""
     if rows[j, KIND] == SPIRAL:
         back = 0.0 if walks_up(rows, j) > 0.0 else math.pi
@@ -152,8 +153,8 @@ def heading(rows: FloatArray, j: int, u: float) -> float:
     return rows[j, ANGLE] + u * (rows[j, P] + 0.5 * rows[j, Q] * u)
 
 
-@kernel
-def curvature(rows: FloatArray, j: int, u: float) -> float:
+@entry
+def curvature(rows: Table, j: int, u: float) -> float:
     """Curvature, 1/m, left positive."""
     if rows[j, KIND] == SPIRAL:
         z = 1.0 + u * u
@@ -163,8 +164,8 @@ def curvature(rows: FloatArray, j: int, u: float) -> float:
     return rows[j, P] + rows[j, Q] * u
 
 
-@kernel
-def stretch(rows: FloatArray, j: int, u: float) -> float:
+@entry
+def stretch(rows: Table, j: int, u: float) -> float:
     """Metres of arc per unit of parameter; on a spiral it grows with u."""
     if rows[j, KIND] == SPIRAL:
         return rows[j, P] * math.sqrt(1.0 + u * u)
@@ -181,7 +182,7 @@ def turning_bound(rows: FloatArray, j: int, u: float, v: float) -> float:
     return width * max(abs(curvature(rows, j, u)), abs(curvature(rows, j, v)))
 
 
-@kernel
+@entry
 def spiral_length(k: float, theta: float) -> float:
     """Arc length of r = k theta from the centre, m."""
     return 0.5 * k * (theta * math.sqrt(1.0 + theta * theta) + math.asinh(theta))
@@ -199,8 +200,8 @@ def spiral_angle(k: float, length: float) -> float:
     return theta
 
 
-@kernel
-def length_at(rows: FloatArray, j: int, u: float) -> float:
+@entry
+def length_at(rows: Table, j: int, u: float) -> float:
     """Arc length, m, from the row's start to parameter u; negative on an extension."""
     if rows[j, KIND] == SPIRAL:
         k = rows[j, P]
@@ -209,8 +210,8 @@ def length_at(rows: FloatArray, j: int, u: float) -> float:
     return u
 
 
-@kernel
-def parameter_at(rows: FloatArray, j: int, length: float) -> float:
+@entry
+def parameter_at(rows: Table, j: int, length: float) -> float:
     """The parameter at an arc length from the row's start; inverse of `length_at`."""
     if rows[j, KIND] == SPIRAL:
         k = rows[j, P]

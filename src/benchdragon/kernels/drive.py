@@ -14,8 +14,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from benchdragon.kernels.arrays import IntTable, IntVector, Table, Vector
 from benchdragon.kernels.curve import U_END, U_START, FloatArray, curvature
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.jit import entry, kernel
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.step_bounds import (
     FRONT_HIGH,
@@ -92,17 +93,17 @@ def value_at(
     return across if quantity == ACROSS else math.hypot(along, across)
 
 
-@kernel
+@entry
 def greatest_at_ends(
-    rows: FloatArray,
+    rows: Table,
     places: Placements,
-    change: FloatArray,
-    turn: FloatArray,
-    slots: IntArray,
-    drives: FloatArray,
+    change: Table,
+    turn: Table,
+    slots: IntVector,
+    drives: Table,
     quantity: int,
-    values: FloatArray,
-    where: IntArray,
+    values: Table,
+    where: IntTable,
 ) -> None:
     """Fill values, (steps, 2), with the greatest at both ends of each step, and where with its row.
 
@@ -271,7 +272,7 @@ def most_in_step(
         bend[i, 0], bend[i, 1] = table[i, RIGHT], table[i, LEFT]
         table[i, GROWTH_LOW], table[i, GROWTH_HIGH] = math.inf, -math.inf
     most = 0.0
-    for side in range(2**jumps):
+    for side in range(1 << jumps):
         for n in range(jumps):
             after = side >> n & 1
             bend[crossing[n], 0] = sides[n, 2 * after]
@@ -284,15 +285,15 @@ def most_in_step(
     return most
 
 
-@kernel
+@entry
 def ceilings(
-    rows: FloatArray,
-    links: FloatArray,
+    rows: Table,
+    links: Vector,
     places: Placements,
-    slots: IntArray,
-    drives: FloatArray,
+    slots: IntVector,
+    drives: Table,
     quantity: int,
-    bounds: FloatArray,
+    bounds: Vector,
 ) -> None:
     """Fill bounds[n] with the most that any handle or bench reaches from slots[n] to the next."""
     handles = links.shape[0] + 1

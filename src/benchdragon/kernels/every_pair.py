@@ -10,9 +10,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.box import box_gap, centres, radii
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.jit import entry, kernel
 from benchdragon.kernels.pair_bounds import face_bound
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import (
@@ -132,22 +133,22 @@ def search_near(
     return ending
 
 
-@kernel
+@entry
 def search_all_pairs(
     search: Search,
     goal: int,
-    rows: FloatArray,
-    links: FloatArray,
-    aside: FloatArray,
-    sizes: FloatArray,
-    at: FloatArray,
-    first: IntArray,
-    second: IntArray,
+    rows: Table,
+    links: Vector,
+    aside: Vector,
+    sizes: Table,
+    at: Vector,
+    first: IntVector,
+    second: IntVector,
     margin: float,
     slack: float,
     width: float,
     most: int,
-    note: FloatArray,
+    note: Vector,
 ) -> int:
     """Search the head's steps at[t]..at[t + 1], m, for `goal` (FIRST_TOUCH or LEAST); how it ended.
 

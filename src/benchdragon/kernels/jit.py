@@ -1,9 +1,12 @@
-"""The one decorator of all kernels: compiled by numba, or left as plain Python.
+"""The two decorators of all kernels, and the engine that serves them.
 
-`BENCHDRAGON_COMPILE=never` leaves the kernels plain: for coverage, for stepping through them, and
-for jobs so small that importing numba would cost more than it saves (design/cold_start.py).
+`BENCHDRAGON_ENGINE` chooses it. `native` is the library that was built ahead of time (native.py),
+without numba; what is no entry of it stays plain Python. `jit` compiles each kernel by numba when it is
+first called. `plain` leaves all as Python: for coverage, and for stepping through them. Unset, the
+library serves if one was built from these kernels for this processor, else numba.
 """
 
+import ctypes
 import hashlib
 import os
 import tempfile
@@ -12,11 +15,40 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
-COMPILED = os.environ.get("BENCHDRAGON_COMPILE", "always") != "never"
+from benchdragon.kernels import native
+from benchdragon.kernels.status import EngineError
+
+VARIABLE = "BENCHDRAGON_ENGINE"
+NATIVE, JIT, PLAIN = "native", "jit", "plain"
+
+Function = TypeVar("Function", bound=Callable[..., object])
+
+
+def chosen_engine() -> tuple[str, ctypes.CDLL | None]:
+    """The engine that serves, and the library if that does.
+
+    Raises:
+        EngineError: if another name was given, or a library is wanted and there is none.
+    """
+    wanted = os.environ.get(VARIABLE, "")
+    if wanted not in ("", NATIVE, JIT, PLAIN):
+        raise EngineError(wanted)
+    library = native.load_library() if wanted in ("", NATIVE) else None
+    if wanted == NATIVE and library is None:
+        raise EngineError(wanted)
+    return wanted or (JIT if library is None else NATIVE), library
+
+
+ENGINE, LIBRARY = chosen_engine()
+COMPILED = ENGINE == JIT
 if COMPILED:
     import numba  # pragma: no cover - coverage is taken uncompiled
 
-Function = TypeVar("Function", bound=Callable[..., object])
+# Contraction is the only licence taken with arithmetic. The numpy error model keeps divisions free of
+# branches, without which no loop becomes SIMD.
+SETTINGS: dict[str, Any] = {"nogil": True, "error_model": "numpy", "fastmath": {"contract"}}
+# All entries, by the module and name of each.
+ENTRIES: dict[str, Callable[..., object]] = {}
 
 
 def cache_folder() -> Path | None:
@@ -43,25 +75,26 @@ CACHE_FOLDER = cache_folder() if COMPILED else None
 
 
 def kernel(function: Function) -> Function:
-    """`function` compiled on first use; contraction is the only licence taken with its arithmetic.
-
-    The numpy error model keeps divisions free of branches, without which no loop becomes SIMD.
-    """
+    """`function`, called by kernels alone: compiled on first use if numba serves."""
     if not COMPILED:
         return function
     settings: Any = numba.config
     before = settings.CACHE_DIR
     settings.CACHE_DIR = str(CACHE_FOLDER or "")
     try:
-        compiled: Any = numba.njit(
-            cache=CACHE_FOLDER is not None,
-            nogil=True,
-            error_model="numpy",
-            fastmath={"contract"},
-        )(function)
+        compiled: Any = numba.njit(cache=CACHE_FOLDER is not None, **SETTINGS)(function)
     finally:
         settings.CACHE_DIR = before
     return cast("Function", compiled)
+
+
+def entry(function: Function) -> Function:
+    """`function`, called by Python as well: the library's own if that serves, else as `kernel`.
+
+    Its annotations must say the layout of every array (arrays.py).
+    """
+    ENTRIES[f"{function.__module__}.{function.__name__}"] = function
+    return kernel(function) if LIBRARY is None else native.bound(function, LIBRARY)
 
 
 _watching: list[Any] = []

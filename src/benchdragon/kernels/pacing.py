@@ -12,6 +12,7 @@ import math
 import numpy as np
 
 from benchdragon.kernels import step_bounds
+from benchdragon.kernels.arrays import IntVector, Stack, Table, Vector
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.drive import (
     ACROSS,
@@ -26,8 +27,7 @@ from benchdragon.kernels.drive import (
     most_in_step,
     scratch_for,
 )
-from benchdragon.kernels.jit import kernel
-from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.jit import entry, kernel
 
 # Columns of what bounds a handle over a step: w, the turning rate of the bench before it, g, curvature.
 FAST = 0
@@ -46,14 +46,14 @@ NODES = 65
 HALVINGS = 52
 
 
-@kernel
+@entry
 def widen(
-    rows: FloatArray,
-    links: FloatArray,
+    rows: Table,
+    links: Vector,
     places: step_bounds.Placements,
-    slots: IntArray,
-    which: IntArray,
-    hulls: FloatArray,
+    slots: IntVector,
+    which: IntVector,
+    hulls: Stack,
 ) -> None:
     """Widen hulls[which[n]], (handles, HULL_COLUMNS), by the step from slots[n] to the next."""
     handles = links.shape[0] + 1
@@ -91,10 +91,8 @@ def allowed(hull: FloatArray, limits: FloatArray, square: float) -> tuple[float,
     return (low, high) if low <= high else (1.0, -1.0)
 
 
-@kernel
-def tabulate(
-    hulls: FloatArray, limits: FloatArray, square: float, most: FloatArray, table: FloatArray
-) -> None:
+@entry
+def tabulate(hulls: Stack, limits: Vector, square: float, most: Vector, table: Stack) -> None:
     """Fill most[n] with the greatest square of speed allowed in step n, not above `square`.
 
     And table, (steps, NODES, 2), with the accelerations allowed from 0 to there. Between two nodes
@@ -195,8 +193,8 @@ def controllable(
                 top = middle
 
 
-@kernel
-def fastest_pace(table: FloatArray, most: FloatArray, lengths: FloatArray, squares: FloatArray) -> None:
+@entry
+def fastest_pace(table: Stack, most: Vector, lengths: Vector, squares: Vector) -> None:
     """Fill squares, (steps + 1,), with the squares of the head's speed at the ends of the steps.
 
     What is passable is convex: of a way on from a greater square a share is one from a smaller.

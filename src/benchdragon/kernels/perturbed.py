@@ -7,6 +7,7 @@ k / (1 - aside k). So everything that is known of chains on a route holds for it
 
 import math
 
+from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.curve import (
     U_BACK,
     U_END,
@@ -17,7 +18,7 @@ from benchdragon.kernels.curve import (
     stretch,
     walks_up,
 )
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.jit import entry, kernel
 from benchdragon.kernels.route import FOLD_COSINE, locate
 from benchdragon.kernels.status import Status
 from benchdragon.kernels.step_bounds import (
@@ -168,10 +169,8 @@ def place_beside(
     return sound and (aside.shape[0] == 0 or place_perturbed(rows, links, aside, at, t, t, out))
 
 
-@kernel
-def place_along(
-    rows: FloatArray, links: FloatArray, aside: FloatArray, at: FloatArray, out: Placements
-) -> int:
+@entry
+def place_along(rows: Table, links: Vector, aside: Vector, at: Vector, out: Placements) -> int:
     """Place chains with their heads at all of `at`, in order; how many can stand until one cannot."""
     for t in range(at.shape[0]):
         if not place_beside(rows, links, aside, at, max(t - 1, 0), t, out):

@@ -9,6 +9,7 @@ import math
 
 import numpy as np
 
+from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.box import (
     BOX_COLUMNS,
     CX,
@@ -24,7 +25,7 @@ from benchdragon.kernels.box import (
     place_box,
 )
 from benchdragon.kernels.curve import U_END, U_START, FloatArray, place, turning_bound
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.jit import entry, kernel
 from benchdragon.kernels.route import IntArray, step_back
 from benchdragon.kernels.status import Status
 from benchdragon.kernels.step_bounds import (
@@ -108,17 +109,17 @@ def grows(
     return chord + path + back * (abs(0.5 * math.pi - angle) + varies) < SHORT * link
 
 
-@kernel
+@entry
 def sweep_cells(
-    rows: FloatArray,
-    links: FloatArray,
-    sizes: FloatArray,
+    rows: Table,
+    links: Vector,
+    sizes: Table,
     k: int,
     places: Placements,
-    slots: IntArray,
-    targets: IntArray,
-    hulls: FloatArray,
-    sound: FloatArray,
+    slots: IntVector,
+    targets: IntVector,
+    hulls: Table,
+    sound: Vector,
 ) -> None:
     """Widen hulls[targets[n]], empty where NaN, to hold every bench of the sizes in column k in cell n.
 
@@ -180,14 +181,14 @@ def widen(
     hulls[c, HALF_LENGTH], hulls[c, HALF_WIDTH] = 0.5 * (high_x - low_x), 0.5 * (high_y - low_y)
 
 
-@kernel
+@entry
 def near_pairs(
-    hulls: FloatArray,
-    others: FloatArray,
-    first: IntArray,
-    second: IntArray,
+    hulls: Table,
+    others: Table,
+    first: IntVector,
+    second: IntVector,
     reach: float,
-    keep: IntArray,
+    keep: IntVector,
 ) -> None:
     """Set keep[p] to 1 where hulls[first[p]] and others[second[p]] are within reach, m, else to 0."""
     pair = np.empty((2, BOX_COLUMNS))
@@ -222,18 +223,18 @@ def add_pair(first: IntArray, second: IntArray, since: int, found: int, i: int, 
     return found + 1
 
 
-@kernel
+@entry
 def meeting_pairs(
-    s: FloatArray,
+    s: Table,
     t: int,
-    group: IntArray,
+    group: IntVector,
     cell: float,
     low: int,
-    offsets: IntArray,
-    partners: IntArray,
+    offsets: IntVector,
+    partners: IntVector,
     cells: int,
-    first: IntArray,
-    second: IntArray,
+    first: IntVector,
+    second: IntVector,
 ) -> int:
     """Pairs of benches that may meet between head positions number t and t + 1; how many.
 

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import numpy.typing as npt
 
+from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.curve import (
     ARC,
     KIND,
@@ -23,7 +24,7 @@ from benchdragon.kernels.curve import (
     turning_bound,
     walks_up,
 )
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.jit import entry, kernel
 from benchdragon.kernels.status import Status
 
 IntArray = npt.NDArray[np.int64]
@@ -66,8 +67,8 @@ def locate(rows: FloatArray, s: float) -> tuple[int, float, Status]:
     return j, u, Status.OK
 
 
-@kernel
-def evaluate(rows: FloatArray, s: FloatArray, out: FloatArray) -> None:
+@entry
+def evaluate(rows: Table, s: Vector, out: Table) -> None:
     """Fill out[i] = (x, y, heading, curvature) at each route position s[i]; NaN off the route."""
     for i in range(s.shape[0]):
         j, u, status = locate(rows, s[i])
@@ -80,8 +81,8 @@ def evaluate(rows: FloatArray, s: FloatArray, out: FloatArray) -> None:
         out[i, 3] = curvature(rows, j, u)
 
 
-@kernel
-def positions(rows: FloatArray, row: IntArray, u: FloatArray, out: FloatArray) -> None:
+@entry
+def positions(rows: Table, row: IntVector, u: Vector, out: Vector) -> None:
     """Fill out with the route positions, m, of the places (row, u); all flat."""
     for i in range(out.shape[0]):
         out[i] = rows[row[i], S_START] + length_at(rows, row[i], u[i])

@@ -10,12 +10,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from benchdragon.kernels.arrays import IntTable, IntVector, Table, Vector
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, set_box
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.jit import entry, kernel
 from benchdragon.kernels.pair_bounds import apart_bound, gap_ceiling
 from benchdragon.kernels.perturbed import bound_beside, place_beside
-from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.step_bounds import (
     BENCH_COLUMNS,
     HANDLE_COLUMNS,
@@ -65,18 +65,18 @@ class Chain(NamedTuple):
     those of the benches up to the last member.
     """
 
-    rows: FloatArray
-    links: FloatArray
-    aside: FloatArray
-    sizes: FloatArray
-    members: IntArray  # benches that are looked at, from 0, ascending
+    rows: Table
+    links: Vector
+    aside: Vector
+    sizes: Table
+    members: IntVector  # benches that are looked at, from 0, ascending
 
 
 class Pairs(NamedTuple):
     """Pair p is members first[p] and second[p]."""
 
-    first: IntArray
-    second: IntArray
+    first: IntVector
+    second: IntVector
 
 
 class Limits(NamedTuple):
@@ -95,18 +95,17 @@ class Limits(NamedTuple):
 class Search(NamedTuple):
     """What one search works on: open right ends in slots 1.., the left end in slot 0."""
 
-    at: FloatArray  # head positions, (DEPTH,)
+    at: Vector  # head positions, (DEPTH,)
     places: Placements
-    handles: FloatArray  # scratch, (handles, HANDLE_COLUMNS)
-    sweeps: FloatArray  # (members, BENCH_COLUMNS)
-    boxes: FloatArray  # (DEPTH * members, BOX_COLUMNS), slot by slot
-    alive: IntArray  # pairs not yet shown to keep apart in the part up to a slot, (DEPTH, pairs)
-    kept: IntArray  # how many, (DEPTH,)
-    logged: IntArray  # chains written into the log so far, (1,)
-    log: FloatArray  # for proofs: head position, then row, u, x, y of each handle, (chains, ...)
+    handles: Table  # scratch, (handles, HANDLE_COLUMNS)
+    sweeps: Table  # (members, BENCH_COLUMNS)
+    boxes: Table  # (DEPTH * members, BOX_COLUMNS), slot by slot
+    alive: IntTable  # pairs not yet shown to keep apart in the part up to a slot, (DEPTH, pairs)
+    kept: IntVector  # how many, (DEPTH,)
+    logged: IntVector  # chains written into the log so far, (1,)
+    log: Table  # for proofs: head position, then row, u, x, y of each handle, (chains, ...)
 
 
-@kernel
 def room(handles: int, members: int, pairs: int, chains: int) -> Search:
     """Room for searches of up to so many handles, members and pairs; `chains` of them logged."""
     return Search(
@@ -347,7 +346,7 @@ def judge(
     return judge_least(search, top, count, pairs, limits, note)
 
 
-@kernel
+@entry
 def search_step(
     search: Search,
     goal: int,
@@ -356,7 +355,7 @@ def search_step(
     start: float,
     end: float,
     limits: Limits,
-    note: FloatArray,
+    note: Vector,
 ) -> int:
     """Search head positions start..end, m, for `goal`; how it ended. `note` receives what was found.
 

@@ -10,10 +10,9 @@ import math
 
 import numpy as np
 
-from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.arrays import IntVector, Table, Vector
+from benchdragon.kernels.jit import entry
 from benchdragon.kernels.regions import EDGE
-from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.status import Status
 from benchdragon.kernels.step_bounds import HANDLE_COLUMNS, SPEED, Placements, bound_handles
 
@@ -24,8 +23,8 @@ OPEN = 2  # handles from the head to the last one whose bound does not; 0: none
 STEP_COLUMNS = 3
 
 
-@kernel
-def cell_ratios(rows: FloatArray, links: FloatArray, places: Placements, out: FloatArray) -> None:
+@entry
+def cell_ratios(rows: Table, links: Vector, places: Placements, out: Vector) -> None:
     """Fill out[n] with the greatest ratio of speeds, rear handle over front handle, in cell n.
 
     `links` is one link, `places` its two handles with the front one at each border. A bench that
@@ -39,15 +38,15 @@ def cell_ratios(rows: FloatArray, links: FloatArray, places: Placements, out: Fl
             out[n] = table[1, SPEED]
 
 
-@kernel
+@entry
 def bound_steps(
-    s: FloatArray,
-    group: IntArray,
-    ratios: FloatArray,
+    s: Table,
+    group: IntVector,
+    ratios: Table,
     cell: float,
     low: int,
-    limits: FloatArray,
-    steps: FloatArray,
+    limits: Vector,
+    steps: Table,
 ) -> None:
     """Fill steps, (steps, STEP_COLUMNS), with what the cells say of the handles' speed ratios.
 

@@ -1,4 +1,4 @@
-"""The few ways in which placing a handle can end."""
+"""The few ways in which placing a handle can end, and what is wrong with an engine."""
 
 from enum import IntEnum
 
@@ -12,3 +12,7 @@ class Status(IntEnum):
     ROUTE_TOO_SHORT = 3  # no place behind the handle is one link away: the tail hangs out
     FOLDED = 4  # a bench stands square to the route: speeds run away
     LINK_OVER_DIAMETER = 5  # the same on an arc that the link cannot lie within
+
+
+class EngineError(Exception):
+    """The engine of the name that is its argument, from BENCHDRAGON_ENGINE, cannot serve."""

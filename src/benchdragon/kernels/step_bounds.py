@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from benchdragon.kernels.arrays import IntTable, Table, Vector
 from benchdragon.kernels.chain import march
 from benchdragon.kernels.curve import (
     U_END,
@@ -22,8 +23,8 @@ from benchdragon.kernels.curve import (
     stretch,
     turning_bound,
 )
-from benchdragon.kernels.jit import kernel
-from benchdragon.kernels.route import FOLD_COSINE, IntArray
+from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.route import FOLD_COSINE
 from benchdragon.kernels.status import Status
 
 # Columns of a table of handle bounds, one row a handle.
@@ -67,17 +68,16 @@ Angle = tuple[float, float, float, float]
 class Placements(NamedTuple):
     """Chains at several head positions, each array (handles, slots): see `chain.march`."""
 
-    row: IntArray
-    u: FloatArray
-    x: FloatArray
-    y: FloatArray
-    ratio: FloatArray
-    tx: FloatArray
-    ty: FloatArray
-    failed: IntArray
+    row: IntTable
+    u: Table
+    x: Table
+    y: Table
+    ratio: Table
+    tx: Table
+    ty: Table
+    failed: IntTable
 
 
-@kernel
 def empty_placements(handles: int, slots: int) -> Placements:
     """Room for chains of so many handles at so many head positions."""
     return Placements(
@@ -92,10 +92,8 @@ def empty_placements(handles: int, slots: int) -> Placements:
     )
 
 
-@kernel
-def place_chain(
-    rows: FloatArray, links: FloatArray, at: FloatArray, first: int, last: int, out: Placements
-) -> bool:
+@entry
+def place_chain(rows: Table, links: Vector, at: Vector, first: int, last: int, out: Placements) -> bool:
     """March the chain with its head at at[first..last-1]; whether it can stand at all of them."""
     march(rows, links, at, first, last, out.row, out.u, out.x, out.y, out.ratio, out.failed)
     sound = True

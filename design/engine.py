@@ -1,0 +1,102 @@
+"""Why the kernels' library is built for x86-64-v3, and not for the processor of the machine at hand.
+
+The library is named by what it was built for, and one for another processor is never loaded. Built
+for the very processor it would serve on that kind alone. Level v3 (AVX2 and fused multiply-add) is in
+nearly all machines since 2015, so that a wheel, a container or a home folder may move between them;
+and all of them then give the same bits. This page builds the march, the loop that gains most from wide
+vectors, for levels and for this processor, and compares times and bits with those of numba, which
+compiles for this processor: v3 takes a few percent more, and wider vectors gain an eighth where there
+are any. Without fused multiply-add it takes more than twice as long, and roundings differ.
+
+Whether a machine has v3 is read from /proc/cpuinfo. Where there is none (not Linux), the plain level is
+taken: slower, and never wrong.
+"""
+
+import ctypes
+import math
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from benchdragon.engine.__main__ import PLAIN_CODE
+
+MARCH = "benchdragon.kernels.chain.march"
+RUNS = 60
+
+
+def build(folder: str) -> None:
+    """Write a library of the march for each processor; in a process of its own, see PLAIN_CODE."""
+    import llvmlite.binding as llvm
+
+    from benchdragon.engine import optimise, shims
+    from benchdragon.engine.build import link
+
+    optimise.prepare()
+    shape, text, inner = shims.compiled_shim(shims.entries()[MARCH])
+    host = llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten()
+    levels = ((name, "") for name in ("x86-64", "x86-64-v3", "x86-64-v4"))
+    for cpu, features in (*levels, host):
+        machine = llvm.Target.from_default_triple().create_target_machine(
+            cpu=cpu, features=features, opt=3, reloc="pic", codemodel="default"
+        )
+        module = optimise.joined([optimise.shim_module(shape.symbol, text, inner)], {shape.symbol})
+        optimise.optimise(module, machine)
+        link(machine.emit_object(module), Path(folder, f"{cpu}.so"))
+
+
+def task() -> tuple[tuple[Any, ...], list[Any]]:
+    """The contest's standard table: arguments of the march, and what it fills."""
+    from benchdragon.model.curves import Route, Spiral
+    from benchdragon.model.dragon import Dragon
+    from benchdragon.model.walk import Walk
+
+    walk = Walk(Dragon.uniform(), Route((Spiral(0.55, 32.0 * math.pi, 0.0),)))
+    s = np.ascontiguousarray(walk.head_position(np.arange(301.0)))
+    shape = len(walk.dragon.links) + 1, len(s)
+    numbers = [np.empty(shape) for _table in range(4)]
+    out = [np.empty(shape, dtype=np.int64), *numbers, np.empty((2, len(s)), dtype=np.int64)]
+    return (walk.route.rows, walk.dragon.links, s, 0, len(s)), out
+
+
+def seconds(job: Callable[[], object]) -> float:
+    """CPU time of one run, s."""
+    start = time.process_time()
+    job()
+    return time.process_time() - start
+
+
+def show(folder: str) -> None:
+    """Time and bits of each library, against numba's."""
+    from benchdragon.kernels import jit, native
+    from benchdragon.kernels.chain import march
+
+    arguments, out = task()
+    wanted = [table.copy() for table in out]
+    print("march of 224 handles x 301 times   time / numba's   numbers that differ   by at most, m")
+    for path in sorted(Path(folder).glob("*.so"), key=lambda path: path.stat().st_mtime):
+        call = native.bound(jit.ENTRIES[MARCH], ctypes.CDLL(str(path)))
+        job, rival = partial(call, *arguments, *out), partial(march, *arguments, *wanted)
+        ratios = [seconds(job) / seconds(rival) for _run in range(RUNS)]
+        apart = np.abs(np.array(out[2:4]) - np.array(wanted[2:4]))
+        count, ratio = np.count_nonzero(apart), statistics.median(ratios)
+        print(f"{path.stem:34s} {ratio:14.2f} {count:21d} {apart.max():20.1e}")
+
+
+if __name__ == "__main__":
+    if sys.argv[1:]:
+        build(sys.argv[1])
+    else:
+        with tempfile.TemporaryDirectory() as made:
+            environment = {**os.environ, **PLAIN_CODE, "BENCHDRAGON_ENGINE": "jit"}
+            subprocess.run([sys.executable, __file__, made], check=True, env=environment)
+            os.environ["BENCHDRAGON_ENGINE"] = "jit"
+            show(made)

@@ -1,0 +1,1 @@
+"""Builds the kernels ahead of time into one native library: `python -m benchdragon.engine`."""

@@ -1,0 +1,34 @@
+"""`python -m benchdragon.engine [FOLDER]`: build the library, in this folder if nothing is said."""
+
+import os
+import sys
+import time
+from pathlib import Path
+
+# Read by numba when it is imported: code for any processor, which is optimised once it is one module.
+PLAIN_CODE = {"NUMBA_OPT": "0", "NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": ""}
+
+
+def main(arguments: list[str]) -> int:
+    """Build, and say what became of it; the exit code."""
+    os.environ.update(PLAIN_CODE, BENCHDRAGON_ENGINE="jit")
+    from benchdragon.kernels import native
+
+    here = native.ENGINE if os.access(native.ENGINE, os.W_OK) else native.user_folder()
+    folder = Path(arguments[0]) if arguments else here
+    from benchdragon.engine.build import build
+    from benchdragon.engine.optimise import BuildError
+
+    start = time.perf_counter()
+    try:
+        path = build(folder)
+    except BuildError as error:
+        print(f"The kernels were not built: {error}", file=sys.stderr)
+        return 1
+    seconds, size = time.perf_counter() - start, path.stat().st_size
+    print(f"{path}: {size / 1e3:.0f} kB, built in {seconds:.0f} s")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

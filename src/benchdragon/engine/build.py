@@ -1,0 +1,79 @@
+"""The library of all kernels, built by numba, LLVM and the system's C compiler."""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from benchdragon.engine import optimise, shims
+from benchdragon.kernels import native
+
+COMPILERS = ("cc", "gcc", "clang")
+RUNTIME = Path(__file__).with_name("runtime.c")
+
+
+def c_compiler() -> str:
+    """The system's C compiler: what CC says, else the first that is there.
+
+    Raises:
+        BuildError: if there is none.
+    """
+    for name in (os.environ.get("CC", ""), *COMPILERS):
+        path = shutil.which(name) if name else None
+        if path:
+            return path
+    raise optimise.BuildError(f"no C compiler is here: wanted {', '.join(COMPILERS)}, or CC")
+
+
+def machine_code() -> bytes:
+    """All entries as an object file for this machine.
+
+    Raises:
+        BuildError: if the code would work in this process alone.
+    """
+    optimise.prepare()
+    modules, symbols = [], set()
+    for function in shims.entries().values():
+        shape, text, inner = shims.compiled_shim(function)
+        modules.append(optimise.shim_module(shape.symbol, text, inner))
+        symbols.add(shape.symbol)
+    whole, machine = optimise.joined(modules, symbols), optimise.target_machine(native.processor())
+    optimise.optimise(whole, machine)
+    optimise.check(whole)
+    return bytes(machine.emit_object(whole))
+
+
+def link(code: bytes, path: Path) -> None:
+    """Write the shared library at `path`, whole or not at all.
+
+    Raises:
+        BuildError: if the C compiler fails.
+    """
+    compiler = c_compiler()
+    with tempfile.TemporaryDirectory(dir=path.parent) as folder:
+        source, made = Path(folder, "kernels.o"), Path(folder, path.name)
+        source.write_bytes(code)
+        command = [compiler, "-O2", "-shared", "-fPIC", "-o", str(made), str(source), str(RUNTIME)]
+        command += ["-lm", "-s", "-Wl,--no-undefined"] if sys.platform == "linux" else ["-lm"]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        if done.returncode:
+            raise optimise.BuildError(f"{compiler} failed: {done.stderr.strip()}")
+        made.replace(path)
+
+
+def build(folder: Path) -> Path:
+    """Build the library into a folder, in place of those of other kernels there; its path.
+
+    Raises:
+        BuildError: if it cannot be built.
+    """
+    c_compiler()  # told before a minute is spent
+    folder.mkdir(parents=True, exist_ok=True)
+    path = folder / native.library_name()
+    link(machine_code(), path)
+    for other in folder.glob(f"kernels-*-{sys.platform}-{native.processor()}.so"):
+        if other != path:
+            other.unlink()
+    return path

@@ -1,0 +1,94 @@
+"""From LLVM's language to machine code: one module, of which only the shims are seen from outside."""
+
+import re
+from collections.abc import Iterable
+from typing import Any
+
+import llvmlite.binding as llvm
+
+# What the code may call: engine/runtime.c, and what every C library has.
+RUNTIME = frozenset({"NRT_MemInfo_alloc_aligned", "NRT_MemInfo_call_dtor"})
+LIBRARY = """
+    acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh exp expm1 fabs floor fma fmod
+    hypot log log10 log1p log2 memcpy memmove memset pow round sin sinh sqrt tan tanh trunc
+"""
+SHIM = """
+define i32 @{symbol}(ptr %block) {{
+  %found = alloca ptr
+  %trouble = alloca ptr
+  %address = ptrtoint ptr %block to i64
+  %code = call i32 @{inner}(ptr %found, ptr %trouble, i64 %address)
+  ret i32 %code
+}}
+declare i32 @{inner}(ptr, ptr, i64)
+"""
+ATTRIBUTES = re.compile(r'"(target-cpu|target-features|tune-cpu|probe-stack)"="[^"]*"')
+# An address of the process that compiled would be a number turned into a pointer, or one of these.
+ADDRESSES = re.compile(r"inttoptr \(i\d+ -?\d+ to|numba\.dynamic\.globals")
+
+
+class BuildError(Exception):
+    """The library could not be built."""
+
+
+def prepare() -> None:
+    """Let LLVM know this machine's kind of processor."""
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+
+
+def shim_module(symbol: str, text: str, inner: str) -> Any:
+    """A module of an entry's code, `text`, with a function in C's convention; `inner` is numba's."""
+    module = llvm.parse_assembly(ATTRIBUTES.sub("", text))
+    outer = llvm.parse_assembly(SHIM.format(symbol=symbol, inner=inner))
+    outer.triple, outer.data_layout = module.triple, module.data_layout
+    module.link_in(outer)
+    return module
+
+
+def joined(modules: Iterable[Any], symbols: set[str]) -> Any:
+    """One module of all; only the functions named in `symbols` are seen from outside."""
+    first, *rest = modules
+    for module in rest:
+        first.link_in(module)
+    first.name = "kernels"
+    for value in (*first.functions, *first.global_variables):
+        if not value.is_declaration and value.name not in symbols:
+            value.linkage = "internal"
+    return first
+
+
+def target_machine(processor: str) -> Any:
+    """Code for this machine's system and a level of its processor."""
+    return llvm.Target.from_default_triple().create_target_machine(
+        cpu=processor if processor.startswith("x86-64") else "", opt=3, reloc="pic", codemodel="default"
+    )
+
+
+def optimise(module: Any, machine: Any) -> None:
+    """Two rounds: once calls are inlined, counts of references are dropped, and loops become SIMD."""
+    for last in (False, True):
+        tuning = llvm.create_pipeline_tuning_options(3)
+        tuning.loop_vectorization, tuning.slp_vectorization = last, False
+        builder = llvm.create_pass_builder(machine, tuning)
+        builder.getModulePassManager().run(module, builder)
+        if not last:
+            passes = llvm.create_new_module_pass_manager()
+            passes.add_refprune_pass()
+            passes.run(module, builder)
+    module.verify()
+
+
+def check(module: Any) -> None:
+    """Refuse code that works in this process alone.
+
+    Raises:
+        BuildError: if it holds an address of this process, or calls what no C library has.
+    """
+    found = ADDRESSES.search(str(module))
+    if found:
+        raise BuildError(f"the code holds an address of the process that compiled it: {found[0]}")
+    names = {f.name for f in module.functions if f.is_declaration and not f.name.startswith("llvm.")}
+    strange = sorted(names - RUNTIME - set(LIBRARY.split()))
+    if strange:
+        raise BuildError(f"the code calls what no C library has: {', '.join(strange)}")

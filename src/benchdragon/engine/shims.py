@@ -1,0 +1,101 @@
+"""Entries as functions of one block each, compiled by numba to LLVM's language.
+
+The block is that of kernels/signature.py. What a shim does is written as Python and compiled with the
+kernel, so that numba alone needs to know how it passes arrays.
+"""
+
+import importlib
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numba
+from numba.core import types
+from numba.extending import intrinsic
+
+from benchdragon.kernels import jit, native
+from benchdragon.kernels.signature import Parameter, Signature, signature
+
+compiler: Any = numba  # its annotations are partial
+kinds: Any = types
+
+READERS = {"d": "numbers[{}]", "q": "whole[{}]"}
+POINTERS = {"d": "floats", "q": "integers"}
+
+
+def pointer_maker(number: Any) -> Any:
+    """A function for compiled code: the address, an int64, as a pointer to such numbers."""
+
+    @intrinsic
+    def pointer(_context: Any, address: Any) -> Any:
+        def code(_target: Any, builder: Any, whole: Any, arguments: Any) -> Any:
+            return builder.inttoptr(arguments[0], _target.get_value_type(whole.return_type))
+
+        return kinds.CPointer(number)(address), code
+
+    return pointer
+
+
+# Nothing that Python would call.
+BARE = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+
+NAMES = {
+    "carray": compiler.carray,
+    "floats": pointer_maker(kinds.float64),
+    "integers": pointer_maker(kinds.int64),
+}
+
+
+def entries() -> dict[str, Callable[..., object]]:
+    """All entries, for numba to compile, by module and name; the kernels must not be imported yet."""
+    jit.CACHE_FOLDER = None  # this code is for no process that runs
+    jit.SETTINGS.update(BARE)
+    for path in sorted(native.KERNELS.glob("*.py")):
+        importlib.import_module(f"benchdragon.kernels.{path.stem}")
+    modules = {name: importlib.import_module(name.rpartition(".")[0]) for name in jit.ENTRIES}
+    return {name: getattr(module, name.rpartition(".")[2]) for name, module in modules.items()}
+
+
+def expressions(
+    parameters: tuple[Parameter, ...], slots: Iterator[int], names: dict[str, Any]
+) -> Iterator[str]:
+    """For each parameter the expression that reads it from the block; classes go into `names`."""
+    for parameter in parameters:
+        if parameter.group is not None:
+            names[parameter.group.__name__] = parameter.group
+            inner = ", ".join(expressions(parameter.fields, slots, names))
+            yield f"{parameter.group.__name__}({inner})"
+            continue
+        for leaf in parameter.leaves():
+            slot, (code, dimensions) = next(slots), leaf.layout
+            if dimensions == 0:
+                yield READERS[code].format(slot)
+                continue
+            shape = "".join(f"whole[{next(slots)}], " for _dimension in range(dimensions))
+            yield f"carray({POINTERS[code]}(whole[{slot}]), ({shape}))"
+
+
+def shim_source(shape: Signature, names: dict[str, Any]) -> str:
+    """A Python function, as text, of a block's address: it calls `entry` and stores the results."""
+    slots = iter(range(len(shape.slots())))
+    call = f"entry({', '.join(expressions(shape.parameters, slots, names))})"
+    size = len(shape.slots())
+    lines = [
+        "def shim(block):",
+        f"    whole, numbers = carray(integers(block), ({size},)), carray(floats(block), ({size},))",
+        f"    found = {call}",
+    ]
+    for n, code in enumerate(shape.results):
+        value = f"found[{n}]" if shape.several else "found"
+        lines.append(f"    {READERS[code].format(next(slots))} = {value}")
+    return "\n".join(lines)
+
+
+def compiled_shim(function: Any) -> tuple[Signature, str, str]:
+    """The signature of an entry, LLVM's code of its shim, and the shim's name there."""
+    shape, names = signature(function.py_func), {**NAMES, "entry": function}
+    exec(compile(shim_source(shape, names), shape.symbol, "exec"), names)
+    shim = names["shim"]
+    shim.__qualname__ = shim.__name__ = f"{shape.symbol}_shim"
+    compiled: Any = compiler.njit(kinds.void(kinds.int64), **jit.SETTINGS)(shim)
+    (result,) = compiled.overloads.values()
+    return shape, result.library.get_llvm_str(), result.fndesc.mangled_name

@@ -1,0 +1,23 @@
+"""What arrays entries take: their numbers and dimensions, which their signatures in C are made from.
+
+All are C-contiguous. Type checkers read past `Annotated`; within the kernels any array will do.
+"""
+
+from typing import Annotated, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+
+class Layout(NamedTuple):
+    """Of an array: "d" for float64 or "q" for int64, as in `struct`, and its dimensions."""
+
+    code: str
+    dimensions: int
+
+
+Vector = Annotated[npt.NDArray[np.float64], Layout("d", 1)]
+Table = Annotated[npt.NDArray[np.float64], Layout("d", 2)]
+Stack = Annotated[npt.NDArray[np.float64], Layout("d", 3)]
+IntVector = Annotated[npt.NDArray[np.int64], Layout("q", 1)]
+IntTable = Annotated[npt.NDArray[np.int64], Layout("q", 2)]

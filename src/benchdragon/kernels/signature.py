@@ -1,0 +1,104 @@
+"""The C signature of an entry, from its annotations: `int32 name(int64 *block)`.
+
+A block is a row of 8-byte slots. A number takes one, floats by their bits; an array one for its
+address and one for the length along each dimension; a NamedTuple what its fields take, in turn. The
+slots of the results follow those of the arguments.
+"""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple, cast, get_args, get_origin
+
+from benchdragon.kernels.arrays import Layout
+
+
+class Leaf(NamedTuple):
+    """A number (no dimensions) or an array, by the name that errors call it."""
+
+    name: str
+    layout: Layout
+
+
+class Parameter(NamedTuple):
+    """An argument of an entry: a leaf, or a NamedTuple of the class `group` with these fields."""
+
+    name: str
+    group: type | None
+    fields: tuple["Parameter", ...]
+    leaf: Leaf | None
+
+    def leaves(self) -> list[Leaf]:
+        """All numbers and arrays in it, in order."""
+        if self.leaf is not None:
+            return [self.leaf]
+        return [leaf for field in self.fields for leaf in field.leaves()]
+
+
+class Signature(NamedTuple):
+    """What an entry takes, and what it returns: the codes of the results, a tuple if `several`."""
+
+    symbol: str
+    parameters: tuple[Parameter, ...]
+    results: tuple[str, ...]
+    converters: tuple[Callable[[Any], Any], ...]
+    several: bool
+
+    def leaves(self) -> list[Leaf]:
+        """All numbers and arrays among the arguments, in order."""
+        return [leaf for parameter in self.parameters for leaf in parameter.leaves()]
+
+    def slots(self) -> str:
+        """The code of each slot of the block, as in `struct`."""
+        arguments = "".join(
+            leaf.layout.code if leaf.layout.dimensions == 0 else "q" * (1 + leaf.layout.dimensions)
+            for leaf in self.leaves()
+        )
+        return arguments + "".join(self.results)
+
+
+def signature(function: Callable[..., object]) -> Signature:
+    """The signature of an entry.
+
+    Raises:
+        TypeError: if an annotation says too little, or what no block holds.
+    """
+    annotations = dict(function.__annotations__)
+    returned = annotations.pop("return")
+    several = get_origin(returned) is tuple
+    results = get_args(returned) if several else () if returned is None else (returned,)
+    module = function.__module__.rpartition(".")[2]
+    return Signature(
+        f"bd_{module}_{function.__name__}",
+        tuple(parameter(name, annotation) for name, annotation in annotations.items()),
+        tuple(number_code("the result", result) for result in results),
+        results,
+        several,
+    )
+
+
+def parameter(name: str, annotation: Any) -> Parameter:
+    """The parameter of that name and annotation.
+
+    Raises:
+        TypeError: if it is no number, no array of `arrays`, and no NamedTuple of such.
+    """
+    layout = next(iter(getattr(annotation, "__metadata__", ())), None)
+    if isinstance(layout, Layout):
+        return Parameter(name, None, (), Leaf(name, layout))
+    if isinstance(annotation, type) and issubclass(annotation, tuple):
+        group = cast("type[NamedTuple]", annotation)
+        fields = ((f"{name}.{field}", kind) for field, kind in group.__annotations__.items())
+        return Parameter(name, group, tuple(parameter(field, kind) for field, kind in fields), None)
+    return Parameter(name, None, (), Leaf(name, Layout(number_code(name, annotation), 0)))
+
+
+def number_code(name: str, annotation: Any) -> str:
+    """The code of a number's slot.
+
+    Raises:
+        TypeError: if the annotation is not that of a number.
+    """
+    if annotation is float:
+        return "d"
+    if isinstance(annotation, type) and issubclass(annotation, int):
+        return "q"
+    raise TypeError(f"{name} of an entry must be a number or a known array, not {annotation}")

@@ -1,0 +1,124 @@
+"""Calls every entry by numba and by the library, on what real questions pass to it: run as a script.
+
+It runs with BENCHDRAGON_ENGINE=jit and the library's path as its argument. As JSON it prints how often
+each entry was called, and how far apart the two came at most: of floats the difference as a share of
+their size or 1, of integers infinity where any differ.
+"""
+
+import ctypes
+import json
+import math
+import sys
+import types
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from benchdragon.analysis.check import check
+from benchdragon.analysis.contact import least_clearance
+from benchdragon.analysis.distance import nearest_each
+from benchdragon.analysis.proof import prove_contact
+from benchdragon.analysis.speed import greatest_speed
+from benchdragon.kernels import jit, native
+from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
+from benchdragon.paper.runge_kutta import head_positions
+from benchdragon.paper.traversal import first_overlap
+from benchdragon.plans.schema import read_plan
+from benchdragon.solve.head_speed import slowed
+from benchdragon.solve.tolerance import CASES, Draw, random_dance
+
+FOUND: dict[str, list[float]] = {}
+
+
+def arrays(value: Any) -> Iterator[npt.NDArray[Any]]:
+    """All arrays in an argument or a result; numbers as arrays of none."""
+    if isinstance(value, tuple):
+        for part in value:
+            yield from arrays(part)
+    elif value is not None:
+        yield np.asarray(value)
+
+
+def copied(value: Any) -> Any:
+    """The same, on memory of its own."""
+    if isinstance(value, np.ndarray):
+        return value.copy()
+    if isinstance(value, tuple):
+        parts = [copied(part) for part in value]
+        return type(value)(*parts) if hasattr(value, "_fields") else tuple(parts)
+    return value
+
+
+def apart(one: npt.NDArray[Any], other: npt.NDArray[Any]) -> float:
+    """The greatest difference of two arrays, in sizes of what stands there or 1; infinite in kind."""
+    if one.dtype.kind != "f":
+        return 0.0 if (one == other).all() else math.inf
+    with np.errstate(all="ignore"):
+        differ = ~((one == other) | (np.isnan(one) & np.isnan(other)))
+        if not differ.any():
+            return 0.0
+        a, b = one[differ], other[differ]
+        far = np.abs(a - b) / np.maximum(1.0, np.abs(a))
+    return float(np.where(np.isfinite(far), far, math.inf).max())
+
+
+def both(name: str, compiled: Any, built: Any) -> Callable[..., Any]:
+    """A function that calls both on equal arguments, and notes how far apart they came."""
+
+    def call(*arguments: Any) -> Any:
+        again = copied(arguments)
+        result, other = compiled(*arguments), built(*again)
+        pairs = zip(arrays((arguments, result)), arrays((again, other)), strict=True)
+        note = FOUND.setdefault(name, [0, 0.0])
+        note[0], note[1] = note[0] + 1, max(note[1], *(apart(a, b) for a, b in pairs))
+        return result
+
+    return call
+
+
+def wrap(library: ctypes.CDLL) -> None:
+    """Let all modules but the kernels call both."""
+    calls: dict[int, Callable[..., Any]] = {}
+    for name, function in jit.ENTRIES.items():
+        home, _, short = name.rpartition(".")
+        compiled = getattr(sys.modules[home], short)
+        calls[id(compiled)] = both(name, compiled, native.bound(function, library))
+    for name, module in list(sys.modules.items()):
+        inside = name == "__main__" or name.startswith("benchdragon.")
+        if inside and not name.startswith("benchdragon.kernels"):
+            for key, value in list(vars(module).items()):
+                if id(value) in calls:
+                    setattr(module, key, calls[id(value)])
+                elif isinstance(value, types.ModuleType) and "benchdragon.kernels." in value.__name__:
+                    members = {k: calls.get(id(v), v) for k, v in vars(value).items()}
+                    setattr(module, key, types.SimpleNamespace(**members))
+
+
+def questions() -> None:
+    """Questions that need every entry between them."""
+    few = read_plan("spiral-in", ["dragon.benches=12"])
+    turn = read_plan("turn", ["walk.speed=1.5", "dragon.benches=12", "walk.start=-20", "walk.end=20"])
+    check(few)
+    slowed(turn)
+    walk = few.build()
+    least_clearance(walk, 0.0, 99.0)
+    greatest_speed(read_plan("turn").build(), -50.0, 50.0)
+    motion = walk.motion([0.0, 60.0])
+    motion.acceleration.sum()
+    nearest_each(motion)
+    assert first_overlap(walk, np.array([0.0, 9.0])) is None
+    head_positions(walk, [0.0, 9.0])
+    prove_contact(read_plan("spiral-in").build(), 412.0, 413.0)
+    route = Route.joined([Line(16.0), Clothoid(2.5, 0.0, 0.8), Arc(1.25, 2.0), Line(6.0)])
+    route.point([1.0, 17.0])
+    Spiral(0.55, 40.0, 0.0).angle(1.0)
+    coiled = read_plan("spiral-in", ["disc.radius=4.5", "dragon.benches=20", "walk.start=225"])
+    random_dance(coiled, Draw(CASES["all"].deviations, 7, 1)).least()
+
+
+if __name__ == "__main__":
+    wrap(ctypes.CDLL(sys.argv[1]))
+    questions()
+    print(json.dumps(FOUND))
