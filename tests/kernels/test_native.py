@@ -42,6 +42,9 @@ int32_t bd_test_native_half(int64_t *b) {
     *(double *)(b + 1) = 0.5 * *(double *)b;
     return 0;
 }
+int32_t bd_test_native_named(int64_t *b) {
+    return bd_test_native_half(b);
+}
 """
 
 
@@ -61,6 +64,16 @@ def clear(out: Vector) -> None:
 
 
 def half(x: float) -> float:
+    raise AssertionError("the library serves")
+
+
+class Halves(NamedTuple):
+    """A result that has a name for each of its numbers."""
+
+    half: float
+
+
+def named(x: float) -> Halves:
     raise AssertionError("the library serves")
 
 
@@ -113,6 +126,7 @@ def test_an_entry_may_return_nothing_or_one_number(library: ctypes.CDLL) -> None
     assert native.bound(clear, library)(out) is None
     assert out.tolist() == [0.0, 0.0, 0.0]
     assert native.bound(half, library)(3.0) == 1.5
+    assert native.bound(named, library)(3.0) == Halves(1.5)
 
 
 @pytest.mark.parametrize(
@@ -152,10 +166,10 @@ def test_an_entry_that_fails_raises(library: ctypes.CDLL) -> None:
 def test_an_annotation_that_says_too_little_is_refused() -> None:
     def loose(values: Any) -> None: ...
 
-    def named(values: float) -> str:
+    def worded(values: float) -> str:
         return str(values)
 
-    for function, name in ((loose, "values"), (named, "the result")):
+    for function, name in ((loose, "values"), (worded, "the result")):
         with pytest.raises(TypeError, match=f"{name} of an entry must be"):
             signature(function)
 

@@ -85,7 +85,7 @@ def shim_source(shape: Signature, names: dict[str, Any]) -> str:
         f"    found = {call}",
     ]
     for n, code in enumerate(shape.results):
-        value = f"found[{n}]" if shape.several else "found"
+        value = f"found[{n}]" if shape.several() else "found"
         lines.append(f"    {READERS[code].format(next(slots))} = {value}")
     return "\n".join(lines)
 

@@ -5,8 +5,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.jit import entry, kernel
 from benchdragon.kernels.route import IntArray
 
 # Factors that spread the columns and rows of square cells over the buckets.
@@ -20,11 +21,11 @@ class Grid(NamedTuple):
     power of two of buckets; nexts[i] is the place put there before place i, or -1.
     """
 
-    side: FloatArray
-    heads: IntArray
-    nexts: IntArray
-    columns: IntArray
-    rows: IntArray
+    side: Vector
+    heads: IntVector
+    nexts: IntVector
+    columns: IntVector
+    rows: IntVector
 
 
 def empty_grid(places: int, side: float) -> Grid:
@@ -89,24 +90,24 @@ def gather(grid: Grid, x: float, y: float, reach: float, found: IntArray) -> int
     return count
 
 
-@kernel
-def put_known(grid: Grid, places: FloatArray) -> None:
+@entry
+def put_known(grid: Grid, places: Table) -> None:
     """Put all places, (count, 2), into an empty grid but those at NaN."""
     for i in range(places.shape[0]):
         if not math.isnan(places[i, 0]):
             put(grid, i, places[i, 0], places[i, 1])
 
 
-@kernel
+@entry
 def pairs_within(
     grid: Grid,
-    others: FloatArray,
-    places: FloatArray,
+    others: Table,
+    places: Table,
     start: int,
     reach: float,
-    found: IntArray,
-    first: IntArray,
-    second: IntArray,
+    found: IntVector,
+    first: IntVector,
+    second: IntVector,
 ) -> int:
     """Fill first, second with the pairs of places[start..] and others no farther apart than reach, m.
 
@@ -127,9 +128,9 @@ def pairs_within(
     return count
 
 
-@kernel
+@entry
 def has_near(
-    grid: Grid, others: FloatArray, places: FloatArray, reach: float, found: IntArray, near: IntArray
+    grid: Grid, others: Table, places: Table, reach: float, found: IntVector, near: IntVector
 ) -> None:
     """Set near[i] to 1 where one of the others, which `grid` holds, is within reach of place i, m."""
     for i in range(places.shape[0]):

@@ -104,7 +104,7 @@ def bound(function: Function, library: ctypes.CDLL) -> Function:
         code = call(memory.from_buffer(buffer))
         if code:
             raise MemoryError(f"{shape.symbol} ended with code {code}: no memory for its scratch")
-        return returned(shape, results.unpack_from(buffer, start)) if nothing else None
+        return returned(shape, results.unpack_from(buffer, start))
 
     return cast("Function", native)
 
@@ -172,8 +172,9 @@ def address(array: npt.NDArray[Any]) -> int:
 
 def returned(shape: Signature, numbers: tuple[Any, ...]) -> Any:
     """What an entry with these results gives back."""
-    found = tuple(convert(number) for convert, number in zip(shape.converters, numbers, strict=True))
-    return found if shape.several else found[0]
+    return shape.gather(
+        tuple(convert(number) for convert, number in zip(shape.converters, numbers, strict=True))
+    )
 
 
 def refusal(leaf: Leaf, value: Any) -> str:

@@ -121,14 +121,14 @@ def room(handles: int, members: int, pairs: int, chains: int) -> Search:
     )
 
 
-@kernel
+@entry
 def number_members(
-    first: IntArray,
-    second: IntArray,
-    members: IntArray,
-    place: IntArray,
-    mine: IntArray,
-    other: IntArray,
+    first: IntVector,
+    second: IntVector,
+    members: IntVector,
+    place: IntVector,
+    mine: IntVector,
+    other: IntVector,
 ) -> int:
     """Fill members with the benches of pairs, ascending, and mine, other with the pairs by members.
 

@@ -34,17 +34,21 @@ class Parameter(NamedTuple):
 
 
 class Signature(NamedTuple):
-    """What an entry takes, and what it returns: the codes of the results, a tuple if `several`."""
+    """What an entry takes, and what it returns: the codes of the results, and what makes it of them."""
 
     symbol: str
     parameters: tuple[Parameter, ...]
     results: tuple[str, ...]
     converters: tuple[Callable[[Any], Any], ...]
-    several: bool
+    gather: Callable[[tuple[Any, ...]], Any]
 
     def leaves(self) -> list[Leaf]:
         """All numbers and arrays among the arguments, in order."""
         return [leaf for parameter in self.parameters for leaf in parameter.leaves()]
+
+    def several(self) -> bool:
+        """Whether the results come as a tuple."""
+        return isinstance(self.gather(tuple(0 for _code in self.results)), tuple)
 
     def slots(self) -> str:
         """The code of each slot of the block, as in `struct`."""
@@ -63,16 +67,27 @@ def signature(function: Callable[..., object]) -> Signature:
     """
     annotations = dict(function.__annotations__)
     returned = annotations.pop("return")
-    several = get_origin(returned) is tuple
-    results = get_args(returned) if several else () if returned is None else (returned,)
+    results, gather = result_kinds(returned)
     module = function.__module__.rpartition(".")[2]
     return Signature(
         f"bd_{module}_{function.__name__}",
         tuple(parameter(name, annotation) for name, annotation in annotations.items()),
         tuple(number_code("the result", result) for result in results),
         results,
-        several,
+        gather,
     )
+
+
+def result_kinds(returned: Any) -> tuple[tuple[Any, ...], Callable[[tuple[Any, ...]], Any]]:
+    """The kinds of the numbers that an entry returns, and a function that makes its result of them."""
+    if returned is None:
+        return (), lambda _numbers: None
+    if get_origin(returned) is tuple:
+        return get_args(returned), lambda numbers: numbers
+    if isinstance(returned, type) and issubclass(returned, tuple):
+        group: Any = returned
+        return tuple(group.__annotations__.values()), lambda numbers: group(*numbers)
+    return (returned,), lambda numbers: numbers[0]
 
 
 def parameter(name: str, annotation: Any) -> Parameter:

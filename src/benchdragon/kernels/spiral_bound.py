@@ -10,6 +10,7 @@ radius decides (design/spiral_bound.py shows how near they come to what benches 
 import math
 from typing import NamedTuple
 
+from benchdragon.kernels.arrays import Table
 from benchdragon.kernels.curve import (
     KIND,
     LENGTH,
@@ -22,7 +23,7 @@ from benchdragon.kernels.curve import (
     P,
     length_at,
 )
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.jit import entry, kernel
 from benchdragon.kernels.regions import SQUARE
 
 # What is left below the pitch, m: far above the rounding of these few formulas.
@@ -42,8 +43,8 @@ class Shape(NamedTuple):
     aside: float
 
 
-@kernel
-def shape_of(sizes: FloatArray, room: float) -> Shape:
+@entry
+def shape_of(sizes: Table, room: float) -> Shape:
     """That of benches of these sizes, (4, benches), each with `room` metres all round."""
     shortest, link, ahead, aside = math.inf, 0.0, 0.0, 0.0
     for k in range(sizes.shape[1]):
@@ -154,10 +155,8 @@ def clear_part(rows: FloatArray, j: int, theta: float, way: float) -> tuple[floa
     return (-math.inf if endless else start + way), border
 
 
-@kernel
-def clear_spans(
-    rows: FloatArray, ahead: Shape, behind: Shape, between: float, spans: FloatArray
-) -> int:
+@entry
+def clear_spans(rows: Table, ahead: Shape, behind: Shape, between: float, spans: Table) -> int:
     """Fill spans, (rows, 2), with parts of a route, m, in which two benches cannot meet; how many.
 
     One of `ahead` and, with a link of at least `between` metres in between, one of `behind` keep apart
