@@ -29,6 +29,8 @@ from benchdragon.plans.schema import read_plan
 from benchdragon.solve.head_speed import slowed
 from benchdragon.solve.tolerance import CASES, Draw, random_dance
 
+# Its plain functions call its entries, which no compiled function does.
+MIXED = "benchdragon.kernels.grid"
 FOUND: dict[str, list[float]] = {}
 
 
@@ -87,7 +89,7 @@ def wrap(library: ctypes.CDLL) -> None:
         calls[id(compiled)] = both(name, compiled, native.bound(function, library))
     for name, module in list(sys.modules.items()):
         inside = name == "__main__" or name.startswith("benchdragon.")
-        if inside and not name.startswith("benchdragon.kernels"):
+        if name == MIXED or (inside and not name.startswith("benchdragon.kernels")):
             for key, value in list(vars(module).items()):
                 if id(value) in calls:
                     setattr(module, key, calls[id(value)])
