@@ -84,4 +84,4 @@ lock:
 	  --python-version 3.11 --extra data --extra prove --extra studio --extra video --group dev --group build --group docs pyproject.toml -o requirements.lock
 
 clean:
-	rm -rf .venv node_modules out docs/_build .coverage .mypy_cache .pytest_cache .ruff_cache
+	rm -rf src/benchdragon/engine/*.so .venv node_modules out docs/_build .coverage .mypy_cache .pytest_cache .ruff_cache

@@ -1,8 +1,9 @@
 """Where a process spends its start, and from how many places on compiled kernels pay.
 
 Importing numba and loading cached kernels costs more than a few hundred handles do in plain Python, and
-the first compile on a machine takes seconds. The kernels are plain Python, so the command line leaves
-them so for small jobs: cli.FEW_PLACES, with a good distance to the break-even printed here.
+the first compile on a machine takes a minute. The kernels are plain Python, so where their library was
+not built (design/engine.py) the command line leaves them so for small jobs: cli.FEW_PLACES, with a good
+distance to the break-even printed here.
 """
 
 import os
