@@ -10,11 +10,13 @@ import numpy as np
 import pytest
 from rich.cells import cell_len
 
+from benchdragon.cli import doctor
 from benchdragon.cli.console import Lines, shown_progress
 from benchdragon.cli.main import program, run
 from benchdragon.cli.parsing import MOST_TIMES, parse_handles, parse_lengths, parse_time, parse_times
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
+from benchdragon.kernels import jit
 from benchdragon.plans.schema import read_plan
 from benchdragon.version import __version__
 
@@ -284,6 +286,26 @@ def test_the_doctor_names_versions_fonts_and_cache(capsys: pytest.CaptureFixture
     assert found["benchdragon"] == __version__
     assert {"python", "numpy", "numba", "fonts", "kernels", "ffmpeg", "browser"} <= set(found)
     assert "NotoSansSC-Regular.ttf" in answered(capsys, "doctor")[1]
+
+
+@pytest.mark.parametrize(
+    ("engine", "said", "text", "good"),
+    [
+        ("native", "", "library built ahead of time: ", True),
+        ("plain", "plain", "plain Python, as BENCHDRAGON_ENGINE says", False),
+        ("jit", "jit", "compiled by numba, as BENCHDRAGON_ENGINE says: /cache", True),
+        ("jit", "", "no library here was built from these kernels", True),
+    ],
+)
+def test_the_doctor_says_which_engine_serves_and_why(
+    engine: str, said: str, text: str, good: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(jit, "ENGINE", engine)
+    monkeypatch.setattr(jit, "CACHE_FOLDER", Path("/cache"))
+    monkeypatch.setenv("BENCHDRAGON_ENGINE", said)
+    found = doctor.kernels()
+    assert text in found.value
+    assert found.good == good
 
 
 @pytest.mark.parametrize("words", ["--help", "motion --help", "solve", "solve pitch --help"])
