@@ -419,7 +419,7 @@ def quick_rows(quick: bool) -> list[str]:
     return [
         *lines, "", "| 223 benches in a coil | ms a time |", "|---|---|",
         f"| each bench's nearest | {1e3 * each / 64:.3f} |",
-        f"| the nearest pair, by a k-d tree | {1e3 * tree / 64:.3f} |",
+        f"| the nearest pair, by a hash grid | {1e3 * tree / 64:.3f} |",
     ]  # fmt: skip
 
 

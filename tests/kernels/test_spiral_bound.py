@@ -103,6 +103,7 @@ def test_parts_of_a_route() -> None:
     assert np.isneginf(spans_of(short, HEAD, BODY, BETWEEN)[0, 0])
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize(
     ("spiral", "start", "end"),
     [
