@@ -3,6 +3,7 @@
 import itertools
 import json
 import math
+import tracemalloc
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -30,7 +31,7 @@ from benchdragon import (
 )
 from benchdragon.analysis import contact
 from benchdragon.analysis.contact import clearance_above
-from benchdragon.analysis.contact_search import ContactSearch
+from benchdragon.analysis.contact_search import ContactSearch, contact_search
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.kernels.box import least_distance
 from benchdragon.plans.schema import read_plan
@@ -475,3 +476,19 @@ def test_benches_in_two_clear_spans_come_near() -> None:
     low = clearances(wide.motion(np.linspace(60.0, 61.0, 201))) < margin - 1e-9
     assert low[0] == (found is not None and found.upper == 60.0)
     assert found is not None
+
+
+def test_the_steps_of_a_long_dragons_search_hold_no_more_than_their_pairs() -> None:
+    plan = read_plan("turn", ["dragon.benches=850"])
+    walk = plan.build()
+    search = contact_search(walk, plan.span(walk)[0], 400.0, 0.0, silent)
+    tracemalloc.start()
+    try:
+        steps = list(search.steps(0.3))
+        held, most = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert len(steps) > 20
+    assert all(pairs.base is None for step in steps for pairs in (step.first, step.second))
+    assert held < 10e6
+    assert most < 30e6

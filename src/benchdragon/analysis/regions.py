@@ -428,7 +428,9 @@ class BroadPhase:
                         break
                     most = 2 * found
                 if found:
-                    yield Step(float(at[t]), float(at[t + 1]), first[:found], second[:found])
+                    # Copies: views would keep all the room alive as long as the step.
+                    kept = first[:found].copy(), second[:found].copy()
+                    yield Step(float(at[t]), float(at[t + 1]), *kept)
 
     def _positions(self, at: FloatArray, benches: int | None = None) -> FloatArray:
         """Route positions of the handles of all, or the first, benches with the head at `at`, m."""
