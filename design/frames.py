@@ -10,6 +10,11 @@ opens. Three ways to hold a dance in evenly spaced frames:
 3. route positions and speeds, joined by cubics, and the route once: two numbers. Every handle is on
    the route by construction; along it, the speed bends only where the chain does.
 
+Frames of all handles still grow with benches times seconds: 3,000 benches that turn would take 60
+million places. But where handle i + 1 stands depends on where handle i stands alone. A long dance is
+therefore frames of the head, and a table of the way from a handle back to the next by its place
+(player/following.py); below, what that comes to.
+
 The numbers are whole multiples of 0.1 mm and 0.1 mm/s, of which each is foretold from those before it,
 so that what is left deflates well. Below: how far each way is off at seven looks between frames, and
 how large it is, for the turn of the contest.
@@ -21,7 +26,16 @@ import numpy as np
 import numpy.typing as npt
 
 from benchdragon.plans.schema import read_plan
-from benchdragon.player.frames import LEVEL, QUANTUM, SHARES, Frames, between, packed_frames
+from benchdragon.player.following import following
+from benchdragon.player.frames import (
+    LEVEL,
+    QUANTUM,
+    SHARES,
+    Frames,
+    between,
+    packed_bytes,
+    packed_frames,
+)
 
 Table = npt.NDArray[np.float64]
 START, END = -20.0, 100.0
@@ -59,6 +73,15 @@ def main() -> None:
         sizes = (kilobytes(x, y), kilobytes(x, y, vx, vy), ours)
         cells = [f"{1e3 * error:8.3f} {size:7.0f}" for error, size in zip(off, sizes, strict=True)]
         print(f"{step:6} | " + " | ".join(cells))
+    for benches in (223, 1000, 3000):
+        plan = read_plan("turn", [f"dragon.benches={benches}"])
+        walk = plan.build()
+        told = following(walk, *plan.span(walk), 0.9e-3, SHARES)
+        assert told is not None
+        tables = [np.concatenate([table.ways, table.rates]).astype("<i4") for table in told.tables]
+        sent = [packed_frames(told.head), *map(packed_bytes, tables)]
+        size = sum(map(len, sent)) / 1000.0
+        print(f"{benches} benches follow the head: {1e3 * told.head.error:.3f} mm, {size:.0f} kB")
 
 
 if __name__ == "__main__":

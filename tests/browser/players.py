@@ -19,6 +19,7 @@ PLANS = {
     "contact": ("spiral-in", ("dragon.benches=40", "limits.margin=0"), Span(405.0, 420.0)),
     "single": ("spiral-in", ("dragon.benches=1", "walk.end=50"), None),
     "parade": (str(EXAMPLES / "01_parade.dragon.toml"), (), None),
+    "long": ("turn", ("dragon.benches=1000",), None),
 }
 
 

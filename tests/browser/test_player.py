@@ -28,7 +28,7 @@ from tests.browser.players import (
 )
 
 
-@pytest.mark.parametrize("name", ["turn", "contact", "single", "parade"])
+@pytest.mark.parametrize("name", ["turn", "contact", "single", "parade", "long"])
 def test_handles_are_drawn_within_a_millimetre_of_their_places(
     pages: Pages, scenes: Callable[[str], Scene], name: str
 ) -> None:

@@ -81,7 +81,7 @@ class Frames:
         return between(s, rise, share)
 
 
-def between(s: FloatArray, rise: FloatArray, share: float) -> FloatArray:
+def between(s: FloatArray, rise: FloatArray, share: float | FloatArray) -> FloatArray:
     """Cubics through values s with slopes `rise` a frame, at a share of each step."""
     f = share
     return np.asarray(
@@ -102,7 +102,7 @@ def frames(
         InputError: for a walk that needs more than MOST_PLACES, or goes beyond FARTHEST.
         WalkError: if the dragon does not stand at the start.
     """
-    _check_farthest(walk, start, end)
+    check_farthest(walk, start, end)
     until, leap = end, False
     for step in STEPS:
         count = max(math.ceil((until - start) / step - 1e-9), 1) + 1
@@ -133,7 +133,13 @@ def frames(
     )  # fmt: skip
 
 
-def _check_farthest(walk: Walk, start: float, end: float) -> None:
+def check_farthest(walk: Walk, start: float, end: float) -> None:
+    """Refuse a walk from start to end, s, that goes beyond FARTHEST.
+
+    Raises:
+        InputError: if it does.
+        WalkError: if the dragon does not stand at the start.
+    """
     farthest = max(-float(walk.motion([start]).s.min()), float(walk.head_position([end])[0]))
     if farthest > FARTHEST:
         text = _("a player shows {most} m of a route, and this walk goes to {far} m")

@@ -39,10 +39,11 @@ class Course(Record):
 
 
 class Frames(Record):
-    """Route positions and speeds of all handles at evenly spaced times, packed.
+    """Route positions and speeds of handles at evenly spaced times, packed.
 
-    Handle by handle; see `frames.packed_frames`. Between them positions go along cubics, speeds along
-    lines; where that was looked at, no handle was farther than `largest_error` (m) from its place.
+    Of all handles, or of the head's alone where the dance says how the others follow. Handle by handle;
+    see `frames.packed_frames`. Between them positions go along cubics, speeds along lines; where that
+    was looked at, no handle was farther than `largest_error` (m) from its place.
     """
 
     start: float
@@ -51,6 +52,39 @@ class Frames(Record):
     quantum: float
     packed: str
     largest_error: float
+
+
+class FollowTable(Record):
+    """How much longer than `link`, m, the way from a handle back to the next is, by its place.
+
+    Cubics between nodes; `packed` holds the values of all nodes, then their changes along the route, as
+    whole multiples of `fine`; see `following.Table`.
+    """
+
+    link: float
+    stretches: list[Stretch]
+    fine: float
+    packed: str
+
+
+class Following(Record):
+    """How the handles of a long dance follow its head, whose frames alone are sent.
+
+    Attributes:
+        tables: one for each length of link.
+        kinds: number of each bench's table.
+        fastest: greatest speed of each bench's front handle, m/s.
+        when: time of that, s.
+        speeds: least and greatest of all handles, m/s.
+        change: the greatest change of a handle's speed, m/s^2.
+    """
+
+    tables: list[FollowTable]
+    kinds: list[int]
+    fastest: list[float]
+    when: list[float]
+    speeds: tuple[float, float]
+    change: float
 
 
 class Occasion(Record):
@@ -94,6 +128,7 @@ class Dance(Record):
     centre: tuple[float, float]
     course: Course
     frames: Frames
+    following: Following | None
     occasions: list[Occasion]
     nearest: Nearest
     tightness: Tightness

@@ -16,6 +16,7 @@ from benchdragon.model.dragon import Dragon
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
 from benchdragon.player import messages
+from benchdragon.player.following import FINE, Following, Table, following
 from benchdragon.player.frames import (
     QUANTUM,
     SHARES,
@@ -37,6 +38,9 @@ MOST_TIMES, MOST_DISTANCES = 1500, 3_000_000
 # Route drawn before the tail and past the head, m.
 AROUND = 5.0
 MOST_BENCHES = 5_000
+# Benches times seconds above which a dance is long: frames of all handles would take tens of seconds to
+# find, and from three times as much on would not fit a page at all.
+LONG = 500_000
 MOST_JOINTS = 200
 
 
@@ -65,6 +69,11 @@ class Span:
                     end=f"{self.end:g}", start=f"{self.start:g}"
                 )
             )
+
+
+def is_long(walk: Walk, span: Span) -> bool:
+    """Whether a dance is long: a quick check will do for its page, which shows millimetres."""
+    return len(walk.dragon) * (span.end - span.start) > LONG
 
 
 def checked_dance(
@@ -140,7 +149,7 @@ def plain_dance(walk: Walk, span: Span, progress: Progress = silent) -> messages
         )
     stage = Stages(progress, 4)
     stage(_("computing positions"))
-    shot = frames(walk, span.start, span.end, 0.9 * span.most_error, span.shares)
+    shot, behind = _shot(walk, span)
     stage(_("finding benches near one another"))
     nearest, tightness = _nearness(walk, shot, span.times)
     stage(_("drawing the route"))
@@ -158,13 +167,48 @@ def plain_dance(walk: Walk, span: Span, progress: Progress = silent) -> messages
             start=shot.start, step=shot.step, count=shot.count, quantum=QUANTUM,
             packed=packed_frames(shot), largest_error=shot.error + way.error,
         ),
-        occasions=[*_joints(walk, shot), *_end(shot)],
+        following=None if behind is None else _following(behind),
+        occasions=[*_joints(walk, shot, behind), *_end(shot)],
         nearest=nearest,
         tightness=tightness,
         margin=0.0,
         speed_limit=None,
         verdict=None,
     )  # fmt: skip
+
+
+def _shot(walk: Walk, span: Span) -> tuple[Frames, Following | None]:
+    """Frames of all handles; of a long dance, if it can be told so, the head's, and how all follow."""
+    most = 0.9 * span.most_error
+    if is_long(walk, span):
+        found = following(walk, span.start, span.end, most, span.shares)
+        if found is not None:
+            return found.head, found
+    return frames(walk, span.start, span.end, most, span.shares), None
+
+
+def _following(found: Following) -> messages.Following:
+    """How handles follow, as a page takes it."""
+    return messages.Following(
+        tables=[
+            messages.FollowTable(
+                link=table.link, stretches=_stretches(table), fine=FINE,
+                packed=packed_bytes(np.concatenate([table.ways, table.rates]).astype("<i4")),
+            )
+            for table in found.tables
+        ],
+        kinds=found.kinds.tolist(),
+        fastest=np.round(found.fastest, 4).tolist(),
+        when=np.round(found.when, 2).tolist(),
+        speeds=found.speeds,
+        change=found.change,
+    )  # fmt: skip
+
+
+def _stretches(line: Course | Table) -> list[messages.Stretch]:
+    """The stretches of nodes that are evenly spaced."""
+    stretches = zip(line.starts.tolist(), line.steps.tolist(), line.counts.tolist(), strict=True)
+    return [messages.Stretch(start=a, step=b, nodes=n) for a, b, n in stretches]
 
 
 def _sizes(dragon: Dragon) -> messages.Sizes:
@@ -175,15 +219,15 @@ def _sizes(dragon: Dragon) -> messages.Sizes:
 
 def _way(walk: Walk, shot: Frames) -> Course:
     """The route that is walked on in the frames, and somewhat more of it."""
-    low, high = (float(quanta) * QUANTUM for quanta in (shot.places.min(), shot.places.max()))
+    low = float(walk.motion([shot.start]).s.min())
+    high = float(shot.places.max()) * QUANTUM
     return course(walk, max(low - AROUND, -walk.route.extension), min(high + AROUND, walk.route.length))
 
 
 def _course(way: Course) -> messages.Course:
     """The route as a page takes it."""
-    stretches = zip(way.starts.tolist(), way.steps.tolist(), way.counts.tolist(), strict=True)
     return messages.Course(
-        stretches=[messages.Stretch(start=a, step=b, nodes=n) for a, b, n in stretches],
+        stretches=_stretches(way),
         origin=way.origin,
         packed=packed_bytes(way.nodes.ravel()),
     )
@@ -258,15 +302,16 @@ def _answers(report: Report) -> list[messages.Occasion]:
     return found
 
 
-def _joints(walk: Walk, shot: Frames) -> list[messages.Occasion]:
+def _joints(walk: Walk, shot: Frames, behind: Following | None) -> list[messages.Occasion]:
     """When head and tail pass the joints of the route; none where there are too many."""
     joints = walk.route.joints[1:-1]
     if len(joints) > MOST_JOINTS:
         return []
-    times = shot.start + shot.step * np.arange(shot.count)
+    times, ends = shot.start + shot.step * np.arange(shot.count), shot.places[[0, -1]] * QUANTUM
+    if behind is not None:
+        times, ends = behind.times, behind.ends
     found = []
-    for handle, head in ((0, True), (-1, False)):
-        s = shot.places[handle] * QUANTUM
+    for s, head in zip(ends, (True, False), strict=True):
         passed = np.interp(joints, s, times, math.nan, math.nan)
         for n, time in enumerate(passed.tolist(), start=1):
             if math.isfinite(time):

@@ -25,7 +25,7 @@ from benchdragon.plans.schema import Plan, TurnRoute, checked, read_plan
 from benchdragon.plans.source import Source
 from benchdragon.plans.toml import parsed
 from benchdragon.player.page import write_player
-from benchdragon.player.scene import Span, judged_dance
+from benchdragon.player.scene import Span, is_long, judged_dance
 from benchdragon.progress import Progress, part
 from benchdragon.solve.head_speed import greatest_head_speed, slowed, with_pace
 from benchdragon.solve.size import limit
@@ -209,7 +209,9 @@ def exported(name: str, request: TaskRequest, progress: Progress) -> TaskResult:
             )
         path = Path(folder) / name
         if name == "player.html":
-            write_player(path, judged_dance(plan, check, progress=progress))
+            walk = plan.build()
+            judge = partial(check, quick=is_long(walk, Span(*plan.span(walk))))
+            write_player(path, judged_dance(plan, judge, progress=progress))
         elif name == "check.xlsx":
             from benchdragon.export.check_files import write_files
 

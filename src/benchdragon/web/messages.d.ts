@@ -65,6 +65,7 @@ export interface Dance {
   centre: [number, number];
   course: Course;
   frames: Frames;
+  following: Following | null;
   occasions: Array<Occasion>;
   nearest: Nearest;
   tightness: Tightness;
@@ -117,10 +118,44 @@ export interface Finding {
 }
 
 /**
- * Route positions and speeds of all handles at evenly spaced times, packed.
+ * How much longer than `link`, m, the way from a handle back to the next is, by its place.
  *
- * Handle by handle; see `frames.packed_frames`. Between them positions go along cubics, speeds along
- * lines; where that was looked at, no handle was farther than `largest_error` (m) from its place.
+ * Cubics between nodes; `packed` holds the values of all nodes, then their changes along the route, as
+ * whole multiples of `fine`; see `following.Table`.
+ */
+export interface FollowTable {
+  link: number;
+  stretches: Array<Stretch>;
+  fine: number;
+  packed: string;
+}
+
+/**
+ * How the handles of a long dance follow its head, whose frames alone are sent.
+ *
+ * Attributes:
+ *     tables: one for each length of link.
+ *     kinds: number of each bench's table.
+ *     fastest: greatest speed of each bench's front handle, m/s.
+ *     when: time of that, s.
+ *     speeds: least and greatest of all handles, m/s.
+ *     change: the greatest change of a handle's speed, m/s^2.
+ */
+export interface Following {
+  tables: Array<FollowTable>;
+  kinds: Array<number>;
+  fastest: Array<number>;
+  when: Array<number>;
+  speeds: [number, number];
+  change: number;
+}
+
+/**
+ * Route positions and speeds of handles at evenly spaced times, packed.
+ *
+ * Of all handles, or of the head's alone where the dance says how the others follow. Handle by handle;
+ * see `frames.packed_frames`. Between them positions go along cubics, speeds along lines; where that
+ * was looked at, no handle was farther than `largest_error` (m) from its place.
  */
 export interface Frames {
   start: number;

@@ -1,5 +1,7 @@
 // A dance unpacked: where every handle is, and how fast, at any time.
 
+import { Table } from "./following.js";
+
 /** @typedef {import("./messages").Dance} Dance */
 
 /**
@@ -37,11 +39,18 @@ async function unpacked(packed) {
  * @param {Dance} sent
  */
 export async function unpackedScene(sent) {
-  const [course, frames] = await Promise.all([
+  const tables = sent.following?.tables ?? [];
+  const [course, frames, ...nodes] = await Promise.all([
     unpacked(sent.course.packed),
     unpacked(sent.frames.packed),
+    ...tables.map(({ packed }) => unpacked(packed)),
   ]);
-  return new Scene(sent, new Float32Array(course), new Int32Array(frames));
+  return new Scene(
+    sent,
+    new Float32Array(course),
+    new Int32Array(frames),
+    tables.map((table, i) => new Table(table, new Int32Array(nodes[i]))),
+  );
 }
 
 export class Scene {
@@ -49,9 +58,11 @@ export class Scene {
    * @param {Dance} sent
    * @param {Float32Array} nodes x, y, heading of the route's nodes
    * @param {Int32Array} told what speeds and positions add to what is foretold of them
+   * @param {Table[]} tables how handles follow the one before, where the frames are the head's alone
    */
-  constructor(sent, nodes, told) {
+  constructor(sent, nodes, told, tables) {
     this.sent = sent;
+    this.tables = tables;
     const { start, step, count, quantum } = sent.frames;
     this.start = start;
     this.step = step;
@@ -70,8 +81,10 @@ export class Scene {
     for (let i = 1; i < this.firsts.length; i++) {
       this.firsts[i] = this.firsts[i - 1] + this.stretches[i - 1].nodes;
     }
-    this.speeds = new Int32Array(this.handles * count);
-    this.places = new Int32Array(this.handles * count);
+    /** How many handles have frames of their own. */
+    this.framed = sent.following ? 1 : this.handles;
+    this.speeds = new Int32Array(this.framed * count);
+    this.places = new Int32Array(this.framed * count);
     this.#foretell(told);
     this.fastest = this.#fastest();
     const { range, change } = this.#ranges();
@@ -103,6 +116,10 @@ export class Scene {
 
   /** Greatest speed of every bench's front handle among the frames, m/s, and when, s. */
   #fastest() {
+    if (this.sent.following) {
+      const { fastest, when } = this.sent.following;
+      return { speed: Float64Array.from(fastest), time: Float64Array.from(when) };
+    }
     const speed = new Float64Array(this.benches);
     const time = new Float64Array(this.benches);
     for (let i = 0; i < this.benches; i++) {
@@ -118,6 +135,10 @@ export class Scene {
 
   /** Least and greatest speed, m/s, and greatest change of speed, m/s², of all handles among the frames. */
   #ranges() {
+    if (this.sent.following) {
+      const { speeds: range, change } = this.sent.following;
+      return { range, change };
+    }
     let [low, high, change] = [Infinity, -Infinity, 0];
     for (let first = 0; first < this.speeds.length; first += this.count) {
       for (let k = first; k < first + this.count; k++) {
@@ -149,7 +170,7 @@ export class Scene {
     const rest = 1 - f;
     const blend = f * f * (3 - 2 * f);
     const { quantum, step, places, speeds, count } = this;
-    for (let i = 0, at = k; i < this.handles; i++, at += count) {
+    for (let i = 0, at = k; i < this.framed; i++, at += count) {
       const way = (places[at + 1] - places[at]) * quantum;
       const v0 = speeds[at] * quantum;
       const v1 = speeds[at + 1] * quantum;
@@ -158,8 +179,22 @@ export class Scene {
       out.a[i] = (v1 - v0) / step;
       this.#put(out.s[i], i, out.x, out.y);
     }
+    this.#follow(out);
     out.time = time;
     return out;
+  }
+
+  /** Put every handle that has no frames behind the one before it. @param {Stand} out */
+  #follow(out) {
+    for (let i = this.framed; i < this.handles; i++) {
+      const table = this.tables[this.sent.following?.kinds[i - 1] ?? 0];
+      const v = out.v[i - 1];
+      table.look(out.s[i - 1]);
+      out.s[i] = table.s;
+      out.v[i] = v * table.rate;
+      out.a[i] = out.a[i - 1] * table.rate + v * v * table.bend;
+      this.#put(out.s[i], i, out.x, out.y);
+    }
   }
 
   /**
