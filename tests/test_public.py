@@ -228,11 +228,13 @@ def test_the_source_archive_holds_all_that_tests_read(tmp_path: Path) -> None:
         "CONTRIBUTING.md",
         "Makefile",
         "README.zh-CN.md",
+        "hatch_build.py",
         "tests/quick.txt",
         "tsconfig.json",
     }
     folders = ("benchmarks", "design", "docs/en", "docs/zh", "examples", "src", "tests", "tools")
+    made = {".pyc", ".so"}
     found = (
-        path for folder in folders for path in (ROOT / folder).rglob("*.*") if path.suffix != ".pyc"
+        path for folder in folders for path in (ROOT / folder).rglob("*.*") if path.suffix not in made
     )
     assert single | {path.relative_to(ROOT).as_posix() for path in found} <= held
