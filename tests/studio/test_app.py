@@ -178,11 +178,15 @@ def test_files_are_made(studio: Served) -> None:
         "player.html": b"<!DOCTYPE html>",
         "check.xlsx": b"PK",
     }
+    described = studio.client.get("/openapi.json").json()["paths"]["/api/export/{kind}"]["post"]
+    media = described["responses"]["200"]["content"]
     for name, start in names.items():
         found = post(studio, f"/api/export/{name}", lang="en")
         assert found.content.startswith(start), name
+        assert found.headers["content-type"].partition(";")[0] in media
         assert found.headers["content-disposition"] == f'attachment; filename="{name}"'
     pictures = post(studio, "/api/export/svg", with_part(dragon={"benches": 4}), lang="zh")
+    assert pictures.headers["content-type"] in media
     with zipfile.ZipFile(io.BytesIO(pictures.content)) as packed:
         names_inside = [name.removesuffix(".svg") for name in packed.namelist()]
         assert names_inside == ["clearance", "contact", "dragon", "head-angle", "speeds"]

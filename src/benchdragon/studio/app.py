@@ -29,7 +29,7 @@ from benchdragon.studio import messages
 from benchdragon.studio.jobs import Jobs
 from benchdragon.studio.limits import Settings
 from benchdragon.studio.security import ANYWHERE, Gate
-from benchdragon.studio.tasks import TaskRequest, TaskResult
+from benchdragon.studio.tasks import EXPORTED, TaskRequest, TaskResult
 from benchdragon.studio.workers import Pool, QueuedTask, RefusedError
 from benchdragon.version import __version__
 
@@ -224,8 +224,9 @@ ASKED = (400, 408, 413, 415, 422)
 COMPUTED = (*ASKED, 409, 429, 503, 504, 507)
 
 
-def _file(media: str) -> dict[str, Any]:
-    return {"content": {media: {"schema": {"type": "string", "format": "binary"}}}}
+def _file(*media: str) -> dict[str, Any]:
+    """How a file of one of these kinds is described."""
+    return {"content": {name: {"schema": {"type": "string", "format": "binary"}} for name in media}}
 
 
 def _page_routes(application: FastAPI) -> None:
@@ -311,11 +312,11 @@ def _quick_routes(router: APIRouter, studio: Studio) -> None:
         """The plan as a plan file."""
         return await studio.answer(request, studio.task("toml", body.plan, client))
 
-    @router.post("/export/{kind}", **_computed_route(_file("application/octet-stream")))
+    @router.post("/export/{kind}", **_computed_route(_file(*EXPORTED)))
     async def export(
         request: Request, kind: messages.ExportName, body: messages.ExportBody, client: Client = None
     ) -> Response:
-        """A table, or the pictures as a zip."""
+        """A table, a page, or the pictures as a zip."""
         task = studio.task(f"export/{kind}", body.plan, client, language=body.lang)
         return await studio.answer(request, task)
 

@@ -51,6 +51,8 @@ MEDIA = {
     "toml": "application/toml",
     "zip": "application/zip",
 }
+# What an export may be, without the encoding of its text.
+EXPORTED = tuple(media.partition(";")[0] for kind, media in MEDIA.items() if kind != "toml")
 
 
 @dataclass(frozen=True)
