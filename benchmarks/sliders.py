@@ -36,6 +36,9 @@ def moved(page: Page, slider: tuple[str, str, float, float, int, int]) -> None:
     page.wait_for_timeout(SETTLES)
     for what, text in ASKED.items():
         times = sorted(page.evaluate(f"benchdragon.{what}.times"))
+        if not times:
+            print(f"| {plan} | {name} | {text} | 0 | not asked | | |", flush=True)
+            continue
         high_time = times[int(0.95 * (len(times) - 1))]
         print(
             f"| {plan} | {name} | {text} | {len(times)} | {statistics.median(times):.0f} "
