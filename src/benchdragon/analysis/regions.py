@@ -338,7 +338,7 @@ class BroadPhase:
             if np.isnan(others).all() or np.isinf(self._between[:, b]).all():
                 continue
             widest = float(np.nanmax(radius[b]))
-            grid = filled_grid(others, widest)
+            grid = filled_grid(others, widest + self.reach)  # few squares, however far the reach
             for a in np.flatnonzero(np.isfinite(self._between[:, b])).tolist():
                 fresh = radius[a, old:]
                 if np.isnan(fresh).all():

@@ -10,6 +10,9 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.jit import entry, kernel
 from benchdragon.kernels.route import IntArray
 
+# Room for so many pairs a place is made at first, and for so many in all (64 MB); more are counted
+# first.
+PAIRS_A_PLACE, PAIRS_AT_FIRST = 64, 4_000_000
 # Factors that spread the columns and rows of square cells over the buckets.
 COLUMN_FACTOR, ROW_FACTOR = 73856093, 19349663
 
@@ -47,7 +50,8 @@ def pairs_near(
     grid: Grid, others: FloatArray, places: FloatArray, start: int, reach: float
 ) -> tuple[IntArray, IntArray]:
     """Pairs of places, from number `start` on, and others that are within reach: see `pairs_within`."""
-    found, most = np.empty(len(others), dtype=np.int64), 64 * (len(places) - start)
+    found = np.empty(len(others), dtype=np.int64)
+    most = min(PAIRS_A_PLACE * (len(places) - start), PAIRS_AT_FIRST)
     while True:
         first, second = np.empty(most, dtype=np.int64), np.empty(most, dtype=np.int64)
         count = pairs_within(grid, others, places, start, reach, found, first, second)
