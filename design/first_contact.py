@@ -24,10 +24,11 @@ second, each 0.1 s would have said.
 import numpy as np
 
 from benchdragon import Walk, clearances, contact_windows
-from benchdragon.analysis.regions import PARTS, BroadPhase
+from benchdragon.analysis.contact_search import ContactSearch
+from benchdragon.kernels import cells, step_bounds
 from benchdragon.kernels import search as kernel
-from benchdragon.kernels import step_bounds
 from benchdragon.plans.schema import read_plan
+from benchdragon.progress import silent
 
 
 def looks_for(walk: Walk, slack: float, smooth: bool) -> int:
@@ -38,7 +39,8 @@ def looks_for(walk: Walk, slack: float, smooth: bool) -> int:
     pairs = kernel.Pairs(np.array([0]), np.array([1]))
     limits = kernel.Limits(0.0, slack, slack, 1_000_000)
     if smooth:
-        kernel.search_step(search, kernel.FIRST_TOUCH, chain, pairs, 412.0, 412.5, limits, note)
+        top = kernel.open_step(search, 1, 412.0, 412.5)
+        kernel.bisect(search, kernel.FIRST_TOUCH, chain, pairs, top, 0, limits, note)
         return int(note[kernel.EVALUATIONS])
     return travel_only(walk, slack)
 
@@ -80,12 +82,12 @@ def main() -> None:
     for slack in (1e-10, 1e-13):
         print(f"{slack:8.0e} {'-':>20s} {looks_for(walk, slack, True):17d}")
 
-    broad_phase = BroadPhase(walk.dragon, walk.route, 1e-6, 0.0)
-    broad_phase.extend(413.0)
-    steps = list(broad_phase.steps(0.0, 413.0))
-    benches, every = len(walk.dragon), int(413.0 / (broad_phase.cell / PARTS))
+    search = ContactSearch(walk, 0.0, 413.0, 1e-6, silent)
+    steps, ground = list(search.steps()), search.tables.ground
+    cell, count = ground.measures[cells.CELL], ground.counts[cells.CELLS]
+    benches, every = len(walk.dragon), int(413.0 / (cell / cells.PARTS))
     pairs = sum(len(step.first) for step in steps)
-    print(f"\ncells of {broad_phase.cell:.3g} m, cut into {PARTS}: {broad_phase.count} cells")
+    print(f"\ncells of {cell:.3g} m, cut into {cells.PARTS}: {count} cells")
     print(f"pairs of benches times steps: {(benches - 1) * (benches - 2) // 2 * every:,} in all")
     print(f"left to the search: {pairs:,}, from head position {steps[0].start:.1f} m on")
 

@@ -11,13 +11,19 @@ from unittest import mock
 import numpy as np
 
 from benchdragon import Dragon, first_contact, tightest_pairs
-from benchdragon.analysis import regions
+from benchdragon.analysis.tables import Tables
 from benchdragon.kernels.curve import P
-from benchdragon.kernels.spiral_bound import clear_radius, clear_spans, shape_of
+from benchdragon.kernels.spiral_bound import clear_radius, shape_of
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import read_plan
 
-WITH = clear_spans
+BEGIN = Tables.begin
+
+
+def begin_without(tables: Tables) -> None:
+    """Begin a search that knows of no span in which benches keep apart."""
+    BEGIN(tables)
+    tables.ground.spans[:] = math.inf, -math.inf
 
 
 def nearest_to_meeting(walk: Walk, radius: float) -> float:
@@ -42,7 +48,8 @@ def seconds(walk: Walk, end: float) -> float:
 def main() -> None:
     """Print the two tables."""
     dragon = Dragon.uniform()
-    head, body = (shape_of(dragon.sizes[:, n].reshape(4, 1).copy(), 0.0) for n in (0, 1))
+    one = np.zeros(1, dtype=np.int64)
+    head, body = (shape_of(dragon.sizes[:, n].reshape(4, 1).copy(), one, 0, 0.0) for n in (0, 1))
     between = float(dragon.links.min())
     print("pitch, m   head clear from, m   bodies, m   least distance of the head there, m")
     for pitch in (0.45, 0.5, 0.55, 0.7, 1.0, 1.7):
@@ -62,8 +69,8 @@ def main() -> None:
         walk = read_plan(name, settings).build()
         first_contact(walk, 0.0, end)
         times = []
-        for way in (WITH, lambda *_arguments: 0):
-            with mock.patch.object(regions, "clear_spans", way):
+        for begin in (BEGIN, begin_without):
+            with mock.patch.object(Tables, "begin", begin):
                 times.append(1e3 * seconds(walk, end))
         print(f"{name:10s} {end:5g} s {times[0]:18.1f} {times[1]:13.1f}")
 

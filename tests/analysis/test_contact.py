@@ -482,9 +482,10 @@ def test_the_steps_of_a_long_dragons_search_hold_no_more_than_their_pairs() -> N
     plan = read_plan("turn", ["dragon.benches=850"])
     walk = plan.build()
     search = contact_search(walk, plan.span(walk)[0], 400.0, 0.0, silent)
+    search.begin(0.3)
     tracemalloc.start()
     try:
-        steps = list(search.steps(0.3))
+        steps = list(search.steps())
         held, most = tracemalloc.get_traced_memory()
     finally:
         tracemalloc.stop()

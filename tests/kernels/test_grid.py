@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.grid import filled_grid, gather, has_near, pairs_near
+from benchdragon.kernels.grid import filled_grid, gather, pairs_near
 
 
 def places(seed: int, count: int, wide: float) -> FloatArray:
@@ -40,12 +40,3 @@ def test_a_place_whose_squares_share_a_bucket_is_found_once() -> None:
     here = np.array([[0.5, 0.5]])
     grid, found = filled_grid(here, 1e-3), np.empty(1, dtype=np.int64)
     assert gather(grid, 0.5, 0.5, 0.2, found) == 1  # 160,000 squares in 16 buckets
-
-
-@pytest.mark.parametrize("reach", [0.1, 1.0, 5.0])
-def test_what_has_another_within_reach_is_that_of_brute_force(reach: float) -> None:
-    some, others = places(3, 40, 8.0), places(4, 12, 8.0)
-    near, found = np.empty(40, dtype=np.int64), np.empty(12, dtype=np.int64)
-    has_near(filled_grid(others, 2.0), others, some, reach, found, near)
-    apart = np.hypot(*(some[:, np.newaxis] - others).transpose(2, 0, 1))
-    assert near.tolist() == (apart <= reach).any(axis=1).astype(int).tolist()

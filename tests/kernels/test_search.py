@@ -2,8 +2,10 @@
 
 import itertools
 import math
+from collections.abc import Callable
 
 import numpy as np
+import numpy.typing as npt
 import pytest
 
 from benchdragon import (
@@ -22,13 +24,14 @@ from benchdragon import (
     first_contact,
     least_clearance,
 )
-from benchdragon.analysis.contact_search import ContactSearch
+from benchdragon.analysis.contact_search import ContactSearch, Step
 from benchdragon.analysis.distance import boxes, pair_distances
 from benchdragon.analysis.ledger import Ledger
-from benchdragon.analysis.regions import BroadPhase, Step
 from benchdragon.analysis.speed import greatest_speed
+from benchdragon.analysis.tables import kinds_of
+from benchdragon.errors import WalkError
+from benchdragon.kernels import cells, meetings, pair_bounds, regions, search, step_bounds
 from benchdragon.kernels import curve as kernel
-from benchdragon.kernels import pair_bounds, regions, search, step_bounds
 from benchdragon.kernels.box import (
     BOX_COLUMNS,
     HALF_LENGTH,
@@ -201,6 +204,43 @@ def test_second_order_bounds_lose_a_hundredth_for_a_tenth_of_the_step() -> None:
     assert losses[1] == pytest.approx(0.01 * losses[0], rel=0.5)
 
 
+def searched(
+    dragon: Dragon, route: Route, span: tuple[float, float], reach: float, slack: float = 1e-13
+) -> ContactSearch:
+    """A search of a walk that has looked for all steps in which pairs may come within reach."""
+    found = ContactSearch(Walk(dragon, route), *span, 0.0, silent, slack)
+    found.begin(reach)
+    assert all(step.start < step.end for step in found.steps())
+    return found
+
+
+def groups_of(dragon: Dragon) -> IntArray:
+    """The group of each bench."""
+    benches, kinds = kinds_of(dragon)
+    return kinds.group[benches.kind]
+
+
+def row_of(ground: cells.Ground, group: int, s: float) -> int:
+    """The row of the box of the cell in which a front handle of the group is at s, m."""
+    cell = math.floor(s / float(ground.measures[cells.CELL])) - int(ground.counts[cells.LOW])
+    return group * len(ground.middles) + cell
+
+
+def search_step(
+    room: search.Search,
+    goal: int,
+    chain: search.Chain,
+    pairs: search.Pairs,
+    start: float,
+    end: float,
+    limits: search.Limits,
+    note: FloatArray,
+) -> int:
+    """Search one step with the kernels alone."""  # fmt: skip
+    top = search.open_step(room, len(pairs.first), start, end)
+    return search.bisect(room, goal, chain, pairs, top, 0, limits, note)
+
+
 MIXED = [Bench(1.6, 0.4, 0.1, 0.2), *[Bench(1.0 + 0.1 * n, 0.7 - 0.1 * n, 0.1, 0.1) for n in range(5)]]
 
 # In each group of sizes a broad bench and, boxed after it, a slim one.
@@ -217,20 +257,18 @@ CONTRARY = [
 def test_cells_hold_the_benches_that_walk_through_them(name: str, benches: list[Bench]) -> None:
     route, start = ROUTES[name]
     dragon = Dragon(benches)
-    broad_phase = BroadPhase(dragon, route, 10.0, start)
-    broad_phase.extend(start + 3.0)
-    assert not broad_phase.doubts
-    walk = Walk(dragon, route)
+    ground = searched(dragon, route, (start, start + 3.0), 10.0).tables.ground
+    assert ground.counts[cells.DOUBTS] == 0
+    walk, group = Walk(dragon, route), groups_of(dragon)
     for s in np.linspace(start, start + 2.9, 23):
         motion = walk.motion([s])
         table = boxes(motion, 0)
         for i in range(len(dragon)):
-            cell = math.floor(motion.s[0, i] / broad_phase.cell) - broad_phase.low
-            hull = broad_phase.hulls[broad_phase.group[i]]
+            row = row_of(ground, int(group[i]), float(motion.s[0, i]))
             for k in range(4):
-                along, across = offset(hull, cell, *corner(table, i, k))
-                assert abs(along) <= hull[cell, HALF_LENGTH] + 1e-12
-                assert abs(across) <= hull[cell, HALF_WIDTH] + 1e-12
+                along, across = offset(ground.hulls, row, *corner(table, i, k))
+                assert abs(along) <= ground.hulls[row, HALF_LENGTH] + 1e-12
+                assert abs(across) <= ground.hulls[row, HALF_WIDTH] + 1e-12
 
 
 @pytest.mark.parametrize("name", SMOOTH)
@@ -238,20 +276,21 @@ def test_cells_leave_room_for_how_far_corners_bulge_between_their_borders(name: 
     """A corner's way bulges from its chord by an eighth of the square of the step times its bend."""
     route, start = ROUTES[name]
     dragon = Dragon(BENCHES)
-    broad_phase = BroadPhase(dragon, route, 10.0, start)
-    broad_phase.extend(start + 3.0)
-    hull, most = broad_phase.hulls[broad_phase.group[0]], 0.0
-    for cell in range(int(start / broad_phase.cell) + 1, int((start + 2.5) / broad_phase.cell)):
-        borders = np.array([cell, cell + 0.5, cell + 1.0]) * broad_phase.cell
+    ground = searched(dragon, route, (start, start + 3.0), 10.0).tables.ground
+    hull, most, size = ground.hulls, 0.0, float(ground.measures[cells.CELL])
+    group = int(groups_of(dragon)[0])
+    for cell in range(int(start / size) + 1, int((start + 2.5) / size)):
+        borders = np.array([cell, cell + 0.5, cell + 1.0]) * size
+        row = row_of(ground, group, (cell + 0.5) * size)
         tables = [boxes(Walk(dragon, route).motion([s]), 0) for s in borders]
         for k in range(4):
             first, middle, last = (np.array(corner(table, 0, k)) for table in tables)
             bulge = 0.5 * float(np.hypot(*(first - 2.0 * middle + last)))
             most = max(most, bulge)
             for x, y in (first, last):
-                along, across = offset(hull, cell - broad_phase.low, x, y)
-                assert abs(along) + 0.99 * bulge <= hull[cell - broad_phase.low, HALF_LENGTH] + 1e-12
-                assert abs(across) + 0.99 * bulge <= hull[cell - broad_phase.low, HALF_WIDTH] + 1e-12
+                along, across = offset(hull, row, x, y)
+                assert abs(along) + 0.99 * bulge <= hull[row, HALF_LENGTH] + 1e-12
+                assert abs(across) + 0.99 * bulge <= hull[row, HALF_WIDTH] + 1e-12
     assert most > 1e-4
 
 
@@ -348,14 +387,13 @@ def search_chain(walk: Walk, members: IntArray) -> search.Chain:
 
 def test_too_few_looks_leave_a_search_stuck() -> None:
     walk = spiral_walk(0.78)
-    contact_search = ContactSearch(walk, 0.0, 15.0, 0.0, silent)
-    step = next(iter(contact_search.steps(0.0)))
+    step = next(iter(ContactSearch(walk, 0.0, 15.0, 0.0, silent).steps()))
     room = search.room(17, 16, len(step.first), 0)
     members, inverse = np.unique(np.concatenate([step.first, step.second]), return_inverse=True)
     for goal in (search.FIRST_TOUCH, search.LEAST):
         note = np.zeros(search.NOTES)
         note[search.NEAREST] = note[search.FLOOR] = math.inf
-        ending = search.search_step(
+        ending = search_step(
             room, goal, search_chain(walk, members), search.Pairs(*np.split(inverse, 2)),
             step.start, step.start + 4.0, search.Limits(0.0, 1e-13, 1e-13, 2), note,
         )  # fmt: skip
@@ -394,15 +432,20 @@ def test_a_pairs_distances_along_a_walk() -> None:
 
 def test_a_bench_that_cannot_stand_leaves_its_cell_in_doubt() -> None:
     route = Route.joined([Line(10.0), Arc(0.3, math.pi), Line(10.0)])
-    broad_phase = BroadPhase(Dragon.of_sizes(np.full(3, 1.4), 0.2, 0.1, 0.1), route, 0.1, 8.0)
-    broad_phase.extend(14.0)
-    assert broad_phase.doubts
-    known, sound = broad_phase.sound_until(8.0, 14.0)
+    dragon = Dragon.of_sizes(np.full(3, 1.4), 0.2, 0.1, 0.1)
+    found = ContactSearch(Walk(dragon, route), 8.0, 14.0, 0.0, silent)
+    found.begin(10.0)
+    steps: list[Step] = []
+    with pytest.raises(WalkError):
+        steps.extend(found.steps())  # all that came before the failure
+    known, sound = found.tables.course.way[[meetings.KNOWN, meetings.SOUND]].tolist()
     # The head's own bench folds at 10.64 m; hulls hold it up to the cell of that place.
     assert known < sound < 12.0
-    assert known > sound - broad_phase.cell - 1e-6
-    assert broad_phase.sound_until(8.0, known) == (known, known)
-    stands = Placement(broad_phase.dragon, route, [sound, sound + 1e-6])
+    assert known > sound - float(found.tables.ground.measures[cells.CELL]) - 1e-6
+    assert steps[-1].end == sound
+    assert steps[-1].start >= known
+    searched(dragon, route, (8.0, known), 0.1)  # raises nothing
+    stands = Placement(dragon, route, [sound, sound + 1e-6])
     assert [bool(status) for status in stands.status] == [False, True]
 
 
@@ -557,23 +600,56 @@ def test_a_direction_is_lost_to_second_order_by_both_benches() -> None:
         assert pair_bounds.apart_bound(table, sweeps, 2, 0, 1, h, 0.0) <= nearest
 
 
+def partnered(
+    wanted: npt.NDArray[np.bool_], low: int, size: float
+) -> tuple[cells.Ground, Callable[[FloatArray, IntArray, int], set[tuple[int, int]]]]:
+    """Ground whose part (a, c) has the parts wanted[a, c] as partners, and its pairs of benches.
+
+    Parts are `size` metres long, from the `low`-th on, and a cell has PARTS of them.
+    """
+    groups, parts = wanted.shape[:2]
+    whole = parts // cells.PARTS
+    dragon = Dragon.uniform(12, 2.2)
+    tables = ContactSearch(Walk(dragon, Route((Line(99.0),))), 40.0, 41.0, 0.0, silent).tables
+    rows = groups * whole
+    tree = np.zeros((rows * (1 + cells.PARTS), cells.TREE_COLUMNS), dtype=np.int64)
+    tree[:rows, cells.CHILD] = rows + np.arange(rows) * cells.PARTS
+    tree[rows:, cells.GROUP] = np.repeat(np.arange(groups), parts)
+    tree[rows:, cells.NUMBER] = np.tile(np.arange(parts), groups)
+    ground = tables.ground._replace(
+        tree=tree,
+        middles=np.empty((whole, 2)),
+        partners=np.empty((int(wanted.sum()), 2), dtype=np.int64),
+        near=np.empty((1, 2), dtype=np.int64),
+    )
+    ground.counts[:] = 0
+    ground.counts[[cells.GROUPS, cells.CELLS, cells.LOW]] = groups, whole, low // cells.PARTS
+    ground.measures[cells.CELL] = size * cells.PARTS
+    for a, c, b, d in np.argwhere(wanted).tolist():
+        cells.add_partners(ground, rows + a * parts + c, rows + b * parts + d)
+
+    def pairs(s: FloatArray, group: IntArray, most: int) -> set[tuple[int, int]]:
+        first, second = np.empty((2, most), dtype=np.int64)
+        benches = tables.walk.benches._replace(kind=group)
+        kinds = cells.Kinds(tables.walk.kinds.sizes, np.arange(groups))
+        found = meetings.meeting_pairs(benches, kinds, ground, s, 0, len(group), first, second)
+        named = set(zip(first[:found].tolist(), second[:found].tolist(), strict=True))
+        assert len(named) == found
+        return named
+
+    return ground, pairs
+
+
 @pytest.mark.parametrize("seed", range(4))
 def test_all_pairs_whose_cells_are_partners_meet(seed: int) -> None:
     rng = np.random.default_rng(seed)
-    benches, count, groups, low, cell = 12, 9, 2, -3, 0.7
-    s = np.sort(rng.uniform(low * cell, (low + count) * cell, (benches, 1)), axis=0)[::-1]
+    benches, count, groups, low, size = 12, 8, 2, -4, 0.7
+    s = np.sort(rng.uniform(low * size, (low + count) * size, (benches, 1)), axis=0)[::-1]
     s = np.ascontiguousarray(s + np.array([0.0, 0.15]))
     group = rng.integers(0, groups, benches)
     wanted = rng.random((groups, count, groups, count)) < 0.2
-    partners = [np.flatnonzero(row) for row in wanted.reshape(groups * count, -1)]
-    offsets = np.concatenate([[0], np.cumsum([len(row) for row in partners])])
-    first, second = np.empty((2, 200), dtype=np.int64)
-    found = regions.meeting_pairs(
-        s, 0, group, cell, low, offsets, np.concatenate(partners), count, first, second
-    )
-    pairs = set(zip(first[:found].tolist(), second[:found].tolist(), strict=True))
-    assert len(pairs) == found
-    spans = np.floor(s / cell).astype(int) - low
+    _ground, pairs_of = partnered(wanted, low, size)
+    spans = np.floor(s / size).astype(int) - low
     meeting = set()
     for i, j in itertools.product(range(benches), repeat=2):
         if j >= i + 2:
@@ -581,18 +657,17 @@ def test_all_pairs_whose_cells_are_partners_meet(seed: int) -> None:
             block = wanted[group[i], mine[0] : mine[1] + 1, group[j], its[0] : its[1] + 1]
             meeting |= {(i, j)} if block.any() else set()
     assert meeting
-    assert pairs == meeting
+    assert pairs_of(s, group, 200) == meeting
 
 
 def test_route_positions_near_a_border_count_on_both_sides() -> None:
-    first, second = np.empty((2, 9), dtype=np.int64)
-    group, offsets = np.zeros(3, dtype=np.int64), np.array([0, 0, 0, 0, 1, 1])
     for ahead, behind in ((3.0 - 5e-8, 0.5), (3.5, 1.0 - 5e-8), (4.0 + 5e-8, 0.5), (3.5, 2.0 + 5e-8)):
-        # Who stands in cell 3 meets who stands in cell 0 or 1.
-        partners = np.array([1 if behind > 0.5 else 0])
+        # Who stands in part 3 meets who stands in part 0 or 1.
+        wanted = np.zeros((1, 4, 1, 4), dtype=bool)
+        wanted[0, 3, 0, 1 if behind > 0.5 else 0] = True
+        _ground, pairs_of = partnered(wanted, 0, 1.0)
         s = np.array([[ahead] * 2, [2.5, 2.5], [behind] * 2])
-        assert regions.meeting_pairs(s, 0, group, 1.0, 0, offsets, partners, 5, first, second) == 1
-        assert (first[0], second[0]) == (0, 2)
+        assert pairs_of(s, np.zeros(3, dtype=np.int64), 9) == {(0, 2)}
 
 
 MEETINGS = {
@@ -621,13 +696,13 @@ def test_no_pair_comes_near_but_in_the_steps_that_name_it(name: str) -> None:
     walk = Walk(sizes, route)
     at = np.linspace(start, end, 100)
     placed = walk.placement(at)
-    broad_phase = BroadPhase(sizes, route, reach, start)
+    found = ContactSearch(walk, start, end, 0.0, silent)
+    found.begin(reach)
     named: list[set[tuple[int, int]]] = [set() for _s in at]
-    for done, upto in broad_phase.strides(start, end):
-        for step in broad_phase.steps(done, upto):
-            inside = np.flatnonzero((at >= step.start) & (at <= step.end))
-            for n in inside.tolist():
-                named[n] |= set(zip(step.first.tolist(), step.second.tolist(), strict=True))
+    for step in found.steps():
+        inside = np.flatnonzero((at >= step.start) & (at <= step.end))
+        for n in inside.tolist():
+            named[n] |= set(zip(step.first.tolist(), step.second.tolist(), strict=True))
     near = 0
     for n in range(len(at)):
         table = boxes(placed, n)
@@ -638,24 +713,43 @@ def test_no_pair_comes_near_but_in_the_steps_that_name_it(name: str) -> None:
     assert 20 < near < sum(map(len, named))
 
 
-def test_steps_go_on_to_the_very_end_of_the_part_where_the_head_meets_others() -> None:
-    """Benches 1 and 3 are within reach all along; only the head is like itself."""
+def test_steps_go_on_to_the_very_end_of_a_walk_without_a_gap() -> None:
+    """Benches 1 and 3 are within reach all along."""
     sizes = Dragon([Bench(1.7, 0.4, 0.2, 0.3), *[Bench(1.1, 0.3, 0.1, 0.1)] * 2])
-    broad_phase = BroadPhase(sizes, Route((Line(30.0),)), 10.0, 8.0)
+    size = 0.25 * 0.45 * float(sizes.links.min())
     for parts in (91.9, 99.0, 100.0 - 1e-6):
-        end = 0.25 * parts * broad_phase.cell
-        broad_phase.extend(end)
-        steps = list(broad_phase.steps(8.0, end))
-        assert (steps[0].start, steps[-1].end) == (8.0, end)
+        search_of = ContactSearch(
+            Walk(sizes, Route((Line(30.0),))), 8.0, 8.0 + parts * size, 0.0, silent
+        )
+        search_of.begin(10.0)
+        steps = list(search_of.steps())
+        assert (steps[0].start, steps[-1].end) == (8.0, 8.0 + parts * size)
         for step, after in itertools.pairwise(steps):
             assert step.end == after.start
         assert all((step.first.tolist(), step.second.tolist()) == ([0], [2]) for step in steps)
 
 
+def test_a_step_begins_with_the_chain_of_the_one_before_or_its_own() -> None:
+    """Steps that join reach from few handles to many, and leave a gap: each is searched as alone."""
+    walk = spiral_walk(0.3)
+    together, steps = ContactSearch(walk, 9.0, 12.0, 0.0, silent), []
+    for start, end, j in ((9.0, 9.1, 7), (9.1, 9.2, 15), (9.2, 9.3, 6), (10.0, 10.1, 6), (9.3, 9.4, 8)):
+        steps.append(Step(start, end, np.array([0]), np.array([j])))
+    for step in steps:
+        notes = []
+        for found in (together, ContactSearch(walk, 9.0, 12.0, 0.0, silent)):
+            note = np.zeros(search.NOTES)
+            note[search.NEAREST] = note[search.FLOOR] = math.inf
+            assert found.search_step(search.LEAST, step, note, 1e-9) == search.CLEAR
+            notes.append(note[[search.NEAREST, search.PAIR]].tolist())
+        assert notes[0] == notes[1]
+
+
 def test_a_search_that_gives_up_says_how_low_it_may_be() -> None:
     walk = spiral_walk(0.3)
     contact_search = ContactSearch(walk, 0.0, 12.0, 0.0, silent)
-    step = next(iter(contact_search.steps(0.6)))
+    contact_search.begin(0.6)
+    step = next(iter(contact_search.steps()))
     least = min(
         float(np.min(pair_distances(walk.placement(np.linspace(step.start, step.end, 200)), i, j)))
         for i, j in zip(step.first.tolist(), step.second.tolist(), strict=True)
@@ -664,7 +758,7 @@ def test_a_search_that_gives_up_says_how_low_it_may_be() -> None:
     for most in (2, 3, 5):
         note = np.zeros(search.NOTES)
         note[search.NEAREST] = note[search.FLOOR] = math.inf
-        ending = search.search_step(
+        ending = search_step(
             search.room(17, 16, len(step.first), 0), search.LEAST, search_chain(walk, members),
             search.Pairs(*np.split(inverse, 2)), step.start, step.end,
             search.Limits(0.0, 1e-13, 1e-13, most), note,
@@ -683,7 +777,7 @@ def test_what_was_given_up_first_is_not_forgotten() -> None:
     for end in (start + 0.05, start + 0.2):
         note = np.zeros(search.NOTES)
         note[search.NEAREST] = note[search.FLOOR] = math.inf
-        search.search_step(
+        search_step(
             search.room(4, 2, 1, 0), search.LEAST, chain, pairs, start, end,
             search.Limits(0.0, 1e-9, 0.06, 100), note,
         )  # fmt: skip
@@ -769,8 +863,8 @@ def test_every_pair_of_a_step_is_looked_at() -> None:
     for second, found in (([3, 2], 1), ([2, 3], 0)):
         note = np.zeros(search.NOTES)
         step = Step(15.0, 15.2, np.array([0, 0]), np.array(second))
-        assert contact_search.search_step(search.FIRST_TOUCH, step, 15.0, 15.2, note) == search.FOUND
-        assert note[search.PAIR] == found
+        assert contact_search.search_step(search.FIRST_TOUCH, step, note) == search.FOUND
+        assert contact_search.pair(note) == (0, second[found])
         assert note[search.UPPER] == 15.0
 
 
@@ -781,7 +875,7 @@ def test_the_end_of_a_step_is_looked_at() -> None:
     contact_search = ContactSearch(walk, 9.0, 10.0, at + 2e-15, silent, 1e-15)
     note = np.zeros(search.NOTES)
     step = Step(*ends, np.array([0]), np.array([j]))
-    assert contact_search.search_step(search.FIRST_TOUCH, step, *ends, note) == search.FOUND
+    assert contact_search.search_step(search.FIRST_TOUCH, step, note) == search.FOUND
     assert note[search.UPPER] == 10.0
 
 
@@ -809,10 +903,8 @@ def test_a_pair_within_rounding_of_the_margin_is_neither_clear_nor_found(
     contact_search = ContactSearch(walk, 15.0, 16.0, distance + beyond, silent, 1e-6)
     pair = np.array([0]), np.array([2])
     note = np.zeros(search.NOTES)
-    assert (
-        contact_search.search_step(search.FIRST_TOUCH, Step(15.0, 15.2, *pair), 15.0, 15.2, note)
-        == ending
-    )
+    step = Step(15.0, 15.2, *pair)
+    assert contact_search.search_step(search.FIRST_TOUCH, step, note) == ending
 
 
 def test_a_bracket_begins_where_all_was_clear() -> None:
@@ -826,9 +918,7 @@ def test_a_bracket_begins_where_all_was_clear() -> None:
 
 def test_ground_is_asked_for_the_room_of_rounding() -> None:
     walk = spiral_walk(0.3)
-    steps = [
-        list(ContactSearch(walk, 0.0, 12.0, 0.0, silent, slack).steps(0.0)) for slack in (1e-13, 0.6)
-    ]
+    steps = [list(ContactSearch(walk, 0.0, 12.0, 0.0, silent, slack).steps()) for slack in (1e-13, 0.6)]
     assert [bool(some) for some in steps] == [False, True]
 
 

@@ -1,14 +1,15 @@
 """The bound by which turns of a spiral keep apart, against benches placed one by one."""
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 import pytest
 from scipy.optimize import brentq
 
 from benchdragon import Dragon, Route, Spiral, Walk
-from benchdragon.analysis import regions
 from benchdragon.analysis.contact import first_contact, least_clearance
+from benchdragon.analysis.tables import Tables
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, set_box
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.spiral_bound import (
@@ -20,7 +21,8 @@ from benchdragon.kernels.spiral_bound import (
 )
 
 CONTEST = Dragon.uniform()
-HEAD, BODY = (shape_of(CONTEST.sizes[:, n].reshape(4, 1).copy(), 0.0) for n in (0, 1))
+ONE = np.zeros(1, dtype=np.int64)
+HEAD, BODY = (shape_of(CONTEST.sizes[:, n].reshape(4, 1).copy(), ONE, 0, 0.0) for n in (0, 1))
 BETWEEN = 1.65
 
 
@@ -62,7 +64,7 @@ def test_outside_of_the_radius_no_two_benches_come_near(seed: int) -> None:
     length, inset = rng.uniform(1.2, 3.5, 2), rng.uniform(0.0, 0.25)
     sizes = np.array([[size, rng.uniform(0.1, 0.4), inset, inset] for size in length])
     reach, b = rng.uniform(0.0, 0.1), rng.uniform(0.8, 2.5) / (2.0 * math.pi)
-    inner, outer = (shape_of(row.reshape(4, 1), 0.5 * reach) for row in sizes)
+    inner, outer = (shape_of(row.reshape(4, 1), ONE, 0, 0.5 * reach) for row in sizes)
     radius = clear_radius(b, inner, outer, float((length - 2.0 * inset).min()))
     assert math.isfinite(radius)
     near = [nearest(b, radius * factor, *sizes) for factor in (1.0, 1.01, 1.1, 1.5, 3.0)]
@@ -79,7 +81,7 @@ def test_the_bound_is_near_the_truth() -> None:
 
 def test_narrow_turns_are_clear_only_where_benches_keep_apart() -> None:
     sizes = np.array([1.4, 0.3, 0.2, 0.2])
-    b, shape = 0.42 / (2.0 * math.pi), shape_of(sizes.reshape(4, 1), 0.0)
+    b, shape = 0.42 / (2.0 * math.pi), shape_of(sizes.reshape(4, 1), ONE, 0, 0.0)
     radius = clear_radius(b, shape, shape, 1.0)
     assert radius < 2.5
     assert nearest(b, 1.07, sizes, sizes) < 0.0 < nearest(b, radius, sizes, sizes)
@@ -103,6 +105,13 @@ def test_parts_of_a_route() -> None:
     assert np.isneginf(spans_of(short, HEAD, BODY, BETWEEN)[0, 0])
 
 
+def without_spans(tables: Tables, begin: Callable[[Tables], None] = Tables.begin) -> None:
+    """Begin a search that knows of no span in which benches keep apart."""
+    begin(tables)
+    assert (tables.ground.spans[:, 0] < tables.ground.spans[:, 1]).any()
+    tables.ground.spans[:] = math.inf, -math.inf
+
+
 @pytest.mark.compiled
 @pytest.mark.parametrize(
     ("spiral", "start", "end"),
@@ -118,7 +127,7 @@ def test_answers_are_the_same_without_the_bound(
     answers = []
     for _turn in range(2):
         answers.append((first_contact(walk, 0.0, end), least_clearance(walk, 0.0, 60.0)))
-        monkeypatch.setattr(regions, "clear_spans", lambda *_arguments: 0)
+        monkeypatch.setattr(Tables, "begin", without_spans)
     (contact, least), (other, other_least) = answers
     assert least.value == pytest.approx(other_least.value, abs=1e-12)
     assert (contact is None) == (other is None) == (spiral.end_angle > spiral.start_angle)

@@ -12,10 +12,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from benchdragon.analysis.contact_search import ContactSearch, contact_search
+from benchdragon.analysis.contact_search import ContactSearch, Step, contact_search
 from benchdragon.analysis.distance import boxes, low_pair, pairs_within, tightest_pairs
 from benchdragon.analysis.ledger import Ledger
-from benchdragon.analysis.regions import Step
 from benchdragon.errors import InputError, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels import search as kernel
@@ -106,38 +105,29 @@ def contact_windows(
     search = contact_search(walk, start, end, margin, progress, slack, ledger)
     opened = _touching_at_start(search)
     windows = [] if opened is None else [Window(opened, None)]
-    if len(windows) >= most:
-        return windows
-    for step in search.steps(margin):
-        _search_step(search, step, windows, most)
-        if len(windows) >= most:
+    while len(windows) < most:
+        touching = bool(windows) and windows[-1].closes is None
+        note = np.zeros(kernel.NOTES)
+        ending = search.search(kernel.TOUCH_END if touching else kernel.FIRST_TOUCH, note)
+        if ending == kernel.CLEAR:
             break
+        status: Status = "found" if ending == kernel.FOUND else "undecided"
+        lower, at = float(note[kernel.LOWER]), float(note[kernel.UPPER])
+        found = search.answer_at(lower, at, status, *search.pair(note))
+        _take_down(windows, found, touching=touching)
     return windows
 
 
-def _search_step(search: ContactSearch, step: Step, windows: list[Window], most: int) -> None:
-    """Add to `windows` what opens and closes in a step, until there are `most`."""
-    at = step.start
-    while at < step.end and len(windows) < most:
-        touching = bool(windows) and windows[-1].closes is None
-        note = np.zeros(kernel.NOTES)
-        goal = kernel.TOUCH_END if touching else kernel.FIRST_TOUCH
-        ending = search.search_step(goal, step, at, step.end, note)
-        if ending == kernel.CLEAR:
-            return
-        if ending == kernel.FALLEN:
-            raise search.stopped(float(note[kernel.LOWER]), step.end)
-        lower, at, p = float(note[kernel.LOWER]), float(note[kernel.UPPER]), int(note[kernel.PAIR])
-        status: Status = "found" if ending == kernel.FOUND else "undecided"
-        found = search.answer_at(lower, at, status, int(step.first[p]), int(step.second[p]))
-        if touching and status == "found":
-            windows[-1] = Window(windows[-1].opens, found)
-        elif not touching and status == "found":
-            windows.append(Window(found, None))
-        elif not touching and windows and _belongs(windows[-1], found):
-            windows[-1] = _widened(windows[-1], found)
-        elif not touching:
-            windows.append(Window(found, found))
+def _take_down(windows: list[Window], found: Answer, *, touching: bool) -> None:
+    """Add to `windows` what opens, closes or grazes."""
+    if touching and found.status == "found":
+        windows[-1] = Window(windows[-1].opens, found)
+    elif not touching and found.status == "found":
+        windows.append(Window(found, None))
+    elif not touching and windows and _belongs(windows[-1], found):
+        windows[-1] = _widened(windows[-1], found)
+    elif not touching:
+        windows.append(Window(found, found))
 
 
 def _belongs(window: Window, graze: Answer) -> bool:
@@ -247,12 +237,14 @@ def _least(search: ContactSearch, best: Best, within: float, tolerances: Sequenc
     """The least clearance, some distance being known: see `least_clearance`."""
     reach = best.distance if len(search.walk.dragon) <= MOST_SAMPLED else FIRST_REACH
     if not best.distance:
-        collections.deque(search.steps(0.0), maxlen=0)  # whether the dragon can walk all the way
+        search.begin(0.0)
+        collections.deque(search.steps(), maxlen=0)  # whether the dragon can walk all the way
     while best.distance > 0.0:
         reach = min(reach, best.distance, within)
-        steps = list(search.steps(reach))
+        search.begin(reach)
         for tolerance in tolerances:
-            best = _lowered(search, steps, best, min(reach, best.distance), tolerance)
+            search.tables.rewind()
+            best = _lowered(search, best, min(reach, best.distance), tolerance)
         if best.distance <= reach:
             break
         if reach >= within:
@@ -276,29 +268,21 @@ def _guess(search: ContactSearch) -> Best:
 
 
 def _lowered(
-    search: ContactSearch, steps: Sequence[Step], best: Best, reach: float, tolerance: float
+    search: ContactSearch, best: Best, reach: float, tolerance: float, step: Step | None = None
 ) -> Best:
-    """`best`, or what is lower in the steps, which hold all pairs within `reach`."""
-    known, note = best, np.zeros(kernel.NOTES)
+    """`best`, or what is lower on the way ahead, or in a step: it names all pairs within `reach`."""
+    note = np.zeros(kernel.NOTES)
     note[kernel.NEAREST], note[kernel.FLOOR] = reach, math.inf
-    for step in steps:
-        before = note[kernel.NEAREST]
-        ending = search.search_step(kernel.LEAST, step, step.start, step.end, note, tolerance)
-        if ending == kernel.FALLEN:
-            raise search.stopped(float(note[kernel.LOWER]), step.end)
-        if note[kernel.NEAREST] < before:
-            p = int(note[kernel.PAIR])
-            best = Best(
-                max(float(note[kernel.NEAREST]), 0.0),
-                float(note[kernel.UPPER]),
-                (int(step.first[p]), int(step.second[p])),
-                known.floor,
-            )
-        if ending == kernel.FOUND:
-            return best
-        if ending == kernel.GRAZE:
-            return replace(best, floor=known.floor)
-    return replace(best, floor=min(float(note[kernel.FLOOR]), float(note[kernel.NEAREST]) - tolerance))
+    if step is None:
+        ending = search.search(kernel.LEAST, note, tolerance)
+    else:
+        ending = search.search_step(kernel.LEAST, step, note, tolerance)
+    nearest, floor = float(note[kernel.NEAREST]), best.floor
+    if ending == kernel.CLEAR:
+        floor = min(float(note[kernel.FLOOR]), nearest - tolerance)
+    if nearest < reach:
+        return Best(max(nearest, 0.0), float(note[kernel.UPPER]), search.pair(note), floor)
+    return replace(best, floor=floor)
 
 
 def _clearance_answer(search: ContactSearch, best: Best) -> Answer:
@@ -352,7 +336,7 @@ def _local_minimum(search: ContactSearch, motion: Motion, i: int, clearance: Flo
     first, second = pairs_within(boxes(motion, i), float(clearance[i]) + 2.0 * moved)
     near = tightest_pairs(motion, i)[0].benches
     best = Best(float(clearance[i]), float(motion.head_s[i]), (near[0] - 1, near[1] - 1))
-    steps = [Step(start, end, first, second)]
+    step = Step(start, end, first, second)
     for tolerance in TOLERANCES:
-        best = _lowered(search, steps, best, best.distance, tolerance)
+        best = _lowered(search, best, best.distance, tolerance, step)
     return _clearance_answer(search, best)

@@ -14,14 +14,16 @@ from fractions import Fraction
 import numpy as np
 import numpy.typing as npt
 
-from benchdragon.analysis.distance import boxes, nearness, pairs_within
+from benchdragon.analysis.distance import boxes, nearness
 from benchdragon.analysis.ledger import Ledger
-from benchdragon.analysis.regions import PARTS, PLACES, BroadPhase, Step
+from benchdragon.analysis.tables import Tables
 from benchdragon.errors import UnsureError, in_order, not_negative, of_kind
 from benchdragon.i18n import _
+from benchdragon.kernels import cells, meetings
 from benchdragon.kernels import search as kernel
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.route import END_SLACK
+from benchdragon.kernels.route import END_SLACK, IntArray
+from benchdragon.kernels.walk_search import ASTRAY, CROWDED, MORE, SEEK, search_walk
 from benchdragon.model.answer import Answer, Status, Witness
 from benchdragon.model.placement import Placement
 from benchdragon.model.walk import Walk
@@ -31,13 +33,10 @@ from benchdragon.progress import Progress
 # it grows with them. A smaller one could call a graze clear, a larger one widens brackets.
 SLACK = 1e-13
 SLACK_REACH = 50.0
-# Parts of a step narrower than this, m, or than this many roundings of the head's position, are not
-# halved: contact times get no sharper.
-WIDTH, WIDTH_ROUNDINGS = 1e-13, 4.0
+# Parts of a step narrower than this, m, are not halved: contact times get no sharper.
+WIDTH = 1e-13
 # Chains marched in one step of a search; a graze takes some hundred.
 MOST_EVALUATIONS = 200_000
-# Chains that a proof may log in one step: 30 MB for 223 benches.
-LOG = 4096
 # Chains marched in one step for one of these; where benches keep the same distance for a while no
 # number would do for the last.
 MOST_LEAST_EVALUATIONS = 2000
@@ -45,6 +44,16 @@ MOST_LEAST_EVALUATIONS = 2000
 SAMPLES_AHEAD = 65
 # The head's way between what was searched and a failure, m: more, and it is not known what comes first.
 UNKNOWN = 1e-6
+
+
+@dataclass(frozen=True)
+class Step:
+    """A step of the head, m, and the pairs of benches (rows from 0) that may come within reach."""
+
+    start: float
+    end: float
+    first: IntArray
+    second: IntArray
 
 
 @dataclass
@@ -66,46 +75,107 @@ class ContactSearch:
         placed = self.placement(self.start)
         extent = float(np.abs([placed.x, placed.y]).max())
         self.slack = self.slack or SLACK * max(1.0, extent / SLACK_REACH)
-        self._place = np.full(len(self.walk.dragon), -1, dtype=np.int64)
-        self._room: kernel.Search | None = None
-        self._shape = (0, 0, 0)
+        self._tail = float(placed.s[0, -2])
+        self._tables: Tables | None = None
 
-    def steps(self, reach: float) -> Iterator[Step]:
-        """The steps in which pairs may come within `reach`, in order; what lies between is clear.
+    def begin(self, reach: float) -> None:
+        """Look for all pairs that come within reach, m, from the start on."""
+        logs = self.ledger is not None
+        near = reach + self.slack
+        self._tables = Tables(self.walk, self.start, self.end, near, self._tail, logs=logs)
+
+    @property
+    def tables(self) -> Tables:
+        """What it works on; made for the margin, if nothing was begun."""
+        if self._tables is None:
+            self.begin(self.margin)
+        assert self._tables is not None
+        return self._tables
+
+    def steps(self) -> Iterator[Step]:
+        """The steps in which pairs may come within reach, in order; what lies between is clear.
 
         Raises:
             WalkError: after the last of them, if the dragon cannot walk on to the end.
             UnsureError: likewise, if it could not be shown that it can.
         """
-        walk = self.walk
-        broad_phase = BroadPhase(walk.dragon, walk.route, reach + self.slack, self.start, self.ledger)
-        end = min(self.end, walk.route.length)
-        for done, upto in broad_phase.strides(self.start, end):
-            known, sound = broad_phase.sound_until(done, upto)
-            yield from broad_phase.steps(done, known)
-            yield from self._small_steps(known, sound, broad_phase.reach, broad_phase.cell / PARTS)
-            if sound < upto:
-                raise self.stopped(sound, sound + 2.0 * broad_phase.cell)
-            self.progress((upto - self.start) / (self.end - self.start), "")
-        if self.end > end + END_SLACK:
-            raise self.stopped(end, self.end)
+        note = np.zeros(kernel.NOTES)
+        while self._run(SEEK, note, 0.0) == kernel.FOUND:
+            yield self.step
 
-    def _small_steps(self, start: float, end: float, reach: float, size: float) -> Iterator[Step]:
-        """Steps of at most `size`, m, with all pairs that may come within reach by their travel."""
-        grid = np.linspace(start, end, math.ceil((end - start) / size) + 1)
-        per = max(1, PLACES // (len(self.walk.dragon) + 1))
-        for n in range(0, len(grid) - 1, per):
-            at = grid[n : n + per + 1]
-            placed = self.placement(at)
-            if placed.status.any():
-                raise self.stopped(start, end)
-            if self.ledger is not None:
-                self.ledger.add_grid(placed)
-            travel = self.walk.dragon.lever * np.diff(placed.s, axis=0).max(axis=1)
-            for t in range(len(at) - 1):
-                first, second = pairs_within(boxes(placed, t), reach + 2.0 * float(travel[t]))
-                if len(first):
-                    yield Step(float(at[t]), float(at[t + 1]), first, second)
+    @property
+    def step(self) -> Step:
+        """The step at hand."""
+        way, tally, meeting = *self.tables.course, self.tables.meeting
+        count = int(tally[meetings.PAIRS])
+        # Copies: views would keep all the room alive as long as the step.
+        first, second = meeting.first[:count].copy(), meeting.second[:count].copy()
+        return Step(float(way[meetings.STEP_START]), float(way[meetings.STEP_END]), first, second)
+
+    def search(self, goal: int, note: FloatArray, tolerance: float = 0.0) -> int:
+        """Search on for `goal`; how that ended: CLEAR, at the very end, or as kernels/search.py says.
+
+        `note` is that of the kernels' search; `tolerance` is that of LEAST, m.
+
+        Raises:
+            WalkError: if the dragon cannot walk on.
+            UnsureError: if it could not be shown that it can.
+        """
+        before = note[kernel.EVALUATIONS]
+        ending = self._run(goal, note, tolerance)
+        self.evaluations += int(note[kernel.EVALUATIONS] - before)
+        if ending == kernel.FALLEN:
+            end = float(self.tables.course.way[meetings.STEP_END])
+            raise self.stopped(float(note[kernel.LOWER]), end)
+        return ending
+
+    def search_step(self, goal: int, step: Step, note: FloatArray, tolerance: float = 0.0) -> int:
+        """Search one step alone: see `search`."""
+        self.tables.take(step.start, step.end, step.first, step.second)
+        return self.search(goal, note, tolerance)
+
+    def _run(self, goal: int, note: FloatArray, tolerance: float) -> int:
+        """Search until it has come to something."""
+        most = MOST_LEAST_EVALUATIONS if tolerance else MOST_EVALUATIONS
+        limits = self.margin, tolerance or self.slack, WIDTH, most
+        while True:
+            tables = self.tables
+            ending = search_walk(*tables.parts, goal, *limits, note)
+            self._read_logs()
+            if ending == CROWDED:
+                tables.widen()
+            elif ending == ASTRAY:
+                raise self._astray()
+            elif ending != MORE:
+                break
+            at = float(tables.course.way[meetings.AT])
+            self.progress((at - self.start) / (self.end - self.start), "")
+        if ending == kernel.CLEAR and self.end > self.walk.route.length + END_SLACK:
+            raise self.stopped(self.walk.route.length, self.end)
+        return ending
+
+    def _astray(self) -> Exception:
+        """Why benches were not shown to follow."""
+        at, sound = self.tables.course.way[[meetings.AT, meetings.SOUND]].tolist()
+        if at < sound:
+            return self.stopped(at, sound)
+        return self.stopped(sound, sound + 2.0 * float(self.tables.ground.measures[cells.CELL]))
+
+    def _read_logs(self) -> None:
+        """Take down for a proof what was computed since this was last called."""
+        if self.ledger is None:
+            return
+        tables = self.tables
+        logs = (
+            (tables.search.log, tables.search.logged, 0, self.ledger.add_evaluations),
+            (tables.block.log, tables.course.tally, meetings.CHAINS, self.ledger.add_grid),
+            (tables.ground.log, tables.ground.counts, cells.LOGGED, self.ledger.add_cells),
+        )
+        for log, counts, n, take in logs:
+            if counts[n] > len(log):
+                raise UnsureError(_("a proof would need too many evaluations in one step"))
+            take(log[: counts[n]])
+            counts[n] = 0
 
     def stopped(self, sound: float, until: float) -> Exception:
         """Why the walk could not be followed past head position `sound`, looked for up to `until`."""
@@ -120,42 +190,6 @@ class ContactSearch:
             )
         )
 
-    def search_step(
-        self, goal: int, step: Step, start: float, end: float, note: FloatArray, tolerance: float = 0.0
-    ) -> int:
-        """Run the kernel's search on part of a step; PAIR in `note` then counts pairs of the step.
-
-        `tolerance` is that of LEAST, m.
-        """
-        count, first, second = len(step.first), np.empty_like(step.first), np.empty_like(step.second)
-        members = np.empty(min(2 * count, len(self._place)), dtype=np.int64)
-        found = kernel.number_members(step.first, step.second, members, self._place, first, second)
-        members = members[:found]
-        handles = int(members[-1]) + 2
-        shape = (handles, len(members), count)
-        if self._room is None or any(a > b for a, b in zip(shape, self._shape, strict=True)):
-            wide, many, most = np.maximum(shape, self._shape).tolist()
-            self._shape = (wide, many, most)
-            self._room = kernel.room(*self._shape, 0 if self.ledger is None else LOG)
-        dragon = self.walk.dragon
-        width = max(WIDTH, WIDTH_ROUNDINGS * math.ulp(end))
-        before = note[kernel.EVALUATIONS]
-        chain = kernel.Chain(
-            self.walk.route.rows, dragon.links[: handles - 1], np.empty(0), dragon.sizes, members
-        )
-        pairs = kernel.Pairs(first, second)
-        most = MOST_LEAST_EVALUATIONS if tolerance else MOST_EVALUATIONS
-        limits = kernel.Limits(self.margin, tolerance or self.slack, width, most)
-        ending = kernel.search_step(self._room, goal, chain, pairs, start, end, limits, note)
-        self.evaluations += int(note[kernel.EVALUATIONS] - before)
-        if self.ledger is not None:
-            count = int(self._room.logged[0])
-            if count > LOG:
-                raise UnsureError(_("a proof would need too many evaluations in one step"))
-            self.ledger.add_log(self._room.log[:count], handles)
-            self._room.logged[0] = 0
-        return ending
-
     def placement(self, s: npt.ArrayLike) -> Placement:
         """The dragon with its head at s, whether it can stand there or not."""
         return self.walk.placement(s, throw=False)
@@ -166,6 +200,11 @@ class ContactSearch:
         owner = near.features[0][0]
         point = near.points[near.benches.index(owner)]
         return Witness(self.time_at(s), s, near.benches, point, near.gap, near.features)
+
+    def pair(self, note: FloatArray) -> tuple[int, int]:
+        """The benches (rows, from 0) of a kernel's note."""
+        i, j = divmod(int(note[kernel.PAIR]), len(self.walk.dragon))
+        return i, j
 
     def answer_at(self, lower: float, upper: float, status: Status, i: int, j: int) -> Answer:
         """A time between those at which the head is at lower and at upper, benches i and j meeting."""

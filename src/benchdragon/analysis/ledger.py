@@ -3,9 +3,7 @@
 import numpy as np
 
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.search import LOGGED
-from benchdragon.kernels.status import Status
-from benchdragon.kernels.step_bounds import Placements
+from benchdragon.kernels.search import LOG_START, LOGGED
 from benchdragon.model.placement import Placement
 
 
@@ -24,25 +22,33 @@ class Ledger:
         self.grid: list[tuple[FloatArray, ...]] = []
         self.cells: list[tuple[float, tuple[FloatArray, ...]]] = []
 
-    def add_grid(self, placed: Placement) -> None:
-        """Take down whole dragons, which need to be known to EDGE only."""
-        chains = (table.T.astype(np.float64) for table in placed.tables)
-        self.grid.append((placed.head_s, *chains))
+    def add_evaluations(self, log: FloatArray) -> None:
+        """Take down chains that distances are taken from, from a log of `search.log_chain`."""
+        self.evaluations += _chains(log)
 
-    def add_log(self, log: FloatArray, handles: int) -> None:
-        """Take down chains from the log of a search."""
-        table = log[:, 1:].reshape(len(log), -1, LOGGED)[:, :handles]
-        self.evaluations.append((log[:, 0].copy(), *(table[:, :, n].copy() for n in range(LOGGED))))
+    def add_grid(self, log: FloatArray) -> None:
+        """Take down whole dragons, which need to be known to EDGE only, from such a log."""
+        self.grid += _chains(log)
 
-    def add_cells(self, link: float, at: FloatArray, places: Placements) -> None:
-        """Take down a bench with its front handle at these positions, m, where it stands."""
-        stood = places.failed[0] == Status.OK
-        tables = (places.row, places.u, places.x, places.y)
-        chains = (at[stood], *(table[:, stood].T.astype(np.float64) for table in tables))
-        self.cells.append((link, chains))
+    def add_cells(self, log: FloatArray) -> None:
+        """Take down single benches, (T, LOG_COLUMNS) of kernels/cells.py."""
+        for link in np.unique(log[:, 0]):
+            these = log[log[:, 0] == link]
+            chains = np.moveaxis(these[:, 2:].reshape(len(these), 2, LOGGED), 2, 0)
+            self.cells.append((float(link), (these[:, 1].copy(), *chains.copy())))
 
     def add_placement(self, placed: Placement) -> None:
         """Take down the first chain of a placement that distances were taken from."""
         row, u = placed.state(0)
         chain = (row.astype(np.float64), u, placed.x[0], placed.y[0])
         self.evaluations.append((placed.head_s[:1], *(table[np.newaxis] for table in chain)))
+
+
+def _chains(log: FloatArray) -> list[tuple[FloatArray, ...]]:
+    """The chains of a log, those of as many handles together."""
+    found = []
+    for handles in np.unique(log[:, 1]).astype(int).tolist():
+        these = log[log[:, 1] == handles]
+        numbers = these[:, LOG_START : LOG_START + LOGGED * handles].reshape(-1, handles, LOGGED)
+        found.append((these[:, 0].copy(), *np.moveaxis(numbers, 2, 0).copy()))
+    return found

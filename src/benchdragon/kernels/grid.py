@@ -20,8 +20,8 @@ COLUMN_FACTOR, ROW_FACTOR = 73856093, 19349663
 class Grid(NamedTuple):
     """Places in square cells, chained by the hash of their cell; numbers of places count from 0.
 
-    `side` is that of the cells, m, (1,). heads[b] is the last place put into bucket b, or -1, with a
-    power of two of buckets; nexts[i] is the place put there before place i, or -1.
+    `side` is that of the cells, m, (1,). heads[b] is 1 + the last place put into bucket b, or 0, with a
+    power of two of buckets; nexts[i] is 1 + the place put there before place i, or 0.
     """
 
     side: Vector
@@ -34,7 +34,7 @@ class Grid(NamedTuple):
 def empty_grid(places: int, side: float) -> Grid:
     """A grid of cells `side` metres wide with room for so many places, none of them put in yet."""
     buckets = 1 << max(4, (2 * places - 1).bit_length())
-    heads = np.full(buckets, -1, dtype=np.int64)
+    heads = np.zeros(buckets, dtype=np.int64)
     nexts, columns, rows = (np.empty(places, dtype=np.int64) for _array in range(3))
     return Grid(np.array([side]), heads, nexts, columns, rows)
 
@@ -72,7 +72,7 @@ def put(grid: Grid, i: int, x: float, y: float) -> None:
     column, row = math.floor(x / grid.side[0]), math.floor(y / grid.side[0])
     b = bucket_of(grid, column, row)
     grid.columns[i], grid.rows[i], grid.nexts[i] = column, row, grid.heads[b]
-    grid.heads[b] = i
+    grid.heads[b] = i + 1
 
 
 @kernel
@@ -85,12 +85,12 @@ def gather(grid: Grid, x: float, y: float, reach: float, found: IntArray) -> int
     low, high = math.floor((x - reach) / side), math.floor((x + reach) / side)
     for row in range(math.floor((y - reach) / side), math.floor((y + reach) / side) + 1):
         for column in range(low, high + 1):
-            i = grid.heads[bucket_of(grid, column, row)]
+            i = grid.heads[bucket_of(grid, column, row)] - 1
             while i >= 0:
                 if grid.columns[i] == column and grid.rows[i] == row:
                     found[count] = i
                     count += 1
-                i = grid.nexts[i]
+                i = grid.nexts[i] - 1
     return count
 
 
@@ -130,18 +130,3 @@ def pairs_within(
                     first[count], second[count] = i, j
                 count += 1
     return count
-
-
-@entry
-def has_near(
-    grid: Grid, others: Table, places: Table, reach: float, found: IntVector, near: IntVector
-) -> None:
-    """Set near[i] to 1 where one of the others, which `grid` holds, is within reach of place i, m."""
-    for i in range(places.shape[0]):
-        x, y = places[i, 0], places[i, 1]
-        near[i] = 0
-        for n in range(gather(grid, x, y, reach, found)):
-            j = found[n]
-            if (others[j, 0] - x) ** 2 + (others[j, 1] - y) ** 2 <= reach * reach:
-                near[i] = 1
-                break

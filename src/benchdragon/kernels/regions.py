@@ -1,8 +1,6 @@
-"""Where on a route benches can meet at all, whatever the time.
+"""What benches of one size sweep over while their front handle walks through a cell of the route.
 
-The route is cut into cells. All benches of a size sweep over the same place while their front handle
-walks through a cell, so that one box holds them all. Only where two such boxes come near one another
-can benches meet; everywhere else no search need look, however long the dragon.
+And whether they surely walk through it, without a leap.
 """
 
 import math
@@ -18,14 +16,12 @@ from benchdragon.kernels.box import (
     HALF_WIDTH,
     UX,
     UY,
-    box_distance,
-    box_gap,
     corner,
     offset,
     place_box,
 )
 from benchdragon.kernels.curve import U_END, U_START, FloatArray, place, turning_bound
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.route import IntArray, step_back
 from benchdragon.kernels.status import Status
 from benchdragon.kernels.step_bounds import (
@@ -109,7 +105,7 @@ def grows(
     return chord + path + back * (abs(0.5 * math.pi - angle) + varies) < SHORT * link
 
 
-@entry
+@kernel
 def sweep_cells(
     rows: Table,
     links: Vector,
@@ -131,16 +127,24 @@ def sweep_cells(
     ends = np.empty((2, BOX_COLUMNS))
     for n in range(slots.shape[0]):
         a, c = slots[n], targets[n]
+        sound[n] = 1.0 if walks_on(rows, places, a, links, handles) else 0.0
         if places.failed[0, a] != Status.OK or places.failed[0, a + 1] != Status.OK:
-            sound[n] = 0.0
             continue
-        bound_handles(rows, links, places, a, a + 1, handles)
         bound_bench(handles, 0, sizes, k, bench)
-        fast = not handles[1, SPEED] < math.inf
-        sound[n] = 0.0 if fast or not follows(rows, places, a, a + 1, links[0]) else 1.0
         h = handles[0, PATH]
         bulge = min(0.125 * bench[POINT_ACCELERATION] * h * h, 0.5 * bench[TRAVEL])
         widen(sizes, k, places, a, bulge, hulls, c, ends)
+
+
+@kernel
+def walks_on(
+    rows: FloatArray, places: Placements, a: int, links: FloatArray, handles: FloatArray
+) -> bool:
+    """Whether one bench surely walks from slot a to the next; `handles` gets bounds if it stands."""
+    if places.failed[0, a] != Status.OK or places.failed[0, a + 1] != Status.OK:
+        return False
+    bound_handles(rows, links, places, a, a + 1, handles)
+    return handles[1, SPEED] < math.inf and follows(rows, places, a, a + 1, links[0])
 
 
 @kernel
@@ -181,24 +185,6 @@ def widen(
     hulls[c, HALF_LENGTH], hulls[c, HALF_WIDTH] = 0.5 * (high_x - low_x), 0.5 * (high_y - low_y)
 
 
-@entry
-def near_pairs(
-    hulls: Table,
-    others: Table,
-    first: IntVector,
-    second: IntVector,
-    reach: float,
-    keep: IntVector,
-) -> None:
-    """Set keep[p] to 1 where hulls[first[p]] and others[second[p]] are within reach, m, else to 0."""
-    pair = np.empty((2, BOX_COLUMNS))
-    for p in range(first.shape[0]):
-        for k in range(BOX_COLUMNS):
-            pair[0, k], pair[1, k] = hulls[first[p], k], others[second[p], k]
-        near = box_gap(pair, 0, 1) <= reach  # cheap, and never above the distance
-        keep[p] = 1 if near and box_distance(pair, 0, 1) <= reach else 0
-
-
 @kernel
 def first_behind(s: FloatArray, t: int, ahead: float, start: int, end: int) -> int:
     """The first of benches start..end-1 whose front handle is not ahead of `ahead` at time t."""
@@ -221,41 +207,3 @@ def add_pair(first: IntArray, second: IntArray, since: int, found: int, i: int, 
     if found < first.shape[0]:
         first[found], second[found] = i, j
     return found + 1
-
-
-@entry
-def meeting_pairs(
-    s: Table,
-    t: int,
-    group: IntVector,
-    cell: float,
-    low: int,
-    offsets: IntVector,
-    partners: IntVector,
-    cells: int,
-    first: IntVector,
-    second: IntVector,
-) -> int:
-    """Pairs of benches that may meet between head positions number t and t + 1; how many.
-
-    s[i, t] are the handles' route positions, m. Bench i of group g with its front handle in cell c (of
-    `cell` metres, counted from number `low`) may meet benches whose (group, cell) number is in
-    partners[offsets[n]:offsets[n + 1]], n = g * cells + c. Counts on where first, second are full.
-    """
-    benches = group.shape[0]
-    found = 0
-    for i in range(benches):
-        since = found
-        a = math.floor((s[i, t] - EDGE) / cell) - low
-        b = math.floor((s[i, t + 1] + EDGE) / cell) - low
-        for c in range(max(a, 0), min(b, cells - 1) + 1):
-            n = group[i] * cells + c
-            for m in range(offsets[n], offsets[n + 1]):
-                g, d = partners[m] // cells, partners[m] % cells
-                back, ahead = (d + low) * cell - EDGE, (d + low + 1) * cell + EDGE
-                j = first_behind(s, t, ahead, i + 2, benches)
-                while j < benches and s[j, t + 1] >= back:
-                    if group[j] == g:
-                        found = add_pair(first, second, since, found, i, j)
-                    j += 1
-    return found

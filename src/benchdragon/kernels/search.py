@@ -13,7 +13,7 @@ import numpy as np
 from benchdragon.kernels.arrays import IntTable, IntVector, Table, Vector
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, set_box
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.pair_bounds import apart_bound, gap_ceiling
 from benchdragon.kernels.perturbed import bound_beside, place_beside
 from benchdragon.kernels.step_bounds import (
@@ -52,8 +52,8 @@ LOWEST = 5  # LEAST: no pair alive comes nearer in the part at hand, m
 FLOOR = 6  # LEAST: no pair comes nearer in the parts that were given up, m
 NOTES = 7
 
-# Numbers that the log holds of a handle.
-LOGGED = 4
+# Numbers that a log holds of each handle: row, u, x, y; before them the head position, and how many.
+LOGGED, LOG_START = 4, 2
 # Halvings that may be open at once; 2^-60 of any step is below rounding.
 DEPTH = 60
 
@@ -103,7 +103,7 @@ class Search(NamedTuple):
     alive: IntTable  # pairs not yet shown to keep apart in the part up to a slot, (DEPTH, pairs)
     kept: IntVector  # how many, (DEPTH,)
     logged: IntVector  # chains written into the log so far, (1,)
-    log: Table  # for proofs: head position, then row, u, x, y of each handle, (chains, ...)
+    log: Table  # for proofs: see `log_chain`, (chains, LOG_START + LOGGED * handles)
 
 
 def room(handles: int, members: int, pairs: int, chains: int) -> Search:
@@ -117,11 +117,11 @@ def room(handles: int, members: int, pairs: int, chains: int) -> Search:
         np.empty((DEPTH, pairs), dtype=np.int64),
         np.empty(DEPTH, dtype=np.int64),
         np.zeros(1, dtype=np.int64),
-        np.empty((chains, 1 + LOGGED * handles)),
+        np.empty((chains, LOG_START + LOGGED * handles)),
     )
 
 
-@entry
+@kernel
 def number_members(
     first: IntVector,
     second: IntVector,
@@ -169,18 +169,20 @@ def enliven(search: Search, pairs: int) -> None:
 @kernel
 def write_log(search: Search, slot: int, handles: int) -> None:
     """Log the chain in a slot, if there is room; it counts in any case."""
-    n = search.logged[0]
+    n, places = search.logged[0], search.places
     search.logged[0] = n + 1
-    if n >= search.log.shape[0]:
-        return
-    search.log[n, 0] = search.at[slot]
-    for k in range(1 + LOGGED * handles, search.log.shape[1]):
-        search.log[n, k] = 0.0
+    if n < search.log.shape[0]:
+        log_chain(search.log, n, search.at[slot], handles, places, slot)
+
+
+@kernel
+def log_chain(log: FloatArray, n: int, at: float, handles: int, places: Placements, slot: int) -> None:
+    """Fill row n of a log with the first handles of the chain in a slot: see `LOGGED`."""
+    log[n, 0], log[n, 1] = at, handles
     for i in range(handles):
-        search.log[n, 1 + LOGGED * i] = search.places.row[i, slot]
-        search.log[n, 2 + LOGGED * i] = search.places.u[i, slot]
-        search.log[n, 3 + LOGGED * i] = search.places.x[i, slot]
-        search.log[n, 4 + LOGGED * i] = search.places.y[i, slot]
+        k = LOG_START + LOGGED * i
+        log[n, k], log[n, k + 1] = places.row[i, slot], places.u[i, slot]
+        log[n, k + 2], log[n, k + 3] = places.x[i, slot], places.y[i, slot]
 
 
 @kernel
@@ -346,25 +348,6 @@ def judge(
     return judge_least(search, top, count, pairs, limits, note)
 
 
-@entry
-def search_step(
-    search: Search,
-    goal: int,
-    chain: Chain,
-    pairs: Pairs,
-    start: float,
-    end: float,
-    limits: Limits,
-    note: Vector,
-) -> int:
-    """Search head positions start..end, m, for `goal`; how it ended. `note` receives what was found.
-
-    For LEAST note[NEAREST] and note[FLOOR] hold what earlier steps found; otherwise `note` is fresh.
-    """
-    top = open_step(search, pairs.first.shape[0], start, end)
-    return bisect(search, goal, chain, pairs, top, top - 1, limits, note)
-
-
 @kernel
 def bisect(
     search: Search,
@@ -376,7 +359,11 @@ def bisect(
     limits: Limits,
     note: FloatArray,
 ) -> int:
-    """Search a step that was begun, see `search_step`, whose chains before slot `ready` were placed."""
+    """Search a step that was begun for `goal`, whose chains before slot `ready` were placed.
+
+    How it ended; `note` receives what was found. For LEAST note[NEAREST] and note[FLOOR] hold what
+    earlier steps found; otherwise `note` is fresh.
+    """
     count, handles = chain.members.shape[0], chain.links.shape[0] + 1
     evaluations, note[LOWER] = 0, math.inf
     while top > 0:

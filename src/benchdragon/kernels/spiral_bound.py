@@ -23,8 +23,9 @@ from benchdragon.kernels.curve import (
     P,
     length_at,
 )
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.regions import SQUARE
+from benchdragon.kernels.route import IntArray
 
 # What is left below the pitch, m: far above the rounding of these few formulas.
 SPARE = 1e-9
@@ -43,17 +44,27 @@ class Shape(NamedTuple):
     aside: float
 
 
-@entry
-def shape_of(sizes: Table, room: float) -> Shape:
-    """That of benches of these sizes, (4, benches), each with `room` metres all round."""
-    shortest, link, ahead, aside = math.inf, 0.0, 0.0, 0.0
+@kernel
+def shape_of(sizes: FloatArray, group: IntArray, g: int, room: float) -> Shape:
+    """That of the benches of group g, of sizes (4, kinds), each with `room` metres all round."""
+    shape = Shape(math.inf, 0.0, 0.0, 0.0)
     for k in range(sizes.shape[1]):
-        front, rear = sizes[2, k], sizes[3, k]
-        length = sizes[0, k] - front - rear
-        shortest, link = min(shortest, length), max(link, length)
-        ahead = max(ahead, max(front, rear) + room)
-        aside = max(aside, 0.5 * sizes[1, k] + room)
-    return Shape(shortest, link, ahead, aside)
+        if group[k] == g:
+            shape = widened(shape, sizes, k, room)
+    return shape
+
+
+@kernel
+def widened(shape: Shape, sizes: FloatArray, k: int, room: float) -> Shape:
+    """Bounds that hold for a bench of the sizes in column k as well."""
+    front, rear = sizes[2, k], sizes[3, k]
+    length = sizes[0, k] - front - rear
+    return Shape(
+        min(shape.shortest, length),
+        max(shape.link, length),
+        max(shape.ahead, max(front, rear) + room),
+        max(shape.aside, 0.5 * sizes[1, k] + room),
+    )
 
 
 @kernel
@@ -155,7 +166,7 @@ def clear_part(rows: FloatArray, j: int, theta: float, way: float) -> tuple[floa
     return (-math.inf if endless else start + way), border
 
 
-@entry
+@kernel
 def clear_spans(rows: Table, ahead: Shape, behind: Shape, between: float, spans: Table) -> int:
     """Fill spans, (rows, 2), with parts of a route, m, in which two benches cannot meet; how many.
 

@@ -1,0 +1,217 @@
+"""Memory for searches along walks: what kernels/walk_search.py works on, made and made wider.
+
+Nothing is filled before it is needed: untouched memory of the system costs nothing.
+"""
+
+import math
+
+import numpy as np
+
+from benchdragon.errors import InputError, UnsureError
+from benchdragon.i18n import _
+from benchdragon.kernels import cells, meetings
+from benchdragon.kernels import search as steps
+from benchdragon.kernels.cells import Grids, Ground, Kinds
+from benchdragon.kernels.grid import empty_grid
+from benchdragon.kernels.ground import CELL_SHARE, begin_walk
+from benchdragon.kernels.kinds import find_kinds
+from benchdragon.kernels.meetings import Benches, Block, Course, Crowd, Meeting
+from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.spiral import LANES
+from benchdragon.kernels.step_bounds import empty_placements
+from benchdragon.model.dragon import Dragon
+from benchdragon.model.walk import Walk
+
+# Different sizes of benches whose contacts can be searched: each is boxed in each cell.
+MOST_SIZES = 2_000
+# Cells of a route: 1e6 cells need 100 MB.
+MOST_CELLS = 2_000_000
+# Handles times head positions that are placed at a time: 60 MB.
+PLACES = 1_000_000
+# At first there is room for so many parts of cells and pairs of boxes a cell, and for no more than so
+# many in all; for so many pairs in a step, members of it, cells in doubt. Each is widened on demand.
+A_CELL, AT_FIRST = 64, 1_000_000
+PAIRS, MEMBERS, DOUBTS = 1_000, 256, 64
+# Rooms that turn out too small become so many times as wide as is wanted.
+WIDER = 2
+# Chains and single benches that a proof may log before its logs are read: 30 MB for 223 benches.
+LOG, CELL_LOG = 4096, 65_536
+
+Parts = tuple[meetings.Walk, Ground, Grids, Block, Crowd, Course, Meeting, steps.Search]
+
+
+def kinds_of(dragon: Dragon) -> tuple[Benches, Kinds]:
+    """The benches of a dragon and their kinds, as kernels want them.
+
+    Raises:
+        InputError: if they are of too many kinds.
+    """
+    most = min(MOST_SIZES, len(dragon))
+    sizes, kind = np.empty((4, most)), np.empty(len(dragon), dtype=np.int64)
+    group = np.empty(most, dtype=np.int64)
+    count = find_kinds(dragon.sizes, sizes, kind, group)
+    if count > most:
+        raise InputError(
+            _("contacts can be searched for at most {most} different sizes, not {count}").format(
+                most=MOST_SIZES, count=np.unique(dragon.sizes, axis=1).shape[1]
+            )
+        )
+    ahead = np.concatenate([[0.0], np.cumsum(dragon.links[:-1])])
+    benches = Benches(dragon.links, dragon.sizes, kind, ahead, np.array([dragon.lever]))
+    return benches, Kinds(np.ascontiguousarray(sizes[:, :count]), group[:count])
+
+
+class Tables:
+    """What a search along a walk works on.
+
+    Args:
+        walk: what is searched.
+        first: head positions, m, between which it is; the dragon must be able to stand at the first.
+        last: likewise.
+        reach: distance of benches, m, within which pairs are wanted.
+        tail: route position of the last bench with the head at `first`, m.
+        logs: whether all that is computed is logged, for a proof.
+
+    Attributes:
+        ground: the cells of the route.
+        grids: where they are.
+        block: dragons at the borders of steps.
+        crowd: all benches at one of them.
+        course: where the walk stands.
+        meeting: pairs of a step.
+        search: what a step is searched in.
+    """
+
+    def __init__(
+        self, walk: Walk, first: float, last: float, reach: float, tail: float, *, logs: bool
+    ) -> None:
+        self._span, self._reach, self._logs = (first, last), reach, logs
+        benches, kinds = kinds_of(walk.dragon)
+        self.walk = meetings.Walk(walk.route.rows, benches, kinds)
+        self._cell = CELL_SHARE * float(walk.dragon.links.min())
+        end = min(last, walk.route.length)
+        wanted = math.floor(end / self._cell) + 2 - math.floor(tail / self._cell)
+        self._cells, self._wanted = min(wanted, MOST_CELLS), wanted
+        most = min(A_CELL * self._cells, AT_FIRST)
+        self._parts, self._pairs, self._doubts, self._cell_log = most, most, DOUBTS, CELL_LOG
+        self._bench_pairs, self._members = PAIRS, min(MEMBERS, len(walk.dragon))
+        handles = len(walk.dragon) + 1
+        slots = max(2, min(LANES, PLACES // handles))
+        log = np.empty((LOG if logs else 0, steps.LOG_START + steps.LOGGED * handles))
+        self.block = Block(
+            np.empty(slots), empty_placements(handles, slots), np.empty((handles, slots)), log
+        )
+        self.course = Course(np.empty(meetings.COURSE), np.zeros(meetings.TALLY, dtype=np.int64))
+        count = len(walk.dragon)
+        self.crowd = Crowd(
+            np.empty((count, cells.HULL_COLUMNS)),
+            empty_grid(count, self._side()),
+            np.empty(count, dtype=np.int64),
+        )
+        self._make_meeting()
+        self.begin()
+
+    def begin(self) -> None:
+        """Begin the walk: nothing is known yet of the route ahead."""
+        groups, rows = int(self.walk.kinds.group.max()) + 1, len(self.walk.rows)
+        boxes = groups * self._cells + self._parts
+        self.ground = Ground(
+            np.zeros(cells.COUNTS, dtype=np.int64),
+            np.empty(cells.MEASURES),
+            np.empty((groups, cells.WAYS + groups)),
+            np.empty((groups * groups * rows, 2)),
+            np.empty((self._cells, groups * groups), dtype=np.int64),
+            np.empty((self._cells, 2)),
+            np.empty((boxes, cells.HULL_COLUMNS)),
+            np.empty((boxes, cells.TREE_COLUMNS), dtype=np.int64),
+            np.empty((self._pairs, 2), dtype=np.int64),
+            np.empty(boxes, dtype=np.int64),
+            np.empty((self._pairs, 2), dtype=np.int64),
+            np.empty((self._doubts, 2), dtype=np.int64),
+            np.empty((self._cell_log if self._logs else 0, cells.LOG_COLUMNS)),
+        )
+        whole = groups * self._cells
+        self.grids = Grids(
+            empty_grid(self._cells, self._side()),
+            empty_grid(whole, self._side()),
+            np.empty(whole, dtype=np.int64),
+        )
+        if not begin_walk(self.walk, self.ground, self.block, self.course, *self._span, self._reach):
+            raise UnsureError(_("it could not be shown that the dragon stands all along"))
+
+    def _side(self) -> float:
+        """That of the squares of grids, m: about how far benches are looked for."""
+        return 2.0 * float(np.hypot(*self.walk.kinds.sizes[:2]).max()) + self._reach
+
+    def _make_meeting(self) -> None:
+        """Room for the pairs of a step, and to search it."""
+        count, pairs = len(self.walk.benches.kind), self._bench_pairs
+        first, second, mine, other = (np.empty(pairs, dtype=np.int64) for _list in range(4))
+        place = np.full(count, -1, dtype=np.int64)
+        self.meeting = Meeting(first, second, mine, other, np.empty(count, dtype=np.int64), place)
+        self.search = steps.room(count + 1, self._members, pairs, LOG if self._logs else 0)
+
+    @property
+    def parts(self) -> Parts:
+        """All of it, as kernels/walk_search.py takes it."""
+        return (
+            self.walk, self.ground, self.grids, self.block, self.crowd, self.course, self.meeting,
+            self.search,
+        )  # fmt: skip
+
+    def rewind(self) -> None:
+        """Go back to where the walk began; what is known of the route stays known."""
+        way = self.course.way
+        way[[meetings.AT, meetings.UPTO, meetings.KNOWN, meetings.SOUND]] = self._span[0]
+        way[[meetings.STEP_START, meetings.STEP_END]] = self._span[0]
+        self.course.tally[:] = 0
+
+    def take(self, start: float, end: float, first: IntArray, second: IntArray) -> None:
+        """Let the walk be one step from head position start to end, m, with these pairs of benches."""
+        way, tally, count = *self.course, len(first)
+        way[:], tally[:] = end, 0
+        way[meetings.STEP_START], tally[meetings.PAIRS] = start, count
+        if count > len(self.meeting.first):
+            self._bench_pairs = count
+            self._make_meeting()
+        self.meeting.first[:count], self.meeting.second[:count] = first, second
+
+    def widen(self) -> None:
+        """Make room where it did not do: for the step at hand, or for the route, which begins anew.
+
+        Raises:
+            InputError: if the route has too many cells.
+            UnsureError: if a proof logs too much.
+        """
+        counts, tally = self.ground.counts, self.course.tally
+        if self._too_long():
+            raise InputError(
+                _("the route is too long to be searched: {count} cells, at most {most}").format(
+                    count=self._wanted, most=MOST_CELLS
+                )
+            )
+        whole = len(self.ground.groups) * self._cells
+        wanted = {
+            "_parts": counts[cells.ROWS] - whole,
+            "_pairs": max(counts[cells.ENTRIES], counts[cells.NEAR]),
+            "_doubts": counts[cells.DOUBTS],
+            "_cell_log": counts[cells.LOGGED] if self._logs else 0,
+        }
+        short = {name: int(count) for name, count in wanted.items() if count > getattr(self, name)}
+        for name, count in short.items():
+            setattr(self, name, WIDER * count)
+        if short:
+            at = float(self.course.way[meetings.AT])
+            self.begin()
+            self.course.way[[meetings.AT, meetings.UPTO, meetings.KNOWN, meetings.SOUND]] = at
+            return
+        members = min(2 * int(tally[meetings.PAIRS]), len(self.walk.benches.kind))
+        self._bench_pairs = max(self._bench_pairs, WIDER * int(tally[meetings.PAIRS]))
+        self._members = max(self._members, members)
+        kept = self.meeting
+        self._make_meeting()
+        for old, new in ((kept.first, self.meeting.first), (kept.second, self.meeting.second)):
+            new[: len(old)] = old
+
+    def _too_long(self) -> bool:
+        return self._wanted > self._cells == int(self.ground.counts[cells.CELLS])

@@ -1,0 +1,127 @@
+"""The beginning of a search along a walk: where the dragon stands, and what it asks of cells."""
+
+import math
+
+from benchdragon.kernels.cells import (
+    ALONE,
+    ARM,
+    CELL,
+    COUNTS,
+    END,
+    FIRST,
+    GROUPS,
+    HIND,
+    LOW,
+    REACH,
+    REAR,
+    ROWS,
+    WAYS,
+    WIDEST,
+    Ground,
+    Kinds,
+)
+from benchdragon.kernels.curve import LENGTH, S_START, FloatArray
+from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.kinds import least_ways
+from benchdragon.kernels.meetings import (
+    AT,
+    GOAL,
+    KNOWN,
+    SOUND,
+    STEP_END,
+    STEP_START,
+    TALLY,
+    UPTO,
+    Benches,
+    Block,
+    Course,
+    Walk,
+    place_block,
+)
+from benchdragon.kernels.regions import EDGE
+from benchdragon.kernels.spiral_bound import clear_spans, shape_of
+
+# Cells are this share of the shortest link: shorter ones cost more boxes, longer ones looser boxes.
+CELL_SHARE = 0.45
+# No number of a part.
+NOWHERE = 1 << 60
+
+
+@kernel
+def begin_group(benches: Benches, kinds: Kinds, ground: Ground, s: FloatArray, g: int) -> None:
+    """Fill the row of group g, of the benches whose handles stand at s[:, 0]; least_ways is there."""
+    groups, counts = ground.groups, ground.counts
+    arm, hind, alone = 0.0, math.inf, 1.0
+    for k in range(kinds.group.shape[0]):
+        if kinds.group[k] == g:
+            length, width, front = kinds.sizes[0, k], kinds.sizes[1, k], kinds.sizes[2, k]
+            arm = max(arm, math.hypot(max(front, length - front), 0.5 * width))
+    for i in range(benches.kind.shape[0]):
+        if kinds.group[benches.kind[i]] == g:
+            hind = min(hind, s[i, 0])
+    for b in range(counts[GROUPS]):
+        if groups[g, WAYS + b] < math.inf or groups[b, WAYS + g] < math.inf:
+            alone = 0.0
+    groups[g, ARM], groups[g, HIND] = arm + ground.measures[CELL], hind
+    groups[g, WIDEST], groups[g, ALONE] = 0.0, alone
+
+
+@kernel
+def find_clear_spans(rows: FloatArray, kinds: Kinds, ground: Ground, shortest: float) -> None:
+    """Fill the spans of the route where benches of two groups keep apart, a shortest link between."""
+    groups, spans, each = ground.counts[GROUPS], ground.spans, rows.shape[0]
+    for n in range(spans.shape[0]):
+        spans[n, 0], spans[n, 1] = math.inf, -math.inf
+    for pair in range(groups * groups):
+        if ground.groups[pair // groups, WAYS + pair % groups] < math.inf:
+            room = 0.5 * ground.measures[REACH]
+            ahead = shape_of(kinds.sizes, kinds.group, pair // groups, room)
+            behind = shape_of(kinds.sizes, kinds.group, pair % groups, room)
+            clear_spans(rows, ahead, behind, shortest, spans[pair * each : (pair + 1) * each])
+
+
+@kernel
+def begin_course(rows: FloatArray, ground: Ground, course: Course, start: float, end: float) -> None:
+    """Let a walk be at its start, nothing known ahead; it goes no farther than the route."""
+    way, last = course.way, rows.shape[0] - 1
+    ground.measures[END] = rows[last, S_START] + rows[last, LENGTH]
+    way[AT] = way[UPTO] = way[KNOWN] = way[SOUND] = way[STEP_START] = way[STEP_END] = start
+    way[GOAL] = min(end, ground.measures[END])
+    for n in range(TALLY):
+        course.tally[n] = 0
+
+
+@entry
+def begin_walk(
+    walk: Walk,
+    ground: Ground,
+    block: Block,
+    course: Course,
+    start: float,
+    end: float,
+    reach: float,
+) -> bool:
+    """Begin a search from head position start to end, m; False if the dragon cannot stand at start.
+
+    Pairs of benches within `reach`, m, will be named; `ground` is as big as `GroundRoom` says.
+    """
+    rows, benches, kinds = walk
+    counts, groups, shortest = ground.counts, ground.groups.shape[0], math.inf
+    for k in range(kinds.group.shape[0]):
+        shortest = min(shortest, kinds.sizes[0, k] - kinds.sizes[2, k] - kinds.sizes[3, k])
+    cell = CELL_SHARE * shortest
+    ground.measures[REACH], ground.measures[CELL] = reach + EDGE, cell
+    begin_course(rows, ground, course, start, end)
+    block.at[0] = start
+    if not place_block(rows, benches.links, block, course.tally, 1):
+        return False
+    for n in range(COUNTS):
+        counts[n] = 0
+    counts[GROUPS], counts[ROWS] = groups, groups * ground.middles.shape[0]
+    counts[LOW] = math.floor(block.s[benches.kind.shape[0] - 1, 0] / cell)
+    counts[FIRST] = counts[REAR] = NOWHERE
+    least_ways(benches.links, benches.kind, kinds.group, groups, ground.groups, WAYS)
+    for g in range(groups):
+        begin_group(benches, kinds, ground, block.s, g)
+    find_clear_spans(rows, kinds, ground, shortest)
+    return True

@@ -1,0 +1,155 @@
+"""A whole search along a walk in one call: prepared stride by stride, searched step by step.
+
+For dragons whose handles keep to the route. A call ends when something is found, when the walk is
+clear to its end, when more room is wanted, or to let others work: it is then called again.
+"""
+
+from benchdragon.kernels.arrays import Vector
+from benchdragon.kernels.box import set_box
+from benchdragon.kernels.cells import Grids, Ground
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.meetings import (
+    CHAINS,
+    DONE,
+    NARROW,
+    PAIRS,
+    PLACED,
+    STEP,
+    STEP_END,
+    STEP_START,
+    UNIT,
+    WAIT,
+    Block,
+    Course,
+    Crowd,
+    Meeting,
+    Walk,
+    next_step,
+)
+from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.search import (
+    CLEAR,
+    EVALUATIONS,
+    FOUND,
+    PAIR,
+    UPPER,
+    Chain,
+    Limits,
+    Pairs,
+    Search,
+    bisect,
+    number_members,
+    open_step,
+)
+
+# How a call ended, besides the ways of kernels/search.py. CLEAR is that of the whole walk.
+MORE = 8  # to be called again
+CROWDED = 9  # likewise, with the room that its counts say
+ASTRAY = 10  # it cannot be shown that all benches follow past SOUND
+# What a call may be after, besides the goals of kernels/search.py.
+SEEK = 3
+# Parts narrower than so many units in the last place of the head's position are not halved.
+WIDTH_ROUNDINGS = 4.0
+# Chains marched in one call.
+EVALUATIONS_A_CALL = 2000
+
+
+@kernel
+def left_end_is_placed(search: Search, course: Course, chain: Chain) -> bool:
+    """Box the members at the left end of the step, if the chain stands there from the step before."""
+    start = course.way[STEP_START]
+    if course.tally[PLACED] < chain.links.shape[0] + 1 or search.at[0] != start:
+        return False
+    for m in range(chain.members.shape[0]):
+        set_box(chain.sizes, chain.members[m], search.places.x, search.places.y, 0, search.boxes, m)
+    return True
+
+
+@kernel
+def search_open_step(
+    walk: Walk,
+    search: Search,
+    course: Course,
+    meeting: Meeting,
+    goal: int,
+    limits: Limits,
+    note: FloatArray,
+) -> int:
+    """Search the rest of the step at hand; how that ended, or CROWDED."""  # fmt: skip
+    way, tally, count = course.way, course.tally, course.tally[PAIRS]
+    first, second = meeting.first[:count], meeting.second[:count]
+    mine, other, members = meeting.mine[:count], meeting.other[:count], meeting.members
+    found = number_members(first, second, members, meeting.place, mine, other)
+    handles, start = members[found - 1] + 2, way[STEP_START]
+    # As many as in the step before, if not far more: then the left end need not be placed anew.
+    if search.at[0] == start and handles <= tally[PLACED] <= 2 * handles:
+        handles = tally[PLACED]
+    if (
+        handles > search.handles.shape[0]
+        or found > search.sweeps.shape[0]
+        or count > search.alive.shape[1]
+    ):
+        tally[PLACED] = 0
+        return CROWDED
+    benches, aside = walk.benches, note[:0]
+    chain = Chain(walk.rows, benches.links[: handles - 1], aside, benches.sizes, members[:found])
+    ready = 1 if left_end_is_placed(search, course, chain) else 0
+    top = open_step(search, count, start, way[STEP_END])
+    before, note[PAIR] = note[PAIR], -1.0
+    ending = bisect(search, goal, chain, Pairs(mine, other), top, ready, limits, note)
+    tally[PLACED] = handles
+    p = int(note[PAIR])
+    note[PAIR] = before if p < 0 else float(first[p] * benches.kind.shape[0] + second[p])
+    way[STEP_START] = way[STEP_END] if ending == CLEAR else note[UPPER]
+    return ending
+
+
+@kernel
+def half_full(block: Block, tally: IntArray) -> bool:
+    """Whether the log of the block, if there is one, should be read before more is written."""
+    return 2 * tally[CHAINS] > block.log.shape[0] > 0
+
+
+@entry
+def search_walk(
+    walk: Walk,
+    ground: Ground,
+    grids: Grids,
+    block: Block,
+    crowd: Crowd,
+    course: Course,
+    meeting: Meeting,
+    search: Search,
+    goal: int,
+    margin: float,
+    slack: float,
+    width: float,
+    most: int,
+    note: Vector,
+) -> int:
+    """Search a walk on from where its course stands, for `goal`; how that ended.
+
+    After FOUND or GRAZE the step goes on at note[UPPER]. note[PAIR] becomes the first bench times
+    their number plus the second, from 0; the rest of `note` is that of `search.bisect`. For SEEK each
+    step is FOUND in which pairs may come within reach.
+    """
+    way, spent = course.way, note[EVALUATIONS]
+    while True:
+        while goal != SEEK and way[STEP_START] < way[STEP_END] and course.tally[PAIRS]:
+            if note[EVALUATIONS] - spent >= EVALUATIONS_A_CALL or half_full(block, course.tally):
+                return MORE
+            narrow = max(width, WIDTH_ROUNDINGS * UNIT * way[STEP_END])
+            limits = Limits(margin, slack, narrow, most)
+            ending = search_open_step(walk, search, course, meeting, goal, limits, note)
+            if ending != CLEAR:
+                return ending
+        ending = next_step(
+            walk.rows, walk.benches, walk.kinds, ground, grids, block, crowd, course, meeting
+        )
+        if ending == DONE:
+            return CLEAR
+        if ending != STEP:
+            return MORE if ending == WAIT else CROWDED if ending == NARROW else ASTRAY
+        if goal == SEEK:
+            return FOUND

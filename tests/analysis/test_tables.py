@@ -1,0 +1,66 @@
+"""Searches find the same however little room they begin with."""
+
+import math
+
+import pytest
+
+from benchdragon import Arc, Dragon, Line, Route, Spiral, Walk
+from benchdragon.analysis import tables
+from benchdragon.analysis.contact import contact_windows, least_clearance
+from benchdragon.analysis.contact_search import ContactSearch
+from benchdragon.errors import InputError, WalkError
+from benchdragon.progress import silent
+
+SPIRAL = Walk(Dragon.uniform(40), Route((Spiral(0.5, 14.0 * math.pi, 2.0 * math.pi),)), start=40.0)
+HAIRPIN = Route.joined([Line(20.0), Arc(0.8, math.pi), Line(20.0)])
+
+
+@pytest.fixture
+def narrow(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Room for next to nothing at first."""
+    for name, least in (("A_CELL", 1), ("AT_FIRST", 4), ("PAIRS", 1), ("MEMBERS", 2), ("DOUBTS", 1)):
+        monkeypatch.setattr(tables, name, least)
+
+
+def answers() -> tuple[object, ...]:
+    """What benches do on a spiral and a hairpin."""
+    windows = contact_windows(SPIRAL, 0.0, 25.0, most=3)
+    opens = [(window.opens.lower, window.opens.upper, window.opens.witness) for window in windows]
+    least = least_clearance(SPIRAL, 0.0, 20.0)
+    around = least_clearance(
+        Walk(Dragon.of_sizes([1.1] * 9, 0.2, 0.1, 0.1), HAIRPIN, start=14.0), 0.0, 12.0
+    )
+    return opens, (least.lower, least.upper), (around.lower, around.upper)
+
+
+def test_little_room_is_widened_and_answers_stay_the_same(
+    request: pytest.FixtureRequest,
+) -> None:
+    wide = answers()
+    assert wide[0]
+    request.getfixturevalue("narrow")
+    assert answers() == wide
+
+
+@pytest.mark.usefixtures("narrow")
+def test_room_is_widened_for_doubts() -> None:
+    """Round so tight a bend a bench folds: before it there are cells in doubt."""
+    walk = Walk(Dragon.uniform(3, 1.4), Route.joined([Line(10.0), Arc(0.3, math.pi), Line(9.0)]))
+    search = ContactSearch(walk, 8.0, 14.0, 0.0, silent)
+    with pytest.raises(WalkError):
+        list(search.steps())
+
+
+def test_a_route_of_too_many_cells_is_refused_when_it_comes_to_them(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(tables, "MOST_CELLS", 60)
+    with pytest.raises(InputError, match="at most 60"):
+        contact_windows(Walk(Dragon.uniform(9), Route((Line(999.0),)), start=20.0), 0.0, 900.0)
+
+
+def test_too_many_sizes_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tables, "MOST_SIZES", 2)
+    walk = Walk(Dragon.of_sizes([2.0, 2.1, 2.2, 2.0], 0.3, 0.2, 0.2), Route((Line(99.0),)), start=20.0)
+    with pytest.raises(InputError, match="at most 2 different sizes, not 3"):
+        contact_windows(walk, 0.0, 9.0)
