@@ -30,7 +30,7 @@ from benchdragon.analysis.ledger import Ledger
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.analysis.tables import kinds_of
 from benchdragon.errors import WalkError
-from benchdragon.kernels import cells, meetings, pair_bounds, regions, search, step_bounds
+from benchdragon.kernels import cells, course, meetings, pair_bounds, regions, search, step_bounds
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels.box import (
     BOX_COLUMNS,
@@ -438,7 +438,7 @@ def test_a_bench_that_cannot_stand_leaves_its_cell_in_doubt() -> None:
     steps: list[Step] = []
     with pytest.raises(WalkError):
         steps.extend(found.steps())  # all that came before the failure
-    known, sound = found.tables.course.way[[meetings.KNOWN, meetings.SOUND]].tolist()
+    known, sound = found.tables.course.way[[course.KNOWN, course.SOUND]].tolist()
     # The head's own bench folds at 10.64 m; hulls hold it up to the cell of that place.
     assert known < sound < 12.0
     assert known > sound - float(found.tables.ground.measures[cells.CELL]) - 1e-6

@@ -19,7 +19,7 @@ from benchdragon.analysis.ledger import Ledger
 from benchdragon.analysis.tables import Tables
 from benchdragon.errors import UnsureError, in_order, not_negative, of_kind
 from benchdragon.i18n import _
-from benchdragon.kernels import cells, meetings
+from benchdragon.kernels import cells, course
 from benchdragon.kernels import search as kernel
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import END_SLACK, IntArray
@@ -107,10 +107,10 @@ class ContactSearch:
     def step(self) -> Step:
         """The step at hand."""
         way, tally, meeting = *self.tables.course, self.tables.meeting
-        count = int(tally[meetings.PAIRS])
+        count = int(tally[course.PAIRS])
         # Copies: views would keep all the room alive as long as the step.
         first, second = meeting.first[:count].copy(), meeting.second[:count].copy()
-        return Step(float(way[meetings.STEP_START]), float(way[meetings.STEP_END]), first, second)
+        return Step(float(way[course.STEP_START]), float(way[course.STEP_END]), first, second)
 
     def search(self, goal: int, note: FloatArray, tolerance: float = 0.0) -> int:
         """Search on for `goal`; how that ended: CLEAR, at the very end, or as kernels/search.py says.
@@ -125,7 +125,7 @@ class ContactSearch:
         ending = self._run(goal, note, tolerance)
         self.evaluations += int(note[kernel.EVALUATIONS] - before)
         if ending == kernel.FALLEN:
-            end = float(self.tables.course.way[meetings.STEP_END])
+            end = float(self.tables.course.way[course.STEP_END])
             raise self.stopped(float(note[kernel.LOWER]), end)
         return ending
 
@@ -140,7 +140,7 @@ class ContactSearch:
         limits = self.margin, tolerance or self.slack, WIDTH, most
         while True:
             tables = self.tables
-            ending = search_walk(*tables.parts, goal, *limits, note)
+            ending = search_walk(tables.walk, tables.room, goal, *limits, note)
             self._read_logs()
             if ending == CROWDED:
                 tables.widen()
@@ -148,7 +148,7 @@ class ContactSearch:
                 raise self._astray()
             elif ending != MORE:
                 break
-            at = float(tables.course.way[meetings.AT])
+            at = float(tables.course.way[course.AT])
             self.progress((at - self.start) / (self.end - self.start), "")
         if ending == kernel.CLEAR and self.end > self.walk.route.length + END_SLACK:
             raise self.stopped(self.walk.route.length, self.end)
@@ -156,7 +156,7 @@ class ContactSearch:
 
     def _astray(self) -> Exception:
         """Why benches were not shown to follow."""
-        at, sound = self.tables.course.way[[meetings.AT, meetings.SOUND]].tolist()
+        at, sound = self.tables.course.way[[course.AT, course.SOUND]].tolist()
         if at < sound:
             return self.stopped(at, sound)
         return self.stopped(sound, sound + 2.0 * float(self.tables.ground.measures[cells.CELL]))
@@ -168,7 +168,7 @@ class ContactSearch:
         tables = self.tables
         logs = (
             (tables.search.log, tables.search.logged, 0, self.ledger.add_evaluations),
-            (tables.block.log, tables.course.tally, meetings.CHAINS, self.ledger.add_grid),
+            (tables.block.log, tables.course.tally, course.CHAINS, self.ledger.add_grid),
             (tables.ground.log, tables.ground.counts, cells.LOGGED, self.ledger.add_cells),
         )
         for log, counts, n, take in logs:

@@ -9,13 +9,13 @@ import numpy as np
 
 from benchdragon.errors import InputError, UnsureError
 from benchdragon.i18n import _
-from benchdragon.kernels import cells, meetings
+from benchdragon.kernels import cells, course
 from benchdragon.kernels import search as steps
 from benchdragon.kernels.cells import Grids, Ground, Kinds
+from benchdragon.kernels.course import Benches, Block, Course, Crowd, Meeting, Room
 from benchdragon.kernels.grid import empty_grid
 from benchdragon.kernels.ground import CELL_SHARE, begin_walk
 from benchdragon.kernels.kinds import find_kinds
-from benchdragon.kernels.meetings import Benches, Block, Course, Crowd, Meeting
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.step_bounds import empty_placements
@@ -36,8 +36,6 @@ PAIRS, MEMBERS, DOUBTS = 1_000, 256, 64
 WIDER = 2
 # Chains and single benches that a proof may log before its logs are read: 30 MB for 223 benches.
 LOG, CELL_LOG = 4096, 65_536
-
-Parts = tuple[meetings.Walk, Ground, Grids, Block, Crowd, Course, Meeting, steps.Search]
 
 
 def kinds_of(dragon: Dragon) -> tuple[Benches, Kinds]:
@@ -87,7 +85,7 @@ class Tables:
     ) -> None:
         self._span, self._reach, self._logs = (first, last), reach, logs
         benches, kinds = kinds_of(walk.dragon)
-        self.walk = meetings.Walk(walk.route.rows, benches, kinds)
+        self.walk = course.Walk(walk.route.rows, benches, kinds)
         self._cell = CELL_SHARE * float(walk.dragon.links.min())
         end = min(last, walk.route.length)
         wanted = math.floor(end / self._cell) + 2 - math.floor(tail / self._cell)
@@ -101,7 +99,7 @@ class Tables:
         self.block = Block(
             np.empty(slots), empty_placements(handles, slots), np.empty((handles, slots)), log
         )
-        self.course = Course(np.empty(meetings.COURSE), np.zeros(meetings.TALLY, dtype=np.int64))
+        self.course = Course(np.empty(course.COURSE), np.zeros(course.TALLY, dtype=np.int64))
         count = len(walk.dragon)
         self.crowd = Crowd(
             np.empty((count, cells.HULL_COLUMNS)),
@@ -136,7 +134,7 @@ class Tables:
             empty_grid(whole, self._side()),
             np.empty(whole, dtype=np.int64),
         )
-        if not begin_walk(self.walk, self.ground, self.block, self.course, *self._span, self._reach):
+        if not begin_walk(self.walk, self.room, *self._span, self._reach):
             raise UnsureError(_("it could not be shown that the dragon stands all along"))
 
     def _side(self) -> float:
@@ -152,25 +150,24 @@ class Tables:
         self.search = steps.room(count + 1, self._members, pairs, LOG if self._logs else 0)
 
     @property
-    def parts(self) -> Parts:
-        """All of it, as kernels/walk_search.py takes it."""
-        return (
-            self.walk, self.ground, self.grids, self.block, self.crowd, self.course, self.meeting,
-            self.search,
-        )  # fmt: skip
+    def room(self) -> Room:
+        """All of it but the walk, as kernels take it."""
+        return Room(
+            self.ground, self.grids, self.block, self.crowd, self.course, self.meeting, self.search
+        )
 
     def rewind(self) -> None:
         """Go back to where the walk began; what is known of the route stays known."""
         way = self.course.way
-        way[[meetings.AT, meetings.UPTO, meetings.KNOWN, meetings.SOUND]] = self._span[0]
-        way[[meetings.STEP_START, meetings.STEP_END]] = self._span[0]
+        way[[course.AT, course.UPTO, course.KNOWN, course.SOUND]] = self._span[0]
+        way[[course.STEP_START, course.STEP_END]] = self._span[0]
         self.course.tally[:] = 0
 
     def take(self, start: float, end: float, first: IntArray, second: IntArray) -> None:
         """Let the walk be one step from head position start to end, m, with these pairs of benches."""
         way, tally, count = *self.course, len(first)
         way[:], tally[:] = end, 0
-        way[meetings.STEP_START], tally[meetings.PAIRS] = start, count
+        way[course.STEP_START], tally[course.PAIRS] = start, count
         if count > len(self.meeting.first):
             self._bench_pairs = count
             self._make_meeting()
@@ -201,12 +198,12 @@ class Tables:
         for name, count in short.items():
             setattr(self, name, WIDER * count)
         if short:
-            at = float(self.course.way[meetings.AT])
+            at = float(self.course.way[course.AT])
             self.begin()
-            self.course.way[[meetings.AT, meetings.UPTO, meetings.KNOWN, meetings.SOUND]] = at
+            self.course.way[[course.AT, course.UPTO, course.KNOWN, course.SOUND]] = at
             return
-        members = min(2 * int(tally[meetings.PAIRS]), len(self.walk.benches.kind))
-        self._bench_pairs = max(self._bench_pairs, WIDER * int(tally[meetings.PAIRS]))
+        members = min(2 * int(tally[course.PAIRS]), len(self.walk.benches.kind))
+        self._bench_pairs = max(self._bench_pairs, WIDER * int(tally[course.PAIRS]))
         self._members = max(self._members, members)
         kept = self.meeting
         self._make_meeting()

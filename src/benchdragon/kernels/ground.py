@@ -20,10 +20,7 @@ from benchdragon.kernels.cells import (
     Ground,
     Kinds,
 )
-from benchdragon.kernels.curve import LENGTH, S_START, FloatArray
-from benchdragon.kernels.jit import entry, kernel
-from benchdragon.kernels.kinds import least_ways
-from benchdragon.kernels.meetings import (
+from benchdragon.kernels.course import (
     AT,
     GOAL,
     KNOWN,
@@ -33,11 +30,14 @@ from benchdragon.kernels.meetings import (
     TALLY,
     UPTO,
     Benches,
-    Block,
     Course,
+    Room,
     Walk,
     place_block,
 )
+from benchdragon.kernels.curve import LENGTH, S_START, FloatArray
+from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.kinds import least_ways
 from benchdragon.kernels.regions import EDGE
 from benchdragon.kernels.spiral_bound import clear_spans, shape_of
 
@@ -92,20 +92,13 @@ def begin_course(rows: FloatArray, ground: Ground, course: Course, start: float,
 
 
 @entry
-def begin_walk(
-    walk: Walk,
-    ground: Ground,
-    block: Block,
-    course: Course,
-    start: float,
-    end: float,
-    reach: float,
-) -> bool:
+def begin_walk(walk: Walk, room: Room, start: float, end: float, reach: float) -> bool:
     """Begin a search from head position start to end, m; False if the dragon cannot stand at start.
 
-    Pairs of benches within `reach`, m, will be named; `ground` is as big as `GroundRoom` says.
+    Pairs of benches within `reach`, m, will be named.
     """
     rows, benches, kinds = walk
+    ground, block, course = room.ground, room.block, room.course
     counts, groups, shortest = ground.counts, ground.groups.shape[0], math.inf
     for k in range(kinds.group.shape[0]):
         shortest = min(shortest, kinds.sizes[0, k] - kinds.sizes[2, k] - kinds.sizes[3, k])

@@ -1,23 +1,18 @@
 """Which pairs of benches may meet in which steps of the head, all along a walk.
 
 The head's walk is prepared stride by stride: cells of the route ahead (kernels/cells.py), whether all
-benches surely follow through them, then step by step the benches that stand in partners. Where it is
-not sure that a bench follows its way is looked at in finer and finer parts, and the last of it is
-searched for all pairs that come near by their travel.
+benches surely follow through them (kernels/doubts.py), then step by step the benches that stand in
+partners. What is left before a bench that may not follow is searched for all pairs that come near by
+their travel.
 """
 
 import math
-from typing import NamedTuple
 
-import numpy as np
-
-from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.box import CX, CY, HALF_LENGTH, HALF_WIDTH, set_box
 from benchdragon.kernels.cells import (
     CELL,
     CELLS,
     CHILD,
-    DOUBTS,
     ENTRIES,
     FIRST,
     GROUP,
@@ -33,140 +28,46 @@ from benchdragon.kernels.cells import (
     REAR,
     ROW,
     WAYS,
-    Grids,
     Ground,
     Kinds,
-    Sweeper,
     boxes_near,
     extend,
-    log_borders,
     sweeper_for,
 )
-from benchdragon.kernels.chain import march
-from benchdragon.kernels.curve import S_START, FloatArray, length_at
-from benchdragon.kernels.grid import Grid, gather, put
+from benchdragon.kernels.course import (
+    AT,
+    BENCHES,
+    GOAL,
+    KNOWN,
+    PAIRS,
+    SLOT,
+    SLOTS,
+    SOUND,
+    STEP_END,
+    STEP_START,
+    UPTO,
+    Benches,
+    Room,
+    Walk,
+    place_block,
+)
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.doubts import look_through
+from benchdragon.kernels.grid import gather, put
 from benchdragon.kernels.jit import kernel
-from benchdragon.kernels.regions import EDGE, add_pair, first_behind, walks_on
+from benchdragon.kernels.regions import EDGE, add_pair, first_behind
 from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.search import log_chain
-from benchdragon.kernels.step_bounds import HANDLE_COLUMNS, Placements, place_chain
 
 # Head's walk, m, that is prepared at a time: at least so much, or this share of the route known.
 LEAST_STRIDE, SHARE = 4.0, 0.01
-# Cells in which it is unsure whether a bench can walk through are looked at in so many parts at first,
-# then in finer ones, down to this, m: far coarser, and overlaps just before a fold would stay unknown.
-CAREFUL_PARTS, FINEST = 16, 1e-9
-# A unit in the last place of a number is at most this share of it.
-UNIT = 2.3e-16
 # Looked at between two calls: so many steps without a pair.
 STEPS_A_CALL = 4096
-
-# Where a walk stands, a row of floats: head positions, m.
-AT = 0  # all steps up to here were given
-GOAL = 1  # where the search ends
-UPTO = 2  # the route is known up to here
-KNOWN = 3  # cells name all pairs up to here
-SOUND = 4  # all benches surely follow up to here
-STEP_START = 5  # of the step at hand
-STEP_END = 6
-COURSE = 7
-# What is counted of it, a row of whole numbers.
-SLOT = 0  # the next step of the block
-SLOTS = 1  # steps in it
-BENCHES = 2  # in it
-PAIRS = 3  # of the step at hand
-PLACED = 4  # handles in slot 0 of the search
-CHAINS = 5  # logged
-TALLY = 6
-
 # How looking for the next step ended.
 STEP = 0
 DONE = 1  # no pair comes near up to the end
 WAIT = 2  # nothing yet: call again
 STOPPED = 3  # it cannot be shown that all benches follow past SOUND
 NARROW = 4  # more room is wanted, see the counts
-
-
-class Benches(NamedTuple):
-    """The benches of a dragon."""
-
-    links: Vector
-    sizes: Table  # (4, benches)
-    kind: IntVector
-    ahead: Vector  # of each, the links before it, m
-    lever: Vector  # how far a point moves when handles move by 1 m, (1,)
-
-
-class Walk(NamedTuple):
-    """A dragon on a route."""
-
-    rows: Table
-    benches: Benches
-    kinds: Kinds
-
-
-class Block(NamedTuple):
-    """Dragons at the borders of steps to come."""
-
-    at: Vector  # head positions, m
-    places: Placements
-    s: Table  # route positions of the handles, m, (handles, slots)
-    log: Table  # for a proof: see `search.log_chain`
-
-
-class Crowd(NamedTuple):
-    """All benches at the start of a step, boxed, in a grid."""
-
-    hulls: Table  # (benches, cells.HULL_COLUMNS)
-    grid: Grid
-    found: IntVector
-
-
-class Meeting(NamedTuple):
-    """The pairs of a step: of benches, then of members; the last are scratch, one for each bench."""
-
-    first: IntVector
-    second: IntVector
-    mine: IntVector
-    other: IntVector
-    members: IntVector
-    place: IntVector  # all -1
-
-
-class Course(NamedTuple):
-    """Where a walk stands."""
-
-    way: Vector
-    tally: IntVector
-
-
-@kernel
-def log_block(block: Block, tally: IntArray, slots: int, handles: int) -> None:
-    """Log the chains in the first slots, if there is room; they count in any case."""
-    for t in range(slots):
-        n = tally[CHAINS]
-        tally[CHAINS] = n + 1
-        if n < block.log.shape[0]:
-            log_chain(block.log, n, block.at[t], handles, block.places, t)
-
-
-@kernel
-def place_block(rows: FloatArray, links: FloatArray, block: Block, tally: IntArray, slots: int) -> bool:
-    """Place chains with these links at the first slots; whether all stand."""
-    places, s = block.places, block.s
-    march(
-        rows, links, block.at, 0, slots, places.row, places.u, places.x, places.y, places.ratio,
-        places.failed,
-    )  # fmt: skip
-    for t in range(slots):
-        if places.failed[0, t]:
-            return False
-    for i in range(links.shape[0] + 1):
-        for t in range(slots):
-            j = places.row[i, t]
-            s[i, t] = rows[j, S_START] + length_at(rows, j, places.u[i, t])
-    log_block(block, tally, slots, links.shape[0] + 1)
-    return True
 
 
 @kernel
@@ -192,147 +93,9 @@ def clear_end(ground: Ground, head: int, s: float) -> float:
 
 
 @kernel
-def arrival(
-    rows: FloatArray,
-    benches: Benches,
-    block: Block,
-    tally: IntArray,
-    i: int,
-    back: float,
-    start: float,
-    end: float,
-) -> float:
-    """At most the head's position in start..end at which handle i comes to `back`, m."""
-    if i == 0:
-        return min(max(back, start), end)
-    low, high, middle = start, end, end  # it may not come so far
-    while low < middle:
-        block.at[0] = middle
-        if place_block(rows, benches.links[:i], block, tally, 1) and block.s[i, 0] < back:
-            low = middle
-        else:
-            high = middle
-        middle = 0.5 * (low + high) if high - low > finest(high) else low
-    return low
-
-
-@kernel
-def finest(s: float) -> float:
-    """The finest step at route position s, m, that rounding allows."""
-    return max(FINEST, 4.0 * UNIT * abs(s))
-
-
-@kernel
-def follows_until(
-    rows: FloatArray, kinds: Kinds, ground: Ground, sweeper: Sweeper, k: int, start: float, end: float
-) -> float:
-    """The place up to which benches of kind k surely follow, their front handle from start, m.
-
-    The way is halved where it is unsure; `end`, if all the way.
-    """
-    at, step, handles = start, (end - start) / CAREFUL_PARTS, np.empty((2, HANDLE_COLUMNS))
-    sweeper.link[0] = kinds.sizes[0, k] - kinds.sizes[2, k] - kinds.sizes[3, k]
-    while at < end:
-        ahead = min(end, at + step)
-        sweeper.at[0], sweeper.at[1] = at, ahead
-        place_chain(rows, sweeper.link, sweeper.at, 0, 2, sweeper.places)
-        log_borders(ground, sweeper, 2)
-        if walks_on(rows, sweeper.places, 0, sweeper.link, handles):
-            at, step = ahead, 2.0 * step
-        elif step > finest(at):
-            step *= 0.5
-        else:
-            return at
-    return end
-
-
-@kernel
-def next_of_kind(benches: Benches, s: FloatArray, t: int, k: int, ahead: float, since: int) -> int:
-    """The first bench of kind k from `since` on that stands behind `ahead` in slot t; -1: none."""
-    for i in range(since, benches.kind.shape[0]):
-        if benches.kind[i] == k and s[i, t] < ahead:
-            return i
-    return -1
-
-
-@kernel
-def pass_doubt(
-    rows: FloatArray,
-    benches: Benches,
-    kinds: Kinds,
-    ground: Ground,
-    sweeper: Sweeper,
-    block: Block,
-    course: Course,
-    doubt: int,
-) -> bool:
-    """Draw KNOWN and SOUND in to where a doubtful cell lets benches pass; whether no doubt is left.
-
-    Slot 1 of the block holds the dragon at the start of the stride. Who comes first to the cell is
-    looked at, and the next, where that one stands inside: it comes through what lies behind it.
-    """  # fmt: skip
-    k, c, way, tally = ground.doubts[doubt, 0], ground.doubts[doubt, 1], course.way, course.tally
-    cell = ground.measures[CELL]
-    back, ahead = (c + ground.counts[LOW]) * cell, (c + ground.counts[LOW] + 1) * cell
-    i, settled, inside = next_of_kind(benches, block.s, 1, k, ahead, 0), False, True
-    for _ in range(2):
-        if i < 0 or not inside:
-            break
-        at = block.s[i, 1]
-        inside = at > back
-        first = arrival(rows, benches, block, tally, i, max(back, at), way[AT], way[SOUND])
-        if first < way[SOUND]:
-            place = follows_until(rows, kinds, ground, sweeper, k, max(back, at), max(ahead, at))
-            if place < max(ahead, at):
-                way[KNOWN] = min(way[KNOWN], first)
-                way[SOUND] = arrival(rows, benches, block, tally, i, place, way[AT], way[SOUND])
-            else:
-                settled = settled or not inside
-        i = next_of_kind(benches, block.s, 1, k, ahead, i + 1)
-    way[KNOWN] = min(way[KNOWN], way[SOUND])
-    return settled
-
-
-@kernel
-def look_through(
-    rows: FloatArray,
-    benches: Benches,
-    kinds: Kinds,
-    ground: Ground,
-    sweeper: Sweeper,
-    block: Block,
-    course: Course,
-) -> bool:
-    """Fill KNOWN and SOUND for the stride from AT to UPTO; False if none can stand at AT."""
-    way, counts, doubts = course.way, ground.counts, ground.doubts
-    way[KNOWN] = way[SOUND] = way[UPTO]
-    if counts[DOUBTS] == 0:
-        return True
-    block.at[0] = block.at[1] = way[AT]
-    if not place_block(rows, benches.links, block, course.tally, 2):
-        return False
-    n = 0
-    while n < counts[DOUBTS]:
-        if pass_doubt(rows, benches, kinds, ground, sweeper, block, course, n):
-            counts[DOUBTS] -= 1
-            doubts[n, 0], doubts[n, 1] = doubts[counts[DOUBTS], 0], doubts[counts[DOUBTS], 1]
-        else:
-            n += 1
-    return True
-
-
-@kernel
-def next_stride(
-    rows: FloatArray,
-    benches: Benches,
-    kinds: Kinds,
-    ground: Ground,
-    grids: Grids,
-    block: Block,
-    course: Course,
-) -> int:
+def next_stride(walk: Walk, room: Room) -> int:
     """Prepare the walk past SOUND; STEP if there is more of it, DONE, STOPPED or NARROW."""
-    way, tally = course.way, course.tally
+    ground, kinds, way, tally = room.ground, walk.kinds, room.course.way, room.course.tally
     if way[SOUND] < way[UPTO]:
         return STOPPED
     if way[UPTO] >= way[GOAL]:
@@ -341,14 +104,14 @@ def next_stride(
     stride = max(LEAST_STRIDE, SHARE * known)
     upto = way[AT] + stride
     if ground.counts[MIXED] == 0:
-        upto = max(upto, clear_end(ground, kinds.group[benches.kind[0]], way[AT]))
+        upto = max(upto, clear_end(ground, kinds.group[walk.benches.kind[0]], way[AT]))
     upto = min(upto, way[GOAL])
     sweeper = sweeper_for()
-    if not extend(rows, kinds, ground, sweeper, grids, upto):
+    if not extend(walk.rows, kinds, ground, sweeper, room.grids, upto):
         return NARROW
     way[UPTO] = upto
     tally[SLOT] = tally[SLOTS] = 0
-    if look_through(rows, benches, kinds, ground, sweeper, block, course):
+    if look_through(walk, room, sweeper):
         return STEP
     way[SOUND] = way[AT]
     return STOPPED
@@ -371,13 +134,13 @@ def benches_reaching(benches: Benches, head: float, back: float) -> int:
 
 
 @kernel
-def next_block(rows: FloatArray, benches: Benches, ground: Ground, block: Block, course: Course) -> int:
+def next_block(walk: Walk, room: Room) -> int:
     """Place dragons at the borders of the next steps; STEP, or STOPPED if they do not stand."""
-    way, tally, counts = course.way, course.tally, ground.counts
+    way, tally, counts = room.course.way, room.course.tally, room.ground.counts
+    block, benches = room.block, walk.benches
     cells = way[AT] < way[KNOWN]
     end = way[KNOWN] if cells else way[SOUND]
-    size, slots = ground.measures[CELL] / PARTS, 1
-    count = block.at.shape[0]
+    size, slots, count = room.ground.measures[CELL] / PARTS, 1, block.at.shape[0]
     block.at[0] = way[AT]
     while slots < count and block.at[slots - 1] < end:
         at = way[AT] + slots * size
@@ -390,7 +153,7 @@ def next_block(rows: FloatArray, benches: Benches, ground: Ground, block: Block,
     if tally[BENCHES] < 3:
         return STEP
     links = benches.links if not cells else benches.links[: tally[BENCHES] - 1]
-    return STEP if place_block(rows, links, block, tally, slots) else STOPPED
+    return STEP if place_block(walk.rows, links, block, tally, slots) else STOPPED
 
 
 @kernel
@@ -430,23 +193,16 @@ def meeting_pairs(
 
 
 @kernel
-def crowd_pairs(
-    benches: Benches,
-    block: Block,
-    t: int,
-    crowd: Crowd,
-    reach: float,
-    first: IntArray,
-    second: IntArray,
-) -> int:
+def crowd_pairs(benches: Benches, room: Room, t: int) -> int:
     """Pairs of all benches that may come within reach between slots t and t + 1; how many.
 
     No point moves farther than the lever times the farthest way of any handle.
-    """  # fmt: skip
+    """
+    block, crowd, first, second = room.block, room.crowd, room.meeting.first, room.meeting.second
     hulls, count, travel, found = crowd.hulls, benches.kind.shape[0], 0.0, 0
     for i in range(count + 1):
         travel = max(travel, block.s[i, t + 1] - block.s[i, t])
-    near, widest = reach + 2.0 * benches.lever[0] * travel, 0.0
+    near, widest = room.ground.measures[REACH] + 2.0 * benches.lever[0] * travel, 0.0
     for b in range(crowd.grid.heads.shape[0]):
         crowd.grid.heads[b] = 0
     for i in range(count):
@@ -466,66 +222,48 @@ def crowd_pairs(
 
 
 @kernel
-def step_pairs(
-    benches: Benches,
-    kinds: Kinds,
-    ground: Ground,
-    block: Block,
-    crowd: Crowd,
-    course: Course,
-    meeting: Meeting,
-) -> int:
-    """Pairs of the next step of the block; how many."""  # fmt: skip
-    way, tally, t = course.way, course.tally, course.tally[SLOT]
+def step_pairs(walk: Walk, room: Room) -> int:
+    """Pairs of the next step of the block; how many."""
+    way, tally, s, meeting = room.course.way, room.course.tally, room.block.s, room.meeting
+    t, count = tally[SLOT], tally[BENCHES]
+    if count < 3:
+        return 0
     if way[AT] >= way[KNOWN]:
-        reach = ground.measures[REACH]
-        return crowd_pairs(benches, block, t, crowd, reach, meeting.first, meeting.second)
+        return crowd_pairs(walk.benches, room, t)
     return meeting_pairs(
-        benches, kinds, ground, block.s, t, tally[BENCHES], meeting.first, meeting.second
+        walk.benches, walk.kinds, room.ground, s, t, count, meeting.first, meeting.second
     )
 
 
 @kernel
-def next_step(
-    rows: FloatArray,
-    benches: Benches,
-    kinds: Kinds,
-    ground: Ground,
-    grids: Grids,
-    block: Block,
-    crowd: Crowd,
-    course: Course,
-    meeting: Meeting,
-) -> int:
+def next_step(walk: Walk, room: Room) -> int:
     """Find the next step in which pairs may come within reach; how that ended, as above."""
-    way, tally, size = course.way, course.tally, ground.measures[CELL] / PARTS
+    way, tally, at = room.course.way, room.course.tally, room.block.at
     for _ in range(STEPS_A_CALL):
         if tally[SLOT] >= tally[SLOTS]:
             ending = STEP
             if way[AT] >= way[SOUND]:
-                ending = next_stride(rows, benches, kinds, ground, grids, block, course)
-            elif way[AT] >= way[KNOWN] or not skip_to_partners(ground, way, size):
-                ending = next_block(rows, benches, ground, block, course)
+                ending = next_stride(walk, room)
+            elif way[AT] >= way[KNOWN] or not skip_to_partners(room.ground, way):
+                ending = next_block(walk, room)
             if ending != STEP:
                 return ending
             continue
-        t, found = tally[SLOT], 0
-        if tally[BENCHES] >= 3:
-            found = step_pairs(benches, kinds, ground, block, crowd, course, meeting)
-        if found > meeting.first.shape[0]:
-            tally[PAIRS] = found
+        t, found = tally[SLOT], step_pairs(walk, room)
+        tally[PAIRS] = found
+        if found > room.meeting.first.shape[0]:
             return NARROW
-        way[STEP_START], way[STEP_END] = block.at[t], block.at[t + 1]
-        way[AT], tally[SLOT], tally[PAIRS] = block.at[t + 1], t + 1, found
+        way[STEP_START], way[STEP_END], way[AT] = at[t], at[t + 1], at[t + 1]
+        tally[SLOT] = t + 1
         if found:
             return STEP
     return WAIT
 
 
 @kernel
-def skip_to_partners(ground: Ground, way: FloatArray, size: float) -> bool:
+def skip_to_partners(ground: Ground, way: FloatArray) -> bool:
     """Pass over what no bench can meet another in, up to KNOWN; whether that is all."""
-    begin = way[KNOWN]
+    begin, size = way[KNOWN], ground.measures[CELL] / PARTS
     if ground.counts[ENTRIES]:
         begin = (ground.counts[FIRST] + ground.counts[LOW] * PARTS - 1) * size
     if begin > way[AT]:

@@ -6,27 +6,21 @@ clear to its end, when more room is wanted, or to let others work: it is then ca
 
 from benchdragon.kernels.arrays import Vector
 from benchdragon.kernels.box import set_box
-from benchdragon.kernels.cells import Grids, Ground
-from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import entry, kernel
-from benchdragon.kernels.meetings import (
+from benchdragon.kernels.course import (
     CHAINS,
-    DONE,
-    NARROW,
     PAIRS,
     PLACED,
-    STEP,
     STEP_END,
     STEP_START,
-    UNIT,
-    WAIT,
     Block,
     Course,
-    Crowd,
-    Meeting,
+    Room,
     Walk,
-    next_step,
 )
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.doubts import UNIT
+from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.meetings import DONE, NARROW, STEP, WAIT, next_step
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import (
     CLEAR,
@@ -67,16 +61,9 @@ def left_end_is_placed(search: Search, course: Course, chain: Chain) -> bool:
 
 
 @kernel
-def search_open_step(
-    walk: Walk,
-    search: Search,
-    course: Course,
-    meeting: Meeting,
-    goal: int,
-    limits: Limits,
-    note: FloatArray,
-) -> int:
-    """Search the rest of the step at hand; how that ended, or CROWDED."""  # fmt: skip
+def search_open_step(walk: Walk, room: Room, goal: int, limits: Limits, note: FloatArray) -> int:
+    """Search the rest of the step at hand; how that ended, or CROWDED."""
+    search, course, meeting = room.search, room.course, room.meeting
     way, tally, count = course.way, course.tally, course.tally[PAIRS]
     first, second = meeting.first[:count], meeting.second[:count]
     mine, other, members = meeting.mine[:count], meeting.other[:count], meeting.members
@@ -114,13 +101,7 @@ def half_full(block: Block, tally: IntArray) -> bool:
 @entry
 def search_walk(
     walk: Walk,
-    ground: Ground,
-    grids: Grids,
-    block: Block,
-    crowd: Crowd,
-    course: Course,
-    meeting: Meeting,
-    search: Search,
+    room: Room,
     goal: int,
     margin: float,
     slack: float,
@@ -134,19 +115,17 @@ def search_walk(
     their number plus the second, from 0; the rest of `note` is that of `search.bisect`. For SEEK each
     step is FOUND in which pairs may come within reach.
     """
-    way, spent = course.way, note[EVALUATIONS]
+    way, tally, spent = room.course.way, room.course.tally, note[EVALUATIONS]
     while True:
-        while goal != SEEK and way[STEP_START] < way[STEP_END] and course.tally[PAIRS]:
-            if note[EVALUATIONS] - spent >= EVALUATIONS_A_CALL or half_full(block, course.tally):
+        while goal != SEEK and way[STEP_START] < way[STEP_END] and tally[PAIRS]:
+            if note[EVALUATIONS] - spent >= EVALUATIONS_A_CALL or half_full(room.block, tally):
                 return MORE
             narrow = max(width, WIDTH_ROUNDINGS * UNIT * way[STEP_END])
             limits = Limits(margin, slack, narrow, most)
-            ending = search_open_step(walk, search, course, meeting, goal, limits, note)
+            ending = search_open_step(walk, room, goal, limits, note)
             if ending != CLEAR:
                 return ending
-        ending = next_step(
-            walk.rows, walk.benches, walk.kinds, ground, grids, block, crowd, course, meeting
-        )
+        ending = next_step(walk, room)
         if ending == DONE:
             return CLEAR
         if ending != STEP:

@@ -1,0 +1,125 @@
+"""Where a search along a walk stands: the dragon, what it works on, and dragons placed ahead."""
+
+from typing import NamedTuple
+
+from benchdragon.kernels.arrays import IntVector, Table, Vector
+from benchdragon.kernels.cells import Grids, Ground, Kinds
+from benchdragon.kernels.chain import march
+from benchdragon.kernels.curve import S_START, FloatArray, length_at
+from benchdragon.kernels.grid import Grid
+from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.search import Search, log_chain
+from benchdragon.kernels.step_bounds import Placements
+
+# Where a walk stands, a row of floats: head positions, m.
+AT = 0  # all steps up to here were given
+GOAL = 1  # where the search ends
+UPTO = 2  # the route is known up to here
+KNOWN = 3  # cells name all pairs up to here
+SOUND = 4  # all benches surely follow up to here
+STEP_START = 5  # of the step at hand
+STEP_END = 6
+COURSE = 7
+# What is counted of it, a row of whole numbers.
+SLOT = 0  # the next step of the block
+SLOTS = 1  # steps in it
+BENCHES = 2  # in it
+PAIRS = 3  # of the step at hand
+PLACED = 4  # handles in slot 0 of the search
+CHAINS = 5  # logged
+TALLY = 6
+
+
+class Benches(NamedTuple):
+    """The benches of a dragon."""
+
+    links: Vector
+    sizes: Table  # (4, benches)
+    kind: IntVector
+    ahead: Vector  # of each, the links before it, m
+    lever: Vector  # how far a point moves when handles move by 1 m, (1,)
+
+
+class Walk(NamedTuple):
+    """A dragon on a route."""
+
+    rows: Table
+    benches: Benches
+    kinds: Kinds
+
+
+class Block(NamedTuple):
+    """Dragons at the borders of steps to come."""
+
+    at: Vector  # head positions, m
+    places: Placements
+    s: Table  # route positions of the handles, m, (handles, slots)
+    log: Table  # for a proof: see `search.log_chain`
+
+
+class Crowd(NamedTuple):
+    """All benches at the start of a step, boxed, in a grid."""
+
+    hulls: Table  # (benches, cells.HULL_COLUMNS)
+    grid: Grid
+    found: IntVector
+
+
+class Meeting(NamedTuple):
+    """The pairs of a step: of benches, then of members; the last are scratch, one for each bench."""
+
+    first: IntVector
+    second: IntVector
+    mine: IntVector
+    other: IntVector
+    members: IntVector
+    place: IntVector  # all -1
+
+
+class Course(NamedTuple):
+    """Where a walk stands."""
+
+    way: Vector
+    tally: IntVector
+
+
+class Room(NamedTuple):
+    """What a search along a walk works on; the caller's memory, made by analysis/tables.py."""
+
+    ground: Ground
+    grids: Grids
+    block: Block
+    crowd: Crowd
+    course: Course
+    meeting: Meeting
+    search: Search
+
+
+@kernel
+def log_block(block: Block, tally: IntArray, slots: int, handles: int) -> None:
+    """Log the chains in the first slots, if there is room; they count in any case."""
+    for t in range(slots):
+        n = tally[CHAINS]
+        tally[CHAINS] = n + 1
+        if n < block.log.shape[0]:
+            log_chain(block.log, n, block.at[t], handles, block.places, t)
+
+
+@kernel
+def place_block(rows: FloatArray, links: FloatArray, block: Block, tally: IntArray, slots: int) -> bool:
+    """Place chains with these links at the first slots; whether all stand."""
+    places, s = block.places, block.s
+    march(
+        rows, links, block.at, 0, slots, places.row, places.u, places.x, places.y, places.ratio,
+        places.failed,
+    )  # fmt: skip
+    for t in range(slots):
+        if places.failed[0, t]:
+            return False
+    for i in range(links.shape[0] + 1):
+        for t in range(slots):
+            j = places.row[i, t]
+            s[i, t] = rows[j, S_START] + length_at(rows, j, places.u[i, t])
+    log_block(block, tally, slots, links.shape[0] + 1)
+    return True

@@ -1,0 +1,136 @@
+"""Whether all benches surely follow through the cells ahead, and up to where if not.
+
+Cells through which it is not sure that benches of a kind can walk are in doubt. They are looked at
+once such a bench comes to them, in finer and finer parts.
+"""
+
+import numpy as np
+
+from benchdragon.kernels.cells import CELL, DOUBTS, LOW, Ground, Sweeper, log_borders
+from benchdragon.kernels.course import (
+    AT,
+    KNOWN,
+    SOUND,
+    UPTO,
+    Benches,
+    Room,
+    Walk,
+    place_block,
+)
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.regions import walks_on
+from benchdragon.kernels.step_bounds import HANDLE_COLUMNS, place_chain
+
+# Cells in doubt are looked at in so many parts at first, then in finer ones, down to this, m: far
+# coarser, and overlaps just before a fold would stay unknown.
+CAREFUL_PARTS, FINEST = 16, 1e-9
+# A unit in the last place of a number is at most this share of it.
+UNIT = 2.3e-16
+
+
+@kernel
+def arrival(walk: Walk, room: Room, i: int, back: float) -> float:
+    """At most the head's position in AT..SOUND at which handle i comes to `back`, m."""
+    block, way, links = room.block, room.course.way, walk.benches.links
+    start, end = way[AT], way[SOUND]
+    if i == 0:
+        return min(max(back, start), end)
+    low, high, middle = start, end, end  # it may not come so far
+    while low < middle:
+        block.at[0] = middle
+        if place_block(walk.rows, links[:i], block, room.course.tally, 1) and block.s[i, 0] < back:
+            low = middle
+        else:
+            high = middle
+        middle = 0.5 * (low + high) if high - low > finest(high) else low
+    return low
+
+
+@kernel
+def finest(s: float) -> float:
+    """The finest step at route position s, m, that rounding allows."""
+    return max(FINEST, 4.0 * UNIT * abs(s))
+
+
+@kernel
+def follows_until(
+    walk: Walk, ground: Ground, sweeper: Sweeper, k: int, start: float, end: float
+) -> float:
+    """The place up to which benches of kind k surely follow, their front handle from start, m.
+
+    The way is halved where it is unsure; `end`, if all the way.
+    """
+    at, step, handles = start, (end - start) / CAREFUL_PARTS, np.empty((2, HANDLE_COLUMNS))
+    rows, sizes = walk.rows, walk.kinds.sizes
+    sweeper.link[0] = sizes[0, k] - sizes[2, k] - sizes[3, k]
+    while at < end:
+        ahead = min(end, at + step)
+        sweeper.at[0], sweeper.at[1] = at, ahead
+        place_chain(rows, sweeper.link, sweeper.at, 0, 2, sweeper.places)
+        log_borders(ground, sweeper, 2)
+        if walks_on(rows, sweeper.places, 0, sweeper.link, handles):
+            at, step = ahead, 2.0 * step
+        elif step > finest(at):
+            step *= 0.5
+        else:
+            return at
+    return end
+
+
+@kernel
+def next_of_kind(benches: Benches, s: FloatArray, t: int, k: int, ahead: float, since: int) -> int:
+    """The first bench of kind k from `since` on that stands behind `ahead` in slot t; -1: none."""
+    for i in range(since, benches.kind.shape[0]):
+        if benches.kind[i] == k and s[i, t] < ahead:
+            return i
+    return -1
+
+
+@kernel
+def pass_doubt(walk: Walk, room: Room, sweeper: Sweeper, doubt: int) -> bool:
+    """Draw KNOWN and SOUND in to where a doubtful cell lets benches pass; whether no doubt is left.
+
+    Slot 1 of the block holds the dragon at the start of the stride. Who comes first to the cell is
+    looked at, and the next, where that one stands inside: it comes through what lies behind it.
+    """
+    ground, way, benches, s = room.ground, room.course.way, walk.benches, room.block.s
+    k, c, cell = ground.doubts[doubt, 0], ground.doubts[doubt, 1], ground.measures[CELL]
+    back, ahead = (c + ground.counts[LOW]) * cell, (c + ground.counts[LOW] + 1) * cell
+    i, settled, inside = next_of_kind(benches, s, 1, k, ahead, 0), False, True
+    for _ in range(2):
+        if i < 0 or not inside:
+            break
+        at = s[i, 1]
+        inside = at > back
+        first = arrival(walk, room, i, max(back, at))
+        if first < way[SOUND]:
+            place = follows_until(walk, ground, sweeper, k, max(back, at), max(ahead, at))
+            if place < max(ahead, at):
+                way[KNOWN] = min(way[KNOWN], first)
+                way[SOUND] = arrival(walk, room, i, place)
+            else:
+                settled = settled or not inside
+        i = next_of_kind(benches, s, 1, k, ahead, i + 1)
+    way[KNOWN] = min(way[KNOWN], way[SOUND])
+    return settled
+
+
+@kernel
+def look_through(walk: Walk, room: Room, sweeper: Sweeper) -> bool:
+    """Fill KNOWN and SOUND for the stride from AT to UPTO; False if none can stand at AT."""
+    way, block, counts, doubts = room.course.way, room.block, room.ground.counts, room.ground.doubts
+    way[KNOWN] = way[SOUND] = way[UPTO]
+    if counts[DOUBTS] == 0:
+        return True
+    block.at[0] = block.at[1] = way[AT]
+    if not place_block(walk.rows, walk.benches.links, block, room.course.tally, 2):
+        return False
+    n = 0
+    while n < counts[DOUBTS]:
+        if pass_doubt(walk, room, sweeper, n):
+            counts[DOUBTS] -= 1
+            doubts[n, 0], doubts[n, 1] = doubts[counts[DOUBTS], 0], doubts[counts[DOUBTS], 1]
+        else:
+            n += 1
+    return True
