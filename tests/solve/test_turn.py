@@ -116,6 +116,22 @@ def test_clothoids_bound_accelerations_and_cost_length() -> None:
     assert answer.upper - answer.lower < 1e-3 * answer.value
 
 
+def test_local_searches_are_as_long_as_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    lengths, local = [], turn._local_search
+
+    def noted(evaluator: TurnEvaluator, x: list[float], most: int) -> list[float]:
+        before = evaluator.evaluations
+        found = local(evaluator, x, most)
+        lengths.append(evaluator.evaluations - before)
+        return found
+
+    monkeypatch.setattr(turn, "_local_search", noted)
+    monkeypatch.setattr(minima, "LOCAL", 15)
+    sought(plan("turn.entry_radius=4.5", "turn.exit_radius=4.5"))
+    # Two searches, what both begin from, and what is compared after each.
+    assert 15 < min(lengths) <= max(lengths) <= 2 * 15 + 5
+
+
 @pytest.mark.parametrize("family", ["arc-arc", "arc-line-arc", "arc-arc-arc"])
 @pytest.mark.parametrize("objective", ["way", "acceleration"])
 def test_unknowns_and_tables_are_inverses(family: str, objective: str) -> None:
