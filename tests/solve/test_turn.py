@@ -20,19 +20,13 @@ from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.turn import BestTurn, TurnEvaluator, TurnGoal, pareto_front
 from benchdragon.solve.turn import best_turn as sought
 
+pytestmark = pytest.mark.usefixtures("short_searches")
+
 PAPER = TwoArcTurn(1.7)
 
 
 def plan(*settings: str) -> Plan:
     return read_plan("turn", ["turn.family=arc-line-arc", "dragon.benches=45", *settings])
-
-
-@pytest.fixture(autouse=True)
-def _short_searches(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Searches of a test need not be as long as a user's."""
-    monkeypatch.setattr(minima, "SEEDS", (1,))
-    monkeypatch.setattr(minima, "GENERATIONS", 10)
-    monkeypatch.setattr(minima, "LOCAL", 80)
 
 
 def sampled(best: BestTurn) -> tuple[float, float]:
