@@ -15,6 +15,7 @@ from benchdragon.figures.walk import bench_corners
 from benchdragon.model.turns import TwoArcTurn
 from benchdragon.model.walk import Motion
 from benchdragon.plans.schema import Plan, read_plan
+from benchdragon.plans.toml import PlanError
 from benchdragon.solve import minima, turn
 from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.turn import BestTurn, TurnEvaluator, TurnGoal, pareto_front
@@ -163,6 +164,14 @@ def test_only_turns_have_a_best_turn() -> None:
         sought(read_plan("spiral-in"))
     with pytest.raises(InputError, match="wanted one of"):
         TurnGoal("beauty")
+
+
+def test_speeds_that_cannot_be_are_refused_before_any_search(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(turn, "_best", lambda *_arguments: pytest.fail("it searched"))
+    with pytest.raises(
+        PlanError, match=r"^--set: walk\.profile: the times of a speed profile must incr"
+    ):
+        sought(read_plan("turn", ["walk.profile=[[0,1],[0,1]]"]))
 
 
 def test_a_turn_that_is_not_there_ends_as_the_help_says(capsys: pytest.CaptureFixture[str]) -> None:

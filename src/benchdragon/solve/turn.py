@@ -298,12 +298,14 @@ def best_turn(plan: Plan, goal: TurnGoal | None = None, *, progress: Progress = 
 
     Raises:
         InputError: for a plan without a turn, or if no turn keeps the limits.
+        PlanError: for speeds of the head that cannot be.
     """
     of_kind("plan", plan, Plan)
     wished = TurnGoal() if goal is None else goal
     of_kind("wish", wished, TurnGoal)
     if wished.objective == "speed" and plan.limits.speed is None:
         raise InputError(_("the plan has no limit of speed: set limits.speed=2, for example"))
+    plan.profile()  # a wrong one is told before the search, not after it
     return _best(TurnEvaluator(plan, wished), progress)
 
 
