@@ -3,14 +3,15 @@
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 from hypothesis import HealthCheck, settings
 
 from benchdragon.i18n import use_language
-from benchdragon.paper import reproduce as reproducing
-from benchdragon.paper import results
-from benchdragon.paper.results import Results
+
+if TYPE_CHECKING:
+    from benchdragon.paper.results import Results
 
 settings.register_profile(
     "benchdragon",
@@ -24,8 +25,10 @@ settings.load_profile("benchdragon")
 
 
 @pytest.fixture(scope="session")
-def found() -> Results:
+def found() -> "Results":
     """What the paper comes to; fewer turns, and fewer dances walked again, will do in a test."""
+    from benchdragon.paper import results  # takes seconds, which most tests can do without
+
     told: list[tuple[float, str]] = []
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(results, "FRONT_SPEEDS", (1.3,))
@@ -37,8 +40,10 @@ def found() -> Results:
 
 
 @pytest.fixture(scope="session")
-def folder(tmp_path_factory: pytest.TempPathFactory, found: Results) -> Path:
+def folder(tmp_path_factory: pytest.TempPathFactory, found: "Results") -> Path:
     """A folder that `reproduce` has filled."""
+    from benchdragon.paper import reproduce as reproducing
+
     folder = tmp_path_factory.mktemp("out")
     told: list[tuple[float, str]] = []
     with pytest.MonkeyPatch.context() as patch:
@@ -53,8 +58,9 @@ def folder(tmp_path_factory: pytest.TempPathFactory, found: Results) -> Path:
 
 
 @pytest.fixture
-def ready(folder: Path, found: Results, monkeypatch: pytest.MonkeyPatch) -> None:
+def ready(folder: Path, found: "Results", monkeypatch: pytest.MonkeyPatch) -> None:
     """`reproduce` finds answers and pictures ready, and writes its report and answers alone."""
+    from benchdragon.paper import reproduce as reproducing
 
     def copy(to: Path, *_rest: object) -> None:
         to.mkdir(parents=True, exist_ok=True)
@@ -66,6 +72,16 @@ def ready(folder: Path, found: Results, monkeypatch: pytest.MonkeyPatch) -> None
     monkeypatch.setattr(reproducing, "_write_tables", lambda *_arguments: None)
     monkeypatch.setattr(reproducing, "all_figures", lambda _found: {})
     monkeypatch.setattr(reproducing, "_write_pictures", copy)
+
+
+@pytest.fixture
+def short_searches(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Searches for a better turn are shorter than a user's: they find one, if not the best."""
+    from benchdragon.solve import minima
+
+    monkeypatch.setattr(minima, "SEEDS", (1,))
+    monkeypatch.setattr(minima, "GENERATIONS", 10)
+    monkeypatch.setattr(minima, "LOCAL", 80)
 
 
 @pytest.fixture(params=["en", "zh"])

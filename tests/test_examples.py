@@ -8,7 +8,6 @@ import pytest
 
 from benchdragon.cli.main import run
 from benchdragon.plans.schema import read_plan
-from benchdragon.solve import minima
 
 ROOT = Path(__file__).parent.parent
 PLANS = sorted((ROOT / "examples").glob("*.dragon.toml"))
@@ -56,12 +55,10 @@ def python_blocks(readme: str) -> list[str]:
     return [block.split("```")[0] for block in readme.split("```python\n")[1:]]
 
 
+@pytest.mark.usefixtures("short_searches")  # tests/solve/test_turn.py asks how good turns are
 def test_every_command_in_the_readme_works(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     shutil.copytree(ROOT / "examples", tmp_path / "examples")
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(minima, "SEEDS", (1,))  # tests/solve/test_turn.py asks how good turns are
-    monkeypatch.setattr(minima, "GENERATIONS", 10)
-    monkeypatch.setattr(minima, "LOCAL", 80)
     commands = shell_lines((ROOT / "README.md").read_text("utf-8"))
     assert len(commands) >= 5
     for command in commands:

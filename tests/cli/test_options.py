@@ -50,6 +50,10 @@ STUDIO = ["studio", "--port", "0", "--no-browser"]
 REPRODUCE = ["reproduce", "-o", "out"]
 
 
+Outcome = tuple[object, ...]
+Come = Callable[[list[str], Sequence[str]], Outcome]
+
+
 class Case(NamedTuple):
     """A command line, what is added to it, and one that is run before both."""
 
@@ -239,11 +243,11 @@ def outcome(
     capfd: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,
     recorded: list[str],
-) -> Callable[[list[str], Sequence[str]], tuple[object, ...]]:
+) -> Come:
     """What a command line comes to in an empty folder, after another one: text, code, files, calls."""
     count = 0
 
-    def come(line: list[str], before: Sequence[str]) -> tuple[object, ...]:
+    def come(line: list[str], before: Sequence[str]) -> Outcome:
         nonlocal count
         count += 1
         folder = tmp_path / str(count)
@@ -271,14 +275,21 @@ def test_every_option_of_every_verb_is_given() -> None:
     assert known == {*CASES, *ELSEWHERE, *SILENT}
 
 
+@pytest.fixture(scope="module")
+def known() -> dict[str, Outcome]:
+    """What bare command lines come to, by what they and those before them say."""
+    return {}
+
+
+@pytest.mark.xdist_group("options")  # most command lines serve several of them
 @pytest.mark.parametrize("name", CASES)
-def test_an_option_has_an_effect(
-    outcome: Callable[[list[str], Sequence[str]], tuple[object, ...]], name: str
-) -> None:
+def test_an_option_has_an_effect(outcome: Come, known: dict[str, Outcome], name: str) -> None:
     base, added, before = CASES[name]
-    without = outcome(base, before)
-    assert outcome(base, before) == without, "the same twice, else nothing could be told"
-    assert outcome([*base, *added], before) != without
+    said = repr((base, before))
+    if said not in known:
+        known[said] = outcome(base, before)
+        assert outcome(base, before) == known[said], "the same twice, else nothing could be told"
+    assert outcome([*base, *added], before) != known[said]
 
 
 @pytest.mark.parametrize(

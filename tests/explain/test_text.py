@@ -17,7 +17,7 @@ from benchdragon.explain.text import motion_lines, number
 from benchdragon.model.answer import Answer
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan, TurnRoute, read_plan
-from benchdragon.solve import minima, turn
+from benchdragon.solve import turn
 from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.size import limit
 from benchdragon.solve.turn import BestTurn
@@ -298,10 +298,9 @@ def test_a_head_speed_that_nothing_limits_is_explained() -> None:
     assert len(speed_lines(plan, greatest_head_speed(plan))) == 1
 
 
+@pytest.mark.usefixtures("short_searches")
 @pytest.mark.parametrize("family", ["arc-arc", "arc-line-arc"])
-def test_a_turn_is_explained(family: str, spoken: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    for name, value in (("SEEDS", (1,)), ("GENERATIONS", 6), ("LOCAL", 40)):
-        monkeypatch.setattr(minima, name, value)
+def test_a_turn_is_explained(family: str, spoken: str) -> None:
     plan = read_plan("turn", ["dragon.benches=25", f"turn.family={family}"])
     best = turn.best_turn(plan)
     lines = turn_lines(best)

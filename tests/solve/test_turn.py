@@ -15,24 +15,19 @@ from benchdragon.figures.walk import bench_corners
 from benchdragon.model.turns import TwoArcTurn
 from benchdragon.model.walk import Motion
 from benchdragon.plans.schema import Plan, read_plan
+from benchdragon.plans.toml import PlanError
 from benchdragon.solve import minima, turn
 from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.turn import BestTurn, TurnEvaluator, TurnGoal, pareto_front
 from benchdragon.solve.turn import best_turn as sought
+
+pytestmark = pytest.mark.usefixtures("short_searches")
 
 PAPER = TwoArcTurn(1.7)
 
 
 def plan(*settings: str) -> Plan:
     return read_plan("turn", ["turn.family=arc-line-arc", "dragon.benches=45", *settings])
-
-
-@pytest.fixture(autouse=True)
-def _short_searches(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Searches of a test need not be as long as a user's."""
-    monkeypatch.setattr(minima, "SEEDS", (1,))
-    monkeypatch.setattr(minima, "GENERATIONS", 10)
-    monkeypatch.setattr(minima, "LOCAL", 80)
 
 
 def sampled(best: BestTurn) -> tuple[float, float]:
@@ -116,6 +111,22 @@ def test_clothoids_bound_accelerations_and_cost_length() -> None:
     assert answer.upper - answer.lower < 1e-3 * answer.value
 
 
+def test_local_searches_are_as_long_as_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    lengths, local = [], turn._local_search
+
+    def noted(evaluator: TurnEvaluator, x: list[float], most: int) -> list[float]:
+        before = evaluator.evaluations
+        found = local(evaluator, x, most)
+        lengths.append(evaluator.evaluations - before)
+        return found
+
+    monkeypatch.setattr(turn, "_local_search", noted)
+    monkeypatch.setattr(minima, "LOCAL", 15)
+    sought(plan("turn.entry_radius=4.5", "turn.exit_radius=4.5"))
+    # Two searches, what both begin from, and what is compared after each.
+    assert 15 < min(lengths) <= max(lengths) <= 2 * 15 + 5
+
+
 @pytest.mark.parametrize("family", ["arc-arc", "arc-line-arc", "arc-arc-arc"])
 @pytest.mark.parametrize("objective", ["way", "acceleration"])
 def test_unknowns_and_tables_are_inverses(family: str, objective: str) -> None:
@@ -153,6 +164,14 @@ def test_only_turns_have_a_best_turn() -> None:
         sought(read_plan("spiral-in"))
     with pytest.raises(InputError, match="wanted one of"):
         TurnGoal("beauty")
+
+
+def test_speeds_that_cannot_be_are_refused_before_any_search(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(turn, "_best", lambda *_arguments: pytest.fail("it searched"))
+    with pytest.raises(
+        PlanError, match=r"^--set: walk\.profile: the times of a speed profile must incr"
+    ):
+        sought(read_plan("turn", ["walk.profile=[[0,1],[0,1]]"]))
 
 
 def test_a_turn_that_is_not_there_ends_as_the_help_says(capsys: pytest.CaptureFixture[str]) -> None:

@@ -5,6 +5,7 @@ found by stepping back until the chord is as long as the link, and then inside t
 are differences of points; benches are four corners.
 """
 
+import math
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
@@ -13,6 +14,8 @@ import mpmath as mp
 # Steps per link in the search: no chord of these walks rises and falls within so short a step.
 STEPS = 24
 MOST_SECANTS = 60
+# Of Newton's method in floats, from a good first guess.
+FLOAT_STEPS = 5
 
 Number = Any  # mpf and mpc: mpmath has no types
 Point = Any
@@ -44,8 +47,15 @@ def arc_length(k: Number, theta: Number) -> Number:
 
 
 def angle_at(k: Number, length: Number) -> Number:
-    """The inverse of `arc_length` by Newton's method, whose last step squares a small error."""
-    theta, enough = mp.sqrt(2 * length / k), mp.mpf(10) ** (-mp.mp.dps // 2 - 4)
+    """The inverse of `arc_length` by Newton's method, whose last step squares a small error.
+
+    It begins in floats, where a few steps leave their rounding alone.
+    """
+    turns, rough = float(length / k), math.sqrt(2.0 * float(length / k))
+    for _step in range(FLOAT_STEPS):
+        root = math.hypot(1.0, rough)
+        rough -= (0.5 * (rough * root + math.asinh(rough)) - turns) / root
+    theta, enough = mp.mpf(rough), mp.mpf(10) ** (-mp.mp.dps // 2 - 4)
     step = enough
     while abs(step) >= enough:
         step = (arc_length(k, theta) - length) / (k * mp.sqrt(1 + theta * theta))

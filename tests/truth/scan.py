@@ -18,8 +18,9 @@ Pair = tuple[int, int]  # benches, numbered from 1
 # Pitch, m, to the walk with it that ends at s = 0, and the head's position at its start, m.
 Family = Callable[[float], tuple[Points, float]]
 
-# Steps per link in the search for the next handle; secant steps inside the bracket.
-STEPS, SECANTS = 24, 9
+# Steps per link in the search for the next handle; secant steps inside the bracket, at most, and the
+# step, m, after which no error is left: each is about the last one to the power 1.6.
+STEPS, SECANTS, SETTLED = 24, 9, 1e-10
 # Head positions at a time, and within one zoom into a step.
 BLOCK, ZOOM = 400, 33
 # Pairs farther apart than this, m, are not looked at; a gap less than this, m, is always looked into.
@@ -42,13 +43,16 @@ class Look(NamedTuple):
 
 
 def angles(k: float, length: Floats) -> Floats:
-    """Angles of r = k theta at these lengths from the centre, m, by Newton's method."""
+    """Angles of r = k theta at these lengths from the centre, m, by Newton's method.
+
+    Each error is at most the square of the last step.
+    """
     theta = np.sqrt(2.0 * length / k) + 1e-9
     for _step in range(12):
         root = np.sqrt(1.0 + theta * theta)
         step = (0.5 * (theta * root + np.log(theta + root)) - length / k) / root
         theta -= step
-        if np.abs(step).max() < 1e-9:
+        if np.abs(step).max(initial=0.0) < 1e-8:
             break
     return theta
 
@@ -77,13 +81,13 @@ def turn_walk(size: dict[str, complex]) -> Points:
     first = r1 * size["sweep"].real
 
     def point(s: Floats) -> Complexes:
-        outside = np.where(s < 0.0, -s, np.maximum(s - both, 0.0))
-        angle = angles(k, whole + outside)
-        spiral = np.where(s < 0.0, 1.0, -1.0) * k * angle * np.exp(1j * angle)
-        one = size["c1"] + (size["start"] - size["c1"]) * np.exp(-1j * s / r1)
-        two = size["c2"] + (size["touch"] - size["c2"]) * np.exp(1j * (s - first) / r2)
-        arcs = np.where(s < first, one, two)
-        return np.asarray(np.where((s < 0.0) | (s > both), spiral, arcs))
+        found, before, after = np.empty(s.shape, dtype=complex), s < 0.0, s > both
+        outside, one, two = before | after, ~before & (s < first), (s >= first) & ~after
+        angle = angles(k, whole + np.where(before, -s, s - both)[outside])
+        found[outside] = np.where(before[outside], k, -k) * angle * np.exp(1j * angle)
+        found[one] = size["c1"] + (size["start"] - size["c1"]) * np.exp(-1j * s[one] / r1)
+        found[two] = size["c2"] + (size["touch"] - size["c2"]) * np.exp(1j * (s[two] - first) / r2)
+        return found
 
     return point
 
@@ -96,12 +100,17 @@ def behind(point: Points, s: Floats, link: float) -> Floats:
         return np.asarray(np.abs(point(b) - here) - link)
 
     near, far = s, s - link
-    while (short := excess(far) < 0.0).any():
-        near, far = np.where(short, far, near), np.where(short, far - link / STEPS, far)
-    a, b, fa, fb = near, far, excess(near), excess(far)
+    below, above = np.full(s.shape, -link), excess(far)
+    while (short := above < 0.0).any():
+        near, below = np.where(short, far, near), np.where(short, above, below)
+        far = np.where(short, far - link / STEPS, far)
+        above = excess(far)
+    a, b, fa, fb = near, far, below, above
     for _step in range(SECANTS):
         rise = np.where(fb == fa, 1.0, fb - fa)
         a, fa, b = b, fb, np.clip(b - fb * (b - a) / rise, far, near)
+        if np.abs(b - a).max() < SETTLED:
+            break
         fb = excess(b)
     return b
 

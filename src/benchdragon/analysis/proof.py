@@ -117,7 +117,7 @@ class Rear:
     tangent: Pair
     bench: Pair
     too_long: "arb"
-    moved: float = 0.0
+    moved: float
 
     def cosine(self, tangent: Pair) -> float:
         """That of the angle between the bench and a tangent, to rounding."""
@@ -139,6 +139,8 @@ class Checker:
         self._arb = arb
         self.rows = rows
         self._exact = [[arb(float(value)) for value in row] for row in rows]
+        self._kinds = rows[:, kernel.KIND].tolist()
+        self._ways = [int(kernel.walks_up(rows, j)) for j in range(len(rows))]
         self.places = 0
         ends = [
             (j, float(u)) for j in range(len(rows)) for u in rows[j, [kernel.U_START, kernel.U_END]]
@@ -155,7 +157,7 @@ class Checker:
 
     def place(self, j: int, at: "arb") -> tuple["arb", "arb"]:
         """The point at parameter u of row j, enclosed."""
-        row, kind = self._exact[j], self.rows[j, kernel.KIND]
+        row, kind = self._exact[j], self._kinds[j]
         self.places += 1
         x, y, angle = row[kernel.X], row[kernel.Y], row[kernel.ANGLE]
         if kind == kernel.SPIRAL:
@@ -174,9 +176,9 @@ class Checker:
     def heading(self, j: int, at: "arb") -> tuple["arb", "arb"]:
         """The unit tangent in the walking direction at parameter u of row j, enclosed."""
         row = self._exact[j]
-        if self.rows[j, kernel.KIND] == kernel.SPIRAL:
+        if self._kinds[j] == kernel.SPIRAL:
             sine, cosine = (row[kernel.ANGLE] + row[kernel.Q] * at).sin_cos()
-            turn, scale = row[kernel.Q] * at, kernel.walks_up(self.rows, j) / (1 + at * at).sqrt()
+            turn, scale = row[kernel.Q] * at, self._ways[j] / (1 + at * at).sqrt()
             return scale * (cosine - turn * sine), scale * (sine + turn * cosine)
         angle = row[kernel.ANGLE] + at * (row[kernel.P] + row[kernel.Q] * at / 2)
         sine, cosine = angle.sin_cos()
@@ -197,9 +199,8 @@ class Checker:
         """How far the head's computed place is from route position s, along the route, m."""
         row, at = self._exact[j], self._arb(u)
         ahead = at
-        if self.rows[j, kernel.KIND] == kernel.SPIRAL:
-            way = 1 if self.rows[j, kernel.U_END] >= self.rows[j, kernel.U_START] else -1
-            ahead = way * (self._length(row, at) - self._length(row, row[kernel.U_START]))
+        if self._kinds[j] == kernel.SPIRAL:
+            ahead = self._ways[j] * (self._length(row, at) - self._length(row, row[kernel.U_START]))
         return _size(row[kernel.S_START] + ahead - self._arb(s))
 
     def _length(self, row: list["arb"], theta: "arb") -> "arb":
@@ -217,8 +218,10 @@ class Checker:
 
     def may_pass_a_kink(self, j: int, u: float, room: float) -> bool:
         """Whether what stands within `room` metres of parameter u of row j may be beyond a kink."""
+        if all(self.smooth):
+            return False
         width = room * ROUNDED_UP / kernel.stretch(self.rows, j, u)
-        way, last = kernel.walks_up(self.rows, j), len(self.rows) - 1
+        way, last = self._ways[j], len(self.rows) - 1
         behind = way * (u - self.rows[j, kernel.U_START]) <= width
         beyond = way * (self.rows[j, kernel.U_END] - u) <= width
         return (behind and j > 0 and not self.smooth[j - 1]) or (
@@ -267,19 +270,18 @@ class Checker:
 
     def _follow(self, front: Pair, j: int, u: float, link: float) -> Rear:
         """The handle one link behind an enclosed one, by a Newton step from parameter u of row j."""
-        metres = kernel.stretch(self.rows, j, u)
-        near = self._bench(front, j, self.ball(u), link)
-        slope = near.cosine(near.tangent) * metres * kernel.walks_up(self.rows, j)
+        metres, at = kernel.stretch(self.rows, j, u), self.ball(u)
+        near = self._bench(front, j, at, link)
+        slope = near.cosine(near.tangent) * metres * self._ways[j]
         step = near.too_long.mid() / self.ball(slope)
-        rear = self._bench(front, j, self.ball(u) + step, link)
-        return replace(rear, moved=_size(step) * metres * ROUNDED_UP)
+        return self._bench(front, j, at + step, link, _size(step) * metres * ROUNDED_UP)
 
-    def _bench(self, front: Pair, j: int, at: "arb", link: float) -> Rear:
-        """A bench from a front handle to parameter `at` of row j."""
+    def _bench(self, front: Pair, j: int, at: "arb", link: float, moved: float = 0.0) -> Rear:
+        """A bench from a front handle to parameter `at` of row j, which is so many metres away."""
         rear, long = self.place(j, at), self.ball(link)
         dx, dy = front[0] - rear[0], front[1] - rear[1]
         too_long = (dx * dx + dy * dy).sqrt() - long
-        return Rear(rear, self.heading(j, at), (dx / long, dy / long), too_long)
+        return Rear(rear, self.heading(j, at), (dx / long, dy / long), too_long, moved)
 
 
 def _size(value: "arb") -> float:

@@ -13,6 +13,7 @@ from benchdragon.errors import InputError
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.curves import Route, Spiral
+from benchdragon.model.profile import SpeedProfile
 from benchdragon.model.turns import Turn
 from benchdragon.model.walk import Walk
 from benchdragon.plans.faults import fault_of
@@ -265,6 +266,18 @@ class Plan(Table):
             text = _("the head never comes to the end of its walk: set walk.end")
             raise PlanError(self._source.sentences([Fault("walk", text)]))
         return start, end
+
+    def profile(self) -> SpeedProfile:
+        """The head's speed over time.
+
+        Raises:
+            PlanError: if there is none such.
+        """
+        faults = Faults()
+        profile = faults.tried("walk", self.walk.build)
+        if profile is None:
+            raise self._wrong(faults)
+        return profile
 
     def build(self) -> Walk:
         """The walk that the plan describes.

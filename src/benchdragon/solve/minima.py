@@ -52,7 +52,7 @@ def constrained_point(
     rooms: Callable[[list[float]], Sequence[float]],
     ranges: Ranges,
     x: Sequence[float],
-    most: int = LOCAL,
+    most: int,
 ) -> list[float]:
     """A low point near x at which none of the rooms is negative, by COBYQA, in unknowns from 0 to 1.
 
@@ -83,8 +83,11 @@ def constrained_point(
     return point(np.clip(result.x, 0.0, 1.0))
 
 
-def downhill_point(score: Score, ranges: Ranges, x: Sequence[float], most: int = LOCAL) -> list[float]:
-    """A low point downhill from x by Nelder and Mead's simplex, which goes over edges too."""
+def downhill_point(score: Score, ranges: Ranges, x: Sequence[float], most: int) -> list[float]:
+    """A low point downhill from x by Nelder and Mead's simplex, which goes over edges too.
+
+    It takes at most so many evaluations.
+    """
     from scipy.optimize import minimize  # slow to import
 
     bounds = np.array(ranges)

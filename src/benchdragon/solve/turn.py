@@ -27,8 +27,9 @@ from benchdragon.model.dragon import Dragon
 from benchdragon.model.turns import Turn
 from benchdragon.plans.schema import Plan, TurnRoute
 from benchdragon.progress import Progress, part, silent
+from benchdragon.solve import minima
 from benchdragon.solve.head_speed import greatest_head_speed
-from benchdragon.solve.minima import LOCAL, constrained_point, downhill_point, low_points
+from benchdragon.solve.minima import constrained_point, downhill_point, low_points
 
 # Benches that are walked through a turn while searching, and how far the head goes at a time, m: in
 # the global search and in the local one.
@@ -297,12 +298,14 @@ def best_turn(plan: Plan, goal: TurnGoal | None = None, *, progress: Progress = 
 
     Raises:
         InputError: for a plan without a turn, or if no turn keeps the limits.
+        PlanError: for speeds of the head that cannot be.
     """
     of_kind("plan", plan, Plan)
     wished = TurnGoal() if goal is None else goal
     of_kind("wish", wished, TurnGoal)
     if wished.objective == "speed" and plan.limits.speed is None:
         raise InputError(_("the plan has no limit of speed: set limits.speed=2, for example"))
+    plan.profile()  # a wrong one is told before the search, not after it
     return _best(TurnEvaluator(plan, wished), progress)
 
 
@@ -311,15 +314,15 @@ def _best(evaluator: TurnEvaluator, progress: Progress) -> BestTurn:
     starts = _global_search(evaluator, part(progress, 0.0, SEARCHED, _("global search")))
     evaluator.step = STEPS[1]
     progress(SEARCHED, _("local search"))
-    x = min((_local_search(evaluator, start) for start in starts), key=evaluator.score)
-    return _settled(evaluator, x, progress, began)
+    ends = [_local_search(evaluator, start, minima.LOCAL) for start in starts]
+    return _settled(evaluator, min(ends, key=evaluator.score), progress, began)
 
 
 def _settled(evaluator: TurnEvaluator, x: list[float], progress: Progress, began: float) -> BestTurn:
     """The local optimum near x, by exact figures."""
     for narrowing in range(NARROWINGS):
         progress(SEARCHED, _("local search"))
-        x = _local_search(evaluator, x)
+        x = _local_search(evaluator, x, minima.LOCAL)
         progress(SEARCHED, _("exact figures"))
         best, exceeded = _exact(evaluator, x, began, PRUDENCE * 2.0**narrowing)
         if not exceeded:
@@ -336,8 +339,11 @@ def _global_search(evaluator: TurnEvaluator, progress: Progress) -> list[list[fl
     return starts
 
 
-def _local_search(evaluator: TurnEvaluator, x: list[float], most: int = LOCAL) -> list[float]:
-    """A local optimum within limits, and downhill from there, over the edges where one takes over."""
+def _local_search(evaluator: TurnEvaluator, x: list[float], most: int) -> list[float]:
+    """A local optimum within limits, and downhill from there, over the edges where one takes over.
+
+    It takes at most so many evaluations for each of the two.
+    """
     names = list(evaluator.rooms(_complete(evaluator, x)))
 
     @cache
