@@ -37,9 +37,9 @@ from benchdragon import (
     first_contact,
     tightest_pairs,
 )
-from benchdragon.analysis import regions
 from benchdragon.analysis.check import check
 from benchdragon.analysis.distance import nearest_each
+from benchdragon.analysis.tables import Tables
 from benchdragon.kernels.chain import march
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.head_speed import greatest_head_speed
@@ -315,7 +315,13 @@ def workers() -> list[str]:
 
 def without_spiral_bound(job: Callable[[], object]) -> None:
     """Run a search that boxes every cell, as on curves that are no spirals."""
-    with mock.patch.object(regions, "clear_spans", return_value=0):
+    begin = Tables.begin
+
+    def begin_without(tables: Tables) -> None:
+        begin(tables)
+        tables.ground.spans[:] = math.inf, -math.inf
+
+    with mock.patch.object(Tables, "begin", begin_without):
         job()
 
 

@@ -24,13 +24,22 @@ from benchdragon import (
     first_contact,
     least_clearance,
 )
-from benchdragon.analysis.contact_search import ContactSearch, Step
+from benchdragon.analysis.contact_search import ContactSearch, Step, contact_search
 from benchdragon.analysis.distance import boxes, pair_distances
 from benchdragon.analysis.ledger import Ledger
 from benchdragon.analysis.speed import greatest_speed
-from benchdragon.analysis.tables import kinds_of
+from benchdragon.analysis.tables import Tables, kinds_of
 from benchdragon.errors import WalkError
-from benchdragon.kernels import cells, course, meetings, pair_bounds, regions, search, step_bounds
+from benchdragon.kernels import (
+    cells,
+    course,
+    meetings,
+    near_cells,
+    pair_bounds,
+    regions,
+    search,
+    step_bounds,
+)
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels.box import (
     BOX_COLUMNS,
@@ -226,6 +235,17 @@ def row_of(ground: cells.Ground, group: int, s: float) -> int:
     return group * len(ground.middles) + cell
 
 
+def search_alone(
+    found: ContactSearch, goal: int, step: Step, note: FloatArray, tolerance: float
+) -> int:
+    """Let a search look through one step with its pairs, and nothing else."""
+    tables, count = found.tables, len(step.first)
+    tables.go(step.end, step.end)
+    tables.course.way[course.STEP_START], tables.course.tally[course.PAIRS] = step.start, count
+    tables.meeting.first[:count], tables.meeting.second[:count] = step.first, step.second
+    return found.search(goal, note, tolerance)
+
+
 def search_step(
     room: search.Search,
     goal: int,
@@ -239,6 +259,13 @@ def search_step(
     """Search one step with the kernels alone."""  # fmt: skip
     top = search.open_step(room, len(pairs.first), start, end)
     return search.bisect(room, goal, chain, pairs, top, 0, limits, note)
+
+
+def without_spans(tables: Tables, begin: Callable[[Tables], None] = Tables.begin) -> None:
+    """Begin a search that knows of no span in which benches keep apart."""
+    begin(tables)
+    assert (tables.ground.spans[:, 0] < tables.ground.spans[:, 1]).any()
+    tables.ground.spans[:] = math.inf, -math.inf
 
 
 MIXED = [Bench(1.6, 0.4, 0.1, 0.2), *[Bench(1.0 + 0.1 * n, 0.7 - 0.1 * n, 0.1, 0.1) for n in range(5)]]
@@ -626,7 +653,7 @@ def partnered(
     ground.counts[[cells.GROUPS, cells.CELLS, cells.LOW]] = groups, whole, low // cells.PARTS
     ground.measures[cells.CELL] = size * cells.PARTS
     for a, c, b, d in np.argwhere(wanted).tolist():
-        cells.add_partners(ground, rows + a * parts + c, rows + b * parts + d)
+        near_cells.add_partners(ground, rows + a * parts + c, rows + b * parts + d)
 
     def pairs(s: FloatArray, group: IntArray, most: int) -> set[tuple[int, int]]:
         first, second = np.empty((2, most), dtype=np.int64)
@@ -740,9 +767,24 @@ def test_a_step_begins_with_the_chain_of_the_one_before_or_its_own() -> None:
         for found in (together, ContactSearch(walk, 9.0, 12.0, 0.0, silent)):
             note = np.zeros(search.NOTES)
             note[search.NEAREST] = note[search.FLOOR] = math.inf
-            assert found.search_step(search.LEAST, step, note, 1e-9) == search.CLEAR
+            assert search_alone(found, search.LEAST, step, note, 1e-9) == search.CLEAR
             notes.append(note[[search.NEAREST, search.PAIR]].tolist())
         assert notes[0] == notes[1]
+
+
+def test_what_benches_behind_may_reach_is_boxed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A head on its way in meets benches that are in a clear span with each other."""
+    walk = Walk(Dragon.uniform(40), Route((Spiral(0.5, 14.0 * math.pi, 2.0 * math.pi),)), start=40.0)
+    bounds, boxed = [], []
+    for _turn in range(2):
+        found = contact_search(walk, 0.0, 25.0, 0.0, silent)
+        note = np.zeros(search.NOTES)
+        assert found.search(search.FIRST_TOUCH, note) == search.FOUND
+        bounds.append(note[[search.LOWER, search.UPPER, search.PAIR]].tolist())
+        boxed.append(int((found.tables.ground.tree[:, cells.STATE] == cells.BOXED).sum()))
+        monkeypatch.setattr(Tables, "begin", without_spans)
+    assert bounds[0] == bounds[1]
+    assert boxed[0] < boxed[1]
 
 
 def test_a_search_that_gives_up_says_how_low_it_may_be() -> None:
@@ -863,7 +905,7 @@ def test_every_pair_of_a_step_is_looked_at() -> None:
     for second, found in (([3, 2], 1), ([2, 3], 0)):
         note = np.zeros(search.NOTES)
         step = Step(15.0, 15.2, np.array([0, 0]), np.array(second))
-        assert contact_search.search_step(search.FIRST_TOUCH, step, note) == search.FOUND
+        assert search_alone(contact_search, search.FIRST_TOUCH, step, note, 0.0) == search.FOUND
         assert contact_search.pair(note) == (0, second[found])
         assert note[search.UPPER] == 15.0
 
@@ -875,7 +917,7 @@ def test_the_end_of_a_step_is_looked_at() -> None:
     contact_search = ContactSearch(walk, 9.0, 10.0, at + 2e-15, silent, 1e-15)
     note = np.zeros(search.NOTES)
     step = Step(*ends, np.array([0]), np.array([j]))
-    assert contact_search.search_step(search.FIRST_TOUCH, step, note) == search.FOUND
+    assert search_alone(contact_search, search.FIRST_TOUCH, step, note, 0.0) == search.FOUND
     assert note[search.UPPER] == 10.0
 
 
@@ -904,7 +946,7 @@ def test_a_pair_within_rounding_of_the_margin_is_neither_clear_nor_found(
     pair = np.array([0]), np.array([2])
     note = np.zeros(search.NOTES)
     step = Step(15.0, 15.2, *pair)
-    assert contact_search.search_step(search.FIRST_TOUCH, step, note) == ending
+    assert search_alone(contact_search, search.FIRST_TOUCH, step, note, 0.0) == ending
 
 
 def test_a_bracket_begins_where_all_was_clear() -> None:

@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from benchdragon.analysis.contact_search import ContactSearch, Step, contact_search
-from benchdragon.analysis.distance import boxes, low_pair, pairs_within, tightest_pairs
+from benchdragon.analysis.contact_search import ContactSearch, contact_search
+from benchdragon.analysis.distance import low_pair, tightest_pairs
 from benchdragon.analysis.ledger import Ledger
 from benchdragon.errors import InputError, of_kind
 from benchdragon.i18n import _
@@ -243,7 +243,7 @@ def _least(search: ContactSearch, best: Best, within: float, tolerances: Sequenc
         reach = min(reach, best.distance, within)
         search.begin(reach)
         for tolerance in tolerances:
-            search.tables.rewind()
+            search.tables.go(search.start, search.end)
             best = _lowered(search, best, min(reach, best.distance), tolerance)
         if best.distance <= reach:
             break
@@ -267,16 +267,11 @@ def _guess(search: ContactSearch) -> Best:
     return Best(max(distance, 0.0), where, (i, j))
 
 
-def _lowered(
-    search: ContactSearch, best: Best, reach: float, tolerance: float, step: Step | None = None
-) -> Best:
-    """`best`, or what is lower on the way ahead, or in a step: it names all pairs within `reach`."""
+def _lowered(search: ContactSearch, best: Best, reach: float, tolerance: float) -> Best:
+    """`best`, or what is lower on the way ahead, all pairs within `reach` being looked for."""
     note = np.zeros(kernel.NOTES)
     note[kernel.NEAREST], note[kernel.FLOOR] = reach, math.inf
-    if step is None:
-        ending = search.search(kernel.LEAST, note, tolerance)
-    else:
-        ending = search.search_step(kernel.LEAST, step, note, tolerance)
+    ending = search.search(kernel.LEAST, note, tolerance)
     nearest, floor = float(note[kernel.NEAREST]), best.floor
     if ending == kernel.CLEAR:
         floor = min(float(note[kernel.FLOOR]), nearest - tolerance)
@@ -325,18 +320,17 @@ def clearance_curve(walk: Walk, times: npt.ArrayLike) -> ClearanceCurve:
     clearance = np.array([near.distance for near in tightest])
     inner = np.flatnonzero((clearance[1:-1] <= clearance[:-2]) & (clearance[1:-1] < clearance[2:])) + 1
     search = contact_search(walk, float(at[0]), float(at[-1]), 0.0, silent)
-    minima = [_local_minimum(search, motion, int(i), clearance) for i in inner if clearance[i] > 0.0]
+    inner = inner[clearance[inner] > 0.0]
+    search.begin(float(clearance[inner].max(initial=0.0)))
+    minima = [_local_minimum(search, motion, int(i), float(clearance[i])) for i in inner]
     return ClearanceCurve(at, clearance, np.array([near.benches for near in tightest]), minima)
 
 
-def _local_minimum(search: ContactSearch, motion: Motion, i: int, clearance: FloatArray) -> Answer:
-    """The least clearance between the times beside number i."""
-    start, end = float(motion.head_s[i - 1]), float(motion.head_s[i + 1])
-    moved = motion.walk.dragon.lever * float(np.abs(np.diff(motion.s[i - 1 : i + 2], axis=0)).max())
-    first, second = pairs_within(boxes(motion, i), float(clearance[i]) + 2.0 * moved)
+def _local_minimum(search: ContactSearch, motion: Motion, i: int, clearance: float) -> Answer:
+    """The least clearance between the times beside number i, where it is `clearance`, m."""
     near = tightest_pairs(motion, i)[0].benches
-    best = Best(float(clearance[i]), float(motion.head_s[i]), (near[0] - 1, near[1] - 1))
-    step = Step(start, end, first, second)
+    best = Best(clearance, float(motion.head_s[i]), (near[0] - 1, near[1] - 1))
     for tolerance in TOLERANCES:
-        best = _lowered(search, best, best.distance, tolerance, step)
+        search.tables.go(float(motion.head_s[i - 1]), float(motion.head_s[i + 1]))
+        best = _lowered(search, best, best.distance, tolerance)
     return _clearance_answer(search, best)

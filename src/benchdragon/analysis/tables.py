@@ -11,12 +11,11 @@ from benchdragon.errors import InputError, UnsureError
 from benchdragon.i18n import _
 from benchdragon.kernels import cells, course
 from benchdragon.kernels import search as steps
+from benchdragon.kernels.beginning import CELL_SHARE, begin_walk
 from benchdragon.kernels.cells import Grids, Ground, Kinds
 from benchdragon.kernels.course import Benches, Block, Course, Crowd, Meeting, Room
 from benchdragon.kernels.grid import empty_grid
-from benchdragon.kernels.ground import CELL_SHARE, begin_walk
 from benchdragon.kernels.kinds import find_kinds
-from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.step_bounds import empty_placements
 from benchdragon.model.dragon import Dragon
@@ -156,22 +155,15 @@ class Tables:
             self.ground, self.grids, self.block, self.crowd, self.course, self.meeting, self.search
         )
 
-    def rewind(self) -> None:
-        """Go back to where the walk began; what is known of the route stays known."""
-        way = self.course.way
-        way[[course.AT, course.UPTO, course.KNOWN, course.SOUND]] = self._span[0]
-        way[[course.STEP_START, course.STEP_END]] = self._span[0]
-        self.course.tally[:] = 0
+    def go(self, start: float, end: float) -> None:
+        """Let the walk begin at head position start, m, and end at `end`, both within the first one.
 
-    def take(self, start: float, end: float, first: IntArray, second: IntArray) -> None:
-        """Let the walk be one step from head position start to end, m, with these pairs of benches."""
-        way, tally, count = *self.course, len(first)
-        way[:], tally[:] = end, 0
-        way[course.STEP_START], tally[course.PAIRS] = start, count
-        if count > len(self.meeting.first):
-            self._bench_pairs = count
-            self._make_meeting()
-        self.meeting.first[:count], self.meeting.second[:count] = first, second
+        What is known of the route stays known.
+        """
+        way = self.course.way
+        way[:] = start
+        way[course.GOAL] = min(end, float(self.ground.measures[cells.END]))
+        self.course.tally[:] = 0
 
     def widen(self) -> None:
         """Make room where it did not do: for the step at hand, or for the route, which begins anew.

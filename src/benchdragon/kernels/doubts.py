@@ -6,7 +6,7 @@ once such a bench comes to them, in finer and finer parts.
 
 import numpy as np
 
-from benchdragon.kernels.cells import CELL, DOUBTS, LOW, Ground, Sweeper, log_borders
+from benchdragon.kernels.cells import CELL, DOUBTS, LOW, Ground
 from benchdragon.kernels.course import (
     AT,
     KNOWN,
@@ -19,6 +19,7 @@ from benchdragon.kernels.course import (
 )
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.near_cells import Sweeper, log_borders
 from benchdragon.kernels.regions import walks_on
 from benchdragon.kernels.step_bounds import HANDLE_COLUMNS, place_chain
 

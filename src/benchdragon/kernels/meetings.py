@@ -1,7 +1,7 @@
 """Which pairs of benches may meet in which steps of the head, all along a walk.
 
-The head's walk is prepared stride by stride: cells of the route ahead (kernels/cells.py), whether all
-benches surely follow through them (kernels/doubts.py), then step by step the benches that stand in
+The head's walk is prepared stride by stride: cells of the route ahead (kernels/near_cells.py), whether
+all benches surely follow through them (kernels/doubts.py), then step by step the benches that stand in
 partners. What is left before a bench that may not follow is searched for all pairs that come near by
 their travel.
 """
@@ -30,9 +30,6 @@ from benchdragon.kernels.cells import (
     WAYS,
     Ground,
     Kinds,
-    boxes_near,
-    extend,
-    sweeper_for,
 )
 from benchdragon.kernels.course import (
     AT,
@@ -55,6 +52,7 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.doubts import look_through
 from benchdragon.kernels.grid import gather, put
 from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.near_cells import boxes_near, extend, sweeper_for
 from benchdragon.kernels.regions import EDGE, add_pair, first_behind
 from benchdragon.kernels.route import IntArray
 

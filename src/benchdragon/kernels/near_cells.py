@@ -1,0 +1,311 @@
+"""What benches sweep over in the cells of a route, and which parts of cells come near one another.
+
+All benches of a group sweep over the same place while their front handle walks through a cell, so that
+one box holds them all. A cell is boxed where another part of the route comes near it, and cut into
+parts, twice, where its box comes near another's. What comes near a part are its partners: only benches
+in partners can meet, whatever the time and however long the dragon.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from benchdragon.kernels.box import CX, CY, HALF_LENGTH, HALF_WIDTH, box_distance, box_gap
+from benchdragon.kernels.cells import (
+    BOXED,
+    CELL,
+    CELLS,
+    CHILD,
+    DOUBTS,
+    END,
+    ENTRIES,
+    FIRST,
+    GROUP,
+    GROUPS,
+    HIND,
+    LEVEL,
+    LOGGED,
+    LOW,
+    NEAR,
+    NEXT,
+    NUMBER,
+    PARTNER,
+    PARTS,
+    RADIUS,
+    REACH,
+    REAR,
+    ROW,
+    STATE,
+    TODO,
+    WAYS,
+    WIDEST,
+    Grids,
+    Ground,
+    Kinds,
+    cut,
+    has_room,
+)
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.exposure import add_cell, expose_behind, expose_new, may_meet
+from benchdragon.kernels.grid import Grid, gather, put
+from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.regions import sweep_cells
+from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.spiral import LANES
+from benchdragon.kernels.step_bounds import Placements, place_chain
+
+# Where at most so many pairs of parts a cell are near, they are cut once more: it may be none.
+SPARSE = 40
+
+
+class Sweeper(NamedTuple):
+    """What boxing works in: benches at up to LANES borders."""
+
+    at: FloatArray  # route positions of the front handle, m
+    places: Placements
+    slots: IntArray
+    targets: IntArray
+    sound: FloatArray
+    link: FloatArray  # (1,)
+
+
+@kernel
+def log_borders(ground: Ground, sweeper: Sweeper, count: int) -> None:
+    """Log the benches at the first borders, where they stand; beyond the room they are only counted."""
+    places, log = sweeper.places, ground.log
+    for t in range(count):
+        if places.failed[0, t]:
+            continue
+        n = ground.counts[LOGGED]
+        ground.counts[LOGGED] = n + 1
+        if n < log.shape[0]:
+            log[n, 0], log[n, 1] = sweeper.link[0], sweeper.at[t]
+            for i in range(2):
+                log[n, 2 + 4 * i], log[n, 3 + 4 * i] = places.row[i, t], places.u[i, t]
+                log[n, 4 + 4 * i], log[n, 5 + 4 * i] = places.x[i, t], places.y[i, t]
+
+
+@kernel
+def sweep_batch(
+    rows: FloatArray, kinds: Kinds, ground: Ground, sweeper: Sweeper, k: int, slots: int, boxes: int
+) -> None:
+    """Widen boxes by benches of kind k, whose front handles are at the sweeper's borders."""
+    at, places, link, sound = sweeper.at, sweeper.places, sweeper.link, sweeper.sound
+    link[0] = kinds.sizes[0, k] - kinds.sizes[2, k] - kinds.sizes[3, k]
+    place_chain(rows, link, at, 0, slots, places)
+    log_borders(ground, sweeper, slots)
+    some, targets = sweeper.slots[:boxes], sweeper.targets[:boxes]
+    sweep_cells(rows, link, kinds.sizes, k, places, some, targets, ground.hulls, sound)
+    for n in range(boxes):
+        row = targets[n]
+        if sound[n] == 0.0 and ground.tree[row, LEVEL] == 1:
+            doubt = ground.counts[DOUBTS]
+            ground.counts[DOUBTS] = doubt + 1
+            if doubt < ground.doubts.shape[0]:
+                ground.doubts[doubt, 0] = k
+                ground.doubts[doubt, 1] = ground.tree[row, NUMBER]
+
+
+@kernel
+def box_group(rows: FloatArray, kinds: Kinds, ground: Ground, sweeper: Sweeper, k: int) -> None:
+    """Widen what is wanted of the group of kind k by benches of that kind, some borders at a time."""
+    tree, at, low = ground.tree, sweeper.at, ground.counts[LOW]
+    hind, end = ground.groups[kinds.group[k], HIND], ground.measures[END]
+    slots, boxes, last = 0, 0, -2
+    for n in range(ground.counts[TODO]):
+        row = ground.todo[n]
+        if tree[row, GROUP] != kinds.group[k]:
+            continue
+        if slots + 2 > LANES:
+            sweep_batch(rows, kinds, ground, sweeper, k, slots, boxes)
+            slots, boxes, last = 0, 0, -2
+        level = tree[row, LEVEL]
+        number, size = tree[row, NUMBER] + low * level, ground.measures[CELL] / level
+        joined = (
+            last >= 0 and tree[last, LEVEL] == level and tree[last, NUMBER] + 1 == tree[row, NUMBER]
+        )
+        if not joined:
+            at[slots] = min(max(number * size, hind), end)
+            slots += 1
+        at[slots] = min(max((number + 1) * size, hind), end)
+        sweeper.slots[boxes], sweeper.targets[boxes] = slots - 1, row
+        slots, boxes, last = slots + 1, boxes + 1, row
+    if boxes:
+        sweep_batch(rows, kinds, ground, sweeper, k, slots, boxes)
+
+
+@kernel
+def make_boxes(rows: FloatArray, kinds: Kinds, ground: Ground, sweeper: Sweeper, grid: Grid) -> None:
+    """Box all that is wanted; whole cells go into the grid of boxes by the centre of theirs."""
+    for k in range(kinds.group.shape[0]):
+        box_group(rows, kinds, ground, sweeper, k)
+    hulls, tree = ground.hulls, ground.tree
+    for n in range(ground.counts[TODO]):
+        row = ground.todo[n]
+        tree[row, STATE] = BOXED
+        hulls[row, RADIUS] = math.hypot(hulls[row, HALF_LENGTH], hulls[row, HALF_WIDTH])
+        if tree[row, LEVEL] == 1 and not math.isnan(hulls[row, CX]):
+            g = tree[row, GROUP]
+            ground.groups[g, WIDEST] = max(ground.groups[g, WIDEST], hulls[row, RADIUS])
+            put(grid, row, hulls[row, CX], hulls[row, CY])
+    ground.counts[TODO] = 0
+
+
+@kernel
+def boxes_near(hulls: FloatArray, i: int, j: int, reach: float) -> bool:
+    """Whether two boxes are within reach, m; no box is near anything."""
+    dx, dy = hulls[i, CX] - hulls[j, CX], hulls[i, CY] - hulls[j, CY]
+    most = hulls[i, RADIUS] + hulls[j, RADIUS] + reach
+    if not dx * dx + dy * dy <= most * most:
+        return False
+    return box_gap(hulls, i, j) <= reach and box_distance(hulls, i, j) <= reach
+
+
+@kernel
+def far_enough(tree: IntArray, i: int, j: int, cell: float, way: float) -> bool:
+    """Whether a bench in box i may have one in box j behind it with another between them."""
+    return (tree[i, NUMBER] + 1 - tree[j, NUMBER]) * cell / tree[i, LEVEL] >= way
+
+
+@kernel
+def add_near(counts: IntArray, near: IntArray, i: int, j: int) -> None:
+    """Note a pair of rows that are near; beyond the room it is only counted."""
+    n = counts[NEAR]
+    if n < near.shape[0]:
+        near[n, 0], near[n, 1] = i, j
+    counts[NEAR] = n + 1
+
+
+@kernel
+def find_near(ground: Ground, grid: Grid, found: IntArray, i: int) -> None:
+    """Note all boxes of cells not beyond that of row i that are near it."""
+    tree, hulls, groups = ground.tree, ground.hulls, ground.counts[GROUPS]
+    a, c, reach, widest = tree[i, GROUP], tree[i, NUMBER], ground.measures[REACH], 0.0
+    if math.isnan(hulls[i, CX]):
+        return
+    for b in range(groups):
+        if ground.groups[a, WAYS + b] < math.inf:
+            widest = max(widest, ground.groups[b, WIDEST])
+    far = hulls[i, RADIUS] + widest + reach
+    for n in range(gather(grid, hulls[i, CX], hulls[i, CY], far, found)):
+        j = found[n]
+        b, d = tree[j, GROUP], tree[j, NUMBER]
+        way = ground.groups[a, WAYS + b]
+        if d > c or not way < math.inf or not far_enough(tree, i, j, ground.measures[CELL], way):
+            continue
+        if may_meet(ground, c, d, a * groups + b) and boxes_near(hulls, i, j, reach):
+            add_near(ground.counts, ground.near, i, j)
+
+
+@kernel
+def cut_near(ground: Ground) -> None:
+    """Cut all boxes that are in pairs."""
+    for n in range(ground.counts[NEAR]):
+        for side in range(2):
+            cut(ground.counts, ground.tree, ground.hulls, ground.todo, ground.near[n, side])
+
+
+@kernel
+def near_parts(ground: Ground, i: int, j: int, every: bool) -> bool:
+    """Whether any parts of boxes i and j are near; if `every`, all such pairs are noted."""
+    tree, reach = ground.tree, ground.measures[REACH]
+    way, found = ground.groups[tree[i, GROUP], WAYS + tree[j, GROUP]], False
+    for p in range(tree[i, CHILD], tree[i, CHILD] + PARTS):
+        for q in range(tree[j, CHILD], tree[j, CHILD] + PARTS):
+            if far_enough(tree, p, q, ground.measures[CELL], way) and boxes_near(
+                ground.hulls, p, q, reach
+            ):
+                if not every:
+                    return True
+                found = True
+                add_near(ground.counts, ground.near, p, q)
+    return found
+
+
+@kernel
+def add_partners(ground: Ground, i: int, j: int) -> None:
+    """Make part j a partner of part i."""
+    counts, tree = ground.counts, ground.tree
+    n = counts[ENTRIES]
+    counts[ENTRIES] = n + 1
+    counts[FIRST] = min(counts[FIRST], tree[i, NUMBER])
+    counts[REAR] = min(counts[REAR], tree[j, NUMBER])
+    if n < ground.partners.shape[0]:
+        ground.partners[n, ROW], ground.partners[n, NEXT] = j, tree[i, PARTNER]
+        tree[i, PARTNER] = n + 1
+
+
+@kernel
+def sweeper_for() -> Sweeper:
+    """Room to box in."""
+    whole = np.empty((2, 2, LANES), dtype=np.int64)
+    floats = np.empty((6, 2, LANES))
+    places = Placements(
+        whole[0], floats[0], floats[1], floats[2], floats[3], floats[4], floats[5], whole[1]
+    )
+    lists = np.empty((2, LANES), dtype=np.int64)
+    return Sweeper(np.empty(LANES), places, lists[0], lists[1], np.empty(LANES), np.empty(1))
+
+
+@kernel
+def extend(
+    rows: FloatArray, kinds: Kinds, ground: Ground, sweeper: Sweeper, grids: Grids, upto: float
+) -> bool:
+    """Know the route up to position `upto`, m, and all partners there; False for want of room."""
+    counts, old = ground.counts, ground.counts[CELLS]
+    wanted = math.floor(upto / ground.measures[CELL]) + 1 - counts[LOW]
+    hind = math.inf
+    for g in range(counts[GROUPS]):
+        hind = min(hind, ground.groups[g, HIND])
+    if wanted <= old:
+        return True
+    for _ in range(old, wanted):
+        if counts[CELLS] == ground.middles.shape[0]:
+            return False
+        c = add_cell(rows, ground, hind)
+        expose_new(ground, grids.middles, grids.found, c)
+        put(grids.middles, c, ground.middles[c, 0], ground.middles[c, 1])
+    make_boxes(rows, kinds, ground, sweeper, grids.boxes)
+    for g in range(counts[GROUPS]):
+        for c in range(old, wanted):
+            if ground.tree[g * ground.middles.shape[0] + c, STATE] == BOXED:
+                expose_behind(ground, grids.middles, grids.found, g * ground.middles.shape[0] + c)
+    make_boxes(rows, kinds, ground, sweeper, grids.boxes)
+    counts[NEAR] = 0
+    for g in range(counts[GROUPS]):
+        for c in range(old, wanted):
+            find_near(ground, grids.boxes, grids.found, g * ground.middles.shape[0] + c)
+    return has_room(ground) and refine(rows, kinds, ground, sweeper, grids.boxes, wanted - old)
+
+
+@kernel
+def refine(
+    rows: FloatArray, kinds: Kinds, ground: Ground, sweeper: Sweeper, centres: Grid, fresh: int
+) -> bool:
+    """From pairs of cells that are near to partners; False for want of room. So many cells are new."""
+    counts, near = ground.counts, ground.near
+    cells = counts[NEAR]
+    cut_near(ground)
+    if not has_room(ground):
+        return False
+    make_boxes(rows, kinds, ground, sweeper, centres)
+    for n in range(cells):
+        near_parts(ground, near[n, 0], near[n, 1], True)
+    if not has_room(ground):
+        return False
+    pairs = counts[NEAR] - cells
+    for n in range(pairs):
+        near[n, 0], near[n, 1] = near[cells + n, 0], near[cells + n, 1]
+    counts[NEAR] = pairs
+    finer = 0 < pairs <= SPARSE * fresh
+    if finer:
+        cut_near(ground)
+        if not has_room(ground):
+            return False
+        make_boxes(rows, kinds, ground, sweeper, centres)
+    for n in range(pairs):
+        if not finer or near_parts(ground, near[n, 0], near[n, 1], False):
+            add_partners(ground, near[n, 0], near[n, 1])
+    counts[NEAR] = 0
+    return has_room(ground)
