@@ -17,7 +17,8 @@ from benchdragon import (
     three_pieces,
     two_arcs,
 )
-from benchdragon.model.curves import JOINT_GAP, Point
+from benchdragon.model.base_curve import Point
+from benchdragon.model.curves import JOINT_GAP
 from benchdragon.model.turns import spiral_curvature
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.size import limit

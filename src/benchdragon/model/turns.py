@@ -18,7 +18,8 @@ from benchdragon.errors import InputError, positive
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import NODES, WEIGHTS
 from benchdragon.model.arrays import as_numbers
-from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line, Point, Route, Spiral
+from benchdragon.model.base_curve import Point
+from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line, Route, Spiral
 
 # Newton's steps when curvature is eased; and how near the turn's end must come to its place, m and rad.
 MOST_STEPS, CLOSED = 40, 1e-12
