@@ -243,6 +243,7 @@ WRONG: list[tuple[Callable[[], object], str]] = [
     (lambda: LogSpiral(1.0, 0.1, 1.0, (2e8, 0.0)), r"start .*must lie within 1e8 m of the origin"),
     (lambda: Route(()), r"a route needs at least one curve"),
     (lambda: Route.joined([]), r"a route needs at least one curve"),
+    (lambda: Route.joined([Line(1.0), "bend"]), r"curve 2 must be a Line, .* not 'bend'"),  # type: ignore[list-item]
 ]
 
 

@@ -291,6 +291,24 @@ def curve_of(part: PartNumbers) -> AnyCurve:
     return CURVES[part[0]]._from(part)
 
 
+def _checked_curves(curves: object) -> tuple[AnyCurve, ...]:
+    if not isinstance(curves, Iterable):
+        raise InputError(
+            _("curves must be a list of curves, not {value}").format(value=repr(curves)[:80])
+        )
+    checked = tuple(curves)
+    for i, curve in enumerate(checked, start=1):
+        if not isinstance(curve, AnyCurve):
+            raise InputError(
+                _(
+                    "curve {number} must be a Line, Arc, Spiral, Clothoid or LogSpiral, not {value}"
+                ).format(number=i, value=repr(curve)[:80])
+            )
+    if not checked:
+        raise InputError(_("a route needs at least one curve"))
+    return checked
+
+
 def joined_curves(curves: Sequence[AnyCurve], first: int, stop: int) -> tuple[AnyCurve, ...]:
     """These curves, those from number `first` to before `stop` moved to where the one before ends."""
     parts = np.concatenate([curve.parts for curve in curves])
@@ -315,20 +333,7 @@ class Route(Curve):
     kinks: bool = False
 
     def __post_init__(self) -> None:
-        if not isinstance(self.curves, Iterable):
-            raise InputError(
-                _("curves must be a list of curves, not {value}").format(value=repr(self.curves)[:80])
-            )
-        object.__setattr__(self, "curves", tuple(self.curves))
-        for i, curve in enumerate(self.curves, start=1):
-            if not isinstance(curve, AnyCurve):
-                raise InputError(
-                    _(
-                        "curve {number} must be a Line, Arc, Spiral, Clothoid or LogSpiral, not {value}"
-                    ).format(number=i, value=repr(curve)[:80])
-                )
-        if not self.curves:
-            raise InputError(_("a route needs at least one curve"))
+        object.__setattr__(self, "curves", _checked_curves(self.curves))
         self._check_joints()
 
     def __len__(self) -> int:
@@ -346,7 +351,8 @@ class Route(Curve):
     @classmethod
     def joined(cls, curves: Sequence[AnyCurve]) -> Self:
         """The route of these curves, each moved to where the one before it ends."""
-        return cls(joined_curves(curves, 1, len(curves)) if curves else ())
+        checked = _checked_curves(curves)
+        return cls(joined_curves(checked, 1, len(checked)))
 
     @property
     def parts(self) -> FloatArray:
