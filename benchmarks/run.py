@@ -44,7 +44,8 @@ from benchdragon.kernels.chain import march
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.size import limit, smallest_pitch
-from benchdragon.solve.turn import TurnGoal, best_turn
+from benchdragon.solve.turn import best_turn
+from benchdragon.solve.turn_trials import TurnGoal
 from benchdragon.studio.tasks import SIZE
 
 FloatArray = npt.NDArray[np.float64]

@@ -15,7 +15,7 @@ from benchdragon.model.turns import two_arcs
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.minima import GENERATIONS, MEMBERS
-from benchdragon.solve.turn import TurnEvaluator, TurnGoal
+from benchdragon.solve.turn_trials import TurnEvaluator, TurnGoal
 
 
 def two_arcs_alone() -> None:

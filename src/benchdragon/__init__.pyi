@@ -48,8 +48,8 @@ from .solve.tolerance import Deviations as Deviations
 from .solve.tolerance import Tolerance as Tolerance
 from .solve.tolerance import tolerance as tolerance
 from .solve.turn import BestTurn as BestTurn
-from .solve.turn import TurnGoal as TurnGoal
 from .solve.turn import best_turn as best_turn
+from .solve.turn_trials import TurnGoal as TurnGoal
 
 __all__: list[str]
 __version__: str

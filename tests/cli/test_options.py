@@ -20,7 +20,8 @@ from benchdragon.errors import InputError
 from benchdragon.i18n import spoken_in
 from benchdragon.model.answer import Answer
 from benchdragon.plans.schema import Plan, TurnRoute
-from benchdragon.solve.turn import BestTurn, TurnGoal
+from benchdragon.solve.turn import BestTurn
+from benchdragon.solve.turn_trials import TurnGoal
 from tests.cli.verbs import VERBS, options
 
 # A dance of a few metres, to be asked about often.

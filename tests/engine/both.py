@@ -107,6 +107,7 @@ def questions() -> None:
     walk = few.build()
     least_clearance(walk, 0.0, 99.0)
     greatest_speed(read_plan("turn").build(), -50.0, 50.0)
+    read_plan("turn", ["turn.family=arc-arc-arc", "turn.curvature=0.2", "turn.ease=0.3"]).build()
     motion = walk.motion([0.0, 60.0])
     motion.acceleration.sum()
     nearest_each(motion)
@@ -115,6 +116,7 @@ def questions() -> None:
     prove_contact(read_plan("spiral-in").build(), 412.0, 413.0)
     route = Route.joined([Line(16.0), Clothoid(2.5, 0.0, 0.8), Arc(1.25, 2.0), Line(6.0)])
     route.point([1.0, 17.0])
+    assert route.start_pose != route.end_pose
     Spiral(0.55, 40.0, 0.0).angle(1.0)
     coiled = read_plan("spiral-in", ["disc.radius=4.5", "dragon.benches=20", "walk.start=225"])
     random_dance(coiled, Draw(CASES["all"].deviations, 7, 1)).least()

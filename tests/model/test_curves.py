@@ -12,7 +12,8 @@ import pytest
 
 import benchdragon
 from benchdragon import Arc, Clothoid, InputError, Line, LogSpiral, Route, Spiral
-from benchdragon.model.curves import JOINT_GAP, MOST_METRES, AnyCurve, Curve
+from benchdragon.model.base_curve import MOST_METRES, Curve
+from benchdragon.model.curves import JOINT_GAP, AnyCurve
 
 PACKAGE = Path(benchdragon.__file__).parent
 CURVES: dict[str, AnyCurve] = {
@@ -113,8 +114,8 @@ def test_a_moved_curve_is_the_same_curve_elsewhere(curve: AnyCurve) -> None:
 @each_curve
 def test_poses_are_points_and_headings_of_the_ends(curve: AnyCurve) -> None:
     for s, (point, heading) in ((0.0, curve.start_pose), (curve.length, curve.end_pose)):
-        assert point == tuple(curve.point(s))
-        assert heading == curve.heading(s)
+        assert point == pytest.approx(tuple(curve.point(s)), abs=1e-13)
+        assert heading == pytest.approx(float(curve.heading(s)), abs=1e-13)
 
 
 @each_curve
@@ -242,6 +243,7 @@ WRONG: list[tuple[Callable[[], object], str]] = [
     (lambda: LogSpiral(1.0, 0.1, 1.0, (2e8, 0.0)), r"start .*must lie within 1e8 m of the origin"),
     (lambda: Route(()), r"a route needs at least one curve"),
     (lambda: Route.joined([]), r"a route needs at least one curve"),
+    (lambda: Route.joined([Line(1.0), "bend"]), r"curve 2 must be a Line, .* not 'bend'"),  # type: ignore[list-item]
 ]
 
 
@@ -278,11 +280,12 @@ def test_numbers_in_quotes_are_refused(make: Callable[[], object]) -> None:
         make()
 
 
-def test_the_curve_to_copy_stands_in_the_four_files_that_the_manual_names() -> None:
+def test_the_curve_to_copy_stands_in_the_five_files_that_the_manual_names() -> None:
     said = re.compile(r"log[-_ ]?spiral", re.IGNORECASE)
     files = [path for path in PACKAGE.rglob("*.py*") if path.suffix != ".pyc"]
     found = {str(path.relative_to(PACKAGE)) for path in files if said.search(path.read_text("utf-8"))}
-    assert found == {"kernels/curve.py", "model/curves.py", "plans/tables.py", "__init__.pyi"}
+    kernels = {"kernels/curve.py", "kernels/route_parts.py"}
+    assert found == {*kernels, "model/curves.py", "plans/tables.py", "__init__.pyi"}
 
 
 def test_a_gap_is_refused_and_names_the_joint_and_its_size() -> None:

@@ -17,8 +17,9 @@ from benchdragon import (
     three_pieces,
     two_arcs,
 )
-from benchdragon.model.curves import JOINT_GAP, Point
-from benchdragon.model.turns import spiral_curvature
+from benchdragon.kernels.turn_families import spiral_curvature
+from benchdragon.model.base_curve import Point
+from benchdragon.model.curves import JOINT_GAP
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.size import limit
 
@@ -165,6 +166,18 @@ def test_two_arcs_between_equal_joints_are_the_paper_s(ratio: float) -> None:
     assert turn.way(4.5) == turn.length
 
 
+def test_a_turn_of_pieces_that_cannot_be_is_refused() -> None:
+    for pieces, text in (
+        (((1.0, 0.2),), "must be triples"),
+        (((0.0, 0.2, 0.2),), "the angle of an arc must not be 0"),
+        (((-2.0, 0.0, 0.0),), "length must be positive"),
+        (((1.0, math.nan, 0.2),), "start_curvature must be finite"),
+        (((1.0, 0.0, 3e4),), "may sweep at most 10000 rad"),
+    ):
+        with pytest.raises(InputError, match=text):
+            Turn(1.7, 4.5, 4.5, pieces)  # type: ignore[arg-type]
+
+
 def test_deeper_joints_shorten_the_turn_and_lengthen_the_way() -> None:
     # Figures of the contest's field: 12.9359 m at r = 4.2815 m, 8.4430 m at r = 2.8472 m
     turns = [two_arcs(1.7, 4.2815, 4.2815, 2.0), two_arcs(1.7, 2.8472, 2.8472, 1.0)]
@@ -203,8 +216,8 @@ def test_random_turns_of_all_families_end_in_place() -> None:
         assert all(length > 0.0 for length, _a, _b in turn.pieces)
         bends = [end for _length, *ends in turn.pieces for end in ends]
         if bends[0] != bends[1]:  # eased
-            assert bends[0] == -spiral_curvature(1.7, turn.entry_radius)
-            assert bends[-1] == spiral_curvature(1.7, turn.exit_radius)
+            ends = -spiral_curvature(1.7, turn.entry_radius), spiral_curvature(1.7, turn.exit_radius)
+            assert (bends[0], bends[-1]) == pytest.approx(ends, rel=1e-15)
             assert bends[1:-1:2] == bends[2:-1:2]  # continuous where pieces meet
 
 

@@ -105,6 +105,17 @@ def _polygon(motion: object, bench: int) -> shapely.Polygon:
     return shapely.Polygon(bench_corners(motion, 0)[bench - 1])
 
 
+def test_the_last_walk_of_a_family_is_kept_and_no_other_taken_for_it(disc: Plan) -> None:
+    family = Family(disc, QUESTIONS["pitch"], 0.0)
+    walk, *times = family.walk(0.55)
+    assert family.walk(0.55)[0] is walk
+    other = family.walk(0.56)[0]
+    assert other.route.curves[0] == disc.with_value("route.pitch", 0.56).build().route.curves[0]
+    again, *same = family.walk(0.55)
+    assert again.route.curves[0] == walk.route.curves[0] != other.route.curves[0]
+    assert same == times
+
+
 def test_a_plan_that_fails_is_widened_until_it_passes(disc: Plan) -> None:
     found = limit(disc.with_value("route.pitch", 0.40), "pitch")
     assert found.value == pytest.approx(SMALLEST_PITCH, abs=1e-13)

@@ -18,8 +18,9 @@ from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.solve import minima, turn
 from benchdragon.solve.head_speed import greatest_head_speed
-from benchdragon.solve.turn import BestTurn, TurnEvaluator, TurnGoal, pareto_front
+from benchdragon.solve.turn import BestTurn, pareto_front
 from benchdragon.solve.turn import best_turn as sought
+from benchdragon.solve.turn_trials import TurnEvaluator, TurnGoal
 
 pytestmark = pytest.mark.usefixtures("short_searches")
 

@@ -229,7 +229,8 @@ def speed(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
 def turn(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print the best turn; with --plan-file also write the plan with it."""
     from benchdragon.files import refuse_existing
-    from benchdragon.solve.turn import TurnGoal, best_turn
+    from benchdragon.solve.turn import best_turn
+    from benchdragon.solve.turn_trials import TurnGoal
 
     path: Path | None = options["plan_file"]
     read = _read(plan, settings, quiet, "--plan-file", path)
@@ -460,7 +461,7 @@ def _print_turn(plan: "Plan", best: "BestTurn", objective: str, options: dict[st
 
 def _echo_turn(best: "BestTurn", objective: str) -> None:
     """The best turn for readers."""
-    from benchdragon.solve.turn import OBJECTIVES
+    from benchdragon.solve.turn_trials import OBJECTIVES
 
     click.echo(
         _("{name}: {value} {unit}  (best found)").format(

@@ -13,7 +13,8 @@ import numpy as np
 import numpy.typing as npt
 
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.model.curves import Point, Route
+from benchdragon.model.base_curve import Point
+from benchdragon.model.curves import Route
 
 # Points along the route, m apart, and at most so many.
 ROUTE_STEP = 0.1

@@ -42,6 +42,9 @@ COLUMNS = 14
 # A clothoid row turns by at most this, rad. With the 12 nodes below the quadrature is then exact
 # to rounding (design/clothoid_quadrature.py); doubling it costs 1e-13 m.
 CLOTHOID_TURN = 2.0
+# A clothoid or a logarithmic spiral may turn by this, rad, in all; more would fill the memory with rows
+# of the one, and with the other take too long to search.
+MOST_TURN = 1e4
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
 NODES = 0.5 * (1.0 + _NODES)
 WEIGHTS = 0.5 * _WEIGHTS
@@ -67,10 +70,9 @@ def walks_up(rows: Table, j: int) -> float:
     return 1.0 if rows[j, U_END] >= rows[j, U_START] else -1.0
 
 
-@entry
-def clothoid_point(rows: Table, j: int, u: float) -> tuple[float, float]:
-    """Point after arc length u: Gauss-Legendre quadrature of the unit tangent."""
-    heading, curvature, change = rows[j, ANGLE], rows[j, P], rows[j, Q]
+@kernel
+def clothoid_chord(u: float, heading: float, curvature: float, change: float) -> tuple[float, float]:
+    """The vector from the start to the point after arc length u: quadrature of the unit tangent."""
     x = 0.0
     y = 0.0
     for node, weight in zip(NODES, WEIGHTS):  # noqa: B905 - numba has no zip(strict=)
@@ -78,7 +80,14 @@ def clothoid_point(rows: Table, j: int, u: float) -> tuple[float, float]:
         phase = heading + s * (curvature + 0.5 * change * s)
         x += weight * math.cos(phase)
         y += weight * math.sin(phase)
-    return rows[j, X] + u * x, rows[j, Y] + u * y
+    return u * x, u * y
+
+
+@kernel
+def clothoid_point(rows: FloatArray, j: int, u: float) -> tuple[float, float]:
+    """Point after arc length u."""
+    x, y = clothoid_chord(u, rows[j, ANGLE], rows[j, P], rows[j, Q])
+    return rows[j, X] + x, rows[j, Y] + y
 
 
 @kernel
@@ -142,8 +151,8 @@ def place(rows: FloatArray, j: int, u: float) -> tuple[float, float, float, floa
     return x, y, math.cos(angle), math.sin(angle)
 
 
-@entry
-def heading(rows: Table, j: int, u: float) -> float:
+@kernel
+def heading(rows: FloatArray, j: int, u: float) -> float:
     """Heading, rad, continuous along the piece (not folded into one turn)."""
     if rows[j, KIND] == SPIRAL:
         back = 0.0 if walks_up(rows, j) > 0.0 else math.pi
@@ -200,8 +209,8 @@ def spiral_angle(k: float, length: float) -> float:
     return theta
 
 
-@entry
-def length_at(rows: Table, j: int, u: float) -> float:
+@kernel
+def length_at(rows: FloatArray, j: int, u: float) -> float:
     """Arc length, m, from the row's start to parameter u; negative on an extension."""
     if rows[j, KIND] == SPIRAL:
         k = rows[j, P]

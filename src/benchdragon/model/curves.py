@@ -6,181 +6,40 @@ radians; x right, y up, counter-clockwise positive, so that a left turn has posi
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import ClassVar, Self
 
 import numpy as np
 import numpy.typing as npt
 
-from benchdragon.errors import InputError, finite, not_negative, positive
+from benchdragon.errors import InputError, finite, not_negative
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.route import evaluate
+from benchdragon.kernels.route_parts import misfits
 from benchdragon.model.arrays import as_numbers
-
-Point = tuple[float, float]
+from benchdragon.model.base_curve import (
+    Curve,
+    OneCurve,
+    PartNumbers,
+    Point,
+    check_pose,
+    checked_bend,
+    checked_size,
+    laid_rows,
+)
 
 # Ends that lie nearer than this, m and rad, count as joined: far above rounding, far below a hand.
 JOINT_GAP = 1e-9
 JOINT_KINK = 1e-9
-# A clothoid or a logarithmic spiral may turn by this, rad, in all; more would fill the memory with rows
-# of the one, and with the other take too long to search.
-MOST_TURN = 1e4
 # The curvatures at both ends of a logarithmic spiral differ by at most this factor: near its pole,
 # rounding of lengths would blur its curvature.
 MOST_WINDING = 1e4
-# Sizes and coordinates, m: beyond it doubles no longer hold a micrometre.
-MOST_METRES = 1e8
-# Pitches and radii, m: their inverses spoil sums where they are smaller.
-LEAST_METRES = 1e-6
-
-
-class Curve:
-    """What every curve and every route can tell: where it runs, at any arc length.
-
-    Attributes:
-        called: what kind of curve it is, in words.
-    """
-
-    called: ClassVar[str]
-
-    @cached_property
-    def rows(self) -> FloatArray:
-        """The curve as the kernels see it, (pieces, COLUMNS); read-only."""
-        rows = self._lower()
-        rows[:, kernel.AXIS_X] = np.cos(rows[:, kernel.ANGLE])
-        rows[:, kernel.AXIS_Y] = np.sin(rows[:, kernel.ANGLE])
-        rows.flags.writeable = False
-        return rows
-
-    def _lower(self) -> FloatArray:
-        raise NotImplementedError
-
-    @property
-    def length(self) -> float:
-        """Exact length from start to end, m."""
-        return float(self.rows[-1, kernel.S_START] + self.rows[-1, kernel.LENGTH])
-
-    @property
-    def extension(self) -> float:
-        """How far the curve runs on behind its start, m: 0 or infinite.
-
-        A line runs on straight and an inward spiral runs on outward; a dragon may stand there.
-        """
-        return 0.0 if math.isfinite(self.rows[0, kernel.U_BACK]) else math.inf
-
-    def point(self, s: npt.ArrayLike) -> FloatArray:
-        """Points at arc lengths s (m), of shape s.shape + (2,).
-
-        Raises:
-            InputError: if an s lies off the curve and its extension.
-        """
-        return self._evaluate(s)[..., :2]
-
-    def heading(self, s: npt.ArrayLike) -> FloatArray:
-        """Headings of the tangent at arc lengths s, rad, continuous along each curve."""
-        return self._evaluate(s)[..., 2]
-
-    def curvature(self, s: npt.ArrayLike) -> FloatArray:
-        """Curvatures at arc lengths s, 1/m, left positive; at a joint that of the later curve."""
-        return self._evaluate(s)[..., 3]
-
-    def _evaluate(self, s: npt.ArrayLike) -> FloatArray:
-        lengths = as_numbers("s", s)
-        out = np.empty((lengths.size, 4))
-        evaluate(self.rows, lengths.ravel(), out)
-        off = np.isnan(out[:, 0])
-        if off.any():
-            raise InputError(
-                _("s must lie between {low} and {high} m, not at {value} m").format(
-                    low=f"{0.0 - self.extension:g}",
-                    high=f"{self.length:.12g}",
-                    value=f"{lengths.ravel()[off][0]:.12g}",
-                )
-            )
-        return out.reshape(*lengths.shape, 4)
-
-    @property
-    def start_pose(self) -> tuple[Point, float]:
-        """Point and heading of the start."""
-        return self._pose(0.0)
-
-    @property
-    def end_pose(self) -> tuple[Point, float]:
-        """Point and heading of the end."""
-        return self._pose(self.length)
-
-    def _pose(self, s: float) -> tuple[Point, float]:
-        x, y, heading, _curvature = self._evaluate(s)
-        return (float(x), float(y)), float(heading)
-
-
-def _row(kind: float, length: float, start: Point, angle: float, p: float, q: float) -> FloatArray:
-    row = np.zeros(kernel.COLUMNS)
-    row[kernel.KIND] = kind
-    row[kernel.LENGTH] = row[kernel.U_END] = length
-    row[kernel.X], row[kernel.Y] = start
-    row[kernel.ANGLE], row[kernel.P], row[kernel.Q] = angle, p, q
-    return row
-
-
-def _check_pose(point: Point, heading: float) -> None:
-    if np.shape(point) != (2,):
-        raise InputError(_("a start or centre must be a pair (x, y), not {value}").format(value=point))
-    for value in point:
-        if abs(finite("start", value, "m")) > MOST_METRES:
-            raise InputError(_("a start or centre must lie within 1e8 m of the origin"))
-    finite("heading", heading, "rad")
-
-
-def _bend(name: str, value: float) -> float:
-    """A pitch or a radius, m."""
-    if positive(name, value, "m") < LEAST_METRES:
-        raise InputError(
-            _("{name} must be at least {least} m, not {value} m").format(
-                name=name, least=f"{LEAST_METRES:g}", value=f"{value:g}"
-            )
-        )
-    return _size(name, value)
-
-
-def _size(name: str, value: float) -> float:
-    if positive(name, value, "m") > MOST_METRES:
-        raise InputError(
-            _("{name} must be at most {most} m, not {value} m").format(
-                name=name, most=f"{MOST_METRES:g}", value=f"{value:g}"
-            )
-        )
-    return value
-
-
-def _turn_bound(length: float, a: float, b: float) -> float:
-    """At least the angle, rad, that a curve of `length` metres with curvatures from a to b turns by."""
-    return length * max(abs(a), abs(b))
-
-
-def _check_turn(called: str, length: float, a: float, b: float) -> None:
-    turn = _turn_bound(length, a, b)
-    if turn > MOST_TURN:
-        raise InputError(
-            _("{kind} may sweep at most {most} rad, not {value} rad").format(
-                kind=_(called), most=f"{MOST_TURN:g}", value=f"{turn:g}"
-            )
-        )
-
-
-def _check_bent(curve: "Clothoid | LogSpiral") -> None:
-    """Check what curves share that are told by their length and the curvatures at both ends."""
-    _size("length", curve.length_m)
-    finite("start_curvature", curve.start_curvature, "1/m")
-    finite("end_curvature", curve.end_curvature, "1/m")
-    _check_pose(curve.start, curve.start_heading)
 
 
 @dataclass(frozen=True)
-class Line(Curve):
+class Line(OneCurve):
     """A straight line; it runs on straight behind its start.
 
     Args:
@@ -190,27 +49,27 @@ class Line(Curve):
     """
 
     called: ClassVar[str] = N_("a line")
+    kind: ClassVar[float] = kernel.LINE
 
     length_m: float
     start: Point = (0.0, 0.0)
     start_heading: float = 0.0
 
     def __post_init__(self) -> None:
-        _size("length", self.length_m)
-        _check_pose(self.start, self.start_heading)
+        checked_size("length", self.length_m)
+        check_pose(self.start, self.start_heading)
 
-    def _lower(self) -> FloatArray:
-        row = _row(kernel.LINE, self.length_m, self.start, self.start_heading, 0.0, 0.0)
-        row[kernel.U_BACK] = -math.inf
-        return row[np.newaxis]
+    def _part(self) -> PartNumbers:
+        return self.kind, *self.start, self.start_heading, self.length_m, 0.0, 0.0, 0.0
 
-    def moved(self, point: Point, heading: float) -> Self:
-        """The same curve starting at `point` with `heading`."""
-        return replace(self, start=point, start_heading=heading)
+    @classmethod
+    def _from(cls, part: PartNumbers) -> Self:
+        _kind, x, y, heading, length, *_rest = part
+        return cls(length, (x, y), heading)
 
 
 @dataclass(frozen=True)
-class Arc(Curve):
+class Arc(OneCurve):
     """A circular arc.
 
     Args:
@@ -221,6 +80,7 @@ class Arc(Curve):
     """
 
     called: ClassVar[str] = N_("an arc")
+    kind: ClassVar[float] = kernel.ARC
 
     radius: float
     sweep: float
@@ -228,11 +88,11 @@ class Arc(Curve):
     start_heading: float = 0.0
 
     def __post_init__(self) -> None:
-        _bend("radius", self.radius)
+        checked_bend("radius", self.radius)
         if finite("sweep", self.sweep, "rad") == 0.0:
             raise InputError(_("the angle of an arc must not be 0"))
-        _size("length", self.radius * abs(self.sweep))
-        _check_pose(self.start, self.start_heading)
+        checked_size("length", self.radius * abs(self.sweep))
+        check_pose(self.start, self.start_heading)
 
     @property
     def centre(self) -> Point:
@@ -241,18 +101,17 @@ class Arc(Curve):
         x, y = self.start
         return x + self.radius * math.cos(side), y + self.radius * math.sin(side)
 
-    def _lower(self) -> FloatArray:
-        bend = math.copysign(1.0 / self.radius, self.sweep)
-        length = self.radius * abs(self.sweep)
-        return _row(kernel.ARC, length, self.start, self.start_heading, bend, 0.0)[np.newaxis]
+    def _part(self) -> PartNumbers:
+        return self.kind, *self.start, self.start_heading, self.radius, self.sweep, 0.0, 0.0
 
-    def moved(self, point: Point, heading: float) -> Self:
-        """The same curve starting at `point` with `heading`."""
-        return replace(self, start=point, start_heading=heading)
+    @classmethod
+    def _from(cls, part: PartNumbers) -> Self:
+        _kind, x, y, heading, radius, sweep, *_rest = part
+        return cls(radius, sweep, (x, y), heading)
 
 
 @dataclass(frozen=True)
-class Spiral(Curve):
+class Spiral(OneCurve):
     """An Archimedean spiral, r = pitch / 2 pi * theta; walked inward, it runs on outward behind.
 
     Args:
@@ -266,6 +125,7 @@ class Spiral(Curve):
     """
 
     called: ClassVar[str] = N_("a spiral")
+    kind: ClassVar[float] = kernel.SPIRAL
 
     pitch: float
     start_angle: float
@@ -275,7 +135,7 @@ class Spiral(Curve):
     mirrored: bool = False
 
     def __post_init__(self) -> None:
-        _bend("pitch", self.pitch)
+        checked_bend("pitch", self.pitch)
         for name, angle in (("start_angle", self.start_angle), ("end_angle", self.end_angle)):
             if finite(name, angle, "rad") < 0.0:
                 raise InputError(
@@ -285,11 +145,11 @@ class Spiral(Curve):
                 )
         if self.start_angle == self.end_angle:
             raise InputError(_("a spiral must end at another angle than it starts at"))
-        _size("radius", max(self.start_angle, self.end_angle) * self.k)
+        checked_size("radius", max(self.start_angle, self.end_angle) * self.k)
         # The arc to the centre is at least this, and hardly more where it matters.
         outer = max(self.start_angle, self.end_angle)
-        _size("length", 0.5 * self.k * outer * outer)
-        _check_pose(self.centre, self.rotation)
+        checked_size("length", 0.5 * self.k * outer * outer)
+        check_pose(self.centre, self.rotation)
 
     @classmethod
     def between(
@@ -302,7 +162,7 @@ class Spiral(Curve):
         mirrored: bool = False,
     ) -> Self:
         """The spiral from one radius, m, to another."""
-        k = _bend("pitch", pitch) / (2.0 * math.pi)
+        k = checked_bend("pitch", pitch) / (2.0 * math.pi)
         for name, radius in (("start_radius", start_radius), ("end_radius", end_radius)):
             not_negative(name, radius, "m")
         return cls(pitch, start_radius / k, end_radius / k, centre, rotation, mirrored)
@@ -318,28 +178,54 @@ class Spiral(Curve):
         flat = [kernel.parameter_at(self.rows, 0, value) for value in lengths.ravel()]
         return np.array(flat).reshape(lengths.shape)
 
-    def _lower(self) -> FloatArray:
+    def _part(self) -> PartNumbers:
+        angles = self.start_angle, self.end_angle
         hand = -1.0 if self.mirrored else 1.0
-        row = _row(kernel.SPIRAL, 0.0, self.centre, self.rotation, self.k, hand)
-        row[kernel.U_START] = row[kernel.U_BACK] = self.start_angle
-        row[kernel.U_END] = self.end_angle
-        if self.end_angle < self.start_angle:
-            row[kernel.U_BACK] = math.inf
-        row[kernel.LENGTH] = kernel.length_at(row[np.newaxis], 0, self.end_angle)
-        return row[np.newaxis]
+        return self.kind, *self.centre, self.rotation, self.pitch, *angles, hand
 
-    def moved(self, point: Point, heading: float) -> Self:
-        """The same curve starting at `point` with `heading`."""
-        (x, y), old_heading = self.start_pose
-        turn = heading - old_heading
-        c, s = math.cos(turn), math.sin(turn)
-        dx, dy = self.centre[0] - x, self.centre[1] - y
-        centre = (point[0] + c * dx - s * dy, point[1] + s * dx + c * dy)
-        return replace(self, centre=centre, rotation=self.rotation + turn)
+    @classmethod
+    def _from(cls, part: PartNumbers) -> Self:
+        _kind, x, y, rotation, pitch, start, end, hand = part
+        return cls(pitch, start, end, (x, y), rotation, hand < 0.0)
 
 
 @dataclass(frozen=True)
-class Clothoid(Curve):
+class BentCurve(OneCurve):
+    """A curve that its length and the curvatures at both ends tell."""
+
+    length_m: float
+    start_curvature: float
+    end_curvature: float
+    start: Point = (0.0, 0.0)
+    start_heading: float = 0.0
+
+    def __post_init__(self) -> None:
+        checked_size("length", self.length_m)
+        finite("start_curvature", self.start_curvature, "1/m")
+        finite("end_curvature", self.end_curvature, "1/m")
+        check_pose(self.start, self.start_heading)
+
+    def _check_turn(self) -> None:
+        turn = self.length_m * max(abs(self.start_curvature), abs(self.end_curvature))  # or less
+        if turn > kernel.MOST_TURN:
+            raise InputError(
+                _("{kind} may sweep at most {most} rad, not {value} rad").format(
+                    kind=_(self.called), most=f"{kernel.MOST_TURN:g}", value=f"{turn:g}"
+                )
+            )
+
+    def _part(self) -> PartNumbers:
+        bends = self.start_curvature, self.end_curvature
+        return self.kind, *self.start, self.start_heading, self.length_m, *bends, 0.0
+
+    @classmethod
+    def _from(cls, part: PartNumbers) -> Self:
+        _kind, x, y, heading, length, start, end, _hand = part
+        return cls(length, start, end, (x, y), heading)
+
+
+@dataclass(frozen=True)
+class Clothoid(BentCurve):
     """A curve whose curvature changes linearly with arc length (Euler spiral).
 
     Args:
@@ -351,39 +237,15 @@ class Clothoid(Curve):
     """
 
     called: ClassVar[str] = N_("a clothoid")
-
-    length_m: float
-    start_curvature: float
-    end_curvature: float
-    start: Point = (0.0, 0.0)
-    start_heading: float = 0.0
+    kind: ClassVar[float] = kernel.CLOTHOID
 
     def __post_init__(self) -> None:
-        _check_bent(self)
-        _check_turn(self.called, self.length_m, self.start_curvature, self.end_curvature)
-
-    def _lower(self) -> FloatArray:
-        turn = _turn_bound(self.length_m, self.start_curvature, self.end_curvature)
-        count = max(1, math.ceil(turn / kernel.CLOTHOID_TURN))
-        piece = self.length_m / count
-        change = (self.end_curvature - self.start_curvature) / self.length_m
-        point, heading, rows = self.start, self.start_heading, []
-        for i in range(count):
-            bend = self.start_curvature + change * piece * i
-            row = _row(kernel.CLOTHOID, piece, point, heading, bend, change)
-            row[kernel.S_START] = piece * i
-            rows.append(row)
-            point = kernel.clothoid_point(row[np.newaxis], 0, piece)
-            heading = kernel.heading(row[np.newaxis], 0, piece)
-        return np.array(rows)
-
-    def moved(self, point: Point, heading: float) -> Self:
-        """The same curve starting at `point` with `heading`."""
-        return replace(self, start=point, start_heading=heading)
+        super().__post_init__()
+        self._check_turn()
 
 
 @dataclass(frozen=True)
-class LogSpiral(Curve):
+class LogSpiral(BentCurve):
     """A curve whose radius of curvature changes linearly with arc length (logarithmic spiral).
 
     Args:
@@ -395,19 +257,14 @@ class LogSpiral(Curve):
 
     Raises:
         InputError: for curvatures of different signs, or of which one is over MOST_WINDING times the
-            other; and if it turns by more than MOST_TURN.
+            other; and if it turns by more than kernels.curve.MOST_TURN.
     """
 
     called: ClassVar[str] = N_("a logarithmic spiral")
-
-    length_m: float
-    start_curvature: float
-    end_curvature: float
-    start: Point = (0.0, 0.0)
-    start_heading: float = 0.0
+    kind: ClassVar[float] = kernel.LOG_SPIRAL
 
     def __post_init__(self) -> None:
-        _check_bent(self)
+        super().__post_init__()
         a, b = self.start_curvature, self.end_curvature
         if b == 0.0 or not 1.0 / MOST_WINDING <= a / b <= MOST_WINDING:
             raise InputError(
@@ -416,20 +273,48 @@ class LogSpiral(Curve):
                     "factor of at most {most}, not be {start} and {end} 1/m"
                 ).format(most=f"{MOST_WINDING:g}", start=f"{a:g}", end=f"{b:g}")
             )
-        _check_turn(self.called, self.length_m, a, b)
-
-    def _lower(self) -> FloatArray:
-        bend = self.start_curvature
-        gain = (bend - self.end_curvature) / self.end_curvature / self.length_m
-        row = _row(kernel.LOG_SPIRAL, self.length_m, self.start, self.start_heading, bend, gain)
-        return row[np.newaxis]
-
-    def moved(self, point: Point, heading: float) -> Self:
-        """The same curve starting at `point` with `heading`."""
-        return replace(self, start=point, start_heading=heading)
+        self._check_turn()
 
 
 AnyCurve = Line | Arc | Spiral | Clothoid | LogSpiral
+CURVES: dict[float, type[AnyCurve]] = {
+    curve.kind: curve for curve in (Line, Arc, Spiral, Clothoid, LogSpiral)
+}
+
+
+def curve_of(part: PartNumbers) -> AnyCurve:
+    """The curve of a row of `parts`.
+
+    Raises:
+        InputError: for sizes that no such curve has.
+    """
+    return CURVES[part[0]]._from(part)
+
+
+def _checked_curves(curves: object) -> tuple[AnyCurve, ...]:
+    if not isinstance(curves, Iterable):
+        raise InputError(
+            _("curves must be a list of curves, not {value}").format(value=repr(curves)[:80])
+        )
+    checked = tuple(curves)
+    for i, curve in enumerate(checked, start=1):
+        if not isinstance(curve, AnyCurve):
+            raise InputError(
+                _(
+                    "curve {number} must be a Line, Arc, Spiral, Clothoid or LogSpiral, not {value}"
+                ).format(number=i, value=repr(curve)[:80])
+            )
+    if not checked:
+        raise InputError(_("a route needs at least one curve"))
+    return checked
+
+
+def joined_curves(curves: Sequence[AnyCurve], first: int, stop: int) -> tuple[AnyCurve, ...]:
+    """These curves, those from number `first` to before `stop` moved to where the one before ends."""
+    parts = np.concatenate([curve.parts for curve in curves])
+    laid_rows(parts, moved=(first, stop))
+    moved = (curve_of(part) for part in parts[first:stop].tolist())
+    return (*curves[:first], *moved, *curves[stop:])
 
 
 @dataclass(frozen=True)
@@ -448,22 +333,8 @@ class Route(Curve):
     kinks: bool = False
 
     def __post_init__(self) -> None:
-        if not isinstance(self.curves, Iterable):
-            raise InputError(
-                _("curves must be a list of curves, not {value}").format(value=repr(self.curves)[:80])
-            )
-        object.__setattr__(self, "curves", tuple(self.curves))
-        for i, curve in enumerate(self.curves, start=1):
-            if not isinstance(curve, AnyCurve):
-                raise InputError(
-                    _(
-                        "curve {number} must be a Line, Arc, Spiral, Clothoid or LogSpiral, not {value}"
-                    ).format(number=i, value=repr(curve)[:80])
-                )
-        if not self.curves:
-            raise InputError(_("a route needs at least one curve"))
-        for i in range(1, len(self.curves)):
-            self._check_joint(i)
+        object.__setattr__(self, "curves", _checked_curves(self.curves))
+        self._check_joints()
 
     def __len__(self) -> int:
         """Number of curves."""
@@ -480,47 +351,39 @@ class Route(Curve):
     @classmethod
     def joined(cls, curves: Sequence[AnyCurve]) -> Self:
         """The route of these curves, each moved to where the one before it ends."""
-        placed: list[AnyCurve] = list(curves[:1])
-        for curve in curves[1:]:
-            placed.append(curve.moved(*placed[-1].end_pose))
-        return cls(tuple(placed))
+        checked = _checked_curves(curves)
+        return cls(joined_curves(checked, 1, len(checked)))
+
+    @property
+    def parts(self) -> FloatArray:
+        """The curves as a plan says them, one row each: see kernels/route_parts.py."""
+        return np.concatenate([curve.parts for curve in self.curves])
 
     @cached_property
     def joints(self) -> FloatArray:
         """Route positions of the curves' ends, m, (len(curves) + 1,), from 0 to the length."""
-        return np.concatenate([[0.0], np.cumsum([curve.length for curve in self.curves])])
+        starts = np.flatnonzero(np.diff(self.rows[:, kernel.PART], prepend=-1.0))
+        return np.append(self.rows[starts, kernel.S_START], self.length)
 
     @property
     def centre(self) -> tuple[float, float]:
         """Centre of the first spiral, else the origin, m."""
         return next((curve.centre for curve in self.curves if isinstance(curve, Spiral)), (0.0, 0.0))
 
-    def _check_joint(self, i: int) -> None:
-        (ax, ay), a = self.curves[i - 1].end_pose
-        (bx, by), b = self.curves[i].start_pose
-        gap = math.hypot(bx - ax, by - ay)
-        if gap > JOINT_GAP:
-            raise InputError(
-                _("curves {first} and {second} do not meet: they are {gap} m apart").format(
-                    first=i, second=i + 1, gap=f"{gap:.6g}"
+    def _check_joints(self) -> None:
+        off = np.zeros((len(self.curves) - 1, 2))
+        misfits(self.rows, off)
+        for i, (gap, kink) in enumerate(off.tolist(), start=1):
+            if gap > JOINT_GAP:
+                raise InputError(
+                    _("curves {first} and {second} do not meet: they are {gap} m apart").format(
+                        first=i, second=i + 1, gap=f"{gap:.6g}"
+                    )
                 )
-            )
-        kink = abs(math.remainder(b - a, 2.0 * math.pi))
-        if kink > JOINT_KINK and not self.kinks:
-            raise InputError(
-                _(
-                    "curves {first} and {second} meet at a kink of {kink} degrees; allow kinks "
-                    "or rotate one of them"
-                ).format(first=i, second=i + 1, kink=f"{math.degrees(kink):.6g}")
-            )
-
-    def _lower(self) -> FloatArray:
-        tables = []
-        for part, curve in enumerate(self.curves):
-            rows = curve.rows.copy()
-            rows[:, kernel.PART] = part
-            rows[:, kernel.S_START] += self.joints[part]
-            if part:
-                rows[0, kernel.U_BACK] = rows[0, kernel.U_START]
-            tables.append(rows)
-        return np.concatenate(tables)
+            if kink > JOINT_KINK and not self.kinks:
+                raise InputError(
+                    _(
+                        "curves {first} and {second} meet at a kink of {kink} degrees; allow kinks "
+                        "or rotate one of them"
+                    ).format(first=i, second=i + 1, kink=f"{math.degrees(kink):.6g}")
+                )

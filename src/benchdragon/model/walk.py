@@ -23,7 +23,8 @@ from benchdragon.kernels.route import END_SLACK
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.status import Status
 from benchdragon.model.arrays import as_numbers
-from benchdragon.model.curves import MOST_METRES, Route
+from benchdragon.model.base_curve import MOST_METRES
+from benchdragon.model.curves import Route
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.placement import Placement
 from benchdragon.model.profile import SpeedProfile

@@ -40,7 +40,8 @@ from benchdragon.progress import Progress, Stages, silent
 from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.size import limit, smallest_pitch
 from benchdragon.solve.tolerance import CASES
-from benchdragon.solve.turn import BestTurn, TurnGoal, pareto_front
+from benchdragon.solve.turn import BestTurn, pareto_front
+from benchdragon.solve.turn_trials import TurnGoal
 from benchdragon.version import __version__
 
 if TYPE_CHECKING:

@@ -2,7 +2,7 @@
 
 import math
 import time as clock
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from benchdragon.analysis.contact import MOST_SAMPLED, first_contact, least_clearance
 from benchdragon.analysis.distance import low_pair, low_point
@@ -97,6 +97,9 @@ class Family:
     question: Question
     margin: float
     tolerance: float = TOLERANCE
+    _last: tuple[float, tuple[Walk, float, float]] | None = field(
+        default=None, init=False, repr=False, compare=False
+    )
 
     @property
     def first(self) -> float:
@@ -104,12 +107,17 @@ class Family:
         return self.plan.value(self.question.keys[0])
 
     def walk(self, size: float) -> tuple[Walk, float, float]:
-        """The walk of a size, and the times between which it must stay clear."""
-        plan = self.plan
-        for key in self.question.keys:
-            plan = plan.with_value(key, size)
-        walk = plan.build()
-        return walk, *plan.span(walk)
+        """The walk of a size, and the times between which it must stay clear.
+
+        The last one is kept: searches ask for a walk several times before they try another size.
+        """
+        if self._last is None or self._last[0] != size:
+            plan = self.plan
+            for key in self.question.keys:
+                plan = plan.with_value(key, size)
+            walk = plan.build()
+            self._last = size, (walk, *plan.span(walk))
+        return self._last[1]
 
     def trial(self, size: float) -> Trial:
         """Walk it; what cannot be walked is not clear."""

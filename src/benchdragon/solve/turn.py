@@ -9,33 +9,23 @@ import contextlib
 import math
 import time as clock
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-import numpy as np
-
 from benchdragon.analysis.contact import least_clearance
-from benchdragon.analysis.speed import QUANTITIES, given_limits, greatest_of, values_at
-from benchdragon.errors import InputError, NoSolutionError, finite, of_kind, positive
-from benchdragon.i18n import N_, _
-from benchdragon.kernels import step_bounds
-from benchdragon.kernels.box import least_distance
+from benchdragon.analysis.speed import QUANTITIES, greatest_of
+from benchdragon.errors import InputError, NoSolutionError, of_kind, positive
+from benchdragon.i18n import _
 from benchdragon.model.answer import Answer
-from benchdragon.model.curves import Route
-from benchdragon.model.dragon import Dragon
 from benchdragon.model.turns import Turn
-from benchdragon.plans.schema import Plan, TurnRoute
+from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, part, silent
 from benchdragon.solve import minima
 from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.minima import constrained_point, downhill_point, low_points
+from benchdragon.solve.turn_trials import EXCEEDED, STEPS, WORSE, TurnEvaluator, TurnGoal
 
-# Benches that are walked through a turn while searching, and how far the head goes at a time, m: in
-# the global search and in the local one.
-BENCHES, STEPS = 16, (0.2, 0.08)
-# Benches and step, m, for their distances: one turn farther out is some 17 benches away.
-CLEAR_BENCHES, CLEAR_STEP = 40, 0.6
 # Share of the work that the search all over the family takes.
 SEARCHED = 0.8
 # Of the speeds of a front, the shares along it at which the whole family is searched; evaluations of
@@ -44,54 +34,10 @@ ANCHORS, SKETCH, SKETCHED = (0.0, 0.5, 1.0), 100, 0.4
 # How often limits are narrowed after exact figures, and by what share more than those tell, twice as
 # much each time.
 NARROWINGS, PRUDENCE = 8, 5e-5
-# A limit that is kept to within this share counts as active; it may be exceeded by the other.
-ACTIVE, EXCEEDED = 2e-3, 1e-7
-# What a turn that does not exist is worth, and the worst of a limit that is exceeded by all of itself.
-NOWHERE, WORSE = 1e6, 1e3
+# A limit that is kept to within this share counts as active.
+ACTIVE = 2e-3
 # Figures of a turn that does not exist, in SI units.
 HOPELESS = 1e4
-# Joints lie no deeper than this share of the disc's radius, arcs are no wider than the other;
-# clothoids are no longer, m.
-DEEPEST, WIDEST, LONGEST_EASE = 0.3, 0.75, 4.0
-# A bend is wider than half a link by this share: at that the last bench would stand square to it.
-WIDER = 1.001
-
-OBJECTIVES = {
-    "length": N_("shortest turn"),
-    "way": N_("shortest path inside the disc"),
-    "speed": N_("greatest head speed"),
-    "disc": N_("smallest disc"),
-    "acceleration": N_("least peak total acceleration"),
-}
-
-
-@dataclass(frozen=True)
-class TurnGoal:
-    """What is sought of a turn, and what it must keep besides the plan's limits.
-
-    Attributes:
-        objective: one of OBJECTIVES.
-        least_radius: of any bend, m.
-        longest: length of the turn itself, m.
-        longest_way: whole way inside the disc, m.
-    """
-
-    objective: str = "way"
-    least_radius: float = 0.0
-    longest: float = math.inf
-    longest_way: float = math.inf
-
-    def __post_init__(self) -> None:
-        if self.objective not in OBJECTIVES:
-            raise InputError(
-                _("wanted one of {known}, not {name}").format(
-                    known=", ".join(OBJECTIVES), name=self.objective
-                )
-            )
-        finite("least_radius", self.least_radius, "m")
-        for name in ("longest", "longest_way"):
-            if math.isfinite(getattr(self, name)):
-                positive(name, getattr(self, name), "m")
 
 
 @dataclass(frozen=True)
@@ -135,157 +81,6 @@ class BestTurn:
             "clearance": self.clearance.as_json(),
             "active": list(self.active),
         }
-
-
-@dataclass
-class TurnEvaluator:
-    """Judges turns of a plan's family by sampling."""
-
-    plan: Plan
-    goal: TurnGoal
-    # What sampling is corrected by: the exact figure is so many times the sampled one.
-    factors: dict[str, float] = field(default_factory=dict)
-    step: float = STEPS[0]
-    evaluations: int = 0
-
-    def __post_init__(self) -> None:
-        route = self.plan.route
-        if not isinstance(route, TurnRoute):
-            raise InputError(_("a best turn is sought for plans whose route is a turn"))
-        self.pitch, self.disc = route.pitch, route.disc(self.plan)
-        dragon = self.plan.dragon.build()
-        sizes = dragon.sizes
-        self.few, self.more = (
-            Dragon.of_sizes(*(size[:count] for size in sizes)) for count in (BENCHES, CLEAR_BENCHES)
-        )
-        self.narrowest = max(WIDER * 0.5 * float(dragon.links.max()), self.goal.least_radius)
-
-    @property
-    def sought(self) -> str:
-        """The figure that is to be small."""
-        objective = self.goal.objective
-        return "total_acceleration" if objective == "acceleration" else objective
-
-    @property
-    def quantities(self) -> list[str]:
-        """Quantities that a turn is judged by: speed, what is limited, and what is sought."""
-        wanted = {"speed", self.sought, *given_limits(self.plan)}
-        return [name for name in QUANTITIES if name in wanted]
-
-    @property
-    def bounds(self) -> list[tuple[float, float]]:
-        """Ranges of the unknowns: joints, what the family has, and the clothoids' length if free."""
-        table, disc = self.plan.turn, self.disc
-        joints = [
-            (DEEPEST * disc, disc) if radius is None else (radius, radius)
-            for radius in (table.entry_radius, table.exit_radius)
-        ]
-        radius = (self.narrowest, max(WIDEST * disc, 1.01 * self.narrowest))
-        inner = {
-            "arc-arc": [(math.log(0.2), math.log(5.0))],
-            "arc-line-arc": [radius, radius],
-            "arc-arc-arc": [radius, (-1.0 / self.narrowest, 1.0 / self.narrowest), radius],
-        }[table.family]
-        ease = [(0.0, LONGEST_EASE)] if self.goal.objective == "acceleration" else []
-        return [*joints, *inner, *ease]
-
-    def table(self, x: Sequence[float]) -> dict[str, object]:
-        """What the unknowns say in a plan's [turn]."""
-        family = self.plan.turn.family
-        entry, exit_, *inner = (float(value) for value in x)
-        said: dict[str, object] = {"entry_radius": entry, "exit_radius": exit_}
-        if self.goal.objective == "acceleration":
-            said["ease"] = inner.pop()
-        if family == "arc-arc":
-            return {**said, "ratio": math.exp(inner[0])}
-        if family == "arc-arc-arc":
-            said["curvature"] = inner.pop(1)
-        return {**said, "radii": (inner[0], inner[1])}
-
-    def turn(self, x: Sequence[float]) -> Turn:
-        """The turn of these unknowns.
-
-        Raises:
-            InputError: if there is none.
-        """
-        table = self.plan.turn.model_copy(update=self.table(x))
-        return table.build(self.pitch, self.disc)
-
-    def figures(self, x: Sequence[float], complete: bool) -> dict[str, float] | None:
-        """What a turn comes to, by name; clearance only if the rest is within limits, or `complete`."""
-        self.evaluations += 1
-        try:
-            turn = self.turn(x)
-            route = turn.route(lead=1.0, trail=1000.0)
-        except InputError:
-            return None
-        found = {
-            "length": turn.length,
-            "way": turn.way(self.disc),
-            "disc": max(turn.extent, turn.entry_radius, turn.exit_radius),
-            "radius": turn.least_radius,
-        }
-        if turn.least_radius < 0.98 * self.narrowest:
-            return found
-        found |= self._rates(route)
-        if complete or all(value >= 0.0 for value in self.rooms(found).values()):
-            found["clearance"] = self._clearance(route)
-        return found
-
-    def _rates(self, route: Route) -> dict[str, float]:
-        places = self._places(route, self.few, self.step)
-        if places is None:
-            return dict.fromkeys(self.quantities, math.inf)
-        slots = np.arange(places.u.shape[1] - 1)
-        steady = np.tile([1.0, 1.0, 0.0], (len(slots), 1))
-        found = {}
-        for name in self.quantities:
-            kind = QUANTITIES[name].kind
-            values = values_at(route.rows, self.few.links, places, slots, steady, kind)[0]
-            found[name] = float(values.max()) * self.factors.get(name, 1.0)
-        return found
-
-    def _clearance(self, route: Route) -> float:
-        places = self._places(route, self.more, CLEAR_STEP)
-        if places is None:
-            return -1.0
-        near = least_distance(self.more.sizes, places.x, places.y)
-        return near + self.factors.get("clearance", 0.0)
-
-    def _places(self, route: Route, dragon: Dragon, step: float) -> step_bounds.Placements | None:
-        """The dragon from where its head enters the turn to where its tail has left it."""
-        first = float(route.joints[1])
-        last = float(route.joints[-2] + dragon.links.sum())
-        at = np.linspace(first, last, math.ceil((last - first) / step) + 1)
-        places = step_bounds.empty_placements(len(dragon) + 1, len(at))
-        stands = step_bounds.place_chain(route.rows, dragon.links, at, 0, len(at), places)
-        return places if stands else None
-
-    def rooms(self, found: dict[str, float]) -> dict[str, float]:
-        """What is left of each limit, as a share of it; negative where it is exceeded."""
-        plan, goal, head = self.plan, self.goal, self.plan.walk.speed
-        rooms = {"radius": found["radius"] / self.narrowest - 1.0}
-        if goal.objective != "disc":
-            rooms["disc"] = 1.0 - found["disc"] / self.disc
-        if math.isfinite(goal.longest):
-            rooms["length"] = 1.0 - found["length"] / goal.longest
-        if math.isfinite(goal.longest_way):
-            rooms["way"] = 1.0 - found["way"] / goal.longest_way
-        for name, limit in given_limits(plan).items():
-            if name != self.sought:
-                peak = found.get(name, math.inf) * head ** QUANTITIES[name].power
-                rooms[name] = 1.0 - peak / limit
-        if "clearance" in found:
-            rooms["clearance"] = (found["clearance"] - plan.limits.margin) / self.few.width[0]
-        return {name: max(room, -1.0) for name, room in rooms.items()}
-
-    def score(self, x: Sequence[float]) -> float:
-        """What the global search makes small: the objective, or how far limits are exceeded."""
-        found = self.figures(x, complete=False)
-        if found is None:  # small radii and short clothoids are likelier to exist
-            return NOWHERE * (1.0 + sum(abs(value) for value in x[2:]))
-        exceeded = -sum(min(room + EXCEEDED, 0.0) for room in self.rooms(found).values())
-        return WORSE * (1.0 + exceeded) if exceeded > 0.0 else found[self.sought]
 
 
 def best_turn(plan: Plan, goal: TurnGoal | None = None, *, progress: Progress = silent) -> BestTurn:

@@ -30,7 +30,8 @@ from benchdragon.progress import Progress, part
 from benchdragon.solve.head_speed import greatest_head_speed, slowed, with_pace
 from benchdragon.solve.size import limit
 from benchdragon.solve.tolerance import CASES, RISKS, Deviations, tolerance
-from benchdragon.solve.turn import TurnGoal, best_turn
+from benchdragon.solve.turn import best_turn
+from benchdragon.solve.turn_trials import TurnGoal
 from benchdragon.studio import messages
 from benchdragon.studio.limits import Settings, too_much
 

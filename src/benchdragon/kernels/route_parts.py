@@ -1,0 +1,225 @@
+"""The rows of a route from a short table of its parts, in place or moved to where others end.
+
+Parts are a table of floats as well, one row a curve, its columns named below: what a plan says of it.
+"""
+
+import math
+from typing import NamedTuple
+
+from benchdragon.kernels.arrays import Table
+from benchdragon.kernels.curve import (
+    ANGLE,
+    ARC,
+    AXIS_X,
+    AXIS_Y,
+    CLOTHOID,
+    CLOTHOID_TURN,
+    COLUMNS,
+    KIND,
+    LENGTH,
+    LINE,
+    LOG_SPIRAL,
+    PART,
+    S_START,
+    SPIRAL,
+    U_BACK,
+    U_END,
+    U_START,
+    FloatArray,
+    P,
+    Q,
+    X,
+    Y,
+    heading,
+    length_at,
+    place,
+)
+from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.route import locate
+
+PART_KIND = 0  # as KIND of a row
+PART_X = 1  # start point; of a spiral the centre, m
+PART_Y = 2
+PART_ANGLE = 3  # heading at the start; of a spiral the polar axis, rad
+SIZE = 4  # length; of an arc the radius, of a spiral the pitch, m
+FIRST = 5  # curvature at the start, 1/m; of an arc the sweep, of a spiral the first theta, rad
+LAST = 6  # curvature at the end, 1/m; of a spiral the last theta, rad
+HAND = 7  # of a spiral: +1, or -1 if mirrored
+PART_COLUMNS = 8
+
+# Places at which a route's reach is looked at; a turn has some 1e3.
+MOST_PLACES = 1e6
+
+
+class Pose(NamedTuple):
+    """A point, m, and the heading there, rad."""
+
+    x: float
+    y: float
+    heading: float
+
+
+@kernel
+def cuts(parts: FloatArray, i: int) -> int:
+    """Rows that part i fills: a clothoid several, if it turns too far for one quadrature."""
+    if parts[i, PART_KIND] != CLOTHOID:
+        return 1
+    turn = parts[i, SIZE] * max(abs(parts[i, FIRST]), abs(parts[i, LAST]))
+    return max(1, math.ceil(turn / CLOTHOID_TURN))
+
+
+@entry
+def row_count(parts: Table) -> int:
+    """Rows that these parts fill."""
+    count = 0
+    for i in range(parts.shape[0]):
+        count += cuts(parts, i)
+    return count
+
+
+@entry
+def lay_rows(parts: Table, start: Pose, first: int, stop: int, rows: Table) -> None:
+    """Fill the rows of a route of these parts; rows has as many as `row_count` says.
+
+    Parts first..stop-1 are moved, in `parts` as well, to where the one before them ends; part 0 to
+    `start`.
+    """
+    j = 0
+    s = 0.0
+    pose = start
+    for i in range(parts.shape[0]):
+        write_row(parts, i, rows, j, s)
+        if first <= i < stop:
+            move_row(rows, j, pose)
+            parts[i, PART_X] = rows[j, X]
+            parts[i, PART_Y] = rows[j, Y]
+            parts[i, PART_ANGLE] = rows[j, ANGLE]
+        count = cuts(parts, i)
+        piece = rows[j, LENGTH]
+        for n in range(1, count):
+            continue_clothoid(rows, j + n, s + piece * n, parts[i, FIRST] + rows[j, Q] * piece * n)
+        for n in range(count):
+            rows[j + n, AXIS_X] = math.cos(rows[j + n, ANGLE])
+            rows[j + n, AXIS_Y] = math.sin(rows[j + n, ANGLE])
+        j += count
+        s += piece * (count - 1) + piece
+        pose = end_pose(rows, j - 1)
+
+
+@kernel
+def write_row(parts: FloatArray, i: int, rows: FloatArray, j: int, s: float) -> None:
+    """Row j, at route position s, for part i; for a clothoid that is cut the first of its rows."""
+    kind, size, first, last = parts[i, PART_KIND], parts[i, SIZE], parts[i, FIRST], parts[i, LAST]
+    rows[j, KIND] = kind
+    rows[j, PART] = i
+    rows[j, S_START] = s
+    rows[j, X] = parts[i, PART_X]
+    rows[j, Y] = parts[i, PART_Y]
+    rows[j, ANGLE] = parts[i, PART_ANGLE]
+    rows[j, P] = first
+    rows[j, Q] = 0.0
+    rows[j, U_START] = 0.0
+    rows[j, LENGTH] = size
+    if kind == SPIRAL:
+        rows[j, P] = size / (2.0 * math.pi)
+        rows[j, Q] = parts[i, HAND]
+        rows[j, U_START] = first
+        rows[j, U_END] = last
+        rows[j, LENGTH] = length_at(rows, j, last)
+    elif kind == ARC:
+        rows[j, P] = math.copysign(1.0 / size, first)
+        rows[j, LENGTH] = size * abs(first)
+    elif kind == CLOTHOID:
+        rows[j, LENGTH] = size / cuts(parts, i)
+        rows[j, Q] = (last - first) / size
+    elif kind == LOG_SPIRAL:
+        rows[j, Q] = (first - last) / last / size
+    if kind != SPIRAL:
+        rows[j, U_END] = rows[j, LENGTH]
+    rows[j, U_BACK] = rows[j, U_START]
+    if j == 0:
+        rows[j, U_BACK] = extension_end(kind, first, last)
+
+
+@kernel
+def extension_end(kind: float, first: float, last: float) -> float:
+    """U_BACK of a route's first row: a line runs on straight behind it, an inward spiral outward."""
+    if kind == LINE:
+        return -math.inf
+    if kind == SPIRAL:
+        return math.inf if last < first else first
+    return 0.0
+
+
+@kernel
+def continue_clothoid(rows: FloatArray, j: int, s: float, bend: float) -> None:
+    """Row j of a clothoid where row j - 1 of it ends, at s and with this curvature."""
+    for column in range(COLUMNS):
+        rows[j, column] = rows[j - 1, column]
+    pose = end_pose(rows, j - 1)
+    rows[j, X], rows[j, Y], rows[j, ANGLE] = pose.x, pose.y, pose.heading
+    rows[j, S_START] = s
+    rows[j, P] = bend
+    rows[j, U_BACK] = 0.0
+
+
+@kernel
+def move_row(rows: FloatArray, j: int, pose: Pose) -> None:
+    """Let row j begin at a pose."""
+    if rows[j, KIND] != SPIRAL:
+        rows[j, X], rows[j, Y], rows[j, ANGLE] = pose.x, pose.y, pose.heading
+        return
+    old = start_pose(rows, j)
+    turn = pose.heading - old.heading
+    c, s = math.cos(turn), math.sin(turn)
+    dx, dy = rows[j, X] - old.x, rows[j, Y] - old.y
+    rows[j, X] = pose.x + c * dx - s * dy
+    rows[j, Y] = pose.y + s * dx + c * dy
+    rows[j, ANGLE] += turn
+
+
+@kernel
+def pose_at(rows: FloatArray, j: int, u: float) -> Pose:
+    """The pose at parameter u of row j."""
+    x, y, _, _ = place(rows, j, u)
+    return Pose(x, y, heading(rows, j, u))
+
+
+@entry
+def start_pose(rows: Table, j: int) -> Pose:
+    """The pose at the start of row j."""
+    return pose_at(rows, j, rows[j, U_START])
+
+
+@entry
+def end_pose(rows: Table, j: int) -> Pose:
+    """The pose at the end of row j."""
+    return pose_at(rows, j, rows[j, U_END])
+
+
+@entry
+def misfits(rows: Table, out: Table) -> None:
+    """Fill out[i] with the gap, m, and the kink, rad, between parts i and i + 1."""
+    for j in range(1, rows.shape[0]):
+        if rows[j, PART] == rows[j - 1, PART]:
+            continue
+        i = int(rows[j, PART]) - 1
+        before, after = end_pose(rows, j - 1), start_pose(rows, j)
+        out[i, 0] = math.hypot(after.x - before.x, after.y - before.y)
+        kink = after.heading - before.heading
+        out[i, 1] = abs(kink - 2.0 * math.pi * math.floor(kink / (2.0 * math.pi) + 0.5))
+
+
+@entry
+def farthest(rows: Table, first: float, last: float, step: float) -> float:
+    """How far from the origin, m, places lie that stand every `step` m or less from `first` to `last`.
+
+    There are MOST_PLACES at most.
+    """
+    count = math.ceil(min((last - first) / step, MOST_PLACES)) + 1
+    most = 0.0
+    for n in range(count + 1):
+        j, u, _status = locate(rows, first + (last - first) * n / count)
+        x, y, _, _ = place(rows, j, u)
+        most = max(most, math.hypot(x, y))
+    return most
