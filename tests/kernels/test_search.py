@@ -774,14 +774,16 @@ def test_a_step_begins_with_the_chain_of_the_one_before_or_its_own() -> None:
 
 def test_what_benches_behind_may_reach_is_boxed(monkeypatch: pytest.MonkeyPatch) -> None:
     """A head on its way in meets benches that are in a clear span with each other."""
-    walk = Walk(Dragon.uniform(40), Route((Spiral(0.5, 14.0 * math.pi, 2.0 * math.pi),)), start=40.0)
+    walk = Walk(Dragon.uniform(40), Route((Spiral(0.5, 36.0 * math.pi, 0.5 * math.pi),)), start=400.0)
     bounds, boxed = [], []
     for _turn in range(2):
-        found = contact_search(walk, 0.0, 25.0, 0.0, silent)
+        found = contact_search(walk, 0.0, 45.0, 0.0, silent)
         note = np.zeros(search.NOTES)
         assert found.search(search.FIRST_TOUCH, note) == search.FOUND
         bounds.append(note[[search.LOWER, search.UPPER, search.PAIR]].tolist())
-        boxed.append(int((found.tables.ground.tree[:, cells.STATE] == cells.BOXED).sum()))
+        ground, count = found.tables.ground, int(found.tables.ground.counts[cells.CELLS])
+        whole = ground.tree[: 2 * len(ground.middles)].reshape(2, -1, cells.TREE_COLUMNS)
+        boxed.append(int((whole[:, :count, cells.STATE] == cells.BOXED).sum()))
         monkeypatch.setattr(Tables, "begin", without_spans)
     assert bounds[0] == bounds[1]
     assert boxed[0] < boxed[1]
