@@ -8,6 +8,8 @@ vectors, for levels and for this processor, and compares times and bits with tho
 compiles for this processor: v3 takes a few percent more, and wider vectors gain an eighth where there
 are any. Without fused multiply-add it takes more than twice as long, and roundings differ.
 
+What the kernels take in browsers, see engine_wasm.py.
+
 Whether a machine has v3 is read from /proc/cpuinfo. Where there is none (not Linux), the plain level is
 taken: slower, and never wrong.
 """
