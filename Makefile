@@ -2,12 +2,13 @@
 # minute of lint, types, import contracts and a test of each room.
 PYTHON ?= python3
 BIN := .venv/bin
-PAGES := 'src/benchdragon/web/*.js' 'src/benchdragon/web/*.css'
+PAGES := 'src/benchdragon/web/*.js' 'src/benchdragon/web/*.css' 'tests/engine/*.js' 'tests/engine/*.mjs'
 NPM := $(shell command -v npm 2>/dev/null)
 # The kernels are built on one core while the other does what has no need of them.
 MAKEFLAGS += --jobs=2
 
-.PHONY: demo test quick lint plain-test manual-test docs bench truth mutants messages keys types map lock fonts clean
+.PHONY: demo test quick lint plain-test manual-test docs bench truth wasm wasm-test mutants messages keys types \
+  map lock fonts clean
 
 .venv/installed: requirements.lock pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed")'
@@ -66,6 +67,20 @@ bench: .venv/engine
 truth: .venv/installed
 	$(BIN)/python -m tests.truth.make_truth
 
+# Zig is 0.4 GB, and builds engine.wasm alone: the tests take the committed one.
+.venv/zig: .venv/installed requirements-wasm.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-wasm.lock
+	touch $@
+
+# The kernels for browsers, to be committed.
+wasm: .venv/zig
+	$(BIN)/python -m benchdragon.engine --wasm src/benchdragon/engine
+
+# Whether the committed one is, byte for byte, what is built here.
+wasm-test: .venv/zig
+	$(BIN)/python -m benchdragon.engine --wasm out/wasm
+	cmp out/wasm/engine.wasm src/benchdragon/engine/engine.wasm
+
 mutants: .venv/installed
 	$(BIN)/python tools/mutants.py
 
@@ -87,6 +102,8 @@ fonts: .venv/installed
 lock:
 	uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-annotate --no-header \
 	  --python-version 3.11 --extra data --extra prove --extra studio --extra video --group dev --group build --group docs pyproject.toml -o requirements.lock
+	uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-annotate --no-header \
+	  --python-version 3.11 --no-deps --group wasm -o requirements-wasm.lock
 
 clean:
 	rm -rf src/benchdragon/engine/*.so .venv node_modules out docs/_build .coverage .mypy_cache .pytest_cache .ruff_cache

@@ -8,6 +8,8 @@ vectors, for levels and for this processor, and compares times and bits with tho
 compiles for this processor: v3 takes a few percent more, and wider vectors gain an eighth where there
 are any. Without fused multiply-add it takes more than twice as long, and roundings differ.
 
+What the kernels take in browsers, see engine_wasm.py.
+
 Whether a machine has v3 is read from /proc/cpuinfo. Where there is none (not Linux), the plain level is
 taken: slower, and never wrong.
 """
@@ -38,19 +40,17 @@ def build(folder: str) -> None:
     import llvmlite.binding as llvm
 
     from benchdragon.engine import optimise, shims
-    from benchdragon.engine.build import link
+    from benchdragon.engine.build import link, machine_code
 
     optimise.prepare()
-    shape, text, inner = shims.compiled_shim(shims.entries()[MARCH])
+    march = shims.entries()[MARCH]
     host = llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten()
     levels = ((name, "") for name in ("x86-64", "x86-64-v3", "x86-64-v4"))
     for cpu, features in (*levels, host):
         machine = llvm.Target.from_default_triple().create_target_machine(
             cpu=cpu, features=features, opt=3, reloc="pic", codemodel="default"
         )
-        module = optimise.joined([optimise.shim_module(shape.symbol, text, inner)], {shape.symbol})
-        optimise.optimise(module, machine)
-        link(machine.emit_object(module), Path(folder, f"{cpu}.so"))
+        link(machine_code([march], machine), Path(folder, f"{cpu}.so"))
 
 
 def task() -> tuple[tuple[Any, ...], list[Any]]:

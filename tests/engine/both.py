@@ -80,13 +80,13 @@ def both(name: str, compiled: Any, built: Any) -> Callable[..., Any]:
     return call
 
 
-def wrap(library: ctypes.CDLL) -> None:
-    """Let all modules but the kernels call both."""
+def wrap(wrapper: Callable[[str, Any], Callable[..., Any]]) -> None:
+    """Let all modules but the kernels call what `wrapper` makes of each entry and its name."""
     calls: dict[int, Callable[..., Any]] = {}
-    for name, function in jit.ENTRIES.items():
+    for name in jit.ENTRIES:
         home, _, short = name.rpartition(".")
-        compiled = getattr(sys.modules[home], short)
-        calls[id(compiled)] = both(name, compiled, native.bound(function, library))
+        served = getattr(sys.modules[home], short)
+        calls[id(served)] = wrapper(name, served)
     for name, module in list(sys.modules.items()):
         inside = name == "__main__" or name.startswith("benchdragon.")
         if name == MIXED or (inside and not name.startswith("benchdragon.kernels")):
@@ -123,6 +123,7 @@ def questions() -> None:
 
 
 if __name__ == "__main__":
-    wrap(ctypes.CDLL(sys.argv[1]))
+    library = ctypes.CDLL(sys.argv[1])
+    wrap(lambda name, served: both(name, served, native.bound(jit.ENTRIES[name], library)))
     questions()
     print(json.dumps(FOUND))

@@ -1,1 +1,1 @@
-"""Builds the kernels ahead of time into one native library: `python -m benchdragon.engine`."""
+"""Builds the kernels ahead of time: `python -m benchdragon.engine`, with `--wasm` for browsers."""

@@ -1,5 +1,9 @@
-"""`python -m benchdragon.engine [FOLDER]`: build the library, in this folder if nothing is said."""
+"""`python -m benchdragon.engine [FOLDER]`: build the library, in this folder if nothing is said.
 
+With `--wasm` it builds engine.wasm, for browsers.
+"""
+
+import argparse
 import os
 import sys
 import time
@@ -11,17 +15,22 @@ PLAIN_CODE = {"NUMBA_OPT": "0", "NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES
 
 def main(arguments: list[str]) -> int:
     """Build, and say what became of it; the exit code."""
+    parser = argparse.ArgumentParser(prog="python -m benchdragon.engine", description=__doc__)
+    parser.add_argument("--wasm", action="store_true", help="build engine.wasm, for browsers")
+    parser.add_argument("folder", type=Path, nargs="?", help="where to put it")
+    wanted = parser.parse_args(arguments)
     os.environ.update(PLAIN_CODE, BENCHDRAGON_ENGINE="jit")
     from benchdragon.kernels import native
 
     here = native.ENGINE if os.access(native.ENGINE, os.W_OK) else native.user_folder()
-    folder = Path(arguments[0]) if arguments else here
+    folder = wanted.folder or here
     from benchdragon.engine.build import build
     from benchdragon.engine.optimise import BuildError
+    from benchdragon.engine.wasm import build_module
 
     start = time.perf_counter()
     try:
-        path = build(folder)
+        path = build_module(folder) if wanted.wasm else build(folder)
     except BuildError as error:
         print(f"The kernels were not built: {error}", file=sys.stderr)
         return 1

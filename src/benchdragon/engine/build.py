@@ -5,7 +5,9 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
 
 from benchdragon.engine import optimise, shims
 from benchdragon.kernels import native
@@ -27,19 +29,18 @@ def c_compiler() -> str:
     raise optimise.BuildError(f"no C compiler is here: wanted {', '.join(COMPILERS)}, or CC")
 
 
-def machine_code() -> bytes:
-    """All entries as an object file for this machine.
+def machine_code(functions: Iterable[Any], machine: Any) -> bytes:
+    """Entries, as numba has them, as an object file for a machine, one of LLVM's.
 
     Raises:
         BuildError: if the code would work in this process alone.
     """
-    optimise.prepare()
     modules, symbols = [], set()
-    for function in shims.entries().values():
+    for function in functions:
         shape, text, inner = shims.compiled_shim(function)
-        modules.append(optimise.shim_module(shape.symbol, text, inner))
+        modules.append(optimise.shim_module(shape.symbol, text, inner, machine))
         symbols.add(shape.symbol)
-    whole, machine = optimise.joined(modules, symbols), optimise.target_machine(native.processor())
+    whole = optimise.joined(modules, symbols)
     optimise.optimise(whole, machine)
     optimise.check(whole)
     return bytes(machine.emit_object(whole))
@@ -57,10 +58,19 @@ def link(code: bytes, path: Path) -> None:
         source.write_bytes(code)
         command = [compiler, "-O2", "-shared", "-fPIC", "-o", str(made), str(source), str(RUNTIME)]
         command += ["-lm", "-s", "-Wl,--no-undefined"] if sys.platform == "linux" else ["-lm"]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-        if done.returncode:
-            raise optimise.BuildError(f"{compiler} failed: {done.stderr.strip()}")
+        run(command)
         made.replace(path)
+
+
+def run(command: list[str]) -> None:
+    """Run a compiler.
+
+    Raises:
+        BuildError: if it fails.
+    """
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise optimise.BuildError(f"{' '.join(command[:4])} failed: {done.stderr.strip()}")
 
 
 def build(folder: Path) -> Path:
@@ -72,7 +82,9 @@ def build(folder: Path) -> Path:
     c_compiler()  # told before a minute is spent
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / native.library_name()
-    link(machine_code(), path)
+    optimise.prepare()
+    machine = optimise.target_machine(native.processor())
+    link(machine_code(shims.entries().values(), machine), path)
     for other in folder.glob(f"kernels-*-{sys.platform}-{native.processor()}.so"):
         if other != path:
             other.unlink()

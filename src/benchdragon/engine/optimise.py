@@ -22,7 +22,13 @@ define i32 @{symbol}(ptr %block) {{
 }}
 declare i32 @{inner}(ptr, ptr, i64)
 """
+TARGET = re.compile(r"^target (?:triple|datalayout) = .*", re.MULTILINE)
 ATTRIBUTES = re.compile(r'"(target-cpu|target-features|tune-cpu|probe-stack)"="[^"]*"')
+# How numba's code finds the data of a block of memory: by its fourth field, not yet by an offset.
+READER = re.compile(r"^define [^\n]*@NRT_MemInfo_data_fast\(.*?^\}", re.MULTILINE | re.DOTALL)
+MEMORY = re.compile(
+    r"getelementptr \{ i64, ptr, ptr, ptr, i64 \}, ptr %[\w.]+, i32 0, i32 3$", re.MULTILINE
+)
 # An address of the process that compiled would be a number turned into a pointer, or one of these.
 ADDRESSES = re.compile(r"inttoptr \(i\d+ -?\d+ to|numba\.dynamic\.globals")
 
@@ -32,17 +38,23 @@ class BuildError(Exception):
 
 
 def prepare() -> None:
-    """Let LLVM know this machine's kind of processor."""
-    llvm.initialize_native_target()
-    llvm.initialize_native_asmprinter()
+    """Let LLVM know all kinds of processors."""
+    llvm.initialize_all_targets()
+    llvm.initialize_all_asmprinters()
 
 
-def shim_module(symbol: str, text: str, inner: str) -> Any:
-    """A module of an entry's code, `text`, with a function in C's convention; `inner` is numba's."""
-    module = llvm.parse_assembly(ATTRIBUTES.sub("", text))
-    outer = llvm.parse_assembly(SHIM.format(symbol=symbol, inner=inner))
-    outer.triple, outer.data_layout = module.triple, module.data_layout
-    module.link_in(outer)
+def shim_module(symbol: str, text: str, inner: str, machine: Any) -> Any:
+    """An entry's code, `text`, for a machine, with a function in C's convention; `inner` is numba's.
+
+    Raises:
+        BuildError: if the code looks for arrays elsewhere than engine/runtime.c puts them.
+    """
+    reader = READER.search(text)
+    if reader and not MEMORY.search(reader[0]):
+        raise BuildError("numba's blocks of memory are no longer those of engine/runtime.c")
+    head = f'target triple = "{machine.triple}"\ntarget datalayout = "{machine.target_data}"\n'
+    module = llvm.parse_assembly(head + ATTRIBUTES.sub("", TARGET.sub("", text)))
+    module.link_in(llvm.parse_assembly(head + SHIM.format(symbol=symbol, inner=inner)))
     return module
 
 

@@ -1,0 +1,187 @@
+"""Calls of entries, recorded where the library or numba serves, and replayed by engine.wasm.
+
+`python -m tests.engine.recording FOLDER` records what real questions call: calls.json says of each call
+the entry, where its arrays lie in before.bin, and where its results are to be put there; after.bin is
+the same memory as it came out. `replayed` has Node do the same calls.
+"""
+
+import json
+import math
+import os
+import shutil
+import subprocess
+import sys
+from collections import Counter
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from benchdragon.engine import wasm
+from benchdragon.kernels import jit, native
+from benchdragon.kernels.signature import signature
+from tests.engine.both import apart, questions, wrap
+
+PACKAGE = Path(wasm.__file__).parents[1]
+MODULE = PACKAGE / "engine" / wasm.NAME
+LOADER = PACKAGE / "web" / "engine.js"
+HERE = Path(__file__).parent
+CODES = {dtype: code for code, dtype in native.DTYPES.items()}
+# Of each entry so many calls are kept, of which none takes more bytes than this.
+CALLS, BYTES = 12, 4_000_000
+
+
+@dataclass
+class Recording:
+    """Calls so far: what went in, and what came out."""
+
+    calls: list[dict[str, Any]] = field(default_factory=list)
+    before: bytearray = field(default_factory=bytearray)
+    after: bytearray = field(default_factory=bytearray)
+
+    def call(self, symbol: str, function: Callable[..., Any], *values: Any) -> Any:
+        """Call an entry, and keep that."""
+        told = [self._told(value) for value in values]
+        result = function(*values)
+        for value in values:
+            for array in arrays(value):
+                self.after += array.tobytes()
+        numbers = np.array(result if isinstance(result, tuple) else [result or 0.0], dtype=np.float64)
+        self.calls.append({"entry": symbol, "values": told, "results": len(self.before)})
+        self.before += bytes(numbers.nbytes)
+        self.after += numbers.tobytes()
+        return result
+
+    def _told(self, value: Any) -> Any:
+        """An argument as JSON; arrays are put into `before`."""
+        if isinstance(value, tuple):
+            names: tuple[str, ...] = value._fields  # type: ignore[attr-defined]
+            return {"fields": dict(zip(names, map(self._told, value), strict=True))}
+        if not isinstance(value, np.ndarray):
+            return str(value).replace("inf", "Infinity") if isinstance(value, float) else int(value)
+        offset = len(self.before)
+        self.before += value.tobytes()
+        return {"code": CODES[value.dtype], "shape": list(value.shape), "offset": offset}
+
+    def write(self, folder: Path) -> None:
+        """Write the three files."""
+        (folder / "calls.json").write_text(json.dumps(self.calls), encoding="utf-8")
+        (folder / "before.bin").write_bytes(self.before)
+        (folder / "after.bin").write_bytes(self.after)
+
+
+def arrays(value: Any) -> Iterator[npt.NDArray[Any]]:
+    """All arrays in an argument."""
+    if isinstance(value, tuple):
+        for part in value:
+            yield from arrays(part)
+    elif isinstance(value, np.ndarray):
+        yield value
+
+
+def spans(value: Any) -> Iterator[tuple[str, int, int]]:
+    """Of all arrays in an argument as JSON: code, offset, and how many numbers."""
+    if isinstance(value, dict) and "fields" in value:
+        for part in value["fields"].values():
+            yield from spans(part)
+    elif isinstance(value, dict):
+        yield value["code"], value["offset"], math.prod(value["shape"])
+
+
+@dataclass
+class Difference:
+    """How far two replays of an entry came apart: numbers compared, those that differ, and by how much.
+
+    `worst` is as a share of the number's size or 1; infinite where whole numbers differ.
+    """
+
+    calls: int = 0
+    numbers: int = 0
+    differ: int = 0
+    worst: float = 0.0
+
+    def add(self, one: npt.NDArray[Any], other: npt.NDArray[Any]) -> None:
+        """Count what stands in two arrays."""
+        self.numbers += one.size
+        self.differ += int(np.count_nonzero(one.view(np.int64) != other.view(np.int64)))
+        self.worst = max(self.worst, apart(one, other))
+
+
+def compared(calls: list[dict[str, Any]], one: bytes, other: bytes) -> dict[str, Difference]:
+    """How far two replays of calls came apart, by entry."""
+    shapes = {shape.symbol: shape for shape in map(signature, jit.ENTRIES.values())}
+    found: dict[str, Difference] = {}
+    for call in calls:
+        entry, results = call["entry"], call["results"]
+        difference = found.setdefault(entry, Difference())
+        difference.calls += 1
+        for value in call["values"]:
+            for code, offset, size in spans(value):
+                dtype = native.DTYPES[code]
+                difference.add(*(np.frombuffer(memory, dtype, size, offset) for memory in (one, other)))
+        count = len(shapes[entry].results)
+        numbers = [np.frombuffer(memory, np.float64, count, results) for memory in (one, other)]
+        for n, code in enumerate(shapes[entry].results):
+            difference.add(*(part[n : n + 1].astype(native.DTYPES[code]) for part in numbers))
+    return found
+
+
+def recorded(folder: Path) -> Path:
+    """The folder, with calls of every entry, as the library does them if it is built, else numba."""
+    engine = jit.JIT if native.find_library() is None else jit.NATIVE
+    done = subprocess.run(
+        [sys.executable, "-m", "tests.engine.recording", str(folder)],
+        capture_output=True, text=True, check=False, env={**os.environ, jit.VARIABLE: engine},
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    return folder
+
+
+def node() -> str | None:
+    """Where Node is on this machine, if it is."""
+    return shutil.which("node")
+
+
+def replayed(folder: Path, module: Path = MODULE, rounds: int = 1) -> tuple[bytes, dict[str, float]]:
+    """The memory after Node did the calls of a folder, and the least seconds they took by entry."""
+    program = node()
+    assert program is not None
+    command = [
+        program,
+        str(HERE / "replay_node.mjs"),
+        str(LOADER),
+        str(module),
+        str(folder),
+        str(rounds),
+    ]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return (folder / "replayed.bin").read_bytes(), json.loads(done.stdout)
+
+
+def record(folder: Path) -> None:
+    """Record calls of every entry."""
+    recording, kept = Recording(), Counter[str]()
+
+    def kept_too(name: str, served: Any) -> Callable[..., Any]:
+        symbol = signature(jit.ENTRIES[name]).symbol
+
+        def call(*values: Any) -> Any:
+            size = sum(array.nbytes for value in values for array in arrays(value))
+            if kept[symbol] >= CALLS or size > BYTES:
+                return served(*values)
+            kept[symbol] += 1
+            return recording.call(symbol, served, *values)
+
+        return call
+
+    wrap(kept_too)
+    questions()
+    recording.write(folder)
+
+
+if __name__ == "__main__":
+    record(Path(sys.argv[1]))

@@ -1,0 +1,32 @@
+"""In Node the kernels answer random dances as they do in Python."""
+
+import pytest
+
+from benchdragon.kernels.search import CLEAR, FALLEN, FOUND, GRAZE
+from tests.engine.recording import node
+from tests.laws.wasm_dances import Compared, Found, compare
+
+
+@pytest.mark.skipif(node() is None, reason="no Node here to run engine.wasm in")
+def test_contacts_of_random_dances_lie_in_overlapping_brackets() -> None:
+    found = list(compare(range(80)))
+    assert [each for each in found if each.fault()] == []
+    assert {each.one.ending for each in found} == {CLEAR, FOUND, FALLEN}
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "agree"),
+    [
+        (Found(FOUND, 1.0, 2.0, 3), Found(FOUND, 2.0, 3.0, 3), True),
+        (Found(FOUND, 1.0, 2.0, 3), Found(FOUND, 2.1, 3.0, 3), False),
+        (Found(FOUND, 1.0, 2.0, 3), Found(GRAZE, 1.5, 1.6, 3), True),
+        (Found(FOUND, 1.0, 2.0, 3), Found(GRAZE, 2.5, 2.6, 3), False),
+        (Found(FOUND, 1.0, 2.0, 3), Found(FALLEN, 1.0, 2.0, 3), False),
+        (Found(FOUND, 1.0, 2.0, 3), Found(CLEAR, 1.0, 2.0, 3), False),
+        (Found(CLEAR, 0.0, 0.0, 0), Found(GRAZE, 1.0, 2.0, 3), True),
+        (Found(CLEAR, 0.0, 0.0, 0), Found(CLEAR, 1.0, 1.0, 0), True),
+    ],
+)
+def test_what_counts_as_a_disagreement(one: Found, other: Found, agree: bool) -> None:
+    for pair in ((one, other), (other, one)):
+        assert (Compared(0, *pair).fault() == "") == agree
