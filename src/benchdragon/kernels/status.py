@@ -1,4 +1,4 @@
-"""The few ways in which placing a handle can end, and what is wrong with an engine."""
+"""How placing a handle can end, and a call of a long search; and what is wrong with an engine."""
 
 from enum import IntEnum
 
@@ -12,6 +12,15 @@ class Status(IntEnum):
     ROUTE_TOO_SHORT = 3  # no place behind the handle is one link away: the tail hangs out
     FOLDED = 4  # a bench stands square to the route: speeds run away
     LINK_OVER_DIAMETER = 5  # the same on an arc that the link cannot lie within
+
+
+class Ended(IntEnum):
+    """How a call of a long search ended, all of which lies in the caller's arrays."""
+
+    DONE = 0
+    MORE = 1  # the budget is spent: to be called again
+    ROOM = 2  # an array is full: to be called again with a larger one that begins with the same
+    FALLEN = 3  # the chain cannot stand
 
 
 class EngineError(Exception):
