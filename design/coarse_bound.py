@@ -1,18 +1,24 @@
 """Why greatest speeds are sought through a coarse bound over cells, and clearances from a low one seen.
 
 A step of the head can be passed over if no handle exceeds in it what has been seen elsewhere. Two
-bounds can say so.
+bounds can say so, and parts of the way are looked at in the order of theirs (kernels/peak.py).
 
 1. The chain's: enclosures of angles and rates, bench by bench from the head (kernels/step_bounds.py).
    It loses in second order, as a search for the last digit needs, but costs a chain with its bounds
    for every tenth of a link, wherever the dragon is.
-2. The cells': a bench's rear handle is faster than its front one by a ratio that depends on its link
-   and the front handle's place alone. The greatest in each cell of the route is found once for each
-   link; products down the chain bound every step of the head, and name the last bench that can be
-   faster than what was seen. They lose in first order, so that near the peak the chain's bound must
-   follow, on the few benches that are left. Where the head itself is fastest, as on a spiral inward,
-   nothing may be lost at all: then cells must be so short that their bound is the ratio at one end,
-   shorter far out, and finer ones are tried.
+2. The cells': what a bench does per metre of its front handle's way - how much faster its rear handle
+   is, how that changes, how fast it turns - depends on its link and the front handle's place alone.
+   Bounds on it are found once in each cell of the route for each link (kernels/bench_cells.py); going
+   from cell to cell down the chain they bound all speeds, turning rates and accelerations over a long
+   step of the head, without placing a chain, and name the last handle that can exceed what was seen.
+   They lose in first order, so that near the peak the chain's bound must follow, on the handles that
+   are left.
+
+Cells are made shorter only where that says more: until the greatest ratio in one is at most a share
+above those at its ends. All benches together may lose 0.2 of the value where some handle is faster than
+the head; shorter cells cost more than the chains that they spare. Where the head itself is fastest, as
+on a spiral inward, nothing may be lost at all: there cells must be so short that their bound is the
+ratio at one end.
 
 Least clearances have the same shape. All pairs that come within some reach must be searched, so that
 the reach should be no more than the answer. Guesses that grow (0.003 m, 0.018 m, ...) end beyond it,
@@ -28,7 +34,7 @@ from unittest import mock
 
 from benchdragon import Walk, least_clearance
 from benchdragon.analysis import contact, speed
-from benchdragon.analysis.speed import greatest_speed
+from benchdragon.analysis.speed import QUANTITIES, Quantity, greatest
 from benchdragon.model.answer import Answer
 from benchdragon.plans.schema import read_plan
 
@@ -38,6 +44,8 @@ PLANS = {
     "turn with a line": ["turn", "turn.family=arc-line-arc"],
     "turn of three arcs": ["turn", "turn.family=arc-arc-arc", "turn.curvature=0.1"],
 }
+# What is asked of each, and the bracket's width.
+WIDTHS = {"speed": 1e-10, "turning_rate": 1e-6}
 
 
 def timed(job: Callable[[], Answer], repeats: int = 3) -> tuple[float, Answer]:
@@ -50,18 +58,19 @@ def timed(job: Callable[[], Answer], repeats: int = 3) -> tuple[float, Answer]:
     return 1e3 * min(spent), answer
 
 
-def speed_rows(name: str, walk: Walk, span: tuple[float, float]) -> None:
-    """Greatest speeds by several steps and cells, and without the coarse bound."""
-    for steps in ((0.8,), (0.2,), (0.8, 0.2), (0.8, 0.2, 0.05)):
-        for cell in (0.1, 0.05, 0.025):
-            with mock.patch.multiple(speed, COARSE_STEPS=steps, COARSE_CELLS=(cell,)):
-                spent, found = timed(partial(greatest_speed, walk, *span))
-            text = ", ".join(f"{step:g}" for step in steps)
-            row = f"{name:20s} {text:14s} {cell:5g} {spent:8.1f}"
+def speed_rows(name: str, quantity: Quantity, walk: Walk, span: tuple[float, float]) -> None:
+    """The greatest of a quantity by several steps and losses, and without the coarse bound."""
+    job = partial(greatest, walk, quantity, *span, tolerance=WIDTHS[quantity.name])
+    for step in (0.4, 0.8, 1.6):
+        for loss in (0.02, 0.2, 2.0):
+            with mock.patch.multiple(speed, COARSE_STEP=step, MOST_LOSS=loss):
+                spent, found = timed(job)
+            row = f"{name:18s} {quantity.name:18s} {step:5g} {loss:5g} {spent:8.1f}"
             print(f"{row} {found.evaluations:7d}  {found.value:.11f}")
     with mock.patch.object(speed, "coarse_bound_pays", return_value=False):
-        spent, found = timed(partial(greatest_speed, walk, *span), 1)
-    print(f"{name:20s} {'no coarse bound':20s} {spent:8.1f} {found.evaluations:7d}  {found.value:.11f}")
+        spent, found = timed(job, 1)
+    row = f"{name:18s} {quantity.name:18s} {'no cells':>11s} {spent:8.1f}"
+    print(f"{row} {found.evaluations:7d}  {found.value:.11f}")
 
 
 def main() -> None:
@@ -70,9 +79,10 @@ def main() -> None:
     for name, (source, *settings) in PLANS.items():
         plan = read_plan(source, settings)
         walks[name] = plan.build(), plan.span(plan.build())
-    print("greatest speed       steps, cell in links         ms  placed  m/s")
+    print("greatest                                steps  loss       ms  placed")
     for name, (walk, span) in walks.items():
-        speed_rows(name, walk, span)
+        for quantity in WIDTHS:
+            speed_rows(name, QUANTITIES[quantity], walk, span)
     print("\nleast clearance      from a low one seen, ms   from guesses that grow, ms   m")
     for name, (walk, span) in walks.items():
         hinted, found = timed(partial(least_clearance, walk, *span))

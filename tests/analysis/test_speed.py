@@ -58,6 +58,42 @@ def test_the_coarse_bound_changes_no_answer(name: str, tolerance: float) -> None
     assert motion.speed.max() == pytest.approx(found.value, rel=1e-9)
 
 
+def test_a_way_searched_in_windows_gives_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    walk, start, end = walk_of("turn")
+    whole = {
+        name: greatest(walk, kind, start, end, tolerance=1e-4) for name, kind in QUANTITIES.items()
+    }
+    monkeypatch.setattr(speed, "MOST_CELLS", 1)  # windows of a dragon's length
+    for name, kind in QUANTITIES.items():
+        found = greatest(walk, kind, start, end, tolerance=1e-4)
+        assert max(found.lower, whole[name].lower) <= min(found.upper, whole[name].upper)
+        assert found.upper <= found.lower * (1.0 + 1.1e-4)
+
+
+def test_where_too_much_waits_the_bracket_stays_wide_and_sound(monkeypatch: pytest.MonkeyPatch) -> None:
+    walk = Walk(Dragon.uniform(5), Route((Arc(6.0, 10.0),)), start=20.0)
+    fine = greatest(walk, QUANTITIES["total_acceleration"], 0.0, 35.0, tolerance=1e-4)
+    monkeypatch.setattr(speed, "MOST_OPEN", 0)
+    monkeypatch.setattr(speed, "OPEN", 20)
+    wide = greatest(walk, QUANTITIES["total_acceleration"], 0.0, 35.0, tolerance=1e-12)
+    assert wide.lower <= fine.upper
+    assert fine.lower <= wide.upper < math.inf
+    assert wide.upper > wide.lower * (1.0 + 1e-12)
+
+
+def test_progress_only_grows_and_ends_at_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    told: list[float] = []
+    monkeypatch.setattr(speed, "BUDGET", 1_000)
+    walk, start, end = walk_of("turn")
+    greatest(
+        walk, QUANTITIES["total_acceleration"], start, end, tolerance=1e-9,
+        progress=lambda share, _text: told.append(share),
+    )  # fmt: skip
+    assert len(told) > 5
+    assert told == sorted(told)
+    assert 0.0 <= told[0] < told[-2] <= told[-1] == 1.0
+
+
 def test_the_coarse_bound_heeds_a_head_whose_speed_changes() -> None:
     walk, _start, _end = walk_of("turn")
     profile = SpeedProfile((-60.0, 0.0, 20.0, 30.0, 60.0), (0.0, 1.0, 0.4, 1.9, 0.3))

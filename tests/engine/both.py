@@ -20,8 +20,9 @@ from benchdragon.analysis.check import check
 from benchdragon.analysis.contact import least_clearance
 from benchdragon.analysis.distance import nearest_each
 from benchdragon.analysis.proof import prove_contact
-from benchdragon.analysis.speed import greatest_speed
+from benchdragon.analysis.speed import QUANTITIES, greatest_at, greatest_speed
 from benchdragon.kernels import jit, native
+from benchdragon.kernels.step_bounds import empty_placements, place_chain
 from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
 from benchdragon.paper.runge_kutta import head_positions
 from benchdragon.paper.traversal import first_overlap
@@ -108,6 +109,9 @@ def questions() -> None:
     least_clearance(walk, 0.0, 99.0)
     greatest_speed(read_plan("turn").build(), -50.0, 50.0)
     read_plan("turn", ["turn.family=arc-arc-arc", "turn.curvature=0.2", "turn.ease=0.3"]).build()
+    places = empty_placements(len(walk.dragon) + 1, 2)
+    place_chain(walk.route.rows, walk.dragon.links, np.array([0.0, 60.0]), 0, 2, places)
+    greatest_at(walk.route.rows, walk.dragon, places, QUANTITIES["total_acceleration"])
     motion = walk.motion([0.0, 60.0])
     motion.acceleration.sum()
     nearest_each(motion)

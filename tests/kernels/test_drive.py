@@ -37,10 +37,11 @@ def placed(route: Route, at: FloatArray) -> step_bounds.Placements:
 
 def bounds_over(route: Route, at: FloatArray, drives: FloatArray, quantity: int) -> FloatArray:
     """The kernel's bounds from each position to the next."""
-    bounds = np.empty(len(at) - 1)
-    slots = np.arange(len(at) - 1)
-    drive.ceilings(route.rows, DRAGON.links, placed(route, at), slots, drives, quantity, bounds)
-    return bounds
+    bounds, scratch, places = [], drive.scratch_for(len(DRAGON) + 1), placed(route, at)
+    for n, driven in enumerate(drives):
+        drive.bound_step(route.rows, DRAGON.links, places, n, n + 1, driven, quantity, scratch)
+        bounds.append(scratch.most.max())
+    return np.array(bounds)
 
 
 def seen_at(route: Route, at: FloatArray, squares: FloatArray, rate: float, name: str) -> FloatArray:
@@ -99,16 +100,26 @@ def test_values_at_both_ends_are_the_formulas() -> None:
     places = placed(route, at)
     change, turn = np.empty(places.u.shape), np.empty((len(DRAGON), len(at)))
     chain.rates(route.rows, DRAGON.links, *places[:5], change, turn)
-    slots = np.arange(30)
-    drives = np.tile([0.3, 0.9, -0.4], (30, 1))
+    few, values = len(DRAGON), np.empty(len(at))
     for name, quantity in QUANTITIES.items():
-        values, where = np.empty((30, 2)), np.empty((30, 2), dtype=np.int64)
-        drive.greatest_at_ends(route.rows, places, change, turn, slots, drives, quantity, values, where)
-        for end, square in enumerate((0.3, 0.9)):
-            seen = seen_at(route, at[end : 30 + end], np.full(30, square), -0.4, name)
-            np.testing.assert_allclose(values[:, end], seen, rtol=1e-9)
-        assert (where >= 0).all()
-        assert (where < len(DRAGON) + 1).all()
+        for square in (0.3, 0.9):
+            seen = seen_at(route, at, np.full(31, square), -0.4, name)
+            drive.greatest_in_slots(route.rows, places, change, turn, square, -0.4, quantity, values)
+            np.testing.assert_allclose(values, seen, rtol=1e-9)
+            for t in range(31):
+                value, where = drive.greatest_in_slot(
+                    route.rows, places, change, turn, t, few, square, -0.4, quantity
+                )
+                assert value == values[t]
+                assert 0 <= where <= few
+                # What the first links hold is the greatest of all, as far as it stands there.
+                less = [
+                    drive.greatest_in_slot(
+                        route.rows, places, change, turn, t, n, square, -0.4, quantity
+                    )[0]
+                    for n in range(1, few)
+                ]
+                assert max(less) <= value
 
 
 def test_who_stands_asks_for_nothing_and_a_kink_for_everything() -> None:
@@ -133,7 +144,8 @@ def test_more_jumps_at_once_than_are_told_apart_are_bounded_together() -> None:
     places = placed(route, at)
     step_bounds.bound_handles(route.rows, DRAGON.links, places, 0, 1, row)
     crossing, sides = np.empty(drive.MOST_JUMPS, dtype=np.int64), np.empty((drive.MOST_JUMPS, 4))
-    assert drive.find_jumps(route.rows, places, 0, 1, row, crossing, sides) == drive.MOST_JUMPS
+    jumps = drive.find_jumps(route.rows, places, 0, 1, len(DRAGON), row, crossing, sides)
+    assert jumps == drive.MOST_JUMPS
     drives = np.array([[0.5, 0.9, 0.4]])
     share = np.linspace(0.0, 1.0, 200)
     for name in ("along", "total"):

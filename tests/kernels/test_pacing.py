@@ -114,7 +114,8 @@ def test_a_hull_holds_all_that_happens_in_its_steps() -> None:
     hulls = np.zeros((30, len(dragon) + 1, pacing.HULL_COLUMNS))
     hulls[..., pacing.GROWTH_LOW], hulls[..., pacing.GROWTH_HIGH] = np.inf, -np.inf
     slots = np.arange(120)
-    pacing.widen(route.rows, dragon.links, places, slots, slots // 4, hulls)
+    even, scratch = np.array([1.0, 1.0, 0.0]), drive.scratch_for(len(dragon) + 1)
+    pacing.widen(route.rows, dragon.links, places, slots, slots // 4, even, scratch, hulls)
     one = Placement(dragon, route, np.linspace(7.0, 16.0, 3000, endpoint=False))
     found = hulls[np.arange(3000) // 100]
     growth = one.ratio_rate / one.speed_ratio

@@ -204,6 +204,37 @@ def march(
         blank(t, row, u, x, y, ratio, failed)
 
 
+@kernel
+def rates_in_slot(
+    rows: FloatArray,
+    links: FloatArray,
+    t: int,
+    row: IntArray,
+    u: FloatArray,
+    x: FloatArray,
+    y: FloatArray,
+    ratio: FloatArray,
+    ratio_rate: FloatArray,
+    turn: FloatArray,
+) -> None:
+    """Fill column t of ratio_rate and turn: see `rates`."""
+    ratio_rate[0, t] = 0.0
+    _, _, atx, aty = place(rows, row[0, t], u[0, t])
+    bend = ratio[0, t] ** 2 * curvature(rows, row[0, t], u[0, t])
+    for i in range(links.shape[0]):
+        j, v, link = row[i + 1, t], u[i + 1, t], links[i]
+        _, _, btx, bty = place(rows, j, v)
+        dx, dy = (x[i, t] - x[i + 1, t]) / link, (y[i, t] - y[i + 1, t]) / link
+        w, next_w = ratio[i, t], ratio[i + 1, t]
+        turn[i, t] = (w * (dx * aty - dy * atx) - next_w * (dx * bty - dy * btx)) / link
+        next_bend = next_w * next_w * curvature(rows, j, v)
+        along = ratio_rate[i, t] * (dx * atx + dy * aty) + bend * (dy * atx - dx * aty)
+        across = next_bend * (dy * btx - dx * bty)
+        swing = link * turn[i, t] * turn[i, t]
+        ratio_rate[i + 1, t] = (along - across + swing) / (dx * btx + dy * bty)
+        atx, aty, bend = btx, bty, next_bend
+
+
 @entry
 def rates(
     rows: Table,
@@ -223,18 +254,4 @@ def rates(
     turn = (w_i t_i - w_i+1 t_i+1) . n / d, and (A_i - A_i+1) . u = -d turn^2 of the accelerations.
     """
     for t in range(u.shape[1]):
-        ratio_rate[0, t] = 0.0
-        _, _, atx, aty = place(rows, row[0, t], u[0, t])
-        bend = ratio[0, t] ** 2 * curvature(rows, row[0, t], u[0, t])
-        for i in range(links.shape[0]):
-            j, v, link = row[i + 1, t], u[i + 1, t], links[i]
-            _, _, btx, bty = place(rows, j, v)
-            dx, dy = (x[i, t] - x[i + 1, t]) / link, (y[i, t] - y[i + 1, t]) / link
-            w, next_w = ratio[i, t], ratio[i + 1, t]
-            turn[i, t] = (w * (dx * aty - dy * atx) - next_w * (dx * bty - dy * btx)) / link
-            next_bend = next_w * next_w * curvature(rows, j, v)
-            along = ratio_rate[i, t] * (dx * atx + dy * aty) + bend * (dy * atx - dx * aty)
-            across = next_bend * (dy * btx - dx * bty)
-            swing = link * turn[i, t] * turn[i, t]
-            ratio_rate[i + 1, t] = (along - across + swing) / (dx * btx + dy * bty)
-            atx, aty, bend = btx, bty, next_bend
+        rates_in_slot(rows, links, t, row, u, x, y, ratio, ratio_rate, turn)

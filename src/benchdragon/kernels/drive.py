@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from benchdragon.kernels.arrays import IntTable, IntVector, Table, Vector
+from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.curve import U_END, U_START, FloatArray, curvature
 from benchdragon.kernels.jit import entry, kernel
 from benchdragon.kernels.route import IntArray
@@ -93,38 +93,49 @@ def value_at(
     return across if quantity == ACROSS else math.hypot(along, across)
 
 
+@kernel
+def greatest_in_slot(
+    rows: FloatArray,
+    places: Placements,
+    change: FloatArray,
+    turn: FloatArray,
+    t: int,
+    links: int,
+    square: float,
+    rate: float,
+    quantity: int,
+) -> tuple[float, int]:
+    """The greatest of a quantity in slot t up to so many links, and its handle or bench.
+
+    With the square of the head's speed and its acceleration; change = d2 s_i / dsigma^2 and turn are
+    `chain.rates`'.
+    """
+    curved, most, where = quantity in (ACROSS, TOTAL), -1.0, 0
+    for i in range(links + 1):
+        bend = curvature(rows, places.row[i, t], places.u[i, t]) if curved else 0.0
+        turned = turn[i, t] if i < links else 0.0  # no bench is behind the last handle
+        value = value_at(places.ratio[i, t], change[i, t], turned, bend, square, rate, quantity)
+        if value > most:
+            most, where = value, i
+    return most, where
+
+
 @entry
-def greatest_at_ends(
+def greatest_in_slots(
     rows: Table,
     places: Placements,
     change: Table,
     turn: Table,
-    slots: IntVector,
-    drives: Table,
+    square: float,
+    rate: float,
     quantity: int,
-    values: Table,
-    where: IntTable,
+    values: Vector,
 ) -> None:
-    """Fill values, (steps, 2), with the greatest at both ends of each step, and where with its row.
-
-    Steps go from slots[n] to the next slot; change = d2 s_i / dsigma^2 and turn are `chain.rates`'.
-    """
-    ratios, row, u = places.ratio, places.row, places.u
-    curved = quantity in (ACROSS, TOTAL)
-    for n in range(slots.shape[0]):
-        values[n, 0] = values[n, 1] = -1.0
-    for i in range(ratios.shape[0]):  # handle by handle, as the chains lie in memory
-        for n in range(slots.shape[0]):
-            for end in range(2):
-                t = slots[n] + end
-                bend = curvature(rows, row[i, t], u[i, t]) if curved else 0.0
-                turned = turn[i, t] if i < turn.shape[0] else 0.0  # no bench is behind the last handle
-                value = value_at(
-                    ratios[i, t], change[i, t], turned, bend, drives[n, FROM + end], drives[n, RATE],
-                    quantity,
-                )  # fmt: skip
-                if value > values[n, end]:
-                    values[n, end], where[n, end] = value, i
+    """Fill values with the greatest of a quantity in each slot; see `greatest_in_slot`."""
+    for t in range(values.shape[0]):
+        values[t], _ = greatest_in_slot(
+            rows, places, change, turn, t, turn.shape[0], square, rate, quantity
+        )
 
 
 @kernel
@@ -143,17 +154,18 @@ def find_jumps(
     places: Placements,
     a: int,
     b: int,
+    links: int,
     table: FloatArray,
     crossing: IntArray,
     sides: FloatArray,
 ) -> int:
     """How many handles cross a jump from slot a to slot b without a kink; at most MOST_JUMPS.
 
-    Fills crossing with them and sides, (jumps, 4), with least and greatest curvature before it and
-    after it.
+    Of the first `links` + 1. Fills crossing with them and sides, (jumps, 4), with least and greatest
+    curvature before it and after it.
     """
     count = 0
-    for i in range(table.shape[0]):
+    for i in range(links + 1):
         ja, jb = places.row[i, a], places.row[i, b]
         if ja == jb or count == MOST_JUMPS or not table[i, LEFT] - table[i, RIGHT] < math.inf:
             continue
@@ -169,16 +181,16 @@ def find_jumps(
 
 
 @kernel
-def side_rates(table: FloatArray, bend: FloatArray, rates: FloatArray) -> None:
+def side_rates(links: int, table: FloatArray, bend: FloatArray, rates: FloatArray) -> None:
     """Fill rates, (handles, 2), with least and greatest d log(ds_i / dsigma) / dsigma, 1/m.
 
     For any moment of the step in `table` at which every handle's curvature lies within bend[i]; see
     `step_bounds.bound_rates`.
     """
     rates[0, 0], rates[0, 1] = 0.0, 0.0
-    for i in range(table.shape[0] - 1):
+    for i in range(links):
         if not table[i + 1, SPEED] < math.inf:
-            for k in range(i + 1, table.shape[0]):
+            for k in range(i + 1, links + 1):
                 rates[k, 0], rates[k, 1] = -math.inf, math.inf
             return
         turn = table[i + 1, TURN_LOW], table[i + 1, TURN_HIGH]
@@ -193,117 +205,118 @@ def side_rates(table: FloatArray, bend: FloatArray, rates: FloatArray) -> None:
 
 
 @kernel
-def most_speed(table: FloatArray, drive: FloatArray, quantity: int) -> float:
-    """At most the quantity, a speed or a turning rate, in a step with these bounds on handles."""
-    column, square = SPEED if quantity == SPEEDS else TURNING_RATE, max(drive[FROM], drive[TO])
-    most = 0.0
-    for i in range(table.shape[0]):
-        most = greater(most, table[i, column])
-    return most * math.sqrt(square) if square > 0.0 else 0.0
-
-
-@kernel
-def most_acceleration(
-    table: FloatArray, bend: FloatArray, rates: FloatArray, drive: FloatArray, quantity: int
+def most_of_handle(
+    fast: float, low: float, high: float, bend: float, drive: FloatArray, quantity: int
 ) -> float:
-    """At most the acceleration while every handle's curvature lies within bend[i].
+    """At most a quantity of a handle whose speed ratio is at most `fast`; infinite if unbounded.
 
-    Infinite where nothing bounds it.
+    Of d log(ds_i / dsigma) / dsigma low and high are the least and the greatest, 1/m, `bend` is that of
+    the curvature's size. Of a bench `fast` is its turning rate, rad/m.
     """
-    most = 0.0
     least_square, square = min(drive[FROM], drive[TO]), max(drive[FROM], drive[TO])
-    for i in range(table.shape[0]):
-        fast = table[i, SPEED]
-        if not fast < math.inf:
-            return math.inf
-        across = fast * fast * square * magnitude(bend[i, 0], bend[i, 1])
-        low, high = scaled(least_square, square, rates[i, 0], rates[i, 1])
+    if quantity in (SPEEDS, TURNING):
+        value = fast * math.sqrt(square) if square > 0.0 else 0.0
+    else:
+        across = fast * fast * square * bend
+        low, high = scaled(least_square, square, low, high)
         along = fast * magnitude(drive[RATE] + low, drive[RATE] + high)
         value = math.hypot(along, across)
         if quantity != TOTAL:
             value = along if quantity == ALONG else across
-        if not value < math.inf:  # an infinite rate and no speed make no number
-            return math.inf
-        most = max(most, value)
-    return most
+    return value if value < math.inf else math.inf  # an infinite rate and no speed make no number
 
 
 class Scratch(NamedTuple):
     """What bounds over a step are worked out in."""
 
-    bend: FloatArray  # least and greatest curvature at each handle, 1/m, (handles, 2)
-    rates: FloatArray  # of `side_rates`, (handles, 2)
-    crossing: IntArray  # of `find_jumps`
-    sides: FloatArray
+    table: Table  # of `step_bounds.bound_handles`
+    bend: Table  # least and greatest curvature at each handle, 1/m, (handles, 2)
+    rates: Table  # of `side_rates`, (handles, 2)
+    crossing: IntVector  # of `find_jumps`
+    sides: Table
+    most: Vector  # of `bound_step`, (handles,)
 
 
-@kernel
 def scratch_for(handles: int) -> Scratch:
     """Scratch for a chain of so many handles."""
     return Scratch(
+        np.empty((handles, HANDLE_COLUMNS)),
         np.empty((handles, 2)),
         np.empty((handles, 2)),
         np.empty(MOST_JUMPS, dtype=np.int64),
         np.empty((MOST_JUMPS, 4)),
+        np.empty(handles),
     )
 
 
 @kernel
-def most_in_step(
+def bound_side(links: int, drive: FloatArray, quantity: int, scratch: Scratch) -> None:
+    """Raise scratch.most to what handles do while every handle's curvature lies within bend[i].
+
+    GROWTH_LOW and GROWTH_HIGH of the table are widened by what their rates then are.
+    """
+    table, bend, rates, most = scratch.table, scratch.bend, scratch.rates, scratch.most
+    side_rates(links, table, bend, rates)
+    for i in range(links + 1):
+        low, high = rates[i, 0], rates[i, 1]
+        bent = magnitude(bend[i, 0], bend[i, 1])
+        value = most_of_handle(table[i, SPEED], low, high, bent, drive, quantity)
+        most[i] = max(most[i], ROUNDED_UP * value)
+        table[i, GROWTH_LOW] = lesser(table[i, GROWTH_LOW], low)
+        table[i, GROWTH_HIGH] = greater(table[i, GROWTH_HIGH], high)
+
+
+@kernel
+def bound_sides(
     rows: FloatArray,
     places: Placements,
     a: int,
     b: int,
-    table: FloatArray,
+    links: int,
     drive: FloatArray,
     quantity: int,
     scratch: Scratch,
-) -> float:
-    """At most a quantity from slot a to slot b; `table` holds the handles' bounds.
-
-    GROWTH_LOW and GROWTH_HIGH of the table are drawn tighter, over all sides of the jumps that are
-    crossed.
-    """
-    if quantity in (SPEEDS, TURNING):
-        return most_speed(table, drive, quantity)
-    bend, rates, crossing, sides = scratch
-    jumps = find_jumps(rows, places, a, b, table, crossing, sides)
-    for i in range(table.shape[0]):
+) -> None:
+    """Fill scratch.most for an acceleration: over all sides of the jumps that are crossed."""
+    table, bend, crossing, sides = scratch.table, scratch.bend, scratch.crossing, scratch.sides
+    jumps = find_jumps(rows, places, a, b, links, table, crossing, sides)
+    for i in range(links + 1):
         bend[i, 0], bend[i, 1] = table[i, RIGHT], table[i, LEFT]
         table[i, GROWTH_LOW], table[i, GROWTH_HIGH] = math.inf, -math.inf
-    most = 0.0
+        scratch.most[i] = 0.0
     for side in range(1 << jumps):
         for n in range(jumps):
             after = side >> n & 1
             bend[crossing[n], 0] = sides[n, 2 * after]
             bend[crossing[n], 1] = sides[n, 2 * after + 1]
-        side_rates(table, bend, rates)
-        most = max(most, most_acceleration(table, bend, rates, drive, quantity))
-        for i in range(table.shape[0]):
-            table[i, GROWTH_LOW] = lesser(table[i, GROWTH_LOW], rates[i, 0])
-            table[i, GROWTH_HIGH] = greater(table[i, GROWTH_HIGH], rates[i, 1])
-    return most
+        bound_side(links, drive, quantity, scratch)
 
 
-@entry
-def ceilings(
-    rows: Table,
-    links: Vector,
+@kernel
+def bound_step(
+    rows: FloatArray,
+    links: FloatArray,
     places: Placements,
-    slots: IntVector,
-    drives: Table,
+    a: int,
+    b: int,
+    drive: FloatArray,
     quantity: int,
-    bounds: Vector,
+    scratch: Scratch,
 ) -> None:
-    """Fill bounds[n] with the most that any handle or bench reaches from slots[n] to the next."""
-    handles = links.shape[0] + 1
-    table = np.empty((handles, HANDLE_COLUMNS))
-    scratch = scratch_for(handles)
-    for n in range(slots.shape[0]):
-        bounds[n] = 0.0
-        if drives[n, FROM] == 0.0 and drives[n, TO] == 0.0 and drives[n, RATE] == 0.0:
-            continue  # who stands needs no bound, not even where one is infinite
-        a, b = slots[n], slots[n] + 1
-        bound_handles(rows, links, places, a, b, table)
-        most = most_in_step(rows, places, a, b, table, drives[n], quantity, scratch)
-        bounds[n] = ROUNDED_UP * most
+    """Fill scratch.most with the most that each handle reaches from slot a to slot b.
+
+    Of a bench it stands at its rear handle. The table holds the handles' bounds; for accelerations its
+    GROWTH_LOW and GROWTH_HIGH are drawn tighter, side by side of the jumps that are crossed.
+    """
+    count, table, most = links.shape[0], scratch.table, scratch.most
+    if drive[FROM] == 0.0 and drive[TO] == 0.0 and drive[RATE] == 0.0:
+        for i in range(count + 1):
+            most[i] = 0.0  # who stands needs no bound, not even where one is infinite
+        return
+    bound_handles(rows, links, places, a, b, table)
+    if quantity not in (SPEEDS, TURNING):
+        bound_sides(rows, places, a, b, count, drive, quantity, scratch)
+        return
+    column = SPEED if quantity == SPEEDS else TURNING_RATE
+    for i in range(count + 1):
+        most[i] = ROUNDED_UP * most_of_handle(table[i, column], 0.0, 0.0, 0.0, drive, quantity)

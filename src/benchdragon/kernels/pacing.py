@@ -17,15 +17,11 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.drive import (
     ACROSS,
     ALONG,
-    DRIVE_COLUMNS,
-    FROM,
-    RATE,
     SPEEDS,
-    TO,
     TOTAL,
     TURNING,
-    most_in_step,
-    scratch_for,
+    Scratch,
+    bound_step,
 )
 from benchdragon.kernels.jit import entry, kernel
 
@@ -53,17 +49,18 @@ def widen(
     places: step_bounds.Placements,
     slots: IntVector,
     which: IntVector,
+    even: Vector,
+    scratch: Scratch,
     hulls: Stack,
 ) -> None:
-    """Widen hulls[which[n]], (handles, HULL_COLUMNS), by the step from slots[n] to the next."""
-    handles = links.shape[0] + 1
-    table, scratch = np.empty((handles, step_bounds.HANDLE_COLUMNS)), scratch_for(handles)
-    even = np.empty(DRIVE_COLUMNS)
-    even[FROM], even[TO], even[RATE] = 1.0, 1.0, 0.0
+    """Widen hulls[which[n]], (handles, HULL_COLUMNS), by the step from slots[n] to the next.
+
+    `even` is the drive of a steady head at 1 m/s, see drive.py.
+    """
+    handles, table = links.shape[0] + 1, scratch.table
     for n in range(slots.shape[0]):
         a, b, hull = slots[n], slots[n] + 1, hulls[which[n]]
-        step_bounds.bound_handles(rows, links, places, a, b, table)
-        most_in_step(rows, places, a, b, table, even, ALONG, scratch)
+        bound_step(rows, links, places, a, b, even, ALONG, scratch)
         for i in range(handles):
             bent = step_bounds.magnitude(table[i, step_bounds.RIGHT], table[i, step_bounds.LEFT])
             hull[i, FAST] = max(hull[i, FAST], step_bounds.ROUNDED_UP * table[i, step_bounds.SPEED])

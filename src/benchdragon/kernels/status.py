@@ -1,4 +1,4 @@
-"""The few ways in which placing a handle and making a turn end, and what is wrong with an engine."""
+"""How placing a handle, making a turn and a call of a long search end; what is wrong with an engine."""
 
 from enum import IntEnum
 
@@ -24,6 +24,15 @@ class TurnStatus(IntEnum):
     NO_CIRCLE = 4  # no circle of the middle curvature is tangent to both arcs
     NOT_EASED = 5  # Newton's method found no lengths with which the eased turn ends in place
     NO_ROOM = 6  # the clothoids leave no room for the arcs
+
+
+class Ended(IntEnum):
+    """How a call of a long search ended, all of which lies in the caller's arrays."""
+
+    DONE = 0
+    MORE = 1  # the budget is spent: to be called again
+    ROOM = 2  # an array is full: to be called again with a larger one that begins with the same
+    FALLEN = 3  # the chain cannot stand
 
 
 class EngineError(Exception):

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from benchdragon.analysis.speed import QUANTITIES, given_limits, values_at
+from benchdragon.analysis.speed import QUANTITIES, given_limits, greatest_at
 from benchdragon.errors import InputError, finite, positive
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import step_bounds
@@ -168,12 +168,9 @@ class TurnEvaluator:
         places = self._places(rows, self.few, self.step)
         if places is None:
             return dict.fromkeys(self.quantities, math.inf)
-        slots = np.arange(places.u.shape[1] - 1)
-        steady = np.tile([1.0, 1.0, 0.0], (len(slots), 1))
         found = {}
         for name in self.quantities:
-            kind = QUANTITIES[name].kind
-            values = values_at(rows, self.few.links, places, slots, steady, kind)[0]
+            values = greatest_at(rows, self.few, places, QUANTITIES[name])
             found[name] = float(values.max()) * self.factors.get(name, 1.0)
         return found
 

@@ -1,0 +1,390 @@
+"""What benches do in cells of the route, whatever the time, and what it says of steps of the head.
+
+What a bench does, per metre of its front handle's way, depends on its link and on where that handle
+stands, and on nothing else. Bounds on it are found once for each cell of the route and each link. Going
+from cell to cell down a chain, they then bound all of its handles over a long step of the head, and no
+chain is placed. That is looser than a chain's own bounds, but far cheaper, and sees where a greatest
+value cannot be (design/coarse_bound.py).
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from benchdragon.kernels.arrays import IntVector, Stack, Table, Vector
+from benchdragon.kernels.chain import place_head, place_next
+from benchdragon.kernels.curve import S_START, FloatArray, length_at, place
+from benchdragon.kernels.drive import (
+    ACROSS,
+    SPEEDS,
+    TOTAL,
+    TURNING,
+    most_of_handle,
+)
+from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.regions import EDGE
+from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.status import Ended, Status
+from benchdragon.kernels.step_bounds import (
+    GROWTH_HIGH,
+    GROWTH_LOW,
+    HANDLE_COLUMNS,
+    ROUNDED_UP,
+    SLOWEST,
+    SPEED,
+    TURNING_RATE,
+    Placements,
+    bound_handles,
+    curvature_range,
+    empty_placements,
+    magnitude,
+    scaled,
+)
+
+# Columns of what a bench does while its front handle walks through a cell.
+REAR = 0  # route position of its rear handle at the cell's start, m
+SLOW = 1  # least ratio of speeds, rear handle over front handle
+FAST = 2  # greatest
+FADE = 3  # least d log(ratio) per metre of the front handle's way, 1/m
+GROW = 4  # greatest
+SWAY = 5  # greatest turning rate, rad/m
+CELL_COLUMNS = 6
+
+# After so many cells of one length the next are tried at twice that.
+STEADY = 8
+# How cutting is resumed: where it is, and the length of cells there, m; cells so far, and how many of
+# that length.
+AT, WIDTH = 0, 1
+CELLS, RUN = 0, 1
+
+
+class Cells(NamedTuple):
+    """Cells of the route, from border to border."""
+
+    borders: Vector  # route positions, m, ascending, (cells + 1,)
+    bends: Vector  # greatest size of the route's curvature, 1/m, (cells + 1,): the last has none
+    fastest: Vector  # greatest ratio of benches that come there, in this cell or any before
+    benches: Stack  # what benches of each kind do there, (cells + 1, kinds, CELL_COLUMNS)
+
+
+class Kinds(NamedTuple):
+    """The links of a dragon, each once."""
+
+    links: Table  # m, (kinds, 1)
+    spans: Table  # where front handles of its benches ever stand, m, from and to, (kinds, 2)
+
+
+class Workshop(NamedTuple):
+    """What cells are made in: slot g holds a bench of kind g at a cell's start.
+
+    The slot behind the last kind holds the front handle alone; as many slots follow for its end.
+    """
+
+    places: Placements
+    bounds: Table  # (2, HANDLE_COLUMNS)
+    rears: Vector  # route positions of the rear handles in all slots, m; NaN where one cannot stand
+    held: IntVector  # whether benches of each kind come through the cell
+
+
+class Cuts(NamedTuple):
+    """How to cut: the way's end, the longest and the shortest cells, m.
+
+    A cell is made shorter while the greatest ratio in it is above 1, and by more than a share of `loss`
+    above those at its ends.
+    """
+
+    end: float
+    longest: float
+    shortest: float
+    loss: float
+
+
+def empty_cells(count: int, kinds: int) -> Cells:
+    """Room for so many cells."""
+    rows = count + 1
+    return Cells(np.empty(rows), np.empty(rows), np.empty(rows), np.empty((rows, kinds, CELL_COLUMNS)))
+
+
+def workshop_for(kinds: int) -> Workshop:
+    """A workshop for so many links."""
+    slots = 2 * (kinds + 1)
+    return Workshop(
+        empty_placements(2, slots),
+        np.empty((2, HANDLE_COLUMNS)),
+        np.empty(slots),
+        np.zeros(kinds, dtype=np.int64),
+    )
+
+
+@kernel
+def place_front(rows: FloatArray, s: float, t: int, places: Placements) -> None:
+    """Place the front handle of any bench at route position s, m, in slot t."""
+    row, u, x, y, ratio = places.row, places.u, places.x, places.y, places.ratio
+    places.failed[0, t] = place_head(rows, s, t, row, u, x, y, ratio)
+    _, _, places.tx[0, t], places.ty[0, t] = place(rows, row[0, t], u[0, t])
+
+
+@kernel
+def place_bench(
+    rows: FloatArray, link: float, front: int, t: int, places: Placements, rears: FloatArray
+) -> None:
+    """Place a bench in slot t whose front handle is in slot `front`."""
+    row, u, x, y, ratio = places.row, places.u, places.x, places.y, places.ratio
+    row[0, t], u[0, t], x[0, t], y[0, t] = row[0, front], u[0, front], x[0, front], y[0, front]
+    ratio[0, t], places.tx[0, t], places.ty[0, t] = 1.0, places.tx[0, front], places.ty[0, front]
+    places.failed[0, t], rears[t] = places.failed[0, front], math.nan
+    if places.failed[0, t] == Status.OK:
+        places.failed[0, t] = place_next(rows, link, 0, t, row, u, x, y, ratio)
+    if places.failed[0, t] == Status.OK:
+        _, _, places.tx[1, t], places.ty[1, t] = place(rows, row[1, t], u[1, t])
+        rears[t] = rows[row[1, t], S_START] + length_at(rows, row[1, t], u[1, t])
+
+
+@kernel
+def place_border(rows: FloatArray, links: FloatArray, shop: Workshop, s: float, end: int) -> None:
+    """Place benches of the kinds that are held, front handles at s, m: at end 0 or 1 of a cell."""
+    kinds = links.shape[0]
+    first = end * (kinds + 1)
+    place_front(rows, s, first + kinds, shop.places)
+    for g in range(kinds):
+        if shop.held[g] > 0:
+            place_bench(rows, links[g, 0], first + kinds, first + g, shop.places, shop.rears)
+
+
+@kernel
+def move_on(shop: Workshop, kinds: int) -> None:
+    """Make the cell's end the start of the next."""
+    places = shop.places
+    for g in range(kinds + 1):
+        t = g + kinds + 1
+        for i in range(2):
+            places.row[i, g], places.u[i, g] = places.row[i, t], places.u[i, t]
+            places.x[i, g], places.y[i, g] = places.x[i, t], places.y[i, t]
+            places.tx[i, g], places.ty[i, g] = places.tx[i, t], places.ty[i, t]
+            places.ratio[i, g] = places.ratio[i, t]
+        places.failed[0, g], shop.rears[g] = places.failed[0, t], shop.rears[t]
+
+
+@kernel
+def leave_open(benches: FloatArray, c: int, g: int) -> None:
+    """Say that nothing bounds benches of kind g in cell c."""
+    benches[c, g, SLOW], benches[c, g, FADE] = 0.0, -math.inf
+    benches[c, g, FAST] = benches[c, g, GROW] = benches[c, g, SWAY] = math.inf
+
+
+@kernel
+def bound_kind(
+    rows: FloatArray,
+    links: FloatArray,
+    shop: Workshop,
+    loss: float,
+    benches: FloatArray,
+    c: int,
+    g: int,
+) -> bool:
+    """Fill cell c with what benches of kind g do in it; whether a shorter one says more."""
+    places, bounds, rears = shop.places, shop.bounds, shop.rears
+    a, b = g, g + links.shape[0] + 1
+    benches[c, g, REAR], benches[c + 1, g, REAR] = rears[a], rears[b]
+    if places.failed[0, a] != Status.OK or places.failed[0, b] != Status.OK:
+        return True
+    bound_handles(rows, links[g], places, a, b, bounds)
+    fast = bounds[1, SPEED]
+    benches[c, g, SLOW], benches[c, g, FAST] = bounds[1, SLOWEST], fast
+    benches[c, g, FADE], benches[c, g, GROW] = bounds[1, GROWTH_LOW], bounds[1, GROWTH_HIGH]
+    benches[c, g, SWAY] = bounds[1, TURNING_RATE]
+    return fast > max(1.0, max(places.ratio[1, a], places.ratio[1, b]) * (1.0 + loss))
+
+
+@kernel
+def bound_cell(
+    rows: FloatArray, links: FloatArray, shop: Workshop, loss: float, cells: Cells, c: int
+) -> bool:
+    """Fill cell c, between the borders that benches are placed at; whether shorter ones say more."""
+    places, kinds, finer = shop.places, links.shape[0], False
+    a, b = kinds, 2 * kinds + 1
+    low, high = curvature_range(
+        rows, places.row[0, a], places.u[0, a], places.row[0, b], places.u[0, b]
+    )
+    cells.bends[c] = magnitude(low, high)
+    cells.fastest[c] = cells.fastest[c - 1] if c > 0 else 0.0
+    for g in range(kinds):
+        leave_open(cells.benches, c, g)
+        if shop.held[g] > 0:
+            finer = bound_kind(rows, links, shop, loss, cells.benches, c, g) or finer
+            cells.fastest[c] = max(cells.fastest[c], cells.benches[c, g, FAST])
+    return finer
+
+
+@kernel
+def hold(rows: FloatArray, kinds: Kinds, shop: Workshop, s: float, longest: float) -> None:
+    """Hold the kinds that come through the next cell, from s, m, on; place those that are new."""
+    count = kinds.links.shape[0]
+    for g in range(count):
+        wanted = kinds.spans[g, 0] <= s + longest and kinds.spans[g, 1] >= s
+        if wanted and shop.held[g] == 0:
+            place_bench(rows, kinds.links[g, 0], count, g, shop.places, shop.rears)
+        shop.held[g] = 1 if wanted else 0
+
+
+@entry
+def cut_cells(
+    rows: Table,
+    kinds: Kinds,
+    shop: Workshop,
+    cuts: Cuts,
+    cells: Cells,
+    reached: Vector,
+    done: IntVector,
+    budget: int,
+) -> Ended:
+    """Cut the route from reached[AT], m, into cells.
+
+    `reached` and `done` tell how far that is; before the first call done is 0 and the cells begin at
+    reached[AT]. To be called again, after MORE (so many cells as `budget` were made) as it is, after
+    ROOM with larger cells.
+    """
+    first, links = done[CELLS], kinds.links
+    if first == 0:
+        place_border(rows, links, shop, reached[AT], 0)
+        cells.borders[0] = reached[AT]
+    while reached[AT] < cuts.end:
+        c, s = done[CELLS], reached[AT]
+        if c + 1 >= cells.borders.shape[0]:
+            return Ended.ROOM
+        if c - first >= budget:
+            return Ended.MORE
+        hold(rows, kinds, shop, s, cuts.longest)
+        cells.borders[c + 1] = min(s + reached[WIDTH], cuts.end)
+        place_border(rows, links, shop, cells.borders[c + 1], 1)
+        if bound_cell(rows, links, shop, cuts.loss, cells, c) and reached[WIDTH] > cuts.shortest:
+            reached[WIDTH], done[RUN] = 0.5 * reached[WIDTH], 0
+            continue
+        move_on(shop, links.shape[0])
+        reached[AT], done[CELLS], done[RUN] = cells.borders[c + 1], c + 1, done[RUN] + 1
+        if done[RUN] >= STEADY and 2.0 * reached[WIDTH] <= cuts.longest:
+            reached[WIDTH], done[RUN] = 2.0 * reached[WIDTH], 0
+    return Ended.DONE
+
+
+@kernel
+def rear_range(
+    benches: FloatArray, borders: FloatArray, g: int, ca: int, cb: int, low: float, high: float
+) -> tuple[float, float]:
+    """Between which positions, m, rear handles stand while the front ones stand in low..high.
+
+    Those lie in cells ca and cb. Between two borders a rear handle is no faster and no slower than the
+    cell says.
+    """
+    ahead, left = low - borders[ca], borders[ca + 1] - low
+    back = max(
+        benches[ca, g, REAR] + benches[ca, g, SLOW] * ahead,
+        benches[ca + 1, g, REAR] - benches[ca, g, FAST] * left,
+    )
+    ahead, left = high - borders[cb], borders[cb + 1] - high
+    front = min(
+        benches[cb, g, REAR] + benches[cb, g, FAST] * ahead,
+        benches[cb + 1, g, REAR] - benches[cb, g, SLOW] * left,
+    )
+    return back - EDGE, front + EDGE
+
+
+@kernel
+def cell_at(borders: FloatArray, s: float, cell: int) -> int:
+    """The cell that holds position s, m, from `cell` on back; the first for what lies before."""
+    while cell > 0 and borders[cell] > s:
+        cell -= 1
+    return cell
+
+
+@kernel
+def cell_of(borders: FloatArray, s: float) -> int:
+    """The last cell that begins at position s, m, or before; the first if none does."""
+    low, high = 0, borders.shape[0] - 2
+    while low < high:
+        middle = (low + high + 1) // 2
+        if borders[middle] <= s:
+            low = middle
+        else:
+            high = middle - 1
+    return low
+
+
+@kernel
+def bench_in_cells(
+    benches: FloatArray, g: int, ca: int, cb: int
+) -> tuple[float, float, float, float, float]:
+    """SLOW, FAST, FADE, GROW and SWAY of a bench of kind g anywhere in cells ca..cb."""
+    slow, fast, sway = benches[ca, g, SLOW], benches[ca, g, FAST], benches[ca, g, SWAY]
+    fade, grow = benches[ca, g, FADE], benches[ca, g, GROW]
+    for c in range(ca + 1, cb + 1):
+        slow, fast = min(slow, benches[c, g, SLOW]), max(fast, benches[c, g, FAST])
+        fade, grow = min(fade, benches[c, g, FADE]), max(grow, benches[c, g, GROW])
+        sway = max(sway, benches[c, g, SWAY])
+    return slow, fast, fade, grow, sway
+
+
+@kernel
+def greatest_fast(benches: FloatArray, g: int, ca: int, cb: int) -> float:
+    """FAST of a bench of kind g anywhere in cells ca..cb."""
+    fast = benches[ca, g, FAST]
+    for c in range(ca + 1, cb + 1):
+        fast = max(fast, benches[c, g, FAST])
+    return fast
+
+
+@kernel
+def greatest_bend(bends: FloatArray, ca: int, cb: int) -> float:
+    """The greatest size of the curvature in cells ca..cb, 1/m."""
+    bend = bends[ca]
+    for c in range(ca + 1, cb + 1):
+        bend = max(bend, bends[c])
+    return bend
+
+
+@kernel
+def bound_by_cells(
+    cells: Cells,
+    group: IntArray,
+    links: int,
+    low: float,
+    high: float,
+    drive: FloatArray,
+    quantity: int,
+    enough: float,
+) -> tuple[float, float, int]:
+    """At most a quantity of the first `links` + 1 handles while the head walks from low to high, m.
+
+    Benches are of the kinds `group`. Then at most what it is on handles that cannot exceed `enough`,
+    and the last handle that may, -1 if there is none. Of a bench it stands at its rear handle.
+    """
+    borders, benches = cells.borders, cells.benches
+    ca, cb = cell_of(borders, low), cell_of(borders, high)
+    slowest, fastest, fade, grow = 1.0, 1.0, 0.0, 0.0
+    most, settled, last, swayed = 0.0, 0.0, -1, 0.0
+    for i in range(links + 1):
+        bend = greatest_bend(cells.bends, ca, cb) if quantity in (ACROSS, TOTAL) else 0.0
+        size = swayed if quantity == TURNING else fastest
+        bound = ROUNDED_UP * most_of_handle(size, fade, grow, bend, drive, quantity)
+        most = max(most, bound)
+        if bound > enough:
+            last = i
+        else:
+            settled = max(settled, bound)
+        calm = quantity == SPEEDS and bound <= enough and cells.fastest[cb] <= 1.0
+        if i == links or calm:  # where all is calm, no handle is faster than the one before
+            break
+        slow, least, greatest, sway = 0.0, 0.0, 0.0, 0.0
+        if quantity in (SPEEDS, ACROSS):
+            fast = greatest_fast(benches, group[i], ca, cb)
+        else:
+            slow, fast, least, greatest, sway = bench_in_cells(benches, group[i], ca, cb)
+        if not fast < math.inf:
+            return math.inf, settled, links
+        low, high = rear_range(benches, borders, group[i], ca, cb, low, high)
+        ca, cb = cell_at(borders, low, ca), cell_at(borders, high, cb)
+        least, greatest = scaled(slowest, fastest, least, greatest)
+        fade, grow, swayed = fade + least, grow + greatest, fastest * sway
+        slowest, fastest = slowest * slow, fastest * fast
+    return most, settled, last

@@ -1,0 +1,430 @@
+"""The greatest of a quantity over a walk: branch and bound over the head's place, best bound first.
+
+Parts of the head's way wait in a heap by what bounds them. The one with the greatest bound is looked at
+first: long parts by the cells of the route (bench_cells.py), short ones by chains at their ends and at
+places in between, whose values are what is seen. Only the links that may still exceed it go with a
+part. The search is over when no bound is above what is seen by more than is asked for.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from benchdragon.kernels.arrays import IntTable, IntVector, Table, Vector
+from benchdragon.kernels.bench_cells import Cells, bound_by_cells
+from benchdragon.kernels.chain import rates_in_slot
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.drive import (
+    ACROSS,
+    DRIVE_COLUMNS,
+    FROM,
+    RATE,
+    SPEEDS,
+    TO,
+    Scratch,
+    bound_step,
+    greatest_in_slot,
+    scratch_for,
+)
+from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.status import Ended
+from benchdragon.kernels.step_bounds import Placements, empty_placements, place_chain
+
+# Columns of a part that waits: its bound, and the head's positions that it lies between, m.
+BOUND, START, END = 0, 1, 2
+# The stretch of the drive that it belongs to, the links that may exceed what is seen, and whether the
+# cells are to be asked of it (1) or chains (0).
+STRETCH, LINKS, BY_CELLS = 0, 1, 2
+PART_COLUMNS = 3
+# What a batch says of a part besides: the first of its slots, and into how many it is cut.
+SLOT, PIECES = 0, 1
+
+# What is known, a row of floats.
+SEEN = 0  # the greatest value at any chain; -1 before the first
+WHERE = 1  # the head's position there, m
+UPPER = 2  # at most what was put aside
+NOTES = 3
+# And a row of integers.
+OPEN = 0  # parts that wait
+ROW = 1  # the handle or bench that was seen
+WHEN = 2  # on which stretch
+EVALUATIONS = 3  # chains placed
+COUNTS = 4
+
+# Chains that are placed at a time, and the parts of a step that is looked at again.
+SLOTS, SHARES = 16, 2
+# Parts that a long way is cut into at most, and a step of the cells at least.
+MOST_PIECES, CELL_SHARES = SLOTS - 1, 4
+# What rounding may add to the length of a step, as a share.
+ABOUT = 1.0 + 1e-9
+# What is never greater than this, in SI units, counts as nothing.
+NOTHING = 1e-9
+# The bracket's width where a limit is kept, as a share of the value, and of the limit at most.
+ROUGHLY, LITTLE = 1e-2, 1e-2
+# What a bound on a handle by cells costs, in handles placed.
+CELL_COST = 0.125
+
+
+class Aim(NamedTuple):
+    """What is asked, and the longest steps, m, that cells and chains bound."""
+
+    quantity: int
+    tolerance: float
+    limit: float
+    cell_step: float
+    step: float
+
+
+class Drives(NamedTuple):
+    """Stretches of one acceleration of the head."""
+
+    ways: Table  # from where to where, m, (stretches, 2)
+    squares: Table  # of the head's speed there, m^2/s^2
+    rates: Vector  # its acceleration, m/s^2
+
+
+class Heap(NamedTuple):
+    """Parts that wait, the greatest bound first."""
+
+    parts: Table  # (room, PART_COLUMNS)
+    marks: IntTable  # (room, PART_COLUMNS)
+
+
+class Batch(NamedTuple):
+    """Parts that are looked at together."""
+
+    parts: Table  # as in the heap, (SLOTS, PART_COLUMNS)
+    marks: IntTable
+    slots: IntTable  # their slots and pieces, (SLOTS, 2)
+    at: Vector  # the head's positions in all slots, m, (SLOTS,)
+    drive: Vector
+
+
+class Chains(NamedTuple):
+    """Chains in slots, and what bounds on them are worked out in."""
+
+    places: Placements
+    change: Table  # of `chain.rates`
+    turn: Table
+    scratch: Scratch
+
+
+def empty_heap(room: int) -> Heap:
+    """Room for so many parts."""
+    return Heap(np.empty((room, PART_COLUMNS)), np.empty((room, PART_COLUMNS), dtype=np.int64))
+
+
+def empty_batch() -> Batch:
+    """Room for a batch."""
+    return Batch(
+        np.empty((SLOTS, PART_COLUMNS)),
+        np.empty((SLOTS, PART_COLUMNS), dtype=np.int64),
+        np.empty((SLOTS, 2), dtype=np.int64),
+        np.empty(SLOTS),
+        np.empty(DRIVE_COLUMNS),
+    )
+
+
+def chains_for(handles: int) -> Chains:
+    """Room for a batch's chains of so many handles."""
+    rates = np.zeros((2, handles, SLOTS))
+    return Chains(empty_placements(handles, SLOTS), rates[0], rates[1], scratch_for(handles))
+
+
+@kernel
+def enough(seen: float, tolerance: float, limit: float) -> float:
+    """What no bound need be drawn tighter than; before anything is seen all must be."""
+    if seen < 0.0:
+        return seen
+    if seen > limit:
+        return seen * (1.0 + tolerance)
+    if limit < math.inf:
+        return min(max(seen * (1.0 + ROUGHLY), LITTLE * limit), limit)
+    return max(seen * (1.0 + tolerance), NOTHING)
+
+
+@kernel
+def before(parts: FloatArray, i: int, j: int) -> bool:
+    """Whether part i is to be looked at before part j; of equal bounds the first on the way."""
+    if parts[i, BOUND] == parts[j, BOUND]:
+        return parts[i, START] < parts[j, START]
+    return parts[i, BOUND] > parts[j, BOUND]
+
+
+@kernel
+def swap(parts: FloatArray, marks: IntArray, i: int, j: int) -> None:
+    """Let parts i and j change places."""
+    for k in range(PART_COLUMNS):
+        parts[i, k], parts[j, k] = parts[j, k], parts[i, k]
+        marks[i, k], marks[j, k] = marks[j, k], marks[i, k]
+
+
+@kernel
+def push(
+    heap: Heap, counts: IntArray, bound: float, a: float, b: float, stretch: int, links: int, cells: int
+) -> None:
+    """Let a part from a to b, m, wait."""
+    parts, marks, i = heap.parts, heap.marks, counts[OPEN]
+    parts[i, BOUND], parts[i, START], parts[i, END] = bound, a, b
+    marks[i, STRETCH], marks[i, LINKS], marks[i, BY_CELLS] = stretch, links, cells
+    counts[OPEN] = i + 1
+    while i > 0 and before(parts, i, (i - 1) // 2):
+        swap(parts, marks, i, (i - 1) // 2)
+        i = (i - 1) // 2
+
+
+@kernel
+def take(heap: Heap, counts: IntArray, batch: Batch, n: int) -> None:
+    """Take the first part off the heap, as number n of the batch."""
+    parts, marks, i = heap.parts, heap.marks, 0
+    for k in range(PART_COLUMNS):
+        batch.parts[n, k], batch.marks[n, k] = parts[0, k], marks[0, k]
+    counts[OPEN] -= 1
+    count = counts[OPEN]
+    swap(parts, marks, 0, count)
+    while 2 * i + 1 < count:
+        child = 2 * i + 1
+        if child + 1 < count and before(parts, child + 1, child):
+            child += 1
+        if not before(parts, child, i):
+            break
+        swap(parts, marks, i, child)
+        i = child
+
+
+@kernel
+def set_drive(drives: Drives, n: int, a: float, b: float, drive: FloatArray) -> None:
+    """Fill in the head's drive from a to b, m, on stretch n."""
+    start, length = drives.ways[n, 0], drives.ways[n, 1] - drives.ways[n, 0]
+    from_share, to_share = 0.0, 1.0
+    if length > 0.0:
+        from_share = min(max((a - start) / length, 0.0), 1.0)
+        to_share = min(max((b - start) / length, 0.0), 1.0)
+    square, more = drives.squares[n, 0], drives.squares[n, 1] - drives.squares[n, 0]
+    drive[FROM], drive[TO] = square + from_share * more, square + to_share * more
+    drive[RATE] = drives.rates[n]
+
+
+@kernel
+def ends_apart(a: float, b: float) -> bool:
+    """Whether there is a number between a and b."""
+    return a < 0.5 * (a + b) < b
+
+
+@kernel
+def divide(heap: Heap, counts: IntArray, batch: Batch, step: float) -> None:
+    """Cut the batch's first part, of more than so many steps, m, and let the pieces wait as it did."""
+    a, b = batch.parts[0, START], batch.parts[0, END]
+    pieces = int(min(math.ceil((b - a) / step), MOST_PIECES))
+    for k in range(pieces):
+        p, q = a + (b - a) * (k / pieces), b if k + 1 == pieces else a + (b - a) * ((k + 1) / pieces)
+        stretch, links, cells = batch.marks[0, STRETCH], batch.marks[0, LINKS], batch.marks[0, BY_CELLS]
+        push(heap, counts, batch.parts[0, BOUND], p, q, stretch, links, cells)
+
+
+@kernel
+def look_by_cells(
+    cells: Cells,
+    group: IntArray,
+    aim: Aim,
+    drives: Drives,
+    heap: Heap,
+    batch: Batch,
+    notes: FloatArray,
+    counts: IntArray,
+) -> None:
+    """Bound steps of the batch's first part by cells, and let wait what they leave open."""
+    a, b, stretch = batch.parts[0, START], batch.parts[0, END], batch.marks[0, STRETCH]
+    wanted = enough(notes[SEEN], aim.tolerance, aim.limit)
+    pieces = int(min(max(math.ceil((b - a) / aim.cell_step), CELL_SHARES), MOST_PIECES))
+    for k in range(pieces):
+        p, q = a + (b - a) * (k / pieces), b if k + 1 == pieces else a + (b - a) * ((k + 1) / pieces)
+        set_drive(drives, stretch, p, q, batch.drive)
+        bound, settled, links = bound_by_cells(
+            cells, group, batch.marks[0, LINKS], p, q, batch.drive, aim.quantity, wanted
+        )
+        notes[UPPER] = max(notes[UPPER], settled)
+        if links >= 0:
+            again = 1 if q - p > aim.step * ABOUT and bound < math.inf else 0
+            bound = min(bound, batch.parts[0, BOUND])
+            push(heap, counts, bound, p, q, stretch, max(links, 1), again)
+
+
+@kernel
+def pieces_of(a: float, b: float, step: float) -> int:
+    """Into how many a part from a to b, m, is cut that chains look at."""
+    if b - a > step * ABOUT:
+        return math.ceil((b - a) / step)
+    return SHARES if ends_apart(a, b) else 1
+
+
+@kernel
+def take_batch(
+    heap: Heap, counts: IntArray, batch: Batch, wanted: float, step: float
+) -> tuple[int, int, int]:
+    """Take parts for chains off the heap: how many, the slots they take, and the links."""
+    count, slots, links = 0, 0, 1
+    while counts[OPEN] > 0 and heap.marks[0, BY_CELLS] == 0 and heap.parts[0, BOUND] > wanted:
+        a, b = heap.parts[0, START], heap.parts[0, END]
+        pieces = pieces_of(a, b, step)
+        if slots + pieces + 1 > SLOTS:
+            break
+        take(heap, counts, batch, count)
+        batch.slots[count, SLOT], batch.slots[count, PIECES] = slots, pieces
+        for k in range(pieces):
+            batch.at[slots + k] = a + (b - a) * (k / pieces)
+        batch.at[slots + pieces] = b
+        links = max(links, batch.marks[count, LINKS])
+        count, slots = count + 1, slots + pieces + 1
+    return count, slots, links
+
+
+@kernel
+def place_batch(
+    rows: FloatArray, links: FloatArray, at: FloatArray, slots: int, chains: Chains, quantity: int
+) -> bool:
+    """Place the chain in so many slots; whether it can stand in all of them."""
+    places = chains.places
+    if not place_chain(rows, links, at, 0, slots, places):
+        return False
+    if quantity not in (SPEEDS, ACROSS):
+        for t in range(slots):
+            rates_in_slot(
+                rows, links, t, places.row, places.u, places.x, places.y, places.ratio,
+                chains.change, chains.turn,
+            )  # fmt: skip
+    return True
+
+
+@kernel
+def keep(
+    aim: Aim,
+    heap: Heap,
+    batch: Batch,
+    n: int,
+    t: int,
+    most: FloatArray,
+    notes: FloatArray,
+    counts: IntArray,
+) -> None:
+    """Let the piece of the batch's part n that begins in slot t wait, if it may exceed what is seen.
+
+    `most` bounds its handles.
+    """
+    wanted = enough(notes[SEEN], aim.tolerance, aim.limit)
+    bound, settled, links = 0.0, 0.0, -1
+    for i in range(batch.marks[n, LINKS] + 1):
+        bound = max(bound, most[i])
+        if most[i] > wanted:
+            links = i
+        else:
+            settled = max(settled, most[i])
+    notes[UPPER] = max(notes[UPPER], settled)
+    a, b, bound = batch.at[t], batch.at[t + 1], min(bound, batch.parts[n, BOUND])
+    if links >= 0 and ends_apart(a, b):
+        push(heap, counts, bound, a, b, batch.marks[n, STRETCH], max(links, 1), 0)
+    elif links >= 0:
+        notes[UPPER] = max(notes[UPPER], bound)
+
+
+@kernel
+def see(
+    rows: FloatArray,
+    links: int,
+    quantity: int,
+    drives: Drives,
+    batch: Batch,
+    n: int,
+    chains: Chains,
+    notes: FloatArray,
+    counts: IntArray,
+) -> None:
+    """Keep the greatest value at the ends of the pieces of the batch's part n."""
+    first, stretch, drive = batch.slots[n, SLOT], batch.marks[n, STRETCH], batch.drive
+    last = first + batch.slots[n, PIECES]
+    for t in range(first, last + 1):
+        set_drive(drives, stretch, batch.at[min(t, last - 1)], batch.at[min(t, last - 1) + 1], drive)
+        value, row = greatest_in_slot(
+            rows, chains.places, chains.change, chains.turn, t, links,
+            drive[FROM] if t < last else drive[TO], drive[RATE], quantity,
+        )  # fmt: skip
+        if value > notes[SEEN]:
+            notes[SEEN], notes[WHERE] = value, batch.at[t]
+            counts[ROW], counts[WHEN] = row, stretch
+
+
+@kernel
+def look_by_chains(
+    rows: FloatArray,
+    links: FloatArray,
+    aim: Aim,
+    drives: Drives,
+    heap: Heap,
+    batch: Batch,
+    n: int,
+    chains: Chains,
+    notes: FloatArray,
+    counts: IntArray,
+) -> None:
+    """Bound the pieces of the batch's part n, whose chains are placed, and let wait what is open."""
+    first, stretch, drive = batch.slots[n, SLOT], batch.marks[n, STRETCH], batch.drive
+    for t in range(first, first + batch.slots[n, PIECES]):
+        set_drive(drives, stretch, batch.at[t], batch.at[t + 1], drive)
+        bound_step(rows, links, chains.places, t, t + 1, drive, aim.quantity, chains.scratch)
+        keep(aim, heap, batch, n, t, chains.scratch.most, notes, counts)
+
+
+@entry
+def seek_peak(
+    rows: Table,
+    links: Vector,
+    group: IntVector,
+    cells: Cells,
+    aim: Aim,
+    drives: Drives,
+    heap: Heap,
+    batch: Batch,
+    chains: Chains,
+    notes: Vector,
+    counts: IntVector,
+    budget: int,
+) -> Ended:
+    """Look through the parts that wait; notes and counts receive what was found.
+
+    To be called again, after MORE (about so many handles as `budget` were placed) as it is, after ROOM
+    with a larger heap. What waits then bounds the quantity, with notes[UPPER]. FALLEN: the chain cannot
+    stand at one of the batch's positions.
+    """
+    spent = 0.0
+    wanted = enough(notes[SEEN], aim.tolerance, aim.limit)
+    while counts[OPEN] > 0 and heap.parts[0, BOUND] > wanted:
+        if counts[OPEN] + SLOTS > heap.parts.shape[0]:
+            return Ended.ROOM
+        if spent >= budget:
+            return Ended.MORE
+        by_cells = heap.marks[0, BY_CELLS] > 0
+        step = aim.cell_step if by_cells else aim.step
+        if heap.parts[0, END] - heap.parts[0, START] > step * ABOUT * MOST_PIECES:
+            take(heap, counts, batch, 0)
+            divide(heap, counts, batch, step)
+        elif by_cells:
+            take(heap, counts, batch, 0)
+            spent += CELL_COST * MOST_PIECES * batch.marks[0, LINKS]
+            look_by_cells(cells, group, aim, drives, heap, batch, notes, counts)
+        else:
+            count, slots, most = take_batch(heap, counts, batch, wanted, step)
+            counts[EVALUATIONS] += slots
+            spent += slots * (most + 1.0)
+            few = links[:most]
+            if not place_batch(rows, few, batch.at, slots, chains, aim.quantity):
+                return Ended.FALLEN
+            for n in range(count):
+                see(rows, most, aim.quantity, drives, batch, n, chains, notes, counts)
+            for n in range(count):
+                look_by_chains(rows, few, aim, drives, heap, batch, n, chains, notes, counts)
+        wanted = enough(notes[SEEN], aim.tolerance, aim.limit)
+    if counts[OPEN] > 0:
+        notes[UPPER] = max(notes[UPPER], heap.parts[0, BOUND])
+    return Ended.DONE

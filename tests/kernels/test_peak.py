@@ -1,0 +1,249 @@
+"""The search for a greatest value: what it finds, what it leaves out, and how it is resumed."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+
+from benchdragon import Arc, Clothoid, Dragon, Line, Route
+from benchdragon.kernels import bench_cells as cells
+from benchdragon.kernels import drive, peak
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.status import Ended
+from benchdragon.model.placement import Placement
+
+DRAGON = Dragon.of_sizes(np.array([1.6, 1.1, 1.1, 1.1]), 0.2, 0.0, 0.0)
+LINKS, INVERSE = np.unique(DRAGON.links, return_inverse=True)
+GROUP = INVERSE.astype(np.int64)
+ROUTE = Route.joined([Line(8.0), Arc(1.6, 1.0), Arc(2.0, -1.5), Clothoid(3.0, -0.5, 0.2), Line(9.0)])
+FIRST, MIDDLE, LAST = 6.0, 11.0, 15.0
+QUANTITIES = {
+    "speed": drive.SPEEDS,
+    "turning": drive.TURNING,
+    "across": drive.ACROSS,
+    "total": drive.TOTAL,
+    "along": drive.ALONG,
+}
+# Squares of the head's speed at FIRST, MIDDLE and LAST.
+SQUARES = (0.4, 1.6, 0.9)
+
+
+class Found(NamedTuple):
+    """What a search knew at its end, and how it ended."""
+
+    notes: FloatArray
+    counts: list[int]
+    upper: float
+    ends: list[Ended]
+
+
+def drives() -> peak.Drives:
+    """A head that speeds up as far as MIDDLE and then slows down."""
+    ways = np.array([[FIRST, MIDDLE], [MIDDLE, LAST]])
+    squares = np.array([SQUARES[:2], SQUARES[1:]])
+    return peak.Drives(ways, squares, 0.5 * np.diff(squares).ravel() / np.diff(ways).ravel())
+
+
+def cut(route: Route) -> cells.Cells:
+    """The cells of a route that the dragon walks through."""
+    kinds = cells.Kinds(LINKS[:, np.newaxis].copy(), np.tile([FIRST - 6.0, LAST], (len(LINKS), 1)))
+    made, done = cells.empty_cells(300, len(LINKS)), np.zeros(2, dtype=np.int64)
+    reached, shop = np.array([FIRST - 6.0, 0.4]), cells.workshop_for(len(LINKS))
+    cuts = cells.Cuts(LAST, 0.4, 0.05, 1e-2)
+    assert cells.cut_cells(route.rows, kinds, shop, cuts, made, reached, done, 300) == Ended.DONE
+    return cells.Cells(*(table[: done[cells.CELLS] + 1].copy() for table in made))
+
+
+def waiting(drives: peak.Drives, by_cells: int, room: int) -> tuple[peak.Heap, list[int]]:
+    """A heap in which all stretches wait."""
+    heap, count = peak.empty_heap(room), len(drives.ways)
+    heap.parts[:count] = [(math.inf, *way) for way in drives.ways]
+    heap.marks[:count] = [(n, len(DRAGON), by_cells) for n in range(count)]
+    return heap, [count, 0, 0, 0]
+
+
+def seek(
+    quantity: int,
+    tolerance: float,
+    *,
+    by_cells: int = 1,
+    by_chains: int = 0,
+    limit: float = math.inf,
+    route: Route = ROUTE,
+    driven: peak.Drives | None = None,
+    room: int = 400,
+    budget: int = 10_000_000,
+) -> Found:
+    """Seek the greatest of a quantity, in calls of that budget, the heap growing from `room`.
+
+    The first stretches, as many as `by_chains`, are looked at by chains at once.
+    """
+    driven = driven or drives()
+    made = cut(route) if by_cells else cells.empty_cells(0, 1)
+    heap, counted = waiting(driven, by_cells, room)
+    heap.marks[:by_chains, peak.BY_CELLS] = 0
+    notes, counts = np.array([-1.0, 0.0, 0.0]), np.array(counted)
+    aim = peak.Aim(quantity, tolerance, limit, 0.9, 0.11)
+    batch, chains = peak.empty_batch(), peak.chains_for(len(DRAGON) + 1)
+    ends: list[Ended] = []
+    while not ends or ends[-1] in (Ended.MORE, Ended.ROOM):
+        ends.append(
+            peak.seek_peak(
+                route.rows, DRAGON.links, GROUP, made, aim, driven, heap, batch, chains, notes, counts,
+                budget,
+            )
+        )  # fmt: skip
+        if ends[-1] == Ended.ROOM:
+            heap = peak.Heap(*(np.concatenate([table, np.empty_like(table)]) for table in heap))
+    return Found(notes, counts.tolist(), max(notes[peak.UPPER], notes[peak.SEEN]), ends)
+
+
+def sampled(name: str, at: FloatArray, end: float = MIDDLE) -> FloatArray:
+    """A quantity's greatest size with the head at these places, at `end` as just before it."""
+    one = Placement(DRAGON, ROUTE, at)
+    driven = drives()
+    n = (at > end).astype(np.int64)
+    share = (at - driven.ways[n, 0]) / np.diff(driven.ways).ravel()[n]
+    square = (driven.squares[n, 0] + share * np.diff(driven.squares).ravel()[n])[:, np.newaxis]
+    along = one.speed_ratio * driven.rates[n, np.newaxis] + one.ratio_rate * square
+    across = one.speed_ratio**2 * ROUTE.curvature(one.s) * square
+    found = {
+        "speed": one.speed_ratio * np.sqrt(square),
+        "turning": one.turn_rate * np.sqrt(square),
+        "across": across,
+        "total": np.hypot(along, across),
+        "along": along,
+    }[name]
+    return np.asarray(np.abs(found))
+
+
+@pytest.mark.parametrize("by_cells", [0, 1])
+@pytest.mark.parametrize("name", QUANTITIES)
+def test_what_is_found_is_what_sampling_sees(name: str, by_cells: int) -> None:
+    found = seek(QUANTITIES[name], 1e-3, by_cells=by_cells)
+    most = sampled(name, np.linspace(FIRST, LAST, 2001)).max()
+    assert most <= found.upper * (1.0 + 1e-9)
+    assert found.notes[peak.SEEN] <= found.upper <= found.notes[peak.SEEN] * (1.0 + 1.01e-3)
+    assert found.notes[peak.SEEN] == pytest.approx(most, rel=2e-3)
+    beside = found.notes[peak.WHERE] + np.array([-1e-9, 0.0, 1e-9])
+    stretch = found.counts[peak.WHEN]
+    here = sampled(name, np.clip(beside, FIRST, LAST), MIDDLE if stretch else math.inf)
+    row = found.counts[peak.ROW]
+    assert here[:, row].max() == pytest.approx(found.notes[peak.SEEN], rel=1e-6)
+    assert here.max() <= found.notes[peak.SEEN] * (1.0 + 1e-6)
+
+
+def test_cells_spare_most_chains_and_change_no_answer() -> None:
+    for name, quantity in QUANTITIES.items():
+        with_cells, without = (seek(quantity, 1e-3, by_cells=n) for n in (1, 0))
+        assert with_cells.counts[peak.EVALUATIONS] < without.counts[peak.EVALUATIONS], name
+        lowest = max(found.notes[peak.SEEN] for found in (with_cells, without))
+        assert lowest <= min(with_cells.upper, without.upper)
+
+
+@pytest.mark.parametrize("by_cells", [0, 1])
+def test_a_search_in_small_calls_finds_the_same(by_cells: int) -> None:
+    whole = seek(drive.TOTAL, 1e-3, by_cells=by_cells)
+    assert whole.ends == [Ended.DONE]
+    for room, budget in ((peak.SLOTS, 10_000_000), (400, 1), (peak.SLOTS + 2, 60)):
+        parts = seek(drive.TOTAL, 1e-3, by_cells=by_cells, room=room, budget=budget)
+        assert parts.ends[-1] == Ended.DONE
+        assert (Ended.MORE in parts.ends) == (budget < 100)
+        assert (Ended.ROOM in parts.ends) == (room < 400)
+        np.testing.assert_array_equal(parts.notes, whole.notes)
+        assert parts.counts == whole.counts
+
+
+def test_the_bracket_is_no_wider_than_asked_and_the_search_no_longer() -> None:
+    evaluations = [seek(drive.SPEEDS, 10.0**-n).counts[peak.EVALUATIONS] for n in (1, 3, 5)]
+    assert evaluations[0] < evaluations[1] < evaluations[2]
+
+
+@pytest.mark.parametrize("by_cells", [0, 1])
+def test_what_is_put_aside_is_still_bounded(by_cells: int) -> None:
+    most = sampled("speed", np.linspace(FIRST, LAST, 2001)).max()
+    for limit in (1.003 * most, 1.05 * most):
+        found = seek(drive.SPEEDS, 1e-6, by_cells=by_cells, limit=limit)
+        assert most <= found.upper <= limit
+    for tolerance in (0.5, 0.2, 0.1, 0.05, 0.02, 0.01):
+        found = seek(drive.SPEEDS, tolerance, by_cells=by_cells)
+        assert most <= found.upper <= found.notes[peak.SEEN] * (1.0 + tolerance) * (1.0 + 1e-9)
+
+
+@pytest.mark.parametrize("seen", [0, 1])
+def test_what_need_not_be_looked_at_is_still_bounded(seen: int) -> None:
+    """Under a high limit one look is enough: what is left waits, or is put aside by its cells."""
+    ways = np.array([[FIRST, FIRST], [FIRST, LAST]][1 - seen :])
+    driven = peak.Drives(ways, np.ones(ways.shape), np.zeros(len(ways)))
+    most = Placement(DRAGON, ROUTE, np.linspace(FIRST, LAST, 801)).speed_ratio.max()
+    found = seek(drive.SPEEDS, 1e-6, limit=300.0 * most, driven=driven, by_chains=seen)
+    assert most <= found.upper <= 3.0 * most
+    assert found.counts[peak.EVALUATIONS] < 20
+
+
+def test_a_limit_that_is_kept_is_enough() -> None:
+    fine = seek(drive.TURNING, 1e-6)
+    kept = seek(drive.TURNING, 1e-6, limit=2.0 * fine.upper)
+    assert fine.notes[peak.SEEN] <= kept.upper <= 2.0 * fine.upper
+    assert kept.counts[peak.EVALUATIONS] < fine.counts[peak.EVALUATIONS]
+    near = seek(drive.TURNING, 1e-6, limit=fine.upper * (1.0 + 1e-5))
+    assert near.upper <= fine.upper * (1.0 + 1e-5)
+    broken = seek(drive.TURNING, 1e-6, limit=0.9 * fine.upper)
+    assert broken.notes[peak.SEEN] == pytest.approx(fine.notes[peak.SEEN], rel=2e-6)
+    assert broken.upper <= broken.notes[peak.SEEN] * (1.0 + 1.01e-6)
+
+
+@pytest.mark.parametrize("by_cells", [0, 1])
+def test_a_chain_that_cannot_stand_ends_the_search(by_cells: int) -> None:
+    short = Route.joined([Line(8.0), Arc(1.6, 1.0), Line(2.0)])
+    found = seek(drive.SPEEDS, 1e-3, by_cells=by_cells, route=short)
+    assert found.ends == [Ended.FALLEN]
+
+
+def test_a_jolt_without_way_counts_once() -> None:
+    jolt = peak.Drives(np.full((1, 2), 8.5), np.zeros((1, 2)), np.array([2.0]))
+    found = seek(drive.ALONG, 1e-6, by_cells=0, driven=jolt)
+    ratio = Placement(DRAGON, ROUTE, [8.5]).speed_ratio.max()
+    assert found.notes[peak.SEEN] == pytest.approx(2.0 * ratio)
+    assert found.upper == pytest.approx(2.0 * ratio)
+    assert found.counts[peak.EVALUATIONS] <= 2
+
+
+def test_a_head_that_stands_asks_for_nothing() -> None:
+    standing = peak.Drives(np.array([[7.0, 9.0]]), np.zeros((1, 2)), np.zeros(1))
+    for quantity in QUANTITIES.values():
+        found = seek(quantity, 1e-6, driven=standing)
+        assert (found.notes[peak.SEEN], found.upper) == (0.0, 0.0)
+
+
+def test_of_parts_that_wait_the_greatest_bound_comes_first_then_the_first_on_the_way() -> None:
+    rng = np.random.default_rng(4)
+    heap, batch, counts = peak.empty_heap(40), peak.empty_batch(), np.zeros(4, dtype=np.int64)
+    bounds, starts = rng.integers(0, 6, 40).astype(float), rng.permutation(40).astype(float)
+    for n in range(40):
+        peak.push(heap, counts, bounds[n], starts[n], starts[n] + 1.0, n, 2, n % 2)
+    came = []
+    for _n in range(40):
+        peak.take(heap, counts, batch, 0)
+        bound, start, end = batch.parts[0].tolist()
+        stretch, links, by_cells = batch.marks[0].tolist()
+        assert (bounds[stretch], starts[stretch], starts[stretch] + 1.0) == (bound, start, end)
+        assert (links, by_cells) == (2, stretch % 2)
+        came.append((-bound, start))
+    assert came == sorted(came)
+    assert counts[peak.OPEN] == 0
+
+
+def test_a_long_way_is_cut_and_goes_on_waiting_whole() -> None:
+    heap, batch, counts = peak.empty_heap(40), peak.empty_batch(), np.zeros(4, dtype=np.int64)
+    peak.push(heap, counts, 3.0, 1.0, 101.0, 5, 2, 1)
+    peak.take(heap, counts, batch, 0)
+    peak.divide(heap, counts, batch, 0.5)
+    parts = heap.parts[: counts[peak.OPEN]]
+    parts = parts[np.argsort(parts[:, peak.START])]
+    assert len(parts) == peak.MOST_PIECES
+    assert (parts[:, peak.BOUND] == 3.0).all()
+    assert (parts[0, peak.START], parts[-1, peak.END]) == (1.0, 101.0)
+    np.testing.assert_array_equal(parts[1:, peak.START], parts[:-1, peak.END])
+    assert (heap.marks[: len(parts)] == (5, 2, 1)).all()
