@@ -1,5 +1,6 @@
 """How a solve can end, and the one decorator of all kernels."""
 
+import ast
 import os
 import tempfile
 import threading
@@ -11,7 +12,7 @@ import numba
 import pytest
 from numba.core import event
 
-from benchdragon.kernels import jit
+from benchdragon.kernels import jit, native
 from benchdragon.kernels.status import Status
 
 
@@ -166,3 +167,28 @@ def test_plain_kernels_have_no_compiling_to_watch(
     monkeypatch.setattr(jit, "COMPILED", False)
     jit.watch_compiling(lambda: None, 0.0)
     assert listeners == []
+
+
+def test_who_is_given_new_arrays_counts_references_to_them() -> None:
+    """Else they would never be freed."""
+    kernels = {
+        node.name: node
+        for path in native.KERNELS.glob("*.py")
+        for node in ast.parse(path.read_text("utf-8")).body
+        if isinstance(node, ast.FunctionDef)
+        and {"kernel", "entry"} & {ast.unparse(mark) for mark in node.decorator_list}
+    }
+    counting = {
+        name
+        for name, node in kernels.items()
+        if "allocates" in {ast.unparse(mark) for mark in node.decorator_list}
+    }
+    returned = {
+        name: node.returns.id for name, node in kernels.items() if isinstance(node.returns, ast.Name)
+    }
+    makers = {name for name in counting if returned.get(name, "int") not in ("int", "float", "bool")}
+    assert makers
+    for name, node in kernels.items():
+        called = {ast.unparse(call.func) for call in ast.walk(node) if isinstance(call, ast.Call)}
+        if called & (makers | {"np.empty", "np.zeros"}):
+            assert name in counting

@@ -10,7 +10,7 @@ import numpy as np
 
 from benchdragon.kernels.arrays import IntTable, IntVector, Table, Vector
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.jit import allocates, entry, kernel
 from benchdragon.kernels.route import IntArray
 
 CX = 0  # centre, m
@@ -146,6 +146,7 @@ def pair_distances(
 
 
 @entry
+@allocates
 def distances_along(sizes: Table, x: Table, y: Table, i: int, j: int, out: Vector) -> None:
     """Fill out[t] with the distance of benches i and j at each time; minus the depth of an overlap."""
     boxes = np.empty((2, BOX_COLUMNS))
@@ -173,6 +174,7 @@ def centres(boxes: FloatArray, cx: FloatArray, cy: FloatArray) -> None:
 
 
 @entry
+@allocates
 def nearest_pair(sizes: Table, x: Table, y: Table) -> tuple[float, int, int, int]:
     """The least distance of any two benches but neighbours at any time, m; which time and benches.
 
@@ -207,6 +209,7 @@ def least_distance(sizes: Table, x: Table, y: Table) -> float:
 
 
 @entry
+@allocates
 def nearest_each(
     sizes: Table,
     x: Table,

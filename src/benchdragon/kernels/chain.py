@@ -10,7 +10,7 @@ import numpy as np
 
 from benchdragon.kernels.arrays import IntTable, Table, Vector
 from benchdragon.kernels.curve import FloatArray, P, curvature, place
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.jit import allocates, entry, kernel
 from benchdragon.kernels.route import FOLD_COSINE, IntArray, folded, locate, next_handle
 from benchdragon.kernels.spiral import (
     GUESS,
@@ -176,6 +176,7 @@ def blank(
 
 
 @entry
+@allocates
 def march(
     rows: Table,
     links: Vector,

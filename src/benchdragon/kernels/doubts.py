@@ -18,7 +18,7 @@ from benchdragon.kernels.course import (
     place_block,
 )
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.jit import allocates, kernel
 from benchdragon.kernels.near_cells import Sweeper, log_borders
 from benchdragon.kernels.regions import walks_on
 from benchdragon.kernels.step_bounds import HANDLE_COLUMNS, place_chain
@@ -55,6 +55,7 @@ def finest(s: float) -> float:
 
 
 @kernel
+@allocates
 def follows_until(
     walk: Walk, ground: Ground, sweeper: Sweeper, k: int, start: float, end: float
 ) -> float:

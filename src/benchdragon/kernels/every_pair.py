@@ -13,7 +13,7 @@ import numpy as np
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.box import box_gap, centres, radii
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.jit import allocates, entry, kernel
 from benchdragon.kernels.pair_bounds import face_bound
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import (
@@ -51,6 +51,7 @@ class Circles(NamedTuple):
 
 
 @kernel
+@allocates
 def circles_of(sizes: FloatArray) -> Circles:
     """The circles of benches of these sizes."""
     n = sizes.shape[1]
@@ -134,6 +135,7 @@ def search_near(
 
 
 @entry
+@allocates
 def search_all_pairs(
     search: Search,
     goal: int,

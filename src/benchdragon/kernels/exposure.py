@@ -17,6 +17,8 @@ from benchdragon.kernels.cells import (
     NUMBER,
     RADIUS,
     REACH,
+    STATE,
+    UNKNOWN,
     WAYS,
     Ground,
     add_row,
@@ -65,10 +67,27 @@ def expose(ground: Ground, c: int, g: int) -> None:
 
 
 @kernel
-def may_meet(ground: Ground, c: int, d: int, pair: int) -> bool:
+def may_meet(span_of: IntArray, c: int, d: int, pair: int) -> bool:
     """Whether no clear span keeps benches of a pair of groups apart in cells c and, behind it, d."""
-    span = ground.span_of[c, pair]
-    return span < 0 or span != ground.span_of[d, pair]
+    span = span_of[c, pair]
+    return span < 0 or span != span_of[d, pair]
+
+
+@kernel
+def expose_meeting(ground: Ground, grid: Grid, found: IntArray, c: int, a: int, b: int) -> None:
+    """Want cell c boxed for group a if one of group b may stand in a cell near it, in `grid`.
+
+    And not in one clear span with it.
+    """
+    middles, span_of, pair = ground.middles, ground.span_of, a * ground.counts[GROUPS] + b
+    x, y = middles[c, 0], middles[c, 1]
+    reach = ground.groups[a, ARM] + ground.groups[b, ARM] + ground.measures[REACH]
+    for n in range(gather(grid, x, y, reach, found)):
+        d = found[n]
+        apart = (middles[d, 0] - x) ** 2 + (middles[d, 1] - y) ** 2
+        if apart <= reach * reach and may_meet(span_of, c, d, pair):
+            expose(ground, c, a)
+            return
 
 
 @kernel
@@ -77,8 +96,7 @@ def expose_new(ground: Ground, grid: Grid, found: IntArray, c: int) -> None:
 
     And where they are in no clear span, that it is known whether they walk through.
     """
-    groups, middles, widest = ground.counts[GROUPS], ground.middles, 0.0
-    x, y, mixed = middles[c, 0], middles[c, 1], ground.counts[MIXED] > 0
+    groups, tree, cells = ground.counts[GROUPS], ground.tree, ground.middles.shape[0]
     for pair in range(groups * groups):
         a, b = pair // groups, pair % groups
         if a == b and ground.groups[a, ALONE] > 0.0:
@@ -87,20 +105,13 @@ def expose_new(ground: Ground, grid: Grid, found: IntArray, c: int) -> None:
             if ground.span_of[c, pair] < 0:
                 expose(ground, c, a)
                 expose(ground, c, b)
-            mixed = mixed or (c > 0 and ground.span_of[c, pair] != ground.span_of[0, pair])
-            widest = max(widest, ground.groups[a, ARM] + ground.groups[b, ARM])
-    ground.counts[MIXED] = 1 if mixed else 0
-    if not mixed:
-        return
-    for n in range(gather(grid, x, y, widest + ground.measures[REACH], found)):
-        d = found[n]
-        apart = (middles[d, 0] - x) ** 2 + (middles[d, 1] - y) ** 2
-        for pair in range(groups * groups):
-            a, b = pair // groups, pair % groups
-            reach = ground.groups[a, ARM] + ground.groups[b, ARM] + ground.measures[REACH]
-            finite = ground.groups[a, WAYS + b] < math.inf
-            if finite and apart <= reach * reach and may_meet(ground, c, d, pair):
-                expose(ground, c, a)
+            if ground.span_of[c, pair] != ground.span_of[0, pair]:
+                ground.counts[MIXED] = 1
+    for pair in range(groups * groups):
+        a, b = pair // groups, pair % groups
+        known = ground.counts[MIXED] == 0 or tree[a * cells + c, STATE] != UNKNOWN
+        if not known and ground.groups[a, WAYS + b] < math.inf:
+            expose_meeting(ground, grid, found, c, a, b)
 
 
 @kernel
@@ -109,13 +120,13 @@ def expose_behind(ground: Ground, grid: Grid, found: IntArray, row: int) -> None
 
     `grid` holds the middles of all cells.
     """
-    hulls, middles, reach = ground.hulls, ground.middles, ground.measures[REACH]
-    groups, a, c = ground.counts[GROUPS], ground.tree[row, GROUP], ground.tree[row, NUMBER]
+    hulls, middles, tree, span_of = ground.hulls, ground.middles, ground.tree, ground.span_of
+    groups, reach, cell = ground.counts[GROUPS], ground.measures[REACH], ground.measures[CELL]
+    a, c, widest, table = tree[row, GROUP], tree[row, NUMBER], 0.0, ground.groups
     if math.isnan(hulls[row, CX]):
         return
-    widest = 0.0
     for b in range(groups):
-        widest = max(widest, ground.groups[b, ARM])
+        widest = max(widest, table[b, ARM])
     far = hulls[row, RADIUS] + widest + reach
     for n in range(gather(grid, hulls[row, CX], hulls[row, CY], far, found)):
         d = found[n]
@@ -123,8 +134,8 @@ def expose_behind(ground: Ground, grid: Grid, found: IntArray, row: int) -> None
         ahead = max(abs(along) - hulls[row, HALF_LENGTH], 0.0)
         aside = max(abs(across) - hulls[row, HALF_WIDTH], 0.0)
         for b in range(groups):
-            near, way = ground.groups[b, ARM] + reach, ground.groups[a, WAYS + b]
-            if d > c or not (c + 1 - d) * ground.measures[CELL] >= way:
+            near, known = table[b, ARM] + reach, tree[b * middles.shape[0] + d, STATE] != UNKNOWN
+            if known or d > c or not (c + 1 - d) * cell >= table[a, WAYS + b]:
                 continue
-            if ahead * ahead + aside * aside <= near * near and may_meet(ground, c, d, a * groups + b):
+            if ahead * ahead + aside * aside <= near * near and may_meet(span_of, c, d, a * groups + b):
                 expose(ground, d, b)

@@ -51,7 +51,7 @@ from benchdragon.kernels.course import (
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.doubts import look_through
 from benchdragon.kernels.grid import gather, put
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.jit import allocates, kernel
 from benchdragon.kernels.near_cells import boxes_near, extend, sweeper_for
 from benchdragon.kernels.regions import EDGE, add_pair, first_behind
 from benchdragon.kernels.route import IntArray
@@ -91,6 +91,7 @@ def clear_end(ground: Ground, head: int, s: float) -> float:
 
 
 @kernel
+@allocates
 def next_stride(walk: Walk, room: Room) -> int:
     """Prepare the walk past SOUND; STEP if there is more of it, DONE, STOPPED or NARROW."""
     ground, kinds, way, tally = room.ground, walk.kinds, room.course.way, room.course.tally

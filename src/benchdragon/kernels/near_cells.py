@@ -49,7 +49,7 @@ from benchdragon.kernels.cells import (
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.exposure import add_cell, expose_behind, expose_new, may_meet
 from benchdragon.kernels.grid import Grid, gather, put
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.jit import allocates, kernel
 from benchdragon.kernels.regions import sweep_cells
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.spiral import LANES
@@ -194,7 +194,7 @@ def find_near(ground: Ground, grid: Grid, found: IntArray, i: int) -> None:
         way = ground.groups[a, WAYS + b]
         if d > c or not way < math.inf or not far_enough(tree, i, j, ground.measures[CELL], way):
             continue
-        if may_meet(ground, c, d, a * groups + b) and boxes_near(hulls, i, j, reach):
+        if may_meet(ground.span_of, c, d, a * groups + b) and boxes_near(hulls, i, j, reach):
             add_near(ground.counts, ground.near, i, j)
 
 
@@ -237,6 +237,7 @@ def add_partners(ground: Ground, i: int, j: int) -> None:
 
 
 @kernel
+@allocates
 def sweeper_for() -> Sweeper:
     """Room to box in."""
     whole = np.empty((2, 2, LANES), dtype=np.int64)

@@ -23,7 +23,7 @@ from benchdragon.kernels.drive import (
     Scratch,
     bound_step,
 )
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.jit import allocates, entry, kernel
 
 # Columns of what bounds a handle over a step: w, the turning rate of the bench before it, g, curvature.
 FAST = 0
@@ -191,6 +191,7 @@ def controllable(
 
 
 @entry
+@allocates
 def fastest_pace(table: Stack, most: Vector, lengths: Vector, squares: Vector) -> None:
     """Fill squares, (steps + 1,), with the squares of the head's speed at the ends of the steps.
 

@@ -21,7 +21,7 @@ from benchdragon.kernels.box import (
     place_box,
 )
 from benchdragon.kernels.curve import U_END, U_START, FloatArray, place, turning_bound
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.jit import allocates, kernel
 from benchdragon.kernels.route import IntArray, step_back
 from benchdragon.kernels.status import Status
 from benchdragon.kernels.step_bounds import (
@@ -106,6 +106,7 @@ def grows(
 
 
 @kernel
+@allocates
 def sweep_cells(
     rows: Table,
     links: Vector,

@@ -45,8 +45,8 @@ ASTRAY = 10  # it cannot be shown that all benches follow past SOUND
 SEEK = 3
 # Parts narrower than so many units in the last place of the head's position are not halved.
 WIDTH_ROUNDINGS = 4.0
-# Chains marched in one call.
-EVALUATIONS_A_CALL = 2000
+# Handles placed in one call: some hundredths of a second.
+HANDLES_A_CALL = 200_000
 
 
 @kernel
@@ -118,7 +118,8 @@ def search_walk(
     way, tally, spent = room.course.way, room.course.tally, note[EVALUATIONS]
     while True:
         while goal != SEEK and way[STEP_START] < way[STEP_END] and tally[PAIRS]:
-            if note[EVALUATIONS] - spent >= EVALUATIONS_A_CALL or half_full(room.block, tally):
+            placed = (note[EVALUATIONS] - spent) * tally[PLACED]
+            if placed >= HANDLES_A_CALL or half_full(room.block, tally):
                 return MORE
             narrow = max(width, WIDTH_ROUNDINGS * UNIT * way[STEP_END])
             limits = Limits(margin, slack, narrow, most)
