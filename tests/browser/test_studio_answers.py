@@ -207,7 +207,7 @@ def test_no_answer_is_neither_safe_nor_unsafe(
     expect(verdict(page)).to_have_class("verdict unsafe")
     colours.add(verdict(page).evaluate("one => getComputedStyle(one).color"))
     assert len(colours) == 3
-    pages.faults.clear()  # the refusals are on the console
+    pages.forgive_refusals()
 
 
 def test_of_plans_that_nobody_answered_about_none_is_another(opened: Opened, pages: Pages) -> None:
@@ -223,7 +223,7 @@ def test_of_plans_that_nobody_answered_about_none_is_another(opened: Opened, pag
     change(page, PITCH, "0.47")
     held.wait(1)
     expect(verdict(page)).to_have_text("\u2026 earlier plan: No verdict: memory")
-    pages.faults.clear()  # the refusals are on the console
+    pages.forgive_refusals()
 
 
 def test_where_there_is_no_verdict_there_is_no_evidence(opened: Opened, pages: Pages) -> None:
@@ -233,7 +233,7 @@ def test_where_there_is_no_verdict_there_is_no_evidence(opened: Opened, pages: P
     expect(verdict(page)).to_have_text("! 没有结论：memory")
     verdict(page).click()
     expect(page.get_by_role("dialog")).to_have_count(0)
-    pages.faults.clear()  # the refusal is on the console
+    pages.forgive_refusals()
 
 
 @pytest.mark.parametrize("status", [409, 429, 503])
@@ -252,7 +252,7 @@ def test_what_could_not_be_answered_is_asked_again_by_itself(
     expect(verdict(page)).to_have_class("verdict unsafe")
     expect(page.locator(".limit")).to_have_text(re.compile("^smallest pitch: 0.4503"))
     expect(page.get_by_text(OLD_PICTURE)).to_be_hidden()
-    pages.faults.clear()  # the refusals are on the console
+    pages.forgive_refusals()
 
 
 # --- long questions
@@ -289,7 +289,7 @@ def test_a_long_question_is_followed_on_after_looks_that_nobody_answered(
     expect(job).to_contain_text("too many questions")
     expect(job).to_contain_text("The studio does not answer")
     expect(job).to_contain_text("Proved. Safe")
-    pages.faults.clear()  # the refusals are on the console
+    pages.forgive_refusals()
 
 
 def test_long_questions_are_found_again_after_the_page_is_loaded_again(opened: Opened) -> None:

@@ -101,7 +101,7 @@ def test_a_dance_that_cannot_be_shown_is_said_beside_its_verdict(opened: Opened,
     page.unroute("**/api/dance*")
     page.get_by_role("button", name="undo").click()
     expect(page.locator(".verdicts")).not_to_contain_text("cannot be shown")
-    pages.faults.clear()  # the refusal is on the console
+    pages.forgive_refusals()
 
 
 def test_a_long_question_is_followed_and_cancelled(opened: Opened) -> None:
@@ -154,7 +154,7 @@ def test_a_plan_is_saved_and_opened_again(opened: Opened, tmp_path: Path, pages:
     chooser.value.set_files(path)
     expect(page.locator("output.told").last).to_contain_text("did you mean route.pitch")
     expect(number(page, "spiral pitch")).to_have_value("0.61")
-    pages.faults.clear()  # the refusal is on the console
+    pages.forgive_refusals()
 
 
 def test_the_player_is_exported_as_a_page_of_its_own(
@@ -229,7 +229,7 @@ def test_what_is_refused_is_said_once_and_its_old_picture_too(opened: Opened, pa
     page.keyboard.press("Control+z")
     settle(page, "Safe")
     expect(page.locator(".limit")).to_have_text("smallest pitch: 0.450337 m (found)")
-    pages.faults.clear()  # the refusal is on the console
+    pages.forgive_refusals()
 
 
 def test_an_address_put_into_the_same_window_is_gone_to(opened: Opened) -> None:
