@@ -235,17 +235,6 @@ def row_of(ground: cells.Ground, group: int, s: float) -> int:
     return group * len(ground.middles) + cell
 
 
-def search_alone(
-    found: ContactSearch, goal: int, step: Step, note: FloatArray, tolerance: float
-) -> int:
-    """Let a search look through one step with its pairs, and nothing else."""
-    tables, count = found.tables, len(step.first)
-    tables.go(step.end, step.end)
-    tables.course.way[course.STEP_START], tables.course.tally[course.PAIRS] = step.start, count
-    tables.meeting.first[:count], tables.meeting.second[:count] = step.first, step.second
-    return found.search(goal, note, tolerance)
-
-
 def search_step(
     room: search.Search,
     goal: int,
@@ -767,7 +756,7 @@ def test_a_step_begins_with_the_chain_of_the_one_before_or_its_own() -> None:
         for found in (together, ContactSearch(walk, 9.0, 12.0, 0.0, silent)):
             note = np.zeros(search.NOTES)
             note[search.NEAREST] = note[search.FLOOR] = math.inf
-            assert search_alone(found, search.LEAST, step, note, 1e-9) == search.CLEAR
+            assert found.search_step(search.LEAST, step, note, 1e-9) == search.CLEAR
             notes.append(note[[search.NEAREST, search.PAIR]].tolist())
         assert notes[0] == notes[1]
 
@@ -907,7 +896,7 @@ def test_every_pair_of_a_step_is_looked_at() -> None:
     for second, found in (([3, 2], 1), ([2, 3], 0)):
         note = np.zeros(search.NOTES)
         step = Step(15.0, 15.2, np.array([0, 0]), np.array(second))
-        assert search_alone(contact_search, search.FIRST_TOUCH, step, note, 0.0) == search.FOUND
+        assert contact_search.search_step(search.FIRST_TOUCH, step, note) == search.FOUND
         assert contact_search.pair(note) == (0, second[found])
         assert note[search.UPPER] == 15.0
 
@@ -919,7 +908,7 @@ def test_the_end_of_a_step_is_looked_at() -> None:
     contact_search = ContactSearch(walk, 9.0, 10.0, at + 2e-15, silent, 1e-15)
     note = np.zeros(search.NOTES)
     step = Step(*ends, np.array([0]), np.array([j]))
-    assert search_alone(contact_search, search.FIRST_TOUCH, step, note, 0.0) == search.FOUND
+    assert contact_search.search_step(search.FIRST_TOUCH, step, note) == search.FOUND
     assert note[search.UPPER] == 10.0
 
 
@@ -948,7 +937,7 @@ def test_a_pair_within_rounding_of_the_margin_is_neither_clear_nor_found(
     pair = np.array([0]), np.array([2])
     note = np.zeros(search.NOTES)
     step = Step(15.0, 15.2, *pair)
-    assert search_alone(contact_search, search.FIRST_TOUCH, step, note, 0.0) == ending
+    assert contact_search.search_step(search.FIRST_TOUCH, step, note) == ending
 
 
 def test_a_bracket_begins_where_all_was_clear() -> None:

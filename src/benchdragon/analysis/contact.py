@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from benchdragon.analysis.contact_search import ContactSearch, contact_search
+from benchdragon.analysis.contact_search import ContactSearch, Step, contact_search
 from benchdragon.analysis.distance import low_pair, tightest_pairs
 from benchdragon.analysis.ledger import Ledger
 from benchdragon.errors import InputError, of_kind
@@ -242,9 +242,9 @@ def _least(search: ContactSearch, best: Best, within: float, tolerances: Sequenc
     while best.distance > 0.0:
         reach = min(reach, best.distance, within)
         search.begin(reach)
+        steps = list(search.steps())
         for tolerance in tolerances:
-            search.tables.go(search.start, search.end)
-            best = _lowered(search, best, min(reach, best.distance), tolerance)
+            best = _lowered(search, steps, best, min(reach, best.distance), tolerance)
         if best.distance <= reach:
             break
         if reach >= within:
@@ -267,17 +267,21 @@ def _guess(search: ContactSearch) -> Best:
     return Best(max(distance, 0.0), where, (i, j))
 
 
-def _lowered(search: ContactSearch, best: Best, reach: float, tolerance: float) -> Best:
-    """`best`, or what is lower on the way ahead, all pairs within `reach` being looked for."""
-    note = np.zeros(kernel.NOTES)
+def _lowered(
+    search: ContactSearch, steps: Sequence[Step], best: Best, reach: float, tolerance: float
+) -> Best:
+    """`best`, or what is lower in the steps, which hold all pairs within `reach`."""
+    known, note = best, np.zeros(kernel.NOTES)
     note[kernel.NEAREST], note[kernel.FLOOR] = reach, math.inf
-    ending = search.search(kernel.LEAST, note, tolerance)
-    nearest, floor = float(note[kernel.NEAREST]), best.floor
-    if ending == kernel.CLEAR:
-        floor = min(float(note[kernel.FLOOR]), nearest - tolerance)
-    if nearest < reach:
-        return Best(max(nearest, 0.0), float(note[kernel.UPPER]), search.pair(note), floor)
-    return replace(best, floor=floor)
+    for step in steps:
+        before = note[kernel.NEAREST]
+        ending = search.search_step(kernel.LEAST, step, note, tolerance)
+        if note[kernel.NEAREST] < before:
+            nearest, where = max(float(note[kernel.NEAREST]), 0.0), float(note[kernel.UPPER])
+            best = Best(nearest, where, search.pair(note), known.floor)
+        if ending != kernel.CLEAR:
+            return replace(best, floor=known.floor)
+    return replace(best, floor=min(float(note[kernel.FLOOR]), float(note[kernel.NEAREST]) - tolerance))
 
 
 def _clearance_answer(search: ContactSearch, best: Best) -> Answer:
@@ -330,7 +334,8 @@ def _local_minimum(search: ContactSearch, motion: Motion, i: int, clearance: flo
     """The least clearance between the times beside number i, where it is `clearance`, m."""
     near = tightest_pairs(motion, i)[0].benches
     best = Best(clearance, float(motion.head_s[i]), (near[0] - 1, near[1] - 1))
+    search.tables.go(float(motion.head_s[i - 1]), float(motion.head_s[i + 1]))
+    steps = list(search.steps())
     for tolerance in TOLERANCES:
-        search.tables.go(float(motion.head_s[i - 1]), float(motion.head_s[i + 1]))
-        best = _lowered(search, best, best.distance, tolerance)
+        best = _lowered(search, steps, best, best.distance, tolerance)
     return _clearance_answer(search, best)

@@ -16,6 +16,7 @@ from benchdragon.kernels.cells import Grids, Ground, Kinds
 from benchdragon.kernels.course import Benches, Block, Course, Crowd, Meeting, Room
 from benchdragon.kernels.grid import empty_grid
 from benchdragon.kernels.kinds import find_kinds
+from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.step_bounds import empty_placements
 from benchdragon.model.dragon import Dragon
@@ -164,6 +165,17 @@ class Tables:
         way[:] = start
         way[course.GOAL] = min(end, float(self.ground.measures[cells.END]))
         self.course.tally[:] = 0
+
+    def take(self, start: float, end: float, first: IntArray, second: IntArray) -> None:
+        """Let the walk be one step from head position start to end, m, with these pairs of benches.
+
+        There must be room for as many.
+        """
+        placed, count = int(self.course.tally[course.PLACED]), len(first)
+        self.go(end, end)
+        self.course.way[course.STEP_START] = start
+        self.course.tally[[course.PAIRS, course.PLACED]] = count, placed
+        self.meeting.first[:count], self.meeting.second[:count] = first, second
 
     def widen(self) -> None:
         """Make room where it did not do: for the step at hand, or for the route, which begins anew.
