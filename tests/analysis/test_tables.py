@@ -42,6 +42,18 @@ def test_little_room_is_widened_and_answers_stay_the_same(
     assert answers() == wide
 
 
+def test_a_step_with_many_members_is_searched_once_there_is_room(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    walk = Walk(Dragon.uniform(40), Route((Spiral(0.5, 36.0 * math.pi, 0.5 * math.pi),)), start=440.0)
+    found = contact_windows(walk, 0.0, 5.0, most=1)[0].opens
+    assert found.lower > 0.1
+    monkeypatch.setattr(tables, "MEMBERS", 1)  # the very first step asks for more
+    again = contact_windows(walk, found.lower - 0.05, found.upper + 0.01, most=1)[0].opens
+    assert again.lower <= found.upper
+    assert found.lower <= again.upper
+
+
 @pytest.mark.usefixtures("narrow")
 def test_room_is_widened_for_doubts() -> None:
     """Round so tight a bend a bench folds: before it there are cells in doubt."""

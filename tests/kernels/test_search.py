@@ -229,6 +229,16 @@ def groups_of(dragon: Dragon) -> IntArray:
     return kinds.group[benches.kind]
 
 
+@pytest.mark.parametrize("row", range(4))
+def test_benches_are_of_as_many_kinds_as_sizes(row: int) -> None:
+    sizes = np.tile([[2.0], [0.4], [0.2], [0.3]], 7)
+    sizes[row, [1, 2, 5]] += 0.1
+    sizes[row, 6] += 0.05
+    benches, kinds = kinds_of(Dragon.of_sizes(*sizes))
+    assert benches.kind.tolist() == [0, 1, 1, 0, 0, 1, 2]
+    assert (kinds.sizes[:, benches.kind] == sizes).all()
+
+
 def row_of(ground: cells.Ground, group: int, s: float) -> int:
     """The row of the box of the cell in which a front handle of the group is at s, m."""
     cell = math.floor(s / float(ground.measures[cells.CELL])) - int(ground.counts[cells.LOW])
