@@ -495,6 +495,12 @@ def test_looks_beyond_the_room_of_the_log_are_no_proof(
         prove_contact(walk, 412.0, 413.0)
 
 
+def test_a_proof_widens_the_log_of_cells(walk: Walk, monkeypatch: pytest.MonkeyPatch) -> None:
+    wide = sum(len(chains[0]) for _link, chains in _ledger(walk).cells)
+    monkeypatch.setattr(tables, "CELL_LOG", 3)
+    assert sum(len(chains[0]) for _link, chains in _ledger(walk).cells) == wide > 3
+
+
 @pytest.mark.parametrize("end", ["prove_nearer", "prove_contact"])
 def test_a_limit_is_proved_at_both_ends(monkeypatch: pytest.MonkeyPatch, end: str) -> None:
     plan = read_plan("spiral-in", ["disc.radius=4.5", "dragon.benches=20"])

@@ -141,7 +141,7 @@ class ContactSearch:
         while True:
             tables = self.tables
             ending = search_walk(tables.walk, tables.room, goal, *limits, note)
-            self._read_logs()
+            self._read_logs(whole=ending != CROWDED)
             if ending == CROWDED:
                 tables.widen()
             elif ending == ASTRAY:
@@ -161,8 +161,11 @@ class ContactSearch:
             return self.stopped(at, sound)
         return self.stopped(sound, sound + 2.0 * float(self.tables.ground.measures[cells.CELL]))
 
-    def _read_logs(self) -> None:
-        """Take down for a proof what was computed since this was last called."""
+    def _read_logs(self, *, whole: bool) -> None:
+        """Take down for a proof what was computed since this was last called.
+
+        That of cells waits unless `whole`: with more room they are boxed, and logged, anew.
+        """
         if self.ledger is None:
             return
         tables = self.tables
@@ -171,7 +174,7 @@ class ContactSearch:
             (tables.block.log, tables.course.tally, course.CHAINS, self.ledger.add_grid),
             (tables.ground.log, tables.ground.counts, cells.LOGGED, self.ledger.add_cells),
         )
-        for log, counts, n, take in logs:
+        for log, counts, n, take in logs if whole else logs[:-1]:
             if counts[n] > len(log):
                 raise UnsureError(_("a proof would need too many evaluations in one step"))
             take(log[: counts[n]])

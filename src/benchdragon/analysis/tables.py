@@ -182,7 +182,6 @@ class Tables:
 
         Raises:
             InputError: if the route has too many cells.
-            UnsureError: if a proof logs too much.
         """
         counts, tally = self.ground.counts, self.course.tally
         if self._too_long():
