@@ -3,10 +3,13 @@
 import itertools
 import math
 import multiprocessing
+import os
+import signal
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from multiprocessing.connection import Connection
+from multiprocessing.process import BaseProcess
 from pathlib import Path
 from typing import Any
 
@@ -431,12 +434,19 @@ def test_memory_that_ran_out_is_no_verdict_and_costs_the_next_question_nothing(p
 def test_workers_that_are_killed_busy_idle_and_before_they_are_ready_come_back(poor: Served) -> None:
     worker_queue = poor.studio.pool.queues["quick"]
 
-    def kill() -> bool:
+    def workers() -> Iterator[BaseProcess]:
         for worker in multiprocessing.active_children():
             if worker.name.startswith("benchdragon quick"):
-                worker.kill()
+                yield worker
+
+    def kill() -> bool:
+        for worker in workers():
+            worker.kill()
         return worker_queue.lost
 
+    for worker in workers():  # it would end by itself, out of memory, before it is killed or after
+        assert worker.pid
+        os.kill(worker.pid, signal.SIGSTOP)
     slow, found = poor.open_slowly()
     wait_for(lambda: worker_queue.busy == 1)
     kill()
