@@ -14,6 +14,7 @@ from benchdragon.kernels.chain import (
     place_head,
     place_next,
     rates,
+    run_end,
     shared_angles,
 )
 from benchdragon.kernels.curve import PART, heading, place
@@ -204,7 +205,9 @@ def test_cosines_are_those_of_the_angles_between_bench_and_route() -> None:
     ax, ay, *_ = place(rows, front, u)
     bx, by, *_ = place(rows, rear, v)
     bench = math.atan2(ay - by, ax - bx)
-    ahead, behind = cosines(rows, front, u, rear, v, math.hypot(ax - bx, ay - by))
+    link = math.hypot(ax - bx, ay - by)
+    ahead, behind, x, y = cosines(rows, front, u, ax, ay, rear, v, link)
+    assert (x, y) == (bx, by)
     assert ahead == pytest.approx(math.cos(bench - heading(rows, front, u)), abs=1e-14)
     assert behind == pytest.approx(math.cos(bench - heading(rows, rear, v)), abs=1e-14)
 
@@ -293,6 +296,19 @@ def test_a_bench_all_but_square_to_the_route_counts_as_folded(square: float, sta
     assert found.failed[0, 0] == status
     if status == Status.OK:
         assert found.ratio[1, 0] == pytest.approx(math.sin(square), rel=1e-9)
+
+
+def test_a_run_ends_where_a_handle_fails_leaves_the_row_or_comes_too_near_its_end() -> None:
+    rows, link = TURN.rows, 2.0
+    at = np.array([62.0, 75.0, 80.0, 90.0, 30.0])
+    row, u, failed = np.zeros((1, 5), np.int64), np.zeros((1, 5)), np.zeros((2, 5), np.int64)
+    for t, s in enumerate(at):
+        row[0, t], u[0, t], _status = locate(rows, s)
+    ends = [run_end(rows, link, 0, t, 5, row, u, failed) for t in range(5)]
+    assert ends == [0, 1, 4, 4, 5]
+    failed[0, 3] = Status.FOLDED
+    assert run_end(rows, link, 0, 2, 5, row, u, failed) == 3
+    assert run_end(rows, link, 0, 4, 4, row, u, failed) == 4
 
 
 @pytest.mark.skipif(ENGINE != PLAIN, reason="compiled kernels call one another directly")

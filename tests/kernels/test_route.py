@@ -16,6 +16,7 @@ from benchdragon.kernels.route import (
     folded,
     locate,
     next_handle,
+    on_bend,
     polish,
     positions,
     row_at,
@@ -41,6 +42,14 @@ def behind(route: Route, front: float, link: float) -> tuple[int, float, int, fl
     x, y, _tx, _ty = place(route.rows, j, u)
     rear, v, status = next_handle(route.rows, j, u, x, y, link)
     return j, u, rear, v, Status(status)
+
+
+def bench_cosines(
+    route: Route, j: int, u: float, rear: int, v: float, link: float
+) -> tuple[float, float]:
+    """Cosine between bench and route at the front handle and at the rear one."""
+    x, y, _tx, _ty = place(route.rows, j, u)
+    return cosines(route.rows, j, u, x, y, rear, v, link)[:2]
 
 
 def chord(route: Route, a: float, b: float) -> float:
@@ -166,7 +175,7 @@ def has_cause_to_fold(route: Route, front: float, root: float, link: float) -> b
     rows = route.rows
     j, u, _ = locate(rows, front)
     rear, v, _ = locate(rows, root)
-    if min(cosines(rows, j, u, rear, v, link)) < NEARLY_SQUARE:
+    if min(bench_cosines(route, j, u, rear, v, link)) < NEARLY_SQUARE:
         return True
     s = np.linspace(front, root, 4000)
     chords = np.abs(points(route, s) - points(route, front)[0])
@@ -192,7 +201,7 @@ def check_next_handle(route: Route, front: float, link: float) -> Status:
     if wanted is None:
         assert found < back
         return status
-    square = max(abs(cosines(route.rows, j, u, rear, v, link)[1]), 1e-6)
+    square = max(abs(bench_cosines(route, j, u, rear, v, link)[1]), 1e-6)
     assert found >= wanted - 4e-14 * size / square
     if found > wanted + 4e-14 * size / square:
         # Two roots within one step of the scan: the chord only just reaches the link.
@@ -307,9 +316,27 @@ def test_a_handle_is_found_up_to_the_cosine_at_which_a_bench_counts_as_folded(co
     route = Route.joined([Line(5.0), Arc(radius, 12.0)])
     j, u, rear, v, status = behind(route, 5.0 + 8.0 * radius, LINK)
     assert status == Status.OK
-    ahead, behind_ = cosines(route.rows, j, u, rear, v, LINK)
+    ahead, behind_ = bench_cosines(route, j, u, rear, v, LINK)
     assert ahead == pytest.approx(cosine, rel=1e-6)
     assert behind_ == pytest.approx(cosine, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    "curve", [Line(9.0), Arc(2.0, 4.5), Arc(2.0, -4.5), Arc(1.000001, 9.0)], ids=repr
+)
+def test_a_handle_on_a_line_or_an_arc_is_a_link_behind_in_closed_form(curve: AnyCurve) -> None:
+    route = Route((curve,))
+    for u in (2.3 * LINK, 8.9):
+        back = on_bend(route.rows, 0, u, LINK)
+        assert chord(route, u, back) == pytest.approx(LINK, abs=4e-15 * LINK)
+        assert first_root(route, u, LINK, 0.0) == pytest.approx(back, abs=1e-7)
+
+
+def test_no_closed_form_is_taken_off_a_row_round_a_circle_too_narrow_or_on_other_curves() -> None:
+    route = Route.joined([Line(5.0), Arc(2.0, 3.0), Clothoid(6.0, 0.0, 0.3), Arc(0.49 * LINK, 6.0)])
+    for j, u in ((1, 0.9 * LINK), (2, 4.0), (3, 2.5 * LINK)):
+        assert math.isnan(on_bend(route.rows, j, u, LINK))
+    assert on_bend(route.rows, 0, 1.0, LINK) == 1.0 - LINK  # lines run on straight behind the start
 
 
 def test_a_route_that_ends_before_the_link_does_is_too_short() -> None:

@@ -6,24 +6,20 @@ import mpmath as mp
 import numpy as np
 import numpy.typing as npt
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
+from benchdragon.kernels.angles import MOST_ANGLE
 from benchdragon.kernels.curve import P, place
 from benchdragon.kernels.route import next_handle
 from benchdragon.kernels.spiral import (
     GUESS,
     LANES,
     LEAST_ANGLE,
-    MOST_ANGLE,
     MOST_LINK_INWARD,
     MOST_LINK_OUTWARD,
     REST,
     STATE,
     angles_after,
     halley_pass,
-    sincos,
-    small_sincos,
     spiral_links,
     takes_link,
 )
@@ -64,30 +60,6 @@ def marched(
     u[0], ratio[0] = fronts, 1.0
     settled = spiral_links(rows, 0, link, 1.0, 0, 0, count, state, u, x, y, ratio)
     return settled, state, u[1], x[1], y[1], ratio[1]
-
-
-@given(st.floats(-0.25 * math.pi, 0.25 * math.pi))
-def test_small_sine_and_cosine_are_right_to_two_units_of_rounding(x: float) -> None:
-    sine, cosine = small_sincos(x)
-    assert abs(sine - math.sin(x)) <= 2.0 * math.ulp(math.sin(x))
-    assert abs(cosine - math.cos(x)) <= 2.0 * math.ulp(math.cos(x))
-
-
-@given(st.floats(0.0, MOST_ANGLE))
-def test_sine_and_cosine_of_large_angles_are_right_to_rounding(x: float) -> None:
-    sine, cosine = sincos(x)
-    assert abs(sine - math.sin(x)) <= 4e-16
-    assert abs(cosine - math.cos(x)) <= 4e-16
-
-
-@pytest.mark.parametrize("quarters", [0, 1, 2, 3, 4, 5, 17, 1000, 636618])
-@pytest.mark.parametrize("off", [-1e-9, 0.0, 1e-9, 0.25 * math.pi, 0.7853981633974484])
-def test_sine_and_cosine_hold_at_and_between_quarter_turns(quarters: int, off: float) -> None:
-    x = abs(quarters * 0.5 * math.pi + off)
-    sine, cosine = sincos(x)
-    with mp.workdps(40):
-        assert abs(mp.sin(mp.mpf(x)) - sine) <= 4e-16
-        assert abs(mp.cos(mp.mpf(x)) - cosine) <= 4e-16
 
 
 @each_spiral

@@ -25,13 +25,13 @@ from benchdragon.kernels.status import Status
 
 @kernel
 def cosines(
-    rows: FloatArray, front: int, u: float, rear: int, v: float, link: float
-) -> tuple[float, float]:
-    """Cosine between bench and route at the front handle and at the rear one."""
-    ax, ay, atx, aty = place(rows, front, u)
-    bx, by, btx, bty = place(rows, rear, v)
-    dx, dy = (ax - bx) / link, (ay - by) / link
-    return dx * atx + dy * aty, dx * btx + dy * bty
+    rows: FloatArray, front: int, u: float, x: float, y: float, rear: int, v: float, link: float
+) -> tuple[float, float, float, float]:
+    """Cosine between bench and route at the front handle, at (x, y), and the rear; the rear's x, y."""
+    _, _, atx, aty = place(rows, front, u)
+    rear_x, rear_y, btx, bty = place(rows, rear, v)
+    dx, dy = (x - rear_x) / link, (y - rear_y) / link
+    return dx * atx + dy * aty, dx * btx + dy * bty, rear_x, rear_y
 
 
 @kernel
@@ -73,10 +73,10 @@ def place_next(
     u[i + 1, t] = v
     if status == Status.ROUTE_TOO_SHORT:
         return status
-    ahead, behind = cosines(rows, front, u[i, t], j, v, link)
+    ahead, behind, rear_x, rear_y = cosines(rows, front, u[i, t], x[i, t], y[i, t], j, v, link)
     if status == Status.FOLDED or ahead < FOLD_COSINE or behind < FOLD_COSINE:
         return folded(rows, front, j, link)
-    x[i + 1, t], y[i + 1, t], _, _ = place(rows, j, v)
+    x[i + 1, t], y[i + 1, t] = rear_x, rear_y
     ratio[i + 1, t] = ratio[i, t] * ahead / behind
     return Status.OK
 
@@ -115,6 +115,56 @@ def first_guess(
 
 
 @kernel
+def run_end(
+    rows: FloatArray,
+    link: float,
+    i: int,
+    t: int,
+    end: int,
+    row: IntArray,
+    u: FloatArray,
+    failed: IntArray,
+) -> int:
+    """Up to which time from t on handle i stands on one row where `spiral_links` takes the link."""
+    j, n = row[i, t], t
+    while n < end and failed[0, n] == Status.OK and row[i, n] == j:
+        if not takes_link(rows, j, u[i, n], u[i, n], link):
+            break
+        n += 1
+    return n
+
+
+@kernel
+def march_run(
+    rows: FloatArray,
+    link: float,
+    i: int,
+    t: int,
+    end: int,
+    state: FloatArray,
+    row: IntArray,
+    u: FloatArray,
+    x: FloatArray,
+    y: FloatArray,
+    ratio: FloatArray,
+    failed: IntArray,
+) -> int:
+    """Place handle i + 1 at time t and at those after it that share a spiral; the next time."""
+    if failed[0, t] != Status.OK:
+        return t + 1
+    j, stop = row[i, t], run_end(rows, link, i, t, end, row, u, failed)
+    if stop > t:
+        first_guess(rows, j, link, i, t, stop, state, u)
+        if spiral_links(rows, j, link, 1.0, i, t, stop, state, u, x, y, ratio):
+            for n in range(t, stop):
+                row[i + 1, n] = j
+            return stop
+    failed[0, t] = place_next(rows, link, i, t, row, u, x, y, ratio)
+    failed[1, t] = i + 1
+    return t + 1
+
+
+@kernel
 def march_block(
     rows: FloatArray,
     links: FloatArray,
@@ -128,7 +178,7 @@ def march_block(
     ratio: FloatArray,
     failed: IntArray,
 ) -> None:
-    """Place the followers at times start..end: abreast along a spiral, one by one elsewhere."""
+    """Place the followers at times start..end: abreast on a spiral that all share, else in runs."""
     abreast = False  # whether `state` belongs to the handle at hand
     least, most = 1.0, 0.0  # bounds of the angles abreast; empty when they share no spiral
     for i in range(links.shape[0]):
@@ -148,11 +198,9 @@ def march_block(
                     row[i + 1, t] = j
                 least, most = angles_after(rows, j, least, most, link)
                 continue
-        abreast, least, most = False, 1.0, 0.0
-        for t in range(start, end):
-            if failed[0, t] == Status.OK:
-                failed[0, t] = place_next(rows, link, i, t, row, u, x, y, ratio)
-                failed[1, t] = i + 1
+        abreast, least, most, t = False, 1.0, 0.0, start
+        while t < end:
+            t = march_run(rows, link, i, t, end, state, row, u, x, y, ratio, failed)
 
 
 @kernel

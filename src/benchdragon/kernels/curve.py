@@ -10,6 +10,7 @@ import math
 import numpy as np
 import numpy.typing as npt
 
+from benchdragon.kernels.angles import sincos, sincos_of
 from benchdragon.kernels.arrays import Table
 from benchdragon.kernels.jit import entry, kernel
 
@@ -56,12 +57,12 @@ MAX_NEWTON = 40
 
 
 @kernel
-def sinc(x: float) -> float:
-    """sin(x) / x, smooth through 0."""
+def sinc(x: float, sine: float) -> float:
+    """sin(x) / x, smooth through 0; `sine` is that of x."""
     if abs(x) < SERIES_ANGLE:
         z = x * x
         return 1.0 - z / 6.0 * (1.0 - z / 20.0 * (1.0 - z / 42.0))
-    return math.sin(x) / x
+    return sine / x
 
 
 @entry
@@ -71,23 +72,19 @@ def walks_up(rows: Table, j: int) -> float:
 
 
 @kernel
-def clothoid_chord(u: float, heading: float, curvature: float, change: float) -> tuple[float, float]:
-    """The vector from the start to the point after arc length u: quadrature of the unit tangent."""
+def clothoid_chord(u: float, curvature: float, change: float) -> tuple[float, float]:
+    """The vector from the start, where the heading is 0, to the point after arc length u, m.
+
+    Quadrature of the unit tangent.
+    """
     x = 0.0
     y = 0.0
     for node, weight in zip(NODES, WEIGHTS):  # noqa: B905 - numba has no zip(strict=)
         s = u * node
-        phase = heading + s * (curvature + 0.5 * change * s)
-        x += weight * math.cos(phase)
-        y += weight * math.sin(phase)
+        sine, cosine = sincos(s * (curvature + 0.5 * change * s))
+        x += weight * cosine
+        y += weight * sine
     return u * x, u * y
-
-
-@kernel
-def clothoid_point(rows: FloatArray, j: int, u: float) -> tuple[float, float]:
-    """Point after arc length u."""
-    x, y = clothoid_chord(u, rows[j, ANGLE], rows[j, P], rows[j, Q])
-    return rows[j, X] + x, rows[j, Y] + y
 
 
 @kernel
@@ -102,8 +99,8 @@ def log_spiral_turn(rows: FloatArray, j: int, u: float) -> tuple[float, float]:
 
 
 @kernel
-def log_spiral_point(rows: FloatArray, j: int, u: float) -> tuple[float, float]:
-    """Point after arc length u: the integral of the unit tangent, in closed form.
+def log_spiral_chord(rows: FloatArray, j: int, u: float) -> tuple[float, float]:
+    """The vector as of `clothoid_chord`: the integral of the unit tangent, in closed form.
 
     As a complex number, with the start at 0 and walked towards 1, it is
     ((1 + Q u) e^(i turn) - 1) / (Q + i P). What would cancel is written as e^(i turn) - 1 =
@@ -112,43 +109,63 @@ def log_spiral_point(rows: FloatArray, j: int, u: float) -> tuple[float, float]:
     turn, share = log_spiral_turn(rows, j, u)
     size = math.hypot(rows[j, P], rows[j, Q])
     bend, gain = rows[j, P] / size, rows[j, Q] / size
-    chord = bend * share * sinc(0.5 * turn)
-    a = gain * math.cos(turn) - chord * math.sin(0.5 * turn)
-    b = gain * math.sin(turn) + chord * math.cos(0.5 * turn)
-    x, y = u * (gain * a + bend * b), u * (gain * b - bend * a)
+    s, c = sincos_of(0.5 * turn)
+    chord = bend * share * sinc(0.5 * turn, s)
+    a = gain * (1.0 - 2.0 * s * s) - chord * s
+    b = gain * (2.0 * s * c) + chord * c
+    return u * (gain * a + bend * b), u * (gain * b - bend * a)
+
+
+@kernel
+def turned(rows: FloatArray, j: int, x: float, y: float) -> tuple[float, float]:
+    """The vector that is (x, y) were the ANGLE of row j 0."""
     c, s = rows[j, AXIS_X], rows[j, AXIS_Y]
-    return rows[j, X] + c * x - s * y, rows[j, Y] + s * x + c * y
+    return c * x - s * y, s * x + c * y
+
+
+@kernel
+def bent_chord(rows: FloatArray, j: int, u: float) -> tuple[float, float, float, float]:
+    """The vector from the start of a row to parameter u, m, and the unit tangent, were ANGLE 0.
+
+    For all kinds but spirals.
+    """
+    kind = rows[j, KIND]
+    if kind == LINE:
+        return u, 0.0, 1.0, 0.0
+    if kind == ARC:
+        half = 0.5 * rows[j, P] * u
+        s, c = sincos_of(half)
+        chord = u * sinc(half, s)
+        return chord * c, chord * s, 1.0 - 2.0 * s * s, 2.0 * s * c
+    if kind == LOG_SPIRAL:
+        x, y = log_spiral_chord(rows, j, u)
+        turn, _share = log_spiral_turn(rows, j, u)
+    else:
+        x, y = clothoid_chord(u, rows[j, P], rows[j, Q])
+        turn = u * (rows[j, P] + 0.5 * rows[j, Q] * u)
+    ty, tx = sincos_of(turn)
+    return x, y, tx, ty
 
 
 @kernel
 def place(rows: FloatArray, j: int, u: float) -> tuple[float, float, float, float]:
     """Point (m) and unit tangent in the walking direction, (x, y, tx, ty), at parameter u of row j."""
-    kind = rows[j, KIND]
-    if kind == SPIRAL:
-        hand = rows[j, Q]
-        phi = rows[j, ANGLE] + hand * u
-        c, s = math.cos(phi), math.sin(phi)
+    if rows[j, KIND] == SPIRAL:
+        s, c = sincos_of(rows[j, Q] * u)
+        c, s = turned(rows, j, c, s)
         scale = walks_up(rows, j) / math.sqrt(1.0 + u * u)
         r = rows[j, P] * u
-        turn = hand * u
+        turn = rows[j, Q] * u
         return (
             rows[j, X] + r * c,
             rows[j, Y] + r * s,
             scale * (c - turn * s),
             scale * (s + turn * c),
         )
-    if kind == LINE:
-        c, s = rows[j, AXIS_X], rows[j, AXIS_Y]
-        return rows[j, X] + u * c, rows[j, Y] + u * s, c, s
-    if kind == ARC:
-        half = 0.5 * rows[j, P] * u
-        middle = rows[j, ANGLE] + half
-        chord = u * sinc(half)
-        x, y = rows[j, X] + chord * math.cos(middle), rows[j, Y] + chord * math.sin(middle)
-        return x, y, math.cos(middle + half), math.sin(middle + half)
-    x, y = log_spiral_point(rows, j, u) if kind == LOG_SPIRAL else clothoid_point(rows, j, u)
-    angle = heading(rows, j, u)
-    return x, y, math.cos(angle), math.sin(angle)
+    x, y, tx, ty = bent_chord(rows, j, u)
+    x, y = turned(rows, j, x, y)
+    tx, ty = turned(rows, j, tx, ty)
+    return rows[j, X] + x, rows[j, Y] + y, tx, ty
 
 
 @kernel

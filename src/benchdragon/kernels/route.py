@@ -10,6 +10,7 @@ from benchdragon.kernels.curve import (
     ARC,
     KIND,
     LENGTH,
+    LINE,
     S_START,
     U_BACK,
     U_END,
@@ -152,6 +153,17 @@ def growing_chord(
 
 
 @kernel
+def on_bend(rows: FloatArray, j: int, u: float, link: float) -> float:
+    """The parameter one link behind u on row j, where that is a line or an arc; NaN if none is."""
+    bend, back = abs(rows[j, P]), math.nan
+    if rows[j, KIND] == LINE:
+        back = u - link
+    elif rows[j, KIND] == ARC and 0.5 * link * bend < 1.0:
+        back = u - 2.0 * math.asin(0.5 * link * bend) / bend
+    return back if back >= rows[j, U_BACK] else math.nan
+
+
+@kernel
 def next_handle(
     rows: FloatArray, j: int, u: float, x: float, y: float, link: float
 ) -> tuple[int, float, Status]:
@@ -160,6 +172,9 @@ def next_handle(
     No root is ever jumped over. Arc length bounds chord, so walking back by (link - chord) stays
     short of the first root; a longer step is taken only where the chord provably grows all the way.
     """
+    back = on_bend(rows, j, u, link)
+    if back == back:
+        return j, back, Status.OK
     slack = link
     for _ in range(MAX_STEPS + 2 * rows.shape[0]):
         if u == rows[j, U_BACK]:

@@ -6,6 +6,7 @@ Parts are a table of floats as well, one row a curve, its columns named below: w
 import math
 from typing import NamedTuple
 
+from benchdragon.kernels.angles import sincos_of
 from benchdragon.kernels.arrays import Table
 from benchdragon.kernels.curve import (
     ANGLE,
@@ -98,12 +99,15 @@ def lay_rows(parts: Table, start: Pose, first: int, stop: int, rows: Table) -> N
         piece = rows[j, LENGTH]
         for n in range(1, count):
             continue_clothoid(rows, j + n, s + piece * n, parts[i, FIRST] + rows[j, Q] * piece * n)
-        for n in range(count):
-            rows[j + n, AXIS_X] = math.cos(rows[j + n, ANGLE])
-            rows[j + n, AXIS_Y] = math.sin(rows[j + n, ANGLE])
         j += count
         s += piece * (count - 1) + piece
         pose = end_pose(rows, j - 1)
+
+
+@kernel
+def set_axis(rows: FloatArray, j: int) -> None:
+    """Fill the cosine and sine of row j's ANGLE."""
+    rows[j, AXIS_Y], rows[j, AXIS_X] = sincos_of(rows[j, ANGLE])
 
 
 @kernel
@@ -136,6 +140,7 @@ def write_row(parts: FloatArray, i: int, rows: FloatArray, j: int, s: float) -> 
         rows[j, Q] = (first - last) / last / size
     if kind != SPIRAL:
         rows[j, U_END] = rows[j, LENGTH]
+    set_axis(rows, j)
     rows[j, U_BACK] = rows[j, U_START]
     if j == 0:
         rows[j, U_BACK] = extension_end(kind, first, last)
@@ -158,6 +163,7 @@ def continue_clothoid(rows: FloatArray, j: int, s: float, bend: float) -> None:
         rows[j, column] = rows[j - 1, column]
     pose = end_pose(rows, j - 1)
     rows[j, X], rows[j, Y], rows[j, ANGLE] = pose.x, pose.y, pose.heading
+    set_axis(rows, j)
     rows[j, S_START] = s
     rows[j, P] = bend
     rows[j, U_BACK] = 0.0
@@ -168,14 +174,16 @@ def move_row(rows: FloatArray, j: int, pose: Pose) -> None:
     """Let row j begin at a pose."""
     if rows[j, KIND] != SPIRAL:
         rows[j, X], rows[j, Y], rows[j, ANGLE] = pose.x, pose.y, pose.heading
+        set_axis(rows, j)
         return
     old = start_pose(rows, j)
     turn = pose.heading - old.heading
-    c, s = math.cos(turn), math.sin(turn)
+    s, c = sincos_of(turn)
     dx, dy = rows[j, X] - old.x, rows[j, Y] - old.y
     rows[j, X] = pose.x + c * dx - s * dy
     rows[j, Y] = pose.y + s * dx + c * dy
     rows[j, ANGLE] += turn
+    set_axis(rows, j)
 
 
 @kernel

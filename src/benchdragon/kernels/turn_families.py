@@ -7,6 +7,7 @@ those eased by clothoids by Newton's method from there.
 import math
 from typing import NamedTuple
 
+from benchdragon.kernels.angles import sincos_of
 from benchdragon.kernels.arrays import Table
 from benchdragon.kernels.curve import (
     ARC,
@@ -332,9 +333,10 @@ def missed(
         for i in range(cuts):
             bend = start + (end - start) * i / cuts
             change = (end - start) / cuts
-            dx, dy = clothoid_chord(cut, heading, bend, change / cut if change != 0.0 else 0.0)
-            x += dx
-            y += dy
+            dx, dy = clothoid_chord(cut, bend, change / cut if change != 0.0 else 0.0)
+            s, c = sincos_of(heading)
+            x += c * dx - s * dy
+            y += s * dx + c * dy
             heading += cut * (bend + 0.5 * change)
     return x - bridge.x, y - bridge.y, heading - bridge.swing
 
