@@ -245,6 +245,19 @@ def row_of(ground: cells.Ground, group: int, s: float) -> int:
     return group * len(ground.middles) + cell
 
 
+def search_one(
+    found: ContactSearch, goal: int, step: Step, note: FloatArray, tolerance: float = 0.0
+) -> int:
+    """Search one step alone, whose pairs are what it says: see `ContactSearch.search`."""
+    tables, count = found.tables, len(step.first)
+    placed = int(tables.course.tally[course.PLACED])
+    tables.go(step.end, step.end)
+    tables.course.way[course.STEP_START] = step.start
+    tables.course.tally[[course.PAIRS, course.PLACED]] = count, placed
+    tables.meeting.first[:count], tables.meeting.second[:count] = step.first, step.second
+    return found.search(goal, note, tolerance)
+
+
 def search_step(
     room: search.Search,
     goal: int,
@@ -766,7 +779,7 @@ def test_a_step_begins_with_the_chain_of_the_one_before_or_its_own() -> None:
         for found in (together, ContactSearch(walk, 9.0, 12.0, 0.0, silent)):
             note = np.zeros(search.NOTES)
             note[search.NEAREST] = note[search.FLOOR] = math.inf
-            assert found.search_step(search.LEAST, step, note, 1e-9) == search.CLEAR
+            assert search_one(found, search.LEAST, step, note, 1e-9) == search.CLEAR
             notes.append(note[[search.NEAREST, search.PAIR]].tolist())
         assert notes[0] == notes[1]
 
@@ -906,7 +919,7 @@ def test_every_pair_of_a_step_is_looked_at() -> None:
     for second, found in (([3, 2], 1), ([2, 3], 0)):
         note = np.zeros(search.NOTES)
         step = Step(15.0, 15.2, np.array([0, 0]), np.array(second))
-        assert contact_search.search_step(search.FIRST_TOUCH, step, note) == search.FOUND
+        assert search_one(contact_search, search.FIRST_TOUCH, step, note) == search.FOUND
         assert contact_search.pair(note) == (0, second[found])
         assert note[search.UPPER] == 15.0
 
@@ -918,7 +931,7 @@ def test_the_end_of_a_step_is_looked_at() -> None:
     contact_search = ContactSearch(walk, 9.0, 10.0, at + 2e-15, silent, 1e-15)
     note = np.zeros(search.NOTES)
     step = Step(*ends, np.array([0]), np.array([j]))
-    assert contact_search.search_step(search.FIRST_TOUCH, step, note) == search.FOUND
+    assert search_one(contact_search, search.FIRST_TOUCH, step, note) == search.FOUND
     assert note[search.UPPER] == 10.0
 
 
@@ -947,7 +960,7 @@ def test_a_pair_within_rounding_of_the_margin_is_neither_clear_nor_found(
     pair = np.array([0]), np.array([2])
     note = np.zeros(search.NOTES)
     step = Step(15.0, 15.2, *pair)
-    assert contact_search.search_step(search.FIRST_TOUCH, step, note) == ending
+    assert search_one(contact_search, search.FIRST_TOUCH, step, note) == ending
 
 
 def test_a_bracket_begins_where_all_was_clear() -> None:

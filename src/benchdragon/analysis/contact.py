@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from benchdragon.analysis.contact_search import ContactSearch, Step, contact_search
+from benchdragon.analysis.contact_search import ContactSearch, contact_search
 from benchdragon.analysis.distance import low_pair, tightest_pairs
 from benchdragon.analysis.ledger import Ledger
 from benchdragon.errors import InputError, of_kind
@@ -29,9 +29,9 @@ FRAYED = 1e-5
 # In dragons of at most so many benches low distances are looked for before bounds are sought; of longer
 # ones the first guess, m, is multiplied by so much until some pair comes nearer.
 MOST_SAMPLED, FIRST_REACH, WIDER = 5_000, 0.003, 6.0
-# Least clearances are bracketed to the last of these, m. The ones before only bring the least value
-# seen near enough for most steps to be passed over at once.
-TOLERANCES = (math.inf, 1e-5, 1e-8, 1e-12)
+# Least clearances are bracketed to the first of these, m, that benches which keep one distance for a
+# while allow.
+TOLERANCES = (1e-12, 1e-8, 1e-5)
 # Samples of a clearance curve: each takes a millisecond for 223 benches.
 MOST_SAMPLES = 1_000_000
 
@@ -193,8 +193,8 @@ def least_clearance(
 ) -> Answer:
     """The least clearance, m, of any two non-adjacent benches from start to end (s).
 
-    0 where benches overlap; infinite for a dragon of one or two benches. The bracket is 1e-12 m wide;
-    wider, 1e-8 or 1e-5 m, where benches keep one distance for a while, or `tolerances` ends earlier.
+    0 where benches overlap; infinite for a dragon of one or two benches. The bracket is as wide as the
+    first of `tolerances`, m, or where benches keep one distance for a while as one of the others.
     Nothing beyond `within` metres is looked for: then that is the lower end, the upper is infinite.
 
     Raises:
@@ -242,9 +242,9 @@ def _least(search: ContactSearch, best: Best, within: float, tolerances: Sequenc
     while best.distance > 0.0:
         reach = min(reach, best.distance, within)
         search.begin(reach)
-        steps = list(search.steps())
-        for tolerance in tolerances:
-            best = _lowered(search, steps, best, min(reach, best.distance), tolerance)
+        if len(search.walk.dragon) > MOST_SAMPLED:  # seen at the start alone
+            best, _closed = _lowered(search, best, reach, math.inf)
+        best = _bracketed(search, best, reach, tolerances)
         if best.distance <= reach:
             break
         if reach >= within:
@@ -267,21 +267,26 @@ def _guess(search: ContactSearch) -> Best:
     return Best(max(distance, 0.0), where, (i, j))
 
 
-def _lowered(
-    search: ContactSearch, steps: Sequence[Step], best: Best, reach: float, tolerance: float
-) -> Best:
-    """`best`, or what is lower in the steps, which hold all pairs within `reach`."""
-    known, note = best, np.zeros(kernel.NOTES)
+def _bracketed(search: ContactSearch, best: Best, reach: float, tolerances: Sequence[float]) -> Best:
+    """`best`, or what is lower within `reach`, bracketed as the first tolerance that can be says."""
+    for tolerance in tolerances:
+        search.tables.again()
+        best, closed = _lowered(search, best, min(reach, best.distance), tolerance)
+        if closed:
+            break
+    return best
+
+
+def _lowered(search: ContactSearch, best: Best, reach: float, tolerance: float) -> tuple[Best, bool]:
+    """`best`, or what is lower within `reach` from here on, and whether its floor was found."""
+    note = np.zeros(kernel.NOTES)
     note[kernel.NEAREST], note[kernel.FLOOR] = reach, math.inf
-    for step in steps:
-        before = note[kernel.NEAREST]
-        ending = search.search_step(kernel.LEAST, step, note, tolerance)
-        if note[kernel.NEAREST] < before:
-            nearest, where = max(float(note[kernel.NEAREST]), 0.0), float(note[kernel.UPPER])
-            best = Best(nearest, where, search.pair(note), known.floor)
-        if ending != kernel.CLEAR:
-            return replace(best, floor=known.floor)
-    return replace(best, floor=min(float(note[kernel.FLOOR]), float(note[kernel.NEAREST]) - tolerance))
+    closed = search.search(kernel.LEAST, note, tolerance) == kernel.CLEAR
+    if note[kernel.NEAREST] < reach:
+        nearest = max(float(note[kernel.NEAREST]), 0.0)
+        best = Best(nearest, float(note[kernel.UPPER]), search.pair(note))
+    floor = min(float(note[kernel.FLOOR]), float(note[kernel.NEAREST]) - tolerance)
+    return replace(best, floor=floor if closed else 0.0), closed or best.distance == 0.0
 
 
 def _clearance_answer(search: ContactSearch, best: Best) -> Answer:
@@ -335,7 +340,4 @@ def _local_minimum(search: ContactSearch, motion: Motion, i: int, clearance: flo
     near = tightest_pairs(motion, i)[0].benches
     best = Best(clearance, float(motion.head_s[i]), (near[0] - 1, near[1] - 1))
     search.tables.go(float(motion.head_s[i - 1]), float(motion.head_s[i + 1]))
-    steps = list(search.steps())
-    for tolerance in TOLERANCES:
-        best = _lowered(search, steps, best, best.distance, tolerance)
-    return _clearance_answer(search, best)
+    return _clearance_answer(search, _bracketed(search, best, best.distance, TOLERANCES))

@@ -129,11 +129,6 @@ class ContactSearch:
             raise self.stopped(float(note[kernel.LOWER]), end)
         return ending
 
-    def search_step(self, goal: int, step: Step, note: FloatArray, tolerance: float = 0.0) -> int:
-        """Search one step alone: see `search`."""
-        self.tables.take(step.start, step.end, step.first, step.second)
-        return self.search(goal, note, tolerance)
-
     def _run(self, goal: int, note: FloatArray, tolerance: float) -> int:
         """Search until it has come to something."""
         most = MOST_LEAST_EVALUATIONS if tolerance else MOST_EVALUATIONS

@@ -16,7 +16,6 @@ from benchdragon.kernels.cells import Grids, Ground, Kinds
 from benchdragon.kernels.course import Benches, Block, Course, Crowd, Meeting, Room
 from benchdragon.kernels.grid import empty_grid
 from benchdragon.kernels.kinds import find_kinds
-from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.step_bounds import empty_placements
 from benchdragon.model.dragon import Dragon
@@ -107,10 +106,11 @@ class Tables:
             np.empty(count, dtype=np.int64),
         )
         self._make_meeting()
+        self._begun = first
         self.begin()
 
     def begin(self) -> None:
-        """Begin the walk: nothing is known yet of the route ahead."""
+        """Begin the walk at its first position: nothing is known yet of the route ahead."""
         groups, rows = int(self.walk.kinds.group.max()) + 1, len(self.walk.rows)
         boxes = groups * self._cells + self._parts
         self.ground = Ground(
@@ -161,21 +161,15 @@ class Tables:
 
         What is known of the route stays known.
         """
+        self._begun = start
+        self.course.way[course.GOAL] = min(end, float(self.ground.measures[cells.END]))
+        self.again()
+
+    def again(self) -> None:
+        """Let the walk begin once more where it last began."""
         way = self.course.way
-        way[:] = start
-        way[course.GOAL] = min(end, float(self.ground.measures[cells.END]))
+        way[: course.GOAL] = way[course.GOAL + 1 :] = self._begun
         self.course.tally[:] = 0
-
-    def take(self, start: float, end: float, first: IntArray, second: IntArray) -> None:
-        """Let the walk be one step from head position start to end, m, with these pairs of benches.
-
-        There must be room for as many.
-        """
-        placed, count = int(self.course.tally[course.PLACED]), len(first)
-        self.go(end, end)
-        self.course.way[course.STEP_START] = start
-        self.course.tally[[course.PAIRS, course.PLACED]] = count, placed
-        self.meeting.first[:count], self.meeting.second[:count] = first, second
 
     def widen(self) -> None:
         """Make room where it did not do: for the step at hand, or for the route, which begins anew.
@@ -201,9 +195,10 @@ class Tables:
         for name, count in short.items():
             setattr(self, name, WIDER * count)
         if short:
-            at = float(self.course.way[course.AT])
+            at, goal = self.course.way[[course.AT, course.GOAL]].tolist()
             self.begin()
             self.course.way[[course.AT, course.UPTO, course.KNOWN, course.SOUND]] = at
+            self.course.way[course.GOAL] = goal
             return
         members = min(2 * int(tally[course.PAIRS]), len(self.walk.benches.kind))
         self._bench_pairs = max(self._bench_pairs, WIDER * int(tally[course.PAIRS]))

@@ -56,8 +56,9 @@ from benchdragon.kernels.near_cells import boxes_near, extend, sweeper_for
 from benchdragon.kernels.regions import EDGE, add_pair, first_behind
 from benchdragon.kernels.route import IntArray
 
-# Head's walk, m, that is prepared at a time: at least so much, or this share of the route known.
-LEAST_STRIDE, SHARE = 4.0, 0.01
+# Head's walk, m, that is prepared at a time: at least this share of the route known, or so much. What
+# may end soon wastes less of a short stride, what goes on to the end fills more lanes in a long one.
+SHARE, SHORT_STRIDE, LONG_STRIDE = 0.01, 4.0, 12.0
 # Looked at between two calls: so many steps without a pair.
 STEPS_A_CALL = 4096
 # How looking for the next step ended.
@@ -92,16 +93,15 @@ def clear_end(ground: Ground, head: int, s: float) -> float:
 
 @kernel
 @allocates
-def next_stride(walk: Walk, room: Room) -> int:
-    """Prepare the walk past SOUND; STEP if there is more of it, DONE, STOPPED or NARROW."""
+def next_stride(walk: Walk, room: Room, least: float) -> int:
+    """Prepare the walk past SOUND, `least` metres or more; STEP, or DONE, STOPPED or NARROW."""
     ground, kinds, way, tally = room.ground, walk.kinds, room.course.way, room.course.tally
     if way[SOUND] < way[UPTO]:
         return STOPPED
     if way[UPTO] >= way[GOAL]:
         return DONE
     known = way[AT] - ground.counts[LOW] * ground.measures[CELL]
-    stride = max(LEAST_STRIDE, SHARE * known)
-    upto = way[AT] + stride
+    upto = way[AT] + max(least, SHARE * known)
     if ground.counts[MIXED] == 0:
         upto = max(upto, clear_end(ground, kinds.group[walk.benches.kind[0]], way[AT]))
     upto = min(upto, way[GOAL])
@@ -235,14 +235,17 @@ def step_pairs(walk: Walk, room: Room) -> int:
 
 
 @kernel
-def next_step(walk: Walk, room: Room) -> int:
-    """Find the next step in which pairs may come within reach; how that ended, as above."""
+def next_step(walk: Walk, room: Room, stride: float) -> int:
+    """Find the next step in which pairs may come within reach; how that ended, as above.
+
+    Of the walk ahead `stride` metres or more are prepared at a time.
+    """
     way, tally, at = room.course.way, room.course.tally, room.block.at
     for _ in range(STEPS_A_CALL):
         if tally[SLOT] >= tally[SLOTS]:
             ending = STEP
             if way[AT] >= way[SOUND]:
-                ending = next_stride(walk, room)
+                ending = next_stride(walk, room, stride)
             elif way[AT] >= way[KNOWN] or not skip_to_partners(room.ground, way):
                 ending = next_block(walk, room)
             if ending != STEP:

@@ -20,11 +20,20 @@ from benchdragon.kernels.course import (
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.doubts import UNIT
 from benchdragon.kernels.jit import entry, kernel
-from benchdragon.kernels.meetings import DONE, NARROW, STEP, WAIT, next_step
+from benchdragon.kernels.meetings import (
+    DONE,
+    LONG_STRIDE,
+    NARROW,
+    SHORT_STRIDE,
+    STEP,
+    WAIT,
+    next_step,
+)
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import (
     CLEAR,
     EVALUATIONS,
+    FIRST_TOUCH,
     FOUND,
     PAIR,
     UPPER,
@@ -126,7 +135,7 @@ def search_walk(
             ending = search_open_step(walk, room, goal, limits, note)
             if ending != CLEAR:
                 return ending
-        ending = next_step(walk, room)
+        ending = next_step(walk, room, SHORT_STRIDE if goal == FIRST_TOUCH else LONG_STRIDE)
         if ending == DONE:
             return CLEAR
         if ending != STEP:

@@ -204,7 +204,7 @@ def _exact_figures(
     for name in _judged(sampled):
         exact[name] = greatest_of(walk, QUANTITIES[name], *ends, tolerance=1e-6).upper
     times = [walk.time_at(s) for s in ends]
-    clearance = least_clearance(walk, *times, within=within, tolerances=(math.inf, 1e-5))
+    clearance = least_clearance(walk, *times, within=within, tolerances=(1e-5,))
     return {**exact, "clearance": clearance.lower}, clearance
 
 
