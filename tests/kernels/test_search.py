@@ -225,8 +225,8 @@ def searched(
 
 def groups_of(dragon: Dragon) -> IntArray:
     """The group of each bench."""
-    benches, kinds = kinds_of(dragon)
-    return kinds.group[benches.kind]
+    kind, kinds = kinds_of(dragon.sizes)
+    return kinds.group[kind]
 
 
 @pytest.mark.parametrize("row", range(4))
@@ -234,9 +234,9 @@ def test_benches_are_of_as_many_kinds_as_sizes(row: int) -> None:
     sizes = np.tile([[2.0], [0.4], [0.2], [0.3]], 7)
     sizes[row, [1, 2, 5]] += 0.1
     sizes[row, 6] += 0.05
-    benches, kinds = kinds_of(Dragon.of_sizes(*sizes))
-    assert benches.kind.tolist() == [0, 1, 1, 0, 0, 1, 2]
-    assert (kinds.sizes[:, benches.kind] == sizes).all()
+    kind, kinds = kinds_of(sizes)
+    assert kind.tolist() == [0, 1, 1, 0, 0, 1, 2]
+    assert (kinds.sizes[:, kind] == sizes).all()
 
 
 def row_of(ground: cells.Ground, group: int, s: float) -> int:

@@ -8,16 +8,14 @@ import shapely
 
 from benchdragon import clearances
 from benchdragon.analysis.contact import first_contact, least_clearance
-from benchdragon.errors import BenchDragonError, InputError, UnsureError
+from benchdragon.errors import BenchDragonError, InputError
+from benchdragon.kernels.size_bracket import ROOT, SHIFT, SIZE, UNDECIDED
 from benchdragon.model.answer import Answer
-from benchdragon.model.curves import Spiral
-from benchdragon.model.walk import Walk
 from benchdragon.paper.traversal import pitch_curve, traversed_pitch
 from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.plans.toml import PlanError
-from benchdragon.solve import size, size_trials
 from benchdragon.solve.size import Span, feasible_sizes, limit, smallest_pitch
-from benchdragon.solve.size_trials import QUESTIONS, TOLERANCE, Family, Meeting, root_near
+from benchdragon.solve.size_trials import QUESTIONS, TOLERANCE, Family, SizeSearch
 
 SMALLEST_PITCH = 0.4503373930271955
 
@@ -139,17 +137,13 @@ def test_walkable_pitches_begin_at_the_smallest(disc: Plan) -> None:
 
 
 def undecided(monkeypatch: pytest.MonkeyPatch, low: float, high: float) -> None:
-    """Let no search decide walks whose pitch lies between these, m."""
-    real = first_contact
+    """Let no search decide walks whose size lies between these, m."""
+    real = SizeSearch.trial
 
-    def search(walk: Walk, start: float, end: float, *, margin: float) -> Answer | None:
-        curve = walk.route.curves[0]
-        assert isinstance(curve, Spiral)
-        if low < curve.pitch < high:
-            raise UnsureError("not this one")
-        return real(walk, start, end, margin=margin)
+    def trial(search: SizeSearch, size: float) -> int:
+        return UNDECIDED if low < size < high else real(search, size)
 
-    monkeypatch.setattr(size_trials, "first_contact", search)
+    monkeypatch.setattr(SizeSearch, "trial", trial)
 
 
 @pytest.mark.parametrize("band", [(0.49, 0.51), (0.46, 0.47), (0.50, 0.60), (0.3, 0.4)])
@@ -160,16 +154,6 @@ def test_undecided_sizes_are_no_end_of_a_bracket(
     found = limit(disc, "pitch")
     assert found.value == pytest.approx(SMALLEST_PITCH, abs=1e-9)
     assert found.status == "found"
-
-
-def test_the_last_size_tried_beside_undecided_ones_may_be_the_one_beyond_them(
-    disc: Plan, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    undecided(monkeypatch, 0.52, 0.6)
-    monkeypatch.setattr(size, "MOST_BESIDE", 3)
-    found = limit(disc.with_value("dragon.benches", 40), "pitch")
-    assert found.status == "found"
-    assert found.upper - found.lower <= 1e-12
 
 
 @pytest.mark.parametrize("band", [(0.44, 0.46), (0.449, 0.451), (0.45, 0.50)])
@@ -210,13 +194,15 @@ def test_the_unsafe_end_of_a_bracket_is_where_the_pair_was_seen_to_touch(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """A first root that is off by a micrometre on the safe side ends no search."""
-    offsets = [1e-6]
+    offsets, real = [1e-6], SizeSearch.trial
 
-    def off(family: Family, meeting: Meeting, size: float) -> tuple[float, float, Meeting] | None:
-        root = root_near(family, meeting, size)
-        return root and (root[0] + (offsets.pop() if offsets else 0.0), *root[1:])
+    def off(search: SizeSearch, size: float) -> int:
+        if offsets and search.state[SHIFT] > 0.0:
+            search.state[[SIZE, ROOT]] += offsets[0]
+            size += offsets.pop()
+        return real(search, size)
 
-    monkeypatch.setattr(size, "root_near", off)
+    monkeypatch.setattr(SizeSearch, "trial", off)
     found = limit(read_plan("spiral-in", ["disc.radius=4.5", "dragon.benches=40"]), "pitch")
     assert not offsets
     assert found.status == "found"

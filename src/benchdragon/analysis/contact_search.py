@@ -7,7 +7,7 @@ that holds in between (kernels/pair_bounds.py, design/first_contact.py).
 
 import math
 import time as clock
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
 
@@ -16,7 +16,7 @@ import numpy.typing as npt
 
 from benchdragon.analysis.distance import boxes, nearness
 from benchdragon.analysis.ledger import Ledger
-from benchdragon.analysis.tables import Tables
+from benchdragon.analysis.tables import Tables, walk_tables
 from benchdragon.errors import UnsureError, in_order, not_negative, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels import cells, course
@@ -44,6 +44,31 @@ MOST_LEAST_EVALUATIONS = 2000
 SAMPLES_AHEAD = 65
 # The head's way between what was searched and a failure, m: more, and it is not known what comes first.
 UNKNOWN = 1e-6
+
+
+def slack_at(extent: float) -> float:
+    """What computed distances may be off by, m, of a dragon so far out, m, at the start."""
+    return SLACK * max(1.0, extent / SLACK_REACH)
+
+
+def run_search(
+    tables: Tables,
+    goal: int,
+    limits: tuple[float, float, float, int],
+    note: FloatArray,
+    tell: Callable[[int], None] = lambda _ending: None,
+) -> int:
+    """Search on for `goal`, in wider room where it is wanted; how that ended.
+
+    `limits` and `note` are those of kernels/walk_search.py; `tell` hears how each call ended.
+    """
+    while True:
+        ending = search_walk(tables.walk, tables.room, goal, *limits, note)
+        tell(ending)
+        if ending == CROWDED:
+            tables.widen()
+        elif ending != MORE:
+            return ending
 
 
 @dataclass(frozen=True)
@@ -74,7 +99,7 @@ class ContactSearch:
     def __post_init__(self) -> None:
         placed = self.placement(self.start)
         extent = float(np.abs([placed.x, placed.y]).max())
-        self.slack = self.slack or SLACK * max(1.0, extent / SLACK_REACH)
+        self.slack = self.slack or slack_at(extent)
         self._tail = float(placed.s[0, -2])
         self._tables: Tables | None = None
 
@@ -82,7 +107,9 @@ class ContactSearch:
         """Look for all pairs that come within reach, m, from the start on."""
         logs = self.ledger is not None
         near = reach + self.slack
-        self._tables = Tables(self.walk, self.start, self.end, near, self._tail, logs=logs)
+        walk = walk_tables(self.walk)
+        self._tables = Tables(walk, self.start, self.end, near, self._tail, logs=logs)
+        self._tables.begin()
 
     @property
     def tables(self) -> Tables:
@@ -133,21 +160,19 @@ class ContactSearch:
         """Search until it has come to something."""
         most = MOST_LEAST_EVALUATIONS if tolerance else MOST_EVALUATIONS
         limits = self.margin, tolerance or self.slack, WIDTH, most
-        while True:
-            tables = self.tables
-            ending = search_walk(tables.walk, tables.room, goal, *limits, note)
-            self._read_logs(whole=ending != CROWDED)
-            if ending == CROWDED:
-                tables.widen()
-            elif ending == ASTRAY:
-                raise self._astray()
-            elif ending != MORE:
-                break
-            at = float(tables.course.way[course.AT])
-            self.progress((at - self.start) / (self.end - self.start), "")
+        ending = run_search(self.tables, goal, limits, note, self._tell)
+        if ending == ASTRAY:
+            raise self._astray()
         if ending == kernel.CLEAR and self.end > self.walk.route.length + END_SLACK:
             raise self.stopped(self.walk.route.length, self.end)
         return ending
+
+    def _tell(self, ending: int) -> None:
+        """Take down what a call has logged, and how far it has come."""
+        self._read_logs(whole=ending != CROWDED)
+        if ending == MORE:
+            at = float(self.tables.course.way[course.AT])
+            self.progress((at - self.start) / (self.end - self.start), "")
 
     def _astray(self) -> Exception:
         """Why benches were not shown to follow."""

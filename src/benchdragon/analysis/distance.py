@@ -4,7 +4,6 @@ Neighbours share a handle and lie at different heights, so they overlap by const
 pair counts, from |i - j| = 2 on.
 """
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -13,10 +12,13 @@ import numpy as np
 from benchdragon.errors import not_negative, of_kind, whole
 from benchdragon.i18n import N_
 from benchdragon.kernels import box as kernel
+from benchdragon.kernels import low_points
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.grid import filled_grid, pairs_near
 from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.status import Status
+from benchdragon.kernels.step_bounds import Placements, empty_placements
 from benchdragon.model.placement import Placement
 from benchdragon.model.walk import Walk
 
@@ -26,12 +28,6 @@ ENDS, FLANKS = (N_("front"), N_("rear")), (N_("left"), N_("right"))
 MOST_PAIRS = 100_000
 # Distances that agree to so many decimals, m, count as equal when pairs are put in order.
 TIE = 12
-# Head positions at which a pair's distance is taken at once, and how often the range shrinks to the
-# neighbours of the least one, unless distances are level to so many m.
-SAMPLES, SHRINKS, LEVEL = 64, 8, 2e-15
-# Head positions at which all pairs are looked at for a hint, and how often the range about the least
-# distance is then shrunk.
-PLACES, HINT_SHRINKS = 128, 3
 # Benches no farther apart than this, m, touch.
 TOUCHING = 1e-9
 
@@ -188,40 +184,33 @@ def nearest_each(placed: Placement, reach: float = 1.0) -> tuple[FloatArray, Int
 
 
 def low_point(
-    walk: Walk, i: int, j: int, low: float, high: float, shrinks: int = SHRINKS
+    walk: Walk, i: int, j: int, low: float, high: float, shrinks: int = low_points.SHRINKS
 ) -> tuple[float, float]:
     """The least distance of benches i < j (rows, from 0) with the head between low and high, m; where.
 
     It is looked for, not bounded; infinite where the dragon stands nowhere. Minus a depth inside.
     """
-    dragon = walk.dragon.first(j + 1)
-    least, where = math.inf, 0.5 * (low + high)
-    for _shrink in range(shrinks if low < high else 0):
-        at = np.linspace(low, high, SAMPLES)
-        distance = pair_distances(Placement(dragon, walk.route, at), i, j)
-        n = int(np.argmin(distance))  # infinite where the dragon does not stand
-        if not math.isfinite(distance[n]):
-            break
-        least, where = min((least, where), (float(distance[n]), float(at[n])))
-        if distance.max() - distance[n] <= LEVEL:
-            break
-        low, high = at[max(n - 1, 0)], at[min(n + 1, SAMPLES - 1)]
-    return least, where
+    rows, dragon = walk.route.rows, walk.dragon
+    return low_points.low_point(
+        rows, dragon.links, dragon.sizes, i, j, low, high, shrinks, *_scratch(j + 2)
+    )
 
 
 def low_pair(walk: Walk, first: float, last: float) -> tuple[float, float, int, int]:
     """A low distance with the head between first and last, m; where, and of which benches (rows).
 
-    It is looked for at PLACES head positions, and about the least of them: a hint, no bound. Minus a
+    It is looked for at some head positions, and about the least of them: a hint, no bound. Minus a
     depth inside; infinite where the dragon stands nowhere. Cost grows with the square of benches.
     """
-    at = np.linspace(first, last, PLACES)
-    placed = walk.placement(at, throw=False)
-    distance, t, i, j = kernel.nearest_pair(walk.dragon.sizes, placed.x.T, placed.y.T)
-    if not math.isfinite(distance):
-        return math.inf, first, 0, 0
-    around = float(at[max(t - 1, 0)]), float(at[min(t + 1, PLACES - 1)])
-    return *min((distance, float(at[t])), low_point(walk, i, j, *around, HINT_SHRINKS)), i, j
+    rows, dragon = walk.route.rows, walk.dragon
+    return low_points.low_pair(
+        rows, dragon.links, dragon.sizes, first, last, *_scratch(len(dragon) + 1)
+    )
+
+
+def _scratch(handles: int) -> tuple[FloatArray, Placements, FloatArray]:
+    """What low points of a dragon of so many handles are looked for in."""
+    return np.empty(LANES), empty_placements(handles, LANES), np.empty((2, kernel.BOX_COLUMNS))
 
 
 def clearances(placed: Placement, indices: Sequence[int] | None = None) -> FloatArray:

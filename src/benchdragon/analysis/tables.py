@@ -14,11 +14,12 @@ from benchdragon.kernels import search as steps
 from benchdragon.kernels.beginning import CELL_SHARE, begin_walk
 from benchdragon.kernels.cells import Grids, Ground, Kinds
 from benchdragon.kernels.course import Benches, Block, Course, Crowd, Meeting, Room
+from benchdragon.kernels.curve import LENGTH, S_START, FloatArray
 from benchdragon.kernels.grid import empty_grid
 from benchdragon.kernels.kinds import find_kinds
+from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.step_bounds import empty_placements
-from benchdragon.model.dragon import Dragon
 from benchdragon.model.walk import Walk
 
 # Different sizes of benches whose contacts can be searched: each is boxed in each cell.
@@ -37,25 +38,37 @@ WIDER = 2
 LOG, CELL_LOG = 4096, 65_536
 
 
-def kinds_of(dragon: Dragon) -> tuple[Benches, Kinds]:
-    """The benches of a dragon and their kinds, as kernels want them.
+def kinds_of(sizes: FloatArray) -> tuple[IntArray, Kinds]:
+    """The kind of each bench of these sizes, (4, benches), and the kinds.
 
     Raises:
-        InputError: if they are of too many kinds.
+        InputError: if they are too many.
     """
-    most = min(MOST_SIZES, len(dragon))
-    sizes, kind = np.empty((4, most)), np.empty(len(dragon), dtype=np.int64)
+    benches = sizes.shape[1]
+    most = min(MOST_SIZES, benches)
+    found, kind = np.empty((4, most)), np.empty(benches, dtype=np.int64)
     group = np.empty(most, dtype=np.int64)
-    count = find_kinds(dragon.sizes, sizes, kind, group)
+    count = find_kinds(sizes, found, kind, group)
     if count > most:
         raise InputError(
             _("contacts can be searched for at most {most} different sizes, not {count}").format(
-                most=MOST_SIZES, count=np.unique(dragon.sizes, axis=1).shape[1]
+                most=MOST_SIZES, count=np.unique(sizes, axis=1).shape[1]
             )
         )
+    return kind, Kinds(np.ascontiguousarray(found[:, :count]), group[:count])
+
+
+def walk_tables(walk: Walk) -> course.Walk:
+    """A dragon on its route, as kernels want them.
+
+    Raises:
+        InputError: if its benches are of too many kinds.
+    """
+    dragon = walk.dragon
+    kind, kinds = kinds_of(dragon.sizes)
     ahead = np.concatenate([[0.0], np.cumsum(dragon.links[:-1])])
     benches = Benches(dragon.links, dragon.sizes, kind, ahead, np.array([dragon.lever]))
-    return benches, Kinds(np.ascontiguousarray(sizes[:, :count]), group[:count])
+    return course.Walk(walk.route.rows, benches, kinds)
 
 
 class Tables:
@@ -66,7 +79,7 @@ class Tables:
         first: head positions, m, between which it is; the dragon must be able to stand at the first.
         last: likewise.
         reach: distance of benches, m, within which pairs are wanted.
-        tail: route position of the last bench with the head at `first`, m.
+        tail: about the route position of the last bench with the head at `first`, m, or less.
         logs: whether all that is computed is logged, for a proof.
 
     Attributes:
@@ -80,38 +93,45 @@ class Tables:
     """
 
     def __init__(
-        self, walk: Walk, first: float, last: float, reach: float, tail: float, *, logs: bool
+        self, walk: course.Walk, first: float, last: float, reach: float, tail: float, *, logs: bool
     ) -> None:
-        self._span, self._reach, self._logs = (first, last), reach, logs
-        benches, kinds = kinds_of(walk.dragon)
-        self.walk = course.Walk(walk.route.rows, benches, kinds)
-        self._cell = CELL_SHARE * float(walk.dragon.links.min())
-        end = min(last, walk.route.length)
-        wanted = math.floor(end / self._cell) + 2 - math.floor(tail / self._cell)
-        self._cells, self._wanted = min(wanted, MOST_CELLS), wanted
+        self.walk, self._span, self._reach, self._logs = walk, (first, last), reach, logs
+        self._rows = len(walk.rows)
+        benches, end = len(walk.benches.kind), float(walk.rows[-1, S_START] + walk.rows[-1, LENGTH])
+        cell = CELL_SHARE * float(walk.benches.links.min())
+        self._wanted = math.floor(min(last, end) / cell) + 2 - math.floor(tail / cell)
+        self._cells = min(self._wanted, MOST_CELLS)
         most = min(A_CELL * self._cells, AT_FIRST)
         self._parts, self._pairs, self._doubts, self._cell_log = most, most, DOUBTS, CELL_LOG
-        self._bench_pairs, self._members = PAIRS, min(MEMBERS, len(walk.dragon))
-        handles = len(walk.dragon) + 1
+        self._bench_pairs, self._members = PAIRS, min(MEMBERS, benches)
+        handles = benches + 1
         slots = max(2, min(LANES, PLACES // handles))
         log = np.empty((LOG if logs else 0, steps.LOG_START + steps.LOGGED * handles))
         self.block = Block(
             np.empty(slots), empty_placements(handles, slots), np.empty((handles, slots)), log
         )
         self.course = Course(np.empty(course.COURSE), np.zeros(course.TALLY, dtype=np.int64))
-        count = len(walk.dragon)
         self.crowd = Crowd(
-            np.empty((count, cells.HULL_COLUMNS)),
-            empty_grid(count, self._side()),
-            np.empty(count, dtype=np.int64),
+            np.empty((benches, cells.HULL_COLUMNS)),
+            empty_grid(benches, self._side()),
+            np.empty(benches, dtype=np.int64),
         )
-        self._make_meeting()
         self._begun = first
-        self.begin()
+        self._make_meeting()
+        self._make_ground()
 
     def begin(self) -> None:
-        """Begin the walk at its first position: nothing is known yet of the route ahead."""
-        groups, rows = int(self.walk.kinds.group.max()) + 1, len(self.walk.rows)
+        """Begin the walk at its first position: nothing is known yet of the route ahead.
+
+        Raises:
+            UnsureError: if it could not be shown that the dragon stands there.
+        """
+        if not begin_walk(self.walk, self.room, *self._span, self._reach):
+            raise UnsureError(_("it could not be shown that the dragon stands all along"))
+
+    def _make_ground(self) -> None:
+        """Room for the route ahead."""
+        groups, rows = int(self.walk.kinds.group.max()) + 1, self._rows
         boxes = groups * self._cells + self._parts
         self.ground = Ground(
             np.zeros(cells.COUNTS, dtype=np.int64),
@@ -134,8 +154,6 @@ class Tables:
             empty_grid(whole, self._side()),
             np.empty(whole, dtype=np.int64),
         )
-        if not begin_walk(self.walk, self.room, *self._span, self._reach):
-            raise UnsureError(_("it could not be shown that the dragon stands all along"))
 
     def _side(self) -> float:
         """That of the squares of grids, m: about how far benches are looked for."""
@@ -177,14 +195,21 @@ class Tables:
         Raises:
             InputError: if the route has too many cells.
         """
+        if self.enlarge():
+            at, goal = self.course.way[[course.AT, course.GOAL]].tolist()
+            self.begin()
+            self.course.way[[course.AT, course.UPTO, course.KNOWN, course.SOUND]] = at
+            self.course.way[course.GOAL] = goal
+
+    def enlarge(self) -> bool:
+        """Make room where it did not do; whether that is room for the route, nothing known of it.
+
+        Raises:
+            InputError: if the route has too many cells.
+        """
         counts, tally = self.ground.counts, self.course.tally
-        if self._too_long():
-            raise InputError(
-                _("the route is too long to be searched: {count} cells, at most {most}").format(
-                    count=self._wanted, most=MOST_CELLS
-                )
-            )
-        whole = len(self.ground.groups) * self._cells
+        self._enlarge_cells()
+        whole = len(self.ground.groups) * len(self.ground.middles)
         wanted = {
             "_parts": counts[cells.ROWS] - whole,
             "_pairs": max(counts[cells.ENTRIES], counts[cells.NEAR]),
@@ -194,12 +219,9 @@ class Tables:
         short = {name: int(count) for name, count in wanted.items() if count > getattr(self, name)}
         for name, count in short.items():
             setattr(self, name, WIDER * count)
-        if short:
-            at, goal = self.course.way[[course.AT, course.GOAL]].tolist()
-            self.begin()
-            self.course.way[[course.AT, course.UPTO, course.KNOWN, course.SOUND]] = at
-            self.course.way[course.GOAL] = goal
-            return
+        if short or self._cells > len(self.ground.middles):
+            self._make_ground()
+            return True
         members = min(2 * int(tally[course.PAIRS]), len(self.walk.benches.kind))
         self._bench_pairs = max(self._bench_pairs, WIDER * int(tally[course.PAIRS]))
         self._members = max(self._members, members)
@@ -207,6 +229,25 @@ class Tables:
         self._make_meeting()
         for old, new in ((kept.first, self.meeting.first), (kept.second, self.meeting.second)):
             new[: len(old)] = old
+        return False
 
-    def _too_long(self) -> bool:
-        return self._wanted > self._cells == int(self.ground.counts[cells.CELLS])
+    def _enlarge_cells(self) -> None:
+        """Count on more cells if all are used."""
+        if int(self.ground.counts[cells.CELLS]) < self._cells or self._wanted == self._cells:
+            return
+        if self._cells == MOST_CELLS:
+            raise InputError(
+                _("the route is too long to be searched: {count} cells, at most {most}").format(
+                    count=self._wanted, most=MOST_CELLS
+                )
+            )
+        self._cells = min(WIDER * self._cells, MOST_CELLS)
+
+    def aim(self, walk: course.Walk, first: float, last: float, reach: float) -> None:
+        """Work on another walk from now on, of as many benches of as many kinds: to be begun.
+
+        Its route may be of another length and fill other rows, if not more.
+        """
+        self.walk, self._span, self._reach, self._begun = walk, (first, last), reach, first
+        self._wanted = MOST_CELLS + 1  # it is not known how many cells the route has
+        self._make_ground()

@@ -16,11 +16,13 @@ from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan, TurnRoute
 from benchdragon.solve.head_speed import Pace
 from benchdragon.solve.size import FeasibleSizes, undecided_text
-from benchdragon.solve.size_trials import Family, Meeting, question, root_near
+from benchdragon.solve.size_trials import Family, Meeting, question
 from benchdragon.solve.turn import BestTurn
 
 # How far from a limit the pair's distance is looked at, m of the size.
 ASIDE = 1e-3
+# From how far, as a share of the size, the slope of that distance is taken.
+SLOPE_STEP = 1e-6
 # Sizes tried are listed in full if there are no more.
 MOST_LISTED = 12
 
@@ -84,24 +86,25 @@ def _pair_lines(family: Family, answer: Answer, near: Witness) -> list[str]:
     meeting = Meeting(near.s, float(walk.head_position([end])[0]) - near.s, i, j)
     aside = answer.value + math.copysign(ASIDE, family.question.sense)
     room = family.low_point(aside, meeting)[0]
-    meeting = family.low_point(answer.value, meeting)[1]
+    here, meeting = family.low_point(answer.value, meeting)
     text = _(
         "Benches {a} and {b} decide, with the head at {s} m of the route, {left} m before the end."
     )
     lines = [text.format(a=i + 1, b=j + 1, s=number(meeting.s), left=number(meeting.left))]
-    root = root_near(family, meeting, answer.value)
-    if root is not None and math.isfinite(room):
+    beside = math.copysign(SLOPE_STEP * answer.value, family.question.sense)
+    slope = (family.low_point(answer.value + beside, meeting)[0] - here) / beside
+    if math.isfinite(slope) and slope != 0.0 and math.isfinite(room):
         text = _(
             "Their least clearance minus the margin of {margin} m is a function f of the size. "
             "With {aside} m, f = {room} m; it changes by {slope} m per metre of size. So f = 0 "
             "near {numbers} m. Repeating this (the secant method) gives {value} m."
         )
-        numbers = f"{number(aside)} - {signed(room)}/{signed(root[1])}"
-        step = f"{number(aside)} - f/{signed(root[1])} = {numbers} = {number(aside - room / root[1])}"
+        numbers = f"{number(aside)} - {signed(room)}/{signed(slope)}"
+        step = f"{number(aside)} - f/{signed(slope)} = {numbers} = {number(aside - room / slope)}"
         lines.append(
             text.format(
                 margin=number(family.margin), aside=number(aside), room=number(room),
-                slope=number(root[1]), numbers=step, value=f"{answer.value:.13g}",
+                slope=number(slope), numbers=step, value=f"{answer.value:.13g}",
             )
         )  # fmt: skip
     return [*lines, *gap_lines(walk.placement([meeting.s]), i, j)]

@@ -69,7 +69,8 @@ def begin_group(benches: Benches, kinds: Kinds, ground: Ground, s: FloatArray, g
 @kernel
 def find_clear_spans(rows: FloatArray, kinds: Kinds, ground: Ground, shortest: float) -> None:
     """Fill the spans of the route where benches of two groups keep apart, a shortest link between."""
-    groups, spans, each = ground.counts[GROUPS], ground.spans, rows.shape[0]
+    groups, spans = ground.counts[GROUPS], ground.spans
+    each = spans.shape[0] // (groups * groups)  # as many as rows, or more
     for n in range(spans.shape[0]):
         spans[n, 0], spans[n, 1] = math.inf, -math.inf
     for pair in range(groups * groups):

@@ -19,9 +19,11 @@ from benchdragon.errors import (
 )
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.low_points import head_where_tail
 from benchdragon.kernels.route import END_SLACK
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.status import Status
+from benchdragon.kernels.step_bounds import empty_placements
 from benchdragon.model.arrays import as_numbers
 from benchdragon.model.base_curve import MOST_METRES
 from benchdragon.model.curves import Route
@@ -41,8 +43,6 @@ HANDLE_TABLES = ("x", "y", "s", "speed", "acceleration")
 MOST_WORKERS = 64
 # The same for one slice of `Walk.motions`: 40 to 100 MB.
 SLICE_PLACES = 1_000_000
-# How exactly it is told where the head is when the tail comes somewhere, m.
-TAIL_TOLERANCE = 1e-9
 # How near to the last sound place a failure is told, m.
 FAILURE_TOLERANCE = 1e-9
 
@@ -124,20 +124,10 @@ class Walk:
 
         Within 1e-9 m, and not before; the route's end if that comes first.
         """
-        low, high = finite("s", s, "m"), self.route.length
-        at = low + float(self.dragon.links.sum())
-        while high - low > TAIL_TOLERANCE:
-            if not low < at < high:
-                at = 0.5 * (low + high)
-                if at in (low, high):
-                    break
-            stand = self.placement([at], throw=False)
-            ahead, slope = float(stand.s[0, -1]) - s, float(stand.speed_ratio[0, -1])
-            low, high = (low, at) if ahead >= 0.0 else (at, high)  # NaN counts as not yet there
-            # Newton's step, a little to the other side of the place sought.
-            side = -0.4 if ahead >= 0.0 else 0.4
-            at += side * TAIL_TOLERANCE - ahead / (slope or np.nan)
-        return high
+        places = empty_placements(len(self.dragon) + 1, 1)
+        return head_where_tail(
+            self.route.rows, self.dragon.links, finite("s", s, "m"), np.empty(1), places
+        )
 
     def motion(self, times: npt.ArrayLike, *, throw: bool = True, workers: int = 1) -> "Motion":
         """Where every handle is, and how fast, at `times` (s, any order, negative ones too).

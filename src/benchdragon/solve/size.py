@@ -9,11 +9,11 @@ import itertools
 import math
 import time as clock
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from benchdragon.analysis.contact_search import SLACK, ContactSearch
+from benchdragon.analysis.contact_search import ContactSearch
 from benchdragon.analysis.proof import (
     assumed,
     prove_contact,
@@ -23,6 +23,8 @@ from benchdragon.analysis.proof import (
 )
 from benchdragon.errors import InputError, UnsureError, of_kind
 from benchdragon.i18n import _
+from benchdragon.kernels.size_bracket import BAD, FAILS, GOOD, PASSES, UNDECIDED, VALUE
+from benchdragon.kernels.size_search import EXHAUSTED, INFEASIBLE, UNLIMITED
 from benchdragon.model.answer import Answer, Status, Witness
 from benchdragon.plans.schema import Plan
 from benchdragon.plans.toml import PlanError
@@ -30,85 +32,14 @@ from benchdragon.progress import Progress, silent
 from benchdragon.solve.size_trials import (
     TOLERANCE,
     Family,
-    Meeting,
-    Trial,
+    SizeSearch,
     meeting_of,
     question,
-    root_near,
 )
 
-# Sizes tried at most; the contest's pitch takes 4.
-MOST_TRIALS = 80
 # How often a bracket is doubled until it can be proved.
 MOST_WIDENINGS = 12
-# What a size is multiplied by, at most so often, until a walk passes; and how many times smaller (or
-# larger) than that sizes are of interest.
-GROWTH, MOST_GROWTHS = 1.25, 40
-FARTHEST = 100.0
-# Roots of a pair that fail one after another, because another pair decides, before halving.
-MOST_FAILURES = 2
-# Sizes tried beside some that could not be decided, on both sides in turn, before giving up.
-MOST_BESIDE = 12
 MOST_COUNT = 10_000
-
-
-@dataclass
-class Limit:
-    """The bracket of a limit: a size that passes, and one that does not or has not been tried.
-
-    Both are decided; `unsure` are sizes that were tried and could not be.
-    """
-
-    family: Family
-    good: float
-    bad: float
-    tried: bool = False
-    evaluations: int = 0
-    caution: float = 2.5
-    failures: int = 0
-    unsure: list[float] = field(default_factory=list)
-    beside: int = 0
-
-    @property
-    def doubts(self) -> list[float]:
-        """The undecided sizes in the bracket, from the one next to the size that does not pass."""
-        return sorted(filter(self.between, self.unsure), reverse=self.bad > self.good)
-
-    def between(self, size: float) -> bool:
-        """Whether a size lies strictly inside the bracket."""
-        return min(self.good, self.bad) < size < max(self.good, self.bad)
-
-    def target(self, root: tuple[float, float, Meeting] | None) -> tuple[float, float]:
-        """The size to try next, and by how much it lies on the safe side of the root (0: no root)."""
-        if self.doubts:
-            return self._beside_doubts(), 0.0
-        if root is not None and self.failures < MOST_FAILURES:
-            size, slope, _meeting = root
-            shift = self.caution * SLACK / abs(slope) + 4.0 * math.ulp(size)
-            shift = max(shift, 0.25 * self.family.tolerance)
-            target = size + math.copysign(shift, self.family.question.sense)
-            if self.between(target):
-                return target, shift
-        self.failures = 0
-        return self._ahead(self.good), 0.0
-
-    def _ahead(self, size: float) -> float:
-        """A size from `size` on towards the one that does not pass."""
-        if self.tried:
-            return math.sqrt(size * self.bad)
-        ahead = size * GROWTH**-self.family.question.sense
-        return ahead if self.between(ahead) else self.bad
-
-    def _beside_doubts(self) -> float:
-        """A size on the one side, then on the other, of those that could not be decided."""
-        self.beside += 1
-        doubts = self.doubts
-        return self._ahead(doubts[0]) if self.beside % 2 else math.sqrt(doubts[-1] * self.good)
-
-    def closed(self) -> bool:
-        """Whether the bracket is as narrow as wanted, or as doubles allow."""
-        width = abs(self.good - self.bad)
-        return self.tried and width <= max(TOLERANCE, self.family.tolerance, 4.0 * math.ulp(self.good))
 
 
 def limit(
@@ -178,45 +109,20 @@ def _proved(family: Family, answer: Answer, progress: Progress, began: float) ->
 
 
 def _limit(family: Family, progress: Progress, began: float) -> Answer:
-    sense = family.question.sense
-    family.walk(family.first)  # raises where the plan itself is wrong
-    good, failed, unsure = _first_clear(family, progress)
-    if good is None:
-        status: Status = "undecided" if unsure else "infeasible"
-        texts = _assumed(family, unsure)
-        return Answer(math.nan, -math.inf, math.inf, "m", status, None, texts)
-    bracket = Limit(family, good, good * FARTHEST**-sense, unsure=unsure)
-    if failed is None:
-        meeting, at = family.tightest(good), good
-    else:
-        meeting, at = family.deepest(failed, None), failed.size
-        bracket.bad, bracket.tried = at, True
-    for _trial in range(MOST_TRIALS):
-        root = None if meeting is None else root_near(family, meeting, at)
-        size, shift = bracket.target(root)
-        progress(0.0, f"{size:.9g} m")
-        trial = family.trial(size)
-        bracket.evaluations += trial.evaluations
-        if trial.clear is None:
-            bracket.unsure.append(size)
-        elif trial.clear:
-            bracket.good, bracket.failures = size, 0
-            below = size - math.copysign(2.0 * shift, sense)
-            if shift and root and family.low_point(below, root[2])[0] < -SLACK:
-                bracket.bad, bracket.tried = below, True
-                return _limit_answer(bracket, root[0], root[2], began)
-            if not bracket.tried and size == bracket.bad:
-                return _limit_answer(bracket, size, None, began).with_status("unlimited")
-            meeting, at = (family.tightest(size), size) if not shift else (None, size)
-        else:
-            if shift and meeting == trial.meeting:
-                bracket.caution *= 4.0
-            bracket.bad, bracket.tried = size, True
-            bracket.failures += 1
-            meeting, at = family.deepest(trial, meeting), size
-        if bracket.closed() or (bracket.doubts and bracket.beside >= MOST_BESIDE):
-            return _limit_answer(bracket, bracket.good, meeting, began)
-    return _limit_answer(bracket, bracket.good, meeting, began).with_status("undecided")
+    search = SizeSearch(family, progress)  # raises where the plan itself is wrong
+    ending = search.limit(family.first)
+    good, bad, value = search.state[[GOOD, BAD, VALUE]].tolist()
+    texts, evaluations = _assumed(family, search.doubts), search.evaluations
+    seconds = clock.perf_counter() - began
+    if ending == INFEASIBLE:
+        none: Status = "undecided" if search.doubts else "infeasible"
+        return Answer(math.nan, -math.inf, math.inf, "m", none, None, texts, evaluations, seconds)
+    unsure = ending == EXHAUSTED or search.in_doubt
+    status: Status = "undecided" if unsure else "unlimited" if ending == UNLIMITED else "found"
+    lower, upper = sorted((good, bad))
+    witness = _witness(family, search, bad)
+    value = min(max(value, lower), upper)
+    return Answer(value, lower, upper, "m", status, witness, texts, evaluations, seconds)
 
 
 def _family(plan: Plan, name: str, margin: float | None, tolerance: float = TOLERANCE) -> Family:
@@ -229,38 +135,9 @@ def _family(plan: Plan, name: str, margin: float | None, tolerance: float = TOLE
     return family
 
 
-def _first_clear(family: Family, progress: Progress) -> tuple[float | None, Trial | None, list[float]]:
-    """A size that passes, from the plan's own towards the safe side, if there is one.
-
-    And the last that did not, and those that could not be decided.
-    """
-    size, failed = family.first, None
-    unsure: list[float] = []
-    for _growth in range(MOST_GROWTHS):
-        progress(0.0, f"{size:.9g} m")
-        trial = family.trial(size)
-        if trial.clear:
-            return size, failed, unsure
-        if trial.clear is None:
-            unsure.append(size)
-        else:
-            failed = trial
-        size *= GROWTH**family.question.sense
-    return None, failed, unsure
-
-
-def _limit_answer(bracket: Limit, value: float, meeting: Meeting | None, began: float) -> Answer:
-    family = bracket.family
-    lower, upper = sorted((bracket.good, bracket.bad))
-    witness = _witness(family, bracket.bad, meeting)
-    return Answer(
-        min(max(value, lower), upper), lower, upper, "m", "undecided" if bracket.doubts else "found",
-        witness, _assumed(family, bracket.unsure), bracket.evaluations, clock.perf_counter() - began,
-    )  # fmt: skip
-
-
-def _witness(family: Family, size: float, meeting: Meeting | None) -> Witness | None:
+def _witness(family: Family, found: SizeSearch, size: float) -> Witness | None:
     """What shows that a size does not pass; None where no pair does, or there is no such walk."""
+    meeting = found.guide
     if meeting is None:
         return None
     try:
@@ -333,12 +210,12 @@ def feasible_sizes(
         InputError: as `limit`; for an empty range, or a count outside 2..10,000.
     """
     _check_range(low, high, count)
-    family, trials = _family(plan, name, margin), []
+    search, trials = SizeSearch(_family(plan, name, margin), silent), []
     for n, size in enumerate(np.linspace(low, high, count).tolist()):
         progress(n / count, f"{size:.9g} m")
-        trials.append(family.trial(size))
-    undecided = tuple(trial.size for trial in trials if trial.clear is None)
-    return FeasibleSizes(tuple(_spans(family, trials)), (high - low) / (count - 1), undecided)
+        trials.append((size, search.trial(size)))
+    undecided = tuple(size for size, result in trials if result == UNDECIDED)
+    return FeasibleSizes(tuple(_spans(search, trials)), (high - low) / (count - 1), undecided)
 
 
 def _check_range(low: float, high: float, count: int) -> None:
@@ -356,42 +233,22 @@ def _check_range(low: float, high: float, count: int) -> None:
         )
 
 
-def _spans(family: Family, trials: Sequence[Trial]) -> Iterator[Span]:
-    """Runs of trials that pass, and how far beyond their ends sizes still do."""
-    for clear, run in itertools.groupby(range(len(trials)), key=lambda n: trials[n].clear):
-        if clear:
+def _spans(search: SizeSearch, trials: Sequence[tuple[float, int]]) -> Iterator[Span]:
+    """Runs of sizes that pass, and how far beyond their ends sizes still do."""
+    for passes, run in itertools.groupby(range(len(trials)), key=lambda n: trials[n][1] == PASSES):
+        if passes:
             members = list(run)
-            ends = _edge(family, trials, members[0], -1), _edge(family, trials, members[-1], 1)
-            tried = (trials[members[0]].size, trials[members[-1]].size)
+            ends = _edge(search, trials, members[0], -1), _edge(search, trials, members[-1], 1)
+            tried = (trials[members[0]][0], trials[members[-1]][0])
             borders = tuple(end for end, size in zip(ends, tried, strict=True) if end != size)
             yield Span(*ends, len(members), borders)
 
 
-def _edge(family: Family, trials: Sequence[Trial], n: int, side: int) -> float:
+def _edge(search: SizeSearch, trials: Sequence[tuple[float, int]], n: int, side: int) -> float:
     """How far sizes are safe from trial number n, which passes, to one side of it."""
-    if not 0 <= n + side < len(trials) or trials[n + side].clear is None:
-        return trials[n].size
-    return _border(family, trials[n].size, trials[n + side].size)
-
-
-def _border(family: Family, good: float, bad: float) -> float:
-    """The size between one that passes and one that does not, from the passing side."""
-    bracket = Limit(family, good, bad, tried=True)
-    while not bracket.closed():
-        trial = family.trial(bracket.bad)
-        root = None if trial.meeting is None else root_near(family, trial.meeting, bracket.bad)
-        size, shift = bracket.target(root)
-        passes = family.trial(size).clear
-        if passes is None:
-            break
-        if passes:
-            bracket.good = size
-            if shift:
-                return size
-        else:
-            bracket.caution *= 4.0 if shift else 1.0
-            bracket.bad = size
-    return bracket.good
+    if not 0 <= n + side < len(trials) or trials[n + side][1] != FAILS:
+        return trials[n][0]
+    return search.border(trials[n][0], trials[n + side][0])
 
 
 def smallest_pitch(plan: Plan, *, margin: float | None = None) -> Answer:

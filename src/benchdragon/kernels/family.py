@@ -1,0 +1,257 @@
+"""The walks of a plan in which one size varies: route, benches and the head's way for each value of it.
+
+Routes are what few numbers describe: a spiral to a disc, a turn of a family, or fixed parts.
+"""
+
+import math
+from typing import NamedTuple
+
+from benchdragon.kernels.arrays import Table, Vector
+from benchdragon.kernels.cells import Kinds
+from benchdragon.kernels.course import Benches, Walk
+from benchdragon.kernels.curve import LENGTH, MOST_TURN, S_START, SPIRAL, FloatArray, spiral_length
+from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.low_points import head_where_tail
+from benchdragon.kernels.route import END_SLACK
+from benchdragon.kernels.route_parts import (
+    FIRST,
+    HAND,
+    LAST,
+    PART_COLUMNS,
+    PART_KIND,
+    SIZE,
+    Pose,
+    farthest,
+    lay_rows,
+    row_count,
+)
+from benchdragon.kernels.status import TurnStatus
+from benchdragon.kernels.step_bounds import Placements, place_chain
+from benchdragon.kernels.turn_families import (
+    PIECE_END,
+    PIECE_LENGTH,
+    PIECE_START,
+    three_pieces,
+    turn_parts,
+    two_arcs,
+)
+
+# What varies.
+PITCH, DISC, WIDTH, BENCH = 0, 1, 2, 3
+# Kinds of routes: parts that stay, in along one spiral, in and out with a turn between.
+FIXED, SPIRAL_IN, TURN = 0, 1, 2
+# Families of turns.
+ARC_ARC, THREE_PIECES = 0, 1
+
+# The numbers of a plan that its walks are made from; NaN for what it does not say.
+WHAT = 0
+ROUTE = 1
+PITCH_SIZE = 2  # m
+DISC_RADIUS = 3  # m
+START_TURN = 4
+HANDED = 5  # +1, or -1 if mirrored
+TURN_FAMILY = 6
+ENTRY_RADIUS = 7  # m
+EXIT_RADIUS = 8
+RATIO = 9
+FIRST_RADIUS = 10  # of the arcs, m
+LAST_RADIUS = 11
+BEND = 12  # 1/m
+EASE = 13  # m
+POSITION = 14  # of the head at time 0, m
+BEGIN_WAY = 15  # the head's way from time 0 to the start of the walk, m
+END_WAY = 16  # and to its end
+MOST_WAY = 17  # the longest that it ever goes from time 0
+LEAST_SIZE = 18  # values of what varies that a plan may have, m
+MOST_SIZE = 19
+ROOMY = 20  # arcs that a plan does not say are this share of what two equal ones would have
+FITS = 21  # a turn may reach so far out of its disc, m
+NUMBERS = 22
+
+# m; the shortest link and the longest bench that can be.
+SHORTEST_LINK, LONGEST_BENCH = 1e-3, 1e4
+# m; the route of a turn before it, and after it beyond the dragon's length.
+LEAD, TRAIL = 100.0, 1000.0
+# How far apart places on a turn are looked at for its reach, m.
+LOOK = 0.02
+# The head's way between what was searched and a failure, m: more, and it is not known what comes first.
+UNKNOWN = 1e-6
+# The longest and the farthest that routes may be, m.
+MOST_METRES = 1e8
+
+
+class Family(NamedTuple):
+    """A plan in which one size varies; the first three but for `numbers` are scratch."""
+
+    numbers: Vector
+    parts: Table  # (route_parts.., PART_COLUMNS); of a fixed route its own
+    arcs: Table  # (ARCS, 2)
+    pieces: Table  # (MOST_PIECES, 3)
+    sizes: Table  # of the plan's benches, (4, benches)
+    share: Vector  # 1 for each bench whose size varies, else 0, (benches,)
+
+
+class Way(NamedTuple):
+    """A walk of a family: the rows that its route fills, and where its head begins and ends, m.
+
+    No rows: there is no such walk. Fewer than none: so many rows are wanted.
+    """
+
+    rows: int
+    first: float
+    last: float
+
+
+@kernel
+def varied(numbers: FloatArray, what: int, column: int, size: float) -> float:
+    """A number of the plan, or `size` if it is what varies."""
+    return size if numbers[WHAT] == what else numbers[column]
+
+
+@kernel
+def size_benches(family: Family, benches: Benches, kinds: Kinds, size: float) -> bool:
+    """Fill the benches for a size; whether there can be such."""
+    what, sizes, lever, ahead, sound = family.numbers[WHAT], benches.sizes, 0.0, 0.0, True
+    for i in range(benches.kind.shape[0]):
+        for n in range(4):
+            sizes[n, i] = family.sizes[n, i]
+        if family.share[i] > 0.0:
+            sizes[1 if what == WIDTH else 0, i] = size
+        link = sizes[0, i] - sizes[2, i] - sizes[3, i]
+        sound = sound and link >= SHORTEST_LINK and max(sizes[0, i], sizes[1, i]) <= LONGEST_BENCH
+        benches.links[i], benches.ahead[i] = link, ahead
+        ahead += link
+        lever = max(lever, 1.0 + (2.0 * max(sizes[2, i], sizes[3, i]) + sizes[1, i]) / link)
+        for n in range(4):
+            kinds.sizes[n, benches.kind[i]] = sizes[n, i]
+    benches.lever[0] = lever
+    return sound
+
+
+@kernel
+def lay_spiral(family: Family, rows: FloatArray, size: float) -> int:
+    """Fill the row of a spiral in to the disc, or to the centre; how many there are, 0 or 1."""
+    numbers, part = family.numbers, family.parts[:1]
+    pitch, disc = varied(numbers, PITCH, PITCH_SIZE, size), varied(numbers, DISC, DISC_RADIUS, size)
+    k, start = pitch / (2.0 * math.pi), 2.0 * math.pi * numbers[START_TURN]
+    end = disc / k if disc == disc else 0.0
+    if end >= start or max(start * k, spiral_length(k, start)) > MOST_METRES:
+        return 0
+    for column in range(PART_COLUMNS):
+        part[0, column] = 0.0
+    part[0, PART_KIND], part[0, SIZE], part[0, HAND] = SPIRAL, pitch, numbers[HANDED]
+    part[0, FIRST], part[0, LAST] = start, end
+    lay_rows(part, Pose(0.0, 0.0, 0.0), 0, 0, rows[:1])
+    return 1
+
+
+@kernel
+def greatest_bend(pieces: FloatArray, count: int) -> float:
+    """The greatest curvature of the first pieces of a turn, 1/m."""
+    most = 0.0
+    for n in range(count):
+        most = max(most, abs(pieces[n, PIECE_START]), abs(pieces[n, PIECE_END]))
+    return most
+
+
+@kernel
+def turn_pieces(family: Family, pitch: float, disc: float, entry: float, leave: float) -> int:
+    """Fill the pieces of the turn; how many, 0 if there is no such turn."""
+    numbers, arcs, pieces = family.numbers, family.arcs, family.pieces
+    if numbers[TURN_FAMILY] == ARC_ARC:
+        count, status = two_arcs(pitch, entry, leave, numbers[RATIO], numbers[EASE], arcs, pieces)
+        return count if status == TurnStatus.OK else 0
+    first, last = numbers[FIRST_RADIUS], numbers[LAST_RADIUS]
+    if first != first:
+        count, status = two_arcs(pitch, entry, leave, 1.0, 0.0, arcs, pieces)
+        if status != TurnStatus.OK:
+            return 0
+        first = last = numbers[ROOMY] * min(1.0 / greatest_bend(pieces, count), 0.5 * disc)
+    count, status = three_pieces(
+        pitch, entry, leave, first, numbers[BEND], last, numbers[EASE], arcs, pieces
+    )
+    return count if status == TurnStatus.OK else 0
+
+
+@kernel
+def pieces_fit(pieces: FloatArray, count: int, link: float) -> bool:
+    """Whether there may be curves like these pieces, and a bench of this link can follow them."""
+    for n in range(count):
+        bend = max(abs(pieces[n, PIECE_START]), abs(pieces[n, PIECE_END]))
+        if not pieces[n, PIECE_LENGTH] * bend <= MOST_TURN:
+            return False
+    return link * greatest_bend(pieces, count) < 2.0
+
+
+@kernel
+def lay_turn(family: Family, links: FloatArray, rows: FloatArray, size: float) -> int:
+    """Fill the rows of a turn between spirals; how many, 0 for no such turn, -n if n are wanted."""
+    numbers, longest, whole = family.numbers, 0.0, 0.0
+    for i in range(links.shape[0]):
+        longest, whole = max(longest, links[i]), whole + links[i]
+    pitch, disc = varied(numbers, PITCH, PITCH_SIZE, size), varied(numbers, DISC, DISC_RADIUS, size)
+    entry, leave = numbers[ENTRY_RADIUS], numbers[EXIT_RADIUS]
+    entry = entry if entry == entry else disc
+    leave = leave if leave == leave else entry
+    if max(entry, leave) > disc:
+        return 0
+    count = turn_pieces(family, pitch, disc, entry, leave)
+    if count == 0 or not pieces_fit(family.pieces, count, longest):
+        return 0
+    parts = family.parts[: count + 2]
+    turn_parts(pitch, entry, leave, LEAD, TRAIL + whole, family.pieces[:count], parts)
+    wanted = row_count(parts)
+    if wanted > rows.shape[0]:
+        return -wanted
+    laid = rows[:wanted]
+    lay_rows(parts, Pose(0.0, 0.0, 0.0), 1, count + 1, laid)
+    reach = farthest(laid, laid[1, S_START], laid[wanted - 1, S_START], LOOK)
+    return wanted if reach <= disc + numbers[FITS] else 0
+
+
+@entry
+def set_walk(family: Family, walk: Walk, at: Vector, places: Placements, size: float) -> Way:
+    """Let `walk` be that of a size, m: its benches and rows are filled; see `Way`.
+
+    `at` and `places` are scratch, of all handles and one slot. A fixed route's rows stay.
+    """
+    numbers, nowhere = family.numbers, Way(0, math.nan, math.nan)
+    if not numbers[LEAST_SIZE] <= size <= numbers[MOST_SIZE]:
+        return nowhere
+    if not size_benches(family, walk.benches, walk.kinds, size):
+        return nowhere
+    rows, count = walk.rows, walk.rows.shape[0]
+    if numbers[ROUTE] == SPIRAL_IN:
+        count = lay_spiral(family, rows, size)
+    elif numbers[ROUTE] == TURN:
+        count = lay_turn(family, walk.benches.links, rows, size)
+    if count <= 0:
+        return Way(count, math.nan, math.nan)
+    joint = rows[1, S_START] if numbers[ROUTE] == TURN else 0.0
+    start = numbers[POSITION] if numbers[POSITION] == numbers[POSITION] else joint
+    first, last = start + numbers[BEGIN_WAY], start + numbers[END_WAY]
+    if last != last:  # as the kind of route says
+        last = rows[count - 1, S_START] + rows[count - 1, LENGTH]
+        if numbers[ROUTE] == TURN:
+            out = rows[count - 1, S_START]
+            last = head_where_tail(rows[:count], walk.benches.links, out, at, places)
+        if last - start > numbers[MOST_WAY]:
+            return nowhere
+    return Way(count, first, last) if first <= last else nowhere
+
+
+@entry
+def falls_soon(rows: Table, links: Vector, sound: float, at: Vector, places: Placements) -> bool:
+    """Whether a dragon cannot stand within some micrometres past head position `sound`, m.
+
+    `at` and `places` are scratch, of all handles and one slot.
+    """
+    last = rows.shape[0] - 1
+    length = rows[last, S_START] + rows[last, LENGTH]
+    if sound + 2.0 * UNKNOWN > length + END_SLACK:
+        return True
+    for n in range(5):
+        at[0] = min(sound + 0.5 * n * UNKNOWN, length)
+        if not place_chain(rows, links, at, 0, 1, places):
+            return True
+    return False

@@ -1,0 +1,166 @@
+"""The search for a size, in worlds of made-up pairs whose distances are functions of the size."""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+import pytest
+
+from benchdragon.kernels import size_bracket as bracket
+from benchdragon.kernels import size_search as search
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.jit import ENGINE, PLAIN
+from benchdragon.kernels.size_bracket import BAD, FAILS, GOOD, PASSES, UNDECIDED, VALUE
+
+Pair = Callable[[float], float]
+
+
+@dataclass
+class World:
+    """Walks of sizes: pair n of benches comes as near as pairs[n] says, less the margin, m."""
+
+    pairs: Sequence[Pair]
+    walked: Callable[[float], bool] = lambda _size: True
+    decided: Callable[[float], bool] = lambda _size: True
+    blind: bool = False  # whether no low pairs are found beforehand
+    tried: list[float] = field(default_factory=list)
+    meetings: FloatArray = field(default_factory=lambda: np.full((search.MEETINGS, 4), search.NOBODY))
+
+    def passes(self, size: float) -> bool:
+        return self.walked(size) and all(pair(size) >= 0.0 for pair in self.pairs)
+
+    def walk(self, size: float) -> float:
+        self.tried.append(size)
+        self.meetings[search.FAILED, search.MEET_FRONT] = search.NOBODY
+        if not self.decided(size):
+            return UNDECIDED
+        if self.passes(size):
+            return PASSES
+        if self.walked(size):  # the first that meets
+            n = next(n for n, pair in enumerate(self.pairs) if pair(size) < 0.0)
+            self.meetings[search.FAILED] = 1.0 + n, 9.0 - n, n, n + 2
+        return FAILS
+
+    def low_pair(self, size: float) -> float:
+        if self.blind or not self.walked(size) or not self.pairs:
+            return math.inf
+        least, n = min((pair(size), n) for n, pair in enumerate(self.pairs))
+        self.meetings[search.GUIDE] = 1.0 + n, 9.0 - n, n, n + 2
+        return least
+
+    def distance(self, size: float) -> float:
+        n = int(self.meetings[search.ROOTED, search.MEET_FRONT])
+        return self.pairs[n](size) if self.walked(size) else math.nan
+
+    def sought(
+        self, size: float, sense: float = 1.0, border: float | None = None
+    ) -> tuple[int, FloatArray]:
+        """How a search from a size ends, and its state."""
+        state = np.zeros(bracket.STATE)
+        state[[bracket.SENSE, bracket.TOLERANCE, bracket.SLACK]] = sense, 1e-12, 1e-13
+        state[[bracket.CAUTION, bracket.SIZE, bracket.STAGE]] = bracket.FIRST_CAUTION, size, search.GROW
+        if border is not None:
+            state[[GOOD, BAD, bracket.TRIED]] = size, border, 1.0
+            state[[bracket.SIZE, bracket.STAGE]] = border, search.BORDER
+        doubts = np.empty(bracket.MOST_TRIALS + bracket.MOST_GROWTHS)
+        tasks, value = (self.walk, self.low_pair, self.distance), 0.0
+        for _task in range(2000):
+            asked = search.next_task(state, doubts, self.meetings, value)
+            if asked >= len(tasks):
+                return asked, state
+            value = tasks[asked](float(state[bracket.NOW]))
+        raise AssertionError("it goes on and on")
+
+
+ONE: tuple[Pair, ...] = (lambda size: math.tanh(size - 0.7),)
+# The pair that is nearest far out is not the one that decides.
+TWO: tuple[Pair, ...] = (lambda size: 0.05 * (size - 0.3), lambda size: 2.0 * (size - 0.7))
+# The one that meets first is not the deepest, and a third is hidden behind both roots.
+THREE: tuple[Pair, ...] = (
+    lambda size: size - 0.52,
+    lambda size: 3.0 * (size - 0.55),
+    lambda size: 0.4 * (size - 0.7) if size < 0.71 else 0.3,
+)
+
+
+@pytest.mark.parametrize("blind", [False, True])
+@pytest.mark.parametrize("pairs", [ONE, TWO, THREE])
+@pytest.mark.parametrize("first", [0.9, 0.45, 5.0])
+def test_the_limit_is_where_the_deciding_pair_just_keeps_apart(
+    pairs: tuple[Pair, ...], first: float, blind: bool
+) -> None:
+    world = World(pairs, blind=blind)
+    ending, state = world.sought(first)
+    assert ending == search.FOUND
+    assert state[BAD] < state[GOOD] <= state[BAD] + 2e-12
+    assert world.passes(state[GOOD])
+    assert not world.passes(state[BAD])
+    assert abs(state[VALUE] - 0.7) <= 2e-12
+    assert len(world.tried) < 40
+
+
+def test_a_root_costs_few_walks_and_a_search_without_pairs_many() -> None:
+    near, far = World(ONE), World((), walked=lambda size: size >= 0.7)
+    assert near.sought(0.75)[0] == far.sought(0.9)[0] == search.FOUND
+    assert len(near.tried) == 2
+    assert 30 < len(far.tried) < bracket.MOST_TRIALS
+
+
+def test_smaller_may_be_safer() -> None:
+    for first in (0.9, 0.05, 0.71):
+        world = World((lambda size: 0.7 - size,))
+        ending, state = world.sought(first, -1.0)
+        assert ending == search.FOUND
+        assert state[GOOD] < state[BAD] <= state[GOOD] + 2e-12
+        assert abs(state[VALUE] - 0.7) <= 2e-12
+
+
+def test_where_all_that_is_tried_passes_there_is_no_limit_and_where_none_does_no_size() -> None:
+    ending, state = World((lambda _size: 0.05,)).sought(0.9)
+    assert (ending, state[VALUE]) == (search.UNLIMITED, pytest.approx(0.009))
+    world = World((lambda _size: -0.1,))
+    assert world.sought(0.9)[0] == search.INFEASIBLE
+    assert len(world.tried) == bracket.MOST_GROWTHS
+
+
+def test_sizes_that_cannot_be_decided_bound_what_is_known() -> None:
+    world = World(ONE, decided=lambda size: not 0.69 < size < 0.71)
+    ending, state = world.sought(0.9)
+    assert ending == search.FOUND
+    assert state[BAD] <= 0.69
+    assert 0.71 <= state[GOOD]
+    assert state[bracket.DOUBTS] > 0.0
+
+
+def test_a_jump_is_narrowed_as_far_as_doubles_allow() -> None:
+    """Above the jump the pair is far, below it deep inside: no root is met."""
+    world = World((lambda size: 0.05 if size >= 0.7 else -0.05,))
+    ending, state = world.sought(0.9)
+    assert ending == search.FOUND
+    assert state[BAD] < 0.7 <= state[GOOD] <= state[BAD] + 1.1e-12
+
+
+def test_a_border_is_sought_between_two_sizes() -> None:
+    for world in (World(ONE), World(THREE), World((), walked=lambda size: size >= 0.7)):
+        ending, state = world.sought(2.0, border=0.5)
+        assert ending == search.FOUND
+        assert world.tried[0] == 0.5
+        assert abs(state[GOOD] - 0.7) <= 2e-12
+        assert world.passes(state[GOOD])
+
+
+def test_a_root_that_lies_is_found_out() -> None:
+    """Near its root the pair seems to keep apart where it does not: the walks tell."""
+    world = World((lambda size: size - 0.7, lambda size: math.inf if size > 0.8 else size - 0.75))
+    ending, state = world.sought(0.9)
+    assert ending == search.FOUND
+    assert abs(state[VALUE] - 0.75) <= 2e-12
+
+
+@pytest.mark.skipif(ENGINE != PLAIN, reason="compiled kernels keep their constants")
+def test_too_many_trials_end_a_search(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(search, "MOST_TRIALS", 5)
+    ending, state = World((), walked=lambda size: size >= 0.7).sought(0.9)
+    assert ending == search.EXHAUSTED
+    assert state[GOOD] - state[BAD] > 1e-3
