@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from benchdragon import (
+    Answer,
     Arc,
     Clothoid,
     Dragon,
@@ -64,19 +65,24 @@ def test_a_clear_walk_is_proved_clear(walk: Walk) -> None:
     assert prove_contact(walk, 400.0, 412.47) is None
 
 
-def test_the_smallest_pitchs_bracket_is_proved() -> None:
-    plan = read_plan("spiral-in", ["disc.radius=4.5", "dragon.benches=40"])
-    found = limit(plan, "pitch", prove=True)
-    assert found.status == "proved"
-    assert found.lower < 0.4503373930271955 < found.upper
-    assert found.upper - found.lower < 1e-10
+# The pair that decides is that of benches 1 and 20, whatever follows them.
+COIL = read_plan("spiral-in", ["disc.radius=4.5", "dragon.benches=20"])
+
+
+@pytest.fixture(scope="module")
+def proved() -> Answer:
+    """The smallest pitch of a short dragon."""
+    return limit(COIL, "pitch", prove=True)
+
+
+def test_the_smallest_pitchs_bracket_is_proved(proved: Answer) -> None:
+    assert (proved.status, proved.assumptions) == ("proved", proof.assumed())
+    assert proved.lower < 0.4503373930271955 < proved.upper
+    assert proved.upper - proved.lower < 1e-10
 
 
 def test_a_graze_within_the_errors_stays_undecided() -> None:
-    plan = read_plan(
-        "spiral-in", ["disc.radius=4.5", "route.pitch=0.4503373930271955", "dragon.benches=30"]
-    )
-    walk = plan.build()
+    walk = COIL.with_value("route.pitch", 0.4503373930271955).build()
     found = prove_contact(walk, 210.0, walk.route.length)
     assert found is not None
     assert found.status == "undecided"
@@ -502,26 +508,22 @@ def test_a_proof_widens_the_log_of_cells(walk: Walk, monkeypatch: pytest.MonkeyP
 
 
 @pytest.mark.parametrize("end", ["prove_nearer", "prove_contact"])
-def test_a_limit_is_proved_at_both_ends(monkeypatch: pytest.MonkeyPatch, end: str) -> None:
-    plan = read_plan("spiral-in", ["disc.radius=4.5", "dragon.benches=20"])
-    found = limit(plan, "pitch", prove=True)
-    assert (found.status, found.assumptions) == ("proved", proof.assumed())
+def test_a_limit_is_proved_at_both_ends(
+    monkeypatch: pytest.MonkeyPatch, proved: Answer, end: str
+) -> None:
     monkeypatch.setattr(
-        size, end, {"prove_nearer": lambda *_a: False}.get(end, lambda *_a, **_m: found)
+        size, end, {"prove_nearer": lambda *_a: False}.get(end, lambda *_a, **_m: proved)
     )
     with pytest.raises(UnsureError, match="could not be proved"):
-        limit(plan, "pitch", prove=True)
+        limit(COIL, "pitch", prove=True)
 
 
 def test_a_verdict_is_proved_only_if_its_contact_is() -> None:
-    plan = read_plan(
-        "spiral-in", ["disc.radius=4.5", "route.pitch=0.4503373930271955", "dragon.benches=30"]
-    )
-    graze = check(plan, prove=True)
+    graze = check(COIL.with_value("route.pitch", 0.4503373930271955), prove=True)
     assert graze.first_contact is not None
     assert not graze.proved
     clear, touching = (
-        check(plan.with_value("route.pitch", pitch), prove=True) for pitch in (0.46, 0.44)
+        check(COIL.with_value("route.pitch", pitch), prove=True) for pitch in (0.46, 0.44)
     )
     assert clear.safe
     assert clear.proved

@@ -163,18 +163,19 @@ def test_files_are_written_once_and_again_only_when_forced(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     arguments = ["motion", str(EXAMPLES / "01_parade.dragon.toml"), "-o", str(tmp_path / "out")]
-    arguments += ["--format", "csv,xlsx,npz,parquet,nc,png,svg,pdf"]
-    code, out, _err = answered(capsys, *arguments)
+    kinds = ["--format", "csv,xlsx,npz,parquet,nc,png,svg,pdf"]
+    code, out, _err = answered(capsys, *arguments, *kinds)
     written = sorted(path.name for path in (tmp_path / "out").iterdir())
     assert code == 0
     assert sorted(Path(line.strip()).name for line in out.splitlines()[1:]) == written
     assert len(written) == 5 + 3 * 3
     stamp = (tmp_path / "out" / "motion.csv").stat().st_mtime_ns
-    code, _out, err = answered(capsys, *arguments)
+    code, _out, err = answered(capsys, *arguments, *kinds)
     assert code == 2
     assert "is there already; use --force" in err
     assert (tmp_path / "out" / "motion.csv").stat().st_mtime_ns == stamp
-    assert answered(capsys, *arguments, "--force")[0] == 0
+    assert answered(capsys, *arguments, "--format", "csv,svg", "--force")[0] == 0
+    assert (tmp_path / "out" / "motion.csv").stat().st_mtime_ns > stamp
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 import pytest
 
+import benchdragon.analysis.check
 import benchdragon.cli.console
 import benchdragon.kernels.jit
 import benchdragon.model.placement
@@ -224,6 +225,9 @@ def recorded(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
     # Whom earlier tests told to watch would say here that kernels are being compiled.
     benchdragon.kernels.jit.watch_compiling(lambda: None, 1e6)
+    # A picture of the clearance is of few times: thousands take half a second.
+    monkeypatch.setattr(benchdragon.analysis.check, "SAMPLES", 40)
+    monkeypatch.setattr(benchdragon.analysis.check, "LAST_SAMPLES", 10)
     # A machine so slow that its progress is told would say more once than again.
     monkeypatch.setattr(benchdragon.cli.console, "LINE_EACH", 1e6)
     for module in (benchdragon.model.placement, benchdragon.solve.tolerance):

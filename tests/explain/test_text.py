@@ -14,6 +14,7 @@ from benchdragon.cli.main import run
 from benchdragon.explain.answers import limit_lines, speed_lines, turn_lines
 from benchdragon.explain.contact import check_lines, gap_lines
 from benchdragon.explain.text import motion_lines, number
+from benchdragon.i18n import spoken_in
 from benchdragon.model.answer import Answer
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan, TurnRoute, read_plan
@@ -225,7 +226,7 @@ def test_the_gap_law_has_four_directions() -> None:
 def test_a_limit_is_explained(what: str, spoken: str, capsys: pytest.CaptureFixture[str]) -> None:
     arguments = ["solve", what, "spiral-in", "--set", "disc.radius=4.5", *SHORT]
     found = json_of(capsys, *arguments)
-    lines = lines_of(capsys, *arguments)
+    lines: list[str] = found["explanation"]  # type: ignore[assignment]
     agree(lines, 7)
     chinese_or_not(lines, spoken)
     value = float(str(found["value"]))
@@ -300,15 +301,17 @@ def test_a_head_speed_that_nothing_limits_is_explained() -> None:
 
 @pytest.mark.usefixtures("short_searches")
 @pytest.mark.parametrize("family", ["arc-arc", "arc-line-arc"])
-def test_a_turn_is_explained(family: str, spoken: str) -> None:
+def test_a_turn_is_explained(family: str) -> None:
     plan = read_plan("turn", ["dragon.benches=25", f"turn.family={family}"])
     best = turn.best_turn(plan)
-    lines = turn_lines(best)
-    agree(lines, 8)
-    chinese_or_not(lines, spoken)
-    text = " ".join(lines)
-    assert f"= {number(best.length)} m" in text
-    assert f"= {number(best.way)} m" in text
+    for spoken in ("en", "zh"):
+        with spoken_in(spoken):
+            lines = turn_lines(best)
+        agree(lines, 8)
+        chinese_or_not(lines, spoken)
+        text = " ".join(lines)
+        assert f"= {number(best.length)} m" in text
+        assert f"= {number(best.way)} m" in text
 
 
 def built(*settings: str) -> BestTurn:

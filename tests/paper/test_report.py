@@ -11,7 +11,7 @@ from pypdf import PageObject, PdfReader
 from pypdf.generic import ContentStream
 
 from benchdragon.errors import InputError, UnsureError
-from benchdragon.i18n import use_language
+from benchdragon.i18n import spoken_in, use_language
 from benchdragon.model.numbering import handle_text
 from benchdragon.paper.document import (
     Block,
@@ -50,6 +50,23 @@ def contents(page: PageObject) -> str:
     streams = page.get_contents()
     assert streams is not None
     return streams.get_data().decode("latin-1")
+
+
+@pytest.fixture(scope="module")
+def chinese(folder: Path, found: Results, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the report in Chinese, as a page and as a PDF."""
+    there = tmp_path_factory.mktemp("chinese")
+    with spoken_in("zh"):
+        spoken = report(found)
+        write_html(there / "report.html", spoken, folder)
+        write_pdf(there / "report.pdf", spoken, folder)
+    return there
+
+
+@pytest.fixture(scope="module")
+def printed(folder: Path) -> list[str]:
+    """The text of each page of the PDF in English."""
+    return [page.extract_text() for page in PdfReader(folder / "report.pdf").pages]
 
 
 class Page(HTMLParser):
@@ -97,7 +114,7 @@ def parts(block: object) -> list[Inline]:
     return [cell for row in block.rows for cell in row] if isinstance(block, Table) else []
 
 
-def test_every_key_number_of_the_run_stands_in_both_files(folder: Path) -> None:
+def test_every_key_number_of_the_run_stands_in_both_files(folder: Path, printed: list[str]) -> None:
     answers = json.loads((folder / "answers.json").read_text("utf-8"))
     turn = answers["turn"]
     wanted = [
@@ -110,7 +127,7 @@ def test_every_key_number_of_the_run_stands_in_both_files(folder: Path) -> None:
         f"{answers['rates']['smallest_pitch'][1]['exact'] * 10.0:.8f}",
     ]
     page = "".join(Page((folder / "report.html").read_text("utf-8")).words)
-    pages = "".join(page.extract_text() for page in PdfReader(folder / "report.pdf").pages)
+    pages = "".join(printed)
     for number in wanted[:5]:
         assert number in page
         assert number in pages.replace("\n", "")
@@ -217,15 +234,8 @@ def test_deviations_stand_in_the_order_of_the_rows_above(found: Results) -> None
     assert together == [size for sizes in single for size in sizes]
 
 
-def test_the_report_speaks_chinese(folder: Path, found: Results, tmp_path: Path) -> None:
-    use_language("zh")
-    try:
-        spoken = report(found)
-        write_html(tmp_path / "report.html", spoken, folder)
-        write_pdf(tmp_path / "report.pdf", spoken, folder)
-    finally:
-        use_language("en")
-    text = (tmp_path / "report.html").read_text("utf-8")
+def test_the_report_speaks_chinese(chinese: Path) -> None:
+    text = (chinese / "report.html").read_text("utf-8")
     assert '<html lang="zh-Hans">' in text
     words = "".join(Page(text).words)
     assert (
@@ -235,7 +245,7 @@ def test_the_report_speaks_chinese(folder: Path, found: Results, tmp_path: Path)
         == []
     )
     assert "最小螺距" in words
-    pages = "".join(page.extract_text() for page in PdfReader(tmp_path / "report.pdf").pages)
+    pages = "".join(page.extract_text() for page in PdfReader(chinese / "report.pdf").pages)
     assert "\u200b" not in pages
     assert "最小螺距" in pages
 
@@ -275,36 +285,31 @@ def test_tables_and_pictures_are_numbered_captioned_and_referred_to(
     assert referred == set(names)
 
 
-def test_each_caption_stands_once_in_both_files(folder: Path, found: Results) -> None:
+def test_each_caption_stands_once_in_both_files(
+    folder: Path, found: Results, printed: list[str]
+) -> None:
     document = report(found)
     page = "".join(Page((folder / "report.html").read_text("utf-8")).words)
-    pdf = "".join(page.extract_text() for page in PdfReader(folder / "report.pdf").pages)
+    pdf = "".join(printed)
     for label in document.labels.values():
         assert page.count(f"{label}. ") == 1, label
         assert pdf.count(f"{label}. ") == 1, label
 
 
-def test_the_contents_lead_to_the_pages_of_all_chapters(folder: Path, found: Results) -> None:
-    pages = [page.extract_text() for page in PdfReader(folder / "report.pdf").pages]
-    listed = re.findall(r"^(.+?)\s*(\d+)$", pages[0].partition("Contents")[2], re.MULTILINE)
+def test_the_contents_lead_to_the_pages_of_all_chapters(found: Results, printed: list[str]) -> None:
+    listed = re.findall(r"^(.+?)\s*(\d+)$", printed[0].partition("Contents")[2], re.MULTILINE)
     numbers = {text.strip(): int(number) for text, number in listed}
     for heading in report(found).headings:
-        assert heading.text in pages[numbers[heading.text] - 1], heading.text
+        assert heading.text in printed[numbers[heading.text] - 1], heading.text
         if numbers[heading.text] > 1:
-            assert heading.text in pages[0]
-    assert report(found).date in pages[0]
+            assert heading.text in printed[0]
+    assert report(found).date in printed[0]
 
 
-@pytest.mark.parametrize("language", ["en", "zh"])
-def test_no_page_but_the_last_is_half_empty(
-    folder: Path, found: Results, tmp_path: Path, language: str
-) -> None:
-    use_language(language)
-    try:
-        write_pdf(tmp_path / "report.pdf", report(found), folder)
-    finally:
-        use_language("en")
-    pages = PdfReader(tmp_path / "report.pdf").pages
+@pytest.mark.parametrize("where", ["folder", "chinese"])
+def test_no_page_but_the_last_is_half_empty(where: str, request: pytest.FixtureRequest) -> None:
+    written: Path = request.getfixturevalue(where)
+    pages = PdfReader(written / "report.pdf").pages
     height = float(pages[0].mediabox.height)
     for number, page in enumerate(pages[:-1], start=1):
         low = [float(y) for _x, y in DRAWN.findall(contents(page))]

@@ -15,6 +15,7 @@ from benchdragon.cli.main import run
 from benchdragon.errors import BenchDragonError, InputError, UnsureError
 from benchdragon.explain.text import number as shown
 from benchdragon.explain.tolerance import margin_lines
+from benchdragon.i18n import spoken_in
 from benchdragon.kernels import curve as kernel
 from benchdragon.model.dragon import Dragon
 from benchdragon.plans.schema import Plan, read_plan
@@ -278,25 +279,29 @@ def test_the_plan_s_own_pitch_does_not_matter_and_other_routes_are_walked_too() 
     assert turning.needed[0] > 0.9 * turning.exact
 
 
-def test_the_way_to_a_margin_is_explained(spoken: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_way_to_a_margin_is_explained(capsys: pytest.CaptureFixture[str]) -> None:
     plan, deviations = disc(benches=30), Deviations(aside=0.02, height=0.1)
     found = tolerance(plan, deviations, 60, seed=1)
     plan = plan.with_value("route.pitch", float(found.needed[29]))
     found = replace(found, hits=30)
-    lines = margin_lines(plan, found)
-    agree(lines, 2)
-    chinese_or_not(lines, spoken)
-    text = " ".join(lines)
-    assert shown(found.pitch_for(0.05)) in text
-    assert shown(found.exact) in text
-    assert "30/60 = 0.5" in text
+    few = tolerance(plan, deviations, 5, seed=1, own=True)
     dragon = Draw(deviations, 1, 0).dragon(plan.build().dragon)
-    assert f"= {shown(float(dragon.links[1]))} m" in text
-    few = margin_lines(plan, tolerance(plan, deviations, 5, seed=1, own=True))
-    assert shown(0.95**5) in few[-1]
     words = ["margins", "spiral-in", "--set", "disc.radius=4.5", "--set", "dragon.benches=40"]
-    assert run([*words, "--aside", "0.01", "--draws", "5", "--explain", "--json", "--quiet"]) == 0
-    assert len(json.loads(capsys.readouterr().out)["explanation"]) >= 8
+    words += ["--aside", "0.01", "--draws", "5", "--explain", "--json", "--quiet"]
+    for spoken in ("en", "zh"):
+        with spoken_in(spoken):
+            lines = margin_lines(plan, found)
+            told = margin_lines(plan, few)
+        agree(lines, 2)
+        chinese_or_not(lines, spoken)
+        text = " ".join(lines)
+        assert shown(found.pitch_for(0.05)) in text
+        assert shown(found.exact) in text
+        assert "30/60 = 0.5" in text
+        assert f"= {shown(float(dragon.links[1]))} m" in text
+        assert shown(0.95**5) in told[-1]
+        assert run([*words, "--lang", spoken]) == 0
+        assert len(json.loads(capsys.readouterr().out)["explanation"]) >= 8
 
 
 def test_the_verb_tells_pitches_and_chances(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -3,6 +3,7 @@
 import json
 import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -183,8 +184,15 @@ def test_a_turn_that_is_not_there_ends_as_the_help_says(capsys: pytest.CaptureFi
 
 
 def test_the_command_line_finds_writes_and_says_it(
-    capsys: pytest.CaptureFixture[str], tmp_path: Path
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    found_before: list[BestTurn] = []
+
+    def found_once(*arguments: Any, **options: Any) -> BestTurn:
+        found_before.extend([] if found_before else [sought(*arguments, **options)])
+        return found_before[0]
+
+    monkeypatch.setattr(turn, "best_turn", found_once)
     path = tmp_path / "best.dragon.toml"
     words = ["solve", "turn", "turn", "--quiet", "--set", "turn.family=arc-line-arc"]
     words += ["--set", "walk.speed=1.3", "--set", "dragon.benches=30", "--plan-file", str(path)]

@@ -12,10 +12,7 @@ from typing import Any
 
 import httpx
 import pytest
-import schemathesis
 from hypothesis import HealthCheck, given, settings
-from schemathesis import GenerationMode, checks
-from schemathesis.core.result import Ok
 
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.studio.app import Answers
@@ -36,12 +33,8 @@ from tests.studio.servers import (
 
 pytestmark = pytest.mark.xdist_group("studio")
 JSON = {"content-type": "application/json"}
-
-
-@pytest.fixture(scope="module")
-def studio() -> Iterator[Served]:
-    with served(Settings(port=0, workers=1)) as found:
-        yield found
+# With its joints given there is one unknown to search.
+TIED = {**TURN, "turn": {"entry_radius": 4.5, "exit_radius": 4.5}}
 
 
 @pytest.fixture(scope="module")
@@ -213,7 +206,7 @@ def test_a_motion_ends_where_the_dragon_cannot_walk_on(studio: Served) -> None:
         ("pace", TURN, {}, "saved"),
         ("prove", PLAN, {}, "sentence"),
         ("margins", PLAN, {"draws": 4, "aside": 0.01}, "pitch_for"),
-        ("turn", TURN, {"objective": "length"}, "plan"),
+        ("turn", TIED, {"objective": "length"}, "plan"),
     ],
 )
 def test_long_questions_are_answered(
@@ -660,7 +653,18 @@ def test_times_of_an_exported_motion_are_so_far_apart_that_they_are_not_too_many
 # --- what it says of itself
 
 
+def shortened(case: Any) -> Any:
+    """A case whose dragon is short where it would be the contest's: its pictures take ten seconds."""
+    if isinstance(case.body, dict) and isinstance(case.body.get("plan"), dict):
+        case.body["plan"].setdefault("dragon", {"benches": 4})
+    return case
+
+
 def test_the_description_of_the_addresses_holds(studio: Served) -> None:
+    import schemathesis  # takes a second, in every process that collects tests
+    from schemathesis import GenerationMode, checks
+    from schemathesis.core.result import Ok
+
     schema = schemathesis.openapi.from_url(f"{studio.base}/openapi.json")
     # A plan of the right form can be one that cannot be walked, or takes too long.
     left_out = [checks.positive_data_acceptance, checks.not_a_server_error]
@@ -674,7 +678,7 @@ def test_the_description_of_the_addresses_holds(studio: Served) -> None:
                 continue  # there is nothing that could be wrong
 
             @settings(max_examples=8, suppress_health_check=list(HealthCheck))
-            @given(case=operation.as_strategy(generation_mode=mode))
+            @given(case=operation.as_strategy(generation_mode=mode).map(shortened))
             def holds(case: Any) -> None:
                 response = case.call(timeout=600)
                 assert response.status_code not in {500, 503}, response.text

@@ -1,7 +1,6 @@
 """Which plan an answer is about: its hash on all of them, and long questions found again."""
 
 import itertools
-from collections.abc import Iterator
 from typing import Any
 
 import httpx
@@ -10,19 +9,13 @@ import pytest
 from benchdragon.plans.schema import Plan
 from benchdragon.studio.app import SUBJECT
 from benchdragon.studio.limits import Settings
-from tests.studio.servers import PLAN, TURN, Served, served, wait_for
+from tests.studio.servers import PLAN, TURN, Served, wait_for
 
 pytestmark = pytest.mark.xdist_group("studio")
 ADDRESSES = (
     "verdict", "dance", "limit/pitch", "limit/width", "toml", "export/motion.csv", "export/motion.npz",
 )  # fmt: skip
 CLIENTS = (f"client-{n}" for n in itertools.count())
-
-
-@pytest.fixture(scope="module")
-def studio() -> Iterator[Served]:
-    with served(Settings(port=0, workers=1, jobs_each=1)) as found:
-        yield found
 
 
 def post(studio: Served, path: str, plan: Any, client: str = "", **more: Any) -> httpx.Response:
@@ -56,11 +49,14 @@ def test_a_refusal_names_its_plan_where_there_is_one(studio: Served) -> None:
 def test_a_long_question_and_the_refusal_of_one_name_their_plans(studio: Served) -> None:
     client = next(CLIENTS)
     turn = {**TURN, "dragon": {"benches": 223}}
-    started = post(studio, "jobs", turn, client, question="turn")
+    started, *others = (
+        post(studio, "jobs", turn, client, question="turn") for _n in range(Settings().jobs_each)
+    )
     crowded = post(studio, "jobs", PLAN, client, question="prove")
     name = started.json()["id"]
     about = studio.client.get(f"/api/jobs/{name}").json()
-    studio.client.delete(f"/api/jobs/{name}")
+    for one in (*others, started):
+        studio.client.delete(f"/api/jobs/{one.json()['id']}")
     wanted = Plan.model_validate(turn).sha256
     assert started.headers[SUBJECT] == about["plan_sha256"] == wanted
     assert crowded.status_code == 429

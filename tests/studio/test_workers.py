@@ -404,7 +404,13 @@ def test_a_worker_that_is_left_answers_while_others_do_not_start(hands: Make) ->
 
 
 @pytest.fixture(scope="module")
-def poor() -> Iterator[Served]:
+def others() -> set[BaseProcess]:
+    """Processes of other studios."""
+    return set(multiprocessing.active_children())
+
+
+@pytest.fixture(scope="module")
+def poor(others: set[BaseProcess]) -> Iterator[Served]:
     """A studio whose questions get little memory, and whose workers are soon given up."""
     settings = Settings(
         port=0, workers=1, memory=20_000_000, spawns=1, respawn_seconds=0.05, wait_seconds=60.0
@@ -431,11 +437,13 @@ def test_memory_that_ran_out_is_no_verdict_and_costs_the_next_question_nothing(p
         assert verdict(poor).json()["safe"]
 
 
-def test_workers_that_are_killed_busy_idle_and_before_they_are_ready_come_back(poor: Served) -> None:
+def test_workers_that_are_killed_busy_idle_and_before_they_are_ready_come_back(
+    poor: Served, others: set[BaseProcess]
+) -> None:
     worker_queue = poor.studio.pool.queues["quick"]
 
     def workers() -> Iterator[BaseProcess]:
-        for worker in multiprocessing.active_children():
+        for worker in set(multiprocessing.active_children()) - others:
             if worker.name.startswith("benchdragon quick"):
                 yield worker
 

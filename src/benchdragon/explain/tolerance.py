@@ -3,8 +3,6 @@
 import math
 from dataclasses import fields
 
-from scipy.stats import binom
-
 from benchdragon.explain.text import number, signed
 from benchdragon.i18n import _
 from benchdragon.plans.schema import Plan
@@ -72,6 +70,8 @@ def _dance_lines(plan: Plan, found: Tolerance) -> list[str]:
 
 def _chance_lines(found: Tolerance, pitch: float) -> list[str]:
     """The share that touches, and the tails that bound the chance."""
+    from scipy.stats import binom  # slow to import
+
     count = found.needed.size
     share, low, high = found.touching()
     hits = round(share * count)
@@ -117,6 +117,8 @@ def _risk_lines(found: Tolerance) -> list[str]:
                 least=number(1.0 - CONFIDENCE),
             )
         ]  # fmt: skip
+    from scipy.stats import binom
+
     more = int((found.needed > pitch).sum())
     return [
         _(

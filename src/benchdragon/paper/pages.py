@@ -76,18 +76,21 @@ class Pages(FPDF):
     Args:
         document: what to write.
         folder: of the pictures.
-        pages: on which page each heading stands, by its anchor, for the contents.
+        sketch: the same pages as they were set before; for the contents, it knows on which each heading
+            stands, and its fonts, which take a third of a second to read, are used again.
     """
 
-    def __init__(self, document: Document, folder: Path, pages: dict[str, int]) -> None:
+    def __init__(self, document: Document, folder: Path, sketch: "Pages | None" = None) -> None:
         super().__init__(format="A4")
-        self._document, self._folder, self._pages = document, folder, pages
+        self._document, self._folder = document, folder
+        self._pages = {} if sketch is None else sketch.found
         self._waiting: list[Picture] = []
         self.drawn: list[Drawn] = []
         self.found: dict[str, int] = {}
-        for style, file in zip(("", "B"), FONT_FILES, strict=True):
-            self.add_font("Noto", style, file)
-            self.add_font("DejaVu", style, font_manager.findfont(f"DejaVu Sans:{WEIGHTS[style]}"))
+        if sketch is None:
+            self._read_fonts()
+        else:
+            self.fonts.update(sketch.fonts)
         self.set_fallback_fonts(["DejaVu"], exact_match=False)
         self.set_margin(MARGIN)
         self.set_auto_page_break(True, MARGIN)
@@ -98,6 +101,14 @@ class Pages(FPDF):
         # A link must lead somewhere before its chapter is set: to the first page until then.
         names = [anchor_of(name) for name in document.labels]
         self._links = {anchor: self.add_link(page=1) for anchor in [*anchors, *names]}
+
+    def _read_fonts(self) -> None:
+        for style, file in zip(("", "B"), FONT_FILES, strict=True):
+            self.add_font("Noto", style, file)
+            self.add_font("DejaVu", style, font_manager.findfont(f"DejaVu Sans:{WEIGHTS[style]}"))
+            noto = self.fonts[f"noto{style}"]
+            if isinstance(noto, TTFFont):  # else each mark would be a fragment of the other font
+                noto.cmap[ord(BREAK)], noto.cw[ord(BREAK)] = noto.cmap[ord(" ")], 0
 
     def _render_styled_text_line(self, text_line: TextLine, *details: Any, **more: Any) -> bool:
         """Set a line without its marks: lines are broken by now, and who searches finds whole words."""
@@ -317,12 +328,9 @@ def write_pdf(path: Path, document: Document, folder: Path) -> None:
 
     It is set twice: the first time tells the pages of the contents.
     """
-    sketch = Pages(document, folder, {})
+    sketch = Pages(document, folder)
     sketch.write_all()
-    for font in sketch.fonts.values():
-        if isinstance(font, TTFFont):
-            font.close()  # as `output` does
-    pages = Pages(document, folder, sketch.found)
+    pages = Pages(document, folder, sketch)
     pages.write_all()
     writer = PdfWriter(clone_from=io.BytesIO(bytes(pages.output())))
     for number, drawn in enumerate(pages.drawn):

@@ -12,7 +12,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import maximum_filter1d, minimum_filter1d
 
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels.curve import FloatArray
@@ -173,6 +172,8 @@ class _Bound:
         )
         self._slack, self._ahead, self._behind = 2.0 * float(body.max()), ahead, behind
         if self._stray.size:
+            from scipy.ndimage import minimum_filter1d  # slow to import
+
             theta = self._radii(self._grid) / self._b
             near, far = (
                 0.5 * self._b * (u * np.hypot(1.0, u) + np.arcsinh(u))
@@ -248,6 +249,8 @@ class _Bound:
         """How much farther out the line may lie under each bench than one turn farther out, m."""
         if not self._stray.size:
             return np.zeros((len(first), len(self._links)))
+        from scipy.ndimage import maximum_filter1d
+
         low, high = first - self._farthest[1:], last - self._nearest[:-1]
         size = 3 + int(float((high - low).max()) / GRID)
         highest = maximum_filter1d(self._more, size, mode="nearest")

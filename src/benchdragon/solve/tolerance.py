@@ -13,9 +13,6 @@ from functools import cache
 from threading import Lock
 
 import numpy as np
-from scipy.interpolate import CubicSpline
-from scipy.ndimage import gaussian_filter1d
-from scipy.stats import beta, binom
 
 from benchdragon.errors import (
     InputError,
@@ -130,6 +127,8 @@ class Draw:
 
     def offsets(self, way: float) -> tuple[FloatArray, float]:
         """How far aside the trodden line lies, m, from the end of `way` (m) back, and its step, m."""
+        from scipy.ndimage import gaussian_filter1d  # slow to import, as all of scipy below
+
         step = STRAY_LENGTH / STRAY_ENTRIES
         if not self.deviations.stray:
             return np.zeros(2), step
@@ -141,6 +140,8 @@ class Draw:
 
     def offset(self, low: float, end: float) -> Offset:
         """The same as a smooth function of route position from `low` to `end`, m, with its slope."""
+        from scipy.interpolate import CubicSpline
+
         offsets, step = self.offsets(end - low)
         curve = CubicSpline(step * np.arange(offsets.size), offsets)
         return lambda s: (curve(end - s), -curve(end - s, 1))
@@ -208,6 +209,8 @@ def chance(hits: int, count: int, confidence: float = CONFIDENCE) -> tuple[float
 
     They hold with at least that confidence, whatever the probability and the number of trials.
     """
+    from scipy.stats import beta
+
     tail = 0.5 * (1.0 - confidence)
     low = float(beta.ppf(tail, hits, count - hits + 1)) if hits else 0.0
     high = float(beta.ppf(1.0 - tail, hits + 1, count - hits)) if hits < count else 1.0
@@ -255,6 +258,8 @@ class Tolerance:
         It is one of the pitches needed: the bound on a quantile that holds for any distribution.
         Infinite where the draws are too few to say.
         """
+        from scipy.stats import binom
+
         count = self.needed.size
         chance = binom.cdf(np.arange(count), count, risk)
         allowed = int(np.searchsorted(chance, 1.0 - confidence, side="right")) - 1
@@ -267,6 +272,8 @@ class Tolerance:
 
         The other end of the bracket that `pitch_for` closes; 0 where the draws are too few to say.
         """
+        from scipy.stats import binom
+
         count = self.needed.size
         chance = binom.sf(np.arange(count), count, risk)  # of more than 0, 1, ... dances
         more = int(np.searchsorted(-chance, confidence - 1.0)) + 1
