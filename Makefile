@@ -61,8 +61,9 @@ docs: .venv/engine
 	$(BIN)/benchdragon --lang en reproduce --docs docs/_build/html/en -o docs/_build/html/en/report
 	$(BIN)/benchdragon --lang zh reproduce --docs docs/_build/html/zh -o docs/_build/html/zh/report
 
+# `make bench BEFORE=FOLDER` times another checkout beside this one.
 bench: .venv/engine
-	$(BIN)/python benchmarks/run.py
+	$(BIN)/python benchmarks/run.py $(if $(BEFORE),--before $(BEFORE))
 
 truth: .venv/installed
 	$(BIN)/python -m tests.truth.make_truth

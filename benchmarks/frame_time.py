@@ -20,7 +20,7 @@ from benchdragon.player.scene import Span, plain_dance
 DANCES = ((223, Span(-100.0, 383.0)), (1000, Span(-100.0, 300.0)))
 DEVICES: tuple[Device, ...] = ("desktop", "phone")
 # How long it plays, s, and from when: while the head turns.
-PLAYED, FROM = 5.0, 5.0
+PLAYED, FROM = 3.0, 5.0
 # What is asked of the page before it plays.
 WAYS = {
     "all in sight": "benchdragon.fit()",

@@ -14,7 +14,7 @@ from tests.studio.servers import process
 
 # Plan, slider, its values from and to, moves, and ms between them.
 SLIDERS = (
-    ("spiral-in", "spiral pitch", 0.44, 0.60, 30, 500),
+    ("question-3", "spiral pitch", 0.44, 0.60, 30, 500),
     ("turn", "ratio of the radii", 1.2, 2.0, 20, 1500),
 )
 ASKED = {"verdicts": "verdict", "pitches": "smallest pitch", "dances": "dance to be shown"}

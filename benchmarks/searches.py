@@ -1,0 +1,144 @@
+"""Searches: what the bound for spirals saves, how cost grows, and quick answers beside exact ones."""
+
+import math
+import time
+from collections.abc import Callable, Sequence
+from functools import partial
+from unittest import mock
+
+import numpy as np
+from questions import DISC, contact
+from standard import WALK
+from timing import LEAST, Job, Options, digits, fastest, lines_of, repeats_of
+
+from benchdragon import (
+    Answer,
+    TurnGoal,
+    best_turn,
+    check,
+    clearances,
+    first_contact,
+    greatest_head_speed,
+    limit,
+    read_plan,
+    smallest_pitch,
+)
+from benchdragon.analysis.distance import nearest_each
+from benchdragon.analysis.tables import Tables
+from benchdragon.studio.tasks import SIZE
+
+# Plans whose verdicts are compared, and settings of the way in to the disc whose smallest pitches are.
+VERDICTS = (
+    ("spiral-in",), ("spiral-in", DISC), ("spiral-in", DISC, "route.pitch=0.46"),
+    ("spiral-in", DISC, "route.pitch=0.44"), ("turn",), ("turn", "turn.family=arc-line-arc"),
+    ("turn", "turn.ease=0.3"), ("turn", "dragon.head_length=2.2"),
+)  # fmt: skip
+PITCHES: tuple[tuple[str, ...], ...] = (
+    (), ("route.pitch=0.44",), ("route.pitch=0.6",), ("dragon.width=0.5",),
+)  # fmt: skip
+
+
+def without_spiral_bound(job: Callable[[], Answer | None]) -> Answer | None:
+    """What a search answers that boxes every cell, as on curves that are no spirals."""
+    begin = Tables.begin
+
+    def begin_without(tables: Tables) -> None:
+        begin(tables)
+        tables.ground.spans[:] = math.inf, -math.inf
+
+    with mock.patch.object(Tables, "begin", autospec=True, side_effect=begin_without) as patched:
+        found = job()
+    if not patched.called:
+        raise AssertionError("searches no longer begin where the bound was taken from them")
+    return found
+
+
+def spiral_bound(options: Options) -> list[str]:
+    """Rows of searches with the bound for spirals, and without."""
+    walk, disc = read_plan("spiral-in").build(), read_plan("spiral-in", [DISC])
+    searches: dict[str, Callable[[], Answer | None]] = {
+        "first contact": lambda: first_contact(walk, 0.0, 430.0),
+        "smallest pitch, disc of 4.5 m": lambda: smallest_pitch(disc),
+    }
+    rows = []
+    for name, job in searches.items():
+        bare = partial(without_spiral_bound, job)
+        found, again = job(), bare()
+        if found is None or again is None:
+            raise AssertionError(f"{name} was found before")
+        ours, theirs = fastest([job, bare], 1 if options.quick else 10)
+        rows.append([
+            name, digits(1e3 * ours), digits(1e3 * theirs), digits(theirs / ours),
+            f"{found.value:.13f} {found.unit}", f"{abs(found.value - again.value):.0e} {found.unit}",
+        ])  # fmt: skip
+    columns = ("search", "ms", "without the bound, ms", "without / with", "answer", "answers differ by")
+    return lines_of(columns, rows)
+
+
+def contact_growth(options: Options) -> list[str]:
+    """Rows of first contacts of longer and longer dragons."""
+    rows = []
+    for benches in (100, 1000) if options.quick else (100, 1_000, 10_000, 100_000):
+        job = contact(benches)
+        (once,) = fastest([job], 1)
+        (seconds,) = fastest([job], repeats_of(once, options))
+        rows.append([f"{benches:,}", digits(1e3 * seconds), digits(1e6 * seconds / benches)])
+    return lines_of(("benches", "first contact, ms", "us a bench"), rows)
+
+
+def turns(options: Options) -> list[str]:
+    """Rows of the greatest head speed, as its cost grows, and of a best turn, in a warm process."""
+    turn, rows = read_plan("turn"), []
+    for benches in (100, 223) if options.quick else (100, 223, 1000, 3000):
+        ask = partial(greatest_head_speed, turn.with_value("dragon.benches", benches), tolerance=1e-12)
+        found = ask()
+        (seconds,) = fastest([ask], 1 if options.quick else LEAST)
+        name = f"greatest head speed, bracket {found.upper - found.lower:.0e} m/s"
+        rows.append([name, f"{benches:,}", digits(seconds), f"{found.value:.13f} m/s"])
+    if not options.quick:
+        plan = read_plan("turn", ["turn.family=arc-line-arc", "walk.speed=1.3"])
+        began = time.perf_counter()
+        best = best_turn(plan, TurnGoal("way", least_radius=1.5027))
+        seconds = time.perf_counter() - began
+        name = "best turn, arc-line-arc, at 1.3 m/s"
+        rows.append([name, f"{plan.dragon.benches}", digits(seconds), f"{best.way:.4f} m"])
+    return lines_of(("question", "benches", "s", "answer"), rows)
+
+
+def quick_answers(options: Options) -> list[str]:
+    """Quick answers beside exact ones: all of a verdict, and the smallest pitch."""
+    verdicts = []
+    for name, *settings in VERDICTS:
+        plan = read_plan(name, settings)
+        jobs = [partial(check, plan), partial(check, plan, quick=True)]
+        verdicts.append(beside(name, settings, jobs, options))
+    pitches = []
+    for settings in ([DISC, *more] for more in PITCHES):
+        plan = read_plan("spiral-in", settings)
+        sought = [partial(limit, plan, "pitch"), partial(limit, plan, "pitch", tolerance=SIZE)]
+        pitches.append(beside("spiral-in", settings, sought, options))
+    motion = WALK.motion(np.linspace(0.0, 400.0, 64))
+    each, pair = fastest([partial(nearest_each, motion), partial(clearances, motion)], 5)
+    times = ("exact, ms", "quick, ms", "exact / quick")
+    nearest = [
+        ["each bench's nearest", f"{1e3 * each / 64:.3f}"],
+        ["the nearest pair, by a hash grid", f"{1e3 * pair / 64:.3f}"],
+    ]
+    return [
+        *lines_of(("plan", f"verdict: {times[0]}", *times[1:]), verdicts), "",
+        *lines_of(("plan", f"smallest pitch: {times[0]}", *times[1:]), pitches), "",
+        *lines_of(("223 benches in a coil", "ms a time"), nearest),
+    ]  # fmt: skip
+
+
+def beside(name: str, settings: Sequence[str], jobs: Sequence[Job], options: Options) -> list[str]:
+    """A row of an exact and a quick job that take turns."""
+    for job in jobs:
+        job()
+    exact, loose = fastest(jobs, 1 if options.quick else LEAST)
+    return [
+        " ".join([name, *settings]),
+        digits(1e3 * exact),
+        digits(1e3 * loose),
+        digits(exact / loose),
+    ]
