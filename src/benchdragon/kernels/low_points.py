@@ -67,7 +67,7 @@ def low_point(
     """The least distance of benches i < j with the head between low and high, m; where.
 
     It is looked for, not bounded; infinite where the dragon stands nowhere. Minus a depth inside. `at`
-    and `places` are scratch, of j + 2 handles and two slots at least; `boxes` has two rows or more.
+    and `places` are scratch, of j + 2 handles and four slots at least; `boxes` has two rows or more.
     """
     least, where, count = math.inf, 0.5 * (low + high), at.shape[0]
     for _ in range(shrinks if low < high else 0):
@@ -83,7 +83,7 @@ def low_point(
         if lowest == math.inf or highest - lowest <= LEVEL:
             break
         low, high = at[max(n - 1, 0)], at[min(n + 1, count - 1)]
-        count = max(min(count, SAMPLES), 4)
+        count = min(count, SAMPLES)
     return least, where
 
 

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
+from typing import assert_never
 
 import numpy as np
 
@@ -30,13 +31,15 @@ from benchdragon.kernels.walk_search import ASTRAY
 from benchdragon.model.answer import Witness
 from benchdragon.model.base_curve import MOST_METRES
 from benchdragon.model.walk import Walk
-from benchdragon.plans.schema import FITS, Plan, SpiralInRoute, TurnRoute
+from benchdragon.plans.schema import FITS, PartsRoute, Plan, SpiralInRoute, TurnRoute
 from benchdragon.plans.tables import LEAST, LEAST_PITCH, ROOMY
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress
 
 # Brackets are at most so wide, m.
 TOLERANCE = 1e-12
+# Head positions at which a pair is looked at, at least.
+FEWEST = 4
 # In dragons of more benches no low distances are looked for beforehand.
 MOST_SAMPLED = 5_000
 
@@ -177,6 +180,8 @@ def kernel_numbers(plan: Plan, question: Question) -> FloatArray:
         kind, start, clockwise = sizes_of.SPIRAL_IN, route.start_turn, route.clockwise
     elif isinstance(route, TurnRoute):
         kind, disc = sizes_of.TURN, route.disc(plan)
+    elif not isinstance(route, PartsRoute):
+        assert_never(route)
     radii = turn.radii or (math.nan, math.nan)
     numbers = {
         sizes_of.WHAT: question.what,
@@ -260,7 +265,7 @@ class SizeSearch:
         self._doubts = np.empty(bracket.MOST_TRIALS + bracket.MOST_GROWTHS)
         self._meetings = np.full((kernel.MEETINGS, 4), kernel.NOBODY)
         handles = len(walk.dragon) + 1
-        slots = max(2, min(LANES, PLACES // handles))
+        slots = max(FEWEST, min(LANES, PLACES // handles))
         self._scratch = (np.empty(slots), empty_placements(handles, slots))
         self._boxes = np.empty((2, BOX_COLUMNS))
 
