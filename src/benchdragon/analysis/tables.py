@@ -99,7 +99,7 @@ class Tables:
         self._rows = len(walk.rows)
         benches, end = len(walk.benches.kind), float(walk.rows[-1, S_START] + walk.rows[-1, LENGTH])
         cell = CELL_SHARE * float(walk.benches.links.min())
-        self._wanted = math.floor(min(last, end) / cell) + 2 - math.floor(tail / cell)
+        self._wanted = max(math.floor(min(last, end) / cell) - math.floor(tail / cell), 0) + 2
         self._cells = min(self._wanted, MOST_CELLS)
         most = min(A_CELL * self._cells, AT_FIRST)
         self._parts, self._pairs, self._doubts, self._cell_log = most, most, DOUBTS, CELL_LOG

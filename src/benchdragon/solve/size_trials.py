@@ -259,7 +259,8 @@ class SizeSearch:
         self.evaluations = 0
         walk, start, end = family.walk(family.first)
         first, last = walk.head_position([start, end]).tolist()
-        self._ends, (self._family, self._walk) = (first, last), kernel_family(family, walk)
+        self._ends = first, max(first, last)
+        self._family, self._walk = kernel_family(family, walk)
         self._tables = self._made_tables()
         self.state = np.zeros(bracket.STATE)
         self._doubts = np.empty(bracket.MOST_TRIALS + bracket.MOST_GROWTHS)
