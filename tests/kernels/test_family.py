@@ -18,6 +18,11 @@ DISC = ["disc.radius=4.5"]
 FEW = "dragon.benches=12"
 EASED = ["turn.ease=0.8", "dragon.head_length=2.5", "turn.exit_radius=4.4"]
 EIGHT = str(Path(__file__).parents[2] / "examples" / "02_eight.dragon.toml")
+WIDE = [
+    *("route.pitch=3.357", "disc.radius=6.2", "walk.start=-20", "walk.end=30", "turn.curvature=0.4"),
+    *("turn.family=arc-arc-arc", "turn.radii=[1.9085, 3.8187]", "turn.entry_radius=2.623"),
+    "turn.exit_radius=1.515",
+]
 PLANS: dict[str, tuple[str, Sequence[str], float]] = {
     "spiral": ("spiral-in", [*DISC, FEW], 0.0),
     "spiral, counter-clockwise, short": ("spiral-in", [*DISC, "route.clockwise=false", FEW], 0.1),
@@ -27,6 +32,7 @@ PLANS: dict[str, tuple[str, Sequence[str], float]] = {
     "turn, eased": ("turn", [FEW, *EASED], 0.0),
     "arc, line, arc": ("turn", [FEW, "turn.family=arc-line-arc", "turn.radii=[2.0, 1.6]"], 0.0),
     "arcs without radii": ("turn", [FEW, "turn.family=arc-arc-arc", "turn.curvature=0.05"], 0.0),
+    "turn that swings out": ("turn", [FEW, *WIDE], 0.0),
     "turn of a shorter walk": ("turn", [FEW, "walk.start=-20", "walk.end=60"], 0.0),
     "fixed parts": (EIGHT, [FEW], 0.0),
 }

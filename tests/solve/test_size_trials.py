@@ -13,7 +13,7 @@ from benchdragon.kernels.size_search import NOBODY
 from benchdragon.plans.schema import read_plan
 from benchdragon.progress import silent
 from benchdragon.solve import size_trials
-from benchdragon.solve.size_trials import Family, SizeSearch, kernel_family, question
+from benchdragon.solve.size_trials import Family, Meeting, SizeSearch, kernel_family, question
 
 DISC, FEW = ["disc.radius=4.5"], "dragon.benches=30"
 EIGHT = str(Path(__file__).parents[2] / "examples" / "02_eight.dragon.toml")
@@ -89,3 +89,12 @@ def test_a_walk_that_ends_past_its_route_fails() -> None:
     assert search.trial(1.5) == PASSES
     assert search.trial(0.9) == FAILS
     assert search._meetings[0, 2] == NOBODY
+
+
+def test_what_is_near_a_meeting_is_as_far_from_the_start_or_from_the_end() -> None:
+    meeting, links = Meeting(40.0, 10.0, 0, 2), np.array([2.86, 1.65, 1.65])
+    near = 1.5 * 2.86
+    assert list(meeting.windows(links, 0.0, 50.0)) == [(40.0 - near, 40.0 + near)]
+    wider = [(40.0 - near, 40.0 + near), (50.0 - near, 50.0 + near)]
+    assert list(meeting.windows(links, 0.0, 60.0)) == wider
+    assert list(meeting.windows(links, 38.0, 42.0)) == [(38.0, 42.0), (38.0, 32.0 + near)]
