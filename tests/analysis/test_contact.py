@@ -4,9 +4,11 @@ import itertools
 import json
 import math
 import tracemalloc
-from collections.abc import Callable
-from dataclasses import replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -33,7 +35,9 @@ from benchdragon.analysis import contact
 from benchdragon.analysis.contact import clearance_above
 from benchdragon.analysis.contact_search import ContactSearch, contact_search
 from benchdragon.analysis.speed import greatest_speed
+from benchdragon.kernels import search as kernel
 from benchdragon.kernels.box import least_distance
+from benchdragon.kernels.curve import FloatArray
 from benchdragon.plans.schema import read_plan
 from benchdragon.progress import silent
 
@@ -493,3 +497,33 @@ def test_the_steps_of_a_long_dragons_search_hold_no_more_than_their_pairs() -> N
     assert all(pairs.base is None for step in steps for pairs in (step.first, step.second))
     assert held < 10e6
     assert most < 30e6
+
+
+@dataclass
+class Stuck:
+    """A search that ends its passes at these tolerances alone, m."""
+
+    closes: Sequence[float]
+    tables: Any = field(default_factory=lambda: SimpleNamespace(again=lambda: None))
+    passes: list[float] = field(default_factory=list)
+
+    def search(self, _goal: int, note: FloatArray, tolerance: float) -> int:
+        self.passes.append(tolerance)
+        note[[kernel.NEAREST, kernel.FLOOR]] = 0.2, 0.1999
+        return kernel.CLEAR if tolerance in self.closes else kernel.GRAZE
+
+    def pair(self, _note: FloatArray) -> tuple[int, int]:
+        return 0, 2
+
+
+@pytest.mark.parametrize(
+    ("closes", "passes", "floor"),
+    [((1e-12, 1e-5), 1, 0.1999), ((1e-5,), 3, 0.1999), ((), 3, 0.0)],
+)
+def test_a_floor_is_told_by_a_pass_that_came_to_its_end(
+    closes: Sequence[float], passes: int, floor: float
+) -> None:
+    search: Any = Stuck(closes)
+    best = contact._bracketed(search, contact.Best(0.3, 0.0, (1, 4)), 0.3, contact.TOLERANCES)
+    assert (best.distance, best.pair, best.floor) == (0.2, (0, 2), floor)
+    assert search.passes == list(contact.TOLERANCES[:passes])

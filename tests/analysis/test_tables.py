@@ -76,3 +76,12 @@ def test_too_many_sizes_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     walk = Walk(Dragon.of_sizes([2.0, 2.1, 2.2, 2.0], 0.3, 0.2, 0.2), Route((Line(99.0),)), start=20.0)
     with pytest.raises(InputError, match="at most 2 different sizes, not 3"):
         contact_windows(walk, 0.0, 9.0)
+
+
+@pytest.mark.usefixtures("narrow")
+def test_a_part_of_a_walk_stays_one_when_room_is_widened() -> None:
+    search = ContactSearch(SPIRAL, 40.0, 65.0, 0.0, silent)
+    search.begin(0.3)
+    search.tables.go(50.0, 52.0)
+    steps = list(search.steps())
+    assert 50.0 <= steps[0].start < steps[-1].end == 52.0
