@@ -6,6 +6,8 @@ PAGES := 'src/benchdragon/web/*.js' 'src/benchdragon/web/*.css' 'tests/engine/*.
 NPM := $(shell command -v npm 2>/dev/null)
 # Two dances whose numbers are recorded: the same on every engine.
 RECORDED := tests/model/test_walk.py::test_a_built_in_dance_is_the_recorded_one_with_any_number_of_workers
+# One process more than cores: tests wait for browsers and servers.
+WORKERS := $(shell expr $$(getconf _NPROCESSORS_ONLN) + 1)
 # The kernels are built on one core while the other does what has no need of them.
 MAKEFLAGS += --jobs=2
 
@@ -37,7 +39,7 @@ test: lint .venv/engine plain-test $(if $(NPM),node_modules/installed)
 	$(if $(NPM),node_modules/.bin/tsc -p .,@echo "no npm here: the pages' JavaScript is not checked")
 	$(if $(NPM),node_modules/.bin/prettier --check --log-level warn $(PAGES))
 	BENCHDRAGON_ENGINE=jit $(BIN)/python -m pytest -q -n auto tests/kernels $(RECORDED)
-	$(BIN)/python -m pytest -q -n auto --dist loadgroup -m 'not manual' --ignore tests/kernels
+	$(BIN)/python -m pytest -q -n $(WORKERS) --dist loadgroup -m 'not manual' --ignore tests/kernels
 
 quick: lint .venv/engine
 	$(BIN)/python -m pytest -q @tests/quick.txt
