@@ -36,11 +36,11 @@ class World:
         self.tried.append(size)
         if self.off and self.state[bracket.SHIFT] > 0.0:
             self.state[[bracket.SIZE, bracket.ROOT]] += self.off.pop()
-        self.meetings[search.FAILED, search.MEET_FRONT] = search.NOBODY
         if not self.decided(size):
             return UNDECIDED
         if self.passes(size):
             return PASSES
+        self.meetings[search.FAILED, search.MEET_FRONT] = search.NOBODY
         if self.walked(size):  # the first that meets
             n = next(n for n, pair in enumerate(self.pairs) if pair(size) < 0.0)
             self.meetings[search.FAILED] = 1.0 + n, 9.0 - n, n, n + 2

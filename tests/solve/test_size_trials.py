@@ -7,12 +7,13 @@ import numpy as np
 import pytest
 
 from benchdragon.analysis.contact import first_contact
-from benchdragon.errors import BenchDragonError
-from benchdragon.kernels.size_bracket import FAILS, PASSES, UNDECIDED, VALUE
+from benchdragon.errors import BenchDragonError, InputError
+from benchdragon.kernels.size_bracket import FAILS, PASSES, TRIALS, UNDECIDED, VALUE
 from benchdragon.kernels.size_search import NOBODY
 from benchdragon.plans.schema import read_plan
 from benchdragon.progress import silent
 from benchdragon.solve import size_trials
+from benchdragon.solve.size import limit
 from benchdragon.solve.size_trials import Family, Meeting, SizeSearch, kernel_family, question
 
 DISC, FEW = ["disc.radius=4.5"], "dragon.benches=30"
@@ -98,3 +99,28 @@ def test_what_is_near_a_meeting_is_as_far_from_the_start_or_from_the_end() -> No
     wider = [(40.0 - near, 40.0 + near), (50.0 - near, 50.0 + near)]
     assert list(meeting.windows(links, 0.0, 60.0)) == wider
     assert list(meeting.windows(links, 38.0, 42.0)) == [(38.0, 42.0), (38.0, 32.0 + near)]
+
+
+def test_a_dragon_that_stands_still_passes_only_if_its_benches_keep_apart() -> None:
+    plan = read_plan(
+        "spiral-in", ["disc.radius=4.5", "walk.start=20", "walk.end=20", "walk.position=200"]
+    )
+    search = SizeSearch(Family(plan, question("width"), 0.0), silent)
+    assert search.trial(0.3) == PASSES
+    assert search.trial(0.6) == FAILS
+    found = limit(plan, "width")
+    assert found.status == "found"
+    assert 0.3 < found.value < 0.6
+
+
+@pytest.mark.parametrize("margin", [math.nan, -0.1])
+def test_a_margin_that_cannot_be_is_refused(margin: float) -> None:
+    with pytest.raises(InputError, match="margin"):
+        limit(read_plan("spiral-in", [FEW, *DISC]), "pitch", margin=margin)
+
+
+def test_a_plan_that_fails_is_mended_by_the_pair_that_met() -> None:
+    """From a pitch that fails, a few trials: the pair that met there leads to the limit."""
+    search = SizeSearch(Family(read_plan("spiral-in", [*DISC, FEW]), question("pitch"), 0.0), silent)
+    search.limit(0.43)
+    assert search.state[TRIALS] <= 3

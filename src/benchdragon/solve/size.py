@@ -21,7 +21,7 @@ from benchdragon.analysis.proof import (
     require_enclosed,
     require_flint,
 )
-from benchdragon.errors import InputError, UnsureError, of_kind
+from benchdragon.errors import InputError, UnsureError, not_negative, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels.size_bracket import BAD, FAILS, GOOD, PASSES, UNDECIDED, VALUE
 from benchdragon.kernels.size_search import EXHAUSTED, INFEASIBLE, UNLIMITED
@@ -128,6 +128,7 @@ def _limit(family: Family, progress: Progress, began: float) -> Answer:
 def _family(plan: Plan, name: str, margin: float | None, tolerance: float = TOLERANCE) -> Family:
     """The walks among which a limit is sought; not such as must fail whatever their size."""
     of_kind("plan", plan, Plan)
+    not_negative("margin", plan.limits.margin if margin is None else margin, "m")
     family = Family(plan, question(name), plan.limits.margin if margin is None else margin, tolerance)
     centre = plan.disc.radius is None and plan.walk.end is None
     if name != "disc" and plan.route.kind == "spiral-in" and centre:

@@ -16,7 +16,7 @@ from benchdragon.kernels import family as sizes_of
 from benchdragon.kernels import search as steps
 from benchdragon.kernels import size_bracket as bracket
 from benchdragon.kernels import size_search as kernel
-from benchdragon.kernels.box import BOX_COLUMNS
+from benchdragon.kernels.box import BOX_COLUMNS, nearest_pair
 from benchdragon.kernels.course import AT, SOUND, Benches
 from benchdragon.kernels.course import Walk as KernelWalk
 from benchdragon.kernels.curve import COLUMNS, LENGTH, S_START, FloatArray
@@ -255,7 +255,7 @@ class SizeSearch:
 
     def __init__(self, family: Family, progress: Progress) -> None:
         self._progress, self._margin = progress, family.margin
-        self._settings = family.question.sense, family.tolerance
+        self._settings = family.question.sense, max(TOLERANCE, family.tolerance)
         self.evaluations = 0
         walk, start, end = family.walk(family.first)
         first, last = walk.head_position([start, end]).tolist()
@@ -358,24 +358,40 @@ class SizeSearch:
             for low, high in meeting.windows(benches.links, first, last)
         )  # fmt: skip
         self._meetings[kernel.ROOTED, : kernel.MEET_FRONT] = s, last - s
-        return least - self._margin
+        return least - self._margin if math.isfinite(least) else math.nan
 
     def trial(self, size: float) -> int:
         """How the walk of a size goes: PASSES, FAILS or UNDECIDED of kernels/size_bracket.py."""
         self._progress(0.0, f"{size:.9g} m")
-        self._meetings[kernel.FAILED, kernel.MEET_FRONT] = kernel.NOBODY
         rows, first, last = self._walk_of(size)
         if not len(rows):
-            return bracket.FAILS
+            return self._failed_alone()
         (at, places), tables = self._scratch, self._tables
         at[0] = first
         if not place_chain(rows, self._walk.benches.links, at, 0, 1, places):
-            return bracket.FAILS
+            return self._failed_alone()
         extent = float(np.abs([places.x[:, 0], places.y[:, 0]]).max())
         slack = slack_at(extent)
+        if first == last:
+            return self._standing(first, slack)
         tables.aim(self._walk._replace(rows=rows), first, last, self._margin + slack)
         tables.begin()
         return self._searched(last, slack)
+
+    def _failed_alone(self) -> int:
+        """That a walk fails in which no two benches met."""
+        self._meetings[kernel.FAILED, kernel.MEET_FRONT] = kernel.NOBODY
+        return bracket.FAILS
+
+    def _standing(self, s: float, slack: float) -> int:
+        """How a dragon that stands still passes, which is placed in the first slot."""
+        places = self._scratch[1]
+        x, y = (np.ascontiguousarray(column[:, :1]) for column in (places.x, places.y))
+        apart, _time, i, j = nearest_pair(self._walk.benches.sizes, x, y)
+        if apart > self._margin - slack:
+            return bracket.PASSES
+        self._meetings[kernel.FAILED] = s, 0.0, i, j
+        return bracket.FAILS
 
     def _searched(self, last: float, slack: float) -> int:
         """How the walk goes for which the tables are made."""
@@ -387,7 +403,7 @@ class SizeSearch:
         if ending == steps.CLEAR:
             rows = tables.walk.rows
             length = float(rows[-1, S_START] + rows[-1, LENGTH])
-            return bracket.FAILS if last > length + END_SLACK else bracket.PASSES
+            return self._failed_alone() if last > length + END_SLACK else bracket.PASSES
         if ending in (ASTRAY, steps.FALLEN):
             return self._fallen(ending, note)
         i, j = divmod(int(note[steps.PAIR]), len(self._walk.benches.kind))
@@ -401,7 +417,7 @@ class SizeSearch:
         sound = float(note[steps.LOWER]) if ending == steps.FALLEN else min(way[[AT, SOUND]].tolist())
         rows, links = self._tables.walk.rows, self._walk.benches.links
         falls = falls_soon(rows, links, sound, at, places)
-        return bracket.FAILS if falls else bracket.UNDECIDED
+        return self._failed_alone() if falls else bracket.UNDECIDED
 
 
 def _meeting(row: FloatArray) -> Meeting | None:
