@@ -518,7 +518,7 @@ class Stuck:
 
 @pytest.mark.parametrize(
     ("closes", "passes", "floor"),
-    [((1e-12, 1e-5), 1, 0.1999), ((1e-5,), 3, 0.1999), ((), 3, 0.0)],
+    [((1e-12, 1e-5), 1, 0.1999), ((1e-5,), 3, 0.1999), ((math.inf,), 4, 0.0)],
 )
 def test_a_floor_is_told_by_a_pass_that_came_to_its_end(
     closes: Sequence[float], passes: int, floor: float
@@ -526,4 +526,4 @@ def test_a_floor_is_told_by_a_pass_that_came_to_its_end(
     search: Any = Stuck(closes)
     best = contact._bracketed(search, contact.Best(0.3, 0.0, (1, 4)), 0.3, contact.TOLERANCES)
     assert (best.distance, best.pair, best.floor) == (0.2, (0, 2), floor)
-    assert search.passes == list(contact.TOLERANCES[:passes])
+    assert search.passes == [*contact.TOLERANCES, math.inf][:passes]

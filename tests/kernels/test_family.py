@@ -12,7 +12,7 @@ from benchdragon.kernels.step_bounds import empty_placements
 from benchdragon.model.curves import Line, Route
 from benchdragon.model.dragon import Dragon
 from benchdragon.plans.schema import Plan, read_plan
-from benchdragon.solve.size_trials import QUESTIONS, Family, kernel_family
+from benchdragon.solve.size_trials import QUESTIONS, PlanFamily, kernel_family
 
 DISC = ["disc.radius=4.5"]
 FEW = "dragon.benches=12"
@@ -40,7 +40,7 @@ PLANS: dict[str, tuple[str, Sequence[str], float]] = {
 FACTORS = (0.3, 0.71, 0.93, 1.0, 1.02, 1.31, 2.6, 40.0)
 
 
-def families(plan: Plan, margin: float) -> list[Family]:
+def families(plan: Plan, margin: float) -> list[PlanFamily]:
     """The families of all sizes that this plan has."""
     found = []
     for one in QUESTIONS.values():
@@ -48,7 +48,7 @@ def families(plan: Plan, margin: float) -> list[Family]:
             plan.value(one.keys[0])
         except BenchDragonError:
             continue
-        found.append(Family(plan, one, margin))
+        found.append(PlanFamily(plan, one, margin))
     return found
 
 

@@ -42,8 +42,10 @@ def test_a_pairs_low_point_is_no_higher_than_near_samples(
         n = int(np.argmin(pairs[i, j]))
         low, high = at[n] - 0.4, at[n] + 0.4
         least, where = low_point(ROWS, LINKS, SIZES, i, j, low, high, SHRINKS, *scratch(slots))
-        assert least <= pairs[i, j][n] + (1e-3 if slots < 8 else 1e-12)
+        assert least <= pairs[i, j][n] + 1e-12
         assert least >= pairs[i, j][n] - 1e-3
+        fine = low_point(ROWS, LINKS, SIZES, i, j, low, high, SHRINKS, *scratch(64))[0]
+        assert least == pytest.approx(fine, abs=1e-12)
         assert low <= where <= high
 
 

@@ -102,6 +102,21 @@ def test_the_limit_is_where_the_deciding_pair_just_keeps_apart(
     assert not world.passes(state[BAD])
     assert abs(state[VALUE] - 0.7) <= 2e-12
     assert len(world.tried) < 40
+    decides = int(world.meetings[search.GUIDE, search.MEET_FRONT])
+    assert decides == search.NOBODY or pairs[decides](state[BAD]) < 0.0
+    assert blind or decides != search.NOBODY
+
+
+def test_the_pair_that_decides_met_in_the_last_walk_that_failed() -> None:
+    """Not the one gone by: here another one closes the bracket."""
+    world = World(ONE)
+    state, doubts = world.state, np.empty(0)
+    state[[bracket.SENSE, bracket.TOLERANCE, bracket.STAGE]] = 1.0, 1e-12, search.NARROW
+    state[[GOOD, bracket.SIZE, bracket.PHASE]] = 0.7 + 1e-13, 0.7, search.AFTER_WALK
+    world.meetings[search.GUIDE] = 3.0, 1.0, 2, 4
+    world.meetings[search.FAILED] = 1.0, 2.0, 5, 9
+    assert search.next_task(state, doubts, world.meetings, FAILS) == search.FOUND
+    assert world.meetings[search.GUIDE].tolist() == [1.0, 2.0, 5, 9]
 
 
 def test_a_root_costs_few_walks_and_a_search_without_pairs_many() -> None:

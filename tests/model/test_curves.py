@@ -12,7 +12,8 @@ import pytest
 
 import benchdragon
 from benchdragon import Arc, Clothoid, InputError, Line, LogSpiral, Route, Spiral
-from benchdragon.model.base_curve import MOST_METRES, Curve
+from benchdragon.kernels.curve import MOST_METRES
+from benchdragon.model.base_curve import Curve
 from benchdragon.model.curves import JOINT_GAP, AnyCurve
 
 PACKAGE = Path(benchdragon.__file__).parent

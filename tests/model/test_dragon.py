@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from benchdragon import Bench, Dragon, InputError
-from benchdragon.model.dragon import LONGEST_BENCH, MOST_BENCHES, SHORTEST_LINK
+from benchdragon.kernels.box import LONGEST_BENCH, SHORTEST_LINK
+from benchdragon.model.dragon import MOST_BENCHES
 
 
 def test_the_link_is_what_the_insets_leave_of_the_length() -> None:

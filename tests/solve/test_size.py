@@ -15,7 +15,7 @@ from benchdragon.paper.traversal import pitch_curve, traversed_pitch
 from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.solve.size import Span, feasible_sizes, limit, smallest_pitch
-from benchdragon.solve.size_trials import QUESTIONS, TOLERANCE, Family, SizeSearch
+from benchdragon.solve.size_trials import QUESTIONS, TOLERANCE, PlanFamily, SizeSearch
 
 SMALLEST_PITCH = 0.4503373930271955
 
@@ -104,7 +104,7 @@ def _polygon(motion: object, bench: int) -> shapely.Polygon:
 
 
 def test_the_last_walk_of_a_family_is_kept_and_no_other_taken_for_it(disc: Plan) -> None:
-    family = Family(disc, QUESTIONS["pitch"], 0.0)
+    family = PlanFamily(disc, QUESTIONS["pitch"], 0.0)
     walk, *times = family.walk(0.55)
     assert family.walk(0.55)[0] is walk
     other = family.walk(0.56)[0]

@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from benchdragon.analysis.contact_search import ContactSearch, contact_search
-from benchdragon.analysis.distance import low_pair, tightest_pairs
+from benchdragon.analysis.distance import MOST_SAMPLED, low_pair, tightest_pairs
 from benchdragon.analysis.ledger import Ledger
 from benchdragon.errors import InputError, of_kind
 from benchdragon.i18n import _
@@ -26,9 +26,9 @@ from benchdragon.progress import Progress, silent
 
 # Grazes nearer than this to the end of a window, s, belong to it.
 FRAYED = 1e-5
-# In dragons of at most so many benches low distances are looked for before bounds are sought; of longer
-# ones the first guess, m, is multiplied by so much until some pair comes nearer.
-MOST_SAMPLED, FIRST_REACH, WIDER = 5_000, 0.003, 6.0
+# The least distance of dragons that are not looked over is first guessed to be this, m, and the guess
+# multiplied by so much until some pair comes nearer.
+FIRST_REACH, WIDER = 0.003, 6.0
 # Least clearances are bracketed to the first of these, m, that benches which keep one distance for a
 # while allow.
 TOLERANCES = (1e-12, 1e-8, 1e-5)
@@ -195,7 +195,8 @@ def least_clearance(
 
     0 where benches overlap; infinite for a dragon of one or two benches. The bracket is as wide as the
     first of `tolerances`, m, or where benches keep one distance for a while as one of the others.
-    Nothing beyond `within` metres is looked for: then that is the lower end, the upper is infinite.
+    Nothing beyond `within` metres is looked for: where nothing is nearer the upper end is infinite, and
+    the lower one that less the tolerance.
 
     Raises:
         InputError: for an end before the start.
@@ -249,7 +250,7 @@ def _least(search: ContactSearch, best: Best, within: float, tolerances: Sequenc
             break
         if reach >= within:
             return Answer(
-                math.inf, within, math.inf, "m", "found", None, search.assumed(), search.evaluations
+                math.inf, best.floor, math.inf, "m", "found", None, search.assumed(), search.evaluations
             )
         reach *= WIDER
     return _clearance_answer(search, best)
@@ -268,8 +269,11 @@ def _guess(search: ContactSearch) -> Best:
 
 
 def _bracketed(search: ContactSearch, best: Best, reach: float, tolerances: Sequence[float]) -> Best:
-    """`best`, or what is lower within `reach`, bracketed as the first tolerance that can be says."""
-    for tolerance in tolerances:
+    """`best`, or what is lower within `reach`, bracketed as the first tolerance that can be says.
+
+    A last pass, of whatever width, sees the rest of the walk.
+    """
+    for tolerance in (*tolerances, math.inf):
         search.tables.again()
         best, closed = _lowered(search, best, min(reach, best.distance), tolerance)
         if closed:
@@ -285,7 +289,7 @@ def _lowered(search: ContactSearch, best: Best, reach: float, tolerance: float) 
     if note[kernel.NEAREST] < reach:
         nearest = max(float(note[kernel.NEAREST]), 0.0)
         best = Best(nearest, float(note[kernel.UPPER]), search.pair(note))
-    floor = min(float(note[kernel.FLOOR]), float(note[kernel.NEAREST]) - tolerance)
+    floor = max(min(float(note[kernel.FLOOR]), float(note[kernel.NEAREST]) - tolerance), 0.0)
     return replace(best, floor=floor if closed else 0.0), closed or best.distance == 0.0
 
 

@@ -22,6 +22,7 @@ from benchdragon.i18n import _
 from benchdragon.kernels import cells, course
 from benchdragon.kernels import search as kernel
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.family import UNKNOWN
 from benchdragon.kernels.route import END_SLACK, IntArray
 from benchdragon.kernels.walk_search import ASTRAY, CROWDED, MORE, SEEK, search_walk
 from benchdragon.model.answer import Answer, Status, Witness
@@ -42,8 +43,6 @@ MOST_EVALUATIONS = 200_000
 MOST_LEAST_EVALUATIONS = 2000
 # Places looked at for why a walk could not be followed.
 SAMPLES_AHEAD = 65
-# The head's way between what was searched and a failure, m: more, and it is not known what comes first.
-UNKNOWN = 1e-6
 
 
 def slack_at(extent: float) -> float:

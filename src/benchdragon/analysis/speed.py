@@ -11,6 +11,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from benchdragon.analysis.tables import PLACES
 from benchdragon.errors import InputError, UnsureError, in_order, of_kind
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import bench_cells as cells
@@ -47,8 +48,6 @@ LEAST_LOSS, MOST_LOSS, SAMPLES = 1e-9, 0.2, 4
 MOST_CELLS = 500_000
 # Handles placed, or cells made, between two looks at the clock: some 20 ms.
 BUDGET = 100_000
-# Handles times head positions at a time: 60 MB.
-PLACES = 1_000_000
 
 
 @dataclass(frozen=True)

@@ -193,19 +193,19 @@ class Tables:
         """Make room where it did not do: for the step at hand, or for the route, which begins anew.
 
         Raises:
-            InputError: if the route has too many cells.
+            UnsureError: if the route has too many cells.
         """
-        if self.enlarge():
+        if self._enlarge():
             at, goal = self.course.way[[course.AT, course.GOAL]].tolist()
             self.begin()
             self.course.way[[course.AT, course.UPTO, course.KNOWN, course.SOUND]] = at
             self.course.way[course.GOAL] = goal
 
-    def enlarge(self) -> bool:
+    def _enlarge(self) -> bool:
         """Make room where it did not do; whether that is room for the route, nothing known of it.
 
         Raises:
-            InputError: if the route has too many cells.
+            UnsureError: if the route has too many cells.
         """
         counts, tally = self.ground.counts, self.course.tally
         self._enlarge_cells()
@@ -236,9 +236,9 @@ class Tables:
         if int(self.ground.counts[cells.CELLS]) < self._cells or self._wanted == self._cells:
             return
         if self._cells == MOST_CELLS:
-            raise InputError(
-                _("the route is too long to be searched: {count} cells, at most {most}").format(
-                    count=self._wanted, most=MOST_CELLS
+            raise UnsureError(
+                _("the walk is too long to be searched: more than {most} cells of its route").format(
+                    most=MOST_CELLS
                 )
             )
         self._cells = min(WIDER * self._cells, MOST_CELLS)

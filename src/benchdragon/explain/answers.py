@@ -16,7 +16,7 @@ from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan, TurnRoute
 from benchdragon.solve.head_speed import Pace
 from benchdragon.solve.size import FeasibleSizes, undecided_text
-from benchdragon.solve.size_trials import Family, Meeting, question
+from benchdragon.solve.size_trials import Meeting, PlanFamily, question
 from benchdragon.solve.turn import BestTurn
 
 # How far from a limit the pair's distance is looked at, m of the size.
@@ -47,7 +47,7 @@ def limit_lines(plan: Plan, name: str, answer: Answer, tried: Sequence[str]) -> 
             *lines,
             _("All of them pass; none beyond {size} m was tried.").format(size=number(answer.value)),
         ]
-    family = Family(plan, question(name), plan.limits.margin)
+    family = PlanFamily(plan, question(name), plan.limits.margin)
     if answer.witness is not None and len(answer.witness.benches) == 2:
         lines += _pair_lines(family, answer, answer.witness)
     lines.append(_bracket_line(answer, family.question.sense))
@@ -79,7 +79,7 @@ def listed(texts: Sequence[str]) -> str:
     return ", ".join(shown)
 
 
-def _pair_lines(family: Family, answer: Answer, near: Witness) -> list[str]:
+def _pair_lines(family: PlanFamily, answer: Answer, near: Witness) -> list[str]:
     """The pair that decides: its distance as a function of the size, the root, the moment."""
     i, j = (bench - 1 for bench in near.benches)
     walk, _start, end = family.walk(answer.value)

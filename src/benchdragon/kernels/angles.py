@@ -1,4 +1,4 @@
-"""Sine and cosine to rounding: the same on every machine, written to become SIMD, no library's."""
+"""Sine and cosine to rounding: no library's, and written to become SIMD."""
 
 import math
 

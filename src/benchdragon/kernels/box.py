@@ -20,6 +20,8 @@ UY = 3
 HALF_LENGTH = 4  # m
 HALF_WIDTH = 5
 BOX_COLUMNS = 6
+# m; the longest that is still a bench and the shortest link that chords of 1e-12 m can resolve.
+LONGEST_BENCH, SHORTEST_LINK = 1e4, 1e-3
 
 # Corners in going round: front left, rear left, rear right, front right.
 ALONG = np.array([1.0, -1.0, -1.0, 1.0])

@@ -43,6 +43,8 @@ COLUMNS = 14
 # A clothoid row turns by at most this, rad. With the 12 nodes below the quadrature is then exact
 # to rounding (design/clothoid_quadrature.py); doubling it costs 1e-13 m.
 CLOTHOID_TURN = 2.0
+# Sizes and coordinates, m: beyond it doubles no longer hold a micrometre.
+MOST_METRES = 1e8
 # A clothoid or a logarithmic spiral may turn by this, rad, in all; more would fill the memory with rows
 # of the one, and with the other take too long to search.
 MOST_TURN = 1e4
@@ -148,6 +150,13 @@ def bent_chord(rows: FloatArray, j: int, u: float) -> tuple[float, float, float,
 
 
 @kernel
+def unit(x: float, y: float) -> tuple[float, float]:
+    """A vector whose length is 1 but for rounding, made so: one step of Newton's method."""
+    share = 1.5 - 0.5 * (x * x + y * y)
+    return x * share, y * share
+
+
+@kernel
 def place(rows: FloatArray, j: int, u: float) -> tuple[float, float, float, float]:
     """Point (m) and unit tangent in the walking direction, (x, y, tx, ty), at parameter u of row j."""
     if rows[j, KIND] == SPIRAL:
@@ -156,15 +165,11 @@ def place(rows: FloatArray, j: int, u: float) -> tuple[float, float, float, floa
         scale = walks_up(rows, j) / math.sqrt(1.0 + u * u)
         r = rows[j, P] * u
         turn = rows[j, Q] * u
-        return (
-            rows[j, X] + r * c,
-            rows[j, Y] + r * s,
-            scale * (c - turn * s),
-            scale * (s + turn * c),
-        )
+        tx, ty = unit(scale * (c - turn * s), scale * (s + turn * c))
+        return rows[j, X] + r * c, rows[j, Y] + r * s, tx, ty
     x, y, tx, ty = bent_chord(rows, j, u)
     x, y = turned(rows, j, x, y)
-    tx, ty = turned(rows, j, tx, ty)
+    tx, ty = unit(*turned(rows, j, tx, ty))
     return rows[j, X] + x, rows[j, Y] + y, tx, ty
 
 

@@ -7,9 +7,18 @@ import math
 from typing import NamedTuple
 
 from benchdragon.kernels.arrays import Table, Vector
+from benchdragon.kernels.box import LONGEST_BENCH, SHORTEST_LINK
 from benchdragon.kernels.cells import Kinds
 from benchdragon.kernels.course import Benches, Walk
-from benchdragon.kernels.curve import LENGTH, MOST_TURN, S_START, SPIRAL, FloatArray, spiral_length
+from benchdragon.kernels.curve import (
+    LENGTH,
+    MOST_METRES,
+    MOST_TURN,
+    S_START,
+    SPIRAL,
+    FloatArray,
+    spiral_length,
+)
 from benchdragon.kernels.jit import entry, kernel
 from benchdragon.kernels.low_points import head_where_tail
 from benchdragon.kernels.route import END_SLACK
@@ -28,9 +37,12 @@ from benchdragon.kernels.route_parts import (
 from benchdragon.kernels.status import TurnStatus
 from benchdragon.kernels.step_bounds import Placements, place_chain
 from benchdragon.kernels.turn_families import (
+    LEAD,
+    LOOK,
     PIECE_END,
     PIECE_LENGTH,
     PIECE_START,
+    TRAIL,
     three_pieces,
     turn_parts,
     two_arcs,
@@ -68,16 +80,8 @@ ROOMY = 20  # arcs that a plan does not say are this share of what two equal one
 FITS = 21  # a turn may reach so far out of its disc, m
 NUMBERS = 22
 
-# m; the shortest link and the longest bench that can be.
-SHORTEST_LINK, LONGEST_BENCH = 1e-3, 1e4
-# m; the route of a turn before it, and after it beyond the dragon's length.
-LEAD, TRAIL = 100.0, 1000.0
-# How far apart places on a turn are looked at for its reach, m.
-LOOK = 0.02
 # The head's way between what was searched and a failure, m: more, and it is not known what comes first.
 UNKNOWN = 1e-6
-# The longest and the farthest that routes may be, m.
-MOST_METRES = 1e8
 
 
 class Family(NamedTuple):

@@ -15,7 +15,7 @@ from benchdragon.kernels.step_bounds import Placements
 SAMPLES, SHRINKS, LEVEL = 16, 13, 2e-15
 # Head positions at which all pairs are looked at for a hint, and how often the range about the least
 # distance is then shrunk.
-PLACES, HINT_SHRINKS = 128, 4
+HINT_PLACES, HINT_SHRINKS = 128, 4
 # How exactly it is told where the head is when the tail comes somewhere, m.
 TAIL_TOLERANCE = 1e-9
 
@@ -70,7 +70,8 @@ def low_point(
     and `places` are scratch, of j + 2 handles and four slots at least; `boxes` has two rows or more.
     """
     least, where, count = math.inf, 0.5 * (low + high), at.shape[0]
-    for _ in range(shrinks if low < high else 0):
+    rounds = math.ceil(shrinks * math.log(SAMPLES - 1.0) / math.log(min(count, SAMPLES) - 1.0))
+    for _ in range(rounds if low < high else 0):
         march_even(rows, links[: j + 1], low, high, count, at, places)
         lowest, highest, n = math.inf, -math.inf, 0
         for t in range(count):
@@ -100,12 +101,12 @@ def low_pair(
 ) -> tuple[float, float, int, int]:
     """A low distance with the head between first and last, m; where, and of which benches.
 
-    It is looked for at PLACES head positions, and about the least of them: a hint, no bound. Minus a
-    depth inside; infinite where the dragon stands nowhere. Cost grows with the square of benches.
-    Scratch is as for `low_point`.
+    It is looked for at HINT_PLACES head positions, and about the least of them: a hint, no bound.
+    Minus a depth inside; infinite where the dragon stands nowhere. Cost grows with the square of
+    benches. Scratch is as for `low_point`.
     """
     least, where, first_bench, second_bench = math.inf, first, 0, 0
-    blocks = -(-PLACES // at.shape[0])
+    blocks = -(-HINT_PLACES // at.shape[0])
     step = (last - first) / (blocks * at.shape[0])
     for block in range(blocks):
         begin = first + block * at.shape[0] * step

@@ -185,6 +185,16 @@ def after_low_pair(state: FloatArray, doubts: FloatArray, meetings: FloatArray, 
 
 
 @kernel
+def ended(state: FloatArray, doubts: FloatArray, meetings: FloatArray) -> int:
+    """How the search ended: the pair that decides is the one that met in the walk of BAD; or NARROW."""
+    over = is_over(state, doubts)
+    if not over and state[TRIALS] < MOST_TRIALS:
+        return NARROW
+    copy_meeting(meetings, FAILED, GUIDE)
+    return FOUND if over else EXHAUSTED
+
+
+@kernel
 def after_narrowing(state: FloatArray, doubts: FloatArray, meetings: FloatArray, result: int) -> int:
     """Go on after a walk of NARROW."""
     size, untried = state[SIZE], state[TRIED] == 0.0
@@ -196,10 +206,9 @@ def after_narrowing(state: FloatArray, doubts: FloatArray, meetings: FloatArray,
     if result == PASSES and untried and size == state[BAD]:
         meetings[GUIDE, MEET_FRONT] = NOBODY
         return UNLIMITED
-    if is_over(state, doubts):
-        return FOUND
-    if state[TRIALS] >= MOST_TRIALS:
-        return EXHAUSTED
+    ending = ended(state, doubts, meetings)
+    if ending != NARROW:
+        return ending
     if result == PASSES:
         return ask_for_guide(state, meetings, size)
     if result == FAILS:
@@ -215,9 +224,8 @@ def after_below(state: FloatArray, doubts: FloatArray, meetings: FloatArray, the
         copy_meeting(meetings, ROOTED, GUIDE)
         return FOUND
     meetings[GUIDE, MEET_FRONT] = NOBODY
-    if is_over(state, doubts):
-        return FOUND
-    return EXHAUSTED if state[TRIALS] >= MOST_TRIALS else ask_for_target(state, doubts, False)
+    ending = ended(state, doubts, meetings)
+    return ask_for_target(state, doubts, False) if ending == NARROW else ending
 
 
 @kernel

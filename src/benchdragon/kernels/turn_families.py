@@ -54,6 +54,10 @@ SLOPE_STEP = 1e-7
 NOTHING = 1e-9
 # An arc this near to a full turn, rad, is none.
 FULL_TURN = 2.0 * math.pi - 1e-12
+# Routes of turns go on so far before the turn, and so far behind it beyond the dragon's length, m.
+LEAD, TRAIL = 100.0, 1000.0
+# How far apart places on a turn are looked at for its reach, m.
+LOOK = 0.02
 
 
 class Bridge(NamedTuple):

@@ -13,7 +13,7 @@ from benchdragon.errors import InputError, finite, positive
 from benchdragon.i18n import _
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels import route_parts
-from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.curve import MOST_METRES, FloatArray
 from benchdragon.kernels.route import evaluate
 from benchdragon.kernels.route_parts import Pose
 from benchdragon.model.arrays import as_numbers
@@ -23,8 +23,6 @@ Point = tuple[float, float]
 PartNumbers = Sequence[float]
 NOWHERE = Pose(0.0, 0.0, 0.0)
 
-# Sizes and coordinates, m: beyond it doubles no longer hold a micrometre.
-MOST_METRES = 1e8
 # Pitches and radii, m: their inverses spoil sums where they are smaller.
 LEAST_METRES = 1e-6
 

@@ -11,13 +11,11 @@ import numpy.typing as npt
 
 from benchdragon.errors import InputError, as_number, not_negative, of_kind, positive
 from benchdragon.i18n import _
+from benchdragon.kernels.box import LONGEST_BENCH, SHORTEST_LINK
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.arrays import as_numbers
 
 MOST_BENCHES = 1_000_000
-# m; the longest that is still a bench and the shortest link that chords of 1e-12 m can resolve.
-LONGEST_BENCH = 1e4
-SHORTEST_LINK = 1e-3
 # Benches that cannot be and are described at once.
 MOST_FAULTS = 20
 

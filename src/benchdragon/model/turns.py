@@ -17,13 +17,19 @@ from benchdragon.kernels import turn_families
 from benchdragon.kernels.curve import S_START, FloatArray, spiral_length
 from benchdragon.kernels.route_parts import PART_COLUMNS, farthest
 from benchdragon.kernels.status import TurnStatus
-from benchdragon.kernels.turn_families import ARCS, LEAST_THETA, MOST_PIECES, NOTHING, turn_parts
+from benchdragon.kernels.turn_families import (
+    ARCS,
+    LEAD,
+    LEAST_THETA,
+    LOOK,
+    MOST_PIECES,
+    NOTHING,
+    TRAIL,
+    turn_parts,
+)
 from benchdragon.model.arrays import as_numbers
 from benchdragon.model.base_curve import Point, laid_rows
 from benchdragon.model.curves import AnyCurve, Arc, Route, curve_of, joined_curves
-
-# How far apart places on a turn are looked at for its reach, m.
-LOOK = 0.02
 
 
 @dataclass(frozen=True)
@@ -86,7 +92,7 @@ class TwoArcTurn:
         first, second = (arc for arc in self.turn.curves if isinstance(arc, Arc))
         return first, second
 
-    def route(self, lead: float = 100.0, trail: float = 1000.0) -> Route:
+    def route(self, lead: float = LEAD, trail: float = TRAIL) -> Route:
         """In along the spiral for `lead` metres, the turn, and out for `trail` metres."""
         return self.turn.route(lead, trail)
 
@@ -183,7 +189,7 @@ class Turn:
         """Its curves, in place."""
         return self.route(self.pitch, self.pitch).curves[1:-1]
 
-    def route(self, lead: float = 100.0, trail: float = 1000.0) -> Route:
+    def route(self, lead: float = LEAD, trail: float = TRAIL) -> Route:
         """In along the spiral for `lead` metres, the turn, and out for `trail` metres."""
         parts = self._parts(positive("lead", lead, "m"), positive("trail", trail, "m"))
         curves = [curve_of(part) for part in parts.tolist()]

@@ -18,14 +18,13 @@ from benchdragon.errors import (
     whole,
 )
 from benchdragon.i18n import _
-from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.curve import MOST_METRES, FloatArray
 from benchdragon.kernels.low_points import head_where_tail
 from benchdragon.kernels.route import END_SLACK
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.status import Status
 from benchdragon.kernels.step_bounds import empty_placements
 from benchdragon.model.arrays import as_numbers
-from benchdragon.model.base_curve import MOST_METRES
 from benchdragon.model.curves import Route
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.placement import Placement

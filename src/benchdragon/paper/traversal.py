@@ -20,7 +20,7 @@ from benchdragon.plans.schema import Plan, SpiralInRoute
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, silent
 from benchdragon.solve.size import MOST_COUNT
-from benchdragon.solve.size_trials import QUESTIONS, Family
+from benchdragon.solve.size_trials import QUESTIONS, PlanFamily
 
 # Angles that differ by more than this from one pitch to the next, rad, are a jump and not a slope.
 JUMP = 0.5
@@ -53,7 +53,7 @@ def traversed_pitch(
     began = clock.perf_counter()
     positive("pitch_step", pitch_step, "m")
     positive("time_step", time_step, "s")
-    family = Family(plan, QUESTIONS["pitch"], 0.0)
+    family = PlanFamily(plan, QUESTIONS["pitch"], 0.0)
     n = math.ceil((0.8 * plan.value("route.pitch") if first is None else first) / pitch_step - 1e-9)
     evaluations = 0
     for tried in range(n, n + MOST_COUNT):
@@ -121,7 +121,7 @@ def pitch_curve(
     if not isinstance(plan.route, SpiralInRoute):
         raise PlanError(_("this picture is for plans whose route.kind is spiral-in"))
     inward = plan.model_copy(update={"disc": plan.disc.model_copy(update={"radius": None})})
-    family = Family(inward, QUESTIONS["pitch"], plan.limits.margin)
+    family = PlanFamily(inward, QUESTIONS["pitch"], plan.limits.margin)
     least: dict[float, float] = {}
     wanted = np.unique(np.asarray(pitches, dtype=np.float64)).tolist()
     while wanted:
@@ -139,7 +139,7 @@ def pitch_curve(
     return PitchCurve(sizes, 2.0 * math.pi * radius / sizes, angles)
 
 
-def _least_angle(family: Family, pitch: float) -> float:
+def _least_angle(family: PlanFamily, pitch: float) -> float:
     """The spiral angle of the head at first contact, rad, or at the route's end."""
     walk, start, end = family.walk(pitch)
     contact = first_contact(walk, start, end, margin=family.margin)

@@ -12,6 +12,7 @@ from pydantic import Field, PrivateAttr, ValidationError
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.turn_families import TRAIL
 from benchdragon.model.curves import Route, Spiral
 from benchdragon.model.profile import SpeedProfile
 from benchdragon.model.turns import Turn
@@ -80,7 +81,7 @@ class TurnRoute(Table):
     def build(self, plan: "Plan") -> tuple[Route, float]:
         """The route, and where on it the head stands at time 0: where the turn begins."""
         turn = self.turn(plan)
-        route = turn.route(trail=float(plan.links.sum()) + 1000.0)
+        route = turn.route(trail=float(plan.links.sum()) + TRAIL)
         return route, float(route.joints[1])
 
     def turn(self, plan: "Plan") -> Turn:

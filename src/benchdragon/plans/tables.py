@@ -13,7 +13,7 @@ from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Fie
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
-from benchdragon.model.base_curve import MOST_METRES
+from benchdragon.kernels.curve import MOST_METRES
 from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line, LogSpiral, Spiral
 from benchdragon.model.dragon import MOST_BENCHES, Dragon, SizeError
 from benchdragon.model.profile import SpeedProfile

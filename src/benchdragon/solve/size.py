@@ -31,7 +31,7 @@ from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, silent
 from benchdragon.solve.size_trials import (
     TOLERANCE,
-    Family,
+    PlanFamily,
     SizeSearch,
     meeting_of,
     question,
@@ -84,7 +84,7 @@ def limit(
     return _proved(family, answer, progress, began) if prove and answer.status == "found" else answer
 
 
-def _proved(family: Family, answer: Answer, progress: Progress, began: float) -> Answer:
+def _proved(family: PlanFamily, answer: Answer, progress: Progress, began: float) -> Answer:
     """The answer with a bracket both ends of which are proved."""
     near = answer.witness
     if near is None or len(near.benches) != 2:
@@ -108,7 +108,7 @@ def _proved(family: Family, answer: Answer, progress: Progress, began: float) ->
     raise UnsureError(_("the bracket could not be proved"))
 
 
-def _limit(family: Family, progress: Progress, began: float) -> Answer:
+def _limit(family: PlanFamily, progress: Progress, began: float) -> Answer:
     search = SizeSearch(family, progress)  # raises where the plan itself is wrong
     ending = search.limit(family.first)
     good, bad, value = search.state[[GOOD, BAD, VALUE]].tolist()
@@ -125,18 +125,20 @@ def _limit(family: Family, progress: Progress, began: float) -> Answer:
     return Answer(value, lower, upper, "m", status, witness, texts, evaluations, seconds)
 
 
-def _family(plan: Plan, name: str, margin: float | None, tolerance: float = TOLERANCE) -> Family:
+def _family(plan: Plan, name: str, margin: float | None, tolerance: float = TOLERANCE) -> PlanFamily:
     """The walks among which a limit is sought; not such as must fail whatever their size."""
     of_kind("plan", plan, Plan)
     not_negative("margin", plan.limits.margin if margin is None else margin, "m")
-    family = Family(plan, question(name), plan.limits.margin if margin is None else margin, tolerance)
+    family = PlanFamily(
+        plan, question(name), plan.limits.margin if margin is None else margin, tolerance
+    )
     centre = plan.disc.radius is None and plan.walk.end is None
     if name != "disc" and plan.route.kind == "spiral-in" and centre:
         raise InputError(_("say how far in the head comes: set disc.radius=4.5, for example"))
     return family
 
 
-def _witness(family: Family, found: SizeSearch, size: float) -> Witness | None:
+def _witness(family: PlanFamily, found: SizeSearch, size: float) -> Witness | None:
     """What shows that a size does not pass; None where no pair does, or there is no such walk."""
     meeting = found.guide
     if meeting is None:
@@ -150,7 +152,7 @@ def _witness(family: Family, found: SizeSearch, size: float) -> Witness | None:
     return search.witness(min(meeting.s, last), meeting.i, meeting.j)
 
 
-def _assumed(family: Family, unsure: Sequence[float]) -> tuple[str, ...]:
+def _assumed(family: PlanFamily, unsure: Sequence[float]) -> tuple[str, ...]:
     texts = (
         _("benches keep {margin} m").format(margin=f"{family.margin:g}"),
         _("sizes beyond the bracket were not tried"),
@@ -239,16 +241,17 @@ def _spans(search: SizeSearch, trials: Sequence[tuple[float, int]]) -> Iterator[
     for passes, run in itertools.groupby(range(len(trials)), key=lambda n: trials[n][1] == PASSES):
         if passes:
             members = list(run)
-            ends = _edge(search, trials, members[0], -1), _edge(search, trials, members[-1], 1)
-            tried = (trials[members[0]][0], trials[members[-1]][0])
-            borders = tuple(end for end, size in zip(ends, tried, strict=True) if end != size)
-            yield Span(*ends, len(members), borders)
+            edges = _edge(search, trials, members[0], -1), _edge(search, trials, members[-1], 1)
+            low, high = (size for size, _found in edges)
+            yield Span(low, high, len(members), tuple(size for size, found in edges if found))
 
 
-def _edge(search: SizeSearch, trials: Sequence[tuple[float, int]], n: int, side: int) -> float:
-    """How far sizes are safe from trial number n, which passes, to one side of it."""
+def _edge(
+    search: SizeSearch, trials: Sequence[tuple[float, int]], n: int, side: int
+) -> tuple[float, bool]:
+    """How far sizes are safe to one side of trial n, which passes; whether a walk fails just beyond."""
     if not 0 <= n + side < len(trials) or trials[n + side][1] != FAILS:
-        return trials[n][0]
+        return trials[n][0], False
     return search.border(trials[n][0], trials[n + side][0])
 
 

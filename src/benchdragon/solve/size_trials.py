@@ -10,7 +10,7 @@ import numpy as np
 from benchdragon.analysis import distance
 from benchdragon.analysis.contact_search import MOST_EVALUATIONS, SLACK, WIDTH, run_search, slack_at
 from benchdragon.analysis.tables import PLACES, Tables, kinds_of, walk_tables
-from benchdragon.errors import InputError
+from benchdragon.errors import InputError, UnsureError
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import family as sizes_of
 from benchdragon.kernels import search as steps
@@ -19,7 +19,7 @@ from benchdragon.kernels import size_search as kernel
 from benchdragon.kernels.box import BOX_COLUMNS, nearest_pair
 from benchdragon.kernels.course import AT, SOUND, Benches
 from benchdragon.kernels.course import Walk as KernelWalk
-from benchdragon.kernels.curve import COLUMNS, LENGTH, S_START, FloatArray
+from benchdragon.kernels.curve import COLUMNS, LENGTH, MOST_METRES, S_START, FloatArray
 from benchdragon.kernels.family import falls_soon, set_walk
 from benchdragon.kernels.low_points import SHRINKS, low_pair, low_point
 from benchdragon.kernels.route import END_SLACK
@@ -29,7 +29,6 @@ from benchdragon.kernels.step_bounds import empty_placements, place_chain
 from benchdragon.kernels.turn_families import ARCS, MOST_PIECES
 from benchdragon.kernels.walk_search import ASTRAY
 from benchdragon.model.answer import Witness
-from benchdragon.model.base_curve import MOST_METRES
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import FITS, PartsRoute, Plan, SpiralInRoute, TurnRoute
 from benchdragon.plans.tables import LEAST, LEAST_PITCH, ROOMY
@@ -40,8 +39,6 @@ from benchdragon.progress import Progress
 TOLERANCE = 1e-12
 # Head positions at which a pair is looked at, at least.
 FEWEST = 4
-# In dragons of more benches no low distances are looked for beforehand.
-MOST_SAMPLED = 5_000
 
 
 @dataclass(frozen=True)
@@ -116,7 +113,7 @@ class Meeting:
 
 
 @dataclass
-class Family:
+class PlanFamily:
     """The walks of a plan in which one size varies."""
 
     plan: Plan
@@ -214,7 +211,7 @@ def _or_nan(value: float | None) -> float:
     return math.nan if value is None else value
 
 
-def kernel_family(family: Family, walk: Walk) -> tuple[sizes_of.Family, KernelWalk]:
+def kernel_family(family: PlanFamily, walk: Walk) -> tuple[sizes_of.Family, KernelWalk]:
     """A family as kernels want it, and room for its walks; `walk` is one of them."""
     name, dragon, rows = family.question.name, walk.dragon, walk.route.rows
     share = np.zeros(len(dragon))
@@ -253,7 +250,7 @@ class SizeSearch:
         evaluations: chains placed in searches of walks.
     """
 
-    def __init__(self, family: Family, progress: Progress) -> None:
+    def __init__(self, family: PlanFamily, progress: Progress) -> None:
         self._progress, self._margin = progress, family.margin
         self._settings = family.question.sense, max(TOLERANCE, family.tolerance)
         self.evaluations = 0
@@ -297,12 +294,15 @@ class SizeSearch:
         self._open(kernel.GROW, size)
         return self._sought()
 
-    def border(self, good: float, bad: float) -> float:
-        """The last size that passes from one that does towards one that does not."""
+    def border(self, good: float, bad: float) -> tuple[float, bool]:
+        """The last size that passes from one that does towards one that does not.
+
+        And whether that is where the border was found.
+        """
         self._open(kernel.BORDER, bad)
         self.state[[bracket.GOOD, bracket.BAD, bracket.TRIED]] = good, bad, 1.0
-        self._sought()
-        return float(self.state[bracket.GOOD])
+        found = self._sought() == kernel.FOUND and not self.in_doubt
+        return float(self.state[bracket.GOOD]), found
 
     def _open(self, stage: int, size: float) -> None:
         self.state[:] = 0.0
@@ -335,13 +335,13 @@ class SizeSearch:
         """Fill GUIDE with a pair that comes near in the walk of a size; how near less the margin, m."""
         rows, first, last = self._walk_of(size)
         benches = self._walk.benches
-        if not len(rows) or not 3 <= len(benches.kind) <= MOST_SAMPLED:
+        if not len(rows) or not 3 <= len(benches.kind) <= distance.MOST_SAMPLED:
             return math.inf
-        distance, s, i, j = low_pair(
+        least, s, i, j = low_pair(
             rows, benches.links, benches.sizes, first, last, *self._scratch, self._boxes
         )
         self._meetings[kernel.GUIDE] = s, last - s, i, j
-        return distance - self._margin
+        return least - self._margin
 
     def _distance(self, size: float) -> float:
         """How near the ROOTED pair comes by its meeting in the walk of a size, less the margin, m."""
@@ -361,8 +361,17 @@ class SizeSearch:
         return least - self._margin if math.isfinite(least) else math.nan
 
     def trial(self, size: float) -> int:
-        """How the walk of a size goes: PASSES, FAILS or UNDECIDED of kernels/size_bracket.py."""
+        """How the walk of a size goes: PASSES, FAILS or UNDECIDED of kernels/size_bracket.py.
+
+        One that is too long to be searched is undecided too.
+        """
         self._progress(0.0, f"{size:.9g} m")
+        try:
+            return self._tried(size)
+        except UnsureError:
+            return bracket.UNDECIDED
+
+    def _tried(self, size: float) -> int:
         rows, first, last = self._walk_of(size)
         if not len(rows):
             return self._failed_alone()
