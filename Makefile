@@ -6,12 +6,13 @@ PAGES := 'src/benchdragon/web/*.js' 'src/benchdragon/web/*.css' 'tests/engine/*.
 NPM := $(shell command -v npm 2>/dev/null)
 # Two dances whose numbers are recorded: the same on every engine.
 RECORDED := tests/model/test_walk.py::test_a_built_in_dance_is_the_recorded_one_with_any_number_of_workers
+KERNELS := $(wildcard src/benchdragon/kernels/*.py tests/kernels/*.py tests/conftest.py tests/model/test_walk.py)
 # One process more than cores: tests wait for browsers and servers.
 WORKERS := $(shell expr $$(getconf _NPROCESSORS_ONLN) + 1)
 # The kernels are built on one core while the other does what has no need of them.
 MAKEFLAGS += --jobs=2
 
-.PHONY: demo test quick lint plain-test manual-test docs bench truth wasm wasm-test mutants messages keys types \
+.PHONY: demo test quick lint manual-test docs bench truth wasm wasm-test mutants messages keys types \
   map lock fonts clean
 
 .venv/installed: requirements.lock pyproject.toml
@@ -35,10 +36,9 @@ demo: .venv/engine
 	$(BIN)/benchdragon view turn -o out/turn.html --force
 
 # All but the manual, which takes as long as the rest: `make manual-test`.
-test: lint .venv/engine plain-test $(if $(NPM),node_modules/installed)
+test: lint .venv/engine .venv/kernels-plain .venv/kernels-compiled $(if $(NPM),node_modules/installed)
 	$(if $(NPM),node_modules/.bin/tsc -p .,@echo "no npm here: the pages' JavaScript is not checked")
 	$(if $(NPM),node_modules/.bin/prettier --check --log-level warn $(PAGES))
-	BENCHDRAGON_ENGINE=jit $(BIN)/python -m pytest -q -n auto tests/kernels $(RECORDED)
 	$(BIN)/python -m pytest -q -n $(WORKERS) --dist loadgroup -m 'not manual' --ignore tests/kernels
 
 quick: lint .venv/engine
@@ -50,9 +50,15 @@ lint: .venv/installed
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-logo
 
-# The kernels as plain Python, each line of which can be counted.
-plain-test: .venv/installed
+# The kernels' own tests run once for each state of kernels and tests: as plain Python, each line of which
+# can be counted, then compiled by numba.
+.venv/kernels-plain: .venv/installed $(KERNELS)
 	BENCHDRAGON_ENGINE=plain $(BIN)/python -m pytest -q -n auto -m 'not compiled' tests/kernels $(RECORDED) --cov --cov-report=term-missing --cov-fail-under=95
+	touch $@
+
+.venv/kernels-compiled: .venv/kernels-plain .venv/engine
+	BENCHDRAGON_ENGINE=jit $(BIN)/python -m pytest -q -n auto tests/kernels $(RECORDED)
+	touch $@
 
 manual-test: .venv/engine
 	$(BIN)/python -m pytest -q -m manual tests/test_docs.py
