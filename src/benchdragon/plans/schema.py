@@ -3,7 +3,7 @@
 import hashlib
 import json
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -35,7 +35,7 @@ from benchdragon.plans.tables import (
     WalkTable,
     at_least,
 )
-from benchdragon.plans.toml import PlanError, drop, drop_replaced, idle_keys, read_toml
+from benchdragon.plans.toml import PlanError, drop, drop_replaced, idle_keys, read_toml, set_value
 
 # A turn may reach so far out of its disc, m: rounding, and what lies between samples.
 FITS = 1e-3
@@ -236,8 +236,7 @@ class Plan(Table):
         Raises:
             PlanError: for a value that cannot be, and a key that is not known or has no effect.
         """
-        table, _dot, name = key.partition(".")
-        return self.with_table(table, **{name: value})
+        return self.with_values({key: value})
 
     def with_table(self, table: str, /, **values: object) -> "Plan":
         """The same plan with other values in one of its tables.
@@ -247,10 +246,20 @@ class Plan(Table):
         Raises:
             PlanError: for a value that cannot be, and a key that is not known or has no effect.
         """
-        data = self._tables()
-        said = data.get(table)
-        data[table] = {**said, **values} if isinstance(said, dict) else values
-        drop_replaced(data, [f"{table}.{name}" for name in values])
+        return self.with_values({f"{table}.{name}": value for name, value in values.items()})
+
+    def with_values(self, values: Mapping[str, object]) -> "Plan":
+        """The same plan with other values under keys such as route.pitch or route.part.0.length.
+
+        What the plan says for choices that they replace goes with it, as in `with_table`.
+
+        Raises:
+            PlanError: as `with_table`.
+        """
+        data = self.model_dump(by_alias=True, exclude_unset=True, exclude_none=True)
+        for key, value in values.items():
+            set_value(data, key, value)
+        drop_replaced(data, list(values))
         return checked(data, self._source)
 
     def span(self, walk: Walk) -> tuple[float, float]:

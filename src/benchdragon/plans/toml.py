@@ -251,8 +251,18 @@ def _lay_over(data: dict[str, Any], setting: str) -> str:
         value = _loaded(f"value = {text}", key)["value"]
     except tomllib.TOMLDecodeError:
         value = text
+    set_value(data, key.strip(), value)
+    return key.strip()
+
+
+def set_value(data: dict[str, Any], key: str, value: object) -> None:
+    """Set the value under a dotted key, in which the parts of a list have numbers from 0.
+
+    Raises:
+        PlanError: where no value can stand.
+    """
     at: Any = data
-    *folders, last = key.strip().split(".")
+    *folders, last = key.split(".")
     for name in folders:
         at = _inside(at, name, key)
     try:
@@ -262,7 +272,6 @@ def _lay_over(data: dict[str, Any], setting: str) -> str:
             at[last] = value
     except (ValueError, IndexError):
         raise _nowhere(key) from None
-    return key.strip()
 
 
 def _inside(at: Any, name: str, key: str) -> Any:
