@@ -50,6 +50,13 @@ from .solve.tolerance import tolerance as tolerance
 from .solve.turn import BestTurn as BestTurn
 from .solve.turn import best_turn as best_turn
 from .solve.turn_trials import TurnGoal as TurnGoal
+from .sweeps.points import Points as Points
+from .sweeps.points import sampled_points as sampled_points
+from .sweeps.questions import RandomDances as RandomDances
+from .sweeps.refine import Refinement as Refinement
+from .sweeps.sweep import Sweep as Sweep
+from .sweeps.sweep import read_sweep as read_sweep
+from .sweeps.sweep import sweep as sweep
 
 __all__: list[str]
 __version__: str

@@ -1,0 +1,1 @@
+"""Many questions about one plan: at which points, what comes out, and where to look closer."""

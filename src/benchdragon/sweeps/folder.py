@@ -1,0 +1,218 @@
+"""A sweep's folder: what it is of, and its rows in Parquet files, each written whole or not at all."""
+
+import hashlib
+import json
+import os
+import time as clock
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from benchdragon.errors import InputError, MachineError, reason
+from benchdragon.files import FileRefusedError, whole_file
+from benchdragon.i18n import N_, _
+from benchdragon.sweeps.rows import arrow
+
+# What a sweep is, and its rows; what a part is called by the sweep that it belongs to.
+ABOUT, PART, OF = "sweep.json", "part-{number:08d}.parquet", b"sweep"
+LOCK = ".lock"
+# A part holds the rows of so many seconds, or of so large a share of all the time, and no more than so
+# many: what is lost by kill -9.
+EACH_SECONDS, EACH_SHARE, MOST_ROWS = 5.0, 0.02, 200_000
+# Why a folder's rows are not those of the sweep that was asked for.
+OTHERS = {
+    "format": N_("another format"),
+    "made_by": N_("another version of benchdragon"),
+    "plan_sha256": N_("another plan"),
+    "points": N_("other points"),
+    "ask": N_("other questions"),
+    "dances": N_("other random dances"),
+    "refine": N_("another refinement"),
+}
+
+
+def name_of(about: Mapping[str, Any]) -> bytes:
+    """What every part of a sweep is marked by."""
+    known = {key: about[key] for key in OTHERS}
+    return hashlib.sha256(json.dumps(known, sort_keys=True).encode()).hexdigest().encode()
+
+
+def read_about(folder: Path) -> dict[str, Any]:
+    """What the sweep in a folder is.
+
+    Raises:
+        InputError: if there is none.
+    """
+    try:
+        about: dict[str, Any] = json.loads((folder / ABOUT).read_text(encoding="utf-8"))
+        name_of(about)
+    except (OSError, ValueError, KeyError, TypeError):
+        raise InputError(_("{folder} holds no sweep").format(folder=folder)) from None
+    return about
+
+
+class Rows:
+    """The rows of a sweep, in a folder or in memory.
+
+    Args:
+        about: what the sweep is.
+        folder: where its parts are; None for memory alone.
+    """
+
+    def __init__(self, about: Mapping[str, Any], folder: Path | None) -> None:
+        self._about, self._folder, self._name = about, folder, name_of(about)
+        self._waiting: list[Any] = []
+        self._began = self._written = clock.monotonic()
+        self._kept: list[Any] = []
+        self._next = 0
+        if folder is not None:
+            parts = parts_in(folder)
+            self._next = int(parts[-1].stem.partition("-")[2]) + 1 if parts else 0
+
+    def add(self, batch: Any) -> None:
+        """Take rows; they are written together with those of some seconds."""
+        self._waiting.append(batch)
+        now = clock.monotonic()
+        due = max(EACH_SECONDS, EACH_SHARE * (now - self._began))
+        if now - self._written >= due or sum(map(len, self._waiting)) >= MOST_ROWS:
+            self.write()
+
+    def write(self) -> None:
+        """Write the rows that wait.
+
+        Raises:
+            MachineError: if the disk is full, or cannot be written for another reason.
+        """
+        if not self._waiting:
+            return
+        pa = arrow()
+        table = pa.Table.from_batches(self._waiting)
+        if self._folder is None:
+            self._kept.append(table)
+        else:
+            from pyarrow import parquet
+
+            marked = table.replace_schema_metadata(self._marks())
+            with whole_file(self._folder / PART.format(number=self._next)) as temporary:
+                parquet.write_table(marked, temporary, compression="zstd")
+        self._next += 1
+        self._waiting, self._written = [], clock.monotonic()
+
+    def _marks(self) -> dict[bytes, bytes]:
+        return {OF: self._name, b"about": json.dumps(self._about).encode()}
+
+    def table(self, columns: list[str] | None = None) -> Any:
+        """All rows, in the order of their points; None if there are none."""
+        self.write()
+        if self._folder is not None:
+            return read_rows(self._folder, self._about, columns)
+        if not self._kept:
+            return None
+        table = arrow().concat_tables(self._kept).sort_by("point")
+        return table if columns is None else table.select(columns)
+
+
+def parts_in(folder: Path) -> list[Path]:
+    """The parts in a folder, in the order in which they were written."""
+    return sorted(folder.glob("part-*.parquet"))
+
+
+def read_rows(folder: Path, about: Mapping[str, Any], columns: list[str] | None = None) -> Any:
+    """All rows in a folder, in the order of their points; None if there are none.
+
+    Raises:
+        InputError: for a part of another sweep, one that cannot be read, or two with the same point.
+    """
+    pa = arrow()
+    from pyarrow import parquet
+
+    tables = []
+    for path in parts_in(folder):
+        try:
+            one = parquet.read_table(path, columns=columns)
+        except (OSError, pa.ArrowException) as error:
+            raise InputError(_("{path} cannot be read: {why}").format(path=path, why=error)) from None
+        if (one.schema.metadata or {}).get(OF) != name_of(about):
+            raise InputError(_("{path} belongs to another sweep: take it away").format(path=path))
+        tables.append(one.replace_schema_metadata(None))
+    if not tables:
+        return None
+    table = pa.concat_tables(tables).sort_by("point")
+    if len(table["point"].unique()) < len(table):
+        raise InputError(_("{folder} has rows of the same point twice").format(folder=folder))
+    return table
+
+
+@contextmanager
+def opened(folder: Path, about: Mapping[str, Any]) -> Iterator[None]:
+    """A folder for a sweep, made or gone on with; nobody else writes into it meanwhile.
+
+    Raises:
+        FileRefusedError: if it holds another sweep, or files of another kind, or somebody writes there.
+        MachineError: if it cannot be made or written.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with _alone(folder):
+            _prepare(folder, about)
+            yield
+    except (FileExistsError, NotADirectoryError):
+        raise FileRefusedError(_("{path} is not a folder").format(path=folder)) from None
+    except OSError as error:
+        text = _("{path} could not be written: {why}")
+        raise MachineError(text.format(path=folder, why=reason(error))) from None
+
+
+def _prepare(folder: Path, about: Mapping[str, Any]) -> None:
+    """See that a folder is that of this sweep; clear what an interrupted run left."""
+    if (folder / ABOUT).exists():
+        there = read_about(folder)
+        other = next((text for key, text in OTHERS.items() if there[key] != about[key]), None)
+        if other is not None:
+            raise FileRefusedError(
+                _("{folder} holds a sweep of {what}: choose another folder").format(
+                    folder=folder, what=_(other)
+                )
+            )
+    elif any(path.name != LOCK and not _is_leftover(path) for path in folder.iterdir()):
+        raise FileRefusedError(_("{folder} is not empty, and holds no sweep").format(folder=folder))
+    else:
+        with whole_file(folder / ABOUT) as temporary:
+            temporary.write_text(json.dumps(about, indent=1), encoding="utf-8")
+    for path in folder.iterdir():
+        if _is_leftover(path):
+            path.unlink()
+
+
+def _is_leftover(path: Path) -> bool:
+    """Whether this is the temporary file of a run that was killed: see `files.whole_file`."""
+    return path.name.startswith((f".{ABOUT}.", ".part-"))
+
+
+@contextmanager
+def _alone(folder: Path) -> Iterator[None]:
+    """Keep others out of a folder; the system lets go when this process ends, however it does.
+
+    Raises:
+        FileRefusedError: if somebody else is in.
+    """
+    handle = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT, 0o644)
+    try:
+        if os.name == "nt":
+            import msvcrt
+
+            msvcrt.locking(handle, msvcrt.LK_NBLCK, 1)  # type: ignore[attr-defined, unused-ignore]
+        else:
+            import fcntl
+
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        os.close(handle)
+        raise FileRefusedError(
+            _("another run is writing into {folder}").format(folder=folder)
+        ) from None
+    try:
+        yield
+    finally:
+        os.close(handle)

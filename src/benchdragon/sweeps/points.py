@@ -1,0 +1,239 @@
+"""Points of a sweep: grids, lists and samples of values for keys of a plan."""
+
+import math
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from decimal import Decimal
+from functools import cached_property
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+
+from benchdragon.errors import InputError, MissingExtraError, whole
+from benchdragon.i18n import _
+
+Value = float | int | str
+Method = Literal["latin-hypercube", "sobol"]
+METHODS: tuple[Method, ...] = ("latin-hypercube", "sobol")
+
+MOST_POINTS, MOST_KEYS = 10_000_000, 20
+KEY = re.compile(r"[a-z_]+(\.[a-z_0-9]+)+")
+
+
+@dataclass(frozen=True)
+class Points:
+    """Values for keys of a plan.
+
+    Attributes:
+        keys: of the plan.
+        columns: of a grid the values of each key, of which every combination is a point, the last key
+            varying fastest; else the values of each key at each point.
+        grid: which of both.
+    """
+
+    keys: tuple[str, ...]
+    columns: tuple[tuple[Value, ...], ...]
+    grid: bool
+
+    def __post_init__(self) -> None:
+        """Check keys and the number of points.
+
+        Raises:
+            InputError: for keys that cannot be or stand twice, no points, or too many.
+        """
+        for key in self.keys:
+            if not KEY.fullmatch(key) or self.keys.count(key) > 1:
+                raise InputError(
+                    _("wanted keys of a plan such as route.pitch, each once, not {key}").format(key=key)
+                )
+        if not 0 < len(self.keys) <= MOST_KEYS or not 0 < len(self) <= MOST_POINTS:
+            raise InputError(
+                _("wanted 1 to {most} points of 1 to {keys} keys, not {count} of {given}").format(
+                    most=MOST_POINTS, keys=MOST_KEYS, count=len(self), given=len(self.keys)
+                )
+            )
+
+    @cached_property
+    def shape(self) -> tuple[int, ...]:
+        """Numbers of values of each key of a grid; of all points of a list."""
+        sizes = tuple(len(column) for column in self.columns)
+        return sizes if self.grid else sizes[:1]
+
+    def __len__(self) -> int:
+        return math.prod(self.shape) if self.columns else 0
+
+    def __getitem__(self, number: int) -> tuple[Value, ...]:
+        """The values at a point."""
+        places: Sequence[Any] = (number,) * len(self.keys)
+        if self.grid:
+            places = np.unravel_index(number, self.shape)
+        return tuple(column[int(n)] for column, n in zip(self.columns, places, strict=True))
+
+    @property
+    def numeric(self) -> bool:
+        """Whether all values are numbers."""
+        return not any(isinstance(value, str) for column in self.columns for value in column)
+
+
+def grid_points(vary: Mapping[str, Iterable[Value]]) -> Points:
+    """Every combination of the values of each key.
+
+    Raises:
+        InputError: for values that are no finite numbers or texts, and as `Points`.
+    """
+    columns = tuple(tuple(_value(key, one) for one in values) for key, values in vary.items())
+    return Points(tuple(vary), columns, grid=True)
+
+
+def listed_points(columns: Mapping[str, Sequence[Value]]) -> Points:
+    """Points one by one.
+
+    Raises:
+        InputError: for columns of different lengths, and as `grid_points`.
+    """
+    made = tuple(tuple(_value(key, one) for one in values) for key, values in columns.items())
+    if len({len(column) for column in made}) > 1:
+        raise InputError(_("all keys need as many values: one a point"))
+    return Points(tuple(columns), made, grid=False)
+
+
+def sampled_points(
+    ranges: Mapping[str, tuple[float, float]],
+    count: int,
+    seed: int = 1,
+    method: Method = "latin-hypercube",
+) -> Points:
+    """So many points between two values of each key, by scipy.stats.qmc; whole numbers where both are.
+
+    Raises:
+        InputError: for ranges that are none, an unknown method, and as `Points`.
+    """
+    from scipy.stats import qmc  # slow to import
+
+    whole("sample", count, 1, MOST_POINTS)
+    whole("seed", seed, 0, 2**63 - 1)
+    if method not in METHODS:
+        raise InputError(_("wanted one of {known}, not {name}").format(known=METHODS, name=method))
+    for key, ends in ranges.items():
+        if len(ends) != 2 or not all(isinstance(_value(key, end), float | int) for end in ends):
+            raise InputError(_("{key}: a sample needs a range LOW:HIGH").format(key=key))
+        if not ends[0] < ends[1]:
+            raise InputError(
+                _("{key}: wanted a range from a smaller value to a larger one, not {ends}").format(
+                    key=key, ends=f"{ends[0]:g}:{ends[1]:g}"
+                )
+            )
+    if method == "sobol":  # balanced in powers of two: the first of those are taken
+        shares = qmc.Sobol(len(ranges), rng=seed).random_base2((count - 1).bit_length())[:count]
+    else:
+        shares = qmc.LatinHypercube(len(ranges), rng=seed).random(count)
+    columns: dict[str, Sequence[Value]] = {}
+    for (key, (low, high)), share in zip(ranges.items(), shares.T, strict=True):
+        if isinstance(low, int) and isinstance(high, int):
+            columns[key] = (low + np.floor(share * (high - low + 1))).astype(int).tolist()
+        else:
+            columns[key] = (low + share * (high - low)).tolist()
+    return listed_points(columns)
+
+
+def read_points(path: Path) -> Points:
+    """The points in a CSV or Parquet file, whose columns are keys.
+
+    Raises:
+        InputError: for a file that cannot be read, and as `Points`.
+        MissingExtraError: without pyarrow.
+    """
+    try:
+        import pyarrow as pa
+        from pyarrow import csv, parquet
+    except ImportError:
+        raise MissingExtraError("data") from None
+    try:
+        read = parquet.read_table if path.suffix == ".parquet" else csv.read_csv
+        table = read(path)
+    except (OSError, pa.ArrowException) as error:
+        raise InputError(
+            _("{path} is no CSV or Parquet file of points: {why}").format(path=path, why=error)
+        ) from None
+    return listed_points({name: table[name].to_pylist() for name in table.column_names})
+
+
+def parse_vary(texts: Sequence[str], *, ranges: bool = False) -> dict[str, Any]:
+    """What "KEY=A:B:STEP" and "KEY=A,B,C" say: the values of each key; or with `ranges` LOW and HIGH.
+
+    Values in steps are those of decimal arithmetic: 0.46 and not 0.45999999999999996.
+
+    Raises:
+        InputError: for anything else.
+    """
+    found: dict[str, Any] = {}
+    for text in texts:
+        key, equals, values = (word.strip() for word in text.partition("="))
+        parts = [word.strip() for word in values.split(":" if ":" in values else ",")]
+        stepped = ":" in values
+        if not equals or not key or not all(parts) or key in found:
+            raise _unreadable(text)
+        if ranges:
+            if not stepped or len(parts) != 2:
+                raise InputError(_("{key}: a sample needs a range LOW:HIGH").format(key=key))
+            found[key] = tuple(map(_number, parts))
+        elif stepped:
+            if len(parts) != 3:
+                raise _unreadable(text)
+            found[key] = _steps(text, *parts)
+        else:
+            found[key] = [_number(part) for part in parts]
+    return found
+
+
+def _unreadable(text: str) -> InputError:
+    return InputError(
+        _(
+            "wanted KEY=FIRST:LAST:STEP or KEY=VALUE,VALUE,... (route.pitch=0.45:0.6:0.01), not {text}"
+        ).format(text=repr(text))
+    )
+
+
+def _number(text: str) -> Value:
+    try:
+        return int(text)
+    except ValueError:
+        pass
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def _steps(text: str, first: str, last: str, step: str) -> list[Value]:
+    try:
+        low, high, by = (Decimal(word) for word in (first, last, step))
+        count = (high - low) / by
+        sound = by != 0 and 0 <= count < MOST_POINTS
+    except ArithmeticError:
+        sound = False
+    if not sound:
+        raise _unreadable(text)
+    exact = [low + n * by for n in range(int(count) + 1)]
+    return [
+        int(value) if "." not in first + step and value == int(value) else float(value)
+        for value in exact
+    ]
+
+
+def _value(key: str, value: object) -> Value:
+    """A value as plain data.
+
+    Raises:
+        InputError: for what is none.
+    """
+    if isinstance(value, np.generic):
+        value = value.item()
+    sound = isinstance(value, str | float | int) and not isinstance(value, bool)
+    if not sound or (isinstance(value, float) and not math.isfinite(value)):
+        raise InputError(
+            _("{key}: wanted finite numbers or texts, not {value}").format(key=key, value=value)
+        )
+    return value  # type: ignore[return-value]

@@ -1,0 +1,351 @@
+"""A sweep: questions asked of a plan at many points, on many workers, broken off and gone on with."""
+
+import hashlib
+import json
+import time as clock
+from collections.abc import Iterable, Mapping, Sequence
+from concurrent.futures import Executor
+from contextlib import closing, nullcontext
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from benchdragon.errors import InputError, MachineError, MissingExtraError, of_kind
+from benchdragon.i18n import _
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.parallel import Lost, Place, given, in_blocks, processes
+from benchdragon.plans.schema import Plan, checked
+from benchdragon.plans.toml import PlanError
+from benchdragon.progress import Progress, silent
+from benchdragon.sweeps.folder import Rows, opened, read_about, read_rows
+from benchdragon.sweeps.points import Points, Value, grid_points
+from benchdragon.sweeps.questions import QUESTIONS, Question, RandomDances, questions
+from benchdragon.sweeps.refine import ROUND, Refinement, Refiner
+from benchdragon.sweeps.rows import FIELDS, TIMED, Ask, Numbered, arrow, made_by
+from benchdragon.version import __version__
+
+FORMAT = 1
+# Points that are tried before a sweep begins: if the plan is wrong at all of them, so is the sweep.
+TRIED = 20
+
+
+@dataclass(frozen=True)
+class Design:
+    """What a sweep asks.
+
+    Attributes:
+        plan: in which keys are varied.
+        points: at which.
+        asked: names of questions.
+        dances: that `tolerance` walks.
+        refinement: further points.
+    """
+
+    plan: Plan
+    points: Points
+    asked: tuple[str, ...]
+    dances: RandomDances = field(default_factory=RandomDances)
+    refinement: Refinement = field(default_factory=Refinement)
+
+    @property
+    def keys(self) -> tuple[tuple[str, str], ...]:
+        """The keys, with the types of their columns."""
+        pairs = zip(self.points.keys, self.points.columns, strict=True)
+        return tuple((key, _kind(column)) for key, column in pairs)
+
+    @property
+    def work(self) -> Ask:
+        """What answers."""
+        return Ask(self.plan, self.keys, self.asked, self.dances)
+
+    def about(self) -> dict[str, Any]:
+        """All that makes this sweep another than others, as plain data."""
+        columns = [list(column) for column in self.points.columns]
+        said = json.dumps(columns, sort_keys=True).encode()
+        return {
+            "format": FORMAT,
+            "made_by": {key.decode(): value.decode() for key, value in made_by().items()},
+            "plan_sha256": self.plan.sha256,
+            "points": {
+                "keys": [list(key) for key in self.keys],
+                "grid": columns if self.points.grid else None,
+                "count": len(self.points),
+                "sha256": hashlib.sha256(said).hexdigest(),
+            },
+            "ask": list(self.asked),
+            "dances": asdict(self.dances) if "tolerance" in self.asked else None,
+            "refine": asdict(self.refinement) if self.refinement.most else None,
+            "plan": self.plan.data(),
+        }
+
+    def check(self) -> None:
+        """Try some points.
+
+        Raises:
+            PlanError: if the plan is wrong at each of them.
+        """
+        step = max(1, len(self.points) // TRIED)
+        for number in range(0, len(self.points), step):
+            values = dict(zip(self.points.keys, self.points[number], strict=True))
+            try:
+                self.plan.with_values(values)
+            except PlanError as error:
+                wrong = error
+            else:
+                return
+        raise wrong
+
+
+def _kind(column: Sequence[Value]) -> str:
+    if any(isinstance(value, str) for value in column):
+        return "string"
+    return "int64" if all(isinstance(value, int) for value in column) else "float64"
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """The rows of a sweep.
+
+    Attributes:
+        about: what was asked: plan, keys, points, questions, version.
+        table: a pyarrow table, one row a point: `point` (its number), each key, and for each question
+            FIELDS behind its name and a dot; empty cells where a field means nothing.
+    """
+
+    about: Mapping[str, Any]
+    table: Any
+
+    @property
+    def plan(self) -> Plan:
+        """The plan in which keys were varied."""
+        return checked(dict(self.about["plan"]), "sweep.json")
+
+    @property
+    def keys(self) -> tuple[str, ...]:
+        """The keys that were varied."""
+        return tuple(key for key, _kind in self.about["points"]["keys"])
+
+    @property
+    def questions(self) -> tuple[Question, ...]:
+        """What was asked."""
+        return tuple(QUESTIONS[name] for name in self.about["ask"])
+
+    @property
+    def complete(self) -> bool:
+        """Whether all points have rows, those of the refinement aside."""
+        return len(self.table) >= int(self.about["points"]["count"])
+
+    def column(self, name: str) -> FloatArray:
+        """A column of numbers, NaN where it is empty."""
+        found: FloatArray = self.table[name].to_numpy().astype(np.float64)
+        return found
+
+    def texts(self, name: str) -> list[str | None]:
+        """A column of texts."""
+        found: list[str | None] = self.table[name].to_pylist()
+        return found
+
+    def numbers(self) -> Any:
+        """The table without what differs each time it is computed: seconds."""
+        return self.table.drop_columns([f"{name}.{TIMED}" for name in self.about["ask"]])
+
+    def to_pandas(self) -> Any:
+        """The table as a data frame, with the point for index.
+
+        Raises:
+            MissingExtraError: without pandas.
+        """
+        try:
+            import pandas  # noqa: F401 - pyarrow needs it
+        except ImportError:
+            raise MissingExtraError("data") from None
+        return self.table.to_pandas().set_index("point")
+
+    def to_xarray(self) -> Any:
+        """The grid as a dataset: each key a dimension, each column a variable, units included.
+
+        Points of a refinement are left out.
+
+        Raises:
+            InputError: if the points were no grid, or some are missing.
+            MissingExtraError: without xarray.
+        """
+        try:
+            import xarray
+        except ImportError:
+            raise MissingExtraError("data") from None
+        axes = self.about["points"]["grid"]
+        if axes is None or not self.complete:
+            raise InputError(_("only a complete grid has a value at each place of a dataset"))
+        shape, first = tuple(map(len, axes)), int(self.about["points"]["count"])
+        table = self.table.slice(0, first)
+        variables = {}
+        for question in self.questions:
+            for name, kind in FIELDS.items():
+                column = table[f"{question.name}.{name}"]
+                values = column.to_pylist() if kind == "string" else column.to_numpy()
+                attributes = {"units": question.unit} if name in {"value", "lower", "upper"} else {}
+                called = question.name if name == "value" else f"{question.name}.{name}"
+                array = np.array(values, dtype=object if kind == "string" else None)
+                variables[called] = (self.keys, array.reshape(shape), attributes)
+        marks = {"plan": self.about["plan_sha256"], "benchdragon": __version__}
+        return xarray.Dataset(variables, dict(zip(self.keys, axes, strict=True)), marks)
+
+
+def read_sweep(folder: Path | str) -> Sweep:
+    """The sweep in a folder, as far as it has come.
+
+    Raises:
+        InputError: if there is none, or rows of another one.
+        MissingExtraError: without pyarrow.
+    """
+    about = read_about(Path(folder))
+    table = read_rows(Path(folder), about)
+    if table is None:
+        raise InputError(_("{folder} holds a sweep without any row").format(folder=folder))
+    return Sweep(about, table)
+
+
+def sweep(
+    plan: Plan,
+    vary: Mapping[str, Iterable[Value]] | Points,
+    ask: Sequence[str] = ("first_contact",),
+    *,
+    output: Path | str | None = None,
+    dances: RandomDances | None = None,
+    refinement: Refinement | None = None,
+    executor: Executor | None = None,
+    slots: int | None = None,
+    progress: Progress = silent,
+) -> Sweep:
+    """Questions asked of a plan at many points; the same call goes on where one was broken off.
+
+    Args:
+        plan: in which keys are varied.
+        vary: values of each key, of which every combination is a point; or points made by
+            `points.grid_points`, `listed_points`, `sampled_points`, `read_points`.
+        ask: names of QUESTIONS.
+        output: a folder for the rows, which need not fit into memory until they are read; else they
+            are kept in memory.
+        dances: that the question "tolerance" walks.
+        refinement: further points where answers change most, for one key or two.
+        executor: that runs the work; processes of this machine, one a core, if there is none. Those
+            are started anew, so that a script must keep to `if __name__ == "__main__"`.
+        slots: how many blocks the executor runs at a time; one a core if it is not said.
+        progress: is told the share of points that are done.
+
+    Raises:
+        InputError: for questions that are unknown, or points that cannot be.
+        PlanError: if the plan is wrong at all points.
+        FileRefusedError: for a folder of another sweep.
+        MissingExtraError: without pyarrow.
+    """
+    of_kind("plan", plan, Plan)
+    points = vary if isinstance(vary, Points) else grid_points(vary)
+    asked = tuple(question.name for question in questions(list(ask)))
+    design = Design(plan, points, asked, dances or RandomDances(), refinement or Refinement())
+    where = processes(slots) if executor is None else given(executor, slots)
+    return run(design, where, None if output is None else Path(output), progress)
+
+
+def run(design: Design, place: Place, folder: Path | None, progress: Progress = silent) -> Sweep:
+    """The rows of a design, those in a folder included.
+
+    Raises:
+        PlanError: see `sweep`, as for all others.
+    """
+    arrow()
+    design.check()
+    refiner = Refiner(design.points, design.refinement) if design.refinement.most else None
+    about = design.about()
+    with nullcontext() if folder is None else opened(folder, about):
+        rows = Rows(about, folder)
+        try:
+            answered = _Answered(design, place, rows, progress)
+            answered.ask(range(len(design.points)), design.points)
+            if refiner is not None:
+                _refine(refiner, answered)
+        finally:
+            rows.write()
+        table = rows.table()
+    return Sweep(about, table)
+
+
+class _Answered:
+    """The points that have rows, and the asking of others."""
+
+    def __init__(self, design: Design, place: Place, rows: Rows, progress: Progress) -> None:
+        self.design, self.rows = design, rows
+        self._place, self._work, self._progress = place, design.work, progress
+        self._most = len(design.points) + design.refinement.most
+        self._has = np.zeros(self._most, dtype=bool)
+        table = rows.table(["point"])
+        if table is not None:
+            self._has[table["point"].to_numpy()] = True
+        self._done = self._found = int(self._has.sum())
+        self._began = clock.monotonic()
+
+    def ask(self, numbers: range, points: "Points | Sequence[tuple[Value, ...]]") -> None:
+        """Have rows for points of these numbers, whose values stand at `points`, from 0."""
+        missing = np.flatnonzero(~self._has[numbers.start : numbers.stop])
+        waiting = _Numbered(missing, numbers.start, points)
+        with closing(in_blocks(self._work, waiting, self._place)) as blocks:
+            for asked, found in blocks:
+                batch = self._work.lost(asked, found.reason) if isinstance(found, Lost) else found
+                if batch.schema.metadata != made_by():
+                    raise MachineError(_("a worker runs another version of benchdragon than this one"))
+                self.rows.add(batch)
+                self._has[[number for number, _values in asked]] = True
+                self._tell(len(asked))
+
+    def _tell(self, more: int) -> None:
+        self._done += more
+        seconds = clock.monotonic() - self._began
+        rate = (self._done - self._found) / max(seconds, 1e-9)
+        left = (self._most - self._done) / rate
+        text = _("{done} of {most} points, {rate} a second, {left} s left")
+        self._progress(
+            self._done / self._most,
+            text.format(done=self._done, most=self._most, rate=f"{rate:.3g}", left=f"{left:.0f}"),
+        )
+
+
+@dataclass(frozen=True)
+class _Numbered(Sequence[Numbered]):
+    """Points with their numbers, made when they are sent."""
+
+    missing: Any
+    first: int
+    points: "Points | Sequence[tuple[Value, ...]]"
+
+    def __len__(self) -> int:
+        return len(self.missing)
+
+    def __getitem__(self, at: Any) -> Any:
+        """One of them, or a list of them."""
+        if isinstance(at, slice):
+            return [self[n] for n in range(*at.indices(len(self)))]
+        number = int(self.missing[at])
+        return self.first + number, self.points[number]
+
+
+def _refine(refiner: Refiner, answered: _Answered) -> None:
+    """Ask in rounds where the refiner says."""
+    design, first, found = answered.design, len(answered.design.points), 0
+    names = [f"{name}.value" for name in design.asked]
+    keys = list(design.points.keys)
+    told = 0
+    while True:
+        table = answered.rows.table(["point", *keys, *names]).slice(told)
+        table = table.slice(0, first + found - told)
+        points = np.column_stack([table[key].to_numpy() for key in keys])
+        answers = np.column_stack([table[name].to_numpy().astype(np.float64) for name in names])
+        refiner.tell(points.tolist(), answers)
+        told += len(table)
+        wanted = refiner.ask(min(ROUND, design.refinement.most - found))
+        if not wanted:
+            return
+        answered.ask(range(first + found, first + found + len(wanted)), wanted)
+        found += len(wanted)
