@@ -8,52 +8,77 @@ that was chosen with it. It took 33 minutes on two cores that other work shared.
 """
 
 import json
-import os
 import sys
-from concurrent.futures import ProcessPoolExecutor
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
-from rich.progress import track
+from rich.progress import Progress, TaskID
 
 from benchdragon.files import whole_file
 from benchdragon.paper import random_dances as run
+from benchdragon.parallel import Lost, in_blocks, processes
+from benchdragon.plans.schema import Plan
+from benchdragon.progress import Progress as Told
 from benchdragon.solve.size import limit
-from benchdragon.solve.tolerance import CASES, Draw, Tolerance, needed_pitch, touches
+from benchdragon.solve.tolerance import CASES, Dances, Deviations, Draw, Tolerance, touches, walked
 
 ROOT = Path(__file__).resolve().parents[1]
 TARGET = ROOT / "src/benchdragon/paper" / run.FILE
 
 
-def needed(name: str, number: int, exact: float) -> float:
-    """What one dance needs, m, to a tenth of a micrometre."""
-    draw = Draw(CASES[name].deviations, run.SEED, number)
-    return round(needed_pitch(run.plan(), draw, exact), 7)
+@dataclass(frozen=True)
+class Touching:
+    """How many of some dances of the other seed touch."""
+
+    plan: Plan
+    deviations: Deviations
+
+    def __call__(self, numbers: Sequence[int]) -> int:
+        """Their number."""
+        draws = [Draw(self.deviations, run.OTHER_SEED, number) for number in numbers]
+        return sum(touches(self.plan, draw) for draw in draws)
 
 
-def touched(name: str, number: int, pitch: float) -> bool:
-    """Whether one dance of the other seed touches."""
-    draw = Draw(CASES[name].deviations, run.OTHER_SEED, number)
-    return touches(run.plan().with_value("route.pitch", pitch), draw)
+def hits(name: str, draws: int, pitch: float) -> int:
+    """How many of the other dances touch at a pitch."""
+    work = Touching(run.plan().with_value("route.pitch", pitch), CASES[name].deviations)
+    found = 0
+    for numbers, count in in_blocks(work, range(draws), processes()):
+        if isinstance(count, Lost):
+            raise SystemExit(f"dances {numbers} were lost: {count.reason}")
+        found += count
+    return found
+
+
+def case_of(name: str, exact: float, draws: int, told: Told) -> dict[str, Any]:
+    """What the dances of a case need, to a tenth of a micrometre, and how many others touch."""
+    deviations = CASES[name].deviations
+    work = Dances(run.plan(), deviations, run.SEED, exact, own=False)
+    needed = walked(work, draws, processes(), told)[0].round(7)
+    pitch = Tolerance(deviations, run.SEED, exact, np.sort(needed)).pitch_for(run.RISK)
+    vouched = {"pitch": pitch, "draws": draws, "hits": hits(name, draws, pitch)}
+    return {"needed": needed.tolist(), "vouched": vouched}
 
 
 def main(draws: int) -> None:
     """Walk all dances and write the file, whole or not at all."""
-    exact = limit(run.plan(), "pitch").value
-    cases = {}
-    with ProcessPoolExecutor(os.cpu_count()) as pool:
-        for name, case in CASES.items():
-            tasks = pool.map(needed, [name] * draws, range(draws), [exact] * draws, chunksize=10)
-            pitches = list(track(tasks, name, draws))
-            found = Tolerance(case.deviations, run.SEED, exact, np.sort(pitches))
-            pitch = found.pitch_for(run.RISK)
-            tasks = pool.map(touched, [name] * draws, range(draws), [pitch] * draws, chunksize=10)
-            hits = sum(track(tasks, f"{name}: other dances", draws))
-            vouched = {"pitch": pitch, "draws": draws, "hits": hits}
-            cases[name] = {"needed": pitches, "vouched": vouched}
+    exact, cases = limit(run.plan(), "pitch").value, {}
+    with Progress() as bar:
+        for name in CASES:
+            told = partial(tell, bar, bar.add_task(name, total=1.0))
+            cases[name] = case_of(name, exact, draws, told)
     data = {"plan": [run.PLAN[0], *run.PLAN[1]], "seed": run.SEED, "other_seed": run.OTHER_SEED}
     with whole_file(TARGET) as path:
         path.write_text(json.dumps({**data, "exact": exact, "cases": cases}) + "\n", "utf-8")
+
+
+def tell(bar: Progress, task: TaskID, share: float, _text: str) -> None:
+    """Show how far a case has come."""
+    bar.update(task, completed=share)
 
 
 if __name__ == "__main__":

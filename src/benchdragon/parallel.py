@@ -24,7 +24,7 @@ from concurrent.futures import (
     ThreadPoolExecutor,
     wait,
 )
-from contextlib import AbstractContextManager, contextmanager, nullcontext
+from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext
 from dataclasses import dataclass, field
 from multiprocessing.connection import wait as wait_for
 from multiprocessing.context import SpawnContext
@@ -98,41 +98,49 @@ def given(executor: Executor, slots: int | None = None) -> Place:
     return Place(lambda: nullcontext(executor), lambda: many, again=False)
 
 
+def place_of(executor: Executor | Place | None, default: Place) -> Place:
+    """Where an executor runs blocks; `default` if there is none."""
+    if executor is None:
+        return default
+    return executor if isinstance(executor, Place) else given(executor)
+
+
 def dask(address: str | None = None, count: int | None = None) -> Place:
     """A Dask cluster: that of the scheduler at an address, or a new one of this machine.
 
     Raises:
+        InputError: for a number of workers out of range.
         MissingExtraError: without distributed.
-        MachineError: if no scheduler answers.
     """
     try:
         import distributed
     except ImportError:
         raise MissingExtraError("cluster") from None
     library: Any = distributed  # it has no types
-    try:
-        if address is not None:
-            client = library.Client(address, timeout=PATIENCE)
-        else:
-            workers = cores() if count is None else whole("workers", count, 1, MOST_WORKERS)
-            cluster = library.LocalCluster(
-                n_workers=workers, threads_per_worker=1, dashboard_address=None, silence_logs=50
-            )
-            client = library.Client(cluster)
-    except (OSError, ValueError) as error:
-        text = _("no scheduler answers at {address}: {why}")
-        raise MachineError(text.format(address=address, why=error)) from None
+    many = cores() if count is None else whole("workers", count, 1, MOST_WORKERS)
+    clients: list[Any] = []
 
     @contextmanager
     def opened() -> Iterator[Executor]:
-        try:
-            yield client.get_executor()
-        finally:
-            client.close()
-            if address is None:
-                cluster.close()
+        with ExitStack() as stack:
+            at: Any = address
+            if at is None:
+                at = library.LocalCluster(
+                    n_workers=many, threads_per_worker=1, dashboard_address=None, silence_logs=50
+                )
+                stack.enter_context(at)
+            clients.append(stack.enter_context(_client(library, at)))
+            yield clients[-1].get_executor()
 
-    return Place(opened, lambda: max(1, sum(client.nthreads().values())), again=False)
+    return Place(opened, lambda: max(1, sum(clients[-1].nthreads().values())), again=False)
+
+
+def _client(library: Any, address: Any) -> Any:
+    try:
+        return library.Client(address, timeout=PATIENCE)
+    except (OSError, ValueError) as error:
+        text = _("no scheduler answers at {address}: {why}")
+        raise MachineError(text.format(address=address, why=error)) from None
 
 
 def place(name: str, count: int | None = None) -> Place:
@@ -141,7 +149,6 @@ def place(name: str, count: int | None = None) -> Place:
     Raises:
         InputError: for a number of workers out of range.
         MissingExtraError: without distributed.
-        MachineError: if no scheduler answers.
     """
     if name == "processes":
         return processes(count)
@@ -157,8 +164,8 @@ def in_blocks(
     the language in use with it. What is still running is given up when the generator is closed.
 
     Raises:
-        BenchDragonError: that `work` raised; and MachineError if an executor broke that cannot be
-            opened again.
+        BenchDragonError: that `work` raised; and MachineError if no scheduler answers, or an executor
+            broke that cannot be opened again.
         WorkerError: for any other exception of `work`.
     """
     run = _Run(_Task(work, language()), items, place)

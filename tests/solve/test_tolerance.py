@@ -18,6 +18,7 @@ from benchdragon.explain.tolerance import margin_lines
 from benchdragon.i18n import spoken_in
 from benchdragon.kernels import curve as kernel
 from benchdragon.model.dragon import Dragon
+from benchdragon.parallel import threads
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.solve import random_dance as rehearsal_module
 from benchdragon.solve.random_dance import Hint, Meeting, RandomDance
@@ -132,7 +133,7 @@ def test_a_dance_s_line_runs_as_it_was_drawn() -> None:
 
 def test_the_chance_at_the_plan_s_own_pitch_is_that_of_dances_walked_at_it() -> None:
     plan, deviations = disc(0.5, 60), Deviations(aside=0.02)
-    found = tolerance(plan, deviations, 10, seed=3, own=True, workers=2)
+    found = tolerance(plan, deviations, 10, seed=3, own=True, executor=threads(2))
     assert found.hits == sum(touches(plan, Draw(deviations, 3, n)) for n in range(10))
     assert 0 < found.hits < 10
     assert found.touching() == found.touching(0.5)
@@ -185,7 +186,9 @@ def test_the_trodden_line_strays_as_far_as_it_should_and_smoothly() -> None:
 
 def test_a_seed_gives_the_same_dances_for_any_number_of_threads() -> None:
     plan = disc(benches=60)
-    one, two = (tolerance(plan, CASES["all"].deviations, 6, seed=9, workers=n) for n in (1, 2))
+    one, two = (
+        tolerance(plan, CASES["all"].deviations, 6, seed=9, executor=threads(n)) for n in (1, 2)
+    )
     assert (one.needed == two.needed).all()
     more = tolerance(plan, CASES["all"].deviations, 8, seed=9)
     assert set(one.needed) < set(more.needed)

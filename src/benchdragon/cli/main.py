@@ -52,6 +52,7 @@ from benchdragon.cli.parsing import (
 from benchdragon.cli.plan import plan, schema
 from benchdragon.cli.solve import solve
 from benchdragon.cli.studio import studio
+from benchdragon.cli.sweep import sweep
 from benchdragon.cli.tolerance import margins
 from benchdragon.cli.view import view
 from benchdragon.errors import BenchDragonError, InputError, MachineError, engine_advice, reason
@@ -204,7 +205,7 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     return _motion_table(walk, read, times, handles, options)
 
 
-for verb in (check, solve, margins, compare, view, studio, animate, plan, schema):
+for verb in (check, solve, margins, sweep, compare, view, studio, animate, plan, schema):
     program.add_command(verb)
 
 

@@ -160,6 +160,28 @@ def workers_option(default: int) -> Callable[[Command], Command]:
     )
 
 
+def place_options(command: Command) -> Command:
+    """--on and --workers."""
+    command = click.option(
+        "-j",
+        "--workers",
+        type=click.IntRange(1, 1024),
+        help=N_(
+            "Workers of this machine; one a core if it is not said. The answers do not depend on it."
+        ),
+    )(command)
+    return click.option(
+        "--on",
+        default="processes",
+        show_default=True,
+        metavar="PLACE",
+        help=N_(
+            "Where it runs: processes, dask (a cluster of this machine), or the address of a Dask "
+            "scheduler (tcp://host:8786)."
+        ),
+    )(command)
+
+
 # Why an option that was given says nothing.
 WITHOUT, BESIDE = N_("{option} goes with {what} alone"), N_("{option} does not go with {what}")
 

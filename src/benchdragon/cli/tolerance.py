@@ -15,11 +15,11 @@ from benchdragon.cli.options import (
     explain_option,
     folder_option,
     json_option,
+    place_options,
     plan_options,
     plan_to_walk,
     refuse_strays,
     shared_options,
-    workers_option,
 )
 from benchdragon.i18n import N_, _, language
 from benchdragon.number_format import finite_or_none, outward
@@ -44,6 +44,11 @@ def deviation_options(command: Any) -> Any:
     for name, text in reversed(DEVIATIONS.items()):
         command = click.option(f"--{name}", type=click.FloatRange(0.0, 1.0), help=text)(command)
     return command
+
+
+def given_deviations(options: dict[str, Any]) -> dict[str, float]:
+    """The deviations that were given."""
+    return {name: options[name] for name in DEVIATIONS if options[name] is not None}
 
 
 @click.command(
@@ -71,7 +76,7 @@ def deviation_options(command: Any) -> Any:
     show_default=True,
     help=N_("Seed of the random dances."),
 )
-@workers_option(2)
+@place_options
 @folder_option
 @json_option
 @explain_option
@@ -104,17 +109,18 @@ def _walked(
     plan: "Plan", options: dict[str, Any], quiet: bool
 ) -> tuple[dict[str, "Tolerance"], dict[str, str]]:
     """What each case needs, and what to call it."""
+    from benchdragon.parallel import place
     from benchdragon.solve.tolerance import CASES, Case, Deviations, tolerance
 
-    given = {name: options[name] for name in DEVIATIONS if options[name] is not None}
+    given = given_deviations(options)
     cases = {"given": Case(N_("as given"), Deviations(**given))} if given else CASES
-    found = {}
+    found, executor = {}, place(options["on"], options["workers"])
     with shown_progress(quiet) as progress:
         stage = Stages(progress, len(cases))
         for name, case in cases.items():
             found[name] = tolerance(
                 plan, case.deviations, options["draws"], own=True, seed=options["seed"],
-                workers=options["workers"], progress=stage(_(case.text)),
+                executor=executor, progress=stage(_(case.text)),
             )  # fmt: skip
     return found, {name: _(case.text) for name, case in cases.items()}
 

@@ -5,17 +5,19 @@ a time or all together: many dances are drawn at random, and each is walked. All
 joined; the dances of one seed are the same for all sizes of a plan, so that a size can be sought.
 """
 
-import itertools
 import math
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Sequence
+from concurrent.futures import Executor
+from contextlib import closing
 from dataclasses import dataclass, field, fields
 from functools import cache
-from threading import Lock
 
 import numpy as np
+import numpy.typing as npt
 
 from benchdragon.errors import (
     InputError,
+    MachineError,
     UnsureError,
     WalkError,
     in_order,
@@ -26,6 +28,7 @@ from benchdragon.errors import (
 from benchdragon.i18n import N_, _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.dragon import Dragon
+from benchdragon.parallel import Lost, Place, in_blocks, place_of, threads
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, silent
 from benchdragon.solve.dance_bound import WAYS, Offset, Part, open_parts
@@ -103,8 +106,12 @@ class Draw:
     number: int
 
     def noise(self, part: int, count: int) -> FloatArray:
-        """Standard normal numbers, the same for the same draw and part, however many are asked for."""
-        return np.random.default_rng((self.seed, self.number, part)).standard_normal(count)
+        """Standard normal numbers, the same for the same draw and part, however many are asked for.
+
+        Their stream is that of a seed sequence's spawned child `number`, and of its child `part`.
+        """
+        stream = np.random.SeedSequence(self.seed, spawn_key=(self.number, part))
+        return np.random.default_rng(stream).standard_normal(count)
 
     def dragon(self, plain: Dragon) -> Dragon:
         """The benches of this dance, seen from above."""
@@ -286,46 +293,88 @@ def tolerance(
     draws: int = 100,
     *,
     seed: int = 1,
-    workers: int = 1,
     own: bool = False,
+    executor: Executor | Place | None = None,
     progress: Progress = silent,
 ) -> Tolerance:
     """The pitch that each of so many random dances needs: see `Tolerance`.
 
-    The numbers do not depend on `workers`. Each pitch is one next to which the dance stops keeping the
-    plan's margin, see `needed_pitch`, sought from the exact one, see `size.limit`; that the dance
-    keeps it with all larger ones, so that the pitches tell chances, is taken for granted.
+    The numbers do not depend on where they are computed. Each pitch is one next to which the dance
+    stops keeping the plan's margin, see `needed_pitch`, sought from the exact one, see `size.limit`.
+    That the dance keeps it with all larger ones, so that pitches tell chances, is taken for granted.
 
     Args:
         plan: the dance; the exact pitch is sought from its own.
         deviations: how far from exact.
         draws: dances, 1 to 100,000.
         seed: of the random numbers.
-        workers: threads.
         own: whether each dance is walked at the plan's own pitch, too.
+        executor: that walks the dances, or a place of `parallel`; this thread, if there is none.
         progress: is told after each dance.
 
     Raises:
         InputError: for a number of draws out of range, a plan without a pitch, or one of whose
             dragon no benches can touch.
         UnsureError: where no pitch was found.
+        MachineError: for a dance whose workers were lost.
     """
     of_kind("plan", plan, Plan)
     of_kind("deviations", deviations, Deviations)
     whole("draws", draws, 1, MOST_DRAWS)
     exact = _exact_pitch(plan)
-    done, lock = itertools.count(1), Lock()
+    work = Dances(plan, deviations, seed, exact, own)
+    needed, touching = walked(work, draws, place_of(executor, threads(1)), progress)
+    hits = int(touching.sum()) if own else None
+    return Tolerance(deviations, seed, exact, np.sort(needed), hits)
 
-    def one(number: int) -> tuple[float, bool]:
-        draw = Draw(deviations, seed, number)
-        found = needed_pitch(plan, draw, exact), own and touches(plan, draw)
-        with lock:
-            progress(next(done) / draws, "")
-        return found
 
-    with ThreadPoolExecutor(workers) as pool:
-        needed, hits = zip(*pool.map(one, range(draws)), strict=True)
-    return Tolerance(deviations, seed, exact, np.sort(needed), sum(hits) if own else None)
+def walked(
+    work: "Dances", draws: int, place: Place, progress: Progress = silent
+) -> tuple[FloatArray, npt.NDArray[np.bool_]]:
+    """The pitch that each dance needs, m, and whether it touches at the plan's own, in order, (draws,).
+
+    Raises:
+        UnsureError: where no pitch was found.
+        MachineError: for a dance whose workers were lost.
+    """
+    needed, touching, done = np.empty(draws), np.empty(draws, dtype=bool), 0
+    with closing(in_blocks(work, range(draws), place)) as blocks:
+        for numbers, found in blocks:
+            if isinstance(found, Lost):
+                text = _("dance {number} was lost with its worker: {why}")
+                raise MachineError(text.format(number=numbers[0] + 1, why=found.reason))
+            at = list(numbers)
+            needed[at], touching[at] = zip(*found, strict=True)
+            done += len(at)
+            progress(done / draws, "")
+    return needed, touching
+
+
+@dataclass(frozen=True)
+class Dances:
+    """The work of `tolerance`: what dances of some numbers need, m, and whether they touch.
+
+    Attributes:
+        plan: the dance.
+        deviations: how far from exact.
+        seed: of the random numbers.
+        exact: the pitch from which to seek, m.
+        own: whether each is walked at the plan's own pitch, too.
+    """
+
+    plan: Plan
+    deviations: Deviations
+    seed: int
+    exact: float
+    own: bool
+
+    def __call__(self, numbers: Sequence[int]) -> list[tuple[float, bool]]:
+        """A pitch, m, for each, and whether benches touch."""
+        draws = [Draw(self.deviations, self.seed, number) for number in numbers]
+        return [
+            (needed_pitch(self.plan, draw, self.exact), self.own and touches(self.plan, draw))
+            for draw in draws
+        ]
 
 
 def _exact_pitch(plan: Plan) -> float:

@@ -15,7 +15,7 @@ import numpy as np
 from benchdragon.errors import InputError, MachineError, MissingExtraError, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.parallel import Lost, Place, given, in_blocks, processes
+from benchdragon.parallel import Lost, Place, in_blocks, place_of, processes
 from benchdragon.plans.schema import Plan, checked
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, silent
@@ -216,8 +216,7 @@ def sweep(
     output: Path | str | None = None,
     dances: RandomDances | None = None,
     refinement: Refinement | None = None,
-    executor: Executor | None = None,
-    slots: int | None = None,
+    executor: Executor | Place | None = None,
     progress: Progress = silent,
 ) -> Sweep:
     """Questions asked of a plan at many points; the same call goes on where one was broken off.
@@ -231,9 +230,9 @@ def sweep(
             are kept in memory.
         dances: that the question "tolerance" walks.
         refinement: further points where answers change most, for one key or two.
-        executor: that runs the work; processes of this machine, one a core, if there is none. Those
-            are started anew, so that a script must keep to `if __name__ == "__main__"`.
-        slots: how many blocks the executor runs at a time; one a core if it is not said.
+        executor: that runs the work, or a place of `parallel`; processes of this machine, one a core,
+            if there is none. Those are started anew, so that a script must keep to
+            `if __name__ == "__main__"`.
         progress: is told the share of points that are done.
 
     Raises:
@@ -246,7 +245,7 @@ def sweep(
     points = vary if isinstance(vary, Points) else grid_points(vary)
     asked = tuple(question.name for question in questions(list(ask)))
     design = Design(plan, points, asked, dances or RandomDances(), refinement or Refinement())
-    where = processes(slots) if executor is None else given(executor, slots)
+    where = place_of(executor, processes())
     return run(design, where, None if output is None else Path(output), progress)
 
 

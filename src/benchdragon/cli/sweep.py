@@ -1,0 +1,235 @@
+"""The verb `sweep`: many questions about one plan."""
+
+import json
+from collections import Counter
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from benchdragon.cli.console import print_rows, shown_progress
+from benchdragon.cli.options import (
+    BESIDE,
+    FOLDER,
+    WITHOUT,
+    announce_compiling,
+    json_option,
+    place_options,
+    refuse_strays,
+    settings_option,
+    shared_options,
+)
+from benchdragon.cli.tolerance import deviation_options, given_deviations
+from benchdragon.errors import InputError, MachineError
+from benchdragon.i18n import N_, _
+from benchdragon.number_format import finite_or_none
+
+if TYPE_CHECKING:
+    from benchdragon.sweeps.points import Points
+    from benchdragon.sweeps.questions import RandomDances
+    from benchdragon.sweeps.sweep import Design, Sweep
+
+METHODS = ("latin-hypercube", "sobol")
+
+
+@click.command(
+    help=N_(
+        "Many questions: the answers of a plan at many values of its keys.\n\n"
+        "PLAN is a *.dragon.toml file or the name of a built-in plan. Each combination of the values "
+        "behind --vary is a point; --points takes them from a file, --sample draws them. The answers "
+        "are rows of Parquet files in a folder. The same command goes on where one was broken off."
+    )
+)
+@click.argument("plan", metavar="PLAN", required=False)
+@settings_option
+@click.option(
+    "--vary",
+    multiple=True,
+    metavar="KEY=VALUES",
+    help=N_(
+        "A key of the plan and its values: route.pitch=0.45:0.6:0.01 (first, last, step) or "
+        "dragon.width=0.25,0.3; with --sample a range, route.pitch=0.45:0.6. May be repeated."
+    ),
+)
+@click.option(
+    "--points",
+    type=click.Path(path_type=Path, dir_okay=False),
+    metavar="FILE",
+    help=N_("Points from a CSV or Parquet file whose columns are keys of the plan."),
+)
+@click.option(
+    "--sample", type=click.IntRange(1, 10_000_000), help=N_("Number of points drawn from the ranges.")
+)
+@click.option(
+    "--method",
+    type=click.Choice(METHODS),
+    default=METHODS[0],
+    show_default=True,
+    help=N_("How --sample draws."),
+)
+@click.option(
+    "--seed",
+    type=click.IntRange(0, 2**31),
+    default=1,
+    show_default=True,
+    help=N_("Seed of --sample and of the random dances."),
+)
+@click.option(
+    "--ask",
+    default="first_contact",
+    show_default=True,
+    metavar="LIST",
+    help=N_(
+        "Questions, with commas: first_contact, clearance, greatest_speed, greatest_head_speed, "
+        "smallest_pitch, disc, width, length, tolerance, turn."
+    ),
+)
+@click.option(
+    "--draws",
+    type=click.IntRange(1, 100_000),
+    default=100,
+    show_default=True,
+    help=N_("Random dances that the question tolerance walks at each point."),
+)
+@deviation_options
+@click.option(
+    "--refine",
+    type=click.IntRange(1, 10_000_000),
+    help=N_("At most so many further points, where the answers change most (one key or two)."),
+)
+@click.option(
+    "--to",
+    type=click.FloatRange(1e-9, 1.0),
+    default=1e-3,
+    show_default=True,
+    help=N_("How near --refine brings neighbouring points, as a share of the range or of the answers."),
+)
+@place_options
+@click.option("-o", "--output", type=FOLDER, metavar="DIR", help=N_("Folder for the rows."))
+@click.option(
+    "--status", type=FOLDER, metavar="DIR", help=N_("Tell how far the sweep in a folder has come.")
+)
+@json_option
+@shared_options
+def sweep(plan: str | None, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
+    """Run a sweep, or tell of one, and print what came of it."""
+    from benchdragon.sweeps.sweep import read_sweep
+
+    _refuse_strays(plan, settings, options)
+    if options["status"] is not None:
+        folder, found = options["status"], read_sweep(options["status"])
+    else:
+        folder, found = options["output"], _run(str(plan), settings, quiet, options)
+    print_sweep(found, folder, as_json=options["as_json"])
+    lost = sum(counts["lost"] for counts in _counts(found).values())
+    if lost:
+        text = _("{count} answers were lost with their workers: see the column of messages")
+        raise MachineError(text.format(count=lost))
+    return 0
+
+
+def _refuse_strays(plan: str | None, settings: tuple[str, ...], options: dict[str, Any]) -> None:
+    status = options["status"] is not None
+    if status and (plan or settings or options["vary"] or options["points"] or options["output"]):
+        raise InputError(_("{option} goes alone, without a plan").format(option="--status"))
+    if not status and (plan is None or options["output"] is None):
+        raise InputError(_("wanted a PLAN and -o DIR, or --status DIR"))
+    if not status and bool(options["vary"]) is (options["points"] is not None):
+        raise InputError(_("wanted --vary or --points, and not both"))
+    tolerance = "tolerance" in options["ask"].split(",")
+    refuse_strays(
+        ("sample", not options["points"], BESIDE, "--points"),
+        ("method", options["sample"] is not None, WITHOUT, "--sample"),
+        ("seed", options["sample"] is not None or tolerance, WITHOUT, "--sample, --ask tolerance"),
+        ("draws", tolerance, WITHOUT, "--ask tolerance"),
+        ("to", options["refine"] is not None, WITHOUT, "--refine"),
+        ("workers", "://" not in options["on"], BESIDE, "--on " + options["on"]),
+        *((name, tolerance, WITHOUT, "--ask tolerance") for name in given_deviations(options)),
+    )
+
+
+def _run(plan: str, settings: tuple[str, ...], quiet: bool, options: dict[str, Any]) -> "Sweep":
+    from benchdragon.parallel import place
+    from benchdragon.sweeps.sweep import run
+
+    design = _design(plan, settings, options)
+    announce_compiling(quiet)
+    with shown_progress(quiet) as progress:
+        return run(design, place(options["on"], options["workers"]), options["output"], progress)
+
+
+def _design(plan: str, settings: tuple[str, ...], options: dict[str, Any]) -> "Design":
+    from benchdragon.plans.schema import read_plan
+    from benchdragon.sweeps.questions import questions
+    from benchdragon.sweeps.refine import Refinement
+    from benchdragon.sweeps.sweep import Design
+
+    read = read_plan(plan, settings)
+    asked = questions([name.strip() for name in options["ask"].split(",")])
+    names = tuple(question.name for question in asked)
+    refinement = Refinement(options["refine"] or 0, options["to"])
+    return Design(read, _points(options), names, _dances(options), refinement)
+
+
+def _points(options: dict[str, Any]) -> "Points":
+    from benchdragon.sweeps.points import grid_points, parse_vary, read_points, sampled_points
+
+    if options["points"] is not None:
+        return read_points(options["points"])
+    count = options["sample"]
+    varied = parse_vary(options["vary"], ranges=count is not None)
+    if count is None:
+        return grid_points(varied)
+    return sampled_points(varied, count, options["seed"], options["method"])
+
+
+def _dances(options: dict[str, Any]) -> "RandomDances":
+    from benchdragon.solve.tolerance import CASES, Deviations
+    from benchdragon.sweeps.questions import RandomDances
+
+    given = given_deviations(options)
+    deviations = Deviations(**given) if given else CASES["all"].deviations
+    return RandomDances(options["draws"], deviations, options["seed"])
+
+
+def _counts(found: "Sweep") -> dict[str, Counter[str]]:
+    """How many answers of each status each question has."""
+    return {one.name: Counter(map(str, found.texts(f"{one.name}.status"))) for one in found.questions}
+
+
+def print_sweep(found: "Sweep", folder: Path, *, as_json: bool) -> None:
+    """How many points there are, and for each question how many answers of each status, from..to."""
+    counts, ranges = _counts(found), {one.name: _range(found, one.name) for one in found.questions}
+    wanted = int(found.about["points"]["count"])
+    if as_json:
+        asked = {
+            name: {"status": dict(counts[name]), "least": least, "greatest": greatest}
+            for name, (least, greatest) in ranges.items()
+        }
+        about = {"folder": str(folder), "points": len(found.table), "wanted": wanted}
+        plan = {"plan": {"sha256": found.about["plan_sha256"]}, "keys": list(found.keys)}
+        click.echo(json.dumps({**about, "complete": found.complete, **plan, "questions": asked}))
+        return
+    rows = []
+    for one in found.questions:
+        least, greatest = ("-" if end is None else f"{end:.6g}" for end in ranges[one.name])
+        states = ", ".join(f"{status} {count}" for status, count in counts[one.name].most_common())
+        unit = f" ({one.unit})" if one.unit else ""
+        rows.append((f"{_(one.text)}{unit}", least, greatest, states))
+    title = _("{done} points of {keys}").format(done=len(found.table), keys=", ".join(found.keys))
+    print_rows(title, (_("question"), _("least"), _("greatest"), _("answers")), rows)
+    if not found.complete:
+        text = _("{done} of {wanted} points are done: the same command goes on")
+        click.echo(text.format(done=len(found.table), wanted=wanted))
+    click.echo(_("rows: {folder}").format(folder=folder))
+
+
+def _range(found: "Sweep", name: str) -> tuple[float | None, float | None]:
+    """The least and the greatest value of a question."""
+    import numpy as np
+
+    values = found.column(f"{name}.value")
+    known = values[~np.isnan(values)]
+    if not known.size:
+        return None, None
+    return finite_or_none(float(known.min())), finite_or_none(float(known.max()))
