@@ -2,6 +2,8 @@
 
 import re
 from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -12,17 +14,21 @@ import benchdragon.cli.console
 import benchdragon.kernels.jit
 import benchdragon.model.placement
 import benchdragon.paper.reproduce
-import benchdragon.solve.tolerance
+import benchdragon.parallel
 import benchdragon.solve.turn
 import benchdragon.studio.app
+import benchdragon.sweeps.rows
 from benchdragon.__main__ import asked_language
 from benchdragon.cli.main import run
 from benchdragon.errors import InputError
 from benchdragon.i18n import spoken_in
 from benchdragon.model.answer import Answer
+from benchdragon.parallel import Place, threads
 from benchdragon.plans.schema import Plan, TurnRoute
 from benchdragon.solve.turn import BestTurn
 from benchdragon.solve.turn_trials import TurnGoal
+from benchdragon.sweeps.questions import Outcome as Asked
+from benchdragon.sweeps.questions import outcome as asked
 from tests.cli.verbs import VERBS, options
 
 # A dance of a few metres, to be asked about often.
@@ -44,6 +50,11 @@ SPEED = ["solve", "speed", *TURN]
 PACED = [*SPEED, "--pace", "paced.toml"]
 BEST = ["solve", "turn", *TURN]
 MARGINS = ["margins", "spiral-in", *DISC, "--aside", "0.01", "--draws", "4"]
+ROWS = ["sweep", "spiral-in", *SMALL, "--set", "walk.end=3", "-o", "rows"]
+SWEEP = [*ROWS, "--vary", "route.pitch=1.2,1.3"]
+SAMPLE = [*ROWS, "--vary", "route.pitch=1.2:1.4", "--sample", "3"]
+TOUCHING = [*SWEEP, "--ask", "tolerance", "--draws", "2"]
+REFINED = [*SWEEP, "--ask", "clearance", "--refine", "4"]
 VIEW = ["view", "spiral-in", *SHORT, "-o", "dance.html"]
 STILL = ["animate", "spiral-in", *SHORT, "-o", "still.png", "--size", "320x180"]
 SHEET = [*STILL, "--sheet", "2x1"]
@@ -145,6 +156,26 @@ CASES: dict[str, Case] = {
     "margins --force": Case([*MARGINS, "-o", "out"], ["--force"], [*MARGINS, "-o", "out"]),
     "margins --json": Case(MARGINS, ["--json"]),
     "margins --explain": Case(MARGINS, ["--explain"]),
+    "sweep --set": Case(SWEEP, ["--set", "dragon.width=0.4"]),
+    "sweep --vary": Case(SWEEP, ["--vary", "dragon.width=0.2,0.3"]),
+    "sweep --points": Case(ROWS, ["--points", str(Path(__file__).with_name("points.csv"))]),
+    "sweep --sample": Case(SAMPLE, ["--sample", "4"]),
+    "sweep --method": Case(SAMPLE, ["--method", "sobol"]),
+    "sweep --seed": Case(SAMPLE, ["--seed", "2"]),
+    "sweep --ask": Case(SWEEP, ["--ask", "clearance"]),
+    "sweep --draws": Case(TOUCHING, ["--draws", "3"]),
+    **{
+        f"sweep --{deviation}": Case(TOUCHING, [f"--{deviation}", "0.2"])
+        for deviation in ("aside", "stray", "play", "height", "length", "width")
+    },
+    "sweep --refine": Case(REFINED, ["--refine", "5"]),
+    "sweep --to": Case(REFINED, ["--to", "0.9"]),
+    "sweep --on": Case(SWEEP, ["--on", "dask"]),
+    "sweep --workers": Case(SWEEP, ["--workers", "3"]),
+    "sweep --output": Case(SWEEP, ["-o", "elsewhere"]),
+    "sweep --status": Case(["sweep"], ["--status", "rows"], SWEEP),
+    "sweep --json": Case(SWEEP, ["--json"]),
+    "margins --on": Case(MARGINS, ["--on", "dask"]),
     "view --set": Case(VIEW, ["--set", "dragon.width=0.4"]),
     "view --output": Case(VIEW, ["-o", "other.html"]),
     "view --force": Case(VIEW, ["--force"], VIEW),
@@ -176,13 +207,13 @@ CASES: dict[str, Case] = {
     **{
         f"{called(line)} --lang": Case(line, ["--lang", "zh"])
         for line in (
-            *(MOTION, CHECK, *SIZES.values(), SPEED, BEST, MARGINS, VIEW, STILL, STUDIO),
+            *(MOTION, CHECK, *SIZES.values(), SPEED, BEST, MARGINS, SWEEP, VIEW, STILL, STUDIO),
             *(["doctor"], ["plan"], ["schema"]),
         )
     },
     **{
         f"{called(line)} --quiet": Case(line, ["--quiet"])
-        for line in (MOTION, CHECK, *SIZES.values(), SPEED, BEST, MARGINS, VIEW, STILL, STUDIO)
+        for line in (MOTION, CHECK, *SIZES.values(), SPEED, BEST, MARGINS, SWEEP, VIEW, STILL, STUDIO)
     },
 }
 # What these say comes after minutes of work: tests/paper/test_reproduce.py runs them.
@@ -191,6 +222,21 @@ ELSEWHERE = {f"reproduce --{name}" for name in ("json", "explain", "lang", "quie
 ELSEWHERE |= {f"compare --{name}" for name in ("as", "tolerance", "json", "lang", "quiet")}
 # Nothing is said on standard error, nor in a language, that could be left out.
 SILENT = {"plan --quiet", "schema --quiet", "doctor --quiet"}
+
+
+def placed(name: str, calls: list[str]) -> Callable[..., Place]:
+    """A place of that name, which is one thread, and writes down that it was asked for."""
+
+    def call(*arguments: object) -> Place:
+        calls.append(f"{name} {arguments}")
+        return threads(1)
+
+    return call
+
+
+def timeless(*arguments: Any) -> Asked:
+    """What a sweep's question comes to, as if it took no time."""
+    return replace(asked(*arguments), seconds=0.0)
 
 
 @pytest.fixture
@@ -230,8 +276,10 @@ def recorded(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     monkeypatch.setattr(benchdragon.analysis.check, "LAST_SAMPLES", 10)
     # A machine so slow that its progress is told would say more once than again.
     monkeypatch.setattr(benchdragon.cli.console, "LINE_EACH", 1e6)
-    for module in (benchdragon.model.placement, benchdragon.solve.tolerance):
-        monkeypatch.setattr(module, "ThreadPoolExecutor", pooled(module.ThreadPoolExecutor))
+    monkeypatch.setattr(benchdragon.model.placement, "ThreadPoolExecutor", pooled(ThreadPoolExecutor))
+    for name in ("processes", "dask"):  # here in one thread, as if they were there
+        monkeypatch.setattr(benchdragon.parallel, name, placed(name, calls))
+    monkeypatch.setattr(benchdragon.sweeps.rows, "outcome", timeless)
     monkeypatch.setattr(benchdragon.solve.turn, "best_turn", best)
     monkeypatch.setattr(benchdragon.paper.reproduce, "reproduce", stopped("reproduce"))
     monkeypatch.setattr(benchdragon.studio.app, "serve", served)
@@ -321,6 +369,17 @@ def test_an_option_has_an_effect(outcome: Come, known: dict[str, Outcome], name:
         ([*RANGE, "--method", "traversal"], "--method does not go with --range"),
         ([*TRAVERSAL, "--prove"], "--prove does not go with --method traversal"),
         ([*MARGINS, "--force"], "--force goes with -o alone"),
+        ([*ROWS, "--points", "x.csv", "--sample", "3"], "--sample does not go with --points"),
+        ([*SWEEP, "--method", "sobol"], "--method goes with --sample alone"),
+        ([*SWEEP, "--seed", "2"], "--seed goes with --sample, --ask tolerance alone"),
+        ([*SWEEP, "--draws", "2"], "--draws goes with --ask tolerance alone"),
+        ([*SWEEP, "--stray", "0.1"], "--stray goes with --ask tolerance alone"),
+        ([*SWEEP, "--to", "0.1"], "--to goes with --refine alone"),
+        ([*SWEEP, "--on", "tcp://1.2.3.4:5", "-j", "2"], "--workers does not go with --on tcp"),
+        ([*SWEEP, "--status", "rows"], "--status goes alone, without a plan"),
+        ([*SWEEP, "--points", "x.csv"], "wanted --vary or --points, and not both"),
+        (ROWS, "wanted --vary or --points, and not both"),
+        (SWEEP[:2], "wanted a PLAN and -o DIR, or --status DIR"),
         ([*STILL, "--span", "3"], "--span goes with --follow alone"),
         ([*STILL, "--end", "3"], "--end does not go with .png"),
     ],

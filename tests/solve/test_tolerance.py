@@ -184,6 +184,13 @@ def test_the_trodden_line_strays_as_far_as_it_should_and_smoothly() -> None:
     assert long[: short.size] == pytest.approx(short)
 
 
+def test_the_streams_of_dances_are_spawned_from_one_seed() -> None:
+    draw = Draw(Deviations(), 7, 3)
+    child = np.random.SeedSequence(7).spawn(4)[3].spawn(3)[2]
+    np.testing.assert_array_equal(draw.noise(2, 5), np.random.default_rng(child).standard_normal(5))
+    assert not np.array_equal(draw.noise(2, 5), draw.noise(1, 5))
+
+
 def test_a_seed_gives_the_same_dances_for_any_number_of_threads() -> None:
     plan = disc(benches=60)
     one, two = (

@@ -199,6 +199,8 @@ def _counts(found: "Sweep") -> dict[str, Counter[str]]:
 
 def print_sweep(found: "Sweep", folder: Path, *, as_json: bool) -> None:
     """How many points there are, and for each question how many answers of each status, from..to."""
+    from benchdragon.sweeps.questions import STATES
+
     counts, ranges = _counts(found), {one.name: _range(found, one.name) for one in found.questions}
     wanted = int(found.about["points"]["count"])
     if as_json:
@@ -213,7 +215,7 @@ def print_sweep(found: "Sweep", folder: Path, *, as_json: bool) -> None:
     rows = []
     for one in found.questions:
         least, greatest = ("-" if end is None else f"{end:.6g}" for end in ranges[one.name])
-        states = ", ".join(f"{status} {count}" for status, count in counts[one.name].most_common())
+        states = "\n".join(f"{_(STATES[state])}: {n}" for state, n in counts[one.name].most_common())
         unit = f" ({one.unit})" if one.unit else ""
         rows.append((f"{_(one.text)}{unit}", least, greatest, states))
     title = _("{done} points of {keys}").format(done=len(found.table), keys=", ".join(found.keys))

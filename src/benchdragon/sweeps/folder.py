@@ -87,7 +87,7 @@ class Rows:
         if not self._waiting:
             return
         pa = arrow()
-        table = pa.Table.from_batches(self._waiting)
+        table = pa.Table.from_batches(self._waiting).sort_by("point")
         if self._folder is None:
             self._kept.append(table)
         else:

@@ -19,6 +19,18 @@ from benchdragon.solve.turn import best_turn
 # Beside the status of an answer: no benches touch; the dragon cannot walk; such a plan cannot be; the
 # worker was lost, or its memory ran out, each time.
 CLEAR, UNWALKABLE, REFUSED, LOST = "clear", "unwalkable", "refused", "lost"
+# What readers are told.
+STATES = {
+    "found": N_("found"),
+    "proved": N_("proved"),
+    "unlimited": N_("no limit found"),
+    "infeasible": N_("no solution"),
+    "undecided": N_("undecided"),
+    CLEAR: N_("no contact"),
+    UNWALKABLE: N_("cannot be walked"),
+    REFUSED: N_("cannot be"),
+    LOST: N_("lost"),
+}
 
 
 @dataclass(frozen=True)
