@@ -191,6 +191,14 @@ def test_the_streams_of_dances_are_spawned_from_one_seed() -> None:
     assert not np.array_equal(draw.noise(2, 5), draw.noise(1, 5))
 
 
+def test_a_dance_that_a_bound_all_but_clears_is_sought_no_farther_than_it_may_be() -> None:
+    """At the first pitch tried only benches far apart are open: their distance says nothing."""
+    plan, draw = disc(), Draw(CASES["stray"].deviations, 1, 338)
+    needed = needed_pitch(plan, draw, limit(plan, "pitch").value)
+    assert not touches(plan.with_value("route.pitch", needed), draw)
+    assert touches(plan.with_value("route.pitch", needed - 1.1e-5), draw)
+
+
 def test_a_seed_gives_the_same_dances_for_any_number_of_threads() -> None:
     plan = disc(benches=60)
     one, two = (

@@ -166,9 +166,7 @@ def place_options(command: Command) -> Command:
         "-j",
         "--workers",
         type=click.IntRange(1, 1024),
-        help=N_(
-            "Workers of this machine; one a core if it is not said. The answers do not depend on it."
-        ),
+        help=N_("Workers of this machine: one a core if it is not said; answers do not depend on it."),
     )(command)
     return click.option(
         "--on",

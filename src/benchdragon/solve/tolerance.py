@@ -40,8 +40,9 @@ from benchdragon.solve.size import limit
 STRAY_LENGTH, STRAY_ENTRIES = 10.0, 20
 # Pitches are sought to this, m, by at most so many trials, along secants whose slopes (m of distance
 # per m of pitch) are kept within bounds: near 1 on a spiral. A pitch with which a bench cannot follow
-# is multiplied by UNWALKABLE.
+# is multiplied by UNWALKABLE; no trial is farther from the last one than this share of it.
 TOLERANCE, MOST_TRIALS, LEAST_SLOPE, MOST_SLOPE, UNWALKABLE = 1e-5, 60, 0.5, 3.0, 1.01
+LONGEST_STEP = 0.1
 # What a pitch may come to be, times the one that exact people need.
 NARROWEST, WIDEST = 0.7, 4.0
 # Offsets from the route want about so many times their standard deviation more of a pitch.
@@ -470,5 +471,7 @@ def _next(pitch: float, room: float, slope: float, touching: float, clear: float
         ahead = clear - max(0.9 * TOLERANCE, room / slope)
     else:
         ahead = pitch + (0.5 * TOLERANCE - room) / slope
+    # Where a bound clears most of a walk the distances seen are far from the least.
+    ahead = min(max(ahead, (1.0 - LONGEST_STEP) * pitch), (1.0 + LONGEST_STEP) * pitch)
     between = touching < ahead < clear
     return ahead if between else 0.5 * (touching + min(clear, max(pitch, touching)))

@@ -23,7 +23,7 @@ CLEAR, UNWALKABLE, REFUSED, LOST = "clear", "unwalkable", "refused", "lost"
 STATES = {
     "found": N_("found"),
     "proved": N_("proved"),
-    "unlimited": N_("no limit found"),
+    "unlimited": N_("unlimited"),
     "infeasible": N_("no solution"),
     "undecided": N_("undecided"),
     CLEAR: N_("no contact"),
