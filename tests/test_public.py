@@ -145,19 +145,24 @@ CALLS: dict[str, tuple[Any, ...]] = {
     "smallest_pitch": (PLAN,),
     "three_pieces": (1.7, 4.5, 4.5, (2.0, 2.0)),
     "tightest_pairs": (MOTION, 0, 1),
+    "RandomDances": (2, bd.Deviations(0.01), 1),
+    "Refinement": (8, 0.01),
+    "listed_points": ({"route.pitch": [0.5, 0.6]},),
+    "sampled_points": ({"route.pitch": (0.5, 0.6)}, 3, 1, "sobol"),
+    "sweep": (PLAN, {"route.pitch": [0.6]}, ["first_contact"]),
     "tolerance": (PLAN, bd.Deviations(0.01), 2),
     "two_arcs": (1.7, 4.5, 4.5, 2.0),
 }
 # What the package makes, and nobody else has to.
 MADE = {
     "Answer", "BestTurn", "ClearanceCurve", "Comparison", "Motion", "Nearness", "Plan", "Report",
-    "Status", "Tolerance", "Window", "Witness",
+    "Points", "Status", "Sweep", "Tolerance", "Window", "Witness",
     "BenchDragonError", "InputError", "NoSolutionError", "UnsureError", "WalkError",
 }  # fmt: skip
 
 
 def test_every_public_constructor_and_function_is_tried() -> None:
-    assert {*CALLS, *MADE, "compare", "read_plan"} == set(bd.__all__)
+    assert {*CALLS, *MADE, "compare", "read_plan", "read_points", "read_sweep"} == set(bd.__all__)
 
 
 @pytest.mark.usefixtures("short_searches")

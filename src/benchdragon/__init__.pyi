@@ -51,6 +51,8 @@ from .solve.turn import BestTurn as BestTurn
 from .solve.turn import best_turn as best_turn
 from .solve.turn_trials import TurnGoal as TurnGoal
 from .sweeps.points import Points as Points
+from .sweeps.points import listed_points as listed_points
+from .sweeps.points import read_points as read_points
 from .sweeps.points import sampled_points as sampled_points
 from .sweeps.questions import RandomDances as RandomDances
 from .sweeps.refine import Refinement as Refinement

@@ -83,8 +83,8 @@ def grid_points(vary: Mapping[str, Iterable[Value]]) -> Points:
     Raises:
         InputError: for values that are no finite numbers or texts, and as `Points`.
     """
-    columns = tuple(tuple(_value(key, one) for one in values) for key, values in vary.items())
-    return Points(tuple(vary), columns, grid=True)
+    keys, columns = _columns(vary)
+    return Points(keys, columns, grid=True)
 
 
 def listed_points(columns: Mapping[str, Sequence[Value]]) -> Points:
@@ -93,10 +93,35 @@ def listed_points(columns: Mapping[str, Sequence[Value]]) -> Points:
     Raises:
         InputError: for columns of different lengths, and as `grid_points`.
     """
-    made = tuple(tuple(_value(key, one) for one in values) for key, values in columns.items())
+    keys, made = _columns(columns)
     if len({len(column) for column in made}) > 1:
         raise InputError(_("all keys need as many values: one a point"))
-    return Points(tuple(columns), made, grid=False)
+    return Points(keys, made, grid=False)
+
+
+def _columns(
+    columns: Mapping[str, Iterable[Value]],
+) -> tuple[tuple[str, ...], tuple[tuple[Value, ...], ...]]:
+    """Keys, and the values of each.
+
+    Raises:
+        InputError: for what are none.
+    """
+    _check_mapping(columns)
+    for key, values in columns.items():
+        if isinstance(values, str) or not isinstance(values, Iterable):
+            raise InputError(
+                _("{key}: wanted a list of values, not {value}").format(key=key, value=values)
+            )
+    made = tuple(tuple(_value(key, one) for one in values) for key, values in columns.items())
+    return tuple(columns), made
+
+
+def _check_mapping(columns: object) -> None:
+    if not isinstance(columns, Mapping) or not all(isinstance(key, str) for key in columns):
+        raise InputError(
+            _("wanted values of keys such as route.pitch, not {value}").format(value=repr(columns)[:80])
+        )
 
 
 def sampled_points(
@@ -112,6 +137,7 @@ def sampled_points(
     """
     from scipy.stats import qmc  # slow to import
 
+    _check_mapping(ranges)
     whole("sample", count, 1, MOST_POINTS)
     whole("seed", seed, 0, 2**63 - 1)
     if method not in METHODS:

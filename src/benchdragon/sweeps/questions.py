@@ -2,18 +2,26 @@
 
 import math
 import time as clock
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 from benchdragon.analysis.contact import first_contact, least_clearance
 from benchdragon.analysis.speed import greatest_speed
-from benchdragon.errors import BenchDragonError, InputError, NoSolutionError, UnsureError, WalkError
+from benchdragon.errors import (
+    BenchDragonError,
+    InputError,
+    NoSolutionError,
+    UnsureError,
+    WalkError,
+    of_kind,
+    whole,
+)
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import Answer
 from benchdragon.plans.schema import Plan
 from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.size import limit
-from benchdragon.solve.tolerance import CASES, Deviations, Draw, chance, touches
+from benchdragon.solve.tolerance import CASES, MOST_DRAWS, Deviations, Draw, chance, touches
 from benchdragon.solve.turn import best_turn
 
 # Beside the status of an answer: no benches touch; the dragon cannot walk; such a plan cannot be; the
@@ -40,6 +48,16 @@ class RandomDances:
     draws: int = 100
     deviations: Deviations = field(default_factory=lambda: CASES["all"].deviations)
     seed: int = 1
+
+    def __post_init__(self) -> None:
+        """Check them.
+
+        Raises:
+            InputError: for numbers out of range, or of another kind.
+        """
+        whole("draws", self.draws, 1, MOST_DRAWS)
+        of_kind("deviations", self.deviations, Deviations)
+        whole("seed", self.seed, 0, 2**63 - 1)
 
 
 @dataclass(frozen=True)
@@ -121,17 +139,19 @@ QUESTIONS = {
 }
 
 
-def questions(names: list[str]) -> list[Question]:
+def questions(names: Sequence[str]) -> list[Question]:
     """The questions of these names.
 
     Raises:
         InputError: for an unknown name, one that stands twice, or none at all.
     """
-    wrong = [name for name in names if name not in QUESTIONS]
-    if wrong or not names or len(set(names)) < len(names):
+    known = isinstance(names, list | tuple) and all(
+        isinstance(name, str) and name in QUESTIONS for name in names
+    )
+    if not known or not names or len(set(names)) < len(names):
         raise InputError(
             _("ask: wanted some of {known}, each once, not {names}").format(
-                known=", ".join(QUESTIONS), names=", ".join(map(repr, names)) or _("nothing")
+                known=", ".join(QUESTIONS), names=repr(names)[:80]
             )
         )
     return [QUESTIONS[name] for name in names]

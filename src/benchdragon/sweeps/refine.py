@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from benchdragon.errors import InputError, MissingExtraError, whole
+from benchdragon.errors import InputError, MissingExtraError, finite, whole
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.sweeps.points import MOST_POINTS, Points
@@ -42,7 +42,7 @@ class Refinement:
             InputError: for a number of points or a share out of range.
         """
         whole("refine", self.most, 0, MOST_POINTS)
-        if not 1e-9 <= self.to <= 1.0:
+        if not 1e-9 <= finite("to", self.to) <= 1.0:
             raise InputError(_("to: wanted a share from 1e-9 to 1, not {to}").format(to=self.to))
 
 

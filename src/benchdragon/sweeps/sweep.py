@@ -243,7 +243,7 @@ def sweep(
     """
     of_kind("plan", plan, Plan)
     points = vary if isinstance(vary, Points) else grid_points(vary)
-    asked = tuple(question.name for question in questions(list(ask)))
+    asked = tuple(question.name for question in questions(ask))
     design = Design(plan, points, asked, dances or RandomDances(), refinement or Refinement())
     where = place_of(executor, processes())
     return run(design, where, None if output is None else Path(output), progress)
