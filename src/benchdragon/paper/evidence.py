@@ -193,7 +193,7 @@ def people(found: Results) -> Iterable[Block]:
     )
     yield say(
         _(
-            "The dances are kept with the program, since they take half an hour; the first "
+            "The dances are kept with the program, since they take minutes; the first "
             "{count} of each row were walked again in this run and need the same pitch to {again} m."
         ),
         count=AGAIN,
