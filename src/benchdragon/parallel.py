@@ -88,13 +88,22 @@ def processes(count: int | None = None) -> Place:
 
 
 def threads(count: int) -> Place:
-    """Threads of this process, for work that leaves Python's lock."""
-    return Place(lambda: ThreadPoolExecutor(count), lambda: count, again=False)
+    """Threads of this process, for work that leaves Python's lock.
+
+    Raises:
+        InputError: for a number out of range.
+    """
+    many = whole("threads", count, 1, MOST_WORKERS)
+    return Place(lambda: ThreadPoolExecutor(many), lambda: many, again=False)
 
 
 def given(executor: Executor, slots: int | None = None) -> Place:
-    """An executor that somebody else ends, which runs `slots` blocks at a time, or one a core."""
-    many = cores() if slots is None else slots
+    """An executor that somebody else ends, which runs `slots` blocks at a time, or one a core.
+
+    Raises:
+        InputError: for a number out of range.
+    """
+    many = cores() if slots is None else whole("slots", slots, 1, MOST_WORKERS)
     return Place(lambda: nullcontext(executor), lambda: many, again=False)
 
 
@@ -171,7 +180,11 @@ def in_blocks(
     run = _Run(_Task(work, language()), items, place)
     while not run.over:
         with place.opened() as executor:
-            yield from run.drive(executor)
+            try:
+                yield from run.drive(executor)
+            finally:  # an executor that somebody else ends has no more to do with these
+                for future in run.running:
+                    future.cancel()
 
 
 class WorkerError(RuntimeError):
