@@ -4,7 +4,7 @@ import errno
 import math
 import socket
 from operator import index
-from typing import Self
+from typing import Any, Self
 
 from benchdragon.i18n import N_, _
 from benchdragon.kernels.status import EngineError, Status
@@ -14,6 +14,18 @@ class BenchDragonError(Exception):
     """The one above the rest; `exit_code` is what the command line ends with."""
 
     exit_code = 2
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """As it is made again in another process: by what it holds, and not by what it was made of."""
+        return _made_again, (type(self), self.args, self.__dict__)
+
+
+def _made_again(
+    kind: type[BenchDragonError], args: tuple[Any, ...], state: dict[str, Any]
+) -> BenchDragonError:
+    error = kind.__new__(kind, *args)
+    error.__dict__.update(state)
+    return error
 
 
 class InputError(BenchDragonError, ValueError):
