@@ -19,6 +19,8 @@ Method = Literal["latin-hypercube", "sobol"]
 METHODS: tuple[Method, ...] = ("latin-hypercube", "sobol")
 
 MOST_POINTS, MOST_KEYS = 10_000_000, 20
+# Whole numbers beyond would not be the same as floating-point numbers.
+LARGEST = 2**53
 KEY = re.compile(r"[a-z_]+(\.[a-z_0-9]+)+")
 
 
@@ -48,10 +50,11 @@ class Points:
                 raise InputError(
                     _("wanted keys of a plan such as route.pitch, each once, not {key}").format(key=key)
                 )
-        if not 0 < len(self.keys) <= MOST_KEYS or not 0 < len(self) <= MOST_POINTS:
+        count = math.prod(self.shape) if self.columns else 0
+        if not 0 < len(self.keys) <= MOST_KEYS or not 0 < count <= MOST_POINTS:
             raise InputError(
                 _("wanted 1 to {most} points of 1 to {keys} keys, not {count} of {given}").format(
-                    most=MOST_POINTS, keys=MOST_KEYS, count=len(self), given=len(self.keys)
+                    most=MOST_POINTS, keys=MOST_KEYS, count=count, given=len(self.keys)
                 )
             )
 
@@ -62,10 +65,12 @@ class Points:
         return sizes if self.grid else sizes[:1]
 
     def __len__(self) -> int:
-        return math.prod(self.shape) if self.columns else 0
+        return math.prod(self.shape)
 
     def __getitem__(self, number: int) -> tuple[Value, ...]:
         """The values at a point."""
+        if not 0 <= number < len(self):
+            raise IndexError(number)
         places: Sequence[Any] = (number,) * len(self.keys)
         if self.grid:
             places = np.unravel_index(number, self.shape)
@@ -183,7 +188,12 @@ def read_points(path: Path) -> Points:
         raise InputError(
             _("{path} is no CSV or Parquet file of points: {why}").format(path=path, why=error)
         ) from None
-    return listed_points({name: table[name].to_pylist() for name in table.column_names})
+    keys = tuple(table.column_names)  # of which one may stand twice
+    columns = tuple(
+        tuple(_value(key, one) for one in column.to_pylist())
+        for key, column in zip(keys, table.columns, strict=True)
+    )
+    return Points(keys, columns, grid=False)
 
 
 def parse_vary(texts: Sequence[str], *, ranges: bool = False) -> dict[str, Any]:
@@ -237,7 +247,7 @@ def _steps(text: str, first: str, last: str, step: str) -> list[Value]:
     try:
         low, high, by = (Decimal(word) for word in (first, last, step))
         count = (high - low) / by
-        sound = by != 0 and 0 <= count < MOST_POINTS
+        sound = by != 0 and by.is_finite() and 0 <= count < MOST_POINTS
     except ArithmeticError:
         sound = False
     if not sound:
@@ -258,7 +268,8 @@ def _value(key: str, value: object) -> Value:
     if isinstance(value, np.generic):
         value = value.item()
     sound = isinstance(value, str | float | int) and not isinstance(value, bool)
-    if not sound or (isinstance(value, float) and not math.isfinite(value)):
+    large = isinstance(value, int) and abs(value) > LARGEST
+    if not sound or large or (isinstance(value, float) and not math.isfinite(value)):
         raise InputError(
             _("{key}: wanted finite numbers or texts, not {value}").format(key=key, value=value)
         )
