@@ -5,7 +5,7 @@ import json
 import os
 import time as clock
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -68,7 +68,7 @@ class Rows:
         self._next = 0
         if folder is not None:
             parts = parts_in(folder)
-            self._next = int(parts[-1].stem.partition("-")[2]) + 1 if parts else 0
+            self._next = _number_of(parts[-1]) + 1 if parts else 0
 
     def add(self, batch: Any) -> None:
         """Take rows; they are written together with those of some seconds."""
@@ -118,6 +118,17 @@ def parts_in(folder: Path) -> list[Path]:
     return sorted(folder.glob("part-*.parquet"))
 
 
+def _number_of(part: Path) -> int:
+    try:
+        return int(part.stem.removeprefix("part-"))
+    except ValueError:
+        raise _of_another(part) from None
+
+
+def _of_another(part: Path) -> InputError:
+    return InputError(_("{path} belongs to another sweep: take it away").format(path=part))
+
+
 def read_rows(folder: Path, about: Mapping[str, Any], columns: list[str] | None = None) -> Any:
     """All rows in a folder, in the order of their points; None if there are none.
 
@@ -134,7 +145,7 @@ def read_rows(folder: Path, about: Mapping[str, Any], columns: list[str] | None 
         except (OSError, pa.ArrowException) as error:
             raise InputError(_("{path} cannot be read: {why}").format(path=path, why=error)) from None
         if (one.schema.metadata or {}).get(OF) != name_of(about):
-            raise InputError(_("{path} belongs to another sweep: take it away").format(path=path))
+            raise _of_another(path)
         tables.append(one.replace_schema_metadata(None))
     if not tables:
         return None
@@ -152,16 +163,17 @@ def opened(folder: Path, about: Mapping[str, Any]) -> Iterator[None]:
         FileRefusedError: if it holds another sweep, or files of another kind, or somebody writes there.
         MachineError: if it cannot be made or written.
     """
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        with _alone(folder):
+    with ExitStack() as stack:
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            stack.enter_context(_alone(folder))
             _prepare(folder, about)
-            yield
-    except (FileExistsError, NotADirectoryError):
-        raise FileRefusedError(_("{path} is not a folder").format(path=folder)) from None
-    except OSError as error:
-        text = _("{path} could not be written: {why}")
-        raise MachineError(text.format(path=folder, why=reason(error))) from None
+        except (FileExistsError, NotADirectoryError):
+            raise FileRefusedError(_("{path} is not a folder").format(path=folder)) from None
+        except OSError as error:
+            text = _("{path} could not be written: {why}")
+            raise MachineError(text.format(path=folder, why=reason(error))) from None
+        yield
 
 
 def _prepare(folder: Path, about: Mapping[str, Any]) -> None:
@@ -215,4 +227,6 @@ def _alone(folder: Path) -> Iterator[None]:
     try:
         yield
     finally:
+        if os.name != "nt":  # a worker made by a fork has the file open, too, and would keep the lock
+            fcntl.flock(handle, fcntl.LOCK_UN)
         os.close(handle)
