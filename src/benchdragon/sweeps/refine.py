@@ -70,6 +70,8 @@ class Refiner:
         else:
             self._learner = adaptive.Learner2D(None, [(0.0, 1.0)] * 2, loss_per_triangle=self._loss_2d)
         self._least, self._span = np.empty(0), np.empty(0)
+        # Shares of the ranges that were asked for, by the point that each became, which is rounded.
+        self._asked: dict[tuple[float, ...], tuple[float, ...]] = {}
 
     def tell(self, points: Sequence[Sequence[float]], answers: FloatArray) -> None:
         """Take down what was answered, (points, questions); NaN where there was no answer."""
@@ -84,7 +86,7 @@ class Refiner:
         for point, answer in zip(points, answers, strict=True):
             known = np.isfinite(answer)
             values = np.where(known, (answer - self._least) / self._span, 0.0)
-            scaled = tuple(
+            scaled = self._asked.get(tuple(point)) or tuple(
                 (one - low) / (high - low) for one, (low, high) in zip(point, self._ends, strict=True)
             )
             self._learner.tell(
@@ -97,13 +99,15 @@ class Refiner:
             return []
         found, _gains = self._learner.ask(count, tell_pending=True)
         shares = [(one,) if self._one else tuple(one) for one in found]
-        return [
+        points = [
             tuple(
                 low + float(share) * (high - low)
                 for share, (low, high) in zip(one, self._ends, strict=True)
             )
             for one in shares
         ]
+        self._asked.update(zip(points, shares, strict=True))
+        return points
 
     def _loss(self, xs: Sequence[float], ys: Sequence[Any]) -> float:
         """How much an interval's ends leave open: its length, where it is neither narrow nor level."""
