@@ -24,11 +24,11 @@ from benchdragon.sweeps.points import Points, Value, grid_points
 from benchdragon.sweeps.questions import QUESTIONS, Question, RandomDances, questions
 from benchdragon.sweeps.refine import ROUND, Refinement, Refiner
 from benchdragon.sweeps.rows import FIELDS, TIMED, Ask, Numbered, arrow, made_by
-from benchdragon.version import __version__
 
 FORMAT = 1
-# Points that are tried before a sweep begins: if the plan is wrong at all of them, so is the sweep.
-TRIED = 20
+# Points that are tried before a sweep begins, until the plan is right at one. They are drawn at random:
+# those at equal distances may all have the same value of a key.
+TRIED = 1000
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,10 @@ class Design:
     def keys(self) -> tuple[tuple[str, str], ...]:
         """The keys, with the types of their columns."""
         pairs = zip(self.points.keys, self.points.columns, strict=True)
-        return tuple((key, _kind(column)) for key, column in pairs)
+        kinds = {key: _kind(column) for key, column in pairs}
+        if self.refinement.most:  # which asks between whole numbers, too
+            kinds = dict.fromkeys(kinds, "float64")
+        return tuple(kinds.items())
 
     @property
     def work(self) -> Ask:
@@ -86,8 +89,9 @@ class Design:
         Raises:
             PlanError: if the plan is wrong at each of them.
         """
-        step = max(1, len(self.points) // TRIED)
-        for number in range(0, len(self.points), step):
+        most = len(self.points)
+        numbers = np.random.default_rng(0).choice(most, min(TRIED, most), replace=False, shuffle=False)
+        for number in numbers.tolist():
             values = dict(zip(self.points.keys, self.points[number], strict=True))
             try:
                 self.plan.with_values(values)
@@ -190,7 +194,7 @@ class Sweep:
                 called = question.name if name == "value" else f"{question.name}.{name}"
                 array = np.array(values, dtype=object if kind == "string" else None)
                 variables[called] = (self.keys, array.reshape(shape), attributes)
-        marks = {"plan": self.about["plan_sha256"], "benchdragon": __version__}
+        marks = {"plan": self.about["plan_sha256"], "benchdragon": self.about["made_by"]["benchdragon"]}
         return xarray.Dataset(variables, dict(zip(self.keys, axes, strict=True)), marks)
 
 
