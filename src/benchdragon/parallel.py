@@ -27,7 +27,7 @@ from concurrent.futures import (
 from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext
 from dataclasses import dataclass, field
 from multiprocessing.connection import wait as wait_for
-from multiprocessing.context import SpawnContext
+from multiprocessing.context import SpawnContext, SpawnProcess
 from typing import Any, Generic, TypeVar
 
 from benchdragon.errors import BenchDragonError, MachineError, MissingExtraError, whole
@@ -180,11 +180,30 @@ def in_blocks(
     run = _Run(_Task(work, language()), items, place)
     while not run.over:
         with place.opened() as executor:
+            if run.broke:
+                _see_that_one_starts(executor)
             try:
                 yield from run.drive(executor)
             finally:  # an executor that somebody else ends has no more to do with these
                 for future in run.running:
                     future.cancel()
+
+
+def _see_that_one_starts(executor: Executor) -> None:
+    """See that a worker can do something at all, before any item is blamed.
+
+    Raises:
+        MachineError: if none can.
+    """
+    try:
+        executor.submit(os.getpid).result()
+    except BrokenExecutor as error:
+        raise MachineError(
+            _(
+                "no worker can be started ({why}); a script must keep its work below "
+                'if __name__ == "__main__"'
+            ).format(why=error)
+        ) from None
 
 
 class WorkerError(RuntimeError):
@@ -240,6 +259,7 @@ class _Run(Generic[T, R]):
     sent: int = 0
     cost: float = 0.0  # of an item, s; 0 while none is known
     longest: int = 1
+    broke: bool = False
     running: "dict[Future[Any], _Block[T]]" = field(default_factory=dict)
     suspects: "deque[_Block[T]]" = field(default_factory=deque)
 
@@ -311,6 +331,7 @@ class _Run(Generic[T, R]):
         """Take back what ran on an executor that broke: any of it may have been the cause."""
         blocks = list(self.running.values())
         self.running.clear()
+        self.broke = True
         if not self.place.again:
             text = _("the workers were lost ({why}); what was done is kept: run it again to go on")
             raise MachineError(text.format(why=error))
@@ -341,8 +362,23 @@ class _Recording(SpawnContext):
 
     def Process(self, *args: Any, **named: Any) -> Any:  # type: ignore[override]
         """A new process."""
-        self.started.append(super().Process(*args, **named))
+        self.started.append(_Worker(*args, **named))
         return self.started[-1]
+
+
+class _Worker(SpawnProcess):
+    """A process that is deaf to Ctrl-C, which is for its parent, from before it begins."""
+
+    def start(self) -> None:
+        """Start it, where the system has masks with them."""
+        if not hasattr(signal, "pthread_sigmask"):
+            super().start()
+            return
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+        try:
+            super().start()
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 @contextmanager
