@@ -366,7 +366,7 @@ def test_a_script_that_starts_itself_again_is_told_so(tmp_path: Path) -> None:
         from tests import work
 
         try:
-            list(in_blocks(work.double, range(1000), processes(2)))
+            list(in_blocks(work.double, range(3), processes(2)))
         except MachineError as error:
             print(error)
     """

@@ -300,7 +300,6 @@ class _Answered:
                 if batch.schema.metadata != made_by():
                     raise MachineError(_("a worker runs another version of benchdragon than this one"))
                 self.rows.add(batch)
-                self._has[[number for number, _values in asked]] = True
                 self._tell(len(asked))
 
     def _tell(self, more: int) -> None:
