@@ -22,7 +22,7 @@ def double(items: Sequence[int]) -> list[int]:
 
 
 def spoken(items: Sequence[int]) -> list[str]:
-    return [f"{language()}: {_('nothing')}" for _item in items]
+    return [f"{language()}: {_('number of benches')}" for _item in items]
 
 
 def refuse(items: Sequence[int]) -> None:

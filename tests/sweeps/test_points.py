@@ -106,7 +106,7 @@ def test_values_that_are_none_are_refused(value: object) -> None:
 
 @pytest.mark.parametrize("values", ["left", 0.5, None])
 def test_what_is_no_list_of_values_is_refused(values: Any) -> None:
-    with pytest.raises(InputError, match=rf"^a\.b: wanted finite numbers or texts, not {values}$"):
+    with pytest.raises(InputError, match=rf"^a\.b: wanted a list of values, not {values}$"):
         grid_points({"a.b": values})
 
 

@@ -155,11 +155,13 @@ def test_questions_are_found_by_name() -> None:
     assert all(name == question.name for name, question in QUESTIONS.items())
     known = ", ".join(QUESTIONS)
     for names, said in (
-        (["wide"], "'wide'"),
-        (["width", "width"], "'width', 'width'"),
-        ([], "nothing"),
+        (["wide"], "['wide']"),
+        (["width", "width"], "['width', 'width']"),
+        ([], "[]"),
+        ("width", "'width'"),
+        ([["width"]], "[['width']]"),
     ):
         with pytest.raises(InputError) as refused:
-            questions(names)
+            questions(names)  # type: ignore[arg-type]
         assert str(refused.value) == f"ask: wanted some of {known}, each once, not {said}"
         assert issubclass(refused.type, BenchDragonError)
