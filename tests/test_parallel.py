@@ -10,8 +10,8 @@ import textwrap
 import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor, Future, ProcessPoolExecutor
-from contextlib import closing
-from dataclasses import dataclass, field
+from contextlib import closing, contextmanager
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -33,6 +33,7 @@ from benchdragon.parallel import (
     dask,
     given,
     in_blocks,
+    kept,
     place,
     place_of,
     processes,
@@ -263,6 +264,35 @@ def test_a_block_that_loses_its_worker_is_halved_until_one_item_is_left() -> Non
     sizes = [len(block) for block in seen if 6 in block]
     assert sizes[0] > 1
     assert sizes == sorted(sizes, reverse=True)
+
+
+def test_a_place_that_is_kept_opens_its_executor_once_and_anew_where_it_broke(tmp_path: Path) -> None:
+    before, opened, ended = set(multiprocessing.active_children()), 0, 0
+    where = processes(2)
+
+    @contextmanager
+    def counted() -> Iterator[Executor]:
+        nonlocal opened, ended
+        opened += 1
+        try:
+            with where.opened() as executor:
+                yield executor
+        finally:
+            ended += 1
+
+    with kept(replace(where, opened=counted)) as there:
+        for _again in range(3):
+            assert len(answers(in_blocks(work.double, range(9), there))) == 9
+        assert (opened, ended) == (1, 0)
+        found = answers(in_blocks(work.Poison(5, tmp_path / "flag"), range(9), there))
+        assert found == {item: 2 * item for item in range(9)}
+        assert (opened, ended) == (2, 1)
+        with closing(in_blocks(work.double, range(9), there)) as blocks:
+            next(blocks)
+        assert (opened, ended) == (2, 2)
+        assert len(answers(in_blocks(work.double, range(9), there))) == 9
+    assert (opened, ended) == (3, 3)
+    wait_until(lambda: not set(multiprocessing.active_children()) - before)
 
 
 def test_an_executor_of_others_that_breaks_is_told() -> None:

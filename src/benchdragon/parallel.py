@@ -24,8 +24,8 @@ from concurrent.futures import (
     ThreadPoolExecutor,
     wait,
 )
-from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext
-from dataclasses import dataclass, field
+from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext, suppress
+from dataclasses import dataclass, field, replace
 from multiprocessing.connection import wait as wait_for
 from multiprocessing.context import SpawnContext, SpawnProcess
 from typing import Any, Generic, TypeVar
@@ -164,6 +164,26 @@ def place(name: str, count: int | None = None) -> Place:
     return dask(None if name == "dask" else name, count)
 
 
+@contextmanager
+def kept(place: Place) -> Iterator[Place]:
+    """The same place, whose executor stays open from one `in_blocks` to the next, unless one fails."""
+    with ExitStack() as stack:
+        executors: list[Executor] = []
+
+        @contextmanager
+        def opened() -> Iterator[Executor]:
+            if not executors:
+                executors.append(stack.enter_context(place.opened()))
+            try:
+                yield executors[0]
+            except BaseException:
+                executors.clear()
+                with stack.pop_all():
+                    raise
+
+        yield replace(place, opened=opened)
+
+
 def in_blocks(
     work: Callable[[Sequence[T]], R], items: Sequence[T], place: Place
 ) -> Generator[tuple[Sequence[T], R | Lost], None, None]:
@@ -179,7 +199,7 @@ def in_blocks(
     """
     run = _Run(_Task(work, language()), items, place)
     while not run.over:
-        with place.opened() as executor:
+        with suppress(_AgainError), place.opened() as executor:
             if run.broke:
                 _see_that_one_starts(executor)
             try:
@@ -204,6 +224,10 @@ def _see_that_one_starts(executor: Executor) -> None:
                 'if __name__ == "__main__"'
             ).format(why=error)
         ) from None
+
+
+class _AgainError(Exception):
+    """The executor broke, and another one is needed."""
 
 
 class WorkerError(RuntimeError):
@@ -275,7 +299,7 @@ class _Run(Generic[T, R]):
                 self._send(executor)
             except BrokenExecutor as error:
                 yield from self._broken(error)
-                return
+                raise _AgainError from None
             done = wait(self.running, return_when=FIRST_COMPLETED).done
             sound = [future for future in done if self._failure(future) is None]
             for future in sound:
@@ -284,7 +308,7 @@ class _Run(Generic[T, R]):
                 why = self._failure(future)
                 if isinstance(why, BrokenExecutor):
                     yield from self._broken(why)
-                    return
+                    raise _AgainError
                 yield from self._blamed(self.running.pop(future), why)
 
     def _failure(self, future: "Future[Any]") -> BaseException | None:

@@ -148,6 +148,21 @@ def test_after_a_break_the_points_are_those_of_one_go(
     assert len(whole.table) > 70
 
 
+def test_all_rounds_have_the_same_workers(answer: Any) -> None:
+    answer(VARIES[0][1])
+    opened, where = 0, threads(1)
+
+    def counted() -> Any:
+        nonlocal opened
+        opened += 1
+        return where.opened()
+
+    place = replace(where, opened=counted)
+    found = sweep(PLAN, VARIES[0][0], ["width"], refinement=Refinement(70), executor=place)
+    assert len(found.table) == 75
+    assert opened == 1
+
+
 def test_two_keys_are_refined_along_the_border(answer: Any) -> None:
     answer(VARIES[1][1])
     found = refined(Refinement(150, 1e-3), VARIES[1][0])

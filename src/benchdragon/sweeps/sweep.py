@@ -15,7 +15,7 @@ import numpy as np
 from benchdragon.errors import InputError, MachineError, MissingExtraError, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.parallel import Lost, Place, in_blocks, place_of, processes
+from benchdragon.parallel import Lost, Place, in_blocks, kept, place_of, processes
 from benchdragon.plans.schema import Plan, checked
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, silent
@@ -263,10 +263,10 @@ def run(design: Design, place: Place, folder: Path | None, progress: Progress = 
     design.check()
     refiner = Refiner(design.points, design.refinement) if design.refinement.most else None
     about = design.about()
-    with nullcontext() if folder is None else opened(folder, about):
+    with nullcontext() if folder is None else opened(folder, about), kept(place) as there:
         rows = Rows(about, folder)
         try:
-            answered = _Answered(design, place, rows, progress)
+            answered = _Answered(design, there, rows, progress)
             answered.ask(range(len(design.points)), design.points)
             if refiner is not None:
                 _refine(refiner, answered)
