@@ -15,7 +15,7 @@ import benchdragon
 from benchdragon.errors import MachineError, MissingExtraError
 from benchdragon.parallel import dask, place
 from benchdragon.sweeps.sweep import Sweep
-from tests import work
+from tests.sweeps import work
 
 pytestmark = pytest.mark.xdist_group("cluster")
 # Only what hangs takes so long, s.

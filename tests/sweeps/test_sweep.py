@@ -29,7 +29,7 @@ from benchdragon.sweeps.questions import RandomDances
 from benchdragon.sweeps.refine import Refinement
 from benchdragon.sweeps.rows import Ask
 from benchdragon.sweeps.sweep import Design, Sweep
-from tests import work
+from tests.sweeps import work
 
 # Only what hangs takes so long, s.
 HANGS = 120.0
@@ -106,7 +106,7 @@ def test_an_executor_of_the_caller_serves_and_stays_open(whole: Sweep) -> None:
 
 
 def test_a_sweep_that_is_killed_again_and_again_comes_to_the_same(tmp_path: Path, whole: Sweep) -> None:
-    SERVER.set_forkserver_preload(["tests.work"])
+    SERVER.set_forkserver_preload(["tests.sweeps.work"])
     moments = random.Random(1)
     for _killed in range(10):
         before = len(parts_in(tmp_path)) if tmp_path.exists() else 0
