@@ -152,7 +152,7 @@ def test_samples_between_whole_numbers_are_whole_and_as_frequent() -> None:
         ({"a.b": (1, 2, 3)}, "a.b: a sample needs a range LOW:HIGH"),
         ({"a.b": ("x", 2)}, "a.b: a sample needs a range LOW:HIGH"),
         ({"a.b": (1, float("nan"))}, "a.b: wanted finite numbers or texts, not nan"),
-        ({}, "wanted 1 to 10000000 points of 1 to 20 keys, not 0 of 0"),
+        ({}, "wanted 1 to 1000000 points of 1 to 20 keys, not 0 of 0"),
     ],
 )
 @pytest.mark.parametrize("method", ["latin-hypercube", "sobol"])
@@ -164,7 +164,7 @@ def test_ranges_that_are_none_are_refused(ranges: Any, said: str, method: Any) -
 
 def test_samples_need_a_number_a_seed_and_a_method_that_can_be() -> None:
     for count in (0, 1.5, 10_000_001):
-        with pytest.raises(InputError, match=r"^sample must be a whole number from 1 to 10000000, not"):
+        with pytest.raises(InputError, match=r"^sample must be a whole number from 1 to 1000000, not"):
             sampled_points({"a.b": (0, 1)}, count)  # type: ignore[arg-type]
     with pytest.raises(InputError, match=r"^seed must be a whole number from 0 to"):
         sampled_points({"a.b": (0, 1)}, 2, seed=-1)
@@ -207,7 +207,7 @@ def test_points_are_read_from_tables(tmp_path: Path, name: str) -> None:
         ),
         ("key.csv", "pitch\n1\n", KEYS + "pitch"),
         ("gap.csv", "a.b,a.c\n1,2\n,3\n", "a.b: wanted finite numbers or texts, not None"),
-        ("head.csv", "a.b\n", "wanted 1 to 10000000 points of 1 to 20 keys, not 0 of 1"),
+        ("head.csv", "a.b\n", "wanted 1 to 1000000 points of 1 to 20 keys, not 0 of 1"),
         ("truth.csv", "a.b\ntrue\n", "a.b: wanted finite numbers or texts, not True"),
     ],
 )
@@ -271,3 +271,10 @@ def test_ranges_are_read_for_samples() -> None:
     for text in ("a.b=1", "a.b=1:2:3", "a.b=1,2"):
         with pytest.raises(InputError, match=r"^a\.b: a sample needs a range LOW:HIGH$"):
             parse_vary([text], ranges=True)
+
+
+def test_a_list_is_shorter_than_a_grid_may_be_and_ends() -> None:
+    for values in (range(1_000_001), itertools.count()):
+        with pytest.raises(InputError, match="wanted 1 to 1000000 points"):
+            listed_points({"a.b": values})  # type: ignore[dict-item]
+    assert len(grid_points({"a.b": range(1_000_001)})) == 1_000_001

@@ -218,8 +218,8 @@ def test_a_key_needs_a_range() -> None:
 
 
 def test_refinements_that_cannot_be_are_refused() -> None:
-    for most in (-1, 1.5, 10_000_001):
-        with pytest.raises(InputError, match=r"^refine must be a whole number from 0 to 10000000, not"):
+    for most in (-1, 1.5, 1_000_001):
+        with pytest.raises(InputError, match=r"^refine must be a whole number from 0 to 1000000, not"):
             Refinement(most)  # type: ignore[arg-type]
     for to in (0.0, 1.1, 1e-10):
         with pytest.raises(InputError, match=r"^to: wanted a share from 1e-9 to 1, not"):
@@ -232,3 +232,9 @@ def test_without_the_library_its_extra_is_told(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setitem(sys.modules, "adaptive", None)
     with pytest.raises(MissingExtraError, match=r"benchdragon\[refine\]"):
         Refiner(grid_points({"a.b": [1, 2]}), Refinement(5))
+
+
+def test_a_key_of_whole_numbers_alone_is_not_refined() -> None:
+    plan = read_plan("spiral-in", ["disc.radius=4.5"])
+    with pytest.raises(InputError, match=r"^refine: dragon\.benches takes no value between others: "):
+        sweep(plan, {"dragon.benches": [10, 20]}, ["first_contact"], refinement=Refinement(5))

@@ -58,7 +58,7 @@ METHODS = ("latin-hypercube", "sobol")
     help=N_("Points from a CSV or Parquet file whose columns are keys of the plan."),
 )
 @click.option(
-    "--sample", type=click.IntRange(1, 10_000_000), help=N_("Number of points drawn from the ranges.")
+    "--sample", type=click.IntRange(1, 1_000_000), help=N_("Number of points drawn from the ranges.")
 )
 @click.option(
     "--method",
@@ -94,7 +94,7 @@ METHODS = ("latin-hypercube", "sobol")
 @deviation_options
 @click.option(
     "--refine",
-    type=click.IntRange(1, 10_000_000),
+    type=click.IntRange(1, 1_000_000),
     help=N_("At most so many further points, where the answers change most (one key or two)."),
 )
 @click.option(

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property
+from itertools import islice
 from pathlib import Path
 from typing import Any, Literal
 
@@ -18,7 +19,8 @@ Value = float | int | str
 Method = Literal["latin-hypercube", "sobol"]
 METHODS: tuple[Method, ...] = ("latin-hypercube", "sobol")
 
-MOST_POINTS, MOST_KEYS = 10_000_000, 20
+# Of a grid; of a list, whose values are held in memory: 0.1 GB a key.
+MOST_POINTS, MOST_LISTED, MOST_KEYS = 10_000_000, 1_000_000, 20
 # Whole numbers beyond would not be the same as floating-point numbers.
 LARGEST = 2**53
 KEY = re.compile(r"[a-z_]+(\.[a-z_0-9]+)+")
@@ -51,10 +53,11 @@ class Points:
                     _("wanted keys of a plan such as route.pitch, each once, not {key}").format(key=key)
                 )
         count = math.prod(self.shape) if self.columns else 0
-        if not 0 < len(self.keys) <= MOST_KEYS or not 0 < count <= MOST_POINTS:
+        most = MOST_POINTS if self.grid else MOST_LISTED
+        if not 0 < len(self.keys) <= MOST_KEYS or not 0 < count <= most:
             raise InputError(
                 _("wanted 1 to {most} points of 1 to {keys} keys, not {count} of {given}").format(
-                    most=MOST_POINTS, keys=MOST_KEYS, count=count, given=len(self.keys)
+                    most=most, keys=MOST_KEYS, count=count, given=len(self.keys)
                 )
             )
 
@@ -118,7 +121,10 @@ def _columns(
             raise InputError(
                 _("{key}: wanted a list of values, not {value}").format(key=key, value=values)
             )
-    made = tuple(tuple(_value(key, one) for one in values) for key, values in columns.items())
+    made = tuple(
+        tuple(_value(key, one) for one in islice(values, MOST_POINTS + 1))
+        for key, values in columns.items()
+    )
     return tuple(columns), made
 
 
@@ -143,7 +149,7 @@ def sampled_points(
     from scipy.stats import qmc  # slow to import
 
     _check_mapping(ranges)
-    whole("sample", count, 1, MOST_POINTS)
+    whole("sample", count, 1, MOST_LISTED)
     whole("seed", seed, 0, 2**63 - 1)
     if method not in METHODS:
         raise InputError(_("wanted one of {known}, not {name}").format(known=METHODS, name=method))

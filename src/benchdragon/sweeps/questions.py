@@ -55,9 +55,9 @@ class RandomDances:
         Raises:
             InputError: for numbers out of range, or of another kind.
         """
-        whole("draws", self.draws, 1, MOST_DRAWS)
+        object.__setattr__(self, "draws", whole("draws", self.draws, 1, MOST_DRAWS))
         of_kind("deviations", self.deviations, Deviations)
-        whole("seed", self.seed, 0, 2**63 - 1)
+        object.__setattr__(self, "seed", whole("seed", self.seed, 0, 2**63 - 1))
 
 
 @dataclass(frozen=True)

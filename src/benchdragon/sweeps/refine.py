@@ -14,7 +14,7 @@ import numpy as np
 from benchdragon.errors import InputError, MissingExtraError, finite, whole
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.sweeps.points import MOST_POINTS, Points
+from benchdragon.sweeps.points import MOST_LISTED, Points
 
 # Points of a round: few beside all, many beside the workers.
 ROUND = 32
@@ -41,7 +41,7 @@ class Refinement:
         Raises:
             InputError: for a number of points or a share out of range.
         """
-        whole("refine", self.most, 0, MOST_POINTS)
+        object.__setattr__(self, "most", whole("refine", self.most, 0, MOST_LISTED))
         if not 1e-9 <= finite("to", self.to) <= 1.0:
             raise InputError(_("to: wanted a share from 1e-9 to 1, not {to}").format(to=self.to))
 

@@ -26,6 +26,8 @@ from benchdragon.sweeps.refine import ROUND, Refinement, Refiner
 from benchdragon.sweeps.rows import FIELDS, TIMED, Ask, Numbered, arrow, made_by
 
 FORMAT = 1
+# Between two values, as a share of the way; no whole number of benches lies there.
+INSIDE = 0.4567
 # Points that are tried before a sweep begins, until the plan is right at one. They are drawn at random:
 # those at equal distances may all have the same value of a key.
 TRIED = 1000
@@ -84,10 +86,11 @@ class Design:
         }
 
     def check(self) -> None:
-        """Try some points.
+        """Try some points, and what lies between two if there is a refinement.
 
         Raises:
             PlanError: if the plan is wrong at each of them.
+            InputError: if a key that is to be refined takes no value between.
         """
         most = len(self.points)
         numbers = np.random.default_rng(0).choice(most, min(TRIED, most), replace=False, shuffle=False)
@@ -98,8 +101,22 @@ class Design:
             except PlanError as error:
                 wrong = error
             else:
+                if self.refinement.most:
+                    self._check_between(values)
                 return
         raise wrong
+
+    def _check_between(self, values: Mapping[str, Value]) -> None:
+        """See that each key takes what lies between two of its values, the others being these."""
+        for key, column in zip(self.points.keys, self.points.columns, strict=True):
+            low, high = sorted({float(value) for value in column})[:2]
+            between = low + INSIDE * (high - low)
+            try:
+                self.plan.with_values({**values, key: between})
+            except PlanError as error:
+                raise InputError(
+                    _("refine: {key} takes no value between others: {why}").format(key=key, why=error)
+                ) from None
 
 
 def _kind(column: Sequence[Value]) -> str:
@@ -260,8 +277,8 @@ def run(design: Design, place: Place, folder: Path | None, progress: Progress = 
         PlanError: see `sweep`, as for all others.
     """
     arrow()
-    design.check()
     refiner = Refiner(design.points, design.refinement) if design.refinement.most else None
+    design.check()
     about = design.about()
     with nullcontext() if folder is None else opened(folder, about), kept(place) as there:
         rows = Rows(about, folder)
