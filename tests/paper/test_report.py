@@ -12,9 +12,7 @@ from pypdf import PageObject, PdfReader
 from pypdf.generic import ContentStream
 
 from benchdragon.errors import InputError, UnsureError
-from benchdragon.i18n import spoken_in, use_language
-from benchdragon.model.numbering import handle_text
-from benchdragon.paper.document import (
+from benchdragon.export.document import (
     Block,
     Document,
     Formula,
@@ -26,8 +24,10 @@ from benchdragon.paper.document import (
     Reference,
     Table,
 )
+from benchdragon.export.publish import write_html
+from benchdragon.i18n import spoken_in, use_language
+from benchdragon.model.numbering import handle_text
 from benchdragon.paper.pages import MARGIN, MM, breakable, write_pdf
-from benchdragon.paper.publish import write_html
 from benchdragon.paper.report import report
 from benchdragon.paper.reproduce import pages_from, reproduce
 from benchdragon.paper.results import Results, _beside
