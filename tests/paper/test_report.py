@@ -19,6 +19,7 @@ from benchdragon.export.document import (
     Heading,
     Inline,
     Link,
+    Listing,
     Paragraph,
     Picture,
     Reference,
@@ -336,6 +337,15 @@ def laid_out(tmp_path: Path, folder: Path, *blocks: Block) -> PdfReader:
     document = Document("t", "en", "2000-01-01", (Heading("Chapter", "here"), *blocks))
     write_pdf(tmp_path / "some.pdf", document, folder)
     return PdfReader(tmp_path / "some.pdf")
+
+
+def test_listings_stand_as_they_are_typed(tmp_path: Path, folder: Path) -> None:
+    listing = Listing("benchdragon sweep <plan>\n    --ask x")
+    assert "benchdragon sweep <plan>\n" in laid_out(tmp_path, folder, listing).pages[0].extract_text()
+    document = Document("t", "en", "2000-01-01", (listing,))
+    write_html(tmp_path / "some.html", document, folder)
+    text = (tmp_path / "some.html").read_text("utf-8")
+    assert "<pre>benchdragon sweep &lt;plan&gt;\n    --ask x</pre>" in text
 
 
 def test_a_link_is_never_broken_and_its_stops_stay_with_it(tmp_path: Path, folder: Path) -> None:
