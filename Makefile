@@ -12,7 +12,7 @@ WORKERS := $(shell expr $$(getconf _NPROCESSORS_ONLN) + 1)
 # The kernels are built on one core while the other does what has no need of them.
 MAKEFLAGS += --jobs=2
 
-.PHONY: demo test quick lint manual-test docs bench truth wasm wasm-test mutants messages keys types \
+.PHONY: demo test quick lint manual-test docs atlas bench truth wasm wasm-test mutants messages keys types \
   map lock fonts clean
 
 .venv/installed: requirements.lock pyproject.toml
@@ -70,6 +70,21 @@ docs: .venv/engine
 	rm -r docs/_build/html/jupyter_execute
 	$(BIN)/benchdragon --lang en reproduce --docs docs/_build/html/en -o docs/_build/html/en/report
 	$(BIN)/benchdragon --lang zh reproduce --docs docs/_build/html/zh -o docs/_build/html/zh/report
+
+# The contest's family of dances, two minutes on two cores; sweeps that are there already are not made anew.
+SWEEP := $(BIN)/benchdragon sweep
+ATLAS := out/atlas
+CHAPTERS := pitch disc pitch-disc width lengths benches turn three-keys
+atlas: .venv/engine
+	$(SWEEP) spiral-in --vary route.pitch=0.45:0.6:0.005 --refine 400 -o $(ATLAS)/pitch
+	$(SWEEP) spiral-in --vary disc.radius=2:8:0.1 --ask smallest_pitch --refine 200 -o $(ATLAS)/disc
+	$(SWEEP) spiral-in --vary route.pitch=0.4:0.6:0.005 --vary disc.radius=2:8:0.25 -o $(ATLAS)/pitch-disc
+	$(SWEEP) spiral-in --set disc.radius=4.5 --vary dragon.width=0.1:0.6:0.01 --ask smallest_pitch -o $(ATLAS)/width
+	$(SWEEP) spiral-in --set disc.radius=4.5 --vary dragon.head_length=2:5:0.25 --vary dragon.body_length=1.4:3:0.2 --ask smallest_pitch -o $(ATLAS)/lengths
+	$(SWEEP) spiral-in --set disc.radius=4.5 --vary dragon.benches=3:40:1 --ask smallest_pitch -o $(ATLAS)/benches
+	$(SWEEP) turn --vary route.pitch=1.4:2:0.1 --vary turn.ratio=0.6:2:0.1 --ask clearance,greatest_speed,greatest_head_speed -o $(ATLAS)/turn
+	$(SWEEP) spiral-in --vary route.pitch=0.45:0.65:0.01 --vary dragon.width=0.2:0.4:0.02 --vary dragon.body_length=1.8:2.8:0.2 -o $(ATLAS)/three-keys
+	$(BIN)/benchdragon atlas $(addprefix $(ATLAS)/,$(CHAPTERS)) -o out/atlas.html --force
 
 # `make bench BEFORE=FOLDER` times another checkout beside this one.
 bench: .venv/engine

@@ -9,11 +9,11 @@ import pytest
 from matplotlib.figure import Figure
 from pypdf import PdfReader
 
+from benchdragon.export.document import Formula
+from benchdragon.export.publish import drawn_formula
 from benchdragon.figures.contact import clearance_picture
 from benchdragon.figures.style import LEAST_TEXT, PAGE_WIDTH
-from benchdragon.paper.document import Formula
 from benchdragon.paper.evidence_figures import first_seen, latest_step
-from benchdragon.paper.publish import drawn_formula
 from benchdragon.paper.report import report
 from benchdragon.paper.reproduce import PICTURES, all_figures
 from benchdragon.paper.results import CONTACT_STEPS, Results

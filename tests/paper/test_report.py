@@ -12,22 +12,23 @@ from pypdf import PageObject, PdfReader
 from pypdf.generic import ContentStream
 
 from benchdragon.errors import InputError, UnsureError
-from benchdragon.i18n import spoken_in, use_language
-from benchdragon.model.numbering import handle_text
-from benchdragon.paper.document import (
+from benchdragon.export.document import (
     Block,
     Document,
     Formula,
     Heading,
     Inline,
     Link,
+    Listing,
     Paragraph,
     Picture,
     Reference,
     Table,
 )
+from benchdragon.export.publish import write_html
+from benchdragon.i18n import spoken_in, use_language
+from benchdragon.model.numbering import handle_text
 from benchdragon.paper.pages import MARGIN, MM, breakable, write_pdf
-from benchdragon.paper.publish import write_html
 from benchdragon.paper.report import report
 from benchdragon.paper.reproduce import pages_from, reproduce
 from benchdragon.paper.results import Results, _beside
@@ -336,6 +337,15 @@ def laid_out(tmp_path: Path, folder: Path, *blocks: Block) -> PdfReader:
     document = Document("t", "en", "2000-01-01", (Heading("Chapter", "here"), *blocks))
     write_pdf(tmp_path / "some.pdf", document, folder)
     return PdfReader(tmp_path / "some.pdf")
+
+
+def test_listings_stand_as_they_are_typed(tmp_path: Path, folder: Path) -> None:
+    listing = Listing("benchdragon sweep <plan>\n    --ask x")
+    assert "benchdragon sweep <plan>\n" in laid_out(tmp_path, folder, listing).pages[0].extract_text()
+    document = Document("t", "en", "2000-01-01", (listing,))
+    write_html(tmp_path / "some.html", document, folder)
+    text = (tmp_path / "some.html").read_text("utf-8")
+    assert "<pre>benchdragon sweep &lt;plan&gt;\n    --ask x</pre>" in text
 
 
 def test_a_link_is_never_broken_and_its_stops_stay_with_it(tmp_path: Path, folder: Path) -> None:

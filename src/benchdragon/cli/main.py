@@ -18,6 +18,7 @@ import click
 
 from benchdragon.cli.animate import animate
 from benchdragon.cli.answers import about
+from benchdragon.cli.atlas import atlas
 from benchdragon.cli.check import check
 from benchdragon.cli.compare import compare
 from benchdragon.cli.console import (
@@ -205,7 +206,7 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     return _motion_table(walk, read, times, handles, options)
 
 
-for verb in (check, solve, margins, sweep, compare, view, studio, animate, plan, schema):
+for verb in (check, solve, margins, sweep, atlas, compare, view, studio, animate, plan, schema):
     program.add_command(verb)
 
 

@@ -1,1 +1,1 @@
-"""Tables, pictures and films as files."""
+"""Tables, pictures, films and documents as files."""

@@ -4,10 +4,7 @@ import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from benchdragon.i18n import N_, _
-from benchdragon.model.answer import Answer
-from benchdragon.paper.claims import SMALLEST_PITCH
-from benchdragon.paper.document import (
+from benchdragon.export.document import (
     Block,
     Formula,
     Heading,
@@ -18,6 +15,9 @@ from benchdragon.paper.document import (
     Reference,
     say,
 )
+from benchdragon.i18n import N_, _
+from benchdragon.model.answer import Answer
+from benchdragon.paper.claims import SMALLEST_PITCH
 from benchdragon.paper.results import Results
 from benchdragon.solve.turn import BestTurn
 

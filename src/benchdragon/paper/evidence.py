@@ -4,11 +4,11 @@ from collections.abc import Iterable
 
 import numpy as np
 
+from benchdragon.export.document import Block, Heading, Inline, Picture, Reference, Table, say
 from benchdragon.i18n import N_, _
 from benchdragon.number_format import decimals, decimals_or_dash, decimals_towards, outward
 from benchdragon.paper.claims import SMALLEST_PITCH
 from benchdragon.paper.derivations import consistent_steps, contact_of
-from benchdragon.paper.document import Block, Heading, Inline, Picture, Reference, Table, say
 from benchdragon.paper.evidence_figures import latest_step
 from benchdragon.paper.random_dances import DRAWS, OTHER_SEED, SEED
 from benchdragon.paper.results import AGAIN, CONTACT_STEPS, DIFFERENCE_STEP, Rate, Results

@@ -15,23 +15,24 @@ from matplotlib import font_manager
 from pypdf import PdfReader, PdfWriter
 from pypdf.generic import ArrayObject, DictionaryObject, NameObject, StreamObject
 
-from benchdragon.figures.style import FONT_FILES
-from benchdragon.files import whole_file
-from benchdragon.i18n import _
-from benchdragon.paper.document import (
+from benchdragon.export.document import (
     Block,
     Document,
     Formula,
     Heading,
     Inline,
     Link,
+    Listing,
     Paragraph,
     Picture,
     Reference,
     Table,
     anchor_of,
 )
-from benchdragon.paper.publish import drawn_formula
+from benchdragon.export.publish import drawn_formula
+from benchdragon.figures.style import FONT_FILES
+from benchdragon.files import whole_file
+from benchdragon.i18n import _
 from benchdragon.version import __version__
 
 # Sizes of the PDF: mm, and points of type.
@@ -170,6 +171,9 @@ class Pages(FPDF):
                 self.ln(LINE + 2.0)
             case Formula():
                 self._formula(block)
+            case Listing():
+                self._spoken(block.text, SMALL)
+                self.ln(2.0)
             case Table():
                 self._table(block)
             case Picture():

@@ -4,12 +4,7 @@ import math
 from collections.abc import Iterable, Sequence
 
 from benchdragon.analysis.check import moment
-from benchdragon.i18n import _
-from benchdragon.model.answer import Answer
-from benchdragon.model.numbering import handle_names, handle_text, numbering_text
-from benchdragon.number_format import decimals
-from benchdragon.paper.derivations import allowed_speed, contact_of, established, how
-from benchdragon.paper.document import (
+from benchdragon.export.document import (
     Block,
     Heading,
     Paragraph,
@@ -18,6 +13,11 @@ from benchdragon.paper.document import (
     Table,
     say,
 )
+from benchdragon.i18n import _
+from benchdragon.model.answer import Answer
+from benchdragon.model.numbering import handle_names, handle_text, numbering_text
+from benchdragon.number_format import decimals
+from benchdragon.paper.derivations import allowed_speed, contact_of, established, how
 from benchdragon.paper.results import (
     MOTION_TIMES,
     TABLE_HANDLES,

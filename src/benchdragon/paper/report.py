@@ -7,18 +7,7 @@ and PDF. Every number is one of the run's own, or the paper's.
 import datetime
 from collections.abc import Iterable
 
-from benchdragon.i18n import N_, _, language
-from benchdragon.number_format import decimals, decimals_towards
-from benchdragon.paper import claims as paper
-from benchdragon.paper.derivations import (
-    allowed_speed,
-    consistent_steps,
-    contact_of,
-    established,
-    evidence_table,
-    how,
-)
-from benchdragon.paper.document import (
+from benchdragon.export.document import (
     Block,
     Document,
     Formula,
@@ -29,6 +18,17 @@ from benchdragon.paper.document import (
     Reference,
     Table,
     say,
+)
+from benchdragon.i18n import N_, _, language
+from benchdragon.number_format import decimals, decimals_towards
+from benchdragon.paper import claims as paper
+from benchdragon.paper.derivations import (
+    allowed_speed,
+    consistent_steps,
+    contact_of,
+    established,
+    evidence_table,
+    how,
 )
 from benchdragon.paper.evidence import conditioning, errors, left_out, people
 from benchdragon.paper.questions import questions

@@ -7,6 +7,7 @@ from typing import Any
 import tomlkit
 from pydantic.fields import FieldInfo
 
+from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
 from benchdragon.plans.faults import kinds_of
 from benchdragon.plans.schema import PartsRoute, Plan, SpiralInRoute, TurnRoute
@@ -233,6 +234,27 @@ def _block(header: str, path: str, table: dict[str, Any], notes: Mapping[str, st
 
 def _is_tables(value: object) -> bool:
     return isinstance(value, list) and all(isinstance(entry, dict) for entry in value)
+
+
+def meaning(plan: Plan, key: str) -> Key:
+    """What a dotted key of a plan, in which the parts of a list have numbers, means; its unit.
+
+    Of a key that several kinds have it is that of the plan's own kind.
+
+    Raises:
+        InputError: for a key that no section has.
+    """
+    *folders, name = key.split(".")
+    table: Any = plan.data()
+    for folder in folders:
+        table = table[int(folder)] if isinstance(table, list) else table.get(folder, {})
+    header = ".".join(folder for folder in folders if not folder.isdigit())
+    header = f"[[{header}]]" if len(folders) > 1 else f"[{header}]"
+    own = f'{header} kind = "{table.get("kind")}"'
+    fitting = [one for one in SECTIONS if one.header.split(" ")[0] == header and name in one.keys]
+    if not fitting:
+        raise InputError(_("no section has {key}").format(key=key))
+    return next((one for one in fitting if one.header == own), fitting[0]).keys[name]
 
 
 def _section(header: str, table: dict[str, Any]) -> Section:

@@ -3,7 +3,7 @@
 import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 from functools import cached_property
 from itertools import islice
@@ -27,6 +27,21 @@ KEY = re.compile(r"[a-z_]+(\.[a-z_0-9]+)+")
 
 
 @dataclass(frozen=True)
+class Sample:
+    """How points were drawn.
+
+    Attributes:
+        ranges: of each key, its lowest and its highest value.
+        seed: of the numbers.
+        method: one of METHODS.
+    """
+
+    ranges: tuple[tuple[float, float], ...]
+    seed: int
+    method: Method
+
+
+@dataclass(frozen=True)
 class Points:
     """Values for keys of a plan.
 
@@ -35,11 +50,13 @@ class Points:
         columns: of a grid the values of each key, of which every combination is a point, the last key
             varying fastest; else the values of each key at each point.
         grid: which of both.
+        sample: how they were drawn, if they were.
     """
 
     keys: tuple[str, ...]
     columns: tuple[tuple[Value, ...], ...]
     grid: bool
+    sample: Sample | None = None
 
     def __post_init__(self) -> None:
         """Check keys and the number of points.
@@ -172,7 +189,8 @@ def sampled_points(
             columns[key] = (low + np.floor(share * (high - low + 1))).astype(int).tolist()
         else:
             columns[key] = (low + share * (high - low)).tolist()
-    return listed_points(columns)
+    drawn = Sample(tuple((low, high) for low, high in ranges.values()), seed, method)
+    return replace(listed_points(columns), sample=drawn)
 
 
 def read_points(path: Path) -> Points:

@@ -77,6 +77,7 @@ class Design:
                 "keys": [list(key) for key in self.keys],
                 "grid": columns if self.points.grid else None,
                 "count": len(self.points),
+                "sample": asdict(self.points.sample) if self.points.sample else None,
                 "sha256": hashlib.sha256(said).hexdigest(),
             },
             "ask": list(self.asked),

@@ -1,4 +1,4 @@
-"""The report as one HTML page that needs nothing beside it; `pages` writes it as a PDF."""
+"""A document as one HTML page that needs nothing beside it; `paper.pages` writes a PDF."""
 
 import base64
 import io
@@ -11,10 +11,10 @@ from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from matplotlib.mathtext import MathTextParser
 
+from benchdragon.export.document import Document, Formula, Inline, Picture, Reference, anchor_of
 from benchdragon.figures.style import STYLE
 from benchdragon.files import whole_file
 from benchdragon.i18n import _
-from benchdragon.paper.document import Document, Formula, Inline, Picture, Reference, anchor_of
 from benchdragon.version import __version__
 
 # Points of type: seven tenths of it, which indices take, are more than style.LEAST_TEXT.

@@ -1,4 +1,4 @@
-"""A document: headings, words with links, tables, formulas and names of pictures, in one language."""
+"""A document: headings, words with links, listings, tables, formulas, pictures, in one language."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from benchdragon.i18n import _
 
 @dataclass(frozen=True)
 class Link:
-    """Words that lead to a chapter of the report ("#name") or to a page elsewhere."""
+    """Words that lead to a chapter ("#name") or to a page elsewhere."""
 
     text: str
     target: str
@@ -51,6 +51,13 @@ class Formula:
 
 
 @dataclass(frozen=True)
+class Listing:
+    """Lines as they are typed, or stand in a file."""
+
+    text: str
+
+
+@dataclass(frozen=True)
 class Table:
     """Columns with their shares of the width, and rows of words; numbers stand to the right."""
 
@@ -64,18 +71,18 @@ class Table:
 
 @dataclass(frozen=True)
 class Picture:
-    """A picture by its name in `reproduce.PICTURES`, and what it shows."""
+    """A picture by its name in the folder that `publish.write_html` is given, and what it shows."""
 
     name: str
     caption: str
 
 
-Block = Heading | Paragraph | Formula | Table | Picture
+Block = Heading | Paragraph | Formula | Listing | Table | Picture
 
 
 @dataclass(frozen=True)
 class Document:
-    """The whole report.
+    """All of it.
 
     Attributes:
         title: above all.

@@ -1,0 +1,42 @@
+"""The verb `atlas`: what sweeps came to, as one page."""
+
+from pathlib import Path
+
+import click
+
+from benchdragon.cli.console import print_files, shown_progress
+from benchdragon.cli.options import FILE, force_option, shared_options
+from benchdragon.cli.parsing import check_ending
+from benchdragon.errors import InputError
+from benchdragon.i18n import N_, _
+
+
+@click.command(
+    help=N_(
+        "Write a page of what sweeps came to.\n\n"
+        "It holds pictures, tables of the extreme answers, and the command that makes each sweep, and "
+        "needs no network. FOLDERS are those that `benchdragon sweep -o` has written."
+    )
+)
+@click.argument("folders", metavar="FOLDERS", nargs=-1, required=True)
+@click.option(
+    "-o", "--output", required=True, type=FILE, metavar="FILE",
+    help=N_("The file to write, for example atlas.html."),
+)  # fmt: skip
+@force_option
+@shared_options
+def atlas(folders: tuple[str, ...], output: Path, force: bool, quiet: bool) -> int:
+    """Write the page."""
+    from benchdragon.export.atlas import write_atlas
+    from benchdragon.files import refuse_existing
+    from benchdragon.sweeps.sweep import read_sweep
+
+    check_ending("-o", output, [".html"])
+    if len(set(folders)) < len(folders):
+        raise InputError(_("wanted each folder once"))
+    sweeps = {folder: read_sweep(folder) for folder in folders}
+    refuse_existing([output], force)
+    with shown_progress(quiet) as progress:
+        write_atlas(output, sweeps, progress)
+    print_files([output])
+    return 0
