@@ -1,10 +1,10 @@
 """Where the points of a sweep run: one process, two, two threads, a Dask cluster of two; and a million.
 
-Each place asks the same first contacts of dragons of six benches, whose pitch and width vary, all into
-Parquet files; the tables are compared bit by bit. Blocks are as long as a second takes, so that what
-sending them costs does not show; processes are started anew for each place, which is part of the time.
-Threads wait for Python's lock, as a question of so short a dragon is Python for the most part. Dask's
-scheduler takes time that the two workers then lack on a machine of two cores.
+Each place asks the same question, how near benches of a dragon of twenty come at one instant, for
+pitches and widths of a grid; the rows go to Parquet files, and are compared bit by bit. Blocks last
+about a second, so that what sending them costs does not show; processes are started anew each time,
+which is part of the time. Threads wait for Python's lock, as so short a question is Python for the most
+part. Dask's scheduler takes time that the two workers then lack on a machine of two cores.
 
 Run it as `python -m design.sweeps 20000`, on a quiet machine; and as `python -m design.sweeps million`
 for the million, with the greatest memory that the program and its largest worker took, and the size of
@@ -15,6 +15,7 @@ import resource
 import sys
 import tempfile
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 from rich.progress import Progress
@@ -30,16 +31,16 @@ WIDTHS = 100
 
 
 def plan() -> Plan:
-    """A short dragon on a short spiral."""
-    return read_plan("spiral-in", ["dragon.benches=6", "route.start_turn=6", "disc.radius=1"])
+    """A short dragon that stands on the contest's spiral."""
+    return read_plan("spiral-in", ["dragon.benches=20", "walk.end=0", "walk.position=300"])
 
 
 def design(count: int) -> Design:
-    """First contacts at so many points."""
+    """Clearances of one instant at so many points."""
     pitches = [0.45 + 0.2 * n * WIDTHS / count for n in range(count // WIDTHS)]
     widths = [0.2 + 0.001 * n for n in range(WIDTHS)]
     points = grid_points({"route.pitch": pitches, "dragon.width": widths})
-    return Design(plan(), points, ("first_contact",))
+    return Design(plan(), points, ("clearance",))
 
 
 def timed(count: int, place: Place, told: Told = silent) -> tuple[float, Sweep, int]:
@@ -54,7 +55,7 @@ def timed(count: int, place: Place, told: Told = silent) -> tuple[float, Sweep, 
 
 def compare(count: int) -> None:
     """The same points at each place, in turns."""
-    places = {
+    places: dict[str, Callable[[], Place]] = {
         "1 process": lambda: processes(1),
         "2 processes": lambda: processes(2),
         "2 threads": lambda: threads(2),

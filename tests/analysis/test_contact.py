@@ -34,6 +34,7 @@ from benchdragon import (
 from benchdragon.analysis import contact
 from benchdragon.analysis.contact import clearance_above
 from benchdragon.analysis.contact_search import ContactSearch, contact_search
+from benchdragon.analysis.distance import tightest_pairs
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.kernels import search as kernel
 from benchdragon.kernels.box import least_distance
@@ -527,3 +528,16 @@ def test_a_floor_is_told_by_a_pass_that_came_to_its_end(
     best = contact._bracketed(search, contact.Best(0.3, 0.0, (1, 4)), 0.3, contact.TOLERANCES)
     assert (best.distance, best.pair, best.floor) == (0.2, (0, 2), floor)
     assert search.passes == [*contact.TOLERANCES, math.inf][:passes]
+
+
+@pytest.mark.parametrize("benches", [3, 40])
+def test_the_least_clearance_of_an_instant_is_that_of_the_nearest_pair(
+    contest: Walk, benches: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(contact, "_bracketed", None)  # there is nothing to search
+    walk = replace(contest, dragon=Dragon.uniform(benches))
+    found, nearest = least_clearance(walk, 300.0, 300.0), tightest_pairs(walk.placement([300.0]))[0]
+    assert found.value == nearest.distance > 0.0
+    assert found.value - 2e-13 <= found.lower < found.value < found.upper <= found.value + 2e-13
+    assert found.witness is not None
+    assert (found.witness.benches, found.witness.s) == (nearest.benches, 300.0)

@@ -236,6 +236,8 @@ def clearance_above(
 
 def _least(search: ContactSearch, best: Best, within: float, tolerances: Sequence[float]) -> Answer:
     """The least clearance, some distance being known: see `least_clearance`."""
+    if search.start == search.end:
+        return _clearance_answer(search, best)
     reach = best.distance if len(search.walk.dragon) <= MOST_SAMPLED else FIRST_REACH
     if not best.distance:
         search.begin(0.0)
@@ -259,11 +261,12 @@ def _least(search: ContactSearch, best: Best, within: float, tolerances: Sequenc
 def _guess(search: ContactSearch) -> Best:
     """A low distance, looked for here and there, so that what is farther need not be searched."""
     dragon = search.walk.dragon
-    if len(dragon) > MOST_SAMPLED:
+    still = search.start == search.end
+    if still or len(dragon) > MOST_SAMPLED:
         nearest = tightest_pairs(search.placement(search.start))[0]
-        return Best(
-            max(nearest.distance, 0.0), search.start, (nearest.benches[0] - 1, nearest.benches[1] - 1)
-        )
+        i, j = (number - 1 for number in nearest.benches)
+        apart = max(nearest.distance, 0.0)
+        return Best(apart, search.start, (i, j), apart if still else 0.0)
     distance, where, i, j = low_pair(search.walk, search.start, search.end)
     return Best(max(distance, 0.0), where, (i, j))
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from benchdragon.errors import InputError, MissingExtraError, whole
 from benchdragon.i18n import _
+from benchdragon.kernels.route import IntArray
 
 Value = float | int | str
 Method = Literal["latin-hypercube", "sobol"]
@@ -91,10 +92,18 @@ class Points:
         """The values at a point."""
         if not 0 <= number < len(self):
             raise IndexError(number)
-        places: Sequence[Any] = (number,) * len(self.keys)
+        return self.at(np.array([number]))[0]
+
+    def at(self, numbers: IntArray) -> list[tuple[Value, ...]]:
+        """The values at each of these points."""
+        places: Sequence[Any] = (numbers,) * len(self.keys)
         if self.grid:
-            places = np.unravel_index(number, self.shape)
-        return tuple(column[int(n)] for column, n in zip(self.columns, places, strict=True))
+            places = np.unravel_index(numbers, self.shape)
+        chosen = (
+            [column[n] for n in place.tolist()]
+            for column, place in zip(self.columns, places, strict=True)
+        )
+        return list(zip(*chosen, strict=True))
 
     @property
     def numeric(self) -> bool:

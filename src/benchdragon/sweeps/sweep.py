@@ -15,6 +15,7 @@ import numpy as np
 from benchdragon.errors import InputError, MachineError, MissingExtraError, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.route import IntArray
 from benchdragon.parallel import Lost, Place, in_blocks, kept, place_of, processes
 from benchdragon.plans.schema import Plan, checked
 from benchdragon.plans.toml import PlanError
@@ -285,7 +286,7 @@ def run(design: Design, place: Place, folder: Path | None, progress: Progress = 
         rows = Rows(about, folder)
         try:
             answered = _Answered(design, there, rows, progress)
-            answered.ask(range(len(design.points)), design.points)
+            answered.ask(0, design.points)
             if refiner is not None:
                 _refine(refiner, answered)
         finally:
@@ -308,10 +309,10 @@ class _Answered:
         self._done = self._found = int(self._has.sum())
         self._began = clock.monotonic()
 
-    def ask(self, numbers: range, points: "Points | Sequence[tuple[Value, ...]]") -> None:
-        """Have rows for points of these numbers, whose values stand at `points`, from 0."""
-        missing = np.flatnonzero(~self._has[numbers.start : numbers.stop])
-        waiting = _Numbered(missing, numbers.start, points)
+    def ask(self, first: int, points: Points) -> None:
+        """Have rows for points, whose numbers begin with `first`."""
+        missing = np.flatnonzero(~self._has[first : first + len(points)])
+        waiting = _Numbered(missing, first, points)
         with closing(in_blocks(self._work, waiting, self._place)) as blocks:
             for asked, found in blocks:
                 batch = self._work.lost(asked, found.reason) if isinstance(found, Lost) else found
@@ -336,19 +337,19 @@ class _Answered:
 class _Numbered(Sequence[Numbered]):
     """Points with their numbers, made when they are sent."""
 
-    missing: Any
+    missing: IntArray
     first: int
-    points: "Points | Sequence[tuple[Value, ...]]"
+    points: Points
 
     def __len__(self) -> int:
         return len(self.missing)
 
     def __getitem__(self, at: Any) -> Any:
         """One of them, or a list of them."""
-        if isinstance(at, slice):
-            return [self[n] for n in range(*at.indices(len(self)))]
-        number = int(self.missing[at])
-        return self.first + number, self.points[number]
+        if not isinstance(at, slice):
+            return self[at : at + 1][0]
+        missing = self.missing[at]
+        return list(zip((self.first + missing).tolist(), self.points.at(missing), strict=True))
 
 
 def _refine(refiner: Refiner, answered: _Answered) -> None:
@@ -367,5 +368,6 @@ def _refine(refiner: Refiner, answered: _Answered) -> None:
         wanted = refiner.ask(min(ROUND, design.refinement.most - found))
         if not wanted:
             return
-        answered.ask(range(first + found, first + found + len(wanted)), wanted)
+        columns = tuple(zip(*wanted, strict=True))
+        answered.ask(first + found, Points(design.points.keys, columns, grid=False))
         found += len(wanted)
