@@ -220,6 +220,8 @@ CASES: dict[str, Case] = {
 ELSEWHERE = {f"reproduce --{name}" for name in ("json", "explain", "lang", "quiet")}
 # These want a workbook: tests/cli/test_compare.py gives them.
 ELSEWHERE |= {f"compare --{name}" for name in ("as", "tolerance", "json", "lang", "quiet")}
+# These want a sweep: tests/cli/test_atlas.py gives them.
+ELSEWHERE |= {f"atlas --{name}" for name in ("output", "force", "lang", "quiet")}
 # Nothing is said on standard error, nor in a language, that could be left out.
 SILENT = {"plan --quiet", "schema --quiet", "doctor --quiet"}
 
@@ -377,6 +379,8 @@ def test_an_option_has_an_effect(outcome: Come, known: dict[str, Outcome], name:
         ([*SWEEP, "--to", "0.1"], "--to goes with --refine alone"),
         ([*SWEEP, "--on", "tcp://1.2.3.4:5", "-j", "2"], "--workers does not go with --on tcp"),
         ([*SWEEP, "--status", "rows"], "--status goes alone, without a plan"),
+        (["sweep", "--status", "rows", "--ask", "width"], "--status goes alone, without a plan"),
+        ([*ROWS, "--sample", "3"], "--sample needs ranges: --vary KEY=LOW:HIGH"),
         ([*SWEEP, "--points", "x.csv"], "wanted --vary or --points, and not both"),
         (ROWS, "wanted --vary or --points, and not both"),
         (SWEEP[:2], "wanted a PLAN and -o DIR, or --status DIR"),

@@ -16,6 +16,7 @@ from pyarrow import parquet
 
 from benchdragon.errors import InputError, MachineError
 from benchdragon.files import FileRefusedError
+from benchdragon.plans.schema import read_plan
 from benchdragon.sweeps import folder as subject
 from benchdragon.sweeps.folder import (
     LOCK,
@@ -27,13 +28,21 @@ from benchdragon.sweeps.folder import (
     read_about,
     read_rows,
 )
+from benchdragon.sweeps.points import grid_points
+from benchdragon.sweeps.sweep import Design
 from tests import work
 
-ABOUT: dict[str, Any] = {key: f"this {key}" for key in OTHERS}
+DESIGN = Design(
+    read_plan("spiral-in"),
+    grid_points({"dragon.width": [0.1 * n for n in range(1, 9)]}),
+    ("clearance",),
+)
+ABOUT: dict[str, Any] = DESIGN.about()
 
 
-def batch(*points: int) -> Any:
-    return pa.RecordBatch.from_pylist([{"point": point, "x": point / 2} for point in points])
+def batch(*points: int, status: str = "found") -> Any:
+    rows = [{"point": n, "dragon.width": n / 2, "clearance.status": status} for n in points]
+    return DESIGN.work.batch(rows)
 
 
 def filled(folder: Path, *parts: tuple[int, ...], about: dict[str, Any] = ABOUT) -> Rows:
@@ -68,14 +77,15 @@ def test_rows_come_in_the_order_of_their_points(tmp_path: Path) -> None:
             rows.add(batch(0, 3))
         else:
             rows = filled(folder, (4, 1), (0, 3))
-        assert rows.table().to_pydict() == {"point": [0, 1, 3, 4], "x": [0.0, 0.5, 1.5, 2.0]}
-        assert rows.table(["point"]).to_pydict() == {"point": [0, 1, 3, 4]}
+        assert points(rows.table()) == [0, 1, 3, 4]
+        assert rows.table()["dragon.width"].to_pylist() == [0.0, 0.5, 1.5, 2.0]
 
 
-def test_without_rows_there_is_no_table(tmp_path: Path) -> None:
-    assert Rows(ABOUT, None).table() is None
+def test_without_rows_the_table_has_its_columns(tmp_path: Path) -> None:
     rows = filled(tmp_path)
-    assert rows.table() is None
+    for one in (rows, Rows(ABOUT, None)):
+        assert one.table().schema == batch(0).schema.remove_metadata()
+        assert len(one.table()) == 0
     rows.write()
     assert parts_in(tmp_path) == []
 
@@ -113,7 +123,8 @@ def test_parts_tell_what_they_are_of(tmp_path: Path) -> None:
     filled(tmp_path, (0,))
     marks = parquet.read_schema(parts_in(tmp_path)[0]).metadata
     assert marks[b"sweep"] == name_of(ABOUT)
-    assert json.loads(marks[b"about"]) == ABOUT
+    told = json.loads(marks[b"about"])
+    assert told == {key: ABOUT[key] for key in ("plan_sha256", "ask", "made_by")}
     assert read_about(tmp_path) == ABOUT
     assert read_rows(tmp_path, ABOUT).schema.metadata is None
 
@@ -188,6 +199,30 @@ def test_a_point_has_one_row(tmp_path: Path) -> None:
     assert str(refused.value) == f"{tmp_path} has rows of the same point twice"
 
 
+def test_an_answer_takes_the_place_of_one_that_was_lost(tmp_path: Path) -> None:
+    for folder in (tmp_path, None):
+        rows = Rows(ABOUT, folder) if folder is None else filled(folder)
+        for part in (batch(2, 0, status="lost"), batch(1), batch(0), batch(2, status="lost")):
+            rows.add(part)
+            rows.write()
+        table = rows.table()
+        assert points(table) == [0, 1, 2]
+        assert table["clearance.status"].to_pylist() == ["found", "found", "lost"]
+
+
+def test_a_sweep_without_rows_keeps_no_other_out(tmp_path: Path) -> None:
+    filled(tmp_path)
+    other = {**ABOUT, "ask": ["width"]}
+    filled(tmp_path, about=other)
+    assert read_about(tmp_path) == other
+
+
+def test_a_plan_that_is_not_the_one_that_was_asked_is_told(tmp_path: Path) -> None:
+    filled(tmp_path, (0,), about={**ABOUT, "plan": read_plan("turn").data()})
+    with pytest.raises(InputError, match="holds no sweep"):
+        read_about(tmp_path)
+
+
 @pytest.mark.parametrize("text", [None, "", "{", "[]", "7", "{}", '{"format": 1}', "\udcff"])
 def test_a_folder_without_a_sweep_is_told(tmp_path: Path, text: str | None) -> None:
     if text is not None:
@@ -205,7 +240,7 @@ def test_a_folder_with_other_files_is_refused(tmp_path: Path) -> None:
     with pytest.raises(FileRefusedError) as refused:
         filled(tmp_path)
     assert str(refused.value) == f"{tmp_path} is not empty, and holds no sweep"
-    assert {path.name for path in tmp_path.iterdir()} == {"thesis.txt", LOCK}
+    assert {path.name for path in tmp_path.iterdir()} == {"thesis.txt"}
 
 
 def test_a_file_is_no_folder(tmp_path: Path) -> None:

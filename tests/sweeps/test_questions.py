@@ -13,6 +13,7 @@ from benchdragon.errors import (
     BenchDragonError,
     InputError,
     MachineError,
+    MissingExtraError,
     NoSolutionError,
     UnsureError,
     WalkError,
@@ -128,7 +129,6 @@ def failing(error: BaseException) -> Question:
         (UnsureError("too hard"), "undecided", "too hard"),
         (MemoryError(), "lost", "memory ran out"),
         (InputError("not so"), "refused", "not so"),
-        (MachineError("no file"), "refused", "no file"),
     ],
 )
 def test_each_failure_has_its_status(error: Exception, status: str, message: str | None) -> None:
@@ -165,3 +165,16 @@ def test_questions_are_found_by_name() -> None:
             questions(names)  # type: ignore[arg-type]
         assert str(refused.value) == f"ask: wanted some of {known}, each once, not {said}"
         assert issubclass(refused.type, BenchDragonError)
+
+
+@pytest.mark.parametrize("error", [MachineError("no file"), MissingExtraError("data")])
+def test_a_fault_of_the_machine_is_none_of_the_plan(error: BenchDragonError) -> None:
+    with pytest.raises(type(error)):
+        outcome(failing(error), dance(), RandomDances())
+
+
+def test_a_dragon_without_a_pair_that_counts_has_no_contact() -> None:
+    plan = read_plan("spiral-in", ["dragon.benches=2", "walk.end=1"])
+    found = outcome(QUESTIONS["clearance"], plan, RandomDances())
+    assert (found.status, found.answer) == ("clear", None)
+    assert math.isnan(found.clear_until)

@@ -23,7 +23,7 @@ from benchdragon.plans.schema import read_plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.sweeps import rows as rows_module
 from benchdragon.sweeps import sweep as subject
-from benchdragon.sweeps.folder import parts_in
+from benchdragon.sweeps.folder import Rows, opened, parts_in
 from benchdragon.sweeps.points import grid_points, listed_points, sampled_points
 from benchdragon.sweeps.questions import RandomDances
 from benchdragon.sweeps.refine import Refinement
@@ -271,7 +271,6 @@ def test_a_dataset_tells_the_version_that_made_it_and_not_that_which_reads_it(tm
 def test_only_a_complete_grid_is_a_dataset() -> None:
     found = short(vary=listed_points({"route.pitch": [0.45, 0.5]}))
     cut = Sweep(short().about, short().table.slice(0, 2))
-    assert not cut.complete
     for one in (found, cut):
         with pytest.raises(
             InputError, match=r"^only a complete grid has a value at each place of a dataset$"
@@ -299,13 +298,11 @@ def test_a_sweep_is_read_again(tmp_path: Path) -> None:
     assert np.isnan(found.column("first_contact.value")).all()
 
 
-def test_a_folder_without_rows_is_told(tmp_path: Path) -> None:
-    short(output=tmp_path)
-    for part in parts_in(tmp_path):
-        part.unlink()
-    with pytest.raises(InputError) as refused:
-        read_sweep(tmp_path)
-    assert str(refused.value) == f"{tmp_path} holds a sweep without any row"
+def test_a_sweep_that_has_only_begun_is_read(tmp_path: Path) -> None:
+    with opened(tmp_path, {**short().about, "finished": False}):
+        found = read_sweep(tmp_path)
+    assert (len(found.table), found.complete) == (0, False)
+    assert found.table.schema == short().table.schema.remove_metadata()
 
 
 def test_whole_numbers_texts_and_samples_have_columns_of_their_kinds() -> None:
@@ -345,7 +342,7 @@ def test_a_plan_that_is_wrong_at_all_points_is_refused_before_anything_is_made(t
 
 def test_a_plan_that_is_right_at_some_points_is_asked_wherever_they_stand() -> None:
     """One value in twenty of the last key is right, as 1 of 20 in each of as many rows."""
-    pitches = [-1.0] * 19 + [0.5]
+    pitches = [*(-1.0 - n for n in range(19)), 0.5]
     Design(PLAN, grid_points({"disc.radius": range(4, 24), "route.pitch": pitches}), ("width",)).check()
     Design(PLAN, listed_points({"route.pitch": [-1.0] * 999 + [0.5]}), ("width",)).check()
 
@@ -357,3 +354,56 @@ def test_what_cannot_be_asked_is_refused() -> None:
         short(vary={})
     with pytest.raises(InputError, match="plan must be a Plan"):
         sweep("spiral-in", {"route.pitch": [1]})  # type: ignore[arg-type]
+
+
+DESIGNS: dict[str, dict[str, Any]] = {
+    "grid": {"vary": {"route.pitch": [0.5, 0.55, 0.6]}},
+    "list": {"vary": listed_points({"route.pitch": [0.5, 0.55], "dragon.width": [0.2, 0.3]})},
+    "sample": {"vary": sampled_points({"route.pitch": (0.5, 0.6)}, 3, 7, "sobol")},
+    "refined": {"vary": {"route.pitch": [0.5, 0.6]}, "refinement": Refinement(40, 1e-6)},
+    "dances": {"vary": {"route.pitch": [0.5, 0.6]}, "ask": ["tolerance"], "dances": RandomDances(2)},
+}
+
+
+@pytest.mark.parametrize("name", DESIGNS)
+def test_every_kind_of_sweep_goes_on(name: str, tmp_path: Path) -> None:
+    """A part is taken away, and the mark that it came to its end."""
+    options = DESIGNS[name]
+    once = short(output=tmp_path, **options)
+    assert (once.complete, read_sweep(tmp_path).complete) == (True, True)
+    part = parts_in(tmp_path)[-1]
+    table = parquet.read_table(part)
+    parquet.write_table(table.slice(0, len(table) - 1), part)
+    (tmp_path / "sweep.json").write_text(json.dumps({**once.about, "finished": False}), "utf-8")
+    assert not read_sweep(tmp_path).complete
+    again = short(output=tmp_path, **options)
+    assert again.complete
+    assert again.numbers().equals(once.numbers())
+
+
+def test_what_was_lost_is_asked_again(tmp_path: Path) -> None:
+    once = short(output=tmp_path)
+    (part,) = parts_in(tmp_path)
+    table = parquet.read_table(part)
+    states = ["lost", *table["first_contact.status"].to_pylist()[1:]]
+    column = table.column_names.index("first_contact.status")
+    spoilt = table.set_column(column, "first_contact.status", pa.array(states))
+    parquet.write_table(spoilt.replace_schema_metadata(table.schema.metadata), part)
+    assert read_sweep(tmp_path).texts("first_contact.status")[0] == "lost"
+    again = short(output=tmp_path)
+    assert again.numbers().equals(once.numbers())
+    assert len(parts_in(tmp_path)) == 2
+
+
+def test_parts_do_not_carry_the_points(tmp_path: Path) -> None:
+    few, many = tmp_path / "few", tmp_path / "many"
+    short(vary={"route.pitch": [0.5, 0.6]}, output=few)
+    design = Design(
+        PLAN, grid_points({"route.pitch": [0.5 + 1e-7 * n for n in range(100_000)]}), ("width",)
+    )
+    with opened(many, design.about()):
+        rows = Rows(design.about(), many)
+        rows.add(design.work.lost([(0, (0.5,))], "why"))
+        rows.write()
+    sizes = [parts_in(folder)[0].stat().st_size for folder in (few, many)]
+    assert sizes[1] < 2 * sizes[0]

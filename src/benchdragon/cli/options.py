@@ -184,6 +184,13 @@ def place_options(command: Command) -> Command:
 WITHOUT, BESIDE = N_("{option} goes with {what} alone"), N_("{option} does not go with {what}")
 
 
+def given_options() -> set[str]:
+    """The names of all parameters of the verb at hand that stand on its command line."""
+    context = click.get_current_context()
+    names = [str(parameter.name) for parameter in context.command.params]
+    return {name for name in names if context.get_parameter_source(name) is ParameterSource.COMMANDLINE}
+
+
 def refuse_strays(*rules: tuple[str, bool, str, str]) -> None:
     """Refuse options that were given and have no effect, rather than overlook them.
 
@@ -195,8 +202,9 @@ def refuse_strays(*rules: tuple[str, bool, str, str]) -> None:
     """
     context = click.get_current_context()
     options = {parameter.name: max(parameter.opts, key=len) for parameter in context.command.params}
+    given = given_options()
     for name, goes, why, what in rules:
-        if not goes and context.get_parameter_source(name) is ParameterSource.COMMANDLINE:
+        if not goes and name in given:
             raise InputError(_(why).format(option=options[name], what=what))
 
 

@@ -13,6 +13,7 @@ from benchdragon.cli.options import (
     FOLDER,
     WITHOUT,
     announce_compiling,
+    given_options,
     json_option,
     place_options,
     refuse_strays,
@@ -115,7 +116,7 @@ def sweep(plan: str | None, settings: tuple[str, ...], quiet: bool, **options: A
     """Run a sweep, or tell of one, and print what came of it."""
     from benchdragon.sweeps.sweep import read_sweep
 
-    _refuse_strays(plan, settings, options)
+    _refuse_strays(plan, options)
     if options["status"] is not None:
         folder, found = options["status"], read_sweep(options["status"])
     else:
@@ -128,15 +129,17 @@ def sweep(plan: str | None, settings: tuple[str, ...], quiet: bool, **options: A
     return 0
 
 
-def _refuse_strays(plan: str | None, settings: tuple[str, ...], options: dict[str, Any]) -> None:
+def _refuse_strays(plan: str | None, options: dict[str, Any]) -> None:
     status = options["status"] is not None
-    if status and (plan or settings or options["vary"] or options["points"] or options["output"]):
+    if status and given_options().difference({"status", "as_json", "quiet", "lang"}):
         raise InputError(_("{option} goes alone, without a plan").format(option="--status"))
+    if options["sample"] is not None and not options["vary"] and options["points"] is None:
+        raise InputError(_("--sample needs ranges: --vary KEY=LOW:HIGH"))
     if not status and (plan is None or options["output"] is None):
         raise InputError(_("wanted a PLAN and -o DIR, or --status DIR"))
     if not status and bool(options["vary"]) is (options["points"] is not None):
         raise InputError(_("wanted --vary or --points, and not both"))
-    tolerance = "tolerance" in options["ask"].split(",")
+    tolerance = "tolerance" in _asked(options)
     refuse_strays(
         ("sample", not options["points"], BESIDE, "--points"),
         ("method", options["sample"] is not None, WITHOUT, "--sample"),
@@ -165,10 +168,14 @@ def _design(plan: str, settings: tuple[str, ...], options: dict[str, Any]) -> "D
     from benchdragon.sweeps.sweep import Design
 
     read = read_plan(plan, settings)
-    asked = questions([name.strip() for name in options["ask"].split(",")])
+    asked = questions(_asked(options))
     names = tuple(question.name for question in asked)
     refinement = Refinement(options["refine"] or 0, options["to"])
     return Design(read, _points(options), names, _dances(options), refinement)
+
+
+def _asked(options: dict[str, Any]) -> list[str]:
+    return [name.strip() for name in options["ask"].split(",")]
 
 
 def _points(options: dict[str, Any]) -> "Points":
@@ -202,7 +209,8 @@ def print_sweep(found: "Sweep", folder: Path, *, as_json: bool) -> None:
     from benchdragon.sweeps.questions import STATES
 
     counts, ranges = _counts(found), {one.name: _range(found, one.name) for one in found.questions}
-    wanted = int(found.about["points"]["count"])
+    refined = found.about["refine"]
+    wanted = int(found.about["points"]["count"]) + (refined["most"] if refined else 0)
     if as_json:
         asked = {
             name: {"status": dict(counts[name]), "least": least, "greatest": greatest}
@@ -222,6 +230,8 @@ def print_sweep(found: "Sweep", folder: Path, *, as_json: bool) -> None:
     print_rows(title, (_("question"), _("least"), _("greatest"), _("answers")), rows)
     if not found.complete:
         text = _("{done} of {wanted} points are done: the same command goes on")
+        if refined:
+            text = _("{done} of at most {wanted} points are done: the same command goes on")
         click.echo(text.format(done=len(found.table), wanted=wanted))
     click.echo(_("rows: {folder}").format(folder=folder))
 

@@ -310,7 +310,7 @@ def tolerance(
         draws: dances, 1 to 100,000.
         seed: of the random numbers.
         own: whether each dance is walked at the plan's own pitch, too.
-        executor: that walks the dances, or a place of `parallel`; this thread, if there is none.
+        executor: that walks the dances, or a place of `parallel`; one thread, if there is none.
         progress: is told after each dance.
 
     Raises:

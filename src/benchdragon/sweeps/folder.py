@@ -1,5 +1,6 @@
 """A sweep's folder: what it is of, and its rows in Parquet files, each written whole or not at all."""
 
+import errno
 import hashlib
 import json
 import os
@@ -9,10 +10,16 @@ from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+import numpy.typing as npt
+
 from benchdragon.errors import InputError, MachineError, reason
 from benchdragon.files import FileRefusedError, whole_file
 from benchdragon.i18n import N_, _
-from benchdragon.sweeps.rows import arrow
+from benchdragon.plans.schema import checked
+from benchdragon.plans.toml import PlanError
+from benchdragon.sweeps.questions import LOST
+from benchdragon.sweeps.rows import arrow, row_schema
 
 # What a sweep is, and its rows; what a part is called by the sweep that it belongs to.
 ABOUT, PART, OF = "sweep.json", "part-{number:08d}.parquet", b"sweep"
@@ -46,8 +53,10 @@ def read_about(folder: Path) -> dict[str, Any]:
     """
     try:
         about: dict[str, Any] = json.loads((folder / ABOUT).read_text(encoding="utf-8"))
-        name_of(about)
-    except (OSError, ValueError, KeyError, TypeError):
+        name_of({**about, "finished": about["finished"]})
+        if checked(about["plan"], ABOUT).sha256 != about["plan_sha256"]:
+            raise ValueError
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, PlanError):
         raise InputError(_("{folder} holds no sweep").format(folder=folder)) from None
     return about
 
@@ -100,17 +109,16 @@ class Rows:
         self._waiting, self._written = [], clock.monotonic()
 
     def _marks(self) -> dict[bytes, bytes]:
-        return {OF: self._name, b"about": json.dumps(self._about).encode()}
+        """What is in every part: sweep.json has the rest."""
+        told = {key: self._about[key] for key in ("plan_sha256", "ask", "made_by")}
+        return {OF: self._name, b"about": json.dumps(told).encode()}
 
-    def table(self, columns: list[str] | None = None) -> Any:
-        """All rows, in the order of their points; None if there are none."""
+    def table(self) -> Any:
+        """All rows, in the order of their points."""
         self.write()
         if self._folder is not None:
-            return read_rows(self._folder, self._about, columns)
-        if not self._kept:
-            return None
-        table = arrow().concat_tables(self._kept).sort_by("point")
-        return table if columns is None else table.select(columns)
+            return read_rows(self._folder, self._about)
+        return _in_order([no_rows(self._about), *self._kept], self._about)
 
 
 def parts_in(folder: Path) -> list[Path]:
@@ -129,30 +137,54 @@ def _of_another(part: Path) -> InputError:
     return InputError(_("{path} belongs to another sweep: take it away").format(path=part))
 
 
-def read_rows(folder: Path, about: Mapping[str, Any], columns: list[str] | None = None) -> Any:
-    """All rows in a folder, in the order of their points; None if there are none.
+def no_rows(about: Mapping[str, Any]) -> Any:
+    """The table of a sweep that has no rows."""
+    keys = [(key, kind) for key, kind in about["points"]["keys"]]
+    return row_schema(keys, about["ask"]).empty_table()
+
+
+def read_rows(folder: Path, about: Mapping[str, Any]) -> Any:
+    """All rows in a folder, in the order of their points.
 
     Raises:
-        InputError: for a part of another sweep, one that cannot be read, or two with the same point.
+        InputError: for a part of another sweep, one that cannot be read, or two answers at a point.
     """
     pa = arrow()
     from pyarrow import parquet
 
-    tables = []
+    tables, name = [no_rows(about)], name_of(about)
     for path in parts_in(folder):
         try:
-            one = parquet.read_table(path, columns=columns)
+            one = parquet.read_table(path)
         except (OSError, pa.ArrowException) as error:
             raise InputError(_("{path} cannot be read: {why}").format(path=path, why=error)) from None
-        if (one.schema.metadata or {}).get(OF) != name_of(about):
+        if (one.schema.metadata or {}).get(OF) != name:
             raise _of_another(path)
         tables.append(one.replace_schema_metadata(None))
-    if not tables:
-        return None
-    table = pa.concat_tables(tables).sort_by("point")
+    table = _in_order(tables, about)
     if len(table["point"].unique()) < len(table):
         raise InputError(_("{folder} has rows of the same point twice").format(folder=folder))
     return table
+
+
+def _in_order(tables: list[Any], about: Mapping[str, Any]) -> Any:
+    """The rows of tables by their points; one that was lost goes where a later one has its point."""
+    table = arrow().concat_tables(tables)
+    points, lost = table["point"].to_numpy(), lost_rows(table, about["ask"])
+    # Answers before what was lost, and of that the last.
+    order = np.lexsort((-np.arange(len(points)), lost, points))
+    again = np.flatnonzero(np.diff(points[order]) == 0) + 1
+    return table.take(np.delete(order, again[lost[order][again]]))
+
+
+def lost_rows(table: Any, asked: list[str]) -> npt.NDArray[np.bool_]:
+    """Which rows have an answer that was lost with its worker."""
+    from pyarrow import compute
+
+    lost = np.zeros(len(table), dtype=bool)
+    for name in asked:
+        lost |= compute.equal(table[f"{name}.status"], LOST).to_numpy().astype(bool)
+    return lost
 
 
 @contextmanager
@@ -166,7 +198,9 @@ def opened(folder: Path, about: Mapping[str, Any]) -> Iterator[None]:
     with ExitStack() as stack:
         try:
             folder.mkdir(parents=True, exist_ok=True)
+            _check(folder, about)
             stack.enter_context(_alone(folder))
+            _check(folder, about)
             _prepare(folder, about)
         except (FileExistsError, NotADirectoryError):
             raise FileRefusedError(_("{path} is not a folder").format(path=folder)) from None
@@ -176,12 +210,12 @@ def opened(folder: Path, about: Mapping[str, Any]) -> Iterator[None]:
         yield
 
 
-def _prepare(folder: Path, about: Mapping[str, Any]) -> None:
-    """See that a folder is that of this sweep; clear what an interrupted run left."""
+def _check(folder: Path, about: Mapping[str, Any]) -> None:
+    """See that a folder is that of this sweep, or free: one without rows is."""
     if (folder / ABOUT).exists():
         there = read_about(folder)
         other = next((text for key, text in OTHERS.items() if there[key] != about[key]), None)
-        if other is not None:
+        if other is not None and parts_in(folder):
             raise FileRefusedError(
                 _("{folder} holds a sweep of {what}: choose another folder").format(
                     folder=folder, what=_(other)
@@ -189,12 +223,21 @@ def _prepare(folder: Path, about: Mapping[str, Any]) -> None:
             )
     elif any(path.name != LOCK and not _is_leftover(path) for path in folder.iterdir()):
         raise FileRefusedError(_("{folder} is not empty, and holds no sweep").format(folder=folder))
-    else:
-        with whole_file(folder / ABOUT) as temporary:
-            temporary.write_text(json.dumps(about, indent=1), encoding="utf-8")
+
+
+def _prepare(folder: Path, about: Mapping[str, Any]) -> None:
+    """Say what a folder holds; clear what an interrupted run left."""
+    if not parts_in(folder):
+        write_about(folder, about)
     for path in folder.iterdir():
         if _is_leftover(path):
             path.unlink()
+
+
+def write_about(folder: Path, about: Mapping[str, Any]) -> None:
+    """Say what the sweep in a folder is."""
+    with whole_file(folder / ABOUT) as temporary:
+        temporary.write_text(json.dumps(about), encoding="utf-8")
 
 
 def _is_leftover(path: Path) -> bool:
@@ -219,8 +262,10 @@ def _alone(folder: Path) -> Iterator[None]:
             import fcntl
 
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
+    except OSError as error:
         os.close(handle)
+        if error.errno not in (errno.EAGAIN, errno.EACCES):
+            raise
         raise FileRefusedError(
             _("another run is writing into {folder}").format(folder=folder)
         ) from None

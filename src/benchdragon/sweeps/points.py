@@ -70,6 +70,8 @@ class Points:
                 raise InputError(
                     _("wanted keys of a plan such as route.pitch, each once, not {key}").format(key=key)
                 )
+        if any(len(column) > MOST_LISTED for column in self.columns):
+            raise InputError(_("a key takes at most {most} values").format(most=MOST_LISTED))
         count = math.prod(self.shape) if self.columns else 0
         most = MOST_POINTS if self.grid else MOST_LISTED
         if not 0 < len(self.keys) <= MOST_KEYS or not 0 < count <= most:
@@ -118,6 +120,9 @@ def grid_points(vary: Mapping[str, Iterable[Value]]) -> Points:
         InputError: for values that are no finite numbers or texts, and as `Points`.
     """
     keys, columns = _columns(vary)
+    for key, column in zip(keys, columns, strict=True):
+        if len(set(column)) < len(column):
+            raise InputError(_("{key}: a value stands twice").format(key=key))
     return Points(keys, columns, grid=True)
 
 
@@ -148,7 +153,7 @@ def _columns(
                 _("{key}: wanted a list of values, not {value}").format(key=key, value=values)
             )
     made = tuple(
-        tuple(_value(key, one) for one in islice(values, MOST_POINTS + 1))
+        tuple(_value(key, one) for one in islice(values, MOST_LISTED + 1))
         for key, values in columns.items()
     )
     return tuple(columns), made
@@ -217,11 +222,13 @@ def read_points(path: Path) -> Points:
     try:
         read = parquet.read_table if path.suffix == ".parquet" else csv.read_csv
         table = read(path)
-    except (OSError, pa.ArrowException) as error:
+        keys = tuple(table.column_names)  # of which one may stand twice
+    except (OSError, UnicodeDecodeError, pa.ArrowException) as error:
         raise InputError(
             _("{path} is no CSV or Parquet file of points: {why}").format(path=path, why=error)
         ) from None
-    keys = tuple(table.column_names)  # of which one may stand twice
+    if table.num_rows > MOST_LISTED:
+        raise InputError(_("a key takes at most {most} values").format(most=MOST_LISTED))
     columns = tuple(
         tuple(_value(key, one) for one in column.to_pylist())
         for key, column in zip(keys, table.columns, strict=True)
@@ -254,6 +261,8 @@ def parse_vary(texts: Sequence[str], *, ranges: bool = False) -> dict[str, Any]:
             found[key] = _steps(text, *parts)
         else:
             found[key] = [_number(part) for part in parts]
+        if math.prod(map(len, found.values())) > MOST_POINTS:
+            raise InputError(_("these are more than {most} points").format(most=MOST_POINTS))
     return found
 
 
@@ -280,12 +289,16 @@ def _steps(text: str, first: str, last: str, step: str) -> list[Value]:
     try:
         low, high, by = (Decimal(word) for word in (first, last, step))
         count = (high - low) / by
-        sound = by != 0 and by.is_finite() and 0 <= count < MOST_POINTS
+        sound = by != 0 and all(abs(end) <= LARGEST for end in (low, high, by))
     except ArithmeticError:
-        sound = False
-    if not sound:
-        raise _unreadable(text)
-    exact = [low + n * by for n in range(int(count) + 1)]
+        raise _unreadable(text) from None
+    if not sound or not 0 <= count < MOST_LISTED:
+        raise InputError(
+            _("{text}: wanted 1 to {most} steps from the first value to the last").format(
+                text=text, most=MOST_LISTED
+            )
+        )
+    exact = (low + n * by for n in range(int(count) + 1))
     return [
         int(value) if "." not in first + step and value == int(value) else float(value)
         for value in exact

@@ -10,6 +10,8 @@ from benchdragon.analysis.speed import greatest_speed
 from benchdragon.errors import (
     BenchDragonError,
     InputError,
+    MachineError,
+    MissingExtraError,
     NoSolutionError,
     UnsureError,
     WalkError,
@@ -93,9 +95,10 @@ def _first_contact(plan: Plan, _dances: RandomDances) -> Answer | None:
     return first_contact(walk, *plan.span(walk), margin=plan.limits.margin)
 
 
-def _clearance(plan: Plan, _dances: RandomDances) -> Answer:
+def _clearance(plan: Plan, _dances: RandomDances) -> Answer | None:
     walk = plan.build()
-    return least_clearance(walk, *plan.span(walk))
+    found = least_clearance(walk, *plan.span(walk))
+    return found if math.isfinite(found.value) else None  # no two benches are non-adjacent
 
 
 def _greatest_speed(plan: Plan, _dances: RandomDances) -> Answer:
@@ -165,7 +168,7 @@ def outcome(question: Question, plan: Plan, dances: RandomDances) -> Outcome:
         answer = question.ask(plan, dances)
         if answer is not None:
             status = answer.status
-        else:
+        elif question.unit == "s":
             until = plan.span(plan.build())[1]
     except WalkError as error:
         status, message = UNWALKABLE, str(error)
@@ -175,6 +178,8 @@ def outcome(question: Question, plan: Plan, dances: RandomDances) -> Outcome:
         status, message = "undecided", str(error)
     except MemoryError:
         status, message = LOST, _("memory ran out")
+    except (MachineError, MissingExtraError):
+        raise  # the plan is not to blame
     except BenchDragonError as error:
         status, message = REFUSED, str(error)
     return Outcome(status, answer, message, clock.perf_counter() - began, until)

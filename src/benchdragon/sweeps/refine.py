@@ -7,6 +7,7 @@ broken off asks for the same points when it goes on.
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 import numpy as np
@@ -44,6 +45,18 @@ class Refinement:
         object.__setattr__(self, "most", whole("refine", self.most, 0, MOST_LISTED))
         if not 1e-9 <= finite("to", self.to) <= 1.0:
             raise InputError(_("to: wanted a share from 1e-9 to 1, not {to}").format(to=self.to))
+
+
+def adaptive_version() -> str:
+    """The version of the package `adaptive`.
+
+    Raises:
+        MissingExtraError: if it is not installed.
+    """
+    try:
+        return version("adaptive")
+    except PackageNotFoundError:
+        raise MissingExtraError("refine") from None
 
 
 class Refiner:

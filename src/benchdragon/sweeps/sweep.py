@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import math
 import time as clock
 from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import Executor
@@ -20,10 +21,10 @@ from benchdragon.parallel import Lost, Place, in_blocks, kept, place_of, process
 from benchdragon.plans.schema import Plan, checked
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, silent
-from benchdragon.sweeps.folder import Rows, opened, read_about, read_rows
+from benchdragon.sweeps.folder import Rows, lost_rows, opened, read_about, read_rows, write_about
 from benchdragon.sweeps.points import Points, Value, grid_points
 from benchdragon.sweeps.questions import QUESTIONS, Question, RandomDances, questions
-from benchdragon.sweeps.refine import ROUND, Refinement, Refiner
+from benchdragon.sweeps.refine import ROUND, Refinement, Refiner, adaptive_version
 from benchdragon.sweeps.rows import FIELDS, TIMED, Ask, Numbered, arrow, made_by
 
 FORMAT = 1
@@ -70,7 +71,7 @@ class Design:
         """All that makes this sweep another than others, as plain data."""
         columns = [list(column) for column in self.points.columns]
         said = json.dumps(columns, sort_keys=True).encode()
-        return {
+        told = {
             "format": FORMAT,
             "made_by": {key.decode(): value.decode() for key, value in made_by().items()},
             "plan_sha256": self.plan.sha256,
@@ -83,9 +84,12 @@ class Design:
             },
             "ask": list(self.asked),
             "dances": asdict(self.dances) if "tolerance" in self.asked else None,
-            "refine": asdict(self.refinement) if self.refinement.most else None,
+            "refine": _refinement(self.refinement) if self.refinement.most else None,
             "plan": self.plan.data(),
+            "finished": False,
         }
+        plain: dict[str, Any] = json.loads(json.dumps(told))  # as it is read again
+        return plain
 
     def check(self) -> None:
         """Try some points, and what lies between two if there is a refinement.
@@ -119,6 +123,11 @@ class Design:
                 raise InputError(
                     _("refine: {key} takes no value between others: {why}").format(key=key, why=error)
                 ) from None
+
+
+def _refinement(refinement: Refinement) -> dict[str, Any]:
+    """A refinement as plain data, with the library that chooses the points."""
+    return {**asdict(refinement), "adaptive": adaptive_version()}
 
 
 def _kind(column: Sequence[Value]) -> str:
@@ -157,8 +166,8 @@ class Sweep:
 
     @property
     def complete(self) -> bool:
-        """Whether all points have rows, those of the refinement aside."""
-        return len(self.table) >= int(self.about["points"]["count"])
+        """Whether it came to its end, that of the refinement too."""
+        return bool(self.about["finished"])
 
     def column(self, name: str) -> FloatArray:
         """A column of numbers, NaN where it is empty."""
@@ -199,11 +208,11 @@ class Sweep:
             import xarray
         except ImportError:
             raise MissingExtraError("data") from None
-        axes = self.about["points"]["grid"]
-        if axes is None or not self.complete:
-            raise InputError(_("only a complete grid has a value at each place of a dataset"))
-        shape, first = tuple(map(len, axes)), int(self.about["points"]["count"])
+        axes, first = self.about["points"]["grid"], int(self.about["points"]["count"])
         table = self.table.slice(0, first)
+        if axes is None or table["point"].to_pylist() != list(range(first)):
+            raise InputError(_("only a complete grid has a value at each place of a dataset"))
+        shape = tuple(map(len, axes))
         variables = {}
         for question in self.questions:
             for name, kind in FIELDS.items():
@@ -225,10 +234,7 @@ def read_sweep(folder: Path | str) -> Sweep:
         MissingExtraError: without pyarrow.
     """
     about = read_about(Path(folder))
-    table = read_rows(Path(folder), about)
-    if table is None:
-        raise InputError(_("{folder} holds a sweep without any row").format(folder=folder))
-    return Sweep(about, table)
+    return Sweep(about, read_rows(Path(folder), about))
 
 
 def sweep(
@@ -291,6 +297,9 @@ def run(design: Design, place: Place, folder: Path | None, progress: Progress = 
                 _refine(refiner, answered)
         finally:
             rows.write()
+        about["finished"] = True
+        if folder is not None:
+            write_about(folder, about)
         table = rows.table()
     return Sweep(about, table)
 
@@ -303,11 +312,20 @@ class _Answered:
         self._place, self._work, self._progress = place, design.work, progress
         self._most = len(design.points) + design.refinement.most
         self._has = np.zeros(self._most, dtype=bool)
-        table = rows.table(["point"])
-        if table is not None:
-            self._has[table["point"].to_numpy()] = True
+        names = [*design.points.keys, *(f"{name}.value" for name in design.asked)]
+        self._names = names if design.refinement.most else []
+        self.numbers = np.full((self._most, len(self._names)), math.nan)
+        table = rows.table()
+        self._keep(table.filter(~lost_rows(table, list(design.asked))))
         self._done = self._found = int(self._has.sum())
         self._began = clock.monotonic()
+
+    def _keep(self, rows: Any) -> None:
+        """Take down which points have rows, and for a refinement their keys and values."""
+        points = rows["point"].to_numpy()
+        self._has[points] = True
+        for n, name in enumerate(self._names):
+            self.numbers[points, n] = rows[name].to_numpy(zero_copy_only=False)
 
     def ask(self, first: int, points: Points) -> None:
         """Have rows for points, whose numbers begin with `first`."""
@@ -319,6 +337,7 @@ class _Answered:
                 if batch.schema.metadata != made_by():
                     raise MachineError(_("a worker runs another version of benchdragon than this one"))
                 self.rows.add(batch)
+                self._keep(batch)
                 self._tell(len(asked))
 
     def _tell(self, more: int) -> None:
@@ -354,20 +373,15 @@ class _Numbered(Sequence[Numbered]):
 
 def _refine(refiner: Refiner, answered: _Answered) -> None:
     """Ask in rounds where the refiner says."""
-    design, first, found = answered.design, len(answered.design.points), 0
-    names = [f"{name}.value" for name in design.asked]
-    keys = list(design.points.keys)
-    told = 0
+    design, told = answered.design, 0
+    most, keys = len(design.points) + design.refinement.most, len(design.points.keys)
+    asked = len(design.points)
     while True:
-        table = answered.rows.table(["point", *keys, *names]).slice(told)
-        table = table.slice(0, first + found - told)
-        points = np.column_stack([table[key].to_numpy() for key in keys])
-        answers = np.column_stack([table[name].to_numpy().astype(np.float64) for name in names])
-        refiner.tell(points.tolist(), answers)
-        told += len(table)
-        wanted = refiner.ask(min(ROUND, design.refinement.most - found))
+        numbers = answered.numbers[told:asked]
+        refiner.tell(numbers[:, :keys].tolist(), numbers[:, keys:])
+        wanted, told = refiner.ask(min(ROUND, most - asked)), asked
         if not wanted:
             return
         columns = tuple(zip(*wanted, strict=True))
-        answered.ask(first + found, Points(design.points.keys, columns, grid=False))
-        found += len(wanted)
+        answered.ask(asked, Points(design.points.keys, columns, grid=False))
+        asked += len(wanted)
