@@ -160,9 +160,15 @@ def test_no_line_is_drawn_across_points_without_an_answer() -> None:
 
 
 def test_answers_without_a_finite_value_and_unlimited_ones_are_hatched() -> None:
-    cells = [exact(1.0), exact(2.0), none("unlimited", value=30.0), none("found", value=math.inf)]
+    cells = [exact(1.0), exact(2.0), none("unlimited", value=30.0), none("clear", value=math.inf)]
     (panel,) = sweep_picture(over([1.0, 2.0, 3.0, 4.0], cells), ASKED).axes
-    assert [word for _left, _right, word in spans(panel)] == ["unlimited", "undecided"]
+    assert [word for _left, _right, word in spans(panel)] == ["unlimited", "no contact"]
+
+
+def test_what_has_no_answer_keeps_the_status_of_its_row() -> None:
+    states = ["found", "proved", "undecided", "unlimited", "infeasible", "clear", "lost"]
+    sweep = over([float(n) for n in range(len(states))], [none(one, value=math.inf) for one in states])
+    assert answered(sweep, ASKED).why.tolist() == states
 
 
 def test_wide_brackets_are_seen_and_narrow_ones_are_not() -> None:

@@ -109,7 +109,7 @@ def answered(sweep: Sweep, name: str) -> Answered:
         np.where(sound, value, np.nan),
         sweep.column(f"{name}.lower"),
         sweep.column(f"{name}.upper"),
-        np.where(sound, "", np.where(np.isin(status, ["found", "proved"]), "undecided", status)),
+        np.where(sound, "", status),
         who,
         names,
     )
