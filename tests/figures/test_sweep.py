@@ -340,6 +340,18 @@ def test_a_grid_of_three_keys_has_a_map_for_each_value_of_the_third() -> None:
     assert np.asarray(third.get_array()).reshape(2, 3)[1, 2] == 4 * 5 + 2
 
 
+def test_a_last_row_that_is_not_full_lies_as_near_as_a_full_one() -> None:
+    between = []
+    for lengths in ([2.0, 2.1, 2.2, 2.3], [2.0, 2.1, 2.2, 2.3, 2.4, 2.5]):
+        points = grid_points({**MAPPED, "dragon.body_length": lengths})
+        figure = sweep_picture(made(points, [exact(float(n)) for n in range(len(points))]), ASKED)
+        lay_out(figure)
+        above, below = figure.axes[0], figure.axes[3]
+        between.append(above.get_position().y0 - below.get_position().y1)
+        assert figure.axes[1].xaxis.get_tick_params()["labelbottom"] is (len(lengths) == 4)
+    assert between[0] == pytest.approx(between[1], abs=1e-6)
+
+
 def test_of_too_many_maps_some_are_drawn_and_the_rest_are_counted() -> None:
     points = grid_points({**MAPPED, "dragon.body_length": np.linspace(2.0, 3.0, 20).tolist()})
     sweep = made(points, [exact(float(n)) for n in range(len(points))])

@@ -104,24 +104,27 @@ def sweep_picture(sweep: Sweep, name: str, title: str = "") -> Figure:
         )
     found = answered(sweep, name)
     plan = layout(found)
-    count = len(plan.panels)
     with matplotlib.rc_context(STYLE):
-        if count == 1:
-            figure = named_figure(PAGE_WIDTH, HEIGHT, title)
-        else:
-            figure = named_figure(PAGE_WIDTH, -(-count // IN_ROW) * ROW_HEIGHT + AROUND, title)
-        grid = figure.subplots(
-            -(-count // IN_ROW), min(count, IN_ROW), squeeze=False, sharey=True, sharex=bool(plan.axes)
-        )
-        panels = list(grid.flat)
-        for unused in panels[count:]:
-            unused.remove()
-        _draw_all(figure, panels[:count], sweep, found, plan)
-        _legend(figure, panels[:count], found, bool(len(plan.axes) < 2))
+        figure, panels = _panels(len(plan.panels), title, same_keys=bool(plan.axes))
+        _draw_all(figure, panels, sweep, found, plan)
+        _legend(figure, panels, found, bool(len(plan.axes) < 2))
         if plan.left_out:
             text = _("{count} more are not drawn")
             figure.supxlabel(text.format(count=plan.left_out), fontsize=STYLE["legend.fontsize"])
         return figure
+
+
+def _panels(count: int, title: str, *, same_keys: bool) -> tuple[Figure, list[Axes]]:
+    """A figure with so many pictures, row by row; labels above an empty place lie in that."""
+    rows = -(-count // IN_ROW)
+    height = HEIGHT if count == 1 else rows * ROW_HEIGHT + AROUND
+    figure = named_figure(PAGE_WIDTH, height, title)
+    grid = figure.subplots(rows, min(count, IN_ROW), squeeze=False, sharey=True, sharex=same_keys)
+    panels = list(grid.flat)
+    for number in range(count, len(panels)):
+        panels[number].remove()
+        panels[number - IN_ROW].xaxis.set_in_layout(False)
+    return figure, panels[:count]
 
 
 def _draw_all(figure: Figure, panels: list[Axes], sweep: Sweep, found: Answered, plan: Layout) -> None:
