@@ -41,6 +41,8 @@ def test_a_page_is_written_and_not_over_another(
         (["nowhere", "-o", "x.html"], "nowhere holds no sweep"),
         (["FOLDER", "-o", "x.pdf"], "wanted a name that ends in .html"),
         (["FOLDER", "FOLDER", "-o", "x.html"], "wanted each folder once"),
+        (["FOLDER", "FOLDER/", "-o", "x.html"], "wanted each folder once"),
+        (["FOLDER", "FOLDER/../a", "-o", "x.html"], "wanted each folder once"),
         (["FOLDER"], "Missing option"),
         (["-o", "x.html"], "Missing argument"),
     ],
@@ -54,7 +56,7 @@ def test_what_cannot_be_is_told_in_a_sentence(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    named = [str(folder) if word == "FOLDER" else word for word in words]
+    named = [word.replace("FOLDER", str(folder)) for word in words]
     assert run(["atlas", *named, "--quiet"]) == 2
     error = capsys.readouterr().err
     assert said in error

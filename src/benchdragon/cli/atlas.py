@@ -32,7 +32,7 @@ def atlas(folders: tuple[str, ...], output: Path, force: bool, quiet: bool) -> i
     from benchdragon.sweeps.sweep import read_sweep
 
     check_ending("-o", output, [".html"])
-    if len(set(folders)) < len(folders):
+    if len({Path(folder).resolve() for folder in folders}) < len(folders):
         raise InputError(_("wanted each folder once"))
     sweeps = {folder: read_sweep(folder) for folder in folders}
     refuse_existing([output], force)
