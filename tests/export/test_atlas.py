@@ -80,9 +80,10 @@ def test_each_chapter_has_its_plan_its_command_and_its_answers(
         "--ask first_contact,clearance -o out/a"
     )
     assert "--sample 4 --seed 1 --method latin-hypercube" in commands[2]
-    assert "--points points.csv" in commands[3]
+    assert "--points points.parquet" in commands[3]
     text = re.sub(r"\s+", " ", page.get_text())
-    assert "points.csv holds the values of the keys in the rows of out/d" in text
+    assert "points.parquet: the columns of the keys in the first 2 rows of out/d." in text
+    assert "3 points. Table 1 lists the keys." in text
     for one in sweeps.values():
         assert one.about["plan_sha256"][:12] in text
     assert "answers: found: 4; cannot be: 2." in text
@@ -125,3 +126,14 @@ def test_a_plan_that_is_a_file_is_printed_and_what_is_missing_is_told(tmp_path: 
     (tmp_path / "plan.dragon.toml").write_text(printed, encoding="utf-8")
     assert read_plan(str(tmp_path / "plan.dragon.toml")).sha256 == plan.sha256
     assert "1 points of 2: it is not complete" in re.sub(r"\s+", " ", page.get_text())
+
+
+def test_where_no_command_makes_a_sweep_its_chapter_says_why(tmp_path: Path, spoken: str) -> None:
+    made = swept(PLAN, grid_points({"meta.title": ["1"], "route.pitch": [0.5]}))
+    page = written({"x": made}, tmp_path)
+    assert page.find_all("pre") == []
+    said = {
+        "en": "No command line makes this sweep: --vary cannot say the values of meta.title.",
+        "zh": "没有命令行能做这次扫描：--vary 写不出 meta.title 的值。",
+    }[spoken]
+    assert said in [paragraph.get_text() for paragraph in page.find_all("p")]

@@ -3,15 +3,17 @@
 import shlex
 from pathlib import Path
 
+import click
 import pyarrow as pa
 import pytest
+from pyarrow import parquet
 
 from benchdragon import Deviations, Plan, Points, RandomDances, Refinement, read_plan, sampled_points
 from benchdragon.cli import sweep as verb
 from benchdragon.plans.keys import meaning
 from benchdragon.plans.schema import checked
-from benchdragon.sweeps.command import command, plan_words, vary_text
-from benchdragon.sweeps.points import grid_points, listed_points, parse_vary
+from benchdragon.sweeps.command import MOST_SEED, POINTS_FILE, command, plan_words, unsaid, vary_text
+from benchdragon.sweeps.points import Value, grid_points, listed_points, parse_vary
 from benchdragon.sweeps.sweep import Design, Sweep
 
 COIL, TURN = read_plan("spiral-in"), read_plan("turn")
@@ -26,8 +28,11 @@ def asked_again(line: str) -> Design:
     """What the verb would ask."""
     program, name, *words = shlex.split(line)
     assert (program, name) == ("benchdragon", "sweep")
-    options = verb.sweep.make_context("sweep", words).params
-    return verb._design(options.pop("plan"), options.pop("settings"), options)
+    with verb.sweep.make_context("sweep", words) as context:
+        options = context.params
+        plan, settings = options.pop("plan"), options.pop("settings")
+        verb._refuse_strays(plan, options)
+        return verb._design(plan, settings, options)
 
 
 @pytest.mark.parametrize(
@@ -52,10 +57,18 @@ def asked_again(line: str) -> Design:
         ),
         Design(COIL, PITCHES, ("tolerance",), RandomDances(draws=5, seed=4)),
         Design(COIL, PITCHES, ("tolerance",), RandomDances(5, Deviations(aside=0.03, play=0.01))),
+        Design(COIL, PITCHES, ("tolerance",), RandomDances(5, Deviations())),
+        Design(COIL, PITCHES, ("tolerance",), RandomDances(5, seed=MOST_SEED)),
+        Design(
+            COIL, PITCHES, ("tolerance", "first_contact"), RandomDances(5, Deviations(), 2),
+            Refinement(4, 1e-9),
+        ),
         Design(
             COIL, sampled_points({"route.pitch": (0.4, 0.6)}, 3, 9), ("tolerance",),
             RandomDances(5, seed=9),
         ),
+        Design(COIL, grid_points({"route.pitch": [0.5, 1 / 3, 0.6]}), ("first_contact",)),
+        Design(COIL, grid_points(parse_vary(["dragon.width=1e-1:3e-1:1e-2"])), ("first_contact",)),
     ],
 )  # fmt: skip
 def test_the_command_asks_the_same(design: Design) -> None:
@@ -65,10 +78,68 @@ def test_the_command_asks_the_same(design: Design) -> None:
     assert line.endswith("-o 'a folder'")
 
 
-def test_points_of_a_list_come_from_a_file() -> None:
-    line = command(made(Design(COIL, listed_points({"route.pitch": [0.5]}), ("first_contact",))), "x")
-    assert "--points points.csv" in line
+@pytest.mark.parametrize(
+    "columns",
+    [
+        {"route.pitch": [0.5, 1 / 3], "dragon.benches": [20, 30]},
+        {"route.pitch": [1.0, 2.0], "route.clockwise": ["true", "false"]},
+    ],
+)
+def test_points_of_a_list_come_from_a_file(
+    columns: dict[str, list[Value]], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    design = Design(COIL, listed_points(columns), ("first_contact",))
+    monkeypatch.chdir(tmp_path)
+    keys = pa.schema([(key, getattr(pa, kind)()) for key, kind in design.keys])  # as in the rows
+    parquet.write_table(pa.table(columns, keys), POINTS_FILE)
+    line = command(made(design), "x")
     assert "--vary" not in line
+    assert asked_again(line).about() == design.about()
+
+
+def test_seeds_are_as_large_as_the_option_takes() -> None:
+    (kind,) = (one.type for one in verb.sweep.params if one.name == "seed")
+    assert isinstance(kind, click.IntRange)
+    assert kind.max == MOST_SEED
+
+
+SAMPLE = {"route.pitch": (0.4, 0.6)}
+
+
+@pytest.mark.parametrize(
+    ("design", "why"),
+    [
+        (
+            Design(COIL, sampled_points(SAMPLE, 3, 9), ("tolerance",), RandomDances(5, seed=8)),
+            "its points have the seed 9, its random dances 8, and --seed is for both",
+        ),
+        (
+            Design(COIL, PITCHES, ("tolerance",), RandomDances(5, seed=MOST_SEED + 1)),
+            "--seed is at most 2147483648, not 2147483649",
+        ),
+        (
+            Design(COIL, sampled_points(SAMPLE, 3, 2**62), ("first_contact",)),
+            f"--seed is at most 2147483648, not {2**62}",
+        ),
+        *(
+            (
+                Design(COIL, grid_points({**SAMPLE, "meta.title": [text]}), ("first_contact",)),
+                "--vary cannot say the values of meta.title",
+            )
+            for text in ("a,b", "1", " a", "a:b", "")
+        ),
+    ],
+)
+def test_what_no_command_line_can_say_is_told_in_a_sentence(design: Design, why: str) -> None:
+    said = command(made(design), "out/x")
+    assert said == unsaid(made(design)) == f"No command line makes this sweep: {why}."
+
+
+def test_a_seed_that_nothing_draws_with_does_not_matter() -> None:
+    design = Design(COIL, sampled_points(SAMPLE, 3, 9), ("first_contact",), RandomDances(5, seed=8))
+    assert unsaid(made(design)) is None
+    design = Design(COIL, PITCHES, ("first_contact",), RandomDances(seed=2**40))
+    assert unsaid(made(design)) is None
 
 
 def test_even_steps_are_told_as_steps_and_others_one_by_one() -> None:

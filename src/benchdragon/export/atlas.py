@@ -26,7 +26,7 @@ from benchdragon.figures.sweep_rows import Answered, answered, who_text
 from benchdragon.i18n import _, language
 from benchdragon.plans.keys import meaning
 from benchdragon.progress import Progress, Stages, silent
-from benchdragon.sweeps.command import PLAN_FILE, POINTS_FILE, command, plan_words
+from benchdragon.sweeps.command import PLAN_FILE, POINTS_FILE, command, plan_words, unsaid
 from benchdragon.sweeps.questions import STATES, Question
 from benchdragon.sweeps.sweep import Sweep
 
@@ -86,24 +86,31 @@ def _chapter(number: int, folder: str, sweep: Sweep) -> Iterator[Block]:
     title = sweep.plan.title(language()) or _("a plan without a title")
     yield Heading(_("{title}: over {keys}").format(title=title, keys=keys), f"sweep-{number + 1}")
     yield say(
-        _("Plan {hash}, benchdragon {version}; {points} points{further}. {table} says which."),
+        _("Plan {hash}, benchdragon {version}; {points} points{further}. {table} lists the keys."),
         hash=sweep.about["plan_sha256"][:HASH],
         version=sweep.about["made_by"]["benchdragon"],
         points=len(sweep.table),
         further=_further(sweep),
         table=Reference(f"keys-{number + 1}"),
     )
-    yield Listing(command(sweep, folder))
+    yield from _how_made(folder, sweep)
+    yield _keys_table(number, sweep)
+    for question in sweep.questions:
+        yield from _section(number, question, sweep)
+
+
+def _how_made(folder: str, sweep: Sweep) -> Iterator[Block]:
+    """The command of a sweep and the files that it reads, or why there is no command."""
+    said = command(sweep, folder)
+    known = unsaid(sweep) is None
+    yield Listing(said) if known else say(said)
     if plan_words(sweep.plan) is None:
         yield say(_("{file}:"), file=PLAN_FILE)
         yield Listing(sweep.plan.toml())
     points = sweep.about["points"]
-    if points["grid"] is None and points["sample"] is None:
-        text = _("{file} holds the values of the keys in the rows of {folder}, a column each.")
-        yield say(text, file=POINTS_FILE, folder=folder)
-    yield _keys_table(number, sweep)
-    for question in sweep.questions:
-        yield from _section(number, question, sweep)
+    if known and points["grid"] is None and points["sample"] is None:
+        text = _("{file}: the columns of the keys in the first {count} rows of {folder}.")
+        yield say(text, file=POINTS_FILE, count=points["count"], folder=folder)
 
 
 def _further(sweep: Sweep) -> str:

@@ -6,6 +6,8 @@ from dataclasses import asdict
 from decimal import Decimal
 from typing import Any
 
+from benchdragon.errors import InputError
+from benchdragon.i18n import _
 from benchdragon.plans.keys import written
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.plans.toml import PlanError, built_in_names
@@ -14,13 +16,15 @@ from benchdragon.sweeps.points import Value, parse_vary
 from benchdragon.sweeps.sweep import Sweep
 
 # What a plan file is called where nobody said.
-PLAN_FILE, POINTS_FILE = "plan.dragon.toml", "points.csv"
+PLAN_FILE, POINTS_FILE = "plan.dragon.toml", "points.parquet"
 # A plan is told as a built-in one with at most so many other values.
 MOST_SETTINGS = 8
+# The largest seed that --seed takes.
+MOST_SEED = 2**31
 
 
 def command(sweep: Sweep, output: str) -> str:
-    """The command line that makes a sweep.
+    """The command line that makes a sweep; a sentence where none can say it.
 
     A plan that is no built-in one with a few values set is PLAN_FILE; points that are neither a grid
     nor a sample are POINTS_FILE.
@@ -29,6 +33,9 @@ def command(sweep: Sweep, output: str) -> str:
         sweep: what is to be made.
         output: the folder that it names.
     """
+    reason = unsaid(sweep)
+    if reason is not None:
+        return reason
     about = sweep.about
     words = ["benchdragon", "sweep", *(plan_words(sweep.plan) or [PLAN_FILE]), *_points(sweep)]
     words += ["--ask", ",".join(about["ask"])]
@@ -36,6 +43,34 @@ def command(sweep: Sweep, output: str) -> str:
     if about["refine"]:
         words += ["--refine", str(about["refine"]["most"]), "--to", repr(about["refine"]["to"])]
     return shlex.join([*words, "-o", output])
+
+
+def unsaid(sweep: Sweep) -> str | None:
+    """Why no command line makes a sweep, as a sentence; None if one does."""
+    about = sweep.about
+    drawn, dances = about["points"]["sample"], about["dances"]
+    seeds = [one["seed"] for one in (drawn, dances) if one]
+    if len(set(seeds)) > 1:
+        return _(
+            "No command line makes this sweep: its points have the seed {one}, its random dances "
+            "{other}, and --seed is for both."
+        ).format(one=seeds[0], other=seeds[1])
+    if seeds and seeds[0] > MOST_SEED:
+        text = _("No command line makes this sweep: --seed is at most {most}, not {seed}.")
+        return text.format(most=MOST_SEED, seed=seeds[0])
+    for key, values in zip(sweep.keys, about["points"]["grid"] or (), strict=False):
+        if not _readable(key, values):
+            text = _("No command line makes this sweep: --vary cannot say the values of {key}.")
+            return text.format(key=key)
+    return None
+
+
+def _readable(key: str, values: Sequence[Value]) -> bool:
+    """Whether `parse_vary` finds these values in their text; "a,b", say, it takes for two."""
+    try:
+        return _same(parse_vary([vary_text(key, values)])[key], values)
+    except InputError:
+        return False
 
 
 def _points(sweep: Sweep) -> list[str]:
@@ -59,11 +94,9 @@ def _dances(dances: Mapping[str, Any] | None, *, seeded: bool) -> list[str]:
     if dances is None:
         return []
     words = ["--draws", str(dances["draws"])] + ([] if seeded else ["--seed", str(dances["seed"])])
-    if dances["deviations"] != asdict(CASES["all"].deviations):
-        words += [
-            word for name, size in dances["deviations"].items() if size
-            for word in (f"--{name}", repr(size))
-        ]  # fmt: skip
+    if dances["deviations"] != asdict(CASES["all"].deviations):  # which are those that none means
+        sizes = {name: size for name, size in dances["deviations"].items() if size} or {"aside": 0.0}
+        words += [word for name, size in sizes.items() for word in (f"--{name}", repr(size))]
     return words
 
 
