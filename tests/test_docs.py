@@ -152,6 +152,24 @@ def test_the_commands_are_those_of_the_readme_which_are_run() -> None:
         assert set(shell_lines(source("en", page))) <= set(readme), page
 
 
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_each_folder_of_a_sweep_holds_one_sweep(language: str) -> None:
+    """A folder that holds another sweep is refused: whoever types all commands would stop there."""
+    told: dict[str, set[str]] = {}
+    for page in PAGES:
+        text = source(language, page)
+        for name, folder in re.findall(r'print\(command\((\w+), "([^"]+)"\)\)', text):
+            told.setdefault(folder, set()).add(f"{page}: {name}")
+        for line in commands(text):
+            if found := re.fullmatch(r"(benchdragon sweep .*) -o (\S+)", line):
+                told.setdefault(found[2], set()).add(found[1])
+    make = (ROOT / "Makefile").read_text("utf-8")
+    for line, folder in re.findall(r"\$\(SWEEP\) (.*) -o \$\(ATLAS\)/(\S+)", make):
+        told.setdefault(f"out/atlas/{folder}", set()).add(line)
+    assert len(told) > 15
+    assert {folder: lines for folder, lines in told.items() if len(lines) > 1} == {}
+
+
 @pytest.mark.parametrize("page", ["CONTRIBUTING.md", "docs/en/extend.md", "docs/zh/extend.md"])
 def test_files_and_tests_that_the_steps_of_an_extension_name_are_there(page: str) -> None:
     names = set(re.findall(r"`([\w/.-]+)`", (ROOT / page).read_text("utf-8")))
