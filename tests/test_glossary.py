@@ -21,7 +21,7 @@ MOST_TERMS = 60
 NAMES = re.compile(
     r"\{.*?\}|%\(\w+\)\w"
     r"|\b[A-Za-z_*]+(?:\.[A-Za-z_{]+\}?)+(?: = \"[\w-]+\")?"
-    r"|--[\w-]+|\[+[\w.]+\]+|\barc(?:-arc|-line)+\b"
+    r"|\bKEY=|--[\w-]+|\[+[\w.]+\]+|\barc(?:-arc|-line)+\b"
     r"|built-in plan: spiral-in, turn|\bspiral-in\b|\bbenchdragon [a-z]+ [a-z]+"
 )
 # Where an English word of the glossary is used in another sense, and why.
