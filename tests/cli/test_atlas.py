@@ -62,3 +62,11 @@ def test_what_cannot_be_is_told_in_a_sentence(
     assert said in error
     assert "Traceback" not in error
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_sweep_without_rows_has_no_page(
+    folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "sweep.json").write_bytes((folder / "sweep.json").read_bytes())
+    assert run(["atlas", str(tmp_path), "-o", str(tmp_path / "x.html"), "--quiet"]) == 2
+    assert f"{tmp_path} holds a sweep without any row" in capsys.readouterr().err

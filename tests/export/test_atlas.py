@@ -120,7 +120,7 @@ def test_titles_are_words_and_no_marks(sweeps: dict[str, Sweep], tmp_path: Path)
 def test_a_plan_that_is_a_file_is_printed_and_what_is_missing_is_told(tmp_path: Path) -> None:
     plan = read_plan(str(Path(__file__).parents[2] / "examples" / "02_eight.dragon.toml"))
     made = swept(plan, grid_points({"walk.speed": [0.5, 1.0]}), "clearance")
-    part = Sweep(made.about, made.table.slice(0, 1))
+    part = Sweep({**made.about, "finished": False}, made.table.slice(0, 1))
     page = written({"x": part}, tmp_path)
     printed = page.find_all("pre")[1].get_text()
     (tmp_path / "plan.dragon.toml").write_text(printed, encoding="utf-8")

@@ -35,6 +35,9 @@ def atlas(folders: tuple[str, ...], output: Path, force: bool, quiet: bool) -> i
     if len({Path(folder).resolve() for folder in folders}) < len(folders):
         raise InputError(_("wanted each folder once"))
     sweeps = {folder: read_sweep(folder) for folder in folders}
+    for folder, found in sweeps.items():
+        if not len(found.table):
+            raise InputError(_("{folder} holds a sweep without any row").format(folder=folder))
     refuse_existing([output], force)
     with shown_progress(quiet) as progress:
         write_atlas(output, sweeps, progress)

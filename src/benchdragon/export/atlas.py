@@ -117,7 +117,9 @@ def _further(sweep: Sweep) -> str:
     """What is to be said of points beside those that were asked for."""
     wanted = int(sweep.about["points"]["count"])
     more = len(sweep.table) - wanted
-    if more < 0:
+    if not sweep.complete:
+        refined = sweep.about["refine"]
+        wanted += refined["most"] if refined else 0
         return _(" of {wanted}: it is not complete").format(wanted=wanted)
     return _(", {more} of them where answers change most").format(more=more) if more else ""
 

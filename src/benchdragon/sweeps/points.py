@@ -184,27 +184,38 @@ def sampled_points(
     whole("seed", seed, 0, 2**63 - 1)
     if method not in METHODS:
         raise InputError(_("wanted one of {known}, not {name}").format(known=METHODS, name=method))
-    for key, ends in ranges.items():
-        if len(ends) != 2 or not all(isinstance(_value(key, end), float | int) for end in ends):
-            raise InputError(_("{key}: a sample needs a range LOW:HIGH").format(key=key))
-        if not ends[0] < ends[1]:
-            raise InputError(
-                _("{key}: wanted a range from a smaller value to a larger one, not {ends}").format(
-                    key=key, ends=f"{ends[0]:g}:{ends[1]:g}"
-                )
-            )
+    plain = {key: _ends(key, ends) for key, ends in ranges.items()}
     if method == "sobol":  # balanced in powers of two: the first of those are taken
         shares = qmc.Sobol(len(ranges), rng=seed).random_base2((count - 1).bit_length())[:count]
     else:
         shares = qmc.LatinHypercube(len(ranges), rng=seed).random(count)
     columns: dict[str, Sequence[Value]] = {}
-    for (key, (low, high)), share in zip(ranges.items(), shares.T, strict=True):
+    for (key, (low, high)), share in zip(plain.items(), shares.T, strict=True):
         if isinstance(low, int) and isinstance(high, int):
             columns[key] = (low + np.floor(share * (high - low + 1))).astype(int).tolist()
         else:
             columns[key] = (low + share * (high - low)).tolist()
-    drawn = Sample(tuple((low, high) for low, high in ranges.values()), seed, method)
-    return replace(listed_points(columns), sample=drawn)
+    return replace(listed_points(columns), sample=Sample(tuple(plain.values()), seed, method))
+
+
+def _ends(key: str, ends: Iterable[float]) -> tuple[float, float]:
+    """Both ends of a range, as plain numbers.
+
+    Raises:
+        InputError: for what is none.
+    """
+    plain = [_value(key, end) for end in ends]
+    numbers = [end for end in plain if not isinstance(end, str)]
+    if len(plain) != 2 or len(numbers) != 2:
+        raise InputError(_("{key}: a sample needs a range LOW:HIGH").format(key=key))
+    low, high = numbers
+    if not low < high:
+        raise InputError(
+            _("{key}: wanted a range from a smaller value to a larger one, not {ends}").format(
+                key=key, ends=f"{low:g}:{high:g}"
+            )
+        )
+    return low, high
 
 
 def read_points(path: Path) -> Points:
