@@ -61,7 +61,7 @@ class Answered:
     value: FloatArray
     lower: FloatArray
     upper: FloatArray
-    why: npt.NDArray[np.str_]
+    why: npt.NDArray[Any]
     who: Ints
     names: tuple[Who, ...]
 
