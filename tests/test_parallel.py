@@ -336,6 +336,7 @@ SCRIPT = """
 
     {top}
     if __name__ == "__main__":
+        signal.signal(signal.SIGINT, signal.default_int_handler)  # shells let jobs ignore it
         try:
             for _found in in_blocks(work.Stuck(Path({folder!r})), range(9), processes(2)):
                 pass

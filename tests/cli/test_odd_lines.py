@@ -25,6 +25,8 @@ LINES = {
     "solve speed": ["solve", "speed", "PLAN"],
     "solve turn": ["solve", "turn", "PLAN"],
     "margins": ["margins", "PLAN"],
+    "sweep": ["sweep", "PLAN", "--vary", "route.pitch=0.5,0.6", "-o", "x"],
+    "atlas": ["atlas", "x", "-o", "x.html"],
     "compare": ["compare", "result1.xlsx"],
     "view": ["view", "PLAN", "-o", "x.html"],
     "animate": ["animate", "PLAN", "-o", "x.png"],

@@ -34,7 +34,7 @@ from tests.sweeps import work
 # Only what hangs takes so long, s.
 HANGS = 120.0
 PLAN = read_plan("spiral-in", ["dragon.benches=8", "disc.radius=4.5"])
-SERVER = multiprocessing.get_context("forkserver")
+SPAWN = multiprocessing.get_context("spawn")
 
 
 @pytest.fixture(scope="module")
@@ -106,11 +106,10 @@ def test_an_executor_of_the_caller_serves_and_stays_open(whole: Sweep) -> None:
 
 
 def test_a_sweep_that_is_killed_again_and_again_comes_to_the_same(tmp_path: Path, whole: Sweep) -> None:
-    SERVER.set_forkserver_preload(["tests.sweeps.work"])
     moments = random.Random(1)
     for _killed in range(10):
         before = len(parts_in(tmp_path)) if tmp_path.exists() else 0
-        run = SERVER.Process(target=work.sweep_in_small_parts, args=(tmp_path,))
+        run = SPAWN.Process(target=work.sweep_in_small_parts, args=(tmp_path,))
         run.start()
         end = time.monotonic() + HANGS
         wanted = before + moments.randint(1, work.PARTS)

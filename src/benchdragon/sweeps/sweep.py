@@ -95,7 +95,7 @@ class Design:
         """Try some points, and what lies between two if there is a refinement.
 
         Raises:
-            PlanError: if the plan is wrong at each of them.
+            PlanError, InputError: if the plan is wrong at each of them, or its walk cannot be.
             InputError: if a key that is to be refined takes no value between.
         """
         most = len(self.points)
@@ -103,8 +103,8 @@ class Design:
         for number in numbers.tolist():
             values = dict(zip(self.points.keys, self.points[number], strict=True))
             try:
-                self.plan.with_values(values)
-            except PlanError as error:
+                self.plan.with_values(values).build()
+            except (InputError, PlanError) as error:
                 wrong = error
             else:
                 if self.refinement.most:
