@@ -1,14 +1,18 @@
 """Questions of a sweep: each gives what the library gives, and each failure its status."""
 
 import math
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
+import click
 import pytest
 
 from benchdragon.analysis.contact import first_contact, least_clearance
 from benchdragon.analysis.speed import greatest_speed
+from benchdragon.cli.sweep import METHODS
+from benchdragon.cli.sweep import sweep as verb
 from benchdragon.errors import (
     BenchDragonError,
     InputError,
@@ -26,6 +30,7 @@ from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.size import limit
 from benchdragon.solve.tolerance import CASES, Draw, chance, touches
 from benchdragon.solve.turn import best_turn
+from benchdragon.sweeps import points
 from benchdragon.sweeps.questions import QUESTIONS, Question, RandomDances, outcome, questions
 
 FEW = RandomDances(draws=6, deviations=CASES["aside"].deviations, seed=5)
@@ -178,3 +183,10 @@ def test_a_dragon_without_a_pair_that_counts_has_no_contact() -> None:
     found = outcome(QUESTIONS["clearance"], plan, RandomDances())
     assert (found.status, found.answer) == ("clear", None)
     assert math.isnan(found.clear_until)
+
+
+def test_the_command_line_knows_every_question_and_every_way_to_draw() -> None:
+    ask = next(option for option in verb.params if option.name == "ask")
+    assert isinstance(ask, click.Option)
+    assert re.findall(r"[a-z_]+", str(ask.help).partition(":")[2]) == list(QUESTIONS)
+    assert METHODS == points.METHODS

@@ -359,7 +359,11 @@ DESIGNS: dict[str, dict[str, Any]] = {
     "grid": {"vary": {"route.pitch": [0.5, 0.55, 0.6]}},
     "list": {"vary": listed_points({"route.pitch": [0.5, 0.55], "dragon.width": [0.2, 0.3]})},
     "sample": {"vary": sampled_points({"route.pitch": (0.5, 0.6)}, 3, 7, "sobol")},
-    "refined": {"vary": {"route.pitch": [0.5, 0.6]}, "refinement": Refinement(40, 1e-6)},
+    "refined": {
+        "vary": {"route.pitch": [0.5, 0.6]},
+        "ask": ["clearance"],
+        "refinement": Refinement(40, 1e-6),
+    },
     "dances": {"vary": {"route.pitch": [0.5, 0.6]}, "ask": ["tolerance"], "dances": RandomDances(2)},
 }
 
@@ -369,6 +373,8 @@ def test_every_kind_of_sweep_goes_on(name: str, tmp_path: Path) -> None:
     """A part is taken away, and the mark that it came to its end."""
     options = DESIGNS[name]
     once = short(output=tmp_path, **options)
+    refined = options["refinement"].most if name == "refined" else 0
+    assert len(once.table) == once.about["points"]["count"] + refined
     assert (once.complete, read_sweep(tmp_path).complete) == (True, True)
     part = parts_in(tmp_path)[-1]
     table = parquet.read_table(part)
@@ -380,18 +386,34 @@ def test_every_kind_of_sweep_goes_on(name: str, tmp_path: Path) -> None:
     assert again.numbers().equals(once.numbers())
 
 
+def lose_first(folder: Path, name: str) -> None:
+    """Let the answer of the first point be lost, and the sweep not finished."""
+    (part,) = parts_in(folder)
+    table = parquet.read_table(part)
+    states = ["lost", *table[f"{name}.status"].to_pylist()[1:]]
+    column = table.column_names.index(f"{name}.status")
+    spoilt = table.set_column(column, f"{name}.status", pa.array(states))
+    parquet.write_table(spoilt.replace_schema_metadata(table.schema.metadata), part)
+    assert read_sweep(folder).texts(f"{name}.status")[0] == "lost"
+
+
 def test_what_was_lost_is_asked_again(tmp_path: Path) -> None:
     once = short(output=tmp_path)
-    (part,) = parts_in(tmp_path)
-    table = parquet.read_table(part)
-    states = ["lost", *table["first_contact.status"].to_pylist()[1:]]
-    column = table.column_names.index("first_contact.status")
-    spoilt = table.set_column(column, "first_contact.status", pa.array(states))
-    parquet.write_table(spoilt.replace_schema_metadata(table.schema.metadata), part)
-    assert read_sweep(tmp_path).texts("first_contact.status")[0] == "lost"
+    lose_first(tmp_path, "first_contact")
     again = short(output=tmp_path)
     assert again.numbers().equals(once.numbers())
     assert len(parts_in(tmp_path)) == 2
+
+
+def test_what_a_refinement_rests_on_stays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Else the points that come after would be others than those that are there."""
+    options = {**DESIGNS["refined"], "refinement": Refinement(8, 1e-6)}
+    short(output=tmp_path, **options)
+    lose_first(tmp_path, "clearance")
+    before, asked = read_sweep(tmp_path), counted(monkeypatch)
+    assert len(before.table) == 10
+    assert short(output=tmp_path, **options).table.equals(before.table)
+    assert asked == []
 
 
 def test_parts_do_not_carry_the_points(tmp_path: Path) -> None:

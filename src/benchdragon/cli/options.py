@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 Command = Callable[..., int | None]  # groups give nothing
 
+# Of random dances: their number, and their seed.
+MOST_DRAWS, MOST_SEED = 100_000, 2**31
 # Seconds of compiling after which a word is due.
 SLOW_COMPILE = 1.0
 
@@ -178,6 +180,20 @@ def place_options(command: Command) -> Command:
             "scheduler (tcp://host:8786)."
         ),
     )(command)
+
+
+def dances_options(seeded: str, drawn: str) -> Callable[[Command], Command]:
+    """--draws and --seed of random dances; what each is for, in `drawn` and `seeded`."""
+
+    def decorate(command: Command) -> Command:
+        command = click.option(
+            "--seed", type=click.IntRange(0, MOST_SEED), default=1, show_default=True, help=seeded
+        )(command)
+        return click.option(
+            "--draws", type=click.IntRange(1, MOST_DRAWS), default=100, show_default=True, help=drawn
+        )(command)
+
+    return decorate
 
 
 # Why an option that was given says nothing.

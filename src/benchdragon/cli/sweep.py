@@ -13,6 +13,7 @@ from benchdragon.cli.options import (
     FOLDER,
     WITHOUT,
     announce_compiling,
+    dances_options,
     given_options,
     json_option,
     place_options,
@@ -69,13 +70,6 @@ METHODS = ("latin-hypercube", "sobol")
     help=N_("How --sample draws."),
 )
 @click.option(
-    "--seed",
-    type=click.IntRange(0, 2**31),
-    default=1,
-    show_default=True,
-    help=N_("Seed of --sample and of the random dances."),
-)
-@click.option(
     "--ask",
     default="first_contact",
     show_default=True,
@@ -85,12 +79,9 @@ METHODS = ("latin-hypercube", "sobol")
         "smallest_pitch, disc, width, length, tolerance, turn."
     ),
 )
-@click.option(
-    "--draws",
-    type=click.IntRange(1, 100_000),
-    default=100,
-    show_default=True,
-    help=N_("Random dances that the question tolerance walks at each point."),
+@dances_options(
+    N_("Seed of --sample and of the random dances."),
+    N_("Random dances that the question tolerance walks at each point."),
 )
 @deviation_options
 @click.option(

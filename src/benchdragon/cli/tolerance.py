@@ -12,6 +12,7 @@ from benchdragon.cli.answers import about
 from benchdragon.cli.console import print_explanation, print_files, print_rows, shown_progress
 from benchdragon.cli.options import (
     WITHOUT,
+    dances_options,
     explain_option,
     folder_option,
     json_option,
@@ -62,20 +63,7 @@ def given_deviations(options: dict[str, Any]) -> dict[str, float]:
 )
 @plan_options
 @deviation_options
-@click.option(
-    "--draws",
-    type=click.IntRange(1, 100_000),
-    default=100,
-    show_default=True,
-    help=N_("Number of random dances."),
-)
-@click.option(
-    "--seed",
-    type=click.IntRange(0, 2**31),
-    default=1,
-    show_default=True,
-    help=N_("Seed of the random dances."),
-)
+@dances_options(N_("Seed of the random dances."), N_("Number of random dances."))
 @place_options
 @folder_option
 @json_option

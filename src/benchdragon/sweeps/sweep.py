@@ -315,10 +315,15 @@ class _Answered:
         names = [*design.points.keys, *(f"{name}.value" for name in design.asked)]
         self._names = names if design.refinement.most else []
         self.numbers = np.full((self._most, len(self._names)), math.nan)
-        table = rows.table()
-        self._keep(table.filter(~lost_rows(table, list(design.asked))))
+        self._keep(self._standing(rows.table()))
         self._done = self._found = int(self._has.sum())
         self._began = clock.monotonic()
+
+    def _standing(self, table: Any) -> Any:
+        """The rows that stay: all once a refinement rests on them, else all but the lost ones."""
+        if (table["point"].to_numpy() >= len(self.design.points)).any():
+            return table
+        return table.filter(~lost_rows(table, list(self.design.asked)))
 
     def _keep(self, rows: Any) -> None:
         """Take down which points have rows, and for a refinement their keys and values."""
