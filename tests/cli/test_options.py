@@ -24,7 +24,8 @@ from benchdragon.errors import InputError
 from benchdragon.i18n import spoken_in
 from benchdragon.model.answer import Answer
 from benchdragon.parallel import Place, threads
-from benchdragon.plans.schema import Plan, TurnRoute
+from benchdragon.plans.routes import TurnRoute
+from benchdragon.plans.schema import Plan
 from benchdragon.solve.turn import BestTurn
 from benchdragon.solve.turn_trials import TurnGoal
 from benchdragon.sweeps.questions import Outcome as Asked

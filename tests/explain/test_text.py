@@ -17,7 +17,8 @@ from benchdragon.explain.text import motion_lines, number
 from benchdragon.i18n import spoken_in
 from benchdragon.model.answer import Answer
 from benchdragon.model.walk import Walk
-from benchdragon.plans.schema import Plan, TurnRoute, read_plan
+from benchdragon.plans.routes import TurnRoute
+from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.solve import turn
 from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.size import limit

@@ -13,7 +13,8 @@ from benchdragon.model.answer import Answer, Witness
 from benchdragon.model.curves import Spiral
 from benchdragon.model.turns import TwoArcTurn
 from benchdragon.model.walk import Walk
-from benchdragon.plans.schema import Plan, TurnRoute
+from benchdragon.plans.routes import TurnRoute
+from benchdragon.plans.schema import Plan
 from benchdragon.solve.head_speed import Pace
 from benchdragon.solve.size import FeasibleSizes, undecided_text
 from benchdragon.solve.size_trials import Meeting, PlanFamily, question

@@ -15,7 +15,8 @@ from benchdragon.model.curves import Arc
 from benchdragon.model.profile import SpeedProfile
 from benchdragon.model.turns import TwoArcTurn
 from benchdragon.model.walk import Walk
-from benchdragon.plans.schema import Plan, TurnRoute
+from benchdragon.plans.routes import TurnRoute
+from benchdragon.plans.schema import Plan
 
 # m: the smallest pitch of its abstract, and the digits it is printed to.
 SMALLEST_PITCH = 0.452

@@ -36,7 +36,7 @@ from benchdragon.paper.results import (
     Results,
     table,
 )
-from benchdragon.plans.schema import TurnRoute
+from benchdragon.plans.routes import TurnRoute
 from benchdragon.version import __version__
 
 # The paper's flow of work (its Fig 1) beside ours.

@@ -45,7 +45,7 @@ from benchdragon.paper.turn_figures import (
     ratio_picture,
     turns_picture,
 )
-from benchdragon.plans.schema import TurnRoute
+from benchdragon.plans.routes import TurnRoute
 from benchdragon.progress import Progress, Stages, part, silent
 from benchdragon.solve.tolerance import CASES
 

@@ -35,7 +35,8 @@ from benchdragon.paper.random_dances import Run, kept_run, walked_again
 from benchdragon.paper.runge_kutta import head_positions
 from benchdragon.paper.sensitivity import contact_rates, limit_rates, sizes_of, speed_rates
 from benchdragon.paper.traversal import PitchCurve, first_overlap, pitch_curve, traversed_pitch
-from benchdragon.plans.schema import Plan, TurnRoute, read_plan
+from benchdragon.plans.routes import TurnRoute
+from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.progress import Progress, Stages, silent
 from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.size import limit, smallest_pitch

@@ -16,7 +16,8 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.answer import Answer
 from benchdragon.model.curves import Spiral
 from benchdragon.model.walk import Walk
-from benchdragon.plans.schema import Plan, SpiralInRoute
+from benchdragon.plans.routes import SpiralInRoute
+from benchdragon.plans.schema import Plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, silent
 from benchdragon.solve.size import MOST_COUNT

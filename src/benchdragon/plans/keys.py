@@ -10,7 +10,8 @@ from pydantic.fields import FieldInfo
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
 from benchdragon.plans.faults import kinds_of
-from benchdragon.plans.schema import PartsRoute, Plan, SpiralInRoute, TurnRoute
+from benchdragon.plans.routes import PartsRoute, SpiralInRoute, TurnRoute
+from benchdragon.plans.schema import Plan
 from benchdragon.plans.tables import (
     PARTS,
     BenchTable,

@@ -12,150 +12,21 @@ from pydantic import Field, PrivateAttr, ValidationError
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.turn_families import TRAIL
-from benchdragon.model.curves import Route, Spiral
 from benchdragon.model.profile import SpeedProfile
-from benchdragon.model.turns import Turn
 from benchdragon.model.walk import Walk
 from benchdragon.plans.faults import fault_of
-from benchdragon.plans.source import Fault, Faults, KeyedError, Source
+from benchdragon.plans.routes import AnyRoute
+from benchdragon.plans.source import Fault, Faults, Source
 from benchdragon.plans.tables import (
-    MOST_PARTS,
-    Degrees,
     DiscTable,
     DragonTable,
     LimitsTable,
     MetaTable,
-    Metres,
-    Number,
-    Part,
-    Pitch,
     Table,
     TurnTable,
     WalkTable,
-    at_least,
 )
 from benchdragon.plans.toml import PlanError, drop, drop_replaced, idle_keys, read_toml, set_value
-
-# A turn may reach so far out of its disc, m: rounding, and what lies between samples.
-FITS = 1e-3
-
-
-def _at(key: str, text: str) -> KeyedError:
-    return KeyedError([Fault(key, text)])
-
-
-class SpiralInRoute(Table):
-    """In along one spiral, from a turn number at theta = 0 of the last turn, to disc or centre."""
-
-    kind: Literal["spiral-in"]
-    pitch: Pitch = 0.55
-    start_turn: Annotated[Number, Field(gt=0.0, le=1e6), at_least(1e-3)] = 16.0
-    clockwise: bool = True
-
-    def build(self, plan: "Plan") -> tuple[Route, float]:
-        """The route, and where on it the head stands at time 0."""
-        k = self.pitch / (2.0 * math.pi)
-        end = plan.disc.radius / k if plan.disc.radius is not None else 0.0
-        start = 2.0 * math.pi * self.start_turn
-        if end >= start:
-            raise _at(
-                "disc.radius",
-                _(
-                    "disc.radius ({disc} m) must be smaller than the radius of start_turn ({start} m)"
-                ).format(disc=f"{plan.disc.radius:g}", start=f"{start * k:g}"),
-            )
-        return Route((Spiral(self.pitch, start, end, mirrored=not self.clockwise),)), 0.0
-
-    def last_position(self, walk: Walk) -> float:
-        """The head's route position at the end of the walk, m."""
-        return walk.route.length
-
-
-class TurnRoute(Table):
-    """In along a spiral, the turn of `[turn]` inside the disc, out along the spiral's twin."""
-
-    kind: Literal["turn"]
-    pitch: Pitch = 1.7
-
-    def build(self, plan: "Plan") -> tuple[Route, float]:
-        """The route, and where on it the head stands at time 0: where the turn begins."""
-        turn = self.turn(plan)
-        route = turn.route(trail=float(plan.links.sum()) + TRAIL)
-        return route, float(route.joints[1])
-
-    def turn(self, plan: "Plan") -> Turn:
-        """The turn itself.
-
-        Raises:
-            InputError: if there is no such turn, it does not fit the disc, or no bench could follow.
-        """
-        disc = self.disc(plan)
-        try:
-            turn = plan.turn.build(self.pitch, disc)
-        except InputError as error:
-            raise _at("turn", str(error)) from None
-        for name in ("entry_radius", "exit_radius"):
-            if getattr(turn, name) > disc:
-                raise _at(
-                    f"turn.{name}",
-                    _("turn.{name} ({radius} m) must not exceed disc.radius ({disc} m)").format(
-                        name=name, radius=f"{getattr(turn, name):g}", disc=f"{disc:g}"
-                    ),
-                )
-        if turn.extent > disc + FITS:
-            raise _at(
-                "turn",
-                _("the turn reaches {reach} m from the centre, out of a disc of {disc} m").format(
-                    reach=f"{turn.extent:.4g}", disc=f"{disc:g}"
-                ),
-            )
-        link = float(plan.links.max())
-        if 2.0 * turn.least_radius <= link:
-            raise _at(
-                "turn",
-                _(
-                    "a bench with {link} m between its handles cannot follow a bend of {radius} m "
-                    "radius: it must be wider than {least} m"
-                ).format(link=f"{link:g}", radius=f"{turn.least_radius:.4g}", least=f"{0.5 * link:g}"),
-            )
-        return turn
-
-    @staticmethod
-    def disc(plan: "Plan") -> float:
-        """Radius of the turning space, m: the paper's, if the plan does not say."""
-        return 4.5 if plan.disc.radius is None else plan.disc.radius
-
-    def last_position(self, walk: Walk) -> float:
-        """The head's route position when the tail has left the turn, m."""
-        return walk.head_where_tail(float(walk.route.joints[-2]))
-
-
-class PartsRoute(Table):
-    """Any parts, each moved to where the one before it ends."""
-
-    kind: Literal["parts"]
-    part: Annotated[list[Part], Field(min_length=1, max_length=MOST_PARTS)]
-    start: tuple[Metres, Metres] | None = None
-    heading: Degrees | None = None
-
-    def build(self, _plan: "Plan") -> tuple[Route, float]:
-        """The route, and where on it the head stands at time 0: at its start."""
-        faults = Faults()
-        tried = [faults.tried(f"route.part.{i}", part.build) for i, part in enumerate(self.part)]
-        curves = [curve for curve in tried if curve is not None]
-        if faults.found:
-            raise KeyedError(faults.found)
-        if self.start is not None or self.heading is not None:
-            point, heading = curves[0].start_pose
-            if self.heading is not None:
-                heading = math.radians(self.heading)
-            curves[0] = curves[0].moved(self.start or point, heading)
-        return Route.joined(curves), 0.0
-
-    def last_position(self, walk: Walk) -> float:
-        """The head's route position at the end of the walk, m."""
-        return walk.route.length
 
 
 class Plan(Table):
@@ -164,7 +35,7 @@ class Plan(Table):
     schema_: Annotated[Literal[1], Field(alias="schema")]
     meta: MetaTable = MetaTable()
     dragon: DragonTable = DragonTable()
-    route: Annotated[SpiralInRoute | TurnRoute | PartsRoute, Field(discriminator="kind")]
+    route: AnyRoute
     disc: DiscTable = DiscTable()
     turn: TurnTable = TurnTable()
     walk: WalkTable = WalkTable()

@@ -30,7 +30,8 @@ from benchdragon.kernels.turn_families import ARCS, MOST_PIECES
 from benchdragon.kernels.walk_search import ASTRAY
 from benchdragon.model.answer import Witness
 from benchdragon.model.walk import Walk
-from benchdragon.plans.schema import FITS, PartsRoute, Plan, SpiralInRoute, TurnRoute
+from benchdragon.plans.routes import FITS, PartsRoute, SpiralInRoute, TurnRoute
+from benchdragon.plans.schema import Plan
 from benchdragon.plans.tables import LEAST, LEAST_PITCH, ROOMY
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress

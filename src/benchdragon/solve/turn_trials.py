@@ -14,7 +14,8 @@ from benchdragon.kernels.box import least_distance
 from benchdragon.kernels.curve import S_START, FloatArray
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.turns import Turn, reach
-from benchdragon.plans.schema import Plan, TurnRoute
+from benchdragon.plans.routes import TurnRoute
+from benchdragon.plans.schema import Plan
 
 # Benches that are walked through a turn while searching, and how far the head goes at a time, m: in
 # the global search and in the local one.

@@ -21,7 +21,8 @@ from benchdragon.export.tables import WRITERS, Selection
 from benchdragon.i18n import _, language
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.walk import Walk
-from benchdragon.plans.schema import Plan, TurnRoute, checked, read_plan
+from benchdragon.plans.routes import TurnRoute
+from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.plans.source import Source
 from benchdragon.plans.toml import parsed
 from benchdragon.player.page import write_player
