@@ -127,7 +127,7 @@ fonts: .venv/installed
 
 lock:
 	uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-annotate --no-header \
-	  --python-version 3.11 --extra data --extra prove --extra studio --extra video --extra cluster --extra refine --group dev --group build --group docs pyproject.toml -o requirements.lock
+	  --python-version 3.11 --extra data --extra prove --extra studio --extra video --extra cluster --extra refine --extra survey --group dev --group build --group docs pyproject.toml -o requirements.lock
 	uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-annotate --no-header \
 	  --python-version 3.11 --no-deps --group wasm -o requirements-wasm.lock
 
