@@ -17,7 +17,7 @@ from benchdragon.errors import InputError, finite, not_negative
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.route_parts import misfits
+from benchdragon.kernels.route_parts import PART_ANGLE, PART_X, PART_Y, misfits
 from benchdragon.model.arrays import as_numbers
 from benchdragon.model.base_curve import (
     Curve,
@@ -353,6 +353,15 @@ class Route(Curve):
         """The route of these curves, each moved to where the one before it ends."""
         checked = _checked_curves(curves)
         return cls(joined_curves(checked, 1, len(checked)))
+
+    def moved(self, turned: float, by: Point) -> "Route":
+        """The same route turned about the origin by an angle, rad, and then moved, m."""
+        check_pose(by, turned)
+        parts, c, s = self.parts, math.cos(turned), math.sin(turned)
+        x, y = parts[:, PART_X].copy(), parts[:, PART_Y].copy()
+        parts[:, PART_X], parts[:, PART_Y] = c * x - s * y + by[0], s * x + c * y + by[1]
+        parts[:, PART_ANGLE] += turned
+        return Route(tuple(curve_of(part) for part in parts.tolist()), self.kinks)
 
     @property
     def parts(self) -> FloatArray:

@@ -12,6 +12,7 @@ from benchdragon.i18n import N_, _
 from benchdragon.plans.faults import kinds_of
 from benchdragon.plans.routes import PartsRoute, SpiralInRoute, TurnRoute
 from benchdragon.plans.schema import Plan
+from benchdragon.plans.square import OBSTACLE_KEYS, OBSTACLES, ObstacleTable, VenueTable
 from benchdragon.plans.tables import (
     PARTS,
     BenchTable,
@@ -46,6 +47,18 @@ INSETS = {
 }
 
 
+PLACED = {
+    "at": Key(N_("where the origin of the dance lies on the square, x and y"), [6, -2], "m"),
+    "turned": Key(N_("angle by which the whole dance is turned, to the left"), 30, "deg"),
+}
+
+
+def _obstacle_section(obstacle: type[ObstacleTable]) -> Section:
+    (kind,) = kinds_of(obstacle)
+    means = {"kind": Key(N_("kind of the obstacle"), kind), **obstacle.keys, **OBSTACLE_KEYS}
+    return Section(f'[[obstacle]] kind = "{kind}"', obstacle.about, obstacle, means)
+
+
 def _part_section(part: type[CurvePart]) -> Section:
     (kind,) = kinds_of(part)
     means = {"kind": Key(N_("kind of the part"), kind), **part.keys}
@@ -55,7 +68,12 @@ def _part_section(part: type[CurvePart]) -> Section:
 SECTIONS = (
     Section(
         "", N_("The plan itself."), Plan,
-        {"schema": Key(N_("version of the format: always 1, in the first line"), 1)},
+        {
+            "schema": Key(N_("version of the format: always 1, in the first line"), 1),
+            "base": Key(
+                N_("a plan that this one adds to: a built-in one, or a file beside it"), "spiral-in"
+            ),
+        },
     ),
     Section(
         "[meta]", N_("What people call the plan; without effect on the dance."), MetaTable,
@@ -96,6 +114,7 @@ SECTIONS = (
             "pitch": Key(N_("distance between neighbouring turns of the spiral"), "55 cm", "m"),
             "start_turn": Key(N_("turns from the centre to where the head starts"), 16),
             "clockwise": Key(N_("whether the dragon coils in clockwise"), True),
+            **PLACED,
         },
     ),
     Section(
@@ -104,6 +123,7 @@ SECTIONS = (
         {
             "kind": Key(N_("kind of the route"), "turn"),
             "pitch": Key(N_("distance between neighbouring turns of both spirals"), "1.7 m", "m"),
+            **PLACED,
         },
     ),
     Section(
@@ -114,6 +134,7 @@ SECTIONS = (
             "part": Key(N_("the parts in walking order: see [[route.part]]"), [{"kind": "line"}]),
             "start": Key(N_("where the route starts, x and y"), [0, 0], "m"),
             "heading": Key(N_("direction in which it starts, from x to y"), 90, "deg"),
+            **PLACED,
         },
     ),
     *(_part_section(part) for part in PARTS),
@@ -159,8 +180,27 @@ SECTIONS = (
             "turning_rate": Key(N_("greatest turning rate of any bench"), 60, "deg/s"),
             "head_acceleration": Key(N_("greatest change of the head's own speed"), 0.5, "m/s^2"),
             "margin": Key(N_("margin: the clearance that non-adjacent benches must keep"), "5 cm", "m"),
+            "venue_margin": Key(
+                N_("distance that benches must keep from the venue's edge; else limits.margin"),
+                "50 cm", "m",
+            ),
         },
     ),
+    Section(
+        "[venue]", N_("The edge of the venue, which no bench may cross: its corners or a rectangle."),
+        VenueTable,
+        {
+            "boundary": Key(
+                N_("its corners in going round, each x and y"), [[-9, -6], [9, -6], [9, 6], [-9, 6]],
+                "m",
+            ),
+            "rectangle": Key(N_("its length and width; in place of corners"), [30, 20], "m"),
+            "centre": Key(N_("centre of the rectangle, x and y; else the origin"), [0, 0], "m"),
+            "angle": Key(N_("direction of the rectangle's length, from x to y; else 0"), 30, "deg"),
+            "name": Key(N_("what people call it; else venue"), "temple square"),
+        },
+    ),
+    *(_obstacle_section(obstacle) for obstacle in OBSTACLES),
 )  # fmt: skip
 
 
@@ -212,7 +252,10 @@ def commented(data: dict[str, Any], notes: Mapping[str, str]) -> str:
     """
     lines = [f"schema = {data['schema']}"]
     for name, table in data.items():
-        if name != "schema" and any(value not in ("", []) for value in table.values()):
+        if isinstance(table, list):
+            for entry in table:
+                lines += _block(f"[[{name}]]", name, entry, notes)
+        elif name != "schema" and any(value not in ("", []) for value in table.values()):
             lines += _block(f"[{name}]", name, table, notes)
     return "\n".join(lines) + "\n"
 

@@ -34,7 +34,20 @@ def _at(key: str, text: str) -> KeyedError:
     return KeyedError([Fault(key, text)])
 
 
-class SpiralInRoute(Table):
+class RouteTable(Table):
+    """What all kinds of routes have: where the whole dance is moved to on the square."""
+
+    at: tuple[Metres, Metres] | None = None
+    turned: Degrees = 0.0
+
+    def placed(self, route: Route) -> Route:
+        """The route as `build` gives it, turned about its origin and moved to where it is danced."""
+        if self.at is None and self.turned == 0.0:
+            return route
+        return route.moved(math.radians(self.turned), self.at or (0.0, 0.0))
+
+
+class SpiralInRoute(RouteTable):
     """In along one spiral, from a turn number at theta = 0 of the last turn, to disc or centre."""
 
     kind: Literal["spiral-in"]
@@ -61,7 +74,7 @@ class SpiralInRoute(Table):
         return walk.route.length
 
 
-class TurnRoute(Table):
+class TurnRoute(RouteTable):
     """In along a spiral, the turn of `[turn]` inside the disc, out along the spiral's twin."""
 
     kind: Literal["turn"]
@@ -120,7 +133,7 @@ class TurnRoute(Table):
         return walk.head_where_tail(float(walk.route.joints[-2]))
 
 
-class PartsRoute(Table):
+class PartsRoute(RouteTable):
     """Any parts, each moved to where the one before it ends."""
 
     kind: Literal["parts"]

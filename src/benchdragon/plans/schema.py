@@ -4,6 +4,7 @@ import hashlib
 import json
 import math
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -12,11 +13,14 @@ from pydantic import Field, PrivateAttr, ValidationError
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.curves import Route
+from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.profile import SpeedProfile
 from benchdragon.model.walk import Walk
 from benchdragon.plans.faults import fault_of
 from benchdragon.plans.routes import AnyRoute
 from benchdragon.plans.source import Fault, Faults, Source
+from benchdragon.plans.square import MOST_OBSTACLES, AnObstacle, VenueTable, built_obstacles
 from benchdragon.plans.tables import (
     DiscTable,
     DragonTable,
@@ -26,7 +30,18 @@ from benchdragon.plans.tables import (
     TurnTable,
     WalkTable,
 )
-from benchdragon.plans.toml import PlanError, drop, drop_replaced, idle_keys, read_toml, set_value
+from benchdragon.plans.toml import (
+    PlanError,
+    drop,
+    drop_replaced,
+    idle_keys,
+    read_toml,
+    set_value,
+    with_base,
+)
+
+# Keys of other tables that speak of the square.
+SQUARE_KEYS = {"route": ("at", "turned"), "limits": ("venue_margin",)}
 
 
 class Plan(Table):
@@ -40,12 +55,28 @@ class Plan(Table):
     turn: TurnTable = TurnTable()
     walk: WalkTable = WalkTable()
     limits: LimitsTable = LimitsTable()
+    venue: VenueTable = VenueTable()
+    obstacle: Annotated[list[AnObstacle], Field(max_length=MOST_OBSTACLES)] = Field(
+        default_factory=list
+    )
+    base: Annotated[str, Field(exclude=True)] = ""
     _source: Source = PrivateAttr(default=Source())
 
     @property
     def sha256(self) -> str:
-        """Name of everything that the plan says, titles and notes left out."""
-        data = self.model_dump(mode="json", by_alias=True, exclude={"meta"})
+        """Name of everything that the plan says, titles and notes left out.
+
+        What is said of the square counts where it is said: plans without one keep their names.
+        """
+        data = self.model_dump(mode="json", by_alias=True, exclude={"meta", "venue", "obstacle"})
+        for table, names in SQUARE_KEYS.items():
+            for name in names:
+                if getattr(getattr(self, table), name) in (None, 0.0):
+                    del data[table][name]
+        for name in ("venue", "obstacle"):
+            square = getattr(self, name)
+            if square not in (VenueTable(), []):
+                data[name] = self.model_dump(mode="json", include={name})[name]
         return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()
 
     @property
@@ -168,9 +199,10 @@ class Plan(Table):
         """
         faults = Faults()
         dragon = faults.tried("dragon", self.dragon.build)
-        placed = faults.tried("route", lambda: self.route.build(self))
+        placed = faults.tried("route", lambda: self._placed(self.route))
         profile = faults.tried("walk", self.walk.build)
-        if dragon is None or placed is None or profile is None:
+        faults.tried("obstacle", lambda: self._obstacles)
+        if dragon is None or placed is None or profile is None or faults.found:
             raise self._wrong(faults)
         route, start = placed
         position = start if self.walk.position is None else self.walk.position
@@ -178,6 +210,27 @@ class Plan(Table):
         if walk is None:
             raise self._wrong(faults)
         return walk
+
+    def obstacles(self) -> tuple[Obstacle, ...]:
+        """The venue's edge, if the plan says one, then the obstacles in it.
+
+        Raises:
+            PlanError: for all outlines that cannot be, a line each.
+        """
+        faults = Faults()
+        found = faults.tried("obstacle", lambda: self._obstacles)
+        if found is None:
+            raise self._wrong(faults)
+        return found
+
+    @cached_property
+    def _obstacles(self) -> tuple[Obstacle, ...]:
+        return built_obstacles(self.venue, self.obstacle, self.limits)
+
+    def _placed(self, route: AnyRoute) -> tuple[Route, float]:
+        """The route on the square, and where on it the head stands at time 0."""
+        built, start = route.build(self)
+        return route.placed(built), start
 
     def _wrong(self, faults: Faults) -> PlanError:
         return PlanError(self._source.sentences(faults.found))
@@ -207,6 +260,8 @@ def checked(data: dict[str, Any], source: Source | str) -> Plan:
         PlanError: for all that is wrong, a line each.
     """
     where = Source(source) if isinstance(source, str) else source
+    if data.get("base"):
+        data = with_base(data, None, where.name)
     route = data.get("route")
     if isinstance(route, dict) and "part" in route:
         route.setdefault("kind", "parts")

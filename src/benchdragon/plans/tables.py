@@ -361,3 +361,4 @@ class LimitsTable(Table):
     turning_rate: AngularSpeed | None = None
     head_acceleration: Acceleration = 0.5
     margin: LengthOrZero = 0.0
+    venue_margin: LengthOrZero | None = None

@@ -22,6 +22,9 @@ SUFFIX = ".dragon.toml"
 # Bytes: a million benches of their own sizes fit; anything larger is not a plan.
 MOST_BYTES = 200_000_000
 
+# Bases that stand on one another.
+MOST_BASES = 8
+
 # What may stand behind a number, and what it is worth in the first unit.
 METRES = {"m": 1.0, "cm": 0.01, "mm": 0.001, "km": 1000.0, "米": 1.0, "厘米": 0.01}
 SECONDS = {"s": 1.0, "min": 60.0, "h": 3600.0, "ms": 0.001, "秒": 1.0, "分": 60.0, "小时": 3600.0}
@@ -83,8 +86,79 @@ def read_toml(source: str, settings: Sequence[str] = ()) -> tuple[dict[str, Any]
     if source in built_in_names():
         path = BUILT_IN_FOLDER / f"{source}{SUFFIX}"
     text = _text(path, source)
-    data = parsed(text, source)
+    data = with_base(parsed(text, source), path.parent, source)
     return data, Source(source, text, lay_over(data, settings))
+
+
+def with_base(
+    data: dict[str, Any], folder: Path | None, source: str, since: tuple[str, ...] = ()
+) -> dict[str, Any]:
+    """The tables of a plan laid over those of the plan that its `base` names; all, if it has none.
+
+    A table of another kind replaces that of the base, obstacles are added to the base's, and other
+    lists and values replace the base's.
+
+    Args:
+        data: tables of a plan.
+        folder: where a base that is a file must lie; None: only built-in plans are bases.
+        source: name of the plan, in errors.
+        since: names of the plans that have this one as their base.
+
+    Raises:
+        PlanError: for a base that cannot be read, or bases in a circle.
+    """
+    own = dict(data)
+    base = own.pop("base", "")
+    if not base:
+        return own
+    path = _base_path(base, folder, source)
+    chain = (*since, source)
+    if base in chain or len(chain) > MOST_BASES:
+        raise PlanError(
+            _("{source}: base = {base} comes back to itself, or is the {most}th base in a row").format(
+                source=source, base=repr(base), most=MOST_BASES
+            )
+        )
+    below = with_base(parsed(_text(path, base), base), path.parent, base, chain)
+    merged, keys = _merged(below, own)
+    drop_replaced(merged, keys)
+    return merged
+
+
+def _base_path(base: object, folder: Path | None, source: str) -> Path:
+    """Where a base lies: a built-in plan, or a file beside the plan."""
+    if isinstance(base, str) and base in built_in_names():
+        return BUILT_IN_FOLDER / f"{base}{SUFFIX}"
+    beside = isinstance(base, str) and base == Path(base).name and base not in ("", ".", "..")
+    if folder is None or not isinstance(base, str) or not beside:
+        raise PlanError(
+            _(
+                "{source}: base must be one of {names} or the name of a file beside it, not {base}"
+            ).format(source=source, names=", ".join(built_in_names()), base=repr(base)[:80])
+        )
+    return folder / base
+
+
+def _merged(below: dict[str, Any], own: dict[str, Any]) -> tuple[dict[str, Any], list[str]]:
+    """The tables of a base with a plan's own laid over them, and the keys that were laid over it."""
+    merged, keys = dict(below), []
+    for name, table in own.items():
+        before = merged.get(name)
+        if name == "obstacle" and isinstance(table, list) and isinstance(before, list):
+            merged[name] = before + table
+        elif isinstance(table, dict) and isinstance(before, dict) and not _another(name, before, table):
+            merged[name] = {**before, **table}
+            keys += [f"{name}.{key}" for key in table]
+        else:
+            merged[name] = table
+            keys += [f"{name}.{key}" for key in table] if isinstance(table, dict) else []
+    return merged, keys
+
+
+def _another(name: str, before: dict[str, Any], table: dict[str, Any]) -> bool:
+    """Whether a table replaces that of the base as a whole: another kind of route, another venue."""
+    kind = "parts" if "part" in table else table.get("kind", before.get("kind"))
+    return name == "venue" or kind != before.get("kind", "parts" if "part" in before else None)
 
 
 def lay_over(data: dict[str, Any], settings: Sequence[str]) -> tuple[str, ...]:

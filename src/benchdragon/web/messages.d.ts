@@ -35,6 +35,15 @@ export interface BenchTable {
 export interface Body {
 }
 
+/** A round obstacle. */
+export interface CircleTable {
+  name?: string;
+  margin?: number | null;
+  kind: "circle";
+  centre: [number, number];
+  radius: number;
+}
+
 /** A curve whose curvature changes evenly; positive curvature, 1/m, turns left. */
 export interface ClothoidPart {
   kind: "clothoid";
@@ -264,12 +273,21 @@ export interface LimitsTable {
   turning_rate?: number | null;
   head_acceleration?: number;
   margin?: number;
+  venue_margin?: number | null;
 }
 
 /** A straight line. */
 export interface LinePart {
   kind: "line";
   length: number;
+}
+
+/** A chain of straight lines. */
+export interface LineTable {
+  name?: string;
+  margin?: number | null;
+  kind: "line";
+  points: Array<[number, number]>;
 }
 
 /** A logarithmic spiral: both its curvatures, 1/m, have the same sign; positive ones turn left. */
@@ -335,6 +353,8 @@ export interface PaceFound {
 
 /** Any parts, each moved to where the one before it ends. */
 export interface PartsRoute {
+  at?: [number, number] | null;
+  turned?: number;
   kind: "parts";
   part: Array<LinePart | ArcPart | ClothoidPart | SpiralPart | LogSpiralPart>;
   start?: [number, number] | null;
@@ -357,11 +377,21 @@ export interface Plan {
   turn?: TurnTable;
   walk?: WalkTable;
   limits?: LimitsTable;
+  venue?: VenueTable;
+  obstacle?: Array<CircleTable | RectangleTable | PolygonTable | LineTable>;
 }
 
 /** A plan, to be asked about. */
 export interface PlanBody {
   plan: Plan;
+}
+
+/** An obstacle with any number of corners. */
+export interface PolygonTable {
+  name?: string;
+  margin?: number | null;
+  kind: "polygon";
+  points: Array<[number, number]>;
 }
 
 /** A dance to begin with: see `presets.Preset`. */
@@ -386,6 +416,16 @@ export interface QueueState {
   waiting: number;
 }
 
+/** A rectangular obstacle. */
+export interface RectangleTable {
+  name?: string;
+  margin?: number | null;
+  kind: "rectangle";
+  centre: [number, number];
+  size: [number, number];
+  angle?: number;
+}
+
 /** Sizes of every bench, m, bench 1 first. */
 export interface Sizes {
   length: Array<number>;
@@ -396,6 +436,8 @@ export interface Sizes {
 
 /** In along one spiral, from a turn number at theta = 0 of the last turn, to disc or centre. */
 export interface SpiralInRoute {
+  at?: [number, number] | null;
+  turned?: number;
   kind: "spiral-in";
   pitch?: number;
   start_turn?: number;
@@ -449,6 +491,8 @@ export interface TurnFound {
 
 /** In along a spiral, the turn of `[turn]` inside the disc, out along the spiral's twin. */
 export interface TurnRoute {
+  at?: [number, number] | null;
+  turned?: number;
   kind: "turn";
   pitch?: number;
 }
@@ -468,6 +512,15 @@ export interface TurnTable {
   entry_radius?: number | null;
   exit_radius?: number | null;
   ease?: number;
+}
+
+/** The edge of the venue: `boundary`, its corners, or a `rectangle` about a `centre`. */
+export interface VenueTable {
+  boundary?: Array<[number, number]> | null;
+  rectangle?: [number, number] | null;
+  centre?: [number, number] | null;
+  angle?: number | null;
+  name?: string;
 }
 
 /**

@@ -1,0 +1,253 @@
+"""What stands on the square: obstacles, and the venue's edge, from which benches keep their distance.
+
+To every search an obstacle is boxes without width, its sides, or without length either, a circle's
+centre. Benches move without a leap, so that none comes inside without crossing a side: only where the
+dragon stands at first, it is asked besides on which side.
+"""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from benchdragon.errors import InputError, not_negative
+from benchdragon.i18n import _
+from benchdragon.kernels.box import BOX_COLUMNS, CX, CY, HALF_LENGTH, UX, UY
+from benchdragon.kernels.curve import MOST_METRES, FloatArray
+from benchdragon.model.arrays import as_numbers
+from benchdragon.model.base_curve import Point, checked_size
+
+Kind = Literal["circle", "rectangle", "polygon", "line", "venue"]
+# Corners of one outline: each is looked at for each stretch of the route.
+MOST_CORNERS = 5_000
+# Sides shorter than this, m, are slips of the pen.
+LEAST_SIDE = 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class Obstacle:
+    """Something that stands still, and that no bench may touch; or the edge of the venue.
+
+    Use `circle`, `rectangle`, `polygon`, `line` and `venue`, which check what they are given.
+
+    Attributes:
+        name: what people call it.
+        kind: "venue" is an edge that no bench may cross outwards, "line" one without an inside.
+        outline: its corners in order, m, (P, 2), the last joined to the first but for a line; of a
+            circle the centre.
+        radius: of a circle, m; else 0.
+        margin: the distance that benches must keep, m.
+    """
+
+    name: str
+    kind: Kind
+    outline: FloatArray
+    radius: float = 0.0
+    margin: float = 0.0
+
+    def __post_init__(self) -> None:
+        not_negative("margin", self.margin, "m")
+        self.outline.flags.writeable = False
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Obstacle):
+            return NotImplemented
+        numbers = self.radius, self.margin
+        return (self.name, self.kind, *numbers) == (
+            other.name, other.kind, other.radius, other.margin
+        ) and np.array_equal(self.outline, other.outline)  # fmt: skip
+
+    def __hash__(self) -> int:
+        return hash((self.name, self.kind, self.radius, self.margin, self.outline.tobytes()))
+
+    @classmethod
+    def circle(cls, name: str, centre: Point, radius: float, margin: float = 0.0) -> Self:
+        """A round obstacle: a well, a post.
+
+        Raises:
+            InputError: for a centre or a radius that cannot be.
+        """
+        return cls(name, "circle", _points(name, [centre], 1), checked_size("radius", radius), margin)
+
+    @classmethod
+    def rectangle(
+        cls,
+        name: str,
+        centre: Point,
+        size: tuple[float, float],
+        angle: float = 0.0,
+        margin: float = 0.0,
+    ) -> Self:
+        """A rectangle: its size along its own axes, m, and its angle, rad.
+
+        Raises:
+            InputError: for a centre or sizes that cannot be.
+        """
+        return cls(name, "rectangle", rectangle_outline(name, centre, size, angle), 0.0, margin)
+
+    @classmethod
+    def polygon(cls, name: str, points: npt.ArrayLike, margin: float = 0.0) -> Self:
+        """Any polygon that does not cross itself, its corners in order; it closes by itself.
+
+        Raises:
+            InputError: for fewer than three corners, sides of no length, or sides that cross.
+        """
+        return cls(name, "polygon", closed_outline(name, points), 0.0, margin)
+
+    @classmethod
+    def line(cls, name: str, points: npt.ArrayLike, margin: float = 0.0) -> Self:
+        """A chain of straight lines: a rope, a kerb. It may cross itself.
+
+        Raises:
+            InputError: for fewer than two points, or sides of no length.
+        """
+        return cls(name, "line", _points(name, points, 2), 0.0, margin)
+
+    @classmethod
+    def venue(cls, name: str, points: npt.ArrayLike, margin: float = 0.0) -> Self:
+        """The edge of the venue, which no bench may cross: a polygon.
+
+        Raises:
+            InputError: as `polygon`.
+        """
+        return cls(name, "venue", closed_outline(name, points), 0.0, margin)
+
+    @cached_property
+    def boxes(self) -> FloatArray:
+        """Its sides, or its centre, as boxes without width: (sides, BOX_COLUMNS) of kernels/box.py."""
+        corners = self.outline
+        if self.kind == "circle":
+            out = np.zeros((1, BOX_COLUMNS))
+            out[0, [CX, CY, UX]] = *corners[0], 1.0
+        else:
+            starts = corners[:-1] if self.kind == "line" else corners
+            ends = corners[1:] if self.kind == "line" else np.roll(corners, -1, axis=0)
+            sides = ends - starts
+            lengths = np.hypot(*sides.T)
+            out = np.zeros((len(starts), BOX_COLUMNS))
+            out[:, [CX, CY]] = 0.5 * (starts + ends)
+            out[:, [UX, UY]] = sides / lengths[:, np.newaxis]
+            out[:, HALF_LENGTH] = 0.5 * lengths
+        out.flags.writeable = False
+        return out
+
+    def forbids(self, points: FloatArray) -> npt.NDArray[np.bool_]:
+        """Which of points, m, (P, 2), lie where none may: inside it, or outside the venue; (P,)."""
+        if self.kind == "line":
+            return np.zeros(len(points), dtype=np.bool_)
+        if self.kind == "circle":
+            return np.asarray(np.hypot(*(points - self.outline[0]).T) <= self.radius)
+        inside = _inside(self.outline, points)
+        return ~inside if self.kind == "venue" else inside
+
+    def moved(self, turned: float, by: Point) -> "Obstacle":
+        """The same turned about the origin by an angle, rad, and then moved, m."""
+        c, s = math.cos(turned), math.sin(turned)
+        outline = self.outline @ np.array([[c, s], [-s, c]]) + np.asarray(by)
+        return Obstacle(self.name, self.kind, outline, self.radius, self.margin)
+
+
+def _inside(outline: FloatArray, points: FloatArray) -> npt.NDArray[np.bool_]:
+    """Whether points lie inside a polygon: a ray to the right then crosses an odd number of sides."""
+    (x, y), odd = points.T, np.zeros(len(points), dtype=np.bool_)
+    for (ax, ay), (bx, by) in zip(outline, np.roll(outline, -1, axis=0), strict=True):
+        spans = (ay > y) != (by > y)
+        if spans.any():
+            odd[spans] ^= (x[spans] - ax) * abs(by - ay) < (bx - ax) * (y[spans] - ay) * np.sign(
+                by - ay
+            )
+    return odd
+
+
+def rectangle_outline(name: str, centre: Point, size: tuple[float, float], angle: float) -> FloatArray:
+    """The corners of a rectangle in going round, m, (4, 2)."""
+    a, b = (0.5 * checked_size(f"{name}: size", side) for side in size)
+    c, s = math.cos(angle), math.sin(angle)
+    (middle,) = _points(name, [centre], 1)
+    corners = [(a, b), (-a, b), (-a, -b), (a, -b)]
+    return np.array([(middle[0] + x * c - y * s, middle[1] + x * s + y * c) for x, y in corners])
+
+
+def closed_outline(name: str, points: npt.ArrayLike) -> FloatArray:
+    """The corners of a polygon, m, (P, 2); a last one that repeats the first is left out.
+
+    Raises:
+        InputError: for what is no polygon, naming the sides that cross.
+    """
+    corners = _points(name, points, 3, closed=True)
+    sides = np.roll(corners, -1, axis=0) - corners
+    crossing = _crossing(corners)
+    if crossing is not None:
+        i, j = crossing
+        raise InputError(
+            _("{name}: its sides {i} and {j} cross or touch: an outline must not meet itself").format(
+                name=name, i=i + 1, j=j + 1
+            )
+        )
+    area = 0.5 * abs(float(np.sum(corners[:, 0] * sides[:, 1] - corners[:, 1] * sides[:, 0])))
+    if area < LEAST_SIDE * LEAST_SIDE:
+        raise InputError(_("{name}: it has no area").format(name=name))
+    return corners
+
+
+def _points(name: str, points: npt.ArrayLike, least: int, *, closed: bool = False) -> FloatArray:
+    """Points as an array, (P, 2); repeated ones refused, but for a closed outline's last."""
+    table = as_numbers(f"{name}: points", points)
+    if table.ndim != 2 or table.shape[1] != 2:
+        raise InputError(
+            _("{name}: wanted a list of points [x, y], not {value}").format(
+                name=name, value=repr(points)[:80]
+            )
+        )
+    if not (np.abs(table) <= MOST_METRES).all():
+        raise InputError(_("{name}: points must lie within 1e8 m of the origin").format(name=name))
+    if closed and len(table) > 1 and (table[0] == table[-1]).all():
+        table = table[:-1]
+    if not least <= len(table) <= MOST_CORNERS:
+        raise InputError(
+            _("{name}: wanted {least} to {most} points, not {count}").format(
+                name=name, least=least, most=MOST_CORNERS, count=len(table)
+            )
+        )
+    ahead = np.roll(table, -1, axis=0) if closed else table[1:]
+    short = np.hypot(*(ahead - table[: len(ahead)]).T) < LEAST_SIDE
+    if short.any():
+        raise InputError(
+            _("{name}: points {i} and {j} are the same").format(
+                name=name, i=int(np.argmax(short)) + 1, j=(int(np.argmax(short)) + 1) % len(table) + 1
+            )
+        )
+    return np.ascontiguousarray(table)
+
+
+def _crossing(corners: FloatArray) -> tuple[int, int] | None:
+    """Two sides of a closed outline that meet though they are no neighbours; None if none do."""
+    import shapely  # only outlines need it
+
+    ends = np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)
+    sides = np.array([shapely.LineString(side) for side in ends])
+    first, second = shapely.STRtree(sides).query(sides, predicate="intersects")
+    apart = (second - first) % len(sides)
+    meet = (first < second) & (apart != 1) & (apart != len(sides) - 1)
+    back = _folds_back(ends)
+    if back is not None:
+        return back
+    if not meet.any():
+        return None
+    n = int(np.argmax(meet))
+    return int(first[n]), int(second[n])
+
+
+def _folds_back(ends: FloatArray) -> tuple[int, int] | None:
+    """Two neighbouring sides of which the second runs back along the first."""
+    ways = ends[:, 1] - ends[:, 0]
+    onward = np.roll(ways, -1, axis=0)
+    cross = ways[:, 0] * onward[:, 1] - ways[:, 1] * onward[:, 0]
+    back = (cross == 0.0) & ((ways * onward).sum(axis=1) < 0.0)
+    if not back.any():
+        return None
+    n = int(np.argmax(back))
+    return n, (n + 1) % len(ends)
