@@ -27,6 +27,7 @@ from benchdragon import Walk, clearances, contact_windows
 from benchdragon.analysis.contact_search import ContactSearch
 from benchdragon.kernels import cells, step_bounds
 from benchdragon.kernels import search as kernel
+from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.plans.schema import read_plan
 from benchdragon.progress import silent
 
@@ -35,7 +36,8 @@ def looks_for(walk: Walk, slack: float, smooth: bool) -> int:
     """Chains marched until benches 1 and 9 touch, from 412 m on, by both bounds or by travel."""
     search = kernel.room(10, 2, 1, 0)
     dragon, note = walk.dragon, np.zeros(kernel.NOTES)
-    chain = kernel.Chain(walk.route.rows, dragon.links[:9], np.empty(0), dragon.sizes, np.array([0, 8]))
+    members, nothing = np.array([0, 8]), np.empty((0, BOX_COLUMNS))
+    chain = kernel.Chain(walk.route.rows, dragon.links[:9], np.empty(0), dragon.sizes, members, nothing)
     pairs = kernel.Pairs(np.array([0]), np.array([1]))
     limits = kernel.Limits(0.0, slack, slack, 1_000_000)
     if smooth:

@@ -17,6 +17,7 @@ ROUTES = {
     "spiral": (Route((Spiral(0.8, 18.0, 9.0),)), 3.0, 11.0),
     "hairpin": (Route.joined([Line(14.0), Arc(0.75, math.pi), Line(12.0)]), 13.0, 19.0),
 }
+NOTHING = np.empty((0, BOX_COLUMNS))
 COUNT = 14
 
 
@@ -85,7 +86,7 @@ def test_pairs_left_out_keep_farther_apart_all_through_the_step(name: str) -> No
     route, start, end = ROUTES[name]
     dragon, aside = dancers(5, 0.2)
     room = search.room(COUNT + 1, COUNT, 1, 0)
-    chain = search.Chain(route.rows, dragon.links, aside, dragon.sizes, np.arange(COUNT))
+    chain = search.Chain(route.rows, dragon.links, aside, dragon.sizes, np.arange(COUNT), NOTHING)
     circles = circles_of(dragon.sizes)
     first, second = np.empty(COUNT * COUNT, dtype=np.int64), np.empty(COUNT * COUNT, dtype=np.int64)
     handles, left_out = np.empty((COUNT + 1, step_bounds.HANDLE_COLUMNS)), 0

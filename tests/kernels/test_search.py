@@ -421,7 +421,9 @@ def test_a_margin_no_pair_keeps_to_the_digit_is_a_graze() -> None:
 def search_chain(walk: Walk, members: IntArray) -> search.Chain:
     """The benches up to the last of the members, on the walk's route."""
     dragon, links = walk.dragon, walk.dragon.links[: members[-1] + 1]
-    return search.Chain(walk.route.rows, links, np.empty(0), dragon.sizes, members)
+    return search.Chain(
+        walk.route.rows, links, np.empty(0), dragon.sizes, members, np.empty((0, BOX_COLUMNS))
+    )
 
 
 def test_too_few_looks_leave_a_search_stuck() -> None:

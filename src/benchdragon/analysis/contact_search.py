@@ -9,12 +9,12 @@ import math
 import time as clock
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
-from fractions import Fraction
 
 import numpy as np
 import numpy.typing as npt
 
 from benchdragon.analysis.distance import boxes, nearness
+from benchdragon.analysis.head_times import HeadTimes
 from benchdragon.analysis.ledger import Ledger
 from benchdragon.analysis.tables import Tables, walk_tables
 from benchdragon.errors import UnsureError, in_order, not_negative, of_kind
@@ -48,6 +48,12 @@ SAMPLES_AHEAD = 65
 def slack_at(extent: float) -> float:
     """What computed distances may be off by, m, of a dragon so far out, m, at the start."""
     return SLACK * max(1.0, extent / SLACK_REACH)
+
+
+def assumed_within(slack: float) -> tuple[str, ...]:
+    """What answers rest on whose distances may be off by `slack`, m."""
+    text = _("computed distances are within {slack} m of the exact ones")
+    return (text.format(slack=f"{slack:.1e}"),)
 
 
 def run_search(
@@ -208,7 +214,7 @@ class ContactSearch:
             return error
         return UnsureError(
             _("past t = {t} s it could not be shown that every bench follows without a leap").format(
-                t=f"{self.time_at(sound):.6g}"
+                t=f"{self.times.at(sound):.6g}"
             )
         )
 
@@ -221,7 +227,7 @@ class ContactSearch:
         near = nearness(boxes(self.placement(s), 0), i, j)
         owner = near.features[0][0]
         point = near.points[near.benches.index(owner)]
-        return Witness(self.time_at(s), s, near.benches, point, near.gap, near.features)
+        return Witness(self.times.at(s), s, near.benches, point, near.gap, near.features)
 
     def pair(self, note: FloatArray) -> tuple[int, int]:
         """The benches (rows, from 0) of a kernel's note."""
@@ -230,9 +236,7 @@ class ContactSearch:
 
     def answer_at(self, lower: float, upper: float, status: Status, i: int, j: int) -> Answer:
         """A time between those at which the head is at lower and at upper, benches i and j meeting."""
-        middle = 0.5 * (lower + upper)
-        early, late = self._not_after(lower), self._not_before(upper)
-        value = min(max(self.time_at(middle), early), late)
+        value, early, late = self.times.bracketed(lower, upper)
         seconds = clock.perf_counter() - self.began
         witness = self.witness(upper, i, j)
         return Answer(
@@ -241,34 +245,12 @@ class ContactSearch:
 
     def assumed(self) -> tuple[str, ...]:
         """What answers rest on."""
-        text = _("computed distances are within {slack} m of the exact ones")
-        return (text.format(slack=f"{self.slack:.1e}"),)
+        return assumed_within(self.slack)
 
-    def time_at(self, s: float) -> float:
-        """The first time of the search, s, at which the head stands at s."""
-        return self.since if s <= self.start else max(self.walk.time_at(s), self.since)
-
-    def _not_after(self, s: float) -> float:
-        """A time at which the head has come no farther than s; not before the search begins."""
-        t = self.time_at(s)
-        step = math.ulp(t) if math.isfinite(t) else 0.0
-        while t > self.since and self._lead(t, s) > 0:
-            t, step = t - step, 2.0 * step
-        return max(t, self.since)
-
-    def _not_before(self, s: float) -> float:
-        """A time at which the head has come at least as far as s."""
-        t = self.time_at(s)
-        step = math.ulp(t) if math.isfinite(t) else 0.0
-        while s > self.start and t < math.inf and self._lead(t, s) < 0:
-            t, step = t + step, 2.0 * step
-        return t
-
-    def _lead(self, t: float, s: float) -> float | Fraction:
-        """How far past s the head stands at time t, m; not rounded, so that brackets are sure."""
-        if math.isinf(t):
-            return self.walk.start + float(self.walk.profile.distance(t)) - s
-        return self.walk.exact_head_position(t) - Fraction(s)
+    @property
+    def times(self) -> HeadTimes:
+        """When the head comes to positions of the search."""
+        return HeadTimes(self.walk, self.start, self.since)
 
 
 def contact_search(

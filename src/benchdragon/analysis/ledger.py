@@ -12,6 +12,7 @@ class Ledger:
 
     Attributes:
         evaluations: (head positions, row, u, x, y) of chains of the search, the last four (T, handles).
+        benches: (link, the same) of single benches, whose front handle is at the position.
         grid: the same of whole dragons, whose places need to be known to EDGE only.
         cells: (link, (front positions, row, u, x, y)) of single benches at the borders of cells,
             needed to EDGE likewise.
@@ -19,12 +20,17 @@ class Ledger:
 
     def __init__(self) -> None:
         self.evaluations: list[tuple[FloatArray, ...]] = []
+        self.benches: list[tuple[float, tuple[FloatArray, ...]]] = []
         self.grid: list[tuple[FloatArray, ...]] = []
         self.cells: list[tuple[float, tuple[FloatArray, ...]]] = []
 
     def add_evaluations(self, log: FloatArray) -> None:
         """Take down chains that distances are taken from, from a log of `search.log_chain`."""
         self.evaluations += _chains(log)
+
+    def add_benches(self, link: float, log: FloatArray) -> None:
+        """Take down single benches that distances are taken from, from such a log."""
+        self.benches += [(link, chains) for chains in _chains(log)]
 
     def add_grid(self, log: FloatArray) -> None:
         """Take down whole dragons, which need to be known to EDGE only, from such a log."""

@@ -162,7 +162,8 @@ def search_all_pairs(
     members, circles = np.empty(sizes.shape[1], dtype=np.int64), circles_of(sizes)
     for i in range(members.shape[0]):
         members[i] = i
-    chain, limits = Chain(rows, links, aside, sizes, members), Limits(margin, slack, width, most)
+    chain = Chain(rows, links, aside, sizes, members, search.boxes[:0])
+    limits = Limits(margin, slack, width, most)
     worst = CLEAR
     search.at[0] = at[0]
     if not evaluate_slot(chain, search, 0, 0):

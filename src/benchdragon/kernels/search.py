@@ -62,7 +62,7 @@ class Chain(NamedTuple):
     """The benches that are searched, and what they walk on.
 
     Handle i walks aside[i] metres to the left of the route; all on it if `aside` is empty. Links are
-    those of the benches up to the last member.
+    those of the benches up to the last member. What stands still counts as members after these.
     """
 
     rows: Table
@@ -70,6 +70,7 @@ class Chain(NamedTuple):
     aside: Vector
     sizes: Table
     members: IntVector  # benches that are looked at, from 0, ascending
+    standing: Table  # boxes that stand still, (obstacles, BOX_COLUMNS)
 
 
 class Pairs(NamedTuple):
@@ -192,11 +193,26 @@ def evaluate_slot(chain: Chain, search: Search, slot: int, near: int) -> bool:
     if not place_beside(rows, links, aside, search.at, near, slot, search.places):
         return False
     write_log(search, slot, links.shape[0] + 1)
-    count, places = chain.members.shape[0], search.places
-    for m in range(count):
-        i, row = chain.members[m], slot * count + m
-        set_box(chain.sizes, i, places.x, places.y, slot, search.boxes, row)
+    box_slot(chain, search, slot)
     return True
+
+
+@kernel
+def member_count(chain: Chain) -> int:
+    """Benches that are looked at, and what stands still."""
+    return chain.members.shape[0] + chain.standing.shape[0]
+
+
+@kernel
+def box_slot(chain: Chain, search: Search, slot: int) -> None:
+    """Box the members at a slot, at which the chain is placed."""
+    row, boxes, places = slot * member_count(chain), search.boxes, search.places
+    for m in range(chain.members.shape[0]):
+        set_box(chain.sizes, chain.members[m], places.x, places.y, slot, boxes, row + m)
+    row += chain.members.shape[0]
+    for n in range(chain.standing.shape[0]):
+        for k in range(BOX_COLUMNS):
+            boxes[row + n, k] = chain.standing[n, k]
 
 
 @kernel
@@ -210,6 +226,9 @@ def bound_members(chain: Chain, search: Search, top: int) -> None:
     for m in range(chain.members.shape[0]):
         i = chain.members[m]
         bound_bench(search.handles, i, chain.sizes, i, search.sweeps[m])
+    for m in range(chain.members.shape[0], member_count(chain)):
+        for k in range(BENCH_COLUMNS):
+            search.sweeps[m, k] = 0.0
 
 
 @kernel
@@ -364,7 +383,7 @@ def bisect(
     How it ended; `note` receives what was found. For LEAST note[NEAREST] and note[FLOOR] hold what
     earlier steps found; otherwise `note` is fresh.
     """
-    count, handles = chain.members.shape[0], chain.links.shape[0] + 1
+    count, handles = member_count(chain), chain.links.shape[0] + 1
     evaluations, note[LOWER] = 0, math.inf
     while top > 0:
         while ready <= top:

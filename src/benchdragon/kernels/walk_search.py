@@ -88,8 +88,9 @@ def search_open_step(walk: Walk, room: Room, goal: int, limits: Limits, note: Fl
     ):
         tally[PLACED] = 0
         return CROWDED
-    benches, aside = walk.benches, note[:0]
-    chain = Chain(walk.rows, benches.links[: handles - 1], aside, benches.sizes, members[:found])
+    benches, aside, links = walk.benches, note[:0], walk.benches.links[: handles - 1]
+    standing = search.boxes[:0]
+    chain = Chain(walk.rows, links, aside, benches.sizes, members[:found], standing)
     ready = 1 if left_end_is_placed(search, course, chain) else 0
     top = open_step(search, count, start, way[STEP_END])
     before, note[PAIR] = note[PAIR], -1.0

@@ -25,6 +25,7 @@ class Witness:
         features: what meets: the corner of one bench, and the side or corner of the other.
         handle: of an answer about a handle its number, 0..N: the first of those that come to the same;
             the bench is the one that it leads, the last bench for handle N.
+        obstacle: of an answer about an obstacle its name; the gap is then the distance from it, m.
     """
 
     time: float | None
@@ -34,6 +35,7 @@ class Witness:
     gap: float
     features: tuple[tuple[int, str], ...] = ()
     handle: int | None = None
+    obstacle: str | None = None
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,393 @@
+"""Benches and the square: when one first touches an obstacle, and the least distance kept to each.
+
+Where a bench stands is told by the route position of its own front handle, whatever the others do. So
+each size of bench is searched once, along the stretches of route that its benches walk: a bench that
+follows another of its size comes to nothing new beyond where that one stood at the start
+(kernels/standing.py). What is found there is then told of the head, and in time.
+"""
+
+import math
+import time as clock
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+from benchdragon.analysis.contact import TOLERANCES
+from benchdragon.analysis.contact_search import (
+    MOST_EVALUATIONS,
+    MOST_LEAST_EVALUATIONS,
+    WIDTH,
+    assumed_within,
+    slack_at,
+)
+from benchdragon.analysis.distance import boxes, nearness
+from benchdragon.analysis.head_times import HeadTimes
+from benchdragon.analysis.ledger import Ledger
+from benchdragon.analysis.tables import kinds_of
+from benchdragon.errors import UnsureError, in_order, of_kind
+from benchdragon.i18n import _
+from benchdragon.kernels import search as steps
+from benchdragon.kernels import standing as kernel
+from benchdragon.kernels.box import BOX_COLUMNS, CX, CY
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.doubts import UNIT
+from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.search import FALLEN, FOUND
+from benchdragon.kernels.walk_search import ASTRAY
+from benchdragon.model.answer import Answer, Status, Witness
+from benchdragon.model.dragon import Dragon
+from benchdragon.model.obstacle import Obstacle
+from benchdragon.model.placement import Placement
+from benchdragon.model.walk import Walk
+
+# Spans of route that are searched in one call: some hundredths of a second.
+SPANS = 2_000
+# Chains of two handles that a proof may log before its log is read.
+LOG = 65_536
+# Head positions at which it is looked why benches could not be followed.
+SAMPLES = 65
+# Newton steps for the head position at which a handle comes to a place; about five are needed.
+MOST_STEPS = 100
+
+
+@dataclass(frozen=True)
+class Touch:
+    """Where a bench (row, from 0) comes to an obstacle: its front handle between lower and upper, m."""
+
+    bench: int
+    lower: float
+    upper: float
+    sure: bool
+
+
+# The head positions between which a bench (row, from 0) comes to touch, m, and the bench.
+Come = tuple[float, float, int]
+
+
+@dataclass
+class ObstacleSearch:
+    """A search of a walk from one time to another for what comes near one obstacle.
+
+    The dragon must be able to stand at both.
+    """
+
+    walk: Walk
+    obstacle: Obstacle
+    start: float
+    end: float
+    slack: float = 0.0
+    ledger: Ledger | None = None
+    evaluations: int = 0
+    began: float = field(default_factory=clock.perf_counter)
+
+    def __post_init__(self) -> None:
+        of_kind("walk", self.walk, Walk)
+        of_kind("obstacle", self.obstacle, Obstacle)
+        in_order(self.start, self.end)
+        self.heads = self.walk.head_position([self.start, self.end])
+        self.placed = self.walk.placement(self.heads)  # raises where the dragon cannot stand
+        far = max(float(np.abs([self.placed.x, self.placed.y]).max()), self._extent())
+        self.slack = self.slack or slack_at(far)
+        self.kind, self.kinds = kinds_of(self.walk.dragon.sizes)
+        self._standing = kernel.scratch_for(self.obstacle.boxes)
+        count = len(self.obstacle.boxes) + 1
+        self._search = steps.room(2, count, count, 0 if self.ledger is None else LOG)
+        self._times = HeadTimes(self.walk, float(self.heads[0]), self.start)
+
+    def _extent(self) -> float:
+        return float(np.abs(self.obstacle.outline).max()) + self.obstacle.radius
+
+    @property
+    def reach(self) -> float:
+        """Distance from the obstacle's boxes at which a bench is as near as it may be, m."""
+        return self.obstacle.margin + self.obstacle.radius
+
+    @cached_property
+    def at_start(self) -> tuple[float, int, int]:
+        """The least distance of a bench from a box at the start, m: which bench and box, from 0.
+
+        Minus infinity where a bench stands where none may.
+        """
+        table = boxes(self.placed, 0)
+        forbidden = self.obstacle.forbids(table[:, [CX, CY]])
+        out, which = np.empty(len(table)), np.empty(len(table), dtype=np.int64)
+        kernel.distances_to(table, self.obstacle.boxes, np.empty((2, BOX_COLUMNS)), out, which)
+        out[forbidden] = -math.inf
+        bench = int(np.argmin(out))
+        return float(out[bench]), bench, int(which[bench])
+
+    def stretches(self) -> Iterator[tuple[int, IntArray, FloatArray]]:
+        """For each size of bench: its number, its benches, and the span of route of each, m, (n, 2).
+
+        A bench is followed to where the one of its size before it stood at the start, and no farther.
+        """
+        s = self.placed.s[:, :-1]
+        for k in range(self.kinds.sizes.shape[1]):
+            benches = np.flatnonzero(self.kind == k)
+            starts, ends = s[0, benches], s[1, benches].copy()
+            ends[1:] = np.minimum(ends[1:], starts[:-1])
+            moving = ends > starts
+            spans = np.column_stack([starts[moving], ends[moving]])
+            yield k, benches[moving], np.ascontiguousarray(spans)
+
+    def run(
+        self, k: int, goal: int, spans: FloatArray, tolerance: float, note: FloatArray
+    ) -> FloatArray:
+        """Search spans for benches of size k; what is told of each span that was searched.
+
+        Raises:
+            WalkError: where the bench cannot walk on.
+            UnsureError: where it could not be shown that it can.
+        """
+        bench, told = self._bench(k), []
+        most = MOST_LEAST_EVALUATIONS if goal == steps.LEAST else MOST_EVALUATIONS
+        limits = self.reach, tolerance or self.slack, WIDTH, most
+        for first in range(0, len(spans), SPANS):
+            some = spans[first : first + SPANS]
+            found = np.empty((len(some), kernel.SPAN_COLUMNS))
+            before = note[steps.EVALUATIONS]
+            ending = kernel.search_spans(
+                bench, self._standing, self._search, goal, some, *limits, note, found
+            )
+            self.evaluations += int(note[steps.EVALUATIONS] - before)
+            self._read_log(float(bench.link[0]))
+            told.append(found)
+            if ending in (ASTRAY, FALLEN):
+                raise self._stopped(note)
+            if goal == steps.LEAST and ending == FOUND:
+                break
+        return np.concatenate(told) if told else np.empty((0, kernel.SPAN_COLUMNS))
+
+    def look(self, k: int, spans: FloatArray, note: FloatArray) -> None:
+        """Lower the least distance that is known by what is seen at the ends of spans."""
+        kernel.look_along(self._bench(k), self._standing, self._search, spans, note)
+
+    def _bench(self, k: int) -> kernel.Bench:
+        sizes = np.ascontiguousarray(self.kinds.sizes[:, k : k + 1])
+        return kernel.Bench(self.walk.route.rows, sizes[0] - sizes[2] - sizes[3], sizes)
+
+    def _read_log(self, link: float) -> None:
+        """Take down for a proof what was computed."""
+        if self.ledger is None:
+            return
+        count = int(self._search.logged[0])
+        if count > len(self._search.log):
+            raise UnsureError(_("a proof would need too many evaluations in one step"))
+        self.ledger.add_benches(link, self._search.log[:count])
+        self._search.logged[0] = 0
+
+    def _stopped(self, note: FloatArray) -> Exception:
+        """Why a bench could not be followed past the end of what its search had shown."""
+        first, last = self.heads.tolist()
+        error = self.walk.first_failure(np.linspace(first, last, SAMPLES))
+        text = _("past s = {s} m it could not be shown that every bench follows without a leap")
+        return error or UnsureError(text.format(s=f"{note[steps.LOWER]:.6g}"))
+
+    def head_at(self, bench: int, lower: float, upper: float) -> tuple[float, float]:
+        """Head positions, m, between which a bench's front handle surely goes from lower to upper."""
+        if bench == 0:
+            return max(lower, float(self.heads[0])), min(upper, float(self.heads[1]))
+        line = self.walk.dragon.first(bench)
+        before, _at = self._bracket(line, lower - self.slack)
+        _at, after = self._bracket(line, upper + self.slack)
+        return before, after
+
+    def _bracket(self, line: Dragon, s: float) -> tuple[float, float]:
+        """Head positions, m, between which the last handle of the first benches comes to s."""
+        low, high = (float(head) for head in self.heads)
+        guess, fine = 0.5 * (low + high), 4.0 * UNIT * max(abs(low), abs(high), 1.0)
+        for step in range(MOST_STEPS):
+            if high - low <= 2.0 * fine:
+                break
+            if not low < guess < high:
+                guess = 0.5 * (low + high)
+            placed = Placement(line, self.walk.route, guess)
+            ahead, ratio = float(placed.s[0, -1]) - s, float(placed.speed_ratio[0, -1])
+            if ahead >= 0.0:
+                high = guess
+            else:
+                low = guess
+            side = (-fine if ahead >= 0.0 else fine) if step % 4 < 3 else 0.0
+            guess = guess - ahead / ratio + side if step % 8 < 7 else 0.5 * (low + high)
+        return low, high
+
+    def answer(self, lower: float, upper: float, status: Status, bench: int) -> Answer:
+        """A time between those at which the head is at lower and at upper; how a bench then stands."""
+        value, early, late = self._times.bracketed(lower, upper)
+        seconds = clock.perf_counter() - self.began
+        witness = self.witness(upper, bench)
+        return Answer(
+            value, early, late, "s", status, witness, assumed_within(self.slack), self.evaluations,
+            seconds,
+        )  # fmt: skip
+
+    def witness(self, s: float, bench: int) -> Witness:
+        """How a bench (row, from 0) stands to the obstacle with the head at s."""
+        placed = self.walk.placement(s, throw=False)
+        table = np.vstack([boxes(placed, 0)[bench], self.obstacle.boxes])
+        out, which = np.empty(1), np.empty(1, dtype=np.int64)
+        kernel.distances_to(table[:1], table[1:], np.empty((2, BOX_COLUMNS)), out, which)
+        near = nearness(table, 0, 1 + int(which[0]))
+        gap = (near.gap if near.distance <= 0.0 else near.distance) - self.obstacle.radius
+        feature = ((bench + 1, dict(near.features)[1]),)
+        time, name = self._times.at(s), self.obstacle.name
+        return Witness(time, s, (bench + 1,), near.points[0], gap, feature, None, name)
+
+    def touches(self) -> list[Touch]:
+        """Where benches first come nearer than they may, each in its own span; soonest ones first."""
+        found: list[tuple[float, Touch]] = []
+        for k, benches, spans in self.stretches():
+            told = self.run(k, steps.FIRST_TOUCH, spans, 0.0, np.zeros(steps.NOTES))
+            for bench, span, row in zip(benches.tolist(), spans, told, strict=True):
+                if row[kernel.ENDING] != steps.CLEAR:
+                    lower, upper = row[[kernel.SPAN_LOWER, kernel.SPAN_UPPER]].tolist()
+                    touch = Touch(bench, lower, upper, row[kernel.ENDING] == FOUND)
+                    found.append((lower - float(span[0]), touch))
+        return [touch for _ahead, touch in sorted(found, key=lambda each: each[0])]
+
+    def bench_at(self, k: int, s: float) -> int:
+        """The first bench of size k that walks over s with its front handle."""
+        for kind, benches, spans in self.stretches():
+            if kind == k:
+                over = np.flatnonzero((spans[:, 0] <= s) & (s <= spans[:, 1]))
+                return int(benches[over[0]])
+        raise IndexError(k)
+
+
+def touching(search: ObstacleSearch) -> list[Answer]:
+    """When a bench first comes nearer to the obstacle than it may: empty if none does.
+
+    The last is sure; those before it are grazes that rounding leaves open, "undecided". All is clear
+    up to the lower end of the first.
+    """
+    apart, bench, _box = search.at_start
+    head = float(search.heads[0])
+    if apart <= search.reach - search.slack:
+        if search.ledger is not None:
+            search.ledger.add_placement(search.placed)
+        return [search.answer(head, head, "found", bench)]
+    grazes, sure = list[Come](), list[Come]()
+    for touch in search.touches():
+        soonest = min((come[1] for come in sure), default=math.inf)
+        if soonest < math.inf:
+            there = float(search.walk.placement(soonest, throw=False).s[0, touch.bench])
+            if touch.lower > there + search.slack:
+                continue
+        come = (*search.head_at(touch.bench, touch.lower, touch.upper), touch.bench)
+        (sure if touch.sure else grazes).append(come)
+    clear = min((come[0] for come in sure), default=math.inf)
+    before = sorted(come for come in grazes if come[0] < clear)
+    answers = [search.answer(lower, upper, "undecided", bench) for lower, upper, bench in before]
+    if sure:
+        _lower, upper, bench = min(sure, key=lambda come: come[1])
+        answers.append(search.answer(clear, upper, "found", bench))
+    return answers
+
+
+def first_touch(
+    walk: Walk,
+    obstacle: Obstacle,
+    start: float,
+    end: float,
+    *,
+    slack: float = 0.0,
+    ledger: Ledger | None = None,
+) -> Answer | None:
+    """The first time in start..end, s, at which a bench touches an obstacle; None if none ever does.
+
+    Or is nearer to it than the obstacle's margin, or leaves the venue. The answer's bracket: all is
+    clear up to `lower`, and at `upper` a bench surely touches; "undecided" where one comes within
+    rounding of touching. `slack` and `ledger` are as in `contact_windows`.
+
+    Raises:
+        InputError: for an end before the start.
+        WalkError: if the dragon cannot stand at the start, or walk on to the end.
+        UnsureError: if it could not be shown that it can.
+    """
+    answers = touching(ObstacleSearch(walk, obstacle, start, end, slack, ledger))
+    return answers[0] if answers else None
+
+
+def least_distance(
+    walk: Walk,
+    obstacle: Obstacle,
+    start: float,
+    end: float,
+    *,
+    tolerances: Sequence[float] = TOLERANCES,
+) -> Answer:
+    """The least distance, m, that benches keep from an obstacle from start to end, s; 0 if they touch.
+
+    Of the venue it is the distance from its edge. The bracket is as wide as the first of `tolerances`,
+    m, or where a bench keeps one distance for a while as one of the others.
+
+    Raises:
+        InputError: for an end before the start.
+        WalkError: if the dragon cannot stand at the start, or walk on to the end.
+        UnsureError: if it could not be shown that it can.
+    """
+    search = ObstacleSearch(walk, obstacle, start, end)
+    apart, bench, _box = search.at_start
+    best = Nearest(apart, -1, bench)
+    stretches = [] if apart <= obstacle.radius else list(search.stretches())
+    for k, _benches, spans in stretches:
+        note = np.zeros(steps.NOTES)
+        note[steps.NEAREST] = best.distance
+        search.look(k, spans, note)
+        if note[steps.NEAREST] < best.distance:
+            best = Nearest(float(note[steps.NEAREST]), k, float(note[steps.UPPER]))
+    floor = best.distance
+    for tolerance in (*tolerances, math.inf):
+        best, floor, closed = _lowered(search, stretches, best, tolerance)
+        if closed or best.distance <= obstacle.radius:
+            break
+    return _distance_answer(search, best, floor)
+
+
+@dataclass(frozen=True)
+class Nearest:
+    """The least distance seen from the obstacle's boxes, m: by a bench of size k with its handle at s.
+
+    Or, where k is -1, by bench number s as the dragon stands at the start.
+    """
+
+    distance: float
+    k: int
+    s: float
+
+
+def _lowered(
+    search: ObstacleSearch,
+    stretches: Sequence[tuple[int, IntArray, FloatArray]],
+    best: Nearest,
+    tolerance: float,
+) -> tuple[Nearest, float, bool]:
+    """`best`, or what is lower; what nothing is nearer than, m; and whether that was established."""
+    floor, closed = math.inf, True
+    for k, _benches, spans in stretches:
+        note = np.zeros(steps.NOTES)
+        note[steps.NEAREST], note[steps.FLOOR], note[steps.PAIR] = best.distance, math.inf, -1.0
+        told = search.run(k, steps.LEAST, spans, tolerance, note)
+        closed = closed and not (told[:, kernel.ENDING] != steps.CLEAR).any()
+        if note[steps.NEAREST] < best.distance:
+            best = Nearest(float(note[steps.NEAREST]), k, float(note[steps.UPPER]))
+        floor = min(floor, float(note[steps.FLOOR]))
+    return best, min(floor, best.distance - tolerance), closed
+
+
+def _distance_answer(search: ObstacleSearch, best: Nearest, floor: float) -> Answer:
+    radius, slack = search.obstacle.radius, search.slack
+    bench, head = int(best.s), float(search.heads[0])
+    if best.k >= 0:
+        bench = search.bench_at(best.k, best.s)
+        head = search.head_at(bench, best.s, best.s)[1]
+    value = max(best.distance - radius, 0.0)
+    lower = max(min(floor, best.distance) - radius - slack, 0.0)
+    upper = value + slack if value else 0.0
+    seconds = clock.perf_counter() - search.began
+    return Answer(
+        value, lower, upper, "m", "found", search.witness(head, bench), assumed_within(slack),
+        search.evaluations, seconds,
+    )  # fmt: skip

@@ -1,0 +1,256 @@
+"""Benches and what stands still: the first touch, and the least distance, along a stretch of route.
+
+Where a bench stands is told by the route position of its own front handle alone, so that all benches of
+one size pass an obstacle in the same way: it is searched once for each size, over route positions, and
+not once for each bench over time. An obstacle is boxes without width, or without length either (the
+sides of a polygon, the centre of a circle), to the search as benches that do not move.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from benchdragon.kernels.arrays import IntVector, Table, Vector
+from benchdragon.kernels.box import (
+    BOX_COLUMNS,
+    CX,
+    CY,
+    HALF_LENGTH,
+    HALF_WIDTH,
+    box_distance,
+    offset,
+    place_box,
+)
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.doubts import UNIT, finest
+from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.regions import walks_on
+from benchdragon.kernels.search import (
+    CLEAR,
+    EVALUATIONS,
+    FOUND,
+    GRAZE,
+    LEAST,
+    LOWER,
+    NEAREST,
+    PAIR,
+    UPPER,
+    Chain,
+    Limits,
+    Pairs,
+    Search,
+    bisect,
+    box_slot,
+    open_step,
+    write_log,
+)
+from benchdragon.kernels.step_bounds import TRAVEL, bound_bench, place_chain
+from benchdragon.kernels.walk_search import ASTRAY, WIDTH_ROUNDINGS
+
+# Stretches of route, m, of which what is far off is passed over at once: longer ones are passed over
+# less often, shorter ones are more.
+STRETCH = 4.0
+# Columns of what is told of each span of route positions.
+ENDING = 0
+SPAN_LOWER = 1  # LOWER and UPPER of the search's note
+SPAN_UPPER = 2
+SPAN_BOX = 3  # which of the boxes
+SPAN_COLUMNS = 4
+
+
+class Bench(NamedTuple):
+    """One bench on a route."""
+
+    rows: Table
+    link: Vector  # (1,)
+    sizes: Table  # (4, 1): length, width, front inset, rear inset, m
+
+
+class Standing(NamedTuple):
+    """Boxes that stand still, and scratch for as many."""
+
+    boxes: Table  # (boxes, BOX_COLUMNS)
+    near: Table  # scratch: those near, (boxes, BOX_COLUMNS)
+    number: IntVector  # which they are
+    first: IntVector  # pairs of the bench and these
+    second: IntVector
+    members: IntVector  # (1,): bench 0
+
+
+@kernel
+def walks_step(bench: Bench, search: Search) -> bool:
+    """Place the bench at both ends of the step in slots 0 and 1; whether it surely walks through it."""
+    placed = place_chain(bench.rows, bench.link, search.at, 0, 2, search.places)
+    return placed and walks_on(bench.rows, search.places, 0, bench.link, search.handles)
+
+
+@kernel
+def centre_distance(boxes: FloatArray, n: int, x: float, y: float) -> float:
+    """Distance of point (x, y) from box n, m; 0 inside."""
+    along, across = offset(boxes, n, x, y)
+    ahead, aside = abs(along) - boxes[n, HALF_LENGTH], abs(across) - boxes[n, HALF_WIDTH]
+    return math.hypot(max(ahead, 0.0), max(aside, 0.0))
+
+
+@kernel
+def gather_near(bench: Bench, standing: Standing, search: Search, wanted: float) -> int:
+    """Put what the bench may come as near to as `wanted`, m, in the step into `near`; how many."""
+    bound_bench(search.handles, 0, bench.sizes, 0, search.sweeps[0])
+    place_box(bench.sizes, 0, 0, search.places.x, search.places.y, 0, search.boxes, 0)
+    x, y = search.boxes[0, CX], search.boxes[0, CY]
+    reach = math.hypot(search.boxes[0, HALF_LENGTH], search.boxes[0, HALF_WIDTH])
+    reach += search.sweeps[0, TRAVEL] + wanted
+    count = 0
+    for n in range(standing.boxes.shape[0]):
+        if not centre_distance(standing.boxes, n, x, y) > reach:
+            standing.number[count] = n
+            for k in range(BOX_COLUMNS):
+                standing.near[count, k] = standing.boxes[n, k]
+            standing.first[count], standing.second[count] = 0, count + 1
+            count += 1
+    return count
+
+
+@kernel
+def search_step(
+    bench: Bench, standing: Standing, search: Search, goal: int, limits: Limits, note: FloatArray
+) -> int:
+    """Search the step whose ends are placed in slots 0 and 1 for `goal`; how that ended."""
+    wanted = note[NEAREST] - limits.slack if goal == LEAST else limits.margin + limits.slack
+    start, end = search.at[0], search.at[1]
+    write_log(search, 0, 2)
+    write_log(search, 1, 2)
+    count = gather_near(bench, standing, search, wanted)
+    if count == 0:
+        note[LOWER] = end
+        return CLEAR
+    near, members = standing.near[:count], standing.members
+    chain = Chain(bench.rows, bench.link, note[:0], bench.sizes, members, near)
+    box_slot(chain, search, 0)
+    box_slot(chain, search, 1)
+    top = open_step(search, count, start, end)
+    before, note[PAIR] = note[PAIR], -1.0
+    pairs = Pairs(standing.first[:count], standing.second[:count])
+    ending = bisect(search, goal, chain, pairs, top, 2, limits, note)
+    p = int(note[PAIR])
+    note[PAIR] = before if p < 0 else float(standing.number[p])
+    return ending
+
+
+@kernel
+def search_span(
+    bench: Bench,
+    standing: Standing,
+    search: Search,
+    goal: int,
+    start: float,
+    end: float,
+    limits: Limits,
+    note: FloatArray,
+) -> int:
+    """Search from route position start to end, m, for `goal`; how that ended, or ASTRAY.
+
+    ASTRAY: past note[LOWER] it could not be shown that the bench walks on.
+    """
+    at, step, worst = start, STRETCH, CLEAR
+    while at < end:
+        ahead = end if at + step >= end else at + step
+        search.at[0], search.at[1] = at, ahead
+        note[EVALUATIONS] += 2.0
+        if not walks_step(bench, search):
+            step = 0.5 * min(step, end - at)
+            if step < finest(at):
+                note[LOWER], note[UPPER] = at, ahead
+                return ASTRAY
+            continue
+        narrow = max(limits.width, WIDTH_ROUNDINGS * UNIT * abs(ahead))
+        fitting = Limits(limits.margin, limits.slack, narrow, limits.most)
+        ending = search_step(bench, standing, search, goal, fitting, note)
+        if ending not in (CLEAR, GRAZE) or (ending == GRAZE and goal != LEAST):
+            return ending
+        worst = max(worst, ending)
+        at, step = ahead, min(2.0 * step, STRETCH)
+    return worst
+
+
+@entry
+def search_spans(
+    bench: Bench,
+    standing: Standing,
+    search: Search,
+    goal: int,
+    spans: Table,
+    margin: float,
+    slack: float,
+    width: float,
+    most: int,
+    note: Vector,
+    found: Table,
+) -> int:
+    """Search each of `spans` of route positions of the front handle, m, (spans, 2), for `goal`.
+
+    Fills found, (spans, SPAN_COLUMNS), and gives how it ended: FIRST_TOUCH is sought in each span by
+    itself, up to the first in which the bench goes ASTRAY; LEAST in all of them together, in `note`,
+    up to one that ends FOUND or ASTRAY.
+    """
+    limits, worst = Limits(margin, slack, width, most), CLEAR
+    for t in range(spans.shape[0]):
+        ending = search_span(bench, standing, search, goal, spans[t, 0], spans[t, 1], limits, note)
+        found[t, ENDING], found[t, SPAN_BOX] = ending, note[PAIR]
+        found[t, SPAN_LOWER], found[t, SPAN_UPPER] = note[LOWER], note[UPPER]
+        worst = max(worst, ending)
+        if ending not in (CLEAR, GRAZE) and (goal == LEAST or ending != FOUND):
+            return ending
+    return worst
+
+
+@entry
+def look_along(bench: Bench, standing: Standing, search: Search, spans: Table, note: Vector) -> None:
+    """Lower note[NEAREST] to the least distance seen at the ends of spans, m; where, and to what.
+
+    A hint, no bound: where the bench stands not, nothing is seen.
+    """
+    for t in range(2 * spans.shape[0]):
+        search.at[0] = spans[t // 2, t % 2]
+        if not place_chain(bench.rows, bench.link, search.at, 0, 1, search.places):
+            continue
+        place_box(bench.sizes, 0, 0, search.places.x, search.places.y, 0, standing.near, 0)
+        near = standing.near
+        x, y = near[0, CX], near[0, CY]
+        around = math.hypot(near[0, HALF_LENGTH], near[0, HALF_WIDTH])
+        for n in range(standing.boxes.shape[0]):
+            if centre_distance(standing.boxes, n, x, y) - around < note[NEAREST]:
+                for k in range(BOX_COLUMNS):
+                    near[1, k] = standing.boxes[n, k]
+                apart = box_distance(near, 0, 1)
+                if apart < note[NEAREST]:
+                    note[NEAREST], note[UPPER], note[PAIR] = apart, search.at[0], n
+
+
+@entry
+def distances_to(boxes: Table, standing: Table, near: Table, out: Vector, which: IntVector) -> None:
+    """Fill out with the distance, m, of each box to the nearest of `standing`; which that is.
+
+    Minus the depth of an overlap. `near` is scratch, (2, BOX_COLUMNS).
+    """
+    for i in range(boxes.shape[0]):
+        out[i], which[i] = math.inf, -1
+        for k in range(BOX_COLUMNS):
+            near[0, k] = boxes[i, k]
+        around = math.hypot(boxes[i, HALF_LENGTH], boxes[i, HALF_WIDTH])
+        for n in range(standing.shape[0]):
+            if centre_distance(standing, n, boxes[i, CX], boxes[i, CY]) - around < out[i]:
+                for k in range(BOX_COLUMNS):
+                    near[1, k] = standing[n, k]
+                apart = box_distance(near, 0, 1)
+                if apart < out[i]:
+                    out[i], which[i] = apart, n
+
+
+def scratch_for(boxes: FloatArray) -> Standing:
+    """`boxes` with scratch for as many."""
+    count = len(boxes)
+    first, second, number = (np.empty(count, dtype=np.int64) for _list in range(3))
+    near = np.empty((max(count, 2), BOX_COLUMNS))
+    return Standing(boxes, near, number, first, second, np.zeros(1, dtype=np.int64))
