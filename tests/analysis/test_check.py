@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 from python_calamine import CalamineWorkbook
 
-from benchdragon.analysis.check import all_findings, check, sentence
+from benchdragon.analysis.check import check, sentence
+from benchdragon.analysis.findings import all_findings
 from benchdragon.analysis.speed import QUANTITIES, greatest, greatest_speed
 from benchdragon.cli.answers import print_answer
 from benchdragon.cli.main import run
@@ -34,7 +35,8 @@ def test_coiling_in_to_the_centre_is_not_safe(capsys: pytest.CaptureFixture[str]
     assert first["witness"]["benches"] == [1, 9]
     assert found["clearance"]["value"] == 0.0
     assert found["greatest_speed"]["value"] == 1.0
-    assert [finding["code"] for finding in found["findings"]] == ["contact"]
+    codes = [(finding["code"], finding["kind"]) for finding in found["findings"]]
+    assert codes == [("BD101", "contact")]
     assert found["plan_sha256"] == read_plan("spiral-in").sha256
 
 
@@ -54,14 +56,14 @@ def test_a_disc_is_reached_at_one_pitch_and_not_at_another(
 def test_a_margin_is_checked_as_a_distance() -> None:
     settings = ["disc.radius=4.5", "route.pitch=0.46", "limits.margin=0.01"]
     report = check(read_plan("spiral-in", settings))
-    assert [finding.code for finding in report.findings] == ["margin"]
+    assert [finding.kind for finding in report.findings] == ["margin"]
     assert report.clearance.value > 0.0
     assert check(read_plan("spiral-in", [*settings[:2], "limits.margin=0.009"])).safe
 
 
 def test_a_limit_of_speed_is_checked() -> None:
     fast = check(read_plan("turn", ["walk.speed=1.3", "dragon.benches=20"]))
-    assert [finding.code for finding in fast.findings] == ["speed"]
+    assert [finding.kind for finding in fast.findings] == ["speed"]
     assert fast.greatest_speed.value == pytest.approx(1.3 * 1.6047933, rel=1e-3)
     assert check(read_plan("turn", ["walk.speed=1.2", "dragon.benches=20"])).safe
 
@@ -180,13 +182,13 @@ def test_all_walkable_pitches_are_printed(capsys: pytest.CaptureFixture[str]) ->
 def test_limits_of_acceleration_and_turning_rate_are_checked() -> None:
     settings = ["dragon.benches=20", "walk.speed=1.0", "turn.ease=1.0"]
     report = check(read_plan("turn", [*settings, "limits.turning_rate=20"]))
-    assert [finding.code for finding in report.findings] == ["turning_rate"]
+    assert [finding.kind for finding in report.findings] == ["turning_rate"]
     found = report.findings[0]
     assert found.limit == pytest.approx(math.radians(20.0))
     assert found.value > found.limit
     assert check(read_plan("turn", [*settings, "limits.turning_rate=90"])).safe
     report = check(read_plan("turn", [*settings, "limits.acceleration=0.1"]))
-    assert [finding.code for finding in report.findings] == ["acceleration"]
+    assert [finding.kind for finding in report.findings] == ["acceleration"]
 
 
 COIL = ["disc.radius=5", "dragon.benches=20"]
@@ -197,7 +199,7 @@ def test_a_head_that_changes_its_speed_too_fast_is_found(capsys: pytest.CaptureF
     limit = ["--set", "limits.head_acceleration=0.01"]
     code, out, _err = spoken(capsys, "check", "spiral-in", *jolt, *limit, "--json")
     (found,) = json.loads(out)["findings"]
-    assert (code, found["code"]) == (1, "head_acceleration")
+    assert (code, found["kind"]) == (1, "head_acceleration")
     assert (found["value"], found["limit"], found["time"]) == (pytest.approx(10.0), 0.01, 0.0)
     assert "10 m/s^2 from t = 0.000000 s on, the limit being 0.01 m/s^2" in found["text"]["en"]
     assert spoken(capsys, "check", "spiral-in", *jolt)[0] == 1  # 0.5 m/s^2 where the plan does not say
@@ -209,18 +211,19 @@ def test_a_head_that_stops_too_fast_is_found() -> None:
     profile = "walk.profile=[[0, 0], [3, 1], [20, 1], [21, 0], [22, 0], [25, 1]]"
     plan = read_plan("spiral-in", [*COIL, profile])
     (found,) = check(plan).findings
-    assert (found.code, found.value, found.time) == ("head_acceleration", 1.0, 20.0)
+    assert (found.kind, found.value, found.time) == ("head_acceleration", 1.0, 20.0)
 
 
 def test_what_is_not_decided_is_said_and_not_taken_for_kept() -> None:
     plan = read_plan("spiral-in", [*COIL, "limits.acceleration=2", "limits.speed=2"])
     walk = plan.build()
     near = Witness(7.0, 7.0, (3,), (0.0, 0.0), math.nan)
-    for lower, upper, code in ((1.9, 2.1, "undecided"), (2.1, 2.2, ""), (1.8, 1.9, None)):
+    for lower, upper, decided in ((1.9, 2.1, False), (2.1, 2.2, True), (1.8, 1.9, None)):
         open_ = Answer(lower, lower, upper, "", "found", near)
-        found = all_findings(plan, walk, (0.0, 9.0), None, {"speed": open_, "acceleration": open_})
-        codes = [] if code is None else [code or name for name in ("speed", "acceleration")]
-        assert [finding.code for finding in found] == codes
+        peaks = {"speed": open_, "acceleration": open_}
+        found = all_findings(plan, walk, (0.0, 9.0), None, (), peaks)
+        told = [] if decided is None else [(name, decided) for name in peaks]
+        assert [(finding.kind, finding.decided) for finding in found] == told
 
 
 @pytest.mark.parametrize("name", [name for name in QUANTITIES if name != "speed"])
@@ -235,7 +238,7 @@ def test_every_limit_holds_while_the_head_starts_and_stops(name: str) -> None:
         limit = peak.upper * unit * (1.0 + change)
         report = check(read_plan("turn", [*settings, f"limits.{name}={limit!r}"]))
         assert report.safe is safe
-        assert [finding.code for finding in report.findings] == ([] if safe else [name])
+        assert [finding.kind for finding in report.findings] == ([] if safe else [name])
         assert report.peaks[name].lower <= peak.upper
         assert report.peaks[name].upper >= peak.lower
     assert QUANTITIES[name].text in report.findings[0].text

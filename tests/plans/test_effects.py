@@ -50,6 +50,24 @@ BASES: dict[str, dict[str, Any]] = {
         "route": {"kind": "parts", "part": PARTS},
         "walk": {"start": 12, "end": 45},
     },
+    "square": {
+        "dragon": DRAGON,
+        "route": SPIRAL,
+        "walk": {"end": 20},
+        "venue": {"rectangle": [30.0, 20.0]},
+        "obstacle": [
+            {"kind": "circle", "centre": [1.0, 1.0], "radius": 0.5},
+            {"kind": "rectangle", "centre": [1.0, 1.0], "size": [2.0, 1.0]},
+            {"kind": "polygon", "points": [[5, 0], [7, 0], [6, 2]]},
+            {"kind": "line", "points": [[-9, 4], [9, 4]]},
+        ],
+    },
+    "outline": {
+        "dragon": DRAGON,
+        "route": SPIRAL,
+        "walk": {"end": 20},
+        "venue": {"boundary": [[-9, -9], [9, -9], [0, 9]]},
+    },
 }
 # Another value for each key; the number of a part is that of its kind in PARTS.
 VARIED: dict[str, Any] = {
@@ -89,6 +107,8 @@ VARIED: dict[str, Any] = {
     "route.part.4.end_curvature": -0.15,
     "route.start": [1.0, 2.0],
     "route.heading": 30.0,
+    "route.at": [3.0, 1.0],
+    "route.turned": 20.0,
     "disc.radius": 2.9,
     "turn.family": None,  # its other families are bases of their own
     "turn.ratio": 1.8,
@@ -109,6 +129,23 @@ VARIED: dict[str, Any] = {
     "limits.turning_rate": 1e-6,
     "limits.head_acceleration": 1e-4,
     "limits.margin": 5.0,
+    "limits.venue_margin": 9.0,
+    "venue.boundary": [[-8, -9], [9, -9], [0, 9]],
+    "venue.rectangle": [31.0, 20.0],
+    "venue.centre": [1.0, 0.0],
+    "venue.angle": 10.0,
+    "venue.name": "temple square",
+    "obstacle": [{"kind": "line", "points": [[20, 0], [20, 9]]}],
+    "obstacle.0.name": "well",
+    "obstacle.0.margin": 0.2,
+    "obstacle.0.centre": [1.0, 2.0],
+    "obstacle.0.radius": 0.6,
+    "obstacle.1.centre": [1.0, 2.0],
+    "obstacle.1.size": [2.0, 1.5],
+    "obstacle.1.angle": 10.0,
+    "obstacle.2.points": [[5, 0], [7, 0], [6, 3]],
+    "obstacle.3.points": [[-9, 4], [9, 5]],
+    "base": None,  # it is a plan of its own: tests/plans/test_base.py
 }
 
 
@@ -136,7 +173,8 @@ def with_key(data: dict[str, Any], key: str, value: Any) -> dict[str, Any]:
 def built(plan: Plan) -> list[Any]:
     """What comes of a plan: the walk and its times, and what it is called."""
     walk = plan.build()
-    return [plan.meta, walk.dragon.sizes, walk.route.rows, walk.profile, walk.start, plan.span(walk)]
+    about = [plan.meta, walk.dragon.sizes, walk.route.rows, walk.profile, walk.start, plan.span(walk)]
+    return [*about, plan.obstacles()]
 
 
 def judged(plan: Plan) -> list[Any]:
@@ -169,7 +207,7 @@ def asked(base: str, key: str, value: Any) -> Plan | None:
     try:
         return checked(with_key(BASES[base], key, value), "varied")
     except PlanError as error:
-        if "has no effect beside" in str(error) or "is not a known key" in str(error):
+        if "has no effect" in str(error) or "is not a known key" in str(error):
             return None
         raise
 
@@ -187,14 +225,15 @@ def test_whatever_a_plan_says_has_an_effect_or_is_refused(base: str) -> None:
         assert plan is None or not same(before, built(plan)), key
 
 
-@pytest.mark.parametrize("base", ["profile", "arc-arc", "parts"])
+@pytest.mark.parametrize("base", ["profile", "arc-arc", "parts", "square"])
 def test_every_limit_has_an_effect_or_is_refused(base: str) -> None:
     before = judged(checked({"schema": 1, **BASES[base]}, "base"))
     for key, value in VARIED.items():
         if key.startswith("limits."):
             plan = asked(base, key, value)
-            assert plan is not None
-            assert judged(plan) != before, key
+            assert plan is not None or key == "limits.venue_margin"
+            assert plan is None or judged(plan) != before, key
+    assert asked("square", "limits.venue_margin", 9.0) is not None
 
 
 @pytest.mark.parametrize(
@@ -210,6 +249,9 @@ def test_every_limit_has_an_effect_or_is_refused(base: str) -> None:
         ("arc-arc-arc", "turn.ratio", 'turn.ratio has no effect beside turn.family = "arc-arc-arc"'),
         ("profile", "walk.speed", "walk.speed has no effect beside walk.profile: take it out"),
         ("list of benches", "dragon.width", "dragon.width has no effect beside [[dragon.bench]]"),
+        ("outline", "venue.rectangle", "venue.rectangle has no effect beside venue.boundary"),
+        ("parts", "venue.angle", "venue.angle has no effect without venue.rectangle: take it out, or"),
+        ("parts", "limits.venue_margin", "limits.venue_margin has no effect without venue.rectangle"),
     ],
 )
 def test_what_has_no_effect_is_refused_in_one_sentence(base: str, key: str, sentence: str) -> None:

@@ -24,7 +24,7 @@ EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.dragon.toml")
 @pytest.mark.parametrize("section", SECTIONS, ids=lambda section: section.header or "schema")
 def test_every_key_of_every_table_is_described(section: Section) -> None:
     names = {field.alias or name for name, field in section.table.model_fields.items()}
-    tables = {"meta", "dragon", "route", "disc", "turn", "walk", "limits"}
+    tables = {"meta", "dragon", "route", "disc", "turn", "walk", "limits", "venue", "obstacle"}
     assert set(section.keys) == names - (tables if section.table is Plan else set())
 
 
@@ -59,7 +59,12 @@ def test_each_example_is_taken_with_its_unit() -> None:
     del turn["ratio"], turn["curvature"]
     walk = {name: value for name, value in said["[walk]"].items() if name != "profile"}
     dragon = {name: value for name, value in said["[dragon]"].items() if name != "bench"}
-    common = {"schema": 1, "meta": said["[meta]"], "limits": said["[limits]"]}
+    edge = {name: value for name, value in said["[venue]"].items() if name != "boundary"}
+    standing = [keys for header, keys in said.items() if header.startswith("[[obstacle]]")]
+    for n, keys in enumerate(standing):
+        keys["name"] += f" {n}"
+    common = {"schema": 1, "meta": said["[meta]"], "limits": said["[limits]"], "venue": edge}
+    common["obstacle"] = standing
     spiral = {**common, "route": said['[route] kind = "spiral-in"'], "dragon": dragon, "walk": walk}
     checked(spiral, "spiral-in")
     listed = {"bench": [said["[[dragon.bench]]"]]}
@@ -67,7 +72,9 @@ def test_each_example_is_taken_with_its_unit() -> None:
     route = said['[route] kind = "turn"']
     checked({**common, "dragon": listed, "route": route, "turn": turn, "disc": said["[disc]"]}, "turn")
     whole = {**said['[route] kind = "parts"'], "part": parts}
-    checked({**common, "route": whole, "walk": profiled}, "parts")
+    outline = {"boundary": said["[venue]"]["boundary"]}
+    plan = checked({**common, "route": whole, "walk": profiled, "venue": outline}, "parts")
+    assert len(plan.obstacles()) == 1 + len(standing)
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

@@ -170,7 +170,7 @@ def test_a_paced_plan_keeps_every_limit_and_is_faster(name: str, limit: str) -> 
     assert pace.saved >= 0.0
     paced = checked(with_pace(plan, pace).data(), "paced")
     report = check(paced)
-    codes = {finding.code for finding in report.findings}
+    codes = {finding.kind for finding in report.findings}
     assert codes <= {"contact"}  # the way, not its pace, may bring benches together
     walk = paced.build()
     start, end = paced.span(walk)
@@ -198,7 +198,7 @@ def test_the_greatest_head_speed_is_never_above_what_sampling_allows(name: str, 
     assert found.value == found.lower <= found.upper <= found.lower * (1.0 + 2e-6)
     for share, safe in ((1.0, True), (1.0 + 3e-6, False)):
         walked = plan.with_value("walk.speed", found.value * share)
-        codes = {finding.code for finding in check(walked).findings}
+        codes = {finding.kind for finding in check(walked).findings}
         assert (codes <= {"contact"}) is safe
     even = plan.with_value("walk.speed", found.value)
     walk = even.build()

@@ -1,6 +1,8 @@
 """Whether a walk is safe: first contact, least clearance, speeds and accelerations against limits."""
 
+import math
 import time as clock
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -14,7 +16,9 @@ from benchdragon.analysis.contact import (
     first_contact,
     least_clearance,
 )
-from benchdragon.analysis.proof import prove_contact
+from benchdragon.analysis.findings import Finding, all_findings, shown_name
+from benchdragon.analysis.obstacles import ObstacleAnswers, obstacle_answers
+from benchdragon.analysis.proof import prove_contact, prove_obstacle
 from benchdragon.analysis.speed import (
     QUANTITIES,
     RATE_TOLERANCE,
@@ -24,9 +28,8 @@ from benchdragon.analysis.speed import (
     greatest_speed,
 )
 from benchdragon.errors import InputError, UnsureError, WalkError, of_kind
-from benchdragon.i18n import N_, _
+from benchdragon.i18n import _
 from benchdragon.model.answer import ROUNDING, Answer
-from benchdragon.model.numbering import handle_words
 from benchdragon.model.walk import Motion, Walk
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, Stages, silent
@@ -43,36 +46,6 @@ QUICK_CLEARANCE, QUICK_SPEED = 1e-3, 1e-4
 
 
 @dataclass(frozen=True)
-class Finding:
-    """Something that a walk must not do, or that could not be decided.
-
-    Attributes:
-        code: "contact", "margin", "speed" or another limited quantity, "head_acceleration" or
-            "undecided".
-        time: when, s.
-        benches: which.
-        value: what came out, m, m/s, m/s^2 or rad/s.
-        limit: what was to be kept.
-        sentence: the same in words, to be translated, with places for `words`, translated too.
-        words: see `sentence`.
-    """
-
-    code: str
-    time: float | None
-    benches: tuple[int, ...]
-    value: float
-    limit: float
-    sentence: str
-    words: dict[str, str]
-
-    @property
-    def text(self) -> str:
-        """The finding as a sentence, in the language in use."""
-        words = {name: _(word).format(**self.words) for name, word in self.words.items()}
-        return _(self.sentence).format(**words)
-
-
-@dataclass(frozen=True)
 class Report:
     """What a check found.
 
@@ -85,6 +58,7 @@ class Report:
         clearance: the least that they keep, m; 0 where they touch.
         greatest_speed: of any handle, m/s.
         peaks: the greatest of what else is limited, by the names of the limits, in SI units.
+        obstacles: what was found about the venue's edge and each obstacle, until then too.
         findings: empty if the walk is safe.
         proved: whether what is said of contact was proved.
         seconds: how long the check took.
@@ -99,6 +73,7 @@ class Report:
     greatest_speed: Answer
     peaks: dict[str, Answer]
     findings: tuple[Finding, ...]
+    obstacles: tuple[ObstacleAnswers, ...] = ()
     proved: bool = False
     seconds: float = 0.0
 
@@ -110,8 +85,7 @@ class Report:
     @property
     def decided(self) -> bool:
         """Whether no question was left open that could change `safe`."""
-        codes = {finding.code for finding in self.findings}
-        return codes != {"undecided"}
+        return not self.findings or any(finding.decided for finding in self.findings)
 
 
 def check(
@@ -134,7 +108,7 @@ def check(
     """
     of_kind("plan", plan, Plan)
     began = clock.perf_counter()
-    stage = Stages(progress, 4)
+    stage = Stages(progress, 5)
     walk = plan.build()
     start, end = plan.span(walk)
     contact, clearance = _nearness(plan, walk, (start, end), stage, prove, quick)
@@ -143,10 +117,14 @@ def check(
     speed = greatest_speed(walk, *span, tolerance=width, progress=stage(_("greatest speed")))
     speed = _decided_speed(plan, walk, span, speed)
     peaks = _limited_peaks(plan, walk, span, stage(_("other limits")))
+    widths = (QUICK_CLEARANCE,) if quick else TOLERANCES
+    obstacles = _obstacles(plan, walk, span, widths, prove, stage(_("obstacles")))
+    contacts = [contact, *(answers.contact for answers in obstacles)]
     return Report(
         plan, walk, start, end, contact, clearance, speed, peaks,
-        findings=all_findings(plan, walk, span, contact, {"speed": speed, **peaks}),
-        proved=prove and (contact is None or contact.status == "proved"),
+        findings=all_findings(plan, walk, span, contact, obstacles, {"speed": speed, **peaks}),
+        obstacles=obstacles,
+        proved=prove and all(one is None or one.status == "proved" for one in contacts),
         seconds=clock.perf_counter() - began,
     )  # fmt: skip
 
@@ -194,6 +172,23 @@ def _no_clearance(contact: Answer | None) -> Answer | None:
     return replace(contact, value=0.0, lower=0.0, upper=0.0, unit="m")
 
 
+def _obstacles(
+    plan: Plan,
+    walk: Walk,
+    span: tuple[float, float],
+    tolerances: Sequence[float],
+    prove: bool,
+    progress: Progress,
+) -> tuple[ObstacleAnswers, ...]:
+    """What is found about the venue's edge and each obstacle over a span of the walk, s."""
+    found, known = [], plan.obstacles()
+    for n, obstacle in enumerate(known):
+        progress(n / len(known), shown_name(obstacle.name))
+        answers = obstacle_answers(walk, obstacle, *span, tolerances=tolerances)
+        found.append(prove_obstacle(walk, answers, *span) if prove else answers)
+    return tuple(found)
+
+
 def _decided_speed(plan: Plan, walk: Walk, span: tuple[float, float], speed: Answer) -> Answer:
     """The greatest speed over a span of the walk, s, asked again where its bracket holds the limit."""
     limit = plan.limits.speed
@@ -222,92 +217,6 @@ def _limited_peaks(
     return peaks
 
 
-def all_findings(
-    plan: Plan,
-    walk: Walk,
-    span: tuple[float, float],
-    contact: Answer | None,
-    peaks: dict[str, Answer],
-) -> tuple[Finding, ...]:
-    """What a walk does that its plan forbids, from the first time of the span, s, to the second.
-
-    `peaks` are the greatest speed and what `_limited_peaks` found.
-    """
-    limits = given_limits(plan)
-    return (
-        *_contact_findings(contact, plan.limits.margin),
-        *_head_findings(walk, span, plan.limits.head_acceleration),
-        *(found for name in limits for found in _limit_findings(name, peaks[name], limits[name])),
-    )
-
-
-def _contact_findings(contact: Answer | None, margin: float) -> list[Finding]:
-    if contact is None or contact.witness is None:
-        return []
-    near = contact.witness
-    code = "undecided" if contact.status == "undecided" else "contact" if near.gap <= 0.0 else "margin"
-    sentence = {
-        "contact": N_("benches {a} and {b} touch at t = {t} s"),
-        "margin": N_("benches {a} and {b} come nearer than {margin} m at t = {t} s"),
-        "undecided": N_(
-            "benches {a} and {b} come to {margin} m of one another at t = {t} s, too exactly to tell "
-            "on which side"
-        ),
-    }[code]
-    a, b = near.benches
-    words = {"a": str(a), "b": str(b), "t": f"{contact.value:z.6f}", "margin": f"{margin:g}"}
-    return [Finding(code, contact.value, near.benches, max(near.gap, 0.0), margin, sentence, words)]
-
-
-def _head_findings(walk: Walk, span: tuple[float, float], limit: float) -> list[Finding]:
-    """Whether the head changes its speed faster than it may: its acceleration is known exactly."""
-    stretches = walk.profile.stretches(*span)
-    n = int(np.argmax(np.abs(stretches.rates)))
-    value, time = abs(float(stretches.rates[n])), float(stretches.times[n, 0])
-    if value <= limit * (1.0 + ROUNDING):
-        return []
-    sentence = N_(
-        "the head changes its speed by {value} m/s^2 from t = {t} s on, the limit being {limit} m/s^2"
-    )
-    words = {"t": f"{time:z.6f}", **_told_apart(value, limit)}
-    return [Finding("head_acceleration", time, (1,), value, limit, sentence, words)]
-
-
-def _told_apart(value: float, limit: float) -> dict[str, str]:
-    """A value and its limit with six digits, or as many as show the difference."""
-    digits = next((n for n in range(6, 17) if f"{value:.{n}g}" != f"{limit:.{n}g}"), 6)
-    return {"value": f"{value:.{digits}g}", "limit": f"{limit:.6g}"}
-
-
-def _limit_findings(name: str, peak: Answer, limit: float) -> list[Finding]:
-    """Whether what is limited exceeds its limit, or may."""
-    near, quantity = peak.witness, QUANTITIES[name]
-    kept = peak.keeps(limit)
-    if kept or near is None:
-        return []
-    sentence = N_("whether the {what} keeps to {limit} {unit} is undecided: {value} {unit} was seen")
-    if kept is False:
-        sentence = N_(
-            "{what} at bench {bench} is {value} {unit} at t = {t} s, the limit being {limit} {unit}"
-        )
-    if kept is False and name == "speed":
-        sentence = N_(
-            "handle {handle} ({where}) moves at {value} m/s at t = {t} s, the limit being {limit} m/s"
-        )
-    elif kept is False and near.handle is not None:
-        sentence = N_(
-            "{what} is {value} {unit} at handle {handle} ({where}) at t = {t} s, the limit being "
-            "{limit} {unit}"
-        )
-    words = {
-        "what": quantity.text, "unit": quantity.unit,
-        **handle_words(near.handle or 0, near.benches[0]),
-        "t": f"{near.time:z.6f}", **_told_apart(peak.value, limit),
-    }  # fmt: skip
-    code = "undecided" if kept is None else name
-    return [Finding(code, near.time, near.benches, peak.value, limit, sentence, words)]
-
-
 def peak_text(name: str) -> str:
     """What the greatest of a limited quantity is called, in the language in use."""
     return _("greatest {what}").format(what=_(QUANTITIES[name].text))
@@ -319,9 +228,9 @@ def sentence(report: Report) -> str:
         return _("Safe: {tightest}").format(tightest=_kept(report))
     first = report.findings[0]
     text = first.text
-    if first.code in {"contact", "margin"} and first.time is not None:
+    if first.kind in {"contact", "margin"} and first.decided and first.time is not None:
         text = _("benches {a} and {b} touch at {t} s")
-        if first.code == "margin":
+        if first.kind == "margin":
             text = _("benches {a} and {b} come nearer than the {margin} cm asked for at {t} s")
         a, b = first.benches
         text = text.format(a=a, b=b, t=f"{first.time:z.1f}", margin=f"{100.0 * first.limit:g}")
@@ -346,6 +255,7 @@ def _kept(report: Report) -> str:
                 t=f"{near.time:z.1f}",
             )
         ]
+    said += [_kept_from(answers) for answers in report.obstacles]
     if limits.margin:
         said.append(_("{margin} cm were asked for").format(margin=f"{100.0 * limits.margin:g}"))
     if limits.speed is not None:
@@ -365,6 +275,15 @@ def _kept(report: Report) -> str:
             )
         )
     return _("; ").join(said)
+
+
+def _kept_from(answers: ObstacleAnswers) -> str:
+    """The least distance kept from an obstacle."""
+    text = _("at least {gap} cm from {name}")
+    if answers.obstacle.kind == "venue":
+        text = _("at least {gap} cm from the edge of the venue")
+    gap = math.floor(1000.0 * answers.distance.sure(up=False)) / 10.0
+    return text.format(gap=f"{gap:.10g}", name=shown_name(answers.obstacle.name))
 
 
 def moment(report: Report) -> tuple[Motion, Answer]:

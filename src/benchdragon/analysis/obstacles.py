@@ -88,15 +88,19 @@ class ObstacleSearch:
         in_order(self.start, self.end)
         self.heads = self.walk.head_position([self.start, self.end])
         self.placed = self.walk.placement(self.heads)  # raises where the dragon cannot stand
-        far = max(float(np.abs([self.placed.x, self.placed.y]).max()), self._extent())
+        far = max(float(np.abs([self.placed.x, self.placed.y]).max()), self.extent)
         self.slack = self.slack or slack_at(far)
         self.kind, self.kinds = kinds_of(self.walk.dragon.sizes)
         self._standing = kernel.scratch_for(self.obstacle.boxes)
         count = len(self.obstacle.boxes) + 1
         self._search = steps.room(2, count, count, 0 if self.ledger is None else LOG)
         self._times = HeadTimes(self.walk, float(self.heads[0]), self.start)
+        if self.ledger is not None:
+            self.ledger.add_placement(self.placed)
 
-    def _extent(self) -> float:
+    @property
+    def extent(self) -> float:
+        """The largest coordinate of the obstacle, m."""
         return float(np.abs(self.obstacle.outline).max()) + self.obstacle.radius
 
     @property
@@ -192,6 +196,9 @@ class ObstacleSearch:
         line = self.walk.dragon.first(bench)
         before, _at = self._bracket(line, lower - self.slack)
         _at, after = self._bracket(line, upper + self.slack)
+        if self.ledger is not None:
+            for head in (before, after):
+                self.ledger.add_placement(Placement(line, self.walk.route, head))
         return before, after
 
     def _bracket(self, line: Dragon, s: float) -> tuple[float, float]:
@@ -265,8 +272,6 @@ def touching(search: ObstacleSearch) -> list[Answer]:
     apart, bench, _box = search.at_start
     head = float(search.heads[0])
     if apart <= search.reach - search.slack:
-        if search.ledger is not None:
-            search.ledger.add_placement(search.placed)
         return [search.answer(head, head, "found", bench)]
     grazes, sure = list[Come](), list[Come]()
     for touch in search.touches():
@@ -344,6 +349,46 @@ def least_distance(
         if closed or best.distance <= obstacle.radius:
             break
     return _distance_answer(search, best, floor)
+
+
+@dataclass(frozen=True)
+class ObstacleAnswers:
+    """What was found about an obstacle, or the venue's edge, over a span of a walk.
+
+    Attributes:
+        obstacle: which.
+        contact: when a bench first touches it, leaves the venue, or comes nearer than the margin; None
+            if none does.
+        distance: the least that benches keep from it, m; 0 where one touches it.
+    """
+
+    obstacle: Obstacle
+    contact: Answer | None
+    distance: Answer
+
+
+def obstacle_answers(
+    walk: Walk,
+    obstacle: Obstacle,
+    start: float,
+    end: float,
+    *,
+    tolerances: Sequence[float] = TOLERANCES,
+) -> ObstacleAnswers:
+    """The least distance that benches keep from an obstacle, and when one comes nearer than it may.
+
+    A contact that is sure is told before one that is not: see `first_touch` and `least_distance`.
+
+    Raises:
+        InputError: for an end before the start.
+        WalkError: if the dragon cannot stand at the start, or walk on to the end.
+        UnsureError: if it could not be shown that it can.
+    """
+    distance = least_distance(walk, obstacle, start, end, tolerances=tolerances)
+    if distance.lower > obstacle.margin:
+        return ObstacleAnswers(obstacle, None, distance)
+    answers = touching(ObstacleSearch(walk, obstacle, start, end))
+    return ObstacleAnswers(obstacle, answers[-1] if answers else None, distance)
 
 
 @dataclass(frozen=True)

@@ -19,6 +19,7 @@ from benchdragon.analysis.contact import contact_windows
 from benchdragon.analysis.contact_search import SLACK
 from benchdragon.analysis.distance import pair_distances
 from benchdragon.analysis.ledger import Ledger
+from benchdragon.analysis.obstacles import ObstacleAnswers, ObstacleSearch, touching
 from benchdragon.errors import InputError, MissingExtraError, UnsureError, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels import curve as kernel
@@ -303,6 +304,7 @@ def errors(walk: Walk, ledger: Ledger, head: float = 0.0, progress: Progress = s
     checker = Checker(walk.route.rows, float(links.max()))
     jobs: list[tuple[int, FloatArray, tuple[FloatArray, ...]]] = []
     jobs += [(0, links, chains) for chains in ledger.evaluations]
+    jobs += [(0, np.array([link]), chains) for link, chains in ledger.benches]
     jobs += [(1, np.array([link]), chains) for link, chains in ledger.cells]
     jobs += [(1, links, chains) for chains in ledger.grid]
     total, done = sum(len(chains[0]) * chains[2].shape[1] for _kind, _links, chains in jobs), 0
@@ -369,6 +371,37 @@ def prove_contact(
     )
 
 
+def prove_obstacle(walk: Walk, answers: ObstacleAnswers, start: float, end: float) -> ObstacleAnswers:
+    """The answers about an obstacle, with its contact proved, or that there is none from start to end.
+
+    The walk itself must be shown to go on so far: see `prove_contact`, on whose assumptions this rests.
+
+    Raises:
+        InputError: for a route with a part that cannot be proved.
+        MissingExtraError: without python-flint.
+        UnsureError: if errors of places cannot be bounded well enough.
+        WalkError: as `first_touch`.
+    """
+    require_enclosed(walk.route)
+    require_flint()
+    slack, obstacle = SLACK, answers.obstacle
+    for _trial in range(MOST_TRIALS):
+        ledger = Ledger()
+        search = ObstacleSearch(walk, obstacle, start, end, slack, ledger)
+        contacts = touching(search)
+        found = errors(walk, ledger, clock_error(walk, start, end))
+        needed = needed_slack(walk, found, max(_extent(ledger), search.extent))
+        if needed <= slack:
+            contact = contacts[-1] if contacts else None
+            return replace(answers, contact=contact and _proved(contact, found, slack))
+        if not needed < MOST_SLACK:
+            break
+        slack = 2.0 * needed
+    raise UnsureError(
+        _("the errors of computed positions could not be bounded well enough for a proof")
+    )
+
+
 def prove_nearer(walk: Walk, s: float, i: int, j: int, margin: float) -> bool:
     """Whether benches i < j (rows, from 0) are surely nearer than `margin`, m, with the head about s.
 
@@ -407,6 +440,5 @@ def _proved(answer: Answer, found: Errors, slack: float) -> Answer:
 
 def _extent(ledger: Ledger) -> float:
     """The largest coordinate of chains that distances were taken from, m."""
-    return max(
-        (float(np.abs(chain[3:]).max()) for chain in ledger.evaluations if len(chain[0])), default=0.0
-    )
+    chains = [*ledger.evaluations, *(chain for _link, chain in ledger.benches)]
+    return max((float(np.abs(chain[3:]).max()) for chain in chains if len(chain[0])), default=0.0)

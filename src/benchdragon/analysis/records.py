@@ -8,8 +8,10 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict
 
-from benchdragon.analysis import check
+from benchdragon.analysis import findings
 from benchdragon.analysis.check import Report, peak_text, sentence
+from benchdragon.analysis.findings import KINDS
+from benchdragon.analysis.obstacles import ObstacleAnswers
 from benchdragon.errors import WalkError
 from benchdragon.i18n import Words, _, both
 from benchdragon.model import answer
@@ -41,6 +43,7 @@ class Witness(Record):
     gap: Number
     features: list[tuple[int, str]]
     handle: int | None
+    obstacle: str | None
 
 
 class Answer(Record):
@@ -60,17 +63,32 @@ class Answer(Record):
 
 
 class Finding(Record):
-    """Something that a walk must not do, or that could not be decided: see `check.Finding`.
+    """Something that a walk must not do, or that could not be decided: see `findings.Finding`.
 
-    Besides its codes there is "walk": the benches cannot follow.
+    Attributes:
+        code: BD101 and so on: those never change.
+        obstacle: the name of what stands in the way, null where nothing does.
     """
 
     code: str
+    kind: str
+    decided: bool
     text: Words
     time: Number
     benches: list[int]
     value: Number
     limit: Number
+    obstacle: str | None = None
+
+
+class ObstacleRecord(Record):
+    """What was found about an obstacle, or the venue's edge: see `obstacles.ObstacleAnswers`."""
+
+    name: str
+    kind: Literal["circle", "rectangle", "polygon", "line", "venue"]
+    margin: Number
+    contact: Answer | None
+    distance: Answer
 
 
 class LimitedPeak(Record):
@@ -105,6 +123,7 @@ class Verdict(Record):
     clearance: Answer | None
     greatest_speed: Answer | None
     peaks: list[LimitedPeak]
+    obstacles: list[ObstacleRecord]
     findings: list[Finding]
     seconds: Number
     plan_sha256: str
@@ -130,6 +149,7 @@ def verdict_of(report: Report) -> Verdict:
         clearance=answer_of(report.clearance, plan),
         greatest_speed=answer_of(report.greatest_speed, plan),
         peaks=[_limited_peak(name, peak, plan) for name, peak in report.peaks.items()],
+        obstacles=[_obstacle(found, plan) for found in report.obstacles],
         findings=[_finding(found) for found in report.findings],
         seconds=report.seconds,
         plan_sha256=plan.sha256,
@@ -137,10 +157,24 @@ def verdict_of(report: Report) -> Verdict:
     )
 
 
-def _finding(found: check.Finding) -> Finding:
+def _finding(found: findings.Finding) -> Finding:
     text, benches = both(lambda: found.text), list(found.benches)
     about = {"time": found.time, "value": found.value, "limit": found.limit}
-    return Finding(code=found.code, text=text, benches=benches, **about)
+    return Finding(
+        code=found.code, kind=found.kind, decided=found.decided, text=text, benches=benches,
+        obstacle=found.obstacle or None, **about,
+    )  # fmt: skip
+
+
+def _obstacle(found: ObstacleAnswers, plan: Plan) -> ObstacleRecord:
+    obstacle, contact = found.obstacle, found.contact
+    return ObstacleRecord(
+        name=obstacle.name,
+        kind=obstacle.kind,
+        margin=obstacle.margin,
+        contact=None if contact is None else answer_of(contact, plan),
+        distance=answer_of(found.distance, plan),
+    )
 
 
 def _limited_peak(name: str, peak: answer.Answer, plan: Plan) -> LimitedPeak:
@@ -150,7 +184,10 @@ def _limited_peak(name: str, peak: answer.Answer, plan: Plan) -> LimitedPeak:
 def verdict_of_fall(plan: Plan, span: tuple[float, float], error: WalkError) -> Verdict:
     """The record of a walk over a span, s, along which the benches cannot follow."""
     text = both(lambda: str(error))
-    fall = Finding(code="walk", text=text, time=error.t, benches=[error.bench], value=None, limit=None)
+    fall = Finding(
+        code=KINDS["walk"].code, kind="walk", decided=True, text=text, time=error.t,
+        benches=[error.bench], value=None, limit=None,
+    )  # fmt: skip
     return Verdict(
         safe=False,
         decided=True,
@@ -162,6 +199,7 @@ def verdict_of_fall(plan: Plan, span: tuple[float, float], error: WalkError) -> 
         clearance=None,
         greatest_speed=None,
         peaks=[],
+        obstacles=[],
         findings=[fall],
         seconds=None,
         plan_sha256=plan.sha256,
@@ -178,4 +216,10 @@ def untimed(verdict: Verdict) -> Verdict:
     peaks = [peak.model_copy(update={"peak": without(peak.peak)}) for peak in verdict.peaks]
     names = ("first_contact", "clearance", "greatest_speed")
     answers = {name: without(getattr(verdict, name)) for name in names}
-    return verdict.model_copy(update={**answers, "peaks": peaks, "seconds": None})
+    obstacles = [
+        one.model_copy(update={"contact": without(one.contact), "distance": without(one.distance)})
+        for one in verdict.obstacles
+    ]
+    return verdict.model_copy(
+        update={**answers, "peaks": peaks, "obstacles": obstacles, "seconds": None}
+    )

@@ -91,6 +91,7 @@ def _explained(report: "Report") -> list[str]:
 def print_report(report: "Report", brackets: bool = False) -> None:
     """A report for readers."""
     from benchdragon.analysis.check import peak_text
+    from benchdragon.analysis.findings import shown_name
 
     print_title(report.plan)
     if report.safe:
@@ -103,11 +104,17 @@ def print_report(report: "Report", brackets: bool = False) -> None:
     else:
         click.echo(_("UNDECIDED"))
     for finding in report.findings:
-        click.echo(f"  {finding.text}")
+        click.echo(f"  {finding.code}: {finding.text}")
     if report.first_contact is not None:
         print_answer(_("first contact"), report.first_contact, up=False, brackets=brackets)
         click.echo(_("until then:"))
     print_answer(_("least clearance"), report.clearance, up=False, brackets=brackets)
+    for answers in report.obstacles:
+        name = shown_name(answers.obstacle.name)
+        text = _("least distance from {name}")
+        if answers.obstacle.kind == "venue":
+            text = _("least distance from the edge of the venue ({name})")
+        print_answer(text.format(name=name), answers.distance, up=False, brackets=brackets)
     print_answer(_("greatest speed of a handle"), report.greatest_speed, up=True, brackets=brackets)
     for name, peak in report.peaks.items():
         print_answer(peak_text(name), peak, up=True, brackets=brackets)

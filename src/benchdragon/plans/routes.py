@@ -1,12 +1,13 @@
 """The kinds of routes that a plan may have, and where on each the head stands and comes to."""
 
 import math
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import Annotated, Literal, Protocol
 
 from pydantic import Field
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
+from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.turn_families import TRAIL
 from benchdragon.model.curves import Route, Spiral
 from benchdragon.model.turns import Turn
@@ -15,16 +16,15 @@ from benchdragon.plans.source import Fault, Faults, KeyedError
 from benchdragon.plans.tables import (
     MOST_PARTS,
     Degrees,
+    DiscTable,
     Metres,
     Number,
     Part,
     Pitch,
     Table,
+    TurnTable,
     at_least,
 )
-
-if TYPE_CHECKING:
-    from benchdragon.plans.schema import Plan
 
 # A turn may reach so far out of its disc, m: rounding, and what lies between samples.
 FITS = 1e-3
@@ -32,6 +32,22 @@ FITS = 1e-3
 
 def _at(key: str, text: str) -> KeyedError:
     return KeyedError([Fault(key, text)])
+
+
+class Beside(Protocol):
+    """What a route asks of the plan that it stands in."""
+
+    @property
+    def disc(self) -> DiscTable:
+        """The turning space."""
+
+    @property
+    def turn(self) -> TurnTable:
+        """The turn between spirals."""
+
+    @property
+    def links(self) -> FloatArray:
+        """Between the holes of each bench, m, (N,)."""
 
 
 class RouteTable(Table):
@@ -55,7 +71,7 @@ class SpiralInRoute(RouteTable):
     start_turn: Annotated[Number, Field(gt=0.0, le=1e6), at_least(1e-3)] = 16.0
     clockwise: bool = True
 
-    def build(self, plan: "Plan") -> tuple[Route, float]:
+    def build(self, plan: Beside) -> tuple[Route, float]:
         """The route, and where on it the head stands at time 0."""
         k = self.pitch / (2.0 * math.pi)
         end = plan.disc.radius / k if plan.disc.radius is not None else 0.0
@@ -80,13 +96,13 @@ class TurnRoute(RouteTable):
     kind: Literal["turn"]
     pitch: Pitch = 1.7
 
-    def build(self, plan: "Plan") -> tuple[Route, float]:
+    def build(self, plan: Beside) -> tuple[Route, float]:
         """The route, and where on it the head stands at time 0: where the turn begins."""
         turn = self.turn(plan)
         route = turn.route(trail=float(plan.links.sum()) + TRAIL)
         return route, float(route.joints[1])
 
-    def turn(self, plan: "Plan") -> Turn:
+    def turn(self, plan: Beside) -> Turn:
         """The turn itself.
 
         Raises:
@@ -124,7 +140,7 @@ class TurnRoute(RouteTable):
         return turn
 
     @staticmethod
-    def disc(plan: "Plan") -> float:
+    def disc(plan: Beside) -> float:
         """Radius of the turning space, m: the paper's, if the plan does not say."""
         return 4.5 if plan.disc.radius is None else plan.disc.radius
 
@@ -141,7 +157,7 @@ class PartsRoute(RouteTable):
     start: tuple[Metres, Metres] | None = None
     heading: Degrees | None = None
 
-    def build(self, _plan: "Plan") -> tuple[Route, float]:
+    def build(self, _plan: Beside) -> tuple[Route, float]:
         """The route, and where on it the head stands at time 0: at its start."""
         faults = Faults()
         tried = [faults.tried(f"route.part.{i}", part.build) for i, part in enumerate(self.part)]

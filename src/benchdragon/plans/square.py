@@ -33,12 +33,6 @@ class VenueTable(Table):
     def build(self, margin: float) -> Obstacle | None:
         """The edge, from which benches keep `margin`, m; None if the plan says none."""
         name = self.name or "venue"
-        if self.boundary is not None and self.rectangle is not None:
-            raise _fault("venue.rectangle", _("say either venue.boundary or venue.rectangle, not both"))
-        if self.rectangle is None:
-            for key in ("centre", "angle"):
-                if getattr(self, key) is not None:
-                    raise _fault(f"venue.{key}", _("venue.{key} needs venue.rectangle").format(key=key))
         if self.boundary is not None:
             return Obstacle.venue(name, self.boundary, margin)
         if self.rectangle is None:
@@ -146,10 +140,6 @@ OBSTACLE_KEYS: Mapping[str, Key] = {
 AnObstacle = Annotated[AnyObstacle, Field(discriminator="kind")]
 
 
-def _fault(key: str, text: str) -> KeyedError:
-    return KeyedError([Fault(key, text)])
-
-
 def built_obstacles(
     venue: VenueTable, tables: Sequence[AnyObstacle], limits: LimitsTable
 ) -> tuple[Obstacle, ...]:
@@ -164,10 +154,6 @@ def built_obstacles(
     if edge is not None:
         found.append(edge)
         taken[edge.name] = "venue"
-    elif limits.venue_margin is not None and not faults.found:
-        faults.found.append(
-            Fault("limits.venue_margin", _("limits.venue_margin needs a venue: add [venue]"))
-        )
     for n, table in enumerate(tables):
         name = table.name or f"obstacle {n + 1}"
         if name in taken:

@@ -151,7 +151,7 @@ def _merged(below: dict[str, Any], own: dict[str, Any]) -> tuple[dict[str, Any],
             keys += [f"{name}.{key}" for key in table]
         else:
             merged[name] = table
-            keys += [f"{name}.{key}" for key in table] if isinstance(table, dict) else []
+            keys += [f"{name}.{key}" for key in (*table, "kind")] if isinstance(table, dict) else []
     return merged, keys
 
 
@@ -183,13 +183,21 @@ def bench_count(data: dict[str, Any]) -> int | None:
 
 @dataclass(frozen=True)
 class Idle:
-    """A key that has no effect beside what a plan chooses: `because` is "KEY = VALUE" of the choice."""
+    """A key that has no effect beside what a plan chooses: `because` is "KEY = VALUE" of the choice.
+
+    Or, where that is `missing`, without it.
+    """
 
     key: str
     beside: str
     because: str
+    missing: bool = False
 
     def __str__(self) -> str:
+        if self.missing:
+            return _("{key} has no effect without {because}: take it out, or say {because} too").format(
+                key=self.key, because=self.because
+            )
         return _("{key} has no effect beside {because}: take it out").format(
             key=self.key, because=self.because
         )
@@ -203,13 +211,17 @@ FAMILIES = {
 }
 
 
+# Tables of which some keys have no effect beside others.
+CHOOSING = ("dragon", "route", "disc", "turn", "walk", "venue", "limits")
+
+
 def idle_keys(data: dict[str, Any]) -> list[Idle]:
     """The keys of a plan's tables that have no effect beside others; None counts as not said.
 
     What a table chooses decides, not its numbers: a body's length is no error where a head and a tail
     are all there is.
     """
-    tables = {name: _said(data.get(name)) for name in ("dragon", "route", "disc", "turn", "walk")}
+    tables = {name: _said(data.get(name)) for name in CHOOSING}
     route, turn = tables["route"], tables["turn"]
     kind = "parts" if "part" in route else route.get("kind")
     found = []
@@ -228,6 +240,20 @@ def idle_keys(data: dict[str, Any]) -> list[Idle]:
     if tables["dragon"].get("bench"):
         others = [f"dragon.{name}" for name in tables["dragon"] if name != "bench"]
         found += [Idle(key, "dragon.bench", "[[dragon.bench]]") for key in others]
+    return found + _idle_on_the_square(tables["venue"], tables["limits"])
+
+
+def _idle_on_the_square(venue: dict[str, Any], limits: dict[str, Any]) -> list[Idle]:
+    """The keys about the venue's edge that have no effect beside others, or without them."""
+    found = []
+    if "boundary" in venue:
+        others = [f"venue.{name}" for name in ("rectangle", "centre", "angle") if name in venue]
+        found += [Idle(key, "venue.boundary", "venue.boundary") for key in others]
+    elif "rectangle" not in venue:
+        others = [f"venue.{name}" for name in ("centre", "angle") if name in venue]
+        others += ["venue.name"] if venue.get("name") else []
+        others += ["limits.venue_margin"] if "venue_margin" in limits else []
+        found += [Idle(key, "venue", "venue.rectangle", missing=True) for key in others]
     return found
 
 

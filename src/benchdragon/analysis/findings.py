@@ -1,0 +1,223 @@
+"""What a walk does that its plan forbids, in words, under codes that do not change."""
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from benchdragon.analysis.obstacles import ObstacleAnswers
+from benchdragon.analysis.speed import QUANTITIES, given_limits
+from benchdragon.i18n import N_, _
+from benchdragon.model.answer import ROUNDING, Answer
+from benchdragon.model.numbering import handle_words
+from benchdragon.model.walk import Walk
+from benchdragon.plans.schema import Plan
+
+# What obstacles are called to which a plan gives no name.
+NAMELESS = r"obstacle (\d+)"
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of finding.
+
+    Attributes:
+        code: under which it is known for good: docs/en/findings.md explains each.
+        text: what it is, in words.
+    """
+
+    code: str
+    text: str
+
+
+KINDS: Mapping[str, Kind] = {
+    "contact": Kind("BD101", N_("two benches touch")),
+    "margin": Kind("BD102", N_("two benches come nearer than the margin")),
+    "walk": Kind("BD103", N_("a bench cannot follow")),
+    "speed": Kind("BD201", N_("a handle is faster than the limit")),
+    "acceleration": Kind("BD202", N_("a handle accelerates along the route by more than the limit")),
+    "lateral_acceleration": Kind("BD203", N_("a handle's lateral acceleration exceeds the limit")),
+    "total_acceleration": Kind("BD204", N_("a handle's total acceleration exceeds the limit")),
+    "turning_rate": Kind("BD205", N_("a bench turns faster than the limit")),
+    "head_acceleration": Kind("BD206", N_("the head changes its speed by more than the limit")),
+    "venue": Kind("BD301", N_("a bench leaves the venue")),
+    "venue_margin": Kind("BD302", N_("a bench comes nearer to the venue's edge than its margin")),
+    "obstacle": Kind("BD303", N_("a bench touches an obstacle")),
+    "obstacle_margin": Kind("BD304", N_("a bench comes nearer to an obstacle than its margin")),
+}
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Something that a walk must not do, or that could not be decided.
+
+    Attributes:
+        kind: what, one of KINDS.
+        time: when, s.
+        benches: which.
+        value: what came out, m, m/s, m/s^2 or rad/s.
+        limit: what was to be kept.
+        sentence: the same in words, to be translated, with places for `words`, translated too.
+        words: see `sentence`.
+        decided: whether it surely does; else that was left open.
+        obstacle: the name of what stands in the way, "" where nothing does.
+    """
+
+    kind: str
+    time: float | None
+    benches: tuple[int, ...]
+    value: float
+    limit: float
+    sentence: str
+    words: dict[str, str]
+    decided: bool = True
+    obstacle: str = ""
+
+    @property
+    def code(self) -> str:
+        """The code under which this kind of finding is known for good."""
+        return KINDS[self.kind].code
+
+    @property
+    def text(self) -> str:
+        """The finding as a sentence, in the language in use."""
+        words = {name: _(word).format(**self.words) for name, word in self.words.items()}
+        return _(self.sentence).format(**words)
+
+
+def all_findings(
+    plan: Plan,
+    walk: Walk,
+    span: tuple[float, float],
+    contact: Answer | None,
+    obstacles: Sequence[ObstacleAnswers],
+    peaks: Mapping[str, Answer],
+) -> tuple[Finding, ...]:
+    """What a walk does that its plan forbids, from the first time of the span, s, to the second.
+
+    `peaks` are the greatest speed and what else is limited.
+    """
+    limits = given_limits(plan)
+    return (
+        *_contact_findings(contact, plan.limits.margin),
+        *(found for answers in obstacles for found in _obstacle_findings(answers)),
+        *_head_findings(walk, span, plan.limits.head_acceleration),
+        *(found for name in limits for found in _limit_findings(name, peaks[name], limits[name])),
+    )
+
+
+def _contact_findings(contact: Answer | None, margin: float) -> list[Finding]:
+    if contact is None or contact.witness is None:
+        return []
+    near = contact.witness
+    decided = contact.status != "undecided"
+    kind = "margin" if near.gap > 0.0 or (margin and not decided) else "contact"
+    sentence = {
+        "contact": N_("benches {a} and {b} touch at t = {t} s"),
+        "margin": N_("benches {a} and {b} come nearer than {margin} m at t = {t} s"),
+    }[kind]
+    if not decided:
+        sentence = N_(
+            "benches {a} and {b} come to {margin} m of one another at t = {t} s, too exactly to tell "
+            "on which side"
+        )
+    a, b = near.benches
+    words = {"a": str(a), "b": str(b), "t": f"{contact.value:z.6f}", "margin": f"{margin:g}"}
+    gap = max(near.gap, 0.0)
+    return [Finding(kind, contact.value, near.benches, gap, margin, sentence, words, decided)]
+
+
+# What an obstacle's answers are in words: touched or left, nearer than the margin, and undecided.
+OBSTACLE_SENTENCES = {
+    "obstacle": N_("bench {bench} touches {name} at t = {t} s"),
+    "obstacle_margin": N_("bench {bench} comes nearer than {margin} m to {name} at t = {t} s"),
+    "venue": N_("bench {bench} leaves the venue ({name}) at t = {t} s"),
+    "venue_margin": N_(
+        "bench {bench} comes nearer than {margin} m to the edge of the venue ({name}) at t = {t} s"
+    ),
+}
+
+
+def _obstacle_findings(answers: ObstacleAnswers) -> list[Finding]:
+    """Whether a bench touches an obstacle or leaves the venue, or comes nearer than it may."""
+    contact, margin = answers.contact, answers.obstacle.margin
+    if contact is None or contact.witness is None:
+        return []
+    near, decided = contact.witness, contact.status != "undecided"
+    kind = "venue" if answers.obstacle.kind == "venue" else "obstacle"
+    kind += "_margin" if near.gap > 0.0 or (margin and not decided) else ""
+    sentence = OBSTACLE_SENTENCES[kind]
+    if not decided:
+        sentence = N_(
+            "bench {bench} comes to {margin} m of {name} at t = {t} s, too exactly to tell on which "
+            "side"
+        )
+    (bench,) = near.benches
+    words = {"bench": str(bench), "t": f"{contact.value:z.6f}", "margin": f"{margin:g}"}
+    words |= name_words(answers.obstacle.name)
+    gap, name = max(near.gap, 0.0), answers.obstacle.name
+    return [Finding(kind, contact.value, near.benches, gap, margin, sentence, words, decided, name)]
+
+
+def name_words(name: str) -> dict[str, str]:
+    """What an obstacle is called, as words of a sentence: one without a name goes by its number."""
+    nameless = re.fullmatch(NAMELESS, name)
+    if nameless:
+        return {"name": N_("obstacle {n}"), "n": nameless[1]}
+    return {"name": name.replace("{", "{{").replace("}", "}}")}
+
+
+def shown_name(name: str) -> str:
+    """What an obstacle is called, in the language in use."""
+    words = name_words(name)
+    return _(words["name"]).format(**words)
+
+
+def _head_findings(walk: Walk, span: tuple[float, float], limit: float) -> list[Finding]:
+    """Whether the head changes its speed faster than it may: its acceleration is known exactly."""
+    stretches = walk.profile.stretches(*span)
+    n = int(np.argmax(np.abs(stretches.rates)))
+    value, time = abs(float(stretches.rates[n])), float(stretches.times[n, 0])
+    if value <= limit * (1.0 + ROUNDING):
+        return []
+    sentence = N_(
+        "the head changes its speed by {value} m/s^2 from t = {t} s on, the limit being {limit} m/s^2"
+    )
+    words = {"t": f"{time:z.6f}", **_told_apart(value, limit)}
+    return [Finding("head_acceleration", time, (1,), value, limit, sentence, words)]
+
+
+def _told_apart(value: float, limit: float) -> dict[str, str]:
+    """A value and its limit with six digits, or as many as show the difference."""
+    digits = next((n for n in range(6, 17) if f"{value:.{n}g}" != f"{limit:.{n}g}"), 6)
+    return {"value": f"{value:.{digits}g}", "limit": f"{limit:.6g}"}
+
+
+def _limit_findings(name: str, peak: Answer, limit: float) -> list[Finding]:
+    """Whether what is limited exceeds its limit, or may."""
+    near, quantity = peak.witness, QUANTITIES[name]
+    kept = peak.keeps(limit)
+    if kept or near is None:
+        return []
+    sentence = N_("whether the {what} keeps to {limit} {unit} is undecided: {value} {unit} was seen")
+    if kept is False:
+        sentence = N_(
+            "{what} at bench {bench} is {value} {unit} at t = {t} s, the limit being {limit} {unit}"
+        )
+    if kept is False and name == "speed":
+        sentence = N_(
+            "handle {handle} ({where}) moves at {value} m/s at t = {t} s, the limit being {limit} m/s"
+        )
+    elif kept is False and near.handle is not None:
+        sentence = N_(
+            "{what} is {value} {unit} at handle {handle} ({where}) at t = {t} s, the limit being "
+            "{limit} {unit}"
+        )
+    words = {
+        "what": quantity.text, "unit": quantity.unit,
+        **handle_words(near.handle or 0, near.benches[0]),
+        "t": f"{near.time:z.6f}", **_told_apart(peak.value, limit),
+    }  # fmt: skip
+    decided = kept is not None
+    return [Finding(name, near.time, near.benches, peak.value, limit, sentence, words, decided)]
