@@ -10,6 +10,7 @@ from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.turn_families import TRAIL
 from benchdragon.model.curves import Route, Spiral
+from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.turns import Turn
 from benchdragon.model.walk import Walk
 from benchdragon.plans.source import Fault, Faults, KeyedError
@@ -61,6 +62,12 @@ class RouteTable(Table):
         if self.at is None and self.turned == 0.0:
             return route
         return route.moved(math.radians(self.turned), self.at or (0.0, 0.0))
+
+    def unplaced(self, obstacle: Obstacle) -> Obstacle:
+        """An obstacle of the square as it lies to the route that `build` gives."""
+        turned = -math.radians(self.turned)
+        (x, y), c, s = self.at or (0.0, 0.0), math.cos(turned), math.sin(turned)
+        return obstacle.moved(turned, (s * y - c * x, -s * x - c * y))
 
 
 class SpiralInRoute(RouteTable):

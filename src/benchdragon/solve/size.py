@@ -14,10 +14,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from benchdragon.analysis.contact_search import ContactSearch
+from benchdragon.analysis.obstacles import obstacle_answers
 from benchdragon.analysis.proof import (
     assumed,
     prove_contact,
     prove_nearer,
+    prove_obstacle,
     require_enclosed,
     require_flint,
 )
@@ -26,6 +28,7 @@ from benchdragon.i18n import _
 from benchdragon.kernels.size_bracket import BAD, FAILS, GOOD, PASSES, UNDECIDED, VALUE
 from benchdragon.kernels.size_search import EXHAUSTED, INFEASIBLE, UNLIMITED
 from benchdragon.model.answer import Answer, Status, Witness
+from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, silent
@@ -63,7 +66,8 @@ def limit(
 
     Returns:
         The limit, m. Its bracket: at one end the whole walk stays clear, at the other a pair comes
-        nearer than the margin (or the dragon cannot walk). Sizes beyond were not tried; see
+        nearer than the margin, a bench touches an obstacle or leaves the venue (or the dragon cannot
+        walk). Sizes beyond were not tried; see
         `feasible_sizes`. Status "infeasible": no size passes; "unlimited": all that were tried do,
         to a hundredth (or hundred times) of the plan's; "undecided": sizes in the bracket
         could not be decided, as the last of `assumptions` says. The witness is the pair that decides.
@@ -98,6 +102,7 @@ def _proved(family: PlanFamily, answer: Answer, progress: Progress, began: float
         _below, meeting = family.low_point(bad, meeting_of(walk, end, near))
         if prove_nearer(family.walk(bad)[0], meeting.s, i, j, family.margin) and (
             prove_contact(walk, start, end, margin=family.margin) is None
+            and _kept_away(family.plan, walk, start, end)
         ):
             seconds = clock.perf_counter() - began
             return replace(
@@ -106,6 +111,12 @@ def _proved(family: PlanFamily, answer: Answer, progress: Progress, began: float
             )  # fmt: skip
         half *= 2.0
     raise UnsureError(_("the bracket could not be proved"))
+
+
+def _kept_away(plan: Plan, walk: Walk, start: float, end: float) -> bool:
+    """Whether it is proved that no bench of a walk comes nearer to an obstacle than it may."""
+    answers = (obstacle_answers(walk, obstacle, start, end) for obstacle in plan.obstacles())
+    return all(prove_obstacle(walk, found, start, end).contact is None for found in answers)
 
 
 def _limit(family: PlanFamily, progress: Progress, began: float) -> Answer:
@@ -118,6 +129,7 @@ def _limit(family: PlanFamily, progress: Progress, began: float) -> Answer:
         none: Status = "undecided" if search.doubts else "infeasible"
         return Answer(math.nan, -math.inf, math.inf, "m", none, None, texts, evaluations, seconds)
     unsure = ending == EXHAUSTED or search.in_doubt
+    bad = bad if ending == UNLIMITED else search.surely_bad(good, bad)
     status: Status = "undecided" if unsure else "unlimited" if ending == UNLIMITED else "found"
     lower, upper = sorted((good, bad))
     witness = _witness(family, search, bad)
@@ -140,6 +152,8 @@ def _family(plan: Plan, name: str, margin: float | None, tolerance: float = TOLE
 
 def _witness(family: PlanFamily, found: SizeSearch, size: float) -> Witness | None:
     """What shows that a size does not pass; None where no pair does, or there is no such walk."""
+    if found.blocked is not None and found.blocked[0] == size:
+        return found.blocked[1].witness
     meeting = found.guide
     if meeting is None:
         return None
@@ -156,6 +170,7 @@ def _assumed(family: PlanFamily, unsure: Sequence[float]) -> tuple[str, ...]:
     texts = (
         _("benches keep {margin} m").format(margin=f"{family.margin:g}"),
         _("sizes beyond the bracket were not tried"),
+        *([_("the venue and obstacles count")] if family.plan.obstacles() else []),
     )
     return (*texts, undecided_text(unsure)) if unsure else texts
 

@@ -9,8 +9,9 @@ import numpy as np
 
 from benchdragon.analysis import distance
 from benchdragon.analysis.contact_search import MOST_EVALUATIONS, SLACK, WIDTH, run_search, slack_at
+from benchdragon.analysis.obstacles import ObstacleSearch, touching
 from benchdragon.analysis.tables import PLACES, Tables, kinds_of, walk_tables
-from benchdragon.errors import InputError, UnsureError
+from benchdragon.errors import InputError, UnsureError, WalkError
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import family as sizes_of
 from benchdragon.kernels import search as steps
@@ -28,7 +29,7 @@ from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.step_bounds import empty_placements, place_chain
 from benchdragon.kernels.turn_families import ARCS, MOST_PIECES
 from benchdragon.kernels.walk_search import ASTRAY
-from benchdragon.model.answer import Witness
+from benchdragon.model.answer import Answer, Witness
 from benchdragon.model.walk import Walk
 from benchdragon.plans.routes import FITS, PartsRoute, SpiralInRoute, TurnRoute
 from benchdragon.plans.schema import Plan
@@ -38,6 +39,8 @@ from benchdragon.progress import Progress
 
 # Brackets are at most so wide, m.
 TOLERANCE = 1e-12
+# How often a bracket is widened until a bench surely touches an obstacle at its end.
+MOST_WIDENINGS = 30
 # Head positions at which a pair is looked at, at least.
 FEWEST = 4
 
@@ -249,12 +252,16 @@ class SizeSearch:
     Attributes:
         state: of the search, by the names in kernels/size_bracket.py.
         evaluations: chains placed in searches of walks.
+        blocked: the last size that failed by an obstacle alone, m, and when a bench touched it, or
+            came within rounding of it.
     """
 
     def __init__(self, family: PlanFamily, progress: Progress) -> None:
         self._progress, self._margin = progress, family.margin
         self._settings = family.question.sense, max(TOLERANCE, family.tolerance)
         self.evaluations = 0
+        self._plans, self._obstacles = family, family.plan.obstacles()
+        self.blocked: tuple[float, Answer] | None = None
         walk, start, end = family.walk(family.first)
         first, last = walk.head_position([start, end]).tolist()
         self._ends = first, max(first, last)
@@ -368,9 +375,42 @@ class SizeSearch:
         """
         self._progress(0.0, f"{size:.9g} m")
         try:
-            return self._tried(size)
+            result = self._tried(size)
+            return self._tried_obstacles(size) if result == bracket.PASSES else result
         except UnsureError:
             return bracket.UNDECIDED
+
+    def _tried_obstacles(self, size: float) -> int:
+        """How the walk of a size goes whose benches keep clear of one another.
+
+        One that comes within rounding of an obstacle fails: see `surely_bad`.
+        """
+        walk, start, end = self._plans.walk(size)
+        for obstacle in self._obstacles:
+            try:
+                search = ObstacleSearch(walk, obstacle, start, end)
+                found = touching(search)
+            except WalkError:
+                return self._failed_alone()
+            self.evaluations += search.evaluations
+            if found:
+                self.blocked = size, found[-1]
+                return self._failed_alone()
+        return bracket.PASSES
+
+    def surely_bad(self, good: float, bad: float) -> float:
+        """The size of a bracket that does not pass; beyond one that is within rounding of an obstacle.
+
+        Raises:
+            UnsureError: if no such size was found.
+        """
+        for _widening in range(MOST_WIDENINGS):
+            if self.blocked is None or self.blocked[0] != bad or self.blocked[1].status == "found":
+                return bad
+            bad += 2.0 * (bad - good)
+            if self.trial(bad) == bracket.PASSES:
+                break
+        raise UnsureError(_("the bracket could not be established beside an obstacle"))
 
     def _tried(self, size: float) -> int:
         rows, first, last = self._walk_of(size)

@@ -14,6 +14,7 @@ from functools import cache
 from typing import Any
 
 from benchdragon.analysis.contact import least_clearance
+from benchdragon.analysis.obstacles import least_distance
 from benchdragon.analysis.speed import QUANTITIES, greatest_of
 from benchdragon.errors import InputError, NoSolutionError, of_kind, positive
 from benchdragon.i18n import _
@@ -87,9 +88,9 @@ def best_turn(plan: Plan, goal: TurnGoal | None = None, *, progress: Progress = 
     """The best turn of the plan's family for a wish, under the plan's limits.
 
     Limits are limits.speed with the head at walk.speed (or as fast as it may, if that is the wish),
-    those of accelerations and turning rates, and limits.margin over the whole manoeuvre, until the
-    tail is out. Joints that the plan says stay. The search is the same each time; that nothing better
-    exists is not shown.
+    those of accelerations and turning rates, limits.margin over the whole manoeuvre, until the tail is
+    out, and the margins of the venue and of obstacles. Joints that the plan says stay. The search is
+    the same each time; that nothing better exists is not shown.
 
     Raises:
         InputError: for a plan without a turn, or if no turn keeps the limits.
@@ -162,6 +163,7 @@ def _complete(evaluator: TurnEvaluator, x: Sequence[float]) -> dict[str, float]:
     """All figures; of a turn that does not exist, hopeless ones."""
     bad = dict.fromkeys(("length", "way", "disc", *evaluator.quantities), HOPELESS)
     bad |= {"radius": 0.0, "clearance": -1.0}
+    bad |= {"obstacles": -1.0} if evaluator.obstacles else {}
     return {**bad, **(evaluator.figures(x, complete=True) or {})}
 
 
@@ -205,6 +207,12 @@ def _exact_figures(
         exact[name] = greatest_of(walk, QUANTITIES[name], *ends, tolerance=1e-6).upper
     times = [walk.time_at(s) for s in ends]
     clearance = least_clearance(walk, *times, within=within, tolerances=(1e-5,))
+    rooms = [
+        least_distance(walk, obstacle, *times, tolerances=(1e-5,)).lower - obstacle.margin
+        for obstacle in plan.obstacles()
+    ]
+    if rooms:
+        exact["obstacles"] = min(rooms)
     return {**exact, "clearance": clearance.lower}, clearance
 
 
@@ -220,8 +228,10 @@ def _correct(
     for name in _judged(sampled):
         change = exact[name] / sampled[name] * (1.0 + prudence)
         evaluator.factors[name] = evaluator.factors.get(name, 1.0) * change
-    less = min(exact["clearance"] - sampled["clearance"] - prudence, 0.0)
-    evaluator.factors["clearance"] = evaluator.factors.get("clearance", 0.0) + less
+    for name in ("clearance", "obstacles"):
+        if name in exact:
+            less = min(exact[name] - sampled[name] - prudence, 0.0)
+            evaluator.factors[name] = evaluator.factors.get(name, 0.0) + less
 
 
 def _enough(evaluator: TurnEvaluator, sampled: dict[str, float]) -> float:

@@ -12,6 +12,9 @@ from benchdragon.i18n import N_, _
 from benchdragon.kernels import step_bounds
 from benchdragon.kernels.box import least_distance
 from benchdragon.kernels.curve import S_START, FloatArray
+from benchdragon.kernels.route import evaluate
+from benchdragon.kernels.search import NEAREST, NOTES, Search, room
+from benchdragon.kernels.standing import Bench, look_along, scratch_for
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.turns import Turn, reach
 from benchdragon.plans.routes import TurnRoute
@@ -80,12 +83,14 @@ class TurnEvaluator:
     factors: dict[str, float] = field(default_factory=dict)
     step: float = STEPS[0]
     evaluations: int = 0
+    _search: Search = field(default_factory=lambda: room(2, 1, 1, 0), init=False, repr=False)
 
     def __post_init__(self) -> None:
         route = self.plan.route
         if not isinstance(route, TurnRoute):
             raise InputError(_("a best turn is sought for plans whose route is a turn"))
         self.pitch, self.disc = route.pitch, route.disc(self.plan)
+        self.obstacles = [route.unplaced(obstacle) for obstacle in self.plan.obstacles()]
         dragon = self.plan.dragon.build()
         sizes = dragon.sizes
         self.few, self.more = (
@@ -163,7 +168,27 @@ class TurnEvaluator:
         found |= self._rates(rows)
         if complete or all(value >= 0.0 for value in self.rooms(found).values()):
             found["clearance"] = self._clearance(rows)
+            if self.obstacles:
+                found["obstacles"] = self._obstacle_room(rows)
         return found
+
+    def _obstacle_room(self, rows: FloatArray) -> float:
+        """How much nearer benches near the turn might come to obstacles, m; negative: they may not."""
+        first, last = float(rows[1, S_START] - self.few.links.sum()), float(rows[-1, S_START])
+        at = np.linspace(first, last, 2 * math.ceil((last - first) / (2.0 * CLEAR_STEP)))
+        spans, least, places = at.reshape(-1, 2), math.inf, np.empty((len(at), 4))
+        evaluate(rows, at, places)
+        for obstacle in self.obstacles:
+            if obstacle.forbids(places[:, :2]).any():
+                return -1.0
+            standing = scratch_for(obstacle.boxes)
+            for sizes in np.unique(self.few.sizes, axis=1).T:
+                bench = Bench(rows, sizes[:1] - sizes[2] - sizes[3], sizes[:, np.newaxis].copy())
+                note = np.zeros(NOTES)
+                note[NEAREST] = math.inf
+                look_along(bench, standing, self._search, spans, note)
+                least = min(least, float(note[NEAREST]) - obstacle.radius - obstacle.margin)
+        return least + self.factors.get("obstacles", 0.0)
 
     def _rates(self, rows: FloatArray) -> dict[str, float]:
         places = self._places(rows, self.few, self.step)
@@ -206,6 +231,8 @@ class TurnEvaluator:
                 rooms[name] = 1.0 - peak / limit
         if "clearance" in found:
             rooms["clearance"] = (found["clearance"] - plan.limits.margin) / self.few.width[0]
+        if "obstacles" in found:
+            rooms["obstacles"] = found["obstacles"] / self.few.width[0]
         return {name: max(room, -1.0) for name, room in rooms.items()}
 
     def score(self, x: Sequence[float]) -> float:
