@@ -179,7 +179,7 @@ for size in SIZES:
 def speed(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print the greatest head speed; with --pace also write a pace, as a plan of its own."""
     path: Path | None = options["pace_file"]
-    read = _read(plan, settings, quiet, "--pace", path)
+    read = read_to_write(plan, settings, quiet, "--pace", path)
     if path is None:
         return _print_speed(read, options, quiet)
     return _print_pace(read, path, options, quiet)
@@ -233,19 +233,21 @@ def turn(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> i
     from benchdragon.solve.turn_trials import TurnGoal
 
     path: Path | None = options["plan_file"]
-    read = _read(plan, settings, quiet, "--plan-file", path)
+    read = read_to_write(plan, settings, quiet, "--plan-file", path)
     longest, longest_way = (options[name] or math.inf for name in ("longest", "longest_way"))
     goal = TurnGoal(options["objective"], options["least_radius"], longest, longest_way)
     refuse_existing([] if path is None else [path], options["force"])
     with shown_progress(quiet) as progress:
         best = best_turn(read, goal, progress=progress)
     if path is not None:
-        _write(best.plan, path)
+        write_plan(best.plan, path)
     _print_turn(read, best, goal.objective, options)
     return 0
 
 
-def _read(plan: str, settings: tuple[str, ...], quiet: bool, option: str, path: Path | None) -> "Plan":
+def read_to_write(
+    plan: str, settings: tuple[str, ...], quiet: bool, option: str, path: Path | None
+) -> "Plan":
     """The plan of a question that may write another into a file; refuses what cannot be written."""
     refuse_strays(("force", path is not None, WITHOUT, option))
     if path is not None:
@@ -253,7 +255,8 @@ def _read(plan: str, settings: tuple[str, ...], quiet: bool, option: str, path: 
     return plan_to_walk(plan, settings, quiet)
 
 
-def _write(plan: "Plan", path: Path) -> None:
+def write_plan(plan: "Plan", path: Path) -> None:
+    """The plan as a whole file."""
     from benchdragon.files import whole_file
 
     with whole_file(path) as temporary:
@@ -419,7 +422,7 @@ def _print_pace(plan: "Plan", path: Path, options: dict[str, Any], quiet: bool) 
     refuse_existing([path], options["force"])
     with shown_progress(quiet) as progress:
         pace = slowed(plan, progress=progress)
-    _write(with_pace(plan, pace), path)
+    write_plan(with_pace(plan, pace), path)
     more: dict[str, Any] = {"pace": {"seconds": pace.seconds, "saved": pace.saved, "file": str(path)}}
     lines = _speed_lines(plan, pace.steady, pace) if options["explain"] else []
     json_lines = lines if options["as_json"] else []

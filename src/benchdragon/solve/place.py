@@ -1,0 +1,249 @@
+"""Where on the square a dance fits best: farthest from the venue's edge and from every obstacle.
+
+What the dance covers is drawn once, from benches placed close to one another, as a region of the plane;
+moving the dance moves the region. A global search goes by distances of the region, a last one by the
+exact least distances (analysis/obstacles.py), which the answer tells.
+"""
+
+import math
+import time as clock
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from benchdragon.analysis.obstacles import ObstacleAnswers, ObstacleSearch, obstacle_answers
+from benchdragon.errors import InputError, of_kind
+from benchdragon.i18n import _
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.answer import Answer
+from benchdragon.model.dragon import Dragon
+from benchdragon.model.obstacle import Obstacle
+from benchdragon.model.placement import Placement
+from benchdragon.model.walk import Walk
+from benchdragon.plans.schema import Plan
+from benchdragon.progress import Progress, part, silent
+from benchdragon.solve.minima import LOCAL, downhill_point, low_points
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
+# Benches are drawn so far apart along the route, m, and no more of them; the region is told by corners
+# that leave it by no more than this, m.
+STEP, MOST_DRAWN, ROUGH = 0.2, 200_000, 0.01
+# What is found is rounded to so many digits of a metre and of a degree: nobody places benches finer.
+DIGITS = 3
+# Share of the time that the global search takes.
+SEARCHED = 0.6
+
+
+@dataclass(frozen=True)
+class PlacedDance:
+    """A dance where it fits best on the square.
+
+    Attributes:
+        plan: the plan with route.at and route.turned as found.
+        at: where the origin of the dance lies, m.
+        turned: how far the dance is turned to the left, degrees.
+        room: how much more than its margin benches keep from each obstacle and the venue's edge, m;
+            "infeasible" where the dance fits nowhere, negative or 0 then.
+        obstacles: the exact answers about each, for the whole walk.
+    """
+
+    plan: Plan
+    at: tuple[float, float]
+    turned: float
+    room: Answer
+    obstacles: tuple[ObstacleAnswers, ...]
+
+    def as_json(self) -> dict[str, Any]:
+        """Everything as plain data: the room, where, and the least distance from each obstacle."""
+        distances = {answers.obstacle.name: answers.distance.as_json() for answers in self.obstacles}
+        where = {"at": list(self.at), "turned": self.turned}
+        return {**self.room.as_json(), **where, "distances": distances}
+
+
+def best_place(plan: Plan, *, progress: Progress = silent) -> PlacedDance:
+    """Where on its square a plan's dance fits best: with the most room to edge and obstacles.
+
+    The search is the same each time; that no place is better is not shown.
+
+    Raises:
+        InputError: for a plan without a venue, or a dragon whose walk is too long to be drawn.
+        WalkError: if the dragon cannot walk.
+    """
+    of_kind("plan", plan, Plan)
+    began = clock.perf_counter()
+    if not any(obstacle.kind == "venue" for obstacle in plan.obstacles()):
+        raise InputError(_("the plan has no venue to be placed in: add [venue]"))
+    square = Square(plan.with_values({"route.at": [0.0, 0.0], "route.turned": 0.0}))
+    starts = low_points(square.crowding, square.ranges, part(progress, 0.0, SEARCHED, _("placing")))
+    rough = downhill_point(
+        square.crowding, square.ranges, min(starts, key=lambda found: found[1])[0], LOCAL
+    )
+    progress(SEARCHED, _("exact figures"))
+    fits = square.crowding(rough) < 0.0
+    best = min(rough, square.refined(rough), key=square.exact_crowding) if fits else rough
+    return square.placed(best, clock.perf_counter() - began)
+
+
+class Square:
+    """Where a dance may be placed, and how much room it has there.
+
+    A place is where the middle of what the dance covers lies, m, and how far it is turned, degrees.
+
+    Args:
+        plan: with the dance at its origin.
+    """
+
+    def __init__(self, plan: Plan) -> None:
+        self.plan, self.obstacles = plan, plan.obstacles()
+        self.walk = plan.build()
+        self.span = plan.span(self.walk)
+        self.evaluations = 0
+
+    @cached_property
+    def region(self) -> "BaseGeometry":
+        """What the dance covers at its origin, to ROUGH or so."""
+        import shapely
+
+        corners = np.concatenate(covered(self.walk, *self.span))
+        region = shapely.simplify(shapely.union_all(shapely.polygons(corners)), ROUGH)
+        shapely.prepare(region)
+        return region
+
+    @cached_property
+    def middle(self) -> tuple[float, float]:
+        """The middle of what the dance covers, m."""
+        low_x, low_y, high_x, high_y = self.region.bounds
+        return 0.5 * (low_x + high_x), 0.5 * (low_y + high_y)
+
+    @property
+    def ranges(self) -> list[tuple[float, float]]:
+        """In which places are sought: the middle in the venue, turned by any angle."""
+        outline = self.obstacles[0].outline
+        (low_x, low_y), (high_x, high_y) = outline.min(axis=0), outline.max(axis=0)
+        return [(float(low_x), float(high_x)), (float(low_y), float(high_y)), (0.0, 360.0)]
+
+    def pose(self, place: Sequence[float]) -> tuple[tuple[float, float], float]:
+        """What a plan says of a place: route.at, m, and route.turned, degrees, rounded."""
+        x, y, turned = place
+        c, s = math.cos(math.radians(turned)), math.sin(math.radians(turned))
+        a, b = self.middle
+        at = round(x - c * a + s * b, DIGITS), round(y - s * a - c * b, DIGITS)
+        return at, round(turned % 360.0, DIGITS) % 360.0
+
+    def at(self, place: Sequence[float]) -> Plan:
+        """The plan with its dance at a place."""
+        at, turned = self.pose(place)
+        return self.plan.with_values({"route.at": list(at), "route.turned": turned})
+
+    def crowding(self, place: Sequence[float]) -> float:
+        """What is to be small: minus the least room seen, m; positive where there is none."""
+        self.evaluations += 1
+        at, turned = self.pose(place)
+        moved = self.plan.route.model_copy(update={"at": at, "turned": turned})
+        return -min(_room(self.region, moved.unplaced(obstacle)) for obstacle in self.obstacles)
+
+    def exact_crowding(self, place: Sequence[float]) -> float:
+        """The same by exact least distances, wherever the dance lies clear of all."""
+        seen = self.crowding(place)
+        if seen >= 0.0:
+            return seen
+        plan = self.at(place)
+        return -min(
+            answers.distance.lower - answers.obstacle.margin for answers in self._answers(plan, (1e-6,))
+        )
+
+    def refined(self, place: list[float]) -> list[float]:
+        """A place downhill from another, by exact least distances."""
+        x, y, turned = place
+        near = [(x - 1.0, x + 1.0), (y - 1.0, y + 1.0), (turned - 5.0, turned + 5.0)]
+        return downhill_point(self.exact_crowding, near, place, LOCAL)
+
+    def _answers(self, plan: Plan, tolerances: Sequence[float]) -> list[ObstacleAnswers]:
+        walk = plan.build()
+        return [
+            obstacle_answers(walk, obstacle, *self.span, tolerances=tolerances)
+            for obstacle in self.obstacles
+        ]
+
+    def placed(self, place: Sequence[float], seconds: float) -> PlacedDance:
+        """The exact answers at a place."""
+        plan, (at, turned) = self.at(place), self.pose(place)
+        found = self._answers(plan, (1e-12, 1e-8, 1e-5))
+        tightest = min(found, key=lambda answers: answers.distance.value - answers.obstacle.margin)
+        margin, near = tightest.obstacle.margin, tightest.distance
+        rooms = (near.value - margin, near.lower - margin, near.upper - margin)
+        room = replace(
+            near, value=rooms[0], lower=rooms[1], upper=rooms[2],
+            status="found" if rooms[1] >= 0.0 and near.lower > 0.0 else "infeasible",
+            assumptions=(*near.assumptions, _("best that was found; better places may exist")),
+            evaluations=self.evaluations, seconds=seconds,
+        )  # fmt: skip
+        return PlacedDance(plan, at, turned, room, tuple(found))
+
+
+def covered(walk: Walk, start: float, end: float) -> list[FloatArray]:
+    """Benches at places close to one another, all that a walk from start to end, s, comes to.
+
+    For each size of bench their corners, m, (benches, 4, 2).
+
+    Raises:
+        InputError: if they are too many.
+        WalkError: if the dragon cannot stand at the start or the end.
+    """
+    anything = Obstacle.circle("", (0.0, 0.0), 1.0)
+    search, found = ObstacleSearch(walk, anything, start, end), []
+    for k, _benches, spans in search.stretches():
+        counts = np.ceil((spans[:, 1] - spans[:, 0]) / STEP).astype(int) + 1
+        if counts.sum() > MOST_DRAWN:
+            raise InputError(_("the walk is too long to be drawn on the square"))
+        ends = zip(*spans.T.tolist(), counts.tolist(), strict=True)
+        at = [np.linspace(first, last, count) for first, last, count in ends]
+        still = search.placed.s[0, :-1][search.kind == k]
+        number = int(np.flatnonzero(search.kind == k)[0])
+        found.append(_corners(walk, number, np.concatenate([still, *at])))
+    return found
+
+
+def _corners(walk: Walk, number: int, at: FloatArray) -> FloatArray:
+    """The corners, m, (places, 4, 2), of a bench (row, from 0) with its front handle at places, m."""
+    length, width, front_inset, _rear = walk.dragon.sizes[:, number]
+    alone = Dragon.of_sizes(*walk.dragon.sizes[:, number : number + 1])
+    placed = Placement(alone, walk.route, at)
+    stands = placed.status == 0
+    front, rear = (np.column_stack([placed.x[stands, i], placed.y[stands, i]]) for i in range(2))
+    along = (front - rear) / walk.dragon.links[number]
+    left = 0.5 * width * np.column_stack([-along[:, 1], along[:, 0]])
+    nose, tail = front + front_inset * along, front + (front_inset - length) * along
+    return np.stack([nose + left, tail + left, tail - left, nose - left], axis=1)
+
+
+def _room(region: "BaseGeometry", obstacle: Obstacle) -> float:
+    """How much more than its margin a region keeps from an obstacle, m; negative where it meets it."""
+    import shapely
+
+    shape = shape_of(obstacle)
+    if obstacle.kind == "venue":
+        if shapely.contains_properly(shape, region):
+            return float(shapely.distance(shapely.boundary(shape), region)) - obstacle.margin
+        return -math.sqrt(float(region.difference(shape).area)) - obstacle.margin
+    apart = float(shapely.distance(region, shape)) - obstacle.radius
+    if apart > 0.0:
+        return apart - obstacle.margin
+    deep = region.intersection(shape.buffer(max(obstacle.radius, ROUGH)))
+    return -math.sqrt(float(deep.area)) - obstacle.margin
+
+
+def shape_of(obstacle: Obstacle) -> "BaseGeometry":
+    """An obstacle as shapely has it: a circle as its centre, the venue as the polygon of its edge."""
+    import shapely
+
+    if obstacle.kind == "circle":
+        return shapely.Point(obstacle.outline[0])
+    if obstacle.kind == "line":
+        return shapely.LineString(obstacle.outline)
+    return shapely.Polygon(obstacle.outline)
