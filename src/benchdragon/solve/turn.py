@@ -35,6 +35,8 @@ ANCHORS, SKETCH, SKETCHED = (0.0, 0.5, 1.0), 100, 0.4
 # How often limits are narrowed after exact figures, and by what share more than those tell, twice as
 # much each time.
 NARROWINGS, PRUDENCE = 8, 5e-5
+# What touches counts as so deep, m.
+DEEP = 1e-3
 # A limit that is kept to within this share counts as active.
 ACTIVE = 2e-3
 # Figures of a turn that does not exist, in SI units.
@@ -208,12 +210,17 @@ def _exact_figures(
     times = [walk.time_at(s) for s in ends]
     clearance = least_clearance(walk, *times, within=within, tolerances=(1e-5,))
     rooms = [
-        least_distance(walk, obstacle, *times, tolerances=(1e-5,)).lower - obstacle.margin
+        _sure(least_distance(walk, obstacle, *times, tolerances=(1e-5,))) - obstacle.margin
         for obstacle in plan.obstacles()
     ]
     if rooms:
         exact["obstacles"] = min(rooms)
-    return {**exact, "clearance": clearance.lower}, clearance
+    return {**exact, "clearance": _sure(clearance)}, clearance
+
+
+def _sure(distance: Answer) -> float:
+    """At most a distance, m; where benches touch, as if they were DEEP in one another."""
+    return distance.lower if distance.value > 0.0 else -DEEP
 
 
 def _judged(sampled: dict[str, float]) -> list[str]:

@@ -1,0 +1,156 @@
+"""Inverse questions with a venue and obstacles; and where on its square a dance fits best."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+from benchdragon.analysis.check import check
+from benchdragon.analysis.contact import least_clearance
+from benchdragon.analysis.obstacles import first_touch, least_distance
+from benchdragon.cli.main import run
+from benchdragon.errors import InputError
+from benchdragon.plans.schema import Plan, read_plan
+from benchdragon.solve.place import best_place
+from benchdragon.solve.size import feasible_sizes, limit
+from benchdragon.solve.turn import best_turn
+
+COIL = ["disc.radius=4.5", "dragon.benches=20", "route.start_turn=11"]
+WELL = 'obstacle=[{kind="circle", name="well", centre=[0, 0], radius=3.9}]'
+
+
+def blocked(plan: Plan) -> bool:
+    """Whether a bench comes nearer to an obstacle than it may, by the search over the whole walk."""
+    walk = plan.build()
+    span = plan.span(walk)
+    return any(first_touch(walk, obstacle, *span) for obstacle in plan.obstacles())
+
+
+@pytest.mark.parametrize(
+    ("name", "key", "settings"),
+    [
+        ("disc", "disc.radius", [WELL]),
+        ("pitch", "route.pitch", ['obstacle=[{kind="circle", centre=[0, 0], radius=4.2}]']),
+        (
+            "width",
+            "dragon.width",
+            ["route.pitch=1.5", WELL.replace("3.9", "4.1"), "limits.margin=0.01"],
+        ),
+    ],
+)
+def test_next_to_a_limit_that_an_obstacle_sets_the_walk_is_blocked(
+    name: str, key: str, settings: list[str]
+) -> None:
+    plan = read_plan("spiral-in", [*COIL, *settings])
+    found = limit(plan, name)
+    assert found.status == "found"
+    assert found.upper - found.lower < 1e-9
+    assert found.witness is not None
+    assert found.witness.obstacle in {"well", "obstacle 1"}
+    assert "the venue and obstacles count" in found.assumptions
+    sizes = {"length": found.lower, "width": found.lower}.get(name, found.upper)
+    beyond = found.upper if sizes == found.lower else found.lower
+    passes, fails = plan.with_value(key, sizes), plan.with_value(key, beyond)
+    assert not blocked(passes)
+    assert blocked(fails)
+    walk = passes.build()
+    gap = least_distance(walk, passes.obstacles()[0], *passes.span(walk))
+    assert gap.value == pytest.approx(plan.limits.margin, abs=1e-9)
+    assert least_clearance(walk, *passes.span(walk)).lower > plan.limits.margin
+    without = limit(
+        read_plan("spiral-in", [*COIL, *(one for one in settings if "obst" not in one)]), name
+    )
+    assert without.value != pytest.approx(found.value, abs=1e-3)
+
+
+def test_an_obstacle_that_no_bench_comes_near_changes_no_answer() -> None:
+    plan, venue = read_plan("spiral-in", COIL), "venue.rectangle=[60, 60]"
+    far = read_plan("spiral-in", [*COIL, venue])
+    for name in ("pitch", "disc", "width"):
+        assert limit(far, name).value == limit(plan, name).value
+
+
+def test_limits_of_a_moved_dance_are_those_of_the_dance_among_moved_obstacles() -> None:
+    plan = read_plan("spiral-in", [*COIL, 'obstacle=[{kind="circle", centre=[0.3, 0.1], radius=3.7}]'])
+    (x, y), turned = (-7.0, 3.0), math.radians(40.0)
+    at = [
+        x + 0.3 * math.cos(turned) - 0.1 * math.sin(turned),
+        y + 0.3 * math.sin(turned) + 0.1 * math.cos(turned),
+    ]
+    moved = plan.with_values({"route.at": [x, y], "route.turned": 40.0, "obstacle.0.centre": at})
+    one, other = limit(plan, "disc"), limit(moved, "disc")
+    assert other.value == pytest.approx(one.value, abs=1e-9)
+
+
+def test_sizes_of_a_range_stop_at_an_obstacle() -> None:
+    plan = read_plan("spiral-in", [*COIL, WELL])
+    (span,) = feasible_sizes(plan, "disc", 4.0, 5.0, 11).spans
+    assert span.low == pytest.approx(limit(plan, "disc").value, abs=1e-9)
+    assert span.high == 5.0
+
+
+def test_a_best_turn_keeps_clear_of_a_post_in_its_way() -> None:
+    few = ["dragon.benches=12"]
+    free = best_turn(read_plan("turn", few)).plan
+    walk = free.build()
+    x, y = walk.route.point(0.5 * float(walk.route.joints[1] + walk.route.joints[-2])).tolist()
+    post = f'obstacle=[{{kind="circle", name="post", centre=[{x + 0.45}, {y + 0.45}], radius=0.2}}]'
+    plan = read_plan("turn", [*few, post, "venue.rectangle=[70, 70]"])
+    of_free = {"turn": free.turn, "disc": free.disc}
+    assert any(finding.obstacle for finding in check(plan.model_copy(update=of_free)).findings)
+    best = best_turn(plan)
+    assert not [finding for finding in check(best.plan).findings if finding.obstacle]
+
+
+SQUARE = [
+    "dragon.benches=8", "disc.radius=2.9", "route.pitch=0.9", "route.start_turn=6",
+    "venue.boundary=[[0, 0], [24, 0], [24, 9], [14, 9], [14, 20], [0, 20]]",
+    'obstacle=[{kind="circle", name="well", centre=[7, 12], radius=0.5, margin=0.3}]',
+]  # fmt: skip
+
+
+def room(plan: Plan) -> float:
+    """The least distance to an obstacle beyond its margin, m; negative where one is touched."""
+    walk = plan.build()
+    span = plan.span(walk)
+    apart = [(least_distance(walk, one, *span), one.margin) for one in plan.obstacles()]
+    return min(found.value - margin if found.value else -1.0 for found, margin in apart)
+
+
+def test_no_place_that_is_tried_has_more_room_than_the_best() -> None:
+    plan = read_plan("spiral-in", SQUARE)
+    best = best_place(plan)
+    assert best.room.status == "found"
+    assert best.room.lower <= room(best.plan) <= best.room.upper
+    assert best.plan.route.at == best.at
+    said = json.loads(json.dumps(best.as_json()))
+    assert (said["at"], said["turned"], set(said["distances"])) == (
+        list(best.at),
+        best.turned,
+        {"venue", "well"},
+    )
+    assert room(best.plan) == pytest.approx(
+        min(found.distance.value - found.obstacle.margin for found in best.obstacles), abs=1e-12
+    )
+    random = np.random.default_rng(18)
+    for _place in range(120):
+        near = random.random() < 0.5
+        at = random.normal(best.at, 0.3) if near else random.uniform([0.0, 0.0], [24.0, 20.0])
+        turned = best.turned + random.normal(0.0, 5.0) if near else random.uniform(0.0, 360.0)
+        tried = plan.with_values({"route.at": at.tolist(), "route.turned": turned})
+        assert room(tried) <= best.room.upper + 2e-3  # metres are told to millimetres
+
+
+def test_a_dance_that_fits_nowhere_is_told_so(capsys: pytest.CaptureFixture[str]) -> None:
+    settings = [word for text in SQUARE[:4] for word in ("--set", text)]
+    words = ["solve", "place", "spiral-in", *settings, "--set", "venue.rectangle=[9, 9]", "--quiet"]
+    assert run(words) == 4
+    out = capsys.readouterr().out
+    assert "fits nowhere on this square" in out
+    assert "least distance from venue: 0.0 m" in out
+
+
+def test_a_place_needs_a_venue() -> None:
+    with pytest.raises(InputError, match=r"no venue to be placed in: add \[venue\]"):
+        best_place(read_plan("spiral-in", SQUARE[:4]))
