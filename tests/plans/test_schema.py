@@ -227,3 +227,13 @@ def test_the_schema_accepts_the_built_in_plans_and_refuses_others() -> None:
         jsonschema.validate(read_toml(name)[0], schema)
     with pytest.raises(jsonschema.ValidationError):
         jsonschema.validate(read_toml("turn", ["dragon.benches=-1"])[0], schema)
+
+
+def test_a_plan_without_its_square_is_the_plan_before_it_had_one() -> None:
+    plain = read_plan("turn", ["limits.margin=0.1"])
+    square = ["venue.rectangle=[60, 50]", "limits.venue_margin=0.5"]
+    well = 'obstacle=[{kind="circle", centre=[9, 9], radius=1}]'
+    plan = read_plan("turn", ["limits.margin=0.1", *square, well])
+    assert [(one.kind, one.margin) for one in plan.obstacles()] == [("venue", 0.5), ("circle", 0.1)]
+    assert plan.without_square().sha256 == plain.sha256 != plan.sha256
+    assert plan.without_square().obstacles() == ()

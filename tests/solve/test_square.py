@@ -154,3 +154,13 @@ def test_a_dance_that_fits_nowhere_is_told_so(capsys: pytest.CaptureFixture[str]
 def test_a_place_needs_a_venue() -> None:
     with pytest.raises(InputError, match=r"no venue to be placed in: add \[venue\]"):
         best_place(read_plan("spiral-in", SQUARE[:4]))
+
+
+def test_margins_ask_about_benches_alone_and_say_so(capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["margins", "spiral-in", "--draws", "2", "--aside", "0.01", "--quiet"]
+    for text in (*COIL, WELL):
+        words += ["--set", text]
+    assert run(words) == 0
+    out = capsys.readouterr().out
+    assert "benches alone are asked about: the venue and obstacles do not count here" in out
+    assert "without deviations: 0.4" in out

@@ -84,9 +84,13 @@ def margins(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -
     lines = _lines(read, found, texts) if options["explain"] else []
     if options["as_json"]:
         cases = {name: as_json(one, pitch) for name, one in found.items()}
-        click.echo(json.dumps({"cases": cases, **about(read, lines), "seed": options["seed"]}))
+        counted = {"counts_obstacles": False} if read.obstacles() else {}
+        told = {"cases": cases, **about(read, lines), "seed": options["seed"], **counted}
+        click.echo(json.dumps(told))
         return 0
     print_margins(found, texts, pitch, read.limits.margin)
+    if read.obstacles():
+        click.echo(_("benches alone are asked about: the venue and obstacles do not count here"))
     if files:
         print_files(files)
     print_explanation(lines)

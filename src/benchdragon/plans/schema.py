@@ -164,6 +164,14 @@ class Plan(Table):
         drop_replaced(data, list(values))
         return checked(data, self._source)
 
+    def without_square(self) -> "Plan":
+        """The same plan without its venue and its obstacles."""
+        data = self.model_dump(by_alias=True, exclude_unset=True, exclude_none=True)
+        for name in ("venue", "obstacle"):
+            data.pop(name, None)
+        data.get("limits", {}).pop("venue_margin", None)
+        return checked(data, self._source)
+
     def span(self, walk: Walk) -> tuple[float, float]:
         """Start and end of the whole walk, s: as the plan says, else as its route's kind says.
 

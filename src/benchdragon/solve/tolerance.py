@@ -303,6 +303,7 @@ def tolerance(
     The numbers do not depend on where they are computed. Each pitch is one next to which the dance
     stops keeping the plan's margin, see `needed_pitch`, sought from the exact one, see `size.limit`.
     That the dance keeps it with all larger ones, so that pitches tell chances, is taken for granted.
+    Benches alone are asked about: the venue and obstacles do not count.
 
     Args:
         plan: the dance; the exact pitch is sought from its own.
@@ -383,7 +384,7 @@ def _exact_pitch(plan: Plan) -> float:
         raise InputError(_("say how far in the head comes: set disc.radius=4.5, for example"))
     if len(plan.dragon.build()) < 3:
         raise InputError(_("no benches of this dragon can touch: no two are non-adjacent"))
-    found = limit(plan, "pitch")
+    found = limit(plan.without_square(), "pitch")
     if found.status in {"found", "unlimited"}:
         return found.value
     raise UnsureError(_("no pitch was found with which this dragon is free of contact"))
