@@ -1,0 +1,277 @@
+"""The ground that a dance covers: a polygon with a bound on its error, what holds it, its widest place.
+
+Steps of the benches (swept_steps.py) are outlined each by a convex hull that has all of the bench in it
+but for a stray, and no more than a fill besides. The polygon is the union of the hulls, widened by the
+greatest stray: bounds of motion say that it holds everything, not places looked at.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+import shapely
+from shapely.geometry.base import BaseGeometry
+
+from benchdragon.analysis.swept_steps import Steps, walked_steps
+from benchdragon.analysis.swept_width import Widest, widest_place
+from benchdragon.errors import InputError, finite, in_order, not_negative, of_kind
+from benchdragon.i18n import _
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.answer import Answer
+from benchdragon.model.base_curve import Point
+from benchdragon.model.walk import Walk
+from benchdragon.progress import Progress, part, silent
+
+# The error that may be asked for, m, and what is taken unless one is.
+LEAST_ERROR, MOST_ERROR, ERROR = 1e-4, 1.0, 0.01
+MOST_MARGIN = 1e3
+# Hulls that are joined at a time: neighbours along the route overlap much.
+GROUP = 48
+# Of the error, what corners may be smoothed by; an end of a ring may be smoothed twice.
+SMOOTHED_SHARE, SMOOTHED_TWICE = 0.04, 2.0
+# Segments of a quarter circle in what is widened, by so much more that no chord cuts in; and how far it
+# may reach then.
+QUARTER, WIDENED, REACHED = 16, 1.005, 1.02
+# Directions of a rectangle that are tried at a time.
+DIRECTIONS = 256
+
+# A polygon, or several.
+Shape = BaseGeometry
+
+
+class Rings(NamedTuple):
+    """Closed lines, m, (n, 2) each, the last point the first: around the outside, and around holes."""
+
+    outer: tuple[FloatArray, ...]
+    holes: tuple[FloatArray, ...]
+
+
+@dataclass(frozen=True)
+class BoundingRectangle:
+    """The smallest rectangle, at any angle, that holds an area.
+
+    Attributes:
+        corners: in going round, m, (4, 2); it holds all that is covered.
+        width: its longer side, m.
+        height: its shorter side, m.
+        angle: of the longer side to the x axis, rad, 0 to pi.
+        area: m2, with a bracket for what the smallest one that holds the ground covered has.
+    """
+
+    corners: FloatArray
+    width: float
+    height: float
+    angle: float
+    area: Answer
+
+
+@dataclass(frozen=True)
+class BoundingCircle:
+    """The smallest circle that holds an area.
+
+    Attributes:
+        centre: m.
+        radius: m; the circle of its upper end holds all that is covered.
+    """
+
+    centre: Point
+    radius: Answer
+
+
+class Enclosing(NamedTuple):
+    """What holds a whole dance, tail included."""
+
+    rectangle: BoundingRectangle
+    circle: BoundingCircle
+
+
+@dataclass(frozen=True, eq=False)
+class SweptArea:
+    """The ground that benches cover.
+
+    Attributes:
+        walk: what was walked.
+        start: s.
+        end: s.
+        margin: how far spectators keep from it, m.
+        polygon: contains all that any bench covers from start to end, m.
+        error: m; nothing of the polygon is farther from what is covered.
+        steps: what it is made of.
+    """
+
+    walk: Walk
+    start: float
+    end: float
+    margin: float
+    polygon: Shape
+    error: float
+    steps: Steps = field(repr=False)
+
+    @property
+    def area(self) -> float:
+        """Of the polygon, m2: not less than what is covered."""
+        return float(self.polygon.area)
+
+    @cached_property
+    def spectators(self) -> Shape:
+        """The polygon widened by the margin: outside it, all is farther than that from what is covered.
+
+        Nothing of it is farther than REACHED times the margin from the polygon.
+        """
+        return _widened(self.polygon, self.margin) if self.margin else self.polygon
+
+    @cached_property
+    def widest(self) -> Widest:
+        """Where the band along the route is widest, across the route."""
+        return widest_place(self.walk, self.steps)
+
+    @cached_property
+    def enclosing(self) -> Enclosing:
+        """The smallest rectangle and the smallest circle that hold it."""
+        hull = shapely.convex_hull(self.polygon)
+        return Enclosing(_rectangle(hull, self.error), _circle(hull, self.error))
+
+
+def swept_area(
+    walk: Walk,
+    start: float,
+    end: float,
+    *,
+    margin: float = 0.0,
+    error: float = ERROR,
+    progress: Progress = silent,
+) -> SweptArea:
+    """The ground that benches cover from start to end, s, both included.
+
+    Args:
+        walk: what is walked.
+        start: s.
+        end: s; the same as start for one instant.
+        margin: how far spectators keep from it, m, 0 to 1000.
+        error: of the polygon, m, 0.0001 to 1: see `SweptArea`.
+        progress: is told how far it is.
+
+    Raises:
+        InputError: for times, a margin or an error that cannot be; if the area takes more than
+            `swept_steps.MOST_STEPS` steps.
+        WalkError: where the dragon cannot stand.
+        UnsureError: where it is not sure that a bench follows its route without a leap.
+    """
+    of_kind("walk", walk, Walk)
+    in_order(start, end)
+    if not_negative("margin", margin, "m") > MOST_MARGIN:
+        raise InputError(_("margin must be at most 1000 m, not {value} m").format(value=f"{margin:g}"))
+    if not LEAST_ERROR <= finite("error", error, "m") <= MOST_ERROR:
+        raise InputError(
+            _("error must be from {least} to {most} m, not {value} m").format(
+                least=f"{LEAST_ERROR:g}", most=f"{MOST_ERROR:g}", value=f"{error:g}"
+            )
+        )
+    progress(0.0, _("following the benches"))
+    steps = walked_steps(walk, start, end, error)
+    joined = _joined(steps, part(progress, 0.3, 1.0, _("joining what they cover")))
+    smoothing = SMOOTHED_SHARE * error
+    least = steps.widest_stray + SMOOTHED_TWICE * smoothing
+    polygon = _widened(shapely.simplify(joined, smoothing), least)
+    bound = steps.needless + SMOOTHED_TWICE * smoothing + REACHED * least
+    return SweptArea(walk, start, end, margin, polygon, bound, steps)
+
+
+def enclosing(
+    walk: Walk, start: float, end: float, *, error: float = ERROR, progress: Progress = silent
+) -> Enclosing:
+    """The smallest rectangle, at any angle, and circle that hold all benches from start to end, s.
+
+    Raises:
+        InputError, WalkError, UnsureError: as `swept_area`.
+    """
+    return swept_area(walk, start, end, error=error, progress=progress).enclosing
+
+
+def rings(shape: Shape) -> Rings:
+    """The outlines of an area, those around holes apart."""
+    parts = shapely.get_parts(shape)
+    return Rings(
+        tuple(np.asarray(part.exterior.coords) for part in parts),
+        tuple(np.asarray(ring.coords) for part in parts for ring in part.interiors),
+    )
+
+
+def _joined(steps: Steps, progress: Progress) -> Shape:
+    """The union of the hulls of all steps."""
+    groups, count = [], len(steps.kind)
+    for first in range(0, count, GROUP):
+        hulls = hulls_of(steps.corners[first : first + GROUP])
+        groups.append(shapely.union_all(hulls))
+        progress(0.8 * first / count, "")
+    joined: Shape = shapely.union_all(groups)
+    progress(1.0, "")
+    return joined
+
+
+def hulls_of(corners: FloatArray) -> npt.NDArray[np.object_]:
+    """The convex hulls of rows of points, (n, ..., 2)."""
+    points = corners.reshape(len(corners), -1, 2)
+    return np.asarray(shapely.convex_hull(shapely.multipoints(points)))
+
+
+def _widened(shape: Shape, least: float) -> Shape:
+    """All that is within `least`, m, of a shape, and nothing farther than REACHED times that."""
+    wide: Shape = shapely.buffer(shape, WIDENED * least, quad_segs=QUARTER)
+    return wide
+
+
+def _rectangle(hull: Shape, error: float) -> BoundingRectangle:
+    """The smallest rectangle about a convex polygon: it has a side along one of the polygon's.
+
+    A rectangle about what is covered, widened by the error on all sides, holds the polygon. Its sides
+    are at most as long as the covered ground is in any direction.
+    """
+    corners = shapely.get_coordinates(hull)
+    sides = np.diff(corners, axis=0)
+    angles = np.unique(np.arctan2(sides[:, 1], sides[:, 0]) % (0.5 * math.pi))
+    sizes = np.concatenate(
+        [
+            np.column_stack([np.ptp(c @ corners.T, axis=1), np.ptp(s @ corners.T, axis=1)])
+            for c, s in _axes(angles)
+        ]
+    )
+    best = int(np.argmin(sizes.prod(axis=1)))
+    along, across = (axis[0] for axis in next(_axes(angles[best : best + 1])))
+    if sizes[best, 0] < sizes[best, 1]:
+        along, across = across, -along
+    x, y = corners @ along, corners @ across
+    made = [
+        a * along + b * across
+        for a, b in ((x.max(), y.max()), (x.min(), y.max()), (x.min(), y.min()), (x.max(), y.min()))
+    ]
+    width, height = float(np.ptp(x)), float(np.ptp(y))
+    longest = 2.0 * float(shapely.minimum_bounding_radius(hull))
+    area = width * height
+    least = max(0.0, area - 4.0 * error * longest - 4.0 * error * error)
+    angle = math.atan2(along[1], along[0]) % math.pi
+    return BoundingRectangle(
+        np.array(made), width, height, angle, Answer(area, least, area, "m2", "found")
+    )
+
+
+def _axes(angles: FloatArray) -> Iterator[tuple[FloatArray, FloatArray]]:
+    """Unit vectors at angles, rad, and square to them, (n, 2) each, some at a time."""
+    for first in range(0, len(angles), DIRECTIONS):
+        some = angles[first : first + DIRECTIONS]
+        c, s = np.cos(some), np.sin(some)
+        yield np.column_stack([c, s]), np.column_stack([-s, c])
+
+
+def _circle(hull: Shape, error: float) -> BoundingCircle:
+    """The smallest circle about a polygon; about what is covered it is smaller by at most the error."""
+    middle = shapely.centroid(shapely.minimum_bounding_circle(hull))
+    off = shapely.get_coordinates(hull) - np.array([middle.x, middle.y])
+    radius, least = float(np.hypot(*off.T).max()), float(shapely.minimum_bounding_radius(hull)) - error
+    return BoundingCircle(
+        (middle.x, middle.y), Answer(radius, max(0.0, min(least, radius)), radius, "m", "found")
+    )
