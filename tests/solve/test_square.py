@@ -5,12 +5,17 @@ import math
 
 import numpy as np
 import pytest
+import shapely
 
 from benchdragon.analysis.check import check
 from benchdragon.analysis.contact import least_clearance
+from benchdragon.analysis.distance import boxes
 from benchdragon.analysis.obstacles import first_touch, least_distance
 from benchdragon.cli.main import run
 from benchdragon.errors import InputError
+from benchdragon.kernels.box import corner
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.walk import Motion
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.solve.place import best_place
 from benchdragon.solve.size import feasible_sizes, limit
@@ -164,3 +169,37 @@ def test_margins_ask_about_benches_alone_and_say_so(capsys: pytest.CaptureFixtur
     out = capsys.readouterr().out
     assert "benches alone are asked about: the venue and obstacles do not count here" in out
     assert "without deviations: 0.4" in out
+
+
+@pytest.mark.parametrize("name", ["spiral-in", "turn"])
+def test_the_smallest_square_holds_all_benches(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    settings = ["dragon.benches=30", "route.at=[3, -2]", "route.turned=25"]
+    settings += COIL[:1] + COIL[2:] if name == "spiral-in" else []
+    plan = read_plan(name, settings)
+    words = ["solve", "square", name, *(word for one in settings for word in ("--set", one)), "--quiet"]
+    assert run([*words, "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    walk = plan.build()
+    placed = walk.motion(np.linspace(*plan.span(walk), 400))
+    corners = [shapely.Polygon(ring) for ring in outlines(placed)]
+    ground = shapely.union_all(corners)
+    box = shapely.Polygon(found["rectangle"]["corners"])
+    assert box.buffer(1e-9).contains(ground)
+    assert box.area == pytest.approx(found["rectangle"]["area"]["value"], rel=1e-9)
+    least = shapely.minimum_rotated_rectangle(ground).area
+    assert found["rectangle"]["area"]["lower"] <= box.area <= least * 1.01
+    centre, radius = found["circle"]["centre"], found["circle"]["radius"]
+    assert shapely.Point(centre).buffer(radius["upper"] + 1e-9, 4096).contains(ground)
+    sampled = shapely.minimum_bounding_radius(ground)
+    assert radius["lower"] <= sampled + 1e-3
+    assert sampled <= radius["upper"] <= sampled + 0.02
+    assert run(words) == 0
+    out = capsys.readouterr().out
+    assert f"radius {math.ceil(100.0 * radius['upper'] + 0.2) / 100.0:.2f} m" in out
+
+
+def outlines(placed: Motion) -> FloatArray:
+    """The corners of every bench at every time, m, (benches, 4, 2)."""
+    rows = [boxes(placed, n) for n in range(len(placed.times))]
+    table = np.vstack(rows)
+    return np.array([[corner(table, i, k) for k in range(4)] for i in range(len(table))])

@@ -50,7 +50,7 @@ from benchdragon.cli.parsing import (
     parse_times,
     spread,
 )
-from benchdragon.cli.place import place
+from benchdragon.cli.place import place, square
 from benchdragon.cli.plan import plan, schema
 from benchdragon.cli.solve import solve
 from benchdragon.cli.studio import studio
@@ -207,7 +207,8 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     return _motion_table(walk, read, times, handles, options)
 
 
-solve.add_command(place)
+for question in (place, square):
+    solve.add_command(question)
 for verb in (check, solve, margins, sweep, atlas, compare, view, studio, animate, plan, schema):
     program.add_command(verb)
 

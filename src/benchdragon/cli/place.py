@@ -1,6 +1,7 @@
 """`solve place` and `solve square`: where on its square a dance fits, and what square it takes."""
 
 import json
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,12 +15,14 @@ from benchdragon.cli.options import (
     force_option,
     json_option,
     plan_options,
+    plan_to_walk,
     shared_options,
 )
 from benchdragon.cli.solve import read_to_write, write_plan
 from benchdragon.i18n import N_, _
 
 if TYPE_CHECKING:
+    from benchdragon.analysis.swept import Enclosing
     from benchdragon.plans.schema import Plan
     from benchdragon.solve.place import PlacedDance
 
@@ -79,3 +82,74 @@ def _print_place(plan: "Plan", best: "PlacedDance", options: dict[str, Any]) -> 
         name = shown_name(answers.obstacle.name)
         text = _("least distance from {name}").format(name=name)
         print_answer(text, answers.distance, up=False, brackets=options["brackets"])
+
+
+@click.command(
+    help=N_(
+        "The smallest square that the dance takes: the smallest rectangle and the smallest circle "
+        "that hold all benches from start to end, tail included.\n\nPLAN is a *.dragon.toml file or "
+        "the name of a built-in plan: spiral-in, turn."
+    )
+)
+@plan_options
+@click.option(
+    "--error",
+    type=click.FloatRange(min=1e-4, max=1.0),
+    default=0.01,
+    show_default=True,
+    help=N_("How much larger than need be they may be on each side, in metres."),
+)
+@json_option
+@shared_options
+def square(plan: str, settings: tuple[str, ...], quiet: bool, error: float, as_json: bool) -> int:
+    """Print the smallest rectangle and circle."""
+    from benchdragon.analysis.swept import enclosing
+
+    read = plan_to_walk(plan, settings, quiet)
+    walk = read.build()
+    with shown_progress(quiet) as progress:
+        found = enclosing(walk, *read.span(walk), error=error, progress=progress)
+    if as_json:
+        click.echo(json.dumps({**_square_json(found), **about(read, [])}))
+    else:
+        _print_square(read, found)
+    return 0
+
+
+def _square_json(found: "Enclosing") -> dict[str, Any]:
+    """What holds a dance as plain data, m and degrees."""
+    box, circle = found.rectangle, found.circle
+    rectangle = {
+        "width": box.width, "height": box.height, "angle": math.degrees(box.angle),
+        "centre": box.corners.mean(axis=0).tolist(), "corners": box.corners.tolist(),
+        "area": box.area.as_json(),
+    }  # fmt: skip
+    round_ = {"centre": list(circle.centre), "radius": circle.radius.as_json()}
+    return {"rectangle": rectangle, "circle": round_}
+
+
+def _print_square(plan: "Plan", found: "Enclosing") -> None:
+    """What holds a dance, for readers: rounded up, so that it does."""
+    box, circle = found.rectangle, found.circle
+    x, y = box.corners.mean(axis=0).tolist()
+    print_title(plan)
+    click.echo(
+        _(
+            "smallest rectangle: {width} m by {height} m, its length at {angle} degrees to the x axis, "
+            "centre ({x}, {y}) m"
+        ).format(
+            width=rounded_up(box.width), height=rounded_up(box.height),
+            angle=f"{math.degrees(box.angle):.2f}", x=f"{x:.3f}", y=f"{y:.3f}",
+        )
+    )  # fmt: skip
+    click.echo(
+        _("smallest circle: radius {radius} m, centre ({x}, {y}) m").format(
+            radius=rounded_up(circle.radius.upper),
+            x=f"{circle.centre[0]:.3f}", y=f"{circle.centre[1]:.3f}",
+        )
+    )  # fmt: skip
+
+
+def rounded_up(metres: float) -> str:
+    """Metres in whole centimetres, not less, and one more for what places are rounded by."""
+    return f"{math.ceil(100.0 * metres + 0.2) / 100.0:.2f}"

@@ -1,8 +1,8 @@
 """Where on the square a dance fits best: farthest from the venue's edge and from every obstacle.
 
-What the dance covers is drawn once, from benches placed close to one another, as a region of the plane;
-moving the dance moves the region. A global search goes by distances of the region, a last one by the
-exact least distances (analysis/obstacles.py), which the answer tells.
+What the dance covers is drawn once, as a region of the plane; moving the dance moves the region. A
+global search goes by distances of the region, a last one by the exact least distances
+(analysis/obstacles.py), which the answer tells.
 """
 
 import math
@@ -10,29 +10,23 @@ import time as clock
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-import numpy as np
+import shapely
+from shapely.geometry.base import BaseGeometry
 
-from benchdragon.analysis.obstacles import ObstacleAnswers, ObstacleSearch, obstacle_answers
+from benchdragon.analysis.obstacles import ObstacleAnswers, obstacle_answers
+from benchdragon.analysis.swept import swept_area
 from benchdragon.errors import InputError, of_kind
 from benchdragon.i18n import _
-from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.answer import Answer
-from benchdragon.model.dragon import Dragon
 from benchdragon.model.obstacle import Obstacle
-from benchdragon.model.placement import Placement
-from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, part, silent
 from benchdragon.solve.minima import LOCAL, downhill_point, low_points
 
-if TYPE_CHECKING:
-    from shapely.geometry.base import BaseGeometry
-
-# Benches are drawn so far apart along the route, m, and no more of them; the region is told by corners
-# that leave it by no more than this, m.
-STEP, MOST_DRAWN, ROUGH = 0.2, 200_000, 0.01
+# What the dance covers is drawn to this, m.
+ROUGH = 0.01
 # What is found is rounded to so many digits of a metre and of a degree: nobody places benches finer.
 DIGITS = 3
 # Share of the time that the global search takes.
@@ -71,7 +65,7 @@ def best_place(plan: Plan, *, progress: Progress = silent) -> PlacedDance:
     The search is the same each time; that no place is better is not shown.
 
     Raises:
-        InputError: for a plan without a venue, or a dragon whose walk is too long to be drawn.
+        InputError: for a plan without a venue, or a walk too long to be drawn.
         WalkError: if the dragon cannot walk.
     """
     of_kind("plan", plan, Plan)
@@ -105,12 +99,9 @@ class Square:
         self.evaluations = 0
 
     @cached_property
-    def region(self) -> "BaseGeometry":
-        """What the dance covers at its origin, to ROUGH or so."""
-        import shapely
-
-        corners = np.concatenate(covered(self.walk, *self.span))
-        region = shapely.simplify(shapely.union_all(shapely.polygons(corners)), ROUGH)
+    def region(self) -> BaseGeometry:
+        """What the dance covers at its origin, and up to ROUGH more."""
+        region = swept_area(self.walk, *self.span, error=ROUGH).polygon
         shapely.prepare(region)
         return region
 
@@ -186,46 +177,8 @@ class Square:
         return PlacedDance(plan, at, turned, room, tuple(found))
 
 
-def covered(walk: Walk, start: float, end: float) -> list[FloatArray]:
-    """Benches at places close to one another, all that a walk from start to end, s, comes to.
-
-    For each size of bench their corners, m, (benches, 4, 2).
-
-    Raises:
-        InputError: if they are too many.
-        WalkError: if the dragon cannot stand at the start or the end.
-    """
-    anything = Obstacle.circle("", (0.0, 0.0), 1.0)
-    search, found = ObstacleSearch(walk, anything, start, end), []
-    for k, _benches, spans in search.stretches():
-        counts = np.ceil((spans[:, 1] - spans[:, 0]) / STEP).astype(int) + 1
-        if counts.sum() > MOST_DRAWN:
-            raise InputError(_("the walk is too long to be drawn on the square"))
-        ends = zip(*spans.T.tolist(), counts.tolist(), strict=True)
-        at = [np.linspace(first, last, count) for first, last, count in ends]
-        still = search.placed.s[0, :-1][search.kind == k]
-        number = int(np.flatnonzero(search.kind == k)[0])
-        found.append(_corners(walk, number, np.concatenate([still, *at])))
-    return found
-
-
-def _corners(walk: Walk, number: int, at: FloatArray) -> FloatArray:
-    """The corners, m, (places, 4, 2), of a bench (row, from 0) with its front handle at places, m."""
-    length, width, front_inset, _rear = walk.dragon.sizes[:, number]
-    alone = Dragon.of_sizes(*walk.dragon.sizes[:, number : number + 1])
-    placed = Placement(alone, walk.route, at)
-    stands = placed.status == 0
-    front, rear = (np.column_stack([placed.x[stands, i], placed.y[stands, i]]) for i in range(2))
-    along = (front - rear) / walk.dragon.links[number]
-    left = 0.5 * width * np.column_stack([-along[:, 1], along[:, 0]])
-    nose, tail = front + front_inset * along, front + (front_inset - length) * along
-    return np.stack([nose + left, tail + left, tail - left, nose - left], axis=1)
-
-
-def _room(region: "BaseGeometry", obstacle: Obstacle) -> float:
+def _room(region: BaseGeometry, obstacle: Obstacle) -> float:
     """How much more than its margin a region keeps from an obstacle, m; negative where it meets it."""
-    import shapely
-
     shape = shape_of(obstacle)
     if obstacle.kind == "venue":
         if shapely.contains_properly(shape, region):
@@ -238,10 +191,8 @@ def _room(region: "BaseGeometry", obstacle: Obstacle) -> float:
     return -math.sqrt(float(deep.area)) - obstacle.margin
 
 
-def shape_of(obstacle: Obstacle) -> "BaseGeometry":
+def shape_of(obstacle: Obstacle) -> BaseGeometry:
     """An obstacle as shapely has it: a circle as its centre, the venue as the polygon of its edge."""
-    import shapely
-
     if obstacle.kind == "circle":
         return shapely.Point(obstacle.outline[0])
     if obstacle.kind == "line":
