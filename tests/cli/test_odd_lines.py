@@ -24,6 +24,8 @@ LINES = {
     "solve length": ["solve", "length", "PLAN"],
     "solve speed": ["solve", "speed", "PLAN"],
     "solve turn": ["solve", "turn", "PLAN"],
+    "solve place": ["solve", "place", "PLAN"],
+    "solve square": ["solve", "square", "PLAN"],
     "margins": ["margins", "PLAN"],
     "sweep": ["sweep", "PLAN", "--vary", "route.pitch=0.5,0.6", "-o", "x"],
     "atlas": ["atlas", "x", "-o", "x.html"],

@@ -50,6 +50,10 @@ RANGE = [*SOLVE, "--range", "0.5..0.8", "--count", "3"]
 SPEED = ["solve", "speed", *TURN]
 PACED = [*SPEED, "--pace", "paced.toml"]
 BEST = ["solve", "turn", *TURN]
+HALL = ["dragon.benches=4", "disc.radius=2.9", "route.pitch=0.9", "route.start_turn=5"]
+IN_HALL = [word for setting in (*HALL, "venue.rectangle=[14, 14]") for word in ("--set", setting)]
+PLACE = ["solve", "place", "spiral-in", *IN_HALL]
+SQUARE = ["solve", "square", "spiral-in", *IN_HALL]
 MARGINS = ["margins", "spiral-in", *DISC, "--aside", "0.01", "--draws", "4"]
 ROWS = ["sweep", "spiral-in", *SMALL, "--set", "walk.end=3", "-o", "rows"]
 SWEEP = [*ROWS, "--vary", "route.pitch=1.2,1.3"]
@@ -145,6 +149,16 @@ CASES: dict[str, Case] = {
     ),
     "solve turn --json": Case(BEST, ["--json"]),
     "solve turn --explain": Case(BEST, ["--explain"]),
+    "solve place --set": Case(PLACE, ["--set", "venue.rectangle=[15, 14]"]),
+    "solve place --plan-file": Case(PLACE, ["--plan-file", "placed.toml"]),
+    "solve place --force": Case(
+        [*PLACE, "--plan-file", "placed.toml"], ["--force"], [*PLACE, "--plan-file", "placed.toml"]
+    ),
+    "solve place --json": Case(PLACE, ["--json"]),
+    "solve place --brackets": Case(PLACE, ["--brackets"]),
+    "solve square --set": Case(SQUARE, ["--set", "route.turned=30"]),
+    "solve square --error": Case(SQUARE, ["--error", "0.1"]),
+    "solve square --json": Case(SQUARE, ["--json"]),
     "margins --set": Case([*MARGINS, "--json"], ["--set", "limits.margin=0.1"]),
     **{
         f"margins --{deviation}": Case([*MARGINS, "--json"], [f"--{deviation}", "0.02"])
@@ -367,6 +381,7 @@ def test_an_option_has_an_effect(outcome: Come, known: dict[str, Outcome], name:
         ([*SOLVE, "--count", "50"], "--count goes with --range alone"),
         ([*SPEED, "--force"], "--force goes with --pace alone"),
         ([*BEST, "--force"], "--force goes with --plan-file alone"),
+        ([*PLACE, "--force"], "--force goes with --plan-file alone"),
         ([*RANGE, "--prove"], "--prove does not go with --range"),
         ([*RANGE, "--brackets"], "--brackets does not go with --range"),
         ([*RANGE, "--method", "traversal"], "--method does not go with --range"),

@@ -26,7 +26,7 @@ from benchdragon.progress import Progress, part, silent
 from benchdragon.solve.minima import LOCAL, downhill_point, low_points
 
 # What the dance covers is drawn to this, m.
-ROUGH = 0.01
+ROUGH = 0.05
 # What is found is rounded to so many digits of a metre and of a degree: nobody places benches finer.
 DIGITS = 3
 # Share of the time that the global search takes.
