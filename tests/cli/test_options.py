@@ -222,13 +222,16 @@ CASES: dict[str, Case] = {
     **{
         f"{called(line)} --lang": Case(line, ["--lang", "zh"])
         for line in (
-            *(MOTION, CHECK, *SIZES.values(), SPEED, BEST, MARGINS, SWEEP, VIEW, STILL, STUDIO),
-            *(["doctor"], ["plan"], ["schema"]),
+            *(MOTION, CHECK, *SIZES.values(), SPEED, BEST, PLACE, SQUARE, MARGINS, SWEEP, VIEW, STILL),
+            *(STUDIO, ["doctor"], ["plan"], ["schema"]),
         )
     },
     **{
         f"{called(line)} --quiet": Case(line, ["--quiet"])
-        for line in (MOTION, CHECK, *SIZES.values(), SPEED, BEST, MARGINS, SWEEP, VIEW, STILL, STUDIO)
+        for line in (
+            *(MOTION, CHECK, *SIZES.values(), SPEED, BEST, PLACE, SQUARE, MARGINS, SWEEP, VIEW, STILL),
+            STUDIO,
+        )
     },
 }
 # What these say comes after minutes of work: tests/paper/test_reproduce.py runs them.
