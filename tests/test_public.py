@@ -130,6 +130,7 @@ CALLS: dict[str, tuple[Any, ...]] = {
     "TwoArcTurn": (1.7, 4.5, 2.0),
     "Walk": (DRAGON, ROUTE, WALK.profile, 0.0),
     "TurnGoal": (),
+    "bench_offsets": (MOTION, 1),
     "best_turn": (TURN,),
     "check": (PLAN,),
     "clearance_curve": (WALK, [0.0, 1.0, 2.0]),
@@ -155,8 +156,8 @@ CALLS: dict[str, tuple[Any, ...]] = {
 }
 # What the package makes, and nobody else has to.
 MADE = {
-    "Answer", "BestTurn", "ClearanceCurve", "Comparison", "Motion", "Nearness", "Plan", "Report",
-    "Points", "Status", "Sweep", "Tolerance", "Window", "Witness",
+    "Answer", "BestTurn", "ClearanceCurve", "Comparison", "Motion", "Nearness", "Offsets", "Plan",
+    "Points", "Report", "Status", "Sweep", "Tolerance", "Window", "Witness",
     "BenchDragonError", "InputError", "NoSolutionError", "UnsureError", "WalkError",
 }  # fmt: skip
 
@@ -187,6 +188,7 @@ def test_wrong_types_are_refused_as_input(name: str) -> None:
         ROUTE.point,
         ROUTE.heading,
         ROUTE.curvature,
+        lambda wrong: bd.bench_offsets(MOTION, points=[wrong]),
         WALK.profile.speed,
         WALK.profile.acceleration,
         WALK.profile.distance,

@@ -10,6 +10,8 @@ from .analysis.contact import least_clearance as least_clearance
 from .analysis.distance import Nearness as Nearness
 from .analysis.distance import clearances as clearances
 from .analysis.distance import tightest_pairs as tightest_pairs
+from .analysis.offsets import Offsets as Offsets
+from .analysis.offsets import bench_offsets as bench_offsets
 from .analysis.proof import prove_contact as prove_contact
 from .analysis.speed import greatest_speed as greatest_speed
 from .errors import BenchDragonError as BenchDragonError
