@@ -182,6 +182,14 @@ def test_files_and_tests_that_the_steps_of_an_extension_name_are_there(page: str
         assert not name.startswith("test_") or f"def {name}(" in tests, name
 
 
+@pytest.mark.parametrize("page", PAGES)
+def test_joining_lines_of_chinese_leaves_code_as_it_is(page: str) -> None:
+    """A comment that ends with a Chinese mark would take the next line of code up."""
+    text = source("zh", page)
+    joined = runpy.run_path(str(ROOT / "docs" / "conf.py"))["SEAMLESS"].sub("", text)
+    assert blocks(joined, "{code-cell}") == blocks(text, "{code-cell}")
+
+
 def test_a_notebook_names_pages_and_listings_and_says_each_output_once() -> None:
     conf = runpy.run_path(str(ROOT / "docs" / "conf.py"))
     text = "(turn)=\n## Turn\n\n[](model.md), [so](#turn), [](#turn): {view}`model.turns:two_arcs`."
