@@ -41,9 +41,9 @@ trailing end: off by at most 0.012 mm
 centre: 3.375 mm, with the vehicle's middle at 0.00 m
 leading end: 12.093 mm, with the vehicle's middle at 0.00 m
 trailing end: 1.500 mm, with the vehicle's middle at 0.00 m
-centre: 135.030389 mm from 9.00 m behind the beginning of the arc on, 135.030389 mm on a circle; 5 m earlier 134.451 mm
-leading end: 146.630832 mm from 22.00 m behind the beginning of the arc on, 146.630832 mm on a circle; 5 m earlier 146.374 mm
-trailing end: 146.630832 mm from 0.00 m behind the beginning of the arc on, 146.630832 mm on a circle; 5 m earlier 145.485 mm
+centre: 135.030389 mm (circle 135.030389 mm) from 9.00 m into the arc on; 5 m earlier 134.451 mm
+leading end: 146.630832 mm (circle 146.630832 mm) from 22.00 m into the arc on; 5 m earlier 146.374 mm
+trailing end: 146.630832 mm (circle 146.630832 mm) from 0.00 m into the arc on; 5 m earlier 145.485 mm
 centre: at most 254.928 mm, +0.00 m from the curve's centre; circle 270.243 mm
 leading end: at most 265.345 mm, +8.15 m from the curve's centre; circle 293.047 mm
 trailing end: at most 265.345 mm, -8.15 m from the curve's centre; circle 293.047 mm
