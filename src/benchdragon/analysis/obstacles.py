@@ -88,7 +88,8 @@ class ObstacleSearch:
         in_order(self.start, self.end)
         self.heads = self.walk.head_position([self.start, self.end])
         self.placed = self.walk.placement(self.heads)  # raises where the dragon cannot stand
-        far = max(float(np.abs([self.placed.x, self.placed.y]).max()), self.extent)
+        extent = float(np.abs(self.obstacle.outline).max()) + self.obstacle.radius
+        far = max(float(np.abs([self.placed.x, self.placed.y]).max()), extent)
         self.slack = self.slack or slack_at(far)
         self.kind, self.kinds = kinds_of(self.walk.dragon.sizes)
         self._standing = kernel.scratch_for(self.obstacle.boxes)
@@ -97,11 +98,6 @@ class ObstacleSearch:
         self._times = HeadTimes(self.walk, float(self.heads[0]), self.start)
         if self.ledger is not None:
             self.ledger.add_placement(self.placed)
-
-    @property
-    def extent(self) -> float:
-        """The largest coordinate of the obstacle, m."""
-        return float(np.abs(self.obstacle.outline).max()) + self.obstacle.radius
 
     @property
     def reach(self) -> float:

@@ -9,6 +9,7 @@ verdict is done in doubles, with room for their rounding: every answer says so (
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
@@ -355,16 +356,36 @@ def prove_contact(
     of_kind("walk", walk, Walk)
     require_enclosed(walk.route)
     require_flint()
+
+    def search(slack: float, ledger: Ledger) -> list[Answer]:
+        windows = contact_windows(walk, start, end, margin=margin, most=1, slack=slack, ledger=ledger)
+        return [window.opens for window in windows]
+
+    return _proved_contact(walk, clock_error(walk, start, end), search, 0.0, progress)
+
+
+def _proved_contact(
+    walk: Walk,
+    head: float,
+    search: Callable[[float, Ledger], list[Answer]],
+    extent: float,
+    progress: Progress = silent,
+) -> Answer | None:
+    """The last contact that a search finds, with the slack that the errors behind it need; None: none.
+
+    `head` is what the head's route positions are off by, m, and `extent` how far what stands still
+    reaches.
+    """
     slack = SLACK
     for _trial in range(MOST_TRIALS):
         ledger = Ledger()
-        windows = contact_windows(walk, start, end, margin=margin, most=1, slack=slack, ledger=ledger)
-        found = errors(walk, ledger, clock_error(walk, start, end), progress)
-        needed = needed_slack(walk, found, _extent(ledger))
+        contacts = search(slack, ledger)
+        found = errors(walk, ledger, head, progress)
+        needed = needed_slack(walk, found, max(_extent(ledger), extent))
         if found.others > OTHERS or not needed < MOST_SLACK:
             break
         if needed <= slack:
-            return _proved(windows[0].opens, found, slack) if windows else None
+            return _proved(contacts[-1], found, slack) if contacts else None
         slack = 2.0 * needed
     raise UnsureError(
         _("the errors of computed positions could not be bounded well enough for a proof")
@@ -384,22 +405,14 @@ def prove_obstacle(walk: Walk, answers: ObstacleAnswers, start: float, end: floa
     """
     require_enclosed(walk.route)
     require_flint()
-    slack, obstacle = SLACK, answers.obstacle
-    for _trial in range(MOST_TRIALS):
-        ledger = Ledger()
-        search = ObstacleSearch(walk, obstacle, start, end, slack, ledger)
-        contacts = touching(search)
-        found = errors(walk, ledger, clock_error(walk, start, end))
-        needed = needed_slack(walk, found, max(_extent(ledger), search.extent))
-        if needed <= slack:
-            contact = contacts[-1] if contacts else None
-            return replace(answers, contact=contact and _proved(contact, found, slack))
-        if not needed < MOST_SLACK:
-            break
-        slack = 2.0 * needed
-    raise UnsureError(
-        _("the errors of computed positions could not be bounded well enough for a proof")
-    )
+    obstacle = answers.obstacle
+    extent = float(np.abs(obstacle.outline).max()) + obstacle.radius
+
+    def search(slack: float, ledger: Ledger) -> list[Answer]:
+        return touching(ObstacleSearch(walk, obstacle, start, end, slack, ledger))
+
+    head = clock_error(walk, start, end)
+    return replace(answers, contact=_proved_contact(walk, head, search, extent))
 
 
 def prove_nearer(walk: Walk, s: float, i: int, j: int, margin: float) -> bool:
