@@ -19,7 +19,7 @@ from benchdragon.model.walk import Motion
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.solve.place import best_place
 from benchdragon.solve.size import feasible_sizes, limit
-from benchdragon.solve.turn import best_turn
+from benchdragon.solve.turn import _exact_figures, best_turn
 
 COIL = ["disc.radius=4.5", "dragon.benches=20", "route.start_turn=11"]
 WELL = 'obstacle=[{kind="circle", name="well", centre=[0, 0], radius=3.9}]'
@@ -96,16 +96,26 @@ def test_sizes_of_a_range_stop_at_an_obstacle() -> None:
 
 
 def test_a_best_turn_keeps_clear_of_a_post_in_its_way() -> None:
-    few = ["dragon.benches=12"]
+    few = ["dragon.benches=12", "route.at=[30, -20]", "route.turned=70"]
     free = best_turn(read_plan("turn", few)).plan
     walk = free.build()
     x, y = walk.route.point(0.5 * float(walk.route.joints[1] + walk.route.joints[-2])).tolist()
     post = f'obstacle=[{{kind="circle", name="post", centre=[{x + 0.45}, {y + 0.45}], radius=0.2}}]'
-    plan = read_plan("turn", [*few, post, "venue.rectangle=[70, 70]"])
+    plan = read_plan("turn", [*few, post, "venue.rectangle=[70, 70]", "venue.centre=[30, -20]"])
     of_free = {"turn": free.turn, "disc": free.disc}
     assert any(finding.obstacle for finding in check(plan.model_copy(update=of_free)).findings)
     best = best_turn(plan)
     assert not [finding for finding in check(best.plan).findings if finding.obstacle]
+
+
+def test_what_touches_keeps_no_margin_of_a_turn() -> None:
+    """A clearance of 0 is that of benches that touch: it is less than a margin of 0."""
+    plan = read_plan(
+        "turn", ["dragon.benches=12", 'obstacle=[{kind="line", points=[[0, -2], [0, 2]]}]']
+    )
+    exact, _clearance = _exact_figures(plan, {"clearance": 1.0}, 1.0)
+    assert exact["obstacles"] < 0.0
+    assert exact["clearance"] > 0.0
 
 
 SQUARE = [
