@@ -10,7 +10,14 @@ from pydantic.fields import FieldInfo
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
 from benchdragon.plans.faults import kinds_of
-from benchdragon.plans.routes import PartsRoute, SpiralInRoute, TurnRoute
+from benchdragon.plans.formations import StepTable
+from benchdragon.plans.routes import (
+    FormationRoute,
+    PartsRoute,
+    ProgrammeRoute,
+    SpiralInRoute,
+    TurnRoute,
+)
 from benchdragon.plans.schema import Plan
 from benchdragon.plans.square import OBSTACLE_KEYS, OBSTACLES, ObstacleTable, VenueTable
 from benchdragon.plans.tables import (
@@ -57,6 +64,28 @@ def _obstacle_section(obstacle: type[ObstacleTable]) -> Section:
     (kind,) = kinds_of(obstacle)
     means = {"kind": Key(N_("kind of the obstacle"), kind), **obstacle.keys, **OBSTACLE_KEYS}
     return Section(f'[[obstacle]] kind = "{kind}"', obstacle.about, obstacle, means)
+
+
+SIZES = {
+    "name": Key(N_("name of the formation: see `benchdragon formations`"), "coil-in"),
+    "pitch": Key(N_("of coils: distance between neighbouring turns"), "80 cm", "m"),
+    "outer_radius": Key(N_("of coils: radius at the outer end"), 12, "m"),
+    "inner_radius": Key(N_("of coils: radius at the inner end"), 3, "m"),
+    "between": Key(N_("of double-door: distance between the coils' outer circles"), 2, "m"),
+    "radius": Key(
+        N_("of figure-eight, tail-swing: radius of the bends; of three-plum-blossoms: of the petals"),
+        20, "m",
+    ),
+    "waist": Key(N_("of three-plum-blossoms: radius of the bends between the petals"), 6, "m"),
+    "length": Key(N_("of straight-dragon: length of the line"), 300, "m"),
+    "swing": Key(N_("of tail-swing: how wide the tail swings from side to side"), 4.5, "m"),
+    "swings": Key(N_("of tail-swing: how many times it swings to the other side"), 6),
+    "run": Key(N_("of tail-swing: length of the lines before and behind the bends"), 100, "m"),
+    "rounds": Key(N_("of figure-eight and three-plum-blossoms: how many rounds are walked"), 2),
+    "clockwise": Key(
+        N_("of all but straight-dragon: whether the first bend is walked clockwise; else so"), False
+    ),
+}  # fmt: skip
 
 
 def _part_section(part: type[CurvePart]) -> Section:
@@ -138,6 +167,36 @@ SECTIONS = (
         },
     ),
     *(_part_section(part) for part in PARTS),
+    Section(
+        '[route] kind = "formation"',
+        N_("One formation by its name; sizes that are not said are as `benchdragon formations` lists."),
+        FormationRoute,
+        {"kind": Key(N_("kind of the route"), "formation"), **SIZES, **PLACED},
+    ),
+    Section(
+        '[route] kind = "programme"',
+        N_("Formations one after another, joined by the shortest connections of arcs and lines."),
+        ProgrammeRoute,
+        {
+            "kind": Key(N_("kind of the route"), "programme"),
+            "formation": Key(
+                N_("the formations in order: see [[route.formation]]"), [{"name": "coil-in"}]
+            ),
+            "radius": Key(N_("radius of the arcs of the connections"), 3, "m"),
+            **PLACED,
+        },
+    ),
+    Section(
+        "[[route.formation]]", N_("A formation of a programme, and where it is danced."), StepTable,
+        {
+            **SIZES,
+            "at": Key(
+                N_("where its centre lies, x and y; else it begins where the one before it ends"),
+                [7.5, 0], "m",
+            ),
+            "turned": Key(N_("by how much it is turned about its centre; beside at alone"), 180, "deg"),
+        },
+    ),
     Section(
         "[disc]", N_("The turning disc: a circle about the spiral's centre; not beside parts."),
         DiscTable,

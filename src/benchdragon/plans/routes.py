@@ -1,6 +1,7 @@
 """The kinds of routes that a plan may have, and where on each the head stands and comes to."""
 
 import math
+from functools import partial
 from typing import Annotated, Literal, Protocol
 
 from pydantic import Field
@@ -9,26 +10,32 @@ from benchdragon.errors import InputError
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.turn_families import TRAIL
+from benchdragon.model.connections import programme
 from benchdragon.model.curves import Route, Spiral
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.turns import Turn
 from benchdragon.model.walk import Walk
+from benchdragon.plans.formations import FormationTable, StepTable, refuse_tight, whole_dragon_on
 from benchdragon.plans.source import Fault, Faults, KeyedError
 from benchdragon.plans.tables import (
     MOST_PARTS,
     Degrees,
     DiscTable,
+    Length,
     Metres,
     Number,
     Part,
     Pitch,
     Table,
     TurnTable,
+    WalkTable,
     at_least,
 )
 
 # A turn may reach so far out of its disc, m: rounding, and what lies between samples.
 FITS = 1e-3
+# Formations of one programme; the longest has some 160 parts.
+MOST_STEPS = 50
 
 
 def _at(key: str, text: str) -> KeyedError:
@@ -49,6 +56,10 @@ class Beside(Protocol):
     @property
     def links(self) -> FloatArray:
         """Between the holes of each bench, m, (N,)."""
+
+    @property
+    def walk(self) -> WalkTable:
+        """The head's walk."""
 
 
 class RouteTable(Table):
@@ -183,4 +194,55 @@ class PartsRoute(RouteTable):
         return walk.route.length
 
 
-AnyRoute = Annotated[SpiralInRoute | TurnRoute | PartsRoute, Field(discriminator="kind")]
+class FormationRoute(RouteTable, FormationTable):
+    """One formation; at time 0 the whole dragon stands on it, its tail at the start."""
+
+    kind: Literal["formation"]
+
+    def build(self, plan: Beside) -> tuple[Route, float]:
+        """The route, and where on it the head stands at time 0."""
+        route = self.formation("route", float(plan.links.max())).build()
+        return route, _whole_dragon_on(route, plan)
+
+    def last_position(self, walk: Walk) -> float:
+        """The head's route position at the end of the walk, m."""
+        return walk.route.length
+
+
+class ProgrammeRoute(RouteTable):
+    """Formations one after another; at time 0 the whole dragon stands on the route, as above."""
+
+    kind: Literal["programme"]
+    formation: Annotated[list[StepTable], Field(min_length=1, max_length=MOST_STEPS)]
+    radius: Length = 3.0
+
+    def build(self, plan: Beside) -> tuple[Route, float]:
+        """The route, and where on it the head stands at time 0."""
+        faults, link = Faults(), float(plan.links.max())
+        faults.tried("route.radius", partial(refuse_tight, "route.radius", self.radius, link))
+        keys = [f"route.formation.{i}" for i in range(len(self.formation))]
+        tried = [
+            faults.tried(key, partial(one.step, key, link))
+            for key, one in zip(keys, self.formation, strict=True)
+        ]
+        if faults.found:
+            raise KeyedError(faults.found)
+        route = programme([step for step in tried if step is not None], self.radius)
+        return route, _whole_dragon_on(route, plan)
+
+    def last_position(self, walk: Walk) -> float:
+        """The head's route position at the end of the walk, m."""
+        return walk.route.length
+
+
+def _whole_dragon_on(route: Route, plan: Beside) -> float:
+    """Where the head stands with the tail at the route's start, m; 0 where the plan says another."""
+    if plan.walk.position is not None or not plan.links.all():
+        return 0.0
+    return whole_dragon_on(route, plan.links)
+
+
+AnyRoute = Annotated[
+    SpiralInRoute | TurnRoute | PartsRoute | FormationRoute | ProgrammeRoute,
+    Field(discriminator="kind"),
+]

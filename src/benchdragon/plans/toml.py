@@ -210,6 +210,18 @@ FAMILIES = {
     "curvature": ("arc-arc-arc",),
 }
 
+# Sizes of formations, which belong to some of them alone.
+FORMATION_SIZES = {
+    "coil-in": ("pitch", "outer_radius", "inner_radius", "clockwise"),
+    "coil-out": ("pitch", "inner_radius", "outer_radius", "clockwise"),
+    "figure-eight": ("radius", "rounds", "clockwise"),
+    "three-plum-blossoms": ("radius", "waist", "rounds", "clockwise"),
+    "double-door": ("pitch", "outer_radius", "inner_radius", "between", "clockwise"),
+    "straight-dragon": ("length",),
+    "tail-swing": ("swing", "radius", "swings", "run", "clockwise"),
+}
+ALL_SIZES = frozenset(size for sizes in FORMATION_SIZES.values() for size in sizes)
+
 
 # Tables of which some keys have no effect beside others.
 CHOOSING = ("dragon", "route", "disc", "turn", "walk", "venue", "limits")
@@ -225,9 +237,9 @@ def idle_keys(data: dict[str, Any]) -> list[Idle]:
     route, turn = tables["route"], tables["turn"]
     kind = "parts" if "part" in route else route.get("kind")
     found = []
-    if kind in ("parts", "spiral-in"):
+    if kind in ("parts", "spiral-in", "formation", "programme"):
         idle = [f"turn.{name}" for name in turn]
-        idle += [f"disc.{name}" for name in tables["disc"]] if kind == "parts" else []
+        idle += [f"disc.{name}" for name in tables["disc"]] if kind != "spiral-in" else []
         found += [Idle(key, "route.kind", f'route.kind = "{kind}"') for key in idle]
     if kind == "turn":
         family = turn.get("family", "arc-arc")
@@ -235,6 +247,11 @@ def idle_keys(data: dict[str, Any]) -> list[Idle]:
             name for name, families in FAMILIES.items() if name in turn and family not in families
         ]
         found += [Idle(f"turn.{name}", "turn.family", f'turn.family = "{family}"') for name in strays]
+    if kind == "formation":
+        found += _idle_sizes(route, "route")
+    if kind == "programme" and isinstance(route.get("formation"), list):
+        for i, one in enumerate(route["formation"]):
+            found += _idle_sizes(_said(one), f"route.formation.{i}")
     if tables["walk"].get("profile") and "speed" in tables["walk"]:
         found.append(Idle("walk.speed", "walk.profile", "walk.profile"))
     if tables["dragon"].get("bench"):
@@ -257,6 +274,14 @@ def _idle_on_the_square(venue: dict[str, Any], limits: dict[str, Any]) -> list[I
     return found
 
 
+def _idle_sizes(table: dict[str, Any], key: str) -> list[Idle]:
+    """The sizes in a formation's table that its formation does not have."""
+    own = FORMATION_SIZES.get(str(table.get("name")))
+    strays = [] if own is None else [name for name in table if name in ALL_SIZES and name not in own]
+    because = f'{key}.name = "{table.get("name")}"'
+    return [Idle(f"{key}.{name}", f"{key}.name", because) for name in strays]
+
+
 def _said(table: object) -> dict[str, Any]:
     if not isinstance(table, dict):
         return {}
@@ -266,8 +291,11 @@ def _said(table: object) -> dict[str, Any]:
 def drop(data: dict[str, Any], idle: Sequence[Idle]) -> None:
     """Take keys out of a plan's tables."""
     for one in idle:
-        table, name = one.key.split(".")
-        del data[table][name]
+        *folders, name = one.key.split(".")
+        table: Any = data
+        for folder in folders:
+            table = table[int(folder)] if isinstance(table, list) else table[folder]
+        del table[name]
 
 
 def drop_replaced(data: dict[str, Any], keys: Sequence[str]) -> None:

@@ -31,7 +31,14 @@ from benchdragon.kernels.turn_families import ARCS, MOST_PIECES
 from benchdragon.kernels.walk_search import ASTRAY
 from benchdragon.model.answer import Answer, Witness
 from benchdragon.model.walk import Walk
-from benchdragon.plans.routes import FITS, PartsRoute, SpiralInRoute, TurnRoute
+from benchdragon.plans.routes import (
+    FITS,
+    FormationRoute,
+    PartsRoute,
+    ProgrammeRoute,
+    SpiralInRoute,
+    TurnRoute,
+)
 from benchdragon.plans.schema import Plan
 from benchdragon.plans.tables import LEAST, LEAST_PITCH, ROOMY
 from benchdragon.plans.toml import PlanError
@@ -128,6 +135,24 @@ class PlanFamily:
         default=None, init=False, repr=False, compare=False
     )
 
+    def __post_init__(self) -> None:
+        """Let the head of a formation start where it does with the plan's own benches.
+
+        Raises:
+            InputError: for sizes of formations, which the kernels do not know.
+        """
+        if not isinstance(self.plan.route, FormationRoute | ProgrammeRoute):
+            return
+        if self.question.name == "pitch":
+            raise InputError(
+                _(
+                    "the smallest pitch is sought for spiral-in and turn; of a formation, try several: "
+                    "benchdragon sweep PLAN --vary route.pitch=0.5:0.8:0.01 --ask clearance"
+                )
+            )
+        if self.plan.walk.position is None:
+            self.plan = self.plan.with_value("walk.position", self.plan.build().start)
+
     @property
     def first(self) -> float:
         """The plan's own size, from which the search begins."""
@@ -174,14 +199,15 @@ def meeting_of(walk: Walk, end: float, witness: Witness) -> Meeting:
 def kernel_numbers(plan: Plan, question: Question) -> FloatArray:
     """What the kernels are told of a plan: see kernels/family.py."""
     route, turn, profile, walk = plan.route, plan.turn, plan.profile(), plan.walk
-    pitch, disc = getattr(route, "pitch", math.nan), _or_nan(plan.disc.radius)
+    pitch, disc = math.nan, _or_nan(plan.disc.radius)
     kind, least = sizes_of.FIXED, LEAST_PITCH if question.what == sizes_of.PITCH else LEAST
     start, clockwise = math.nan, True
     if isinstance(route, SpiralInRoute):
-        kind, start, clockwise = sizes_of.SPIRAL_IN, route.start_turn, route.clockwise
+        kind, pitch, start = sizes_of.SPIRAL_IN, route.pitch, route.start_turn
+        clockwise = route.clockwise
     elif isinstance(route, TurnRoute):
-        kind, disc = sizes_of.TURN, route.disc(plan)
-    elif not isinstance(route, PartsRoute):
+        kind, pitch, disc = sizes_of.TURN, route.pitch, route.disc(plan)
+    elif not isinstance(route, PartsRoute | FormationRoute | ProgrammeRoute):
         assert_never(route)
     radii = turn.radii or (math.nan, math.nan)
     numbers = {

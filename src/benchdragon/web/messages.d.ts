@@ -159,6 +159,26 @@ export interface Following {
   change: number;
 }
 
+/** One formation; at time 0 the whole dragon stands on it, its tail at the start. */
+export interface FormationRoute {
+  name: "coil-in" | "coil-out" | "figure-eight" | "three-plum-blossoms" | "double-door" | "straight-dragon" | "tail-swing";
+  pitch?: number | null;
+  outer_radius?: number | null;
+  inner_radius?: number | null;
+  between?: number | null;
+  radius?: number | null;
+  waist?: number | null;
+  length?: number | null;
+  swing?: number | null;
+  run?: number | null;
+  swings?: number | null;
+  rounds?: number | null;
+  clockwise?: boolean | null;
+  at?: [number, number] | null;
+  turned?: number;
+  kind: "formation";
+}
+
 /**
  * Route positions and speeds of handles at evenly spaced times, packed.
  *
@@ -372,7 +392,7 @@ export interface Plan {
   schema: 1;
   meta?: MetaTable;
   dragon?: DragonTable;
-  route: SpiralInRoute | TurnRoute | PartsRoute;
+  route: SpiralInRoute | TurnRoute | PartsRoute | FormationRoute | ProgrammeRoute;
   disc?: DiscTable;
   turn?: TurnTable;
   walk?: WalkTable;
@@ -406,6 +426,15 @@ export interface Preset {
 /** What went wrong, as one sentence in the language asked for. */
 export interface Problem {
   error: string;
+}
+
+/** Formations one after another; at time 0 the whole dragon stands on the route, as above. */
+export interface ProgrammeRoute {
+  at?: [number, number] | null;
+  turned?: number;
+  kind: "programme";
+  formation: Array<StepTable>;
+  radius?: number;
 }
 
 /** Workers of one kind of question. */
@@ -451,6 +480,25 @@ export interface SpiralPart {
   start_radius: number;
   end_radius: number;
   clockwise?: boolean;
+}
+
+/** A formation of a programme, and where it is danced. */
+export interface StepTable {
+  name: "coil-in" | "coil-out" | "figure-eight" | "three-plum-blossoms" | "double-door" | "straight-dragon" | "tail-swing";
+  pitch?: number | null;
+  outer_radius?: number | null;
+  inner_radius?: number | null;
+  between?: number | null;
+  radius?: number | null;
+  waist?: number | null;
+  length?: number | null;
+  swing?: number | null;
+  run?: number | null;
+  swings?: number | null;
+  rounds?: number | null;
+  clockwise?: boolean | null;
+  at?: [number, number] | null;
+  turned?: number;
 }
 
 /** Nodes of a stretch of the route, evenly spaced: the next stretch begins where this ends. */

@@ -1,0 +1,436 @@
+"""Formations: figures that bench dragons dance, by their names, with sources, as routes of given sizes.
+
+Each lies about the origin and begins and ends at its outer edge where it can, so that routes to and
+from it need not cross it. Lines, arcs and Archimedean spirals; headings never jump, curvatures do.
+No source that was read gives the geometry of a formation: but for the coils, which are those of the
+contest, it is this project's own, and each `source` says so.
+"""
+
+import math
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from typing import Any, ClassVar
+
+from benchdragon.errors import InputError, finite
+from benchdragon.i18n import N_, _
+from benchdragon.model.curves import AnyCurve, Arc, Line, Route, Spiral
+
+
+@dataclass(frozen=True)
+class Size:
+    """What a size of a formation means, and between what it must lie.
+
+    Attributes:
+        text: in a few words.
+        least: the smallest that may be, m; of a count, a number.
+        most: the largest.
+        unit: "m", or "" of a count.
+    """
+
+    text: str
+    least: float
+    most: float
+    unit: str = "m"
+
+
+PITCH = Size(N_("distance between neighbouring turns of the coil"), 0.1, 100.0)
+OUTER = Size(N_("radius at the outer end of the coil"), 1.0, 1000.0)
+INNER = Size(N_("radius at the inner end of the coil"), 0.5, 1000.0)
+ROUNDS = Size(N_("how many times it is walked round"), 1, 20, "")
+
+
+class SizeError(InputError):
+    """A size of a formation that cannot be.
+
+    Attributes:
+        size: its name.
+    """
+
+    def __init__(self, size: str, text: str) -> None:
+        super().__init__(text)
+        self.size = size
+
+
+@dataclass(frozen=True)
+class Formation(ABC):
+    """A formation of given sizes, m; its centre is the origin.
+
+    Attributes:
+        name: as plans say it.
+        chinese: what dancers call it.
+        pinyin: how that is said.
+        english: what it is called in English.
+        shape: what it looks like, in words.
+        source: who names it, and whose its geometry is.
+        sizes: what each size means, by its name.
+        tightest: the size that widens its tightest bend; "" where it has none.
+    """
+
+    name: ClassVar[str]
+    chinese: ClassVar[str]
+    pinyin: ClassVar[str]
+    english: ClassVar[str]
+    shape: ClassVar[str]
+    source: ClassVar[str]
+    sizes: ClassVar[Mapping[str, Size]]
+    tightest: ClassVar[str] = ""
+
+    def __post_init__(self) -> None:
+        for name, size in self.sizes.items():
+            value = finite(name, getattr(self, name), size.unit)
+            if not size.least <= value <= size.most:
+                raise SizeError(
+                    name,
+                    _("{name} of {formation} must lie in {least} .. {most}, not at {value}").format(
+                        name=name, formation=self.name, value=f"{value:g} {size.unit}".strip(),
+                        least=f"{size.least:g}", most=f"{size.most:g} {size.unit}".strip(),
+                    ),
+                )  # fmt: skip
+            if not size.unit and value != int(value):
+                raise SizeError(
+                    name,
+                    _("{name} of {formation} must be a whole number, not {value}").format(
+                        name=name, formation=self.name, value=f"{value:g}"
+                    ),
+                )
+
+    @classmethod
+    def defaults(cls) -> dict[str, Any]:
+        """Each size and, where it has two hands, `clockwise`, as they are if nothing is said."""
+        return {field.name: field.default for field in fields(cls)}
+
+    @abstractmethod
+    def build(self) -> Route:
+        """Its route, about the origin."""
+
+    @property
+    def least_radius(self) -> float:
+        """The radius of its tightest bend, m; infinite where it has none."""
+        return least_radius(self.build())
+
+    def _must_be_smaller(self, name: str, most: float, than: str) -> None:
+        """Refuse a size that is not smaller than `most`, m, which is the size or sizes `than`."""
+        if getattr(self, name) >= most:
+            raise SizeError(
+                name,
+                _("{name} of {formation} ({value} m) must be smaller than {than} ({most} m)").format(
+                    name=name, formation=self.name, value=f"{getattr(self, name):g}", than=than,
+                    most=f"{most:g}",
+                ),
+            )  # fmt: skip
+
+
+def least_radius(route: Route) -> float:
+    """The radius of a route's tightest bend, m: of lines, arcs and Archimedean spirals."""
+    bend = max(float(abs(curve.curvature([0.0, curve.length])).max()) for curve in route)
+    return 1.0 / bend if bend > 0.0 else math.inf
+
+
+def coil(
+    pitch: float, start_radius: float, end_radius: float, outer_angle: float, clockwise: bool
+) -> Spiral:
+    """A coil about the origin whose outer end lies at a polar angle, rad; m."""
+    mirrored = (end_radius < start_radius) != clockwise
+    winding = max(start_radius, end_radius) * 2.0 * math.pi / pitch
+    rotation = outer_angle + (winding if mirrored else -winding)
+    return Spiral.between(pitch, start_radius, end_radius, rotation=rotation, mirrored=mirrored)
+
+
+@dataclass(frozen=True)
+class CoilIn(Formation):
+    """In along a spiral, from its outer end at (outer_radius, 0)."""
+
+    name: ClassVar = "coil-in"
+    chinese: ClassVar = "盘龙"
+    pinyin: ClassVar = "pán lóng"
+    english: ClassVar = N_("coil in")
+    shape: ClassVar = N_("in along one spiral, from its outer end to its inner end")
+    source: ClassVar = N_(
+        "the contest's problem, CUMCM 2024 A, whose spiral this is; clockwise as in Xianyou (press, "
+        "2025), where the heads are the centre; the sizes are ours"
+    )
+    sizes: ClassVar = {"pitch": PITCH, "outer_radius": OUTER, "inner_radius": INNER}
+    tightest: ClassVar = "inner_radius"
+
+    pitch: float = 0.8
+    outer_radius: float = 12.0
+    inner_radius: float = 3.0
+    clockwise: bool = True
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        self._must_be_smaller("inner_radius", self.outer_radius, "outer_radius")
+        self._must_be_smaller("pitch", self.outer_radius, "outer_radius")
+
+    def build(self) -> Route:
+        """Its route, about the origin."""
+        return Route((coil(self.pitch, self.outer_radius, self.inner_radius, 0.0, self.clockwise),))
+
+
+@dataclass(frozen=True)
+class CoilOut(Formation):
+    """Out along a spiral, to its outer end at (outer_radius, 0)."""
+
+    name: ClassVar = "coil-out"
+    chinese: ClassVar = "出龙"
+    pinyin: ClassVar = "chū lóng"
+    english: ClassVar = N_("coil out")
+    shape: ClassVar = N_(
+        "out along one spiral; with the pitch of a coil in, turned by 180 degrees and walked the "
+        "other way round, it lies half-way between that coil's turns"
+    )
+    source: ClassVar = N_(
+        "the contest's problem, CUMCM 2024 A: the way out is the way in, turned by half a turn; the "
+        "sizes are ours"
+    )
+    sizes: ClassVar = {"pitch": PITCH, "inner_radius": INNER, "outer_radius": OUTER}
+    tightest: ClassVar = "inner_radius"
+
+    pitch: float = 0.8
+    inner_radius: float = 3.0
+    outer_radius: float = 12.0
+    clockwise: bool = True
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        self._must_be_smaller("inner_radius", self.outer_radius, "outer_radius")
+        self._must_be_smaller("pitch", self.outer_radius, "outer_radius")
+
+    def build(self) -> Route:
+        """Its route, about the origin."""
+        return Route((coil(self.pitch, self.inner_radius, self.outer_radius, 0.0, self.clockwise),))
+
+
+@dataclass(frozen=True)
+class DoubleDoor(Formation):
+    """Out of one coil, straight across, into its mirror image; centres on the axis of x."""
+
+    name: ClassVar = "double-door"
+    chinese: ClassVar = "双开门"
+    pinyin: ClassVar = "shuāng kāi mén"
+    english: ClassVar = N_("double door")
+    shape: ClassVar = N_(
+        "out of one coil, straight across and into a second one, its mirror image: the two leaves of "
+        "a door, one opening as the other closes"
+    )
+    source: ClassVar = N_(
+        "named of Huayuan village, Dongyang, whose dragons had 1788 and 3500 benches; no source "
+        "gives its geometry: this is ours"
+    )
+    sizes: ClassVar = {
+        "pitch": PITCH,
+        "outer_radius": OUTER,
+        "inner_radius": INNER,
+        "between": Size(N_("distance between the outer circles of the two coils"), 0.0, 1000.0),
+    }
+    tightest: ClassVar = "inner_radius"
+
+    pitch: float = 0.8
+    outer_radius: float = 9.0
+    inner_radius: float = 2.5
+    between: float = 2.0
+    clockwise: bool = True
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        self._must_be_smaller("inner_radius", self.outer_radius, "outer_radius")
+        self._must_be_smaller("pitch", self.outer_radius, "outer_radius")
+
+    def build(self) -> Route:
+        """Its route, about the origin."""
+        out = coil(self.pitch, self.inner_radius, self.outer_radius, 0.0, self.clockwise)
+        into = coil(self.pitch, self.outer_radius, self.inner_radius, 0.0, self.clockwise)
+        # Turned about its centre so that it leaves along the axis of x, then moved to the left.
+        half = self.outer_radius + 0.5 * self.between
+        leaving = Route((out,)).moved(-out.end_pose[1], (-half, 0.0))
+        (x, _y), _heading = leaving.end_pose
+        return Route.joined([*leaving.curves, Line(-2.0 * x), into])
+
+
+@dataclass(frozen=True)
+class FigureEight(Formation):
+    """Two loops joined by straight lines that cross at right angles at the origin.
+
+    It begins at the tip of the loop at positive x.
+    """
+
+    name: ClassVar = "figure-eight"
+    chinese: ClassVar = "8字"
+    pinyin: ClassVar = "bā zì"
+    english: ClassVar = N_("figure of eight")
+    shape: ClassVar = N_(
+        "two loops, walked in opposite senses, whose lines cross at right angles: the dragon stays "
+        "free of contact only if it is shorter than a loop, 6.7 times the radius"
+    )
+    source: ClassVar = N_(
+        "named of Anshan, Xianju (China News, 2024), and of Youlong, Anhui; no source gives its "
+        "geometry: this is ours"
+    )
+    sizes: ClassVar = {
+        "radius": Size(N_("radius of the bends"), 0.5, 1000.0),
+        "rounds": ROUNDS,
+    }
+    tightest: ClassVar = "radius"
+
+    radius: float = 40.0
+    rounds: int = 1
+    clockwise: bool = True
+
+    @property
+    def loop(self) -> float:
+        """Length from the crossing round one loop back to it, m."""
+        return (2.0 + 1.5 * math.pi) * self.radius
+
+    def build(self) -> Route:
+        """Its route, about the origin."""
+        side, r = (-1.0 if self.clockwise else 1.0), self.radius
+        tip = (1.0 + math.sqrt(2.0)) * r
+        half, whole = 0.75 * math.pi * side, -1.5 * math.pi * side
+        first = Arc(r, half, (tip, 0.0), 0.5 * math.pi * side)
+        turn: list[AnyCurve] = [Line(2.0 * r), Arc(r, whole), Line(2.0 * r)]
+        between = [*turn, Arc(r, -whole)] * (int(self.rounds) - 1)
+        return Route.joined([first, *between, *turn, Arc(r, half)])
+
+
+@dataclass(frozen=True)
+class ThreePlumBlossoms(Formation):
+    """The outline of three round petals, with bends the other way between them.
+
+    The centres of petals and bends are corners of a regular hexagon of side radius + waist. It begins
+    at the tip of the petal at positive x.
+    """
+
+    name: ClassVar = "three-plum-blossoms"
+    chinese: ClassVar = "三梅花"
+    pinyin: ClassVar = "sān méi huā"
+    english: ClassVar = N_("three plum blossoms")
+    shape: ClassVar = N_(
+        "once or more along the outline of three round petals, which does not cross itself: the "
+        "dragon stays free of contact if it is shorter than the outline"
+    )
+    source: ClassVar = N_(
+        "named of Anshan, Xianju (China News, 2024); no source gives its geometry: this is ours"
+    )
+    sizes: ClassVar = {
+        "radius": Size(N_("radius of the petals"), 0.5, 1000.0),
+        "waist": Size(N_("radius of the bends between the petals"), 0.5, 1000.0),
+        "rounds": ROUNDS,
+    }
+    tightest: ClassVar = "waist"
+
+    radius: float = 18.0
+    waist: float = 6.0
+    rounds: int = 1
+    clockwise: bool = True
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        # Petals whose centres lie 3 ** 0.5 * (radius + waist) apart must not meet.
+        self._must_be_smaller("radius", self.waist * math.sqrt(3.0) / (2.0 - math.sqrt(3.0)),
+                              "6.46 * waist")  # fmt: skip
+
+    def build(self) -> Route:
+        """Its route, about the origin."""
+        side, r = (-1.0 if self.clockwise else 1.0), self.radius
+        petal, waist = Arc(r, math.radians(240.0) * side), Arc(self.waist, -math.radians(120.0) * side)
+        start = (2.0 * r + self.waist, 0.0), 0.5 * math.pi * side
+        half = Arc(r, math.radians(120.0) * side)
+        inner: list[AnyCurve] = [petal, waist] * (3 * int(self.rounds) - 1)
+        return Route.joined([half.moved(*start), waist, *inner, half])
+
+
+@dataclass(frozen=True)
+class StraightDragon(Formation):
+    """A straight line along the axis of x, its middle at the origin."""
+
+    name: ClassVar = "straight-dragon"
+    chinese: ClassVar = "一字长龙"
+    pinyin: ClassVar = "yī zì cháng lóng"
+    english: ClassVar = N_("one straight line")
+    shape: ClassVar = N_("a straight line")
+    source: ClassVar = N_("named of Pujiang; a straight line is what the name says, its length is ours")
+    sizes: ClassVar = {"length": Size(N_("length of the line"), 1.0, 10_000.0)}
+
+    length: float = 300.0
+
+    def build(self) -> Route:
+        """Its route, about the origin."""
+        return Route((Line(self.length, (-0.5 * self.length, 0.0)),))
+
+
+@dataclass(frozen=True)
+class TailSwing(Formation):
+    """A line, bends to and fro, and a line, along the axis of x; the middle is the origin."""
+
+    name: ClassVar = "tail-swing"
+    chinese: ClassVar = "甩尾"
+    pinyin: ClassVar = "shuǎi wěi"
+    english: ClassVar = N_("tail swing")
+    shape: ClassVar = N_(
+        "straight on, then bends to and fro, through which the tail is led from side to side; on a "
+        "route every bench goes where the head went, so that a tail which leaves the track, or is "
+        "faster than the rest, as when it is cracked like a whip, cannot be expressed"
+    )
+    source: ClassVar = N_(
+        "named of Pujiang; tails that swing by 4 to 5 m: Pujiang in Beijing (China Daily, 2025); no "
+        "source gives its geometry: this is ours"
+    )
+    sizes: ClassVar = {
+        "swing": Size(N_("how wide the tail swings from side to side"), 0.1, 1000.0),
+        "radius": Size(N_("radius of the bends"), 0.5, 1000.0),
+        "swings": Size(N_("how many times it swings from one side to the other"), 1, 100, ""),
+        "run": Size(N_("length of the straight lines before and behind the bends"), 0.0, 10_000.0),
+    }
+    tightest: ClassVar = "radius"
+
+    swing: float = 4.5
+    radius: float = 5.0
+    swings: int = 6
+    run: float = 260.0
+    clockwise: bool = True
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        self._must_be_smaller("swing", 2.0 * self.radius, "2 * radius")
+
+    def build(self) -> Route:
+        """Its route, about the origin."""
+        side, r, count = (-1.0 if self.clockwise else 1.0), self.radius, int(self.swings)
+        angle = math.acos(1.0 - 0.5 * self.swing / r)
+        start = -count * r * math.sin(angle) - self.run, -0.5 * side * self.swing
+        signs = [side if n % 2 else -side for n in range(-1, count)]
+        halves = [1.0, *[2.0] * (count - 1), 1.0]
+        bends = [Arc(r, half * angle * sign) for half, sign in zip(halves, signs, strict=True)]
+        lines = [Line(self.run)] if self.run > 0.0 else []
+        first, *rest = Route.joined([*lines, *bends, *lines])
+        return Route.joined([first.moved(start, 0.0), *rest])
+
+
+FORMATIONS: Mapping[str, type[Formation]] = {
+    one.name: one
+    for one in (
+        CoilIn, CoilOut, FigureEight, ThreePlumBlossoms, DoubleDoor, StraightDragon, TailSwing,
+    )
+}  # fmt: skip
+
+
+def formation(name: str, **sizes: Any) -> Formation:
+    """The formation of a name, its sizes as given, m, else as by default.
+
+    Raises:
+        InputError: for a name that none has, and for sizes that it has not or that cannot be.
+    """
+    if name not in FORMATIONS:
+        raise InputError(
+            _("wanted one of {known}, not {name}").format(known=", ".join(FORMATIONS), name=name)
+        )
+    known = FORMATIONS[name].defaults()
+    for size in sizes:
+        if size not in known:
+            raise InputError(
+                _("{formation} has no size {name}; it has {known}").format(
+                    formation=name, name=size, known=", ".join(known)
+                )
+            )
+    return FORMATIONS[name](**sizes)

@@ -1,0 +1,124 @@
+"""Formations as tables of a plan: their sizes, and whether benches can follow them."""
+
+import math
+from typing import Annotated, Literal
+
+import numpy as np
+from pydantic import Field
+
+from benchdragon.errors import InputError
+from benchdragon.i18n import _
+from benchdragon.kernels.chain import march
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.low_points import head_where_tail
+from benchdragon.kernels.route import END_SLACK, positions
+from benchdragon.kernels.status import Status
+from benchdragon.kernels.step_bounds import empty_placements
+from benchdragon.model.connections import Step
+from benchdragon.model.curves import Route
+from benchdragon.model.formations import FORMATIONS, Formation, SizeError
+from benchdragon.plans.source import Fault, KeyedError
+from benchdragon.plans.tables import Degrees, Length, LengthOrZero, Metres, Pitch, Table
+
+Name = Literal[
+    "coil-in",
+    "coil-out",
+    "figure-eight",
+    "three-plum-blossoms",
+    "double-door",
+    "straight-dragon",
+    "tail-swing",
+]
+
+
+class FormationTable(Table):
+    """A formation and its sizes; those that are not said are as the formation has them."""
+
+    name: Name
+    pitch: Pitch | None = None
+    outer_radius: Length | None = None
+    inner_radius: Length | None = None
+    between: LengthOrZero | None = None
+    radius: Length | None = None
+    waist: Length | None = None
+    length: Length | None = None
+    swing: Length | None = None
+    run: LengthOrZero | None = None
+    swings: Annotated[int, Field(strict=True)] | None = None
+    rounds: Annotated[int, Field(strict=True)] | None = None
+    clockwise: bool | None = None
+
+    def formation(self, key: str, link: float) -> Formation:
+        """The formation, under a dotted key of a plan whose longest link is `link`, m.
+
+        Raises:
+            KeyedError: for a size that cannot be, and for a bend that the benches cannot follow.
+        """
+        kind = FORMATIONS[self.name]
+        said = {name: getattr(self, name) for name in kind.defaults()}
+        try:
+            made = kind(**{name: value for name, value in said.items() if value is not None})
+        except SizeError as error:
+            raise KeyedError([Fault(f"{key}.{error.size}", str(error))]) from None
+        if kind.tightest:
+            refuse_tight(f"{key}.{kind.tightest}", made.least_radius, link)
+        return made
+
+
+def refuse_tight(key: str, radius: float, link: float) -> None:
+    """Refuse bends of a radius, m, that a bench with a link, m, cannot follow; the key widens them."""
+    if 2.0 * radius <= link:
+        text = _(
+            "{key}: a bench with {link} m between its handles cannot follow a bend of {radius} m "
+            "radius: it must be wider than {least} m, so make {key} larger"
+        )
+        raise KeyedError(
+            [
+                Fault(
+                    key,
+                    text.format(
+                        key=key, link=f"{link:g}", radius=f"{radius:.4g}", least=f"{0.5 * link:g}"
+                    ),
+                )
+            ]
+        )
+
+
+def whole_dragon_on(route: Route, links: FloatArray) -> float:
+    """The head's route position, m, with the tail's rear handle where the route starts.
+
+    Args:
+        route: which the dragon walks.
+        links: of its benches, m, (N,).
+
+    Raises:
+        KeyedError: if the dragon is longer than the route.
+    """
+    at, places = np.empty(1), empty_placements(len(links) + 1, 1)
+    head = at[0] = head_where_tail(route.rows, links, 0.0, at, places)
+    tables = places.row, places.u, places.x, places.y, places.ratio, places.failed
+    march(route.rows, links, at, 0, 1, *tables)
+    tail = np.empty(1)
+    positions(route.rows, places.row[-1], places.u[-1], tail)
+    if places.failed[0, 0] == Status.ROUTE_TOO_SHORT or tail[0] < -END_SLACK:
+        text = _(
+            "the dragon, {dragon} m long, does not fit on a route of {route} m, at whose start its "
+            "tail stands at time 0: make the sizes larger, take fewer benches, or set walk.position"
+        ).format(dragon=f"{links.sum():.6g}", route=f"{route.length:.6g}")
+        raise KeyedError([Fault("route", text)])
+    return float(head)
+
+
+class StepTable(FormationTable):
+    """A formation of a programme, and where it is danced."""
+
+    at: tuple[Metres, Metres] | None = None
+    turned: Degrees = 0.0
+
+    def step(self, key: str, link: float) -> Step:
+        """The same for a programme: see `formation`."""
+        made = self.formation(key, link)
+        try:
+            return Step(made, self.at, math.radians(self.turned))
+        except InputError as error:
+            raise KeyedError([Fault(f"{key}.turned", str(error))]) from None
