@@ -117,6 +117,10 @@ def test_a_wrong_type_is_told_what_was_wanted(make: Callable[[Any], object], sen
 CALLS: dict[str, tuple[Any, ...]] = {
     "Arc": (5.0, 1.0),
     "Bench": (2.0, 0.3, 0.1, 0.1),
+    "Step": (bd.formation("coil-in"), (0.0, 0.0), 1.0),
+    "connections": (((0.0, 0.0), 0.0), ((9.0, 0.0), 1.0), 2.0),
+    "formation": ("coil-in",),
+    "programme": ([bd.Step(bd.formation("coil-in"))], 2.0),
     "Clothoid": (5.0, 0.0, 0.1),
     "LogSpiral": (5.0, 0.2, 0.1),
     "Dragon": ([bd.Bench(2.0)],),
@@ -156,8 +160,8 @@ CALLS: dict[str, tuple[Any, ...]] = {
 }
 # What the package makes, and nobody else has to.
 MADE = {
-    "Answer", "BestTurn", "ClearanceCurve", "Comparison", "Motion", "Nearness", "Offsets", "Plan",
-    "Points", "Report", "Status", "Sweep", "Tolerance", "Window", "Witness",
+    "Answer", "BestTurn", "ClearanceCurve", "Comparison", "Connection", "Formation", "Motion", "Nearness",
+    "Offsets", "Plan", "Points", "Report", "Status", "Sweep", "Tolerance", "Window", "Witness",
     "BenchDragonError", "InputError", "NoSolutionError", "UnsureError", "WalkError",
 }  # fmt: skip
 

@@ -22,6 +22,10 @@ from .errors import WalkError as WalkError
 from .kernels.status import Status as Status
 from .model.answer import Answer as Answer
 from .model.answer import Witness as Witness
+from .model.connections import Connection as Connection
+from .model.connections import Step as Step
+from .model.connections import connections as connections
+from .model.connections import programme as programme
 from .model.curves import Arc as Arc
 from .model.curves import Clothoid as Clothoid
 from .model.curves import Line as Line
@@ -30,6 +34,8 @@ from .model.curves import Route as Route
 from .model.curves import Spiral as Spiral
 from .model.dragon import Bench as Bench
 from .model.dragon import Dragon as Dragon
+from .model.formations import Formation as Formation
+from .model.formations import formation as formation
 from .model.placement import Placement as Placement
 from .model.profile import SpeedProfile as SpeedProfile
 from .model.turns import Turn as Turn

@@ -114,6 +114,7 @@ CASES: dict[str, Case] = {
     "plan --force": Case(
         ["plan", "turn", "-o", "mine.toml"], ["--force"], ["plan", "turn", "-o", "mine.toml"]
     ),
+    "formations --json": Case(["formations"], ["--json"]),
     "schema --table": Case(["schema"], ["--table"]),
     "solve --lang": Case(["solve", "--help"], ["--lang", "zh"]),
     **{
@@ -223,7 +224,7 @@ CASES: dict[str, Case] = {
         f"{called(line)} --lang": Case(line, ["--lang", "zh"])
         for line in (
             *(MOTION, CHECK, *SIZES.values(), SPEED, BEST, PLACE, SQUARE, MARGINS, SWEEP, VIEW, STILL),
-            *(STUDIO, ["doctor"], ["plan"], ["schema"]),
+            *(STUDIO, ["doctor"], ["plan"], ["formations"], ["schema"]),
         )
     },
     **{
@@ -241,7 +242,7 @@ ELSEWHERE |= {f"compare --{name}" for name in ("as", "tolerance", "json", "lang"
 # These want a sweep: tests/cli/test_atlas.py gives them.
 ELSEWHERE |= {f"atlas --{name}" for name in ("output", "force", "lang", "quiet")}
 # Nothing is said on standard error, nor in a language, that could be left out.
-SILENT = {"plan --quiet", "schema --quiet", "doctor --quiet"}
+SILENT = {"plan --quiet", "formations --quiet", "schema --quiet", "doctor --quiet"}
 
 
 def placed(name: str, calls: list[str]) -> Callable[..., Place]:

@@ -29,6 +29,13 @@ def turning(family: str) -> dict[str, Any]:
     return {"dragon": DRAGON, "route": {"kind": "turn"}, "turn": {"family": family}, "walk": {"end": 5}}
 
 
+# Each has its place, so that connections lie between them.
+STEPS: list[dict[str, Any]] = [
+    {"name": name, "at": [100.0 * n, 0.0]}
+    for n, name in enumerate(
+        ("coil-out", "double-door", "three-plum-blossoms", "straight-dragon", "tail-swing")
+    )
+]
 # A plan of each kind of route, of each family of turns, and of each other choice.
 BASES: dict[str, dict[str, Any]] = {
     "spiral-in": {"dragon": DRAGON, "route": SPIRAL, "walk": {"end": 20}},
@@ -68,7 +75,16 @@ BASES: dict[str, dict[str, Any]] = {
         "walk": {"end": 20},
         "venue": {"boundary": [[-9, -9], [9, -9], [0, 9]]},
     },
-}
+    "formation": {"dragon": DRAGON, "route": {"kind": "formation", "name": "coil-in", "pitch": 1.0}},
+    **{
+        name: {"dragon": DRAGON, "route": {"kind": "formation", "name": name}}
+        for name in (
+            "coil-out", "figure-eight", "three-plum-blossoms", "double-door", "straight-dragon",
+            "tail-swing",
+        )
+    },
+    "programme": {"dragon": DRAGON, "route": {"kind": "programme", "formation": STEPS}},
+}  # fmt: skip
 # Another value for each key; the number of a part is that of its kind in PARTS.
 VARIED: dict[str, Any] = {
     "meta.title": "Other",
@@ -109,6 +125,33 @@ VARIED: dict[str, Any] = {
     "route.heading": 30.0,
     "route.at": [3.0, 1.0],
     "route.turned": 20.0,
+    "route.name": None,  # its other names are bases of their own
+    "route.outer_radius": 13.0,
+    "route.inner_radius": 2.9,
+    "route.between": 3.0,
+    "route.radius": 12.0,
+    "route.waist": 5.0,
+    "route.length": 60.0,
+    "route.swing": 4.0,
+    "route.swings": 4,
+    "route.run": 50.0,
+    "route.rounds": 2,
+    "route.formation": STEPS[:2],
+    "route.formation.0.name": "figure-eight",
+    "route.formation.0.pitch": 1.2,
+    "route.formation.0.outer_radius": 11.0,
+    "route.formation.0.inner_radius": 2.9,
+    "route.formation.1.between": 3.0,
+    "route.formation.2.radius": 12.0,
+    "route.formation.2.waist": 5.0,
+    "route.formation.2.rounds": 2,
+    "route.formation.3.length": 60.0,
+    "route.formation.4.swing": 4.0,
+    "route.formation.4.swings": 4,
+    "route.formation.4.run": 50.0,
+    "route.formation.0.clockwise": False,
+    "route.formation.0.at": [-40.0, 0.0],
+    "route.formation.0.turned": 20.0,
     "disc.radius": 2.9,
     "turn.family": None,  # its other families are bases of their own
     "turn.ratio": 1.8,
@@ -247,6 +290,13 @@ def test_every_limit_has_an_effect_or_is_refused(base: str) -> None:
         ("arc-line-arc", "turn.curvature", 'no effect beside turn.family = "arc-line-arc"'),
         ("arc-line-arc", "turn.ratio", 'turn.ratio has no effect beside turn.family = "arc-line-arc"'),
         ("arc-arc-arc", "turn.ratio", 'turn.ratio has no effect beside turn.family = "arc-arc-arc"'),
+        ("formation", "route.radius", 'route.radius has no effect beside route.name = "coil-in"'),
+        ("formation", "disc.radius", 'disc.radius has no effect beside route.kind = "formation"'),
+        (
+            "programme",
+            "route.formation.3.clockwise",
+            'has no effect beside route.formation.3.name = "straight-dragon"',
+        ),
         ("profile", "walk.speed", "walk.speed has no effect beside walk.profile: take it out"),
         ("list of benches", "dragon.width", "dragon.width has no effect beside [[dragon.bench]]"),
         ("outline", "venue.rectangle", "venue.rectangle has no effect beside venue.boundary"),
@@ -255,7 +305,7 @@ def test_every_limit_has_an_effect_or_is_refused(base: str) -> None:
     ],
 )
 def test_what_has_no_effect_is_refused_in_one_sentence(base: str, key: str, sentence: str) -> None:
-    value = "arc-arc" if key == "turn.family" else VARIED[key]
+    value = "arc-arc" if key == "turn.family" else VARIED.get(key, False)
     with pytest.raises(PlanError) as caught:
         checked(with_key(BASES[base], key, value), "plan")
     assert sentence in str(caught.value)
@@ -312,6 +362,8 @@ def test_all_keys_of_a_plan_written_down_are_the_same_plan(base: str) -> None:
         ("list of benches", "dragon.width", "means nothing beside [[dragon.bench]]"),
         ("profile", "walk.speed", "means nothing beside walk.profile"),
         ("spiral-in", "disc.radius", "the plan does not say disc.radius: set it"),
+        ("figure-eight", "route.radius", "the plan does not say route.radius: set it"),
+        ("programme", "route.pitch", 'means nothing beside route.kind = "programme"'),
     ],
 )
 def test_advice_leads_into_no_second_refusal(base: str, key: str, advice: str) -> None:

@@ -28,6 +28,7 @@ from benchdragon.cli.console import (
     print_table,
     shown_progress,
 )
+from benchdragon.cli.formations import formations
 from benchdragon.cli.help import HelpfulGroup, translated
 from benchdragon.cli.options import (
     WITHOUT,
@@ -209,7 +210,9 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
 
 for question in (place, square):
     solve.add_command(question)
-for verb in (check, solve, margins, sweep, atlas, compare, view, studio, animate, plan, schema):
+for verb in (
+    check, solve, margins, sweep, atlas, compare, view, studio, animate, plan, formations, schema,
+):  # fmt: skip
     program.add_command(verb)
 
 

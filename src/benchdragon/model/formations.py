@@ -34,7 +34,7 @@ class Size:
     unit: str = "m"
 
 
-PITCH = Size(N_("distance between neighbouring turns of the coil"), 0.1, 100.0)
+PITCH = Size(N_("distance between neighbouring turns of the spiral"), 0.1, 100.0)
 OUTER = Size(N_("radius at the outer end of the coil"), 1.0, 1000.0)
 INNER = Size(N_("radius at the inner end of the coil"), 0.5, 1000.0)
 ROUNDS = Size(N_("how many times it is walked round"), 1, 20, "")
@@ -144,11 +144,11 @@ class CoilIn(Formation):
     name: ClassVar = "coil-in"
     chinese: ClassVar = "盘龙"
     pinyin: ClassVar = "pán lóng"
-    english: ClassVar = N_("coil in")
+    english: ClassVar = "coil in"
     shape: ClassVar = N_("in along one spiral, from its outer end to its inner end")
     source: ClassVar = N_(
         "the contest's problem, CUMCM 2024 A, whose spiral this is; clockwise as in Xianyou (press, "
-        "2025), where the heads are the centre; the sizes are ours"
+        "2025), where the heads are the centre; the sizes are this project's own"
     )
     sizes: ClassVar = {"pitch": PITCH, "outer_radius": OUTER, "inner_radius": INNER}
     tightest: ClassVar = "inner_radius"
@@ -175,14 +175,14 @@ class CoilOut(Formation):
     name: ClassVar = "coil-out"
     chinese: ClassVar = "出龙"
     pinyin: ClassVar = "chū lóng"
-    english: ClassVar = N_("coil out")
+    english: ClassVar = "coil out"
     shape: ClassVar = N_(
         "out along one spiral; with the pitch of a coil in, turned by 180 degrees and walked the "
-        "other way round, it lies half-way between that coil's turns"
+        "other way round, it lies half-way between the turns of the spiral in"
     )
     source: ClassVar = N_(
-        "the contest's problem, CUMCM 2024 A: the way out is the way in, turned by half a turn; the "
-        "sizes are ours"
+        "the contest's problem, CUMCM 2024 A: the way out is the way in, turned by 180 degrees; the "
+        "sizes are this project's own"
     )
     sizes: ClassVar = {"pitch": PITCH, "inner_radius": INNER, "outer_radius": OUTER}
     tightest: ClassVar = "inner_radius"
@@ -209,14 +209,14 @@ class DoubleDoor(Formation):
     name: ClassVar = "double-door"
     chinese: ClassVar = "双开门"
     pinyin: ClassVar = "shuāng kāi mén"
-    english: ClassVar = N_("double door")
+    english: ClassVar = "double door"
     shape: ClassVar = N_(
         "out of one coil, straight across and into a second one, its mirror image: the two leaves of "
         "a door, one opening as the other closes"
     )
     source: ClassVar = N_(
-        "named of Huayuan village, Dongyang, whose dragons had 1788 and 3500 benches; no source "
-        "gives its geometry: this is ours"
+        "danced in Huayuan, Dongyang, by dragons of 1788 and 3500 benches; no source gives its "
+        "geometry, which is this project's own"
     )
     sizes: ClassVar = {
         "pitch": PITCH,
@@ -258,14 +258,14 @@ class FigureEight(Formation):
     name: ClassVar = "figure-eight"
     chinese: ClassVar = "8字"
     pinyin: ClassVar = "bā zì"
-    english: ClassVar = N_("figure of eight")
+    english: ClassVar = "figure of eight"
     shape: ClassVar = N_(
         "two loops, walked in opposite senses, whose lines cross at right angles: the dragon stays "
         "free of contact only if it is shorter than a loop, 6.7 times the radius"
     )
     source: ClassVar = N_(
-        "named of Anshan, Xianju (China News, 2024), and of Youlong, Anhui; no source gives its "
-        "geometry: this is ours"
+        "danced in Anshan, Xianju (China News, 2024), and in Youlong, Anhui; no source gives its "
+        "geometry, which is this project's own"
     )
     sizes: ClassVar = {
         "radius": Size(N_("radius of the bends"), 0.5, 1000.0),
@@ -304,13 +304,14 @@ class ThreePlumBlossoms(Formation):
     name: ClassVar = "three-plum-blossoms"
     chinese: ClassVar = "三梅花"
     pinyin: ClassVar = "sān méi huā"
-    english: ClassVar = N_("three plum blossoms")
+    english: ClassVar = "three plum blossoms"
     shape: ClassVar = N_(
         "once or more along the outline of three round petals, which does not cross itself: the "
         "dragon stays free of contact if it is shorter than the outline"
     )
     source: ClassVar = N_(
-        "named of Anshan, Xianju (China News, 2024); no source gives its geometry: this is ours"
+        "danced in Anshan, Xianju (China News, 2024); no source gives its geometry, which is this "
+        "project's own"
     )
     sizes: ClassVar = {
         "radius": Size(N_("radius of the petals"), 0.5, 1000.0),
@@ -347,9 +348,11 @@ class StraightDragon(Formation):
     name: ClassVar = "straight-dragon"
     chinese: ClassVar = "一字长龙"
     pinyin: ClassVar = "yī zì cháng lóng"
-    english: ClassVar = N_("one straight line")
+    english: ClassVar = "one straight line"
     shape: ClassVar = N_("a straight line")
-    source: ClassVar = N_("named of Pujiang; a straight line is what the name says, its length is ours")
+    source: ClassVar = N_(
+        "danced in Pujiang; the name says a straight line, whose length is this project's own"
+    )
     sizes: ClassVar = {"length": Size(N_("length of the line"), 1.0, 10_000.0)}
 
     length: float = 300.0
@@ -366,15 +369,15 @@ class TailSwing(Formation):
     name: ClassVar = "tail-swing"
     chinese: ClassVar = "甩尾"
     pinyin: ClassVar = "shuǎi wěi"
-    english: ClassVar = N_("tail swing")
+    english: ClassVar = "tail swing"
     shape: ClassVar = N_(
         "straight on, then bends to and fro, through which the tail is led from side to side; on a "
         "route every bench goes where the head went, so that a tail which leaves the track, or is "
         "faster than the rest, as when it is cracked like a whip, cannot be expressed"
     )
     source: ClassVar = N_(
-        "named of Pujiang; tails that swing by 4 to 5 m: Pujiang in Beijing (China Daily, 2025); no "
-        "source gives its geometry: this is ours"
+        "danced in Pujiang; the tail swings by 4 to 5 m: Pujiang in Beijing (China Daily, 2025); no "
+        "source gives its geometry, which is this project's own"
     )
     sizes: ClassVar = {
         "swing": Size(N_("how wide the tail swings from side to side"), 0.1, 1000.0),

@@ -68,7 +68,7 @@ def _obstacle_section(obstacle: type[ObstacleTable]) -> Section:
 
 SIZES = {
     "name": Key(N_("name of the formation: see `benchdragon formations`"), "coil-in"),
-    "pitch": Key(N_("of coils: distance between neighbouring turns"), "80 cm", "m"),
+    "pitch": Key(N_("of coils: distance between neighbouring turns of the spiral"), "80 cm", "m"),
     "outer_radius": Key(N_("of coils: radius at the outer end"), 12, "m"),
     "inner_radius": Key(N_("of coils: radius at the inner end"), 3, "m"),
     "between": Key(N_("of double-door: distance between the coils' outer circles"), 2, "m"),

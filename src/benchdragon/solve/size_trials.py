@@ -146,8 +146,8 @@ class PlanFamily:
         if self.question.name == "pitch":
             raise InputError(
                 _(
-                    "the smallest pitch is sought for spiral-in and turn; of a formation, try several: "
-                    "benchdragon sweep PLAN --vary route.pitch=0.5:0.8:0.01 --ask clearance"
+                    "the smallest pitch of a formation is not sought: see by a sweep over route.pitch "
+                    "what clearance each leaves"
                 )
             )
         if self.plan.walk.position is None:

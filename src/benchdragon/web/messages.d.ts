@@ -113,17 +113,22 @@ export interface Figure {
 }
 
 /**
- * Something that a walk must not do, or that could not be decided: see `check.Finding`.
+ * Something that a walk must not do, or that could not be decided: see `findings.Finding`.
  *
- * Besides its codes there is "walk": the benches cannot follow.
+ * Attributes:
+ *     code: BD101 and so on: those never change.
+ *     obstacle: the name of what stands in the way, null where nothing does.
  */
 export interface Finding {
   code: string;
+  kind: string;
+  decided: boolean;
   text: Words;
   time: number | null;
   benches: Array<number>;
   value: number | null;
   limit: number | null;
+  obstacle?: string | null;
 }
 
 /**
@@ -348,6 +353,15 @@ export interface Nearest {
   distance: Array<number>;
   time: Array<number>;
   other: Array<number>;
+}
+
+/** What was found about an obstacle, or the venue's edge: see `obstacles.ObstacleAnswers`. */
+export interface ObstacleRecord {
+  name: string;
+  kind: "circle" | "rectangle" | "polygon" | "line" | "venue";
+  margin: number | null;
+  contact: Answer | null;
+  distance: Answer;
 }
 
 /** Something that happens at a time; `benches` are numbers from 1. */
@@ -595,6 +609,7 @@ export interface Verdict {
   clearance: Answer | null;
   greatest_speed: Answer | null;
   peaks: Array<LimitedPeak>;
+  obstacles: Array<ObstacleRecord>;
   findings: Array<Finding>;
   seconds: number | null;
   plan_sha256: string;
@@ -624,6 +639,7 @@ export interface Witness {
   gap: number | null;
   features: Array<[number, string]>;
   handle: number | null;
+  obstacle: string | null;
 }
 
 /** The same words in both languages. */

@@ -26,7 +26,7 @@ import { _, language } from "./words.js";
 /** @param {Plan} plan */
 const sized = (plan) => !plan.dragon.bench?.length;
 /** @param {Plan} plan */
-const spiral = (plan) => plan.route.kind !== "parts";
+const spiral = (plan) => ["spiral-in", "turn"].includes(plan.route.kind);
 /** @param {Plan} plan */
 const turning = (plan) => plan.route.kind === "turn";
 /** @param {Plan} plan */

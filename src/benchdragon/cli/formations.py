@@ -1,0 +1,77 @@
+"""The verb `formations`: the formations that plans can name, with their sizes and sources."""
+
+import json
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from benchdragon.cli.console import print_rows
+from benchdragon.cli.options import json_option, shared_options
+from benchdragon.i18n import N_, _, language
+from benchdragon.version import __version__
+
+if TYPE_CHECKING:
+    from benchdragon.model.formations import Formation
+
+
+@click.command(
+    help=N_(
+        "The formations that plans can name: Chinese name, pinyin, sizes by default, and source.\n\n"
+        "With --json also the shape of each, and what each size means and may be."
+    )
+)
+@json_option
+@shared_options
+def formations(as_json: bool, quiet: bool) -> int:
+    """Print them, as a table or as JSON."""
+    del quiet
+    from benchdragon.model.formations import FORMATIONS
+
+    kinds = list(FORMATIONS.values())
+    if as_json:
+        about = [_about(kind) for kind in kinds]
+        click.echo(json.dumps({"formations": about, "version": __version__}))
+        return 0
+    columns = (_("name"), _("called"), _("sizes by default"), _("source"))
+    rows = [(kind.name, _called(kind), _sizes(kind), _(kind.source)) for kind in kinds]
+    print_rows(_("Formations"), columns, rows, figures=False)
+    return 0
+
+
+def _called(kind: "type[Formation]") -> str:
+    """Its names, a line each; the English one for readers of English alone."""
+    names = [kind.chinese, kind.pinyin]
+    return "\n".join(names if language() == "zh" else [*names, kind.english])
+
+
+def _sizes(kind: "type[Formation]") -> str:
+    """Its sizes by default, a line each."""
+    defaults = kind.defaults()
+    return "\n".join(
+        f"{name} {defaults[name]:g} {size.unit}".strip() for name, size in kind.sizes.items()
+    )
+
+
+def _about(kind: "type[Formation]") -> dict[str, Any]:
+    """All that is known of a formation, as plain data in the language in use."""
+    defaults = kind.defaults()
+    return {
+        "name": kind.name,
+        "chinese": kind.chinese,
+        "pinyin": kind.pinyin,
+        "english": kind.english,
+        "shape": _(kind.shape),
+        "source": _(kind.source),
+        "sizes": [
+            {
+                "name": name,
+                "text": _(size.text),
+                "default": defaults[name],
+                "least": size.least,
+                "most": size.most,
+                "unit": size.unit,
+            }
+            for name, size in kind.sizes.items()
+        ],
+        "clockwise": defaults.get("clockwise"),
+    }
