@@ -64,7 +64,7 @@ class Formation(ABC):
         shape: what it looks like, in words.
         source: who names it, and whose its geometry is.
         sizes: what each size means, by its name.
-        tightest: the size that widens its tightest bend; "" where it has none.
+        tightest: the sizes of which the smallest makes its tightest bend; none where it has no bend.
     """
 
     name: ClassVar[str]
@@ -74,7 +74,7 @@ class Formation(ABC):
     shape: ClassVar[str]
     source: ClassVar[str]
     sizes: ClassVar[Mapping[str, Size]]
-    tightest: ClassVar[str] = ""
+    tightest: ClassVar[tuple[str, ...]] = ()
 
     def __post_init__(self) -> None:
         for name, size in self.sizes.items():
@@ -103,6 +103,11 @@ class Formation(ABC):
     @abstractmethod
     def build(self) -> Route:
         """Its route, about the origin."""
+
+    @property
+    def narrowest(self) -> str:
+        """The size that widens its tightest bend; "" where it has none."""
+        return min(self.tightest, key=lambda size: getattr(self, size), default="")
 
     @property
     def least_radius(self) -> float:
@@ -151,7 +156,7 @@ class CoilIn(Formation):
         "2025), where the heads are the centre; the sizes are this project's own"
     )
     sizes: ClassVar = {"pitch": PITCH, "outer_radius": OUTER, "inner_radius": INNER}
-    tightest: ClassVar = "inner_radius"
+    tightest: ClassVar = ("inner_radius",)
 
     pitch: float = 0.8
     outer_radius: float = 12.0
@@ -185,7 +190,7 @@ class CoilOut(Formation):
         "sizes are this project's own"
     )
     sizes: ClassVar = {"pitch": PITCH, "inner_radius": INNER, "outer_radius": OUTER}
-    tightest: ClassVar = "inner_radius"
+    tightest: ClassVar = ("inner_radius",)
 
     pitch: float = 0.8
     inner_radius: float = 3.0
@@ -224,7 +229,7 @@ class DoubleDoor(Formation):
         "inner_radius": INNER,
         "between": Size(N_("distance between the outer circles of the two coils"), 0.0, 1000.0),
     }
-    tightest: ClassVar = "inner_radius"
+    tightest: ClassVar = ("inner_radius",)
 
     pitch: float = 0.8
     outer_radius: float = 9.0
@@ -271,7 +276,7 @@ class FigureEight(Formation):
         "radius": Size(N_("radius of the bends"), 0.5, 1000.0),
         "rounds": ROUNDS,
     }
-    tightest: ClassVar = "radius"
+    tightest: ClassVar = ("radius",)
 
     radius: float = 40.0
     rounds: int = 1
@@ -318,7 +323,7 @@ class ThreePlumBlossoms(Formation):
         "waist": Size(N_("radius of the bends between the petals"), 0.5, 1000.0),
         "rounds": ROUNDS,
     }
-    tightest: ClassVar = "waist"
+    tightest: ClassVar = ("waist", "radius")
 
     radius: float = 18.0
     waist: float = 6.0
@@ -385,7 +390,7 @@ class TailSwing(Formation):
         "swings": Size(N_("how many times it swings from one side to the other"), 1, 100, ""),
         "run": Size(N_("length of the straight lines before and behind the bends"), 0.0, 10_000.0),
     }
-    tightest: ClassVar = "radius"
+    tightest: ClassVar = ("radius",)
 
     swing: float = 4.5
     radius: float = 5.0

@@ -60,8 +60,8 @@ class FormationTable(Table):
             made = kind(**{name: value for name, value in said.items() if value is not None})
         except SizeError as error:
             raise KeyedError([Fault(f"{key}.{error.size}", str(error))]) from None
-        if kind.tightest:
-            refuse_tight(f"{key}.{kind.tightest}", made.least_radius, link)
+        if made.narrowest:
+            refuse_tight(f"{key}.{made.narrowest}", made.least_radius, link)
         return made
 
 
