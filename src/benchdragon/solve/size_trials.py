@@ -146,7 +146,7 @@ class PlanFamily:
         if self.question.name == "pitch":
             raise InputError(
                 _(
-                    "the smallest pitch of a formation is not sought: see by a sweep over route.pitch "
+                    "the smallest pitch of a formation is not sought: see by a sweep over its pitch "
                     "what clearance each leaves"
                 )
             )
