@@ -161,7 +161,8 @@ CALLS: dict[str, tuple[Any, ...]] = {
 # What the package makes, and nobody else has to.
 MADE = {
     "Answer", "BestTurn", "ClearanceCurve", "Comparison", "Connection", "Formation", "Motion",
-    "Nearness", "Offsets", "Plan", "Points", "Report", "Status", "Sweep", "Tolerance", "Window", "Witness",
+    "Nearness", "Offsets", "Plan", "Points", "Report", "Status", "Sweep", "Tolerance", "Window",
+    "Witness",
     "BenchDragonError", "InputError", "NoSolutionError", "UnsureError", "WalkError",
 }  # fmt: skip
 
