@@ -137,6 +137,8 @@ CALLS: dict[str, tuple[Any, ...]] = {
     "bench_offsets": (MOTION, 1),
     "best_turn": (TURN,),
     "check": (PLAN,),
+    "enclosing": (WALK, 0.0, 2.0),
+    "swept_area": (WALK, 0.0, 2.0),
     "clearance_curve": (WALK, [0.0, 1.0, 2.0]),
     "clearances": (MOTION,),
     "contact_windows": (WALK, 0.0, 2.0),
@@ -160,9 +162,9 @@ CALLS: dict[str, tuple[Any, ...]] = {
 }
 # What the package makes, and nobody else has to.
 MADE = {
-    "Answer", "BestTurn", "ClearanceCurve", "Comparison", "Connection", "Formation", "Motion",
-    "Nearness", "Offsets", "Plan", "Points", "Report", "Status", "Sweep", "Tolerance", "Window",
-    "Witness",
+    "Answer", "BestTurn", "BoundingCircle", "BoundingRectangle", "ClearanceCurve", "Comparison",
+    "Connection", "Enclosing", "Formation", "Motion", "Nearness", "Offsets", "Plan", "Points",
+    "Report", "Rings", "Status", "Sweep", "SweptArea", "Tolerance", "Widest", "Window", "Witness",
     "BenchDragonError", "InputError", "NoSolutionError", "UnsureError", "WalkError",
 }  # fmt: skip
 

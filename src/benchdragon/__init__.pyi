@@ -14,6 +14,14 @@ from .analysis.offsets import Offsets as Offsets
 from .analysis.offsets import bench_offsets as bench_offsets
 from .analysis.proof import prove_contact as prove_contact
 from .analysis.speed import greatest_speed as greatest_speed
+from .analysis.swept import BoundingCircle as BoundingCircle
+from .analysis.swept import BoundingRectangle as BoundingRectangle
+from .analysis.swept import Enclosing as Enclosing
+from .analysis.swept import Rings as Rings
+from .analysis.swept import SweptArea as SweptArea
+from .analysis.swept import enclosing as enclosing
+from .analysis.swept import swept_area as swept_area
+from .analysis.swept_width import Widest as Widest
 from .errors import BenchDragonError as BenchDragonError
 from .errors import InputError as InputError
 from .errors import NoSolutionError as NoSolutionError

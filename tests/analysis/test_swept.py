@@ -11,7 +11,6 @@ from benchdragon.analysis.swept import (
     REACHED,
     SweptArea,
     enclosing,
-    rings,
     swept_area,
 )
 from benchdragon.analysis.swept_steps import MOST_STEPS, merged, placed_steps
@@ -239,7 +238,7 @@ def test_the_spectators_line_keeps_its_margin_and_holes_are_told_apart() -> None
     assert shapely.covers(area.spectators, shapely.buffer(union, 1.999, quad_segs=FINE))
     far = shapely.buffer(union, INSCRIBED * (2.0 * REACHED + area.error + 0.06), quad_segs=FINE)
     assert shapely.covers(far, area.spectators)
-    outer, holes = rings(area.spectators)
+    outer, holes = area.lines
     assert len(outer) == len(holes) == 1
     assert np.hypot(*outer[0].T - np.array([[0.0], [9.0]])).min() > 9.0
     assert np.hypot(*holes[0].T - np.array([[0.0], [9.0]])).max() < 9.0

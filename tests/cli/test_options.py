@@ -64,6 +64,8 @@ VIEW = ["view", "spiral-in", *SHORT, "-o", "dance.html"]
 STILL = ["animate", "spiral-in", *SHORT, "-o", "still.png", "--size", "320x180"]
 SHEET = [*STILL, "--sheet", "2x1"]
 FILM = ["animate", "spiral-in", *SHORT, "-o", "film.gif", "--size", "320x180", "--end", "0.3"]
+AREA = ["area", "spiral-in", *SHORT]
+DRAWN = [*AREA, "-o", "area.svg"]
 STUDIO = ["studio", "--port", "0", "--no-browser"]
 REPRODUCE = ["reproduce", "-o", "out"]
 
@@ -197,6 +199,18 @@ CASES: dict[str, Case] = {
     "view --force": Case(VIEW, ["--force"], VIEW),
     "view --start": Case(VIEW, ["--start", "1"]),
     "view --end": Case(VIEW, ["--end", "1"]),
+    "area --set": Case(AREA, ["--set", "dragon.width=0.5"]),
+    "area --output": Case(AREA, ["-o", "area.svg"]),
+    "area --format": Case(DRAWN, ["--format", "geojson"]),
+    "area --start": Case(AREA, ["--start", "1"]),
+    "area --end": Case(AREA, ["--end", "1"]),
+    "area --margin": Case(AREA, ["--margin", "50 cm"]),
+    "area --error": Case(AREA, ["--error", "1 mm"]),
+    "area --scale": Case(DRAWN, ["--scale", "1:500"]),
+    "area --paper": Case(DRAWN, ["--paper", "A4"]),
+    "area --force": Case(DRAWN, ["--force"], DRAWN),
+    "area --json": Case(AREA, ["--json"]),
+    "area --brackets": Case(AREA, ["--brackets"]),
     "animate --set": Case(STILL, ["--set", "dragon.width=0.5"]),
     "animate --output": Case(STILL, ["-o", "still.svg"]),
     "animate --start": Case(STILL, ["--start", "1"]),
@@ -224,14 +238,14 @@ CASES: dict[str, Case] = {
         f"{called(line)} --lang": Case(line, ["--lang", "zh"])
         for line in (
             *(MOTION, CHECK, *SIZES.values(), SPEED, BEST, PLACE, SQUARE, MARGINS, SWEEP, VIEW, STILL),
-            *(STUDIO, ["doctor"], ["plan"], ["formations"], ["schema"]),
+            *(AREA, STUDIO, ["doctor"], ["plan"], ["formations"], ["schema"]),
         )
     },
     **{
         f"{called(line)} --quiet": Case(line, ["--quiet"])
         for line in (
             *(MOTION, CHECK, *SIZES.values(), SPEED, BEST, PLACE, SQUARE, MARGINS, SWEEP, VIEW, STILL),
-            STUDIO,
+            *(AREA, STUDIO),
         )
     },
 }
@@ -372,6 +386,10 @@ def test_an_option_has_an_effect(outcome: Come, known: dict[str, Outcome], name:
         ([*MOTION, "--format", "csv"], "--format goes with -o alone"),
         ([*MOTION, "--format", "xlsx,csv,png"], "--format goes with -o alone"),
         ([*MOTION, "--force"], "--force goes with -o alone"),
+        ([*AREA, "--force"], "--force goes with -o alone"),
+        ([*AREA, "--format", "dxf"], "--format goes with -o alone"),
+        ([*AREA, "--scale", "1:100"], "--scale goes with .svg, .pdf alone"),
+        ([*AREA, "-o", "area.dxf", "--paper", "A4"], "--paper goes with .svg, .pdf alone"),
         ([*MOTION, "--step", "0.1"], "--step goes with --leader rk4 alone"),
         ([*MOTION, "--leader", "adaptive", "--step", "1"], "--step goes with --leader rk4 alone"),
         ([*MOTION, "-o", "x", "--format", "png", "--only", "1"], "--only goes with xlsx, csv"),

@@ -124,6 +124,16 @@ class SweptArea:
         """
         return _widened(self.polygon, self.margin) if self.margin else self.polygon
 
+    @property
+    def outlines(self) -> Rings:
+        """The outlines of the polygon, those around holes apart."""
+        return rings(self.polygon)
+
+    @property
+    def lines(self) -> Rings:
+        """The spectators' lines, those within holes apart."""
+        return rings(self.spectators)
+
     @cached_property
     def widest(self) -> Widest:
         """Where the band along the route is widest, across the route."""

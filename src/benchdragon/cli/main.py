@@ -18,6 +18,7 @@ import click
 
 from benchdragon.cli.animate import animate
 from benchdragon.cli.answers import about
+from benchdragon.cli.area import area
 from benchdragon.cli.atlas import atlas
 from benchdragon.cli.check import check
 from benchdragon.cli.compare import compare
@@ -211,7 +212,7 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
 for question in (place, square):
     solve.add_command(question)
 for verb in (
-    check, solve, margins, sweep, atlas, compare, view, studio, animate, plan, formations, schema,
+    check, solve, margins, sweep, atlas, compare, view, studio, animate, area, plan, formations, schema,
 ):  # fmt: skip
     program.add_command(verb)
 

@@ -73,6 +73,38 @@ def parse_time(option: str, text: str) -> float:
     return found
 
 
+def parse_length(option: str, text: str) -> float:
+    """One length in "0.5", "1cm" or "50 cm", m.
+
+    Raises:
+        InputError: naming the option, for anything else.
+    """
+    found = _quantity(text.strip(), METRES)
+    if found is None:
+        raise InputError(
+            _("{option}: wanted a length in metres (0.5) or with a unit (50 cm), not {text}").format(
+                option=option, text=repr(text)
+            )
+        )
+    return found
+
+
+def parse_scale(option: str, text: str) -> float:
+    """The 200 of a scale "1:200".
+
+    Raises:
+        InputError: naming the option, for anything else.
+    """
+    one, _colon, many = text.replace("：", ":").partition(":")
+    if one.strip() != "1" or not NUMBER.fullmatch(many.strip()):
+        raise InputError(
+            _("{option}: wanted a scale such as 1:200, not {text}").format(
+                option=option, text=repr(text)
+            )
+        )
+    return float(many)
+
+
 def parse_lengths(option: str, text: str) -> tuple[float, float]:
     """Two lengths in "0.4..0.6" or "40 cm..60 cm", m.
 

@@ -1,0 +1,202 @@
+"""The verb `area`: the ground that a dance covers, as numbers and as files."""
+
+import json
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from benchdragon.cli.answers import about, print_answer, print_title
+from benchdragon.cli.console import print_files, shown_progress
+from benchdragon.cli.options import (
+    FILE,
+    WITHOUT,
+    brackets_option,
+    force_option,
+    json_option,
+    plan_options,
+    plan_to_walk,
+    refuse_strays,
+    shared_options,
+    span_options,
+)
+from benchdragon.cli.parsing import check_ending, parse_length, parse_scale, parse_span
+from benchdragon.errors import InputError
+from benchdragon.i18n import N_, _
+
+if TYPE_CHECKING:
+    from benchdragon.analysis.swept import SweptArea
+
+DRAWINGS, DATA = ("svg", "pdf"), ("dxf", "geojson")
+PAPERS = ("A4", "A3", "A2", "A1", "A0")
+
+
+@click.command(
+    help=N_(
+        "The ground that a dance covers: its area, its widest place, the spectators' line, drawings to "
+        "scale.\n\nPLAN is a *.dragon.toml file or the name of a built-in plan: spiral-in, turn. For "
+        "example: benchdragon area turn -o turn.pdf --margin 2 --scale 1:200 --paper A3"
+    )
+)
+@plan_options
+@click.option(
+    "-o",
+    "--output",
+    type=FILE,
+    metavar="FILE",
+    help=N_("File to write: .svg or .pdf, to scale; .dxf for CAD; .geojson. Default: numbers alone."),
+)
+@click.option(
+    "--format",
+    "formats",
+    metavar="LIST",
+    help=N_("Write these beside one another, for example svg,dxf. Default: as FILE ends."),
+)
+@span_options
+@click.option(
+    "--margin",
+    default="0",
+    show_default=True,
+    metavar="LENGTH",
+    help=N_("How far spectators keep from the ground covered: metres (2) or with a unit (50 cm)."),
+)
+@click.option(
+    "--error",
+    default="1cm",
+    show_default=True,
+    metavar="LENGTH",
+    help=N_("No point of the area is farther than this from what is covered; 0.1 mm to 1 m."),
+)
+@click.option(
+    "--scale",
+    metavar="1:NUMBER",
+    help=N_("Scale of svg and pdf, 1:50 to 1:1000. Default: the largest usual one that fits."),
+)
+@click.option(
+    "--paper",
+    type=click.Choice(PAPERS),
+    default="A3",
+    show_default=True,
+    help=N_("Paper of svg and pdf."),
+)
+@force_option
+@json_option
+@brackets_option
+@shared_options
+def area(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
+    """Print the numbers, as text or JSON, and write the files."""
+    files = _files(options["output"], options["formats"])
+    kinds = {path.suffix[1:] for path in files}
+    refuse_strays(
+        *((name, bool(files), WITHOUT, "-o") for name in ("formats", "force")),
+        *((name, bool(kinds & set(DRAWINGS)), WITHOUT, ".svg, .pdf") for name in ("scale", "paper")),
+    )
+    margin = parse_length("--margin", options["margin"])
+    error = parse_length("--error", options["error"])
+    scale = None if options["scale"] is None else parse_scale("--scale", options["scale"])
+    span = parse_span(options)
+    read = plan_to_walk(plan, settings, quiet)
+    from benchdragon.export.area import drawing_of, planned_area, write_area
+    from benchdragon.files import refuse_existing
+
+    refuse_existing(files, options["force"])
+    with shown_progress(quiet) as progress:
+        found = planned_area(read, *span, margin=margin, error=error, progress=progress)
+        drawing = drawing_of(read, found)
+        for path in files:
+            write_area(drawing, path, read.sha256, paper=options["paper"], scale=scale)
+    if options["as_json"]:
+        names = {"files": [str(path) for path in files]}
+        click.echo(json.dumps({**area_record(found), **names, **about(read, [])}))
+        return 0
+    print_title(read)
+    _print_area(found, options["brackets"])
+    if files:
+        print_files(files)
+    return 0
+
+
+def _files(path: Path | None, formats: str | None) -> list[Path]:
+    """The files to write."""
+    if path is None:
+        return []
+    check_ending("-o", path, [f".{name}" for name in DRAWINGS + DATA])
+    if formats is None:
+        return [path]
+    names = list(dict.fromkeys(name.strip() for name in formats.split(",")))
+    unknown = [name for name in names if name not in DRAWINGS + DATA]
+    if unknown:
+        raise InputError(
+            _("--format: wanted some of {known}, not {text}").format(
+                known=", ".join(DRAWINGS + DATA), text=repr(unknown[0])
+            )
+        )
+    return [path.with_suffix(f".{name}") for name in names]
+
+
+def area_record(found: "SweptArea") -> dict[str, Any]:
+    """What is found of an area, as plain data."""
+    (outer, holes), (line, gaps) = found.outlines, found.lines
+    rectangle, circle, widest = *found.enclosing, found.widest
+    return {
+        "start": found.start,
+        "end": found.end,
+        "area": found.area,
+        "error": found.error,
+        "outlines": len(outer),
+        "holes": len(holes),
+        "widest": {**asdict(widest), "width": widest.width.as_json()},
+        "rectangle": {
+            **asdict(rectangle),
+            "corners": rectangle.corners.tolist(),
+            "area": rectangle.area.as_json(),
+        },
+        "circle": {**asdict(circle), "radius": circle.radius.as_json()},
+        "spectators": {
+            "margin": found.margin,
+            "area": float(found.spectators.area),
+            "length": float(found.spectators.length),
+            "outlines": len(line),
+            "holes": len(gaps),
+        },
+    }
+
+
+def _print_area(found: "SweptArea", brackets: bool) -> None:
+    outer, holes = found.outlines
+    text = _("ground covered from t = {start} s to t = {end} s: {area} m², within {error} m")
+    click.echo(
+        text.format(
+            start=f"{found.start:g}", end=f"{found.end:.6g}", area=f"{found.area:.2f}",
+            error=f"{found.error:.2g}",
+        )
+    )  # fmt: skip
+    text = _("outer boundaries: {outer}; holes in it: {holes}")
+    click.echo(text.format(outer=len(outer), holes=len(holes)))
+    widest = found.widest
+    print_answer(_("widest across the route"), widest.width, up=True, brackets=brackets)
+    text = _("  at s = {s} m, at ({x}, {y}) m: {left} m to the left, {right} m to the right")
+    x, y = widest.point
+    click.echo(
+        text.format(
+            s=f"{widest.s:.2f}", x=f"{x:.2f}", y=f"{y:.2f}", left=f"{widest.left:.3f}",
+            right=f"{widest.right:.3f}",
+        )
+    )  # fmt: skip
+    rectangle, circle = found.enclosing
+    text = _("smallest rectangle that holds it: {width} m by {height} m")
+    click.echo(text.format(width=f"{rectangle.width:.2f}", height=f"{rectangle.height:.2f}"))
+    text = _("smallest circle that holds it: radius {radius} m about ({x}, {y}) m")
+    x, y = circle.centre
+    click.echo(text.format(radius=f"{circle.radius.value:.2f}", x=f"{x:.2f}", y=f"{y:.2f}"))
+    if found.margin:
+        around, gaps = found.lines
+        text = _(
+            "spectators {margin} m from it: {length} m of line, {outer} around the outside, {holes} "
+            "around holes"
+        )
+        length = f"{found.spectators.length:.1f}"
+        click.echo(
+            text.format(margin=f"{found.margin:g}", length=length, outer=len(around), holes=len(gaps))
+        )
