@@ -89,6 +89,20 @@ class Sheet:
         return half + (points - self.middle) * (1000.0 / self.scale)
 
 
+def check_scale(scale: float | None) -> None:
+    """Refuse a scale that no sheet has; None is left to the sheet.
+
+    Raises:
+        InputError: if it is not from LEAST_SCALE to MOST_SCALE.
+    """
+    if scale is not None and not LEAST_SCALE <= scale <= MOST_SCALE:
+        raise InputError(
+            _("scale must be from 1:{least} to 1:{most}, not 1:{value}").format(
+                least=f"{LEAST_SCALE:g}", most=f"{MOST_SCALE:g}", value=f"{scale:g}"
+            )
+        )
+
+
 def sheet_for(bounds: FloatArray, paper: str, scale: float | None) -> Sheet:
     """The sheet for ground within bounds, m, (2, 2), upright or lying as gives it most room.
 
@@ -104,12 +118,7 @@ def sheet_for(bounds: FloatArray, paper: str, scale: float | None) -> Sheet:
         raise InputError(
             _("paper must be one of {known}, not {value}").format(known=", ".join(PAPERS), value=paper)
         )
-    if scale is not None and not LEAST_SCALE <= scale <= MOST_SCALE:
-        raise InputError(
-            _("scale must be from 1:{least} to 1:{most}, not 1:{value}").format(
-                least=f"{LEAST_SCALE:g}", most=f"{MOST_SCALE:g}", value=f"{scale:g}"
-            )
-        )
+    check_scale(scale)
     size = bounds[1] - bounds[0]
     needed, sheet = min(
         (1000.0 * float((size / room).max()), sides)
