@@ -28,7 +28,7 @@ from benchdragon.analysis.speed import (
     greatest_speed,
 )
 from benchdragon.errors import InputError, UnsureError, WalkError, of_kind
-from benchdragon.i18n import _
+from benchdragon.i18n import N_, _
 from benchdragon.model.answer import ROUNDING, Answer
 from benchdragon.model.walk import Motion, Walk
 from benchdragon.plans.schema import Plan
@@ -226,20 +226,44 @@ def sentence(report: Report) -> str:
     """A verdict in one sentence, in the language in use."""
     if report.safe:
         return _("Safe: {tightest}").format(tightest=_kept(report))
-    first = report.findings[0]
-    text = first.text
-    if first.kind in {"contact", "margin"} and first.decided and first.time is not None:
-        text = _("benches {a} and {b} touch at {t} s")
-        if first.kind == "margin":
-            text = _("benches {a} and {b} come nearer than the {margin} cm asked for at {t} s")
-        a, b = first.benches
-        text = text.format(a=a, b=b, t=f"{first.time:z.1f}", margin=f"{100.0 * first.limit:g}")
+    text = _briefly(min(report.findings, key=_soonest))
     more = len(report.findings) - 1
     if more:
         text = _("{finding}; findings besides: {count}").format(finding=text, count=more)
     if not report.decided:
         return _("Undecided: {finding}").format(finding=text)
     return _("Not safe: {finding}").format(finding=text)
+
+
+# What is found of benches and obstacles, in the fewest words.
+BRIEF = {
+    "contact": N_("benches {a} and {b} touch at {t} s"),
+    "margin": N_("benches {a} and {b} come nearer than the {margin} cm asked for at {t} s"),
+    "obstacle": N_("bench {a} touches {name} at {t} s"),
+    "obstacle_margin": N_("bench {a} comes nearer than {margin} cm to {name} at {t} s"),
+    "venue": N_("bench {a} leaves {name} at {t} s"),
+    "venue_margin": N_("bench {a} comes nearer than {margin} cm to the edge of {name} at {t} s"),
+}
+
+
+def _soonest(found: Finding) -> tuple[bool, bool, float]:
+    """What is told first: what is decided, what touches, and of that the soonest."""
+    time = math.inf if found.time is None else found.time
+    touch = found.kind in BRIEF
+    return not found.decided, not touch, time if touch else 0.0
+
+
+def _briefly(found: Finding) -> str:
+    """A finding in few words, in the language in use."""
+    if found.kind not in BRIEF or not found.decided or found.time is None:
+        return found.text
+    return _(BRIEF[found.kind]).format(
+        a=found.benches[0],
+        b=found.benches[-1],
+        t=f"{found.time:z.1f}",
+        margin=f"{100.0 * found.limit:g}",
+        name=shown_name(found.obstacle),
+    )
 
 
 def _kept(report: Report) -> str:
@@ -255,9 +279,9 @@ def _kept(report: Report) -> str:
                 t=f"{near.time:z.1f}",
             )
         ]
-    said += [_kept_from(answers) for answers in report.obstacles]
     if limits.margin:
         said.append(_("{margin} cm were asked for").format(margin=f"{100.0 * limits.margin:g}"))
+    said += _kept_from(report)
     if limits.speed is not None:
         said.append(
             _("fastest handle {speed} m/s of {limit} m/s allowed").format(
@@ -277,26 +301,46 @@ def _kept(report: Report) -> str:
     return _("; ").join(said)
 
 
-def _kept_from(answers: ObstacleAnswers) -> str:
-    """The least distance kept from an obstacle."""
-    text = _("at least {gap} cm from {name}")
-    if answers.obstacle.kind == "venue":
-        text = _("at least {gap} cm from the edge of the venue")
-    gap = math.floor(1000.0 * answers.distance.sure(up=False)) / 10.0
-    return text.format(gap=f"{gap:.10g}", name=shown_name(answers.obstacle.name))
+def _kept_from(report: Report) -> list[str]:
+    """The least distance from the venue's edge, and from the obstacle that leaves the least room.
+
+    Room is what is left of a distance beyond its margin.
+    """
+    venue = [one for one in report.obstacles if one.obstacle.kind == "venue"]
+    stands = [one for one in report.obstacles if one.obstacle.kind != "venue"]
+    near = sorted(stands, key=lambda one: one.distance.sure(up=False) - one.obstacle.margin)[:1]
+    said = []
+    for one in (*venue, *near):
+        text = _("at least {gap} cm from {name}")
+        if one in venue:
+            text = _("at least {gap} cm from the edge of {name}")
+        elif len(stands) > 1:
+            text = _("at least {gap} cm from {name}, the tightest of {count} obstacles")
+        kept = text.format(gap=_kept_cm(one), name=shown_name(one.obstacle.name), count=len(stands))
+        if one.obstacle.margin:
+            asked = f"{100.0 * one.obstacle.margin:g}"
+            kept = _("{kept} ({margin} cm asked for)").format(kept=kept, margin=asked)
+        said.append(kept)
+    return said
+
+
+def _kept_cm(answers: ObstacleAnswers) -> str:
+    """A distance that is surely kept, cm, cut off behind a tenth."""
+    return f"{math.floor(1000.0 * answers.distance.sure(up=False)) / 10.0:.10g}"
 
 
 def moment(report: Report) -> tuple[Motion, Answer]:
-    """The dragon at first contact, or where the walk is tightest; and the answer that says so.
+    """The dragon at its first contact of any kind, or where it is tightest; and the answer of that.
 
     Raises:
-        InputError: for a dragon without pairs that count.
+        InputError: for a dragon without pairs that count, and without obstacles that it touches.
     """
-    contact = report.first_contact
-    answer = report.clearance if contact is None else contact
+    contacts = [report.first_contact, *(answers.contact for answers in report.obstacles)]
+    known = [one for one in contacts if one is not None and one.witness is not None]
+    answer = min(known, key=lambda one: one.value, default=report.clearance)
     if answer.witness is None or answer.witness.time is None:
         raise InputError(_("a dragon of one or two benches has no pair whose clearance counts"))
-    time = answer.witness.time if contact is None else contact.value
+    time = answer.value if known else answer.witness.time
     return report.walk.motion([time]), answer
 
 

@@ -11,11 +11,13 @@ from benchdragon.analysis.speed import QUANTITIES, given_limits
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import ROUNDING, Answer
 from benchdragon.model.numbering import handle_words
+from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
 
-# What obstacles are called to which a plan gives no name.
+# What obstacles, and the venue, are called to which a plan gives no name.
 NAMELESS = r"obstacle (\d+)"
+NAMELESS_VENUE = "venue"
 
 
 @dataclass(frozen=True)
@@ -132,10 +134,8 @@ def _contact_findings(contact: Answer | None, margin: float) -> list[Finding]:
 OBSTACLE_SENTENCES = {
     "obstacle": N_("bench {bench} touches {name} at t = {t} s"),
     "obstacle_margin": N_("bench {bench} comes nearer than {margin} m to {name} at t = {t} s"),
-    "venue": N_("bench {bench} leaves the venue ({name}) at t = {t} s"),
-    "venue_margin": N_(
-        "bench {bench} comes nearer than {margin} m to the edge of the venue ({name}) at t = {t} s"
-    ),
+    "venue": N_("bench {bench} leaves {name} at t = {t} s"),
+    "venue_margin": N_("bench {bench} comes nearer than {margin} m to the edge of {name} at t = {t} s"),
 }
 
 
@@ -165,6 +165,8 @@ def name_words(name: str) -> dict[str, str]:
     nameless = re.fullmatch(NAMELESS, name)
     if nameless:
         return {"name": N_("obstacle {n}"), "n": nameless[1]}
+    if name == NAMELESS_VENUE:
+        return {"name": N_("the venue")}
     return {"name": name.replace("{", "{{").replace("}", "}}")}
 
 
@@ -172,6 +174,14 @@ def shown_name(name: str) -> str:
     """What an obstacle is called, in the language in use."""
     words = name_words(name)
     return _(words["name"]).format(**words)
+
+
+def touch_text(bench: int, obstacle: Obstacle) -> str:
+    """That a bench (number, from 1) touches an obstacle or leaves the venue, in words."""
+    text = _("bench {bench} touches {name}")
+    if obstacle.kind == "venue":
+        text = _("bench {bench} leaves {name}")
+    return text.format(bench=bench, name=shown_name(obstacle.name))
 
 
 def _head_findings(walk: Walk, span: tuple[float, float], limit: float) -> list[Finding]:

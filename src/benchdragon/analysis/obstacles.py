@@ -37,6 +37,7 @@ from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import FALLEN, FOUND
 from benchdragon.kernels.walk_search import ASTRAY
 from benchdragon.model.answer import Answer, Status, Witness
+from benchdragon.model.base_curve import Point
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.placement import Placement
@@ -50,6 +51,31 @@ LOG = 65_536
 SAMPLES = 65
 # Newton steps for the head position at which a handle comes to a place; about five are needed.
 MOST_STEPS = 100
+
+
+def box_distances(placed: Placement, index: int, obstacle: Obstacle) -> tuple[FloatArray, IntArray]:
+    """How far each bench is from an obstacle's boxes at one placement, m, (N,); which box, (N,).
+
+    An obstacle's radius lies within; minus infinity where a bench stands where none may.
+    """
+    table = boxes(placed, index)
+    out, which = np.empty(len(table)), np.empty(len(table), dtype=np.int64)
+    kernel.distances_to(table, obstacle.boxes, np.empty((2, BOX_COLUMNS)), out, which)
+    out[obstacle.forbids(table[:, [CX, CY]])] = -math.inf
+    return out, which
+
+
+def nearest_points(
+    placed: Placement, index: int, bench: int, obstacle: Obstacle
+) -> tuple[Point, Point]:
+    """The point of a bench (row, from 0) nearest to an obstacle, and the obstacle's own, m."""
+    table = boxes(placed, index)[bench : bench + 1]
+    out, which = np.empty(1), np.empty(1, dtype=np.int64)
+    kernel.distances_to(table, obstacle.boxes, np.empty((2, BOX_COLUMNS)), out, which)
+    near = nearness(np.vstack([table, obstacle.boxes[which]]), 0, 1)
+    (ax, ay), (bx, by) = near.points
+    share = min(obstacle.radius / near.distance, 1.0) if near.distance > 0.0 else 0.0
+    return (ax, ay), (bx + share * (ax - bx), by + share * (ay - by))
 
 
 @dataclass(frozen=True)
@@ -110,11 +136,7 @@ class ObstacleSearch:
 
         Minus infinity where a bench stands where none may.
         """
-        table = boxes(self.placed, 0)
-        forbidden = self.obstacle.forbids(table[:, [CX, CY]])
-        out, which = np.empty(len(table)), np.empty(len(table), dtype=np.int64)
-        kernel.distances_to(table, self.obstacle.boxes, np.empty((2, BOX_COLUMNS)), out, which)
-        out[forbidden] = -math.inf
+        out, which = box_distances(self.placed, 0, self.obstacle)
         bench = int(np.argmin(out))
         return float(out[bench]), bench, int(which[bench])
 

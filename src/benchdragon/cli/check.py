@@ -113,7 +113,7 @@ def print_report(report: "Report", brackets: bool = False) -> None:
         name = shown_name(answers.obstacle.name)
         text = _("least distance from {name}")
         if answers.obstacle.kind == "venue":
-            text = _("least distance from the edge of the venue ({name})")
+            text = _("least distance from the edge of {name}")
         print_answer(text.format(name=name), answers.distance, up=False, brackets=brackets)
     print_answer(_("greatest speed of a handle"), report.greatest_speed, up=True, brackets=brackets)
     for name, peak in report.peaks.items():

@@ -405,7 +405,9 @@ def _write_pictures(
     from benchdragon.figures.walk import walk_pictures
 
     title = plan.title(language())
-    figures = walk_pictures(what.walk, what.times, title, plan.disc.radius, what.throw)
+    figures = walk_pictures(
+        what.walk, what.times, title, plan.disc.radius, what.throw, plan.obstacles()
+    )
     for name in picture_names(what):
         for kind in kinds:
             stage(f"{name}.{kind}")

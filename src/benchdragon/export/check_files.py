@@ -44,11 +44,11 @@ def write_files(report: Report, files: Sequence[Path]) -> None:
     title, plan = report.plan.title(language()), report.plan
     clearances = clearance_over(report)
     figures = {
-        "contact": moment_picture(motion, answer, title, plan.disc.radius),
+        "contact": moment_picture(motion, answer, title, plan.disc.radius, plan.obstacles()),
         "clearance": clearance_picture(clearances, plan.limits.margin, title),
     }
     for path in files:
         if path.suffix == ".xlsx":
-            write_moment_xlsx(path, motion)
+            write_moment_xlsx(path, motion, report.obstacles)
         else:
             write_picture(figures[path.stem], path, title, plan.sha256)

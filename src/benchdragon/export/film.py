@@ -201,7 +201,8 @@ def write_film(film: Film, path: Path, look: Look, progress: Progress = silent) 
         _check_gif(film, look)
     times, plan = film.times, film.plan
     title = plan.title(language())
-    place = Place.of(film.walk, film.walk.motion(times[[0, -1]]), plan.disc.radius)
+    ends = film.walk.motion(times[[0, -1]])
+    place = Place.of(film.walk, ends, plan.disc.radius, plan.obstacles())
     scene = MovingScene(look, place, title, pace_text(film.speed_up))
 
     def frames() -> Iterator[memoryview]:
@@ -258,7 +259,7 @@ def _instants(plan: Plan, times: FloatArray, look: Look) -> tuple[Motion, Place]
     walk = plan.build()
     _check_follow(walk, look)
     motion = walk.motion(times)
-    return motion, Place.of(walk, motion, plan.disc.radius)
+    return motion, Place.of(walk, motion, plan.disc.radius, plan.obstacles())
 
 
 def write_stills(

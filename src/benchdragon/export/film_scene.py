@@ -21,12 +21,16 @@ from matplotlib.text import Text
 from matplotlib.transforms import Affine2D, Transform
 
 from benchdragon.analysis.distance import TOUCHING, Nearness, tightest_pairs, touching
+from benchdragon.analysis.findings import touch_text
+from benchdragon.analysis.obstacles import box_distances
 from benchdragon.errors import InputError, positive
 from benchdragon.figures.framing import Area, Framing, framing, inset
+from benchdragon.figures.square import draw_square, square_corners
 from benchdragon.figures.style import BODY, DISC, HEAD, ROUTE, STYLE, drawable, named_figure
 from benchdragon.figures.walk import MOST_BENCHES, Overview, bench_corners, disc_corners, route_points
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Motion, Walk
 
 # Pixels of a side: fewer could not be read, more no player shows.
@@ -35,7 +39,7 @@ LEAST_SIDE, MOST_SIDE = 64, 4096
 TOUCH = "#F0E442"
 UNITS_WIDE, UNITS_HIGH = 1920.0, 1080.0
 MARGIN, HEADER, FOOTER, GAP = 40.0, 76.0, 72.0, 36.0
-TITLE, PLAIN, LEAST_TEXT = 34.0, 28.0, 16.0
+TITLE, PLAIN, NAME, LEAST_TEXT = 34.0, 28.0, 22.0, 16.0
 # Widest scale bar, where the legend begins, and how far its entries and its words stand off.
 LONGEST_BAR, LEGEND, SWATCH, WORD = 240.0, 440.0, 46.0, 12.0
 # Across the marks of the head's handle and of the tightest pair; their least share in small views.
@@ -113,6 +117,7 @@ class Place:
         disc: its radius, m.
         bench_width: of most benches, m.
         framed: what is to be seen.
+        obstacles: what stands on the square, the venue's edge too.
     """
 
     route: FloatArray
@@ -120,9 +125,12 @@ class Place:
     disc: float | None
     bench_width: float
     framed: Framing
+    obstacles: tuple[Obstacle, ...] = ()
 
     @classmethod
-    def of(cls, walk: Walk, motion: Motion, disc: float | None) -> Self:
+    def of(
+        cls, walk: Walk, motion: Motion, disc: float | None, obstacles: tuple[Obstacle, ...] = ()
+    ) -> Self:
         """The place of a walk: all that the dragon covers from the first to the last of its times.
 
         Raises:
@@ -142,11 +150,11 @@ class Place:
             route,
             np.array([[tail, head]]),
             float(dragon.sizes[1:].max()) + ROOM,
-            disc_corners(route, disc),
+            [*disc_corners(route, disc), *square_corners(obstacles)],
             float(dragon.length.max()),
         )
         seen = route_points(route, tail, min(route.length, head + AHEAD * (head - tail)))
-        return cls(seen, route.centre, disc, float(np.median(dragon.width)), framed)
+        return cls(seen, route.centre, disc, float(np.median(dragon.width)), framed, obstacles)
 
 
 @dataclass(frozen=True)
@@ -174,7 +182,7 @@ class Panel:
     """
 
     def __init__(self, figure: Figure, box: Box, look: Look, place: Place) -> None:
-        self.box, self.look = box, look
+        self.box, self.look, self.obstacles = box, look, place.obstacles
         wide, high = (side / look.unit for side in look.size)
         share = (box.left / wide, box.bottom / high, box.width / wide, box.height / high)
         self.axes: Axes = figure.add_axes(share)
@@ -201,7 +209,7 @@ class Panel:
             self.axes.add_collection(benches, autolim=False)
         for line in (self.nose, self.ring):
             self.axes.add_line(line)
-        self.overview = self._overview(figure, share, place.route)
+        self.overview, self.words = self._overview(figure, share, place.route), ""
 
     def _overview(self, figure: Figure, share: Share, route: FloatArray) -> Overview | None:
         """A small picture of all in a corner, where the view is cut."""
@@ -221,8 +229,12 @@ class Panel:
         return [self.body, self.touching, self.head, self.nose, self.ring, *overview]
 
     def _draw_place(self, place: Place, mark: float) -> None:
-        route = THEMES[self.look.theme].route
-        self.axes.add_line(Line2D(*place.route.T, color=route, lw=1.2 * mark, zorder=1))
+        theme = THEMES[self.look.theme]
+        self.axes.add_line(Line2D(*place.route.T, color=theme.route, lw=1.2 * mark, zorder=1))
+        draw_square(
+            self.axes, place.obstacles, ink=theme.ink, paper=theme.paper, mark=2.0 * mark,
+            size=max(LEAST_TEXT, NAME * mark),
+        )  # fmt: skip
         if place.disc is not None:
             self.axes.add_patch(
                 Circle(place.centre, place.disc, fill=False, ec=DISC, lw=2.5 * mark, ls="--", zorder=2)
@@ -232,8 +244,8 @@ class Panel:
         self.frame = frame
         self.axes.set(xlim=frame.limits[0], ylim=frame.limits[1])
 
-    def show(self, motion: Motion, index: int) -> Nearness | None:
-        """Move the dragon to time number `index`; its tightest pair, if one counts.
+    def show(self, motion: Motion, index: int) -> None:
+        """Move the dragon to time number `index`; `words` tell what it touches, or its tightest pair.
 
         Raises:
             WalkError: if it cannot stand then.
@@ -243,6 +255,13 @@ class Panel:
         meet = np.zeros(len(corners), dtype=bool)
         if nearest is not None and nearest.distance <= TOUCHING:
             meet[touching(motion, index)] = True
+        self.words = near_text(nearest)
+        for obstacle in self.obstacles:
+            distances, _which = box_distances(motion, index, obstacle)
+            touches = distances <= obstacle.radius + TOUCHING
+            if touches.any():
+                self.words = drawable(touch_text(int(touches.argmax()) + 1, obstacle))
+            meet |= touches
         self.head.set_verts(corners[:1][~meet[:1]])
         self.body.set_verts(corners[1:][~meet[1:]])
         self.touching.set_verts(corners[meet])
@@ -257,7 +276,6 @@ class Panel:
             self._look_at(replace(self.frame, middle=followed))
         if self.overview is not None:
             self.overview.show(motion, index, self.frame)
-        return nearest
 
 
 class Layout:
@@ -369,9 +387,9 @@ class Scene(Layout):
         Raises:
             WalkError: if the dragon cannot stand then.
         """
-        nearest = self.panel.show(motion, index)
+        self.panel.show(motion, index)
         self.clock.set_text(clock_text(float(motion.times[index])))
-        self.near.set_text(near_text(nearest))
+        self.near.set_text(self.panel.words)
 
 
 class MovingScene(Scene):
@@ -428,10 +446,11 @@ def sheet(look: Look, place: Place, title: str, motion: Motion, columns: int, ro
             left = MARGIN + column * (width + GAP)
             bottom = FOOTER + (rows - 1 - row) * (height + GAP)
             panel = Panel(layout.figure, Box(left, bottom, width, height - 1.6 * size), look, place)
-            near, scale = near_text(panel.show(motion, index)), panel.scale
+            panel.show(motion, index)
+            scale = panel.scale
             y = bottom + height - 0.8 * size
             captions.append(layout.write(left, y, clock_text(t), size))
-            captions.append(layout.write(left + width, y, near, size, "right"))
+            captions.append(layout.write(left + width, y, panel.words, size, "right"))
         wide = [layout.width(text) for text in captions]
         fit = min((width - 2.0 * WORD) / (a + b) for a, b in zip(wide[::2], wide[1::2], strict=True))
         for text in captions:

@@ -14,11 +14,14 @@ from typing import Any
 
 import numpy as np
 
+from benchdragon.analysis.findings import shown_name
+from benchdragon.analysis.obstacles import ObstacleAnswers
 from benchdragon.errors import InputError, MissingExtraError
 from benchdragon.files import whole_bytes, whole_file
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.numbering import contest_names, handle_names, handle_place, numbering_text
+from benchdragon.model.obstacle import Kind
 from benchdragon.model.walk import Motion, Walk
 from benchdragon.progress import Progress
 
@@ -109,8 +112,11 @@ def write_contest_xlsx(path: Path, what: Selection, progress: Progress) -> None:
         _write_motion(book, what, _Labels("位置", "速度", x, y, speeds), progress)
 
 
-def write_moment_xlsx(path: Path, motion: Motion) -> None:
-    """The contest's result2.xlsx for the first time of `motion`, in whatever language."""
+def write_moment_xlsx(path: Path, motion: Motion, obstacles: Sequence[ObstacleAnswers] = ()) -> None:
+    """The contest's result2.xlsx for the first time of `motion`, in whatever language.
+
+    What was found about obstacles stands in a second sheet, in the language in use.
+    """
     with whole_bytes(path) as made, _workbook(made) as book:
         six = book.add_format({"num_format": "0.000000"})
         sheet = book.add_worksheet("Sheet1")
@@ -120,6 +126,45 @@ def write_moment_xlsx(path: Path, motion: Motion) -> None:
         table = np.column_stack([motion.x[0], motion.y[0], motion.speed[0]])
         for i, name in enumerate(contest_names(len(table))):
             _write_row(sheet, i + 1, name, table[i], six)
+        if obstacles:
+            _write_obstacles(book, obstacles)
+
+
+def kind_name(kind: Kind) -> str:
+    """What a kind of obstacle is called, in the language in use."""
+    return {
+        "circle": _("circle"),
+        "rectangle": _("rectangle"),
+        "polygon": _("polygon"),
+        "line": _("line"),
+        "venue": _("edge of the venue"),
+    }[kind]
+
+
+def _write_obstacles(book: Any, obstacles: Sequence[ObstacleAnswers]) -> None:
+    """A sheet with the least distance to each obstacle, its bracket, when, and which bench."""
+    sheet, exact = book.add_worksheet(_("Obstacles")), book.add_format({"num_format": "0.000000000"})
+    sheet.freeze_panes(1, 1)
+    sheet.set_column(0, 10, 22)
+    heads = (
+        _("obstacle"), _("kind"), _("margin (m)"), _("least distance (m)"), _("at least (m)"),
+        _("at most (m)"), _("time (s)"), _("bench"), _("margin not kept from (s)"), _("bench"),
+    )  # fmt: skip
+    sheet.write_row(0, 0, heads)
+    for row, answers in enumerate(obstacles, start=1):
+        obstacle, distance, contact = answers.obstacle, answers.distance, answers.contact
+        sheet.write_string(row, 0, shown_name(obstacle.name))
+        sheet.write_string(row, 1, kind_name(obstacle.kind))
+        numbers = (obstacle.margin, distance.value, distance.lower, distance.upper)
+        for column, value in enumerate(numbers, start=2):
+            sheet.write_number(row, column, value, exact)
+        for column, answer, time in (
+            (6, distance, distance.witness and distance.witness.time),
+            (8, contact, contact and contact.value),
+        ):
+            if answer is not None and answer.witness is not None and time is not None:
+                sheet.write_number(row, column, time, exact)
+                sheet.write_number(row, column + 1, answer.witness.benches[0])
 
 
 def _write_motion(book: Any, what: Selection, labels: _Labels, progress: Progress) -> None:

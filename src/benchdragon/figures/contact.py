@@ -1,5 +1,9 @@
 """Pictures of contact: the moment with a close-up, clearance over time, the paper's Fig 2."""
 
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
 import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
@@ -8,11 +12,16 @@ from matplotlib.figure import Figure
 
 from benchdragon.analysis.contact import ClearanceCurve
 from benchdragon.analysis.distance import boxes, nearness
-from benchdragon.figures.style import BODY, DISC, HEAD, PAGE_WIDTH, STYLE, named_figure
+from benchdragon.analysis.findings import shown_name
+from benchdragon.analysis.obstacles import box_distances, nearest_points
+from benchdragon.figures.square import draw_square, square_corners
+from benchdragon.figures.style import BODY, DISC, HEAD, PAGE_WIDTH, STYLE, drawable, named_figure
 from benchdragon.figures.walk import bench_corners, draw_dragon, framing_of, name_below
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.model.answer import Answer
+from benchdragon.model.answer import Answer, Witness
+from benchdragon.model.base_curve import Point
+from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Motion
 
 # Vermilion for what touches, told apart by hatching too.
@@ -25,33 +34,71 @@ VALLEY, NEAR_MISS = 0.02, 0.005
 
 
 def moment_picture(
-    motion: Motion, answer: Answer, title: str = "", disc: float | None = None
+    motion: Motion,
+    answer: Answer,
+    title: str = "",
+    disc: float | None = None,
+    obstacles: Sequence[Obstacle] = (),
 ) -> Figure:
-    """The whole dragon at the one time of `motion`, and the two benches of the witness close by.
+    """The whole dragon at the one time of `motion`, and what the witness tells of close by.
+
+    That is two benches, or a bench and one of `obstacles`: see `Plan.obstacles`.
 
     Raises:
         ValueError: for an answer without a witness.
     """
     if answer.witness is None:
         raise ValueError("an answer without a witness has no moment")
-    i, j = (number - 1 for number in answer.witness.benches)
-    near = nearness(boxes(motion, 0), i, j)
+    shown = _meeting(motion, answer.witness, obstacles)
     with matplotlib.rc_context(STYLE):
         figure = named_figure(PAGE_WIDTH, 3.9, title)
         whole, close = figure.subplots(1, 2)
-        middle = np.mean(near.points, axis=0)
-        draw_dragon(whole, motion, 0, disc, framing_of(motion, [0], disc, [tuple(middle)]))
+        middle = np.mean(shown.points, axis=0)
+        kept = [tuple(middle), *square_corners(obstacles)]
+        draw_dragon(whole, motion, 0, disc, framing_of(motion, [0], disc, kept), obstacles)
         whole.plot(*middle, "s", ms=9, mfc="none", mec=TOUCH, mew=1.5, zorder=5)
         whole.set_title(_("t = {t} s").format(t=f"{motion.times[0]:.9g}".replace("-", "−")))
-        _draw_close(close, motion, (i, j), middle, CLOSE + 0.5 * max(near.distance, 0.0))
-        (ax, ay), (bx, by) = near.points
+        draw_square(close, obstacles, size=None)
+        _draw_close(close, motion, shown.benches, middle, CLOSE + 0.5 * max(shown.distance, 0.0))
+        (ax, ay), (bx, by) = shown.points
         close.plot([ax, bx], [ay, by], color="black", lw=1.2, zorder=6)
         close.plot([ax, bx], [ay, by], "o", color="black", ms=4, zorder=6)
-        close.set_title(
-            _("benches {a} and {b}: {gap}").format(a=i + 1, b=j + 1, gap=_distance_text(near.distance))
-        )
+        close.set_title(shown.text)
         name_below(figure, whole, close)
         return figure
+
+
+@dataclass(frozen=True)
+class _Meeting:
+    """What meets: benches (rows, from 0), their nearest points, m, distance, m, name of an obstacle."""
+
+    benches: tuple[int, ...]
+    points: tuple[Point, Point]
+    distance: float
+    text: str
+    obstacle: str | None = None
+
+
+def _meeting(motion: Motion, witness: Witness, obstacles: Sequence[Obstacle]) -> _Meeting:
+    """What a witness tells of, as it stands at the first time of `motion`."""
+    found = [one for one in obstacles if one.name == witness.obstacle]
+    if not found:
+        i, j = (number - 1 for number in witness.benches)
+        near = nearness(boxes(motion, 0), i, j)
+        text = _("benches {a} and {b}: {gap}").format(
+            a=i + 1, b=j + 1, gap=_distance_text(near.distance)
+        )
+        return _Meeting((i, j), near.points, near.distance, text)
+    (obstacle,), bench = found, witness.benches[0] - 1
+    points = nearest_points(motion, 0, bench, obstacle)
+    distance = float(box_distances(motion, 0, obstacle)[0][bench]) - obstacle.radius
+    text = _distance_text(distance if distance > 0.0 else 0.0)
+    if distance == -math.inf and obstacle.kind == "venue":
+        text = _("outside")
+    text = _("bench {bench} and {name}: {gap}").format(
+        bench=bench + 1, name=drawable(shown_name(obstacle.name)), gap=text
+    )
+    return _Meeting((bench,), points, distance, text, obstacle.name)
 
 
 def _distance_text(distance: float) -> str:
@@ -63,12 +110,12 @@ def _distance_text(distance: float) -> str:
 
 
 def _draw_close(
-    panel: Axes, motion: Motion, pair: tuple[int, int], middle: FloatArray, half: float
+    panel: Axes, motion: Motion, shown: tuple[int, ...], middle: FloatArray, half: float
 ) -> None:
     corners = bench_corners(motion, 0)
-    others = [corners[n] for n in range(len(corners)) if n not in pair]
+    others = [corners[n] for n in range(len(corners)) if n not in shown]
     panel.add_collection(PolyCollection(others, fc="#DDDDDD", ec="#888888", lw=0.5, zorder=2))
-    for n, face, hatch in ((pair[0], HEAD, "////"), (pair[1], BODY, "")):
+    for n, face, hatch in zip(shown, (HEAD, BODY), ("////", ""), strict=False):
         label = _("bench {number}").format(number=n + 1)
         bench = PolyCollection(
             [corners[n]], fc=face, ec="black", lw=1.0, hatch=hatch, alpha=0.85, zorder=3

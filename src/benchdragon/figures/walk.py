@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 import matplotlib
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
@@ -14,6 +15,7 @@ from matplotlib.patches import Circle, Rectangle
 
 from benchdragon.errors import InputError
 from benchdragon.figures.framing import Area, Framing, framing, inset, route_positions
+from benchdragon.figures.square import draw_square, square_corners
 from benchdragon.figures.style import (
     ABOVE,
     BELOW,
@@ -30,6 +32,7 @@ from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.answer import ROUNDING
 from benchdragon.model.curves import Route
+from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Motion, Walk
 
 # The scale holds all speeds of so many per cent of the times, and the rest too unless that would make
@@ -37,6 +40,8 @@ from benchdragon.model.walk import Motion, Walk
 COMMON_PERCENT, MOST_STRETCH = 95.0, 4.0
 # Speeds that agree so well are one speed.
 ONE_SPEED = 1e-6
+# What one line of a legend names.
+MOST_NAMED = 6
 # Limits of one picture: finer would not be seen, and would take minutes.
 MOST_BENCHES = 20_000
 MOST_PANELS = 4
@@ -45,7 +50,11 @@ MOST_PLACES = 10_000_000
 
 
 def dragon_picture(
-    motion: Motion, title: str = "", indices: Sequence[int] = (0,), disc: float | None = None
+    motion: Motion,
+    title: str = "",
+    indices: Sequence[int] = (0,),
+    disc: float | None = None,
+    obstacles: Sequence[Obstacle] = (),
 ) -> Figure:
     """The dragon on its route, benches to scale, head marked, at times number `indices`.
 
@@ -54,6 +63,7 @@ def dragon_picture(
         title: above all; signs that cannot be drawn become "?", with a warning.
         indices: of `walk.times`, one panel each.
         disc: radius of a circle to draw about the first spiral's centre, m.
+        obstacles: what stands on the square, the venue's edge too: see `Plan.obstacles`.
     """
     columns = min(len(indices), 2)
     panels = -(-len(indices) // columns)
@@ -61,9 +71,9 @@ def dragon_picture(
         side = PAGE_WIDTH / 2 if columns > 1 else 0.62 * PAGE_WIDTH
         figure = named_figure(side * columns, side * panels + 0.3, title)
         axes = figure.subplots(panels, columns, squeeze=False).ravel()
-        framed = framing_of(motion, indices, disc)
+        framed = framing_of(motion, indices, disc, square_corners(obstacles))
         for panel, index in zip(axes, indices, strict=False):
-            draw_dragon(panel, motion, index, disc, framed)
+            draw_dragon(panel, motion, index, disc, framed, obstacles)
         for panel in axes[len(indices) :]:
             panel.set_axis_off()
         name_below(figure, axes[0])
@@ -72,10 +82,14 @@ def dragon_picture(
 
 def name_below(figure: Figure, *panels: Axes) -> None:
     """One legend for all panels, below them: what the labelled things of `panels` are called."""
-    named = [panel.get_legend_handles_labels() for panel in panels]
-    handles = [handle for some, _labels in named for handle in some]
-    labels = [label for _handles, some in named for label in some]
-    figure.legend(handles, labels, loc="outside lower center", ncols=len(labels), frameon=False)
+    named: dict[str, Artist] = {}
+    for panel in panels:
+        for handle, label in zip(*panel.get_legend_handles_labels(), strict=True):
+            named.setdefault(label, handle)
+    handles, labels = list(named.values()), list(named)
+    figure.legend(
+        handles, labels, loc="outside lower center", ncols=min(len(labels), MOST_NAMED), frameon=False
+    )
 
 
 def framing_of(
@@ -113,8 +127,15 @@ def bench_corners(motion: Motion, index: int) -> FloatArray:
     return np.stack([nose + side, end + side, end - side, nose - side], axis=1)
 
 
-def draw_dragon(panel: Axes, motion: Motion, index: int, disc: float | None, framed: Framing) -> None:
-    """Draw the benches, the route and the disc into one panel, and an inset where not all is shown."""
+def draw_dragon(
+    panel: Axes,
+    motion: Motion,
+    index: int,
+    disc: float | None,
+    framed: Framing,
+    obstacles: Sequence[Obstacle] = (),
+) -> None:
+    """Draw benches, route, disc and square into one panel, and an inset where not all is shown."""
     tail = float(np.nanmin(motion.s[index], initial=0.0))
     front = float(np.nanmax(motion.s[index], initial=0.0))
     end = min(motion.walk.route.length, front + 1.5 * (front - tail) + 20.0)
@@ -123,6 +144,7 @@ def draw_dragon(panel: Axes, motion: Motion, index: int, disc: float | None, fra
     if disc is not None:
         ring = {"fill": False, "ec": DISC, "lw": 1.2, "ls": "--", "zorder": 2}
         panel.add_patch(Circle(motion.walk.route.centre, disc, label=_("disc"), **ring))
+    draw_square(panel, obstacles)
     _draw_benches(panel, bench_corners(motion, index))
     panel.set_aspect("equal")
     panel.set_xlabel(_("x (m)"))
@@ -289,7 +311,12 @@ def head_angle_picture(motion: Motion, title: str = "") -> Figure:
 
 
 def walk_pictures(
-    walk: Walk, times: FloatArray, title: str, disc: float | None, throw: bool = True
+    walk: Walk,
+    times: FloatArray,
+    title: str,
+    disc: float | None,
+    throw: bool = True,
+    obstacles: Sequence[Obstacle] = (),
 ) -> dict[str, Figure]:
     """All pictures of a walk at `times`: dragon (up to four instants), speeds, head-angle.
 
@@ -303,7 +330,8 @@ def walk_pictures(
             )
         )
     instants = walk.motion(_spread(times, MOST_PANELS), throw=throw)
-    figures = {"dragon": dragon_picture(instants, title, range(len(instants.times)), disc)}
+    shown = range(len(instants.times))
+    figures = {"dragon": dragon_picture(instants, title, shown, disc, obstacles)}
     if len(times) > 1 and (np.diff(times) > 0.0).all():
         columns = min(MOST_COLUMNS, MOST_PLACES // (len(walk.dragon) + 1))
         overview = walk.motion(np.linspace(times[0], times[-1], columns), throw=throw)

@@ -88,12 +88,41 @@ class Following(Record):
 
 
 class Occasion(Record):
-    """Something that happens at a time; `benches` are numbers from 1."""
+    """Something that happens at a time.
 
-    kind: Literal["contact", "tightest", "fastest", "joint", "end"]
+    Attributes:
+        kind: what.
+        time: s.
+        text: in words.
+        benches: numbers from 1.
+        obstacle: number of the obstacle that takes part, from 0.
+    """
+
+    kind: Literal["contact", "tightest", "fastest", "joint", "end", "obstacle", "venue"]
     time: float
     text: Words
     benches: list[int]
+    obstacle: int | None = None
+
+
+class DrawnObstacle(Record):
+    """What stands on the square, or the venue's edge: see `obstacle.Obstacle`.
+
+    Attributes:
+        name: in both languages.
+        kind: "line" alone has no inside, and "venue" has its inside free.
+        points: corners, m; of a circle the centre.
+        radius: of a circle, m; else 0.
+        margin: m.
+        rings: closed rings about it where benches are as near as they may be, m.
+    """
+
+    name: Words
+    kind: Literal["circle", "rectangle", "polygon", "line", "venue"]
+    points: list[tuple[float, float]]
+    radius: float
+    margin: float
+    rings: list[list[tuple[float, float]]]
 
 
 class Nearest(Record):
@@ -134,4 +163,5 @@ class Dance(Record):
     tightness: Tightness
     margin: float
     speed_limit: float | None
+    obstacles: list[DrawnObstacle]
     verdict: Verdict | None

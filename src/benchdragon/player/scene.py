@@ -3,16 +3,21 @@
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
 from benchdragon.analysis.check import Report
 from benchdragon.analysis.distance import nearest_each
+from benchdragon.analysis.findings import shown_name, touch_text
 from benchdragon.analysis.records import Verdict, untimed, verdict_of, verdict_of_fall
 from benchdragon.errors import InputError, WalkError, finite
-from benchdragon.i18n import Words, _, both
+from benchdragon.i18n import N_, Words, _, both
+from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.answer import Answer
 from benchdragon.model.dragon import Dragon
+from benchdragon.model.obstacle import Obstacle
+from benchdragon.model.outline import margin_rings
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
 from benchdragon.player import messages
@@ -129,10 +134,27 @@ def _of_plan(
             "disc": plan.disc.radius,
             "margin": plan.limits.margin,
             "speed_limit": plan.limits.speed,
+            "obstacles": [_drawn(obstacle) for obstacle in plan.obstacles()],
             "verdict": verdict,
             "occasions": sorted([*found, *dance.occasions], key=lambda occasion: occasion.time),
         }
     )
+
+
+def _drawn(obstacle: Obstacle) -> messages.DrawnObstacle:
+    """An obstacle as a page draws it, to a tenth of a millimetre."""
+    return messages.DrawnObstacle(
+        name=both(lambda: shown_name(obstacle.name)),
+        kind=obstacle.kind,
+        points=_rounded(obstacle.outline),
+        radius=obstacle.radius,
+        margin=obstacle.margin,
+        rings=[_rounded(ring) for ring in margin_rings(obstacle)],
+    )
+
+
+def _rounded(points: FloatArray) -> list[tuple[float, float]]:
+    return [(x, y) for x, y in np.round(points, 4).tolist()]
 
 
 def plain_dance(walk: Walk, span: Span, progress: Progress = silent) -> messages.Dance:
@@ -173,6 +195,7 @@ def plain_dance(walk: Walk, span: Span, progress: Progress = silent) -> messages
         tightness=tightness,
         margin=0.0,
         speed_limit=None,
+        obstacles=[],
         verdict=None,
     )  # fmt: skip
 
@@ -299,7 +322,41 @@ def _answers(report: Report) -> list[messages.Occasion]:
         fast = f"{speed.value:.4g}"
         name = both(lambda: _("fastest moment: {speed} m/s").format(speed=fast))
         found.append(_occasion("fastest", speed.witness.time, name, speed.witness.benches))
+    return [*found, *_on_the_square(report)]
+
+
+def _on_the_square(report: Report) -> list[messages.Occasion]:
+    """When a bench first touches each obstacle; of those not touched the moment nearest to one."""
+    found: list[messages.Occasion] = []
+    clear: list[tuple[float, int]] = []
+    for n, answers in enumerate(report.obstacles):
+        contact, obstacle = answers.contact, answers.obstacle
+        if contact is None or contact.witness is None:
+            clear.append((answers.distance.value - obstacle.margin, n))
+            continue
+        bench, kind = contact.witness.benches[0], _square_kind(obstacle)
+        text = both(partial(touch_text, bench, obstacle))
+        if contact.witness.gap > 0.0 and obstacle.margin:
+            text = both(partial(_near_text, N_("margin from {name} not kept"), obstacle.name))
+        found.append(_occasion(kind, contact.value, text, (bench,), n))
+    for _room, n in sorted(clear)[:1]:
+        answers = report.obstacles[n]
+        distance, near, obstacle = answers.distance, answers.distance.witness, answers.obstacle
+        if near is not None and near.time is not None:
+            says = N_("nearest to {name}: {gap} cm")
+            if obstacle.kind == "venue":
+                says = N_("nearest to the edge of {name}: {gap} cm")
+            text = both(partial(_near_text, says, obstacle.name, f"{100.0 * distance.value:.4g}"))
+            found.append(_occasion(_square_kind(obstacle), near.time, text, near.benches, n))
     return found
+
+
+def _square_kind(obstacle: Obstacle) -> str:
+    return "venue" if obstacle.kind == "venue" else "obstacle"
+
+
+def _near_text(text: str, name: str, gap: str = "") -> str:
+    return _(text).format(name=shown_name(name), gap=gap)
 
 
 def _joints(walk: Walk, shot: Frames, behind: Following | None) -> list[messages.Occasion]:
@@ -336,7 +393,9 @@ def _end(shot: Frames) -> list[messages.Occasion]:
     return [_occasion("end", shot.end, both(lambda: _("from here on the benches cannot follow")), ())]
 
 
-def _occasion(kind: str, time: float, text: Words, benches: Sequence[int]) -> messages.Occasion:
+def _occasion(
+    kind: str, time: float, text: Words, benches: Sequence[int], obstacle: int | None = None
+) -> messages.Occasion:
     return messages.Occasion.model_validate(
-        {"kind": kind, "time": time, "text": text, "benches": list(benches)}
+        {"kind": kind, "time": time, "text": text, "benches": list(benches), "obstacle": obstacle}
     )

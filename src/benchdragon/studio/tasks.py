@@ -236,7 +236,8 @@ def _pictures(plan: Plan, kind: str, folder: Path, settings: Settings) -> bytes:
 
     walk, title = plan.build(), plan.title(language())
     times = export_times(plan, walk, settings.places)
-    for name, figure in walk_pictures(walk, times, title, plan.disc.radius).items():
+    drawn = walk_pictures(walk, times, title, plan.disc.radius, obstacles=plan.obstacles())
+    for name, figure in drawn.items():
         write_picture(figure, folder / f"{name}.{kind}", title, plan.sha256)
     if len(walk.dragon) > 2:
         write_files(check(plan), [folder / f"{name}.{kind}" for name in ("contact", "clearance")])

@@ -80,6 +80,7 @@ export interface Dance {
   tightness: Tightness;
   margin: number;
   speed_limit: number | null;
+  obstacles: Array<DrawnObstacle>;
   verdict: Verdict | null;
 }
 
@@ -98,6 +99,26 @@ export interface DragonTable {
   front_inset?: number;
   rear_inset?: number;
   bench?: Array<BenchTable>;
+}
+
+/**
+ * What stands on the square, or the venue's edge: see `obstacle.Obstacle`.
+ *
+ * Attributes:
+ *     name: in both languages.
+ *     kind: "line" alone has no inside, and "venue" has its inside free.
+ *     points: corners, m; of a circle the centre.
+ *     radius: of a circle, m; else 0.
+ *     margin: m.
+ *     rings: closed rings about it where benches are as near as they may be, m.
+ */
+export interface DrawnObstacle {
+  name: Words;
+  kind: "circle" | "rectangle" | "polygon" | "line" | "venue";
+  points: Array<[number, number]>;
+  radius: number;
+  margin: number;
+  rings: Array<Array<[number, number]>>;
 }
 
 /** A plan, and the language of the file; without one that of the request. */
@@ -364,12 +385,22 @@ export interface ObstacleRecord {
   distance: Answer;
 }
 
-/** Something that happens at a time; `benches` are numbers from 1. */
+/**
+ * Something that happens at a time.
+ *
+ * Attributes:
+ *     kind: what.
+ *     time: s.
+ *     text: in words.
+ *     benches: numbers from 1.
+ *     obstacle: number of the obstacle that takes part, from 0.
+ */
 export interface Occasion {
-  kind: "contact" | "tightest" | "fastest" | "joint" | "end";
+  kind: "contact" | "tightest" | "fastest" | "joint" | "end" | "obstacle" | "venue";
   time: number;
   text: Words;
   benches: Array<number>;
+  obstacle?: number | null;
 }
 
 /** A plan file, read: every key, those left out as by default. */

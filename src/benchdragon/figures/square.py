@@ -1,0 +1,97 @@
+"""The square in pictures: the venue's edge, what stands in it, and the margins that benches keep."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.patheffects import withStroke
+
+from benchdragon.analysis.findings import shown_name
+from benchdragon.figures.style import LEAST_TEXT, drawable
+from benchdragon.i18n import _
+from benchdragon.model.obstacle import Obstacle
+from benchdragon.model.outline import drawn_rings, margin_rings
+
+# Okabe and Ito's reddish purple for what stands on the square, hatched; blue for the venue's edge.
+OBSTACLE, EDGE = "#CC79A7", "#0072B2"
+HATCH = "...."
+# Names are written in a picture of no more obstacles than this.
+MOST_NAMES = 40
+
+
+def square_corners(obstacles: Sequence[Obstacle]) -> list[tuple[float, float]]:
+    """Two corners of the upright rectangle about each obstacle and the venue, m."""
+    corners: list[tuple[float, float]] = []
+    for obstacle in obstacles:
+        ring = drawn_rings(obstacle)[0]
+        corners += [tuple(ring.min(axis=0).tolist()), tuple(ring.max(axis=0).tolist())]
+    return corners
+
+
+def draw_square(
+    panel: Axes,
+    obstacles: Sequence[Obstacle],
+    *,
+    ink: str = "black",
+    paper: str = "white",
+    mark: float = 1.0,
+    size: float | None = LEAST_TEXT,
+) -> None:
+    """Draw the venue's edge, obstacles with their names, and the margins about them.
+
+    Args:
+        panel: to draw into.
+        obstacles: what.
+        ink: colour of names and of lines about obstacles.
+        paper: colour of the ground.
+        mark: width of lines, as a share of the usual.
+        size: of the names' letters, points; None: no names.
+    """
+    stands = [one for one in obstacles if one.kind != "venue"]
+    solid = [drawn_rings(one)[0] for one in stands if one.kind != "line"]
+    ropes = [one.outline for one in stands if one.kind == "line"]
+    edges = [np.vstack([one.outline, one.outline[:1]]) for one in obstacles if one.kind == "venue"]
+    margins = [np.vstack([ring, ring[:1]]) for one in obstacles for ring in margin_rings(one)]
+    drawn: list[PolyCollection | LineCollection] = []
+    look: dict[str, Any] = {"ec": ink, "lw": 0.8 * mark, "zorder": 1.5}
+    if solid:
+        drawn.append(PolyCollection(solid, fc=OBSTACLE, hatch=HATCH, label=_("obstacle"), **look))
+    if ropes:
+        drawn.append(
+            LineCollection(ropes, colors=OBSTACLE, lw=2.6 * mark, zorder=1.5, label=_("obstacle line"))
+        )
+    if edges:
+        drawn.append(
+            LineCollection(edges, colors=EDGE, lw=2.2 * mark, zorder=1.4, label=_("edge of the venue"))
+        )
+    if margins:
+        drawn.append(
+            LineCollection(
+                margins, colors=ink, lw=0.8 * mark, ls=(0, (2, 2)), zorder=1.6, label=_("margin")
+            )
+        )
+    for one in drawn:
+        panel.add_collection(one, autolim=False)
+    if size is not None and 0 < len(obstacles) <= MOST_NAMES:
+        _write_names(panel, obstacles, ink, paper, size)
+
+
+def _write_names(panel: Axes, obstacles: Sequence[Obstacle], ink: str, paper: str, size: float) -> None:
+    """The name of each obstacle, above it; of the venue, inside its upper left corner.
+
+    A name runs towards the middle of all of them, where it has room.
+    """
+    middle = np.mean(square_corners(obstacles), axis=0)
+    for one in obstacles:
+        ring, venue = drawn_rings(one)[0], one.kind == "venue"
+        (left, _low), (right, high) = ring.min(axis=0), ring.max(axis=0)
+        east = not venue and 0.5 * (left + right) > middle[0]
+        panel.annotate(
+            drawable(shown_name(one.name)), (right if east else left, high),
+            xytext=(4, -4) if venue else (0, 2), textcoords="offset points", fontsize=size, color=ink,
+            ha="right" if east else "left", va="top" if venue else "bottom", zorder=6.5,
+            annotation_clip=True, clip_on=True,
+            path_effects=[withStroke(linewidth=0.3 * size, foreground=paper)],
+        )  # fmt: skip
