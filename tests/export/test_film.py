@@ -289,9 +289,7 @@ def test_the_tightest_pair_is_ringed_and_its_gap_is_told(spoken: str) -> None:
     ],
 )
 def test_gaps_are_told_as_people_measure_them(distance: float, words: str) -> None:
-    scene, motion = scene_of(TURN, [14.0], Look(SMALL))
-    nearest = scene.panel.show(motion, 0)
-    assert nearest is not None
+    nearest = tightest_pairs(TURN.build().motion([14.0]), 0)[0]
     assert near_text(replace(nearest, benches=(1, 9), distance=distance)) == words
     assert near_text(None) == ""
 

@@ -82,9 +82,19 @@ class Finding(Record):
 
 
 class ObstacleRecord(Record):
-    """What was found about an obstacle, or the venue's edge: see `obstacles.ObstacleAnswers`."""
+    """What was found about an obstacle, or the venue's edge: see `obstacles.ObstacleAnswers`.
+
+    Attributes:
+        name: what the plan calls it.
+        shown: what readers read: one without a name goes by its number.
+        kind: what it is.
+        margin: m.
+        contact: when a bench first comes nearer than the margin; null if none does.
+        distance: the least that benches keep from it, m.
+    """
 
     name: str
+    shown: Words
     kind: Literal["circle", "rectangle", "polygon", "line", "venue"]
     margin: Number
     contact: Answer | None
@@ -170,6 +180,7 @@ def _obstacle(found: ObstacleAnswers, plan: Plan) -> ObstacleRecord:
     obstacle, contact = found.obstacle, found.contact
     return ObstacleRecord(
         name=obstacle.name,
+        shown=both(lambda: findings.shown_name(obstacle.name)),
         kind=obstacle.kind,
         margin=obstacle.margin,
         contact=None if contact is None else answer_of(contact, plan),

@@ -10,6 +10,7 @@ import numpy as np
 from benchdragon.analysis.check import Report
 from benchdragon.analysis.distance import nearest_each
 from benchdragon.analysis.findings import shown_name, touch_text
+from benchdragon.analysis.obstacles import ObstacleAnswers
 from benchdragon.analysis.records import Verdict, untimed, verdict_of, verdict_of_fall
 from benchdragon.errors import InputError, WalkError, finite
 from benchdragon.i18n import N_, Words, _, both
@@ -326,37 +327,51 @@ def _answers(report: Report) -> list[messages.Occasion]:
 
 
 def _on_the_square(report: Report) -> list[messages.Occasion]:
-    """When a bench first touches each obstacle; of those not touched the moment nearest to one."""
+    """When benches come too near to obstacles, and touch; the moment nearest to one that is clear."""
     found: list[messages.Occasion] = []
     clear: list[tuple[float, int]] = []
     for n, answers in enumerate(report.obstacles):
-        contact, obstacle = answers.contact, answers.obstacle
-        if contact is None or contact.witness is None:
-            clear.append((answers.distance.value - obstacle.margin, n))
-            continue
-        bench, kind = contact.witness.benches[0], _square_kind(obstacle)
-        text = both(partial(touch_text, bench, obstacle))
-        if contact.witness.gap > 0.0 and obstacle.margin:
-            text = both(partial(_near_text, N_("margin from {name} not kept"), obstacle.name))
-        found.append(_occasion(kind, contact.value, text, (bench,), n))
+        if answers.contact is None:
+            clear.append((answers.distance.value - answers.obstacle.margin, n))
+        else:
+            found += _too_near(answers, answers.contact, n)
     for _room, n in sorted(clear)[:1]:
         answers = report.obstacles[n]
-        distance, near, obstacle = answers.distance, answers.distance.witness, answers.obstacle
-        if near is not None and near.time is not None:
-            says = N_("nearest to {name}: {gap} cm")
-            if obstacle.kind == "venue":
-                says = N_("nearest to the edge of {name}: {gap} cm")
-            text = both(partial(_near_text, says, obstacle.name, f"{100.0 * distance.value:.4g}"))
-            found.append(_occasion(_square_kind(obstacle), near.time, text, near.benches, n))
+        says = N_("nearest to {name}: {gap} cm")
+        if answers.obstacle.kind == "venue":
+            says = N_("nearest to the edge of {name}: {gap} cm")
+        gap = f"{100.0 * answers.distance.value:.4g}"
+        text = both(partial(_near_text, says, answers.obstacle, gap))
+        found += _at_obstacle(answers.distance, answers.obstacle, n, text)
     return found
 
 
-def _square_kind(obstacle: Obstacle) -> str:
-    return "venue" if obstacle.kind == "venue" else "obstacle"
+def _too_near(answers: ObstacleAnswers, contact: Answer, n: int) -> list[messages.Occasion]:
+    """When a bench comes nearer to obstacle number n than its margin; and when one touches it."""
+    obstacle, distance, found = answers.obstacle, answers.distance, list[messages.Occasion]()
+    apart = contact.witness is not None and contact.witness.gap > 0.0
+    if apart:
+        text = both(partial(_near_text, N_("margin from {name} not kept"), obstacle))
+        found += _at_obstacle(contact, obstacle, n, text)
+    touch = distance if apart else contact
+    if touch.witness is not None and distance.value == 0.0:
+        text = both(partial(touch_text, touch.witness.benches[0], obstacle))
+        found += _at_obstacle(touch, obstacle, n, text)
+    return found
 
 
-def _near_text(text: str, name: str, gap: str = "") -> str:
-    return _(text).format(name=shown_name(name), gap=gap)
+def _at_obstacle(answer: Answer, obstacle: Obstacle, n: int, text: Words) -> list[messages.Occasion]:
+    """What an answer says of obstacle number n, at the time of its witness; none without one."""
+    near = answer.witness
+    if near is None or near.time is None:
+        return []
+    kind = "venue" if obstacle.kind == "venue" else "obstacle"
+    time = answer.value if answer.unit == "s" else near.time
+    return [_occasion(kind, time, text, near.benches, n)]
+
+
+def _near_text(text: str, obstacle: Obstacle, gap: str = "") -> str:
+    return _(text).format(name=shown_name(obstacle.name), gap=gap)
 
 
 def _joints(walk: Walk, shot: Frames, behind: Following | None) -> list[messages.Occasion]:

@@ -13,6 +13,8 @@ const SIGNS = {
   fastest: "\u26a1\ufe0e",
   joint: "",
   end: "\u25a0",
+  obstacle: "\u25c6",
+  venue: "\u2b13",
 };
 
 /** Time as people read it. @param {number} time s @param {number} digits */

@@ -4,6 +4,7 @@ import { make } from "./elements.js";
 import { _, language, decimals } from "./words.js";
 
 /** @typedef {import("./messages").Answer} Answer */
+/** @typedef {import("./messages").ObstacleRecord} ObstacleRecord */
 /** @typedef {import("./messages").Verdict} Verdict */
 
 /** @param {Answer["status"]} status */
@@ -89,6 +90,18 @@ function row(name, answer, jump) {
   );
 }
 
+/** Rows of an obstacle: the least distance from it, and when a bench first comes too near. @param {ObstacleRecord} one @param {((time: number) => void) | null} go */
+function obstacleRows({ shown, kind, contact, distance }, go) {
+  const name = shown[language()];
+  const least =
+    kind === "venue"
+      ? _("least distance from the edge of {name}", { name })
+      : _("least distance from {name}", { name });
+  const rows = [row(least, distance, go)];
+  if (contact) rows.unshift(row(_("margin from {name} not kept", { name }), contact, go));
+  return rows;
+}
+
 /**
  * A dialog with the evidence.
  * @param {Verdict} verdict
@@ -107,6 +120,7 @@ export function evidenceDialog(verdict, pitch, jump) {
     row(_("first contact"), verdict.first_contact, go),
     row(_("least clearance"), verdict.clearance, go),
     row(_("greatest speed of a handle"), verdict.greatest_speed, go),
+    ...verdict.obstacles.flatMap((one) => obstacleRows(one, go)),
     ...verdict.peaks.map(({ text, peak }) => row(text[language()], peak, go)),
     ...(pitch && pitch.plan_sha256 === verdict.plan_sha256
       ? [row(_("smallest pitch"), pitch, go)]

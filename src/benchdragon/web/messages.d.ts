@@ -376,9 +376,20 @@ export interface Nearest {
   other: Array<number>;
 }
 
-/** What was found about an obstacle, or the venue's edge: see `obstacles.ObstacleAnswers`. */
+/**
+ * What was found about an obstacle, or the venue's edge: see `obstacles.ObstacleAnswers`.
+ *
+ * Attributes:
+ *     name: what the plan calls it.
+ *     shown: what readers read: one without a name goes by its number.
+ *     kind: what it is.
+ *     margin: m.
+ *     contact: when a bench first comes nearer than the margin; null if none does.
+ *     distance: the least that benches keep from it, m.
+ */
 export interface ObstacleRecord {
   name: string;
+  shown: Words;
   kind: "circle" | "rectangle" | "polygon" | "line" | "venue";
   margin: number | null;
   contact: Answer | null;

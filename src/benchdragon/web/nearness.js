@@ -151,7 +151,7 @@ export class Boxes {
     let least = Infinity;
     for (let n = 0; n < 4; n++) {
       const [x, y] = this.corner(j, n);
-      const [along, across] = this.#offset(i, x, y);
+      const [along, across] = this.offset(i, x, y);
       const a = Math.max(Math.abs(along) - this.half[i], 0);
       const b = Math.max(Math.abs(across) - this.wide[i], 0);
       least = Math.min(least, a * a + b * b);
@@ -174,8 +174,8 @@ export class Boxes {
     ];
   }
 
-  /** @param {number} i @param {number} x @param {number} y @returns {[number, number]} */
-  #offset(i, x, y) {
+  /** A point as seen from a bench: along it, and across it to the left. @param {number} i @param {number} x @param {number} y @returns {[number, number]} */
+  offset(i, x, y) {
     const dx = x - this.x[i];
     const dy = y - this.y[i];
     return [dx * this.ux[i] + dy * this.uy[i], dy * this.ux[i] - dx * this.uy[i]];
@@ -192,7 +192,7 @@ export class Boxes {
     ]) {
       for (let n = 0; n < 4; n++) {
         const corner = this.corner(its, n);
-        const [along, across] = this.#offset(mine, ...corner);
+        const [along, across] = this.offset(mine, ...corner);
         const a = Math.min(Math.max(along, -this.half[mine]), this.half[mine]);
         const b = Math.min(Math.max(across, -this.wide[mine]), this.wide[mine]);
         const foot = this.point(mine, a, b);
@@ -223,7 +223,7 @@ export class Boxes {
   at(x, y, slack) {
     let [best, found] = [slack, -1];
     for (let i = 0; i < this.count; i++) {
-      const [along, across] = this.#offset(i, x, y);
+      const [along, across] = this.offset(i, x, y);
       const far = Math.max(Math.abs(along) - this.half[i], Math.abs(across) - this.wide[i]);
       if (far < best) [best, found] = [far, i];
     }

@@ -2,13 +2,15 @@
 
 import { shade, shades, TOUCH } from "./colours.js";
 import { Beside, LABEL_HEIGHT, numberHeight, numberTags } from "./labels.js";
-import { _, shortLength } from "./words.js";
+import { _, language, shortLength } from "./words.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
 /** @typedef {import("./scene.js").Stand} Stand */
 /** @typedef {import("./nearness.js").Boxes} Boxes */
 /** @typedef {import("./nearness.js").Pair} Pair */
 /** @typedef {import("./camera.js").Camera} Camera */
+/** @typedef {import("./square.js").Square} Square */
+/** @typedef {import("./square.js").Beside} BesideObstacle */
 /** @typedef {import("./colours.js").Scale} Scale */
 /** @typedef {import("./labels.js").Tag} Tag */
 /** @typedef {import("./labels.js").Ring} Ring */
@@ -19,7 +21,8 @@ import { _, shortLength } from "./words.js";
  * @property {Scene} scene
  * @property {Stand} stand
  * @property {Boxes} boxes
- * @property {Pair | null} ringed
+ * @property {Square} square
+ * @property {Pair | BesideObstacle | null} ringed
  * @property {Camera} camera
  * @property {Scale | null} scale
  * @property {number} chosen number of the chosen bench from 0, or -1
@@ -29,15 +32,18 @@ import { _, shortLength } from "./words.js";
  * @property {[number, number][]} ruler two points on the ground, or none
  */
 
-/** Colours of a theme, read from the style sheet. @typedef {Record<"ground" | "ink" | "faint" | "body" | "head" | "disc" | "mark" | "trail", string>} Inks */
+/** Colours of a theme, read from the style sheet. @typedef {Record<"ground" | "ink" | "quiet" | "faint" | "body" | "head" | "disc" | "obstacle" | "edge" | "mark" | "trail", string>} Inks */
 
 const HEAD_NAMES = /** @type {const} */ ([
   "ground",
   "ink",
+  "quiet",
   "faint",
   "body",
   "head",
   "disc",
+  "obstacle",
+  "edge",
   "mark",
   "trail",
 ]);
@@ -69,6 +75,7 @@ export class Painter {
     this.routeOf = null;
     this.routePath = new Path2D();
     this.hatch = this.#hatching();
+    this.dots = this.#dotting();
     this.beside = new Beside();
   }
 
@@ -99,6 +106,18 @@ export class Painter {
     return /** @type {CanvasPattern} */ (ctx.createPattern(tile, "repeat"));
   }
 
+  /** Dots, for what stands on the square. */
+  #dotting() {
+    const tile = document.createElement("canvas");
+    [tile.width, tile.height] = [6, 6];
+    const ctx = /** @type {CanvasRenderingContext2D} */ (tile.getContext("2d"));
+    ctx.fillStyle = "#000";
+    ctx.beginPath();
+    ctx.arc(3, 3, 1, 0, 2 * Math.PI);
+    ctx.fill();
+    return /** @type {CanvasPattern} */ (ctx.createPattern(tile, "repeat"));
+  }
+
   /** @param {Picture} picture */
   paint(picture) {
     const { ctx, canvas } = this;
@@ -107,6 +126,7 @@ export class Painter {
     ctx.setTransform(density, 0, 0, density, 0, 0);
     ctx.fillStyle = this.inks.ground;
     ctx.fillRect(0, 0, camera.width, camera.height);
+    picture.square.paint(ctx, camera, this.inks, this.dots);
     if (picture.route) this.#route(picture, density);
     if (picture.disc) this.#disc(picture);
     if (picture.trails) this.#trails(picture);
@@ -115,6 +135,7 @@ export class Painter {
     this.#chosen(picture);
     this.#touches(picture);
     this.#handles(picture, seen);
+    picture.square.name(ctx, camera, this.inks, FONT);
     const ring = picture.ringed && ringOf(picture.ringed, picture.camera);
     this.#numbers(picture, seen, ring);
     if (picture.ringed && ring) this.#ring(picture, seen, picture.ringed, ring);
@@ -300,12 +321,12 @@ export class Painter {
   }
 
   /** Benches that touch: colour, and hatch. @param {Picture} picture */
-  #touches({ boxes, camera }) {
+  #touches({ boxes, camera, square }) {
     const { ctx } = this;
     ctx.beginPath();
     let any = false;
     for (let i = 0; i < boxes.count; i++) {
-      if (boxes.nearest[i] > boxes.touch) continue;
+      if (boxes.nearest[i] > boxes.touch && !square.touching.has(i)) continue;
       this.#outline(boxes, camera, i);
       any = true;
     }
@@ -337,8 +358,8 @@ export class Painter {
     ctx.lineJoin = "miter";
   }
 
-  /** A pair's ring, and beside it what it is. @param {Picture} picture @param {number[]} seen @param {Pair} ringed @param {Ring} ring */
-  #ring({ boxes, camera }, seen, ringed, ring) {
+  /** A pair's ring, and beside it what it is. @param {Picture} picture @param {number[]} seen @param {Pair | BesideObstacle} ringed @param {Ring} ring */
+  #ring({ boxes, camera, square }, seen, ringed, ring) {
     const { ctx } = this;
     ctx.strokeStyle = this.inks.mark;
     ctx.lineWidth = 2.5;
@@ -351,7 +372,8 @@ export class Painter {
       ringed.distance < -boxes.touch
         ? _("overlap {depth}", { depth: shortLength(-ringed.distance) })
         : shortLength(Math.max(ringed.distance, 0));
-    const text = `${gap}  (${ringed.i + 1}, ${ringed.j + 1})`;
+    const other = "j" in ringed ? ringed.j + 1 : square.obstacles[ringed.obstacle].name[language()];
+    const text = `${gap}  (${ringed.i + 1}, ${other})`;
     const hidden = (/** @type {Tag} */ tag) => hides(tag, boxes, camera, ringed, seen);
     const tag = this.beside.place(ring, this.#halfWidth(text), hidden, camera);
     this.#leader(ring, tag);
@@ -437,7 +459,7 @@ export class Painter {
   }
 }
 
-/** The ring about where a pair is nearest; none outside the picture. @param {Pair} pair @param {Camera} camera @returns {Ring | null} */
+/** The ring about where a pair is nearest; none outside the picture. @param {Pair | BesideObstacle} pair @param {Camera} camera @returns {Ring | null} */
 function ringOf({ from, to }, camera) {
   const [[x0, y0], [x1, y1]] = [camera.toScreen(...from), camera.toScreen(...to)];
   const [x, y] = [0.5 * (x0 + x1), 0.5 * (y0 + y1)];
@@ -451,13 +473,13 @@ function ringOf({ from, to }, camera) {
  * @param {Tag} tag
  * @param {Boxes} boxes
  * @param {Camera} camera
- * @param {Pair} pair
+ * @param {Pair | BesideObstacle} pair
  * @param {number[]} seen
  */
 function hides({ x, y, half, tall }, boxes, camera, pair, seen) {
   const [east, north] = camera.toGround(x, y);
   const [a, b] = [half / camera.scale, tall / camera.scale];
   const hidden = seen.filter((i) => boxes.meets(i, east, north, a, b));
-  const own = hidden.filter((i) => i === pair.i || i === pair.j);
+  const own = hidden.filter((i) => i === pair.i || ("j" in pair && i === pair.j));
   return hidden.length + OF_THE_PAIR * own.length;
 }

@@ -7,11 +7,13 @@ import { scaleOf } from "./colours.js";
 import { Face, ticked } from "./face.js";
 import { pressed } from "./keys.js";
 import { Boxes } from "./nearness.js";
+import { Square } from "./square.js";
 import { _, language, shortLength, speak } from "./words.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
 /** @typedef {import("./colours.js").Kind} Kind */
 /** @typedef {import("./nearness.js").Pair} Pair */
+/** @typedef {import("./square.js").Beside} Beside */
 
 /** One turn of the loop lasts at most, s. */
 const LONGEST_TURN = 0.1;
@@ -52,6 +54,7 @@ export class Player {
     this.scene = scene;
     this.stand = scene.room();
     this.boxes = new Boxes(scene);
+    this.square = new Square(scene.sent.obstacles);
     /** The pair in the ring. @type {Pair | null} */
     this.ringed = null;
     this.face = new Face(this);
@@ -73,6 +76,7 @@ export class Player {
     this.scene = scene;
     this.stand = scene.room();
     this.boxes = new Boxes(scene);
+    this.square = new Square(scene.sent.obstacles);
     this.ringed = null;
     this.time = Math.min(Math.max(this.time, scene.start), scene.end);
     if (this.chosen >= scene.benches) this.chosen = -1;
@@ -284,6 +288,10 @@ export class Player {
       across.push(centre[0] - disc, centre[0] + disc);
       up.push(centre[1] - disc, centre[1] + disc);
     }
+    for (const [x, y] of this.square.corners()) {
+      across.push(x);
+      up.push(y);
+    }
     return [
       Math.min(...across) - room,
       Math.min(...up) - room,
@@ -376,6 +384,22 @@ export class Player {
     return here ? this.boxes.pair(here.benches[0] - 1, here.benches[1] - 1) : tightest;
   }
 
+  /** How near benches are to one another and to what stands on the square. @param {Pair | null} tightest @param {Beside | null} beside */
+  #nearText(tightest, beside) {
+    const own = tightestText(tightest, this.boxes);
+    return beside ? [own, this.square.text(beside, this.boxes.touch)].join(_("; ")) : own;
+  }
+
+  /** At rest at an event of an obstacle: how its bench stands to that. */
+  #meeting() {
+    if (this.playing) return null;
+    const here = this.scene.sent.occasions.find(
+      ({ time, obstacle }) => obstacle !== null && Math.abs(time - this.time) < AT_EVENT,
+    );
+    if (!here || here.obstacle == null) return null;
+    return this.square.pair(this.boxes, here.benches[0] - 1, here.obstacle);
+  }
+
   #draw() {
     this.#pose();
     const tightest = this.#tightest();
@@ -384,13 +408,16 @@ export class Player {
       const bench = Math.max(this.chosen, 0);
       [this.camera.x, this.camera.y] = [this.boxes.x[bench], this.boxes.y[bench]];
     }
+    const beside = this.square.measure(this.boxes);
     const scale = scaleOf(this.kind, this.scene, this.stand, this.boxes);
-    const { scene, stand, boxes, camera, chosen, ruler, ringed, face } = this;
-    face.painter.paint({ scene, stand, boxes, camera, chosen, ruler, ringed, scale, ...this.look });
+    const { scene, stand, boxes, square, camera, chosen, ruler, face } = this;
+    const ringed = this.#meeting() ?? this.ringed;
+    const drawn = { scene, stand, boxes, square, camera, chosen, ruler, ringed, scale };
+    face.painter.paint({ ...drawn, ...this.look });
     this.#painted = this.time;
     face.axis.show(this.time, this.playing);
     face.clock.textContent = `t = ${clock(this.time, 2)}`;
-    face.tight.textContent = tightestText(tightest, this.boxes);
+    face.tight.textContent = this.#nearText(tightest, beside);
     face.card.show(stand, boxes, chosen);
     face.showLegend(scale);
     this.root.dataset.time = this.time.toFixed(3);
@@ -410,7 +437,8 @@ export class Player {
   /** Tell what the canvas shows to those who cannot see it. */
   #say() {
     const tightest = this.#tightest();
-    const text = `t = ${clock(this.time)}. ${tightestText(tightest, this.boxes)}`;
+    const near = this.#nearText(tightest, this.square.measure(this.boxes));
+    const text = `t = ${clock(this.time)}. ${near}`;
     this.face.canvas.setAttribute("aria-label", `${_("the dragon from above")}: ${text}`);
     this.face.spoken.textContent = text;
   }
