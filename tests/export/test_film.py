@@ -20,7 +20,7 @@ from PIL import Image
 from pypdf import PdfReader
 
 from benchdragon import Dragon, InputError, Line, Motion, Route, Walk, WalkError
-from benchdragon.analysis.distance import touching
+from benchdragon.analysis.distance import tightest_pairs, touching
 from benchdragon.cli.main import run
 from benchdragon.export import film
 from benchdragon.export.encoders import EncoderError, Reel, encode_mp4, find_ffmpeg
