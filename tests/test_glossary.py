@@ -59,7 +59,7 @@ RETIRED_ENGLISH = {
     "road": "method",
     "gap (?!is)": "clearance, or signed gap",
     "way inside": "path inside",
-    "least distance": "least clearance",
+    "least distance(?! from)": "least clearance",
     r"clear(?! away)": "free of contact",
 }
 RETIRED_CHINESE = {

@@ -41,7 +41,7 @@ KINDS: Mapping[str, Kind] = {
     "acceleration": Kind("BD202", N_("a handle accelerates along the route by more than the limit")),
     "lateral_acceleration": Kind("BD203", N_("a handle's lateral acceleration exceeds the limit")),
     "total_acceleration": Kind("BD204", N_("a handle's total acceleration exceeds the limit")),
-    "turning_rate": Kind("BD205", N_("a bench turns faster than the limit")),
+    "turning_rate": Kind("BD205", N_("a bench's turning rate exceeds the limit")),
     "head_acceleration": Kind("BD206", N_("the head changes its speed by more than the limit")),
     "venue": Kind("BD301", N_("a bench leaves the venue")),
     "venue_margin": Kind("BD302", N_("a bench comes nearer to the venue's edge than its margin")),

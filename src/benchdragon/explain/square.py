@@ -38,7 +38,7 @@ def _search_lines(report: Report) -> list[str]:
     search = ObstacleSearch(report.walk, report.obstacles[0].obstacle, report.start, end)
     text = _(
         "Where a bench stands is told by the route position s of its front handle alone. All benches "
-        "of one size take the same places one after another, so each size is searched once, along "
+        "of one size take the same positions one after another, so each size is searched once, along "
         "the route and not over time."
     )
     lines = [text]
@@ -46,8 +46,8 @@ def _search_lines(report: Report) -> list[str]:
         if not len(benches):
             continue
         text = _(
-            "Size of bench {first} (benches: {count}): s from {low} m to {high} m; places looked "
-            "through, without those taken twice: {way} m."
+            "Size of bench {first} (benches: {count}): s from {low} m to {high} m; positions "
+            "searched, without those taken twice: {way} m."
         )
         way = float(np.sum(spans[:, 1] - spans[:, 0]))
         lines.append(

@@ -147,7 +147,7 @@ def _write_obstacles(book: Any, obstacles: Sequence[ObstacleAnswers]) -> None:
     sheet.freeze_panes(1, 1)
     sheet.set_column(0, 10, 22)
     heads = (
-        _("obstacle"), _("kind"), _("margin (m)"), _("least distance (m)"), _("at least (m)"),
+        _("obstacle"), _("kind"), _("margin (m)"), _("least distance from it (m)"), _("at least (m)"),
         _("at most (m)"), _("time (s)"), _("bench"), _("margin not kept from (s)"), _("bench"),
     )  # fmt: skip
     sheet.write_row(0, 0, heads)

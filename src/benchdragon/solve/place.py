@@ -73,7 +73,9 @@ def best_place(plan: Plan, *, progress: Progress = silent) -> PlacedDance:
     if not any(obstacle.kind == "venue" for obstacle in plan.obstacles()):
         raise InputError(_("the plan has no venue to be placed in: add [venue]"))
     square = Square(plan.with_values({"route.at": [0.0, 0.0], "route.turned": 0.0}))
-    starts = low_points(square.crowding, square.ranges, part(progress, 0.0, SEARCHED, _("placing")))
+    starts = low_points(
+        square.crowding, square.ranges, part(progress, 0.0, SEARCHED, _("trying positions"))
+    )
     rough = downhill_point(
         square.crowding, square.ranges, min(starts, key=lambda found: found[1])[0], LOCAL
     )
@@ -171,7 +173,7 @@ class Square:
         room = replace(
             near, value=rooms[0], lower=rooms[1], upper=rooms[2],
             status="found" if rooms[1] >= 0.0 and near.lower > 0.0 else "infeasible",
-            assumptions=(*near.assumptions, _("best that was found; better places may exist")),
+            assumptions=(*near.assumptions, _("best that was found; better positions may exist")),
             evaluations=self.evaluations, seconds=seconds,
         )  # fmt: skip
         return PlacedDance(plan, at, turned, room, tuple(found))
