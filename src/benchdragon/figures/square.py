@@ -52,8 +52,8 @@ def draw_square(
     stands = [one for one in obstacles if one.kind != "venue"]
     solid = [drawn_rings(one)[0] for one in stands if one.kind != "line"]
     ropes = [one.outline for one in stands if one.kind == "line"]
-    edges = [np.vstack([one.outline, one.outline[:1]]) for one in obstacles if one.kind == "venue"]
-    margins = [np.vstack([ring, ring[:1]]) for one in obstacles for ring in margin_rings(one)]
+    edges = [one.outline for one in obstacles if one.kind == "venue"]
+    margins = [ring for one in obstacles for ring in margin_rings(one)]
     drawn: list[PolyCollection | LineCollection] = []
     look: dict[str, Any] = {"ec": ink, "lw": 0.8 * mark, "zorder": 1.5}
     if solid:
@@ -63,15 +63,11 @@ def draw_square(
             LineCollection(ropes, colors=OBSTACLE, lw=2.6 * mark, zorder=1.5, label=_("obstacle line"))
         )
     if edges:
-        drawn.append(
-            LineCollection(edges, colors=EDGE, lw=2.2 * mark, zorder=1.4, label=_("edge of the venue"))
-        )
+        thick = {"fc": "none", "ec": EDGE, "lw": 2.2 * mark, "zorder": 1.4}
+        drawn.append(PolyCollection(edges, label=_("edge of the venue"), **thick))
     if margins:
-        drawn.append(
-            LineCollection(
-                margins, colors=ink, lw=0.8 * mark, ls=(0, (2, 2)), zorder=1.6, label=_("margin")
-            )
-        )
+        dashed = {"fc": "none", "ec": ink, "lw": 0.8 * mark, "ls": (0, (2, 2)), "zorder": 1.6}
+        drawn.append(PolyCollection(margins, label=_("margin"), **dashed))
     for one in drawn:
         panel.add_collection(one, autolim=False)
     if size is not None and 0 < len(obstacles) <= MOST_NAMES:

@@ -1,0 +1,82 @@
+"""Codes of findings, which never change, and the words of findings about the square."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from benchdragon.analysis.check import check, sentence
+from benchdragon.analysis.findings import KINDS, shown_name, touch_text
+from benchdragon.i18n import _, spoken_in
+from benchdragon.model.obstacle import Obstacle
+from benchdragon.plans.schema import read_plan
+
+PAGES = Path(__file__).parents[2] / "docs"
+ROW = re.compile(r"^\| `(BD\d{3})` \| (.+?) \| (.+?) \| (.+?) \|$", re.MULTILINE)
+# Known for good: a code is never used again for something else.
+CODES = {
+    "contact": "BD101", "margin": "BD102", "walk": "BD103",
+    "speed": "BD201", "acceleration": "BD202", "lateral_acceleration": "BD203",
+    "total_acceleration": "BD204", "turning_rate": "BD205", "head_acceleration": "BD206",
+    "venue": "BD301", "venue_margin": "BD302", "obstacle": "BD303", "obstacle_margin": "BD304",
+}  # fmt: skip
+SAID = [
+    "dragon.benches=20",
+    "walk.end=60",
+    "venue.rectangle=[60, 30]",
+    "limits.venue_margin=0.5",
+]
+WELL = 'kind="circle", name="well", centre=[9, -6], radius=0.6, margin=0.3'
+TREE = 'kind="circle", centre=[-9, 9], radius=0.6, margin=2.5'
+
+
+def test_codes_stay_what_they_are() -> None:
+    known = {kind: found.code for kind, found in KINDS.items()}
+    assert CODES.items() <= known.items()
+    assert len(set(known.values())) == len(known)
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_the_manual_explains_each_code_in_the_words_of_the_program(language: str) -> None:
+    page = (PAGES / language / "findings.md").read_text("utf-8")
+    with spoken_in(language):
+        said = [(found.code, _(found.text)) for found in KINDS.values()]
+    assert [row[:2] for row in ROW.findall(page)] == said
+
+
+def test_a_safe_check_names_the_obstacle_with_the_least_room() -> None:
+    """The tree is farther off than the well, but asks for more."""
+    report = check(read_plan("turn", [*SAID, f"obstacle=[{{{WELL}}}, {{{TREE}}}]"]))
+    edge, well, tree = (answers.distance.lower for answers in report.obstacles)
+    assert well < tree < well + 2.2
+    said = sentence(report)
+    assert f"at least {int(1000 * edge) / 10:g} cm from the edge of the venue (50 cm asked for)" in said
+    least = f"at least {int(1000 * tree) / 10:g} cm from obstacle 2, the tightest of 2 obstacles"
+    assert f"{least} (250 cm asked for)" in said
+    assert "well" not in said
+    with spoken_in("zh"):
+        assert "2 个障碍物中障碍物 2处最紧" in sentence(report)
+
+
+def test_an_unsafe_check_names_what_comes_first() -> None:
+    plan = read_plan("turn", [*SAID, f"obstacle=[{{{WELL}}}, {{{TREE}}}]"])
+    both = plan.with_values({"obstacle.0.centre": [6.2, 2.0], "obstacle.1.centre": [4.5, 4.5]})
+    report = check(both)
+    times = {found.obstacle: found.time for found in report.findings}
+    assert set(times) == {"well", "obstacle 2"}
+    first = min(report.findings, key=lambda found: found.time or 0.0)
+    assert first is not report.findings[0]
+    text = f"Not safe: bench {first.benches[0]} comes nearer than 250 cm to obstacle 2 at"
+    assert sentence(report).startswith(text)
+    assert sentence(report).endswith("; findings besides: 1")
+
+
+def test_names_are_shown_in_the_language_in_use() -> None:
+    venue = Obstacle.venue("venue", [(0, 0), (1, 0), (0, 1)])
+    line = Obstacle.line("rope {a}", [(0, 0), (1, 0)])
+    assert [shown_name(name) for name in ("obstacle 3", "venue", "obstacle")] == [
+        "obstacle 3", "the venue", "obstacle",
+    ]  # fmt: skip
+    assert touch_text(7, line) == "bench 7 touches rope {a}"
+    with spoken_in("zh"):
+        assert [shown_name("obstacle 3"), touch_text(7, venue)] == ["障碍物 3", "第 7 节板凳越出场地"]

@@ -1,0 +1,60 @@
+"""The square as a page gets it: outlines, margins, and what happens at obstacles."""
+
+import numpy as np
+import pytest
+
+from benchdragon.analysis.check import check
+from benchdragon.model.obstacle import Obstacle
+from benchdragon.model.outline import margin_rings
+from benchdragon.plans.schema import read_plan
+from benchdragon.player.scene import checked_dance
+from tests.figures.test_square import NEAR, PLAN
+
+
+def test_a_page_gets_each_obstacle_with_its_margin() -> None:
+    venue, well, rope = checked_dance(check(PLAN)).obstacles
+    assert (venue.kind, venue.name.en, venue.name.zh) == ("venue", "the venue", "场地")
+    assert (well.kind, well.name.zh, well.radius, well.margin) == ("circle", "well", 0.6, 0.3)
+    assert well.points == [(9.0, -6.0)]
+    assert rope.points == [(-20.0, 12.0), (20.0, 12.0)]
+    assert rope.rings == []
+    (ring,) = well.rings
+    assert np.hypot(*(np.array(ring) - [9.0, -6.0]).T) == pytest.approx(0.9, abs=1e-3)
+
+
+def test_a_margin_that_leaves_no_room_has_no_ring() -> None:
+    square = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]
+    assert margin_rings(Obstacle.venue("v", square, 2.5)) == []
+    assert len(margin_rings(Obstacle.venue("v", square, 1.5))) == 1
+    assert margin_rings(Obstacle.polygon("p", square)) == []
+    ring = [(0, 0), (9, 0), (9, 9), (0, 9), (0, 8), (8, 8), (8, 1), (0, 1)]
+    assert len(margin_rings(Obstacle.line("fence", [*ring, (0, 8)], 0.25))) == 2
+
+
+def test_of_obstacles_that_are_clear_the_nearest_moment_is_told() -> None:
+    report = check(PLAN)
+    (told,) = (one for one in checked_dance(report).occasions if one.obstacle is not None)
+    distance = report.obstacles[1].distance
+    assert distance.witness is not None
+    assert (told.kind, told.obstacle, told.time) == ("obstacle", 1, distance.witness.time)
+    assert told.text.en == f"nearest to well: {100.0 * distance.value:.4g} cm"
+
+
+def test_coming_near_and_touching_are_told() -> None:
+    report = check(NEAR)
+    contact, distance = report.obstacles[1].contact, report.obstacles[1].distance
+    assert contact is not None
+    assert distance.value == 0.0
+    assert distance.witness is not None
+    told = [one for one in checked_dance(report).occasions if one.obstacle == 1]
+    assert [(one.text.en, one.benches, one.time) for one in told] == [
+        ("margin from well not kept", [1], contact.value),
+        ("bench 1 touches well", [1], distance.witness.time),
+    ]
+
+
+def test_leaving_the_venue_is_told_of_the_venue() -> None:
+    plan = read_plan("turn", ["dragon.benches=20", "walk.end=60", "venue.rectangle=[16, 16]"])
+    told = [one for one in checked_dance(check(plan)).occasions if one.obstacle == 0]
+    assert [one.kind for one in told] == ["venue"]
+    assert told[0].text.zh.endswith("越出场地")
