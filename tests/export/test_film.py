@@ -20,6 +20,7 @@ from PIL import Image
 from pypdf import PdfReader
 
 from benchdragon import Dragon, InputError, Line, Motion, Route, Walk, WalkError
+from benchdragon.analysis.check import check
 from benchdragon.analysis.distance import tightest_pairs, touching
 from benchdragon.cli.main import run
 from benchdragon.export import film
@@ -39,6 +40,7 @@ from benchdragon.export.film_scene import (
 )
 from benchdragon.figures.style import HEAD, MissingGlyphWarning
 from benchdragon.plans.schema import Plan, read_plan
+from tests.figures.test_square import NEAR as NEAR_WELL
 
 SMALL = (320, 180)
 TURN = read_plan("turn")
@@ -461,3 +463,22 @@ def test_scale_bars_have_round_lengths_and_clocks_a_real_minus() -> None:
     found = [round_length(most) for most in (0.7, 1.0, 4.99, 5.0, 1999.0, 0.03)]
     assert found == pytest.approx([0.5, 1.0, 2.0, 5.0, 1000.0, 0.02])
     assert [clock_text(t) for t in (-5.0, -0.04, 12.34)] == ["t = −5.0 s", "t = 0.0 s", "t = 12.3 s"]
+
+
+def test_the_square_is_in_sight_and_what_touches_it_is_hatched_and_told() -> None:
+    """Bench 1 stands in the well on its way out; the tightest pair is told while nothing touches."""
+    walk, obstacles = NEAR_WELL.build(), NEAR_WELL.obstacles()
+    touch = check(NEAR_WELL).obstacles[1].distance.witness
+    assert touch is not None
+    assert touch.time is not None
+    motion = walk.motion([0.0, touch.time])
+    scene = Scene(Look(SMALL), Place.of(walk, motion, 4.5, obstacles), "x")
+    (left, right), (bottom, top) = scene.panel.frame.limits
+    assert left < -30.0 < 30.0 < right
+    assert bottom < -15.0 < 15.0 < top
+    scene.show(motion, 0)
+    assert not scene.panel.touching.get_paths()
+    assert scene.panel.words.startswith("benches ")
+    scene.show(motion, 1)
+    assert len(scene.panel.touching.get_paths()) == 1
+    assert scene.panel.words == "bench 1 touches well"

@@ -10,6 +10,7 @@ from pyarrow import parquet
 from python_calamine import CalamineWorkbook
 
 from benchdragon import Dragon, InputError, WalkError
+from benchdragon.analysis.check import check, moment
 from benchdragon.errors import MissingExtraError
 from benchdragon.export.tables import (
     WRITERS,
@@ -26,6 +27,7 @@ from benchdragon.i18n import use_language
 from benchdragon.model.numbering import handle_names
 from benchdragon.plans.schema import read_plan
 from benchdragon.progress import silent
+from tests.figures.test_square import NEAR
 
 WALK, TURN = read_plan("spiral-in").build(), read_plan("turn").build()
 TIMES = np.array([0.0, 60.5, 300.0])
@@ -206,3 +208,27 @@ def test_slices_of_many_benches_are_written_one_time_at_once(tmp_path: Path) -> 
     walk = type(WALK)(Dragon.uniform(benches=1_000_000), WALK.route)
     write_csv(tmp_path / "a.csv", Selection(walk, np.array([0.0, 1.0]), [0, 1_000_000]), silent)
     assert len((tmp_path / "a.csv").read_text().splitlines()) == 5
+
+
+def test_a_workbook_of_a_check_tells_of_obstacles(tmp_path: Path) -> None:
+    report = check(NEAR)
+    motion, _answer = moment(report)
+    write_moment_xlsx(tmp_path / "a.xlsx", motion, report.obstacles)
+    book = CalamineWorkbook.from_path(tmp_path / "a.xlsx")
+    assert book.sheet_names == ["Sheet1", "Obstacles"]
+    heads, venue, well, rope = book.get_sheet_by_name("Obstacles").to_python()
+    assert heads[:3] == ["obstacle", "kind", "margin (m)"]
+    answers = report.obstacles[0]
+    near = answers.distance.witness
+    assert near is not None
+    bracket = [answers.distance.value, answers.distance.lower, answers.distance.upper]
+    assert venue[:3] == ["the venue", "edge of the venue", 0.5]
+    assert venue[3:8] == pytest.approx([*bracket, near.time, near.benches[0]], rel=1e-15)
+    assert venue[8:] == ["", ""]
+    contact = report.obstacles[1].contact
+    assert contact is not None
+    assert well[3] == 0.0
+    assert well[8:] == pytest.approx([contact.value, 1], rel=1e-15)
+    assert rope[:2] == ["obstacle 2", "line"]
+    write_moment_xlsx(tmp_path / "b.xlsx", motion)
+    assert CalamineWorkbook.from_path(tmp_path / "b.xlsx").sheet_names == ["Sheet1"]

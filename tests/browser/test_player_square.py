@@ -1,0 +1,102 @@
+"""The square on the page: how near benches are to it, as the package says it; names; touches."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from playwright.sync_api import Page, expect
+
+from benchdragon.analysis.check import check
+from benchdragon.analysis.obstacles import box_distances
+from benchdragon.plans.schema import Plan, read_plan
+from benchdragon.player.page import player_page
+from benchdragon.player.scene import checked_dance
+from tests.browser.pages import Pages
+from tests.browser.players import drawn, pixels, ready, state
+from tests.figures.test_square import NEAR, SAID
+
+CROWDED = read_plan(
+    "turn",
+    [
+        *SAID[:-1],
+        'obstacle=[{kind="circle", name="well", centre=[6.2, 2], radius=0.6, margin=0.3},'
+        ' {kind="polygon", points=[[-9, 2], [-5, 1], [-6, 4]]},'
+        ' {kind="line", points=[[-8, -9], [2, -5], [9, -9]]},'
+        ' {kind="rectangle", centre=[1, 9], size=[3, 2], angle=30}]',
+    ],
+)
+# Nearest of all benches to each obstacle at each of some times, as the page has it.
+DISTANCES = """(times) => {
+  const { scene, stand, boxes, square } = benchdragon;
+  return times.map((time) => {
+    scene.stand(time, stand);
+    boxes.place(stand);
+    return square.obstacles.map((_one, n) => {
+      const found = Array.from({ length: boxes.count }, (_bench, i) => square.pair(boxes, i, n));
+      return Math.min(...found.map(({ distance }) => distance));
+    });
+  });
+}"""
+
+
+def page_of(pages: Pages, folder: Path, plan: Plan, language: str = "en", where: str = "") -> Page:
+    file = folder / "dance.html"
+    file.write_text(player_page(checked_dance(check(plan)), language), "utf-8")
+    return ready(pages.open(file.as_uri() + where))
+
+
+def test_distances_are_those_of_the_package(pages: Pages, tmp_path: Path) -> None:
+    page, walk = page_of(pages, tmp_path, CROWDED), CROWDED.build()
+    times = np.linspace(-40.0, 50.0, 46)
+    seen = np.array(page.evaluate(DISTANCES, times.tolist()))
+    motion = walk.motion(times)
+    for n, obstacle in enumerate(CROWDED.obstacles()):
+        least = [box_distances(motion, t, obstacle)[0].min() for t in range(len(times))]
+        wanted = np.maximum(np.array(least) - obstacle.radius, 0.0)
+        assert seen[:, n] == pytest.approx(wanted, abs=state(page, "boxes.touch"))
+    assert (seen == 0.0).any(axis=0)[1:].any()
+
+
+def test_the_line_below_tells_what_touches_and_the_bench_is_hatched(
+    pages: Pages, tmp_path: Path
+) -> None:
+    near = check(NEAR).obstacles[1].distance.witness
+    assert near is not None
+    page = page_of(pages, tmp_path, NEAR, where=f"#t={near.time}")
+    expect(page.locator(".tight")).to_have_text(re.compile("bench 1 touches well$"))
+    assert page.evaluate("[...benchdragon.square.touching]") == [0]
+    page.evaluate("benchdragon.jump(0)")
+    drawn(page)
+    assert page.evaluate("[...benchdragon.square.touching]") == []
+    expect(page.locator(".tight")).to_have_text(re.compile(r" to well$"))
+
+
+def test_events_lead_to_the_obstacle_and_ring_it(pages: Pages, tmp_path: Path) -> None:
+    page = page_of(pages, tmp_path, NEAR, "zh")
+    page.locator(".events summary").click()
+    page.get_by_role("button", name="到well的余量不足").first.click()
+    drawn(page)
+    contact = check(NEAR).obstacles[1].contact
+    assert contact is not None
+    assert state(page, "time") == pytest.approx(contact.value, abs=1e-9)
+    distance = page.evaluate("benchdragon.square.pair(benchdragon.boxes, 0, 1).distance")
+    assert distance == pytest.approx(0.3, abs=state(page, "boxes.touch"))
+
+
+def test_the_whole_square_is_in_sight_and_obstacles_have_their_colour(
+    pages: Pages, tmp_path: Path
+) -> None:
+    page = page_of(pages, tmp_path, NEAR)
+    box = page.locator("canvas").bounding_box()
+    assert box is not None
+    corners = page.evaluate(
+        "[[-30, -15], [30, 15], [6.2, 2.0]].map((at) => benchdragon.camera.toScreen(...at))"
+    )
+    for x, y in corners:
+        assert 0.0 < x < box["width"]
+        assert 0.0 < y < box["height"]
+    x, y = corners[2]
+    around = [(box["x"] + x + dx, box["y"] + y + dy) for dx in range(-2, 3) for dy in range(-2, 3)]
+    assert [0xCC, 0x79, 0xA7] in pixels(page, around)
+    assert [0, 0, 0] in [[c if c > 60 else 0 for c in dot] for dot in pixels(page, around)]
