@@ -13,7 +13,7 @@ from typing import Literal, Self
 import numpy as np
 import numpy.typing as npt
 
-from benchdragon.errors import InputError, not_negative
+from benchdragon.errors import InputError, finite, not_negative
 from benchdragon.i18n import _
 from benchdragon.kernels.box import BOX_COLUMNS, CX, CY, HALF_LENGTH, UX, UY
 from benchdragon.kernels.curve import MOST_METRES, FloatArray
@@ -84,7 +84,7 @@ class Obstacle:
         """A rectangle: its size along its own axes, m, and its angle, rad.
 
         Raises:
-            InputError: for a centre or sizes that cannot be.
+            InputError: for a centre, sizes or an angle that cannot be.
         """
         return cls(name, "rectangle", rectangle_outline(name, centre, size, angle), 0.0, margin)
 
@@ -164,11 +164,13 @@ def _inside(outline: FloatArray, points: FloatArray) -> npt.NDArray[np.bool_]:
 
 def rectangle_outline(name: str, centre: Point, size: tuple[float, float], angle: float) -> FloatArray:
     """The corners of a rectangle in going round, m, (4, 2)."""
-    a, b = (0.5 * checked_size(f"{name}: size", side) for side in size)
-    c, s = math.cos(angle), math.sin(angle)
-    (middle,) = _points(name, [centre], 1)
+    (sides,), (middle,) = _points(f"{name}: size", [size], 1), _points(name, [centre], 1)
+    a, b = (0.5 * checked_size(f"{name}: size", side) for side in sides.tolist())
+    turned = finite(f"{name}: angle", angle)
+    c, s = math.cos(turned), math.sin(turned)
     corners = [(a, b), (-a, b), (-a, -b), (a, -b)]
-    return np.array([(middle[0] + x * c - y * s, middle[1] + x * s + y * c) for x, y in corners])
+    ends = [(middle[0] + x * c - y * s, middle[1] + x * s + y * c) for x, y in corners]
+    return _points(name, ends, 4, closed=True)
 
 
 def closed_outline(name: str, points: npt.ArrayLike) -> FloatArray:
