@@ -49,6 +49,8 @@ SPANS = 2_000
 LOG = 65_536
 # Head positions at which it is looked why benches could not be followed.
 SAMPLES = 65
+# Grazes of one bench that are passed over to see whether it touches; along a wall one each STRETCH.
+MOST_GRAZES = 1_000
 # Newton steps for the head position at which a handle comes to a place; about five are needed.
 MOST_STEPS = 100
 
@@ -249,28 +251,53 @@ class ObstacleSearch:
         )  # fmt: skip
 
     def witness(self, s: float, bench: int) -> Witness:
-        """How a bench (row, from 0) stands to the obstacle with the head at s."""
+        """How a bench (row, from 0) stands to the obstacle with the head at s.
+
+        Where it stands wholly inside of one, or outside of the venue, the gap is minus the distance.
+        """
         placed = self.walk.placement(s, throw=False)
         table = np.vstack([boxes(placed, 0)[bench], self.obstacle.boxes])
         out, which = np.empty(1), np.empty(1, dtype=np.int64)
         kernel.distances_to(table[:1], table[1:], np.empty((2, BOX_COLUMNS)), out, which)
         near = nearness(table, 0, 1 + int(which[0]))
         gap = (near.gap if near.distance <= 0.0 else near.distance) - self.obstacle.radius
+        if gap > 0.0 and self.obstacle.forbids(table[:1, [CX, CY]])[0]:
+            gap = -gap
         feature = ((bench + 1, dict(near.features)[1]),)
         time, name = self._times.at(s), self.obstacle.name
         return Witness(time, s, (bench + 1,), near.points[0], gap, feature, None, name)
 
     def touches(self) -> list[Touch]:
-        """Where benches first come nearer than they may, each in its own span; soonest ones first."""
+        """Where benches first come nearer than they may, each in its own span; soonest ones first.
+
+        And where they graze before, within rounding. A graze that runs into a touch is its beginning.
+        """
         found: list[tuple[float, Touch]] = []
         for k, benches, spans in self.stretches():
-            told = self.run(k, steps.FIRST_TOUCH, spans, 0.0, np.zeros(steps.NOTES))
-            for bench, span, row in zip(benches.tolist(), spans, told, strict=True):
-                if row[kernel.ENDING] != steps.CLEAR:
-                    lower, upper = row[[kernel.SPAN_LOWER, kernel.SPAN_UPPER]].tolist()
-                    touch = Touch(bench, lower, upper, row[kernel.ENDING] == FOUND)
-                    found.append((lower - float(span[0]), touch))
+            for n, lower, upper, sure in self._touched(k, spans):
+                touch = Touch(int(benches[n]), lower, upper, sure)
+                found.append((lower - float(spans[n, 0]), touch))
         return [touch for _ahead, touch in sorted(found, key=lambda each: each[0])]
+
+    def _touched(self, k: int, spans: FloatArray) -> list[tuple[int, float, float, bool]]:
+        """Which spans are touched in, between which positions, m, and whether surely; grazes too."""
+        found: dict[int, list[tuple[float, float, bool]]] = {}
+        left, rows = spans.copy(), np.arange(len(spans))
+        for _graze in range(MOST_GRAZES):
+            told = self.run(k, steps.FIRST_TOUCH, left[rows], 0.0, np.zeros(steps.NOTES))
+            for n, (ending, lower, upper) in zip(rows.tolist(), told.tolist(), strict=True):
+                if ending != steps.CLEAR:
+                    before = found.setdefault(n, [])
+                    if before and lower <= before[-1][1]:
+                        lower = before.pop()[0]
+                    before.append((lower, upper, ending == FOUND))
+            grazed = told[:, kernel.ENDING] == steps.GRAZE
+            rows = rows[grazed]
+            left[rows, 0] = told[grazed, kernel.SPAN_UPPER]
+            rows = rows[left[rows, 0] < left[rows, 1]]
+            if not rows.size:
+                break
+        return [(n, *touch) for n, touches in found.items() for touch in touches]
 
     def bench_at(self, k: int, s: float) -> int:
         """The first bench of size k that walks over s with its front handle."""
@@ -291,6 +318,8 @@ def touching(search: ObstacleSearch) -> list[Answer]:
     head = float(search.heads[0])
     if apart <= search.reach - search.slack:
         return [search.answer(head, head, "found", bench)]
+    if apart <= search.reach + search.slack and search.heads[0] == search.heads[1]:
+        return [search.answer(head, head, "undecided", bench)]
     grazes, sure = list[Come](), list[Come]()
     for touch in search.touches():
         soonest = min((come[1] for come in sure), default=math.inf)

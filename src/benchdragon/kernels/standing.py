@@ -29,6 +29,7 @@ from benchdragon.kernels.regions import walks_on
 from benchdragon.kernels.search import (
     CLEAR,
     EVALUATIONS,
+    FALLEN,
     FOUND,
     GRAZE,
     LEAST,
@@ -55,8 +56,7 @@ STRETCH = 4.0
 ENDING = 0
 SPAN_LOWER = 1  # LOWER and UPPER of the search's note
 SPAN_UPPER = 2
-SPAN_BOX = 3  # which of the boxes
-SPAN_COLUMNS = 4
+SPAN_COLUMNS = 3
 
 
 class Bench(NamedTuple):
@@ -191,16 +191,15 @@ def search_spans(
     """Search each of `spans` of route positions of the front handle, m, (spans, 2), for `goal`.
 
     Fills found, (spans, SPAN_COLUMNS), and gives how it ended: FIRST_TOUCH is sought in each span by
-    itself, up to the first in which the bench goes ASTRAY; LEAST in all of them together, in `note`,
-    up to one that ends FOUND or ASTRAY.
+    itself, LEAST in all of them together, in `note`, up to one that ends FOUND; either up to one in
+    which the bench goes ASTRAY or is FALLEN. Spans beyond are not filled in.
     """
     limits, worst = Limits(margin, slack, width, most), CLEAR
     for t in range(spans.shape[0]):
         ending = search_span(bench, standing, search, goal, spans[t, 0], spans[t, 1], limits, note)
-        found[t, ENDING], found[t, SPAN_BOX] = ending, note[PAIR]
-        found[t, SPAN_LOWER], found[t, SPAN_UPPER] = note[LOWER], note[UPPER]
+        found[t, ENDING], found[t, SPAN_LOWER], found[t, SPAN_UPPER] = ending, note[LOWER], note[UPPER]
         worst = max(worst, ending)
-        if ending not in (CLEAR, GRAZE) and (goal == LEAST or ending != FOUND):
+        if ending in (ASTRAY, FALLEN) or (goal == LEAST and ending == FOUND):
             return ending
     return worst
 
