@@ -27,6 +27,9 @@ SPIRAL_TIMES = (0, 60, 120, 180, 240, 300)
 TURN_TIMES = (-100, -50, 0, 14, 50, 100)
 PITCH, TURNS, RADIUS, TURN_PITCH, RATIO, LIMIT = "0.55", 16, "4.5", "1.7", 2, 2
 RATIOS = 13
+# A box on the square of the spiral walk: centre and size, m, and angle, degrees.
+BOX_CENTRE, BOX_SIZE, BOX_ANGLE = ("3", "1"), ("0.5", "0.3"), 30
+ROUND = ((1, 1), (-1, 1), (-1, -1), (1, -1))
 # Of the values kept, m, s or m/s; places and speeds are kept with 18 digits.
 TOLERANCE = 1e-15
 
@@ -209,6 +212,42 @@ def contact_values() -> dict[str, Any]:
         return {"first_contact_s": _text(found[0], 22), "at_first_contact": spiral_entries(found[0])}
 
 
+def box_corners() -> list[Number]:
+    """Of the box on the square, in going round, m."""
+    turned = mp.expj(BOX_ANGLE * mp.pi / 180)
+    a, b = (mp.mpf(size) / 2 for size in BOX_SIZE)
+    return [mp.mpc(*BOX_CENTRE) + mp.mpc(x * a, y * b) * turned for x, y in ROUND]
+
+
+def box_touch(dragon: Sequence[Bench], start: float = 0.0, end: float = 412.0) -> tuple[Number, int]:
+    """When a bench of the spiral walk first touches the box, s, and which."""
+    theta = 2 * TURNS * mp.pi
+    rough = scan.spiral_walk(float(PITCH), float(theta))
+    box = box_corners()
+    floats = np.array([complex(corner) for corner in box])
+    look = scan.first_at_box(rough, benches(dragon), floats, start, end)
+    if look is None:
+        raise ArithmeticError("the box is not touched")
+    point, bench = reference.spiral_walk(PITCH, theta), look.pair[0]
+
+    def gap(head: Number) -> Number:
+        s = reference.places(point, dragon, head, bench)
+        ends = point(s[bench - 1]), point(s[bench])
+        return reference.gap(reference.corners(*ends, dragon[bench - 1]), box)
+
+    low, high = mp.mpf(look.head) - mp.mpf("0.05"), mp.mpf(look.head)
+    while high - low > mp.mpf("1e-6"):
+        middle = (low + high) / 2
+        low, high = (low, middle) if gap(middle) <= 0 else (middle, high)
+    return reference.root(gap, low, high), bench
+
+
+def box_values() -> dict[str, Any]:
+    with mp.workdps(DIGITS):
+        head, bench = box_touch(reference.contest_dragon())
+        return {"box_touch": {"s": _text(head, 22), "bench": str(bench)}}
+
+
 def pitch_values() -> dict[str, str]:
     with mp.workdps(DIGITS):
         found = smallest_pitch(PitchFamily(reference.contest_dragon(), RADIUS, TURNS), float(PITCH))
@@ -242,6 +281,7 @@ def contest() -> dict[str, Any]:
         "two_arc": turn_summary(),
         "two_arc_motion": {str(t): turn_entries(t) for t in TURN_TIMES},
         **ratio_values(),
+        **box_values(),
     }
 
 

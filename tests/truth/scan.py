@@ -262,6 +262,34 @@ def first_touch(
     return None
 
 
+def first_at_box(
+    point: Points, benches: Benches, box: Complexes, start: float, end: float, step: float = 0.05
+) -> Look | None:
+    """The first touch of a box that stands still, by its 4 corners, as a pair of the bench and 0.
+
+    Raises:
+        ArithmeticError: if a bench may have touched it between two looks before.
+    """
+    middle, corner = box.mean(), box[:, None]
+    for heads in _blocks(start, end, step):
+        corners = benches.corners(point(places(point, benches.links, heads)))
+        centre, inside = corners.mean(axis=1), []
+        room = np.abs(corners[:, 0] - centre)[:, :1] + np.abs(box[0] - middle) + REACH
+        for i in np.flatnonzero((np.abs(centre - middle) < room).any(axis=1)):
+            gap = gaps(corners[i], corner)
+            inside += [Look(float(gap[n]), float(heads[n]), (int(i) + 1, 0)) for n in range(len(heads))]
+        touches = [look for look in inside if look.gap <= 0.0]
+        first = min(touches, key=lambda look: look.head, default=None)
+        for number in {look.pair for look in inside}:
+            mine = [look for look in inside if look.pair == number]
+            for n, lowest in _dips(np.array([look.gap for look in mine])):
+                if mine[n].gap > 0.0 >= lowest and (first is None or mine[n].head < first.head):
+                    raise ArithmeticError(f"look closer at bench {number[0]} at {mine[n].head}")
+        if first is not None:
+            return first
+    return None
+
+
 def tightest(
     point: Points, benches: Benches, start: float, end: float, step: float = 0.05
 ) -> Look | None:

@@ -83,6 +83,34 @@ def test_the_first_contact_is_found_again() -> None:
     assert difference(found[0], TRUTH["first_contact_s"]) <= 1e-15
 
 
+def test_the_first_touch_of_the_box_is_found_again() -> None:
+    head, bench = make_truth.box_touch(reference.contest_dragon(12), 370.0, 380.0)
+    assert str(bench) == TRUTH["box_touch"]["bench"]
+    assert difference(head, TRUTH["box_touch"]["s"]) <= 1e-15
+
+
+def test_the_scan_of_a_box_finds_its_touch_and_says_where_it_is_unsure() -> None:
+    def east(s: scan.Floats) -> scan.Complexes:
+        return s.astype(np.complex128)
+
+    box = np.array([10.5 + 0.2j, 9.5 + 0.2j, 9.5 - 0.2j, 10.5 - 0.2j])
+    dragon = make_truth.benches([Bench(2.0, 0.5, 0.25, 0.25)])
+    look = scan.first_at_box(east, dragon, box, 0.0, 20.0)
+    assert look is not None
+    assert look.pair == (1, 0)
+    assert look.head == pytest.approx(9.25, abs=0.051)
+    assert scan.first_at_box(east, dragon, box + 3j, 0.0, 20.0) is None
+
+    def ring(s: scan.Floats) -> scan.Complexes:
+        return np.asarray(5.0 * np.exp(0.2j * s))
+
+    # A speck a tenth of a millimetre within the ring that the bench's outer corners draw.
+    outermost = math.hypot(math.sqrt(25.0 - 0.75**2) + 0.25, 1.0)
+    square = np.array([1 + 1j, -1 + 1j, -1 - 1j, 1 - 1j], dtype=np.complex128)
+    with pytest.raises(ArithmeticError, match="look closer at bench 1"):
+        scan.first_at_box(ring, dragon, outermost + 1e-4 * square, 15.7, 40.0, 0.4)
+
+
 def test_the_smallest_pitch_is_found_again() -> None:
     family = make_truth.PitchFamily(reference.contest_dragon(40), "4.5", 16)
     found = make_truth.smallest_pitch(family, 0.5, 0.2)
