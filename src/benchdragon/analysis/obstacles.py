@@ -288,9 +288,9 @@ class ObstacleSearch:
             for n, (ending, lower, upper) in zip(rows.tolist(), told.tolist(), strict=True):
                 if ending != steps.CLEAR:
                     before = found.setdefault(n, [])
-                    if before and lower <= before[-1][1]:
-                        lower = before.pop()[0]
-                    before.append((lower, upper, ending == FOUND))
+                    joined = bool(before) and lower <= before[-1][1]
+                    first = before.pop()[0] if joined else lower
+                    before.append((first, upper, ending == FOUND))
             grazed = told[:, kernel.ENDING] == steps.GRAZE
             rows = rows[grazed]
             left[rows, 0] = told[grazed, kernel.SPAN_UPPER]
