@@ -9,10 +9,13 @@ RECORDED := tests/model/test_walk.py::test_a_built_in_dance_is_the_recorded_one_
 KERNELS := $(wildcard src/benchdragon/kernels/*.py tests/kernels/*.py tests/conftest.py tests/model/test_walk.py)
 # One process more than cores: tests wait for browsers and servers.
 WORKERS := $(shell expr $$(getconf _NPROCESSORS_ONLN) + 1)
-# The kernels are built on one core while the other does what has no need of them.
+# The kernels are built on one core while the other does what has no need of them; types are checked beside
+# the tests, which wait for browsers and servers.
 MAKEFLAGS += --jobs=2
+# Tests start a hundred processes: those that may keep no bytecode would each compile the package anew.
+export PYTHONDONTWRITEBYTECODE :=
 
-.PHONY: demo test quick lint manual-test docs atlas bench truth wasm wasm-test mutants messages keys types \
+.PHONY: demo test main-test quick lint style mypy pages manual-test docs atlas bench truth wasm wasm-test mutants messages keys types \
   map lock fonts clean
 
 .venv/installed: requirements.lock pyproject.toml
@@ -36,19 +39,27 @@ demo: .venv/engine
 	$(BIN)/benchdragon view turn -o out/turn.html --force
 
 # All but the manual, which takes as long as the rest: `make manual-test`.
-test: lint .venv/engine .venv/kernels-plain .venv/kernels-compiled $(if $(NPM),node_modules/installed)
-	$(if $(NPM),node_modules/.bin/tsc -p .,@echo "no npm here: the pages' JavaScript is not checked")
-	$(if $(NPM),node_modules/.bin/prettier --check --log-level warn $(PAGES))
+test: lint pages main-test
+
+main-test: style .venv/engine .venv/kernels-plain .venv/kernels-compiled
 	$(BIN)/python -m pytest -q -n $(WORKERS) --dist loadgroup -m 'not manual' --ignore tests/kernels
 
 quick: lint .venv/engine
 	$(BIN)/python -m pytest -q @tests/quick.txt
 
-lint: .venv/installed
+lint: style mypy
+
+style: .venv/installed
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
-	$(BIN)/mypy
 	$(BIN)/lint-imports --no-logo
+
+mypy: .venv/installed
+	$(BIN)/mypy
+
+pages: $(if $(NPM),node_modules/installed)
+	$(if $(NPM),node_modules/.bin/tsc -p .,@echo "no npm here: the pages' JavaScript is not checked")
+	$(if $(NPM),node_modules/.bin/prettier --check --log-level warn $(PAGES))
 
 # The kernels' own tests run once for each state of kernels and tests: as plain Python, each line of which
 # can be counted, then compiled by numba.
