@@ -44,6 +44,8 @@ NPZ = ["-o", "out", "--format", "npz"]
 CHECK = ["check", "spiral-in", *SHORT]
 SIZES = {name: ["solve", name, "spiral-in", *DISC] for name in ("pitch", "width", "length")}
 SIZES["disc"] = ["solve", "disc", "spiral-in", *DISC, "--set", "route.pitch=0.5"]
+# Some of the sizes are safe: where none is, each takes a search of the whole coil.
+RANGES = {"pitch": "0.5..0.8", "width": "0.2..0.6", "length": "1.6..3", "disc": "0.5..0.8"}
 SOLVE = SIZES["pitch"]
 TRAVERSAL = [*SOLVE, "--method", "traversal", "--pitch-step", "0.1", "--time-step", "2"]
 RANGE = [*SOLVE, "--range", "0.5..0.8", "--count", "3"]
@@ -124,8 +126,8 @@ CASES: dict[str, Case] = {
         for size, line in SIZES.items()
         for name, case in {
             "--set": Case(line, ["--set", "dragon.head_length=2.5"]),
-            "--range": Case(line, ["--range", "0.5..0.8"]),
-            "--count": Case([*line, "--range", "0.5..0.8", "--json"], ["--count", "4"]),
+            "--range": Case(line, ["--range", RANGES[size]]),
+            "--count": Case([*line, "--range", RANGES[size], "--json"], ["--count", "4"]),
             "--prove": Case(line, ["--prove"]),
             "--json": Case(line, ["--json"]),
             "--brackets": Case(line, ["--brackets"]),
