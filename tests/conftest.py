@@ -24,6 +24,11 @@ settings.register_profile(
 settings.load_profile("benchdragon")
 
 
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Begin with long tests: one that comes last runs while the other processes have nothing left."""
+    items.sort(key=lambda item: item.get_closest_marker("long") is None)
+
+
 @pytest.fixture(scope="session")
 def found() -> "Results":
     """What the paper comes to; fewer turns, and fewer dances walked again, will do in a test."""

@@ -63,6 +63,7 @@ LESS = {
 }
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("short_searches")  # tests/solve/test_turn.py asks how good turns are
 def test_every_command_in_the_readme_works(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     shutil.copytree(ROOT / "examples", tmp_path / "examples")
