@@ -68,9 +68,8 @@ def test_each_row_is_that_of_its_point(whole: Sweep) -> None:
     for number, (pitch, radius) in enumerate(points[n] for n in range(len(points))):
         assert whole.table["route.pitch"][number].as_py() == pitch
         assert whole.table["disc.radius"][number].as_py() == radius
-    plan = read_plan("spiral-in", ["dragon.benches=8"])
     ask = Ask(
-        plan,
+        work.PLAN,
         (("route.pitch", "float64"), ("disc.radius", "float64")),
         ("first_contact",),
         RandomDances(),
@@ -105,6 +104,7 @@ def test_an_executor_of_the_caller_serves_and_stays_open(whole: Sweep) -> None:
         assert executor.submit(len, "abc").result() == 3
 
 
+@pytest.mark.long
 def test_a_sweep_that_is_killed_again_and_again_comes_to_the_same(tmp_path: Path, whole: Sweep) -> None:
     moments = random.Random(1)
     for _killed in range(10):

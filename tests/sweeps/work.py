@@ -10,6 +10,8 @@ from benchdragon.plans.schema import read_plan
 from benchdragon.sweeps import folder
 from benchdragon.sweeps.sweep import Sweep, sweep
 
+# A short dance: it is swept often.
+PLAN = read_plan("spiral-in", ["dragon.benches=8", "route.start_turn=12"])
 # A quick sweep with answers of every kind: contacts, clear dances, refused plans, folded benches.
 VARY: dict[str, list[float | int | str]] = {
     "route.pitch": [-1, 0.2, *[n / 100 for n in range(45, 60)]],
@@ -20,8 +22,7 @@ ASKED = ["first_contact", "greatest_speed"]
 
 def swept(output: Path | None = None, executor: Any = None, **named: Any) -> Sweep:
     """A short sweep; in this thread, if no executor is given."""
-    plan = read_plan("spiral-in", ["dragon.benches=8"])
-    return sweep(plan, VARY, ASKED, output=output, executor=executor or threads(1), **named)
+    return sweep(PLAN, VARY, ASKED, output=output, executor=executor or threads(1), **named)
 
 
 # Parts that are written before a sweep waits for its end, and points of each.
