@@ -21,6 +21,23 @@ PARTS: list[dict[str, Any]] = [
     {"kind": "spiral", "pitch": 1.5, "start_radius": 9.0, "end_radius": 6.0},
     {"kind": "log-spiral", "length": 5.0, "start_curvature": -0.1, "end_curvature": -0.2},
 ]
+# Two arcs that make a ring with a kink of 5 degrees at both joints.
+PIECES: list[dict[str, Any]] = [
+    {
+        "start": [10, 0],
+        "heading": 90,
+        "length": 31.41593,
+        "start_curvature": 0.1,
+        "end_curvature": 0.1,
+    },
+    {
+        "start": [-10, 0],
+        "heading": -85,
+        "length": 29.78394,
+        "start_curvature": 0.0996195,
+        "end_curvature": 0.0996195,
+    },
+]
 DRAGON = {"benches": 4, "head_length": 2.2}
 SPIRAL = {"kind": "spiral-in", "pitch": 1.0, "start_turn": 4}
 
@@ -85,6 +102,16 @@ BASES: dict[str, dict[str, Any]] = {
     },
     "programme": {"dragon": DRAGON, "route": {"kind": "programme", "formation": STEPS}},
 }  # fmt: skip
+BASES["drawn"] = {
+    "dragon": DRAGON,
+    "route": {"kind": "drawn", "points": [[0, 0], [30, 0], [40, 30], [20, 60]], "deviation": 2.0},
+    "walk": {"start": 2, "end": 25},
+}
+BASES["surveyed"] = {
+    "dragon": DRAGON,
+    "route": {"kind": "drawn", "deviation": 0.2, "piece": PIECES},
+    "walk": {"start": 2, "end": 5},
+}
 # Another value for each key; the number of a part is that of its kind in PARTS.
 VARIED: dict[str, Any] = {
     "meta.title": "Other",
@@ -152,6 +179,27 @@ VARIED: dict[str, Any] = {
     "route.formation.0.clockwise": False,
     "route.formation.0.at": [-40.0, 0.0],
     "route.formation.0.turned": 20.0,
+    "route.points": [[0, 0], [20, 0], [30, 12], [60, 12]],
+    "route.piece": [{"start": [0, 0], "heading": 20, "length": 40}],
+    "route.piece.0.start": [10.001, 0.0],
+    "route.piece.0.heading": 90.005,
+    "route.piece.0.length": 31.418,
+    "route.piece.0.start_curvature": 0.100001,
+    "route.piece.0.end_curvature": 0.100001,
+    "route.file": None,  # becomes points before a plan is checked: tests/plans/test_drawn.py
+    "route.layer": None,
+    "route.deviation": 0.9,
+    "route.smooth": "G2",
+    "route.least_radius": None,  # what is too tight is refused: tests/surveys
+    "route.closed": True,
+    "route.joint_gap": None,
+    "route.joint_kink": None,
+    "route.drawn_within": 0.15,
+    "survey.crs": None,  # speaks of files
+    "survey.unit": None,
+    "survey.origin": None,
+    "venue.file": None,
+    "venue.layer": None,
     "disc.radius": 2.9,
     "turn.family": None,  # its other families are bases of their own
     "turn.ratio": 1.8,

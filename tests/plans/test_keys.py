@@ -18,6 +18,8 @@ from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.plans.toml import PlanError, built_in_names
 from tests.plans.test_effects import BASES
 
+# Of a drawn route, whether it has points or surveyed pieces.
+DRAWN_KEYS = ("kind", "deviation", "smooth", "least_radius", "closed", "drawn_within", "at", "turned")
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.dragon.toml"))
 
 
@@ -25,6 +27,7 @@ EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.dragon.toml")
 def test_every_key_of_every_table_is_described(section: Section) -> None:
     names = {field.alias or name for name, field in section.table.model_fields.items()}
     tables = {"meta", "dragon", "route", "disc", "turn", "walk", "limits", "venue", "obstacle"}
+    tables |= {"survey"}
     assert set(section.keys) == names - (tables if section.table is Plan else set())
 
 
@@ -59,7 +62,7 @@ def test_each_example_is_taken_with_its_unit() -> None:
     del turn["ratio"], turn["curvature"]
     walk = {name: value for name, value in said["[walk]"].items() if name != "profile"}
     dragon = {name: value for name, value in said["[dragon]"].items() if name != "bench"}
-    edge = {name: value for name, value in said["[venue]"].items() if name != "boundary"}
+    edge = {name: said["[venue]"][name] for name in ("rectangle", "centre", "angle", "name")}
     standing = [keys for header, keys in said.items() if header.startswith("[[obstacle]]")]
     for n, keys in enumerate(standing):
         keys["name"] += f" {n}"
@@ -75,6 +78,15 @@ def test_each_example_is_taken_with_its_unit() -> None:
     outline = {"boundary": said["[venue]"]["boundary"]}
     plan = checked({**common, "route": whole, "walk": profiled, "venue": outline}, "parts")
     assert len(plan.obstacles()) == 1 + len(standing)
+    drawn = said['[route] kind = "drawn"']
+    survey = {**common, "survey": said["[survey]"]}
+    pointed = {name: drawn[name] for name in DRAWN_KEYS if name in drawn} | {"points": drawn["points"]}
+    checked({**survey, "route": pointed}, "drawn")
+    joints = {name: drawn[name] for name in ("joint_gap", "joint_kink")}
+    checked(
+        {**survey, "route": pointed | joints | {"points": None, "piece": [said["[[route.piece]]"]]}},
+        "surveyed",
+    )
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

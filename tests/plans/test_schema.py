@@ -75,7 +75,10 @@ def test_a_quantity_without_a_known_unit_is_refused(text: str) -> None:
         ("dragon.benches=0", "dragon.benches: wanted at least 1, not 0"),
         ("dragon.benches=1000001", "dragon.benches: wanted at most 1000000, not 1000001"),
         ("dragon=3", "dragon: wanted a table, not 3"),
-        ('route.kind="circle"', "route.kind: wanted 'spiral-in', 'turn', 'parts', not \"circle\""),
+        (
+            'route.kind="circle"',
+            "route.kind: wanted 'spiral-in', 'turn', 'parts', 'drawn', not \"circle\"",
+        ),
         ("walk.profile=3", "walk.profile: wanted a list, not 3"),
         ("walk.speed=-1", "walk.speed: wanted at least 0.0, not -1"),
         ("schema=2", "schema: wanted 1, not 2"),

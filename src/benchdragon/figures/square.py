@@ -63,10 +63,16 @@ def draw_square(
             LineCollection(ropes, colors=OBSTACLE, lw=2.6 * mark, zorder=1.5, label=_("obstacle line"))
         )
     if edges:
-        thick = {"fc": "none", "ec": EDGE, "lw": 2.2 * mark, "zorder": 1.4}
+        thick: dict[str, Any] = {"fc": "none", "ec": EDGE, "lw": 2.2 * mark, "zorder": 1.4}
         drawn.append(PolyCollection(edges, label=_("edge of the venue"), **thick))
     if margins:
-        dashed = {"fc": "none", "ec": ink, "lw": 0.8 * mark, "ls": (0, (2, 2)), "zorder": 1.6}
+        dashed: dict[str, Any] = {
+            "fc": "none",
+            "ec": ink,
+            "lw": 0.8 * mark,
+            "ls": (0, (2, 2)),
+            "zorder": 1.6,
+        }
         drawn.append(PolyCollection(margins, label=_("margin"), **dashed))
     for one in drawn:
         panel.add_collection(one, autolim=False)

@@ -9,9 +9,11 @@ from pydantic.fields import FieldInfo
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
+from benchdragon.plans.drawn import PieceTable, SurveyTable
 from benchdragon.plans.faults import kinds_of
 from benchdragon.plans.formations import StepTable
 from benchdragon.plans.routes import (
+    DrawnRoute,
     FormationRoute,
     PartsRoute,
     ProgrammeRoute,
@@ -187,6 +189,37 @@ SECTIONS = (
         },
     ),
     Section(
+        '[route] kind = "drawn"', N_("Near a line that was drawn or surveyed."), DrawnRoute,
+        {
+            "kind": Key(N_("kind of the route"), "drawn"),
+            "points": Key(N_("points of the line, each x and y"), [[0, 0], [12, 0], [20, 6]], "m"),
+            "piece": Key(
+                N_("its surveyed parts, in place of points: see [[route.piece]]"),
+                [{"start": [0, 0], "heading": 0, "length": 12}],
+            ),
+            "file": Key(
+                N_("a CSV, GeoJSON, KML, LandXML, DXF or SVG file beside the plan, in place of points"),
+                "walk.geojson",
+            ),
+            "layer": Key(N_("layer or name of the line in the file, where it holds several"), "route"),
+            "deviation": Key(N_("most by which the route and the drawing may differ"), "20 cm", "m"),
+            "smooth": Key(
+                N_("none: as drawn, clothoids through points; G1: corners by arcs; G2: by clothoids"),
+                "G2",
+            ),
+            "least_radius": Key(
+                N_("radius that every bend must have at least; else half the longest link"), 1.5, "m"
+            ),
+            "closed": Key(N_("whether the line ends where it starts"), True),
+            "joint_gap": Key(N_("largest gap between surveyed parts that is closed"), "5 mm", "m"),
+            "joint_kink": Key(N_("largest kink between parts that is straightened"), 0.05, "deg"),
+            "drawn_within": Key(
+                N_("how far points may lie from what was drawn; counts as deviation"), "1 mm", "m"
+            ),
+            **PLACED,
+        },
+    ),
+    Section(
         "[[route.formation]]", N_("A formation of a programme, and where it is danced."), StepTable,
         {
             **SIZES,
@@ -195,6 +228,29 @@ SECTIONS = (
                 [7.5, 0], "m",
             ),
             "turned": Key(N_("by how much it is turned about its centre; beside at alone"), 180, "deg"),
+        },
+    ),
+    Section(
+        "[[route.piece]]", N_("A surveyed line, arc or clothoid; curvatures are positive to the left."),
+        PieceTable,
+        {
+            "start": Key(N_("where it starts, x and y"), [0, 0], "m"),
+            "heading": Key(N_("direction in which it starts, from x to y"), 90, "deg"),
+            "length": Key(N_("length of the part"), 12, "m"),
+            "start_curvature": Key(N_("curvature at its start; positive to the left"), 0, "1/m"),
+            "end_curvature": Key(N_("curvature at its end; positive to the left"), 0.125, "1/m"),
+        },
+    ),
+    Section(
+        "[survey]", N_("What the coordinates of the plan's files mean; one origin for all of them."),
+        SurveyTable,
+        {
+            "crs": Key(N_("wgs84, gcj02 or a code such as EPSG:4549; else plain metres"), "gcj02"),
+            "unit": Key(N_("of files that do not say it: m, cm, mm, km, in, ft or us-ft"), "mm"),
+            "origin": Key(
+                N_("what lies at (0, 0) in the plan: x and y of the file, or longitude and latitude"),
+                [120.15, 28.92],
+            ),
         },
     ),
     Section(
@@ -257,6 +313,11 @@ SECTIONS = (
             "centre": Key(N_("centre of the rectangle, x and y; else the origin"), [0, 0], "m"),
             "angle": Key(N_("direction of the rectangle's length, from x to y; else 0"), 30, "deg"),
             "name": Key(N_("what people call it; else venue"), "temple square"),
+            "file": Key(
+                N_("a DXF, GeoJSON, KML, CSV or SVG file beside the plan, in place of corners"),
+                "square.dxf",
+            ),
+            "layer": Key(N_("layer or name of the edge in the file, where it holds several"), "edge"),
         },
     ),
     *(_obstacle_section(obstacle) for obstacle in OBSTACLES),

@@ -4,6 +4,7 @@ import math
 from functools import partial
 from typing import Annotated, Literal, Protocol
 
+import numpy as np
 from pydantic import Field
 
 from benchdragon.errors import InputError
@@ -11,10 +12,11 @@ from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.turn_families import TRAIL
 from benchdragon.model.connections import programme
-from benchdragon.model.curves import Route, Spiral
+from benchdragon.model.curves import Line, Route, Spiral
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.turns import Turn
 from benchdragon.model.walk import Walk
+from benchdragon.plans.drawn import PieceTable
 from benchdragon.plans.formations import FormationTable, StepTable, refuse_tight, whole_dragon_on
 from benchdragon.plans.source import Fault, Faults, KeyedError
 from benchdragon.plans.tables import (
@@ -22,6 +24,7 @@ from benchdragon.plans.tables import (
     Degrees,
     DiscTable,
     Length,
+    LengthOrZero,
     Metres,
     Number,
     Part,
@@ -31,11 +34,18 @@ from benchdragon.plans.tables import (
     WalkTable,
     at_least,
 )
+from benchdragon.surveys.alignment import GAP, KINK
+from benchdragon.surveys.fitting import MOST_CURVES, Fit, Smooth, fitted
+from benchdragon.surveys.lines import DrawnLine, corners_of
 
 # A turn may reach so far out of its disc, m: rounding, and what lies between samples.
 FITS = 1e-3
 # Formations of one programme; the longest has some 160 parts.
 MOST_STEPS = 50
+# A drawing that starts with a bend has a straight line before it, m, which the dragon stands on.
+RUN_UP = 1.0
+# A bend must be wider than half a link by this share, or the bench folds.
+FOLDS = 1e-3
 
 
 def _at(key: str, text: str) -> KeyedError:
@@ -209,6 +219,74 @@ class FormationRoute(RouteTable, FormationTable):
         return walk.route.length
 
 
+class DrawnRoute(RouteTable):
+    """Along a line that somebody drew or surveyed: `points` of it, or `piece`s; a `file` becomes these.
+
+    A closed line is walked once round, and the dragon stands on it behind its head, however often
+    that leads round.
+    """
+
+    kind: Literal["drawn"]
+    points: Annotated[list[tuple[Metres, Metres]], Field(max_length=MOST_CURVES)] | None = None
+    piece: Annotated[list[PieceTable], Field(max_length=MOST_CURVES)] | None = None
+    file: Annotated[str, Field(max_length=255)] | None = None
+    layer: Annotated[str, Field(max_length=255)] | None = None
+    deviation: Length = 0.1
+    smooth: Smooth = "G1"
+    least_radius: Length | None = None
+    closed: bool = False
+    joint_gap: LengthOrZero = GAP
+    joint_kink: Annotated[Degrees, Field(ge=0.0)] = math.degrees(KINK)
+    drawn_within: LengthOrZero = 0.0
+
+    def build(self, plan: Beside) -> tuple[Route, float]:
+        """The route, and where on it the head stands at time 0: where the drawing starts."""
+        fit = self.fit(float(plan.links.max()))
+        curves = fit.route.curves
+        if self.closed:
+            laps = math.ceil(float(plan.links.sum()) / fit.route.length)
+            if (laps + 1) * len(curves) > MOST_CURVES:
+                raise _at(
+                    "route",
+                    _(
+                        "the dragon goes round the drawing {laps} times, with {count} bends a round: "
+                        "too many; draw it larger, or allow a larger deviation"
+                    ).format(laps=laps, count=len(curves)),
+                )
+            return Route(curves * (laps + 1)), laps * fit.route.length
+        if isinstance(curves[0], Line):
+            return fit.route, 0.0
+        (x, y), heading = fit.route.start_pose
+        before = x - RUN_UP * math.cos(heading), y - RUN_UP * math.sin(heading)
+        return Route((Line(RUN_UP, before, heading), *curves)), RUN_UP
+
+    def fit(self, link: float) -> Fit:
+        """The route along the drawing, and how near it keeps; `link` is the longest of a bench, m.
+
+        Raises:
+            InputError: naming the place where a bend is too tight or a joint too wide.
+        """
+        least = max(self.least_radius or 0.0, 0.5 * link * (1.0 + FOLDS))
+        kink = math.radians(self.joint_kink)
+        line = self._line()
+        return fitted(line, self.smooth, self.deviation, least, self.joint_gap, kink)
+
+    def _line(self) -> DrawnLine:
+        """The line that was drawn."""
+        if self.points is not None:
+            corners = corners_of(self.points, self.closed)
+            return DrawnLine("", corners, (), self.closed, self.drawn_within)
+        if not self.piece:
+            text = _("a drawn route needs points, or a file beside the plan")
+            raise _at("route", text)
+        curves = tuple(piece.build() for piece in self.piece)
+        return DrawnLine("", np.zeros((0, 3)), curves, self.closed, self.drawn_within)
+
+    def last_position(self, walk: Walk) -> float:
+        """The head's route position at the end of the walk, m."""
+        return walk.route.length
+
+
 class ProgrammeRoute(RouteTable):
     """Formations one after another; at time 0 the whole dragon stands on the route, as above."""
 
@@ -243,6 +321,6 @@ def _whole_dragon_on(route: Route, plan: Beside) -> float:
 
 
 AnyRoute = Annotated[
-    SpiralInRoute | TurnRoute | PartsRoute | FormationRoute | ProgrammeRoute,
+    SpiralInRoute | TurnRoute | PartsRoute | FormationRoute | ProgrammeRoute | DrawnRoute,
     Field(discriminator="kind"),
 ]

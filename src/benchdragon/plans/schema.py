@@ -17,6 +17,7 @@ from benchdragon.model.curves import Route
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.profile import SpeedProfile
 from benchdragon.model.walk import Walk
+from benchdragon.plans.drawn import SurveyTable, with_drawings
 from benchdragon.plans.faults import fault_of
 from benchdragon.plans.routes import AnyRoute
 from benchdragon.plans.source import Fault, Faults, Source
@@ -59,6 +60,7 @@ class Plan(Table):
     obstacle: Annotated[list[AnObstacle], Field(max_length=MOST_OBSTACLES)] = Field(
         default_factory=list
     )
+    survey: SurveyTable = SurveyTable()
     base: Annotated[str, Field(exclude=True)] = ""
     _source: Source = PrivateAttr(default=Source())
 
@@ -66,9 +68,12 @@ class Plan(Table):
     def sha256(self) -> str:
         """Name of everything that the plan says, titles and notes left out.
 
-        What is said of the square counts where it is said: plans without one keep their names.
+        What is said of the square counts where it is said: plans without one keep their names. Where
+        on earth the dance is does not count.
         """
-        data = self.model_dump(mode="json", by_alias=True, exclude={"meta", "venue", "obstacle"})
+        data = self.model_dump(
+            mode="json", by_alias=True, exclude={"meta", "venue", "obstacle", "survey"}
+        )
         for table, names in SQUARE_KEYS.items():
             for name in names:
                 if getattr(getattr(self, table), name) in (None, 0.0):
@@ -273,6 +278,7 @@ def checked(data: dict[str, Any], source: Source | str) -> Plan:
     route = data.get("route")
     if isinstance(route, dict) and "part" in route:
         route.setdefault("kind", "parts")
+    data = with_drawings(data, where)
     faults = [Fault(idle.key, str(idle)) for idle in idle_keys(data)]
     try:
         plan = Plan.model_validate(data)

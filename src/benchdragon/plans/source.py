@@ -4,6 +4,7 @@ import re
 import tomllib
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any, TypeVar
 
 from benchdragon.errors import InputError
@@ -64,11 +65,13 @@ class Source:
         name: of the file, or of a built-in plan.
         text: of the file, without which lines have no numbers.
         settings: keys that were set on the command line.
+        folder: of the file, in which others that the plan names lie; None: nothing lies beside it.
     """
 
     name: str = field(default="plan", compare=False)
     text: str = field(default="", compare=False, repr=False)
     settings: tuple[str, ...] = field(default=(), compare=False)
+    folder: Path | None = field(default=None, compare=False)
 
     def sentences(self, faults: Sequence[Fault]) -> str:
         """What is wrong, a line each, with its place."""

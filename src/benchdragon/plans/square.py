@@ -22,13 +22,18 @@ Corners = Annotated[list[tuple[Metres, Metres]], Field(max_length=MOST_CORNERS)]
 
 
 class VenueTable(Table):
-    """The edge of the venue: `boundary`, its corners, or a `rectangle` about a `centre`."""
+    """The edge of the venue: `boundary`, its corners, or a `rectangle` about a `centre`.
+
+    A `file` with the edge, or a `layer` of it, becomes its corners when the plan is read.
+    """
 
     boundary: Corners | None = None
     rectangle: tuple[Length, Length] | None = None
     centre: tuple[Metres, Metres] | None = None
     angle: Degrees | None = None
     name: Name = ""
+    file: Annotated[str, Field(max_length=255)] | None = None
+    layer: Annotated[str, Field(max_length=255)] | None = None
 
     def build(self, margin: float) -> Obstacle | None:
         """The edge, from which benches keep `margin`, m; None if the plan says none."""

@@ -87,7 +87,7 @@ def read_toml(source: str, settings: Sequence[str] = ()) -> tuple[dict[str, Any]
         path = BUILT_IN_FOLDER / f"{source}{SUFFIX}"
     text = _text(path, source)
     data = with_base(parsed(text, source), path.parent, source)
-    return data, Source(source, text, lay_over(data, settings))
+    return data, Source(source, text, lay_over(data, settings), path.parent)
 
 
 def with_base(
@@ -221,6 +221,8 @@ FORMATION_SIZES = {
     "tail-swing": ("swing", "radius", "swings", "run", "clockwise"),
 }
 ALL_SIZES = frozenset(size for sizes in FORMATION_SIZES.values() for size in sizes)
+# Keys of a drawn route that have no effect beside its points or pieces.
+DRAWN = {"points": ("piece", "file", "layer", "joint_gap", "joint_kink"), "piece": ("file", "layer")}
 
 
 # Tables of which some keys have no effect beside others.
@@ -237,7 +239,7 @@ def idle_keys(data: dict[str, Any]) -> list[Idle]:
     route, turn = tables["route"], tables["turn"]
     kind = "parts" if "part" in route else route.get("kind")
     found = []
-    if kind in ("parts", "spiral-in", "formation", "programme"):
+    if kind in ("parts", "drawn", "spiral-in", "formation", "programme"):
         idle = [f"turn.{name}" for name in turn]
         idle += [f"disc.{name}" for name in tables["disc"]] if kind != "spiral-in" else []
         found += [Idle(key, "route.kind", f'route.kind = "{kind}"') for key in idle]
@@ -252,6 +254,10 @@ def idle_keys(data: dict[str, Any]) -> list[Idle]:
     if kind == "programme" and isinstance(route.get("formation"), list):
         for i, one in enumerate(route["formation"]):
             found += _idle_sizes(_said(one), f"route.formation.{i}")
+    if kind == "drawn":
+        chosen = next((name for name in ("points", "piece") if name in route), "")
+        idle = [f"route.{name}" for name in DRAWN.get(chosen, ()) if name in route]
+        found += [Idle(key, f"route.{chosen}", f"route.{chosen}") for key in idle]
     if tables["walk"].get("profile") and "speed" in tables["walk"]:
         found.append(Idle("walk.speed", "walk.profile", "walk.profile"))
     if tables["dragon"].get("bench"):
@@ -266,11 +272,13 @@ def _idle_on_the_square(venue: dict[str, Any], limits: dict[str, Any]) -> list[I
     if "boundary" in venue:
         others = [f"venue.{name}" for name in ("rectangle", "centre", "angle") if name in venue]
         found += [Idle(key, "venue.boundary", "venue.boundary") for key in others]
-    elif "rectangle" not in venue:
+    elif "rectangle" not in venue and "file" not in venue:
         others = [f"venue.{name}" for name in ("centre", "angle") if name in venue]
         others += ["venue.name"] if venue.get("name") else []
         others += ["limits.venue_margin"] if "venue_margin" in limits else []
         found += [Idle(key, "venue", "venue.rectangle", missing=True) for key in others]
+    if "layer" in venue and "file" not in venue:
+        found.append(Idle("venue.layer", "venue", "venue.file", missing=True))
     return found
 
 

@@ -33,6 +33,7 @@ from benchdragon.model.answer import Answer, Witness
 from benchdragon.model.walk import Walk
 from benchdragon.plans.routes import (
     FITS,
+    DrawnRoute,
     FormationRoute,
     PartsRoute,
     ProgrammeRoute,
@@ -207,7 +208,7 @@ def kernel_numbers(plan: Plan, question: Question) -> FloatArray:
         clockwise = route.clockwise
     elif isinstance(route, TurnRoute):
         kind, pitch, disc = sizes_of.TURN, route.pitch, route.disc(plan)
-    elif not isinstance(route, PartsRoute | FormationRoute | ProgrammeRoute):
+    elif not isinstance(route, PartsRoute | DrawnRoute | FormationRoute | ProgrammeRoute):
         assert_never(route)
     radii = turn.radii or (math.nan, math.nan)
     numbers = {

@@ -1,0 +1,149 @@
+"""Drawings in plans: the tables that hold what was drawn, and files that are read into them."""
+
+import math
+from pathlib import Path
+from typing import Annotated, Any
+
+from pydantic import Field, ValidationError
+
+from benchdragon.errors import InputError
+from benchdragon.i18n import _
+from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line
+from benchdragon.plans.source import Fault, Source
+from benchdragon.plans.tables import LEAST, Curvature, Degrees, Length, Metres, Number, Table
+from benchdragon.plans.toml import Idle, PlanError
+from benchdragon.surveys.coordinates import Survey
+from benchdragon.surveys.lines import DrawnLine
+from benchdragon.surveys.reading import outline, read_line
+
+# Curvatures at both ends of a piece that differ by less than this, 1/m, are those of an arc.
+SAME_BEND = 1e-12
+
+
+class SurveyTable(Table):
+    """What the coordinates of the plan's files mean; `origin` is what lies at (0, 0) in the plan."""
+
+    crs: Annotated[str, Field(max_length=40)] | None = None
+    unit: Annotated[str, Field(max_length=40)] | None = None
+    origin: tuple[Number, Number] | None = None
+
+    def build(self) -> Survey:
+        """The same, checked."""
+        return Survey(self.crs, self.unit, self.origin)
+
+
+class PieceTable(Table):
+    """A surveyed line, arc or clothoid, where it was surveyed."""
+
+    start: tuple[Metres, Metres]
+    heading: Degrees
+    length: Length
+    start_curvature: Curvature = 0.0
+    end_curvature: Curvature = 0.0
+
+    def build(self) -> AnyCurve:
+        """The curve."""
+        heading = math.radians(self.heading)
+        a, b = self.start_curvature, self.end_curvature
+        if abs(a - b) > SAME_BEND:
+            return Clothoid(self.length, a, b, self.start, heading)
+        if abs(a) <= SAME_BEND:
+            return Line(self.length, self.start, heading)
+        return Arc(1.0 / abs(a), self.length * a, self.start, heading)
+
+
+def piece_of(curve: AnyCurve) -> dict[str, Any]:
+    """The table of a line, arc or clothoid."""
+    (x, y), heading = curve.start_pose
+    first, last = curve.curvature([0.0, curve.length]).tolist()
+    table: dict[str, Any] = {
+        "start": [x, y], "heading": math.degrees(heading), "length": curve.length,
+    }  # fmt: skip
+    return table | ({"start_curvature": first, "end_curvature": last} if first or last else {})
+
+
+def with_drawings(data: dict[str, Any], source: Source) -> dict[str, Any]:
+    """A plan's tables with what its files hold in place of their names.
+
+    `file` of [route] and [venue] is a file beside the plan. One origin serves all; where [survey] does
+    not say it, it is that of the first file, and said from then on.
+
+    Raises:
+        PlanError: for a file that cannot be read, or is not beside the plan.
+        MissingExtraError: for a format that needs the extra `survey`.
+    """
+    named = [name for name in ("venue", "route") if _names_file(data.get(name))]
+    try:
+        survey = SurveyTable.model_validate(data.get("survey", {})).build() if named else Survey()
+    except ValidationError:
+        return data  # the plan's own check says what is wrong
+    except InputError as error:
+        raise PlanError(source.sentences([Fault("survey", str(error))])) from None
+    clashes = [str(clash) for name in named for clash in _clashes(name, data[name])]
+    if clashes:
+        raise PlanError(source.sentences([Fault("", text) for text in clashes]))
+    found = dict(data)
+    for name in named:
+        table = {key: value for key, value in data[name].items() if key not in ("file", "layer")}
+        layer = data[name].get("layer")
+        try:
+            path = _beside(source.folder, data[name]["file"])
+            if name == "venue":
+                corners, survey = outline(path, survey, layer)
+                table["boundary"] = corners.tolist()
+            else:
+                line, survey = read_line(path, survey, layer)
+                table = {**table, **_drawn(line), **{k: table[k] for k in ("closed",) if k in table}}
+        except InputError as error:
+            raise PlanError(source.sentences([Fault(f"{name}.file", str(error))])) from None
+        found[name] = table
+    if named:
+        found["survey"] = {
+            key: value
+            for key, value in {"crs": survey.crs, "origin": survey.origin}.items()
+            if value is not None
+        }
+    return found
+
+
+def _clashes(name: str, table: dict[str, Any]) -> list[Idle]:
+    """What a table says beside its file that the file says too."""
+    others = ("boundary", "rectangle") if name == "venue" else ("points", "piece")
+    return [
+        Idle(f"{name}.file", f"{name}.{other}", f"{name}.{other}")
+        for other in others
+        if table.get(other) is not None
+    ]
+
+
+def _names_file(table: object) -> bool:
+    return isinstance(table, dict) and isinstance(table.get("file"), str) and isinstance(
+        table.get("layer", ""), str
+    )  # fmt: skip
+
+
+def _beside(folder: Path | None, name: str) -> Path:
+    """Where a file lies that a plan names."""
+    if folder is None:
+        raise InputError(
+            _("this plan was not read from a file, so nothing lies beside it: put points into it")
+        )
+    if name != Path(name).name or name in ("", ".", "..") or "\\" in name or "\0" in name:
+        raise InputError(
+            _("wanted the name of a file beside the plan, not {name}").format(name=repr(name)[:80])
+        )
+    return folder / name
+
+
+def _drawn(line: DrawnLine) -> dict[str, Any]:
+    """The keys of [route] that hold a line."""
+    found: dict[str, Any] = {}
+    if line.bent:
+        found["piece"] = [piece_of(curve) for curve in line.pieces()]
+    else:
+        found["points"] = line.corners[:, :2].tolist()
+    if line.closed:
+        found["closed"] = True
+    if line.off:
+        found["drawn_within"] = max(line.off, LEAST)
+    return found

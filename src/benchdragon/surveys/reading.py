@@ -1,0 +1,224 @@
+"""A line of a file, in metres near the dance: any format, any coordinates."""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from benchdragon.errors import InputError, reason
+from benchdragon.i18n import _
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line
+from benchdragon.surveys.alignment import GAP
+from benchdragon.surveys.cad_formats import dxf_file, svg_file
+from benchdragon.surveys.coordinates import UNITS, Survey, system_of, taken_near
+from benchdragon.surveys.lines import (
+    MOST_BYTES,
+    MOST_CORNERS,
+    MOST_LINES,
+    DrawnLine,
+    chained,
+    corners_of,
+)
+from benchdragon.surveys.raw import RawCurve, RawFile, RawLine
+from benchdragon.surveys.text_formats import csv_file, geojson_file
+from benchdragon.surveys.xml_formats import kml_file, landxml_file, xml_tree
+
+Reader = Callable[[bytes, str], RawFile]
+# By the ending of a file.
+READERS: dict[str, Reader] = {
+    ".csv": csv_file,
+    ".geojson": geojson_file,
+    ".json": geojson_file,
+    ".kml": kml_file,
+    ".xml": landxml_file,
+    ".landxml": landxml_file,
+    ".dxf": dxf_file,
+}
+ENDINGS = (*READERS, ".svg")
+# Lines of a file that are named in an error.
+MOST_NAMES = 10
+
+
+def read_lines(path: Path, survey: Survey) -> tuple[list[DrawnLine], Survey]:
+    """The lines of a file, in metres near the dance, and the survey with its origin.
+
+    Raises:
+        InputError: for a file that cannot be read, and for a unit or a system that is missing.
+        MissingExtraError: for a format or a system that needs the extra `survey`.
+    """
+    raw = _raw(path, survey)
+    if not raw.lines:
+        raise InputError(_("{file} holds no line").format(file=path.name))
+    if len(raw.lines) > MOST_LINES:
+        raise InputError(
+            _("{file} holds {count} lines, and {most} are read at most").format(
+                file=path.name, count=len(raw.lines), most=MOST_LINES
+            )
+        )
+    points = [point for line in raw.lines for point in _places(line)]
+    if len(points) > MOST_CORNERS:
+        raise InputError(
+            _("{file} holds {count} points, and {most} are read at most").format(
+                file=path.name, count=len(points), most=MOST_CORNERS
+            )
+        )
+    if not points:
+        raise InputError(_("{file} holds no line").format(file=path.name))
+    near, known = taken_near(points, survey, path.name, raw.angular, raw.unit)
+    scale = _scale(survey, raw)
+    found, first = [], 0
+    for line in raw.lines:
+        count = len(_places(line))
+        found.append(_drawn(line, near[first : first + count], scale))
+        first += count
+    return found, known
+
+
+def _raw(path: Path, survey: Survey) -> RawFile:
+    ending = path.suffix.lower()
+    if ending not in ENDINGS:
+        raise InputError(
+            _("{file}: drawings are read from {endings} files").format(
+                file=path.name, endings=", ".join(ENDINGS)
+            )
+        )
+    data = _bytes(path)
+    if ending == ".svg":
+        return svg_file(data, path.name, physical=survey.unit is None)
+    if ending == ".xml" and xml_tree(data, path.name).tag == "kml":
+        return kml_file(data, path.name)
+    return READERS[ending](data, path.name)
+
+
+def _bytes(path: Path) -> bytes:
+    try:
+        if not path.is_file():
+            raise InputError(_("there is no file {file} beside the plan").format(file=path.name))
+        size = path.stat().st_size
+        if size > MOST_BYTES:
+            raise InputError(
+                _("{file} is too large: {size} MB, at most {most} MB are read").format(
+                    file=path.name, size=size // 1_000_000, most=MOST_BYTES // 1_000_000
+                )
+            )
+        return path.read_bytes()
+    except OSError as error:
+        raise InputError(f"{path.name}: {reason(error)}") from None
+
+
+def _places(line: RawLine) -> list[tuple[float, float]]:
+    """Every point of a line for which coordinates must be found."""
+    if not line.curves:
+        return [(point[0], point[1]) for point in line.points]
+    return [
+        point for curve in line.curves for point in (curve.start, curve.end, curve.third or curve.end)
+    ]
+
+
+def _scale(survey: Survey, raw: RawFile) -> float:
+    """What one unit of lengths in the file is worth, m."""
+    unit = survey.unit or raw.unit
+    system = None if survey.crs is None else system_of(survey.crs)
+    if system is not None and system.unit is not None and survey.unit is None:
+        return float(system.unit)
+    return float(UNITS[unit]) if unit else 1.0
+
+
+def _drawn(line: RawLine, near: FloatArray, scale: float) -> DrawnLine:
+    if line.curves:
+        curves = [_curve(curve, near[3 * n : 3 * n + 3], scale) for n, curve in enumerate(line.curves)]
+        return DrawnLine(line.name, np.zeros((0, 3)), tuple(curves))
+    bulges = np.array([point[2] if len(point) > 2 else 0.0 for point in line.points])
+    corners = corners_of(np.column_stack([near, bulges]), line.closed)
+    return DrawnLine(line.name, corners, (), line.closed, line.off * scale)
+
+
+def _curve(curve: RawCurve, places: FloatArray, scale: float) -> AnyCurve:
+    """A surveyed curve from where it starts, at the heading that its other points say."""
+    start, end, third = places
+    at = float(start[0]), float(start[1])
+    side = 1.0 if curve.left else -1.0
+    if curve.kind == "line":
+        return Line(math.dist(start, end), at, _direction(start, end))
+    if curve.kind == "arc":
+        out, back = _direction(third, start), _direction(third, end)
+        sweep = (side * (back - out)) % (2.0 * math.pi)
+        return Arc(math.dist(start, third), side * sweep, at, out + side * 0.5 * math.pi)
+    length = curve.length * scale
+    first, last = (side / (radius * scale) for radius in curve.radii)
+    if curve.third is not None and math.dist(start, third) > 0.0:
+        return Clothoid(length, first, last, at, _direction(start, third))
+    shape = Clothoid(length, first, last)
+    (x, y), _heading = shape.end_pose
+    return Clothoid(length, first, last, at, _direction(start, end) - math.atan2(y, x))
+
+
+def _direction(start: FloatArray, end: FloatArray) -> float:
+    return math.atan2(end[1] - start[1], end[0] - start[0])
+
+
+def read_line(path: Path, survey: Survey, layer: str | None = None) -> tuple[DrawnLine, Survey]:
+    """The one line of a file, or of a layer of it, and the survey with its origin.
+
+    Lines that are drawn piece by piece are joined where their ends meet.
+
+    Raises:
+        InputError: as `read_lines`, and where there is no such line or more than one.
+    """
+    lines, known = read_lines(path, survey)
+    names = sorted({line.name for line in lines})
+    if layer is not None:
+        lines = [line for line in lines if line.name == layer]
+        if not lines:
+            raise InputError(
+                _("{file} has no line called {layer}; it has {names}").format(
+                    file=path.name, layer=repr(layer)[:60], names=_listed(names)
+                )
+            )
+    lines = [line for line in chained(lines, GAP) if line.curves or len(line.corners) > 1]
+    if len(lines) == 1:
+        return lines[0], known
+    if not lines:
+        raise InputError(_("{file} holds no line").format(file=path.name))
+    if layer is None and len(names) > 1:
+        raise InputError(
+            _("{file} holds {count} lines: choose one by the key layer: {names}").format(
+                file=path.name, count=len(lines), names=_listed(names)
+            )
+        )
+    raise InputError(
+        _("{file} holds {count} lines that do not meet within {gap} m: join them, or leave one").format(
+            file=path.name, count=len(lines), gap=f"{GAP:g}"
+        )
+    )
+
+
+def _listed(names: Sequence[str]) -> str:
+    shown = ", ".join(repr(name)[:60] for name in names[:MOST_NAMES])
+    return shown + (", ..." if len(names) > MOST_NAMES else "")
+
+
+def outline(path: Path, survey: Survey, layer: str | None = None) -> tuple[FloatArray, Survey]:
+    """Corners (P, 2) of the closed line of a file, m, and the survey with its origin.
+
+    Arcs become chords within lines.FLATTENED of them.
+
+    Raises:
+        InputError: as `read_line`, and for a line that is open.
+    """
+    line, known = read_line(path, survey, layer)
+    points, _off = line.points()
+    if not line.closed and len(points) and math.dist(points[0], points[-1]) <= GAP:
+        points, line = points[:-1], replace(line, closed=True)
+    if not line.closed:
+        raise InputError(
+            _("{file}: the boundary is open: its ends are {gap} m apart").format(
+                file=path.name, gap=f"{math.dist(points[0], points[-1]):.3g}"
+            )
+        )
+    if len(points) < 3:
+        raise InputError(_("{file}: a boundary needs three corners at least").format(file=path.name))
+    return points, known
