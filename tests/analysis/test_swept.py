@@ -14,8 +14,10 @@ from benchdragon.analysis.swept import (
     swept_area,
 )
 from benchdragon.analysis.swept_steps import MOST_STEPS, merged, placed_steps
+from benchdragon.analysis.swept_width import _bounds, _cells, _stretches
 from benchdragon.errors import InputError, UnsureError, WalkError
 from benchdragon.figures.walk import bench_corners
+from benchdragon.kernels.band import turnings
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line, Route, Spiral
 from benchdragon.model.dragon import Bench, Dragon
@@ -270,15 +272,91 @@ def test_what_cannot_be_is_refused() -> None:
         swept_area(walk, 0.0, 1e4)
 
 
-def test_an_area_of_too_many_steps_is_refused_before_it_is_begun() -> None:
+def test_an_area_of_too_many_steps_is_refused_before_it_is_begun(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("benchdragon.analysis.swept_steps.placed_steps", None)
     walk = Walk(Dragon.uniform(3), Route((Line(1e6),)), SpeedProfile.constant(50.0))
     with pytest.raises(InputError, match="200000 steps"):
         swept_area(walk, 0.0, 2e4)
 
 
 def test_a_bench_that_leaps_is_told() -> None:
-    """Around a hairpin whose sides are nearer than a link, the rear handle leaps to the other side."""
+    """The rear handle is still before a spike of the route, then all at once at its tip."""
+    up, down = math.hypot(0.3, 0.6), math.hypot(0.6, 0.6)
+    spike = Line(up, (6.0, 0.0), math.atan2(0.6, -0.3)), Line(down, (5.7, 0.6), -0.25 * math.pi)
+    route = Route((Line(6.0), *spike, Line(9.0, (6.3, 0.0))), kinks=True)
+    walk = Walk(Dragon([Bench(2.2)]), route, start=8.0)
+    leap = 6.0 + up + down + math.sqrt(1.65**2 - 0.36) - 0.6  # when the tip is one link away
+    with pytest.raises(UnsureError, match=rf"s = {leap:.3f}\d* m of the route: use gentler"):
+        swept_area(walk, 0.0, 2.0)
+
+
+def test_a_bench_that_cannot_stand_is_told() -> None:
+    """Around a hairpin whose sides are nearer than a link it cannot follow."""
     route = Route.joined([Line(9.0), Arc(0.7, math.pi), Line(9.0)])
     walk = Walk(Dragon([Bench(2.2)]), route, start=5.0)
-    with pytest.raises((WalkError, UnsureError), match=r"leaps|folds|cannot follow"):
+    with pytest.raises(WalkError, match=r"folds|cannot follow"):
         swept_area(walk, 0.0, 12.0)
+
+
+def test_across_a_kink_a_bench_strays_by_what_it_travels_at_most() -> None:
+    route = Route((Line(8.0), Line(5.0, (8.0, 0.0), 0.6)), kinks=True)
+    walk = Walk(Dragon([Bench(2.2)]), route)
+    ends = np.array([[7.9, 8.1], [9.6, 9.8]])  # the front handle's kink, then the rear one's
+    *_rest, corners, stray, _fill = placed_steps(walk, walk.dragon.sizes, 0, ends)
+    for n, (low, high) in enumerate(ends):
+        at = np.linspace(low, high, 200)
+        between = placed_steps(walk, walk.dragon.sizes, 0, np.column_stack([at, at]))[3][:, 0]
+        hull = shapely.convex_hull(shapely.MultiPoint(corners[n].reshape(-1, 2)))
+        out = float(shapely.distance(shapely.points(between.reshape(-1, 2)), hull).max())
+        assert 0.15 * stray[n] < out <= stray[n] <= 0.2
+
+
+def test_what_the_route_turns_by_counts_both_ways_and_at_kinks() -> None:
+    arc = Arc(2.0, 1.0, (5.0, 0.0), 0.3)
+    route = Route((Line(5.0), arc, Clothoid(4.0, 0.4, -0.4).moved(*arc.end_pose)), kinks=True)
+    found = np.empty(3)
+    turnings(route.rows, np.array([-1.0, 4.0, 6.0, 11.0]), found)
+    assert found[0] == 0.0
+    assert found[1] == pytest.approx(0.3 + 0.5)
+    assert 0.5 + 2 * 0.5 * 2.0 * 0.4 <= found[2] < 2.2  # of a clothoid, at most its sharpest all along
+
+
+def test_the_polygon_is_widened_by_the_stray_and_the_smoothing() -> None:
+    """Every point that the bounds allow is held: all within the stray of any hull."""
+    walk = random_walk(2)
+    area = swept_area(walk, 0.0, 12.0, error=0.1)
+    hulls = shapely.union_all(shapely.convex_hull(shapely.multipoints(_corners(area))))
+    allowed = shapely.buffer(hulls, area.steps.widest_stray, quad_segs=FINE)
+    assert shapely.covers(area.polygon, allowed)
+    assert shapely.hausdorff_distance(area.polygon, allowed) < 0.1 * 0.3
+
+
+def _corners(area: SweptArea) -> FloatArray:
+    return area.steps.corners.reshape(len(area.steps.kind), -1, 2)
+
+
+def test_the_error_is_told_with_all_of_its_parts() -> None:
+    """What a hull covers needlessly and how far the polygon is outside of hulls add up."""
+    walk = random_walk(2)
+    area = swept_area(walk, 0.0, 12.0, error=0.05)
+    hulls = shapely.union_all(shapely.convex_hull(shapely.multipoints(_corners(area))))
+    outside = float(shapely.hausdorff_distance(area.polygon, shapely.union(hulls, area.polygon)))
+    boundary = shapely.points(shapely.get_coordinates(area.polygon))
+    outside += float(shapely.distance(boundary, hulls).max())
+    assert area.error >= float((area.steps.stray + area.steps.fill).max()) + outside
+    assert area.error <= 0.05
+
+
+def test_each_cell_is_bounded_as_a_whole() -> None:
+    """Where the band is wide at one end of a cell alone, the whole cell's bound says so."""
+    benches = [Bench(2.0, 0.2, 0.1, 0.1), Bench(1.0, 1.4, 0.1, 0.1)]
+    walk = Walk(Dragon(benches), Route((Line(30.0),)), start=10.0)
+    steps = swept_area(walk, 0.0, 0.0).steps
+    ends = np.array([[8.0, 8.4], [6.9, 7.4], [7.05, 8.2]])  # the wide bench: 7.3 to 8.3 m
+    order = np.argsort(ends[:, 0])
+    cells = _cells(walk, ends[order])
+    bounds = _bounds(steps, cells, _stretches(steps), 1.2, cut=True)
+    assert (bounds >= 1.4).all()
+    assert (bounds <= 1.41).all()
