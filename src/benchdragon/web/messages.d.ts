@@ -121,6 +121,29 @@ export interface DrawnObstacle {
   rings: Array<Array<[number, number]>>;
 }
 
+/**
+ * Along a line that somebody drew or surveyed: `points` of it, or `piece`s; a `file` becomes these.
+ *
+ * A closed line is walked once round, and the dragon stands on it behind its head, however often
+ * that leads round.
+ */
+export interface DrawnRoute {
+  at?: [number, number] | null;
+  turned?: number;
+  kind: "drawn";
+  points?: Array<[number, number]> | null;
+  piece?: Array<PieceTable> | null;
+  file?: string | null;
+  layer?: string | null;
+  deviation?: number;
+  smooth?: "none" | "G1" | "G2";
+  least_radius?: number | null;
+  closed?: boolean;
+  joint_gap?: number;
+  joint_kink?: number;
+  drawn_within?: number;
+}
+
 /** A plan, and the language of the file; without one that of the request. */
 export interface ExportBody {
   plan: Plan;
@@ -437,6 +460,15 @@ export interface PartsRoute {
   heading?: number | null;
 }
 
+/** A surveyed line, arc or clothoid, where it was surveyed. */
+export interface PieceTable {
+  start: [number, number];
+  heading: number;
+  length: number;
+  start_curvature?: number;
+  end_curvature?: number;
+}
+
 /** The pitch, m, at which benches touch with at most that chance, with 95 % confidence. */
 export interface PitchFor {
   risk: number;
@@ -448,13 +480,14 @@ export interface Plan {
   schema: 1;
   meta?: MetaTable;
   dragon?: DragonTable;
-  route: SpiralInRoute | TurnRoute | PartsRoute | FormationRoute | ProgrammeRoute;
+  route: SpiralInRoute | TurnRoute | PartsRoute | FormationRoute | ProgrammeRoute | DrawnRoute;
   disc?: DiscTable;
   turn?: TurnTable;
   walk?: WalkTable;
   limits?: LimitsTable;
   venue?: VenueTable;
   obstacle?: Array<CircleTable | RectangleTable | PolygonTable | LineTable>;
+  survey?: SurveyTable;
 }
 
 /** A plan, to be asked about. */
@@ -564,6 +597,13 @@ export interface Stretch {
   nodes: number;
 }
 
+/** What the coordinates of the plan's files mean; `origin` is what lies at (0, 0) in the plan. */
+export interface SurveyTable {
+  crs?: string | null;
+  unit?: string | null;
+  origin?: [number, number] | null;
+}
+
 /** The text of a plan file. */
 export interface TextBody {
   toml: string;
@@ -618,13 +658,19 @@ export interface TurnTable {
   ease?: number;
 }
 
-/** The edge of the venue: `boundary`, its corners, or a `rectangle` about a `centre`. */
+/**
+ * The edge of the venue: `boundary`, its corners, or a `rectangle` about a `centre`.
+ *
+ * A `file` with the edge, or a `layer` of it, becomes its corners when the plan is read.
+ */
 export interface VenueTable {
   boundary?: Array<[number, number]> | null;
   rectangle?: [number, number] | null;
   centre?: [number, number] | null;
   angle?: number | null;
   name?: string;
+  file?: string | null;
+  layer?: string | null;
 }
 
 /**
