@@ -19,7 +19,6 @@ from benchdragon.model.formations import (
     FigureEight,
     StraightDragon,
     TailSwing,
-    formation,
     least_radius,
 )
 
@@ -176,6 +175,9 @@ def test_a_formation_without_a_place_begins_where_the_one_before_it_ends() -> No
     steps = [Step(StraightDragon(50.0), (3.0, 4.0), 1.0), Step(TailSwing(run=0.0)), Step(CoilIn())]
     route = programme(steps, 2.0)
     assert len(route) == 1 + len(TailSwing(run=0.0).build()) + 1
+    there = Step(CoilIn(), (200.0, 9.0))
+    after = programme([*steps, there], 2.0)
+    assert after.end_pose[0] == pytest.approx(programme([there], 2.0).end_pose[0])
     assert route.length == pytest.approx(sum(step.formation.build().length for step in steps))
     assert route.start_pose[0] == pytest.approx(
         (3.0 - 25.0 * math.cos(1.0), 4.0 - 25.0 * math.sin(1.0))
@@ -194,20 +196,13 @@ def test_the_connection_inside_a_coil_is_the_one_that_crosses_no_turn() -> None:
 
 def test_a_longer_connection_is_taken_where_the_shortest_would_cross() -> None:
     coil = CoilOut(0.8, 2.0, 6.0)
-    inside = Step(formation("straight-dragon", length=1.0), (0.0, 0.0), math.pi)
-    beside = Step(formation("straight-dragon", length=4.0), (12.0, 0.0))
-    for step in (inside, beside):
-        route = programme([Step(coil, (0.0, 0.0)), step], 1.0)
-        ways = connections(
-            coil.build().end_pose,
-            step.formation.build().moved(step.turned, step.at or (0, 0)).start_pose,
-            1.0,
-        )
-        between = route.length - coil.build().length - step.formation.build().length
-        assert any(between == pytest.approx(way.length) for way in ways)
-        way = Route.joined(route.curves[1:-1])
-        own = [crossings_of(Route(other.curves), coil.build()) for other in ways]
-        assert crossings_of(way, coil.build()) == min(own)
+    beside = Step(StraightDragon(4.0), (6.0, 12.0))
+    ways = connections(coil.build().end_pose, ((4.0, 12.0), 0.0), 2.0)
+    crossed = [crossings_of(Route(way.curves), coil.build()) for way in ways]
+    assert (ways[0].word, ways[1].word) == ("RSR", "LSR")
+    assert crossed[0] > crossed[1] == min(crossed) == 0
+    route = programme([Step(coil), beside], 2.0)
+    assert route.length == pytest.approx(coil.build().length + ways[1].length + 4.0)
 
 
 def crossings_of(one: Route, other: Route) -> int:
@@ -221,6 +216,8 @@ def test_chords_that_cross_are_counted() -> None:
     assert crossings(cross, flat) == crossings(flat, cross) == 2
     assert crossings(cross, flat + 5.0) == 0
     assert crossings(cross, cross) == 0
+    beside = np.array([[10.0, 1.0], [15.0, 1.0]])  # whose line, carried on, would be crossed
+    assert crossings(cross, beside) == crossings(beside, cross) == 0
 
 
 def test_what_cannot_be_joined_is_refused() -> None:

@@ -14,6 +14,7 @@ import numpy as np
 from benchdragon.errors import InputError, of_kind, positive
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.arrays import as_numbers
 from benchdragon.model.base_curve import Point, check_pose
 from benchdragon.model.curves import AnyCurve, Arc, Line, Route
 from benchdragon.model.formations import Formation
@@ -55,14 +56,24 @@ def connections(start: Pose, end: Pose, radius: float) -> list[Connection]:
         end: likewise.
         radius: of the arcs, m.
     """
-    for point, heading in (start, end):
-        check_pose(point, heading)
+    for pose in (start, end):
+        _check(pose)
     positive("radius", radius, "m")
     found = [
         Connection(word, _curves(start, sweeps, line, radius))
         for word, sweeps, line in (*_with_line(start, end, radius), *_of_arcs(start, end, radius))
     ]
     return sorted(found, key=lambda one: one.length)
+
+
+def _check(pose: object) -> None:
+    """Refuse what is no pose."""
+    if not isinstance(pose, tuple) or len(pose) != 2:
+        raise InputError(
+            _("a pose must be ((x, y), heading), not {value}").format(value=repr(pose)[:80])
+        )
+    as_numbers("point", pose[0])
+    check_pose(*pose)
 
 
 # A word, the sweeps of its arcs, rad, left positive, and the length of its line, m, or None.
@@ -152,7 +163,7 @@ class Step:
 
     def __post_init__(self) -> None:
         of_kind("formation", self.formation, Formation)
-        check_pose(self.at or (0.0, 0.0), self.turned)
+        _check(((0.0, 0.0) if self.at is None else self.at, self.turned))
         if self.at is None and self.turned != 0.0:
             raise InputError(
                 _("turned has no effect without at: this formation begins as the one before it ends")
@@ -171,8 +182,14 @@ def programme(steps: Sequence[Step], radius: float) -> Route:
         radius: of the connections' arcs, m.
 
     Raises:
-        InputError: for no steps.
+        InputError: for no steps, and for what is none.
     """
+    if isinstance(steps, str) or not isinstance(steps, Sequence):
+        text = _("steps must be a list of Step, not {value}")
+        raise InputError(text.format(value=repr(steps)[:80]))
+    for step in steps:
+        of_kind("step", step, Step)
+    positive("radius", radius, "m")
     if not steps:
         raise InputError(_("a programme needs at least one formation"))
     routes: list[Route] = []

@@ -429,7 +429,7 @@ def formation(name: str, **sizes: Any) -> Formation:
     Raises:
         InputError: for a name that none has, and for sizes that it has not or that cannot be.
     """
-    if name not in FORMATIONS:
+    if not isinstance(name, str) or name not in FORMATIONS:
         raise InputError(
             _("wanted one of {known}, not {name}").format(known=", ".join(FORMATIONS), name=name)
         )
