@@ -170,6 +170,26 @@ def test_the_soonest_of_several_touches_is_told() -> None:
     sure(first_touch(east(dragon), both, 0.0, 60.0), 3.25, 2)
 
 
+def test_the_soonest_touch_is_told_in_whatever_order_they_are_found(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    pegs = Obstacle.line("pegs", [(20.25, 0.2), (20.25, 0.5), (12.0, 0.5), (12.0, 0.4)])
+    dragon = Dragon.of_sizes([2.0, 2.0], [0.5, 0.9], 0.25, 0.25)
+    search = ObstacleSearch(east(dragon), pegs, 0.0, 60.0)
+    touches = search.touches()
+    assert len(touches) == 2
+    for order in (touches, touches[::-1]):
+        monkeypatch.setattr(search, "touches", lambda order=order: order)
+        sure(touching(search)[-1], 3.25, 2)
+
+
+def test_a_coarse_least_distance_is_told_as_such() -> None:
+    post = Obstacle.circle("post", (20.0, 3.0), 1.0)
+    found = least_distance(east(), post, 0.0, 40.0, tolerances=(1e-3,))
+    assert found.lower <= 1.75 <= found.upper
+    assert found.upper - found.lower == pytest.approx(1e-3, rel=1e-6)
+
+
 def test_a_dance_within_a_ring_of_walls_touches_none() -> None:
     ring = Obstacle.polygon("yard", [(-90, -9), (190, -9), (190, -8), (-90, -8)])
     told = obstacle_answers(east(), ring, 0.0, 80.0)

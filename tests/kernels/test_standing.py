@@ -152,6 +152,12 @@ def test_a_wall_is_met_in_the_span_that_leads_to_it() -> None:
     assert near[1, kernel.SPAN_LOWER] <= 9.25 <= near[1, kernel.SPAN_UPPER]
 
 
+def test_what_is_far_off_counts_within_a_wide_margin() -> None:
+    ending, _note, found = spans_searched(EAST, wall(60.0), FIRST_TOUCH, [(5.0, 12.0)], margin=50.0)
+    assert ending == FOUND
+    assert found[0, kernel.SPAN_LOWER] <= 9.75 <= found[0, kernel.SPAN_UPPER]
+
+
 def test_spans_are_searched_to_their_very_ends() -> None:
     ending, _note, found = spans_searched(EAST, wall(10.25), FIRST_TOUCH, [(5.0, 10.0 + 1e-9)])
     assert (ending, found[0, kernel.ENDING]) == (FOUND, FOUND)
@@ -200,13 +206,14 @@ def test_a_bench_that_cannot_follow_is_astray(goal: int) -> None:
 
 
 def test_the_least_distance_of_all_spans_together_is_bracketed() -> None:
-    boxes = np.vstack([wall(10.0, 0.5, 2.0), wall(11.0, 0.4, 2.0), wall(12.0, 0.6, 2.0)])
+    near = [wall(10.0, 0.5, 2.0), wall(11.0, 0.4, 2.0), wall(12.0, 0.6, 2.0)]
+    boxes = np.vstack([wall(90.0), *near])
     spans = [(8.0, 10.0), (10.5, 11.5), (30.0, 31.0)]
     ending, note, found = spans_searched(EAST, boxes, LEAST, spans, tolerance=1e-6)
     assert ending == CLEAR
     assert (found[:, kernel.ENDING] == CLEAR).all()
     assert note[steps.NEAREST] == pytest.approx(0.15, abs=1e-12)
-    assert note[steps.PAIR] == 1
+    assert note[steps.PAIR] == 2
     assert 10.75 <= note[steps.UPPER] <= 12.75
     assert note[steps.FLOOR] == math.inf
     # With so few evaluations it is told how low it may lie.
