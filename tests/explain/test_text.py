@@ -124,7 +124,7 @@ def test_the_first_sound_time_is_explained_and_a_dragon_that_never_stands_is_sai
 
 
 def test_a_profile_is_written_out_as_areas() -> None:
-    plan = read_plan(str(EXAMPLES[-1]))
+    plan = read_plan(next(str(path) for path in EXAMPLES if "stop_and_go" in path.name))
     walk = plan.build()
     assert len(plan.walk.profile) > 2
     for time in (-50.0, 0.0, 24.0):
@@ -170,6 +170,8 @@ def test_a_check_is_explained_for_every_plan(
     settings = [] if "own_benches" in name else ["dragon.benches=40"]
     report = check(read_plan(name, settings))
     lines = check_lines(report)
+    for obstacle in report.plan.obstacles():  # whose names are in both languages
+        lines = [line.replace(obstacle.name, "") for line in lines]
     agree(lines, 10)
     chinese_or_not(lines, spoken)
     answer = report.clearance if report.first_contact is None else report.first_contact

@@ -387,7 +387,7 @@ export class Player {
   /** How near benches are to one another and to what stands on the square. @param {Pair | null} tightest @param {Beside | null} beside */
   #nearText(tightest, beside) {
     const own = tightestText(tightest, this.boxes);
-    return beside ? [own, this.square.text(beside, this.boxes.touch)].join(_("; ")) : own;
+    return beside ? `${own}; ${this.square.text(beside, this.boxes.touch)}` : own;
   }
 
   /** At rest at an event of an obstacle: how its bench stands to that. */
