@@ -201,3 +201,12 @@ def test_points_know_how_they_were_drawn() -> None:
     assert points.sample is not None
     assert (points.sample.ranges, points.sample.seed) == (((0.4, 0.6),), 2)
     assert PITCHES.sample is None
+
+
+def test_a_plan_with_a_square_is_named_by_its_settings() -> None:
+    well = 'obstacle=[{kind="circle", name="well", centre=[3, 1], radius=0.5}]'
+    plan = read_plan("spiral-in", ["venue.rectangle=[40, 30]", well])
+    words = plan_words(plan)
+    assert words is not None
+    assert words[0] == "spiral-in"
+    assert read_plan(words[0], words[2::2]).sha256 == plan.sha256

@@ -134,10 +134,11 @@ def plan_words(plan: Plan) -> list[str] | None:
 
 
 def _flat(data: Mapping[str, Any]) -> dict[str, Any]:
-    """Values by dotted keys; those without effect are left out."""
-    return {
-        f"{table}.{key}": value
-        for table, values in data.items()
-        if table not in {"schema", "meta"}
-        for key, value in values.items()
-    }
+    """Values by dotted keys, lists of tables as they are; those without effect are left out."""
+    flat: dict[str, Any] = {}
+    for table, values in data.items():
+        if isinstance(values, dict) and table != "meta":
+            flat |= {f"{table}.{key}": value for key, value in values.items()}
+        elif isinstance(values, list) and values:
+            flat[table] = values
+    return flat
