@@ -23,6 +23,11 @@ MOTION = WALK.motion([0.0, 1.0])
 PLAN = bd.read_plan(
     "spiral-in", ["disc.radius=4.5", "dragon.benches=40", "route.pitch=0.6", "limits.speed=2"]
 )
+HALL = bd.read_plan(
+    "spiral-in",
+    ["disc.radius=2.9", "dragon.benches=4", "route.start_turn=9", "venue.rectangle=[14, 14]"],
+)
+WELL = bd.Obstacle.circle("well", (3.0, 4.0), 0.5)
 TURN = bd.read_plan("turn", ["dragon.benches=4", "walk.end=20"])
 
 
@@ -135,6 +140,7 @@ CALLS: dict[str, tuple[Any, ...]] = {
     "Walk": (DRAGON, ROUTE, WALK.profile, 0.0),
     "TurnGoal": (),
     "bench_offsets": (MOTION, 1),
+    "best_place": (HALL,),
     "best_turn": (TURN,),
     "check": (PLAN,),
     "enclosing": (WALK, 0.0, 2.0),
@@ -143,6 +149,8 @@ CALLS: dict[str, tuple[Any, ...]] = {
     "clearances": (MOTION,),
     "contact_windows": (WALK, 0.0, 2.0),
     "first_contact": (WALK, 0.0, 2.0),
+    "first_touch": (WALK, WELL, 0.0, 2.0),
+    "least_distance": (WALK, WELL, 0.0, 2.0),
     "greatest_head_speed": (PLAN,),
     "greatest_speed": (WALK, 0.0, 2.0),
     "least_clearance": (WALK, 0.0, 2.0),
@@ -163,8 +171,9 @@ CALLS: dict[str, tuple[Any, ...]] = {
 # What the package makes, and nobody else has to.
 MADE = {
     "Answer", "BestTurn", "BoundingCircle", "BoundingRectangle", "ClearanceCurve", "Comparison",
-    "Connection", "Enclosing", "Formation", "Motion", "Nearness", "Offsets", "Plan", "Points",
-    "Report", "Rings", "Status", "Sweep", "SweptArea", "Tolerance", "Widest", "Window", "Witness",
+    "Connection", "Enclosing", "Formation", "Motion", "Nearness", "Obstacle", "Offsets", "PlacedDance",
+    "Plan", "Points", "Report", "Rings", "Status", "Sweep", "SweptArea", "Tolerance", "Widest",
+    "Window", "Witness",
     "BenchDragonError", "InputError", "NoSolutionError", "UnsureError", "WalkError",
 }  # fmt: skip
 

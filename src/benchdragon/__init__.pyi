@@ -10,6 +10,8 @@ from .analysis.contact import least_clearance as least_clearance
 from .analysis.distance import Nearness as Nearness
 from .analysis.distance import clearances as clearances
 from .analysis.distance import tightest_pairs as tightest_pairs
+from .analysis.obstacles import first_touch as first_touch
+from .analysis.obstacles import least_distance as least_distance
 from .analysis.offsets import Offsets as Offsets
 from .analysis.offsets import bench_offsets as bench_offsets
 from .analysis.proof import prove_contact as prove_contact
@@ -44,6 +46,7 @@ from .model.dragon import Bench as Bench
 from .model.dragon import Dragon as Dragon
 from .model.formations import Formation as Formation
 from .model.formations import formation as formation
+from .model.obstacle import Obstacle as Obstacle
 from .model.placement import Placement as Placement
 from .model.profile import SpeedProfile as SpeedProfile
 from .model.turns import Turn as Turn
@@ -58,6 +61,8 @@ from .plans.schema import Plan as Plan
 from .plans.schema import read_plan as read_plan
 from .player.page import show as show
 from .solve.head_speed import greatest_head_speed as greatest_head_speed
+from .solve.place import PlacedDance as PlacedDance
+from .solve.place import best_place as best_place
 from .solve.size import limit as limit
 from .solve.size import smallest_pitch as smallest_pitch
 from .solve.tolerance import Deviations as Deviations

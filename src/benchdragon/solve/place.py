@@ -23,7 +23,8 @@ from benchdragon.model.answer import Answer
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, part, silent
-from benchdragon.solve.minima import LOCAL, downhill_point, low_points
+from benchdragon.solve import minima
+from benchdragon.solve.minima import downhill_point, low_points
 
 # What the dance covers is drawn to this, m.
 ROUGH = 0.05
@@ -77,7 +78,7 @@ def best_place(plan: Plan, *, progress: Progress = silent) -> PlacedDance:
         square.crowding, square.ranges, part(progress, 0.0, SEARCHED, _("trying positions"))
     )
     rough = downhill_point(
-        square.crowding, square.ranges, min(starts, key=lambda found: found[1])[0], LOCAL
+        square.crowding, square.ranges, min(starts, key=lambda found: found[1])[0], minima.LOCAL
     )
     progress(SEARCHED, _("exact figures"))
     fits = square.crowding(rough) < 0.0
@@ -154,7 +155,7 @@ class Square:
         """A place downhill from another, by exact least distances."""
         x, y, turned = place
         near = [(x - 1.0, x + 1.0), (y - 1.0, y + 1.0), (turned - 5.0, turned + 5.0)]
-        return downhill_point(self.exact_crowding, near, place, LOCAL)
+        return downhill_point(self.exact_crowding, near, place, minima.LOCAL)
 
     def _answers(self, plan: Plan, tolerances: Sequence[float]) -> list[ObstacleAnswers]:
         walk = plan.build()
