@@ -21,7 +21,7 @@ from benchdragon.analysis.contact_search import SLACK
 from benchdragon.analysis.distance import pair_distances
 from benchdragon.analysis.ledger import Ledger
 from benchdragon.analysis.obstacles import ObstacleAnswers, ObstacleSearch, touching
-from benchdragon.errors import InputError, MissingExtraError, UnsureError, of_kind
+from benchdragon.errors import InputError, MissingExtraError, UnsureError, in_order, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels.curve import FloatArray
@@ -354,6 +354,7 @@ def prove_contact(
         WalkError: as `first_contact`.
     """
     of_kind("walk", walk, Walk)
+    in_order(start, end)
     require_enclosed(walk.route)
     require_flint()
 
