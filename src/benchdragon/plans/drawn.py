@@ -8,6 +8,7 @@ from pydantic import Field, ValidationError
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
+from benchdragon.kernels.curve import MOST_METRES
 from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line
 from benchdragon.plans.source import Fault, Source
 from benchdragon.plans.tables import LEAST, Curvature, Degrees, Length, Metres, Number, Table
@@ -45,10 +46,10 @@ class PieceTable(Table):
         """The curve."""
         heading = math.radians(self.heading)
         a, b = self.start_curvature, self.end_curvature
-        if abs(a - b) > SAME_BEND:
-            return Clothoid(self.length, a, b, self.start, heading)
-        if abs(a) <= SAME_BEND:
+        if a == b == 0.0:
             return Line(self.length, self.start, heading)
+        if abs(a - b) > SAME_BEND or abs(a) * MOST_METRES < 1.0:
+            return Clothoid(self.length, a, b, self.start, heading)
         return Arc(1.0 / abs(a), self.length * a, self.start, heading)
 
 

@@ -1,8 +1,8 @@
 """The kinds of routes that a plan may have, and where on each the head stands and comes to."""
 
 import math
-from functools import partial
-from typing import Annotated, Literal, Protocol
+from functools import lru_cache, partial
+from typing import Annotated, Literal, NamedTuple, Protocol
 
 import numpy as np
 from pydantic import Field
@@ -219,6 +219,55 @@ class FormationRoute(RouteTable, FormationTable):
         return walk.route.length
 
 
+class ProgrammeRoute(RouteTable):
+    """Formations one after another; at time 0 the whole dragon stands on the route, as above."""
+
+    kind: Literal["programme"]
+    formation: Annotated[list[StepTable], Field(min_length=1, max_length=MOST_STEPS)]
+    radius: Length = 3.0
+
+    def build(self, plan: Beside) -> tuple[Route, float]:
+        """The route, and where on it the head stands at time 0."""
+        faults, link = Faults(), float(plan.links.max())
+        faults.tried("route.radius", partial(refuse_tight, "route.radius", self.radius, link))
+        keys = [f"route.formation.{i}" for i in range(len(self.formation))]
+        tried = [
+            faults.tried(key, partial(one.step, key, link))
+            for key, one in zip(keys, self.formation, strict=True)
+        ]
+        if faults.found:
+            raise KeyedError(faults.found)
+        route = programme([step for step in tried if step is not None], self.radius)
+        return route, _whole_dragon_on(route, plan)
+
+    def last_position(self, walk: Walk) -> float:
+        """The head's route position at the end of the walk, m."""
+        return walk.route.length
+
+
+class Drawn(NamedTuple):
+    """What a drawn route follows, so that it can be the key of what was found for it."""
+
+    points: tuple[tuple[float, float], ...]
+    pieces: tuple[PieceTable, ...]
+    closed: bool
+    within: float
+
+    def line(self) -> DrawnLine:
+        """The line that was drawn."""
+        corners = corners_of(self.points, self.closed) if self.points else np.zeros((0, 3))
+        curves = tuple(piece.build() for piece in self.pieces)
+        return DrawnLine("", corners, curves, self.closed, self.within)
+
+
+@lru_cache(maxsize=8)
+def _fitted(
+    drawn: Drawn, smooth: Smooth, deviation: float, least_radius: float, gap: float, kink: float
+) -> Fit:
+    """The route along a drawing; kept, for searches ask for the same one again and again."""
+    return fitted(drawn.line(), smooth, deviation, least_radius, gap, kink)
+
+
 class DrawnRoute(RouteTable):
     """Along a line that somebody drew or surveyed: `points` of it, or `piece`s; a `file` becomes these.
 
@@ -268,45 +317,10 @@ class DrawnRoute(RouteTable):
         """
         least = max(self.least_radius or 0.0, 0.5 * link * (1.0 + FOLDS))
         kink = math.radians(self.joint_kink)
-        line = self._line()
-        return fitted(line, self.smooth, self.deviation, least, self.joint_gap, kink)
-
-    def _line(self) -> DrawnLine:
-        """The line that was drawn."""
-        if self.points is not None:
-            corners = corners_of(self.points, self.closed)
-            return DrawnLine("", corners, (), self.closed, self.drawn_within)
-        if not self.piece:
-            text = _("a drawn route needs points, or a file beside the plan")
-            raise _at("route", text)
-        curves = tuple(piece.build() for piece in self.piece)
-        return DrawnLine("", np.zeros((0, 3)), curves, self.closed, self.drawn_within)
-
-    def last_position(self, walk: Walk) -> float:
-        """The head's route position at the end of the walk, m."""
-        return walk.route.length
-
-
-class ProgrammeRoute(RouteTable):
-    """Formations one after another; at time 0 the whole dragon stands on the route, as above."""
-
-    kind: Literal["programme"]
-    formation: Annotated[list[StepTable], Field(min_length=1, max_length=MOST_STEPS)]
-    radius: Length = 3.0
-
-    def build(self, plan: Beside) -> tuple[Route, float]:
-        """The route, and where on it the head stands at time 0."""
-        faults, link = Faults(), float(plan.links.max())
-        faults.tried("route.radius", partial(refuse_tight, "route.radius", self.radius, link))
-        keys = [f"route.formation.{i}" for i in range(len(self.formation))]
-        tried = [
-            faults.tried(key, partial(one.step, key, link))
-            for key, one in zip(keys, self.formation, strict=True)
-        ]
-        if faults.found:
-            raise KeyedError(faults.found)
-        route = programme([step for step in tried if step is not None], self.radius)
-        return route, _whole_dragon_on(route, plan)
+        if not (self.points or self.piece):
+            raise _at("route", _("a drawn route needs points, or a file beside the plan"))
+        drawn = Drawn(tuple(self.points or ()), tuple(self.piece or ()), self.closed, self.drawn_within)
+        return _fitted(drawn, self.smooth, self.deviation, least, self.joint_gap, kink)
 
     def last_position(self, walk: Walk) -> float:
         """The head's route position at the end of the walk, m."""

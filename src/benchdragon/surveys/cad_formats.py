@@ -71,15 +71,18 @@ def dxf_file(data: bytes, name: str) -> RawFile:
         MissingExtraError: without ezdxf.
     """
     try:
-        from ezdxf import recover
+        from ezdxf.filemanagement import dxf_stream_info, read
         from ezdxf.lldxf.const import DXFError
     except ImportError:
         raise MissingExtraError("survey") from None
     try:
-        document, _audit = recover.read(io.BytesIO(data))
+        # Its head is ASCII and says how the rest is written.
+        told = dxf_stream_info(io.StringIO(data.decode("latin-1")))
+        document = read(io.StringIO(data.decode(told.encoding, "surrogateescape")))
         entities = list(document.modelspace())
-        unit = DXF_UNITS.get(document.header.get("$INSUNITS", 0))
-    except (DXFError, OSError, ValueError, LookupError, TypeError, AttributeError):
+        # Of a file that does not say it, ezdxf tells a unit of its own choice.
+        said = document.header.get("$INSUNITS", 0) if b"$INSUNITS" in data else 0
+    except (DXFError, OSError, ValueError, LookupError, TypeError, AttributeError, StopIteration):
         raise InputError(_("{file} is not DXF").format(file=name)) from None
     lines = []
     for entity in entities:
@@ -88,16 +91,16 @@ def dxf_file(data: bytes, name: str) -> RawFile:
         except (DXFError, ArithmeticError, LookupError, TypeError, AttributeError):
             raise InputError(
                 _("{file}: {what} of layer {layer} cannot be read").format(
-                    file=name, what=entity.dxftype(), layer=entity.dxf.layer
+                    file=name, what=entity.dxftype(), layer=_layer(entity)
                 )
             ) from None
         if line is not None:
             lines.append(line)
-    return RawFile(lines, False, unit, loose=True)
+    return RawFile(lines, False, DXF_UNITS.get(said), loose=True)
 
 
 def _entity(entity: Any, name: str) -> RawLine | None:
-    kind, layer = entity.dxftype(), entity.dxf.layer
+    kind, layer = entity.dxftype(), _layer(entity)
     if kind == "LINE":
         return RawLine(layer, [tuple(entity.dxf.start)[:2], tuple(entity.dxf.end)[:2]])
     if kind not in ("ARC", "CIRCLE", "LWPOLYLINE", "POLYLINE", "ELLIPSE", "SPLINE"):
@@ -126,13 +129,17 @@ def _entity(entity: Any, name: str) -> RawLine | None:
     return RawLine(layer, [(hand * x0, y0, hand * math.tan(0.25 * sweep)), (hand * x1, y1, 0.0)])
 
 
+def _layer(entity: Any) -> str:
+    return str(entity.dxf.layer) if entity.dxf.is_supported("layer") else ""
+
+
 def _hand(entity: Any, name: str) -> float:
     """-1 for what is drawn on the plane as seen from below, where x runs to the left."""
     x, y, z = entity.dxf.extrusion
     if math.hypot(x, y) > 1e-9:
         raise InputError(
             _("{file}: {what} of layer {layer} does not lie in the plane of x and y").format(
-                file=name, what=entity.dxftype(), layer=entity.dxf.layer
+                file=name, what=entity.dxftype(), layer=_layer(entity)
             )
         )
     return math.copysign(1.0, z)

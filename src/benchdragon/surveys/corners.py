@@ -15,6 +15,8 @@ EASED = 0.5
 LEAST_TURN = 1e-12
 # A line between two bends that is shorter than this, m, is left out.
 LEAST_LINE = 1e-10
+# Wider bends are as good as straight, m; circles of over 1e8 m are none.
+MOST_RADIUS = 1e6
 # Share of the first and of the last side of an open line that stays straight.
 STRAIGHT_END = 0.1
 # A turn by more than this, rad, is a hairpin: no bend rounds it.
@@ -90,6 +92,7 @@ def radii(corners: Corners, shape: Shapes, reach: FloatArray) -> FloatArray:
     """
     with np.errstate(divide="ignore", invalid="ignore"):
         wanted = np.where(shape.reach > 0.0, reach / shape.reach, np.inf)
+    wanted = np.minimum(wanted, MOST_RADIUS)
     tangent = np.where(np.abs(corners.turns) > LEAST_TURN, shape.tangent, 0.0)
     before = np.roll(tangent, 1)
     room = corners.lengths.copy()

@@ -19,7 +19,7 @@ from benchdragon.surveys.lines import DrawnLine, most_bend
 
 Smooth = Literal["none", "G1", "G2"]
 # Shares of the deviation that leaving out points may take; bends take the rest. All are tried.
-SHARES = (0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75)
+SHARES = (0.0, 0.125, 0.25, 0.5, 0.75)
 # Share of the deviation that chords of drawn arcs may take where their corners are to be rounded.
 CHORDS = 0.0625
 # A route of more parts takes too long to search.

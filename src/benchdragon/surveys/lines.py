@@ -9,8 +9,8 @@ import numpy as np
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
-from benchdragon.kernels.curve import FloatArray
-from benchdragon.model.curves import AnyCurve, Arc, Line
+from benchdragon.kernels.curve import MOST_METRES, FloatArray
+from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line
 
 # Files that strangers send: bytes of one file, corners of one line, lines of one file.
 MOST_BYTES = 50_000_000
@@ -95,13 +95,16 @@ def curves_of(corners: FloatArray, closed: bool) -> tuple[AnyCurve, ...]:
     return tuple(_curve(*a, *b[:2]) for a, b in zip(corners.tolist(), ends.tolist(), strict=False))
 
 
-def _curve(x: float, y: float, bulge: float, end_x: float, end_y: float) -> Line | Arc:
+def _curve(x: float, y: float, bulge: float, end_x: float, end_y: float) -> AnyCurve:
     chord = math.hypot(end_x - x, end_y - y)
     heading = math.atan2(end_y - y, end_x - x)
     if abs(bulge) <= STRAIGHT:
         return Line(chord, (x, y), heading)
     sweep = 4.0 * math.atan(bulge)
     radius = 0.25 * chord * (1.0 + bulge * bulge) / abs(bulge)
+    if radius > MOST_METRES:
+        bend = math.copysign(1.0 / radius, bulge)
+        return Clothoid(radius * abs(sweep), bend, bend, (x, y), heading - 0.5 * sweep)
     return Arc(radius, sweep, (x, y), heading - 0.5 * sweep)
 
 

@@ -72,7 +72,10 @@ def read_lines(path: Path, survey: Survey) -> tuple[list[DrawnLine], Survey]:
     found, first = [], 0
     for line in raw.lines:
         count = len(_places(line))
-        found.append(_drawn(line, near[first : first + count], scale))
+        try:
+            found.append(_drawn(line, near[first : first + count], scale))
+        except InputError as error:
+            raise InputError(f"{path.name}: {error}") from None
         first += count
     return found, known
 

@@ -69,7 +69,7 @@ def _pair(row: list[str], east: int, north: int, name: str, number: int) -> tupl
     except (ValueError, IndexError):
         raise InputError(
             _("{file}, line {line}: wanted two numbers, not {cells}").format(
-                file=name, line=number, cells=", ".join(row)[:60]
+                file=name, line=number, cells=repr(", ".join(row))[:60]
             )
         ) from None
 
