@@ -138,3 +138,24 @@ def test_one_origin_serves_all_files_of_a_plan(tmp_path: Path) -> None:
     assert plan.route.points == [(x + 2.125, y + 2.5) for x, y in SQUARE[:3]]  # type: ignore[union-attr]
     moved = json.loads(json.dumps(plan.data()))
     assert checked(moved, "moved").sha256 == plan.sha256
+
+
+def test_a_bend_that_no_bench_can_follow_is_named() -> None:
+    plan = drawn(points=[[0, 0], [9, 0], [9, 9]], deviation=0.2)
+    # The head's link is 2.86 m long; an arc that leaves 0.2 m of a right angle has a radius of 0.48 m.
+    with pytest.raises(PlanError, match=r"bends with a radius of 0\.4828 m, and 1\.43143 m is wanted"):
+        plan.build()
+
+
+def test_what_is_lost_in_reading_counts(tmp_path: Path) -> None:
+    ezdxf = pytest.importorskip("ezdxf")
+    document = ezdxf.new("R2010", units=6)
+    document.modelspace().add_spline([(0, 0), (50, 30), (100, 0)])
+    document.saveas(tmp_path / "a.dxf")
+    plan = read_plan(written(tmp_path, HEAD + 'file = "a.dxf"\n'))
+    lost = plan.route.drawn_within  # type: ignore[union-attr]
+    assert 1e-4 < lost < 2e-2
+    fit = plan.route.fit(2.0)  # type: ignore[union-attr]
+    exact = checked({**plan.data(), "route": {**plan.data()["route"], "drawn_within": 0.0}}, "x")
+    assert fit.deviation > lost
+    assert exact.sha256 != plan.sha256

@@ -77,7 +77,8 @@ def test_a_quantity_without_a_known_unit_is_refused(text: str) -> None:
         ("dragon=3", "dragon: wanted a table, not 3"),
         (
             'route.kind="circle"',
-            "route.kind: wanted 'spiral-in', 'turn', 'parts', 'drawn', not \"circle\"",
+            "route.kind: wanted 'spiral-in', 'turn', 'parts', 'formation', 'programme', 'drawn', not "
+            '"circle"',
         ),
         ("walk.profile=3", "walk.profile: wanted a list, not 3"),
         ("walk.speed=-1", "walk.speed: wanted at least 0.0, not -1"),

@@ -44,6 +44,13 @@ def geojson_square() -> str:
                        "geometry": {"type": "Polygon", "coordinates": [ring]}})  # fmt: skip
 
 
+TRAM = Route.joined(
+    [
+        Line(12.0), Clothoid(6.0, 0.0, 1 / 50), Arc(50.0, 0.4), Clothoid(6.0, 1 / 50, 0.0),
+        Line(8.0), Clothoid(4.5, 0.0, -1 / 40), Arc(40.0, -0.3), Clothoid(4.5, -1 / 40, 0.0),
+        Line(20.0),
+    ]
+)  # fmt: skip
 RAILWAY = Route.joined(
     [
         Line(120.0), Clothoid(60.0, 0.0, 1 / 500), Arc(500.0, 0.4), Clothoid(60.0, 1 / 500, 0.0),
