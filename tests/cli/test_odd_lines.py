@@ -29,6 +29,7 @@ LINES = {
     "margins": ["margins", "PLAN"],
     "sweep": ["sweep", "PLAN", "--vary", "route.pitch=0.5,0.6", "-o", "x"],
     "atlas": ["atlas", "x", "-o", "x.html"],
+    "survey": ["survey", "PLAN"],
     "compare": ["compare", "result1.xlsx"],
     "view": ["view", "PLAN", "-o", "x.html"],
     "animate": ["animate", "PLAN", "-o", "x.png"],

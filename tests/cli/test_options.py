@@ -62,6 +62,7 @@ SWEEP = [*ROWS, "--vary", "route.pitch=1.2,1.3"]
 SAMPLE = [*ROWS, "--vary", "route.pitch=1.2:1.4", "--sample", "3"]
 TOUCHING = [*SWEEP, "--ask", "tolerance", "--draws", "2"]
 REFINED = [*SWEEP, "--ask", "clearance", "--refine", "4"]
+SURVEY = ["survey", str(Path(__file__).parents[2] / "examples" / "11_drawn_walk.dragon.toml")]
 VIEW = ["view", "spiral-in", *SHORT, "-o", "dance.html"]
 STILL = ["animate", "spiral-in", *SHORT, "-o", "still.png", "--size", "320x180"]
 SHEET = [*STILL, "--sheet", "2x1"]
@@ -113,6 +114,8 @@ CASES: dict[str, Case] = {
     "check --explain": Case(CHECK, ["--explain"]),
     "check --brackets": Case(CHECK, ["--brackets"]),
     "check --show-plan": Case(CHECK, ["--show-plan"]),
+    "survey --set": Case(SURVEY, ["--set", "route.smooth=G1"]),
+    "survey --json": Case(SURVEY, ["--json"]),
     "plan --set": Case(["plan", "turn"], ["--set", "route.pitch=1.8"]),
     "plan --output": Case(["plan", "turn"], ["-o", "mine.toml"]),
     "plan --force": Case(
@@ -240,14 +243,14 @@ CASES: dict[str, Case] = {
         f"{called(line)} --lang": Case(line, ["--lang", "zh"])
         for line in (
             *(MOTION, CHECK, *SIZES.values(), SPEED, BEST, PLACE, SQUARE, MARGINS, SWEEP, VIEW, STILL),
-            *(AREA, STUDIO, ["doctor"], ["plan"], ["formations"], ["schema"]),
+            *(AREA, SURVEY, STUDIO, ["doctor"], ["plan"], ["formations"], ["schema"]),
         )
     },
     **{
         f"{called(line)} --quiet": Case(line, ["--quiet"])
         for line in (
             *(MOTION, CHECK, *SIZES.values(), SPEED, BEST, PLACE, SQUARE, MARGINS, SWEEP, VIEW, STILL),
-            *(AREA, STUDIO),
+            *(AREA, SURVEY, STUDIO),
         )
     },
 }

@@ -56,6 +56,7 @@ from benchdragon.cli.place import place, square
 from benchdragon.cli.plan import plan, schema
 from benchdragon.cli.solve import solve
 from benchdragon.cli.studio import studio
+from benchdragon.cli.survey import survey
 from benchdragon.cli.sweep import sweep
 from benchdragon.cli.tolerance import margins
 from benchdragon.cli.view import view
@@ -212,7 +213,8 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
 for question in (place, square):
     solve.add_command(question)
 for verb in (
-    check, solve, margins, sweep, atlas, compare, view, studio, animate, area, plan, formations, schema,
+    check, solve, margins, sweep, atlas, survey, compare, view, studio, animate, area, plan, formations,
+    schema,
 ):  # fmt: skip
     program.add_command(verb)
 

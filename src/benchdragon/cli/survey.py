@@ -1,0 +1,105 @@
+"""The verb `survey`: what the route makes of a drawing, and how near it keeps."""
+
+import json
+import math
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from benchdragon.cli.answers import about, print_title
+from benchdragon.cli.options import json_option, plan_options, plan_to_walk, shared_options
+from benchdragon.i18n import N_, _
+from benchdragon.number_format import finite_or_none
+from benchdragon.plans.toml import PlanError
+
+if TYPE_CHECKING:
+    from benchdragon.plans.schema import Plan
+    from benchdragon.surveys.fitting import Fit
+
+
+@click.command(
+    help=N_(
+        "What a drawn route is like: its parts, how near to the drawing it keeps, its tightest bend, "
+        "and which gaps and kinks of the drawing were absorbed.\n\nPLAN is a *.dragon.toml file whose "
+        "route has kind = drawn."
+    )
+)
+@plan_options
+@json_option
+@shared_options
+def survey(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) -> int:
+    """Print what is known of the route along a drawing, as text or JSON."""
+    from benchdragon.plans.routes import DrawnRoute
+
+    read = plan_to_walk(plan, settings, quiet)
+    if not isinstance(read.route, DrawnRoute):
+        raise PlanError(
+            _('{plan}: survey speaks of drawn routes, not of route.kind = "{kind}"').format(
+                plan=plan, kind=read.route.kind
+            )
+        )
+    read.build()  # so that whatever is wrong is said with its line
+    fit = read.route.fit(float(read.links.max()))
+    if as_json:
+        click.echo(json.dumps({**record_of(read, fit), **about(read, [])}))
+    else:
+        print_title(read)
+        for line in lines_of(read, fit):
+            click.echo(line)
+    return 0
+
+
+def record_of(plan: "Plan", fit: "Fit") -> dict[str, Any]:
+    """A fit as plain data: metres, radians."""
+    told = fit.absorbed
+    return {
+        "length": fit.route.length,
+        "parts": len(fit.route),
+        "deviation": fit.deviation,
+        "least_radius": finite_or_none(fit.least_radius),
+        "s": fit.s,
+        "point": fit.route.point(min(fit.s, fit.route.length)).tolist(),
+        "joints": told.joints,
+        "adjusted": told.adjusted,
+        "gap": told.gap,
+        "kink": told.kink,
+        "shift": told.shift,
+        "crs": plan.survey.crs,
+        "origin": plan.survey.origin,
+    }
+
+
+def lines_of(plan: "Plan", fit: "Fit") -> list[str]:
+    """The same for readers."""
+    told = fit.absorbed
+    lines = [
+        _("route: {length} m, {parts} parts").format(
+            length=f"{fit.route.length:.4f}", parts=len(fit.route)
+        ),
+        _("it keeps within {deviation} m of the drawing, at every place of either (a bound)").format(
+            deviation=f"{fit.deviation:.4g}"
+        ),
+    ]
+    if math.isfinite(fit.least_radius):
+        x, y = fit.route.point(min(fit.s, fit.route.length)).tolist()
+        text = _("tightest bend: a radius of {radius} m at s = {s} m, at ({x}, {y}) m")
+        lines.append(
+            text.format(radius=f"{fit.least_radius:.4g}", s=f"{fit.s:.4f}", x=f"{x:.4f}", y=f"{y:.4f}")
+        )
+    if told.adjusted:
+        text = _(
+            "{count} of {joints} joints were adjusted: gaps of up to {gap} m, kinks of up to {kink} "
+            "degrees; no place was moved by more than {shift} m"
+        )
+        lines.append(
+            text.format(
+                count=told.adjusted, joints=told.joints, gap=f"{told.gap:.3g}",
+                kink=f"{math.degrees(told.kink):.3g}", shift=f"{told.shift:.3g}",
+            )
+        )  # fmt: skip
+    if plan.survey.origin is not None:
+        x, y = plan.survey.origin
+        name = plan.survey.crs or _("metres")
+        text = _("(0, 0) of the plan lies at ({x}, {y}) of the files ({crs})")
+        lines.append(text.format(x=f"{x:.12g}", y=f"{y:.12g}", crs=name))
+    return lines
