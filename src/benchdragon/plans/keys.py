@@ -211,7 +211,9 @@ SECTIONS = (
                 N_("radius that every bend must have at least; else half the longest link"), 1.5, "m"
             ),
             "closed": Key(N_("whether the line ends where it starts"), True),
-            "joint_gap": Key(N_("largest gap between surveyed parts that is closed"), "5 mm", "m"),
+            "joint_gap": Key(
+                N_("how far apart surveyed parts may be where they are joined"), "5 mm", "m"
+            ),
             "joint_kink": Key(N_("largest kink between parts that is straightened"), 0.05, "deg"),
             "drawn_within": Key(
                 N_("how far points may lie from what was drawn; counts as deviation"), "1 mm", "m"

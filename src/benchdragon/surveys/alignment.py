@@ -141,7 +141,7 @@ def _check(ends: FloatArray, off: FloatArray, turn: FloatArray, gap: float, kink
         raise InputError(
             _(
                 "at {place} m two parts of the drawing are {gap} m apart, more than the {most} m "
-                "that are absorbed: close the gap in the drawing, or set route.joint_gap"
+                "that are absorbed: join them in the drawing, or set route.joint_gap"
             ).format(place=place, gap=f"{off[n]:.4g}", most=f"{gap:g}")
         )
     raise InputError(

@@ -158,7 +158,7 @@ def _spline(entity: Any, layer: str, name: str) -> RawLine:
     tool = entity.construction_tool()
     if tool.is_rational:
         raise InputError(
-            _("{file}: a spline of layer {layer} has weights: turn it into a polyline first").format(
+            _("{file}: a spline of layer {layer} has weights: convert it to a polyline first").format(
                 file=name, layer=layer
             )
         )

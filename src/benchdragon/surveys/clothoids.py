@@ -82,7 +82,8 @@ def _shape(phi0: FloatArray, phi1: FloatArray) -> FloatArray:
         n = int(np.argmax(bad))
         raise InputError(
             _(
-                "no gentle curve leads from point {first} to point {second}: the line turns back there"
+                "no gentle curve leads from point {first} to point {second}: the line doubles back "
+                "there"
             ).format(first=n + 1, second=n + 2)
         )
     return a

@@ -164,7 +164,7 @@ def _round(corners: Corners, strays: FloatArray, left: float, smooth: bool, off:
     if abs(corners.turns[sharp]) > MOST_CORNER:
         x, y = corners.points[sharp + 1]
         raise InputError(
-            _("at ({x}, {y}) m the drawing turns straight back: no bend rounds that").format(
+            _("at ({x}, {y}) m the drawing doubles straight back: no bend rounds that").format(
                 x=f"{x:.6g}", y=f"{y:.6g}"
             )
         )
