@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from benchdragon.analysis.check import check, moment
 from benchdragon.figures.contact import moment_picture
 from benchdragon.figures.square import MOST_NAMES, square_corners
-from benchdragon.figures.walk import dragon_picture
+from benchdragon.figures.walk import dragon_picture, walk_pictures
 from benchdragon.i18n import spoken_in
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.plans.schema import read_plan
@@ -82,3 +82,18 @@ def test_an_obstacle_that_is_come_near_is_shown_close_by() -> None:
     assert np.hypot(bx - ax, by - ay) == pytest.approx(0.3, abs=1e-9)
     assert np.hypot(bx - 6.2, by - 2.0) == pytest.approx(0.6, abs=1e-9)
     assert {text.get_text() for text in whole.texts} == {"the venue", "well", "obstacle 2"}
+
+
+def test_the_ground_that_a_dance_covers_is_drawn_below_its_benches() -> None:
+    walk = PLAN.build()
+    pictures = walk_pictures(walk, np.linspace(0.0, 60.0, 5), "", None, obstacles=PLAN.obstacles())
+    for panel in pictures["dragon"].axes[:4]:
+        (ground,) = (patch for patch in panel.patches if patch.get_label() == "ground covered")
+        path = ground.get_path()
+        x, y = walk.motion([30.0]).x[0], walk.motion([30.0]).y[0]
+        middles = np.column_stack([0.5 * (x[1:] + x[:-1]), 0.5 * (y[1:] + y[:-1])])
+        assert path.contains_points(middles).all()
+        assert not path.contains_points([(29.0, 14.0), (9.0, -6.0)]).any()
+        assert ground.get_zorder() < min(one.get_zorder() for one in panel.collections)
+    plain = walk_pictures(walk, np.linspace(0.0, 60.0, 5), "", None)
+    assert "ground covered" not in {patch.get_label() for patch in plain["dragon"].axes[0].patches}

@@ -2,10 +2,16 @@
 
 import numpy as np
 import pytest
+import shapely
 
 from benchdragon.analysis.check import check
+from benchdragon.analysis.swept import drawn_ground, swept_area
+from benchdragon.figures.walk import bench_corners
+from benchdragon.model.curves import Arc, Line, Route
+from benchdragon.model.dragon import Dragon
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.outline import margin_rings
+from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import read_plan
 from benchdragon.player.scene import checked_dance
 from tests.figures.test_square import NEAR, PLAN
@@ -58,3 +64,26 @@ def test_leaving_the_venue_is_told_of_the_venue() -> None:
     told = [one for one in checked_dance(check(plan)).occasions if one.obstacle == 0]
     assert [one.kind for one in told] == ["venue"]
     assert told[0].text.zh.endswith("越出场地")
+
+
+def test_a_page_of_a_square_gets_the_ground_that_the_dance_covers() -> None:
+    dance = checked_dance(check(PLAN))
+    outer, *holes = sorted((shapely.Polygon(ring) for ring in dance.ground), key=lambda one: -one.area)
+    ground = outer.difference(shapely.union_all(holes))
+    walk = PLAN.build()
+    motion = walk.motion(np.linspace(*PLAN.span(walk), 40))
+    for n in range(40):
+        for corners in bench_corners(motion, n):
+            assert ground.buffer(1e-3).covers(shapely.Polygon(corners))
+    assert ground.area < 1.2 * float(swept_area(walk, *PLAN.span(walk)).area)
+    assert checked_dance(check(PLAN.without_square())).ground == []
+
+
+def test_rings_of_the_ground_go_round_what_is_covered() -> None:
+    round_and_round = Walk(
+        Dragon.uniform(4), Route((Line(20.0), Arc(8.0, 14.0, (20.0, 0.0)))), start=20.0
+    )
+    ground = drawn_ground(round_and_round, 0.0, 100.0)
+    assert all((ring[0] == ring[-1]).all() for ring in ground)
+    assert [shapely.LinearRing(ring).is_ccw for ring in ground] == [True, False]
+    assert shapely.Polygon(ground[1]).contains(shapely.Point(20.0, 8.0))

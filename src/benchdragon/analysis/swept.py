@@ -18,7 +18,15 @@ from shapely.geometry.base import BaseGeometry
 
 from benchdragon.analysis.swept_steps import Steps, walked_steps
 from benchdragon.analysis.swept_width import Widest, widest_place
-from benchdragon.errors import InputError, finite, in_order, not_negative, of_kind
+from benchdragon.errors import (
+    InputError,
+    UnsureError,
+    WalkError,
+    finite,
+    in_order,
+    not_negative,
+    of_kind,
+)
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.answer import Answer
@@ -29,6 +37,8 @@ from benchdragon.progress import Progress, part, silent
 # The error that may be asked for, m, and what is taken unless one is.
 LEAST_ERROR, MOST_ERROR, ERROR = 1e-4, 1.0, 0.01
 MOST_MARGIN = 1e3
+# Error of the ground in pictures, m: it would not be seen finer.
+DRAWN = 0.05
 # Hulls that are joined at a time: neighbours along the route overlap much.
 GROUP = 48
 # Of the error, what corners may be smoothed by; an end of a ring may be smoothed twice.
@@ -209,6 +219,29 @@ def rings(shape: Shape) -> Rings:
         tuple(np.asarray(part.exterior.coords) for part in parts),
         tuple(np.asarray(ring.coords) for part in parts for ring in part.interiors),
     )
+
+
+def drawn_ground(walk: Walk, start: float, end: float) -> tuple[FloatArray, ...]:
+    """The outlines of the ground covered, as pictures show it, to DRAWN: closed lines, (n, 2) each, m.
+
+    Those around the outside go counter-clockwise, those around holes clockwise. None where it cannot be
+    told or would take too long: `swept_area` says why.
+    """
+    try:
+        outlines = rings(swept_area(walk, start, end, error=DRAWN).polygon)
+    except (InputError, UnsureError, WalkError):
+        return ()
+    return (
+        *(_going_round(ring, 1.0) for ring in outlines.outer),
+        *(_going_round(ring, -1.0) for ring in outlines.holes),
+    )
+
+
+def _going_round(ring: FloatArray, sense: float) -> FloatArray:
+    """A closed line, counter-clockwise for a sense of 1, else clockwise."""
+    (x, y), (ahead, above) = ring[:-1].T, ring[1:].T
+    turns = float(np.sum(x * above - ahead * y))
+    return ring if turns * sense > 0.0 else ring[::-1]
 
 
 def _joined(steps: Steps, progress: Progress) -> Shape:

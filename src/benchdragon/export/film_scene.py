@@ -23,6 +23,7 @@ from matplotlib.transforms import Affine2D, Transform
 from benchdragon.analysis.distance import TOUCHING, Nearness, tightest_pairs, touching
 from benchdragon.analysis.findings import touch_text
 from benchdragon.analysis.obstacles import box_distances
+from benchdragon.analysis.swept import drawn_ground
 from benchdragon.errors import InputError, positive
 from benchdragon.figures.framing import Area, Framing, framing, inset
 from benchdragon.figures.square import draw_square, square_corners
@@ -118,6 +119,7 @@ class Place:
         bench_width: of most benches, m.
         framed: what is to be seen.
         obstacles: what stands on the square, the venue's edge too.
+        ground: outlines of the ground that the dance covers.
     """
 
     route: FloatArray
@@ -126,6 +128,7 @@ class Place:
     bench_width: float
     framed: Framing
     obstacles: tuple[Obstacle, ...] = ()
+    ground: tuple[FloatArray, ...] = ()
 
     @classmethod
     def of(
@@ -154,7 +157,9 @@ class Place:
             float(dragon.length.max()),
         )
         seen = route_points(route, tail, min(route.length, head + AHEAD * (head - tail)))
-        return cls(seen, route.centre, disc, float(np.median(dragon.width)), framed, obstacles)
+        width, (first, last) = float(np.median(dragon.width)), motion.times[[0, -1]].tolist()
+        ground = drawn_ground(walk, min(first, last), max(first, last)) if obstacles else ()
+        return cls(seen, route.centre, disc, width, framed, obstacles, ground)
 
 
 @dataclass(frozen=True)
@@ -232,8 +237,8 @@ class Panel:
         theme = THEMES[self.look.theme]
         self.axes.add_line(Line2D(*place.route.T, color=theme.route, lw=1.2 * mark, zorder=1))
         draw_square(
-            self.axes, place.obstacles, ink=theme.ink, paper=theme.paper, mark=2.0 * mark,
-            size=max(LEAST_TEXT, NAME * mark),
+            self.axes, place.obstacles, ground=place.ground, ink=theme.ink, paper=theme.paper,
+            mark=2.0 * mark, size=max(LEAST_TEXT, NAME * mark),
         )  # fmt: skip
         if place.disc is not None:
             self.axes.add_patch(

@@ -6,17 +6,22 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path as MatplotlibPath
 from matplotlib.patheffects import withStroke
 
 from benchdragon.analysis.findings import shown_name
 from benchdragon.figures.style import LEAST_TEXT, drawable
 from benchdragon.i18n import _
+from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.outline import drawn_rings, margin_rings
 
 # Okabe and Ito's reddish purple for what stands on the square, hatched; blue for the venue's edge.
 OBSTACLE, EDGE = "#CC79A7", "#0072B2"
 HATCH = "...."
+# Okabe and Ito's sky blue, pale, for the ground that the dance covers.
+GROUND = "#56B4E9"
 # Names are written in a picture of no more obstacles than this.
 MOST_NAMES = 40
 
@@ -34,6 +39,7 @@ def draw_square(
     panel: Axes,
     obstacles: Sequence[Obstacle],
     *,
+    ground: Sequence[FloatArray] = (),
     ink: str = "black",
     paper: str = "white",
     mark: float = 1.0,
@@ -44,11 +50,17 @@ def draw_square(
     Args:
         panel: to draw into.
         obstacles: what.
+        ground: outlines of the ground that the dance covers: see `swept.drawn_ground`.
         ink: colour of names and of lines about obstacles.
         paper: colour of the ground.
         mark: width of lines, as a share of the usual.
         size: of the names' letters, points; None: no names.
     """
+    if ground:
+        codes = [code for ring in ground for code in _codes(len(ring))]
+        path = MatplotlibPath(np.concatenate(list(ground)), codes)
+        look_of_ground: dict[str, Any] = {"fc": GROUND, "alpha": 0.3, "lw": 0.0, "zorder": 0.5}
+        panel.add_patch(PathPatch(path, label=_("ground covered"), **look_of_ground))
     stands = [one for one in obstacles if one.kind != "venue"]
     solid = [drawn_rings(one)[0] for one in stands if one.kind != "line"]
     ropes = [one.outline for one in stands if one.kind == "line"]
@@ -78,6 +90,12 @@ def draw_square(
         panel.add_collection(one, autolim=False)
     if size is not None and 0 < len(obstacles) <= MOST_NAMES:
         _write_names(panel, obstacles, ink, paper, size)
+
+
+def _codes(count: int) -> list[int]:
+    """What a path does at each point of a closed line of so many."""
+    move, line, close = MatplotlibPath.MOVETO, MatplotlibPath.LINETO, MatplotlibPath.CLOSEPOLY
+    return [int(move), *[int(line)] * (count - 2), int(close)]
 
 
 def _write_names(panel: Axes, obstacles: Sequence[Obstacle], ink: str, paper: str, size: float) -> None:

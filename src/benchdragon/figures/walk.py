@@ -13,6 +13,7 @@ from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Rectangle
 
+from benchdragon.analysis.swept import drawn_ground
 from benchdragon.errors import InputError
 from benchdragon.figures.framing import Area, Framing, framing, inset, route_positions
 from benchdragon.figures.square import draw_square, square_corners
@@ -55,6 +56,7 @@ def dragon_picture(
     indices: Sequence[int] = (0,),
     disc: float | None = None,
     obstacles: Sequence[Obstacle] = (),
+    ground: Sequence[FloatArray] = (),
 ) -> Figure:
     """The dragon on its route, benches to scale, head marked, at times number `indices`.
 
@@ -64,6 +66,7 @@ def dragon_picture(
         indices: of `walk.times`, one panel each.
         disc: radius of a circle to draw about the first spiral's centre, m.
         obstacles: what stands on the square, the venue's edge too: see `Plan.obstacles`.
+        ground: outlines of the ground that the dance covers: see `swept.drawn_ground`.
     """
     columns = min(len(indices), 2)
     panels = -(-len(indices) // columns)
@@ -73,7 +76,7 @@ def dragon_picture(
         axes = figure.subplots(panels, columns, squeeze=False).ravel()
         framed = framing_of(motion, indices, disc, square_corners(obstacles))
         for panel, index in zip(axes, indices, strict=False):
-            draw_dragon(panel, motion, index, disc, framed, obstacles)
+            draw_dragon(panel, motion, index, disc, framed, obstacles, ground)
         for panel in axes[len(indices) :]:
             panel.set_axis_off()
         name_below(figure, axes[0])
@@ -134,6 +137,7 @@ def draw_dragon(
     disc: float | None,
     framed: Framing,
     obstacles: Sequence[Obstacle] = (),
+    covered: Sequence[FloatArray] = (),
 ) -> None:
     """Draw benches, route, disc and square into one panel, and an inset where not all is shown."""
     tail = float(np.nanmin(motion.s[index], initial=0.0))
@@ -144,7 +148,7 @@ def draw_dragon(
     if disc is not None:
         ring = {"fill": False, "ec": DISC, "lw": 1.2, "ls": "--", "zorder": 2}
         panel.add_patch(Circle(motion.walk.route.centre, disc, label=_("disc"), **ring))
-    draw_square(panel, obstacles)
+    draw_square(panel, obstacles, ground=covered)
     _draw_benches(panel, bench_corners(motion, index))
     panel.set_aspect("equal")
     panel.set_xlabel(_("x (m)"))
@@ -331,7 +335,9 @@ def walk_pictures(
         )
     instants = walk.motion(_spread(times, MOST_PANELS), throw=throw)
     shown = range(len(instants.times))
-    figures = {"dragon": dragon_picture(instants, title, shown, disc, obstacles)}
+    stood = instants.times[instants.status == 0]
+    ground = drawn_ground(walk, stood.min(), stood.max()) if obstacles and len(stood) else ()
+    figures = {"dragon": dragon_picture(instants, title, shown, disc, obstacles, ground)}
     if len(times) > 1 and (np.diff(times) > 0.0).all():
         columns = min(MOST_COLUMNS, MOST_PLACES // (len(walk.dragon) + 1))
         overview = walk.motion(np.linspace(times[0], times[-1], columns), throw=throw)

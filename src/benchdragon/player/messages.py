@@ -147,7 +147,12 @@ class Tightness(Record):
 
 
 class Dance(Record):
-    """A whole dance, as a player shows it."""
+    """A whole dance, as a player shows it.
+
+    Attributes:
+        ground: outlines of the ground that the dance covers, m, those around holes too; of plans with a
+            square alone.
+    """
 
     version: str
     plan_sha256: str
@@ -164,4 +169,5 @@ class Dance(Record):
     margin: float
     speed_limit: float | None
     obstacles: list[DrawnObstacle]
+    ground: list[list[tuple[float, float]]]
     verdict: Verdict | None

@@ -12,6 +12,7 @@ from benchdragon.analysis.distance import nearest_each
 from benchdragon.analysis.findings import shown_name, touch_text
 from benchdragon.analysis.obstacles import ObstacleAnswers
 from benchdragon.analysis.records import Verdict, untimed, verdict_of, verdict_of_fall
+from benchdragon.analysis.swept import drawn_ground
 from benchdragon.errors import InputError, WalkError, finite
 from benchdragon.i18n import N_, Words, _, both
 from benchdragon.kernels.curve import FloatArray
@@ -97,8 +98,9 @@ def checked_dance(
     last = dance.frames.start + dance.frames.step * (dance.frames.count - 1)
     found = [occasion for occasion in _answers(report) if shown.start <= occasion.time <= last]
     nearest = _with_tightest(dance.nearest, report.clearance, (shown.start, last))
+    ground = drawn_ground(report.walk, shown.start, last) if report.obstacles else ()
     return _of_plan(plan, dance, untimed(verdict_of(report)), found).model_copy(
-        update={"nearest": nearest}
+        update={"nearest": nearest, "ground": [_rounded(ring) for ring in ground]}
     )
 
 
@@ -197,6 +199,7 @@ def plain_dance(walk: Walk, span: Span, progress: Progress = silent) -> messages
         margin=0.0,
         speed_limit=None,
         obstacles=[],
+        ground=[],
         verdict=None,
     )  # fmt: skip
 

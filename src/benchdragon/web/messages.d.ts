@@ -64,7 +64,13 @@ export interface Course {
   packed: string;
 }
 
-/** A whole dance, as a player shows it. */
+/**
+ * A whole dance, as a player shows it.
+ *
+ * Attributes:
+ *     ground: outlines of the ground that the dance covers, m, those around holes too; of plans with a
+ *         square alone.
+ */
 export interface Dance {
   version: string;
   plan_sha256: string;
@@ -81,6 +87,7 @@ export interface Dance {
   margin: number;
   speed_limit: number | null;
   obstacles: Array<DrawnObstacle>;
+  ground: Array<Array<[number, number]>>;
   verdict: Verdict | null;
 }
 

@@ -54,7 +54,7 @@ export class Player {
     this.scene = scene;
     this.stand = scene.room();
     this.boxes = new Boxes(scene);
-    this.square = new Square(scene.sent.obstacles);
+    this.square = new Square(scene.sent.obstacles, scene.sent.ground);
     /** The pair in the ring. @type {Pair | null} */
     this.ringed = null;
     this.face = new Face(this);
@@ -76,7 +76,7 @@ export class Player {
     this.scene = scene;
     this.stand = scene.room();
     this.boxes = new Boxes(scene);
-    this.square = new Square(scene.sent.obstacles);
+    this.square = new Square(scene.sent.obstacles, scene.sent.ground);
     this.ringed = null;
     this.time = Math.min(Math.max(this.time, scene.start), scene.end);
     if (this.chosen >= scene.benches) this.chosen = -1;

@@ -19,6 +19,8 @@ const MOST_SIDES = 400_000;
 /** Names are written in a picture of no more obstacles. */
 const MOST_NAMES = 40;
 const NAME_SIZE = 13;
+/** How much of its colour the ground that the dance covers has. */
+const GROUND = 0.1;
 
 /** An obstacle's sides; of a circle its centre, as a side without length. @param {DrawnObstacle} one @returns {[Point, Point][]} */
 function sidesOf({ kind, points }) {
@@ -28,9 +30,10 @@ function sidesOf({ kind, points }) {
 }
 
 export class Square {
-  /** @param {DrawnObstacle[]} obstacles */
-  constructor(obstacles) {
+  /** @param {DrawnObstacle[]} obstacles @param {Point[][]} ground outlines of what the dance covers */
+  constructor(obstacles, ground) {
     this.obstacles = obstacles;
+    this.ground = ground;
     this.sides = obstacles.map(sidesOf);
     const count = this.sides.reduce((sum, { length }) => sum + length, 0);
     /** How many sides there are in all. */
@@ -135,6 +138,12 @@ export class Square {
    * @param {CanvasPattern} dots
    */
   paint(ctx, camera, inks, dots) {
+    ctx.beginPath();
+    for (const ring of this.ground) chain(ctx, camera, ring, true);
+    ctx.globalAlpha = GROUND;
+    ctx.fillStyle = inks.edge;
+    ctx.fill("evenodd");
+    ctx.globalAlpha = 1;
     for (const one of this.obstacles) {
       ctx.beginPath();
       outline(ctx, camera, one);
