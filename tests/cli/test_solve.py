@@ -11,7 +11,7 @@ from benchdragon.cli.main import run
 from benchdragon.cli.solve import solve
 from benchdragon.i18n import _
 from benchdragon.model.numbering import handle_text
-from benchdragon.solve.size_trials import QUESTIONS
+from benchdragon.solve.size_family import QUESTIONS
 from tests.cli.verbs import VERBS, options
 
 ALL = {"--set", "--json", "--explain", "--lang", "--quiet"}

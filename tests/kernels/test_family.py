@@ -12,7 +12,7 @@ from benchdragon.kernels.step_bounds import empty_placements
 from benchdragon.model.curves import Line, Route
 from benchdragon.model.dragon import Dragon
 from benchdragon.plans.schema import Plan, read_plan
-from benchdragon.solve.size_trials import QUESTIONS, PlanFamily, kernel_family
+from benchdragon.solve.size_family import QUESTIONS, PlanFamily, kernel_family
 
 DISC = ["disc.radius=4.5"]
 FEW = "dragon.benches=12"

@@ -15,7 +15,8 @@ from benchdragon.paper.traversal import pitch_curve, traversed_pitch
 from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.solve.size import Span, feasible_sizes, limit, smallest_pitch
-from benchdragon.solve.size_trials import QUESTIONS, TOLERANCE, PlanFamily, SizeSearch
+from benchdragon.solve.size_family import QUESTIONS, TOLERANCE, PlanFamily
+from benchdragon.solve.size_trials import SizeSearch
 
 SMALLEST_PITCH = 0.4503373930271955
 

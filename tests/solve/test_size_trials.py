@@ -14,7 +14,8 @@ from benchdragon.plans.schema import read_plan
 from benchdragon.progress import silent
 from benchdragon.solve import size_trials
 from benchdragon.solve.size import feasible_sizes, limit
-from benchdragon.solve.size_trials import Meeting, PlanFamily, SizeSearch, kernel_family, question
+from benchdragon.solve.size_family import Meeting, PlanFamily, kernel_family, question
+from benchdragon.solve.size_trials import SizeSearch
 
 DISC, FEW = ["disc.radius=4.5"], "dragon.benches=30"
 EIGHT = str(Path(__file__).parents[2] / "examples" / "02_eight.dragon.toml")

@@ -76,6 +76,12 @@ def test_an_obstacle_that_no_bench_comes_near_changes_no_answer() -> None:
         assert limit(far, name).value == limit(plan, name).value
 
 
+def test_no_pitch_leads_past_a_well_where_the_dance_must_go() -> None:
+    well = 'obstacle=[{kind="circle", centre=[0, 0], radius=5}]'
+    found = limit(read_plan("spiral-in", [*COIL, well]), "pitch")
+    assert (found.status, found.witness) == ("infeasible", None)
+
+
 def test_limits_of_a_moved_dance_are_those_of_the_dance_among_moved_obstacles() -> None:
     plan = read_plan("spiral-in", [*COIL, 'obstacle=[{kind="circle", centre=[0.3, 0.1], radius=3.7}]'])
     (x, y), turned = (-7.0, 3.0), math.radians(40.0)

@@ -277,7 +277,7 @@ def _solve_size(
 
 
 def _print_limit(name: str, plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
-    from benchdragon.solve.size_trials import question
+    from benchdragon.solve.size_family import question
 
     tried: list[str] = []
     with shown_progress(quiet) as progress:

@@ -17,7 +17,7 @@ from benchdragon.plans.routes import TurnRoute
 from benchdragon.plans.schema import Plan
 from benchdragon.solve.head_speed import Pace
 from benchdragon.solve.size import FeasibleSizes, undecided_text
-from benchdragon.solve.size_trials import Meeting, PlanFamily, question
+from benchdragon.solve.size_family import Meeting, PlanFamily, question
 from benchdragon.solve.turn import BestTurn
 
 # How far from a limit the pair's distance is looked at, m of the size.

@@ -18,7 +18,7 @@ from benchdragon.model.answer import Answer, Witness
 from benchdragon.model.walk import Motion, Walk
 from benchdragon.plans.schema import Plan
 from benchdragon.plans.toml import PlanError
-from benchdragon.solve.size_trials import question
+from benchdragon.solve.size_family import question
 
 # Central difference of sixth order for the route's own points: relative step, offsets, weights. A
 # derivative is off by 1e-11 of its size; a longer step loses to the formula, a shorter one to rounding.

@@ -21,7 +21,7 @@ from benchdragon.plans.schema import Plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, silent
 from benchdragon.solve.size import MOST_COUNT
-from benchdragon.solve.size_trials import QUESTIONS, PlanFamily
+from benchdragon.solve.size_family import QUESTIONS, PlanFamily
 
 # Angles that differ by more than this from one pitch to the next, rad, are a jump and not a slope.
 JUMP = 0.5

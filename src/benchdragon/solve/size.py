@@ -32,13 +32,8 @@ from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, silent
-from benchdragon.solve.size_trials import (
-    TOLERANCE,
-    PlanFamily,
-    SizeSearch,
-    meeting_of,
-    question,
-)
+from benchdragon.solve.size_family import TOLERANCE, PlanFamily, meeting_of, question
+from benchdragon.solve.size_trials import SizeSearch
 
 # How often a bracket is doubled until it can be proved.
 MOST_WIDENINGS = 12

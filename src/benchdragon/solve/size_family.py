@@ -1,0 +1,252 @@
+"""The walks of a plan in which one size varies, for Python and for the kernels."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from typing import assert_never
+
+import numpy as np
+
+from benchdragon.analysis import distance
+from benchdragon.analysis.tables import kinds_of, walk_tables
+from benchdragon.errors import InputError
+from benchdragon.i18n import N_, _
+from benchdragon.kernels import family as sizes_of
+from benchdragon.kernels.course import Benches
+from benchdragon.kernels.course import Walk as KernelWalk
+from benchdragon.kernels.curve import MOST_METRES, FloatArray
+from benchdragon.kernels.route_parts import PART_COLUMNS
+from benchdragon.kernels.turn_families import ARCS, MOST_PIECES
+from benchdragon.model.answer import Witness
+from benchdragon.model.walk import Walk
+from benchdragon.plans.routes import (
+    FITS,
+    DrawnRoute,
+    FormationRoute,
+    PartsRoute,
+    ProgrammeRoute,
+    SpiralInRoute,
+    TurnRoute,
+)
+from benchdragon.plans.schema import Plan
+from benchdragon.plans.tables import LEAST, LEAST_PITCH, ROOMY
+from benchdragon.plans.toml import PlanError
+
+# Brackets are at most so wide, m.
+TOLERANCE = 1e-12
+
+
+@dataclass(frozen=True)
+class Question:
+    """A size of a plan whose limit is sought.
+
+    Attributes:
+        name: what the command line calls it.
+        keys: the plan's keys that hold it.
+        sense: +1 where larger sizes are safer, -1 where smaller ones are.
+        text: what the answer is, in words.
+        what: the kernels' number of it.
+    """
+
+    name: str
+    keys: tuple[str, ...]
+    sense: float
+    text: str
+    what: int
+
+
+QUESTIONS = {
+    question.name: question
+    for question in (
+        Question("pitch", ("route.pitch",), 1.0, N_("smallest pitch"), sizes_of.PITCH),
+        Question("disc", ("disc.radius",), 1.0, N_("smallest disc radius"), sizes_of.DISC),
+        Question("width", ("dragon.width",), -1.0, N_("widest bench"), sizes_of.WIDTH),
+        Question(
+            "length",
+            ("dragon.body_length", "dragon.tail_length"),
+            -1.0,
+            N_("longest bench"),
+            sizes_of.BENCH,
+        ),
+    )
+}
+
+
+def question(name: str) -> Question:
+    """The question of that name.
+
+    Raises:
+        InputError: if there is none.
+    """
+    if not isinstance(name, str) or name not in QUESTIONS:
+        raise InputError(
+            _("wanted one of {known}, not {name}").format(known=", ".join(QUESTIONS), name=name)
+        )
+    return QUESTIONS[name]
+
+
+@dataclass(frozen=True)
+class Meeting:
+    """Benches i and j (rows, from 0) of a walk whose head stands at s, m, `left` before its end."""
+
+    s: float
+    left: float
+    i: int
+    j: int
+
+    def windows(self, links: FloatArray, first: float, last: float) -> Iterator[tuple[float, float]]:
+        """Spans of head positions near it, in a walk from first to last, m.
+
+        What is near is within one and a half links. The walk may be that of another size: then it is
+        as far from its start as the meeting, and as far from its end.
+        """
+        near = 1.5 * float(max(links[self.i], links[self.j]))
+        yield max(first, self.s - near), min(last, self.s + near)
+        other = last - self.left
+        if abs(other - self.s) > 0.1 * near:
+            yield max(first, other - near), min(last, other + near)
+
+
+@dataclass
+class PlanFamily:
+    """The walks of a plan in which one size varies."""
+
+    plan: Plan
+    question: Question
+    margin: float
+    tolerance: float = TOLERANCE
+    _last: tuple[float, tuple[Walk, float, float]] | None = field(
+        default=None, init=False, repr=False, compare=False
+    )
+
+    def __post_init__(self) -> None:
+        """Let the head of a formation start where it does with the plan's own benches.
+
+        Raises:
+            InputError: for sizes of formations, which the kernels do not know.
+        """
+        if not isinstance(self.plan.route, FormationRoute | ProgrammeRoute):
+            return
+        if self.question.name == "pitch":
+            raise InputError(
+                _(
+                    "the smallest pitch of a formation is not sought: see by a sweep over its pitch "
+                    "what clearance each leaves"
+                )
+            )
+        if self.plan.walk.position is None:
+            self.plan = self.plan.with_value("walk.position", self.plan.build().start)
+
+    @property
+    def first(self) -> float:
+        """The plan's own size, from which the search begins."""
+        return self.plan.value(self.question.keys[0])
+
+    def walk(self, size: float) -> tuple[Walk, float, float]:
+        """The walk of a size, and the times between which it must stay clear.
+
+        The last one is kept: who shows a size asks for its walk several times.
+        """
+        if self._last is None or self._last[0] != size:
+            plan = self.plan
+            for key in self.question.keys:
+                plan = plan.with_value(key, size)
+            walk = plan.build()
+            self._last = size, (walk, *plan.span(walk))
+        return self._last[1]
+
+    def low_point(self, size: float, meeting: Meeting) -> tuple[float, Meeting]:
+        """The least distance of a pair near a meeting, less the margin, m, and the meeting there.
+
+        In the walk of another size that is as far from the start, or from the end: whichever is nearer
+        to touching.
+        """
+        try:
+            walk, start, end = self.walk(size)
+        except (InputError, PlanError):
+            return math.nan, meeting
+        first, last = walk.head_position([start, end]).tolist()
+        least, where = min(
+            distance.low_point(walk, meeting.i, meeting.j, low, high)
+            for low, high in meeting.windows(walk.dragon.links, first, last)
+        )
+        room = least - self.margin if math.isfinite(least) else math.nan
+        return room, replace(meeting, s=where, left=last - where)
+
+
+def meeting_of(walk: Walk, end: float, witness: Witness) -> Meeting:
+    """About where benches meet, as a witness says, in a walk until `end`, s."""
+    i, j = (number - 1 for number in witness.benches)
+    return Meeting(witness.s, float(walk.head_position([end])[0]) - witness.s, i, j)
+
+
+def kernel_numbers(plan: Plan, question: Question) -> FloatArray:
+    """What the kernels are told of a plan: see kernels/family.py."""
+    route, turn, profile, walk = plan.route, plan.turn, plan.profile(), plan.walk
+    pitch, disc = math.nan, _or_nan(plan.disc.radius)
+    kind, least = sizes_of.FIXED, LEAST_PITCH if question.what == sizes_of.PITCH else LEAST
+    start, clockwise = math.nan, True
+    if isinstance(route, SpiralInRoute):
+        kind, pitch, start = sizes_of.SPIRAL_IN, route.pitch, route.start_turn
+        clockwise = route.clockwise
+    elif isinstance(route, TurnRoute):
+        kind, pitch, disc = sizes_of.TURN, route.pitch, route.disc(plan)
+    elif not isinstance(route, PartsRoute | DrawnRoute | FormationRoute | ProgrammeRoute):
+        assert_never(route)
+    radii = turn.radii or (math.nan, math.nan)
+    numbers = {
+        sizes_of.WHAT: question.what,
+        sizes_of.ROUTE: kind,
+        sizes_of.PITCH_SIZE: pitch,
+        sizes_of.DISC_RADIUS: disc,
+        sizes_of.START_TURN: start,
+        sizes_of.HANDED: 1.0 if clockwise else -1.0,
+        sizes_of.TURN_FAMILY: sizes_of.ARC_ARC if turn.family == "arc-arc" else sizes_of.THREE_PIECES,
+        sizes_of.ENTRY_RADIUS: _or_nan(turn.entry_radius),
+        sizes_of.EXIT_RADIUS: _or_nan(turn.exit_radius),
+        sizes_of.RATIO: turn.ratio,
+        sizes_of.FIRST_RADIUS: radii[0],
+        sizes_of.LAST_RADIUS: radii[1],
+        sizes_of.BEND: turn.curvature if turn.family == "arc-arc-arc" else 0.0,
+        sizes_of.EASE: turn.ease,
+        sizes_of.POSITION: _or_nan(walk.position),
+        sizes_of.BEGIN_WAY: float(profile.distance(walk.start or 0.0)),
+        sizes_of.END_WAY: math.nan if walk.end is None else float(profile.distance(walk.end)),
+        sizes_of.MOST_WAY: float(profile.distance(math.inf)),
+        sizes_of.LEAST_SIZE: least,
+        sizes_of.MOST_SIZE: MOST_METRES,
+        sizes_of.ROOMY: ROOMY,
+        sizes_of.FITS: FITS,
+    }
+    return np.array([numbers[n] for n in range(sizes_of.NUMBERS)], dtype=np.float64)
+
+
+def _or_nan(value: float | None) -> float:
+    return math.nan if value is None else value
+
+
+def kernel_family(family: PlanFamily, walk: Walk) -> tuple[sizes_of.Family, KernelWalk]:
+    """A family as kernels want it, and room for its walks; `walk` is one of them."""
+    name, dragon, rows = family.question.name, walk.dragon, walk.route.rows
+    share = np.zeros(len(dragon))
+    if name == "width":
+        share[:] = 1.0
+    elif name == "length":
+        share[1:] = 1.0
+    row = 1 if name == "width" else 0
+    marked = dragon.sizes.copy()  # benches of the same sizes of which one alone varies are two kinds
+    marked[row, share > 0.0] = marked[row].max() + 1.0
+    kind, kinds = kinds_of(marked)
+    benches = walk_tables(walk).benches
+    own = Benches(
+        benches.links.copy(), benches.sizes.copy(), kind, benches.ahead.copy(), benches.lever.copy()
+    )
+    made = sizes_of.Family(
+        kernel_numbers(family.plan, family.question),
+        np.empty((MOST_PIECES + 2, PART_COLUMNS)),
+        np.empty((ARCS, 2)),
+        np.empty((MOST_PIECES, 3)),
+        dragon.sizes,
+        share,
+    )
+    return made, KernelWalk(rows.copy(), own, kinds)
