@@ -8,7 +8,7 @@ from playwright.sync_api import expect
 
 from benchdragon.plans.schema import read_plan
 from tests.browser.pages import Device, Language, Pages
-from tests.browser.studios import Opened, change, number, settle, verdict
+from tests.browser.studios import Opened, change, number, settle, settled, verdict
 
 SENTENCES = {
     "en": ("Safe: tightest", "Not safe: benches"),
@@ -258,6 +258,25 @@ def test_the_evidence_of_a_dance_without_contact(opened: Opened) -> None:
     settle(page, "安全")
     verdict(page).click()
     expect(page.get_by_role("row", name="首次碰撞")).to_contain_text("不会发生")
+
+
+def test_the_evidence_of_a_dance_on_a_square(opened: Opened) -> None:
+    """Its rows tell the edge and the well, and what bars the way whatever the pitch is told soon."""
+    page = settled(opened())
+    page.evaluate(
+        """() => {
+          const plan = structuredClone(benchdragon.plan);
+          plan.venue = { rectangle: [40, 30] };
+          plan.obstacle = [{ kind: "circle", name: "well", centre: [9, 0], radius: 0.5 }];
+          benchdragon.change(plan, true);
+        }"""
+    )
+    settle(page, "bench 1 touches well at 0.0 s")
+    expect(page.locator(".limit")).to_have_text(re.compile("no solution"))
+    verdict(page).click()
+    rows = page.get_by_role("row")
+    expect(rows.filter(has_text="well").first).to_be_visible()
+    expect(rows.filter(has_text="the edge of the venue").first).to_be_visible()
 
 
 @pytest.mark.parametrize(
