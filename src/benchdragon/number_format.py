@@ -42,3 +42,8 @@ def finite_or_none(value: float) -> float | None:
 def decimals_or_dash(value: float, count: int = 4) -> str:
     """A number, or a dash where there is none."""
     return decimals(value, count) if math.isfinite(value) else "-"
+
+
+def rounded_up(metres: float) -> str:
+    """Metres in whole centimetres, not less, and one more for what places are rounded by."""
+    return f"{math.ceil(100.0 * metres + 0.2) / 100.0:.2f}"

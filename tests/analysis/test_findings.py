@@ -1,12 +1,13 @@
 """Codes of findings, which never change, and the words of findings about the square."""
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from benchdragon.analysis.check import check, sentence
-from benchdragon.analysis.findings import KINDS, shown_name, touch_text
+from benchdragon.analysis.findings import KINDS, named, shown_name, touch_text
 from benchdragon.i18n import _, spoken_in
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.plans.schema import read_plan
@@ -68,15 +69,22 @@ def test_an_unsafe_check_names_what_comes_first() -> None:
     assert first is not report.findings[0]
     text = f"Not safe: bench {first.benches[0]} comes nearer than 250 cm to obstacle 2 at"
     assert sentence(report).startswith(text)
-    assert sentence(report).endswith("; findings besides: 1")
+    assert sentence(report).endswith("; findings besides: 3")
+    kinds = [(found.obstacle, found.kind) for found in report.findings]
+    assert kinds == [
+        (name, kind) for name in ("well", "obstacle 2") for kind in ("obstacle_margin", "obstacle")
+    ]
 
 
 def test_names_are_shown_in_the_language_in_use() -> None:
     venue = Obstacle.venue("venue", [(0, 0), (1, 0), (0, 1)])
     line = Obstacle.line("rope {a}", [(0, 0), (1, 0)])
-    assert [shown_name(name) for name in ("obstacle 3", "venue", "obstacle")] == [
-        "obstacle 3", "the venue", "obstacle",
+    nameless, pitch = (replace(line, name=name) for name in ("obstacle 3", "pitch"))
+    fake = replace(line, name="venue")  # a rope, which is called so
+    assert [named(one) for one in (nameless, venue, fake, pitch)] == [
+        "obstacle 3", "the venue", "venue", "pitch",
     ]  # fmt: skip
     assert touch_text(7, line) == "bench 7 touches rope {a}"
     with spoken_in("zh"):
-        assert [shown_name("obstacle 3"), touch_text(7, venue)] == ["障碍物 3", "第 7 节板凳越出场地"]
+        assert [named(nameless), touch_text(7, venue)] == ["障碍物 3", "第 7 节板凳越出场地"]
+        assert [named(pitch), shown_name(pitch)] == ["“pitch”", "pitch"]

@@ -63,6 +63,9 @@ def test_another_kind_of_route_replaces_that_of_the_base(tmp_path: Path) -> None
         ),
         ('"/etc/passwd"', "base must be one of"),
         ("7", "base must be one of"),
+        ("false", "base must be one of"),
+        ('""', "base must be one of"),
+        ('"a\\u0000b"', "base must be one of"),
         ('"nothing.dragon.toml"', "there is no plan nothing.dragon.toml"),
         ('"own.dragon.toml"', "own.dragon.toml: base = 'own.dragon.toml' comes back to itself"),
     ],
@@ -88,3 +91,9 @@ def test_a_plan_that_is_no_file_may_start_from_a_built_in_one_alone() -> None:
     assert checked(data, "sent").sha256 == read_plan("turn", ["walk.speed=2"]).sha256
     with pytest.raises(PlanError, match="base must be one of"):
         checked({"schema": 1, "base": "beside.dragon.toml"}, "sent")
+
+
+def test_a_base_of_parts_may_be_moved_though_it_says_no_kind(tmp_path: Path) -> None:
+    written(tmp_path, "line", '[[route.part]]\nkind = "line"\nlength = 900\n')
+    moved = read_plan(written(tmp_path, "own", 'base = "line.dragon.toml"\n[route]\nat = [1, 2]\n'))
+    assert moved.build().route.start_pose == ((1.0, 2.0), 0.0)

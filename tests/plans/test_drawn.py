@@ -110,7 +110,7 @@ def test_a_square_from_dxf_and_from_geojson_gives_the_same_verdict(tmp_path: Pat
         ('file = "walk.csv"\n[survey]\ncrs = "mars"', "survey.crs must be wgs84, gcj02 or a code like"),
         ('layer = "a"', "a drawn route needs points, or a file beside the plan"),
         ("points = [[0, 0]]", "a drawn line needs 2 different points at least, not 1"),
-        ("points = [[0, 0], [9, 0], [0, 0]]", "at (9, 0) m the drawing turns straight back"),
+        ("points = [[0, 0], [9, 0], [0, 0]]", "at (9, 0) m the drawing doubles straight back"),
         ("points = [[0, 0], [9, 0], [9, 9]]\nleast_radius = 3", "bends with a radius of 2.414 m"),
     ],
 )  # fmt: skip

@@ -348,8 +348,12 @@ def test_every_limit_has_an_effect_or_is_refused(base: str) -> None:
         ("profile", "walk.speed", "walk.speed has no effect beside walk.profile: take it out"),
         ("list of benches", "dragon.width", "dragon.width has no effect beside [[dragon.bench]]"),
         ("outline", "venue.rectangle", "venue.rectangle has no effect beside venue.boundary"),
-        ("parts", "venue.angle", "venue.angle has no effect without venue.rectangle: take it out, or"),
-        ("parts", "limits.venue_margin", "limits.venue_margin has no effect without venue.rectangle"),
+        ("parts", "venue.angle", "venue.angle has no effect without one of venue.rectangle, venue.b"),
+        (
+            "parts",
+            "limits.venue_margin",
+            "limits.venue_margin has no effect without one of venue.rectangle",
+        ),
     ],
 )
 def test_what_has_no_effect_is_refused_in_one_sentence(base: str, key: str, sentence: str) -> None:

@@ -241,3 +241,20 @@ def test_a_plan_without_its_square_is_the_plan_before_it_had_one() -> None:
     assert [(one.kind, one.margin) for one in plan.obstacles()] == [("venue", 0.5), ("circle", 0.1)]
     assert plan.without_square().sha256 == plain.sha256 != plan.sha256
     assert plan.without_square().obstacles() == ()
+
+
+def test_a_plan_is_named_by_all_that_the_square_does_to_it() -> None:
+    said = ["limits.margin=0.05", "venue.rectangle=[60, 60]"]
+    plan, bare = read_plan("spiral-in", said), read_plan("spiral-in", [*said, "limits.venue_margin=0"])
+    assert [one.obstacles()[0].margin for one in (plan, bare)] == [0.05, 0.0]
+    assert plan.sha256 != bare.sha256
+    assert read_plan("spiral-in", [*said, "route.at=[0, 0]", "route.turned=0"]).sha256 == plan.sha256
+    assert read_plan("spiral-in", [*said, "route.at=[0, 1]"]).sha256 != plan.sha256
+
+
+@pytest.mark.parametrize("name", [" ", "a\nb", "\u001b[31mred"])
+def test_a_name_must_be_seen_on_one_line(name: str) -> None:
+    well = {"kind": "circle", "centre": [3, 1], "radius": 0.5, "name": name}
+    data = {"schema": 1, "route": {"kind": "turn"}, "obstacle": [well]}
+    with pytest.raises(PlanError, match="wanted a name that can be printed on one line"):
+        checked(data, "plan")

@@ -16,7 +16,7 @@ from benchdragon.analysis.contact import (
     first_contact,
     least_clearance,
 )
-from benchdragon.analysis.findings import Finding, all_findings, shown_name
+from benchdragon.analysis.findings import Finding, all_findings, named
 from benchdragon.analysis.obstacles import ObstacleAnswers, obstacle_answers
 from benchdragon.analysis.proof import prove_contact, prove_obstacle
 from benchdragon.analysis.speed import (
@@ -183,7 +183,7 @@ def _obstacles(
     """What is found about the venue's edge and each obstacle over a span of the walk, s."""
     found, known = [], plan.obstacles()
     for n, obstacle in enumerate(known):
-        progress(n / len(known), shown_name(obstacle.name))
+        progress(n / len(known), named(obstacle))
         answers = obstacle_answers(walk, obstacle, *span, tolerances=tolerances)
         found.append(prove_obstacle(walk, answers, *span) if prove else answers)
     return tuple(found)
@@ -262,7 +262,7 @@ def _briefly(found: Finding) -> str:
         b=found.benches[-1],
         t=f"{found.time:z.1f}",
         margin=f"{100.0 * found.limit:g}",
-        name=shown_name(found.obstacle),
+        name=found.said("name") if "name" in found.words else "",
     )
 
 
@@ -316,7 +316,7 @@ def _kept_from(report: Report) -> list[str]:
             text = _("at least {gap} cm from the edge of {name}")
         elif len(stands) > 1:
             text = _("at least {gap} cm from {name}, the tightest of {count} obstacles")
-        kept = text.format(gap=_kept_cm(one), name=shown_name(one.obstacle.name), count=len(stands))
+        kept = text.format(gap=_kept_cm(one), name=named(one.obstacle), count=len(stands))
         if one.obstacle.margin:
             asked = f"{100.0 * one.obstacle.margin:g}"
             kept = _("{kept} ({margin} cm asked for)").format(kept=kept, margin=asked)

@@ -84,8 +84,12 @@ class Finding:
     @property
     def text(self) -> str:
         """The finding as a sentence, in the language in use."""
-        words = {name: _(word).format(**self.words) for name, word in self.words.items()}
+        words = {name: self.said(name) for name in self.words if name != "called"}
         return _(self.sentence).format(**words)
+
+    def said(self, name: str) -> str:
+        """One of the words in the language in use."""
+        return _(self.words[name]).format(**self.words)
 
 
 def all_findings(
@@ -134,14 +138,21 @@ def _contact_findings(contact: Answer | None, margin: float) -> list[Finding]:
 OBSTACLE_SENTENCES = {
     "obstacle": N_("bench {bench} touches {name} at t = {t} s"),
     "obstacle_margin": N_("bench {bench} comes nearer than {margin} m to {name} at t = {t} s"),
+    "obstacle at first": N_("bench {bench} touches {name}, or stands inside, from the start on: {t} s"),
+    "venue at first": N_("bench {bench} stands outside {name} from the start on: {t} s"),
     "venue": N_("bench {bench} leaves {name} at t = {t} s"),
     "venue_margin": N_("bench {bench} comes nearer than {margin} m to the edge of {name} at t = {t} s"),
 }
 
 
 def _obstacle_findings(answers: ObstacleAnswers) -> list[Finding]:
-    """Whether a bench touches an obstacle or leaves the venue, or comes nearer than it may."""
-    contact, margin = answers.contact, answers.obstacle.margin
+    """Whether a bench comes nearer to an obstacle than it may, and touches it or leaves the venue."""
+    found = _obstacle_finding(answers, answers.contact, answers.obstacle.margin)
+    return [*found, *_obstacle_finding(answers, answers.touch, 0.0)]
+
+
+def _obstacle_finding(answers: ObstacleAnswers, contact: Answer | None, margin: float) -> list[Finding]:
+    """What a contact with an obstacle comes to, which has to be kept from by a margin."""
     if contact is None or contact.witness is None:
         return []
     near, decided = contact.witness, contact.status != "undecided"
@@ -153,27 +164,37 @@ def _obstacle_findings(answers: ObstacleAnswers) -> list[Finding]:
             "bench {bench} comes to {margin} m of {name} at t = {t} s, too exactly to tell on which "
             "side"
         )
+    if decided and contact.lower == contact.upper == contact.value and near.gap <= 0.0:
+        sentence = OBSTACLE_SENTENCES[f"{kind} at first"]
     (bench,) = near.benches
     words = {"bench": str(bench), "t": f"{contact.value:z.6f}", "margin": f"{margin:g}"}
-    words |= name_words(answers.obstacle.name)
+    words |= name_words(answers.obstacle)
     gap, name = max(near.gap, 0.0), answers.obstacle.name
     return [Finding(kind, contact.value, near.benches, gap, margin, sentence, words, decided, name)]
 
 
-def name_words(name: str) -> dict[str, str]:
-    """What an obstacle is called, as words of a sentence: one without a name goes by its number."""
-    nameless = re.fullmatch(NAMELESS, name)
-    if nameless:
+def name_words(obstacle: Obstacle) -> dict[str, str]:
+    """What an obstacle is called, as words of a sentence: one without a name goes by its number.
+
+    What people call it is none of the program's words, which are translated.
+    """
+    nameless = re.fullmatch(NAMELESS, obstacle.name)
+    if nameless and obstacle.kind != "venue":
         return {"name": N_("obstacle {n}"), "n": nameless[1]}
-    if name == NAMELESS_VENUE:
+    if obstacle.kind == "venue" and obstacle.name == NAMELESS_VENUE:
         return {"name": N_("the venue")}
-    return {"name": name.replace("{", "{{").replace("}", "}}")}
+    return {"name": N_("{called}"), "called": obstacle.name}
 
 
-def shown_name(name: str) -> str:
-    """What an obstacle is called, in the language in use."""
-    words = name_words(name)
+def named(obstacle: Obstacle) -> str:
+    """What an obstacle is called in a sentence, in the language in use: in Chinese between quotes."""
+    words = name_words(obstacle)
     return _(words["name"]).format(**words)
+
+
+def shown_name(obstacle: Obstacle) -> str:
+    """What an obstacle is called where it stands alone, in the language in use."""
+    return obstacle.name if "called" in name_words(obstacle) else named(obstacle)
 
 
 def touch_text(bench: int, obstacle: Obstacle) -> str:
@@ -181,7 +202,7 @@ def touch_text(bench: int, obstacle: Obstacle) -> str:
     text = _("bench {bench} touches {name}")
     if obstacle.kind == "venue":
         text = _("bench {bench} leaves {name}")
-    return text.format(bench=bench, name=shown_name(obstacle.name))
+    return text.format(bench=bench, name=named(obstacle))
 
 
 def _head_findings(walk: Walk, span: tuple[float, float], limit: float) -> list[Finding]:

@@ -9,7 +9,7 @@ follows another of its size comes to nothing new beyond where that one stood at 
 import math
 import time as clock
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -51,6 +51,8 @@ LOG = 65_536
 SAMPLES = 65
 # Grazes of one bench that are passed over to see whether it touches; along a wall one each STRETCH.
 MOST_GRAZES = 1_000
+# Brackets of touches that are wider than this, s, began with a graze.
+NARROW = 1e-6
 # Newton steps for the head position at which a handle comes to a place; about five are needed.
 MOST_STEPS = 100
 
@@ -243,6 +245,8 @@ class ObstacleSearch:
     def answer(self, lower: float, upper: float, status: Status, bench: int) -> Answer:
         """A time between those at which the head is at lower and at upper; how a bench then stands."""
         value, early, late = self._times.bracketed(lower, upper)
+        if status == "found" and late - early > NARROW:
+            value = late  # a graze came before: then it surely touches
         seconds = clock.perf_counter() - self.began
         witness = self.witness(upper, bench)
         return Answer(
@@ -296,8 +300,12 @@ class ObstacleSearch:
             left[rows, 0] = told[grazed, kernel.SPAN_UPPER]
             rows = rows[left[rows, 0] < left[rows, 1]]
             if not rows.size:
-                break
-        return [(n, *touch) for n, touches in found.items() for touch in touches]
+                return [(n, *touch) for n, touches in found.items() for touch in touches]
+        raise UnsureError(
+            _("benches come within rounding of {name} too often to be followed on").format(
+                name=self.obstacle.name
+            )
+        )
 
     def bench_at(self, k: int, s: float) -> int:
         """The first bench of size k that walks over s with its front handle."""
@@ -407,11 +415,13 @@ class ObstacleAnswers:
         contact: when a bench first touches it, leaves the venue, or comes nearer than the margin; None
             if none does.
         distance: the least that benches keep from it, m; 0 where one touches it.
+        touch: when a bench first touches it or leaves the venue, where `contact` speaks of the margin.
     """
 
     obstacle: Obstacle
     contact: Answer | None
     distance: Answer
+    touch: Answer | None = None
 
 
 def obstacle_answers(
@@ -435,7 +445,12 @@ def obstacle_answers(
     if distance.lower > obstacle.margin:
         return ObstacleAnswers(obstacle, None, distance)
     answers = touching(ObstacleSearch(walk, obstacle, start, end))
-    return ObstacleAnswers(obstacle, answers[-1] if answers else None, distance)
+    contact = answers[-1] if answers else None
+    near = None if contact is None else contact.witness
+    if distance.value > 0.0 or near is None or near.gap <= 0.0:
+        return ObstacleAnswers(obstacle, contact, distance)
+    bare = touching(ObstacleSearch(walk, replace(obstacle, margin=0.0), start, end))
+    return ObstacleAnswers(obstacle, contact, distance, bare[-1] if bare else None)
 
 
 @dataclass(frozen=True)

@@ -98,6 +98,7 @@ class ObstacleRecord(Record):
     kind: Literal["circle", "rectangle", "polygon", "line", "venue"]
     margin: Number
     contact: Answer | None
+    touch: Answer | None
     distance: Answer
 
 
@@ -180,10 +181,11 @@ def _obstacle(found: ObstacleAnswers, plan: Plan) -> ObstacleRecord:
     obstacle, contact = found.obstacle, found.contact
     return ObstacleRecord(
         name=obstacle.name,
-        shown=both(lambda: findings.shown_name(obstacle.name)),
+        shown=both(lambda: findings.shown_name(obstacle)),
         kind=obstacle.kind,
         margin=obstacle.margin,
         contact=None if contact is None else answer_of(contact, plan),
+        touch=None if found.touch is None else answer_of(found.touch, plan),
         distance=answer_of(found.distance, plan),
     )
 
@@ -228,7 +230,13 @@ def untimed(verdict: Verdict) -> Verdict:
     names = ("first_contact", "clearance", "greatest_speed")
     answers = {name: without(getattr(verdict, name)) for name in names}
     obstacles = [
-        one.model_copy(update={"contact": without(one.contact), "distance": without(one.distance)})
+        one.model_copy(
+            update={
+                "contact": without(one.contact),
+                "touch": without(one.touch),
+                "distance": without(one.distance),
+            }
+        )
         for one in verdict.obstacles
     ]
     return verdict.model_copy(

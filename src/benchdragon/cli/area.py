@@ -24,6 +24,7 @@ from benchdragon.cli.options import (
 from benchdragon.cli.parsing import check_ending, parse_length, parse_scale, parse_span
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
+from benchdragon.number_format import rounded_up
 
 if TYPE_CHECKING:
     from benchdragon.analysis.swept import SweptArea
@@ -188,10 +189,10 @@ def _print_area(found: "SweptArea", brackets: bool) -> None:
     )  # fmt: skip
     rectangle, circle = found.enclosing
     text = _("smallest rectangle that holds it: {width} m by {height} m")
-    click.echo(text.format(width=f"{rectangle.width:.2f}", height=f"{rectangle.height:.2f}"))
+    click.echo(text.format(width=rounded_up(rectangle.width), height=rounded_up(rectangle.height)))
     text = _("smallest circle that holds it: radius {radius} m about ({x}, {y}) m")
     x, y = circle.centre
-    click.echo(text.format(radius=f"{circle.radius.value:.2f}", x=f"{x:.2f}", y=f"{y:.2f}"))
+    click.echo(text.format(radius=rounded_up(circle.radius.upper), x=f"{x:.2f}", y=f"{y:.2f}"))
     if found.margin:
         around, gaps = found.lines
         text = _(

@@ -92,7 +92,7 @@ def _explained(report: "Report") -> list[str]:
 def print_report(report: "Report", brackets: bool = False) -> None:
     """A report for readers."""
     from benchdragon.analysis.check import peak_text
-    from benchdragon.analysis.findings import shown_name
+    from benchdragon.analysis.findings import named
 
     print_title(report.plan)
     if report.safe:
@@ -111,7 +111,7 @@ def print_report(report: "Report", brackets: bool = False) -> None:
         click.echo(_("until then:"))
     print_answer(_("least clearance"), report.clearance, up=False, brackets=brackets)
     for answers in report.obstacles:
-        name = shown_name(answers.obstacle.name)
+        name = named(answers.obstacle)
         text = _("least distance from {name}")
         if answers.obstacle.kind == "venue":
             text = _("least distance from the edge of {name}")

@@ -20,6 +20,7 @@ from benchdragon.cli.options import (
 )
 from benchdragon.cli.solve import read_to_write, write_plan
 from benchdragon.i18n import N_, _
+from benchdragon.number_format import rounded_up
 
 if TYPE_CHECKING:
     from benchdragon.analysis.swept import Enclosing
@@ -30,8 +31,8 @@ if TYPE_CHECKING:
 @click.command(
     help=N_(
         "Where on its square the dance fits best: with the most room to the venue's edge and to "
-        "every obstacle.\n\nPLAN is a *.dragon.toml file with a [venue]. Exit code 4: the dance fits "
-        "nowhere."
+        "every obstacle.\n\nPLAN is a *.dragon.toml file with a [venue]. Exit code 4: no place was "
+        "found."
     )
 )
 @plan_options
@@ -66,11 +67,11 @@ def place(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
 
 def _print_place(plan: "Plan", best: "PlacedDance", options: dict[str, Any]) -> None:
     """The best place for readers."""
-    from benchdragon.analysis.findings import shown_name
+    from benchdragon.analysis.findings import named
 
     print_title(plan)
     if best.room.status == "infeasible":
-        click.echo(_("the dance fits nowhere on this square; the nearest to it that was found:"))
+        click.echo(_("no place was found where the dance fits on this square; the nearest to it:"))
     x, y = best.at
     click.echo(
         _("at = [{x}, {y}] m, turned = {turned} degrees  (best found)").format(
@@ -79,7 +80,7 @@ def _print_place(plan: "Plan", best: "PlacedDance", options: dict[str, Any]) -> 
     )
     print_answer(_("room beyond the margins"), best.room, up=False, brackets=options["brackets"])
     for answers in best.obstacles:
-        name = shown_name(answers.obstacle.name)
+        name = named(answers.obstacle)
         text = _("least distance from {name}").format(name=name)
         print_answer(text, answers.distance, up=False, brackets=options["brackets"])
 
@@ -148,8 +149,3 @@ def _print_square(plan: "Plan", found: "Enclosing") -> None:
             x=f"{circle.centre[0]:.3f}", y=f"{circle.centre[1]:.3f}",
         )
     )  # fmt: skip
-
-
-def rounded_up(metres: float) -> str:
-    """Metres in whole centimetres, not less, and one more for what places are rounded by."""
-    return f"{math.ceil(100.0 * metres + 0.2) / 100.0:.2f}"

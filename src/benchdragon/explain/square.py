@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from benchdragon.analysis.check import Report
-from benchdragon.analysis.findings import shown_name
+from benchdragon.analysis.findings import named
 from benchdragon.analysis.obstacles import ObstacleAnswers, ObstacleSearch, nearest_points
 from benchdragon.explain.text import distance_text, number, pair, tiny
 from benchdragon.i18n import _
@@ -67,7 +67,7 @@ def _search_lines(report: Report) -> list[str]:
 def _obstacle_lines(walk: Walk, answers: ObstacleAnswers) -> list[str]:
     """The least distance from an obstacle, from point to point; and when its margin is not kept."""
     obstacle, distance, contact = answers.obstacle, answers.distance, answers.contact
-    name, near = shown_name(obstacle.name), distance.witness
+    name, near = named(obstacle), distance.witness
     if near is None:
         return []
     lines = []

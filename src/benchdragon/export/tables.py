@@ -153,7 +153,7 @@ def _write_obstacles(book: Any, obstacles: Sequence[ObstacleAnswers]) -> None:
     sheet.write_row(0, 0, heads)
     for row, answers in enumerate(obstacles, start=1):
         obstacle, distance, contact = answers.obstacle, answers.distance, answers.contact
-        sheet.write_string(row, 0, shown_name(obstacle.name))
+        sheet.write_string(row, 0, shown_name(obstacle))
         sheet.write_string(row, 1, kind_name(obstacle.kind))
         numbers = (obstacle.margin, distance.value, distance.lower, distance.upper)
         for column, value in enumerate(numbers, start=2):

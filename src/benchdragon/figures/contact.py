@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from benchdragon.analysis.contact import ClearanceCurve
 from benchdragon.analysis.distance import boxes, nearness
-from benchdragon.analysis.findings import shown_name
+from benchdragon.analysis.findings import named
 from benchdragon.analysis.obstacles import box_distances, nearest_points
 from benchdragon.figures.square import draw_square, square_corners
 from benchdragon.figures.style import BODY, DISC, HEAD, PAGE_WIDTH, STYLE, drawable, named_figure
@@ -96,7 +96,7 @@ def _meeting(motion: Motion, witness: Witness, obstacles: Sequence[Obstacle]) ->
     if distance == -math.inf and obstacle.kind == "venue":
         text = _("outside")
     text = _("bench {bench} and {name}: {gap}").format(
-        bench=bench + 1, name=drawable(shown_name(obstacle.name)), gap=text
+        bench=bench + 1, name=drawable(named(obstacle)), gap=text
     )
     return _Meeting((bench,), points, distance, text, obstacle.name)
 

@@ -109,7 +109,7 @@ def _write_names(panel: Axes, obstacles: Sequence[Obstacle], ink: str, paper: st
         (left, _low), (right, high) = ring.min(axis=0), ring.max(axis=0)
         east = not venue and 0.5 * (left + right) > middle[0]
         panel.annotate(
-            drawable(shown_name(one.name)), (right if east else left, high),
+            drawable(shown_name(one)), (right if east else left, high),
             xytext=(4, -4) if venue else (0, 2), textcoords="offset points", fontsize=size, color=ink,
             ha="right" if east else "left", va="top" if venue else "bottom", zorder=6.5,
             annotation_clip=True, clip_on=True,

@@ -41,9 +41,6 @@ from benchdragon.plans.toml import (
     with_base,
 )
 
-# Keys of other tables that speak of the square.
-SQUARE_KEYS = {"route": ("at", "turned"), "limits": ("venue_margin",)}
-
 
 class Plan(Table):
     """A whole plan."""
@@ -74,10 +71,12 @@ class Plan(Table):
         data = self.model_dump(
             mode="json", by_alias=True, exclude={"meta", "venue", "obstacle", "survey"}
         )
-        for table, names in SQUARE_KEYS.items():
-            for name in names:
-                if getattr(getattr(self, table), name) in (None, 0.0):
-                    del data[table][name]
+        if self.limits.venue_margin is None:
+            del data["limits"]["venue_margin"]
+        if self.route.at in (None, (0.0, 0.0)):
+            del data["route"]["at"]
+        if self.route.turned == 0.0:
+            del data["route"]["turned"]
         for name in ("venue", "obstacle"):
             square = getattr(self, name)
             if square not in (VenueTable(), []):
@@ -273,7 +272,7 @@ def checked(data: dict[str, Any], source: Source | str) -> Plan:
         PlanError: for all that is wrong, a line each.
     """
     where = Source(source) if isinstance(source, str) else source
-    if data.get("base"):
+    if "base" in data:
         data = with_base(data, None, where.name)
     route = data.get("route")
     if isinstance(route, dict) and "part" in route:

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Annotated, ClassVar, Literal, get_args
 
-from pydantic import Field
+from pydantic import AfterValidator, Field
 
 from benchdragon.i18n import N_, _
 from benchdragon.model.obstacle import MOST_CORNERS, Obstacle, rectangle_outline
@@ -17,7 +17,17 @@ MOST_LETTERS = 80
 # A square with more obstacles than this is a drawing of something else.
 MOST_OBSTACLES = 1_000
 
-Name = Annotated[str, Field(max_length=MOST_LETTERS)]
+
+def _printable(name: str) -> str:
+    """Refuses what would not be seen in a sentence, or would break it."""
+    if name and (name.isspace() or not name.isprintable()):
+        raise ValueError(
+            _("wanted a name that can be printed on one line, not {name}").format(name=repr(name))
+        )
+    return name
+
+
+Name = Annotated[str, Field(max_length=MOST_LETTERS), AfterValidator(_printable)]
 Corners = Annotated[list[tuple[Metres, Metres]], Field(max_length=MOST_CORNERS)]
 
 

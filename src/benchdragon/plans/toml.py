@@ -108,9 +108,9 @@ def with_base(
         PlanError: for a base that cannot be read, or bases in a circle.
     """
     own = dict(data)
-    base = own.pop("base", "")
-    if not base:
+    if "base" not in own:
         return own
+    base = own.pop("base")
     path = _base_path(base, folder, source)
     chain = (*since, source)
     if base in chain or len(chain) > MOST_BASES:
@@ -129,7 +129,8 @@ def _base_path(base: object, folder: Path | None, source: str) -> Path:
     """Where a base lies: a built-in plan, or a file beside the plan."""
     if isinstance(base, str) and base in built_in_names():
         return BUILT_IN_FOLDER / f"{base}{SUFFIX}"
-    beside = isinstance(base, str) and base == Path(base).name and base not in ("", ".", "..")
+    beside = isinstance(base, str) and base.isprintable() and base == Path(base).name
+    beside = beside and base not in ("", ".", "..")
     if folder is None or not isinstance(base, str) or not beside:
         raise PlanError(
             _(
@@ -155,10 +156,15 @@ def _merged(below: dict[str, Any], own: dict[str, Any]) -> tuple[dict[str, Any],
     return merged, keys
 
 
+def _kind(table: dict[str, Any]) -> object:
+    """The kind of a route that a table says, or that its parts do."""
+    return "parts" if "part" in table else table.get("kind")
+
+
 def _another(name: str, before: dict[str, Any], table: dict[str, Any]) -> bool:
     """Whether a table replaces that of the base as a whole: another kind of route, another venue."""
-    kind = "parts" if "part" in table else table.get("kind", before.get("kind"))
-    return name == "venue" or kind != before.get("kind", "parts" if "part" in before else None)
+    own, below = _kind(table), _kind(before)
+    return name == "venue" or own not in (None, below)
 
 
 def lay_over(data: dict[str, Any], settings: Sequence[str]) -> tuple[str, ...]:
@@ -195,9 +201,9 @@ class Idle:
 
     def __str__(self) -> str:
         if self.missing:
-            return _("{key} has no effect without {because}: take it out, or say {because} too").format(
-                key=self.key, because=self.because
-            )
+            return _(
+                "{key} has no effect without one of {because}: take it out, or say one of them"
+            ).format(key=self.key, because=self.because)
         return _("{key} has no effect beside {because}: take it out").format(
             key=self.key, because=self.because
         )
@@ -276,7 +282,10 @@ def _idle_on_the_square(venue: dict[str, Any], limits: dict[str, Any]) -> list[I
         others = [f"venue.{name}" for name in ("centre", "angle") if name in venue]
         others += ["venue.name"] if venue.get("name") else []
         others += ["limits.venue_margin"] if "venue_margin" in limits else []
-        found += [Idle(key, "venue", "venue.rectangle", missing=True) for key in others]
+        found += [
+            Idle(key, "venue", "venue.rectangle, venue.boundary, venue.file", missing=True)
+            for key in others
+        ]
     if "layer" in venue and "file" not in venue:
         found.append(Idle("venue.layer", "venue", "venue.file", missing=True))
     return found

@@ -9,7 +9,7 @@ import numpy as np
 
 from benchdragon.analysis.check import Report
 from benchdragon.analysis.distance import nearest_each
-from benchdragon.analysis.findings import shown_name, touch_text
+from benchdragon.analysis.findings import named, shown_name, touch_text
 from benchdragon.analysis.obstacles import ObstacleAnswers
 from benchdragon.analysis.records import Verdict, untimed, verdict_of, verdict_of_fall
 from benchdragon.analysis.swept import drawn_ground
@@ -147,7 +147,7 @@ def _of_plan(
 def _drawn(obstacle: Obstacle) -> messages.DrawnObstacle:
     """An obstacle as a page draws it, to a tenth of a millimetre."""
     return messages.DrawnObstacle(
-        name=both(lambda: shown_name(obstacle.name)),
+        name=both(lambda: shown_name(obstacle)),
         kind=obstacle.kind,
         points=_rounded(obstacle.outline),
         radius=obstacle.radius,
@@ -374,7 +374,7 @@ def _at_obstacle(answer: Answer, obstacle: Obstacle, n: int, text: Words) -> lis
 
 
 def _near_text(text: str, obstacle: Obstacle, gap: str = "") -> str:
-    return _(text).format(name=shown_name(obstacle.name), gap=gap)
+    return _(text).format(name=named(obstacle), gap=gap)
 
 
 def _joints(walk: Walk, shot: Frames, behind: Following | None) -> list[messages.Occasion]:

@@ -43,7 +43,7 @@ class PlacedDance:
         at: where the origin of the dance lies, m.
         turned: how far the dance is turned to the left, degrees.
         room: how much more than its margin benches keep from each obstacle and the venue's edge, m;
-            "infeasible" where the dance fits nowhere, negative or 0 then.
+            "infeasible" where no place was found at which the dance fits, negative or 0 then.
         obstacles: the exact answers about each, for the whole walk.
     """
 
@@ -81,7 +81,7 @@ def best_place(plan: Plan, *, progress: Progress = silent) -> PlacedDance:
         square.crowding, square.ranges, min(starts, key=lambda found: found[1])[0], minima.LOCAL
     )
     progress(SEARCHED, _("exact figures"))
-    fits = square.crowding(rough) < 0.0
+    fits = square.crowding(rough) < ROUGH
     best = min(rough, square.refined(rough), key=square.exact_crowding) if fits else rough
     return square.placed(best, clock.perf_counter() - began)
 
@@ -126,7 +126,8 @@ class Square:
         x, y, turned = place
         c, s = math.cos(math.radians(turned)), math.sin(math.radians(turned))
         a, b = self.middle
-        at = round(x - c * a + s * b, DIGITS), round(y - s * a - c * b, DIGITS)
+        # + 0.0, for nobody wants a minus before a zero
+        at = round(x - c * a + s * b, DIGITS) + 0.0, round(y - s * a - c * b, DIGITS) + 0.0
         return at, round(turned % 360.0, DIGITS) % 360.0
 
     def at(self, place: Sequence[float]) -> Plan:
@@ -144,7 +145,7 @@ class Square:
     def exact_crowding(self, place: Sequence[float]) -> float:
         """The same by exact least distances, wherever the dance lies clear of all."""
         seen = self.crowding(place)
-        if seen >= 0.0:
+        if seen >= ROUGH:
             return seen
         plan = self.at(place)
         return -min(

@@ -165,7 +165,11 @@ def _assumed(family: PlanFamily, unsure: Sequence[float]) -> tuple[str, ...]:
     texts = (
         _("benches keep {margin} m").format(margin=f"{family.margin:g}"),
         _("sizes beyond the bracket were not tried"),
-        *([_("the venue and obstacles count")] if family.plan.obstacles() else []),
+        *(
+            [_("the venue and obstacles count: other sizes may be safe as well, --range tries them")]
+            if family.plan.obstacles()
+            else []
+        ),
     )
     return (*texts, undecided_text(unsure)) if unsure else texts
 

@@ -205,7 +205,7 @@ class SizeSearch:
             if self.blocked is None or self.blocked[0] != bad or self.blocked[1].status == "found":
                 return bad
             bad += 2.0 * (bad - good)
-            if self.trial(bad) == bracket.PASSES:
+            if self.trial(bad) != bracket.FAILS:
                 break
         raise UnsureError(_("the bracket could not be established beside an obstacle"))
 

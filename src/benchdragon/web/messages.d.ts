@@ -423,6 +423,7 @@ export interface ObstacleRecord {
   kind: "circle" | "rectangle" | "polygon" | "line" | "venue";
   margin: number | null;
   contact: Answer | null;
+  touch: Answer | null;
   distance: Answer;
 }
 
