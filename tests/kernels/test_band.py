@@ -42,7 +42,7 @@ def test_no_corner_strays_farther_than_is_said(name: str, step: float) -> None:
     ends = placed(route, at)
     strays(route.rows, LINK, SIZES, 0, ends, out)
     first, last = corners(ends, 0), corners(ends, 1)
-    between = placed(route, np.linspace(*at, 41))
+    between = placed(route, np.linspace(start, start + step, 41))
     straight = [first + share * (last - first) for share in np.linspace(0.0, 1.0, 41)]
     off = [np.hypot(*(corners(between, t) - straight[t]).T).max() for t in range(41)]
     assert max(off) <= out[0] + 1e-12
