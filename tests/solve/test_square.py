@@ -76,10 +76,12 @@ def test_an_obstacle_that_no_bench_comes_near_changes_no_answer() -> None:
         assert limit(far, name).value == limit(plan, name).value
 
 
-def test_no_pitch_leads_past_a_well_where_the_dance_must_go() -> None:
-    well = 'obstacle=[{kind="circle", centre=[0, 0], radius=5}]'
+def test_no_pitch_far_from_the_plans_own_is_tried() -> None:
+    """One of 11.5 m would: twenty times the plan's own, which is not tried, and that is said."""
+    well = 'obstacle=[{kind="circle", centre=[8, 0], radius=3.2}]'
     found = limit(read_plan("spiral-in", [*COIL, well]), "pitch")
     assert (found.status, found.witness) == ("infeasible", None)
+    assert "none over 10 times the plan's own was tried" in found.assumptions[-1]
 
 
 def test_limits_of_a_moved_dance_are_those_of_the_dance_among_moved_obstacles() -> None:
@@ -169,7 +171,7 @@ def test_a_dance_that_fits_nowhere_is_told_so(capsys: pytest.CaptureFixture[str]
     assert run(words) == 4
     out = capsys.readouterr().out
     assert "no place was found where the dance fits on this square" in out
-    assert "least distance from the venue: 0.0 m" in out
+    assert "least distance from the edge of the venue: 0.0 m" in out
 
 
 def test_a_place_needs_a_venue() -> None:
@@ -179,7 +181,7 @@ def test_a_place_needs_a_venue() -> None:
 
 def test_margins_ask_about_benches_alone_and_say_so(capsys: pytest.CaptureFixture[str]) -> None:
     words = ["margins", "spiral-in", "--draws", "2", "--aside", "0.01", "--quiet"]
-    for text in (*COIL, WELL):
+    for text in (*COIL, WELL.replace("3.9", "4.2")):  # which sets the pitch: 1.7 m
         words += ["--set", text]
     assert run(words) == 0
     out = capsys.readouterr().out

@@ -12,6 +12,7 @@ from benchdragon.number_format import decimals, figures
 from benchdragon.version import __version__
 
 if TYPE_CHECKING:
+    from benchdragon.analysis.obstacles import ObstacleAnswers
     from benchdragon.plans.schema import Plan
 
 # Exit codes of answers; 0 is safe, or found.
@@ -61,6 +62,17 @@ def print_answer(name: str, answer: Answer, *, up: bool, brackets: bool) -> None
     _print_witness(answer.witness, 6 if brackets else 2)
 
 
+def print_distance(answers: "ObstacleAnswers", *, brackets: bool) -> None:
+    """The least distance from an obstacle, or from the venue's edge, for readers."""
+    from benchdragon.analysis.findings import named
+
+    text = _("least distance from {name}")
+    if answers.obstacle.kind == "venue":
+        text = _("least distance from the edge of {name}")
+    name = text.format(name=named(answers.obstacle))
+    print_answer(name, answers.distance, up=False, brackets=brackets)
+
+
 def _print_witness(near: Witness | None, count: int) -> None:
     """Where and when an answer comes about, with so many decimals."""
     if near is not None and len(near.benches) == 1:
@@ -78,7 +90,7 @@ def _print_witness(near: Witness | None, count: int) -> None:
             )
         )
     if near is not None and len(near.benches) == 2:
-        features = "; ".join(
+        features = _("; ").join(
             _("bench {bench}: {feature}").format(bench=bench, feature=_(feature))
             for bench, feature in near.features
         )

@@ -6,7 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from benchdragon.cli.answers import UNDECIDED, UNSAFE, about, print_answer, print_title
+from benchdragon.cli.answers import (
+    UNDECIDED,
+    UNSAFE,
+    about,
+    print_answer,
+    print_distance,
+    print_title,
+)
 from benchdragon.cli.console import print_explanation, print_files, shown_progress
 from benchdragon.cli.options import (
     WITHOUT,
@@ -92,13 +99,17 @@ def _explained(report: "Report") -> list[str]:
 def print_report(report: "Report", brackets: bool = False) -> None:
     """A report for readers."""
     from benchdragon.analysis.check import peak_text
-    from benchdragon.analysis.findings import named
 
     print_title(report.plan)
     if report.safe:
         text = _("SAFE from t = {start} s to t = {end} s")
         if report.proved:
             text = _("SAFE from t = {start} s to t = {end} s: proved that no benches come too near")
+            if report.obstacles:
+                text = _(
+                    "SAFE from t = {start} s to t = {end} s: proved that no benches come too near to "
+                    "one another, to an obstacle or to the venue's edge"
+                )
         click.echo(text.format(start=f"{report.start:g}", end=f"{report.end:.6g}"))
     elif report.decided:
         click.echo(_("NOT SAFE"))
@@ -111,11 +122,7 @@ def print_report(report: "Report", brackets: bool = False) -> None:
         click.echo(_("until then:"))
     print_answer(_("least clearance"), report.clearance, up=False, brackets=brackets)
     for answers in report.obstacles:
-        name = named(answers.obstacle)
-        text = _("least distance from {name}")
-        if answers.obstacle.kind == "venue":
-            text = _("least distance from the edge of {name}")
-        print_answer(text.format(name=name), answers.distance, up=False, brackets=brackets)
+        print_distance(answers, brackets=brackets)
     print_answer(_("greatest speed of a handle"), report.greatest_speed, up=True, brackets=brackets)
     for name, peak in report.peaks.items():
         print_answer(peak_text(name), peak, up=True, brackets=brackets)

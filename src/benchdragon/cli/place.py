@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from benchdragon.cli.answers import NO_SOLUTION, about, print_answer, print_title
+from benchdragon.cli.answers import NO_SOLUTION, about, print_answer, print_distance, print_title
 from benchdragon.cli.console import print_files, shown_progress
 from benchdragon.cli.options import (
     FILE,
@@ -67,8 +67,6 @@ def place(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
 
 def _print_place(plan: "Plan", best: "PlacedDance", options: dict[str, Any]) -> None:
     """The best place for readers."""
-    from benchdragon.analysis.findings import named
-
     print_title(plan)
     if best.room.status == "infeasible":
         click.echo(_("no place was found where the dance fits on this square; the nearest to it:"))
@@ -80,9 +78,7 @@ def _print_place(plan: "Plan", best: "PlacedDance", options: dict[str, Any]) -> 
     )
     print_answer(_("room beyond the margins"), best.room, up=False, brackets=options["brackets"])
     for answers in best.obstacles:
-        name = named(answers.obstacle)
-        text = _("least distance from {name}").format(name=name)
-        print_answer(text, answers.distance, up=False, brackets=options["brackets"])
+        print_distance(answers, brackets=options["brackets"])
 
 
 @click.command(

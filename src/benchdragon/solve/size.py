@@ -33,7 +33,7 @@ from benchdragon.plans.schema import Plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, silent
 from benchdragon.solve.size_family import TOLERANCE, PlanFamily, meeting_of, question
-from benchdragon.solve.size_trials import SizeSearch
+from benchdragon.solve.size_trials import FAR, SizeSearch
 
 # How often a bracket is doubled until it can be proved.
 MOST_WIDENINGS = 12
@@ -162,16 +162,17 @@ def _witness(family: PlanFamily, found: SizeSearch, size: float) -> Witness | No
 
 
 def _assumed(family: PlanFamily, unsure: Sequence[float]) -> tuple[str, ...]:
-    texts = (
+    texts = [
         _("benches keep {margin} m").format(margin=f"{family.margin:g}"),
         _("sizes beyond the bracket were not tried"),
-        *(
-            [_("the venue and obstacles count: other sizes may be safe as well, --range tries them")]
-            if family.plan.obstacles()
-            else []
-        ),
-    )
-    return (*texts, undecided_text(unsure)) if unsure else texts
+    ]
+    if family.plan.obstacles():
+        text = _(
+            "the venue and obstacles count: other sizes may be safe as well, --range tries them; none "
+            "over {far} times the plan's own was tried, and none that much smaller"
+        )
+        texts.append(text.format(far=f"{FAR:g}"))
+    return (*texts, undecided_text(unsure)) if unsure else tuple(texts)
 
 
 def undecided_text(sizes: Sequence[float]) -> str:
