@@ -11,6 +11,7 @@ from benchdragon.model.curves import Arc, Line, Route
 from benchdragon.surveys.alignment import joined_alignment
 from benchdragon.surveys.coordinates import Survey
 from benchdragon.surveys.fitting import fitted
+from benchdragon.surveys.lines import chords
 from benchdragon.surveys.reading import read_line
 from tests.surveys.drawings import RAILWAY, TRAM, landxml
 
@@ -132,3 +133,23 @@ def test_a_line_is_no_worse_for_being_long() -> None:
     assert math.isclose(told.kink, 1e-4, rel_tol=1e-9)
     assert told.shift < 0.02
     Route(curves)
+
+
+def test_parts_without_a_moved_end_are_not_cut() -> None:
+    # The first winds round a quarter of a million times; the gap is between two others.
+    wound = Arc(2.0, 1.5e6)
+    point, heading = wound.end_pose
+    line = Line(10.0, point, heading)
+    (x, y), _heading = line.end_pose
+    curves, told = joined_alignment([wound, line, Line(10.0, (x + 1e-3, y), heading)])
+    assert curves[0] == wound
+    assert (len(curves), told.adjusted) == (3, 1)
+
+
+def test_a_part_that_winds_too_often_to_be_cut_is_refused_before_it_is() -> None:
+    wound = Arc(2.0, 1.5e6)
+    (x, y), heading = wound.end_pose
+    with pytest.raises(InputError, match=r"part 1 of the drawing winds round 2\.387e\+05 times"):
+        joined_alignment([wound, Line(10.0, (x + 1e-3, y), heading)])
+    with pytest.raises(InputError, match="a line may have 100000 points at most, not 23717084"):
+        chords([Arc(2.0, 1.5e6)], 1e-3)

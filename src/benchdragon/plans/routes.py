@@ -35,8 +35,8 @@ from benchdragon.plans.tables import (
     at_least,
 )
 from benchdragon.surveys.alignment import GAP, KINK
-from benchdragon.surveys.fitting import MOST_CURVES, Fit, Smooth, fitted
-from benchdragon.surveys.lines import DrawnLine, corners_of
+from benchdragon.surveys.fitting import Fit, Smooth, fitted
+from benchdragon.surveys.lines import MOST_CURVES, DrawnLine, corners_of
 
 # A turn may reach so far out of its disc, m: rounding, and what lies between samples.
 FITS = 1e-3

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
@@ -18,7 +19,9 @@ from benchdragon.model.curves import (
     Line,
 )
 from benchdragon.surveys.clothoids import bound_between, folded, g1_clothoids
-from benchdragon.surveys.lines import most_bend
+from benchdragon.surveys.lines import MOST_CURVES, most_bend
+
+BoolArray = npt.NDArray[np.bool_]
 
 # What joints may be off where nothing else is asked for, m and rad.
 GAP = 5e-3
@@ -66,14 +69,18 @@ def joined_alignment(
         kink: the largest kink at a joint, rad.
 
     Raises:
-        InputError: naming the first joint that is farther off.
+        InputError: naming the first joint that is farther off, and for parts that would be cut into
+            more than MOST_CURVES.
     """
-    parts = _pieces(curves)
+    starts, ends = _poses(curves)
+    off, turn = _misfits(ends, np.roll(starts, -1, axis=0), closed)
+    _check(ends, off, turn, gap, kink)
+    moved = _unsound(off, turn)
+    parts = _pieces(curves, moved | np.roll(moved, 1))
     starts, ends = _poses(parts)
     after = np.roll(starts, -1, axis=0)
     off, turn = _misfits(ends, after, closed)
-    _check(ends, off, turn, gap, kink)
-    moved = (off > SOUND_GAP) | (np.abs(turn) > SOUND_KINK)
+    moved = _unsound(off, turn)
     lengths = np.array([part.length for part in parts])
     share = np.roll(lengths, -1) / (lengths + np.roll(lengths, -1))
     joints = np.column_stack([0.5 * (ends[:, :2] + after[:, :2]), ends[:, 2] + share * turn])
@@ -122,6 +129,11 @@ def _misfits(ends: FloatArray, after: FloatArray, closed: bool) -> tuple[FloatAr
     return off, turn
 
 
+def _unsound(off: FloatArray, turn: FloatArray) -> BoolArray:
+    """Which joints a route would not take as they are."""
+    return (off > SOUND_GAP) | (np.abs(turn) > SOUND_KINK)
+
+
 def _poses(parts: Sequence[AnyCurve]) -> tuple[FloatArray, FloatArray]:
     """Poses (x, y, heading) at the starts and at the ends."""
     starts, ends = (part.start_pose for part in parts), (part.end_pose for part in parts)
@@ -154,13 +166,27 @@ def _check(ends: FloatArray, off: FloatArray, turn: FloatArray, gap: float, kink
     )
 
 
-def _pieces(curves: Sequence[AnyCurve]) -> list[AnyCurve]:
-    """Each curve cut where it turns by more than MOST_TURN: one clothoid can replace each piece."""
-    return [piece for curve in curves for piece in _cut(curve)]
+def _pieces(curves: Sequence[AnyCurve], moved: BoolArray) -> list[AnyCurve]:
+    """Curves of which an end was moved cut into pieces that one clothoid can replace, the others whole.
+
+    Raises:
+        InputError: for more than MOST_CURVES, before any is cut.
+    """
+    turns = np.array([most_bend(curve) * curve.length for curve in curves])
+    counts = np.where(moved, np.maximum(1.0, np.ceil(turns / MOST_TURN)), 1.0)
+    if not counts.sum() <= MOST_CURVES:
+        n = int(np.argmax(counts))
+        raise InputError(
+            _(
+                "part {part} of the drawing winds round {turns} times, too often for its ends to be "
+                "moved to those beside it"
+            ).format(part=n + 1, turns=f"{turns[n] / (2.0 * math.pi):.4g}")
+        )
+    pairs = zip(curves, counts.astype(np.int64).tolist(), strict=True)
+    return [piece for curve, count in pairs for piece in _cut(curve, count)]
 
 
-def _cut(curve: AnyCurve) -> list[AnyCurve]:
-    count = max(1, math.ceil(most_bend(curve) * curve.length / MOST_TURN))
+def _cut(curve: AnyCurve, count: int) -> list[AnyCurve]:
     if isinstance(curve, Line) or count == 1:
         return [curve]
     at = np.linspace(0.0, curve.length, count + 1)

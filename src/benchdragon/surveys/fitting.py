@@ -15,15 +15,13 @@ from benchdragon.model.curves import AnyCurve, Route
 from benchdragon.surveys.alignment import GAP, KINK, Absorbed, joined_alignment, largest_misfits
 from benchdragon.surveys.clothoids import bound_to_chord, circle_headings, g1_clothoids
 from benchdragon.surveys.corners import MOST_CORNER, Corners, radii, rounded, shapes
-from benchdragon.surveys.lines import DrawnLine, most_bend
+from benchdragon.surveys.lines import MOST_CURVES, DrawnLine, most_bend
 
 Smooth = Literal["none", "G1", "G2"]
 # Shares of the deviation that leaving out points may take; bends take the rest. All are tried.
 SHARES = (0.0, 0.125, 0.25, 0.5, 0.75)
 # Share of the deviation that chords of drawn arcs may take where their corners are to be rounded.
 CHORDS = 0.0625
-# A route of more parts takes too long to search.
-MOST_CURVES = 10_000
 # Places are computed to within this, m, a metre of coordinates: it is added to bounds.
 ROUNDING = 1e-14
 # Share of the deviation that sums of shares of it may lose.

@@ -16,6 +16,8 @@ from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line
 MOST_BYTES = 50_000_000
 MOST_CORNERS = 100_000
 MOST_LINES = 10_000
+# A route of more parts takes too long to search.
+MOST_CURVES = 10_000
 # Curves that have no exact form here are replaced by chords that keep within this of them, m.
 FLATTENED = 1e-3
 # Corners nearer to one another than this are one corner, m.
@@ -70,14 +72,18 @@ def corners_of(points: Sequence[Sequence[float]] | FloatArray, closed: bool = Fa
         InputError: for more than MOST_CORNERS, or for what is not finite.
     """
     given = np.asarray(points, np.float64).reshape(-1, np.shape(points)[-1] if len(points) else 2)
-    if len(given) > MOST_CORNERS:
-        text = _("a line may have {most} points at most, not {count}")
-        raise InputError(text.format(most=MOST_CORNERS, count=len(given)))
+    _check_count(len(given))
     if not np.isfinite(given).all():
         raise InputError(_("every coordinate must be a finite number"))
     corners = np.zeros((len(given), 3))
     corners[:, : given.shape[1]] = given
     return _without_repeats(corners, closed)
+
+
+def _check_count(count: float) -> None:
+    if not count <= MOST_CORNERS:
+        text = _("a line may have {most} points at most, not {count}")
+        raise InputError(text.format(most=MOST_CORNERS, count=f"{count:.10g}"))
 
 
 def _without_repeats(corners: FloatArray, closed: bool) -> FloatArray:
@@ -113,14 +119,19 @@ def chords(curves: Sequence[AnyCurve], tolerance: float) -> tuple[FloatArray, fl
 
     A curve whose curvature is at most k keeps within k h^2 / 8 of a chord over h metres of it, since
     its second derivative by arc length is at most k; gaps between curves are bridged by chords.
+
+    Raises:
+        InputError: for more than MOST_CORNERS points, before any is computed.
     """
-    found: list[FloatArray] = []
-    off = 0.0
-    for curve in curves:
-        bend = most_bend(curve)
-        count = max(1, math.ceil(curve.length * math.sqrt(bend / (8.0 * tolerance))))
-        off = max(off, 0.125 * bend * (curve.length / count) ** 2)
-        found.append(curve.point(np.linspace(0.0, curve.length, count + 1)))
+    bends = np.array([most_bend(curve) for curve in curves])
+    lengths = np.array([curve.length for curve in curves])
+    counts = np.maximum(1.0, np.ceil(lengths * np.sqrt(bends / (8.0 * tolerance))))
+    _check_count(float(counts.sum()) + len(curves))
+    off = float((0.125 * bends * (lengths / counts) ** 2).max(initial=0.0))
+    found = [
+        curve.point(np.linspace(0.0, curve.length, count + 1))
+        for curve, count in zip(curves, counts.astype(np.int64).tolist(), strict=True)
+    ]
     kept = _without_repeats(corners_of(np.concatenate(found)), False)
     return kept[:, :2].copy(), off
 
