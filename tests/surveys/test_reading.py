@@ -10,7 +10,7 @@ import pytest
 
 from benchdragon.errors import BenchDragonError, InputError
 from benchdragon.model.curves import Arc
-from benchdragon.surveys import lines, reading
+from benchdragon.surveys import cad_formats, lines, reading
 from benchdragon.surveys.cad_formats import bezier_points, ellipse_points
 from benchdragon.surveys.coordinates import Survey
 from benchdragon.surveys.lines import DrawnLine, chained, corners_of
@@ -177,11 +177,13 @@ def test_landxml_names_points_and_says_its_unit(tmp_path: Path) -> None:
 
 def test_flattened_curves_keep_within_what_is_said() -> None:
     control = np.array([[0.0, 0.0], [3.0, 9.0], [8.0, -7.0], [10.0, 1.0]])
-    points, off = bezier_points(control)
+    points, off = bezier_points(control, 1e-3)
     t = np.linspace(0.0, 1.0, 20001)[:, None]
     true = sum(math.comb(3, k) * t**k * (1 - t) ** (3 - k) * control[k] for k in range(4))
     assert 0.2 * off < _farthest(np.asarray(true), points) <= off
-    points, off = ellipse_points(np.zeros(2), np.array([4.0, 1.0]), np.array([-0.5, 2.0]), 0.3, 5.0)
+    points, off = ellipse_points(
+        np.zeros(2), np.array([4.0, 1.0]), np.array([-0.5, 2.0]), 0.3, 5.0, 1e-3
+    )
     t = np.linspace(0.3, 5.3, 20001)[:, None]
     true = np.cos(t) * [4.0, 1.0] + np.sin(t) * [-0.5, 2.0]
     assert 0.2 * off < _farthest(true, points) <= off
@@ -333,3 +335,75 @@ def test_pieces_turned_round_bend_to_the_other_side() -> None:
     line, arc = one.pieces()
     middle = (arc if isinstance(arc, Arc) else line).point(0.5 * second.pieces()[0].length)
     assert np.allclose(middle, second.pieces()[0].point(0.5 * second.pieces()[0].length))
+
+
+def test_curves_that_become_too_many_points_are_refused_before_all_are_made(tmp_path: Path) -> None:
+    ezdxf = pytest.importorskip("ezdxf")
+    pytest.importorskip("svgelements")
+    made: list[int] = []
+    count = cad_formats.bezier_points
+
+    def counted(control: Any, within: float) -> Any:
+        made.append(1)
+        return count(control, within)
+
+    wiggles = 3000
+    svg = f'<svg><path d="M0 0 {"c900 900 -900 900 100 0 " * wiggles}"/></svg>'
+    document = ezdxf.new("R2010", units=6)
+    for n in range(wiggles):
+        document.modelspace().add_spline([(0, n), (300, 200 + n), (600, n), (900, n)])
+    document.saveas(tmp_path / "a.dxf")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(cad_formats, "bezier_points", counted)
+        for path in (written(tmp_path, "a.svg", svg), tmp_path / "a.dxf"):
+            made.clear()
+            sentence = f"{path.name}: its curves need more than the 100000 points that are read at most"
+            with pytest.raises(InputError, match=sentence):
+                read_lines(path, METRES)
+            assert 10 < len(made) < wiggles // 2
+
+
+@pytest.mark.parametrize("unit", ["m", "ft", "mm"])
+def test_a_boundary_keeps_within_a_millimetre_of_what_was_drawn(tmp_path: Path, unit: str) -> None:
+    pytest.importorskip("svgelements")
+    scale = {"m": 1.0, "ft": 0.3048, "mm": 1e-3}[unit]
+    a, b = 100.0 / scale, 80.0 / scale
+    path = written(tmp_path, "a.svg", f'<svg><ellipse rx="{a}" ry="{b}"/></svg>')
+    corners, _survey = outline(path, Survey(unit=unit, origin=(0.0, 0.0)))
+    t = np.linspace(0.0, 2.0 * math.pi, 20001)
+    true = np.column_stack([100.0 * np.cos(t), 80.0 * np.sin(t)])
+    assert 1e-4 < _farthest(true, np.vstack([corners, corners[:1]])) <= lines.FLATTENED
+    # The same in degrees: a hundred metres are a thousandth of one.
+    path = written(tmp_path, "b.svg", f'<svg><ellipse rx="{100 / 111e3}" ry="{80 / 111e3}"/></svg>')
+    small, _survey = outline(path, Survey("wgs84", origin=(0.0, 0.0)))
+    assert 0.5 * len(corners) < len(small) < 2 * len(corners)
+
+
+def test_a_boundary_of_too_many_corners_gets_one_sentence(tmp_path: Path) -> None:
+    pytest.importorskip("svgelements")
+    path = written(tmp_path, "a.svg", '<svg><circle r="60000"/></svg>')
+    with pytest.raises(InputError, match=r"a\.svg: the boundary becomes \d+ corners, and 5000 are"):
+        outline(path, METRES)
+
+
+@pytest.mark.parametrize("radius", ["1e-323", "1e-4"])
+def test_a_radius_of_nothing_is_refused(tmp_path: Path, radius: str) -> None:
+    text = landxml(RAILWAY, 0.0, 0.0, (0.0, 0.0)).replace(
+        'radiusEnd="500.000000000"', f'radiusEnd="{radius}"'
+    )
+    text = text.replace('linearUnit="meter"', 'linearUnit="millimeter"')
+    with pytest.raises(
+        InputError, match=r"a\.xml: a clothoid has a radius of .* m: 1e-06 m are the least"
+    ):
+        read_line(written(tmp_path, "a.xml", text), Survey())
+
+
+def test_lines_of_different_layers_are_not_joined(tmp_path: Path) -> None:
+    rows = "x,y,layer\n0,0,a\n20,0,a\n20.004,0,{}\n40,3,{}\n"
+    path = written(tmp_path, "a.csv", rows.format("b", "b"))
+    with pytest.raises(InputError, match=r"holds 2 lines: choose one by the key layer: 'a', 'b'"):
+        read_line(path, Survey())
+    ways = {"type": "MultiLineString", "coordinates": [[[0, 0], [200, 0]], [[400, 3], [200, 0]]]}
+    path = written(tmp_path, "a.json", json.dumps(ways))
+    line, _survey = read_line(path, Survey("EPSG:4549", origin=(0.0, 0.0)))
+    assert len(line.corners) == 3

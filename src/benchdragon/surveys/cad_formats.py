@@ -3,7 +3,7 @@
 import io
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 from xml.etree.ElementTree import Element, tostring
 
@@ -18,27 +18,50 @@ from benchdragon.surveys.xml_formats import xml_tree
 
 # $INSUNITS of DXF, as coordinates.UNITS calls them; others say nothing.
 DXF_UNITS = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m", 7: "km", 21: "us-ft"}
-# Curves without an exact form here keep within this share of their size of the chords for them.
-CHORDS = 1e-4
 # Elements of SVG that are drawn; links to others, which may multiply, are left out.
 SVG_DRAWN = {"svg", "g", "path", "polyline", "polygon", "line", "rect", "circle", "ellipse"}
 # What one unit of a width in SVG is worth, mm.
 SVG_MILLIMETRES = {"mm": 1.0, "cm": 10.0, "in": 25.4, "pt": 25.4 / 72.0, "pc": 25.4 / 6.0}
 
 Points = list[tuple[float, ...]]
+# Of a file's own unit, None where it says none: how near chords keep to curves, in that unit.
+Fineness = Callable[[str | None], float]
 
 
-def bezier_points(control: FloatArray) -> tuple[FloatArray, float]:
-    """Points whose chords keep near a Bezier curve of control points (n + 1, 2), and how near.
+class Tally:
+    """Counts the points that a file's curves become, so that no more are made than are read."""
+
+    def __init__(self, name: str, within: float) -> None:
+        """Args: `name` of the file; `within`: how near chords keep to curves, in its unit."""
+        self.name, self.within = name, within
+        self.points = 0
+
+    def counted(self, points: FloatArray) -> FloatArray:
+        """The points.
+
+        Raises:
+            InputError: if these are too many.
+        """
+        self.points += len(points)
+        if self.points > MOST_CORNERS:
+            raise InputError(
+                _("{file}: its curves need more than the {most} points that are read at most").format(
+                    file=self.name, most=MOST_CORNERS
+                )
+            )
+        return points
+
+
+def bezier_points(control: FloatArray, within: float) -> tuple[FloatArray, float]:
+    """Points whose chords keep `within` of a Bezier curve of control points (n + 1, 2), and how near.
 
     Its second derivative is at most n (n - 1) times the largest second difference of its control
     points; over a span h of the parameter it keeps within an eighth of that times h^2 of the chord.
     """
     degree = len(control) - 1
-    size = float(np.abs(np.diff(control, axis=0)).sum())
     second = np.diff(control, 2, axis=0)
     most = degree * (degree - 1) * float(np.hypot(second[:, 0], second[:, 1]).max(initial=0.0))
-    count = _count(most, size)
+    count = _count(most, within)
     t = np.linspace(0.0, 1.0, count + 1)[:, None]
     weights = [math.comb(degree, k) * t**k * (1.0 - t) ** (degree - k) for k in range(degree + 1)]
     points = sum((w * p for w, p in zip(weights, control, strict=True)), np.zeros((count + 1, 2)))
@@ -46,28 +69,34 @@ def bezier_points(control: FloatArray) -> tuple[FloatArray, float]:
 
 
 def ellipse_points(
-    centre: FloatArray, one: FloatArray, other: FloatArray, start: float, sweep: float
+    centre: FloatArray,
+    one: FloatArray,
+    other: FloatArray,
+    start: float,
+    sweep: float,
+    within: float,
 ) -> tuple[FloatArray, float]:
     """The same of centre + cos t one + sin t other, for t from `start` over `sweep`, rad."""
     most = math.hypot(*one, *other) * sweep * sweep
-    count = max(8, _count(most, math.hypot(*one, *other)))
+    count = max(8, _count(most, within))
     t = (start + np.linspace(0.0, sweep, count + 1))[:, None]
     return centre + np.cos(t) * one + np.sin(t) * other, 0.125 * most / count**2
 
 
-def _count(most: float, size: float) -> int:
-    if not math.isfinite(most) or not size:
+def _count(most: float, within: float) -> int:
+    """Into how many chords a curve is cut; MOST_CORNERS are one too many for what is read."""
+    if not math.isfinite(most):
         return 1
-    return min(MOST_CORNERS, max(1, math.ceil(math.sqrt(0.125 * most / (CHORDS * size)))))
+    return max(1, math.ceil(min(MOST_CORNERS, math.sqrt(0.125 * most / within))))
 
 
-def dxf_file(data: bytes, name: str) -> RawFile:
+def dxf_file(data: bytes, name: str, fineness: Fineness) -> RawFile:
     """The lines of the model space of a DXF file, each entity by itself, by layers.
 
     LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE, POLYLINE and SPLINE are read, blocks are not.
 
     Raises:
-        InputError: for what is no DXF, and for curves that cannot be read.
+        InputError: for what is no DXF, for curves that cannot be read, and for too many points.
         MissingExtraError: without ezdxf.
     """
     try:
@@ -84,10 +113,11 @@ def dxf_file(data: bytes, name: str) -> RawFile:
         said = document.header.get("$INSUNITS", 0) if b"$INSUNITS" in data else 0
     except (DXFError, OSError, ValueError, LookupError, TypeError, AttributeError, StopIteration):
         raise InputError(_("{file} is not DXF").format(file=name)) from None
-    lines = []
+    unit = DXF_UNITS.get(said)
+    lines, tally = [], Tally(name, fineness(unit))
     for entity in entities:
         try:
-            line = _entity(entity, name)
+            line = _entity(entity, tally)
         except (DXFError, ArithmeticError, LookupError, TypeError, AttributeError):
             raise InputError(
                 _("{file}: {what} of layer {layer} cannot be read").format(
@@ -96,20 +126,20 @@ def dxf_file(data: bytes, name: str) -> RawFile:
             ) from None
         if line is not None:
             lines.append(line)
-    return RawFile(lines, False, DXF_UNITS.get(said), loose=True)
+    return RawFile(lines, False, unit)
 
 
-def _entity(entity: Any, name: str) -> RawLine | None:
+def _entity(entity: Any, tally: Tally) -> RawLine | None:
     kind, layer = entity.dxftype(), _layer(entity)
     if kind == "LINE":
         return RawLine(layer, [tuple(entity.dxf.start)[:2], tuple(entity.dxf.end)[:2]])
     if kind not in ("ARC", "CIRCLE", "LWPOLYLINE", "POLYLINE", "ELLIPSE", "SPLINE"):
         return None
     if kind == "ELLIPSE":
-        return _ellipse(entity, layer)
+        return _ellipse(entity, layer, tally)
     if kind == "SPLINE":
-        return _spline(entity, layer, name)
-    hand = _hand(entity, name)
+        return _spline(entity, layer, tally)
+    hand = _hand(entity, tally.name)
     if kind == "LWPOLYLINE":
         corners = [(hand * x, y, hand * b) for x, y, b in entity.get_points("xyb")]
         return RawLine(layer, corners, bool(entity.closed))
@@ -145,28 +175,29 @@ def _hand(entity: Any, name: str) -> float:
     return math.copysign(1.0, z)
 
 
-def _ellipse(entity: Any, layer: str) -> RawLine:
+def _ellipse(entity: Any, layer: str, tally: Tally) -> RawLine:
     tool = entity.construction_tool()
     centre, one, other = (np.array([v.x, v.y]) for v in (tool.center, tool.major_axis, tool.minor_axis))
     sweep = (tool.end_param - tool.start_param) % (2.0 * math.pi) or 2.0 * math.pi
-    points, off = ellipse_points(centre, one, other, tool.start_param, sweep)
+    points, off = ellipse_points(centre, one, other, tool.start_param, sweep, tally.within)
+    tally.counted(points)
     whole = sweep > 2.0 * math.pi - 1e-9
     return RawLine(layer, _pairs(points[:-1] if whole else points), whole, off=off)
 
 
-def _spline(entity: Any, layer: str, name: str) -> RawLine:
+def _spline(entity: Any, layer: str, tally: Tally) -> RawLine:
     tool = entity.construction_tool()
     if tool.is_rational:
         raise InputError(
             _("{file}: a spline of layer {layer} has weights: convert it to a polyline first").format(
-                file=name, layer=layer
+                file=tally.name, layer=layer
             )
         )
     found: list[FloatArray] = []
     off = 0.0
     for control in tool.bezier_decomposition():
-        points, away = bezier_points(np.array([(v.x, v.y) for v in control]))
-        found.append(points)
+        points, away = bezier_points(np.array([(v.x, v.y) for v in control]), tally.within)
+        found.append(tally.counted(points))
         off = max(off, away)
     return RawLine(layer, _pairs(np.concatenate(found)), bool(entity.closed), off=off)
 
@@ -175,16 +206,17 @@ def _pairs(points: FloatArray) -> Points:
     return [(x, y) for x, y in points.tolist()]
 
 
-def svg_file(data: bytes, name: str, physical: bool) -> RawFile:
+def svg_file(data: bytes, name: str, fineness: Fineness, physical: bool) -> RawFile:
     """The paths of an SVG file, y turned up, (0, 0) its upper left corner; each is called by its id.
 
     Args:
         data: the file.
         name: of it.
+        fineness: how near chords keep to curves.
         physical: whether its width in mm or the like and its viewBox tell the unit.
 
     Raises:
-        InputError: for what is no SVG.
+        InputError: for what is no SVG, and for too many points.
         MissingExtraError: without svgelements.
     """
     try:
@@ -199,14 +231,18 @@ def svg_file(data: bytes, name: str, physical: bool) -> RawFile:
         root.attrib.pop(key, None)
     _keep_drawn(root)
     root.set("xmlns", "http://www.w3.org/2000/svg")
+    unit = None if scale is None else "mm"
     lines: list[RawLine] = []
+    tally = Tally(name, fineness(unit) / (scale or 1.0))
     try:
         for shape in SVG.parse(io.BytesIO(tostring(root)), reify=True).elements():
             if isinstance(shape, Shape):
-                lines += _subpaths(Path(shape), shape.id or "", scale or 1.0)
+                lines += _subpaths(Path(shape), shape.id or "", scale or 1.0, tally)
+    except InputError:
+        raise
     except (ValueError, LookupError, TypeError, AttributeError, ArithmeticError, RecursionError):
         raise InputError(_("{file}: a path cannot be read").format(file=name)) from None
-    return RawFile(lines, False, None if scale is None else "mm")
+    return RawFile(lines, False, unit)
 
 
 def _keep_drawn(element: Element) -> None:
@@ -230,35 +266,33 @@ def _millimetres(root: Element) -> float | None:
     return scale if math.isfinite(scale) and scale > 0.0 else None
 
 
-def _subpaths(path: Any, name: str, scale: float) -> Iterator[RawLine]:
+def _subpaths(path: Any, name: str, scale: float, tally: Tally) -> Iterator[RawLine]:
     for sub in path.as_subpaths():
         points: list[FloatArray] = []
         off, closed = 0.0, False
         for segment in sub:
-            more, away = _segment(segment)
-            points += more
+            more, away = _segment(segment, tally.within)
+            points.append(tally.counted(more))
             off, closed = max(off, away), closed or type(segment).__name__ == "Close"
-        if len(points) > 0:
-            whole = np.concatenate(points) * (scale, -scale)
+        whole = np.concatenate(points) * (scale, -scale) if points else np.zeros((0, 2))
+        if len(whole):
             yield RawLine(name, _pairs(whole), closed, off=off * scale)
 
 
-def _segment(segment: Any) -> tuple[list[FloatArray], float]:
-    """Points of a segment of a path, and how far it lies from their chords."""
+def _segment(segment: Any, within: float) -> tuple[FloatArray, float]:
+    """Points of a segment of a path, (P, 2), and how far it lies from their chords."""
     kind = type(segment).__name__
     if kind in ("Move", "Line", "Close"):
-        return ([] if segment.end is None else [_xy(segment.end)]), 0.0
+        return np.zeros((0, 2)) if segment.end is None else _xy(segment.end), 0.0
     if kind == "Arc":
         centre = _xy(segment.center)
-        points, off = ellipse_points(
+        return ellipse_points(
             centre[0], (_xy(segment.prx) - centre)[0], (_xy(segment.pry) - centre)[0],
-            segment.get_start_t(), float(segment.sweep),
+            segment.get_start_t(), float(segment.sweep), within,
         )  # fmt: skip
-        return [points], off
     controls = [segment.start, segment.control if kind == "QuadraticBezier" else segment.control1]
     controls += [] if kind == "QuadraticBezier" else [segment.control2]
-    points, off = bezier_points(np.concatenate([_xy(point) for point in (*controls, segment.end)]))
-    return [points], off
+    return bezier_points(np.concatenate([_xy(point) for point in (*controls, segment.end)]), within)
 
 
 def _xy(point: Any) -> FloatArray:

@@ -54,10 +54,8 @@ class RawFile:
         lines: all of them.
         angular: whether its coordinates are longitudes and latitudes.
         unit: of plane coordinates, a key of coordinates.UNITS; None where the file does not say it.
-        loose: whether lines are drawn piece by piece, to be joined where their ends meet.
     """
 
     lines: list[RawLine] = field(default_factory=list)
     angular: bool = False
     unit: str | None = None
-    loose: bool = False

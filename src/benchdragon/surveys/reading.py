@@ -11,10 +11,12 @@ from benchdragon.errors import InputError, reason
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line
+from benchdragon.model.obstacle import MOST_CORNERS as MOST_EDGES
 from benchdragon.surveys.alignment import GAP
 from benchdragon.surveys.cad_formats import dxf_file, svg_file
 from benchdragon.surveys.coordinates import UNITS, Survey, system_of, taken_near
 from benchdragon.surveys.lines import (
+    FLATTENED,
     MOST_BYTES,
     MOST_CORNERS,
     MOST_LINES,
@@ -35,9 +37,12 @@ READERS: dict[str, Reader] = {
     ".kml": kml_file,
     ".xml": landxml_file,
     ".landxml": landxml_file,
-    ".dxf": dxf_file,
 }
-ENDINGS = (*READERS, ".svg")
+ENDINGS = (*READERS, ".dxf", ".svg")
+# A degree of latitude or longitude is at most so long, m, where it is shown in GCJ-02 too.
+METRES_A_DEGREE = 112_000.0
+# What is bent more tightly is a slip of the pen, m.
+LEAST_RADIUS = 1e-6
 # Lines of a file that are named in an error.
 MOST_NAMES = 10
 
@@ -68,7 +73,7 @@ def read_lines(path: Path, survey: Survey) -> tuple[list[DrawnLine], Survey]:
     if not points:
         raise InputError(_("{file} holds no line").format(file=path.name))
     near, known = taken_near(points, survey, path.name, raw.angular, raw.unit)
-    scale = _scale(survey, raw)
+    scale = _scale(survey, raw.unit)
     found, first = [], 0
     for line in raw.lines:
         count = len(_places(line))
@@ -89,8 +94,14 @@ def _raw(path: Path, survey: Survey) -> RawFile:
             )
         )
     data = _bytes(path)
+
+    def fineness(unit: str | None) -> float:
+        return FLATTENED / _scale(survey, unit)
+
+    if ending == ".dxf":
+        return dxf_file(data, path.name, fineness)
     if ending == ".svg":
-        return svg_file(data, path.name, physical=survey.unit is None)
+        return svg_file(data, path.name, fineness, physical=survey.unit is None)
     if ending == ".xml" and xml_tree(data, path.name).tag == "kml":
         return kml_file(data, path.name)
     return READERS[ending](data, path.name)
@@ -121,12 +132,14 @@ def _places(line: RawLine) -> list[tuple[float, float]]:
     ]
 
 
-def _scale(survey: Survey, raw: RawFile) -> float:
-    """What one unit of lengths in the file is worth, m."""
-    unit = survey.unit or raw.unit
+def _scale(survey: Survey, said: str | None) -> float:
+    """What one unit of lengths in a file is worth at most, m; `said` is the unit that it tells."""
     system = None if survey.crs is None else system_of(survey.crs)
+    if system is not None and system.angular:
+        return METRES_A_DEGREE
     if system is not None and system.unit is not None and survey.unit is None:
         return float(system.unit)
+    unit = survey.unit or said
     return float(UNITS[unit]) if unit else 1.0
 
 
@@ -151,12 +164,21 @@ def _curve(curve: RawCurve, places: FloatArray, scale: float) -> AnyCurve:
         sweep = (side * (back - out)) % (2.0 * math.pi)
         return Arc(math.dist(start, third), side * sweep, at, out + side * 0.5 * math.pi)
     length = curve.length * scale
-    first, last = (side / (radius * scale) for radius in curve.radii)
+    first, last = (side * _bend(radius, scale) for radius in curve.radii)
     if curve.third is not None and math.dist(start, third) > 0.0:
         return Clothoid(length, first, last, at, _direction(start, third))
     shape = Clothoid(length, first, last)
     (x, y), _heading = shape.end_pose
     return Clothoid(length, first, last, at, _direction(start, end) - math.atan2(y, x))
+
+
+def _bend(radius: float, scale: float) -> float:
+    """The curvature of a radius in units of `scale` m, 1/m."""
+    metres = radius * scale
+    if metres < LEAST_RADIUS:
+        text = _("a clothoid has a radius of {radius} m: {least} m are the least")
+        raise InputError(text.format(radius=f"{metres:g}", least=f"{LEAST_RADIUS:g}"))
+    return 1.0 / metres
 
 
 def _direction(start: FloatArray, end: FloatArray) -> float:
@@ -166,7 +188,7 @@ def _direction(start: FloatArray, end: FloatArray) -> float:
 def read_line(path: Path, survey: Survey, layer: str | None = None) -> tuple[DrawnLine, Survey]:
     """The one line of a file, or of a layer of it, and the survey with its origin.
 
-    Lines that are drawn piece by piece are joined where their ends meet.
+    Lines of one layer whose ends meet are joined.
 
     Raises:
         InputError: as `read_lines`, and where there is no such line or more than one.
@@ -181,7 +203,7 @@ def read_line(path: Path, survey: Survey, layer: str | None = None) -> tuple[Dra
                     file=path.name, layer=repr(layer)[:60], names=_listed(names)
                 )
             )
-    lines = [line for line in chained(lines, GAP) if line.curves or len(line.corners) > 1]
+    lines = [line for line in _joined(lines) if line.curves or len(line.corners) > 1]
     if len(lines) == 1:
         return lines[0], known
     if not lines:
@@ -199,6 +221,14 @@ def read_line(path: Path, survey: Survey, layer: str | None = None) -> tuple[Dra
     )
 
 
+def _joined(lines: Sequence[DrawnLine]) -> list[DrawnLine]:
+    """Lines of one layer joined where their ends meet: what is drawn piece by piece is whole again."""
+    layers: dict[str, list[DrawnLine]] = {}
+    for line in lines:
+        layers.setdefault(line.name, []).append(line)
+    return [line for layer in layers.values() for line in chained(layer, GAP)]
+
+
 def _listed(names: Sequence[str]) -> str:
     shown = ", ".join(repr(name)[:60] for name in names[:MOST_NAMES])
     return shown + (", ..." if len(names) > MOST_NAMES else "")
@@ -207,10 +237,11 @@ def _listed(names: Sequence[str]) -> str:
 def outline(path: Path, survey: Survey, layer: str | None = None) -> tuple[FloatArray, Survey]:
     """Corners (P, 2) of the closed line of a file, m, and the survey with its origin.
 
-    Arcs become chords within lines.FLATTENED of them.
+    Arcs, ellipses and splines become chords within lines.FLATTENED of them. Where pieces meet with
+    gaps, corners may lie up to alignment.GAP from where they were drawn.
 
     Raises:
-        InputError: as `read_line`, and for a line that is open.
+        InputError: as `read_line`, for a line that is open, and for more than MOST_EDGES.
     """
     line, known = read_line(path, survey, layer)
     points, _off = line.points()
@@ -220,6 +251,12 @@ def outline(path: Path, survey: Survey, layer: str | None = None) -> tuple[Float
         raise InputError(
             _("{file}: the boundary is open: its ends are {gap} m apart").format(
                 file=path.name, gap=f"{math.dist(points[0], points[-1]):.3g}"
+            )
+        )
+    if len(points) > MOST_EDGES:
+        raise InputError(
+            _("{file}: the boundary becomes {count} corners, and {most} are the most").format(
+                file=path.name, count=len(points), most=MOST_EDGES
             )
         )
     if len(points) < 3:
