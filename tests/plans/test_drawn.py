@@ -159,3 +159,15 @@ def test_what_is_lost_in_reading_counts(tmp_path: Path) -> None:
     exact = checked({**plan.data(), "route": {**plan.data()["route"], "drawn_within": 0.0}}, "x")
     assert fit.deviation > lost
     assert exact.sha256 != plan.sha256
+
+
+def test_what_is_lost_in_reading_is_added_to_what_the_plan_says(tmp_path: Path) -> None:
+    pytest.importorskip("svgelements")
+    (tmp_path / "a.svg").write_text('<svg><path d="M0 0 C 10 0 20 10 30 10 S 50 0 60 0"/></svg>')
+    text = HEAD + 'file = "a.svg"\n{}[survey]\nunit = "m"\n'
+    lost = read_plan(written(tmp_path, text.format(""))).route.drawn_within  # type: ignore[union-attr]
+    assert lost > 0.0
+    both = read_plan(written(tmp_path, text.format('drawn_within = "5 cm"\n'))).route.drawn_within  # type: ignore[union-attr]
+    assert both == pytest.approx(0.05 + lost, abs=1e-15)
+    with pytest.raises(PlanError, match=r"route\.drawn_within"):
+        read_plan(written(tmp_path, text.format("drawn_within = -1\n")))

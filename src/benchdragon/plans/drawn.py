@@ -4,14 +4,23 @@ import math
 from pathlib import Path
 from typing import Annotated, Any
 
-from pydantic import Field, ValidationError
+from pydantic import Field, TypeAdapter, ValidationError
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import MOST_METRES
 from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line
 from benchdragon.plans.source import Fault, Source
-from benchdragon.plans.tables import LEAST, Curvature, Degrees, Length, Metres, Number, Table
+from benchdragon.plans.tables import (
+    LEAST,
+    Curvature,
+    Degrees,
+    Length,
+    LengthOrZero,
+    Metres,
+    Number,
+    Table,
+)
 from benchdragon.plans.toml import Idle, PlanError
 from benchdragon.surveys.coordinates import Survey
 from benchdragon.surveys.lines import DrawnLine
@@ -19,6 +28,7 @@ from benchdragon.surveys.reading import outline, read_line
 
 # Curvatures at both ends of a piece that differ by less than this, 1/m, are those of an arc.
 SAME_BEND = 1e-12
+_LENGTH: TypeAdapter[float] = TypeAdapter(LengthOrZero)
 
 
 class SurveyTable(Table):
@@ -94,7 +104,8 @@ def with_drawings(data: dict[str, Any], source: Source) -> dict[str, Any]:
                 table["boundary"] = corners.tolist()
             else:
                 line, survey = read_line(path, survey, layer)
-                table = {**table, **_drawn(line), **{k: table[k] for k in ("closed",) if k in table}}
+                told = _drawn(line, table.get("drawn_within"))
+                table = {**table, **told, **{k: table[k] for k in ("closed",) if k in table}}
         except InputError as error:
             raise PlanError(source.sentences([Fault(f"{name}.file", str(error))])) from None
         found[name] = table
@@ -136,8 +147,8 @@ def _beside(folder: Path | None, name: str) -> Path:
     return folder / name
 
 
-def _drawn(line: DrawnLine) -> dict[str, Any]:
-    """The keys of [route] that hold a line."""
+def _drawn(line: DrawnLine, said: object) -> dict[str, Any]:
+    """The keys of [route] that hold a line; `said` is the `drawn_within` of the plan."""
     found: dict[str, Any] = {}
     if line.bent:
         found["piece"] = [piece_of(curve) for curve in line.pieces()]
@@ -146,5 +157,14 @@ def _drawn(line: DrawnLine) -> dict[str, Any]:
     if line.closed:
         found["closed"] = True
     if line.off:
-        found["drawn_within"] = max(line.off, LEAST)
+        found["drawn_within"] = _added(said, line.off)
     return found
+
+
+def _added(said: object, off: float) -> object:
+    """How far a drawing is off, m: what the plan says of it, and what was lost in reading it."""
+    try:
+        own = _LENGTH.validate_python(0.0 if said is None else said)
+    except ValidationError:
+        return said  # the plan's own check says what is wrong
+    return max(own + off, LEAST)
