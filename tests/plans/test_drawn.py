@@ -171,3 +171,19 @@ def test_what_is_lost_in_reading_is_added_to_what_the_plan_says(tmp_path: Path) 
     assert both == pytest.approx(0.05 + lost, abs=1e-15)
     with pytest.raises(PlanError, match=r"route\.drawn_within"):
         read_plan(written(tmp_path, text.format("drawn_within = -1\n")))
+
+
+def test_one_way_to_say_a_drawing_replaces_another_of_the_base(tmp_path: Path) -> None:
+    ways = {
+        "points": "points = [[0, 0], [30, 0]]",
+        "file": 'file = "walk.csv"\nlayer = "a"',
+        "piece": "piece = [{start = [0, 0], heading = 0, length = 20}]",
+    }
+    rows = "x,y,layer\n" + "".join(f"{x},{y},a\n" for x, y in POINTS)
+    (tmp_path / "walk.csv").write_text(rows, "utf-8")
+    for below, first in ways.items():
+        (tmp_path / "base.dragon.toml").write_text(HEAD + first + "\n", "utf-8")
+        for own, second in ways.items():
+            text = f'schema = 1\nbase = "base.dragon.toml"\n[route]\n{second}\n'
+            plan = read_plan(written(tmp_path, text))
+            assert plan.sha256 == read_plan(written(tmp_path, f"{HEAD}{second}\n")).sha256, (below, own)

@@ -227,19 +227,23 @@ FORMATION_SIZES = {
     "tail-swing": ("swing", "radius", "swings", "run", "clockwise"),
 }
 ALL_SIZES = frozenset(size for sizes in FORMATION_SIZES.values() for size in sizes)
-# Keys of a drawn route that have no effect beside its points or pieces.
-DRAWN = {"points": ("piece", "file", "layer", "joint_gap", "joint_kink"), "piece": ("file", "layer")}
+# Keys of a drawn route that have no effect beside its points, pieces or file.
+DRAWN = {
+    "points": ("piece", "file", "layer", "joint_gap", "joint_kink"),
+    "piece": ("points", "file", "layer"),
+    "file": ("points", "piece"),
+}
 
 
 # Tables of which some keys have no effect beside others.
 CHOOSING = ("dragon", "route", "disc", "turn", "walk", "venue", "limits")
 
 
-def idle_keys(data: dict[str, Any]) -> list[Idle]:
+def idle_keys(data: dict[str, Any], latest: Sequence[str] = ()) -> list[Idle]:
     """The keys of a plan's tables that have no effect beside others; None counts as not said.
 
     What a table chooses decides, not its numbers: a body's length is no error where a head and a tail
-    are all there is.
+    are all there is. Of several ways to say a drawing that under `latest` keys, just said, is chosen.
     """
     tables = {name: _said(data.get(name)) for name in CHOOSING}
     route, turn = tables["route"], tables["turn"]
@@ -261,7 +265,8 @@ def idle_keys(data: dict[str, Any]) -> list[Idle]:
         for i, one in enumerate(route["formation"]):
             found += _idle_sizes(_said(one), f"route.formation.{i}")
     if kind == "drawn":
-        chosen = next((name for name in ("points", "piece") if name in route), "")
+        ways = sorted(DRAWN, key=lambda name: f"route.{name}" not in latest)
+        chosen = next((name for name in ways if name in route), "")
         idle = [f"route.{name}" for name in DRAWN.get(chosen, ()) if name in route]
         found += [Idle(key, f"route.{chosen}", f"route.{chosen}") for key in idle]
     if tables["walk"].get("profile") and "speed" in tables["walk"]:
@@ -317,7 +322,7 @@ def drop(data: dict[str, Any], idle: Sequence[Idle]) -> None:
 
 def drop_replaced(data: dict[str, Any], keys: Sequence[str]) -> None:
     """Take out of a plan's tables what has no effect beside the choices under `keys`, just made."""
-    drop(data, [idle for idle in idle_keys(data) if idle.beside in keys and idle.key not in keys])
+    drop(data, [idle for idle in idle_keys(data, keys) if idle.beside in keys and idle.key not in keys])
 
 
 def _text(path: Path, source: str) -> str:
