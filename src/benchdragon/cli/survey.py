@@ -13,6 +13,7 @@ from benchdragon.number_format import finite_or_none
 from benchdragon.plans.toml import PlanError
 
 if TYPE_CHECKING:
+    from benchdragon.model.curves import Route
     from benchdragon.plans.schema import Plan
     from benchdragon.surveys.fitting import Fit
 
@@ -49,42 +50,58 @@ def survey(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) -> 
     return 0
 
 
+def _placed(plan: "Plan", fit: "Fit") -> tuple["Route", float, float]:
+    """The plan's route, where on it the drawing starts, and where its tightest bend is, both m."""
+    built, start = plan.route.build(plan)
+    route = plan.route.placed(built)
+    return route, start, min(start + fit.s, route.length)
+
+
+def _origin(plan: "Plan") -> tuple[float, float] | None:
+    """What lies at (0, 0) in the files, where the route was not moved away from there."""
+    moved = plan.route.at is not None or plan.route.turned != 0.0
+    return None if moved else plan.survey.origin
+
+
 def record_of(plan: "Plan", fit: "Fit") -> dict[str, Any]:
-    """A fit as plain data: metres, radians."""
+    """A fit as plain data of the plan's route, where it is danced: metres, radians."""
     told = fit.absorbed
+    route, start, s = _placed(plan, fit)
     return {
-        "length": fit.route.length,
-        "parts": len(fit.route),
+        "length": route.length,
+        "parts": len(route),
+        "start": start,
         "deviation": fit.deviation,
         "least_radius": finite_or_none(fit.least_radius),
-        "s": fit.s,
-        "point": fit.route.point(min(fit.s, fit.route.length)).tolist(),
+        "s": s,
+        "point": route.point(s).tolist(),
         "joints": told.joints,
         "adjusted": told.adjusted,
         "gap": told.gap,
         "kink": told.kink,
         "shift": told.shift,
         "crs": plan.survey.crs,
-        "origin": plan.survey.origin,
+        "origin": _origin(plan),
     }
 
 
 def lines_of(plan: "Plan", fit: "Fit") -> list[str]:
     """The same for readers."""
     told = fit.absorbed
+    route, start, s = _placed(plan, fit)
     lines = [
-        _("route: {length} m, {parts} parts").format(
-            length=f"{fit.route.length:.4f}", parts=len(fit.route)
-        ),
+        _("route: {length} m, {parts} parts").format(length=f"{route.length:.4f}", parts=len(route)),
         _("it keeps within {deviation} m of the drawing, at every place of either (a bound)").format(
             deviation=f"{fit.deviation:.4g}"
         ),
     ]
+    if start:
+        lines.append(_("the drawing starts at s = {s} m").format(s=f"{start:.4f}"))
     if math.isfinite(fit.least_radius):
-        x, y = fit.route.point(min(fit.s, fit.route.length)).tolist()
+        x, y = route.point(s).tolist()
         text = _("tightest bend: a radius of {radius} m at s = {s} m, at ({x}, {y}) m")
         lines.append(
-            text.format(radius=f"{fit.least_radius:.4g}", s=f"{fit.s:.4f}", x=f"{x:.4f}", y=f"{y:.4f}")
+            text.format(radius=f"{fit.least_radius:.4g}", s=f"{s:.4f}", x=f"{x:.4f}", y=f"{y:.4f}")
         )
     if told.adjusted:
         text = _(
@@ -97,8 +114,8 @@ def lines_of(plan: "Plan", fit: "Fit") -> list[str]:
                 kink=f"{math.degrees(told.kink):.3g}", shift=f"{told.shift:.3g}",
             )
         )  # fmt: skip
-    if plan.survey.origin is not None:
-        x, y = plan.survey.origin
+    if (origin := _origin(plan)) is not None:
+        x, y = origin
         name = plan.survey.crs or _("metres")
         text = _("(0, 0) of the plan lies at ({x}, {y}) of the files ({crs})")
         lines.append(text.format(x=f"{x:.12g}", y=f"{y:.12g}", crs=name))
