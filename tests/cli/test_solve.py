@@ -24,6 +24,8 @@ OPTIONS = {
     "speed": ALL | {"--brackets", "--pace", "--force"},
     "turn": ALL
     | {"--objective", "--least-radius", "--longest", "--longest-way", "--plan-file", "--force"},
+    "place": ALL - {"--explain"} | {"--brackets", "--plan-file", "--force"},
+    "square": ALL - {"--explain"} | {"--error"},
 }
 STRAYS = [
     (question, option)
@@ -42,7 +44,7 @@ def ran(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]
 def test_each_question_about_a_size_can_be_asked() -> None:
     assert list(OPTIONS) == list(solve.commands)
     assert list(QUESTIONS) == [name for name, own in OPTIONS.items() if own >= SIZE]
-    assert len(STRAYS) == 56
+    assert len(STRAYS) == 90
 
 
 @pytest.mark.parametrize("question", OPTIONS)
@@ -84,7 +86,10 @@ def test_an_unknown_question_is_refused_with_the_known_ones(
     code, out, err = ran(capsys, *words)
     assert (code, out) == (2, "")
     assert _("No such command {name!r}.").format(name=words[0]) in err
-    assert _("Known: {names}.").format(names="pitch, disc, width, length, speed, turn") in err
+    assert (
+        _("Known: {names}.").format(names="pitch, disc, width, length, speed, turn, place, square")
+        in err
+    )
     assert "Traceback" not in err
 
 

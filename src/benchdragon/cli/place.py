@@ -30,8 +30,8 @@ if TYPE_CHECKING:
 
 @click.command(
     help=N_(
-        "Where on its square the dance fits best: with the most room to the venue's edge and to "
-        "every obstacle.\n\nPLAN is a *.dragon.toml file with a [venue]. Exit code 4: no place was "
+        "The place on the square where the dance fits best.\n\nIt has the most room to the venue's "
+        "edge and to every obstacle. PLAN is a *.dragon.toml file with a [venue]. Exit code 4: no place was "
         "found."
     )
 )
@@ -83,8 +83,8 @@ def _print_place(plan: "Plan", best: "PlacedDance", options: dict[str, Any]) -> 
 
 @click.command(
     help=N_(
-        "The smallest square that the dance takes: the smallest rectangle and the smallest circle "
-        "that hold all benches from start to end, tail included.\n\nPLAN is a *.dragon.toml file or "
+        "The smallest rectangle and circle that hold the dance.\n\nAll benches are in them from start "
+        "to end, tail included. PLAN is a *.dragon.toml file or "
         "the name of a built-in plan: spiral-in, turn."
     )
 )
