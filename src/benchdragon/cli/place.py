@@ -31,8 +31,8 @@ if TYPE_CHECKING:
 @click.command(
     help=N_(
         "The place on the square where the dance fits best.\n\nIt has the most room to the venue's "
-        "edge and to every obstacle. PLAN is a *.dragon.toml file with a [venue]. Exit code 4: no place was "
-        "found."
+        "edge and to every obstacle. PLAN is a *.dragon.toml file with a [venue]. Exit code 4: no "
+        "place was found."
     )
 )
 @plan_options
