@@ -151,5 +151,5 @@ def test_a_part_that_winds_too_often_to_be_cut_is_refused_before_it_is() -> None
     (x, y), heading = wound.end_pose
     with pytest.raises(InputError, match=r"part 1 of the drawing winds round 2\.387e\+05 times"):
         joined_alignment([wound, Line(10.0, (x + 1e-3, y), heading)])
-    with pytest.raises(InputError, match="a line may have 100000 points at most, not 23717084"):
-        chords([Arc(2.0, 1.5e6)], 1e-3)
+    with pytest.raises(InputError, match=r"100000 points at most, not 2\.37\d+e\+12"):
+        chords([Arc(2.0, 1.5e6)], 1e-13)
