@@ -507,3 +507,17 @@ def test_a_log_without_room_is_told_of(bend: Walk, monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr(obstacles, "LOG", 3)
     with pytest.raises(UnsureError, match="too many evaluations"):
         touching(ObstacleSearch(bend, wall(14.0), 0.0, 9.0, 0.0, Ledger()))
+
+
+def test_of_a_bench_outside_the_venue_the_corner_that_is_farthest_out_is_told() -> None:
+    edge = Obstacle.venue("hall", [(0.0, -3.0), (30.0, -3.0), (30.0, 3.0), (0.0, 3.0)])
+    walk = east(start=5.0)
+    found = first_touch(walk, edge, 0.0, 9.0)
+    assert found is not None
+    assert found.witness is not None
+    (bench,) = found.witness.benches
+    placed = walk.motion([0.0])
+    front = float(placed.x[0, bench - 1] + 0.25), float(placed.x[0, bench] - 0.25)
+    assert found.witness.point[0] == pytest.approx(min(front), abs=1e-9)
+    assert found.witness.gap == pytest.approx(min(front), abs=1e-9)
+    assert found.witness.gap < 0.0

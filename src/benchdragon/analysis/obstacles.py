@@ -22,7 +22,7 @@ from benchdragon.analysis.contact_search import (
     assumed_within,
     slack_at,
 )
-from benchdragon.analysis.distance import boxes, nearness
+from benchdragon.analysis.distance import CORNERS, boxes, nearness
 from benchdragon.analysis.head_times import HeadTimes
 from benchdragon.analysis.ledger import Ledger
 from benchdragon.analysis.tables import kinds_of
@@ -30,7 +30,7 @@ from benchdragon.errors import UnsureError, in_order, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels import search as steps
 from benchdragon.kernels import standing as kernel
-from benchdragon.kernels.box import BOX_COLUMNS, CX, CY
+from benchdragon.kernels.box import BOX_COLUMNS, CX, CY, corner
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.doubts import UNIT
 from benchdragon.kernels.route import IntArray
@@ -257,7 +257,8 @@ class ObstacleSearch:
     def witness(self, s: float, bench: int) -> Witness:
         """How a bench (row, from 0) stands to the obstacle with the head at s.
 
-        Where it stands wholly inside of one, or outside of the venue, the gap is minus the distance.
+        Where it stands wholly inside of one the gap is minus the distance. Of a bench outside of the
+        venue the point is the corner that is farthest out, and the gap minus how far.
         """
         placed = self.walk.placement(s, throw=False)
         table = np.vstack([boxes(placed, 0)[bench], self.obstacle.boxes])
@@ -267,9 +268,28 @@ class ObstacleSearch:
         gap = (near.gap if near.distance <= 0.0 else near.distance) - self.obstacle.radius
         if gap > 0.0 and self.obstacle.forbids(table[:1, [CX, CY]])[0]:
             gap = -gap
-        feature = ((bench + 1, dict(near.features)[1]),)
+        point, feature = near.points[0], dict(near.features)[1]
+        out_there = self._farthest_out(table) if self.obstacle.kind == "venue" else None
+        if out_there is not None:
+            point, gap, feature = out_there
         time, name = self._times.at(s), self.obstacle.name
-        return Witness(time, s, (bench + 1,), near.points[0], gap, feature, None, name)
+        return Witness(time, s, (bench + 1,), point, gap, ((bench + 1, feature),), None, name)
+
+    def _farthest_out(self, table: FloatArray) -> tuple[Point, float, str] | None:
+        """The corner of the box in row 0 that is farthest beyond the venue's edge, the other rows.
+
+        Where it is, minus how far out, m, and which it is; None where none is out.
+        """
+        corners = [corner(table, 0, k) for k in range(len(CORNERS))]
+        beyond = self.obstacle.forbids(np.array(corners))
+        found = [
+            (-min(kernel.centre_distance(table, n, *corners[k]) for n in range(1, len(table))), k)
+            for k in np.flatnonzero(beyond).tolist()
+        ]
+        if not found:
+            return None
+        gap, k = min(found)
+        return corners[k], gap, CORNERS[k]
 
     def touches(self) -> list[Touch]:
         """Where benches first come nearer than they may, each in its own span; soonest ones first.

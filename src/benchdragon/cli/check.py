@@ -118,7 +118,11 @@ def print_report(report: "Report", brackets: bool = False) -> None:
     for finding in report.findings:
         click.echo(f"  {finding.code}: {finding.text}")
     if report.first_contact is not None:
-        print_answer(_("first contact"), report.first_contact, up=False, brackets=brackets)
+        near, margin = report.first_contact.witness, report.plan.limits.margin
+        name = _("first contact")
+        if near is not None and near.gap > 0.0:
+            name = _("first nearer than {margin} m").format(margin=f"{margin:g}")
+        print_answer(name, report.first_contact, up=False, brackets=brackets)
         click.echo(_("until then:"))
     print_answer(_("least clearance"), report.clearance, up=False, brackets=brackets)
     for answers in report.obstacles:
