@@ -76,7 +76,7 @@ def test_the_line_below_tells_what_touches_and_the_bench_is_hatched(
 def test_events_lead_to_the_obstacle_and_ring_it(pages: Pages, tmp_path: Path) -> None:
     page = page_of(pages, tmp_path, NEAR, "zh")
     page.locator(".events summary").click()
-    page.get_by_role("button", name="到well的余量不足").first.click()
+    page.get_by_role("button", name="到“well”的余量不足").first.click()
     drawn(page)
     contact = check(NEAR).obstacles[1].contact
     assert contact is not None

@@ -21,6 +21,7 @@ from benchdragon.analysis.contact import least_clearance
 from benchdragon.analysis.distance import nearest_each, pair_distances
 from benchdragon.analysis.proof import prove_contact
 from benchdragon.analysis.speed import QUANTITIES, greatest_at, greatest_speed
+from benchdragon.analysis.swept import swept_area
 from benchdragon.kernels import jit, native
 from benchdragon.kernels.step_bounds import empty_placements, place_chain
 from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
@@ -105,6 +106,9 @@ def questions() -> None:
     few = read_plan("spiral-in", ["dragon.benches=12"])
     turn = read_plan("turn", ["walk.speed=1.5", "dragon.benches=12", "walk.start=-20", "walk.end=20"])
     check(few)
+    well = '[{kind="circle", centre=[8, 3], radius=0.5}, {kind="line", points=[[0, 2], [1, 2]]}]'
+    check(read_plan("spiral-in", ["dragon.benches=12", "venue.rectangle=[30, 30]", f"obstacle={well}"]))
+    assert swept_area(few.build(), 0.0, 20.0, error=0.1).widest.width.value > 0.3
     slowed(turn)
     walk = few.build()
     least_clearance(walk, 0.0, 99.0)

@@ -136,7 +136,9 @@ def test_what_is_sent_puts_every_handle_within_a_millimetre_of_its_place(name: s
     np.testing.assert_array_equal(speeds, found.speeds)
     np.testing.assert_array_equal(places, found.places)
     low, high = np.min(places) * QUANTUM, np.max(places) * QUANTUM
-    way = course(walk, low - 1.0, high + min(1.0, walk.route.length - high))
+    way = course(
+        walk, low - min(1.0, low + walk.route.extension), high + min(1.0, walk.route.length - high)
+    )
     times = np.sort(np.random.default_rng(3).uniform(start, end, 40))
     k = np.minimum(((times - start) / found.step).astype(int), found.count - 2)
     f = (times - start) / found.step - k
