@@ -25,10 +25,10 @@ from benchdragon.export.document import (
     Reference,
     Table,
 )
+from benchdragon.export.pages import MARGIN, MM, breakable, write_pdf
 from benchdragon.export.publish import write_html
 from benchdragon.i18n import spoken_in, use_language
 from benchdragon.model.numbering import handle_text
-from benchdragon.paper.pages import MARGIN, MM, breakable, write_pdf
 from benchdragon.paper.report import report
 from benchdragon.paper.reproduce import pages_from, reproduce
 from benchdragon.paper.results import Results, _beside

@@ -1,4 +1,4 @@
-"""A document as one HTML page that needs nothing beside it; `paper.pages` writes a PDF."""
+"""A document as one HTML page that needs nothing beside it; `pages` writes a PDF."""
 
 import base64
 import io

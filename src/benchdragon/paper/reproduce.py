@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 
 from benchdragon.analysis.check import moment
 from benchdragon.errors import InputError
+from benchdragon.export.pages import write_pdf
 from benchdragon.export.publish import write_html
 from benchdragon.export.tables import (
     Selection,
@@ -35,7 +36,6 @@ from benchdragon.paper.evidence_figures import (
     stepping_picture,
 )
 from benchdragon.paper.geometry_figures import axes_picture, polar_picture, triangle_picture
-from benchdragon.paper.pages import write_pdf
 from benchdragon.paper.report import FLOW, report
 from benchdragon.paper.results import Results, as_json, results
 from benchdragon.paper.turn_figures import (

@@ -1,4 +1,4 @@
-"""The report as a PDF: A4 pages, contents, an outline, links; pictures and formulas as drawn."""
+"""A document as a PDF: A4 pages, contents, an outline, links; pictures and formulas as drawn."""
 
 import io
 import re
@@ -328,7 +328,7 @@ def breakable(text: str) -> str:
 
 
 def write_pdf(path: Path, document: Document, folder: Path) -> None:
-    """Write the report as a PDF with the PDF pictures of `folder`, contents, an outline and links.
+    """Write a document as a PDF with the PDF pictures of `folder`, contents, an outline and links.
 
     It is set twice: the first time tells the pages of the contents.
     """
