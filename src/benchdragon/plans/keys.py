@@ -12,6 +12,7 @@ from benchdragon.i18n import N_, _
 from benchdragon.plans.drawn import PieceTable, SurveyTable
 from benchdragon.plans.faults import kinds_of
 from benchdragon.plans.formations import StepTable
+from benchdragon.plans.people import PeopleTable, SourcesTable
 from benchdragon.plans.routes import (
     DrawnRoute,
     FormationRoute,
@@ -323,6 +324,40 @@ SECTIONS = (
         },
     ),
     *(_obstacle_section(obstacle) for obstacle in OBSTACLES),
+    Section(
+        "[people]", N_("Who carries the benches, the room that they need, and how fast they go."),
+        PeopleTable,
+        {
+            "roster": Key(N_("a list of names beside the plan: .xlsx, .ods or .csv"), "names.xlsx"),
+            "sheet": Key(N_("sheet of the list, where it has several; else the first"), "2027"),
+            "unit": Key(N_("what benches are counted in: bench, qiao (桥) or jie (节)"), "qiao"),
+            "count_head": Key(N_("whether the head's bench is number 1; else the next one is"), False),
+            "beside": Key(N_("room for bearers on each side of every bench"), "35 cm", "m"),
+            "ahead": Key(N_("room that is to be free before the head's bench"), "1 m", "m"),
+            "sway": Key(N_("how far benches sway to a side"), "5 cm", "m"),
+            "imprecision": Key(N_("how far bearers stray from their line"), "10 cm", "m"),
+            "step": Key(N_("length of a step, by which distances are told"), "60 cm", "m"),
+            "hurry_from": Key(N_("speed from which walking is called hurrying"), 1.2, "m/s"),
+            "run_from": Key(N_("speed from which it is called running"), 1.8, "m/s"),
+            "most_speed": Key(N_("greatest speed at which a bench can be carried"), 2.0, "m/s"),
+            "address": Key(
+                N_("where the player of the dance will be on the web: what QR codes open"),
+                "https://example.org/dance.html",
+            ),
+            "source": Key(
+                N_("where these numbers come from: see [people.source]"), {"beside": "measured"}
+            ),
+        },
+    ),
+    Section(
+        "[people.source]",
+        N_("Where the numbers of [people] come from; one without a source is an assumption."),
+        SourcesTable,
+        {
+            name: Key(N_("source of the number of the same name in [people]"), "measured in 2026")
+            for name in SourcesTable.model_fields
+        },
+    ),
 )  # fmt: skip
 
 
@@ -353,7 +388,7 @@ def _default(field: FieldInfo) -> str:
     if field.is_required():
         return _("must be said")
     value = field.get_default(call_default_factory=True, validated_data={})
-    return "-" if value is None or value in ([], "") else written(value)
+    return "-" if value is None or value in ([], "") or isinstance(value, Table) else written(value)
 
 
 def written(value: Any) -> str:

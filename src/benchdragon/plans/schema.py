@@ -19,6 +19,7 @@ from benchdragon.model.profile import SpeedProfile
 from benchdragon.model.walk import Walk
 from benchdragon.plans.drawn import SurveyTable, with_drawings
 from benchdragon.plans.faults import fault_of
+from benchdragon.plans.people import DECIDING, PeopleTable
 from benchdragon.plans.routes import AnyRoute
 from benchdragon.plans.source import Fault, Faults, Source
 from benchdragon.plans.square import MOST_OBSTACLES, AnObstacle, VenueTable, built_obstacles
@@ -58,6 +59,7 @@ class Plan(Table):
         default_factory=list
     )
     survey: SurveyTable = SurveyTable()
+    people: PeopleTable = PeopleTable()
     base: Annotated[str, Field(exclude=True)] = ""
     _source: Source = PrivateAttr(default=Source())
 
@@ -65,11 +67,11 @@ class Plan(Table):
     def sha256(self) -> str:
         """Name of everything that the plan says, titles and notes left out.
 
-        What is said of the square counts where it is said: plans without one keep their names. Where
-        on earth the dance is does not count.
+        What is said of the square and of the people's needs counts where it is said: plans without
+        keep their names. Where on earth the dance is does not count, nor who dances.
         """
         data = self.model_dump(
-            mode="json", by_alias=True, exclude={"meta", "venue", "obstacle", "survey"}
+            mode="json", by_alias=True, exclude={"meta", "venue", "obstacle", "survey", "people"}
         )
         if self.limits.venue_margin is None:
             del data["limits"]["venue_margin"]
@@ -81,6 +83,9 @@ class Plan(Table):
             square = getattr(self, name)
             if square not in (VenueTable(), []):
                 data[name] = self.model_dump(mode="json", include={name})[name]
+        needs = self.people.model_dump(mode="json", include=set(DECIDING), exclude_defaults=True)
+        if needs:
+            data["people"] = needs
         return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()
 
     @property
@@ -131,8 +136,14 @@ class Plan(Table):
         }
 
     def data(self) -> dict[str, Any]:
-        """Every key that has an effect, those left out as by default, as plain data: the same plan."""
+        """Every key that has an effect, those left out as by default, as plain data: the same plan.
+
+        Of the people only what is said.
+        """
         data = self.model_dump(mode="json", by_alias=True, exclude_none=True)
+        data["people"] = self.people.model_dump(mode="json", exclude_defaults=True)
+        if not data["people"]:
+            del data["people"]
         drop(data, idle_keys(data))
         return data
 

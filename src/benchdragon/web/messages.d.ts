@@ -468,6 +468,40 @@ export interface PartsRoute {
   heading?: number | null;
 }
 
+/**
+ * Who carries the benches, the room that they need, and their speeds.
+ *
+ * Attributes:
+ *     roster: a list of names beside the plan; `sheet` of it, if it has several.
+ *     unit: what benches are counted in.
+ *     count_head: whether the head's bench is number 1; else it is called the head, and 1 the next.
+ *     beside: room for bearers on each side of a bench, m.
+ *     ahead: room that is free before the head's bench, m.
+ *     sway: how far benches sway to a side, m.
+ *     imprecision: how far bearers stray from their line, m.
+ *     step: length of a step, m.
+ *     hurry_from: speed from which walking is called hurrying, m/s.
+ *     run_from: speed from which it is called running, m/s.
+ *     most_speed: the greatest at which a bench can be carried, m/s.
+ *     address: where the player of the dance will be on the web.
+ */
+export interface PeopleTable {
+  roster?: string;
+  sheet?: string;
+  unit?: "bench" | "qiao" | "jie";
+  count_head?: boolean;
+  beside?: number;
+  ahead?: number;
+  sway?: number;
+  imprecision?: number;
+  step?: number;
+  hurry_from?: number;
+  run_from?: number;
+  most_speed?: number | null;
+  address?: string;
+  source?: SourcesTable;
+}
+
 /** A surveyed line, arc or clothoid, where it was surveyed. */
 export interface PieceTable {
   start: [number, number];
@@ -496,6 +530,7 @@ export interface Plan {
   venue?: VenueTable;
   obstacle?: Array<CircleTable | RectangleTable | PolygonTable | LineTable>;
   survey?: SurveyTable;
+  people?: PeopleTable;
 }
 
 /** A plan, to be asked about. */
@@ -558,6 +593,18 @@ export interface Sizes {
   width: Array<number>;
   front_inset: Array<number>;
   rear_inset: Array<number>;
+}
+
+/** Where numbers about people come from; what has no source is an assumption. */
+export interface SourcesTable {
+  beside?: string;
+  ahead?: string;
+  sway?: string;
+  imprecision?: string;
+  step?: string;
+  hurry_from?: string;
+  run_from?: string;
+  most_speed?: string;
 }
 
 /** In along one spiral, from a turn number at theta = 0 of the last turn, to disc or centre. */

@@ -1,0 +1,73 @@
+"""The table of a plan file about the people: who carries, what room and what speeds they need."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from benchdragon.i18n import N_, _
+from benchdragon.plans.tables import Length, LengthOrZero, Speed, Table
+
+Text = Annotated[str, Field(max_length=255)]
+
+# What a bench is called in a line of them, after its number.
+UNITS = {"bench": N_("bench {n}"), "qiao": N_("qiao {n}"), "jie": N_("jie {n}")}
+
+
+class SourcesTable(Table):
+    """Where numbers about people come from; what has no source is an assumption."""
+
+    beside: Text = ""
+    ahead: Text = ""
+    sway: Text = ""
+    imprecision: Text = ""
+    step: Text = ""
+    hurry_from: Text = ""
+    run_from: Text = ""
+    most_speed: Text = ""
+
+
+class PeopleTable(Table):
+    """Who carries the benches, the room that they need, and their speeds.
+
+    Attributes:
+        roster: a list of names beside the plan; `sheet` of it, if it has several.
+        unit: what benches are counted in.
+        count_head: whether the head's bench is number 1; else it is called the head, and 1 the next.
+        beside: room for bearers on each side of a bench, m.
+        ahead: room that is free before the head's bench, m.
+        sway: how far benches sway to a side, m.
+        imprecision: how far bearers stray from their line, m.
+        step: length of a step, m.
+        hurry_from: speed from which walking is called hurrying, m/s.
+        run_from: speed from which it is called running, m/s.
+        most_speed: the greatest at which a bench can be carried, m/s.
+        address: where the player of the dance will be on the web.
+    """
+
+    roster: Text = ""
+    sheet: Text = ""
+    unit: Literal["bench", "qiao", "jie"] = "bench"
+    count_head: bool = True
+    beside: LengthOrZero = 0.0
+    ahead: LengthOrZero = 0.0
+    sway: LengthOrZero = 0.0
+    imprecision: LengthOrZero = 0.0
+    step: Length = 0.6
+    hurry_from: Annotated[Speed, Field(gt=0.0)] = 1.2
+    run_from: Annotated[Speed, Field(gt=0.0)] = 1.8
+    most_speed: Annotated[Speed, Field(gt=0.0)] | None = None
+    address: Text = ""
+    source: SourcesTable = SourcesTable()
+
+
+# What of it decides whether a dance is safe.
+DECIDING = ("beside", "ahead", "sway", "imprecision", "most_speed")
+
+
+def called(people: PeopleTable, bench: int, count: int) -> str:
+    """What the village calls a bench (number, from 1) of so many, in the language in use."""
+    if not people.count_head and bench == 1:
+        return _("the head")
+    if not people.count_head and bench == count:
+        return _("the tail")
+    return _(UNITS[people.unit]).format(n=bench if people.count_head else bench - 1)

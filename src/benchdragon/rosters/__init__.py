@@ -1,0 +1,1 @@
+"""Who carries which bench: lists of names as villages keep them."""

@@ -1,0 +1,1 @@
+"""What people hold in their hands: sheets for each bench, the chalk plan, timetable, permit annex."""

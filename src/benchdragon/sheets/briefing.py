@@ -1,0 +1,43 @@
+"""What all papers are made from: the plan as it was checked, its people, what each bench does."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from benchdragon.analysis.bench_walks import BenchWalk
+from benchdragon.analysis.check import Report
+from benchdragon.plans.people import called
+from benchdragon.plans.schema import Plan
+from benchdragon.rosters.roster import Roster
+
+
+@dataclass(frozen=True)
+class Briefing:
+    """What the papers of a dance are made from.
+
+    Attributes:
+        report: the check of the plan, which found nothing.
+        roster: who carries which bench.
+        benches: what each bench does, the head's first.
+        checked_on: the day of the check, YYYY-MM-DD.
+        sha256: of all that the papers rest on: plan, people, cues and roster.
+    """
+
+    report: Report
+    roster: Roster
+    benches: tuple[BenchWalk, ...]
+    checked_on: str
+    sha256: str
+
+    @property
+    def plan(self) -> Plan:
+        """The plan."""
+        return self.report.plan
+
+    @cached_property
+    def foot(self) -> str:
+        """What stands at the foot of every page: that it is this plan, and when it was checked."""
+        return f"{self.sha256[:12]} · {self.checked_on}"
+
+    def called(self, bench: int) -> str:
+        """What the village calls a bench (number, from 1), in the language in use."""
+        return called(self.plan.people, bench, len(self.report.walk.dragon))
