@@ -21,10 +21,10 @@ from benchdragon import (
     Walk,
     WalkError,
 )
-from benchdragon.analysis import obstacles, proof
+from benchdragon.analysis import obstacle_search, proof
 from benchdragon.analysis.ledger import Ledger
+from benchdragon.analysis.obstacle_search import ObstacleSearch
 from benchdragon.analysis.obstacles import (
-    ObstacleSearch,
     first_touch,
     least_distance,
     obstacle_answers,
@@ -241,7 +241,7 @@ def test_grazes_apart_from_a_touch_are_told_before_it() -> None:
 
 def test_no_more_grazes_are_passed_over_than_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
     apart = Obstacle.line("pegs", [(20.0, 0.25), (20.0, 1.0), (33.0, 1.0), (33.0, 0.2)])
-    monkeypatch.setattr(obstacles, "MOST_GRAZES", 1)
+    monkeypatch.setattr(obstacle_search, "MOST_GRAZES", 1)
     with pytest.raises(UnsureError, match="benches come within rounding of pegs too often"):
         touching(ObstacleSearch(east(), apart, 0.0, 40.0))
 
@@ -249,7 +249,7 @@ def test_no_more_grazes_are_passed_over_than_is_said(monkeypatch: pytest.MonkeyP
 def test_what_takes_too_many_evaluations_is_undecided_and_hides_no_other_bench(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(obstacles, "MOST_EVALUATIONS", 1)
+    monkeypatch.setattr(obstacle_search, "MOST_EVALUATIONS", 1)
     found = touching(ObstacleSearch(east(MIXED), wall(30.0, 0.3), 0.0, 60.0))
     assert found
     assert all(answer.status == "undecided" for answer in found)
@@ -504,7 +504,7 @@ def test_a_proof_needs_errors_that_can_be_bounded(bend: Walk, monkeypatch: pytes
 
 
 def test_a_log_without_room_is_told_of(bend: Walk, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(obstacles, "LOG", 3)
+    monkeypatch.setattr(obstacle_search, "LOG", 3)
     with pytest.raises(UnsureError, match="too many evaluations"):
         touching(ObstacleSearch(bend, wall(14.0), 0.0, 9.0, 0.0, Ledger()))
 

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from benchdragon.analysis.check import check
-from benchdragon.analysis.obstacles import box_distances
+from benchdragon.analysis.obstacle_distance import box_distances
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.player.page import player_page
 from benchdragon.player.scene import checked_dance

@@ -20,7 +20,8 @@ from benchdragon.analysis.contact import contact_windows
 from benchdragon.analysis.contact_search import SLACK
 from benchdragon.analysis.distance import pair_distances
 from benchdragon.analysis.ledger import Ledger
-from benchdragon.analysis.obstacles import ObstacleAnswers, ObstacleSearch, touching
+from benchdragon.analysis.obstacle_search import ObstacleSearch
+from benchdragon.analysis.obstacles import ObstacleAnswers, touching
 from benchdragon.errors import InputError, MissingExtraError, UnsureError, in_order, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels import curve as kernel

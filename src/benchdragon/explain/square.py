@@ -6,7 +6,9 @@ import numpy as np
 
 from benchdragon.analysis.check import Report
 from benchdragon.analysis.findings import named
-from benchdragon.analysis.obstacles import ObstacleAnswers, ObstacleSearch, nearest_points
+from benchdragon.analysis.obstacle_distance import nearest_points
+from benchdragon.analysis.obstacle_search import ObstacleSearch
+from benchdragon.analysis.obstacles import ObstacleAnswers
 from benchdragon.explain.text import distance_text, number, pair, tiny
 from benchdragon.i18n import _
 from benchdragon.model.answer import Answer

@@ -22,7 +22,7 @@ from matplotlib.transforms import Affine2D, Transform
 
 from benchdragon.analysis.distance import TOUCHING, Nearness, tightest_pairs, touching
 from benchdragon.analysis.findings import touch_text
-from benchdragon.analysis.obstacles import box_distances
+from benchdragon.analysis.obstacle_distance import box_distances
 from benchdragon.analysis.swept import drawn_ground
 from benchdragon.errors import InputError, positive
 from benchdragon.figures.framing import Area, Framing, framing, inset

@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from benchdragon.analysis.contact import ClearanceCurve
 from benchdragon.analysis.distance import boxes, nearness
 from benchdragon.analysis.findings import named
-from benchdragon.analysis.obstacles import box_distances, nearest_points
+from benchdragon.analysis.obstacle_distance import box_distances, nearest_points
 from benchdragon.figures.square import draw_square, square_corners
 from benchdragon.figures.style import BODY, DISC, HEAD, PAGE_WIDTH, STYLE, drawable, named_figure
 from benchdragon.figures.walk import bench_corners, draw_dragon, framing_of, name_below

@@ -6,7 +6,8 @@ import numpy as np
 
 from benchdragon.analysis import distance
 from benchdragon.analysis.contact_search import MOST_EVALUATIONS, SLACK, WIDTH, run_search, slack_at
-from benchdragon.analysis.obstacles import ObstacleSearch, touching
+from benchdragon.analysis.obstacle_search import ObstacleSearch
+from benchdragon.analysis.obstacles import touching
 from benchdragon.analysis.tables import PLACES, Tables
 from benchdragon.errors import InputError, UnsureError, WalkError
 from benchdragon.i18n import _

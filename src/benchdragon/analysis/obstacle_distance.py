@@ -1,0 +1,39 @@
+"""How far benches stand from an obstacle at one placement, and which of their points are nearest."""
+
+import math
+
+import numpy as np
+
+from benchdragon.analysis.distance import boxes, nearness
+from benchdragon.kernels import standing as kernel
+from benchdragon.kernels.box import BOX_COLUMNS, CX, CY
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.route import IntArray
+from benchdragon.model.base_curve import Point
+from benchdragon.model.obstacle import Obstacle
+from benchdragon.model.placement import Placement
+
+
+def box_distances(placed: Placement, index: int, obstacle: Obstacle) -> tuple[FloatArray, IntArray]:
+    """How far each bench is from an obstacle's boxes at one placement, m, (N,); which box, (N,).
+
+    An obstacle's radius lies within; minus infinity where a bench stands where none may.
+    """
+    table = boxes(placed, index)
+    out, which = np.empty(len(table)), np.empty(len(table), dtype=np.int64)
+    kernel.distances_to(table, obstacle.boxes, np.empty((2, BOX_COLUMNS)), out, which)
+    out[obstacle.forbids(table[:, [CX, CY]])] = -math.inf
+    return out, which
+
+
+def nearest_points(
+    placed: Placement, index: int, bench: int, obstacle: Obstacle
+) -> tuple[Point, Point]:
+    """The point of a bench (row, from 0) nearest to an obstacle, and the obstacle's own, m."""
+    table = boxes(placed, index)[bench : bench + 1]
+    out, which = np.empty(1), np.empty(1, dtype=np.int64)
+    kernel.distances_to(table, obstacle.boxes, np.empty((2, BOX_COLUMNS)), out, which)
+    near = nearness(np.vstack([table, obstacle.boxes[which]]), 0, 1)
+    (ax, ay), (bx, by) = near.points
+    share = min(obstacle.radius / near.distance, 1.0) if near.distance > 0.0 else 0.0
+    return (ax, ay), (bx + share * (ax - bx), by + share * (ay - by))
