@@ -14,14 +14,27 @@ from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.placement import Placement
 
 
+def nearest_boxes(table: FloatArray, obstacle: Obstacle) -> tuple[FloatArray, IntArray]:
+    """How far each bench is from the nearest of an obstacle's boxes, m, (N,); which box, (N,).
+
+    An obstacle's radius lies within, and whether a bench stands where none may is not asked.
+
+    Args:
+        table: boxes of benches, (N, BOX_COLUMNS) of kernels/box.py.
+        obstacle: from which.
+    """
+    out, which = np.empty(len(table)), np.empty(len(table), dtype=np.int64)
+    kernel.distances_to(table, obstacle.boxes, np.empty((2, BOX_COLUMNS)), out, which)
+    return out, which
+
+
 def box_distances(placed: Placement, index: int, obstacle: Obstacle) -> tuple[FloatArray, IntArray]:
     """How far each bench is from an obstacle's boxes at one placement, m, (N,); which box, (N,).
 
     An obstacle's radius lies within; minus infinity where a bench stands where none may.
     """
     table = boxes(placed, index)
-    out, which = np.empty(len(table)), np.empty(len(table), dtype=np.int64)
-    kernel.distances_to(table, obstacle.boxes, np.empty((2, BOX_COLUMNS)), out, which)
+    out, which = nearest_boxes(table, obstacle)
     out[obstacle.forbids(table[:, [CX, CY]])] = -math.inf
     return out, which
 
@@ -31,8 +44,7 @@ def nearest_points(
 ) -> tuple[Point, Point]:
     """The point of a bench (row, from 0) nearest to an obstacle, and the obstacle's own, m."""
     table = boxes(placed, index)[bench : bench + 1]
-    out, which = np.empty(1), np.empty(1, dtype=np.int64)
-    kernel.distances_to(table, obstacle.boxes, np.empty((2, BOX_COLUMNS)), out, which)
+    _distance, which = nearest_boxes(table, obstacle)
     near = nearness(np.vstack([table, obstacle.boxes[which]]), 0, 1)
     (ax, ay), (bx, by) = near.points
     share = min(obstacle.radius / near.distance, 1.0) if near.distance > 0.0 else 0.0

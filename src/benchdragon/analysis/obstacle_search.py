@@ -23,13 +23,13 @@ from benchdragon.analysis.contact_search import (
 from benchdragon.analysis.distance import CORNERS, boxes, nearness
 from benchdragon.analysis.head_times import HeadTimes
 from benchdragon.analysis.ledger import Ledger
-from benchdragon.analysis.obstacle_distance import box_distances
+from benchdragon.analysis.obstacle_distance import box_distances, nearest_boxes
 from benchdragon.analysis.tables import kinds_of
 from benchdragon.errors import UnsureError, in_order, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels import search as steps
 from benchdragon.kernels import standing as kernel
-from benchdragon.kernels.box import BOX_COLUMNS, CX, CY, corner
+from benchdragon.kernels.box import CX, CY, corner
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.doubts import UNIT
 from benchdragon.kernels.route import IntArray
@@ -232,8 +232,7 @@ class ObstacleSearch:
         """
         placed = self.walk.placement(s, throw=False)
         table = np.vstack([boxes(placed, 0)[bench], self.obstacle.boxes])
-        out, which = np.empty(1), np.empty(1, dtype=np.int64)
-        kernel.distances_to(table[:1], table[1:], np.empty((2, BOX_COLUMNS)), out, which)
+        _distance, which = nearest_boxes(table[:1], self.obstacle)
         near = nearness(table, 0, 1 + int(which[0]))
         gap = (near.gap if near.distance <= 0.0 else near.distance) - self.obstacle.radius
         if gap > 0.0 and self.obstacle.forbids(table[:1, [CX, CY]])[0]:
