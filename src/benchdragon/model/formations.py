@@ -142,8 +142,26 @@ def coil(
     return Spiral.between(pitch, start_radius, end_radius, rotation=rotation, mirrored=mirrored)
 
 
+class Coiled(Formation):
+    """A formation of coils, whose outer radius exceeds their inner one and the pitch.
+
+    The sizes are fields of each formation, which takes them in its own order: so this is no dataclass.
+    """
+
+    tightest: ClassVar = ("inner_radius",)
+
+    pitch: float
+    inner_radius: float
+    outer_radius: float
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        self._must_be_smaller("inner_radius", self.outer_radius, "outer_radius")
+        self._must_be_smaller("pitch", self.outer_radius, "outer_radius")
+
+
 @dataclass(frozen=True)
-class CoilIn(Formation):
+class CoilIn(Coiled):
     """In along a spiral, from its outer end at (outer_radius, 0)."""
 
     name: ClassVar = "coil-in"
@@ -156,17 +174,11 @@ class CoilIn(Formation):
         "2025), where the heads are the centre; the sizes are this project's own"
     )
     sizes: ClassVar = {"pitch": PITCH, "outer_radius": OUTER, "inner_radius": INNER}
-    tightest: ClassVar = ("inner_radius",)
 
     pitch: float = 0.8
     outer_radius: float = 12.0
     inner_radius: float = 3.0
     clockwise: bool = True
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        self._must_be_smaller("inner_radius", self.outer_radius, "outer_radius")
-        self._must_be_smaller("pitch", self.outer_radius, "outer_radius")
 
     def build(self) -> Route:
         """Its route, about the origin."""
@@ -174,7 +186,7 @@ class CoilIn(Formation):
 
 
 @dataclass(frozen=True)
-class CoilOut(Formation):
+class CoilOut(Coiled):
     """Out along a spiral, to its outer end at (outer_radius, 0)."""
 
     name: ClassVar = "coil-out"
@@ -190,17 +202,11 @@ class CoilOut(Formation):
         "sizes are this project's own"
     )
     sizes: ClassVar = {"pitch": PITCH, "inner_radius": INNER, "outer_radius": OUTER}
-    tightest: ClassVar = ("inner_radius",)
 
     pitch: float = 0.8
     inner_radius: float = 3.0
     outer_radius: float = 12.0
     clockwise: bool = True
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        self._must_be_smaller("inner_radius", self.outer_radius, "outer_radius")
-        self._must_be_smaller("pitch", self.outer_radius, "outer_radius")
 
     def build(self) -> Route:
         """Its route, about the origin."""
@@ -208,7 +214,7 @@ class CoilOut(Formation):
 
 
 @dataclass(frozen=True)
-class DoubleDoor(Formation):
+class DoubleDoor(Coiled):
     """Out of one coil, straight across, into its mirror image; centres on the axis of x."""
 
     name: ClassVar = "double-door"
@@ -229,18 +235,12 @@ class DoubleDoor(Formation):
         "inner_radius": INNER,
         "between": Size(N_("distance between the outer circles of the two coils"), 0.0, 1000.0),
     }
-    tightest: ClassVar = ("inner_radius",)
 
     pitch: float = 0.8
     outer_radius: float = 9.0
     inner_radius: float = 2.5
     between: float = 2.0
     clockwise: bool = True
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        self._must_be_smaller("inner_radius", self.outer_radius, "outer_radius")
-        self._must_be_smaller("pitch", self.outer_radius, "outer_radius")
 
     def build(self) -> Route:
         """Its route, about the origin."""
