@@ -19,6 +19,7 @@ from benchdragon.files import whole_bytes
 from benchdragon.i18n import _, language
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.obstacle import Obstacle
+from benchdragon.model.outline import shape_of
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, silent
@@ -187,7 +188,7 @@ def geojson_bytes(drawing: AreaDrawing, plan_sha256: str) -> bytes:
         layer = VENUE if one.kind == "venue" else OBSTACLES
         about = {"name": one.name, "kind": one.kind, "margin": one.margin}
         about |= {"radius": one.radius} if one.kind == "circle" else {}
-        features.append(_feature(layer, _geometry(one), about))
+        features.append(_feature(layer, shape_of(one), about))
     whole = {
         "type": "FeatureCollection",
         "units": "m",
@@ -197,12 +198,6 @@ def geojson_bytes(drawing: AreaDrawing, plan_sha256: str) -> bytes:
         "features": features,
     }
     return json.dumps(whole, ensure_ascii=False).encode()
-
-
-def _geometry(one: Obstacle) -> Shape:
-    if one.kind == "circle":
-        return shapely.Point(one.outline[0])
-    return shapely.LineString(one.outline) if one.kind == "line" else shapely.Polygon(one.outline)
 
 
 def _feature(layer: str, shape: Shape, about: dict[str, Any]) -> dict[str, Any]:

@@ -15,7 +15,7 @@ from benchdragon.figures.style import LEAST_TEXT, drawable
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.obstacle import Obstacle
-from benchdragon.model.outline import drawn_rings, margin_rings
+from benchdragon.model.outline import drawn_outline, margin_rings
 
 # Okabe and Ito's reddish purple for what stands on the square, hatched; blue for the venue's edge.
 OBSTACLE, EDGE = "#CC79A7", "#0072B2"
@@ -30,7 +30,7 @@ def square_corners(obstacles: Sequence[Obstacle]) -> list[tuple[float, float]]:
     """Two corners of the upright rectangle about each obstacle and the venue, m."""
     corners: list[tuple[float, float]] = []
     for obstacle in obstacles:
-        ring = drawn_rings(obstacle)[0]
+        ring = drawn_outline(obstacle)
         corners += [tuple(ring.min(axis=0).tolist()), tuple(ring.max(axis=0).tolist())]
     return corners
 
@@ -62,7 +62,7 @@ def draw_square(
         look_of_ground: dict[str, Any] = {"fc": GROUND, "alpha": 0.3, "lw": 0.0, "zorder": 0.5}
         panel.add_patch(PathPatch(path, label=_("ground covered"), **look_of_ground))
     stands = [one for one in obstacles if one.kind != "venue"]
-    solid = [drawn_rings(one)[0] for one in stands if one.kind != "line"]
+    solid = [drawn_outline(one) for one in stands if one.kind != "line"]
     ropes = [one.outline for one in stands if one.kind == "line"]
     edges = [one.outline for one in obstacles if one.kind == "venue"]
     margins = [ring for one in obstacles for ring in margin_rings(one)]
@@ -105,7 +105,7 @@ def _write_names(panel: Axes, obstacles: Sequence[Obstacle], ink: str, paper: st
     """
     middle = np.mean(square_corners(obstacles), axis=0)
     for one in obstacles:
-        ring, venue = drawn_rings(one)[0], one.kind == "venue"
+        ring, venue = drawn_outline(one), one.kind == "venue"
         (left, _low), (right, high) = ring.min(axis=0), ring.max(axis=0)
         east = not venue and 0.5 * (left + right) > middle[0]
         panel.annotate(

@@ -1,23 +1,38 @@
-"""Outlines of obstacles as pictures and pages draw them, and of the margins about them."""
+"""Outlines of obstacles and of the margins about them: for shapely, for pictures and for pages."""
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.obstacle import Obstacle
 
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
 # Corners of a quarter of a circle that is drawn.
 QUARTER = 32
 
 
-def drawn_rings(obstacle: Obstacle) -> list[FloatArray]:
-    """The outline of an obstacle to be drawn, m, (P, 2) each; those of a line are open."""
+def shape_of(obstacle: Obstacle) -> "BaseGeometry":
+    """An obstacle as shapely has it, m: a circle as its centre, a venue as the polygon of its edge."""
+    import shapely  # only squares need it
+
+    if obstacle.kind == "circle":
+        return shapely.Point(obstacle.outline[0])
+    if obstacle.kind == "line":
+        return shapely.LineString(obstacle.outline)
+    return shapely.Polygon(obstacle.outline)
+
+
+def drawn_outline(obstacle: Obstacle) -> FloatArray:
+    """The outline of an obstacle to be drawn, m, (P, 2); that of a line is open, all others closed."""
     if obstacle.kind != "circle":
-        return [obstacle.outline]
+        return obstacle.outline
     angles = np.linspace(0.0, 2.0 * math.pi, 4 * QUARTER, endpoint=False)
-    return [obstacle.outline[0] + obstacle.radius * np.column_stack([np.cos(angles), np.sin(angles)])]
+    ring: FloatArray = np.column_stack([np.cos(angles), np.sin(angles)])
+    return np.asarray(obstacle.outline[0] + obstacle.radius * ring)
 
 
 def margin_rings(obstacle: Obstacle) -> list[FloatArray]:
@@ -27,14 +42,9 @@ def margin_rings(obstacle: Obstacle) -> list[FloatArray]:
     """
     if not obstacle.margin:
         return []
-    import shapely  # only pictures of a square need it
+    import shapely  # only squares need it
 
-    if obstacle.kind == "line":
-        shape: Any = shapely.LineString(obstacle.outline)
-    else:
-        shape = shapely.Polygon(drawn_rings(obstacle)[0])
-    away = -obstacle.margin if obstacle.kind == "venue" else obstacle.margin
-    kept = shape.buffer(away, quad_segs=QUARTER)
-    polygons = [kept] if kept.geom_type == "Polygon" else list(kept.geoms)
+    away = -obstacle.margin if obstacle.kind == "venue" else obstacle.radius + obstacle.margin
+    polygons = shapely.get_parts(shapely.buffer(shape_of(obstacle), away, quad_segs=QUARTER))
     rings = [ring for one in polygons if not one.is_empty for ring in (one.exterior, *one.interiors)]
     return [np.asarray(ring.coords)[:-1] for ring in rings]

@@ -21,6 +21,7 @@ from benchdragon.errors import InputError, of_kind
 from benchdragon.i18n import _
 from benchdragon.model.answer import Answer
 from benchdragon.model.obstacle import Obstacle
+from benchdragon.model.outline import shape_of
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, part, silent
 from benchdragon.solve import minima
@@ -193,12 +194,3 @@ def _room(region: BaseGeometry, obstacle: Obstacle) -> float:
         return apart - obstacle.margin
     deep = region.intersection(shape.buffer(max(obstacle.radius, ROUGH)))
     return -math.sqrt(float(deep.area)) - obstacle.margin
-
-
-def shape_of(obstacle: Obstacle) -> BaseGeometry:
-    """An obstacle as shapely has it: a circle as its centre, the venue as the polygon of its edge."""
-    if obstacle.kind == "circle":
-        return shapely.Point(obstacle.outline[0])
-    if obstacle.kind == "line":
-        return shapely.LineString(obstacle.outline)
-    return shapely.Polygon(obstacle.outline)
