@@ -1,11 +1,10 @@
 """The square in pictures: the venue's edge, what stands in it, and the margins that benches keep."""
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.collections import Collection, LineCollection, PolyCollection
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path as MatplotlibPath
 from matplotlib.patheffects import withStroke
@@ -57,39 +56,48 @@ def draw_square(
         size: of the names' letters, points; None: no names.
     """
     if ground:
-        codes = [code for ring in ground for code in _codes(len(ring))]
-        path = MatplotlibPath(np.concatenate(list(ground)), codes)
-        look_of_ground: dict[str, Any] = {"fc": GROUND, "alpha": 0.3, "lw": 0.0, "zorder": 0.5}
-        panel.add_patch(PathPatch(path, label=_("ground covered"), **look_of_ground))
-    stands = [one for one in obstacles if one.kind != "venue"]
-    solid = [drawn_outline(one) for one in stands if one.kind != "line"]
-    ropes = [one.outline for one in stands if one.kind == "line"]
-    edges = [one.outline for one in obstacles if one.kind == "venue"]
-    margins = [ring for one in obstacles for ring in margin_rings(one)]
-    drawn: list[PolyCollection | LineCollection] = []
-    look: dict[str, Any] = {"ec": ink, "lw": 0.8 * mark, "zorder": 1.5}
-    if solid:
-        drawn.append(PolyCollection(solid, fc=OBSTACLE, hatch=HATCH, label=_("obstacle"), **look))
-    if ropes:
-        drawn.append(
-            LineCollection(ropes, colors=OBSTACLE, lw=2.6 * mark, zorder=1.5, label=_("obstacle line"))
-        )
-    if edges:
-        thick: dict[str, Any] = {"fc": "none", "ec": EDGE, "lw": 2.2 * mark, "zorder": 1.4}
-        drawn.append(PolyCollection(edges, label=_("edge of the venue"), **thick))
-    if margins:
-        dashed: dict[str, Any] = {
-            "fc": "none",
-            "ec": ink,
-            "lw": 0.8 * mark,
-            "ls": (0, (2, 2)),
-            "zorder": 1.6,
-        }
-        drawn.append(PolyCollection(margins, label=_("margin"), **dashed))
-    for one in drawn:
+        _draw_ground(panel, ground)
+    for one in (*_standing(obstacles, ink, mark), *_edges(obstacles, ink, mark)):
         panel.add_collection(one, autolim=False)
     if size is not None and 0 < len(obstacles) <= MOST_NAMES:
         _write_names(panel, obstacles, ink, paper, size)
+
+
+def _draw_ground(panel: Axes, ground: Sequence[FloatArray]) -> None:
+    codes = [code for ring in ground for code in _codes(len(ring))]
+    path = MatplotlibPath(np.concatenate(list(ground)), codes)
+    panel.add_patch(
+        PathPatch(path, label=_("ground covered"), fc=GROUND, alpha=0.3, lw=0.0, zorder=0.5)
+    )
+
+
+def _standing(obstacles: Sequence[Obstacle], ink: str, mark: float) -> Iterator[Collection]:
+    """What stands on the square: what has an inside, and lines."""
+    stands = [one for one in obstacles if one.kind != "venue"]
+    solid = [drawn_outline(one) for one in stands if one.kind != "line"]
+    ropes = [one.outline for one in stands if one.kind == "line"]
+    if solid:
+        yield PolyCollection(
+            solid, fc=OBSTACLE, ec=ink, lw=0.8 * mark, hatch=HATCH, zorder=1.5, label=_("obstacle")
+        )
+    if ropes:
+        yield LineCollection(
+            ropes, colors=OBSTACLE, lw=2.6 * mark, zorder=1.5, label=_("obstacle line")
+        )
+
+
+def _edges(obstacles: Sequence[Obstacle], ink: str, mark: float) -> Iterator[Collection]:
+    """What may not be crossed though nothing stands there: the venue's edge, and margins."""
+    edges = [one.outline for one in obstacles if one.kind == "venue"]
+    margins = [ring for one in obstacles for ring in margin_rings(one)]
+    if edges:
+        yield PolyCollection(
+            edges, fc="none", ec=EDGE, lw=2.2 * mark, zorder=1.4, label=_("edge of the venue")
+        )
+    if margins:
+        yield PolyCollection(
+            margins, fc="none", ec=ink, lw=0.8 * mark, ls=(0, (2, 2)), zorder=1.6, label=_("margin")
+        )
 
 
 def _codes(count: int) -> list[int]:
