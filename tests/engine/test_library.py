@@ -1,5 +1,6 @@
 """The library built from the kernels gives what numba's code gives, and serves without numba."""
 
+import importlib
 import json
 import os
 import subprocess
@@ -35,6 +36,8 @@ def test_every_entry_gives_what_numba_gives(library: Path) -> None:
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
     found = json.loads(done.stdout)
+    for path in native.KERNELS.glob("*.py"):
+        importlib.import_module(f"benchdragon.kernels.{path.stem}")
     assert set(found) == set(jit.ENTRIES)
     assert {name: worst for name, (_calls, worst) in found.items() if not worst <= APART} == {}
 
