@@ -247,3 +247,14 @@ def test_without_a_margin_there_is_no_spectators_line(plan: Plan, tmp_path: Path
     data = json.loads(made(drawing, plan, tmp_path / "a.geojson"))
     assert "SPECTATORS" not in [feature["properties"]["layer"] for feature in data["features"]]
     assert 'id="spectators"' not in made(drawing, plan, tmp_path / "a.svg").decode()
+
+
+def test_an_obstacle_without_a_name_is_shown_by_its_number_in_the_language_in_use(plan: Plan) -> None:
+    data = plan.model_dump(mode="json", by_alias=True, exclude_unset=True)
+    del data["obstacle"][0]["name"]
+    nameless = checked(data, "village")
+    with spoken_in("zh"):
+        figure = area_picture(drawing_of(nameless, planned_area(nameless, error=0.1)), "A3", None)
+    words = [text.get_text() for axes in figure.axes for text in axes.texts]
+    assert "障碍物 1" in words
+    assert not any("obstacle" in word for word in words)

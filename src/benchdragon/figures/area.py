@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle, PathPatch, Polygon, Rectangle
 from matplotlib.path import Path
 
+from benchdragon.analysis.findings import shown_name
 from benchdragon.analysis.swept import Shape, SweptArea
 from benchdragon.errors import InputError
 from benchdragon.figures.framing import route_positions
@@ -209,7 +210,7 @@ def _draw_obstacles(axes: Axes, sheet: Sheet, obstacles: Sequence[Obstacle]) -> 
             axes.add_patch(Polygon(points, closed=one.kind != "line", **look))
         if not venue:
             x, y = points.mean(axis=0)[0], points[:, 1].max() + 1000.0 * one.radius / sheet.scale
-            axes.text(x, y + 0.8, drawable(one.name), fontsize=7, ha="center", zorder=6)
+            axes.text(x, y + 0.8, drawable(shown_name(one)), fontsize=7, ha="center", zorder=6)
 
 
 def bar_length(scale: float) -> float:
