@@ -86,24 +86,38 @@ def joined_alignment(
     joints = np.column_stack([0.5 * (ends[:, :2] + after[:, :2]), ends[:, 2] + share * turn])
     if not closed:
         joints[-1] = ends[-1]
+    first_moved = np.roll(moved, 1)
+    first_moved[0] &= closed
+    found, shift = _between(parts, joints, moved, first_moved)
+    turned = np.maximum(share, 1.0 - share) * np.abs(turn)
+    joint_count = len(curves) - (not closed)
+    return found, Absorbed(
+        joint_count, int(moved.sum()), float(off.max()), float(np.abs(turn).max()), shift,
+        float(turned.max()),
+    )  # fmt: skip
+
+
+def _between(
+    parts: Sequence[AnyCurve], joints: FloatArray, moved: BoolArray, first_moved: BoolArray
+) -> tuple[tuple[AnyCurve, ...], float]:
+    """The parts, clothoids in place of those with an end that was moved, and how far these lie off, m.
+
+    `joints` are the poses at their ends, (n, 3); `moved` and `first_moved` say of each part whether
+    its end and its start were moved.
+    """
     found: list[AnyCurve] = []
     shift = 0.0
+    starts, ends = _poses(parts)
     for n, part in enumerate(parts):
-        first_moved = bool(moved[n - 1]) and (closed or n > 0)
-        if not (first_moved or moved[n]):
+        if not (first_moved[n] or moved[n]):
             found.append(part)
             continue
-        start = joints[n - 1] if first_moved else starts[n]
+        start = joints[n - 1] if first_moved[n] else starts[n]
         end = joints[n] if moved[n] else ends[n]
         (made,) = g1_clothoids(np.array([start, end]))
         shift = max(shift, bound_between(part, made))
         found.append(made)
-    turned = np.maximum(share, 1.0 - share) * np.abs(turn)
-    joint_count = len(curves) - (not closed)
-    return tuple(found), Absorbed(
-        joint_count, int(moved.sum()), float(off.max()), float(np.abs(turn).max()), shift,
-        float(turned.max()),
-    )  # fmt: skip
+    return tuple(found), shift
 
 
 def largest_misfits(
