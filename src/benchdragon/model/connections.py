@@ -25,6 +25,8 @@ Pose = tuple[Point, float]
 ROUNDING = 1e-13
 # What crosses what is seen on polylines of chords about so long, m, and of so many at most.
 CHORD, MOST_CHORDS = 0.25, 4000
+# Chords of a polyline that one box bounds.
+RUN = 32
 FULL = 2.0 * math.pi
 
 
@@ -229,14 +231,28 @@ def _polyline(route: Route) -> FloatArray:
 
 def crossings(one: FloatArray, other: FloatArray) -> int:
     """How many chords of two polylines, (n, 2) and (m, 2), m, cross each other."""
-    count = 0
-    start, along = other[:-1], np.diff(other, axis=0)
-    for a, b in pairwise(one):
-        # Each chord's ends must lie on different sides of the other.
-        across = _cross(along, a - start) * _cross(along, b - start) < 0.0
-        sides = _cross(b - a, start - a) * _cross(b - a, other[1:] - a) < 0.0
-        count += int((across & sides).sum())
-    return count
+    ours, theirs = _runs(one), _runs(other)
+    boxes = [[(run.min(axis=0), run.max(axis=0)) for run in runs] for runs in (ours, theirs)]
+    low, high = np.array(boxes[0]).transpose(1, 0, 2)[:, :, None]
+    their_low, their_high = np.array(boxes[1]).transpose(1, 0, 2)
+    # Where the boxes of two runs lie apart, no chord of the one crosses one of the other.
+    near = ((low <= their_high) & (their_low <= high)).all(axis=-1)
+    return sum(_crossings_of_runs(ours[i], theirs[j]) for i, j in np.argwhere(near))
+
+
+def _runs(line: FloatArray) -> list[FloatArray]:
+    """A polyline in parts of RUN chords; each begins at the last point of the one before it."""
+    return [line[at : at + RUN + 1] for at in range(0, max(1, len(line) - 1), RUN)]
+
+
+def _crossings_of_runs(one: FloatArray, other: FloatArray) -> int:
+    """The crossings of two polylines, each chord of the one against each of the other."""
+    a, b, start, end = one[:-1, None], one[1:, None], other[:-1], other[1:]
+    along = end - start
+    # Each chord's ends must lie on different sides of the other.
+    across = _cross(along, a - start) * _cross(along, b - start) < 0.0
+    sides = _cross(b - a, start - a) * _cross(b - a, end - a) < 0.0
+    return int((across & sides).sum())
 
 
 def _cross(one: FloatArray, other: FloatArray) -> FloatArray:
