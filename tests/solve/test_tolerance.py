@@ -2,14 +2,16 @@
 
 import json
 import math
-from contextlib import nullcontext
+from concurrent.futures import Executor
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from scipy.stats import binomtest
+from scipy.stats import binom, binomtest
 
+from benchdragon import parallel
 from benchdragon.analysis.contact import first_contact
 from benchdragon.cli.main import run
 from benchdragon.errors import BenchDragonError, InputError, UnsureError
@@ -29,7 +31,9 @@ from benchdragon.solve.tolerance import (
     Draw,
     Tolerance,
     Trials,
+    at_most,
     least_clearance,
+    more_than,
     needed_pitch,
     random_dance,
     tolerance,
@@ -322,7 +326,17 @@ def test_the_way_to_a_margin_is_explained(capsys: pytest.CaptureFixture[str]) ->
         assert len(json.loads(capsys.readouterr().out)["explanation"]) >= 8
 
 
-def test_the_verb_tells_pitches_and_chances(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_verb_tells_pitches_and_chances(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    begun: list[int] = []
+    pool = parallel._pool
+
+    def counted(count: int) -> AbstractContextManager[Executor]:
+        begun.append(count)
+        return pool(count)
+
+    monkeypatch.setattr(parallel, "_pool", counted)
     words = ["margins", "spiral-in", "--set", "disc.radius=4.5", "--set", "dragon.benches=30"]
     words += ["--quiet"]
     assert run([*words, "--aside", "0.02", "--json", "--draws", "20"]) == 0
@@ -333,7 +347,9 @@ def test_the_verb_tells_pitches_and_chances(tmp_path: Path, capsys: pytest.Captu
     assert found["pitch_for"]["0.02"] is None  # twenty dances are too few for one in fifty
     assert found["pitch_for"]["0.5"] in found["needed"]
     words += ["--draws", "2"]
+    begun.clear()
     assert run([*words, "-o", str(tmp_path)]) == 0
+    assert len(begun) == 1  # all cases are walked by the same workers
     out = capsys.readouterr().out
     assert all(case.text[:12] in out for case in CASES.values())
     assert sorted(path.name for path in tmp_path.iterdir()) == [
@@ -351,3 +367,12 @@ def test_the_share_done_is_told_to_the_end(monkeypatch: pytest.MonkeyPatch) -> N
     words = ["margins", "spiral-in", "--set", "disc.radius=4.5", "--set", "dragon.benches=30"]
     assert run([*words, "--aside", "0.01", "--draws", "4"]) == 0
     assert told == [(0.25 * n, "as given") for n in range(5)]
+
+
+@pytest.mark.parametrize("count", [1, 3, 100, 100_000])
+def test_tails_are_those_of_the_binomial_distribution(count: int) -> None:
+    hits = np.arange(0, count, max(1, count // 100))
+    for risk in (0.05, 0.5):
+        for tail, wanted in ((at_most, binom.cdf), (more_than, binom.sf)):
+            expected = wanted(hits, count, risk)
+            np.testing.assert_allclose(tail(hits, count, risk), expected, rtol=1e-10, atol=1e-300)

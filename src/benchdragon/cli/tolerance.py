@@ -101,13 +101,16 @@ def _walked(
     plan: "Plan", options: dict[str, Any], quiet: bool
 ) -> tuple[dict[str, "Tolerance"], dict[str, str]]:
     """What each case needs, and what to call it."""
-    from benchdragon.parallel import place
+    from benchdragon.parallel import kept, place
     from benchdragon.solve.tolerance import CASES, Case, Deviations, tolerance
 
     given = given_deviations(options)
     cases = {"given": Case(N_("as given"), Deviations(**given))} if given else CASES
-    found, executor = {}, place(options["on"], options["workers"])
-    with shown_progress(quiet) as progress:
+    found = {}
+    with (
+        shown_progress(quiet) as progress,
+        kept(place(options["on"], options["workers"])) as executor,
+    ):
         stage = Stages(progress, len(cases))
         for name, case in cases.items():
             found[name] = tolerance(

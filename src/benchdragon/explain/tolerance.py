@@ -6,7 +6,15 @@ from dataclasses import fields
 from benchdragon.explain.text import number, signed
 from benchdragon.i18n import _
 from benchdragon.plans.schema import Plan
-from benchdragon.solve.tolerance import CONFIDENCE, TOLERANCE, Draw, Tolerance, needed_pitch
+from benchdragon.solve.tolerance import (
+    CONFIDENCE,
+    TOLERANCE,
+    Draw,
+    Tolerance,
+    at_most,
+    more_than,
+    needed_pitch,
+)
 
 # The chance for which the choice of a pitch is shown.
 RISK = 0.05
@@ -70,8 +78,6 @@ def _dance_lines(plan: Plan, found: Tolerance) -> list[str]:
 
 def _chance_lines(found: Tolerance, pitch: float) -> list[str]:
     """The share that touches, and the tails that bound the chance."""
-    from scipy.stats import binom  # slow to import
-
     count = found.needed.size
     share, low, high = found.touching()
     hits = round(share * count)
@@ -88,7 +94,7 @@ def _chance_lines(found: Tolerance, pitch: float) -> list[str]:
                 "{tail} of all cases; computed {seen}."
             ).format(
                 low=number(low), hits=hits, count=count, tail=number(tail),
-                seen=number(float(binom.sf(hits - 1, count, low))),
+                seen=number(float(more_than(hits - 1, count, low))),
             )
         )  # fmt: skip
     if hits < count:
@@ -98,7 +104,7 @@ def _chance_lines(found: Tolerance, pitch: float) -> list[str]:
                 "{tail} of all cases; computed {seen}."
             ).format(
                 high=number(high), hits=hits, count=count, tail=number(tail),
-                seen=number(float(binom.cdf(hits, count, high))),
+                seen=number(float(at_most(hits, count, high))),
             )
         )  # fmt: skip
     return lines
@@ -117,8 +123,6 @@ def _risk_lines(found: Tolerance) -> list[str]:
                 least=number(1.0 - CONFIDENCE),
             )
         ]  # fmt: skip
-    from scipy.stats import binom
-
     more = int((found.needed > pitch).sum())
     return [
         _(
@@ -126,6 +130,6 @@ def _risk_lines(found: Tolerance) -> list[str]:
             "chance larger, so few would happen in {seen} of all cases, at most {least} is allowed."
         ).format(
             risk=number(RISK), more=more, count=count, pitch=number(pitch),
-            seen=number(float(binom.cdf(more, count, RISK))), least=number(1.0 - CONFIDENCE),
+            seen=number(float(at_most(more, count, RISK))), least=number(1.0 - CONFIDENCE),
         )
     ]  # fmt: skip

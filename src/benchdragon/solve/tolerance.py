@@ -11,6 +11,7 @@ from concurrent.futures import Executor
 from contextlib import closing
 from dataclasses import dataclass, field, fields
 from functools import cache
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -217,12 +218,32 @@ def chance(hits: int, count: int, confidence: float = CONFIDENCE) -> tuple[float
 
     They hold with at least that confidence, whatever the probability and the number of trials.
     """
-    from scipy.stats import beta
+    from scipy.special import betaincinv
 
     tail = 0.5 * (1.0 - confidence)
-    low = float(beta.ppf(tail, hits, count - hits + 1)) if hits else 0.0
-    high = float(beta.ppf(1.0 - tail, hits + 1, count - hits)) if hits < count else 1.0
+    low = float(betaincinv(hits, count - hits + 1, tail)) if hits else 0.0
+    high = float(betaincinv(hits + 1, count - hits, 1.0 - tail)) if hits < count else 1.0
     return hits / count, low, high
+
+
+def at_most(hits: int | npt.NDArray[np.int64], count: int, risk: float) -> Any:
+    """Probability that so many of `count` trials hit or fewer, if each does with that one.
+
+    Args:
+        hits: fewer than `count`; of several, the probability of each.
+        count: of trials.
+        risk: that one of them hits.
+    """
+    from scipy.special import betaincc  # scipy.stats gives the same, and takes a second to import
+
+    return betaincc(hits + 1, count - hits, risk)
+
+
+def more_than(hits: int | npt.NDArray[np.int64], count: int, risk: float) -> Any:
+    """Probability that more than so many hit: what `at_most` leaves, without cancellation."""
+    from scipy.special import betainc
+
+    return betainc(hits + 1, count - hits, risk)
 
 
 @dataclass(frozen=True)
@@ -266,10 +287,8 @@ class Tolerance:
         It is one of the pitches needed: the bound on a quantile that holds for any distribution.
         Infinite where the draws are too few to say.
         """
-        from scipy.stats import binom
-
         count = self.needed.size
-        chance = binom.cdf(np.arange(count), count, risk)
+        chance = at_most(np.arange(count), count, risk)
         allowed = int(np.searchsorted(chance, 1.0 - confidence, side="right")) - 1
         if allowed < 0:
             return math.inf
@@ -280,10 +299,8 @@ class Tolerance:
 
         The other end of the bracket that `pitch_for` closes; 0 where the draws are too few to say.
         """
-        from scipy.stats import binom
-
         count = self.needed.size
-        chance = binom.sf(np.arange(count), count, risk)  # of more than 0, 1, ... dances
+        chance = more_than(np.arange(count), count, risk)  # of more than 0, 1, ... dances
         more = int(np.searchsorted(-chance, confidence - 1.0)) + 1
         return float(self.needed[count - more]) if more <= count else 0.0
 
