@@ -130,7 +130,9 @@ def test_handles_keep_their_order_along_the_route(dance: Dance) -> None:
 def test_every_handle_stays_on_the_route(dance: Dance) -> None:
     motion = dance.motion()
     points = dance.walk.route.point(motion.s)
-    assert np.hypot(points[..., 0] - motion.x, points[..., 1] - motion.y).max() <= 2e-12
+    # Route positions are rounded: at 4 km neighbouring doubles are 9e-13 m apart.
+    rounding = 1e-12 + 1e-15 * dance.walk.route.length
+    assert np.hypot(points[..., 0] - motion.x, points[..., 1] - motion.y).max() <= rounding
 
 
 @given(dances(), shares)
