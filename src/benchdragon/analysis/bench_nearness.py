@@ -1,0 +1,144 @@
+"""Who comes nearest to each bench over a walk, and who stands beside it."""
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from benchdragon.analysis.distance import boxes, low_point, nearest_each, nearness, pairs_within
+from benchdragon.kernels import box as kernel
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.route import IntArray
+from benchdragon.model.placement import Placement
+from benchdragon.model.walk import Motion, Walk
+
+Side = Literal["left", "right", "front", "rear"]
+
+# How far other benches are looked for, m, at all times; and at the end for those beside.
+REACH, BESIDE = 1.5, 1.5
+# Distances that differ by less than this, m, count as equal: the sooner is told.
+LEVEL = 1e-3
+# How often the time about a least distance is narrowed.
+SHRINKS = 6
+
+
+@dataclass(frozen=True)
+class Tightest:
+    """When another bench, not a neighbour, comes nearest.
+
+    Attributes:
+        time: s.
+        bench: number of the other.
+        side: on which side of this bench it then is.
+        lower: no other bench comes nearer than this at any time, m.
+        upper: so near that one is then, m.
+    """
+
+    time: float
+    bench: int
+    side: Side
+    lower: float
+    upper: float
+
+
+class TightestSearch:
+    """Looks through a walk, slice by slice, for the tightest moment of each bench.
+
+    Between two times a point of a bench goes no farther than `Dragon.lever` times what the faster of
+    its handles goes along the route. So benches that are a and b apart at these times, whose points go
+    no farther than p and q in between, are never nearer than (a + b - p - q)/2.
+
+    Args:
+        walk: what is looked at.
+        apart: what benches are known never to come nearer than, m.
+    """
+
+    def __init__(self, walk: Walk, apart: float) -> None:
+        count = len(walk.dragon)
+        self.walk, self.apart = walk, apart
+        self._least, self._floor = np.full(count, math.inf), np.full(count, math.inf)
+        self._partner = np.zeros(count, dtype=np.int64)
+        self._about = np.zeros((count, 3))
+
+    def look(self, motion: Motion) -> None:
+        """Look at the times of a motion; the next begins with the last of them."""
+        distance, partner = nearest_each(motion, REACH)
+        known = np.minimum(distance, REACH)
+        self._floor = np.minimum(self._floor, self._between(motion, known))
+        least = distance.min(axis=0)
+        nearer = np.flatnonzero(least < self._least - LEVEL)
+        at = np.argmax(distance[:, nearer] <= least[nearer] + LEVEL, axis=0)
+        self._least[nearer], self._partner[nearer] = least[nearer], partner[at, nearer]
+        before, after = np.maximum(at - 1, 0), np.minimum(at + 1, len(motion.times) - 1)
+        self._about[nearer] = motion.head_s[np.column_stack([before, at, after])]
+
+    def _between(self, motion: Motion, known: FloatArray) -> FloatArray:
+        """What nothing comes nearer to each bench than between these times, m, (N,)."""
+        if len(known) < 2:
+            return np.asarray(known.min(axis=0))
+        goes = np.diff(motion.s, axis=0)
+        moved = self.walk.dragon.lever * np.maximum(goes[:, :-1], goes[:, 1:])
+        farthest = moved.max(axis=1, keepdims=True)
+        return np.asarray((0.5 * (known[1:] + known[:-1] - moved - farthest)).min(axis=0))
+
+    def found(self) -> list[Tightest | None]:
+        """The tightest moment of each bench; None where nothing comes within REACH."""
+        return [self._tightest(k) for k in range(len(self._least))]
+
+    def _tightest(self, k: int) -> Tightest | None:
+        if not self._partner[k]:
+            return None
+        other, (low, head, high) = int(self._partner[k]) - 1, self._about[k].tolist()
+        i, j = sorted((k, other))
+        least, where = (
+            low_point(self.walk, i, j, low, high, SHRINKS) if low < high else (math.inf, head)
+        )
+        head = where if least < self._least[k] - LEVEL else head
+        table = boxes(self.walk.placement([head]), 0)
+        near = nearness(table, k, other)
+        upper = max(near.distance, 0.0)
+        lower = min(max(float(self._floor[k]), self.apart, 0.0), upper)
+        return Tightest(
+            self.walk.time_at(head), other + 1, side_of(table, k, near.points[other > k]), lower, upper
+        )
+
+
+def side_of(table: FloatArray, k: int, point: tuple[float, float]) -> Side:
+    """On which side of the bench in row k of `boxes` a point lies that is outside of it."""
+    along, across = kernel.offset(table, k, *point)
+    ends = abs(along) - float(table[k, kernel.HALF_LENGTH])
+    if ends > abs(across) - float(table[k, kernel.HALF_WIDTH]):
+        return "front" if along > 0.0 else "rear"
+    return "left" if across > 0.0 else "right"
+
+
+def beside(placed: Placement) -> list[tuple[int | None, int | None]]:
+    """The numbers of the benches next to each on its left and on its right, at the first position.
+
+    That is the nearest whose middle is level with it, not a neighbour and no more than BESIDE metres
+    away; None where there is none.
+    """
+    table = boxes(placed, 0)
+    first, second = pairs_within(table, BESIDE)
+    mine, other = np.concatenate([first, second]), np.concatenate([second, first])
+    apart = table[other][:, [kernel.CX, kernel.CY]] - table[mine][:, [kernel.CX, kernel.CY]]
+    ux, uy = table[mine, kernel.UX], table[mine, kernel.UY]
+    along, across = apart[:, 0] * ux + apart[:, 1] * uy, apart[:, 1] * ux - apart[:, 0] * uy
+    level = np.abs(along) <= table[mine, kernel.HALF_LENGTH] + 0.5 * table[other, kernel.HALF_LENGTH]
+    near = np.abs(across) <= BESIDE + table[mine, kernel.HALF_WIDTH] + table[other, kernel.HALF_WIDTH]
+    sides = [_nearest(mine, other, sign * across, level & near, len(table)) for sign in (1.0, -1.0)]
+    return list(zip(*sides, strict=True))
+
+
+def _nearest(
+    mine: IntArray, other: IntArray, across: FloatArray, fits: "np.typing.NDArray[np.bool_]", count: int
+) -> list[int | None]:
+    """The number of the nearest of the others of each bench that lies on the positive side."""
+    rows = np.flatnonzero(fits & (across > 0.0))
+    rows = rows[np.lexsort((across[rows], mine[rows]))]
+    found: list[int | None] = [None] * count
+    benches, at = np.unique(mine[rows], return_index=True)
+    for bench, row in zip(benches.tolist(), rows[at].tolist(), strict=True):
+        found[bench] = int(other[row]) + 1
+    return found

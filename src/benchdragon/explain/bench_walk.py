@@ -1,0 +1,202 @@
+"""What one bench does, in plain sentences for those who carry it."""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+
+from benchdragon.analysis.bench_nearness import REACH
+from benchdragon.analysis.bench_walks import STILL, BenchWalk, Stretch, Tightest
+from benchdragon.analysis.findings import named
+from benchdragon.i18n import N_, _
+from benchdragon.kernels.standing import centre_distance
+from benchdragon.model.base_curve import Point
+from benchdragon.model.obstacle import Obstacle
+from benchdragon.plans.schema import Plan
+
+# Turns and paces that the first line names one by one; of more it tells how many there are.
+MOST_TURNS, MOST_PACES = 3, 4
+# A stretch that turns by less than this, degrees, turns hardly at all; from a whole turn on, rounds
+# are told.
+LEAST_ANGLE, ROUND = 5.0, 360.0
+
+WALKING = N_("keep walking")
+PACES = {
+    "wait": N_("wait"), "walk": WALKING, "hurry": N_("hurry"), "run": N_("run"),
+}  # fmt: skip
+TURNS = {"left": N_("turn left"), "right": N_("turn right"), "straight": N_("straight on")}
+SIDES = {
+    "left": N_("on your left"), "right": N_("on your right"),
+    "front": N_("in front of you"), "rear": N_("behind you"),
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class BenchText:
+    """What one bench does, in the language in which it was asked for.
+
+    Attributes:
+        quick: all of it in a dozen words.
+        place: where it starts, a sentence each: chalk coordinates, then steps from a landmark.
+        stretches: what it does from when to when, a sentence each.
+        paces: from which speeds on one hurries, runs or waits.
+        tightest: when another bench comes nearest.
+        people: who is before, behind and beside.
+    """
+
+    quick: str
+    place: tuple[str, ...]
+    stretches: tuple[str, ...]
+    paces: str
+    tightest: str
+    people: tuple[str, ...]
+
+    @property
+    def lines(self) -> list[str]:
+        """All sentences, in order."""
+        return [
+            self.quick, *self.place, *self.stretches, self.paces, self.tightest, *self.people,
+        ]  # fmt: skip
+
+
+def bench_text(plan: Plan, found: BenchWalk, called: Callable[[int], str]) -> BenchText:
+    """What one bench of a plan does; `called` says what people call the bench of a number.
+
+    Times are told from the start of the dance on.
+    """
+    start = found.stretches[0].start
+    return BenchText(
+        quick_line(found),
+        place_lines(plan, found),
+        tuple(_stretch_line(one, start, plan.people.step) for one in found.stretches),
+        _("Hurry means {hurry} m/s or more, run {run} m/s or more; below {still} m/s you wait.").format(
+            hurry=f"{plan.people.hurry_from:g}", run=f"{plan.people.run_from:g}", still=f"{STILL:g}"
+        ),
+        _tightest_line(found.tightest, start, called),
+        _people_lines(found, called),
+    )
+
+
+def clock(seconds: float) -> str:
+    """Minutes and seconds, m:ss, to the nearest second."""
+    whole = max(round(seconds), 0)
+    return f"{whole // 60}:{whole % 60:02d}"
+
+
+def quick_line(found: BenchWalk) -> str:
+    """What a bench does in a dozen words."""
+    start = found.stretches[0].start
+    said = [*_quick_turns(found.stretches), *_quick_paces(found.stretches, start)]
+    text = _("{all}.").format(all=_("; ").join(said))
+    return text[:1].upper() + text[1:]
+
+
+def _quick_turns(stretches: Sequence[Stretch]) -> list[str]:
+    """To which sides it turns: one after another, or how often."""
+    bent = [one.turning for one in stretches if one.turning != "straight"]
+    sides = [side for side, _same in groupby(bent)]
+    if not sides:
+        return [_("straight on all the way")]
+    if len(sides) <= MOST_TURNS:
+        return [_(", then ").join(_(TURNS[side]) for side in sides)]
+    text = _("{left} times left and {right} times right")
+    return [text.format(left=sides.count("left"), right=sides.count("right"))]
+
+
+def _quick_paces(stretches: Sequence[Stretch], start: float) -> list[str]:
+    """At what paces it goes: one after another with their times, or how often."""
+    runs = [(pace, list(some)) for pace, some in groupby(stretches, lambda one: one.pace)]
+    if len(runs) == 1:
+        return [_("{pace} all the time").format(pace=_(PACES[runs[0][0]]))]
+    timed = [
+        _("{pace} from {start} to {end}").format(
+            pace=_(PACES[pace]), start=clock(some[0].start - start), end=clock(some[-1].end - start)
+        )
+        for pace, some in runs
+        if pace != "walk"
+    ]
+    if len(timed) <= MOST_PACES:
+        first = [_(WALKING)] if runs[0][0] == "walk" else []
+        last = [_("then {pace}").format(pace=_(WALKING))] if runs[-1][0] == "walk" else []
+        return [*first, *timed, *last]
+    counts = {name: sum(pace == name for pace, _some in runs) for name in ("hurry", "run", "wait")}
+    text = _("{pace}, {count} times")
+    return [
+        _(WALKING),
+        *(text.format(pace=_(PACES[name]), count=count) for name, count in counts.items() if count),
+    ]
+
+
+def place_lines(plan: Plan, found: BenchWalk) -> tuple[str, str]:
+    """Where a bench starts: chalk coordinates from the centre peg, and steps from a landmark."""
+    x, y = found.place
+    text = _(
+        "Your front handle starts at x = {x} m, y = {y} m from the centre peg: {radius} m from it at "
+        "{angle}°."
+    )
+    angle = math.degrees(math.atan2(y, x)) % 360.0
+    where = text.format(
+        x=f"{x:z.2f}", y=f"{y:z.2f}", radius=f"{math.hypot(x, y):.2f}", angle=f"{angle:.0f}"
+    )
+    apart, landmark = _landmark(plan, (x, y))
+    text = N_("That is {steps} steps from the centre peg.")
+    if landmark is not None:
+        text = N_("That is {steps} steps from {name}.")
+        if landmark.kind == "venue":
+            text = N_("That is {steps} steps from the edge of {name}.")
+    name = "" if landmark is None else named(landmark)
+    return where, _(text).format(steps=round(apart / plan.people.step), name=name)
+
+
+def _landmark(plan: Plan, place: Point) -> tuple[float, Obstacle | None]:
+    """The landmark nearest to a place, and how far it is, m; None for the centre peg."""
+    best: tuple[float, Obstacle | None] = (math.hypot(*place), None)
+    for obstacle in plan.obstacles():
+        sides = range(len(obstacle.boxes))
+        apart = min(centre_distance(obstacle.boxes, n, *place) for n in sides)
+        apart = max(apart - obstacle.radius, 0.0)
+        if apart < best[0]:
+            best = apart, obstacle
+    return best
+
+
+def _stretch_line(one: Stretch, start: float, step: float) -> str:
+    """What a bench does in one stretch."""
+    times = {"start": clock(one.start - start), "end": clock(one.end - start)}
+    if one.pace == "wait":
+        return _("{start} to {end}: wait.").format(**times)
+    angle = abs(math.degrees(one.angle))
+    text = _("{start} to {end}: {pace}, {turn}; {way} m, {steps} steps.")
+    if one.turning != "straight" and angle >= ROUND:
+        text = _("{start} to {end}: {pace}, {turn}, {rounds} times round; {way} m, {steps} steps.")
+    elif one.turning != "straight" and angle >= LEAST_ANGLE:
+        text = _("{start} to {end}: {pace}, {turn} by {angle}°; {way} m, {steps} steps.")
+    return text.format(
+        **times, pace=_(PACES[one.pace]), turn=_(TURNS[one.turning]), angle=f"{angle:.0f}",
+        rounds=f"{angle / ROUND:.1f}", way=f"{one.way:.0f}", steps=round(one.way / step),
+    )  # fmt: skip
+
+
+def _tightest_line(near: Tightest | None, start: float, called: Callable[[int], str]) -> str:
+    """When another bench comes nearest, which, on which side and how near."""
+    if near is None:
+        text = _("But for those before and behind you, no bench comes nearer to you than {reach} m.")
+        return text.format(reach=f"{REACH:g}")
+    text = _("Tightest at {time}: {bench} comes as near as {gap} cm, {side}.")
+    gap = math.floor(100.0 * near.upper)
+    time, side = clock(near.time - start), _(SIDES[near.side])
+    return text.format(time=time, bench=called(near.bench), gap=gap, side=side)
+
+
+def _people_lines(found: BenchWalk, called: Callable[[int], str]) -> tuple[str, ...]:
+    """Who is before and behind a bench, and who stands beside it at the end."""
+    said = []
+    if found.before is not None:
+        said.append(_("Before you: {bench}.").format(bench=called(found.before)))
+    if found.behind is not None:
+        said.append(_("Behind you: {bench}.").format(bench=called(found.behind)))
+    if found.left is not None:
+        said.append(_("At the end on your left: {bench}.").format(bench=called(found.left)))
+    if found.right is not None:
+        said.append(_("At the end on your right: {bench}.").format(bench=called(found.right)))
+    return tuple(said)
