@@ -30,6 +30,7 @@ from benchdragon.export.document import (
     anchor_of,
 )
 from benchdragon.export.publish import drawn_formula
+from benchdragon.figures.glyphs import spare_fonts
 from benchdragon.figures.style import FONT_FILES
 from benchdragon.files import whole_file
 from benchdragon.i18n import _
@@ -69,6 +70,20 @@ class Drawn:
     y: float
 
 
+def use_spare_fonts(pdf: FPDF, text: str, others: Sequence[str] = ()) -> None:
+    """Let a PDF print signs of `text` by fonts of the system, after its own and the `others`.
+
+    What no font has must be replaced before: see figures.glyphs.printable.
+    """
+    names = list(others)
+    for path in spare_fonts(text):
+        name = f"Spare {path.stem}".lower()
+        if name not in pdf.fonts:
+            pdf.add_font(name, "", path)
+        names.append(name)
+    pdf.set_fallback_fonts(names, exact_match=False)
+
+
 class Pages(FPDF):
     """A4 pages with numbers at their feet, and chapters that links lead to.
 
@@ -92,7 +107,7 @@ class Pages(FPDF):
             self._read_fonts()
         else:
             self.fonts.update(sketch.fonts)
-        self.set_fallback_fonts(["DejaVu"], exact_match=False)
+        use_spare_fonts(self, repr(document), ["DejaVu"])
         self.set_margin(MARGIN)
         self.set_auto_page_break(True, MARGIN)
         self.set_title(document.title)

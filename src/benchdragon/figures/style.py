@@ -57,7 +57,7 @@ class MissingGlyphWarning(UserWarning):
 
 
 @cache
-def _use_fonts() -> frozenset[int]:
+def package_signs() -> frozenset[int]:
     """Make the package's fonts known, once; the code points that can be drawn."""
     for path in FONT_FILES:
         font_manager.fontManager.addfont(path)
@@ -69,7 +69,7 @@ def _use_fonts() -> frozenset[int]:
 
 def drawable(text: str) -> str:
     """`text` with "?" for signs that the fonts lack, and a warning that names them."""
-    missing = sorted({sign for sign in text if ord(sign) not in _use_fonts() and not sign.isspace()})
+    missing = sorted({sign for sign in text if ord(sign) not in package_signs() and not sign.isspace()})
     if missing:
         warnings.warn(
             _("no font here has the signs {signs}").format(
@@ -85,7 +85,7 @@ def drawable(text: str) -> str:
 
 def named_figure(width: float, height: float, title: str) -> Figure:
     """An empty figure, in inches, under a title; signs that cannot be drawn become "?"."""
-    _use_fonts()
+    package_signs()
     figure = Figure(figsize=(width, height), dpi=DOTS)
     if title:
         figure.suptitle(drawable(title))
