@@ -47,6 +47,11 @@ if TYPE_CHECKING:
 @folder_option
 @formats_option("xlsx,png", N_("What to write: xlsx, png, svg, pdf."))
 @click.option("--show-plan", is_flag=True, help=N_("Print the plan in effect too, as a plan file."))
+@click.option(
+    "--record",
+    is_flag=True,
+    help=N_("Record beside the plan file that it was checked and is safe, as `sheets` wants it."),
+)
 @json_option
 @brackets_option
 @explain_option
@@ -58,6 +63,7 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     refuse_strays(
         *((name, options["output"] is not None, WITHOUT, "-o") for name in ("formats", "force"))
     )
+    record = _record_path(plan) if options["record"] else None
     read = plan_to_walk(plan, settings, quiet)
     folder: Path | None = options["output"]
     files: list[Path] = []
@@ -71,12 +77,14 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
             progress(1.0, _("writing"))
             write_files(report, files)
     lines = _explained(report) if options["explain"] else []
+    if record is not None:
+        _record(record, report)
     if options["as_json"]:
         from benchdragon.analysis.records import verdict_of
 
         shown = {"plan": read.data()} if options["show_plan"] else {}
-        record = verdict_of(report).model_dump(mode="json")
-        click.echo(json.dumps({**record, **about(read, lines), **shown}))
+        verdict = verdict_of(report).model_dump(mode="json")
+        click.echo(json.dumps({**verdict, **about(read, lines), **shown}))
     else:
         print_report(report, options["brackets"])
         if files:
@@ -87,6 +95,28 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
 
             click.echo("\n" + commented(read.data(), {}), nl=False)
     return 0 if report.safe else UNSAFE if report.decided else UNDECIDED
+
+
+def _record_path(plan: str) -> Path:
+    """Where --record writes."""
+    from benchdragon.sheets.checked import record_path
+
+    return record_path(plan)
+
+
+def _record(path: Path, report: "Report") -> None:
+    """Record a check, if it found nothing; and say on standard error what was done."""
+    from benchdragon.rosters.roster import Roster
+    from benchdragon.sheets.checked import record_check
+
+    if report.safe:
+        record_check(path, report, Roster())
+        click.echo(_("Recorded in {path}").format(path=path), err=True)
+    elif path.exists():
+        text = _("not recorded: only a plan that is safe is; the older {path} was left as it is")
+        click.echo(text.format(path=path), err=True)
+    else:
+        click.echo(_("not recorded: only a plan that is safe is"), err=True)
 
 
 def _explained(report: "Report") -> list[str]:

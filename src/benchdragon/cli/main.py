@@ -54,6 +54,7 @@ from benchdragon.cli.parsing import (
 )
 from benchdragon.cli.place import place, square
 from benchdragon.cli.plan import plan, schema
+from benchdragon.cli.sheets import sheets
 from benchdragon.cli.solve import solve
 from benchdragon.cli.studio import studio
 from benchdragon.cli.survey import survey
@@ -213,8 +214,8 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
 for question in (place, square):
     solve.add_command(question)
 for verb in (
-    check, solve, margins, sweep, atlas, survey, compare, view, studio, animate, area, plan, formations,
-    schema,
+    check, solve, margins, sweep, atlas, survey, compare, view, studio, animate, area, sheets, plan,
+    formations, schema,
 ):  # fmt: skip
     program.add_command(verb)
 

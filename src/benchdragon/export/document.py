@@ -89,12 +89,14 @@ class Document:
         language: "en" or "zh".
         date: of the day on which it was made, YYYY-MM-DD.
         blocks: from the first to the last; the contents stand before the first heading.
+        foot: what stands at the foot of each page before its number.
     """
 
     title: str
     language: str
     date: str
     blocks: tuple[Block, ...]
+    foot: str = ""
 
     @property
     def headings(self) -> list[Heading]:

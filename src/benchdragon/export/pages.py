@@ -4,6 +4,7 @@ import io
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, cast
 
@@ -112,6 +113,7 @@ class Pages(FPDF):
         self.set_auto_page_break(True, MARGIN)
         self.set_title(document.title)
         self.set_creator(f"benchdragon {__version__}")
+        self.set_creation_date(datetime.fromisoformat(document.date).replace(tzinfo=UTC))
         self.set_lang("zh-Hans" if document.language == "zh" else "en")
         anchors = [heading.anchor for heading in document.headings]
         # A link must lead somewhere before its chapter is set: to the first page until then.
@@ -146,7 +148,8 @@ class Pages(FPDF):
         self.set_text_color(0)
         self.set_y(-MARGIN + 4.0)
         self.set_font("Noto", size=8)
-        self.cell(0, 4, f"benchdragon {__version__} · {self.page_no()}", align="C")
+        parts = [f"benchdragon {__version__}", self._document.foot, str(self.page_no())]
+        self.cell(0, 4, " · ".join(part for part in parts if part), align="C")
 
     def write_all(self) -> None:
         """Set the title, the contents and all blocks."""

@@ -8,6 +8,7 @@ from benchdragon.analysis.check import Report
 from benchdragon.plans.people import called
 from benchdragon.plans.schema import Plan
 from benchdragon.rosters.roster import Roster
+from benchdragon.sheets.checked import Record
 
 
 @dataclass(frozen=True)
@@ -41,3 +42,8 @@ class Briefing:
     def called(self, bench: int) -> str:
         """What the village calls a bench (number, from 1), in the language in use."""
         return called(self.plan.people, bench, len(self.report.walk.dragon))
+
+
+def briefing_of(report: Report, roster: Roster, record: Record) -> Briefing:
+    """What papers are made from: a check that found nothing, the people, the check's record."""
+    return Briefing(report, roster, (), record.date.isoformat(), record.sha256)

@@ -1,0 +1,75 @@
+"""The verb `sheets`: all papers of a dance that was checked."""
+
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import click
+
+from benchdragon.cli.answers import UNDECIDED, UNSAFE
+from benchdragon.cli.check import print_report
+from benchdragon.cli.console import print_files, shown_progress
+from benchdragon.cli.options import folder_option, plan_options, plan_to_walk, shared_options
+from benchdragon.i18n import N_, _
+from benchdragon.progress import part
+
+
+@click.command(
+    help=N_(
+        "Write what people hold in their hands: a sheet for each bench, an overview, and more."
+        "\n\nPLAN is a *.dragon.toml file whose check was recorded: benchdragon check PLAN --record. "
+        "For example: benchdragon sheets village.dragon.toml -o papers --paper quarter"
+    )
+)
+@plan_options
+@click.option(
+    "--only", metavar="LIST", help=N_("Write these papers alone, for example benches,player.")
+)
+@click.option(
+    "--paper",
+    type=click.Choice(["a4", "quarter", "lanyard"]),
+    default="a4",
+    show_default=True,
+    help=N_("Size of the benches' sheets: A4, four on an A4 page, cards to hang round the neck."),
+)
+@click.option(
+    "--by",
+    type=click.Choice(["bench", "household"]),
+    default="bench",
+    show_default=True,
+    help=N_("A sheet for each bench, or the benches of a household one after another."),
+)
+@click.option("--night", is_flag=True, help=N_("Large type, to be read by lantern light."))
+@click.option(
+    "--phones", is_flag=True, help=N_("Print phone numbers too, which else stay in the list.")
+)
+@click.option("--check", "anew", is_flag=True, help=N_("Check the plan and record it, then go on."))
+@partial(folder_option, default=Path("sheets"))
+@shared_options
+def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
+    """Write the papers, if the plan is as it was checked."""
+    from benchdragon.analysis.check import check
+    from benchdragon.rosters.roster import Roster
+    from benchdragon.sheets.briefing import briefing_of
+    from benchdragon.sheets.checked import read_record, record_check, record_path
+    from benchdragon.sheets.papers import Options, chosen_papers, planned_papers, write_papers
+
+    names = chosen_papers(options["only"])
+    path, folder = record_path(plan), options["output"]
+    read = plan_to_walk(plan, settings, quiet)
+    roster = Roster()
+    record = None if options["anew"] else read_record(path, read, roster, plan)
+    files = planned_papers(folder, names, options["force"])
+    wanted = Options(options["paper"], options["by"], options["night"], options["phones"])
+    with shown_progress(quiet) as progress:
+        report = check(read, part(progress, 0.0, 0.2))
+        if report.safe:
+            record = record or record_check(path, report, roster)
+            briefing = briefing_of(report, roster, record)
+            write_papers(briefing, folder, names, wanted, part(progress, 0.2, 1.0))
+    if not report.safe:
+        print_report(report)
+        click.echo(_("No papers were written: only a plan that is safe has any."), err=True)
+        return UNSAFE if report.decided else UNDECIDED
+    print_files(files)
+    return 0

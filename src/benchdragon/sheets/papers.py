@@ -1,0 +1,101 @@
+"""The papers of a dance, by name: what `benchdragon sheets` writes. A new one is a row of PAPERS."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+from benchdragon.errors import InputError
+from benchdragon.files import refuse_existing
+from benchdragon.i18n import N_, _
+from benchdragon.player.page import write_player
+from benchdragon.player.scene import checked_dance
+from benchdragon.progress import Progress, Stages, silent
+from benchdragon.sheets.briefing import Briefing
+
+Format = Literal["a4", "quarter", "lanyard"]
+
+
+@dataclass(frozen=True)
+class Options:
+    """How papers are wanted; each reads what it knows of.
+
+    Attributes:
+        paper: of the benches' sheets: A4, quarters of it, or cards to hang round the neck.
+        by: whether there is a sheet for each bench or for each household.
+        night: whether the type is large.
+        phones: whether phone numbers are printed.
+    """
+
+    paper: Format = "a4"
+    by: Literal["bench", "household"] = "bench"
+    night: bool = False
+    phones: bool = False
+
+
+# Writes the files of a paper into a folder, each whole or not at all.
+Write = Callable[[Briefing, Path, Options, Progress], None]
+
+
+@dataclass(frozen=True)
+class Paper:
+    """A paper.
+
+    Attributes:
+        text: what is said while it is written.
+        files: names of all its files.
+        write: writes them.
+    """
+
+    text: str
+    files: tuple[str, ...]
+    write: Write
+
+
+def _player(briefing: Briefing, folder: Path, _options: Options, progress: Progress) -> None:
+    write_player(folder / "player.html", checked_dance(briefing.report, progress=progress))
+
+
+PAPERS: dict[str, Paper] = {
+    "player": Paper(N_("player"), ("player.html",), _player),
+}
+
+
+def chosen_papers(names: str | None) -> list[str]:
+    """The papers in a list with commas, "benches,chalk"; all if it is None.
+
+    Raises:
+        InputError: for one that is not known.
+    """
+    if names is None:
+        return list(PAPERS)
+    chosen = list(dict.fromkeys(name.strip() for name in names.split(",")))
+    unknown = [name for name in chosen if name not in PAPERS]
+    if unknown:
+        text = _("--only: wanted some of {known}, not {text}")
+        raise InputError(text.format(known=", ".join(PAPERS), text=repr(unknown[0])))
+    return chosen
+
+
+def planned_papers(folder: Path, names: Sequence[str], force: bool) -> list[Path]:
+    """The files of papers, before they are written.
+
+    Raises:
+        FileRefusedError: if one is there already and `force` is not set.
+    """
+    paths = [folder / file for name in names for file in PAPERS[name].files]
+    refuse_existing(paths, force)
+    return paths
+
+
+def write_papers(
+    briefing: Briefing,
+    folder: Path,
+    names: Sequence[str],
+    options: Options,
+    progress: Progress = silent,
+) -> None:
+    """Write papers, one after another, into a folder that is there."""
+    stage = Stages(progress, len(names))
+    for name in names:
+        PAPERS[name].write(briefing, folder, options, stage(_(PAPERS[name].text)))
