@@ -12,7 +12,7 @@ from fpdf import FPDF
 from matplotlib import font_manager
 from pypdf import PdfReader
 
-from benchdragon.export.pages import use_spare_fonts
+from benchdragon.export.typeset import use_spare_fonts
 from benchdragon.figures import glyphs
 from benchdragon.figures.glyphs import glyph_warnings, printable, spare_fonts, unprintable
 from benchdragon.figures.style import FONT_FILES, package_signs

@@ -25,8 +25,9 @@ from benchdragon.export.document import (
     Reference,
     Table,
 )
-from benchdragon.export.pages import MARGIN, MM, breakable, write_pdf
+from benchdragon.export.pages import MARGIN, MM, write_pdf
 from benchdragon.export.publish import write_html
+from benchdragon.export.typeset import breakable
 from benchdragon.i18n import spoken_in, use_language
 from benchdragon.model.numbering import handle_text
 from benchdragon.paper.report import report

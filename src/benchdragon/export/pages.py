@@ -1,18 +1,13 @@
 """A document as a PDF: A4 pages, contents, an outline, links; pictures and formulas as drawn."""
 
 import io
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, cast
 
-from fpdf import FPDF, FontFace
+from fpdf import FontFace
 from fpdf.enums import MethodReturnValue, TableHeadingsDisplay
-from fpdf.fonts import TTFFont
-from fpdf.line_break import TextLine
-from matplotlib import font_manager
 from pypdf import PdfReader, PdfWriter
 from pypdf.generic import ArrayObject, DictionaryObject, NameObject, StreamObject
 
@@ -31,8 +26,7 @@ from benchdragon.export.document import (
     anchor_of,
 )
 from benchdragon.export.publish import drawn_formula
-from benchdragon.figures.glyphs import spare_fonts
-from benchdragon.figures.style import FONT_FILES
+from benchdragon.export.typeset import OPENING, STOPS, Typeset, breakable
 from benchdragon.files import whole_file
 from benchdragon.i18n import _
 from benchdragon.version import __version__
@@ -41,7 +35,6 @@ from benchdragon.version import __version__
 MARGIN, LINE, MM = 15.0, 5.2, 25.4 / 72.0
 TEXT_SIZE, TABLE_SIZE, SMALL, HEAD_SIZES = 9.5, 7.5, 8.5, {1: 15.0, 2: 11.5}
 EDGE, SHADE, LINK_COLOUR = (150, 150, 150), (235, 235, 235), (0, 84, 148)
-WEIGHTS = {"": "normal", "B": "bold"}
 # Room on a page, mm, that a heading needs for itself and two lines, a table for its caption and some
 # rows, and a caption. A table of numbers goes to the next page whole if no more is left empty than
 # this, with pictures waiting for that page, and without.
@@ -50,10 +43,6 @@ MOST_EMPTY_BEFORE_PICTURES, MOST_EMPTY = 100.0, 85.0
 ROW, PADDING = 0.5, 0.7
 # Pictures that found no room on a page stand at the head of the next, as far down as this share of it.
 HEAD_SHARE = 0.85
-# Chinese text may break after any sign; fpdf2 breaks where this stands, for which Noto has no glyph.
-BREAK = "\u200b"
-STOPS, OPENING = "\uff0c\u3002\uff1b\uff1a\u3001\uff09\u201d\u300d\u300b", "\uff08\u201c\u300c\u300a"
-BREAKABLE = re.compile(rf"([\u3000-\u9fff\uff00-\uffef])(?<![{OPENING}])(?![{STOPS}])")
 # What a PDF page starts with; fpdf2 leaves other ends and joins of lines, widths, dashes and colours.
 PLAIN = "0 J 0 j 1 w 10 M [] 0 d 0 G 0 g"
 
@@ -71,21 +60,7 @@ class Drawn:
     y: float
 
 
-def use_spare_fonts(pdf: FPDF, text: str, others: Sequence[str] = ()) -> None:
-    """Let a PDF print signs of `text` by fonts of the system, after its own and the `others`.
-
-    What no font has must be replaced before: see figures.glyphs.printable.
-    """
-    names = list(others)
-    for path in spare_fonts(text):
-        name = f"Spare {path.stem}".lower()
-        if name not in pdf.fonts:
-            pdf.add_font(name, "", path)
-        names.append(name)
-    pdf.set_fallback_fonts(names, exact_match=False)
-
-
-class Pages(FPDF):
+class Pages(Typeset):
     """A4 pages with numbers at their feet, and chapters that links lead to.
 
     Pictures are left blank here; `drawn` says what belongs where.
@@ -98,41 +73,20 @@ class Pages(FPDF):
     """
 
     def __init__(self, document: Document, folder: Path, sketch: "Pages | None" = None) -> None:
-        super().__init__(format="A4")
+        super().__init__(document.date, text=repr(document), other=sketch)
         self._document, self._folder = document, folder
         self._pages = {} if sketch is None else sketch.found
         self._waiting: list[Picture] = []
         self.drawn: list[Drawn] = []
         self.found: dict[str, int] = {}
-        if sketch is None:
-            self._read_fonts()
-        else:
-            self.fonts.update(sketch.fonts)
-        use_spare_fonts(self, repr(document), ["DejaVu"])
         self.set_margin(MARGIN)
         self.set_auto_page_break(True, MARGIN)
         self.set_title(document.title)
-        self.set_creator(f"benchdragon {__version__}")
-        self.set_creation_date(datetime.fromisoformat(document.date).replace(tzinfo=UTC))
         self.set_lang("zh-Hans" if document.language == "zh" else "en")
         anchors = [heading.anchor for heading in document.headings]
         # A link must lead somewhere before its chapter is set: to the first page until then.
         names = [anchor_of(name) for name in document.labels]
         self._links = {anchor: self.add_link(page=1) for anchor in [*anchors, *names]}
-
-    def _read_fonts(self) -> None:
-        for style, file in zip(("", "B"), FONT_FILES, strict=True):
-            self.add_font("Noto", style, file)
-            self.add_font("DejaVu", style, font_manager.findfont(f"DejaVu Sans:{WEIGHTS[style]}"))
-            noto = self.fonts[f"noto{style}"]
-            if isinstance(noto, TTFFont):  # else each mark would be a fragment of the other font
-                noto.cmap[ord(BREAK)], noto.cw[ord(BREAK)] = noto.cmap[ord(" ")], 0
-
-    def _render_styled_text_line(self, text_line: TextLine, *details: Any, **more: Any) -> bool:
-        """Set a line without its marks: lines are broken by now, and who searches finds whole words."""
-        for fragment in text_line.fragments:
-            fragment.characters = [sign for sign in fragment.characters if sign != BREAK]
-        return super()._render_styled_text_line(text_line, *details, **more)
 
     def header(self) -> None:
         """Put pictures that found no room before at the head of the page."""
@@ -338,11 +292,6 @@ def _size(file: bytes) -> tuple[float, float]:
     """Width and height of a picture, mm."""
     box = PdfReader(io.BytesIO(file)).pages[0].mediabox
     return MM * float(box.width), MM * float(box.height)
-
-
-def breakable(text: str) -> str:
-    """Text in which lines may break after Chinese signs, not before stops or after "（"."""
-    return BREAKABLE.sub(rf"\1{BREAK}", text)
 
 
 def write_pdf(path: Path, document: Document, folder: Path) -> None:
