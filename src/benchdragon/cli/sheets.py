@@ -52,7 +52,8 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     from benchdragon.rosters.roster import Roster
     from benchdragon.sheets.briefing import briefing_of
     from benchdragon.sheets.checked import read_record, record_check, record_path
-    from benchdragon.sheets.papers import Options, chosen_papers, planned_papers, write_papers
+    from benchdragon.sheets.options import Options
+    from benchdragon.sheets.papers import chosen_papers, planned_papers, write_papers
 
     names = chosen_papers(options["only"])
     path, folder = record_path(plan), options["output"]

@@ -3,8 +3,10 @@
 from dataclasses import dataclass
 from functools import cached_property
 
-from benchdragon.analysis.bench_walks import BenchWalk
+from benchdragon.analysis.bench_walks import BenchWalk, bench_walks
 from benchdragon.analysis.check import Report
+from benchdragon.figures.glyphs import printable
+from benchdragon.i18n import _
 from benchdragon.plans.people import called
 from benchdragon.plans.schema import Plan
 from benchdragon.rosters.roster import Roster
@@ -43,7 +45,16 @@ class Briefing:
         """What the village calls a bench (number, from 1), in the language in use."""
         return called(self.plan.people, bench, len(self.report.walk.dragon))
 
+    def named(self, bench: int) -> str:
+        """What the village calls a bench, and who carries it, as papers print it."""
+        people = [printable(person.name) for person in self.roster.people(bench)]
+        if not people:
+            return self.called(bench)
+        text = _("{bench} ({people})")
+        return text.format(bench=self.called(bench), people=_(", ").join(people))
+
 
 def briefing_of(report: Report, roster: Roster, record: Record) -> Briefing:
     """What papers are made from: a check that found nothing, the people, the check's record."""
-    return Briefing(report, roster, (), record.date.isoformat(), record.sha256)
+    benches = bench_walks(report.plan, report.walk, (report.start, report.end))
+    return Briefing(report, roster, benches, record.date.isoformat(), record.sha256)

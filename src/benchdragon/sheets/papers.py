@@ -3,7 +3,6 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
 
 from benchdragon.errors import InputError
 from benchdragon.files import refuse_existing
@@ -12,26 +11,8 @@ from benchdragon.player.page import write_player
 from benchdragon.player.scene import checked_dance
 from benchdragon.progress import Progress, Stages, silent
 from benchdragon.sheets.briefing import Briefing
-
-Format = Literal["a4", "quarter", "lanyard"]
-
-
-@dataclass(frozen=True)
-class Options:
-    """How papers are wanted; each reads what it knows of.
-
-    Attributes:
-        paper: of the benches' sheets: A4, quarters of it, or cards to hang round the neck.
-        by: whether there is a sheet for each bench or for each household.
-        night: whether the type is large.
-        phones: whether phone numbers are printed.
-    """
-
-    paper: Format = "a4"
-    by: Literal["bench", "household"] = "bench"
-    night: bool = False
-    phones: bool = False
-
+from benchdragon.sheets.cards import write_benches
+from benchdragon.sheets.options import Options
 
 # Writes the files of a paper into a folder, each whole or not at all.
 Write = Callable[[Briefing, Path, Options, Progress], None]
@@ -52,11 +33,16 @@ class Paper:
     write: Write
 
 
+def _benches(briefing: Briefing, folder: Path, options: Options, progress: Progress) -> None:
+    write_benches(folder / "benches.pdf", briefing, options, progress)
+
+
 def _player(briefing: Briefing, folder: Path, _options: Options, progress: Progress) -> None:
     write_player(folder / "player.html", checked_dance(briefing.report, progress=progress))
 
 
 PAPERS: dict[str, Paper] = {
+    "benches": Paper(N_("benches' sheets"), ("benches.pdf",), _benches),
     "player": Paper(N_("player"), ("player.html",), _player),
 }
 

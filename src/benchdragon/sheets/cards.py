@@ -1,0 +1,290 @@
+"""The benches' sheets as PDF pages: A4, quarters of it to cut, cards to hang round the neck."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from fpdf.enums import MethodReturnValue
+
+from benchdragon.export.typeset import Typeset, breakable
+from benchdragon.files import whole_bytes
+from benchdragon.i18n import _, language
+from benchdragon.progress import Progress, silent
+from benchdragon.sheets.benches import Entry, Sheet, bench_sheets
+from benchdragon.sheets.briefing import Briefing
+from benchdragon.sheets.options import Options
+from benchdragon.sheets.qr import bench_address, draw_qr
+from benchdragon.sheets.small_map import Frame, SmallMap
+
+POINT = 25.4 / 72.0
+# Height of a line, as a share of the size of its type.
+LEADING = 1.3
+# Room after a block, as a share of its lines' height.
+AFTER = 0.25
+# What is tried until a sheet fits, as shares of the format's size of type: by day, and by night.
+DAY, NIGHT = (1.0, 0.93, 0.86, 0.8, 0.74), (1.5, 1.4, 1.3, 1.2, 1.1)
+# Room for the foot, mm.
+FOOT = 4.0
+# Marks that tell where to cut, mm.
+CUT = 6.0
+# Benches of a household on one sheet, where sheets are large and the type is not.
+MOST_BENCHES = 3
+
+
+@dataclass(frozen=True)
+class Layout:
+    """How sheets of a format lie on an A4 page, mm and points.
+
+    Attributes:
+        frames: of what is seen first; with `backs` those of what is seen after.
+        backs: frames of the back, else ().
+        cuts: lines to cut along: x and y of both ends.
+        fold: a line to fold along, for each frame.
+        edge: white on all sides of a frame.
+        size: of type.
+        code: side of the QR code.
+        map: least height of the map.
+    """
+
+    frames: tuple[Frame, ...]
+    backs: tuple[Frame, ...]
+    cuts: tuple[tuple[float, float, float, float], ...]
+    edge: float
+    size: float
+    code: float
+    map: float
+
+
+def _marks(xs: Sequence[float], ys: Sequence[float]) -> tuple[tuple[float, float, float, float], ...]:
+    """Short lines at the crossings of cuts."""
+    lines = []
+    for x in xs:
+        for y in ys:
+            lines += [(x - CUT / 2, y, x + CUT / 2, y), (x, y - CUT / 2, x, y + CUT / 2)]
+    return tuple(lines)
+
+
+CARD = Frame(19.0, 24.5, 86.0, 124.0)
+LAYOUTS = {
+    "a4": Layout((Frame(0.0, 0.0, 210.0, 297.0),), (), (), 14.0, 14.0, 38.0, 85.0),
+    "quarter": Layout(
+        tuple(Frame(x, y, 105.0, 148.5) for y in (0.0, 148.5) for x in (0.0, 105.0)), (),
+        _marks((0.0, 105.0, 210.0), (0.0, 148.5, 297.0)), 7.0, 8.5, 25.0, 42.0,
+    ),
+    "lanyard": Layout(
+        tuple(Frame(CARD.x, CARD.y + k * CARD.height, CARD.width, CARD.height) for k in (0, 1)),
+        tuple(
+            Frame(CARD.x + CARD.width, CARD.y + k * CARD.height, CARD.width, CARD.height)
+            for k in (0, 1)
+        ),
+        _marks((19.0, 105.0, 191.0), (24.5, 148.5, 272.5)), 5.0, 8.5, 24.0, 40.0,
+    ),
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Block:
+    """Words one under another: size as a share of the type's, and whether they are bold.
+
+    Of `spare` ones the last go first, where there is no room for all.
+    """
+
+    text: str
+    share: float = 1.0
+    bold: bool = False
+    spare: bool = False
+
+
+class Cards(Typeset):
+    """The benches' sheets of a dance.
+
+    Args:
+        briefing: of the dance.
+        paper: "a4", "quarter" or "lanyard".
+        night: whether the type is large.
+        text: all that will be set, for signs that the package's fonts lack.
+    """
+
+    def __init__(self, briefing: Briefing, paper: str, night: bool, text: str) -> None:
+        super().__init__(briefing.checked_on, text)
+        self._briefing, self._layout = briefing, LAYOUTS[paper]
+        self._shares = NIGHT if night else DAY
+        self._night = night
+        self._map = SmallMap(briefing)
+        self._address = briefing.plan.people.address
+        self.set_auto_page_break(False)
+        self.set_margin(0.0)
+        self.c_margin = 0.0
+        self.set_title(briefing.plan.title(language()))
+        self.set_lang("zh-Hans" if language() == "zh" else "en")
+
+    def write_all(self, sheets: Sequence[Sheet], progress: Progress = silent) -> None:
+        """Set all sheets."""
+        frames = len(self._layout.frames)
+        for n, sheet in enumerate(sheets):
+            if n % frames == 0:
+                self.add_page()
+                self._cuts()
+            self._sheet(sheet, n % frames)
+            progress((n + 1) / len(sheets), "")
+
+    def _cuts(self) -> None:
+        self.set_draw_color(120)
+        self.set_line_width(0.15)
+        for line in self._layout.cuts:
+            self.line(*line)
+        if self._layout.backs:
+            self.set_dash_pattern(dash=1.0, gap=1.5)
+            for back in self._layout.backs:
+                self.line(back.x, back.y + CUT, back.x, back.y + back.height - CUT)
+            self.set_dash_pattern()
+
+    def _sheet(self, sheet: Sheet, place: int) -> None:
+        layout, backs = self._layout, self._layout.backs
+        front = self._inner(layout.frames[place])
+        facts = [block for entry in sheet.entries for block in _facts(entry, len(sheet.entries))]
+        head = [block for entry in sheet.entries for block in _head(entry)]
+        if sheet.title:
+            head = [Block(sheet.title, 1.3, bold=True), *head]
+        if backs:
+            self._front(front, sheet, head, [])
+            self._back(self._inner(backs[place]), facts)
+        else:
+            self._front(front, sheet, head, facts)
+
+    def _inner(self, frame: Frame) -> Frame:
+        edge = self._layout.edge
+        return Frame(
+            frame.x + edge, frame.y + edge, frame.width - 2.0 * edge, frame.height - 2.0 * edge
+        )
+
+    def _front(self, frame: Frame, sheet: Sheet, head: list[Block], facts: list[Block]) -> None:
+        """What is seen first, in the largest type that finds room; else without the last facts."""
+        room = frame.height - FOOT
+        for share in self._shares:
+            needed = self._head_height(frame, head, share) + self._height(frame.width, facts, share)
+            if needed + self._layout.map <= room:
+                break
+        while needed + self._layout.map > room and any(block.spare for block in facts):
+            facts = _fewer(facts)
+            needed = self._head_height(frame, head, share) + self._height(frame.width, facts, share)
+        y = self._head(frame, sheet, head, share)
+        below = self._height(frame.width, facts, share)
+        tall = frame.y + room - below - y
+        area = Frame(frame.x, y, frame.width, tall)
+        benches = [entry.bench for entry in sheet.entries]
+        self._map.draw(self, area, benches, [entry.called for entry in sheet.entries])
+        self._blocks(frame.x, y + tall, frame.width, facts, share)
+        self._foot(frame)
+
+    def _back(self, frame: Frame, facts: list[Block]) -> None:
+        """What is seen after, likewise."""
+        room = frame.height - FOOT
+        share = self._shares[0]
+        for share in self._shares:
+            if self._height(frame.width, facts, share) <= room:
+                break
+        while self._height(frame.width, facts, share) > room and any(block.spare for block in facts):
+            facts = _fewer(facts)
+        self._blocks(frame.x, frame.y, frame.width, facts, share)
+        self._foot(frame)
+
+    def _beside_code(self, frame: Frame) -> float:
+        """The width that the QR code leaves, mm."""
+        return frame.width - (self._layout.code if self._address else 0.0)
+
+    def _head_height(self, frame: Frame, head: list[Block], share: float) -> float:
+        tall = self._height(self._beside_code(frame), head[:-1], share)
+        if self._address:
+            tall = max(tall, self._layout.code)
+        return tall + self._height(frame.width, head[-1:], share)
+
+    def _head(self, frame: Frame, sheet: Sheet, head: list[Block], share: float) -> float:
+        """Who it is and what they do in a line, with the QR code beside; how far down it comes, mm."""
+        y = self._blocks(frame.x, frame.y, self._beside_code(frame), head[:-1], share)
+        if self._address:
+            code = self._layout.code
+            x = frame.x + frame.width - code
+            draw_qr(self, bench_address(self._address, sheet.entries[0].bench), x, frame.y, code)
+            y = max(y, frame.y + code)
+        return self._blocks(frame.x, y, frame.width, head[-1:], share)
+
+    def _font(self, block: Block, share: float) -> float:
+        """Choose the type of a block; the height of its lines, mm."""
+        size = self._layout.size * share * block.share
+        self.set_font("Noto", "B" if block.bold or self._night else "", size)
+        return size * POINT * LEADING
+
+    def _height(self, width: float, blocks: Sequence[Block], share: float) -> float:
+        """How much room blocks take, mm."""
+        total = 0.0
+        for block in blocks:
+            line = self._font(block, share)
+            total += float(
+                self.multi_cell(
+                    width, line, breakable(block.text), align="L", dry_run=True,
+                    output=MethodReturnValue.HEIGHT,
+                )  # type: ignore[arg-type]
+            ) + AFTER * line  # fmt: skip
+        return total
+
+    def _blocks(self, x: float, y: float, width: float, blocks: Sequence[Block], share: float) -> float:
+        """Set blocks; how far down they come, mm."""
+        self.set_text_color(0)
+        for block in blocks:
+            line = self._font(block, share)
+            self.set_xy(x, y)
+            self.multi_cell(width, line, breakable(block.text), align="L")
+            y = self.get_y() + AFTER * line
+        return y
+
+    def _foot(self, frame: Frame) -> None:
+        """Of which plan it is, and when that was checked."""
+        self.set_font("Noto", "", 6.5)
+        self.set_text_color(60)
+        self.set_xy(frame.x, frame.y + frame.height - 3.0)
+        self.cell(frame.width, 3.0, self._briefing.foot, align="R")
+        self.set_text_color(0)
+
+
+def _head(entry: Entry) -> list[Block]:
+    """Who it is, and last what they do in a line."""
+    return [
+        Block(entry.called, 2.6, bold=True),
+        *(Block(person, 1.9, bold=True) for person in entry.people),
+        Block(entry.text.quick, 1.35, bold=True),
+    ]
+
+
+def _facts(entry: Entry, entries: int) -> list[Block]:
+    """All else, under the bench's name if there are several."""
+    name = [Block(entry.called, 1.0, bold=True)] if entries > 1 else []
+    text = entry.text
+    return [
+        *name,
+        *(Block(line, 1.0, bold=True) for line in text.people),
+        Block(text.tightest),
+        *(Block(line) for line in text.place),
+        *(Block(line, spare=True) for line in text.stretches),
+        Block(text.paces, 0.85, spare=True),
+    ]
+
+
+def _fewer(facts: list[Block]) -> list[Block]:
+    """The same without the last that may be spared, and a word that there is more."""
+    more = _("And so on: the rest is in the player.")
+    kept = [block for block in facts if block.text != more]
+    last = max(n for n, block in enumerate(kept) if block.spare)
+    return [*kept[:last], Block(more), *kept[last + 1 :]]
+
+
+def write_benches(
+    path: Path, briefing: Briefing, options: Options, progress: Progress = silent
+) -> None:
+    """Write the benches' sheets of a dance."""
+    most = MOST_BENCHES if options.paper == "a4" and not options.night else 1
+    sheets = bench_sheets(briefing, options.by, options.phones, most)
+    cards = Cards(briefing, options.paper, options.night, repr(sheets))
+    cards.write_all(sheets, progress)
+    with whole_bytes(path) as made:
+        made.write(bytes(cards.output()))

@@ -1,0 +1,177 @@
+"""A small map of a dance on a PDF page: the square, the route, and the tracks of some benches."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from fpdf import FPDF
+from shapely.geometry import LineString
+
+from benchdragon.i18n import _
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.obstacle import Obstacle
+from benchdragon.sheets.briefing import Briefing
+
+# Points of the route at most; lines keep within FINE (mm of paper) of them.
+MOST_POINTS, FINE = 20_000, 0.05
+# Widths of lines and sizes of marks, mm.
+THIN, EDGE, BOLD, MARK = 0.15, 0.35, 0.9, 1.5
+# Room for the legend below, the arrow in the corner, and around all, mm.
+LEGEND, ARROW, AROUND = 5.0, 8.0, 2.5
+GREY, STONE = (150, 150, 150), (205, 205, 205)
+# Okabe and Ito's colours, told apart by colour-blind people too.
+TRACKS = ((213, 94, 0), (0, 114, 178), (0, 158, 115), (204, 121, 167))
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A rectangle on a page, mm, from its upper left corner."""
+
+    x: float
+    y: float
+    width: float
+    height: float
+
+
+@dataclass(frozen=True)
+class _Scale:
+    """From metres to millimetres of a page, y upwards to y downwards."""
+
+    frame: Frame
+    centre: FloatArray
+    scale: float
+
+    def __call__(self, points: FloatArray) -> list[tuple[float, float]]:
+        middle = (self.frame.x + self.frame.width / 2.0, self.frame.y + self.frame.height / 2.0)
+        moved = (np.atleast_2d(points) - self.centre) * (self.scale, -self.scale) + middle
+        return [(float(x), float(y)) for x, y in moved]
+
+
+class SmallMap:
+    """The map of a dance: what all sheets show is computed once."""
+
+    def __init__(self, briefing: Briefing) -> None:
+        report = briefing.report
+        self._obstacles = report.plan.obstacles()
+        self._north = report.plan.survey.crs is not None
+        self._walk = report.walk
+        ends = report.walk.motion([report.start, report.end]).s
+        self._first, self._last = ends[0], ends[1]
+
+    @cached_property
+    def _way(self) -> tuple[FloatArray, FloatArray]:
+        """Route positions, and their points, from where the tail starts to where the head ends."""
+        low, high = float(self._first.min()), float(self._last.max())
+        count = min(max(math.ceil((high - low) / 0.05), 2), MOST_POINTS)
+        s = np.linspace(low, high, count)
+        return s, self._walk.route.point(s)
+
+    @cached_property
+    def bounds(self) -> tuple[FloatArray, FloatArray]:
+        """The lower left and the upper right corner of all that is shown, m."""
+        corners = [self._way[1]]
+        for one in self._obstacles:
+            corners += [one.outline - one.radius, one.outline + one.radius]
+        points = np.concatenate(corners)
+        return points.min(axis=0), points.max(axis=0)
+
+    def draw(self, pdf: FPDF, frame: Frame, benches: Sequence[int], names: Sequence[str]) -> None:
+        """Draw into a frame, with the tracks of benches and what they are called."""
+        place = self._scaled(frame)
+        with pdf.local_context():
+            for obstacle in self._obstacles:
+                self._stand(pdf, place, obstacle)
+            pdf.set_draw_color(*GREY)
+            pdf.set_line_width(THIN)
+            self._line(pdf, place, self._way[1])
+            for n, bench in enumerate(benches):
+                pdf.set_draw_color(*TRACKS[n % len(TRACKS)])
+                pdf.set_fill_color(*TRACKS[n % len(TRACKS)])
+                self._track(pdf, place, bench, names[n] if len(benches) > 1 else "")
+            pdf.set_draw_color(0)
+            pdf.set_fill_color(0)
+            self._arrow(pdf, frame)
+        self._legend(pdf, frame)
+
+    def _scaled(self, frame: Frame) -> _Scale:
+        low, high = self.bounds
+        inner = Frame(
+            frame.x + AROUND, frame.y + AROUND,
+            frame.width - ARROW - 2.0 * AROUND, frame.height - LEGEND - 2.0 * AROUND,
+        )  # fmt: skip
+        wide, tall = np.maximum(high - low, 1e-3)
+        return _Scale(inner, (low + high) / 2.0, min(inner.width / wide, inner.height / tall))
+
+    @staticmethod
+    def _line(pdf: FPDF, place: _Scale, points: FloatArray) -> None:
+        line = LineString(points).simplify(FINE / place.scale)
+        pdf.polyline(place(np.asarray(line.coords)))
+
+    def _stand(self, pdf: FPDF, place: _Scale, obstacle: Obstacle) -> None:
+        """The venue's edge, or an obstacle."""
+        pdf.set_draw_color(0)
+        pdf.set_line_width(EDGE)
+        pdf.set_fill_color(*STONE)
+        points = place(obstacle.outline)
+        if obstacle.kind == "circle":
+            (x, y), radius = points[0], obstacle.radius * place.scale
+            pdf.circle(x, y, radius, style="DF")
+        elif obstacle.kind == "line":
+            pdf.polyline(points)
+        else:
+            pdf.polygon(points, style="D" if obstacle.kind == "venue" else "DF")
+
+    def _track(self, pdf: FPDF, place: _Scale, bench: int, name: str) -> None:
+        """The way of a bench's front handle: a disc where it starts, an arrow's head where it ends."""
+        s, points = self._way
+        first, last = self._first[bench - 1], self._last[bench - 1]
+        ends = self._walk.route.point([first, last])
+        own = np.concatenate([ends[:1], points[(s > first) & (s < last)], ends[1:]])
+        pdf.set_line_width(BOLD)
+        self._line(pdf, place, own)
+        (x, y), (u, v) = place(ends)
+        heading = float(self._walk.route.heading([last])[0])
+        pdf.set_line_width(THIN)
+        pdf.circle(x, y, MARK, style="F")
+        _arrow_head(pdf, u, v, heading)
+        if name:
+            pdf.text(x + MARK + 0.5, y, name)
+
+    def _arrow(self, pdf: FPDF, frame: Frame) -> None:
+        """An arrow to the north, or along y where nobody said where north is."""
+        x, y = frame.x + frame.width - ARROW / 2.0, frame.y + AROUND + 2.0
+        pdf.set_line_width(EDGE)
+        pdf.line(x, y + 9.0, x, y + 2.0)
+        _arrow_head(pdf, x, y + 1.0, math.pi / 2.0)
+        pdf.set_font("Noto", "B", 8)
+        pdf.set_xy(x - ARROW / 2.0, y + 9.5)
+        pdf.cell(ARROW, 3.5, _("N") if self._north else "y", align="C")
+
+    @staticmethod
+    def _legend(pdf: FPDF, frame: Frame) -> None:
+        """What the marks mean."""
+        y = frame.y + frame.height - LEGEND / 2.0
+        pdf.set_font("Noto", "", 7.5)
+        pdf.set_fill_color(*TRACKS[0])
+        x = frame.x + AROUND + MARK
+        pdf.circle(x, y, MARK * 0.8, style="F")
+        pdf.set_xy(x + 2.0, y - 2.0)
+        text = _("you start here")
+        pdf.cell(pdf.get_string_width(text) + 3.0, 4.0, text)
+        x = pdf.get_x() + 3.0
+        _arrow_head(pdf, x, y, 0.0)
+        pdf.set_xy(x + 3.0, y - 2.0)
+        pdf.cell(0, 4.0, _("you end here"))
+        pdf.set_fill_color(0)
+
+
+def _arrow_head(pdf: FPDF, x: float, y: float, heading: float) -> None:
+    """A filled arrow's head about a point of the page, pointing to a heading (rad, y upwards)."""
+    corners = [(1.4, 0.0), (-1.0, 1.1), (-1.0, -1.1)]
+    cos, sin = math.cos(heading), math.sin(heading)
+    pdf.polygon(
+        [(x + MARK * (a * cos - b * sin), y - MARK * (a * sin + b * cos)) for a, b in corners],
+        style="F",
+    )
