@@ -13,6 +13,7 @@ from benchdragon.progress import Progress, Stages, silent
 from benchdragon.sheets.briefing import Briefing
 from benchdragon.sheets.cards import write_benches
 from benchdragon.sheets.options import Options
+from benchdragon.sheets.overview import write_overview
 
 # Writes the files of a paper into a folder, each whole or not at all.
 Write = Callable[[Briefing, Path, Options, Progress], None]
@@ -37,12 +38,17 @@ def _benches(briefing: Briefing, folder: Path, options: Options, progress: Progr
     write_benches(folder / "benches.pdf", briefing, options, progress)
 
 
+def _overview(briefing: Briefing, folder: Path, options: Options, _progress: Progress) -> None:
+    write_overview(folder / "overview.pdf", briefing, options.phones)
+
+
 def _player(briefing: Briefing, folder: Path, _options: Options, progress: Progress) -> None:
     write_player(folder / "player.html", checked_dance(briefing.report, progress=progress))
 
 
 PAPERS: dict[str, Paper] = {
     "benches": Paper(N_("benches' sheets"), ("benches.pdf",), _benches),
+    "overview": Paper(N_("the leader's overview"), ("overview.pdf",), _overview),
     "player": Paper(N_("player"), ("player.html",), _player),
 }
 

@@ -18,8 +18,12 @@ from benchdragon.sheets.briefing import Briefing
 MOST_POINTS, FINE = 20_000, 0.05
 # Widths of lines and sizes of marks, mm.
 THIN, EDGE, BOLD, MARK = 0.15, 0.35, 0.9, 1.5
+# Width of maps, mm, on which they are as wide as that.
+LARGE = 120.0
 # Room for the legend below, the arrow in the corner, and around all, mm.
 LEGEND, ARROW, AROUND = 5.0, 8.0, 2.5
+# Every so manyth bench is numbered, where numbers are so far apart, mm.
+NUMBERED, NUMBER_ROOM = (1, 2, 5, 10, 20, 50, 100, 200, 500), 5.0
 GREY, STONE = (150, 150, 150), (205, 205, 205)
 # Okabe and Ito's colours, told apart by colour-blind people too.
 TRACKS = ((213, 94, 0), (0, 114, 178), (0, 158, 115), (204, 121, 167))
@@ -57,6 +61,7 @@ class SmallMap:
         self._obstacles = report.plan.obstacles()
         self._north = report.plan.survey.crs is not None
         self._walk = report.walk
+        self._counted = report.plan.people.count_head
         ends = report.walk.motion([report.start, report.end]).s
         self._first, self._last = ends[0], ends[1]
 
@@ -81,11 +86,7 @@ class SmallMap:
         """Draw into a frame, with the tracks of benches and what they are called."""
         place = self._scaled(frame)
         with pdf.local_context():
-            for obstacle in self._obstacles:
-                self._stand(pdf, place, obstacle)
-            pdf.set_draw_color(*GREY)
-            pdf.set_line_width(THIN)
-            self._line(pdf, place, self._way[1])
+            self._square(pdf, place)
             for n, bench in enumerate(benches):
                 pdf.set_draw_color(*TRACKS[n % len(TRACKS)])
                 pdf.set_fill_color(*TRACKS[n % len(TRACKS)])
@@ -94,6 +95,32 @@ class SmallMap:
             pdf.set_fill_color(0)
             self._arrow(pdf, frame)
         self._legend(pdf, frame)
+
+    def draw_starts(self, pdf: FPDF, frame: Frame) -> None:
+        """Draw into a frame, with a dot where each bench starts, and as many numbers as find room."""
+        place = self._scaled(frame)
+        dots = place(self._walk.route.point(self._first[:-1]))
+        with pdf.local_context():
+            self._square(pdf, place)
+            pdf.set_fill_color(*TRACKS[0])
+            for x, y in dots:
+                pdf.circle(x, y, 0.6, style="F")
+            self._arrow(pdf, frame)
+        apart = place.scale * float(np.abs(np.diff(self._first)).min(initial=1e3))
+        each = next((n for n in NUMBERED if n * apart >= NUMBER_ROOM), NUMBERED[-1])
+        pdf.set_font("Noto", "B", 7)
+        for bench, (x, y) in enumerate(dots, start=1):
+            number = bench if self._counted else bench - 1
+            if number % each == 0 or bench in (1, len(dots)):
+                pdf.text(x + 0.9, y - 0.6, str(number))
+
+    def _square(self, pdf: FPDF, place: _Scale) -> None:
+        """What all maps show: venue, obstacles, route."""
+        for obstacle in self._obstacles:
+            self._stand(pdf, place, obstacle)
+        pdf.set_draw_color(*GREY)
+        pdf.set_line_width(THIN)
+        self._line(pdf, place, self._way[1])
 
     def _scaled(self, frame: Frame) -> _Scale:
         low, high = self.bounds
@@ -129,15 +156,20 @@ class SmallMap:
         first, last = self._first[bench - 1], self._last[bench - 1]
         ends = self._walk.route.point([first, last])
         own = np.concatenate([ends[:1], points[(s > first) & (s < last)], ends[1:]])
-        pdf.set_line_width(BOLD)
+        pdf.set_line_width(BOLD * self._share(place))
         self._line(pdf, place, own)
         (x, y), (u, v) = place(ends)
         heading = float(self._walk.route.heading([last])[0])
         pdf.set_line_width(THIN)
-        pdf.circle(x, y, MARK, style="F")
-        _arrow_head(pdf, u, v, heading)
+        pdf.circle(x, y, MARK * self._share(place), style="F")
+        _arrow_head(pdf, u, v, heading, self._share(place))
         if name:
             pdf.text(x + MARK + 0.5, y, name)
+
+    @staticmethod
+    def _share(place: _Scale) -> float:
+        """How large marks are on small maps."""
+        return min(1.0, max(0.6, place.frame.width / LARGE))
 
     def _arrow(self, pdf: FPDF, frame: Frame) -> None:
         """An arrow to the north, or along y where nobody said where north is."""
@@ -167,11 +199,12 @@ class SmallMap:
         pdf.set_fill_color(0)
 
 
-def _arrow_head(pdf: FPDF, x: float, y: float, heading: float) -> None:
+def _arrow_head(pdf: FPDF, x: float, y: float, heading: float, share: float = 1.0) -> None:
     """A filled arrow's head about a point of the page, pointing to a heading (rad, y upwards)."""
     corners = [(1.4, 0.0), (-1.0, 1.1), (-1.0, -1.1)]
     cos, sin = math.cos(heading), math.sin(heading)
+    size = MARK * share
     pdf.polygon(
-        [(x + MARK * (a * cos - b * sin), y - MARK * (a * sin + b * cos)) for a, b in corners],
+        [(x + size * (a * cos - b * sin), y - size * (a * sin + b * cos)) for a, b in corners],
         style="F",
     )

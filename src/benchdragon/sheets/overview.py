@@ -1,0 +1,88 @@
+"""The leader's overview: the verdict, the map with all benches, who they are and what they do."""
+
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from benchdragon.analysis.check import sentence
+from benchdragon.explain.bench_walk import bench_text
+from benchdragon.export.document import Block, Document, Heading, Paragraph, Picture, Table, say
+from benchdragon.export.pages import write_pdf
+from benchdragon.export.typeset import Typeset
+from benchdragon.figures.glyphs import printable
+from benchdragon.files import whole_bytes
+from benchdragon.i18n import _, language
+from benchdragon.sheets.briefing import Briefing
+from benchdragon.sheets.small_map import Frame, SmallMap
+
+# Size of the map, mm.
+MAP = Frame(0.0, 0.0, 178.0, 150.0)
+
+
+def overview(briefing: Briefing, phones: bool) -> Document:
+    """The overview as a document, whose map is a picture called "map"."""
+    benches = len(briefing.benches)
+    people = sum(len(briefing.roster.people(n + 1)) for n in range(benches))
+    blocks: list[Block] = [
+        Heading(_("Verdict"), "verdict"),
+        Paragraph((sentence(briefing.report),)),
+        say(
+            _("Checked on {date}; {benches} benches, {people} people in the list of names."),
+            date=briefing.checked_on, benches=benches, people=people,
+        ),
+        *_notes(briefing),
+        Heading(_("Where each bench starts"), "starts"),
+        Picture("map", _("The square, the route, and where the front handle of each bench starts")),
+        Heading(_("Benches"), "benches"),
+        _table(briefing, phones),
+    ]  # fmt: skip
+    title = printable(briefing.plan.title(language())) or _("Overview")
+    return Document(title, language(), briefing.checked_on, tuple(blocks), briefing.foot)
+
+
+def _notes(briefing: Briefing) -> list[Block]:
+    """What is odd about the list of names."""
+    if not briefing.roster.notes:
+        return []
+    said = [Paragraph((printable(note),)) for note in briefing.roster.notes]
+    return [Heading(_("Notes on the list of names"), "notes"), *said]
+
+
+def _table(briefing: Briefing, phones: bool) -> Table:
+    """A row for each bench."""
+    columns = (
+        _("bench"), _("people"), _("starts at x, y (m)"), _("what it does"), _("tightest"),
+    )  # fmt: skip
+    rows = tuple(_row(briefing, n + 1, phones) for n in range(len(briefing.benches)))
+    caption = _("All benches: who carries them, where they start, what they do")
+    return Table("all", caption, columns, (12.0, 26.0, 14.0, 30.0, 34.0), rows)
+
+
+def _row(briefing: Briefing, bench: int, phones: bool) -> tuple[str, ...]:
+    found = briefing.benches[bench - 1]
+    text = bench_text(briefing.plan, found, briefing.called)
+    people = [
+        printable(f"{one.name} {one.phone}" if phones and one.phone else one.name)
+        for one in briefing.roster.people(bench)
+    ]
+    x, y = found.place
+    return (
+        briefing.called(bench), _(", ").join(people), f"{x:z.2f}, {y:z.2f}", text.quick, text.tightest,
+    )  # fmt: skip
+
+
+def _write_map(path: Path, briefing: Briefing) -> None:
+    """The map as a page of its size."""
+    pdf = Typeset(briefing.checked_on)
+    pdf.set_auto_page_break(False)
+    pdf.c_margin = 0.0
+    pdf.add_page(format=(MAP.width, MAP.height))
+    SmallMap(briefing).draw_starts(pdf, MAP)
+    with whole_bytes(path) as made:
+        made.write(bytes(pdf.output()))
+
+
+def write_overview(path: Path, briefing: Briefing, phones: bool) -> None:
+    """Write the overview as a PDF."""
+    with TemporaryDirectory() as folder:
+        _write_map(Path(folder) / "map.pdf", briefing)
+        write_pdf(path, overview(briefing, phones), Path(folder))
