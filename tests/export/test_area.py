@@ -22,7 +22,8 @@ from benchdragon.export.area import (
     planned_area,
     write_area,
 )
-from benchdragon.figures.area import PAPERS, SCALES, AreaDrawing, area_picture, bar_length, sheet_for
+from benchdragon.figures.area import AreaDrawing, area_picture
+from benchdragon.figures.scale import PAPERS, SCALES, bar_length, sheet_for
 from benchdragon.figures.style import STYLE
 from benchdragon.i18n import spoken_in
 from benchdragon.kernels.curve import FloatArray

@@ -99,7 +99,7 @@ def area(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> i
     span = parse_span(options)
     read = plan_to_walk(plan, settings, quiet)
     from benchdragon.export.area import drawing_of, planned_area, write_area
-    from benchdragon.figures.area import check_scale
+    from benchdragon.figures.scale import check_scale
     from benchdragon.files import refuse_existing
 
     check_scale(scale)
