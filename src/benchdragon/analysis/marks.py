@@ -1,0 +1,319 @@
+"""Marks on the ground along a route, and the lengths by which a peg and a tape find each of them.
+
+Two base points stand as far from the peg as the farthest mark, at right angles; each mark lies where
+its lengths from the peg and from one of them meet. None rests on another mark, so that errors do not
+add up; the length from the mark before it is a check.
+"""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal, Self
+
+import numpy as np
+import shapely
+
+from benchdragon.analysis.swept import Shape
+from benchdragon.errors import InputError
+from benchdragon.i18n import _
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.base_curve import Point
+from benchdragon.model.curves import Route
+from benchdragon.model.obstacle import Obstacle
+from benchdragon.model.walk import Walk
+
+# Marks of one plan, and the least distance between them along the route, m.
+MOST_MARKS, LEAST_EVERY = 5_000, 0.1
+# What lengths, m, and angles, degrees, are rounded to.
+LENGTH_STEP, ANGLE_STEP = 0.005, 0.01
+# Marks that would be nearer than this along the route, m, are one.
+SAME_MARK = 1e-6
+Kind = Literal["step", "joint", "start", "end"]
+# Which of two marks in one place is kept.
+RANK: dict[Kind, int] = {"step": 0, "joint": 1, "end": 2, "start": 3}
+
+
+@dataclass(frozen=True)
+class Trail:
+    """What the dragon covers of its route, and where marks on it have a meaning.
+
+    Attributes:
+        route: the whole of it.
+        low: where the tail's last handle stands at first, m along the route.
+        start: where the head's first handle stands then, m along the route.
+        high: where that comes to, m along the route.
+    """
+
+    route: Route
+    low: float
+    start: float
+    high: float
+
+    @classmethod
+    def of(cls, walk: Walk, start: float, end: float) -> Self:
+        """The trail of a walk from one time to another, s.
+
+        Raises:
+            WalkError: if the dragon cannot stand at the start.
+        """
+        head, last = walk.head_position([start, end]).tolist()
+        tail = walk.motion([start]).s[0, -1]
+        return cls(walk.route, float(tail), head, min(last, walk.route.length))
+
+    def marked(self, every: float) -> tuple[FloatArray, list[Kind]]:
+        """Positions of the marks along the route, m, ascending, and what each is for.
+
+        From the start of the head each way, joints and ends besides. Where a closed line is walked
+        again, the marks of the first round serve again.
+
+        Raises:
+            InputError: for marks that are too near, or too many.
+        """
+        _check_every(every, self.high - self.low)
+        first = math.ceil((self.low - self.start) / every)
+        steps = self.start + every * np.arange(
+            first, math.floor((self.high - self.start) / every) + 1.0
+        )
+        found: dict[float, Kind] = dict.fromkeys(steps.tolist(), "step")
+        found |= {s: "joint" for s in self.route.joints.tolist() if self.low < s < self.high}
+        found |= {self.low: "end", self.high: "end", self.start: "start"}
+        kept: list[float] = []
+        for s in sorted(found):
+            if self._again(s):
+                continue
+            if kept and s - kept[-1] <= SAME_MARK:
+                if RANK[found[s]] <= RANK[found[kept[-1]]]:
+                    continue
+                kept.pop()
+            kept.append(s)
+        return np.array(kept), [found[s] for s in kept]
+
+    @cached_property
+    def _repeated(self) -> tuple[tuple[float, float], ...]:
+        """Stretches, m along the route, whose curves were covered before, from start to end."""
+        joints, seen, again = self.route.joints.tolist(), set(), []
+        for curve, first, last in zip(self.route.curves, joints[:-1], joints[1:], strict=True):
+            if curve in seen:
+                again.append((first, last))
+            elif first >= self.low and last <= self.high:
+                seen.add(curve)
+        return tuple(again)
+
+    def _again(self, s: float) -> bool:
+        return any(first < s <= last for first, last in self._repeated)
+
+
+def _check_every(every: float, length: float) -> None:
+    if not LEAST_EVERY <= every < math.inf:
+        raise InputError(
+            _("marks must be at least {least} m apart, not {value} m").format(
+                least=f"{LEAST_EVERY:g}", value=f"{every:g}"
+            )
+        )
+    if length / every > MOST_MARKS:
+        raise InputError(
+            _(
+                "marks each {every} m on {length} m of route are more than {most}: ask for at least "
+                "{needed} m between them"
+            ).format(
+                every=f"{every:g}",
+                length=f"{length:.1f}",
+                most=MOST_MARKS,
+                needed=f"{math.ceil(10.0 * length / MOST_MARKS) / 10.0:g}",
+            )
+        )
+
+
+@dataclass(frozen=True)
+class Marks:
+    """Marks and how to find them.
+
+    Attributes:
+        s: along the route, m, (M,); the first is 0 m of the cumulative length.
+        points: exact places, m, (M, 2).
+        kinds: what each is for, (M,).
+        peg: where the peg stands, m.
+        north: whether y points north, so that angles are bearings; else they are from the x axis.
+        bases: the base points, m, (2, 2), as far from the peg as `reach`.
+        reach: m.
+    """
+
+    s: FloatArray
+    points: FloatArray
+    kinds: tuple[Kind, ...]
+    peg: Point
+    north: bool
+    bases: FloatArray
+    reach: float
+
+    def __len__(self) -> int:
+        """Number of marks."""
+        return len(self.s)
+
+    @cached_property
+    def way(self) -> FloatArray:
+        """From the first mark along the route, m, (M,)."""
+        way: FloatArray = self.s - self.s[0]
+        return way
+
+    @cached_property
+    def off(self) -> FloatArray:
+        """From the peg, m, (M, 2)."""
+        off: FloatArray = self.points - np.array(self.peg)
+        return off
+
+    @cached_property
+    def radius(self) -> FloatArray:
+        """From the peg, m, (M,)."""
+        return as_lengths(self.off)
+
+    @cached_property
+    def angle(self) -> FloatArray:
+        """As `angles_of`, at the peg, (M,)."""
+        return angles_of(self.off, north=self.north)
+
+    @cached_property
+    def before(self) -> FloatArray:
+        """Straight from the mark before, m, (M,); 0 for the first."""
+        apart = np.diff(self.points, axis=0, prepend=self.points[:1])
+        return as_lengths(apart)
+
+    @cached_property
+    def from_base(self) -> FloatArray:
+        """Straight from each base point, m, (M, 2)."""
+        apart = self.points[:, None] - self.bases
+        return as_lengths(apart)
+
+    @cached_property
+    def errors(self) -> FloatArray:
+        """How far rounded lengths from the peg and from each base point mislead at most, m, (M, 2).
+
+        To first order: two lengths that are off by e each, at right angles, mislead by √2 e, and the
+        more the more nearly they run alike.
+        """
+        to_peg, to_base = -self.off[:, None], self.bases - self.points[:, None]
+        long = as_lengths(to_peg) * self.from_base
+        cross = to_peg[..., 0] * to_base[..., 1] - to_peg[..., 1] * to_base[..., 0]
+        dot = (to_peg * to_base).sum(axis=-1)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            sine, cosine = np.abs(cross / long), np.abs(dot / long)
+            error = 0.5 * LENGTH_STEP * np.sqrt(2.0 * (1.0 + cosine)) / sine
+        found: FloatArray = np.where(np.isnan(error), 0.5 * LENGTH_STEP, error)
+        return found
+
+    @cached_property
+    def base(self) -> list[int]:
+        """From which base point each mark is measured: that which errs less, 0 or 1."""
+        chosen: list[int] = np.argmin(self.errors, axis=1).tolist()
+        return chosen
+
+    @cached_property
+    def cross(self) -> FloatArray:
+        """From that base point, m, (M,)."""
+        cross: FloatArray = self.from_base[np.arange(len(self)), self.base]
+        return cross
+
+    @property
+    def on_left(self) -> list[bool]:
+        """Whether each mark is on the left of who looks from the peg to its base point, (M,)."""
+        arms = self.bases[self.base] - np.array(self.peg)
+        left: list[bool] = (arms[:, 0] * self.off[:, 1] - arms[:, 1] * self.off[:, 0] > 0.0).tolist()
+        return left
+
+    @property
+    def tape_error(self) -> float:
+        """The greatest that rounding the lengths from peg and base points makes, m."""
+        return float(self.errors.min(axis=1).max())
+
+    @property
+    def angle_error(self) -> float:
+        """The greatest that rounding radii and angles makes, m."""
+        return math.hypot(0.5 * LENGTH_STEP, math.radians(0.5 * ANGLE_STEP) * float(self.radius.max()))
+
+    @property
+    def grid_error(self) -> float:
+        """The greatest that rounding x and y makes, m."""
+        return math.sqrt(0.5) * LENGTH_STEP
+
+
+def as_lengths(vectors: FloatArray) -> FloatArray:
+    """Lengths of vectors, (..., 2), m."""
+    long: FloatArray = np.hypot(vectors[..., 0], vectors[..., 1])
+    return long
+
+
+def angles_of(off: FloatArray, *, north: bool) -> FloatArray:
+    """Directions of (n, 2) as degrees from 0 to 360.
+
+    Clockwise from y, which is north; or counter-clockwise from x.
+    """
+    x, y = off.T
+    turned = np.arctan2(x, y) if north else np.arctan2(y, x)
+    degrees: FloatArray = np.degrees(turned) % 360.0
+    return degrees
+
+
+def rounded(value: float, step: float) -> float:
+    """The multiple of `step` nearest to a value."""
+    return round(value / step) * step
+
+
+def placed_marks(
+    trail: Trail,
+    every: float,
+    peg: Point,
+    *,
+    north: bool = False,
+    obstacles: tuple[Obstacle, ...] = (),
+) -> Marks:
+    """The marks of a trail.
+
+    Args:
+        trail: where the dragon goes.
+        every: m between marks along the route.
+        peg: where the peg stands, m.
+        north: whether y points north.
+        obstacles: where no base point should be; the venue's edge, within which they should.
+
+    Raises:
+        InputError: as `Trail.marked`.
+    """
+    s, kinds = trail.marked(every)
+    points = trail.route.point(s)
+    farthest = float(np.hypot(*(points - np.array(peg)).T).max())
+    reach, quarter = _base(peg, max(1.0, math.ceil(farthest)), obstacles, first=1 if north else 0)
+    angles = 0.5 * math.pi * np.array([quarter, quarter + 1])
+    bases = np.array(peg) + reach * np.round(np.column_stack([np.cos(angles), np.sin(angles)]))
+    return Marks(s, points, tuple(kinds), peg, north, bases, reach)
+
+
+def _base(peg: Point, most: float, obstacles: tuple[Obstacle, ...], first: int) -> tuple[float, int]:
+    """How far from the peg both base points can stand, whole m, and in which quarter the first is.
+
+    As far as possible up to `most`, in the quarter `first` or the next ones; without regard to what
+    stands there if no quarter has a metre.
+    """
+    free = _ground(obstacles)
+    if free is not None:
+        shapely.prepare(free)
+    for reach in np.arange(most, 0.0, -1.0).tolist():
+        for quarter in range(first, first + 4):
+            angles = 0.5 * math.pi * np.array([quarter, quarter + 1])
+            ends = np.array(peg) + reach * np.column_stack([np.cos(angles), np.sin(angles)])
+            if free is None or shapely.contains_xy(free, *ends.T).all():
+                return reach, quarter
+    return most, first
+
+
+def _ground(obstacles: tuple[Obstacle, ...]) -> Shape | None:
+    """Where a point may be; None for anywhere."""
+    edges = [shapely.Polygon(one.outline) for one in obstacles if one.kind == "venue"]
+    if not edges:
+        return None
+    free: Shape = edges[0]
+    for one in obstacles:
+        if one.kind == "circle":
+            free = free.difference(shapely.Point(one.outline[0]).buffer(one.radius))
+        elif one.kind in ("rectangle", "polygon"):
+            free = free.difference(shapely.Polygon(one.outline))
+    return free
