@@ -4,12 +4,11 @@ import io
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 from fpdf import FontFace
 from fpdf.enums import MethodReturnValue, TableHeadingsDisplay
-from pypdf import PdfReader, PdfWriter
-from pypdf.generic import ArrayObject, DictionaryObject, NameObject, StreamObject
+from pypdf import PdfWriter
 
 from benchdragon.export.document import (
     Block,
@@ -25,6 +24,7 @@ from benchdragon.export.document import (
     Table,
     anchor_of,
 )
+from benchdragon.export.forms import add_form, show_form, size_of
 from benchdragon.export.publish import drawn_formula
 from benchdragon.export.typeset import OPENING, STOPS, Typeset, breakable
 from benchdragon.files import whole_file
@@ -32,7 +32,7 @@ from benchdragon.i18n import _
 from benchdragon.version import __version__
 
 # Sizes of the PDF: mm, and points of type.
-MARGIN, LINE, MM = 15.0, 5.2, 25.4 / 72.0
+MARGIN, LINE = 15.0, 5.2
 TEXT_SIZE, TABLE_SIZE, SMALL, HEAD_SIZES = 9.5, 7.5, 8.5, {1: 15.0, 2: 11.5}
 EDGE, SHADE, LINK_COLOUR = (150, 150, 150), (235, 235, 235), (0, 84, 148)
 # Room on a page, mm, that a heading needs for itself and two lines, a table for its caption and some
@@ -43,8 +43,6 @@ MOST_EMPTY_BEFORE_PICTURES, MOST_EMPTY = 100.0, 85.0
 ROW, PADDING = 0.5, 0.7
 # Pictures that found no room on a page stand at the head of the next, as far down as this share of it.
 HEAD_SHARE = 0.85
-# What a PDF page starts with; fpdf2 leaves other ends and joins of lines, widths, dashes and colours.
-PLAIN = "0 J 0 j 1 w 10 M [] 0 d 0 G 0 g"
 
 
 @dataclass(frozen=True)
@@ -199,7 +197,7 @@ class Pages(Typeset):
 
     def _formula(self, block: Formula) -> None:
         file, _width = drawn_formula(block, "pdf")
-        _wide, height = _size(file)
+        _wide, height = size_of(file)
         if self.get_y() + height > self.h - MARGIN:
             self.add_page()
         self._lay(file, MARGIN + 8.0, block.text)
@@ -268,30 +266,24 @@ class Pages(Typeset):
         words: Any = self.multi_cell(
             0, 0.5 * SMALL, text, dry_run=True, output=MethodReturnValue.HEIGHT
         )
-        return _size(self._file(block))[1] + float(words) + 4.0
+        return size_of(self._file(block))[1] + float(words) + 4.0
 
     def _place(self, block: Picture) -> None:
         file = self._file(block)
         self._arrive(anchor_of(block.name))
-        self._lay(file, MARGIN + 0.5 * (self.epw - _size(file)[0]), block.caption)
+        self._lay(file, MARGIN + 0.5 * (self.epw - size_of(file)[0]), block.caption)
         self._spoken(self._caption(block), SMALL, align="C")
         self.ln(4.0)
 
     def _lay(self, file: bytes, x: float, text: str) -> None:
         """Leave room for a picture, say what it is to those who cannot see it, and note its place."""
-        width, height = _size(file)
+        width, height = size_of(file)
         y = self.get_y()
         self.set_fill_color(255)
         with self._marked_sequence(alt_text=text):
             self.rect(x, y, width, height, style="F")
         self.drawn.append(Drawn(file, self.page_no(), x, self.h - y - height))
         self.set_xy(MARGIN, y + height)
-
-
-def _size(file: bytes) -> tuple[float, float]:
-    """Width and height of a picture, mm."""
-    box = PdfReader(io.BytesIO(file)).pages[0].mediabox
-    return MM * float(box.width), MM * float(box.height)
 
 
 def write_pdf(path: Path, document: Document, folder: Path) -> None:
@@ -304,30 +296,8 @@ def write_pdf(path: Path, document: Document, folder: Path) -> None:
     pages = Pages(document, folder, sketch)
     pages.write_all()
     writer = PdfWriter(clone_from=io.BytesIO(bytes(pages.output())))
-    for number, drawn in enumerate(pages.drawn):
-        _lay_on(writer, drawn, NameObject(f"/Drawn{number}"))
+    for drawn in pages.drawn:
+        form = add_form(writer, drawn.file)
+        show_form(writer, drawn.page - 1, form, (drawn.x, drawn.y))
     with whole_file(path) as temporary, temporary.open("wb") as made:
         writer.write(made)
-
-
-def _lay_on(writer: PdfWriter, drawn: Drawn, name: NameObject) -> None:
-    """Put a picture in its place on a page: a form, shown by a stream after those of the page."""
-    picture = PdfReader(io.BytesIO(drawn.file)).pages[0]
-    contents = picture.get_contents()
-    if contents is None:
-        raise AssertionError("matplotlib draws on its pages")
-    form = StreamObject()
-    form.set_data(contents.get_data())
-    form[NameObject("/Type")] = NameObject("/XObject")
-    form[NameObject("/Subtype")] = NameObject("/Form")
-    form[NameObject("/BBox")] = picture.mediabox
-    form[NameObject("/Resources")] = picture["/Resources"].clone(writer)
-    page = writer.pages[drawn.page - 1]
-    resources = cast("DictionaryObject", page["/Resources"].get_object())
-    forms = resources.setdefault(NameObject("/XObject"), DictionaryObject()).get_object()
-    forms[name] = writer._add_object(form.flate_encode())
-    show = StreamObject()
-    show.set_data(f"q {PLAIN} 1 0 0 1 {drawn.x / MM:.3f} {drawn.y / MM:.3f} cm {name} Do Q".encode())
-    before = page.raw_get("/Contents")
-    streams = before if isinstance(before, ArrayObject) else ArrayObject([before])
-    page[NameObject("/Contents")] = ArrayObject([*streams, writer._add_object(show)])

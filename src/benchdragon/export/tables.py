@@ -97,7 +97,7 @@ def write_xlsx(path: Path, what: Selection, progress: Progress) -> None:
     labels = _Labels(
         _("Positions"), _("Speeds"), *([text.format(handle=name) for name in names] for text in texts)
     )
-    with whole_bytes(path) as made, _workbook(made) as book:
+    with whole_bytes(path) as made, workbook(made) as book:
         _write_motion(book, what, labels, progress)
         _write_numbering(book, handles, names)
 
@@ -108,7 +108,7 @@ def write_contest_xlsx(path: Path, what: Selection, progress: Progress) -> None:
     # The contest has two spaces behind the bodies and the tail.
     speeds = [f"{name}{' ' if name in {names[0], names[-1]} else '  '}(m/s)" for name in names]
     x, y = ([f"{name}{axis} (m)" for name in names] for axis in "xy")
-    with whole_bytes(path) as made, _workbook(made) as book:
+    with whole_bytes(path) as made, workbook(made) as book:
         _write_motion(book, what, _Labels("位置", "速度", x, y, speeds), progress)
 
 
@@ -117,7 +117,7 @@ def write_moment_xlsx(path: Path, motion: Motion, obstacles: Sequence[ObstacleAn
 
     What was found about obstacles stands in a second sheet, in the language in use.
     """
-    with whole_bytes(path) as made, _workbook(made) as book:
+    with whole_bytes(path) as made, workbook(made) as book:
         six = book.add_format({"num_format": "0.000000"})
         sheet = book.add_worksheet("Sheet1")
         sheet.freeze_panes(1, 1)
@@ -184,7 +184,7 @@ def _write_motion(book: Any, what: Selection, labels: _Labels, progress: Progres
 
 
 @contextmanager
-def _workbook(made: io.BytesIO) -> Iterator[Any]:
+def workbook(made: io.BytesIO) -> Iterator[Any]:
     """A workbook whose rows wait in files that are gone when the block ends, however that ends."""
     import xlsxwriter  # slow to import
 

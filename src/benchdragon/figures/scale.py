@@ -68,6 +68,16 @@ def check_scale(scale: float | None, most: float = MOST_SCALE) -> None:
         )
 
 
+def needed_scale(bounds: FloatArray, paper: str) -> tuple[float, tuple[float, float]]:
+    """The largest scale, 1 to this, at which ground fits a paper, and the sides so laid, mm."""
+    size = bounds[1] - bounds[0]
+    return min(
+        (1000.0 * float((size / room).max()), sides)
+        for sides in (PAPERS[paper], PAPERS[paper][::-1])
+        if ((room := np.array(sides) - [2.0 * EDGE, 2.0 * EDGE + STRIP]) > 0.0).all()
+    )
+
+
 def sheet_for(bounds: FloatArray, paper: str, scale: float | None, most: float = MOST_SCALE) -> Sheet:
     """The sheet for ground within bounds, m, (2, 2), upright or lying as gives it most room.
 
@@ -86,11 +96,7 @@ def sheet_for(bounds: FloatArray, paper: str, scale: float | None, most: float =
         )
     check_scale(scale, most)
     size = bounds[1] - bounds[0]
-    needed, sheet = min(
-        (1000.0 * float((size / room).max()), sides)
-        for sides in (PAPERS[paper], PAPERS[paper][::-1])
-        if ((room := np.array(sides) - [2.0 * EDGE, 2.0 * EDGE + STRIP]) > 0.0).all()
-    )
+    needed, sheet = needed_scale(bounds, paper)
     chosen = scale or next((one for one in SCALES if needed <= one <= most), most)
     if chosen < needed:
         raise InputError(

@@ -1,0 +1,260 @@
+"""The chalk plan: marks on the ground, drawn to scale, tiled for small printers, and listed."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from benchdragon.analysis.marks import (
+    ANGLE_STEP,
+    LENGTH_STEP,
+    Kind,
+    Marks,
+    Trail,
+    placed_marks,
+    rounded,
+)
+from benchdragon.errors import InputError
+from benchdragon.export.document import Block, Document, Heading, Paragraph, Table, say
+from benchdragon.export.pages import write_pdf
+from benchdragon.export.tables import workbook
+from benchdragon.export.tiles import write_tiles
+from benchdragon.figures.chalk import BASES, ChalkDrawing, chalk_picture
+from benchdragon.figures.scale import PAPERS
+from benchdragon.figures.style import write_picture
+from benchdragon.files import whole_bytes
+from benchdragon.i18n import _, language
+from benchdragon.model.base_curve import Point
+from benchdragon.plans.schema import Plan
+from benchdragon.sheets.briefing import Briefing
+
+FILES = ("chalk.pdf", "chalk-drawing.pdf", "chalk-tiles.pdf", "chalk.xlsx")
+EVERY, TILE = 1.0, "A4"
+# A cell of the list.
+Cell = str | int | float
+# Columns of the list: angles, and how wide they are beside one another in print.
+ANGLE, WIDTHS = 5, (4.0, 7.5, 7.0, 7.0, 7.0, 8.0, 6.5, 7.0, 5.0, 8.0, 9.0)
+
+
+@dataclass(frozen=True)
+class ChalkOptions:
+    """How the chalk plan is wanted.
+
+    Attributes:
+        every: m between marks along the route.
+        peg: where the peg stands, m; None for the route's centre.
+        paper: of the whole drawing, a key of `PAPERS`; None for one that suits.
+        scale: 1 to this; None for the largest usual one that fits.
+        tile: the paper on which the drawing is printed in parts.
+    """
+
+    every: float = EVERY
+    peg: Point | None = None
+    paper: str | None = None
+    scale: float | None = None
+    tile: str = TILE
+
+
+def own_peg(plan: Plan) -> Point:
+    """The centre of the route's first spiral, else where the plan puts the route's origin, m."""
+    route = plan.build().route
+    return route.centre if route.centre != (0.0, 0.0) else plan.route.at or (0.0, 0.0)
+
+
+def chalk_drawing(briefing: Briefing, options: ChalkOptions) -> ChalkDrawing:
+    """The marks of a dance and what is drawn with them.
+
+    Raises:
+        InputError: for marks that are too near or too many.
+    """
+    report = briefing.report
+    plan, trail = report.plan, Trail.of(report.walk, report.start, report.end)
+    peg = own_peg(plan) if options.peg is None else options.peg
+    obstacles = plan.obstacles()
+    marks = placed_marks(
+        trail, options.every, peg, north=plan.survey.crs is not None, obstacles=obstacles
+    )
+    return ChalkDrawing(plan.title(language()), marks, trail, obstacles, options.every, briefing.foot)
+
+
+def write_chalk(briefing: Briefing, folder: Path, options: ChalkOptions = ChalkOptions()) -> list[Path]:
+    """Write the chalk plan's files into a folder that is there.
+
+    chalk.pdf tells how it is laid out and lists the marks, as chalk.xlsx does; chalk-drawing.pdf is the
+    drawing on one sheet, chalk-tiles.pdf the same on pages to be glued together.
+
+    Raises:
+        InputError: for marks that are too near or too many, a paper that is not known, and ground that
+            does not fit it.
+    """
+    if options.tile not in PAPERS:
+        raise InputError(
+            _("paper must be one of {known}, not {value}").format(
+                known=", ".join(PAPERS), value=options.tile
+            )
+        )
+    drawing = chalk_drawing(briefing, options)
+    sheet = drawing.sheet(options.paper, options.scale)
+    paths = [folder / name for name in FILES]
+    figure = chalk_picture(drawing, sheet)
+    write_picture(figure, paths[1], drawing.title, briefing.sha256)
+    title = _("Chalk plan: {title}").format(title=drawing.title)
+    write_tiles(paths[1].read_bytes(), paths[2], PAPERS[options.tile][::-1], title, drawing.foot)
+    document = chalk_document(drawing, title, briefing.checked_on, sheet.scale)
+    with TemporaryDirectory() as none:
+        write_pdf(paths[0], document, Path(none))
+    write_list(paths[3], drawing)
+    return paths
+
+
+def _columns(marks: Marks) -> tuple[str, ...]:
+    """Headings of the list."""
+    angle = _("bearing from north (°)") if marks.north else _("angle from the x axis (°)")
+    return (
+        _("mark"), _("along the route (m)"), _("x (m)"), _("y (m)"), _("from the peg (m)"), angle,
+        _("measured from"), _("from there (m)"), _("side"), _("from the mark before (m)"), _("what"),
+    )  # fmt: skip
+
+
+def list_rows(marks: Marks) -> Iterator[tuple[Cell, ...]]:
+    """What the list says of each mark, as `_columns`: lengths in m and angles in degrees, rounded."""
+    for n in range(len(marks)):
+        lengths = marks.way[n], *marks.points[n], marks.radius[n], marks.cross[n], marks.before[n]
+        way, x, y, radius, cross, before = (rounded(float(one), LENGTH_STEP) for one in lengths)
+        angle = rounded(float(marks.angle[n]), ANGLE_STEP) % 360.0
+        side = _("left") if marks.on_left[n] else _("right")
+        yield (n + 1, way, x, y, radius, angle, BASES[marks.base[n]], cross, side, before,
+               kind_name(marks.kinds[n]))  # fmt: skip
+
+
+def kind_name(kind: Kind) -> str:
+    """What a mark is besides one of many, in the language in use."""
+    return {"step": "", "joint": _("joint"), "start": _("the head's start"), "end": _("end")}[kind]
+
+
+def _printed(value: Cell, column: int) -> str:
+    """A cell in print: lengths with three decimals, angles with two."""
+    return f"{value:z.{2 if column == ANGLE else 3}f}" if isinstance(value, float) else str(value)
+
+
+def chalk_document(drawing: ChalkDrawing, title: str, date: str, scale: float) -> Document:
+    """How the marks are laid out, and their list."""
+    marks = drawing.marks
+    rows = tuple(
+        tuple(_printed(value, column) for column, value in enumerate(row)) for row in list_rows(marks)
+    )
+    table = Table("marks", _("Marks on the ground"), _columns(marks), WIDTHS, rows, numbers=True)
+    blocks: tuple[Block, ...] = (
+        *_about(drawing, scale),
+        Heading(_("How to lay it out"), "how"),
+        *_steps(marks),
+        Heading(_("How exact it is"), "exact"),
+        *_exactness(marks),
+        Heading(_("The marks"), "marks"),
+        table,
+    )
+    return Document(title, language(), date, blocks)
+
+
+def _about(drawing: ChalkDrawing, scale: float) -> Iterator[Paragraph]:
+    marks = drawing.marks
+    yield say(
+        _(
+            "{count} marks, one each {every} m along the route and one at each joint of its parts, on "
+            "{way} m of route. The drawing is to scale 1:{scale}. Plan {foot}."
+        ),
+        count=len(marks), every=f"{drawing.every:g}", way=f"{marks.way[-1]:.2f}", scale=f"{scale:g}",
+        foot=drawing.foot,
+    )  # fmt: skip
+    x, y = marks.peg
+    yield say(_("The peg stands at x = {x} m, y = {y} m of the plan."), x=f"{x:.3f}", y=f"{y:.3f}")
+    yield say(
+        _("The plan's survey says where north is: along y. Bearings run clockwise from north.")
+        if marks.north
+        else _(
+            "The plan does not say where north is. Angles run counter-clockwise from the x axis; you "
+            "choose on the ground which way x points."
+        )
+    )
+
+
+def _steps(marks: Marks) -> Iterator[Paragraph]:
+    direction = _directions(marks)
+    reach, across = f"{marks.reach:.3f}", f"{rounded(2.0**0.5 * marks.reach, LENGTH_STEP):.3f}"
+    texts = (
+        _("1. Drive the peg and hook the tape's ring over it. One holds the tape, one the chalk."),
+        _(
+            "2. Base point B: {reach} m from the peg, {first}. Base point C: {reach} m from the peg, "
+            "{second}. From B to C it must be {across} m; if not, move C."
+        ),
+        _(
+            "3. For each mark in the order of the list: with the tape on the peg draw a short arc at "
+            "“from the peg”; with the tape on B or C, as the list says, draw another at “from there”. "
+            "They cross twice: “side” tells on which side of the line from the peg to that base point "
+            "the mark is. Write its number beside it."
+        ),
+        _(
+            "4. Check each mark by the tape from the mark before it. If it differs by more than two "
+            "fingers, look for the mistake before you go on."
+        ),
+        _("5. Join the marks by eye with chalk, in the order of their numbers."),
+    )
+    for text in texts:
+        yield say(text, reach=reach, across=across, first=direction[0], second=direction[1])
+
+
+def _directions(marks: Marks) -> list[str]:
+    """Where base points are from the peg, in words."""
+    quarters = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))
+    names = (
+        (_("due east"), _("due north"), _("due west"), _("due south"))
+        if marks.north
+        else (
+            _("the way x points"), _("the way y points"), _("against x"), _("against y"),
+        )
+    )  # fmt: skip
+    named = dict(zip(quarters, names, strict=True))
+    arms = ((marks.bases - marks.peg) / marks.reach).round().tolist()
+    return [named[x + 0.0, y + 0.0] for x, y in arms]
+
+
+def _exactness(marks: Marks) -> Iterator[Paragraph]:
+    yield say(
+        _(
+            "Lengths are rounded to {length} mm, angles to {angle}°. By that alone a mark is off by at "
+            "most {tape} mm if it is measured from peg and base point, {turned} mm by radius and "
+            "angle, {grid} mm by x and y. The longest measure from the peg is {far} m. No mark is "
+            "measured from another, so that errors do not add up."
+        ),
+        length=f"{1000.0 * LENGTH_STEP:g}", angle=f"{ANGLE_STEP:g}",
+        tape=f"{math.ceil(1000.0 * marks.tape_error)}", far=f"{marks.radius.max():.2f}",
+        turned=f"{math.ceil(1000.0 * marks.angle_error)}",
+        grid=f"{math.ceil(1000.0 * marks.grid_error)}",
+    )  # fmt: skip
+
+
+def write_list(path: Path, drawing: ChalkDrawing) -> None:
+    """The list of marks as XLSX, and a second sheet that says what it is."""
+    marks = drawing.marks
+    with whole_bytes(path) as made, workbook(made) as book:
+        head = book.add_format({"bold": True, "text_wrap": True, "valign": "top"})
+        length, angle = (book.add_format({"num_format": text}) for text in ("0.000", "0.00"))
+        sheet = book.add_worksheet(_("Marks"))
+        sheet.freeze_panes(1, 1)
+        sheet.set_column(0, len(WIDTHS) - 1, 13)
+        sheet.repeat_rows(0)
+        sheet.set_landscape()
+        sheet.fit_to_pages(1, 0)
+        for column, text in enumerate(_columns(marks)):
+            sheet.write_string(0, column, text, head)
+        for n, row in enumerate(list_rows(marks), start=1):
+            for column, value in enumerate(row):
+                form = (angle if column == ANGLE else length) if isinstance(value, float) else None
+                sheet.write(n, column, value, form)
+        about = book.add_worksheet(_("About"))
+        about.set_column(0, 0, 110, book.add_format({"text_wrap": True}))
+        texts = [drawing.title, drawing.foot]
+        texts += ["".join(map(str, one.words)) for one in (*_steps(marks), *_exactness(marks))]
+        for n, text in enumerate(texts):
+            about.write_string(n, 0, text)
