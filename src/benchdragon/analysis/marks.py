@@ -11,9 +11,7 @@ from functools import cached_property
 from typing import Literal, Self
 
 import numpy as np
-import shapely
 
-from benchdragon.analysis.swept import Shape
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
@@ -255,7 +253,7 @@ def angles_of(off: FloatArray, *, north: bool) -> FloatArray:
 
 def rounded(value: float, step: float) -> float:
     """The multiple of `step` nearest to a value."""
-    return round(value / step) * step
+    return round(round(value / step) * step, 6)
 
 
 def placed_marks(
@@ -282,9 +280,7 @@ def placed_marks(
     points = trail.route.point(s)
     farthest = float(np.hypot(*(points - np.array(peg)).T).max())
     reach, quarter = _base(peg, max(1.0, math.ceil(farthest)), obstacles, first=1 if north else 0)
-    angles = 0.5 * math.pi * np.array([quarter, quarter + 1])
-    bases = np.array(peg) + reach * np.round(np.column_stack([np.cos(angles), np.sin(angles)]))
-    return Marks(s, points, tuple(kinds), peg, north, bases, reach)
+    return Marks(s, points, tuple(kinds), peg, north, _bases(peg, reach, quarter), reach)
 
 
 def _base(peg: Point, most: float, obstacles: tuple[Obstacle, ...], first: int) -> tuple[float, int]:
@@ -293,27 +289,17 @@ def _base(peg: Point, most: float, obstacles: tuple[Obstacle, ...], first: int) 
     As far as possible up to `most`, in the quarter `first` or the next ones; without regard to what
     stands there if no quarter has a metre.
     """
-    free = _ground(obstacles)
-    if free is not None:
-        shapely.prepare(free)
     for reach in np.arange(most, 0.0, -1.0).tolist():
         for quarter in range(first, first + 4):
-            angles = 0.5 * math.pi * np.array([quarter, quarter + 1])
-            ends = np.array(peg) + reach * np.column_stack([np.cos(angles), np.sin(angles)])
-            if free is None or shapely.contains_xy(free, *ends.T).all():
+            if not any(one.forbids(_bases(peg, reach, quarter)).any() for one in obstacles):
                 return reach, quarter
     return most, first
 
 
-def _ground(obstacles: tuple[Obstacle, ...]) -> Shape | None:
-    """Where a point may be; None for anywhere."""
-    edges = [shapely.Polygon(one.outline) for one in obstacles if one.kind == "venue"]
-    if not edges:
-        return None
-    free: Shape = edges[0]
-    for one in obstacles:
-        if one.kind == "circle":
-            free = free.difference(shapely.Point(one.outline[0]).buffer(one.radius))
-        elif one.kind in ("rectangle", "polygon"):
-            free = free.difference(shapely.Polygon(one.outline))
-    return free
+def _bases(peg: Point, reach: float, quarter: int) -> FloatArray:
+    """Points so far from the peg along an axis and at right angles to its left, m, (2, 2)."""
+    angles = 0.5 * math.pi * np.array([quarter, quarter + 1])
+    bases: FloatArray = np.array(peg) + reach * np.round(
+        np.column_stack([np.cos(angles), np.sin(angles)])
+    )
+    return bases

@@ -26,8 +26,6 @@ BORDER, OVERLAP = 12.0, 10.0
 MOST_TILES, LETTERS = 400, "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
 # Length of crop marks, and how far they keep from the window, mm; a line to measure on paper, mm.
 CROP, CROP_GAP, RULER = 6.0, 1.0, 100.0
-# The key page: where its picture begins, from above, mm.
-KEY_TOP = 92.0
 
 
 @dataclass(frozen=True)
@@ -130,6 +128,7 @@ class _Frames(FPDF):
     def __init__(self, tiling: Tiling, title: str, foot: str) -> None:
         super().__init__(unit="mm", format=tiling.page)
         self._tiling, self._title, self._foot = tiling, title, foot
+        self._top = 0.0
         for style, file in zip(("", "B"), FONT_FILES, strict=True):
             self.add_font("Noto", style, file)
         self.set_auto_page_break(False)
@@ -142,9 +141,9 @@ class _Frames(FPDF):
     def key(self) -> _Key:
         """Where the drawing is shown on the key page, as large as there is room."""
         (wide, tall), (across, up) = self._tiling.drawing, self._tiling.page
-        room = across - 2.0 * BORDER, up - KEY_TOP - BORDER
+        room = across - 2.0 * BORDER, up - self._top - BORDER
         scale = min(room[0] / wide, room[1] / tall)
-        return _Key((0.5 * (across - wide * scale), up - KEY_TOP - tall * scale), scale)
+        return _Key((0.5 * (across - wide * scale), up - self._top - tall * scale), scale)
 
     def draw(self) -> None:
         """Set all pages."""
@@ -160,8 +159,8 @@ class _Frames(FPDF):
         self.set_xy(BORDER, BORDER)
         self._say(self._title, 14.0, "B")
         text = _(
-            "{count} pages in {columns} columns, A to {last}, and {rows} rows. Print at 100 % (“actual "
-            "size”), on one side. Neighbours overlap by {overlap} mm: cut two edges of each page, the "
+            "{count} pages in {columns} columns, A to {last}, and {rows} rows. Print at 100 % (actual "
+            "size), on one side. Neighbours overlap by {overlap} mm: cut two edges of each page, the "
             "right and the lower one, along the crop marks, and glue it upon its neighbours from the "
             "lower right to the upper left, so that the lines go on."
         ).format(
@@ -172,9 +171,11 @@ class _Frames(FPDF):
         self._say(_("This line is {length} mm long on paper:").format(length=f"{RULER:g}"), 10.0)
         y = self.get_y() + 3.0
         self.set_line_width(0.3)
-        self.line(BORDER, y, BORDER + RULER, y)
-        for x in (BORDER, BORDER + RULER):
+        left = BORDER + self.c_margin
+        self.line(left, y, left + RULER, y)
+        for x in (left, left + RULER):
             self.line(x, y - 1.5, x, y + 1.5)
+        self._top = y + 8.0
         self._grid()
         self._low()
 

@@ -151,7 +151,6 @@ def chalk_document(drawing: ChalkDrawing, title: str, date: str, scale: float) -
         *_steps(marks),
         Heading(_("How exact it is"), "exact"),
         *_exactness(marks),
-        Heading(_("The marks"), "marks"),
         table,
     )
     return Document(title, language(), date, blocks)
@@ -190,9 +189,9 @@ def _steps(marks: Marks) -> Iterator[Paragraph]:
         ),
         _(
             "3. For each mark in the order of the list: with the tape on the peg draw a short arc at "
-            "“from the peg”; with the tape on B or C, as the list says, draw another at “from there”. "
-            "They cross twice: “side” tells on which side of the line from the peg to that base point "
-            "the mark is. Write its number beside it."
+            "the length from the peg; with the tape on B or C, as the list says, draw another at the "
+            "length from there. They cross twice: look from the peg to that base point, and take the "
+            "crossing on the side that the list says. Write the mark's number beside it."
         ),
         _(
             "4. Check each mark by the tape from the mark before it. If it differs by more than two "
