@@ -100,8 +100,8 @@ def chalk_picture(drawing: ChalkDrawing, sheet: Sheet) -> Figure:
         places = sheet.place(drawing.marks.points)
         axes.plot(*sheet.place(drawing.line()).T, color=ROUTE, lw=0.4, zorder=1, label=_("route"))
         _draw_marks(axes, drawing.marks, places)
-        _draw_peg(axes, sheet, drawing.marks)
-        shown = _write_numbers(axes, drawing, places)
+        spots = _draw_peg(axes, sheet, drawing.marks)
+        shown = _write_numbers(axes, drawing, places, spots)
         _write_names(axes, sheet, drawing, shown)
         return figure
 
@@ -120,8 +120,8 @@ def _draw_marks(axes: Axes, marks: Marks, places: FloatArray) -> None:
             axes.plot(*some.T, ls="", mew=0.0, zorder=6, label=label, **look)
 
 
-def _draw_peg(axes: Axes, sheet: Sheet, marks: Marks) -> None:
-    """The peg and the base points, with their names."""
+def _draw_peg(axes: Axes, sheet: Sheet, marks: Marks) -> FloatArray:
+    """The peg and the base points, with their names; where they lie, mm, (3, 2)."""
     spots = sheet.place(np.array([marks.peg, *marks.bases.tolist()]))
     axes.plot(*spots[:1].T, ls="", marker="P", ms=6.0, color="black", mec="white", mew=0.5, zorder=7,
               label=_("peg"))  # fmt: skip
@@ -129,6 +129,7 @@ def _draw_peg(axes: Axes, sheet: Sheet, marks: Marks) -> None:
               label=_("base points B and C"))  # fmt: skip
     for name, (x, y) in zip((_("peg"), *BASES), spots.tolist(), strict=True):
         axes.text(x + 1.5, y + 1.0, name, fontsize=9, weight="bold", va="bottom", zorder=8)
+    return spots
 
 
 def number_box(text: str, x: float, y: float) -> FloatArray:
@@ -149,18 +150,18 @@ def text_box(text: Text) -> FloatArray:
     return np.array([left, y - 1.0, left + POINT * width, y + POINT * height + 1.0])
 
 
-def _write_numbers(axes: Axes, drawing: ChalkDrawing, places: FloatArray) -> int:
+def _write_numbers(axes: Axes, drawing: ChalkDrawing, places: FloatArray, spots: FloatArray) -> int:
     """Numbers beside their marks where none overlaps a mark, another number or a name; how many."""
     marks = drawing.marks
     taken = np.full((len(marks) + len(axes.texts), 4), np.inf)
     count = len(axes.texts)
     for n, text in enumerate(axes.texts):
         taken[n] = text_box(text)
-    ways = marks_ways(drawing)
+    ways, dots = _ways(drawing), np.concatenate([places, spots])
     shown = 0
     for n in sorted(range(len(marks)), key=lambda n: _rank(marks.kinds[n], n + 1)):
         for box in _candidates(str(n + 1), places[n], ways[n]):
-            if _free(box, taken[:count], places):
+            if _free(box, taken[:count], dots):
                 taken[count] = box
                 count, shown = count + 1, shown + 1
                 x, y = 0.5 * (box[:2] + box[2:])
@@ -170,7 +171,7 @@ def _write_numbers(axes: Axes, drawing: ChalkDrawing, places: FloatArray) -> int
     return shown
 
 
-def marks_ways(drawing: ChalkDrawing) -> FloatArray:
+def _ways(drawing: ChalkDrawing) -> FloatArray:
     """Unit vectors along the route at the marks, (M, 2)."""
     headings = drawing.trail.route.heading(drawing.marks.s)
     return np.column_stack([np.cos(headings), np.sin(headings)])
@@ -196,11 +197,11 @@ def _candidates(text: str, place: FloatArray, way: FloatArray) -> list[FloatArra
     return found
 
 
-def _free(box: FloatArray, taken: FloatArray, places: FloatArray) -> bool:
+def _free(box: FloatArray, taken: FloatArray, dots: FloatArray) -> bool:
     over = (box[:2] < taken[:, 2:]) & (taken[:, :2] < box[2:])
     if over.all(axis=1).any():
         return False
-    near = (places > box[:2] - MARK) & (places < box[2:] + MARK)
+    near = (dots > box[:2] - MARK) & (dots < box[2:] + MARK)
     return not near.all(axis=1).any()
 
 

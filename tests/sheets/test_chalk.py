@@ -1,0 +1,279 @@
+"""The files of a chalk plan: they say what the plan says, to scale and whole, in both languages."""
+
+import math
+import re
+import zipfile
+from itertools import combinations, pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pypdf
+import pypdfium2
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from python_calamine import CalamineWorkbook
+
+from benchdragon.analysis.check import check
+from benchdragon.analysis.marks import ANGLE_STEP, LENGTH_STEP
+from benchdragon.errors import InputError
+from benchdragon.export.tiles import BORDER, Tiling
+from benchdragon.figures.chalk import ChalkDrawing, chalk_picture
+from benchdragon.i18n import spoken_in
+from benchdragon.plans.schema import Plan, checked
+from benchdragon.rosters.roster import Roster
+from benchdragon.sheets.briefing import Briefing
+from benchdragon.sheets.chalk import (
+    FILES,
+    ChalkOptions,
+    chalk_drawing,
+    list_rows,
+    own_peg,
+    write_chalk,
+)
+
+MM = 25.4 / 72.0
+
+
+def village(**more: Any) -> Plan:
+    """Four benches that walk round a bend, beside a well; more keys are tables of the plan."""
+    return checked(
+        {
+            "schema": 1,
+            "meta": {"title": "Round the bend", "title_zh": "绕弯"},
+            "dragon": {"benches": 4},
+            "route": {
+                "kind": "parts",
+                "part": [{"kind": "line", "length": 12}, {"kind": "arc", "radius": 4, "angle": 180}],
+                "at": [1.0, 2.0],
+            },
+            "walk": {"start": 9, "end": 24},
+            "venue": {"rectangle": [30, 24], "centre": [8, 3]},
+            "obstacle": [{"kind": "circle", "name": "well 井", "centre": [13, 6], "radius": 0.6}],
+            **more,
+        },
+        "village",
+    )
+
+
+def briefed(plan: Plan) -> Briefing:
+    return Briefing(check(plan), Roster(), (), "2026-11-23", plan.sha256)
+
+
+@pytest.fixture(scope="module")
+def briefing() -> Briefing:
+    return briefed(village())
+
+
+@pytest.fixture(scope="module")
+def folders(briefing: Briefing, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    """The files in each language, on A3 at 1:100."""
+    found = {}
+    for language in ("en", "zh"):
+        found[language] = tmp_path_factory.mktemp(language)
+        with spoken_in(language):
+            paths = write_chalk(briefing, found[language], ChalkOptions(paper="A3", scale=100.0))
+        assert [path.name for path in paths] == list(FILES)
+        assert all(path.exists() for path in paths)
+    return found
+
+
+@pytest.fixture(scope="module")
+def drawing(briefing: Briefing) -> ChalkDrawing:
+    return chalk_drawing(briefing, ChalkOptions())
+
+
+def test_the_list_says_what_the_route_is_to_the_rounding(drawing: ChalkDrawing) -> None:
+    marks = drawing.marks
+    rows = list(list_rows(marks))
+    assert [row[0] for row in rows] == list(range(1, len(marks) + 1))
+    points = drawing.trail.route.point(marks.s)
+    assert np.abs(marks.points - points).max() < 1e-9
+    half = 0.5 * LENGTH_STEP + 1e-9
+    for (x, y), row in zip(points.tolist(), rows, strict=True):
+        assert abs(row[2] - x) <= half
+        assert abs(row[3] - y) <= half
+        assert abs(row[4] - math.hypot(x - 1.0, y - 2.0)) <= half
+        turned = math.degrees(math.atan2(y - 2.0, x - 1.0)) - row[5]
+        assert abs((turned + 180.0) % 360.0 - 180.0) <= 0.5 * ANGLE_STEP + 1e-9
+        base = marks.bases["BC".index(row[6])]
+        assert abs(row[7] - math.dist(base, (x, y))) <= half
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_the_pdf_prints_the_list(
+    language: str, folders: dict[str, Path], drawing: ChalkDrawing
+) -> None:
+    reader = pypdf.PdfReader(folders[language] / "chalk.pdf")
+    text = "\n".join(page.extract_text() for page in reader.pages)
+    words = re.findall(r"[\d.]+|[BC]\b", text)
+    for row in list_rows(drawing.marks):
+        numbers = [f"{value:.3f}" for value in row[1:5] if isinstance(value, float)]
+        wanted = [str(row[0]), *numbers, f"{row[5]:.2f}", row[6], f"{row[7]:.3f}", f"{row[9]:.3f}"]
+        assert any(words[n : n + 9] == wanted for n in range(len(words))), wanted
+    assert (re.search(r"[一-鿿]", text) is not None) == (language == "zh")
+    assert ("from the peg" in text) == (language == "en")
+    assert "1:100" in text
+    assert drawing.foot[:12] in text
+    assert f"{math.ceil(1000.0 * drawing.marks.tape_error)} " in text
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_the_workbook_holds_the_list(
+    language: str, folders: dict[str, Path], drawing: ChalkDrawing
+) -> None:
+    path = folders[language] / "chalk.xlsx"
+    book = CalamineWorkbook.from_path(path)
+    (head, *rows), about = (book.get_sheet_by_index(n).to_python() for n in range(2))
+    assert sum("(m)" in str(cell) for cell in head) == 6
+    assert sum("(°)" in str(cell) for cell in head) == 1
+    for row, wanted in zip(rows, list_rows(drawing.marks), strict=True):
+        assert row[:8] == list(wanted[:8])
+        assert row[9] == wanted[9]
+    assert [drawing.foot] in about
+    assert (re.search(r"[一-鿿]", str(head)) is not None) == (language == "zh")
+    with zipfile.ZipFile(path) as archive:
+        assert 'pane xSplit="1" ySplit="1"' in archive.read("xl/worksheets/sheet1.xml").decode()
+
+
+def _numbers_on(path: Path) -> dict[str, np.ndarray[Any, Any]]:
+    """Where the words of the first page of a PDF stand: their middles, mm from its corner."""
+    page = pypdfium2.PdfDocument(path)[0]
+    text = page.get_textpage()
+    found = {}
+    for n in range(text.count_rects()):
+        left, bottom, right, top = text.get_rect(n)
+        word = text.get_text_bounded(left, bottom, right, top).strip()
+        found[word] = MM * 0.5 * np.array([left + right, bottom + top])
+    return found
+
+
+def test_the_drawing_is_to_scale(folders: dict[str, Path], drawing: ChalkDrawing) -> None:
+    path = folders["en"] / "chalk-drawing.pdf"
+    places = _numbers_on(path)
+    # B and C stand at right angles as far from the peg: their names are set off alike.
+    apart = places["C"] - places["B"]
+    long = 10.0 * drawing.marks.reach
+    assert apart == pytest.approx(10.0 * (drawing.marks.bases[1] - drawing.marks.bases[0]), abs=0.5)
+    assert math.hypot(*apart) == pytest.approx(long * math.sqrt(2.0), abs=0.5)
+    page = pypdf.PdfReader(path).pages[0]
+    assert float(page.mediabox.width) * MM == pytest.approx(420.0, abs=0.01)
+    contents = page.get_contents()
+    assert contents is not None
+    corners = re.findall(r"((?:-?[\d.]+ -?[\d.]+ [ml]\s+){4})h", contents.get_data().decode("latin-1"))
+    sizes = [
+        MM * np.ptp(np.array(re.findall(r"-?[\d.]+", one), dtype=float).reshape(4, 2), axis=0)
+        for one in corners
+    ]
+    assert any(np.allclose(size, [300.0, 240.0], atol=0.01) for size in sizes)  # the venue
+    assert any(np.allclose(size, [50.0, 2.0], atol=0.01) for size in sizes)  # the bar of 5 m
+
+
+@pytest.mark.parametrize(("every", "all_shown"), [(1.0, True), (0.1, False)])
+def test_no_number_overlaps_another_number_a_name_or_a_mark(
+    every: float, all_shown: bool, briefing: Briefing
+) -> None:
+    drawing = chalk_drawing(briefing, ChalkOptions(every=every))
+    sheet = drawing.sheet("A3", 100.0)
+    figure = chalk_picture(drawing, sheet)
+    figure.set_dpi(72.0)
+    canvas: Any = FigureCanvasAgg(figure)
+    canvas.draw()
+    renderer = canvas.get_renderer()
+    axes = figure.axes[0]
+    texts = [text for text in axes.texts if text.get_text().isdigit() and text.get_fontsize() == 7.0]
+    assert (len(texts) == len(drawing.marks)) == all_shown
+    assert len(texts) > 20
+    boxes = [text.get_window_extent(renderer) for text in texts]
+    # Agg's boxes are whole dots, and reach below the digits: the middle of each counts.
+    small = [(box.x0 + 1.0, box.y0 + 1.0, box.x1 - 1.0, box.y1 - 1.0) for box in boxes]
+    for a, b in combinations(small, 2):
+        assert a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
+    dots = sheet.place(drawing.marks.points) / MM
+    for left, bottom, right, top in small:
+        inside = (dots > [left, bottom]) & (dots < [right, top])
+        assert not inside.all(axis=1).any()
+
+
+def test_the_peg_is_the_centre_of_the_route_where_it_is_danced() -> None:
+    assert own_peg(village()) == (1.0, 2.0)
+    spiral = {"kind": "spiral-in", "at": [3.0, -1.0]}
+    plan = checked({"schema": 1, "dragon": {"benches": 4}, "route": spiral}, "spiral")
+    assert own_peg(plan) == pytest.approx((3.0, -1.0))
+
+
+def test_bearings_are_from_north_only_where_a_survey_tells_it(briefing: Briefing) -> None:
+    assert not chalk_drawing(briefing, ChalkOptions()).marks.north
+    surveyed = briefed(village(survey={"crs": "wgs84", "origin": [120.0, 30.0]}))
+    marks = chalk_drawing(surveyed, ChalkOptions(peg=(0.0, 0.0))).marks
+    assert marks.north
+    x, y = marks.points.T
+    assert marks.radius * np.sin(np.radians(marks.angle)) == pytest.approx(x, abs=1e-9)
+    assert marks.radius * np.cos(np.radians(marks.angle)) == pytest.approx(y, abs=1e-9)
+
+
+def test_a_paper_that_is_too_small_and_one_that_is_not_known_are_refused(
+    briefing: Briefing, tmp_path: Path
+) -> None:
+    with pytest.raises(InputError, match="does not fit A4 at 1:100"):
+        write_chalk(briefing, tmp_path, ChalkOptions(paper="A4", scale=100.0))
+    with pytest.raises(InputError, match="from 1:50 to 1:500, not 1:1000"):
+        write_chalk(briefing, tmp_path, ChalkOptions(scale=1000.0))
+    with pytest.raises(InputError, match="paper must be one of A4, A3, A2, A1, A0, not B5"):
+        write_chalk(briefing, tmp_path, ChalkOptions(tile="B5"))
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_paper_is_the_smallest_at_which_one_can_read(drawing: ChalkDrawing) -> None:
+    assert drawing.sheet(None, None).scale == 100.0
+    assert sorted((drawing.sheet(None, None).width, drawing.sheet(None, None).height)) == [297.0, 420.0]
+    large = drawing.sheet(None, 50.0)
+    assert sorted((large.width, large.height)) == [594.0, 841.0]
+
+
+def test_tiles_put_together_are_the_drawing(folders: dict[str, Path]) -> None:
+    scale = 2.0
+    whole_page = pypdfium2.PdfDocument(folders["en"] / "chalk-drawing.pdf")[0]
+    whole = whole_page.render(scale=scale).to_numpy().min(axis=2)
+    pages = pypdfium2.PdfDocument(folders["en"] / "chalk-tiles.pdf")
+    tiling = Tiling.of((420.0, 297.0), (210.0, 297.0))
+    windows = list(tiling.windows())
+    assert len(pages) == len(windows) + 1
+    joined = np.full_like(whole, 255)
+    seen = np.zeros(whole.shape, dtype=int)
+    dots = scale / MM
+    for n, one in enumerate(windows, start=1):
+        page = pages[n].render(scale=scale).to_numpy().min(axis=2)
+        wide, tall = (int(side * dots) for side in tiling.window)
+        border = round(BORDER * dots)
+        part = page[border : border + tall, border : border + wide]
+        left, top = round(one.x * dots), round((297.0 - one.y - tiling.window[1]) * dots)
+        room = joined[top : top + tall, left : left + wide]
+        room[:] = np.minimum(room, part[: room.shape[0], : room.shape[1]])
+        seen[top : top + tall, left : left + wide] += 1
+    assert seen.min() >= 1
+    assert seen.max() == 4
+    dark, found = whole < 128, joined < 192
+    # Lines may fall a dot aside.
+    near = np.zeros_like(found)
+    for dy in (-1, 0, 1):
+        for dx in (-1, 0, 1):
+            near |= np.roll(found, (dy, dx), axis=(0, 1))
+    assert dark.sum() > 2000
+    assert (dark & ~near).sum() == 0
+
+
+@pytest.mark.parametrize("size", [(841.0, 594.0), (1189.0, 841.0), (420.0, 297.0), (100.0, 100.0)])
+def test_windows_cover_a_drawing_and_overlap(size: tuple[float, float]) -> None:
+    tiling = Tiling.of(size, (210.0, 297.0))
+    windows, (wide, tall) = list(tiling.windows()), tiling.window
+    assert len({one.name for one in windows}) == len(windows) == tiling.count
+    assert windows[0].name == "A1"
+    xs = sorted({one.x for one in windows})
+    ys = sorted({one.y for one in windows})
+    assert xs[0] <= 0.0
+    assert ys[0] <= 0.0
+    assert xs[-1] + wide >= size[0]
+    assert ys[-1] + tall >= size[1]
+    assert all(b - a == pytest.approx(wide - 10.0) for a, b in pairwise(xs))
+    assert all(b - a == pytest.approx(tall - 10.0) for a, b in pairwise(ys))
