@@ -112,6 +112,14 @@ BASES["surveyed"] = {
     "route": {"kind": "drawn", "deviation": 0.2, "piece": PIECES},
     "walk": {"start": 2, "end": 5},
 }
+BASES["cues"] = {
+    "dragon": DRAGON,
+    "route": SPIRAL,
+    "walk": {"end": 20},
+    "cues": {
+        "cue": [{"kind": "hold", "head": 5.0, "hold": 2.0}, {"kind": "tempo", "at": 13.5, "tempo": 99}]
+    },
+}
 # Another value for each key; the number of a part is that of its kind in PARTS.
 VARIED: dict[str, Any] = {
     "meta.title": "Other",
@@ -236,6 +244,17 @@ VARIED: dict[str, Any] = {
     "obstacle.1.angle": 10.0,
     "obstacle.2.points": [[5, 0], [7, 0], [6, 3]],
     "obstacle.3.points": [[-9, 4], [9, 5]],
+    "cues.tempo": 80,
+    "cues.bar": 3,
+    "cues.acceleration": 0.3,
+    "cues.clock": "18:30",
+    "cues.cue": [{"kind": "hold", "head": 6.0, "hold": 2.0}],
+    "cues.cue.0.hold": 3.0,
+    "cues.cue.0.at": None,  # stands in place of the other: tests/plans/test_cues.py
+    "cues.cue.0.head": 6.0,
+    "cues.cue.1.tempo": 100,
+    "cues.cue.0.text": "bow",
+    "cues.cue.0.text_zh": "拜庙",
     "base": None,  # it is a plan of its own: tests/plans/test_base.py
 }
 
@@ -265,7 +284,7 @@ def built(plan: Plan) -> list[Any]:
     """What comes of a plan: the walk and its times, and what it is called."""
     walk = plan.build()
     about = [plan.meta, walk.dragon.sizes, walk.route.rows, walk.profile, walk.start, plan.span(walk)]
-    return [*about, plan.obstacles()]
+    return [*about, plan.obstacles(), plan.cues]
 
 
 def judged(plan: Plan) -> list[Any]:
@@ -310,7 +329,8 @@ def test_whatever_a_plan_says_has_an_effect_or_is_refused(base: str) -> None:
     for key, value in VARIED.items():
         steps = key.split(".")
         listed = len(steps) > 2 and steps[1] not in data.get(steps[0], {})
-        if key.startswith("limits.") or value is None or listed:
+        elsewhere = steps[0] == "cues" and base != "cues"
+        if key.startswith("limits.") or value is None or listed or elsewhere:
             continue
         plan = asked(base, key, value)
         assert plan is None or not same(before, built(plan)), key

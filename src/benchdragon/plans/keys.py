@@ -9,6 +9,7 @@ from pydantic.fields import FieldInfo
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
+from benchdragon.plans.cues import CuesTable, CueTable
 from benchdragon.plans.drawn import PieceTable, SurveyTable
 from benchdragon.plans.faults import kinds_of
 from benchdragon.plans.formations import StepTable
@@ -356,6 +357,33 @@ SECTIONS = (
         {
             name: Key(N_("source of the number of the same name in [people]"), "measured in 2026")
             for name in SourcesTable.model_fields
+        },
+    ),
+    Section(
+        "[cues]", N_("Time: tempo and drum, holds, stops and starts of the head."), CuesTable,
+        {
+            "tempo": Key(N_("beats a minute; else a step a beat at the head's speed"), 96),
+            "bar": Key(N_("beats of a bar"), 4),
+            "acceleration": Key(
+                N_("at which the head brakes and starts; else limits.head_acceleration"), 0.3, "m/s^2"
+            ),
+            "clock": Key(N_("time of day at which the dance starts"), "18:30"),
+            "cue": Key(N_("drum, holds and so on: see [[cues.cue]]"), [{"kind": "beat", "at": 60}]),
+        },
+    ),
+    Section(
+        "[[cues.cue]]", N_("A cue, at a time or at a place of the head."), CueTable,
+        {
+            "kind": Key(N_("beat (a stroke of the drum), hold, stop, start, tempo or note"), "hold"),
+            "at": Key(N_("when: the head then begins to stand, or to walk"), "2 min 30 s", "s"),
+            "head": Key(
+                N_("in place of a time: metres that the head has walked since the start of the dance"),
+                "40 m", "m",
+            ),
+            "hold": Key(N_("for how long the head stands; of a hold alone"), "20 s", "s"),
+            "tempo": Key(N_("beats a minute from then on; of kind tempo alone"), 120),
+            "text": Key(N_("what it is called; else its kind"), "bow to the temple"),
+            "text_zh": Key(N_("the same in Chinese"), "拜庙"),
         },
     ),
 )  # fmt: skip

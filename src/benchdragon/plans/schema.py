@@ -17,6 +17,7 @@ from benchdragon.model.curves import Route
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.profile import SpeedProfile
 from benchdragon.model.walk import Walk
+from benchdragon.plans.cues import END_SLACK, CuesTable, Moment, Paced
 from benchdragon.plans.drawn import SurveyTable, with_drawings
 from benchdragon.plans.faults import fault_of
 from benchdragon.plans.people import DECIDING, PeopleTable
@@ -60,6 +61,7 @@ class Plan(Table):
     )
     survey: SurveyTable = SurveyTable()
     people: PeopleTable = PeopleTable()
+    cues: CuesTable = CuesTable()
     base: Annotated[str, Field(exclude=True)] = ""
     _source: Source = PrivateAttr(default=Source())
 
@@ -67,12 +69,11 @@ class Plan(Table):
     def sha256(self) -> str:
         """Name of everything that the plan says, titles and notes left out.
 
-        What is said of the square and of the people's needs counts where it is said: plans without
-        keep their names. Where on earth the dance is does not count, nor who dances.
+        What is said of the square, of the people's needs and of cues counts where it is said: plans
+        without keep their names. Where on earth the dance is does not count, nor who dances.
         """
-        data = self.model_dump(
-            mode="json", by_alias=True, exclude={"meta", "venue", "obstacle", "survey", "people"}
-        )
+        aside = {"meta", "venue", "obstacle", "survey", "people", "cues"}
+        data = self.model_dump(mode="json", by_alias=True, exclude=aside)
         if self.limits.venue_margin is None:
             del data["limits"]["venue_margin"]
         if self.route.at in (None, (0.0, 0.0)):
@@ -86,6 +87,8 @@ class Plan(Table):
         needs = self.people.model_dump(mode="json", include=set(DECIDING), exclude_defaults=True)
         if needs:
             data["people"] = needs
+        if self.cues.said():
+            data["cues"] = self.cues.said()
         return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()
 
     @property
@@ -138,12 +141,14 @@ class Plan(Table):
     def data(self) -> dict[str, Any]:
         """Every key that has an effect, those left out as by default, as plain data: the same plan.
 
-        Of the people only what is said.
+        Of the people and the cues only what is said.
         """
         data = self.model_dump(mode="json", by_alias=True, exclude_none=True)
         data["people"] = self.people.model_dump(mode="json", exclude_defaults=True)
-        if not data["people"]:
-            del data["people"]
+        data["cues"] = self.cues.said()
+        for name in ("people", "cues"):
+            if not data[name]:
+                del data[name]
         drop(data, idle_keys(data))
         return data
 
@@ -190,17 +195,44 @@ class Plan(Table):
     def span(self, walk: Walk) -> tuple[float, float]:
         """Start and end of the whole walk, s: as the plan says, else as its route's kind says.
 
+        Where a cue stops the head for good, and the plan says no end, that is the end.
+
         Raises:
-            PlanError: if the head never comes to the end.
+            PlanError: if the head never comes to the end, or cues lie outside the dance.
         """
-        start = 0.0 if self.walk.start is None else self.walk.start
-        if self.walk.end is not None:
-            return start, self.walk.end
-        end = walk.time_at(self.route.last_position(walk))
+        start, end = self._start, self.walk.end
+        if end is None:
+            end = walk.time_at(self.route.last_position(walk))
+            end = min(end, self._tried_pace().end) if self.cues.cue else end
         if not math.isfinite(end):
             text = _("the head never comes to the end of its walk: set walk.end")
             raise PlanError(self._source.sentences([Fault("walk", text)]))
+        self._refuse_outside(start, end)
         return start, end
+
+    def _refuse_outside(self, start: float, end: float) -> None:
+        """Refuse cues that are not in the dance."""
+        text = _("that is not within the dance, which lasts from {start} s to {end} s")
+        text = text.format(start=f"{start:g}", end=f"{end:.6g}")
+        faults = [
+            Fault(f"cues.cue.{one.number}", text)
+            for one in self.moments()
+            if not start <= one.time <= end + END_SLACK
+        ]
+        if faults:
+            raise PlanError(self._source.sentences(faults))
+
+    @property
+    def _start(self) -> float:
+        return 0.0 if self.walk.start is None else self.walk.start
+
+    def moments(self) -> tuple[Moment, ...]:
+        """All cues in their times and places, one after another.
+
+        Raises:
+            PlanError: for a cue that cannot be.
+        """
+        return self._tried_pace().moments(self.cues) if self.cues.cue else ()
 
     def profile(self) -> SpeedProfile:
         """The head's speed over time.
@@ -208,11 +240,36 @@ class Plan(Table):
         Raises:
             PlanError: if there is none such.
         """
+        return self._tried_pace().profile
+
+    def _tried_pace(self) -> Paced:
         faults = Faults()
-        profile = faults.tried("walk", self.walk.build)
-        if profile is None:
+        pace = faults.tried("walk", lambda: self._pace)
+        if pace is None:
             raise self._wrong(faults)
-        return profile
+        return pace
+
+    @cached_property
+    def _pace(self) -> Paced:
+        profile = self.walk.build()
+        if not self.cues.cue and self.cues.acceleration is None:
+            return Paced(profile, self._start, ())
+        return self.cues.paced(profile, self._start, self.limits)
+
+    def ways(self) -> tuple[float, float, float]:
+        """How far the head walks from time 0, as without cues, to the start; to the end; at most; m.
+
+        To the start and, if the plan says one, the end of its walk; else the second is not a number.
+
+        Raises:
+            PlanError: for a walk that cannot be.
+        """
+        pace, end = self._tried_pace(), self.walk.end
+        begin = float(self.walk.build().distance(self._start))
+        most = begin + pace.way(math.inf)
+        if end is None:
+            return begin, most if pace.end < math.inf else math.nan, most
+        return begin, begin + pace.way(end), most
 
     def build(self) -> Walk:
         """The walk that the plan describes.
@@ -223,13 +280,15 @@ class Plan(Table):
         faults = Faults()
         dragon = faults.tried("dragon", self.dragon.build)
         placed = faults.tried("route", lambda: self._placed(self.route))
-        profile = faults.tried("walk", self.walk.build)
+        pace = faults.tried("walk", lambda: self._pace)
         faults.tried("obstacle", lambda: self._obstacles)
-        if dragon is None or placed is None or profile is None or faults.found:
+        if dragon is None or placed is None or pace is None or faults.found:
             raise self._wrong(faults)
         route, start = placed
         position = start if self.walk.position is None else self.walk.position
-        walk = faults.tried("walk.position", lambda: Walk(dragon, route, profile, position))
+        if self.cues.cue:  # the dance starts where it does without cues
+            position += self.ways()[0] - float(pace.profile.distance(self._start))
+        walk = faults.tried("walk.position", lambda: Walk(dragon, route, pace.profile, position))
         if walk is None:
             raise self._wrong(faults)
         return walk

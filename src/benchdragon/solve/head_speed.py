@@ -147,12 +147,14 @@ def slowed(plan: Plan, *, progress: Progress = silent) -> Pace:
     limits.head_acceleration.
 
     Raises:
-        InputError: without a limit, or with a plan that has a profile already.
+        InputError: without a limit, or with a plan that has a profile already, or cues that hold it.
         WalkError: if the dragon cannot walk all the way.
         UnsureError: if that could not be decided, or if no pace was found to keep the limits.
     """
     if plan.walk.profile:
         raise InputError(_("the plan has a speed profile of its own: take walk.profile out"))
+    if any(cue.kind in ("hold", "stop") for cue in plan.cues.cue):
+        raise InputError(_("cues hold the head: seek the speeds without them, then put them in again"))
     steady = greatest_head_speed(plan, progress=progress)
     if steady.status == "undecided":
         raise UnsureError(_("it could not be shown that the dragon stands all along"))

@@ -182,7 +182,8 @@ def meeting_of(walk: Walk, end: float, witness: Witness) -> Meeting:
 
 def kernel_numbers(plan: Plan, question: Question) -> FloatArray:
     """What the kernels are told of a plan: see kernels/family.py."""
-    route, turn, profile, walk = plan.route, plan.turn, plan.profile(), plan.walk
+    route, turn, walk = plan.route, plan.turn, plan.walk
+    begin_way, end_way, most_way = plan.ways()
     pitch, disc = math.nan, _or_nan(plan.disc.radius)
     kind, least = sizes_of.FIXED, LEAST_PITCH if question.what == sizes_of.PITCH else LEAST
     start, clockwise = math.nan, True
@@ -210,9 +211,9 @@ def kernel_numbers(plan: Plan, question: Question) -> FloatArray:
         sizes_of.BEND: turn.curvature if turn.family == "arc-arc-arc" else 0.0,
         sizes_of.EASE: turn.ease,
         sizes_of.POSITION: _or_nan(walk.position),
-        sizes_of.BEGIN_WAY: float(profile.distance(walk.start or 0.0)),
-        sizes_of.END_WAY: math.nan if walk.end is None else float(profile.distance(walk.end)),
-        sizes_of.MOST_WAY: float(profile.distance(math.inf)),
+        sizes_of.BEGIN_WAY: begin_way,
+        sizes_of.END_WAY: end_way,
+        sizes_of.MOST_WAY: most_way,
         sizes_of.LEAST_SIZE: least,
         sizes_of.MOST_SIZE: MOST_METRES,
         sizes_of.ROOMY: ROOMY,

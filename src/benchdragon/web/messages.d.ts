@@ -65,6 +65,43 @@ export interface Course {
 }
 
 /**
+ * One cue, at a time or at a place of the head.
+ *
+ * Attributes:
+ *     at: when, s.
+ *     head: where the head is then, m of its walk from the start of the dance.
+ *     hold: for how long the head stands, s.
+ *     tempo: beats a minute from then on.
+ */
+export interface CueTable {
+  kind: "beat" | "hold" | "stop" | "start" | "tempo" | "note";
+  at?: number | null;
+  head?: number | null;
+  hold?: number | null;
+  tempo?: number | null;
+  text?: string;
+  text_zh?: string;
+}
+
+/**
+ * Drum, tempo, holds and stops.
+ *
+ * Attributes:
+ *     tempo: beats a minute; None: a step a beat.
+ *     bar: beats of a bar.
+ *     acceleration: at which the head brakes and starts, m/s^2; None: limits.head_acceleration.
+ *     clock: the time of day at which the dance starts.
+ *     cue: one after another, or in any order.
+ */
+export interface CuesTable {
+  tempo?: number | null;
+  bar?: number;
+  acceleration?: number | null;
+  clock?: string;
+  cue?: Array<CueTable>;
+}
+
+/**
  * A whole dance, as a player shows it.
  *
  * Attributes:
@@ -531,6 +568,7 @@ export interface Plan {
   obstacle?: Array<CircleTable | RectangleTable | PolygonTable | LineTable>;
   survey?: SurveyTable;
   people?: PeopleTable;
+  cues?: CuesTable;
 }
 
 /** A plan, to be asked about. */

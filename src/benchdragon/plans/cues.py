@@ -1,0 +1,227 @@
+"""The table of a plan file about time: drum beats, holds, stops and starts, and the tempo."""
+
+import math
+import re
+from dataclasses import dataclass
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import AfterValidator, Field, model_validator
+
+from benchdragon.i18n import N_, _
+from benchdragon.model.holds import SAME_PLACE, Hold, HoldError, Standing, Trouble, with_holds
+from benchdragon.model.profile import SpeedProfile
+from benchdragon.plans.source import Fault, KeyedError
+from benchdragon.plans.tables import Acceleration, LengthOrZero, LimitsTable, Number, Seconds, Table
+
+# A dance with more cues than this is a list of something else.
+MOST_CUES = 200
+# Beats a minute: slower and faster ones are a slip of the pen. Beats of a bar.
+LEAST_TEMPO, MOST_TEMPO, MOST_BAR = 20.0, 400.0, 16
+# A hold is as long as this at least, s.
+LEAST_HOLD = 0.1
+# The head brakes by so much less than it may, as a share: rounding must not exceed the limit.
+PRUDENCE = 1e-9
+# How far a cue may lie beyond the end of the dance, s: rounding.
+END_SLACK = 1e-6
+
+Kind = Literal["beat", "hold", "stop", "start", "tempo", "note"]
+Tempo = Annotated[Number, Field(ge=LEAST_TEMPO, le=MOST_TEMPO)]
+Words = Annotated[str, Field(max_length=255)]
+
+# What cues are called that have no text of their own.
+NAMES: dict[str, str] = {
+    "beat": N_("drum"),
+    "hold": N_("hold"),
+    "stop": N_("stop"),
+    "start": N_("start"),
+    "tempo": N_("tempo"),
+    "note": N_("note"),
+}
+
+TROUBLE: dict[Trouble, str] = {
+    "overlap": N_("the head still stands for another cue then: set them farther apart"),
+    "room": N_("to stand there the head would have to brake harder than {rate} m/s^2: set it later"),
+    "unreachable": N_("the head never comes there"),
+    "outside": N_("that is before the dance starts, at {start} s"),
+    "over": N_("the dance is over by then: the head has stopped, and no start comes after"),
+}
+
+TIME_OF_DAY = re.compile(r"([01]?\d|2[0-3]):([0-5]\d)(?::([0-5]\d))?", re.ASCII)
+
+
+def _time_of_day(text: str) -> str:
+    if text and not TIME_OF_DAY.fullmatch(text):
+        raise ValueError(_("wanted a time of day such as 18:30, not {text}").format(text=repr(text)))
+    return text
+
+
+class CueTable(Table):
+    """One cue, at a time or at a place of the head.
+
+    Attributes:
+        at: when, s.
+        head: where the head is then, m of its walk from the start of the dance.
+        hold: for how long the head stands, s.
+        tempo: beats a minute from then on.
+    """
+
+    kind: Kind
+    at: Seconds | None = None
+    head: LengthOrZero | None = None
+    hold: Annotated[Seconds, Field(ge=LEAST_HOLD)] | None = None
+    tempo: Tempo | None = None
+    text: Words = ""
+    text_zh: Words = ""
+
+    @model_validator(mode="after")
+    def _whole(self) -> Self:
+        if (self.at is None) == (self.head is None):
+            raise ValueError(_("a cue needs either at, a time, or head, a place of the head"))
+        if self.kind == "start" and self.at is None:
+            raise ValueError(_("a start needs at, a time: the head stands until then"))
+        for name in ("hold", "tempo"):
+            if (getattr(self, name) is not None) != (self.kind == name):
+                text = _("a cue needs {name} if its kind is {name}, and else has none")
+                raise ValueError(text.format(name=name))
+        return self
+
+    def called(self, language: str) -> str:
+        """What is said of it in a language, "en" or "zh"; its kind, if nothing is."""
+        own = (self.text_zh or self.text) if language == "zh" else (self.text or self.text_zh)
+        return own or _(NAMES[self.kind])
+
+
+class CuesTable(Table):
+    """Drum, tempo, holds and stops.
+
+    Attributes:
+        tempo: beats a minute; None: a step a beat.
+        bar: beats of a bar.
+        acceleration: at which the head brakes and starts, m/s^2; None: limits.head_acceleration.
+        clock: the time of day at which the dance starts.
+        cue: one after another, or in any order.
+    """
+
+    tempo: Tempo | None = None
+    bar: Annotated[int, Field(ge=1, le=MOST_BAR, strict=True)] = 4
+    acceleration: Acceleration | None = None
+    clock: Annotated[str, AfterValidator(_time_of_day)] = ""
+    cue: Annotated[list[CueTable], Field(max_length=MOST_CUES)] = Field(default_factory=list)
+
+    def said(self) -> dict[str, Any]:
+        """All of it that is not as by default."""
+        return self.model_dump(mode="json", exclude_defaults=True)
+
+    def paced(self, profile: SpeedProfile, start: float, limits: LimitsTable) -> "Paced":
+        """The head's speed with holds, stops and starts.
+
+        Args:
+            profile: without them.
+            start: of the dance, s.
+            limits: of the plan.
+
+        Raises:
+            KeyedError: for a cue that cannot be.
+        """
+        rate = limits.head_acceleration if self.acceleration is None else self.acceleration
+        if rate > limits.head_acceleration:
+            text = _("at most limits.head_acceleration, {limit} m/s^2, is allowed, not {rate}")
+            text = text.format(limit=f"{limits.head_acceleration:g}", rate=f"{rate:g}")
+            raise KeyedError([Fault("cues.acceleration", text)])
+        holding = [n for n, cue in enumerate(self.cue) if cue.kind in ("hold", "stop")]
+        cues = [self.cue[n] for n in holding]
+        holds = [Hold(cue.head, cue.at, cue.hold or math.inf) for cue in cues]
+        starts = {
+            n: cue.at for n, cue in enumerate(self.cue) if cue.kind == "start" and cue.at is not None
+        }
+        try:
+            found, stood = with_holds(
+                profile, start, holds, [*starts.values()], rate * (1.0 - PRUDENCE)
+            )
+        except HoldError as error:
+            text = _(TROUBLE[error.trouble]).format(rate=f"{rate:g}", start=f"{start:g}")
+            raise KeyedError([Fault(f"cues.cue.{holding[error.number]}", text)]) from None
+        self._refuse_idle(
+            starts, stood, {n for n, hold in enumerate(holds) if hold.seconds == math.inf}
+        )
+        return Paced(found, start, tuple(one._replace(number=holding[one.number]) for one in stood))
+
+    def _refuse_idle(self, starts: dict[int, float], stood: list[Standing], stops: set[int]) -> None:
+        """Refuse starts at which nothing starts."""
+        used = {one.end for one in stood if one.number in stops}
+        text = _("the head does not stand and wait then: a start needs a stop before it, and its own")
+        seen = set[float]()
+        faults = []
+        for n, time in starts.items():
+            if time not in used or time in seen:
+                faults.append(Fault(f"cues.cue.{n}", text))
+            seen.add(time)
+        if faults:
+            raise KeyedError(faults)
+
+
+@dataclass(frozen=True)
+class Moment:
+    """A cue in its time and place.
+
+    Attributes:
+        number: of the cue in the plan, from 0.
+        cue: the cue.
+        time: s.
+        way: of the head from the start of the dance, m.
+        until: when the head goes on, s: `time` where it is not held, infinite where it stays.
+    """
+
+    number: int
+    cue: CueTable
+    time: float
+    way: float
+    until: float
+
+
+@dataclass(frozen=True)
+class Paced:
+    """The head's speed with all that holds it.
+
+    Attributes:
+        profile: the speed.
+        start: of the dance, s.
+        standings: where the head stands, by the numbers of cues.
+    """
+
+    profile: SpeedProfile
+    start: float
+    standings: tuple[Standing, ...]
+
+    @property
+    def end(self) -> float:
+        """When the head stops for good, s; infinite where it does not."""
+        last = self.standings[-1] if self.standings else None
+        return math.inf if last is None or last.end < math.inf else last.start
+
+    def way(self, time: float) -> float:
+        """How far the head is from where the dance starts at a time, m."""
+        return float(self.profile.distance(time) - self.profile.distance(self.start))
+
+    def moments(self, cues: CuesTable) -> tuple[Moment, ...]:
+        """All cues, one after another; the time of one to which the head never comes is infinite."""
+        held = {one.number: one for one in self.standings}
+        found = []
+        for n, cue in enumerate(cues.cue):
+            if n in held:
+                _number, way, time, until = held[n]
+            else:
+                time = self._time(cue)
+                way = self.way(time) if cue.head is None else cue.head
+                until = time
+            found.append(Moment(n, cue, time, way, until))
+        return tuple(sorted(found, key=lambda one: (one.time, one.number)))
+
+    def _time(self, cue: CueTable) -> float:
+        """When a cue is that holds nothing, s."""
+        if cue.head is None:
+            return 0.0 if cue.at is None else cue.at
+        here = [one.start for one in self.standings if abs(one.way - cue.head) <= SAME_PLACE]
+        if here:
+            return here[0]
+        return max(self.profile.time(cue.head + float(self.profile.distance(self.start))), self.start)
