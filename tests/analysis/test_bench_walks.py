@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from shapely import Polygon
 
-from benchdragon.analysis.bench_walks import SHORTEST, STILL, STEP, BenchWalk, bench_walks
+from benchdragon.analysis.bench_walks import SHORTEST, STEP, STILL, BenchWalk, bench_walks
 from benchdragon.analysis.distance import boxes
 from benchdragon.kernels.box import corner
 from benchdragon.kernels.curve import FloatArray

@@ -255,6 +255,15 @@ VARIED: dict[str, Any] = {
     "cues.cue.1.tempo": 100,
     "cues.cue.0.text": "bow",
     "cues.cue.0.text_zh": "拜庙",
+    "event.place": "Temple square",
+    "event.place_zh": "祠堂广场",
+    "event.date": "2027-02-20",
+    "event.organiser": "Village",
+    "event.contact": "Li",
+    "event.spectators": 800,
+    "event.marshals": 24,
+    "event.distance": 3.0,
+    "event.entrances": [[20.0, 0.0]],
     "base": None,  # it is a plan of its own: tests/plans/test_base.py
 }
 
@@ -284,7 +293,7 @@ def built(plan: Plan) -> list[Any]:
     """What comes of a plan: the walk and its times, and what it is called."""
     walk = plan.build()
     about = [plan.meta, walk.dragon.sizes, walk.route.rows, walk.profile, walk.start, plan.span(walk)]
-    return [*about, plan.obstacles(), plan.cues]
+    return [*about, plan.obstacles(), plan.cues, plan.event]
 
 
 def judged(plan: Plan) -> list[Any]:

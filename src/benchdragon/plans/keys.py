@@ -11,6 +11,7 @@ from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
 from benchdragon.plans.cues import CuesTable, CueTable
 from benchdragon.plans.drawn import PieceTable, SurveyTable
+from benchdragon.plans.event import EventTable
 from benchdragon.plans.faults import kinds_of
 from benchdragon.plans.formations import StepTable
 from benchdragon.plans.people import PeopleTable, SourcesTable
@@ -384,6 +385,24 @@ SECTIONS = (
             "tempo": Key(N_("beats a minute from then on; of kind tempo alone"), 120),
             "text": Key(N_("what it is called; else its kind"), "bow to the temple"),
             "text_zh": Key(N_("the same in Chinese"), "拜庙"),
+        },
+    ),
+    Section(
+        "[event]",
+        N_("What the permit annex says of the event; without effect on the dance."),
+        EventTable,
+        {
+            "place": Key(N_("where it is"), "Temple square, Anshan"),
+            "place_zh": Key(N_("where it is, in Chinese"), "安山祠堂广场"),
+            "date": Key(N_("the day, or the days"), "2027-02-20"),
+            "organiser": Key(N_("who answers for the event"), "Anshan village"),
+            "contact": Key(N_("who is asked about it"), "Li"),
+            "spectators": Key(N_("how many spectators are expected"), 800),
+            "marshals": Key(N_("how many marshals there will be"), 24),
+            "distance": Key(
+                N_("of the spectators' line from the ground that benches cover; else 2 m"), 2, "m"
+            ),
+            "entrances": Key(N_("where people come in, each x and y"), [[20, 0], [-20, 0]], "m"),
         },
     ),
 )  # fmt: skip

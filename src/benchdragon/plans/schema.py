@@ -19,6 +19,7 @@ from benchdragon.model.profile import SpeedProfile
 from benchdragon.model.walk import Walk
 from benchdragon.plans.cues import END_SLACK, CuesTable, Moment, Paced
 from benchdragon.plans.drawn import SurveyTable, with_drawings
+from benchdragon.plans.event import EventTable
 from benchdragon.plans.faults import fault_of
 from benchdragon.plans.people import DECIDING, PeopleTable
 from benchdragon.plans.routes import AnyRoute
@@ -62,6 +63,7 @@ class Plan(Table):
     survey: SurveyTable = SurveyTable()
     people: PeopleTable = PeopleTable()
     cues: CuesTable = CuesTable()
+    event: EventTable = EventTable()
     base: Annotated[str, Field(exclude=True)] = ""
     _source: Source = PrivateAttr(default=Source())
 
@@ -70,9 +72,10 @@ class Plan(Table):
         """Name of everything that the plan says, titles and notes left out.
 
         What is said of the square, of the people's needs and of cues counts where it is said: plans
-        without keep their names. Where on earth the dance is does not count, nor who dances.
+        without keep their names. Where on earth the dance is does not count, nor who dances, nor
+        what is said of the event.
         """
-        aside = {"meta", "venue", "obstacle", "survey", "people", "cues"}
+        aside = {"meta", "venue", "obstacle", "survey", "people", "cues", "event"}
         data = self.model_dump(mode="json", by_alias=True, exclude=aside)
         if self.limits.venue_margin is None:
             del data["limits"]["venue_margin"]
@@ -141,12 +144,13 @@ class Plan(Table):
     def data(self) -> dict[str, Any]:
         """Every key that has an effect, those left out as by default, as plain data: the same plan.
 
-        Of the people and the cues only what is said.
+        Of the people, the cues and the event only what is said.
         """
         data = self.model_dump(mode="json", by_alias=True, exclude_none=True)
         data["people"] = self.people.model_dump(mode="json", exclude_defaults=True)
+        data["event"] = self.event.model_dump(mode="json", exclude_defaults=True)
         data["cues"] = self.cues.said()
-        for name in ("people", "cues"):
+        for name in ("people", "event", "cues"):
             if not data[name]:
                 del data[name]
         drop(data, idle_keys(data))

@@ -188,6 +188,32 @@ export interface DrawnRoute {
   drawn_within?: number;
 }
 
+/**
+ * What the permit annex says of the event; what is not said is left to be filled in by hand.
+ *
+ * Attributes:
+ *     place: where it is.
+ *     place_zh: the same in Chinese.
+ *     date: the day, or the days.
+ *     organiser: who answers for it.
+ *     contact: who is asked about it.
+ *     spectators: how many are expected.
+ *     marshals: how many there will be.
+ *     distance: of the spectators' line from the ground that the benches cover, m.
+ *     entrances: where people come in, m.
+ */
+export interface EventTable {
+  place?: string;
+  place_zh?: string;
+  date?: string;
+  organiser?: string;
+  contact?: string;
+  spectators?: number | null;
+  marshals?: number | null;
+  distance?: number | null;
+  entrances?: Array<[number, number]>;
+}
+
 /** A plan, and the language of the file; without one that of the request. */
 export interface ExportBody {
   plan: Plan;
@@ -569,6 +595,7 @@ export interface Plan {
   survey?: SurveyTable;
   people?: PeopleTable;
   cues?: CuesTable;
+  event?: EventTable;
 }
 
 /** A plan, to be asked about. */

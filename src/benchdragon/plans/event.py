@@ -1,0 +1,61 @@
+"""The table of a plan file about the event: where, when, by whom, how many people come."""
+
+from datetime import date
+from typing import Annotated, Any
+
+from pydantic import AfterValidator, BeforeValidator, Field
+
+from benchdragon.i18n import _
+from benchdragon.plans.tables import Length, Metres, Table
+
+# Entrances of one venue, and people at one event: more are a slip of the pen.
+MOST_ENTRANCES, MOST_PEOPLE = 50, 10_000_000
+
+
+def _one_line(text: str) -> str:
+    """Refuses what would break a line of a paper."""
+    if text and (text.isspace() or not text.isprintable()):
+        raise ValueError(_("wanted text on one line, not {text}").format(text=repr(text)))
+    return text
+
+
+def _day(value: Any) -> Any:
+    """A date of TOML as text."""
+    return value.isoformat() if isinstance(value, date) else value
+
+
+Said = Annotated[str, Field(max_length=255), AfterValidator(_one_line)]
+People = Annotated[int, Field(ge=0, le=MOST_PEOPLE, strict=True)]
+
+
+class EventTable(Table):
+    """What the permit annex says of the event; what is not said is left to be filled in by hand.
+
+    Attributes:
+        place: where it is.
+        place_zh: the same in Chinese.
+        date: the day, or the days.
+        organiser: who answers for it.
+        contact: who is asked about it.
+        spectators: how many are expected.
+        marshals: how many there will be.
+        distance: of the spectators' line from the ground that the benches cover, m.
+        entrances: where people come in, m.
+    """
+
+    place: Said = ""
+    place_zh: Said = ""
+    date: Annotated[Said, BeforeValidator(_day, json_schema_input_type=str)] = ""
+    organiser: Said = ""
+    contact: Said = ""
+    spectators: People | None = None
+    marshals: People | None = None
+    distance: Length | None = None
+    entrances: Annotated[list[tuple[Metres, Metres]], Field(max_length=MOST_ENTRANCES)] = Field(
+        default_factory=list
+    )
+
+    def called_place(self, language: str) -> str:
+        """Where it is, in a language, "en" or "zh"."""
+        english, chinese = self.place, self.place_zh
+        return (chinese or english) if language == "zh" else (english or chinese)
