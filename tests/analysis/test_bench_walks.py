@@ -1,7 +1,7 @@
 """What each bench does, against motions looked at a hundred times a second and against shapely."""
 
 import math
-from itertools import groupby
+from itertools import groupby, pairwise
 
 import numpy as np
 import pytest
@@ -58,7 +58,7 @@ def test_stretches_follow_one_another_and_none_is_too_short(told: tuple[BenchWal
         assert cuts[1:-1] == [one.start for one in bench.stretches[1:]]
         assert min(np.diff(cuts)) >= SHORTEST
         kinds = [(one.turning, one.pace) for one in bench.stretches]
-        assert all(one != after for one, after in zip(kinds, kinds[1:], strict=False))
+        assert all(one != after for one, after in pairwise(kinds))
     assert {one.pace for bench in told for one in bench.stretches} == {"wait", "walk", "hurry", "run"}
     assert {one.turning for bench in told for one in bench.stretches} == {"left", "right", "straight"}
 

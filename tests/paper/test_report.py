@@ -25,7 +25,8 @@ from benchdragon.export.document import (
     Reference,
     Table,
 )
-from benchdragon.export.pages import MARGIN, MM, write_pdf
+from benchdragon.export.forms import MM
+from benchdragon.export.pages import MARGIN, write_pdf
 from benchdragon.export.publish import write_html
 from benchdragon.export.typeset import breakable
 from benchdragon.i18n import spoken_in, use_language
