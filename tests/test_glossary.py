@@ -34,7 +34,7 @@ OTHER_SENSES = {
     r"\bclosed by its bracket\b|\bbrackets at most\b": "a sign of TOML",
     r"\btolerance must lie\b": "the name of an argument",
     r"\bbenches must be a list of Bench\b|\ba Line, Arc, Spiral, Clothoid or \w+": "classes",
-    r"^turn (?:left|right)$": "what a bearer does: 拐",
+    r"^turn left$|^turn right$": "what a bearer does: 拐",
     r"\bit sweeps\b|\bBoth sweep\b|\bmay sweep\b": "an angle that is turned through",
     r"\barc length\b": "length of any curve: 弧长",
     r"\bextra studio\b": "what pip installs",

@@ -17,8 +17,10 @@ ROW = re.compile(r"^\| `(BD\d{3})` \| (.+?) \| (.+?) \| (.+?) \|$", re.MULTILINE
 # Known for good: a code is never used again for something else.
 CODES = {
     "contact": "BD101", "margin": "BD102", "walk": "BD103",
+    "sway": "BD105", "imprecision": "BD106", "people": "BD107",
     "speed": "BD201", "acceleration": "BD202", "lateral_acceleration": "BD203",
     "total_acceleration": "BD204", "turning_rate": "BD205", "head_acceleration": "BD206",
+    "most_speed": "BD207",
     "venue": "BD301", "venue_margin": "BD302", "obstacle": "BD303", "obstacle_margin": "BD304",
 }  # fmt: skip
 SAID = [

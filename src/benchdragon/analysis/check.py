@@ -12,13 +12,13 @@ from benchdragon.analysis.contact import (
     ClearanceCurve,
     clearance_above,
     clearance_curve,
-    contact_windows,
-    first_contact,
+    first_sure_contact,
     least_clearance,
 )
 from benchdragon.analysis.findings import Finding, all_findings, named
 from benchdragon.analysis.obstacles import ObstacleAnswers, obstacle_answers
 from benchdragon.analysis.proof import prove_contact, prove_obstacle
+from benchdragon.analysis.room import ASKED, RoomLevel, levels_asked, room_levels, shown_name
 from benchdragon.analysis.speed import (
     QUANTITIES,
     RATE_TOLERANCE,
@@ -34,8 +34,6 @@ from benchdragon.model.walk import Motion, Walk
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, Stages, silent
 
-# Grazes that a check looks past for a sure contact.
-MOST_GRAZES = 100
 # Samples of the clearance drawn, those of the last share of the time, where benches come nearest, and
 # seconds shown after a contact.
 SAMPLES = 1000
@@ -59,6 +57,8 @@ class Report:
         greatest_speed: of any handle, m/s.
         peaks: the greatest of what else is limited, by the names of the limits, in SI units.
         obstacles: what was found about the venue's edge and each obstacle, until then too.
+        room: whether sway, imprecision and people have room, level upon level; empty where the plan
+            asks for none.
         findings: empty if the walk is safe.
         proved: whether what is said of contact was proved.
         seconds: how long the check took.
@@ -74,6 +74,7 @@ class Report:
     peaks: dict[str, Answer]
     findings: tuple[Finding, ...]
     obstacles: tuple[ObstacleAnswers, ...] = ()
+    room: tuple[RoomLevel, ...] = ()
     proved: bool = False
     seconds: float = 0.0
 
@@ -108,7 +109,7 @@ def check(
     """
     of_kind("plan", plan, Plan)
     began = clock.perf_counter()
-    stage = Stages(progress, 5)
+    stage = Stages(progress, 6 if levels_asked(plan.people) else 5)
     walk = plan.build()
     start, end = plan.span(walk)
     contact, clearance = _nearness(plan, walk, (start, end), stage, prove, quick)
@@ -119,11 +120,17 @@ def check(
     peaks = _limited_peaks(plan, walk, span, stage(_("other limits")))
     widths = (QUICK_CLEARANCE,) if quick else TOLERANCES
     obstacles = _obstacles(plan, walk, span, widths, prove, stage(_("obstacles")))
+    room: tuple[RoomLevel, ...] = ()
+    if levels_asked(plan.people):
+        told = stage(_("room for people"))
+        room = room_levels(plan, walk, (start, end), (contact, obstacles), prove, told)
     contacts = [contact, *(answers.contact for answers in obstacles)]
+    contacts += [one and one[0] for one in (level.first for level in room)]
     return Report(
         plan, walk, start, end, contact, clearance, speed, peaks,
-        findings=all_findings(plan, walk, span, contact, obstacles, {"speed": speed, **peaks}),
+        findings=all_findings(plan, walk, span, contact, obstacles, {"speed": speed, **peaks}, room),
         obstacles=obstacles,
+        room=room,
         proved=prove and all(one is None or one.status == "proved" for one in contacts),
         seconds=clock.perf_counter() - began,
     )  # fmt: skip
@@ -137,9 +144,8 @@ def _nearness(
     if clearance is not None:
         return None, clearance
     margin, told = plan.limits.margin, stage(_("searching for contact"))
-    search = prove_contact if prove else first_contact
-    contact = search(walk, *span, margin=margin, progress=told)
-    contact = _sure_contact(walk, *span, margin, contact)
+    search = prove_contact if prove else None
+    contact = first_sure_contact(walk, *span, margin=margin, search=search, progress=told)
     if (touching := _no_clearance(contact)) is not None:
         return contact, touching
     until = span[1] if contact is None or contact.witness is None else contact.upper
@@ -153,16 +159,6 @@ def _clear_throughout(plan: Plan, walk: Walk, span: tuple[float, float]) -> Answ
         return clearance_above(walk, *span, plan.limits.margin, tolerances=(QUICK_CLEARANCE,))
     except (WalkError, UnsureError):
         return None
-
-
-def _sure_contact(
-    walk: Walk, start: float, end: float, margin: float, first: Answer | None
-) -> Answer | None:
-    """The first contact, or if that is a graze one that is none, if there is one."""
-    if first is None or first.status != "undecided":
-        return first
-    windows = contact_windows(walk, start, end, margin=margin, most=MOST_GRAZES)
-    return next((window.opens for window in windows if window.opens.status == "found"), first)
 
 
 def _no_clearance(contact: Answer | None) -> Answer | None:
@@ -190,11 +186,11 @@ def _obstacles(
 
 
 def _decided_speed(plan: Plan, walk: Walk, span: tuple[float, float], speed: Answer) -> Answer:
-    """The greatest speed over a span of the walk, s, asked again where its bracket holds the limit."""
-    limit = plan.limits.speed
-    if limit is None or speed.keeps(limit) is not None:
-        return speed
-    return greatest(walk, QUANTITIES["speed"], *span, limit=limit * (1.0 + ROUNDING))
+    """The greatest speed over a span of the walk, s, asked again where its bracket holds a limit."""
+    for limit in (plan.limits.speed, plan.people.most_speed):
+        if limit is not None and speed.keeps(limit) is None:
+            speed = greatest(walk, QUANTITIES["speed"], *span, limit=limit * (1.0 + ROUNDING))
+    return speed
 
 
 def _limited_peaks(
@@ -243,6 +239,9 @@ BRIEF = {
     "obstacle_margin": N_("bench {a} comes nearer than {margin} cm to {name} at {t} s"),
     "venue": N_("bench {a} leaves {name} at {t} s"),
     "venue_margin": N_("bench {a} comes nearer than {margin} cm to the edge of {name} at {t} s"),
+    "sway": N_("benches {a} and {b} have no room to sway at {t} s"),
+    "imprecision": N_("benches {a} and {b} have no room for imprecision at {t} s"),
+    "people": N_("the people of benches {a} and {b} have no room at {t} s"),
 }
 
 
@@ -256,6 +255,8 @@ def _soonest(found: Finding) -> tuple[bool, bool, float]:
 def _briefly(found: Finding) -> str:
     """A finding in few words, in the language in use."""
     if found.kind not in BRIEF or not found.decided or found.time is None:
+        return found.text
+    if found.kind in ASKED and found.obstacle:
         return found.text
     return _(BRIEF[found.kind]).format(
         a=found.benches[0],
@@ -282,6 +283,9 @@ def _kept(report: Report) -> str:
     if limits.margin:
         said.append(_("{margin} cm were asked for").format(margin=f"{100.0 * limits.margin:g}"))
     said += _kept_from(report)
+    if report.room:
+        text = _("room is kept {levels}")
+        said.append(text.format(levels=_(", ").join(shown_name(one) for one in report.room[1:])))
     if limits.speed is not None:
         said.append(
             _("fastest handle {speed} m/s of {limit} m/s allowed").format(

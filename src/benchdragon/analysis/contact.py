@@ -6,7 +6,7 @@ How none is missed, see `contact_search`.
 import collections
 import math
 import time as clock
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -32,6 +32,8 @@ FIRST_REACH, WIDER = 0.003, 6.0
 # Least clearances are bracketed to the first of these, m, that benches which keep one distance for a
 # while allow.
 TOLERANCES = (1e-12, 1e-8, 1e-5)
+# Grazes that are looked past for a sure contact.
+MOST_GRAZES = 100
 # Samples of a clearance curve: each takes a millisecond for 223 benches.
 MOST_SAMPLES = 1_000_000
 
@@ -180,6 +182,29 @@ def first_contact(
     """
     windows = contact_windows(walk, start, end, margin=margin, most=1, slack=slack, progress=progress)
     return windows[0].opens if windows else None
+
+
+def first_sure_contact(
+    walk: Walk,
+    start: float,
+    end: float,
+    *,
+    margin: float,
+    search: Callable[..., Answer | None] | None = None,
+    progress: Progress = silent,
+) -> Answer | None:
+    """`first_contact`, or if that is a graze the first that is none, if there is one.
+
+    `search` is asked in its place, such as its proof.
+
+    Raises:
+        InputError, WalkError, UnsureError: as `first_contact`, or as `search`.
+    """
+    first = (search or first_contact)(walk, start, end, margin=margin, progress=progress)
+    if first is None or first.status != "undecided":
+        return first
+    windows = contact_windows(walk, start, end, margin=margin, most=MOST_GRAZES)
+    return next((window.opens for window in windows if window.opens.status == "found"), first)
 
 
 def least_clearance(

@@ -2,11 +2,12 @@
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from benchdragon.analysis.obstacles import ObstacleAnswers
+from benchdragon.analysis.room import RoomLevel
 from benchdragon.analysis.speed import QUANTITIES, given_limits
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import ROUNDING, Answer
@@ -37,12 +38,16 @@ KINDS: Mapping[str, Kind] = {
     "contact": Kind("BD101", N_("two benches touch")),
     "margin": Kind("BD102", N_("two benches come nearer than the margin")),
     "walk": Kind("BD103", N_("a bench cannot follow")),
+    "sway": Kind("BD105", N_("benches have no room to sway")),
+    "imprecision": Kind("BD106", N_("benches have no room for imprecision")),
+    "people": Kind("BD107", N_("people have no room beside or before a bench")),
     "speed": Kind("BD201", N_("a handle is faster than the limit")),
     "acceleration": Kind("BD202", N_("a handle accelerates along the route by more than the limit")),
     "lateral_acceleration": Kind("BD203", N_("a handle's lateral acceleration exceeds the limit")),
     "total_acceleration": Kind("BD204", N_("a handle's total acceleration exceeds the limit")),
     "turning_rate": Kind("BD205", N_("a bench's turning rate exceeds the limit")),
     "head_acceleration": Kind("BD206", N_("the head changes its speed by more than the limit")),
+    "most_speed": Kind("BD207", N_("a handle is faster than a bench can be carried")),
     "venue": Kind("BD301", N_("a bench leaves the venue")),
     "venue_margin": Kind("BD302", N_("a bench comes nearer to the venue's edge than its margin")),
     "obstacle": Kind("BD303", N_("a bench touches an obstacle")),
@@ -99,10 +104,11 @@ def all_findings(
     contact: Answer | None,
     obstacles: Sequence[ObstacleAnswers],
     peaks: Mapping[str, Answer],
+    room: Sequence[RoomLevel] = (),
 ) -> tuple[Finding, ...]:
     """What a walk does that its plan forbids, from the first time of the span, s, to the second.
 
-    `peaks` are the greatest speed and what else is limited.
+    `peaks` are the greatest speed and what else is limited, `room` the levels of room for people.
     """
     limits = given_limits(plan)
     return (
@@ -110,6 +116,8 @@ def all_findings(
         *(found for answers in obstacles for found in _obstacle_findings(answers)),
         *_head_findings(walk, span, plan.limits.head_acceleration),
         *(found for name in limits for found in _limit_findings(name, peaks[name], limits[name])),
+        *_carrying_findings(plan, peaks["speed"]),
+        *_room_findings(room),
     )
 
 
@@ -171,6 +179,67 @@ def _obstacle_finding(answers: ObstacleAnswers, contact: Answer | None, margin: 
     words |= name_words(answers.obstacle)
     gap, name = max(near.gap, 0.0), answers.obstacle.name
     return [Finding(kind, contact.value, near.benches, gap, margin, sentence, words, decided, name)]
+
+
+# What a level of room that is not kept is in words: between benches, and towards what stands still.
+ROOM_SENTENCES = {
+    "sway": N_("benches {a} and {b} have no room to sway at t = {t} s: {margin} m are asked for"),
+    "imprecision": N_(
+        "benches {a} and {b} have no room for imprecision at t = {t} s: {margin} m are asked for"
+    ),
+    "people": N_(
+        "the people of benches {a} and {b} have no room at t = {t} s: {margin} m are asked for"
+    ),
+    "sway at": N_("bench {a} has no room to sway at {name} at t = {t} s: {margin} m are asked for"),
+    "imprecision at": N_(
+        "bench {a} has no room for imprecision at {name} at t = {t} s: {margin} m are asked for"
+    ),
+    "people at": N_(
+        "the people of bench {a} have no room at {name} at t = {t} s: {margin} m are asked for"
+    ),
+}
+
+
+def _room_findings(room: Sequence[RoomLevel]) -> list[Finding]:
+    """Which levels of room are not kept, where benches alone keep theirs."""
+    if not room or room[0].first is not None:
+        return []
+    return [found for level in room[1:] for found in _room_finding(level)]
+
+
+def _room_finding(level: RoomLevel) -> list[Finding]:
+    """What a level of room that is not kept comes to, and from what first."""
+    if level.first is None or level.first[0].witness is None:
+        return []
+    contact, obstacle = level.first
+    near, decided = level.first[0].witness, contact.status != "undecided"
+    margin = level.margin if obstacle is None else obstacle.margin
+    sentence = ROOM_SENTENCES[level.name if obstacle is None else f"{level.name} at"]
+    if not decided:
+        sentence = N_(
+            "whether the margin of {margin} m at bench {a} is kept at t = {t} s is too close to tell"
+        )
+    words = {"a": str(near.benches[0]), "b": str(near.benches[-1])}
+    words |= {"t": f"{contact.value:z.6f}", "margin": f"{margin:g}"}
+    words |= {} if obstacle is None else name_words(obstacle)
+    gap, name = max(near.gap, 0.0), "" if obstacle is None else obstacle.name
+    return [
+        Finding(level.name, contact.value, near.benches, gap, margin, sentence, words, decided, name)
+    ]
+
+
+def _carrying_findings(plan: Plan, peak: Answer) -> list[Finding]:
+    """Whether a handle is faster than people can carry a bench, or may be."""
+    most = plan.people.most_speed
+    found = [] if most is None else _limit_findings("speed", peak, most)
+    sentence = N_(
+        "handle {handle} ({where}) moves at {value} m/s at t = {t} s; a bench can be carried at "
+        "{limit} m/s at most"
+    )
+    return [
+        replace(one, kind="most_speed", sentence=sentence if one.decided else one.sentence)
+        for one in found
+    ]
 
 
 def name_words(obstacle: Obstacle) -> dict[str, str]:

@@ -12,6 +12,7 @@ from benchdragon.analysis import findings
 from benchdragon.analysis.check import Report, peak_text, sentence
 from benchdragon.analysis.findings import KINDS
 from benchdragon.analysis.obstacles import ObstacleAnswers
+from benchdragon.analysis.room import RoomLevel, shown_name
 from benchdragon.errors import WalkError
 from benchdragon.i18n import Words, _, both
 from benchdragon.model import answer
@@ -102,6 +103,36 @@ class ObstacleRecord(Record):
     distance: Answer
 
 
+class RoomAsked(Record):
+    """What a level of room asks for beyond the one before it: see `room.Asked`.
+
+    Attributes:
+        source: null for an assumption.
+    """
+
+    key: str
+    value: Number
+    source: str | None
+
+
+class RoomRecord(Record):
+    """Whether a walk keeps a level of room: see `room.RoomLevel`.
+
+    Attributes:
+        kept: null where rounding leaves that open.
+        first: when it is first broken, and by which benches; null where it is kept.
+        obstacle: the name of what stands in the way then, null where nothing does.
+    """
+
+    name: Literal["benches", "sway", "imprecision", "people"]
+    text: Words
+    asked: list[RoomAsked]
+    margin: Number
+    kept: bool | None
+    first: Answer | None
+    obstacle: str | None
+
+
 class LimitedPeak(Record):
     """The greatest of a quantity that the plan limits, and what that is in words."""
 
@@ -121,6 +152,7 @@ class Verdict(Record):
         start: of the walk, s.
         end: of the walk, s.
         clearance: null where the dragon cannot walk, like the following.
+        room: level upon level, benches alone first; empty where the plan asks for no room for people.
         seconds: how long it took; null in files, which are the same each time.
     """
 
@@ -135,6 +167,7 @@ class Verdict(Record):
     greatest_speed: Answer | None
     peaks: list[LimitedPeak]
     obstacles: list[ObstacleRecord]
+    room: list[RoomRecord]
     findings: list[Finding]
     seconds: Number
     plan_sha256: str
@@ -161,6 +194,7 @@ def verdict_of(report: Report) -> Verdict:
         greatest_speed=answer_of(report.greatest_speed, plan),
         peaks=[_limited_peak(name, peak, plan) for name, peak in report.peaks.items()],
         obstacles=[_obstacle(found, plan) for found in report.obstacles],
+        room=[_room(level, plan) for level in report.room],
         findings=[_finding(found) for found in report.findings],
         seconds=report.seconds,
         plan_sha256=plan.sha256,
@@ -190,6 +224,21 @@ def _obstacle(found: ObstacleAnswers, plan: Plan) -> ObstacleRecord:
     )
 
 
+def _room(level: RoomLevel, plan: Plan) -> RoomRecord:
+    first, obstacle = level.first or (None, None)
+    return RoomRecord(
+        name=level.name,
+        text=both(lambda: shown_name(level)),
+        asked=[
+            RoomAsked(key=one.key, value=one.value, source=one.source or None) for one in level.asked
+        ],
+        margin=level.margin,
+        kept=level.kept,
+        first=None if first is None else answer_of(first, plan),
+        obstacle=None if obstacle is None else obstacle.name,
+    )
+
+
 def _limited_peak(name: str, peak: answer.Answer, plan: Plan) -> LimitedPeak:
     return LimitedPeak(name=name, text=both(lambda: peak_text(name)), peak=answer_of(peak, plan))
 
@@ -213,6 +262,7 @@ def verdict_of_fall(plan: Plan, span: tuple[float, float], error: WalkError) -> 
         greatest_speed=None,
         peaks=[],
         obstacles=[],
+        room=[],
         findings=[fall],
         seconds=None,
         plan_sha256=plan.sha256,
@@ -239,6 +289,6 @@ def untimed(verdict: Verdict) -> Verdict:
         )
         for one in verdict.obstacles
     ]
-    return verdict.model_copy(
-        update={**answers, "peaks": peaks, "obstacles": obstacles, "seconds": None}
-    )
+    room = [level.model_copy(update={"first": without(level.first)}) for level in verdict.room]
+    lists = {"peaks": peaks, "obstacles": obstacles, "room": room}
+    return verdict.model_copy(update={**answers, **lists, "seconds": None})

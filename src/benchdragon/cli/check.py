@@ -157,6 +157,17 @@ def print_report(report: "Report", brackets: bool = False) -> None:
     print_answer(_("least clearance"), report.clearance, up=False, brackets=brackets)
     for answers in report.obstacles:
         print_distance(answers, brackets=brackets)
+    _print_room(report)
     print_answer(_("greatest speed of a handle"), report.greatest_speed, up=True, brackets=brackets)
     for name, peak in report.peaks.items():
         print_answer(peak_text(name), peak, up=True, brackets=brackets)
+
+
+def _print_room(report: "Report") -> None:
+    """The levels of room for people, if there are any, one a line."""
+    from benchdragon.explain.room import level_line
+
+    if report.room:
+        click.echo(_("room for people, level upon level:"))
+    for level in report.room:
+        click.echo(f"  {level_line(level)}")

@@ -7,6 +7,7 @@ import numpy as np
 from benchdragon.analysis.check import Report
 from benchdragon.analysis.distance import boxes, nearness
 from benchdragon.analysis.speed import fastest_handle
+from benchdragon.explain.room import room_lines
 from benchdragon.explain.square import square_lines
 from benchdragon.explain.text import cross_text, distance_text, dot_text, number, pair, signed, tiny
 from benchdragon.i18n import _
@@ -47,6 +48,7 @@ def check_lines(report: Report) -> list[str]:
     if pairs and clearance.value > 0.0 and clearance.witness is not None:
         lines.append(_clearance_line(walk, clearance, clearance.witness))
     lines += square_lines(report)
+    lines += room_lines(report)
     if report.proved:
         lines.append(
             _(

@@ -652,6 +652,36 @@ export interface RectangleTable {
   angle?: number;
 }
 
+/**
+ * What a level of room asks for beyond the one before it: see `room.Asked`.
+ *
+ * Attributes:
+ *     source: null for an assumption.
+ */
+export interface RoomAsked {
+  key: string;
+  value: number | null;
+  source: string | null;
+}
+
+/**
+ * Whether a walk keeps a level of room: see `room.RoomLevel`.
+ *
+ * Attributes:
+ *     kept: null where rounding leaves that open.
+ *     first: when it is first broken, and by which benches; null where it is kept.
+ *     obstacle: the name of what stands in the way then, null where nothing does.
+ */
+export interface RoomRecord {
+  name: "benches" | "sway" | "imprecision" | "people";
+  text: Words;
+  asked: Array<RoomAsked>;
+  margin: number | null;
+  kept: boolean | null;
+  first: Answer | null;
+  obstacle: string | null;
+}
+
 /** Sizes of every bench, m, bench 1 first. */
 export interface Sizes {
   length: Array<number>;
@@ -804,6 +834,7 @@ export interface VenueTable {
  *     start: of the walk, s.
  *     end: of the walk, s.
  *     clearance: null where the dragon cannot walk, like the following.
+ *     room: level upon level, benches alone first; empty where the plan asks for no room for people.
  *     seconds: how long it took; null in files, which are the same each time.
  */
 export interface Verdict {
@@ -818,6 +849,7 @@ export interface Verdict {
   greatest_speed: Answer | null;
   peaks: Array<LimitedPeak>;
   obstacles: Array<ObstacleRecord>;
+  room: Array<RoomRecord>;
   findings: Array<Finding>;
   seconds: number | null;
   plan_sha256: string;

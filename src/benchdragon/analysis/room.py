@@ -1,0 +1,172 @@
+"""Room for people: whether a walk stays clear with sway, imprecision and bearers beside the benches.
+
+Level upon level, each by the search that finds contacts of benches, with its own margin and sizes. The
+plan's benches stay as they are.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from benchdragon.analysis.contact import first_sure_contact
+from benchdragon.analysis.obstacles import ObstacleAnswers, obstacle_answers
+from benchdragon.analysis.proof import prove_contact, prove_obstacle
+from benchdragon.i18n import N_, _
+from benchdragon.model.answer import Answer
+from benchdragon.model.dragon import Dragon
+from benchdragon.model.obstacle import Obstacle
+from benchdragon.model.walk import Walk
+from benchdragon.plans.people import PeopleTable
+from benchdragon.plans.schema import Plan
+from benchdragon.progress import Progress
+
+LevelName = Literal["benches", "sway", "imprecision", "people"]
+# What a level asks for beyond the one before it: keys of the plan's table of people.
+ASKED: dict[LevelName, tuple[str, ...]] = {
+    "benches": (), "sway": ("sway",), "imprecision": ("imprecision",), "people": ("beside", "ahead"),
+}  # fmt: skip
+TEXTS: dict[LevelName, str] = {
+    "benches": N_("benches alone"),
+    "sway": N_("with sway"),
+    "imprecision": N_("with imprecision"),
+    "people": N_("with people"),
+}
+# Widths of brackets of distances from obstacles, m: contacts are as exact as ever.
+TOLERANCES = (1e-3,)
+
+
+@dataclass(frozen=True)
+class Asked:
+    """Something that a level asks for: a key of the plan's people, m, and where that comes from.
+
+    Attributes:
+        key: sway, imprecision, beside or ahead.
+        value: m.
+        source: "" for an assumption.
+    """
+
+    key: str
+    value: float
+    source: str
+
+
+@dataclass(frozen=True)
+class RoomLevel:
+    """Whether a walk keeps the room that one level, and all before it, ask for.
+
+    Attributes:
+        name: which.
+        asked: what it asks for beyond the one before it.
+        margin: that two benches that are not neighbours must keep, m.
+        contact: when two of them first come nearer than that; None if none do.
+        obstacles: what comes nearer to an obstacle or the venue's edge than it may, and what does not.
+    """
+
+    name: LevelName
+    asked: tuple[Asked, ...]
+    margin: float
+    contact: Answer | None
+    obstacles: tuple[ObstacleAnswers, ...]
+
+    @property
+    def first(self) -> tuple[Answer, Obstacle | None] | None:
+        """What breaks it first, surely if anything does, and the obstacle, if it is one; else None."""
+        known: list[tuple[Answer, Obstacle | None]] = []
+        known += [] if self.contact is None else [(self.contact, None)]
+        known += [(one.contact, one.obstacle) for one in self.obstacles if one.contact is not None]
+        return min(known, key=lambda one: (one[0].status == "undecided", one[0].value), default=None)
+
+    @property
+    def kept(self) -> bool | None:
+        """Whether it is kept; None where rounding leaves that open."""
+        contacts = [self.contact, *(one.contact for one in self.obstacles)]
+        broken = {one.status != "undecided" for one in contacts if one is not None}
+        return False if True in broken else None if broken else True
+
+
+def levels_asked(people: PeopleTable) -> list[LevelName]:
+    """The levels for which there is something asked for."""
+    return [name for name, keys in ASKED.items() if any(getattr(people, key) for key in keys)]
+
+
+def room_levels(
+    plan: Plan,
+    walk: Walk,
+    span: tuple[float, float],
+    bare: tuple[Answer | None, tuple[ObstacleAnswers, ...]],
+    prove: bool,
+    progress: Progress,
+) -> tuple[RoomLevel, ...]:
+    """The levels of room that a plan asks for, benches alone first; none if it asks for none.
+
+    Two benches that each sway, or stray, come nearer by twice that; to what stands still, by once. Each
+    level is searched from the start of the span, s, until the one before it is broken. `bare` is what
+    was found of benches alone: their first contact, and obstacles. With `prove` contacts are proved by
+    the same calls.
+
+    Raises:
+        InputError: for benches that would be too long or too wide with their people.
+        WalkError, UnsureError, MissingExtraError: as `first_contact`, `obstacle_answers` and their
+            proofs.
+    """
+    names = levels_asked(plan.people)
+    levels = [RoomLevel("benches", (), plan.limits.margin, *bare)]
+    each, line = 0.0, walk
+    for n, name in enumerate(names):
+        progress(n / len(names), _(TEXTS[name]))
+        asked = _asked(plan.people, name)
+        if name == "people":
+            line = replace(walk, dragon=with_people(walk.dragon, plan.people))
+        else:
+            each += asked[0].value
+        until = _until(levels[-1], span)
+        margin = plan.limits.margin + 2.0 * each
+        found = first_sure_contact(line, *until, margin=margin, search=prove_contact if prove else None)
+        stands = [replace(one, margin=one.margin + each) for one in plan.obstacles()]
+        levels.append(
+            RoomLevel(name, asked, margin, found, _obstacles(line, stands, until, prove=prove))
+        )
+    return tuple(levels) if names else ()
+
+
+def shown_name(level: RoomLevel) -> str:
+    """What a level is called, in the language in use."""
+    return _(TEXTS[level.name])
+
+
+def asked_text(level: RoomLevel) -> str:
+    """What a level asks for and where that comes from, in the language in use."""
+    said = []
+    for one in level.asked:
+        text = _("{key} {value} m (assumption)")
+        if one.source:
+            text = _("{key} {value} m ({source})")
+        said.append(text.format(key=f"people.{one.key}", value=f"{one.value:g}", source=one.source))
+    return _(", ").join(said)
+
+
+def with_people(dragon: Dragon, people: PeopleTable) -> Dragon:
+    """The dragon with room for bearers on both sides of all benches, and before the head's bench."""
+    length, width, front_inset, rear_inset = dragon.sizes.copy()
+    length[0] += people.ahead
+    front_inset[0] += people.ahead
+    return Dragon.of_sizes(length, width + 2.0 * people.beside, front_inset, rear_inset)
+
+
+def _asked(people: PeopleTable, name: LevelName) -> tuple[Asked, ...]:
+    said = [(key, getattr(people, key), getattr(people.source, key)) for key in ASKED[name]]
+    return tuple(Asked(*one) for one in said if one[1])
+
+
+def _until(level: RoomLevel, span: tuple[float, float]) -> tuple[float, float]:
+    """From the start of a span, s, until a level is surely broken, or to its end."""
+    contacts = [level.contact, *(one.contact for one in level.obstacles)]
+    ends = [one.upper for one in contacts if one is not None and one.status != "undecided"]
+    return span[0], min([span[1], *ends])
+
+
+def _obstacles(
+    walk: Walk, stands: Sequence[Obstacle], span: tuple[float, float], *, prove: bool
+) -> tuple[ObstacleAnswers, ...]:
+    found = [obstacle_answers(walk, one, *span, tolerances=TOLERANCES) for one in stands]
+    return tuple(prove_obstacle(walk, one, *span) for one in found) if prove else tuple(found)

@@ -1,0 +1,66 @@
+"""How room for people was looked for: level upon level, with what each asks for."""
+
+from benchdragon.analysis.check import Report
+from benchdragon.analysis.findings import named
+from benchdragon.analysis.room import RoomLevel, asked_text, shown_name
+from benchdragon.explain.text import number, tiny
+from benchdragon.i18n import _
+
+
+def level_line(level: RoomLevel) -> str:
+    """A level, what it asks for, and whether it is kept or when it is first broken."""
+    name = shown_name(level)
+    if level.asked:
+        name = _("{name}: {asked}").format(name=name, asked=asked_text(level))
+    if level.first is None:
+        return _("{name}: kept").format(name=name)
+    contact, obstacle = level.first
+    benches = () if contact.witness is None else contact.witness.benches
+    if level.kept is None:
+        text = _("{name}: too close to tell at t = {t} s")
+    elif obstacle is not None:
+        text = _("{name}: first broken at t = {t} s by bench {a} at {obstacle}")
+    else:
+        text = _("{name}: first broken at t = {t} s by benches {a} and {b}")
+    return text.format(
+        name=name, t=f"{contact.value:z.6f}", a=benches[0] if benches else 0,
+        b=benches[-1] if benches else 0, obstacle="" if obstacle is None else named(obstacle),
+    )  # fmt: skip
+
+
+def room_lines(report: Report) -> list[str]:
+    """How the levels of room came about; none where the plan asks for none."""
+    if not report.room:
+        return []
+    people, margin = report.plan.people, report.plan.limits.margin
+    each = people.sway + people.imprecision
+    numbers = f"{number(margin)} + 2·({number(people.sway)} + {number(people.imprecision)})"
+    lines = [
+        _(
+            "Room for people is searched level upon level, each as benches alone are. Two benches that "
+            "each sway or stray come nearer by twice that: margin + 2·(sway + imprecision) = {numbers} "
+            "= {sum} m; to what stands still by once."
+        ).format(numbers=numbers, sum=number(margin + 2.0 * each))
+    ]
+    if people.beside or people.ahead:
+        text = _(
+            "With people each bench is {beside} m wider on both sides, and the head's bench {ahead} m "
+            "longer in front, straight on."
+        )
+        lines.append(text.format(beside=number(people.beside), ahead=number(people.ahead)))
+    return [*lines, *(_bracketed(level) for level in report.room)]
+
+
+def _bracketed(level: RoomLevel) -> str:
+    """A level, and the bracket of when it is first broken."""
+    if level.first is None:
+        return level_line(level)
+    contact = level.first[0]
+    text = _("{level}; kept until {lower} s, surely broken at {upper} s; bracket {width} s")
+    if level.kept is None:
+        text = _("{level}; kept until {lower} s, the doubt ends at {upper} s; bracket {width} s")
+    width = tiny(contact.upper - contact.lower)
+    return text.format(
+        level=level_line(level), lower=f"{contact.lower:.16g}", upper=f"{contact.upper:.16g}",
+        width=width,
+    )  # fmt: skip
