@@ -1,0 +1,1 @@
+"""Tests of the papers that people hold in their hands."""

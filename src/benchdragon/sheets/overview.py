@@ -29,6 +29,7 @@ def overview(briefing: Briefing, phones: bool) -> Document:
             _("Checked on {date}; {benches} benches, {people} people in the list of names."),
             date=briefing.checked_on, benches=benches, people=people,
         ),
+        *_numbering(briefing),
         *_notes(briefing),
         Heading(_("Where each bench starts"), "starts"),
         Picture("map", _("The square, the route, and where the front handle of each bench starts")),
@@ -37,6 +38,13 @@ def overview(briefing: Briefing, phones: bool) -> Document:
     ]  # fmt: skip
     title = printable(briefing.plan.title(language())) or _("Overview")
     return Document(title, language(), briefing.checked_on, tuple(blocks), briefing.foot)
+
+
+def _numbering(briefing: Briefing) -> list[Block]:
+    """How benches are numbered in the verdict, where the village counts otherwise."""
+    if briefing.plan.people.count_head:
+        return []
+    return [Paragraph((_("In the verdict bench 1 is the head's, bench 2 the next."),))]
 
 
 def _notes(briefing: Briefing) -> list[Block]:

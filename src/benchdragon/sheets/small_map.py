@@ -61,6 +61,7 @@ class SmallMap:
         self._obstacles = report.plan.obstacles()
         self._north = report.plan.survey.crs is not None
         self._walk = report.walk
+        self._called = briefing.called
         self._counted = report.plan.people.count_head
         ends = report.walk.motion([report.start, report.end]).s
         self._first, self._last = ends[0], ends[1]
@@ -105,13 +106,17 @@ class SmallMap:
             pdf.set_fill_color(*TRACKS[0])
             for x, y in dots:
                 pdf.circle(x, y, 0.6, style="F")
+            pdf.set_draw_color(0)
+            pdf.set_fill_color(0)
             self._arrow(pdf, frame)
         apart = place.scale * float(np.abs(np.diff(self._first)).min(initial=1e3))
         each = next((n for n in NUMBERED if n * apart >= NUMBER_ROOM), NUMBERED[-1])
         pdf.set_font("Noto", "B", 7)
         for bench, (x, y) in enumerate(dots, start=1):
             number = bench if self._counted else bench - 1
-            if number % each == 0 or bench in (1, len(dots)):
+            if bench in (1, len(dots)):
+                pdf.text(x + 0.9, y - 0.6, self._called(bench))
+            elif number % each == 0:
                 pdf.text(x + 0.9, y - 0.6, str(number))
 
     def _square(self, pdf: FPDF, place: _Scale) -> None:

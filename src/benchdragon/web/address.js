@@ -12,7 +12,9 @@ export function obey(player) {
   const values = addressed();
   const [bench, time] = ["bench", "t"].map((name) => Number.parseFloat(values.get(name) ?? ""));
   if (Number.isFinite(time)) player.jump(time);
-  if (Number.isFinite(bench)) player.choose(Math.round(bench) - 1);
+  if (!Number.isFinite(bench)) return;
+  player.choose(Math.round(bench) - 1);
+  if (!values.has("t")) player.follow(true); // as the code on a bench's sheet says it
 }
 
 /** Put time and bench into the address, and more. @param {Player | null} player @param {Record<string, string>} [more] */

@@ -1,0 +1,38 @@
+"""The code on a bench's sheet opens the player at that bench."""
+
+from pathlib import Path
+
+import numpy as np
+import pypdfium2
+import zxingcpp
+
+from benchdragon.player.page import write_player
+from benchdragon.player.scene import checked_dance
+from benchdragon.sheets.cards import write_benches
+from benchdragon.sheets.options import Options
+from tests.browser.pages import Pages
+from tests.browser.players import ready
+from tests.sheets.village import small
+
+
+def test_the_code_on_a_sheet_opens_the_player_at_its_bench(pages: Pages, tmp_path: Path) -> None:
+    player = tmp_path / "player.html"
+    ours = small(tmp_path, f"people.address={player.as_uri()}")
+    write_player(player, checked_dance(ours.report))
+    write_benches(tmp_path / "benches.pdf", ours, Options())
+    sheet = pypdfium2.PdfDocument(tmp_path / "benches.pdf")[5]
+    picture = np.asarray(sheet.render(scale=150 / 72).to_pil().convert("L"))
+    (code,) = zxingcpp.read_barcodes(picture)
+    assert code.text == f"{player.as_uri()}#bench=6"
+    page = ready(pages.open(code.text, "phone", "zh", "light"))
+    assert page.evaluate("[benchdragon.chosen, benchdragon.follows]") == [5, True]
+    seen = page.evaluate(
+        """() => {
+          const { camera, boxes } = benchdragon;
+          const [x, y] = camera.toScreen(boxes.x[5], boxes.y[5]);
+          return [x / innerWidth, y];
+        }"""
+    )
+    assert 0.3 < seen[0] < 0.7
+    page = ready(pages.open(f"{player.as_uri()}#t=2&bench=6", "phone", "zh", "light"))
+    assert page.evaluate("[benchdragon.chosen, benchdragon.follows]") == [5, False]

@@ -1,0 +1,116 @@
+"""The benches' sheets and the overview: what they say is what the plan and the list say."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+import pypdfium2
+import pytest
+import zxingcpp
+from pypdf import PdfReader
+
+from benchdragon.explain.bench_walk import bench_text
+from benchdragon.i18n import spoken_in
+from benchdragon.sheets.briefing import Briefing
+from benchdragon.sheets.cards import write_benches
+from benchdragon.sheets.options import Options
+from benchdragon.sheets.overview import write_overview
+from tests.sheets.village import small
+
+Written = Callable[..., list[str]]
+
+
+@pytest.fixture(scope="module")
+def ours(tmp_path_factory: pytest.TempPathFactory) -> Briefing:
+    """What the papers of the small dance are made from."""
+    return small(tmp_path_factory.mktemp("ours"))
+
+
+def bare(text: str) -> str:
+    """Text without the spaces and line ends at which a page breaks it."""
+    return "".join(text.split())
+
+
+def pages(path: Path) -> list[str]:
+    return [bare(page.extract_text()) for page in PdfReader(path).pages]
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_a_sheet_says_what_its_bench_does_and_who_is_beside(
+    tmp_path: Path, ours: Briefing, language: str
+) -> None:
+    with spoken_in(language):
+        write_benches(tmp_path / "b.pdf", ours, Options())
+        found = pages(tmp_path / "b.pdf")
+        assert len(found) == 8
+        for bench, page in enumerate(found, start=1):
+            said = bench_text(ours.plan, ours.benches[bench - 1], ours.named)
+            assert bare(ours.called(bench)) in page
+            for line in said.lines:
+                assert bare(line) in page
+            for person in ours.roster.people(bench):
+                assert person.name in page
+            assert bare(ours.foot) in page
+            assert "138-0000" not in page
+        assert "王五" in found[0], "who carries the bench behind"
+
+
+@pytest.mark.parametrize(("paper", "count"), [("a4", 8), ("quarter", 2), ("lanyard", 4)])
+@pytest.mark.parametrize("night", [False, True])
+def test_each_format_has_every_bench_in_its_foot_and_its_code(
+    tmp_path: Path, ours: Briefing, paper: Literal["a4", "quarter", "lanyard"], count: int, night: bool
+) -> None:
+    path = tmp_path / "b.pdf"
+    write_benches(path, ours, Options(paper=paper, night=night))
+    found = pages(path)
+    assert len(found) == count
+    whole = "".join(found)
+    assert whole.count(bare(ours.foot)) == 8 * (2 if paper == "lanyard" else 1)
+    read = []
+    for page in pypdfium2.PdfDocument(path):
+        picture = np.asarray(page.render(scale=200 / 72).to_pil().convert("L"))
+        read += [code.text for code in zxingcpp.read_barcodes(picture)]
+    assert sorted(read) == [f"https://dragon.test/ours#bench={n + 1}" for n in range(8)]
+
+
+def test_phones_are_printed_only_where_asked_for(tmp_path: Path, ours: Briefing) -> None:
+    write_benches(tmp_path / "b.pdf", ours, Options(phones=True))
+    write_overview(tmp_path / "o.pdf", ours, phones=True)
+    write_overview(tmp_path / "silent.pdf", ours, phones=False)
+    assert "138-0000-0002" in pages(tmp_path / "b.pdf")[0]
+    assert "138-0000-0003" in "".join(pages(tmp_path / "o.pdf"))
+    assert "138-0000" not in "".join(pages(tmp_path / "silent.pdf"))
+
+
+def test_a_household_has_its_benches_on_one_sheet(tmp_path: Path, ours: Briefing) -> None:
+    write_benches(tmp_path / "b.pdf", ours, Options(by="household"))
+    found = pages(tmp_path / "b.pdf")
+    assert len(found) == 8  # 张, 李 and 赵, and five benches of nobody
+    assert all(name in found[0] for name in ("张家", "thehead", "qiao1", "王五"))
+    assert "李家" in found[1]
+    assert sum("赵家" in page for page in found) == 1
+
+
+def test_the_same_sheets_are_the_same_bytes(tmp_path: Path, ours: Briefing) -> None:
+    for name in ("a.pdf", "b.pdf"):
+        write_benches(tmp_path / name, ours, Options(paper="quarter"))
+    assert (tmp_path / "a.pdf").read_bytes() == (tmp_path / "b.pdf").read_bytes()
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_the_overview_has_every_bench_its_people_and_the_notes(
+    tmp_path: Path, ours: Briefing, language: str
+) -> None:
+    with spoken_in(language):
+        write_overview(tmp_path / "o.pdf", ours, phones=False)
+        found = pages(tmp_path / "o.pdf")
+        whole = "".join(found)
+        for bench in range(1, 9):
+            x, y = ours.benches[bench - 1].place
+            text = bench_text(ours.plan, ours.benches[bench - 1], ours.called)
+            said = [ours.called(bench), f"{x:z.2f}, {y:z.2f}", text.tightest]
+            said += [person.name for person in ours.roster.people(bench)]
+            assert all(bare(one) in whole for one in said)
+        assert bare(ours.roster.notes[0]) in whole
+        assert all(bare(ours.foot) in page for page in found)

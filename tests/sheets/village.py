@@ -1,0 +1,56 @@
+"""A small dance with people, checked."""
+
+from datetime import date
+from pathlib import Path
+
+from benchdragon.analysis.check import check
+from benchdragon.plans.schema import Plan, read_plan
+from benchdragon.rosters.roster import Person, Roster
+from benchdragon.sheets.briefing import Briefing, briefing_of
+from benchdragon.sheets.checked import Record, foundation
+
+PLAN = """schema = 1
+base = "spiral-in"
+[meta]
+title = "Our dance"
+title_zh = "我们的舞龙"
+[dragon]
+benches = 8
+[route]
+pitch = 1.2
+start_turn = 4
+[walk]
+end = 12
+[people]
+count_head = false
+unit = "qiao"
+address = "https://dragon.test/ours"
+"""
+ROSTER = Roster(
+    {
+        1: (Person("张三", "张家", "138-0000-0001"), Person("李四", "李家", "138-0000-0002")),
+        2: (Person("王五", "张家", "138-0000-0003"),),
+        6: (Person("赵六", "赵家"),),
+    },
+    ("qiao 2 has nobody",),
+)
+
+
+def village(folder: Path, text: str = PLAN) -> Path:
+    """The plan as a file."""
+    path = folder / "ours.dragon.toml"
+    path.write_text(text, "utf-8")
+    return path
+
+
+def briefing(plan: Plan, roster: Roster = ROSTER) -> Briefing:
+    """What papers of a plan are made from."""
+    record = Record(
+        sha256=foundation(plan, roster), date=date(2026, 2, 17), version="0.1.0", verdict={}
+    )
+    return briefing_of(check(plan, quick=True), roster, record)
+
+
+def small(folder: Path, *settings: str) -> Briefing:
+    """What the papers of the small dance are made from."""
+    return briefing(read_plan(str(village(folder)), settings))
