@@ -27,6 +27,7 @@ from benchdragon.analysis.speed import (
     greatest,
     greatest_speed,
 )
+from benchdragon.analysis.stops import Stop, stops_of
 from benchdragon.errors import InputError, UnsureError, WalkError, of_kind
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import ROUNDING, Answer
@@ -82,6 +83,11 @@ class Report:
     def safe(self) -> bool:
         """Whether nothing was found; a question left open counts as found."""
         return not self.findings
+
+    @property
+    def stops(self) -> tuple[Stop, ...] | None:
+        """When the head stands in the dance; None for a plan without cues."""
+        return stops_of(self.walk, self.start, self.end) if self.plan.cues.cue else None
 
     @property
     def decided(self) -> bool:

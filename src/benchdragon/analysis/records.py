@@ -141,6 +141,14 @@ class LimitedPeak(Record):
     peak: Answer
 
 
+class HeadStop(Record):
+    """A time in which the head, and with it every handle, stands: see `stops.Stop`."""
+
+    start: Number
+    end: Number
+    s: Number
+
+
 class Verdict(Record):
     """Whether a walk is safe, in one sentence and in full.
 
@@ -153,6 +161,7 @@ class Verdict(Record):
         end: of the walk, s.
         clearance: null where the dragon cannot walk, like the following.
         room: level upon level, benches alone first; empty where the plan asks for no room for people.
+        stops: of the head; null for a plan without cues.
         seconds: how long it took; null in files, which are the same each time.
     """
 
@@ -169,6 +178,7 @@ class Verdict(Record):
     obstacles: list[ObstacleRecord]
     room: list[RoomRecord]
     findings: list[Finding]
+    stops: list[HeadStop] | None = None
     seconds: Number
     plan_sha256: str
     version: str
@@ -196,10 +206,16 @@ def verdict_of(report: Report) -> Verdict:
         obstacles=[_obstacle(found, plan) for found in report.obstacles],
         room=[_room(level, plan) for level in report.room],
         findings=[_finding(found) for found in report.findings],
+        stops=_stops(report),
         seconds=report.seconds,
         plan_sha256=plan.sha256,
         version=__version__,
     )
+
+
+def _stops(report: Report) -> list[HeadStop] | None:
+    stops = report.stops
+    return None if stops is None else [HeadStop(**one._asdict()) for one in stops]
 
 
 def _finding(found: findings.Finding) -> Finding:

@@ -128,8 +128,6 @@ def _explained(report: "Report") -> list[str]:
 
 def print_report(report: "Report", brackets: bool = False) -> None:
     """A report for readers."""
-    from benchdragon.analysis.check import peak_text
-
     print_title(report.plan)
     if report.safe:
         text = _("SAFE from t = {start} s to t = {end} s")
@@ -159,8 +157,18 @@ def print_report(report: "Report", brackets: bool = False) -> None:
         print_distance(answers, brackets=brackets)
     _print_room(report)
     print_answer(_("greatest speed of a handle"), report.greatest_speed, up=True, brackets=brackets)
+    _print_rest(report, brackets)
+
+
+def _print_rest(report: "Report", brackets: bool) -> None:
+    """Peaks of what is limited, and the stops of the head."""
+    from benchdragon.analysis.check import peak_text
+    from benchdragon.analysis.stops import stops_text
+
     for name, peak in report.peaks.items():
         print_answer(peak_text(name), peak, up=True, brackets=brackets)
+    if report.stops is not None:
+        click.echo(stops_text(report.stops))
 
 
 def _print_room(report: "Report") -> None:

@@ -7,6 +7,7 @@ import numpy as np
 from benchdragon.analysis.check import Report
 from benchdragon.analysis.distance import boxes, nearness
 from benchdragon.analysis.speed import fastest_handle
+from benchdragon.analysis.stops import stops_text
 from benchdragon.explain.room import room_lines
 from benchdragon.explain.square import square_lines
 from benchdragon.explain.text import cross_text, distance_text, dot_text, number, pair, signed, tiny
@@ -32,6 +33,11 @@ def check_lines(report: Report) -> list[str]:
     text = _("The walk goes from t = {a} s to t = {b} s; the head walks {way} m.")
     way = f"{number(last)} - {signed(first)} = {number(last - first)}"
     lines = [text.format(a=number(report.start), b=number(report.end), way=way)]
+    if report.stops is not None:
+        text = _(
+            "The head's speed has the cues in it: {stops}; every handle stands when the head does."
+        )
+        lines.append(text.format(stops=stops_text(report.stops)))
     text = _(
         "Adjacent benches share a handle and lie at different heights. All other pairs count: (n "
         "- 1)·(n - 2)/2 = {numbers}."

@@ -314,6 +314,13 @@ export interface Frames {
   largest_error: number;
 }
 
+/** A time in which the head, and with it every handle, stands: see `stops.Stop`. */
+export interface HeadStop {
+  start: number | null;
+  end: number | null;
+  s: number | null;
+}
+
 /** How the studio stands. */
 export interface Health {
   status: "ok";
@@ -835,6 +842,7 @@ export interface VenueTable {
  *     end: of the walk, s.
  *     clearance: null where the dragon cannot walk, like the following.
  *     room: level upon level, benches alone first; empty where the plan asks for no room for people.
+ *     stops: of the head; null for a plan without cues.
  *     seconds: how long it took; null in files, which are the same each time.
  */
 export interface Verdict {
@@ -851,6 +859,7 @@ export interface Verdict {
   obstacles: Array<ObstacleRecord>;
   room: Array<RoomRecord>;
   findings: Array<Finding>;
+  stops?: Array<HeadStop> | null;
   seconds: number | null;
   plan_sha256: string;
   version: string;

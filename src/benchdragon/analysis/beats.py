@@ -1,0 +1,88 @@
+"""The drum of a dance, by rule: runs of even beats, bars counted in before the head starts, strokes."""
+
+import math
+from typing import NamedTuple
+
+from benchdragon.plans.schema import Plan
+
+# How near to the end of its run the last beat may lie, as a share of a beat: it belongs to the next.
+END_SHARE = 1e-6
+# A tempo that is derived from the head's speed is kept within these, beats a minute.
+SLOWEST, FASTEST = 20.0, 400.0
+
+
+class Run(NamedTuple):
+    """Even beats from `start` on, s, as long as they come before `end`; the first opens a bar.
+
+    Attributes:
+        period: from beat to beat, s.
+        bar: beats of a bar.
+        counted: whether they only count in, while the head stands.
+    """
+
+    start: float
+    end: float
+    period: float
+    bar: int
+    counted: bool
+
+    def beats(self) -> int:
+        """How many there are."""
+        return max(0, math.ceil((self.end - self.start) / self.period - END_SHARE))
+
+    def time(self, n: int) -> float:
+        """When beat number n, from 0, is, s."""
+        return self.start + n * self.period
+
+
+class Score(NamedTuple):
+    """All beats of a dance.
+
+    Attributes:
+        tempo: beats a minute at the start.
+        by_step: whether that is a step a beat, not said by the plan.
+        runs: of even beats, one after another.
+        strokes: times of the drum at cues, s.
+    """
+
+    tempo: float
+    by_step: bool
+    runs: tuple[Run, ...]
+    strokes: tuple[float, ...]
+
+
+def score_of(plan: Plan, start: float, end: float) -> Score:
+    """The beats of a plan's dance over a span, s.
+
+    They begin anew when the tempo changes and when the head starts again; while it stands they are
+    silent but for one bar that counts in, or as much of it as there is time for.
+    """
+    bar, tempo = plan.cues.bar, plan.cues.tempo
+    by_step = tempo is None
+    if tempo is None:
+        tempo = min(max(60.0 * _pace(plan) / plan.people.step, SLOWEST), FASTEST)
+    runs: list[Run] = []
+    since, period, counting = start, 60.0 / tempo, 0.0
+    moments = plan.moments()
+    for one in (one for one in moments if start <= one.time <= end):
+        if one.cue.kind == "tempo" and one.cue.tempo is not None:
+            if since < one.time:
+                runs.append(Run(since, one.time, period, bar, False))
+            period, since = 60.0 / one.cue.tempo, max(one.time, since)
+        elif one.until > one.time:
+            if since < one.time:
+                runs.append(Run(since, one.time, period, bar, False))
+            since = min(one.until, end)
+            counting = one.time
+            counted = min(bar, math.floor((one.until - counting) / period)) if one.until < end else 0
+            if counted:
+                runs.append(Run(one.until - counted * period, one.until, period, bar, True))
+    if since < end:
+        runs.append(Run(since, end, period, bar, False))
+    strokes = [one.time for one in moments if one.cue.kind != "note" and start <= one.time <= end]
+    return Score(tempo, by_step, tuple(runs), tuple(dict.fromkeys(strokes)))
+
+
+def _pace(plan: Plan) -> float:
+    """The head's usual speed, m/s: as the plan says, or the greatest of its profile."""
+    return max((speed for _time, speed in plan.walk.profile), default=plan.walk.speed)

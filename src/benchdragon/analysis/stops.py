@@ -1,0 +1,38 @@
+"""Where the head stands, by its speed alone: handles stand when it does, and at no other time."""
+
+from typing import NamedTuple
+
+from benchdragon.i18n import _
+from benchdragon.model.walk import Walk
+
+
+class Stop(NamedTuple):
+    """A time, s, in which the head stands, and its route position, m."""
+
+    start: float
+    end: float
+    s: float
+
+
+def stops_of(walk: Walk, start: float, end: float) -> tuple[Stop, ...]:
+    """All times within a span, s, in which the head stands; a moment is none."""
+    cut = walk.profile.stretches(start, end)
+    found: list[Stop] = []
+    for (t, u), speeds in zip(cut.times.tolist(), cut.speeds.tolist(), strict=True):
+        if any(speeds) or u <= t:
+            continue
+        if found and found[-1].end == t:
+            found[-1] = found[-1]._replace(end=u)
+        else:
+            found.append(Stop(t, u, float(walk.head_position([t])[0])))
+    return tuple(found)
+
+
+def stops_text(stops: tuple[Stop, ...]) -> str:
+    """How often the head stands, for how long, and when, in the language in use."""
+    if not stops:
+        return _("the head does not stop")
+    times = ", ".join(f"{one.start:.6g}-{one.end:.6g} s" for one in stops)
+    seconds = sum(one.end - one.start for one in stops)
+    text = _("stops of the head: {count}, {seconds} s in all ({times})")
+    return text.format(count=len(stops), seconds=f"{seconds:.6g}", times=times)

@@ -1,0 +1,96 @@
+"""The timetable of a dance: as lines of text, a PDF page and a workbook; and its drum."""
+
+from pathlib import Path
+from typing import Any
+
+import xlsxwriter
+
+from benchdragon.analysis.beats import Score
+from benchdragon.analysis.stops import stops_of, stops_text
+from benchdragon.analysis.timetable import Passing, clock_text, timetable
+from benchdragon.export.document import Document, Heading, Paragraph, Table, say
+from benchdragon.export.pages import write_pdf
+from benchdragon.files import whole_bytes
+from benchdragon.i18n import _, language
+from benchdragon.plans.schema import Plan
+from benchdragon.sheets.briefing import Briefing
+
+# Columns: shares of the width.
+WIDTHS = (0.34, 0.14, 0.2, 0.16, 0.16)
+
+
+def passings_of(briefing: Briefing) -> tuple[Passing, ...]:
+    """The timetable of the dance that was checked."""
+    report = briefing.report
+    return timetable(report.plan, report.walk, report.start, report.end)
+
+
+def columns() -> tuple[str, ...]:
+    """What stands above the columns."""
+    return (_("place"), _("way (m)"), _("x, y (m)"), _("head"), _("tail"))
+
+
+def cells(plan: Plan, row: Passing, start: float) -> tuple[str, ...]:
+    """A row of the table as text; times as times of day, where the plan says when the dance starts."""
+
+    def at(time: float | None) -> str:
+        return "-" if time is None else clock_text(plan.cues.clock, start, time)
+
+    head = at(row.head)
+    if row.until is not None and row.head is not None and row.until > row.head:
+        head = _("{start} to {end}").format(start=head, end=at(row.until))
+    place = f"{row.point[0]:z.2f}, {row.point[1]:z.2f}"
+    return row.name, f"{row.way:z.2f}", place, head, at(row.tail)
+
+
+def timetable_document(briefing: Briefing) -> Document:
+    """The timetable as a document of a page or a few."""
+    report, plan = briefing.report, briefing.plan
+    rows = [cells(plan, row, report.start) for row in passings_of(briefing)]
+    clock = plan.cues.clock
+    told = _("Times are times of day; the dance starts at {clock}.").format(clock=clock)
+    if not clock:
+        told = _("Times are minutes and seconds, as the plan counts them.")
+    title = plan.title(language()) or _("Timetable")
+    blocks = (
+        Heading(_("Timetable"), "timetable"),
+        say(told),
+        Paragraph((stops_text(stops_of(report.walk, report.start, report.end)),)),
+        Table("timetable", _("When head and tail pass"), columns(), WIDTHS, tuple(rows), numbers=True),
+        Paragraph((briefing.foot,)),
+    )
+    return Document(title, language(), briefing.checked_on, blocks)
+
+
+def write_timetable_pdf(path: Path, briefing: Briefing) -> None:
+    """Write the timetable as a PDF."""
+    write_pdf(path, timetable_document(briefing), path.parent)
+
+
+def write_timetable_xlsx(path: Path, briefing: Briefing) -> None:
+    """Write the timetable as a workbook; times are seconds of the dance beside the times of day."""
+    report, plan = briefing.report, briefing.plan
+    with whole_bytes(path) as made:
+        book: Any = xlsxwriter.Workbook(made, {"in_memory": True})
+        sheet = book.add_worksheet(_("Timetable"))
+        sheet.freeze_panes(1, 1)
+        sheet.set_column(0, 0, 30)
+        sheet.set_column(1, 8, 14)
+        heads = (*columns(), _("head (s)"), _("goes on (s)"), _("tail (s)"))
+        sheet.write_row(0, 0, heads)
+        for n, row in enumerate(passings_of(briefing), start=1):
+            sheet.write_row(n, 0, cells(plan, row, report.start))
+            for column, time in enumerate((row.head, row.until, row.tail), start=5):
+                if time is not None:
+                    sheet.write_number(n, column, round(time, 6))
+        sheet.write_string(n + 2, 0, briefing.foot)
+        book.close()
+
+
+def tempo_text(plan: Plan, score: Score) -> str:
+    """The tempo, and where it comes from, in the language in use."""
+    if not score.by_step:
+        return _("{tempo} beats a minute, as the plan says").format(tempo=f"{score.tempo:.4g}")
+    return _("{tempo} beats a minute: a step of {step} cm a beat at the head's speed").format(
+        tempo=f"{score.tempo:.4g}", step=f"{100.0 * plan.people.step:g}"
+    )

@@ -1,0 +1,122 @@
+"""When head and tail pass places, where the head stands, and how the drum goes."""
+
+import json
+
+import numpy as np
+import pytest
+
+from benchdragon.analysis.beats import score_of
+from benchdragon.analysis.check import check
+from benchdragon.analysis.records import verdict_of
+from benchdragon.analysis.stops import stops_of, stops_text
+from benchdragon.analysis.timetable import clock_text, timetable
+from benchdragon.cli.main import run
+from benchdragon.plans.schema import Plan, checked
+
+HOLD = {"kind": "hold", "head": 10.0, "hold": 5.0}
+LINES = [{"kind": "line", "length": 20.0}, {"kind": "arc", "radius": 8.0, "angle": 180.0}]
+
+
+def plan_with(*cues: dict[str, object], **others: object) -> Plan:
+    data = {
+        "schema": 1, "dragon": {"benches": 3, "head_length": 2.2}, "walk": {"position": 6.0},
+        "route": {"kind": "parts", "part": LINES},
+        "venue": {"boundary": [[8, -9], [40, -9], [40, 30], [8, 30]]},
+        "obstacle": [{"kind": "circle", "name": "well", "centre": [15.5, -3], "radius": 0.5}],
+        "cues": {"cue": list(cues), **others},
+    }  # fmt: skip
+    return checked(data, "dance")
+
+
+def test_every_place_is_passed_when_the_head_and_the_tail_are_there() -> None:
+    plan = plan_with(HOLD, {"kind": "note", "head": 12.0, "text": "bow"})
+    walk = plan.build()
+    start, end = plan.span(walk)
+    rows = timetable(plan, walk, start, end)
+    names = ["start", "entrance of the venue", "nearest to well", "hold", "bow", "joint 1", "end"]
+    assert [row.name for row in rows] == names
+    for row in rows:
+        np.testing.assert_allclose(walk.route.point([row.s])[0], row.point, atol=1e-12)
+        if row.head is not None:
+            assert walk.motion([row.head]).s[0, 0] == pytest.approx(row.s, abs=2e-6)
+        if row.tail is not None:
+            assert walk.motion([row.tail]).s[0, -1] == pytest.approx(row.s, abs=1e-6)
+    by_name = {row.name: row for row in rows}
+    assert by_name["entrance of the venue"].s == pytest.approx(8.0, abs=1e-5)
+    assert by_name["nearest to well"].s == pytest.approx(15.5, abs=1e-5)
+    assert by_name["hold"].head == pytest.approx(11.0)
+    assert by_name["hold"].until == pytest.approx(16.0)
+    # While the head stands the tail does: it passes the well later by the hold.
+    free = {row.name: row for row in timetable(plan_with(), plan_with().build(), 0.0, end)}
+    late = by_name["nearest to well"].tail or 0.0
+    assert late - (free["nearest to well"].tail or 0.0) == pytest.approx(7.0, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("clock", "start", "time", "text"),
+    [
+        ("18:30", 0.0, 65.0, "18:31:05"),
+        ("18:30", -100.0, 0.0, "18:31:40"),
+        ("23:59:30", 0.0, 45.0, "0:00:15"),
+        ("", 0.0, 65.4, "1:05"),
+        ("", -100.0, -100.0, "-1:40"),
+        ("9:05", 0.0, 59.6, "9:06:00"),
+    ],
+)
+def test_times_are_times_of_day_where_the_plan_says_one(
+    clock: str, start: float, time: float, text: str
+) -> None:
+    assert clock_text(clock, start, time) == text
+
+
+def test_the_stops_of_the_head_are_counted_where_cues_are_said(
+    capsys: pytest.CaptureFixture[str], tmp_path: object
+) -> None:
+    plan = plan_with(HOLD, {"kind": "stop", "head": 20.0}, {"kind": "start", "at": 50.0})
+    walk = plan.build()
+    stops = stops_of(walk, *plan.span(walk))
+    assert [one.end - one.start for one in stops] == pytest.approx([5.0, 50.0 - stops[1].start])
+    assert [one.s for one in stops] == pytest.approx([16.0, 26.0])
+    for one in stops:
+        assert not walk.motion([one.start, one.end]).speed.any()
+    assert stops_text(stops[:1]) == "stops of the head: 1, 5 s in all (11-16 s)"
+    report = check(plan.without_square())
+    assert report.stops == stops
+    record = verdict_of(report).stops
+    assert record is not None
+    assert [one.s for one in record] == pytest.approx([16.0, 26.0])
+    assert verdict_of(check(plan_with().without_square())).stops is None
+    assert run(["check", "spiral-in", "--set", "disc.radius=4.6", "--set", "dragon.benches=4", "--set",
+                "cues.cue=[{kind='hold', head=9, hold=3}]", "--explain"]) == 0  # fmt: skip
+    out = capsys.readouterr().out
+    assert "stops of the head: 1, 3 s in all (10-13 s)\n" in out
+    assert "every handle stands when the head does" in out
+    assert run(["check", "spiral-in", "--set", "disc.radius=4.6", "--set", "dragon.benches=4",
+                "--json"]) == 0  # fmt: skip
+    assert json.loads(capsys.readouterr().out)["stops"] is None
+
+
+def test_beats_are_even_silent_in_a_hold_and_counted_in_before_the_start() -> None:
+    plan = plan_with(HOLD, {"kind": "tempo", "at": 20.0, "tempo": 120}, tempo=60, bar=3)
+    score = score_of(plan, *plan.span(plan.build()))
+    assert (score.tempo, score.by_step) == (60.0, False)
+    assert [(run.start, run.end, run.period, run.counted) for run in score.runs[:4]] == [
+        (0.0, pytest.approx(11.0), 1.0, False),
+        (pytest.approx(13.0), pytest.approx(16.0), 1.0, True),
+        (pytest.approx(16.0), 20.0, 1.0, False),
+        (20.0, pytest.approx(plan.span(plan.build())[1]), 0.5, False),
+    ]
+    assert [run.beats() for run in score.runs[:3]] == [11, 3, 4]
+    assert score.strokes == (pytest.approx(11.0), 20.0)
+
+
+def test_a_tempo_that_is_not_said_is_a_step_a_beat() -> None:
+    plan = plan_with(HOLD).with_value("walk.speed", 0.9).with_value("people.step", 0.6)
+    score = score_of(plan, *plan.span(plan.build()))
+    assert (score.tempo, score.by_step) == (pytest.approx(90.0), True)
+
+
+def test_a_short_hold_counts_in_as_many_beats_as_there_is_time_for() -> None:
+    plan = plan_with({**HOLD, "hold": 2.5}, tempo=60)
+    counted = [run for run in score_of(plan, *plan.span(plan.build())).runs if run.counted]
+    assert [run.beats() for run in counted] == [2]
