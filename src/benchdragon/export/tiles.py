@@ -160,9 +160,9 @@ class _Frames(FPDF):
         self._say(self._title, 14.0, "B")
         text = _(
             "{count} pages in {columns} columns, A to {last}, and {rows} rows. Print at 100 % (actual "
-            "size), on one side. Neighbours overlap by {overlap} mm: cut two edges of each page, the "
-            "right and the lower one, along the crop marks, and glue it upon its neighbours from the "
-            "lower right to the upper left, so that the lines go on."
+            "size), on one side. Adjacent pages overlap by {overlap} mm: cut two edges of each page, "
+            "the right and the lower one, along the crop marks, and glue the pages upon one another "
+            "from the lower right to the upper left, so that the lines go on."
         ).format(
             count=self._tiling.count, columns=columns, last=LETTERS[columns - 1], rows=rows,
             overlap=f"{OVERLAP:g}",

@@ -190,12 +190,12 @@ def _steps(marks: Marks) -> Iterator[Paragraph]:
         _(
             "3. For each mark in the order of the list: with the tape on the peg draw a short arc at "
             "the length from the peg; with the tape on B or C, as the list says, draw another at the "
-            "length from there. They cross twice: look from the peg to that base point, and take the "
+            "length from there. They cross twice: facing that base point from the peg, take the "
             "crossing on the side that the list says. Write the mark's number beside it."
         ),
         _(
             "4. Check each mark by the tape from the mark before it. If it differs by more than two "
-            "fingers, look for the mistake before you go on."
+            "fingers, find the mistake before you go on."
         ),
         _("5. Join the marks by eye with chalk, in the order of their numbers."),
     )
