@@ -14,7 +14,6 @@ from pypdf import PdfWriter
 
 from benchdragon.errors import InputError
 from benchdragon.export.forms import add_form, show_form, size_of
-from benchdragon.export.pages import breakable
 from benchdragon.figures.style import FONT_FILES
 from benchdragon.files import whole_file
 from benchdragon.i18n import _, language
@@ -221,7 +220,7 @@ class _Frames(FPDF):
     def _say(self, text: str, size: float, style: str = "") -> None:
         self.set_font("Noto", style, size)
         self.multi_cell(
-            self.w - 2.0 * BORDER, 0.5 * size, breakable(text), align="L", new_x="LMARGIN",
-            new_y="NEXT",
+            self.w - 2.0 * BORDER, 0.5 * size, text, align="L", new_x="LMARGIN", new_y="NEXT",
+            wrapmode="CHAR" if language() == "zh" else "WORD",
         )  # fmt: skip
         self.set_xy(BORDER, self.get_y() + 2.0)
