@@ -1,5 +1,7 @@
 """The ground that a dance covers, drawn to scale on a sheet of paper."""
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import matplotlib
@@ -11,9 +13,12 @@ from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
 from benchdragon.analysis.swept import Shape, SweptArea
+from benchdragon.errors import InputError
 from benchdragon.figures.framing import route_positions
 from benchdragon.figures.scale import (
     EDGE,
+    SCALES,
+    STRIP,
     Sheet,
     corners_of,
     draw_bar,
@@ -26,7 +31,12 @@ from benchdragon.figures.scale import (
 from benchdragon.figures.style import BODY, HEAD, ROUTE, STYLE, drawable
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.base_curve import Point
 from benchdragon.model.obstacle import Obstacle
+
+# A drawing on a page of text, mm, and the scales that are tried there in turn.
+PAGE = (178.0, 200.0)
+PAGE_SCALES = (*SCALES, 2e3, 5e3, 1e4, 2e4, 5e4, 1e5)
 
 
 @dataclass(frozen=True)
@@ -62,10 +72,33 @@ def area_picture(drawing: AreaDrawing, paper: str = "A3", scale: float | None = 
     Raises:
         InputError: as `sheet_for`.
     """
-    sheet = sheet_for(drawing.bounds(), paper, scale)
+    return _drawn_on(sheet_for(drawing.bounds(), paper, scale), drawing, paper)
+
+
+def page_picture(drawing: AreaDrawing, posts: Sequence[Point] = ()) -> tuple[Figure, float]:
+    """The same between the margins of an A4 page, with numbered posts; and its scale: the 500 of 1:500.
+
+    Raises:
+        InputError: for ground that fits at none of PAGE_SCALES.
+    """
+    bounds = drawing.bounds()
+    room = np.array(PAGE) - [2.0 * EDGE, 2.0 * EDGE + STRIP]
+    needed = 1000.0 * float(((bounds[1] - bounds[0]) / room).max())
+    scale = next((one for one in PAGE_SCALES if one >= needed), None)
+    if scale is None:
+        text = _("ground of 1:{needed} on a page is too large for the annex")
+        raise InputError(text.format(needed=math.ceil(needed)))
+    sheet = Sheet(*PAGE, scale, 0.5 * bounds.sum(axis=0))
+    return _drawn_on(sheet, drawing, "A4", posts), scale
+
+
+def _drawn_on(
+    sheet: Sheet, drawing: AreaDrawing, paper: str, posts: Sequence[Point] = ()
+) -> Figure:
     with matplotlib.rc_context({**STYLE, "figure.constrained_layout.use": False}):
         figure, axes = empty_sheet(sheet)
         _draw_ground(axes, sheet, drawing)
+        _draw_posts(axes, sheet, posts)
         draw_bar(axes, sheet)
         draw_north(axes, sheet, _("N (y axis)"))
         _write_names(axes, sheet, drawing, paper)
@@ -101,6 +134,17 @@ def _draw_ground(axes: Axes, sheet: Sheet, drawing: AreaDrawing) -> None:
     route = sheet.place(drawing.route())
     axes.plot(*route.T, color=ROUTE, lw=0.5, zorder=4, label=_("route"), gid="route")
     draw_obstacles(axes, sheet, drawing.obstacles)
+
+
+def _draw_posts(axes: Axes, sheet: Sheet, posts: Sequence[Point]) -> None:
+    """Posts for marshals by their numbers, from 1."""
+    if not posts:
+        return
+    x, y = sheet.place(np.array(posts)).T
+    axes.plot(x, y, ls="none", marker="o", ms=3.5, color="black", zorder=8, gid="posts",
+              label=_("post for a marshal"))  # fmt: skip
+    for n, (u, v) in enumerate(zip(x, y, strict=True), start=1):
+        axes.text(u + 1.2, v + 0.8, f"{n}", fontsize=7, fontweight="bold", zorder=9)
 
 
 def _write_names(axes: Axes, sheet: Sheet, drawing: AreaDrawing, paper: str) -> None:

@@ -1,0 +1,125 @@
+"""Posts for marshals along the spectators' line, and what each is there for.
+
+The rule is this program's own and no regulation's: a post where the ground that benches cover comes
+nearest to the venue's edge, at each entrance, where benches come nearest to one
+another and where the fastest handle is; and others between them, so that no two that follow one another
+are farther apart along the line than EVERY.
+"""
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+import shapely
+from shapely.geometry import LinearRing, Point
+
+from benchdragon.analysis.check import Report
+from benchdragon.analysis.swept import SweptArea
+from benchdragon.model import base_curve
+from benchdragon.model.answer import Answer
+from benchdragon.model.outline import shape_of
+
+# The farthest that two posts that follow one another are apart along the line, m; posts nearer to one
+# another along it than JOINED, m, are one.
+EVERY, JOINED = 25.0, 3.0
+
+Why = Literal["venue", "entrance", "tightest", "fastest", "line"]
+
+
+@dataclass(frozen=True)
+class Reason:
+    """What a post is there for.
+
+    Attributes:
+        why: "venue": the ground covered comes nearest to the venue's edge; "entrance"; "tightest": two
+            benches come nearest to one another; "fastest": the fastest handle; "line": no other post is
+            near.
+        value: the distance, m, or the speed, m/s; NaN where there is none.
+        time: s; NaN where there is none.
+    """
+
+    why: Why
+    value: float = math.nan
+    time: float = math.nan
+
+
+@dataclass(frozen=True)
+class Post:
+    """A place on the spectators' line.
+
+    Attributes:
+        point: m.
+        reasons: what it is there for; at least one.
+    """
+
+    point: base_curve.Point
+    reasons: tuple[Reason, ...]
+
+
+def marshal_posts(
+    report: Report, swept: SweptArea, entrances: Sequence[base_curve.Point] = ()
+) -> tuple[Post, ...]:
+    """Posts on the outer spectators' lines of a dance, in going round each.
+
+    Places that posts are for are brought to the nearest point of the lines.
+
+    Args:
+        report: the check of the plan.
+        swept: the ground that its benches cover, with the spectators' line.
+        entrances: where people come in, m.
+    """
+    lines = [LinearRing(ring) for ring in swept.lines.outer]
+    wanted: list[list[tuple[float, Reason]]] = [[] for _line in lines]
+    for place, reason in _places(report, swept, entrances):
+        at = Point(place)
+        n = int(np.argmin([line.distance(at) for line in lines]))
+        wanted[n].append((float(lines[n].project(at)), reason))
+    return tuple(
+        Post((float(point.x), float(point.y)), reasons)
+        for line, some in zip(lines, wanted, strict=True)
+        for along, reasons in _spaced(some, float(line.length))
+        for point in [line.interpolate(along)]
+    )
+
+
+def _places(
+    report: Report, swept: SweptArea, entrances: Sequence[base_curve.Point]
+) -> Iterable[tuple[base_curve.Point, Reason]]:
+    """Where posts are wanted, before they are brought to the line."""
+    for one in report.obstacles:
+        if one.obstacle.kind == "venue":
+            edge = shape_of(one.obstacle).boundary
+            (x, y), _foot = shapely.get_coordinates(shapely.shortest_line(swept.polygon, edge))
+            yield (float(x), float(y)), Reason("venue", float(swept.polygon.distance(edge)))
+    for place in entrances:
+        yield place, Reason("entrance")
+    answers: dict[Why, Answer] = {"tightest": report.clearance, "fastest": report.greatest_speed}
+    for why, found in answers.items():
+        near = found.witness
+        if near is not None and near.time is not None:
+            yield near.point, Reason(why, found.value, near.time)
+
+
+def _spaced(
+    wanted: list[tuple[float, Reason]], length: float
+) -> list[tuple[float, tuple[Reason, ...]]]:
+    """Places along a ring, m, with what is there: those that are wanted, joined, and some between."""
+    joined: list[tuple[float, list[Reason]]] = []
+    for along, reason in sorted(wanted, key=lambda one: one[0]):
+        if joined and along - joined[-1][0] <= JOINED:
+            joined[-1][1].append(reason)
+        else:
+            joined.append((along, [reason]))
+    if not joined:
+        joined = [(0.0, [Reason("line")])]
+    found = []
+    ends = [*(along for along, _reasons in joined[1:]), joined[0][0] + length]
+    for (along, reasons), end in zip(joined, ends, strict=True):
+        found.append((along, tuple(reasons)))
+        parts = math.ceil((end - along) / EVERY)
+        found += [
+            ((along + k * (end - along) / parts) % length, (Reason("line"),)) for k in range(1, parts)
+        ]
+    return found
