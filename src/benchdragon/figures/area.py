@@ -92,9 +92,7 @@ def page_picture(drawing: AreaDrawing, posts: Sequence[Point] = ()) -> tuple[Fig
     return _drawn_on(sheet, drawing, "A4", posts), scale
 
 
-def _drawn_on(
-    sheet: Sheet, drawing: AreaDrawing, paper: str, posts: Sequence[Point] = ()
-) -> Figure:
+def _drawn_on(sheet: Sheet, drawing: AreaDrawing, paper: str, posts: Sequence[Point] = ()) -> Figure:
     with matplotlib.rc_context({**STYLE, "figure.constrained_layout.use": False}):
         figure, axes = empty_sheet(sheet)
         _draw_ground(axes, sheet, drawing)
