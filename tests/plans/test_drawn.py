@@ -123,7 +123,7 @@ def test_wrong_drawings_get_one_sentence(tmp_path: Path, lines: str, sentence: s
 
 
 def test_a_plan_that_is_no_file_names_none() -> None:
-    with pytest.raises(PlanError, match="nothing lies beside it: put points into it"):
+    with pytest.raises(PlanError, match="nothing lies beside it"):
         drawn(file="walk.csv")
 
 

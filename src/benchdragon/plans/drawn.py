@@ -1,13 +1,11 @@
 """Drawings in plans: the tables that hold what was drawn, and files that are read into them."""
 
 import math
-from pathlib import Path
 from typing import Annotated, Any
 
 from pydantic import Field, TypeAdapter, ValidationError
 
 from benchdragon.errors import InputError
-from benchdragon.i18n import _
 from benchdragon.kernels.curve import MOST_METRES
 from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line
 from benchdragon.plans.source import Fault, Source
@@ -98,7 +96,7 @@ def with_drawings(data: dict[str, Any], source: Source) -> dict[str, Any]:
         table = {key: value for key, value in data[name].items() if key not in ("file", "layer")}
         layer = data[name].get("layer")
         try:
-            path = _beside(source.folder, data[name]["file"])
+            path = source.beside(data[name]["file"])
             if name == "venue":
                 corners, survey = outline(path, survey, layer)
                 table["boundary"] = corners.tolist()
@@ -132,19 +130,6 @@ def _names_file(table: object) -> bool:
     return isinstance(table, dict) and isinstance(table.get("file"), str) and isinstance(
         table.get("layer", ""), str
     )  # fmt: skip
-
-
-def _beside(folder: Path | None, name: str) -> Path:
-    """Where a file lies that a plan names."""
-    if folder is None:
-        raise InputError(
-            _("this plan was not read from a file, so nothing lies beside it: put points into it")
-        )
-    if name != Path(name).name or name in ("", ".", "..") or "\\" in name or "\0" in name:
-        raise InputError(
-            _("wanted the name of a file beside the plan, not {name}").format(name=repr(name)[:80])
-        )
-    return folder / name
 
 
 def _drawn(line: DrawnLine, said: object) -> dict[str, Any]:

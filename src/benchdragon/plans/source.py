@@ -81,6 +81,20 @@ class Source:
             said.append(_("and {count} more").format(count=len(faults) - MOST_FAULTS))
         return "\n".join(said)
 
+    def beside(self, name: str) -> Path:
+        """Where a file lies that the plan names.
+
+        Raises:
+            InputError: where nothing lies beside the plan, and for what is no name of a file there.
+        """
+        if self.folder is None:
+            raise InputError(_("this plan was not read from a file, so nothing lies beside it"))
+        if name != Path(name).name or name in ("", ".", "..") or "\\" in name or "\0" in name:
+            raise InputError(
+                _("wanted the name of a file beside the plan, not {name}").format(name=repr(name)[:80])
+            )
+        return self.folder / name
+
     def _place(self, key: str, lines: dict[str, int]) -> str:
         for setting in self.settings:
             if f"{key}.".startswith(f"{setting}.") or setting.startswith(f"{key}."):

@@ -1,0 +1,153 @@
+"""Which columns of a list hold what: by their headings, else by what stands in them."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+from benchdragon.errors import InputError
+from benchdragon.i18n import _
+from benchdragon.rosters.words import Kind, heading, is_name, names_of, places, plain, without_phones
+
+# Rows above the headings, and rows that are looked at where there are none.
+MOST_TITLES, MOST_LOOKED_AT = 30, 50
+
+
+@dataclass
+class Columns:
+    """The columns of one block of a list, counted from 0; lists may stand side by side in blocks."""
+
+    number: int = -1
+    names: list[int] = field(default_factory=list)
+    households: list[int] = field(default_factory=list)
+    phones: list[int] = field(default_factory=list)
+    remarks: list[int] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Layout:
+    """How a list is set.
+
+    Attributes:
+        first: the row after the headings, counted from 0.
+        blocks: what the columns hold.
+        unread: columns with something in them that are not read, by their headings or letters.
+        guessed: whether there were no headings.
+        householders: whether there is no column of names, so that householders are the bearers.
+    """
+
+    first: int
+    blocks: tuple[Columns, ...]
+    unread: tuple[str, ...]
+    guessed: bool
+    householders: bool = False
+
+
+def layout(rows: Sequence[Sequence[str]], name: str) -> Layout:
+    """How the rows of a list are set.
+
+    Raises:
+        InputError: where no numbers with names are found.
+    """
+    for number, row in enumerate(rows[:MOST_TITLES]):
+        blocks, unread = _blocks(row)
+        if blocks:
+            nameless = [n for n in range(_width(rows[number:])) if not (n < len(row) and row[n])]
+            others = map(letters, _filled(rows[number + 1 :], nameless))
+            householders = any(block.names == block.households for block in blocks)
+            return Layout(
+                number + 1, tuple(blocks), (*(row[n] for n in unread), *others), False, householders
+            )
+    found = _guessed(rows)
+    if found is None:
+        text = _(
+            "{file}: no column of bench numbers with names beside it was found; write a first row such "
+            "as: 桥号, 姓名, 户主, 电话, 备注 (bench, name, household, phone, remarks)"
+        )
+        raise InputError(text.format(file=name))
+    return found
+
+
+def _width(rows: Sequence[Sequence[str]]) -> int:
+    return max(map(len, rows), default=0)
+
+
+def _filled(rows: Sequence[Sequence[str]], columns: Sequence[int]) -> list[int]:
+    return [n for n in columns if any(n < len(row) and row[n] for row in rows)]
+
+
+def _blocks(row: Sequence[str]) -> tuple[list[Columns], list[int]]:
+    """What the columns hold if a row is one of headings, and the columns that it calls otherwise."""
+    blocks = [Columns()]
+    unread: list[int] = []
+    rank, numbered = 0, ""
+    for n, cell in enumerate(row):
+        known = heading(cell) if cell else None
+        if known is None:
+            unread += [n] if cell else []
+            continue
+        kind, of = known
+        if kind != "number":
+            _column(blocks[-1], kind).append(n)
+        elif blocks[-1].number < 0 or plain(cell) == numbered:
+            if blocks[-1].number >= 0:
+                blocks.append(Columns())
+            blocks[-1].number, rank, numbered = n, of, plain(cell)
+        elif of < rank:
+            unread.append(blocks[-1].number)
+            blocks[-1].number, rank, numbered = n, of, plain(cell)
+        else:
+            unread.append(n)
+    for block in blocks:
+        block.names = block.names or list(block.households)
+    whole = all(block.number >= 0 and block.names for block in blocks)
+    return (blocks, unread) if whole else ([], [])
+
+
+def _column(block: Columns, kind: Kind) -> list[int]:
+    lists = {
+        "name": block.names, "household": block.households,
+        "phone": block.phones, "remarks": block.remarks,
+    }  # fmt: skip
+    return lists[kind]
+
+
+def _guessed(rows: Sequence[Sequence[str]]) -> Layout | None:
+    """Columns by what stands in them: the first with numbers, then the names, phones anywhere."""
+    looked_at = [row for row in rows if any(row)][:MOST_LOOKED_AT]
+    columns = range(_width(looked_at))
+    cells = [[row[n] for row in looked_at if n < len(row) and row[n]] for n in columns]
+    number = next((n for n in columns if _mostly(cells[n], lambda cell: bool(places(cell)))), None)
+    if number is None:
+        return None
+    names = next((n for n in columns if n > number and _mostly(cells[n], _holds_names)), None)
+    if names is None:
+        return None
+    phones = [n for n in columns if n != number and _mostly(cells[n], _is_phone)]
+    block = Columns(number, [names], phones=phones)
+    others = [n for n in range(_width(rows)) if n not in (number, names, *phones)]
+    first = next(n for n, row in enumerate(rows) if number < len(row) and places(row[number]))
+    unread = tuple(letters(n) for n in _filled(rows[first:], others))
+    return Layout(first, (block,), unread, True)
+
+
+def _mostly(cells: Sequence[str], wanted: Callable[[str], bool]) -> bool:
+    return bool(cells) and 2 * sum(map(wanted, cells)) > len(cells)
+
+
+def _holds_names(cell: str) -> bool:
+    names = names_of(cell)
+    return bool(names) and all(map(is_name, names)) and not places(cell)
+
+
+def _is_phone(cell: str) -> bool:
+    rest, phones = without_phones(cell)
+    return bool(phones) and not any(sign.isalpha() for sign in rest)
+
+
+def letters(column: int) -> str:
+    """What spreadsheets call a column, counted from 0."""
+    text = ""
+    column += 1
+    while column:
+        column, rest = divmod(column - 1, 26)
+        text = chr(ord("A") + rest) + text
+    return text

@@ -1,0 +1,142 @@
+"""What each row of a list says: benches as the list numbers them, and their people."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from benchdragon.i18n import _
+from benchdragon.rosters.columns import Columns
+from benchdragon.rosters.roster import Person
+from benchdragon.rosters.words import (
+    DECIMALS,
+    MADE_A_DAY,
+    ROUNDED,
+    Place,
+    clean,
+    is_name,
+    is_sum,
+    names_of,
+    places,
+    plain,
+    without_phones,
+)
+
+Ranges = tuple[tuple[Place, Place], ...]
+# Signs of a cell that a note repeats.
+MOST_SHOWN = 40
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A row with people: its number in the file, from 1, and the benches as it names them."""
+
+    row: int
+    benches: Ranges
+    people: tuple[Person, ...]
+
+
+@dataclass(frozen=True)
+class Unread:
+    """A row, or a part of it, that was not read, and why, in words."""
+
+    row: int
+    why: str
+
+
+def entries(rows: Sequence[Sequence[str]], first: int, block: Columns) -> Iterator[Entry | Unread]:
+    """What a block of columns says, row by row from `first`, counted from 0.
+
+    A row without a number goes on about the bench of the row above.
+    """
+    head = [plain(cell) for cell in rows[first - 1]] if first else []
+    benches: Ranges = ()
+    household = ""
+    for number, row in enumerate(rows[first:], start=first + 1):
+        if not any(row) or [plain(cell) for cell in row] == head:
+            continue
+        if is_sum(next(cell for cell in row if cell)):
+            benches = ()
+            yield Unread(number, _("taken for a sum: {text}").format(text=_shown(row)))
+            continue
+        if not any(_cells(row, _all(block))):
+            continue
+        (said,) = _cells(row, [block.number])
+        if said:
+            found = places(said)
+            benches, household = tuple(found or ()), ""
+            if found is None:
+                yield Unread(number, _not_a_number(said, row))
+                continue
+        elif not benches:
+            yield Unread(number, _("no number of a bench: {text}").format(text=_shown(row)))
+            continue
+        people, odd = _people(row, block, household)
+        yield from (Unread(number, text) for text in odd)
+        household = next((one.household for one in people), household)
+        if people:
+            yield Entry(number, benches, people)
+
+
+def _all(block: Columns) -> list[int]:
+    return [block.number, *block.names, *block.households, *block.phones, *block.remarks]
+
+
+def _cells(row: Sequence[str], columns: Sequence[int]) -> list[str]:
+    return [row[n] if n < len(row) else "" for n in columns]
+
+
+def _shown(row: Sequence[str]) -> str:
+    """What a row says, without phones."""
+    text = clean(" ".join(without_phones(cell)[0] for cell in row))
+    return text if len(text) <= MOST_SHOWN else text[:MOST_SHOWN] + "…"
+
+
+def _not_a_number(said: str, row: Sequence[str]) -> str:
+    if MADE_A_DAY.fullmatch(said):
+        text = _("the spreadsheet made a day of the bench's number ({text}): format the column as text")
+        return text.format(text=said)
+    text = _("{said} is no number of a bench: {text}")
+    return text.format(said=repr(_shown([said])), text=_shown(row))
+
+
+def _people(row: Sequence[str], block: Columns, household: str) -> tuple[tuple[Person, ...], list[str]]:
+    """The people of a row, and what of it was not understood."""
+    remarks, hidden = _open(_cells(row, block.remarks))
+    said, more = _open(_cells(row, block.households))
+    household = said or household
+    columns = _cells(row, block.phones)
+    paired = len(block.phones) == len(block.names)
+    people: list[Person] = []
+    odd = [
+        _("the spreadsheet rounded a phone number: format the column as text")
+        for cell in columns if ROUNDED.fullmatch(cell)
+    ]  # fmt: skip
+    for n, cell in enumerate(_cells(row, block.names)):
+        rest, phones = without_phones(cell)
+        own = [*_phones(columns[n] if paired else "" if n else " ".join(columns)), *phones]
+        names = names_of(rest)
+        if n == 0:
+            own += [*hidden, *more]
+        odd += [
+            _("{text} is no name").format(text=_shown([name])) for name in names if not is_name(name)
+        ]
+        names = tuple(filter(is_name, names))
+        each = own if len(own) == len(names) else [" ".join(own)] * len(names)
+        people += [
+            Person(*told)
+            for told in zip(names, [household] * len(names), each, [remarks] * len(names), strict=True)
+        ]
+    if not people and not odd and any(_cells(row, [*block.households, *block.phones, *block.remarks])):
+        odd = [_("no name: {text}").format(text=_shown(row))]
+    return tuple(people), odd
+
+
+def _open(cells: Sequence[str]) -> tuple[str, tuple[str, ...]]:
+    """The texts of cells without the phones in them, and these."""
+    split = [without_phones(cell) for cell in cells if cell]
+    return clean(" ".join(text for text, _phones in split)), tuple(p for _t, ps in split for p in ps)
+
+
+def _phones(cell: str) -> tuple[str, ...]:
+    """The numbers of a cell of phones; all of it where none is told apart."""
+    rest, phones = without_phones(DECIMALS.sub("", cell))
+    return phones if not rest.strip(" ,;、，；/") else ((clean(cell),) if cell else ())

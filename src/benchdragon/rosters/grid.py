@@ -1,0 +1,189 @@
+"""A list of names as rows of texts: workbooks by calamine, tables of text in the encodings in use."""
+
+import csv
+import io
+import re
+from collections.abc import Iterable
+from datetime import date, datetime
+from pathlib import Path
+
+from python_calamine import (
+    CalamineError,
+    CalamineSheet,
+    CalamineWorkbook,
+    PasswordError,
+    SheetTypeEnum,
+    SheetVisibleEnum,
+    load_workbook,
+)
+
+from benchdragon.errors import InputError, reason
+from benchdragon.i18n import _
+from benchdragon.rosters.extent import (
+    MOST_CELLS,
+    MOST_COLUMNS,
+    MOST_ROWS,
+    MOST_SIGNS,
+    locked,
+    measure,
+    too_large,
+    torn,
+)
+
+# Bytes of a file.
+MOST_BYTES = 20_000_000
+ENDINGS = (".xlsx", ".xlsm", ".ods", ".csv", ".tsv", ".txt")
+# What files start with: of zip (XLSX, ODS), and of old and of locked workbooks.
+ZIP, OLE = b"PK\x03\x04", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
+MOST_NAMES = 10
+# What parts the columns of a table of text, and what ends the number where nothing does.
+MARKS = "\t,;"
+NUMBER_END = re.compile(r"(?<=\S)[\s:：，]+")
+# Signs of texts that no text has.
+NO_TEXT = re.compile("[\0-\x08\x0e-\x19\x1b-\x1f]")
+
+Rows = list[list[str]]
+
+
+def read_rows(path: Path, sheet: str = "") -> Rows:
+    """The cells of a list as texts, every row of the file, from its first row and column.
+
+    Cells that are merged downwards say the same in each row.
+
+    Raises:
+        InputError: for a file, or a sheet, that cannot be read, and beyond the limits.
+    """
+    data = _bytes(path)
+    if data.startswith(OLE):
+        if "EncryptedPackage".encode("utf-16-le") in data:
+            raise InputError(locked(path.name))
+        text = _("{file} is an old workbook (XLS): save it as XLSX")
+        raise InputError(text.format(file=path.name))
+    if data.startswith(ZIP):
+        return _limited(_workbook_rows(data, path.name, sheet), path.name)
+    if path.suffix.lower() in (".xlsx", ".xlsm", ".ods"):
+        raise InputError(torn(path.name))
+    if sheet:
+        text = _("{file} has no sheets: leave people.sheet out")
+        raise InputError(text.format(file=path.name))
+    return _limited(_text_rows(data, path.name), path.name)
+
+
+def _bytes(path: Path) -> bytes:
+    if path.suffix.lower() not in ENDINGS:
+        text = _("{file}: lists of names are read from {endings} files")
+        raise InputError(text.format(file=path.name, endings=", ".join(ENDINGS)))
+    try:
+        if not path.is_file():
+            raise InputError(_("there is no file {file} beside the plan").format(file=path.name))
+        if path.stat().st_size > MOST_BYTES:
+            raise too_large(path.name)
+        data = path.read_bytes()
+    except OSError as error:
+        raise InputError(f"{path.name}: {reason(error)}") from None
+    if not data.strip():
+        raise InputError(_("{file} is empty").format(file=path.name))
+    return data
+
+
+def _limited(rows: Rows, name: str) -> Rows:
+    if len(rows) > MOST_ROWS or sum(map(len, rows)) > MOST_ROWS * MOST_COLUMNS:
+        raise too_large(name)
+    filled = [(column, cell) for row in rows for column, cell in enumerate(row) if cell]
+    if not filled:
+        raise InputError(_("{file} is empty").format(file=name))
+    if len(filled) > MOST_CELLS or any(c >= MOST_COLUMNS or len(t) > MOST_SIGNS for c, t in filled):
+        raise too_large(name)
+    return rows
+
+
+def _workbook_rows(data: bytes, name: str, sheet: str) -> Rows:
+    measure(data, name)
+    try:
+        book = load_workbook(io.BytesIO(data))
+        found = _chosen(book, name, sheet)
+        rows = [[_said(cell) for cell in row] for row in found.to_python(skip_empty_area=False)]
+        merged = found.merged_cell_ranges or []
+    except PasswordError as error:
+        raise InputError(locked(name)) from error
+    except (CalamineError, ValueError, OverflowError, OSError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError(torn(name)) from error
+    for (top, left), (bottom, _right) in merged:
+        for row in rows[top + 1 : bottom + 1]:
+            if left < len(row) and left < len(rows[top]):
+                row[left] = row[left] or rows[top][left]
+    return rows
+
+
+def _chosen(book: CalamineWorkbook, name: str, sheet: str) -> CalamineSheet:
+    """The sheet of that name, or the only one with anything in it that can be seen."""
+    names = [
+        one.name
+        for one in book.sheets_metadata
+        if one.typ == SheetTypeEnum.WorkSheet and one.visible == SheetVisibleEnum.Visible
+    ]
+    listed = ", ".join(names[:MOST_NAMES]) + (", ..." if len(names) > MOST_NAMES else "")
+    if sheet:
+        if sheet not in book.sheet_names:
+            text = _("{file} has no sheet called {sheet}; it has {names}")
+            raise InputError(text.format(file=name, sheet=repr(sheet)[:60], names=listed))
+        return book.get_sheet_by_name(sheet)
+    filled = [found for one in names if (found := book.get_sheet_by_name(one)).height]
+    if not filled:
+        raise InputError(_("{file} is empty").format(file=name))
+    if len(filled) > 1:
+        text = _("{file} has several sheets: choose one by the key people.sheet: {names}")
+        raise InputError(text.format(file=name, names=listed))
+    return filled[0]
+
+
+def _said(cell: object) -> str:
+    """A cell as it reads; whole numbers without decimals, days as 2026-03-05."""
+    if isinstance(cell, bool):
+        return str(cell).upper()
+    if isinstance(cell, float):
+        return str(int(cell)) if cell.is_integer() else repr(cell)
+    if isinstance(cell, datetime):
+        cell = cell.date()
+    if isinstance(cell, date):
+        return cell.isoformat()
+    return str(cell).strip()
+
+
+def _text_rows(data: bytes, name: str) -> Rows:
+    """Rows of a table of text; where no sign parts its columns, a line is a number and names."""
+    text = _decoded(data, name)
+    first = [next((sign for sign in line if sign in MARKS), "") for line in text.splitlines()]
+    mark = max(MARKS, key=first.count)
+    if mark not in first:
+        return list(_within((NUMBER_END.split(line, maxsplit=1) for line in text.splitlines()), name))
+    try:
+        return list(_within(csv.reader(io.StringIO(text, newline=""), delimiter=mark), name))
+    except csv.Error:
+        raise InputError(_("{file} is no table of text").format(file=name)) from None
+
+
+def _within(rows: Iterable[list[str]], name: str) -> Iterable[list[str]]:
+    for number, row in enumerate(rows):
+        if number >= MOST_ROWS:
+            raise too_large(name)
+        yield [cell.strip() for cell in row]
+
+
+def _decoded(data: bytes, name: str) -> str:
+    """Text in UTF-8, UTF-16 with its mark, or GB18030."""
+    marked = data.startswith((b"\xff\xfe", b"\xfe\xff"))
+    for encoding in ("utf-16",) if marked else ("utf-8-sig", "gb18030"):
+        try:
+            text = data.decode(encoding)
+        except UnicodeDecodeError:
+            continue
+        if not NO_TEXT.search(text):
+            return text
+    raise InputError(
+        _("{file} is no table of text in UTF-8 or GB18030: save it as XLSX, or as CSV in UTF-8").format(
+            file=name
+        )
+    )
