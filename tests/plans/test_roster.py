@@ -9,7 +9,7 @@ from benchdragon.plans.roster import roster_of
 from benchdragon.plans.schema import checked, read_plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.rosters.roster import Roster
-from tests.rosters.lists import csv_bytes
+from tests.rosters.lists import Cells, csv_bytes
 
 PLAN = """schema = 1
 [dragon]
@@ -26,7 +26,12 @@ count_head = false
 
 @pytest.fixture
 def plan(tmp_path: Path) -> Path:
-    rows = [["桥", "姓名", "电话"], ["龙头", "张三", "13800000001"], [1, "李四", ""], [7, "王五", ""]]
+    rows: Cells = [
+        ["桥", "姓名", "电话"],
+        ["龙头", "张三", "13800000001"],
+        [1, "李四", ""],
+        [7, "王五", ""],
+    ]
     (tmp_path / "names.csv").write_bytes(csv_bytes(rows))
     (tmp_path / "a.dragon.toml").write_text(PLAN, "utf-8")
     return tmp_path / "a.dragon.toml"

@@ -44,8 +44,8 @@ def xlsx_bytes(rows: Cells, *more: tuple[str, Cells], merged: Sequence[str] = ()
         for n, row in enumerate(cells):
             sheet.write_row(n, 0, row)
     for area in merged:
-        row = int(area.partition(":")[0][1:]) - 1
-        book.worksheets()[0].merge_range(area, rows[row][ord(area[0]) - ord("A")])
+        top = int(area.partition(":")[0][1:]) - 1
+        book.worksheets()[0].merge_range(area, rows[top][ord(area[0]) - ord("A")])
     book.close()
     return file.getvalue()
 

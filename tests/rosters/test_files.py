@@ -140,6 +140,14 @@ def test_a_shared_text_that_is_too_long(tmp_path: Path) -> None:
     assert "too large" in refused(tmp_path / "a.xlsx", data)
 
 
+def test_a_count_for_which_room_would_be_made(tmp_path: Path) -> None:
+    for count in ("99999999999", "2000000", "+9999999"):
+        data = zipped(
+            {"xl/sharedStrings.xml": f'<sst {MAIN} uniqueCount="{count}"><si><t>x</t></si></sst>'}
+        )
+        assert "torn" in refused(tmp_path / "a.xlsx", data)
+
+
 def test_entities_and_depth(tmp_path: Path) -> None:
     dtd = '<!DOCTYPE a [<!ENTITY b "c">]><a>&b;</a>'
     assert "torn" in refused(tmp_path / "a.xlsx", zipped({"xl/workbook.xml": dtd}))
@@ -192,7 +200,7 @@ def test_sheets_of_a_workbook(tmp_path: Path) -> None:
 
 
 def test_too_many_people(tmp_path: Path) -> None:
-    rows = [["bench", "name"], *[["1-10", "甲乙 丙丁 戊己"]] * 2000]
+    rows: Cells = [["bench", "name"], *[["1-10", "甲乙 丙丁 戊己"]] * 2000]
     assert "names more than 50000 people" in refused(tmp_path / "a.csv", csv_bytes(rows))
     rows = [["bench", "name"], *[[1, f"人{n}"] for n in range(300)]]
     assert "more than 200 people at bench 1" in refused(tmp_path / "a.csv", csv_bytes(rows))

@@ -194,7 +194,7 @@ def test_lines_that_nothing_parts(tmp_path: Path, text: str) -> None:
 
 
 def test_cells_that_are_merged_downwards_say_the_same_in_each_row(tmp_path: Path) -> None:
-    rows = [["桥号", "姓名", "户名"], [1, "张三", "张家"], ["", "李四", ""], [2, "王五", ""]]
+    rows: Cells = [["桥号", "姓名", "户名"], [1, "张三", "张家"], ["", "李四", ""], [2, "王五", ""]]
     (tmp_path / "a.xlsx").write_bytes(xlsx_bytes(rows, merged=["A2:A3", "C2:C4"]))
     roster = read_roster(tmp_path / "a.xlsx", TEN)
     assert names(roster) == {1: "张三 李四", 2: "王五"}

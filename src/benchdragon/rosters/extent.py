@@ -20,6 +20,8 @@ MOST_PARTS = 2000
 MOST_DEPTH = 200
 # Of a list: rows and columns with anything in them, cells of all sheets, signs of a cell.
 MOST_ROWS, MOST_COLUMNS, MOST_CELLS, MOST_SIGNS = 20_000, 100, 100_000, 1000
+# What a part says beforehand of how many texts, formats, merged cells follow.
+MOST_COUNTED, NONSENSE = 1_000_000, 1_000_000_000
 CHUNK = 1 << 16
 # What the standard library raises for archives that are not sound.
 BROKEN = (
@@ -125,6 +127,8 @@ class _Extent:
         self._depth += 1
         if self._depth > MOST_DEPTH:
             raise too_large(self._name)
+        if any(_number(attributes.get(key, "0")) > MOST_COUNTED for key in ("count", "uniqueCount")):
+            raise InputError(torn(self._name))
         if tag in CELLS or tag == "si":
             self._signs, self._filled = 0, any(key.endswith("value") for key in attributes)
         if tag == "table":
@@ -176,7 +180,7 @@ def _repeated(attributes: dict[str, str], key: str) -> int:
 
 def _number(text: str) -> int:
     """A count as files say it; nonsense counts as more than any limit."""
-    return int(text) if text.isascii() and text.isdigit() and len(text) < 10 else MOST_CELLS + 1
+    return int(text) if text.isascii() and text.isdigit() and len(text) < 10 else NONSENSE
 
 
 def _letters(text: str) -> int:
