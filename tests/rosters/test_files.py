@@ -97,6 +97,13 @@ def test_two_cells_in_far_corners_are_refused_before_room_is_made_for_all_betwee
     assert "torn, or no workbook" in said
 
 
+def test_cells_far_below_are_seen_where_rows_do_not_say_so(tmp_path: Path) -> None:
+    cells = '<row><c r="A1"><v>1</v></c></row><row><c r="A1048576"><v>1</v></c></row>'
+    sheet = f"<worksheet {MAIN}><sheetData>{cells}</sheetData></worksheet>"
+    said = refused(tmp_path / "a.xlsx", zipped({"xl/worksheets/sheet1.xml": sheet}))
+    assert "too large" in said
+
+
 @pytest.mark.parametrize(
     "row",
     [
