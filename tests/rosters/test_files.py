@@ -7,7 +7,7 @@ import pytest
 
 from benchdragon.errors import InputError
 from benchdragon.rosters import extent, grid
-from benchdragon.rosters.grid import read_rows
+from benchdragon.rosters.grid import OLE, read_rows
 from benchdragon.rosters.reading import Numbering, read_roster
 from tests.rosters.lists import CONTENT, Cells, csv_bytes, ods_bytes, xlsx_bytes, zipped
 
@@ -175,8 +175,8 @@ def test_entities_and_depth(tmp_path: Path) -> None:
         ("a.xlsx", xlsx_bytes([]), "is empty"),
         ("a.xlsx", b"<html><table></table></html>", "torn, or no workbook"),
         ("a.xlsx", zipped({"word/document.xml": "<a/>"}), "torn, or no workbook"),
-        ("a.xlsx", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1" + 100 * b"\0", "old workbook"),
-        ("a.xlsx", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1" + "EncryptedPackage".encode("utf-16-le"), "password"),
+        ("a.xlsx", OLE + 100 * b"\0", "old workbook"),
+        ("a.xlsx", OLE + "EncryptedPackage".encode("utf-16-le"), "password"),
         ("a.csv", b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", "no table of text"),
         ("a.csv", b"\xff\xfe\xff", "no table of text"),
         ("a.csv", b'1,"' + b"x" * 200_000, "no table of text"),
