@@ -7,7 +7,15 @@ import numpy as np
 import pytest
 from shapely import Polygon
 
-from benchdragon.analysis.bench_walks import SHORTEST, STEP, STILL, BenchWalk, bench_walks
+from benchdragon.analysis.bench_walks import (
+    SHORTEST,
+    STEP,
+    STILL,
+    BenchWalk,
+    Piece,
+    _followed,
+    bench_walks,
+)
 from benchdragon.analysis.distance import boxes
 from benchdragon.kernels.box import corner
 from benchdragon.kernels.curve import FloatArray
@@ -211,3 +219,25 @@ def test_slices_of_time_change_nothing(
     monkeypatch.setattr("benchdragon.analysis.bench_walks.SLICE_PLACES", per * 10)
     again = bench_walks(PLAN, walk, PLAN.span(walk))
     assert [bench.stretches for bench in again] == [bench.stretches for bench in told]
+
+
+def test_the_bracket_holds_when_looked_at_seldom(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Every 6 s a bench is looked at: in between others come nearer, and the bracket still holds."""
+    monkeypatch.setattr("benchdragon.analysis.bench_walks.STEP", 6.0)
+    monkeypatch.setattr("benchdragon.analysis.bench_nearness.REACH", 30.0)
+    walk = PLAN.build()
+    motion = walk.motion(np.arange(0.0, 52.0, 0.25))
+    shapes = [outlines(walk, float(t)) for t in motion.times]
+    for bench in bench_walks(PLAN, walk, PLAN.span(walk)):
+        k = bench.bench - 1
+        seen = min(shape[k].distance(shape[j]) for shape in shapes for j in range(9) if abs(j - k) > 1)
+        assert bench.tightest is not None
+        assert bench.tightest.lower <= seen + 1e-9
+
+
+def test_a_short_stretch_is_joined_to_the_longer_neighbour() -> None:
+    pieces: list[Piece] = [(0.0, 0.0, 1.0, 0, 1), (2.0, 2.0, 1.0, 1, 1), (2.5, 2.5, 1.0, 2, 1)]
+    assert _followed(pieces, 9.0) == [pieces[0], (2.0, 2.0, 1.0, 2, 1)]
+    assert _followed(pieces, 3.9) == [pieces[0], pieces[2]]
+    assert _followed(pieces[:2], 2.5) == pieces[:1]
+    assert _followed(pieces[1:2], 2.1) == pieces[1:2]

@@ -10,6 +10,7 @@ from pydantic import BaseModel
 
 from benchdragon.analysis.check import check
 from benchdragon.plans.faults import kinds_of, tables_in
+from benchdragon.plans.people import DECIDING, PeopleTable, SourcesTable
 from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.solve.head_speed import slowed
@@ -264,6 +265,13 @@ VARIED: dict[str, Any] = {
     "event.marshals": 24,
     "event.distance": 3.0,
     "event.entrances": [[20.0, 0.0]],
+    # What the people need is judged by `check`; the rest of it changes papers alone.
+    **{f"people.{name}": 5.0 for name in ("beside", "ahead", "sway", "imprecision")},
+    "people.most_speed": 0.1,
+    **{
+        f"people.{name}": None for name in PeopleTable.model_fields if name not in (*DECIDING, "source")
+    },
+    **{f"people.source.{name}": None for name in SourcesTable.model_fields},
     "base": None,  # it is a plan of its own: tests/plans/test_base.py
 }
 
@@ -339,7 +347,7 @@ def test_whatever_a_plan_says_has_an_effect_or_is_refused(base: str) -> None:
         steps = key.split(".")
         listed = len(steps) > 2 and steps[1] not in data.get(steps[0], {})
         elsewhere = steps[0] == "cues" and base != "cues"
-        if key.startswith("limits.") or value is None or listed or elsewhere:
+        if key.startswith(("limits.", "people.")) or value is None or listed or elsewhere:
             continue
         plan = asked(base, key, value)
         assert plan is None or not same(before, built(plan)), key
@@ -354,6 +362,23 @@ def test_every_limit_has_an_effect_or_is_refused(base: str) -> None:
             assert plan is not None or key == "limits.venue_margin"
             assert plan is None or judged(plan) != before, key
     assert asked("square", "limits.venue_margin", 9.0) is not None
+
+
+@pytest.mark.parametrize("name", DECIDING)
+def test_what_people_need_has_an_effect(name: str) -> None:
+    """A walk on a straight line, along one wall and towards another."""
+    walls = [[[26, -9], [26, 9]], [[0, 3], [30, 3]]]
+    data = {
+        "dragon": DRAGON,
+        "route": {"kind": "parts", "part": PARTS[:1]},
+        "walk": {"position": 12, "start": 0, "end": 10},
+        "obstacle": [{"kind": "line", "points": points} for points in walls],
+    }
+    plan = checked({"schema": 1, **data}, "walls")
+    other = checked(with_key(data, f"people.{name}", VARIED[f"people.{name}"]), "walls")
+    assert check(plan).safe
+    assert not check(other).safe
+    assert other.sha256 != plan.sha256
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,119 @@
+"""What one bench does, in plain sentences: read as the one who carries it reads them."""
+
+import re
+from dataclasses import replace
+from functools import partial
+
+import pytest
+
+from benchdragon.analysis.bench_nearness import Tightest
+from benchdragon.analysis.bench_walks import BenchWalk, Stretch, bench_walks
+from benchdragon.explain.bench_walk import BenchText, bench_text, clock, quick_line
+from benchdragon.i18n import spoken_in
+from benchdragon.plans.people import called
+from benchdragon.plans.schema import Plan, read_plan
+from tests.analysis.test_bench_walks import PLAN
+
+
+@pytest.fixture(scope="module")
+def told() -> tuple[BenchWalk, ...]:
+    walk = PLAN.build()
+    return bench_walks(PLAN, walk, PLAN.span(walk))
+
+
+def text_of(plan: Plan, found: BenchWalk) -> BenchText:
+    return bench_text(plan, found, partial(called, plan.people, count=9))
+
+
+def stretch(start: float, end: float, turning: str, pace: str, angle: float = 1.0) -> Stretch:
+    return Stretch(start, end, turning, pace, end - start, angle, (0.0, 1.0))  # type: ignore[arg-type]
+
+
+def one_bench(*stretches: Stretch) -> BenchWalk:
+    return BenchWalk(5, (3.0, 4.0), 0.0, stretches, None, 4, 6)
+
+
+def test_the_quick_line_names_turns_and_times_from_the_start_of_the_dance_on() -> None:
+    bench = one_bench(
+        stretch(-100.0, 30.0, "left", "walk"), stretch(30.0, 45.0, "left", "run"),
+        stretch(45.0, 60.0, "straight", "walk"), stretch(60.0, 90.0, "straight", "wait"),
+    )  # fmt: skip
+    assert quick_line(bench) == (
+        "Turn left; keep walking; run from 2:10 to 2:25; wait from 2:40 to 3:10."
+    )
+    with spoken_in("zh"):
+        assert quick_line(bench) == "左拐；走；2:10 到 2:25 跑；2:40 到 3:10 等。"
+
+
+def test_the_quick_line_counts_what_is_too_much_to_name() -> None:
+    sides, paces = ("left", "right"), ("walk", "hurry", "run", "wait")
+    bench = one_bench(*(stretch(n, n + 1.0, sides[n % 2], paces[n % 4]) for n in range(20)))
+    assert quick_line(bench) == (
+        "10 times left and 10 times right; keep walking; hurry, 5 times; run, 5 times; wait, 5 times."
+    )
+    still = one_bench(stretch(0.0, 9.0, "straight", "walk", 0.0))
+    assert quick_line(still) == "Straight on all the way; keep walking all the time."
+
+
+def test_stretches_say_clock_turn_way_and_steps(told: tuple[BenchWalk, ...]) -> None:
+    for bench in told:
+        text = text_of(PLAN, bench)
+        for line, one in zip(text.stretches, bench.stretches, strict=True):
+            assert line.startswith(f"{clock(one.start)} to {clock(one.end)}: ")
+            assert (": wait." in line) == (one.pace == "wait")
+            if one.pace != "wait":
+                way, steps = (int(number) for number in re.findall(r"(\d+) (?:m|steps)", line))
+                assert (way, steps) == (round(one.way), round(one.way / 0.6))
+            if one.turning != "straight" and one.pace != "wait":
+                assert f"turn {one.turning}" in line
+    rounds = one_bench(stretch(0.0, 60.0, "right", "walk", -15.707963))
+    assert ", turn right, 2.5 times round; 60 m, 100 steps." in text_of(PLAN, rounds).stretches[0]
+
+
+def test_the_place_is_told_from_the_peg_and_from_the_nearest_landmark() -> None:
+    bench = one_bench(stretch(0.0, 9.0, "left", "walk"))
+    peg = text_of(PLAN, bench).place
+    assert peg == (
+        "Your front handle starts at x = 3.00 m, y = 4.00 m from the centre peg: 5.00 m from it at "
+        "53°.",
+        "That is 8 steps from the centre peg.",
+    )
+    said = ['obstacle=[{kind="circle", name="well", centre=[3.0, 6.5], radius=0.7}]']
+    assert text_of(read_plan("turn", said), bench).place[1] == "That is 3 steps from well."
+    said.append("venue.rectangle=[7.2, 60]")
+    plan = read_plan("turn", [*said, "people.step=0.3"])
+    assert text_of(plan, bench).place[1] == "That is 2 steps from the edge of the venue."
+    with spoken_in("zh"):
+        assert text_of(plan, bench).place[1] == "离场地的边线 2 步。"
+
+
+def test_the_tightest_moment_and_the_neighbours_have_the_names_that_the_village_gives() -> None:
+    plan = read_plan("turn", ["people.unit=qiao", "people.count_head=false"])
+    near = Tightest(75.4, 3, "left", 0.1, 0.279)
+    bench = replace(
+        one_bench(stretch(10.0, 90.0, "left", "walk")), tightest=near, before=1, left=9, right=3
+    )
+    text = text_of(plan, bench)
+    assert text.tightest == "Tightest at 1:05: qiao 2 comes as near as 27 cm, on your left."
+    assert text.people == (
+        "Before you: the head.", "Behind you: qiao 5.", "At the end on your left: the tail.",
+        "At the end on your right: qiao 2.",
+    )  # fmt: skip
+    alone = replace(bench, tightest=None, before=None, behind=None, left=None, right=None)
+    assert "no bench comes nearer to you than 1.5 m" in text_of(plan, alone).tightest
+    assert text_of(plan, alone).people == ()
+    with spoken_in("zh"):
+        assert re.fullmatch(r"1:05 最挤：.+在你左边，只隔 27 厘米。", text_of(plan, bench).tightest)
+
+
+def test_thresholds_are_those_of_the_plan(told: tuple[BenchWalk, ...]) -> None:
+    text = text_of(PLAN, told[0])
+    assert text.paces.startswith("Hurry means 1.15 m/s or more, run 1.45 m/s or more; below 0.05")
+    assert text.lines[0] == text.quick
+    assert text.paces in text.lines
+
+
+def test_clocks_round_to_seconds() -> None:
+    assert [clock(time) for time in (0.0, 59.4, 59.6, 130.0, 3600.0)] == [
+        "0:00", "0:59", "1:00", "2:10", "60:00",
+    ]  # fmt: skip
