@@ -69,6 +69,7 @@ SHEET = [*STILL, "--sheet", "2x1"]
 FILM = ["animate", "spiral-in", *SHORT, "-o", "film.gif", "--size", "320x180", "--end", "0.3"]
 AREA = ["area", "spiral-in", *SHORT]
 DRAWN = [*AREA, "-o", "area.svg"]
+MINE = ["plan", "spiral-in", *SHORT, "-o", "mine.dragon.toml"]
 STUDIO = ["studio", "--port", "0", "--no-browser"]
 REPRODUCE = ["reproduce", "-o", "out"]
 
@@ -110,6 +111,7 @@ CASES: dict[str, Case] = {
     "check --force": Case(
         [*CHECK, "-o", "out", "--format", "svg"], ["--force"], [*CHECK, "-o", "out", "--format", "svg"]
     ),
+    "check --record": Case(["check", "mine.dragon.toml"], ["--record"], MINE),
     "check --json": Case(CHECK, ["--json"]),
     "check --explain": Case(CHECK, ["--explain"]),
     "check --brackets": Case(CHECK, ["--brackets"]),
@@ -260,6 +262,12 @@ ELSEWHERE = {f"reproduce --{name}" for name in ("json", "explain", "lang", "quie
 ELSEWHERE |= {f"compare --{name}" for name in ("as", "tolerance", "json", "lang", "quiet")}
 # These want a sweep: tests/cli/test_atlas.py gives them.
 ELSEWHERE |= {f"atlas --{name}" for name in ("output", "force", "lang", "quiet")}
+# These want a plan beside which a record may stand: tests/sheets/test_papers.py gives it.
+ELSEWHERE |= {
+    f"sheets --{name}"
+    for name in ("set", "only", "paper", "by", "night", "phones", "check", "output", "force")
+}
+ELSEWHERE |= {"sheets --lang", "sheets --quiet"}
 # Nothing is said on standard error, nor in a language, that could be left out.
 SILENT = {"plan --quiet", "formations --quiet", "schema --quiet", "doctor --quiet"}
 

@@ -62,6 +62,8 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     record = None if options["anew"] else read_record(path, read, roster, plan)
     files = planned_papers(folder, names, options["force"])
     wanted = Options(options["paper"], options["by"], options["night"], options["phones"])
+    if "benches" in names and not read.people.address and not quiet:
+        click.echo(_("No QR codes: the plan does not say people.address."), err=True)
     with shown_progress(quiet) as progress:
         report = check(read, part(progress, 0.0, 0.2))
         if report.safe:

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from fpdf.enums import MethodReturnValue
 
@@ -112,6 +113,7 @@ class Cards(Typeset):
         self._night = night
         self._map = SmallMap(briefing)
         self._address = briefing.plan.people.address
+        self._heights: dict[tuple[float, Block, float], float] = {}
         self.set_auto_page_break(False)
         self.set_margin(0.0)
         self.c_margin = 0.0
@@ -217,16 +219,19 @@ class Cards(Typeset):
 
     def _height(self, width: float, blocks: Sequence[Block], share: float) -> float:
         """How much room blocks take, mm."""
-        total = 0.0
-        for block in blocks:
+        return sum(self._block_height(width, block, share) for block in blocks)
+
+    def _block_height(self, width: float, block: Block, share: float) -> float:
+        """The same of one, measured once."""
+        key = width, block, share
+        if key not in self._heights:
             line = self._font(block, share)
-            total += float(
-                self.multi_cell(
-                    width, line, breakable(block.text), align="L", dry_run=True,
-                    output=MethodReturnValue.HEIGHT,
-                )  # type: ignore[arg-type]
-            ) + AFTER * line  # fmt: skip
-        return total
+            words: Any = self.multi_cell(
+                width, line, breakable(block.text), align="L", dry_run=True,
+                output=MethodReturnValue.HEIGHT,
+            )  # fmt: skip
+            self._heights[key] = float(words) + AFTER * line
+        return self._heights[key]
 
     def _blocks(self, x: float, y: float, width: float, blocks: Sequence[Block], share: float) -> float:
         """Set blocks; how far down they come, mm."""

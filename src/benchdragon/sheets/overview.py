@@ -5,6 +5,7 @@ from tempfile import TemporaryDirectory
 
 from benchdragon.analysis.check import sentence
 from benchdragon.explain.bench_walk import bench_text
+from benchdragon.explain.room import level_line
 from benchdragon.export.document import Block, Document, Heading, Paragraph, Picture, Table, say
 from benchdragon.export.pages import write_pdf
 from benchdragon.export.typeset import Typeset
@@ -30,6 +31,7 @@ def overview(briefing: Briefing, phones: bool) -> Document:
             date=briefing.checked_on, benches=benches, people=people,
         ),
         *_numbering(briefing),
+        *_room(briefing),
         *_notes(briefing),
         Heading(_("Where each bench starts"), "starts"),
         Picture("map", _("The square, the route, and where the front handle of each bench starts")),
@@ -38,6 +40,14 @@ def overview(briefing: Briefing, phones: bool) -> Document:
     ]  # fmt: skip
     title = printable(briefing.plan.title(language())) or _("Overview")
     return Document(title, language(), briefing.checked_on, tuple(blocks), briefing.foot)
+
+
+def _room(briefing: Briefing) -> list[Block]:
+    """The levels of room for people, where the plan asks for any."""
+    if not briefing.report.room:
+        return []
+    lines = [Paragraph((printable(level_line(level)),)) for level in briefing.report.room]
+    return [Heading(_("Room for people"), "room"), *lines]
 
 
 def _numbering(briefing: Briefing) -> list[Block]:

@@ -1,0 +1,99 @@
+"""The verb that writes all papers: its options, what is in the way, interruption."""
+
+from pathlib import Path
+
+import pytest
+
+from benchdragon.__main__ import asked_language
+from benchdragon.cli.main import run
+from benchdragon.i18n import spoken_in
+from benchdragon.progress import Progress
+from benchdragon.sheets import papers
+from benchdragon.sheets.briefing import Briefing
+from benchdragon.sheets.options import Options
+from tests.sheets.village import PLAN, village
+
+BENCHES = ["--only", "benches"]
+
+
+@pytest.fixture
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> Path:
+    """A folder with a plan whose check is recorded."""
+    monkeypatch.chdir(tmp_path)
+    village(tmp_path, PLAN.replace("benches = 8", "benches = 3"))
+    assert run(["check", "ours.dragon.toml", "--record"]) == 0
+    capfd.readouterr()
+    return tmp_path
+
+
+def come(folder: Path, *options: str) -> dict[str, bytes]:
+    """The papers that options come to."""
+    line = ["sheets", "ours.dragon.toml", "--force", *options]
+    with spoken_in(asked_language(line) or "en"):
+        assert run(line) == 0
+    found = {
+        str(path.relative_to(folder)): path.read_bytes()
+        for path in folder.rglob("*.*")
+        if path.suffix in (".pdf", ".html")
+    }
+    for name in found:
+        (folder / name).unlink()
+    return found
+
+
+@pytest.mark.parametrize(
+    "added",
+    [
+        ["--paper", "quarter"], ["--paper", "lanyard"], ["--night"], ["--lang", "zh"],
+        ["-o", "elsewhere"], ["--only", "overview"], ["--check", "--set", "walk.end=11"],
+    ],
+)  # fmt: skip
+def test_an_option_has_an_effect(here: Path, added: list[str]) -> None:
+    plain = come(here, *BENCHES)
+    assert come(here, *BENCHES) == plain, "the same twice"
+    assert come(here, *BENCHES, *added) != plain
+
+
+def test_all_papers_are_written_unless_some_are_named(here: Path) -> None:
+    assert set(come(here)) == {f"sheets/{file}" for one in papers.PAPERS.values() for file in one.files}
+
+
+def test_quiet_is_silent(here: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    village(here, PLAN.replace("address", "# address"))
+    assert run(["sheets", "ours.dragon.toml", *BENCHES, "--check"]) == 0
+    assert "No QR codes" in capfd.readouterr().err
+    assert run(["sheets", "ours.dragon.toml", *BENCHES, "--force", "--quiet"]) == 0
+    assert capfd.readouterr().err == ""
+
+
+def test_what_is_there_is_not_overwritten_unless_asked(
+    here: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    (here / "sheets").mkdir()
+    (here / "sheets" / "benches.pdf").write_text("mine", "utf-8")
+    assert run(["sheets", "ours.dragon.toml"]) == 2
+    assert "--force" in capfd.readouterr().err
+    assert [path.name for path in (here / "sheets").iterdir()] == ["benches.pdf"]
+    assert (here / "sheets" / "benches.pdf").read_text("utf-8") == "mine"
+
+
+def test_an_unknown_paper_is_named(here: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    assert run(["sheets", "ours.dragon.toml", "--only", "benches,chart"]) == 2
+    said = capfd.readouterr().err
+    assert "'chart'" in said
+    assert "overview" in said
+    assert not (here / "sheets").exists()
+
+
+def test_an_interruption_leaves_whole_papers_alone(here: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(_briefing: Briefing, _folder: Path, _options: Options, _told: Progress) -> None:
+        raise KeyboardInterrupt
+
+    stopped = {
+        "overview": papers.PAPERS["overview"],
+        "player": papers.Paper("player", ("player.html",), interrupted),
+    }
+    monkeypatch.setattr(papers, "PAPERS", stopped)
+    assert run(["sheets", "ours.dragon.toml"]) == 130
+    assert [path.name for path in (here / "sheets").iterdir()] == ["overview.pdf"]
+    assert (here / "sheets" / "overview.pdf").read_bytes().rstrip().endswith(b"%%EOF")
