@@ -108,3 +108,16 @@ def test_what_is_no_record_is_named(tmp_path: Path, text: str) -> None:
     record.write_text(text, "utf-8")
     with pytest.raises(InputError, match=r"ours\.checked\.json is no record of a check: run"):
         read_record(record, read_plan(str(path)), ROSTER, str(path))
+
+
+def test_papers_are_refused_once_the_list_of_names_has_changed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = village(tmp_path, PLAN + 'roster = "names.csv"\n')
+    names = tmp_path / "names.csv"
+    names.write_text("桥,姓名\n龙头,张三\n1,李四\n", "utf-8")
+    assert run(["check", str(path), "--record"]) == 0
+    assert run(papers(path)) == 0
+    names.write_text("桥,姓名\n龙头,张三\n1,王五\n", "utf-8")
+    assert run(papers(path, "--force")) == 2
+    assert "its list of names, has changed since" in capsys.readouterr().err

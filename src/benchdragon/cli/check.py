@@ -106,11 +106,11 @@ def _record_path(plan: str) -> Path:
 
 def _record(path: Path, report: "Report") -> None:
     """Record a check, if it found nothing; and say on standard error what was done."""
-    from benchdragon.rosters.roster import Roster
+    from benchdragon.plans.roster import roster_of
     from benchdragon.sheets.checked import record_check
 
     if report.safe:
-        record_check(path, report, Roster())
+        record_check(path, report, roster_of(report.plan))
         click.echo(_("Recorded in {path}").format(path=path), err=True)
     elif path.exists():
         text = _("not recorded: only a plan that is safe is; the older {path} was left as it is")

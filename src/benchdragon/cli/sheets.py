@@ -49,7 +49,7 @@ from benchdragon.progress import part
 def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Write the papers, if the plan is as it was checked."""
     from benchdragon.analysis.check import check
-    from benchdragon.rosters.roster import Roster
+    from benchdragon.plans.roster import roster_of
     from benchdragon.sheets.briefing import briefing_of
     from benchdragon.sheets.checked import read_record, record_check, record_path
     from benchdragon.sheets.options import Options
@@ -58,7 +58,7 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     names = chosen_papers(options["only"])
     path, folder = record_path(plan), options["output"]
     read = plan_to_walk(plan, settings, quiet)
-    roster = Roster()
+    roster = roster_of(read)
     record = None if options["anew"] else read_record(path, read, roster, plan)
     files = planned_papers(folder, names, options["force"])
     wanted = Options(options["paper"], options["by"], options["night"], options["phones"])
