@@ -114,7 +114,7 @@ class SmallMap:
         pdf.set_font("Noto", "B", 7)
         for bench, (x, y) in enumerate(dots, start=1):
             number = bench if self._counted else bench - 1
-            if bench in (1, len(dots)):
+            if bench in (1, len(dots)) and not self._counted:
                 pdf.text(x + 0.9, y - 0.6, self._called(bench))
             elif number % each == 0:
                 pdf.text(x + 0.9, y - 0.6, str(number))
