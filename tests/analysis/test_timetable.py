@@ -47,7 +47,8 @@ def test_every_place_is_passed_when_the_head_and_the_tail_are_there() -> None:
     assert by_name["hold"].head == pytest.approx(11.0)
     assert by_name["hold"].until == pytest.approx(16.0)
     # While the head stands the tail does: it passes the well later by the hold.
-    free = {row.name: row for row in timetable(plan_with(), plan_with().build(), 0.0, end)}
+    own = plan_with().build()
+    free = {row.name: row for row in timetable(plan_with(), own, *plan_with().span(own))}
     late = by_name["nearest to well"].tail or 0.0
     assert late - (free["nearest to well"].tail or 0.0) == pytest.approx(7.0, abs=1e-6)
 

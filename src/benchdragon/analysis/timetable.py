@@ -73,7 +73,7 @@ def _passing(walk: Walk, span: tuple[float, float], kind: Kind, name: str, s: fl
     first = float(walk.head_position([span[0]])[0])
     head = _within(walk.time_at(s), span) if s > first else span[0] if s == first else None
     head = span[1] if kind == "end" else head
-    (x, y) = walk.route.point([s])[0].tolist()
+    (x, y) = walk.route.point([min(s, walk.route.length)])[0].tolist()  # rounding
     return Passing(kind, name, s, s - first, (x, y), head, head, _tail_time(walk, s, span))
 
 
@@ -101,7 +101,7 @@ def _cue(walk: Walk, span: tuple[float, float], one: Moment, first: float) -> Pa
 
 def _beside(plan: Plan, walk: Walk, span: tuple[float, float]) -> Iterator[Passing]:
     """Where the head crosses the venue's edge inward, and comes nearest to each named obstacle."""
-    first, last = walk.head_position(span).tolist()
+    first, last = np.minimum(walk.head_position(span), walk.route.length).tolist()
     count = max(2, min(MOST_LOOKS, math.ceil((last - first) / FINE) + 1))
     looks = np.linspace(first, last, count)
     points = walk.route.point(looks)

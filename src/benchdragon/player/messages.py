@@ -98,7 +98,7 @@ class Occasion(Record):
         obstacle: number of the obstacle that takes part, from 0.
     """
 
-    kind: Literal["contact", "tightest", "fastest", "joint", "end", "obstacle", "venue"]
+    kind: Literal["contact", "tightest", "fastest", "joint", "end", "obstacle", "venue", "cue"]
     time: float
     text: Words
     benches: list[int]
@@ -146,12 +146,31 @@ class Tightness(Record):
     distance: list[float]
 
 
+class Run(Record):
+    """Even beats: see `beats.Run`."""
+
+    start: float
+    end: float
+    period: float
+    bar: int
+    counted: bool
+
+
+class Beats(Record):
+    """The drum of a dance, by rule: see `beats.Score`."""
+
+    tempo: float
+    runs: list[Run]
+    strokes: list[float]
+
+
 class Dance(Record):
     """A whole dance, as a player shows it.
 
     Attributes:
         ground: outlines of the ground that the dance covers, m, those around holes too; of plans with a
             square alone.
+        beats: of plans with cues alone.
     """
 
     version: str
@@ -171,3 +190,4 @@ class Dance(Record):
     obstacles: list[DrawnObstacle]
     ground: list[list[tuple[float, float]]]
     verdict: Verdict | None
+    beats: Beats | None = None

@@ -7,6 +7,7 @@ from functools import partial
 
 import numpy as np
 
+from benchdragon.analysis.beats import score_of
 from benchdragon.analysis.check import Report
 from benchdragon.analysis.distance import nearest_each
 from benchdragon.analysis.findings import named, shown_name, touch_text
@@ -14,13 +15,14 @@ from benchdragon.analysis.obstacles import ObstacleAnswers
 from benchdragon.analysis.records import Verdict, untimed, verdict_of, verdict_of_fall
 from benchdragon.analysis.swept import drawn_ground
 from benchdragon.errors import InputError, WalkError, finite
-from benchdragon.i18n import N_, Words, _, both
+from benchdragon.i18n import N_, Words, _, both, language
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.answer import Answer
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.outline import margin_rings
 from benchdragon.model.walk import Walk
+from benchdragon.plans.cues import CueTable
 from benchdragon.plans.schema import Plan
 from benchdragon.player import messages
 from benchdragon.player.following import FINE, Following, Table, following
@@ -139,9 +141,40 @@ def _of_plan(
             "speed_limit": plan.limits.speed,
             "obstacles": [_drawn(obstacle) for obstacle in plan.obstacles()],
             "verdict": verdict,
-            "occasions": sorted([*found, *dance.occasions], key=lambda occasion: occasion.time),
+            "occasions": sorted(
+                [*found, *dance.occasions, *_cues(plan, dance.frames)],
+                key=lambda occasion: occasion.time,
+            ),
+            "beats": _beats(plan),
         }
     )
+
+
+def _last(frames: messages.Frames) -> float:
+    """The time of the last frame, s."""
+    return frames.start + frames.step * (frames.count - 1)
+
+
+def _cues(plan: Plan, frames: messages.Frames) -> list[messages.Occasion]:
+    """The cues of a plan that are among its frames, each with what it is called."""
+    return [
+        _occasion("cue", one.time, both(partial(_called, one.cue)), ())
+        for one in plan.moments()
+        if frames.start <= one.time <= _last(frames)
+    ]
+
+
+def _called(cue: CueTable) -> str:
+    return cue.called(language())
+
+
+def _beats(plan: Plan) -> messages.Beats | None:
+    """The drum of a plan with cues."""
+    if not plan.cues.said():
+        return None
+    score = score_of(plan, *plan.span(plan.build()))
+    runs = [messages.Run(**run._asdict()) for run in score.runs]
+    return messages.Beats(tempo=score.tempo, runs=runs, strokes=list(score.strokes))
 
 
 def _drawn(obstacle: Obstacle) -> messages.DrawnObstacle:

@@ -15,6 +15,7 @@ const SIGNS = {
   end: "\u25a0",
   obstacle: "\u25c6",
   venue: "\u2b13",
+  cue: "\u25bc",
 };
 
 /** Time as people read it. @param {number} time s @param {number} digits */

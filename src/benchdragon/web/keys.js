@@ -24,6 +24,7 @@ const KEYS = {
   f: (player) => player.follow(!player.follows),
   t: (player) => player.see("trails", !player.look.trails),
   r: (player) => player.rule(!player.ruling),
+  b: (player) => player.beat(!player.drum.on),
   c: (player) => player.paintBy(KINDS[(KINDS.indexOf(player.kind) + 1) % KINDS.length]),
   Escape: (player) => player.choose(-1),
 };

@@ -22,6 +22,13 @@ export interface ArcPart {
   angle: number;
 }
 
+/** The drum of a dance, by rule: see `beats.Score`. */
+export interface Beats {
+  tempo: number;
+  runs: Array<Run>;
+  strokes: Array<number>;
+}
+
 /** One bench of its own size; `count` repeats it. */
 export interface BenchTable {
   length: number;
@@ -107,6 +114,7 @@ export interface CuesTable {
  * Attributes:
  *     ground: outlines of the ground that the dance covers, m, those around holes too; of plans with a
  *         square alone.
+ *     beats: of plans with cues alone.
  */
 export interface Dance {
   version: string;
@@ -126,6 +134,7 @@ export interface Dance {
   obstacles: Array<DrawnObstacle>;
   ground: Array<Array<[number, number]>>;
   verdict: Verdict | null;
+  beats?: Beats | null;
 }
 
 /** The turning space: a circle about the spiral's centre. */
@@ -508,7 +517,7 @@ export interface ObstacleRecord {
  *     obstacle: number of the obstacle that takes part, from 0.
  */
 export interface Occasion {
-  kind: "contact" | "tightest" | "fastest" | "joint" | "end" | "obstacle" | "venue";
+  kind: "contact" | "tightest" | "fastest" | "joint" | "end" | "obstacle" | "venue" | "cue";
   time: number;
   text: Words;
   benches: Array<number>;
@@ -687,6 +696,15 @@ export interface RoomRecord {
   kept: boolean | null;
   first: Answer | null;
   obstacle: string | null;
+}
+
+/** Even beats: see `beats.Run`. */
+export interface Run {
+  start: number;
+  end: number;
+  period: number;
+  bar: number;
+  counted: boolean;
 }
 
 /** Sizes of every bench, m, bench 1 first. */

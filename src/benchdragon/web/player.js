@@ -4,6 +4,7 @@ import { chosenBefore, keepChoice } from "./address.js";
 import { clock, occasionText } from "./axis.js";
 import { Camera, listen } from "./camera.js";
 import { scaleOf } from "./colours.js";
+import { Drum } from "./drum.js";
 import { Face, ticked } from "./face.js";
 import { pressed } from "./keys.js";
 import { Boxes } from "./nearness.js";
@@ -47,6 +48,7 @@ export class Player {
     this.ruler = [];
     /** @type {Kind} */
     this.kind = "plain";
+    this.drum = new Drum();
     this.look = { trails: false, disc: true, route: true };
     /** @type {number[]} */
     this.frameTimes = [];
@@ -235,6 +237,13 @@ export class Player {
     this.#touch();
   }
 
+  /** The drum, if the dance has one. @param {boolean} on */
+  beat(on) {
+    if (!this.scene.sent.beats) return;
+    this.drum.turn(on);
+    this.face.showBeat(on);
+  }
+
   /** @param {boolean} on */
   rule(on) {
     this.ruling = on;
@@ -339,6 +348,7 @@ export class Player {
   #turn(now) {
     const passed = Math.min((now - this.#before) / 1000, LONGEST_TURN);
     if (this.playing) this.#advance(passed, now);
+    this.drum.play(this.scene.sent.beats, this.time, this.playing, this.speed, this.still.matches);
     if (this.#painted !== this.time || this.playing) {
       const began = performance.now();
       this.#draw();
