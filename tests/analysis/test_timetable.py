@@ -33,7 +33,15 @@ def test_every_place_is_passed_when_the_head_and_the_tail_are_there() -> None:
     walk = plan.build()
     start, end = plan.span(walk)
     rows = timetable(plan, walk, start, end)
-    names = ["start", "entrance of the venue", "nearest to well", "hold", "bow", "joint 1", "end"]
+    names = [
+        "the dance starts",
+        "entrance of the venue",
+        "nearest to well",
+        "hold",
+        "bow",
+        "joint 1",
+        "the dance ends",
+    ]
     assert [row.name for row in rows] == names
     for row in rows:
         np.testing.assert_allclose(walk.route.point([row.s])[0], row.point, atol=1e-12)

@@ -56,14 +56,14 @@ class Passing:
 def timetable(plan: Plan, walk: Walk, start: float, end: float) -> tuple[Passing, ...]:
     """All places of a dance over a span, s, in the order in which the head comes to them."""
     first, last = walk.head_position([start, end]).tolist()
-    rows = [_passing(walk, (start, end), "start", _("start"), first)]
+    rows = [_passing(walk, (start, end), "start", _("the dance starts"), first)]
     joints = [s for s in walk.route.joints[1:-1].tolist() if s < last]
     if len(joints) <= MOST_JOINTS:
         for n, s in enumerate(joints, start=1):
             rows.append(_passing(walk, (start, end), "joint", _("joint {n}").format(n=n), s))
     rows += [_cue(walk, (start, end), one, first) for one in plan.moments()]
     rows += _beside(plan, walk, (start, end))
-    rows.append(_passing(walk, (start, end), "end", _("end"), last))
+    rows.append(_passing(walk, (start, end), "end", _("the dance ends"), last))
     rows.sort(key=lambda row: (row.s, row.kind == "end", row.head or 0.0))
     return tuple(row for row in rows if row.head is not None or row.tail is not None)
 

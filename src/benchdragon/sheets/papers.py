@@ -4,7 +4,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from benchdragon.analysis.beats import score_of
 from benchdragon.errors import InputError
+from benchdragon.export.metronome import write_track
 from benchdragon.files import refuse_existing
 from benchdragon.i18n import N_, _
 from benchdragon.player.page import write_player
@@ -14,6 +16,7 @@ from benchdragon.sheets.briefing import Briefing
 from benchdragon.sheets.cards import write_benches
 from benchdragon.sheets.options import Options
 from benchdragon.sheets.overview import write_overview
+from benchdragon.sheets.timetable import write_timetable_pdf, write_timetable_xlsx
 
 # Writes the files of a paper into a folder, each whole or not at all.
 Write = Callable[[Briefing, Path, Options, Progress], None]
@@ -42,6 +45,17 @@ def _overview(briefing: Briefing, folder: Path, options: Options, _progress: Pro
     write_overview(folder / "overview.pdf", briefing, options.phones)
 
 
+def _timetable(briefing: Briefing, folder: Path, _options: Options, _progress: Progress) -> None:
+    write_timetable_pdf(folder / "timetable.pdf", briefing)
+    write_timetable_xlsx(folder / "timetable.xlsx", briefing)
+
+
+def _beat(briefing: Briefing, folder: Path, _options: Options, progress: Progress) -> None:
+    report = briefing.report
+    score = score_of(report.plan, report.start, report.end)
+    write_track(folder / "beat.wav", score, (report.start, report.end), progress=progress)
+
+
 def _player(briefing: Briefing, folder: Path, _options: Options, progress: Progress) -> None:
     write_player(folder / "player.html", checked_dance(briefing.report, progress=progress))
 
@@ -49,6 +63,8 @@ def _player(briefing: Briefing, folder: Path, _options: Options, progress: Progr
 PAPERS: dict[str, Paper] = {
     "benches": Paper(N_("benches' sheets"), ("benches.pdf",), _benches),
     "overview": Paper(N_("the leader's overview"), ("overview.pdf",), _overview),
+    "timetable": Paper(N_("timetable"), ("timetable.pdf", "timetable.xlsx"), _timetable),
+    "beat": Paper(N_("drum beat"), ("beat.wav",), _beat),
     "player": Paper(N_("player"), ("player.html",), _player),
 }
 

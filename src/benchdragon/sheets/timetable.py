@@ -5,7 +5,7 @@ from typing import Any
 
 import xlsxwriter
 
-from benchdragon.analysis.beats import Score
+from benchdragon.analysis.beats import Score, score_of
 from benchdragon.analysis.stops import stops_of, stops_text
 from benchdragon.analysis.timetable import Passing, clock_text, timetable
 from benchdragon.export.document import Document, Heading, Paragraph, Table, say
@@ -47,6 +47,7 @@ def timetable_document(briefing: Briefing) -> Document:
     """The timetable as a document of a page or a few."""
     report, plan = briefing.report, briefing.plan
     rows = [cells(plan, row, report.start) for row in passings_of(briefing)]
+    score = score_of(plan, report.start, report.end)
     clock = plan.cues.clock
     told = _("Times are times of day; the dance starts at {clock}.").format(clock=clock)
     if not clock:
@@ -56,6 +57,7 @@ def timetable_document(briefing: Briefing) -> Document:
         Heading(_("Timetable"), "timetable"),
         say(told),
         Paragraph((stops_text(stops_of(report.walk, report.start, report.end)),)),
+        Paragraph((_("Drum: {tempo}.").format(tempo=tempo_text(plan, score)),)),
         Table("timetable", _("When head and tail pass"), columns(), WIDTHS, tuple(rows), numbers=True),
         Paragraph((briefing.foot,)),
     )

@@ -18,8 +18,7 @@ const PLAY = "M7 4v16l13-8z";
 const PAUSE = "M6 4h4v16H6zM14 4h4v16h-4z";
 const BEFORE = "M4 4h3v16H4zM20 4v16L8 12z";
 const NEXT = "M17 4h3v16h-3zM4 4v16l12-8z";
-const NOTE =
-  "M9 17.5a3 2.5 0 1 1-2-2.4V5l13-2v12.5a3 2.5 0 1 1-2-2.4V7.4L9 8.9z";
+const NOTE = "M9 17.5a3 2.5 0 1 1-2-2.4V5l13-2v12.5a3 2.5 0 1 1-2-2.4V7.4L9 8.9z";
 const HALF = "M12 3a9 9 0 1 0 0 18zM12 3a9 9 0 0 1 0 18v-2a7 7 0 0 0 0-14z";
 
 export class Face {
@@ -42,9 +41,7 @@ export class Face {
     this.playButton = signButton(drawnSign(PLAY), _("play"), () => player.play(!player.playing), {
       class: "play",
     });
-    this.beatButton = signButton(drawnSign(NOTE), _("drum beat"), () =>
-      player.beat(!player.drum.on),
-    );
+    this.beatButton = signButton(drawnSign(NOTE), _("drum beat"), () => player.beat(!player.drum.on));
     this.showBeat(player.drum.on);
     this.number = this.#numberBox();
     this.followBox = tick(_("follow it (the head, if none)"), player.follows, (on) =>
