@@ -20,17 +20,18 @@ from benchdragon.errors import InputError
 from benchdragon.export.tiles import BORDER, Tiling
 from benchdragon.figures.chalk import ChalkDrawing, chalk_picture
 from benchdragon.i18n import spoken_in
+from benchdragon.kernels.curve import FloatArray
 from benchdragon.plans.schema import Plan, checked
 from benchdragon.rosters.roster import Roster
 from benchdragon.sheets.briefing import Briefing
 from benchdragon.sheets.chalk import (
     FILES,
-    ChalkOptions,
     chalk_drawing,
     list_rows,
     own_peg,
     write_chalk,
 )
+from benchdragon.sheets.options import ChalkOptions
 
 MM = 25.4 / 72.0
 
@@ -90,7 +91,8 @@ def test_the_list_says_what_the_route_is_to_the_rounding(drawing: ChalkDrawing) 
     points = drawing.trail.route.point(marks.s)
     assert np.abs(marks.points - points).max() < 1e-9
     half = 0.5 * LENGTH_STEP + 1e-9
-    for (x, y), row in zip(points.tolist(), rows, strict=True):
+    for (x, y), line in zip(points.tolist(), rows, strict=True):
+        row: Any = line
         assert abs(row[2] - x) <= half
         assert abs(row[3] - y) <= half
         assert abs(row[4] - math.hypot(x - 1.0, y - 2.0)) <= half
@@ -136,7 +138,7 @@ def test_the_workbook_holds_the_list(
         assert 'pane xSplit="1" ySplit="1"' in archive.read("xl/worksheets/sheet1.xml").decode()
 
 
-def _numbers_on(path: Path) -> dict[str, np.ndarray[Any, Any]]:
+def _numbers_on(path: Path) -> dict[str, FloatArray]:
     """Where the words of the first page of a PDF stand: their middles, mm from its corner."""
     page = pypdfium2.PdfDocument(path)[0]
     text = page.get_textpage()

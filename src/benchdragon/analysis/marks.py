@@ -67,7 +67,8 @@ class Trail:
         Raises:
             InputError: for marks that are too near, or too many.
         """
-        _check_every(every, self.high - self.low)
+        check_every(every)
+        _check_count(every, self.high - self.low)
         first = math.ceil((self.low - self.start) / every)
         steps = self.start + every * np.arange(
             first, math.floor((self.high - self.start) / every) + 1.0
@@ -101,13 +102,21 @@ class Trail:
         return any(first < s <= last for first, last in self._repeated)
 
 
-def _check_every(every: float, length: float) -> None:
+def check_every(every: float) -> None:
+    """Refuse a distance between marks that is less than LEAST_EVERY, m.
+
+    Raises:
+        InputError: then.
+    """
     if not LEAST_EVERY <= every < math.inf:
         raise InputError(
             _("marks must be at least {least} m apart, not {value} m").format(
                 least=f"{LEAST_EVERY:g}", value=f"{every:g}"
             )
         )
+
+
+def _check_count(every: float, length: float) -> None:
     if length / every > MOST_MARKS:
         raise InputError(
             _(

@@ -2,7 +2,7 @@
 
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -10,8 +10,13 @@ from benchdragon.cli.answers import UNDECIDED, UNSAFE
 from benchdragon.cli.check import print_report
 from benchdragon.cli.console import print_files, shown_progress
 from benchdragon.cli.options import folder_option, plan_options, plan_to_walk, shared_options
+from benchdragon.cli.parsing import parse_length, parse_scale
+from benchdragon.errors import finite
 from benchdragon.i18n import N_, _
 from benchdragon.progress import part
+
+if TYPE_CHECKING:
+    from benchdragon.sheets.options import ChalkOptions
 
 
 @click.command(
@@ -43,6 +48,30 @@ from benchdragon.progress import part
 @click.option(
     "--phones", is_flag=True, help=N_("Print phone numbers too, which else stay in the list.")
 )
+@click.option(
+    "--every",
+    default="1",
+    show_default=True,
+    metavar="LENGTH",
+    help=N_("Of the chalk plan: between marks along the route, at least 0.1 m."),
+)
+@click.option(
+    "--peg",
+    nargs=2,
+    type=float,
+    metavar="X Y",
+    help=N_("Of the chalk plan: where the peg stands, m. Default: the route's centre."),
+)
+@click.option(
+    "--scale",
+    metavar="1:NUMBER",
+    help=N_("Of the chalk plan: 1:50 to 1:500. Default: the largest usual one that fits."),
+)
+@click.option(
+    "--paper-size",
+    type=click.Choice(["A4", "A3", "A2", "A1", "A0"]),
+    help=N_("Of the chalk plan, which comes as A4 pages too. Default: one that suits."),
+)
 @click.option("--check", "anew", is_flag=True, help=N_("Check the plan and record it, then go on."))
 @partial(folder_option, default=Path("sheets"))
 @shared_options
@@ -61,7 +90,8 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     roster = roster_of(read)
     record = None if options["anew"] else read_record(path, read, roster, plan)
     files = planned_papers(folder, names, options["force"])
-    wanted = Options(options["paper"], options["by"], options["night"], options["phones"])
+    looks = options["paper"], options["by"], options["night"], options["phones"]
+    wanted = Options(*looks, _chalk_options(options))
     if "benches" in names and not read.people.address and not quiet:
         click.echo(_("No QR codes: the plan does not say people.address."), err=True)
     with shown_progress(quiet) as progress:
@@ -76,3 +106,23 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
         return UNSAFE if report.decided else UNDECIDED
     print_files(files)
     return 0
+
+
+def _chalk_options(options: dict[str, Any]) -> "ChalkOptions":
+    """How the chalk plan is wanted.
+
+    Raises:
+        InputError: for a length, a place or a scale that cannot be.
+    """
+    from benchdragon.analysis.marks import check_every
+    from benchdragon.figures.chalk import MOST_CHALK_SCALE
+    from benchdragon.figures.scale import check_scale
+    from benchdragon.sheets.options import ChalkOptions
+
+    every, asked = parse_length("--every", options["every"]), options["scale"]
+    scale = None if asked is None else parse_scale("--scale", asked)
+    check_every(every)
+    check_scale(scale, MOST_CHALK_SCALE)
+    for name, value in zip("xy", options["peg"] or (), strict=False):
+        finite(f"--peg {name}", value, "m")
+    return ChalkOptions(every, options["peg"], options["paper_size"], scale)

@@ -9,15 +9,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from fpdf import FPDF
 from pypdf import PdfWriter
 
 from benchdragon.errors import InputError
 from benchdragon.export.forms import add_form, show_form, size_of
-from benchdragon.figures.style import FONT_FILES
+from benchdragon.export.typeset import Typeset, breakable
+from benchdragon.figures.glyphs import printable
 from benchdragon.files import whole_file
 from benchdragon.i18n import _, language
-from benchdragon.version import __version__
 
 # Around the window on each page, mm: more than printers leave white. Between neighbours' windows, mm.
 BORDER, OVERLAP = 12.0, 10.0
@@ -92,14 +91,18 @@ class Tiling:
                 yield Window(f"{LETTERS[column]}{row + 1}", column * (wide - OVERLAP), y)
 
 
-def write_tiles(drawing: bytes, path: Path, page: tuple[float, float], title: str, foot: str) -> None:
+def write_tiles(
+    drawing: bytes, path: Path, page: tuple[float, float], title: str, foot: str, date: str
+) -> None:
     """Write the only page of a PDF as pages of a size, mm, after a page that tells how they lie.
+
+    `date` is that of the day on which it is made, YYYY-MM-DD.
 
     Raises:
         InputError: as `Tiling.of`.
     """
     tiling = Tiling.of(size_of(drawing), page)
-    frames = _Frames(tiling, title, foot)
+    frames = _Frames(tiling, title, foot, date)
     frames.draw()
     writer = PdfWriter(clone_from=io.BytesIO(bytes(frames.output())))
     form = add_form(writer, drawing)
@@ -121,19 +124,16 @@ class _Key:
     scale: float
 
 
-class _Frames(FPDF):
+class _Frames(Typeset):
     """What stands around the windows: names, crop marks; on the first page how the others lie."""
 
-    def __init__(self, tiling: Tiling, title: str, foot: str) -> None:
-        super().__init__(unit="mm", format=tiling.page)
-        self._tiling, self._title, self._foot = tiling, title, foot
+    def __init__(self, tiling: Tiling, title: str, foot: str, date: str) -> None:
+        super().__init__(date, text=title)
+        self._tiling, self._title, self._foot = tiling, printable(title), foot
         self._top = 0.0
-        for style, file in zip(("", "B"), FONT_FILES, strict=True):
-            self.add_font("Noto", style, file)
         self.set_auto_page_break(False)
         self.set_title(title)
         self.set_subject(foot)
-        self.set_creator(f"benchdragon {__version__}")
         self.set_lang("zh-Hans" if language() == "zh" else "en")
 
     @property
@@ -148,13 +148,13 @@ class _Frames(FPDF):
         """Set all pages."""
         self._key_page()
         for one in self._tiling.windows():
-            self.add_page()
+            self.add_page(format=self._tiling.page)
             self._crop()
             self._named(one)
 
     def _key_page(self) -> None:
         columns, rows = self._tiling.shape
-        self.add_page()
+        self.add_page(format=self._tiling.page)
         self.set_xy(BORDER, BORDER)
         self._say(self._title, 14.0, "B")
         text = _(
@@ -220,7 +220,7 @@ class _Frames(FPDF):
     def _say(self, text: str, size: float, style: str = "") -> None:
         self.set_font("Noto", style, size)
         self.multi_cell(
-            self.w - 2.0 * BORDER, 0.5 * size, text, align="L", new_x="LMARGIN", new_y="NEXT",
-            wrapmode="CHAR" if language() == "zh" else "WORD",
+            self.w - 2.0 * BORDER, 0.5 * size, breakable(text), align="L", new_x="LMARGIN",
+            new_y="NEXT",
         )  # fmt: skip
         self.set_xy(BORDER, self.get_y() + 2.0)

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -28,32 +27,13 @@ from benchdragon.i18n import _, language
 from benchdragon.model.base_curve import Point
 from benchdragon.plans.schema import Plan
 from benchdragon.sheets.briefing import Briefing
+from benchdragon.sheets.options import ChalkOptions
 
 FILES = ("chalk.pdf", "chalk-drawing.pdf", "chalk-tiles.pdf", "chalk.xlsx")
-EVERY, TILE = 1.0, "A4"
 # A cell of the list.
 Cell = str | int | float
 # Columns of the list: angles, and how wide they are beside one another in print.
 ANGLE, WIDTHS = 5, (4.0, 7.5, 7.0, 7.0, 7.0, 8.0, 6.5, 7.0, 5.0, 8.0, 9.0)
-
-
-@dataclass(frozen=True)
-class ChalkOptions:
-    """How the chalk plan is wanted.
-
-    Attributes:
-        every: m between marks along the route.
-        peg: where the peg stands, m; None for the route's centre.
-        paper: of the whole drawing, a key of `PAPERS`; None for one that suits.
-        scale: 1 to this; None for the largest usual one that fits.
-        tile: the paper on which the drawing is printed in parts.
-    """
-
-    every: float = EVERY
-    peg: Point | None = None
-    paper: str | None = None
-    scale: float | None = None
-    tile: str = TILE
 
 
 def own_peg(plan: Plan) -> Point:
@@ -78,7 +58,7 @@ def chalk_drawing(briefing: Briefing, options: ChalkOptions) -> ChalkDrawing:
     return ChalkDrawing(plan.title(language()), marks, trail, obstacles, options.every, briefing.foot)
 
 
-def write_chalk(briefing: Briefing, folder: Path, options: ChalkOptions = ChalkOptions()) -> list[Path]:
+def write_chalk(briefing: Briefing, folder: Path, options: ChalkOptions) -> list[Path]:
     """Write the chalk plan's files into a folder that is there.
 
     chalk.pdf tells how it is laid out and lists the marks, as chalk.xlsx does; chalk-drawing.pdf is the
@@ -100,7 +80,10 @@ def write_chalk(briefing: Briefing, folder: Path, options: ChalkOptions = ChalkO
     figure = chalk_picture(drawing, sheet)
     write_picture(figure, paths[1], drawing.title, briefing.sha256)
     title = _("Chalk plan: {title}").format(title=drawing.title)
-    write_tiles(paths[1].read_bytes(), paths[2], PAPERS[options.tile][::-1], title, drawing.foot)
+    write_tiles(
+        paths[1].read_bytes(), paths[2], PAPERS[options.tile][::-1], title, drawing.foot,
+        briefing.checked_on,
+    )  # fmt: skip
     document = chalk_document(drawing, title, briefing.checked_on, sheet.scale)
     with TemporaryDirectory() as none:
         write_pdf(paths[0], document, Path(none))
@@ -153,7 +136,7 @@ def chalk_document(drawing: ChalkDrawing, title: str, date: str, scale: float) -
         *_exactness(marks),
         table,
     )
-    return Document(title, language(), date, blocks)
+    return Document(title, language(), date, blocks, drawing.foot)
 
 
 def _about(drawing: ChalkDrawing, scale: float) -> Iterator[Paragraph]:

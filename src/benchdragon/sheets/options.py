@@ -7,6 +7,25 @@ Format = Literal["a4", "quarter", "lanyard"]
 
 
 @dataclass(frozen=True)
+class ChalkOptions:
+    """How the chalk plan is wanted.
+
+    Attributes:
+        every: m between marks along the route.
+        peg: where the peg stands, m; None for the route's centre.
+        paper: of the whole drawing, A4 to A0; None for one that suits.
+        scale: 1 to this; None for the largest usual one that fits.
+        tile: the paper on which the drawing is printed in parts.
+    """
+
+    every: float = 1.0
+    peg: tuple[float, float] | None = None
+    paper: str | None = None
+    scale: float | None = None
+    tile: str = "A4"
+
+
+@dataclass(frozen=True)
 class Options:
     """How papers are wanted; each reads what it knows of.
 
@@ -15,9 +34,11 @@ class Options:
         by: whether there is a sheet for each bench or for each household.
         night: whether the type is large.
         phones: whether phone numbers are printed.
+        chalk: how the chalk plan is wanted.
     """
 
     paper: Format = "a4"
     by: Literal["bench", "household"] = "bench"
     night: bool = False
     phones: bool = False
+    chalk: ChalkOptions = ChalkOptions()

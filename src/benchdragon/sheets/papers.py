@@ -14,6 +14,7 @@ from benchdragon.player.scene import checked_dance
 from benchdragon.progress import Progress, Stages, silent
 from benchdragon.sheets.briefing import Briefing
 from benchdragon.sheets.cards import write_benches
+from benchdragon.sheets.chalk import FILES, write_chalk
 from benchdragon.sheets.options import Options
 from benchdragon.sheets.overview import write_overview
 from benchdragon.sheets.timetable import write_timetable_pdf, write_timetable_xlsx
@@ -45,6 +46,10 @@ def _overview(briefing: Briefing, folder: Path, options: Options, _progress: Pro
     write_overview(folder / "overview.pdf", briefing, options.phones)
 
 
+def _chalk(briefing: Briefing, folder: Path, options: Options, _progress: Progress) -> None:
+    write_chalk(briefing, folder, options.chalk)
+
+
 def _timetable(briefing: Briefing, folder: Path, _options: Options, _progress: Progress) -> None:
     write_timetable_pdf(folder / "timetable.pdf", briefing)
     write_timetable_xlsx(folder / "timetable.xlsx", briefing)
@@ -63,6 +68,7 @@ def _player(briefing: Briefing, folder: Path, _options: Options, progress: Progr
 PAPERS: dict[str, Paper] = {
     "benches": Paper(N_("benches' sheets"), ("benches.pdf",), _benches),
     "overview": Paper(N_("the leader's overview"), ("overview.pdf",), _overview),
+    "chalk": Paper(N_("chalk plan"), FILES, _chalk),
     "timetable": Paper(N_("timetable"), ("timetable.pdf", "timetable.xlsx"), _timetable),
     "beat": Paper(N_("drum beat"), ("beat.wav",), _beat),
     "player": Paper(N_("player"), ("player.html",), _player),
