@@ -206,11 +206,11 @@ def _exactness(marks: Marks) -> Iterator[Paragraph]:
         _(
             "Lengths are rounded to {length} mm, angles to {angle}°. By that alone a mark is off by at "
             "most {tape} mm if it is measured from peg and base point, {turned} mm by radius and "
-            "angle, {grid} mm by x and y. The longest measure from the peg is {far} m. No mark is "
+            "angle, {grid} mm by x and y. The longest measure is {far} m. No mark is "
             "measured from another, so that errors do not add up."
         ),
         length=f"{1000.0 * LENGTH_STEP:g}", angle=f"{ANGLE_STEP:g}",
-        tape=f"{math.ceil(1000.0 * marks.tape_error)}", far=f"{marks.radius.max():.2f}",
+        tape=f"{math.ceil(1000.0 * marks.tape_error)}", far=f"{max(marks.radius.max(), marks.cross.max()):.2f}",
         turned=f"{math.ceil(1000.0 * marks.angle_error)}",
         grid=f"{math.ceil(1000.0 * marks.grid_error)}",
     )  # fmt: skip
