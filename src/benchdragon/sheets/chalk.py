@@ -210,7 +210,8 @@ def _exactness(marks: Marks) -> Iterator[Paragraph]:
             "measured from another, so that errors do not add up."
         ),
         length=f"{1000.0 * LENGTH_STEP:g}", angle=f"{ANGLE_STEP:g}",
-        tape=f"{math.ceil(1000.0 * marks.tape_error)}", far=f"{max(marks.radius.max(), marks.cross.max()):.2f}",
+        tape=f"{math.ceil(1000.0 * marks.tape_error)}",
+        far=f"{max(marks.radius.max(), marks.cross.max()):.2f}",
         turned=f"{math.ceil(1000.0 * marks.angle_error)}",
         grid=f"{math.ceil(1000.0 * marks.grid_error)}",
     )  # fmt: skip
