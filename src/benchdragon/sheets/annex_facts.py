@@ -1,0 +1,127 @@
+"""What the permit annex rests on: computed once, said in both languages."""
+
+from dataclasses import dataclass
+
+from benchdragon.analysis.posts import Post, marshal_posts
+from benchdragon.analysis.swept import SweptArea, swept_area
+from benchdragon.errors import BenchDragonError
+from benchdragon.model.base_curve import Point
+from benchdragon.progress import Progress, Stages, silent
+from benchdragon.i18n import _
+from benchdragon.sheets.briefing import Briefing
+from benchdragon.solve.tolerance import CASES, Deviations, Draw, chance, touches
+
+# The spectators' line where the plan says none, and the error of the ground covered, m.
+DISTANCE, ERROR = 2.0, 0.05
+# Random dances, and the seed of their numbers: few, so that they take seconds.
+DRAWS, SEED = 20, 1
+# Rows of the timetable, from the start of the dance to its end.
+TIMES = 13
+
+
+@dataclass(frozen=True)
+class Moment:
+    """Where head and tail are at a time.
+
+    Attributes:
+        time: s.
+        head: its front handle's place, m.
+        tail: the last handle's, m.
+    """
+
+    time: float
+    head: Point
+    tail: Point
+
+
+@dataclass(frozen=True)
+class Chance:
+    """Random dances in which benches come nearer than the margin.
+
+    Attributes:
+        deviations: how far from exact the dances are.
+        draws: dances; 0 where they could not be walked.
+        hits: those with contact.
+    """
+
+    deviations: Deviations
+    draws: int
+    hits: int
+
+    @property
+    def share(self) -> tuple[float, float, float]:
+        """Share with contact, and the bounds of its probability."""
+        return chance(self.hits, self.draws)
+
+
+@dataclass(frozen=True)
+class AnnexFacts:
+    """What is told beside the plan and its check.
+
+    Attributes:
+        briefing: of the dance.
+        swept: the ground that benches cover, with the spectators' line.
+        posts: for marshals.
+        moments: the timetable.
+        chance: of contact of imprecise dances.
+    """
+
+    briefing: Briefing
+    swept: SweptArea
+    posts: tuple[Post, ...]
+    moments: tuple[Moment, ...]
+    chance: Chance
+
+
+def annex_facts(briefing: Briefing, progress: Progress = silent) -> AnnexFacts:
+    """What the annex tells of a dance that was checked.
+
+    Raises:
+        InputError, UnsureError: as `swept_area`.
+    """
+    report, event = briefing.report, briefing.plan.event
+    stage = Stages(progress, 2)
+    distance = DISTANCE if event.distance is None else event.distance
+    told = stage(_("ground covered"))
+    swept = swept_area(
+        report.walk, report.start, report.end, margin=distance, error=ERROR, progress=told
+    )
+    posts = marshal_posts(report, swept, event.entrances)
+    return AnnexFacts(
+        briefing, swept, posts, _moments(briefing), _chance(briefing, stage(_("random dances")))
+    )
+
+
+def _moments(briefing: Briefing) -> tuple[Moment, ...]:
+    report = briefing.report
+    step = (report.end - report.start) / (TIMES - 1)
+    times = [*(report.start + k * step for k in range(TIMES - 1)), report.end]
+    motion = report.walk.motion(times)
+    return tuple(
+        Moment(
+            time,
+            (float(motion.x[k, 0]), float(motion.y[k, 0])),
+            (float(motion.x[k, -1]), float(motion.y[k, -1])),
+        )
+        for k, time in enumerate(times)
+    )
+
+
+def deviations_of(briefing: Briefing) -> Deviations:
+    """How far from exact the random dances are: the plan's imprecision, else what the program takes."""
+    usual, said = CASES["all"].deviations, briefing.plan.people.imprecision
+    aside = min(said, 1.0) or usual.aside
+    return Deviations(
+        aside, usual.stray, usual.play, usual.height, usual.length, usual.width
+    )
+
+
+def _chance(briefing: Briefing, progress: Progress) -> Chance:
+    plan, deviations, hits = briefing.plan.without_square(), deviations_of(briefing), 0
+    for number in range(DRAWS):
+        try:
+            hits += touches(plan, Draw(deviations, SEED, number))
+        except BenchDragonError:  # too long a dance, or benches that cannot be: the annex says so
+            return Chance(deviations, 0, 0)
+        progress((number + 1) / DRAWS, "")
+    return Chance(deviations, DRAWS, hits)
