@@ -174,9 +174,8 @@ def _clearances(facts: AnnexFacts) -> Iterator[Block]:
         )
     )
     yield clearance_table(briefing)
-    rests = dict.fromkeys(briefing.report.clearance.assumptions)
     yield say(_("What these numbers rest on: rigid, level benches whose pins keep to the route."))
-    if rests and briefing.report.proved:
+    if briefing.report.proved:
         yield say(_("That there is no contact was proved in ball arithmetic."))
     if briefing.report.room:
         yield say(_("Room for people, one thing after another, each with all before it:"))
@@ -207,6 +206,13 @@ def _posts(facts: AnnexFacts) -> Iterator[Block]:
         ),
         distance=metres(facts.swept.margin), every=metres(EVERY),
     )  # fmt: skip
+    if facts.leaves_venue:
+        yield say(
+            _(
+                "In places the spectators' line lies outside the venue's edge: there spectators have no "
+                "room inside, and posts stand where the line would be."
+            )
+        )
     yield post_table(facts)
     said = facts.briefing.plan.event.marshals
     if said is not None and said < len(facts.posts):

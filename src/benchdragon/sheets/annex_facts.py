@@ -5,9 +5,10 @@ from dataclasses import dataclass
 from benchdragon.analysis.posts import Post, marshal_posts
 from benchdragon.analysis.swept import SweptArea, swept_area
 from benchdragon.errors import BenchDragonError
-from benchdragon.model.base_curve import Point
-from benchdragon.progress import Progress, Stages, silent
 from benchdragon.i18n import _
+from benchdragon.model.base_curve import Point
+from benchdragon.model.outline import shape_of
+from benchdragon.progress import Progress, Stages, silent
 from benchdragon.sheets.briefing import Briefing
 from benchdragon.solve.tolerance import CASES, Deviations, Draw, chance, touches
 
@@ -72,6 +73,12 @@ class AnnexFacts:
     moments: tuple[Moment, ...]
     chance: Chance
 
+    @property
+    def leaves_venue(self) -> bool:
+        """Whether the spectators' line lies outside the venue's edge anywhere."""
+        edges = [one for one in self.briefing.plan.obstacles() if one.kind == "venue"]
+        return any(not shape_of(edge).covers(self.swept.spectators) for edge in edges)
+
 
 def annex_facts(briefing: Briefing, progress: Progress = silent) -> AnnexFacts:
     """What the annex tells of a dance that was checked.
@@ -111,9 +118,7 @@ def deviations_of(briefing: Briefing) -> Deviations:
     """How far from exact the random dances are: the plan's imprecision, else what the program takes."""
     usual, said = CASES["all"].deviations, briefing.plan.people.imprecision
     aside = min(said, 1.0) or usual.aside
-    return Deviations(
-        aside, usual.stray, usual.play, usual.height, usual.length, usual.width
-    )
+    return Deviations(aside, usual.stray, usual.play, usual.height, usual.length, usual.width)
 
 
 def _chance(briefing: Briefing, progress: Progress) -> Chance:

@@ -3,6 +3,8 @@
 import math
 from dataclasses import fields
 
+from shapely.geometry import LinearRing
+
 from benchdragon.analysis.check import peak_text
 from benchdragon.analysis.findings import shown_name
 from benchdragon.analysis.posts import Reason, Why
@@ -87,7 +89,11 @@ def basics(briefing: Briefing) -> list[tuple[str, str]]:
 def basics_table(briefing: Briefing) -> Table:
     """The basics."""
     return Table(
-        "basics", _("the event"), (_("item"), _("as the plan says")), (1.0, 3.0), tuple(basics(briefing))
+        "basics",
+        _("the event"),
+        (_("item"), _("as the plan says")),
+        (1.0, 3.0),
+        tuple(basics(briefing)),
     )
 
 
@@ -99,8 +105,8 @@ def swept_table(facts: AnnexFacts) -> Table:
         (_("area that benches cover, at most"), f"{decimals_towards(swept.area, 1, up=True)} m²"),
         (_("smallest rectangle that holds it"), f"{box.width:.2f} m × {box.height:.2f} m"),
         (
-            _("length of the spectators' line"),
-            metres(float(swept.spectators.boundary.length)),
+            _("length of the spectators' line round the outside"),
+            metres(sum(LinearRing(ring).length for ring in swept.lines.outer)),
         ),
     )
     return Table("swept", _("the ground"), (_("item"), _("value")), (2.0, 1.0), rows)
