@@ -9,6 +9,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from benchdragon.analysis.posts import EVERY
+from benchdragon.analysis.stops import stops_of, stops_text
 from benchdragon.export.document import Block, Document, Heading, Paragraph, Picture, say
 from benchdragon.export.pages import write_pdf
 from benchdragon.figures.area import AreaDrawing, page_picture
@@ -24,13 +25,13 @@ from benchdragon.sheets.annex_tables import (
     chance_table,
     clearance_table,
     metres,
+    passing_table,
     people_table,
     post_table,
     room_table,
     seconds,
     speed_table,
     swept_table,
-    timetable,
 )
 from benchdragon.sheets.briefing import Briefing
 from benchdragon.version import __version__
@@ -118,7 +119,7 @@ def _dance(facts: AnnexFacts) -> Iterator[Block]:
     yield say(
         _(
             "All pins follow one line on the ground, the route, one after another. The head walks "
-            "{way} of it in {time}. It starts at x = {x}, y = {y}, measured from the origin of the plan."
+            "{way} of it in {time}. It starts at x = {x}, y = {y}, measured from the plan's origin."
         ),
         way=metres(float(ends[1] - ends[0])), time=seconds(report.end - report.start),
         x=metres(first.x[0, 0]), y=metres(first.y[0, 0]),
@@ -133,9 +134,9 @@ def _ground(facts: AnnexFacts, folder: Path) -> Iterator[Block]:
     yield Heading(_("Route and ground, to scale"), "ground")
     yield say(
         _(
-            "The area below contains everything that any bench covers from the start of the dance to its "
-            "end; nothing of it is farther than {error} from what is covered. It is the benches' own: "
-            "the people who carry them need room beside it."
+            "The area below contains everything that any bench covers from the start of the dance to "
+            "its end; nothing of it is farther than {error} from what is covered. It is the benches' "
+            "own: the people who carry them need room beside it."
         ),
         error=metres(swept.error, up=True),
     )
@@ -149,13 +150,15 @@ def _ground(facts: AnnexFacts, folder: Path) -> Iterator[Block]:
 
 
 def _timetable(facts: AnnexFacts) -> Iterator[Block]:
+    report = facts.briefing.report
     yield Heading(_("Timetable"), "timetable")
-    clock = facts.briefing.plan.event.clock
+    clock = facts.briefing.plan.cues.clock
     if clock:
-        yield say(_("The dance starts at {clock}. Times below count from then."), clock=clock)
+        yield say(_("Times are times of day; the dance starts at {clock}."), clock=clock)
     else:
-        yield say(_("The dance starts at {clock}. Times below count from then."), clock=BLANK)
-    yield timetable(facts)
+        yield say(_("Times are minutes and seconds, as the plan counts them."))
+    yield Paragraph((stops_text(stops_of(report.walk, report.start, report.end)),))
+    yield passing_table(facts)
 
 
 def _people(facts: AnnexFacts) -> Iterator[Block]:
@@ -169,8 +172,8 @@ def _clearances(facts: AnnexFacts) -> Iterator[Block]:
     yield Heading(_("Clearances and margins"), "clearances")
     yield say(
         _(
-            "Each number was computed over the whole dance, between instants too; the bracket holds the "
-            "true value. They speak of benches that keep exactly to the plan."
+            "Each number was computed over the whole dance, between instants too; the bracket holds "
+            "the true value. They speak of benches that keep exactly to the plan."
         )
     )
     yield clearance_table(briefing)
@@ -209,8 +212,8 @@ def _posts(facts: AnnexFacts) -> Iterator[Block]:
     if facts.leaves_venue:
         yield say(
             _(
-                "In places the spectators' line lies outside the venue's edge: there spectators have no "
-                "room inside, and posts stand where the line would be."
+                "In places the spectators' line lies outside the venue's edge: there spectators have "
+                "no room inside, and posts stand where the line would be."
             )
         )
     yield post_table(facts)

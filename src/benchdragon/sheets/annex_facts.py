@@ -6,7 +6,6 @@ from benchdragon.analysis.posts import Post, marshal_posts
 from benchdragon.analysis.swept import SweptArea, swept_area
 from benchdragon.errors import BenchDragonError
 from benchdragon.i18n import _
-from benchdragon.model.base_curve import Point
 from benchdragon.model.outline import shape_of
 from benchdragon.progress import Progress, Stages, silent
 from benchdragon.sheets.briefing import Briefing
@@ -16,23 +15,6 @@ from benchdragon.solve.tolerance import CASES, Deviations, Draw, chance, touches
 DISTANCE, ERROR = 2.0, 0.05
 # Random dances, and the seed of their numbers: few, so that they take seconds.
 DRAWS, SEED = 20, 1
-# Rows of the timetable, from the start of the dance to its end.
-TIMES = 13
-
-
-@dataclass(frozen=True)
-class Moment:
-    """Where head and tail are at a time.
-
-    Attributes:
-        time: s.
-        head: its front handle's place, m.
-        tail: the last handle's, m.
-    """
-
-    time: float
-    head: Point
-    tail: Point
 
 
 @dataclass(frozen=True)
@@ -63,14 +45,12 @@ class AnnexFacts:
         briefing: of the dance.
         swept: the ground that benches cover, with the spectators' line.
         posts: for marshals.
-        moments: the timetable.
         chance: of contact of imprecise dances.
     """
 
     briefing: Briefing
     swept: SweptArea
     posts: tuple[Post, ...]
-    moments: tuple[Moment, ...]
     chance: Chance
 
     @property
@@ -94,24 +74,7 @@ def annex_facts(briefing: Briefing, progress: Progress = silent) -> AnnexFacts:
         report.walk, report.start, report.end, margin=distance, error=ERROR, progress=told
     )
     posts = marshal_posts(report, swept, event.entrances)
-    return AnnexFacts(
-        briefing, swept, posts, _moments(briefing), _chance(briefing, stage(_("random dances")))
-    )
-
-
-def _moments(briefing: Briefing) -> tuple[Moment, ...]:
-    report = briefing.report
-    step = (report.end - report.start) / (TIMES - 1)
-    times = [*(report.start + k * step for k in range(TIMES - 1)), report.end]
-    motion = report.walk.motion(times)
-    return tuple(
-        Moment(
-            time,
-            (float(motion.x[k, 0]), float(motion.y[k, 0])),
-            (float(motion.x[k, -1]), float(motion.y[k, -1])),
-        )
-        for k, time in enumerate(times)
-    )
+    return AnnexFacts(briefing, swept, posts, _chance(briefing, stage(_("random dances"))))
 
 
 def deviations_of(briefing: Briefing) -> Deviations:

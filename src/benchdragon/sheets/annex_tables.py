@@ -18,6 +18,7 @@ from benchdragon.number_format import decimals_towards, outward
 from benchdragon.plans.people import SourcesTable
 from benchdragon.sheets.annex_facts import DISTANCE, AnnexFacts
 from benchdragon.sheets.briefing import Briefing
+from benchdragon.sheets.timetable import WIDTHS, cells, columns, passings_of
 
 BLANK = "________"
 STATUS = {
@@ -77,7 +78,7 @@ def basics(briefing: Briefing) -> list[tuple[str, str]]:
         (_("title"), plan.title(language())),
         (_("place"), event.called_place(language())),
         (_("date"), event.date),
-        (_("start of the dance"), event.clock),
+        (_("start of the dance"), plan.cues.clock),
         (_("organiser"), event.organiser),
         (_("contact"), event.contact),
         (_("spectators expected"), "" if event.spectators is None else str(event.spectators)),
@@ -102,7 +103,7 @@ def swept_table(facts: AnnexFacts) -> Table:
     swept = facts.swept
     box = swept.enclosing.rectangle
     rows = (
-        (_("area that benches cover, at most"), f"{decimals_towards(swept.area, 1, up=True)} m²"),
+        (_("area of this ground"), f"{swept.area:.1f} m²"),
         (_("smallest rectangle that holds it"), f"{box.width:.2f} m × {box.height:.2f} m"),
         (
             _("length of the spectators' line round the outside"),
@@ -112,16 +113,13 @@ def swept_table(facts: AnnexFacts) -> Table:
     return Table("swept", _("the ground"), (_("item"), _("value")), (2.0, 1.0), rows)
 
 
-def timetable(facts: AnnexFacts) -> Table:
-    """Where head and tail are in time."""
-    rows = tuple(
-        (seconds(one.time - facts.briefing.report.start), *place(one.head), *place(one.tail))
-        for one in facts.moments
+def passing_table(facts: AnnexFacts) -> Table:
+    """When head and tail pass places of the route: as the timetable has it."""
+    briefing = facts.briefing
+    rows = [cells(briefing.plan, row, briefing.report.start) for row in passings_of(briefing)]
+    return Table(
+        "timetable", _("When head and tail pass"), columns(), WIDTHS, tuple(rows), numbers=True
     )
-    names = (
-        _("min:s"), _("head, x (m)"), _("head, y (m)"), _("tail, x (m)"), _("tail, y (m)"),
-    )  # fmt: skip
-    return Table("timetable", _("head and tail in time"), names, (1.0,) * 5, rows, numbers=True)
 
 
 def people_table(briefing: Briefing) -> Table:

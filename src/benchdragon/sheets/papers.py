@@ -12,6 +12,7 @@ from benchdragon.i18n import N_, _
 from benchdragon.player.page import write_player
 from benchdragon.player.scene import checked_dance
 from benchdragon.progress import Progress, Stages, silent
+from benchdragon.sheets.annex import annex_names, write_annex
 from benchdragon.sheets.briefing import Briefing
 from benchdragon.sheets.cards import write_benches
 from benchdragon.sheets.chalk import FILES, write_chalk
@@ -61,6 +62,10 @@ def _beat(briefing: Briefing, folder: Path, _options: Options, progress: Progres
     write_track(folder / "beat.wav", score, (report.start, report.end), progress=progress)
 
 
+def _annex(briefing: Briefing, folder: Path, _options: Options, progress: Progress) -> None:
+    write_annex(folder, briefing, progress)
+
+
 def _player(briefing: Briefing, folder: Path, _options: Options, progress: Progress) -> None:
     write_player(folder / "player.html", checked_dance(briefing.report, progress=progress))
 
@@ -71,6 +76,7 @@ PAPERS: dict[str, Paper] = {
     "chalk": Paper(N_("chalk plan"), FILES, _chalk),
     "timetable": Paper(N_("timetable"), ("timetable.pdf", "timetable.xlsx"), _timetable),
     "beat": Paper(N_("drum beat"), ("beat.wav",), _beat),
+    "annex": Paper(N_("permit annex"), annex_names(), _annex),
     "player": Paper(N_("player"), ("player.html",), _player),
 }
 
