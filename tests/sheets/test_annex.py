@@ -1,0 +1,186 @@
+"""The permit annex: what stands in the PDF is what plan and answers say, number by number."""
+
+import re
+from pathlib import Path
+
+import pytest
+from pypdf import PdfReader
+
+from benchdragon.analysis.posts import EVERY, JOINED, _spaced
+from benchdragon.export.document import Document, Heading, Paragraph, Table
+from benchdragon.i18n import LANGUAGES, spoken_in
+from benchdragon.plans.people import PeopleTable
+from benchdragon.plans.schema import PlanError, read_plan
+from benchdragon.sheets import annex_facts as facts_of
+from benchdragon.sheets.annex import annex_document, annex_names, write_annex
+from benchdragon.sheets.annex_facts import AnnexFacts, Chance, annex_facts, deviations_of
+from benchdragon.sheets.annex_tables import BLANK, basics, post_table
+from benchdragon.sheets.briefing import Briefing
+from tests.sheets.village import ROSTER, small
+
+SAID = (
+    'event.place="Temple square"', 'event.place_zh="祠堂前"', 'event.date="2027-02-20"',
+    'event.organiser="V 1"', "event.spectators=813", "event.marshals=1", "event.distance=3.25",
+    "event.entrances=[[20, 5]]", "venue.rectangle=[40, 30]", "limits.speed=1.73",
+    "people.sway=0.013", 'people.source.sway="M 7"',
+)  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def told(tmp_path_factory: pytest.TempPathFactory) -> Briefing:
+    return small(tmp_path_factory.mktemp("plan"), *SAID)
+
+
+@pytest.fixture(scope="module")
+def facts(told: Briefing) -> AnnexFacts:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(facts_of, "DRAWS", 3)
+        return annex_facts(told)
+
+
+@pytest.fixture(scope="module")
+def texts(told: Briefing, tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """The text of both PDFs without white space."""
+    folder = tmp_path_factory.mktemp("annex")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(facts_of, "DRAWS", 3)
+        write_annex(folder, told)
+    assert {path.name for path in folder.iterdir()} == set(annex_names())
+    found = {}
+    for name, file in zip(LANGUAGES, annex_names(), strict=True):
+        pages = PdfReader(folder / file).pages
+        found[name] = "".join("".join(page.extract_text().split()) for page in pages)
+    return found
+
+
+def document(facts: AnnexFacts, language: str, folder: Path) -> Document:
+    with spoken_in(language):
+        return annex_document(facts, folder)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_pdf_holds_every_word_of_the_document(
+    facts: AnnexFacts, texts: dict[str, str], language: str, tmp_path: Path
+) -> None:
+    for block in document(facts, language, tmp_path).blocks:
+        words: list[str] = []
+        match block:
+            case Heading():
+                words = [block.text]
+            case Paragraph():
+                words = [str(word) for word in block.words]
+            case Table():
+                words = [*block.columns, *(str(cell) for row in block.rows for cell in row)]
+        for word in words:
+            assert "".join(word.split()) in texts[language]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_numbers_are_those_of_the_plan_and_its_check(
+    facts: AnnexFacts, texts: dict[str, str], language: str
+) -> None:
+    report, text = facts.briefing.report, texts[language]
+    near, fast = report.clearance, report.greatest_speed
+    edge = report.obstacles[0].distance
+    for number in (
+        "813", "2027-02-20", "V1", "3.25m", "1.73m/s", "0.013m", "M7", "2026-02-17",
+        f"{facts.swept.area:.1f}m²", report.plan.sha256[:12], facts.briefing.sha256[:12],
+        f"{float(report.walk.dragon.links.sum()):.2f}m",
+    ):  # fmt: skip
+        assert number in text
+    for found, unit in ((near, "m"), (edge, "m"), (fast, "m/s")):
+        shown = re.findall(rf"(\d+\.\d{{4}}){unit}(\d+\.\d{{4}})\.\.(\d+\.\d{{4}})", text)
+        held = [
+            tuple(map(float, row)) for row in shown
+            if float(row[1]) <= found.lower and found.upper <= float(row[2])
+        ]  # fmt: skip
+        assert held
+        assert held[0][0] == pytest.approx(found.sure(up=unit == "m/s"), abs=1e-4)
+    share, low, high = facts.chance.share
+    for bound in (share, low, high):
+        assert f"{bound:.3f}" in text
+
+
+def test_each_language_has_its_own_words_alone(texts: dict[str, str]) -> None:
+    assert "Templesquare" in texts["en"]
+    assert "祠堂前" in texts["zh"]
+    assert not re.findall(r"[\u4e00-\u9fff]", texts["en"])
+    said = texts["zh"]
+    for word in ("benchdragon", "people.sway", *re.findall(r"[0-9a-f]{12}", said)):
+        said = said.replace(word, "")
+    assert not re.findall(r"[A-Za-z]{3,}", said)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_neither_names_nor_telephones_of_bearers_are_told(texts: dict[str, str], language: str) -> None:
+    for person in [one for people in ROSTER.benches.values() for one in people]:
+        assert person.name not in texts[language]
+        assert not person.phone or person.phone not in texts[language]
+
+
+def test_what_the_plan_does_not_say_is_a_blank_that_is_named(tmp_path: Path) -> None:
+    bare = small(tmp_path)
+    missing = [name for name, value in basics(bare) if value == BLANK]
+    assert missing == [
+        "place", "date", "start of the dance", "organiser", "contact", "spectators expected", "marshals"
+    ]  # fmt: skip
+
+
+def test_people_are_counted_from_the_list_of_names(facts: AnnexFacts, tmp_path: Path) -> None:
+    tables = {b.name: b for b in document(facts, "en", tmp_path).blocks if isinstance(b, Table)}
+    values = [row[1] for row in tables["people"].rows]
+    assert values == ["8", "4", "5", "1", "813"]
+
+
+def test_posts_stand_on_the_line_and_are_never_farther_apart_than_stated(facts: AnnexFacts) -> None:
+    from shapely.geometry import LinearRing, Point
+
+    rings = [LinearRing(ring) for ring in facts.swept.lines.outer]
+    assert len(rings) == 1
+    along = sorted(rings[0].project(Point(post.point)) for post in facts.posts)
+    assert all(rings[0].distance(Point(post.point)) < 1e-6 for post in facts.posts)
+    gaps = [b - a for a, b in zip(along, [*along[1:], along[0] + rings[0].length], strict=True)]
+    assert max(gaps) <= EVERY + 1e-6
+    why = {reason.why for post in facts.posts for reason in post.reasons}
+    assert {"venue", "entrance", "tightest", "fastest"} <= why
+    (entrance,) = [p for p in facts.posts if "entrance" in [one.why for one in p.reasons]]
+    nearest = rings[0].distance(Point(20.0, 5.0))
+    assert Point(entrance.point).distance(Point(20.0, 5.0)) <= nearest + JOINED
+    assert len(post_table(facts).rows) == len(facts.posts)
+
+
+def test_a_line_on_which_nothing_is_wanted_has_posts_all_the_same() -> None:
+    places = [along for along, _reasons in _spaced([], 90.0)]
+    assert places == [0.0, 22.5, 45.0, 67.5]
+
+
+def test_fewer_marshals_than_posts_are_told(facts: AnnexFacts, tmp_path: Path) -> None:
+    said = [str(b.words) for b in document(facts, "en", tmp_path).blocks if isinstance(b, Paragraph)]
+    assert any(f"{len(facts.posts)} posts and 1 marshals" in words for words in said)
+
+
+def test_the_imprecision_of_the_plan_is_that_of_the_random_dances(tmp_path: Path) -> None:
+    assert deviations_of(small(tmp_path, "people.imprecision=0.07")).aside == 0.07
+    assert deviations_of(small(tmp_path)).aside == 0.02
+    assert PeopleTable().imprecision == 0.0
+
+
+def test_dances_that_cannot_be_drawn_leave_the_chance_open(facts: AnnexFacts, tmp_path: Path) -> None:
+    from dataclasses import replace
+
+    none = replace(facts, chance=Chance(facts.chance.deviations, 0, 0))
+    words = [str(b.words) for b in document(none, "en", tmp_path).blocks if isinstance(b, Paragraph)]
+    assert any("nothing is said of the chance" in text for text in words)
+    assert not any("drawn at random" in text for text in words)
+
+
+@pytest.mark.parametrize("setting", ['event.place="a\\nb"', "event.spectators=-1", "event.distance=0"])
+def test_what_cannot_be_of_an_event_is_refused(setting: str) -> None:
+    with pytest.raises(PlanError, match="event"):
+        read_plan("spiral-in", [setting])
+
+
+def test_the_event_does_not_change_the_name_of_a_plan() -> None:
+    plain = read_plan("spiral-in")
+    assert read_plan("spiral-in", ["event.spectators=5"]).sha256 == plain.sha256
+    assert "event" not in plain.data()
