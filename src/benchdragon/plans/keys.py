@@ -376,7 +376,7 @@ SECTIONS = (
         "[[cues.cue]]", N_("A cue, at a time or at a place of the head."), CueTable,
         {
             "kind": Key(N_("beat (a stroke of the drum), hold, stop, start, tempo or note"), "hold"),
-            "at": Key(N_("when: the head then begins to stand, or to walk"), "2 min 30 s", "s"),
+            "at": Key(N_("when: from then on the head stands, or goes on"), "2 min 30 s", "s"),
             "head": Key(
                 N_("in place of a time: metres that the head has walked since the start of the dance"),
                 "40 m", "m",
