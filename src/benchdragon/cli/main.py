@@ -52,6 +52,7 @@ from benchdragon.cli.parsing import (
     parse_times,
     spread,
 )
+from benchdragon.cli.new import new
 from benchdragon.cli.place import place, square
 from benchdragon.cli.plan import plan, schema
 from benchdragon.cli.sheets import sheets
@@ -214,7 +215,7 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
 for question in (place, square):
     solve.add_command(question)
 for verb in (
-    check, solve, margins, sweep, atlas, survey, compare, view, studio, animate, area, sheets, plan,
+    new, check, solve, margins, sweep, atlas, survey, compare, view, studio, animate, area, sheets, plan,
     formations, schema,
 ):  # fmt: skip
     program.add_command(verb)

@@ -1,0 +1,387 @@
+"""A dance for a village that knows its benches, its people and its square, and nothing else yet.
+
+What is asked for is a dance that can be walked, not the best one: sizes come from the searches of this
+room, rounded up, and what is proposed passes the same check as any plan. Bearers are counted as benches
+so wide, and a head so long, that they have room (`with_room`).
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+import numpy as np
+
+from benchdragon.analysis.check import Report, check
+from benchdragon.analysis.swept import swept_area
+from benchdragon.errors import InputError, UnsureError, WalkError
+from benchdragon.i18n import N_, _, both
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.plans.schema import Plan, checked
+from benchdragon.plans.toml import PlanError
+from benchdragon.progress import Progress, silent
+from benchdragon.solve.head_speed import greatest_head_speed
+from benchdragon.solve.size import limit
+
+Carry = Literal["beside", "under"]
+Kind = Literal["turn", "spiral-in"]
+KINDS: tuple[Kind, ...] = ("turn", "spiral-in")
+NAME = "benchdragon new"
+
+# Assumed of people, m: shoulders' breadth, which is the room beside a bench or under it; what a bearer
+# wants of a bench's length; room before the head; how far benches sway, and bearers stray.
+SHOULDERS, ELBOWS, AHEAD, SWAY, IMPRECISION = 0.5, 0.5, 0.5, 0.05, 0.1
+# Asked for beyond that, m: between benches, and from the edge of the square.
+MARGIN, VENUE_MARGIN = 0.05, 0.5
+MOST_BENCHES, MOST_BEARERS = 500, 8
+# Sizes are proposed in decimetres, speeds in steps of 5 cm/s: nobody lays them out finer.
+SIZE_STEP, SPEED_STEP = 0.1, 0.05
+# Discs that are tried, as multiples of the longer of a link and a bench's width with its bearers.
+DISCS = (2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0, 10.0)
+# A disc beside which the pitch is more than so many times as wide as benches are is too small.
+WIDE = 2.0
+# Benches with which sizes are sought: what lies farther out in a coil is less tight.
+ENOUGH = 60
+# Rounds of the spiral that the head walks in before it turns or stops; the first that fit are taken.
+ROUNDS: dict[Kind, tuple[float, ...]] = {"turn": (1.0, 0.5, 0.0), "spiral-in": (2.0, 1.0, 0.5)}
+# The ground is drawn to this, m; a round square has so many corners; angles of the dance, degrees.
+DRAWN, CORNERS, ANGLES = 0.02, 90, 180
+TITLE = N_("{benches} benches on our square")
+
+
+@dataclass(frozen=True)
+class Wishes:
+    """What a village says of its dragon and its square: m, m/s.
+
+    Attributes:
+        benches: how many, head and tail included.
+        length: of a bench.
+        width: of a bench.
+        head_length: of the head's bench.
+        inset: from a bench's ends to its holes.
+        rectangle: length and width of the square; or
+        radius: of a round one.
+        bearers: people who carry one bench.
+        carry: whether they walk beside it or under it.
+        speed: of the head, at most.
+        most_speed: the greatest at which a bench can be carried.
+        kind: of the dance; None: coiling in and out again, where it fits, else coiling in.
+        roster: a list of names beside the plan.
+    """
+
+    benches: int
+    length: float
+    width: float
+    head_length: float = 2.0
+    inset: float = 0.15
+    rectangle: tuple[float, float] | None = None
+    radius: float | None = None
+    bearers: int = 2
+    carry: Carry = "beside"
+    speed: float = 0.8
+    most_speed: float = 1.5
+    kind: Kind | None = None
+    roster: str = ""
+
+    @property
+    def beside(self) -> float:
+        """Room for bearers on each side of a bench, m, rounded up to a centimetre."""
+        if self.carry == "beside":
+            return SHOULDERS
+        return max(0.0, _up(0.5 * (SHOULDERS - self.width), 0.01))
+
+
+@dataclass(frozen=True)
+class Proposal:
+    """A dance that can be walked: its plan and the check of it; `slower` if slower than was wished."""
+
+    plan: Plan
+    report: Report
+    slower: bool
+
+
+@dataclass(frozen=True)
+class TooSmall:
+    """No dance was found that fits the square.
+
+    Attributes:
+        kind: of the dance that takes the least room of those tried.
+        rectangle: on which that dance fits, its margins included, m; rounded up.
+        radius: of a round square on which it fits, m; rounded up.
+        benches: so many, of the same sizes, fit on the square; 0 where none were found to.
+    """
+
+    kind: Kind
+    rectangle: tuple[float, float]
+    radius: float
+    benches: int
+
+
+@dataclass(frozen=True)
+class _Dance:
+    """A dance with its room: the corners of what it covers, about its origin, (n, 2), m."""
+
+    plan: Plan
+    ground: FloatArray
+
+
+def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSmall:
+    """A dance of the benches on the square that passes `check`, or how much too small the square is.
+
+    Raises:
+        InputError: for sizes that no dance can have.
+        PlanError: for sizes of which no dragon can be built.
+    """
+    _refuse(wishes)
+    kinds = KINDS if wishes.kind is None else (wishes.kind,)
+    smallest: list[_Dance] = []
+    for n, kind in enumerate(kinds):
+        progress(n / len(kinds), _("pitch and disc"))
+        sized = _sized(wishes, kind)
+        progress((n + 0.5) / len(kinds), _("place on the square"))
+        dances = [] if sized is None else list(_dances(wishes, sized, ROUNDS[kind]))
+        for dance in dances:
+            placed = _placed(wishes, dance)
+            if placed is not None and (found := _walked(wishes, placed)) is not None:
+                return found
+        smallest += dances[-1:]
+    if not smallest:
+        raise InputError(
+            _("no spiral was found on which benches of these sizes walk: make them shorter or narrower")
+        )
+    progress(0.9, _("how large a square it takes"))
+    return _too_small(wishes, min(smallest, key=lambda dance: _radius(dance.ground)))
+
+
+def with_room(plan: Plan) -> Plan:
+    """The plan with benches as large as they are with their bearers, and their margins with them."""
+    people, limits, dragon = plan.people, plan.limits, plan.dragon
+    sides = {"width": dragon.width + 2.0 * people.beside, "rear_inset": dragon.rear_inset}
+    head = {
+        "length": dragon.head_length + people.ahead,
+        "front_inset": dragon.front_inset + people.ahead,
+    }
+    body = {"length": dragon.body_length, "front_inset": dragon.front_inset}
+    body["count"] = dragon.benches - 1
+    more = people.sway + people.imprecision
+    data = plan.data()
+    data["dragon"] = {"bench": [{**sides, **head}, {**sides, **body}]}
+    data["limits"]["margin"] = limits.margin + more
+    if limits.venue_margin is not None:
+        data["limits"]["venue_margin"] = limits.venue_margin + more
+    del data["people"]
+    return checked(data, NAME)
+
+
+def _refuse(wishes: Wishes) -> None:
+    """Refuse what cannot be before anything is computed."""
+    if not 2 <= wishes.benches <= MOST_BENCHES:
+        text = _("a dance is proposed for 2 to {most} benches, not {count}")
+        raise InputError(text.format(most=MOST_BENCHES, count=wishes.benches))
+    if not 1 <= wishes.bearers <= MOST_BEARERS:
+        text = _("a bench is carried by 1 to {most} people, not {count}")
+        raise InputError(text.format(most=MOST_BEARERS, count=wishes.bearers))
+    behind = math.ceil(wishes.bearers / 2) if wishes.carry == "beside" else wishes.bearers
+    if behind * ELBOWS > wishes.length:
+        text = _("a bench of {length} m has no room for {count} bearers behind one another")
+        raise InputError(text.format(length=f"{wishes.length:g}", count=behind))
+
+
+def _data(wishes: Wishes, kind: Kind, pitch: float, disc: float) -> dict[str, Any]:
+    """The plan of a dance on no square yet, as parsed TOML."""
+    title = both(lambda: _(TITLE).format(benches=wishes.benches))
+    people = {
+        "beside": wishes.beside, "ahead": AHEAD, "sway": SWAY, "imprecision": IMPRECISION,
+        "most_speed": wishes.most_speed,
+    }  # fmt: skip
+    return {
+        "schema": 1,
+        "meta": {"title": title.en, "title_zh": title.zh},
+        "dragon": {
+            "benches": wishes.benches, "width": wishes.width, "head_length": wishes.head_length,
+            "body_length": wishes.length, "tail_length": wishes.length,
+            "front_inset": wishes.inset, "rear_inset": wishes.inset,
+        },
+        "route": {"kind": kind, "pitch": pitch},
+        "disc": {"radius": disc},
+        "walk": {"speed": wishes.speed},
+        "limits": {"speed": wishes.most_speed, "margin": MARGIN},
+        "people": people | ({"roster": wishes.roster} if wishes.roster else {}),
+    }  # fmt: skip
+
+
+def _begun(plan: Plan, rounds: float) -> Plan:
+    """The dance begun so many rounds of the spiral before its turn or its end."""
+    pitch, disc = plan.value("route.pitch"), plan.value("disc.radius")
+    if plan.route.kind == "spiral-in":
+        return plan.with_value("route.start_turn", _up(disc / pitch + rounds, 0.01))
+    way = 2.0 * math.pi * rounds * (disc + 0.5 * rounds * pitch)
+    plan = plan.with_value("walk.start", 0.0 - _up(way / plan.walk.speed, 1.0))
+    _start, end = plan.span(plan.build())
+    return plan.with_value("walk.end", _down(end, 1.0))
+
+
+def _sized(wishes: Wishes, kind: Kind) -> Plan | None:
+    """The dance with the sizes that take the least room; None if none was found."""
+    few = replace(wishes, benches=min(wishes.benches, ENOUGH), roster="")
+    link = max(wishes.length, wishes.head_length) - 2.0 * wishes.inset
+    wide = wishes.width + 2.0 * wishes.beside
+    dragon = wishes.benches * (wishes.length - 2.0 * wishes.inset) / math.pi
+    first = (wide + MARGIN + SWAY + IMPRECISION) * (2.0 if kind == "turn" else 1.0)
+    least, best = math.inf, None
+    for share in DISCS:
+        disc = _up(share * max(link, wide), SIZE_STEP)
+        if disc * disc + dragon * first > least:  # no pitch is smaller than the first
+            break
+        pitch = max(_pitch(few, kind, 1.25 * first, disc), _up(first, SIZE_STEP))
+        room = disc * disc + dragon * pitch
+        if pitch <= WIDE * first and room < least:
+            least, best = room, (pitch, disc)
+    if best is None:
+        return None
+    pitch, disc = best
+    return checked(_data(wishes, kind, pitch, disc), NAME)
+
+
+def _trial(wishes: Wishes, kind: Kind, pitch: float, disc: float) -> Plan:
+    """A plan of benches with their room, for searches of sizes."""
+    plan = checked(_data(wishes, kind, pitch, disc), NAME)
+    plan.dragon.build()  # says what is wrong with benches as the village has them
+    if kind == "spiral-in":
+        plan = plan.with_value("route.start_turn", disc / pitch + 6.0)
+    return with_room(plan)
+
+
+def _pitch(wishes: Wishes, kind: Kind, first: float, disc: float) -> float:
+    """The smallest pitch beside a disc, sought from a first one, rounded up, m; inf if there is none."""
+    try:
+        found = limit(_trial(wishes, kind, first, disc), "pitch")
+    except (PlanError, WalkError, UnsureError):
+        return math.inf
+    return _up(found.upper, SIZE_STEP) if found.status == "found" else math.inf
+
+
+def _dances(wishes: Wishes, sized: Plan, rounds_walked: Sequence[float]) -> Iterator[_Dance]:
+    """The dance begun early, then later, each with the ground that it covers with its people."""
+    for rounds in rounds_walked:
+        try:
+            plan = _begun(_steady(wishes, sized, rounds), rounds)
+            wide = with_room(plan)
+            walk = wide.build()
+            region = swept_area(walk, *wide.span(walk), error=DRAWN).polygon
+        except (WalkError, UnsureError, PlanError):
+            continue
+        yield _Dance(plan, np.asarray(region.convex_hull.exterior.coords))
+
+
+def _steady(wishes: Wishes, sized: Plan, rounds: float) -> Plan:
+    """The dance at a head speed with which no handle is faster than a bench can be carried."""
+    found = greatest_head_speed(_begun(sized, rounds))
+    most = min(found.lower, wishes.speed)
+    steps = _down(most, SPEED_STEP)
+    return sized.with_value("walk.speed", steps if steps > 0.0 else _down(most, 1e-3))
+
+
+def _kept() -> float:
+    """How far benches with their bearers keep from the edge of the square, m."""
+    return VENUE_MARGIN + SWAY + IMPRECISION
+
+
+def _placed(wishes: Wishes, dance: _Dance) -> Plan | None:
+    """The dance in the middle of the square, turned to have the most room; None if it does not fit."""
+    if wishes.rectangle is None:
+        middle, turned = _circle(dance.ground)[0], 0.0
+        room = float(wishes.radius or 0.0) * math.cos(math.pi / CORNERS) - _radius(dance.ground)
+        venue: dict[str, Any] = {"boundary": _corners(wishes)}
+    else:
+        length, width = wishes.rectangle
+        boxes = [_box(dance.ground, math.radians(angle)) for angle in range(ANGLES)]
+        rooms = [0.5 * min(length - high[0] + low[0], width - high[1] + low[1]) for low, high in boxes]
+        turned = float(np.argmax(rooms))
+        room, (low, high) = max(rooms), boxes[int(turned)]
+        middle = 0.5 * (low + high)
+        venue = {"rectangle": list(wishes.rectangle)}
+    if room < _kept() + 0.01:  # rounding of the place
+        return None
+    at = [round(-x, 2) + 0.0 for x in middle.tolist()]
+    data = dance.plan.data()
+    data["venue"] = venue
+    data["route"] |= {"at": at, "turned": turned}
+    data["limits"]["venue_margin"] = VENUE_MARGIN
+    return checked(data, NAME)
+
+
+def _walked(wishes: Wishes, plan: Plan) -> Proposal | None:
+    """The proposal, once the plan and the one with room for people pass the check; None if not."""
+    if not check(with_room(plan), quick=True).safe:
+        return None
+    report = check(plan)
+    return Proposal(plan, report, plan.walk.speed < wishes.speed) if report.safe else None
+
+
+def _too_small(wishes: Wishes, dance: _Dance) -> TooSmall:
+    """How much room a dance takes, and how many benches would fit."""
+    boxes = [_box(dance.ground, math.radians(angle)) for angle in range(ANGLES)]
+    low, high = min(boxes, key=lambda box: float(np.prod(box[1] - box[0])))
+    kept = 2.0 * (_kept() + 0.01)
+    sides = sorted((_up(float(side) + kept, SIZE_STEP) for side in high - low), reverse=True)
+    radius = (_radius(dance.ground) + 0.5 * kept) / math.cos(math.pi / CORNERS)
+    kind: Kind = "turn" if dance.plan.route.kind == "turn" else "spiral-in"
+    return TooSmall(kind, (sides[0], sides[1]), _up(radius, SIZE_STEP), _fitting(wishes, dance.plan))
+
+
+def _fitting(wishes: Wishes, plan: Plan) -> int:
+    """How many benches of the same dance fit on the square; 0 if none were found to."""
+    fits, not_fit = 1, wishes.benches
+    while not_fit - fits > 1:
+        middle = (fits + not_fit) // 2
+        fits, not_fit = (middle, not_fit) if _on_square(wishes, plan, middle) else (fits, middle)
+    placed = _on_square(wishes, plan, fits) if fits > 1 else []
+    return fits if any(_walked(wishes, one) is not None for one in placed) else 0
+
+
+def _on_square(wishes: Wishes, plan: Plan, benches: int) -> list[Plan]:
+    """The same dance of fewer benches, each way in which it fits on the square."""
+    kind: Kind = "turn" if plan.route.kind == "turn" else "spiral-in"
+    sizes = plan.value("route.pitch"), plan.value("disc.radius")
+    fewer = replace(wishes, benches=benches)
+    dances = _dances(fewer, checked(_data(fewer, kind, *sizes), NAME), ROUNDS[kind][-1:])
+    return [placed for dance in dances if (placed := _placed(fewer, dance)) is not None]
+
+
+def _box(ground: FloatArray, turned: float) -> tuple[FloatArray, FloatArray]:
+    """The lowest and the highest x and y of a ground that is turned, m."""
+    c, s = math.cos(turned), math.sin(turned)
+    corners = ground @ np.array([[c, s], [-s, c]])
+    return corners.min(axis=0), corners.max(axis=0)
+
+
+def _circle(ground: FloatArray) -> tuple[FloatArray, float]:
+    """Centre and radius of the smallest circle about a ground, m."""
+    import shapely
+
+    shape = shapely.Polygon(ground)
+    centre = shapely.get_coordinates(shapely.minimum_bounding_circle(shape).centroid)[0]
+    return centre, float(np.linalg.norm(ground - centre, axis=1).max())
+
+
+def _radius(ground: FloatArray) -> float:
+    """Radius of the smallest circle about a ground, m."""
+    return _circle(ground)[1]
+
+
+def _corners(wishes: Wishes) -> list[list[float]]:
+    """The corners of a round square, to a millimetre, m."""
+    angles = 2.0 * math.pi * np.arange(CORNERS) / CORNERS
+    corners = float(wishes.radius or 0.0) * np.column_stack([np.cos(angles), np.sin(angles)])
+    return [[float(x) for x in corner] for corner in np.round(corners, 3) + 0.0]
+
+
+def _up(value: float, step: float) -> float:
+    """The next multiple of a step, upwards, without the dust of binary fractions."""
+    return round(math.ceil(value / step - 1e-9) * step, 6)
+
+
+def _down(value: float, step: float) -> float:
+    """The same, downwards."""
+    return round(math.floor(value / step + 1e-9) * step, 6)
