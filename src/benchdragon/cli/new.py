@@ -167,8 +167,8 @@ QUESTIONS = (
 @click.command(
     help=N_(
         "Propose a plan for your benches and your square.\n\nIn a terminal it asks for what is not "
-        "given. It finds pitch, disc, speed and place such that the bearers have room, writes the plan, "
-        "and prints its check. For example: benchdragon new -o village.dragon.toml --benches 60 "
+        "given. It finds pitch, disc, speed and place so that bearers have room, writes the plan and "
+        "prints its check. For example: benchdragon new -o village.dragon.toml --benches 60 "
         "--bench-length 1.5m --bench-width 15cm --square 30x20. Exit code 4: the dance does not fit."
     )
 )
@@ -184,9 +184,7 @@ QUESTIONS = (
 @click.option("--bench-length", metavar="LENGTH", help=N_("Length of a bench: 1.5m or 150cm."))
 @click.option("--bench-width", metavar="LENGTH", help=N_("Width of a bench."))
 @click.option("--head-length", metavar="LENGTH", help=N_("Length of the head's bench. Default: 2m."))
-@click.option(
-    "--inset", metavar="LENGTH", help=N_("From a bench's ends to its holes. Default: 15cm.")
-)
+@click.option("--inset", metavar="LENGTH", help=N_("From a bench's ends to its holes. Default: 15cm."))
 @click.option(
     "--square", metavar="LENGTHxWIDTH", help=N_("Length and width of the square: 30x20, in metres.")
 )
@@ -202,9 +200,7 @@ QUESTIONS = (
 @click.option(
     "--kind",
     type=click.Choice(["turn", "spiral-in"]),
-    help=N_(
-        "The dance: in, round and out again, or in alone. Default: the first of them that fits."
-    ),
+    help=N_("The dance: in, round and out again, or in alone. Default: the first of them that fits."),
 )
 @click.option(
     "--roster", type=FILE, metavar="FILE", help=N_("A list of names in the folder of the plan.")
@@ -249,7 +245,9 @@ def _wishes(output: Path, options: Mapping[str, Any]) -> "Wishes":
     from benchdragon.solve.proposal import Wishes
 
     if options["square"] is not None and options["radius"] is not None:
-        raise InputError(_("{option} does not go with {what}").format(option="--radius", what="--square"))
+        raise InputError(
+            _("{option} does not go with {what}").format(option="--radius", what="--square")
+        )
     roster = _roster(output, options["roster"])
     given = {one.name: options[one.name] for one in QUESTIONS}
     if options["radius"] is not None:
@@ -315,8 +313,8 @@ def _refusal(wishes: "Wishes", found: "TooSmall") -> str:
     """Why there is no plan."""
     length, width = (f"{side:g}" for side in found.rectangle)
     text = _(
-        "{benches} benches do not fit on this square: the dance that takes the least room of those tried "
-        "needs {length} m by {width} m, room for people and margins included."
+        "{benches} benches do not fit on this square: the dance that takes the least room of those "
+        "tried needs {length} m by {width} m, room for people and margins included."
     )
     if wishes.radius is not None:
         text = _(
@@ -324,9 +322,7 @@ def _refusal(wishes: "Wishes", found: "TooSmall") -> str:
             "tried needs a radius of {radius} m, room for people and margins included."
         )
     fewer = _("Of the same benches {count} fit.") if found.benches else ""
-    said = text.format(
-        benches=wishes.benches, length=length, width=width, radius=f"{found.radius:g}"
-    )
+    said = text.format(benches=wishes.benches, length=length, width=width, radius=f"{found.radius:g}")
     return f"{said} {fewer.format(count=found.benches)}".strip()
 
 
@@ -361,6 +357,7 @@ def _print_next(output: Path) -> None:
     click.echo(_("Next:"))
     for command, text in (
         (f"benchdragon view {name} -o {page}", _("look at it")),
-        (f"benchdragon check {name}", _("check it again after each change")),
+        (f"benchdragon check {name} --record", _("check it again after each change")),
+        (f"benchdragon sheets {name} -o sheets", _("papers for everyone")),
     ):
         click.echo(f"  {command}  # {text}")

@@ -135,6 +135,7 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
     _refuse(wishes)
     kinds = KINDS if wishes.kind is None else (wishes.kind,)
     smallest: list[_Dance] = []
+    fits = False
     for n, kind in enumerate(kinds):
         progress(n / len(kinds), _("pitch and disc"))
         sized = _sized(wishes, kind)
@@ -142,12 +143,20 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
         dances = [] if sized is None else list(_dances(wishes, sized, ROUNDS[kind]))
         for dance in dances:
             placed = _placed(wishes, dance)
+            fits = fits or placed is not None
             if placed is not None and (found := _walked(wishes, placed)) is not None:
                 return found
         smallest += dances[-1:]
     if not smallest:
         raise InputError(
             _("no spiral was found on which benches of these sizes walk: make them shorter or narrower")
+        )
+    if fits:
+        raise UnsureError(
+            _(
+                "a dance was found that fits the square, but it does not pass the check: try "
+                "narrower benches, or another --kind"
+            )
         )
     progress(0.9, _("how large a square it takes"))
     return _too_small(wishes, min(smallest, key=lambda dance: _radius(dance.ground)))
@@ -166,7 +175,7 @@ def with_room(plan: Plan) -> Plan:
     more = people.sway + people.imprecision
     data = plan.data()
     data["dragon"] = {"bench": [{**sides, **head}, {**sides, **body}]}
-    data["limits"]["margin"] = limits.margin + more
+    data["limits"]["margin"] = limits.margin + 2.0 * more  # each of two benches sways and strays
     if limits.venue_margin is not None:
         data["limits"]["venue_margin"] = limits.venue_margin + more
     del data["people"]
@@ -227,7 +236,7 @@ def _sized(wishes: Wishes, kind: Kind) -> Plan | None:
     link = max(wishes.length, wishes.head_length) - 2.0 * wishes.inset
     wide = wishes.width + 2.0 * wishes.beside
     dragon = wishes.benches * (wishes.length - 2.0 * wishes.inset) / math.pi
-    first = (wide + MARGIN + SWAY + IMPRECISION) * (2.0 if kind == "turn" else 1.0)
+    first = (wide + MARGIN + 2.0 * (SWAY + IMPRECISION)) * (2.0 if kind == "turn" else 1.0)
     least, best = math.inf, None
     for share in DISCS:
         disc = _up(share * max(link, wide), SIZE_STEP)
@@ -253,7 +262,7 @@ def _trial(wishes: Wishes, kind: Kind, pitch: float, disc: float) -> Plan:
 
 
 def _pitch(wishes: Wishes, kind: Kind, first: float, disc: float) -> float:
-    """The smallest pitch beside a disc, sought from a first one, rounded up, m; inf if there is none."""
+    """The smallest pitch beside a disc, sought from a first one, rounded up, m; inf if none."""
     try:
         found = limit(_trial(wishes, kind, first, disc), "pitch")
     except (PlanError, WalkError, UnsureError):
@@ -312,9 +321,7 @@ def _placed(wishes: Wishes, dance: _Dance) -> Plan | None:
 
 
 def _walked(wishes: Wishes, plan: Plan) -> Proposal | None:
-    """The proposal, once the plan and the one with room for people pass the check; None if not."""
-    if not check(with_room(plan), quick=True).safe:
-        return None
+    """The proposal, if the plan passes the check, room for people included; None if not."""
     report = check(plan)
     return Proposal(plan, report, plan.walk.speed < wishes.speed) if report.safe else None
 
