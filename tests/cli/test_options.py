@@ -72,6 +72,8 @@ DRAWN = [*AREA, "-o", "area.svg"]
 MINE = ["plan", "spiral-in", *SHORT, "-o", "mine.dragon.toml"]
 STUDIO = ["studio", "--port", "0", "--no-browser"]
 REPRODUCE = ["reproduce", "-o", "out"]
+NEW = "new -o new.toml --benches 4 --bench-length 1.5 --bench-width 0.2".split()
+PROPOSED = [*NEW, "--square", "20x20"]
 
 
 Outcome = tuple[object, ...]
@@ -123,6 +125,21 @@ CASES: dict[str, Case] = {
     "plan --force": Case(
         ["plan", "turn", "-o", "mine.toml"], ["--force"], ["plan", "turn", "-o", "mine.toml"]
     ),
+    "new --output": Case(PROPOSED, ["-o", "other.toml"]),
+    "new --benches": Case(PROPOSED, ["--benches", "5"]),
+    "new --bench-length": Case(PROPOSED, ["--bench-length", "1.6"]),
+    "new --bench-width": Case(PROPOSED, ["--bench-width", "0.3"]),
+    "new --head-length": Case(PROPOSED, ["--head-length", "2.5"]),
+    "new --inset": Case(PROPOSED, ["--inset", "0.2"]),
+    "new --square": Case(PROPOSED, ["--square", "22x20"]),
+    "new --radius": Case(NEW, ["--radius", "12"]),
+    "new --bearers": Case(PROPOSED, ["--bearers", "1"]),
+    "new --carry": Case(PROPOSED, ["--carry", "under"]),
+    "new --speed": Case(PROPOSED, ["--speed", "0.5"]),
+    "new --most-speed": Case(PROPOSED, ["--most-speed", "1.2"]),
+    "new --kind": Case(PROPOSED, ["--kind", "spiral-in"]),
+    "new --roster": Case(PROPOSED, ["--roster", "names.csv"]),
+    "new --force": Case(PROPOSED, ["--force"], PROPOSED),
     "formations --json": Case(["formations"], ["--json"]),
     "schema --table": Case(["schema"], ["--table"]),
     "solve --lang": Case(["solve", "--help"], ["--lang", "zh"]),

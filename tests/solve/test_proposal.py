@@ -1,0 +1,45 @@
+"""Proposed dances pass the check, or are refused for a reason that is true."""
+
+import random
+from dataclasses import replace
+
+import pytest
+
+from benchdragon.analysis.check import check
+from benchdragon.solve.proposal import Proposal, TooSmall, Wishes, propose
+
+SMALL = Wishes(12, 1.5, 0.15, rectangle=(20.0, 18.0), carry="under")
+
+
+def random_wishes(seed: int) -> Wishes:
+    draw = random.Random(seed)
+    sides = round(draw.uniform(8.0, 30.0), 1), round(draw.uniform(8.0, 30.0), 1)
+    return Wishes(
+        draw.randint(2, 14), round(draw.uniform(1.2, 2.0), 2), round(draw.uniform(0.1, 0.3), 2),
+        rectangle=sides, carry=draw.choice(["beside", "under"]), speed=draw.uniform(0.3, 1.2),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_proposal_passes_the_check_and_a_refusal_is_true(seed: int) -> None:
+    wishes = random_wishes(seed)
+    found = propose(wishes)
+    if isinstance(found, Proposal):
+        assert check(found.plan).safe
+        return
+    assert isinstance(propose(replace(wishes, rectangle=found.rectangle)), Proposal)
+    if found.benches:
+        assert isinstance(propose(replace(wishes, benches=found.benches)), Proposal)
+
+
+def test_a_square_that_is_too_small_is_refused_and_the_one_it_names_is_not() -> None:
+    found = propose(replace(SMALL, rectangle=(6.0, 6.0)))
+    assert isinstance(found, TooSmall)
+    assert isinstance(propose(replace(SMALL, rectangle=None, radius=found.radius)), Proposal)
+
+
+def test_a_head_slows_down_where_benches_behind_would_be_too_fast() -> None:
+    found = propose(replace(SMALL, speed=2.0, most_speed=1.0))
+    assert isinstance(found, Proposal)
+    assert found.slower
+    assert found.report.greatest_speed.upper <= 1.0
