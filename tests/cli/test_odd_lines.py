@@ -41,7 +41,19 @@ LINES = {
     "schema": ["schema"],
     "doctor": ["doctor"],
     "plan": ["plan", "PLAN"],
-    "new": "new -o x.toml --benches 4 --bench-length 1.5 --bench-width 0.2 --radius 9".split(),
+    "new": [
+        "new",
+        "-o",
+        "x.toml",
+        "--benches",
+        "4",
+        "--bench-length",
+        "1.5",
+        "--bench-width",
+        "0.2",
+        "--radius",
+        "9",
+    ],
 }
 WITH_PLAN = [verb for verb, line in LINES.items() if "PLAN" in line and verb != "plan"]
 FILES = {

@@ -72,7 +72,7 @@ DRAWN = [*AREA, "-o", "area.svg"]
 MINE = ["plan", "spiral-in", *SHORT, "-o", "mine.dragon.toml"]
 STUDIO = ["studio", "--port", "0", "--no-browser"]
 REPRODUCE = ["reproduce", "-o", "out"]
-NEW = "new -o new.toml --benches 4 --bench-length 1.5 --bench-width 0.2".split()
+NEW = ["new", "-o", "new.toml", "--benches", "4", "--bench-length", "1.5", "--bench-width", "0.2"]
 PROPOSED = [*NEW, "--square", "20x20"]
 
 

@@ -10,7 +10,8 @@ from benchdragon.analysis.posts import EVERY, JOINED, _spaced
 from benchdragon.export.document import Document, Heading, Paragraph, Table
 from benchdragon.i18n import LANGUAGES, spoken_in
 from benchdragon.plans.people import PeopleTable
-from benchdragon.plans.schema import PlanError, read_plan
+from benchdragon.plans.schema import read_plan
+from benchdragon.plans.toml import PlanError
 from benchdragon.sheets import annex_facts as facts_of
 from benchdragon.sheets.annex import annex_document, annex_names, write_annex
 from benchdragon.sheets.annex_facts import AnnexFacts, Chance, annex_facts, deviations_of

@@ -31,6 +31,7 @@ from benchdragon.cli.console import (
 )
 from benchdragon.cli.formations import formations
 from benchdragon.cli.help import HelpfulGroup, translated
+from benchdragon.cli.new import new
 from benchdragon.cli.options import (
     WITHOUT,
     announce_compiling,
@@ -52,7 +53,6 @@ from benchdragon.cli.parsing import (
     parse_times,
     spread,
 )
-from benchdragon.cli.new import new
 from benchdragon.cli.place import place, square
 from benchdragon.cli.plan import plan, schema
 from benchdragon.cli.sheets import sheets
@@ -215,8 +215,8 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
 for question in (place, square):
     solve.add_command(question)
 for verb in (
-    new, check, solve, margins, sweep, atlas, survey, compare, view, studio, animate, area, sheets, plan,
-    formations, schema,
+    new, check, solve, margins, sweep, atlas, survey, compare, view, studio, animate, area, sheets,
+    plan, formations, schema,
 ):  # fmt: skip
     program.add_command(verb)
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
+import shapely
 
 from benchdragon.analysis.check import Report, check
 from benchdragon.analysis.swept import swept_area
@@ -280,7 +281,7 @@ def _dances(wishes: Wishes, sized: Plan, rounds_walked: Sequence[float]) -> Iter
             region = swept_area(walk, *wide.span(walk), error=DRAWN).polygon
         except (WalkError, UnsureError, PlanError):
             continue
-        yield _Dance(plan, np.asarray(region.convex_hull.exterior.coords))
+        yield _Dance(plan, shapely.get_coordinates(region.convex_hull))
 
 
 def _steady(wishes: Wishes, sized: Plan, rounds: float) -> Plan:
