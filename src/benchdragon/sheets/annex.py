@@ -41,7 +41,7 @@ LINES = 5
 # What is left to the organiser: chapters of permit plans on which a plan of a dance says nothing.
 BY_HAND = {
     "fire": N_("Fire safety"),
-    "emergency": N_("Emergency plan"),
+    "emergency": N_("Emergencies"),
     "vehicles": N_("Vehicles, parking and ways of the crowd"),
 }
 NOT_MODELLED = (
@@ -212,7 +212,7 @@ def _posts(facts: AnnexFacts) -> Iterator[Block]:
     if facts.leaves_venue:
         yield say(
             _(
-                "In places the spectators' line lies outside the venue's edge: there spectators have "
+                "Somewhere the spectators' line lies outside the venue's edge: there spectators have "
                 "no room inside, and posts stand where the line would be."
             )
         )

@@ -38,7 +38,7 @@ WHY: dict[Why, str] = {
 DEVIATIONS = {
     "aside": N_("handles beside the line that is walked"),
     "stray": N_("that line beside the route"),
-    "play": N_("play of pins"),
+    "play": N_("pin play"),
     "height": N_("heights of handles"),
     "length": N_("lengths of benches"),
     "width": N_("widths of benches"),
@@ -80,7 +80,7 @@ def basics(briefing: Briefing) -> list[tuple[str, str]]:
         (_("date"), event.date),
         (_("start of the dance"), plan.cues.clock),
         (_("organiser"), event.organiser),
-        (_("contact"), event.contact),
+        (_("whom to ask"), event.contact),
         (_("spectators expected"), "" if event.spectators is None else str(event.spectators)),
         (_("marshals"), "" if event.marshals is None else str(event.marshals)),
     ]
