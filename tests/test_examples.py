@@ -104,3 +104,17 @@ def test_the_package_says_its_version_and_names() -> None:
         [sys.executable, "-m", "benchdragon", "--version"], capture_output=True, text=True, check=True
     )
     assert benchdragon.__version__ in done.stdout
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_every_command_of_the_walk_through_works(
+    language: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    commands = shell_lines((ROOT / "docs" / language / "village.md").read_text("utf-8"))
+    assert len(commands) >= 4
+    for command in commands:
+        less = ["--benches", "12"] if command.startswith("benchdragon new") else []
+        assert run([*command.split()[1:], *less, "--quiet"]) == 0, command
+    assert (tmp_path / "sheets" / "benches.pdf").exists()
