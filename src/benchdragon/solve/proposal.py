@@ -366,8 +366,6 @@ def _box(ground: FloatArray, turned: float) -> tuple[FloatArray, FloatArray]:
 
 def _circle(ground: FloatArray) -> tuple[FloatArray, float]:
     """Centre and radius of the smallest circle about a ground, m."""
-    import shapely
-
     shape = shapely.Polygon(ground)
     centre = shapely.get_coordinates(shapely.minimum_bounding_circle(shape).centroid)[0]
     return centre, float(np.linalg.norm(ground - centre, axis=1).max())
