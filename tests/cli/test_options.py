@@ -137,7 +137,7 @@ CASES: dict[str, Case] = {
     "new --carry": Case(PROPOSED, ["--carry", "under"]),
     "new --speed": Case(PROPOSED, ["--speed", "0.5"]),
     "new --most-speed": Case(PROPOSED, ["--most-speed", "1.2"]),
-    "new --kind": Case(PROPOSED, ["--kind", "spiral-in"]),
+    "new --kind": Case(PROPOSED, ["--kind", "turn"]),
     "new --roster": Case(PROPOSED, ["--roster", "names.csv"]),
     "new --force": Case(PROPOSED, ["--force"], PROPOSED),
     "formations --json": Case(["formations"], ["--json"]),
@@ -262,14 +262,14 @@ CASES: dict[str, Case] = {
         f"{called(line)} --lang": Case(line, ["--lang", "zh"])
         for line in (
             *(MOTION, CHECK, *SIZES.values(), SPEED, BEST, PLACE, SQUARE, MARGINS, SWEEP, VIEW, STILL),
-            *(AREA, SURVEY, STUDIO, ["doctor"], ["plan"], ["formations"], ["schema"]),
+            *(AREA, SURVEY, STUDIO, PROPOSED, ["doctor"], ["plan"], ["formations"], ["schema"]),
         )
     },
     **{
         f"{called(line)} --quiet": Case(line, ["--quiet"])
         for line in (
             *(MOTION, CHECK, *SIZES.values(), SPEED, BEST, PLACE, SQUARE, MARGINS, SWEEP, VIEW, STILL),
-            *(AREA, SURVEY, STUDIO),
+            *(AREA, SURVEY, STUDIO, PROPOSED),
         )
     },
 }
@@ -282,9 +282,24 @@ ELSEWHERE |= {f"atlas --{name}" for name in ("output", "force", "lang", "quiet")
 # These want a plan beside which a record may stand: tests/sheets/test_papers.py gives it.
 ELSEWHERE |= {
     f"sheets --{name}"
-    for name in ("set", "only", "paper", "by", "night", "phones", "check", "output", "force")
+    for name in (
+        "set",
+        "only",
+        "paper",
+        "by",
+        "night",
+        "phones",
+        "check",
+        "output",
+        "force",
+        "every",
+        "peg",
+        "scale",
+        "paper-size",
+        "lang",
+        "quiet",
+    )
 }
-ELSEWHERE |= {"sheets --lang", "sheets --quiet"}
 # Nothing is said on standard error, nor in a language, that could be left out.
 SILENT = {"plan --quiet", "formations --quiet", "schema --quiet", "doctor --quiet"}
 

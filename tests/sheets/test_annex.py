@@ -123,7 +123,8 @@ def test_what_the_plan_does_not_say_is_a_blank_that_is_named(tmp_path: Path) -> 
     bare = small(tmp_path)
     missing = [name for name, value in basics(bare) if value == BLANK]
     assert missing == [
-        "place", "date", "start of the dance", "organiser", "whom to ask", "spectators expected", "marshals"
+        "place", "date", "start of the dance", "organiser", "whom to ask", "spectators expected",
+        "marshals",
     ]  # fmt: skip
 
 

@@ -34,7 +34,7 @@ def come(folder: Path, *options: str) -> dict[str, bytes]:
     found = {
         str(path.relative_to(folder)): path.read_bytes()
         for path in folder.rglob("*.*")
-        if path.suffix in (".pdf", ".html")
+        if path.suffix in (".pdf", ".html", ".xlsx", ".wav")
     }
     for name in found:
         (folder / name).unlink()
@@ -56,6 +56,13 @@ def test_an_option_has_an_effect(here: Path, added: list[str]) -> None:
 
 def test_all_papers_are_written_unless_some_are_named(here: Path) -> None:
     assert set(come(here)) == {f"sheets/{file}" for one in papers.PAPERS.values() for file in one.files}
+
+
+@pytest.mark.parametrize(
+    "added", [["--every", "2"], ["--peg", "1", "2"], ["--scale", "1:200"], ["--paper-size", "A2"]]
+)
+def test_an_option_of_the_chalk_plan_has_an_effect(here: Path, added: list[str]) -> None:
+    assert come(here, "--only", "chalk", *added) != come(here, "--only", "chalk")
 
 
 def test_quiet_is_silent(here: Path, capfd: pytest.CaptureFixture[str]) -> None:

@@ -121,7 +121,7 @@ def _carry(option: str, text: str) -> str:
 QUESTIONS = (
     Question(
         "--benches", N_("How many benches, head and tail included?"),
-        N_("each is a link of the dragon"), None, _count,
+        N_("the whole dragon, head and tail included"), None, _count,
     ),
     Question(
         "--bench-length", N_("How long is a bench, in metres (1.5, or 150cm)?"),
@@ -129,7 +129,7 @@ QUESTIONS = (
     ),
     Question(
         "--bench-width", N_("How wide is a bench, in metres (0.15, or 15cm)?"),
-        N_("how near the rounds of the spiral can lie"), None, _length_to(MOST_BENCH),
+        N_("how near the rounds of the coil can lie"), None, _length_to(MOST_BENCH),
     ),
     Question(
         "--head-length", N_("How long is the head's bench, in metres?"),
@@ -137,7 +137,7 @@ QUESTIONS = (
     ),
     Question(
         "--inset", N_("How far are the holes from the ends of a bench, in metres?"),
-        N_("benches turn about the pins in their holes"), "0.15", _length_to(MOST_BENCH),
+        N_("benches swivel about the pins in their holes"), "0.15", _length_to(MOST_BENCH),
     ),
     Question(
         "--square",
@@ -281,7 +281,7 @@ def _usual(questions: list[Question]) -> dict[str, Any]:
 def _asked(questions: list[Question]) -> dict[str, Any]:
     """What is answered; each answer is read at once, and asked for again where it cannot be."""
     if questions:
-        click.echo(_("Press Enter to take what stands in brackets."), err=True)
+        click.echo(_("Press Enter to take the value shown."), err=True)
     return {one.name: _answer(one) for one in questions}
 
 
@@ -356,7 +356,7 @@ def _print_next(output: Path) -> None:
     page = Path(str(output).removesuffix(".toml").removesuffix(".dragon")).with_suffix(".html")
     click.echo(_("Next:"))
     for command, text in (
-        (f"benchdragon view {name} -o {page}", _("look at it")),
+        (f"benchdragon view {name} -o {page}", _("see it walk")),
         (f"benchdragon check {name} --record", _("check it again after each change")),
         (f"benchdragon sheets {name} -o sheets", _("papers for everyone")),
     ):

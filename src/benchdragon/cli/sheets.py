@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 )
 @plan_options
 @click.option(
-    "--only", metavar="LIST", help=N_("Write these papers alone, for example benches,player.")
+    "--only", metavar="LIST", help=N_("Write these papers alone, for example overview,chalk.")
 )
 @click.option(
     "--paper",

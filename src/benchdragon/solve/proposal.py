@@ -150,7 +150,10 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
         smallest += dances[-1:]
     if not smallest:
         raise InputError(
-            _("no spiral was found on which benches of these sizes walk: make them shorter or narrower")
+            _(
+                "no dance of these benches was found among the pitches and turning discs that were "
+                "tried: try another --kind, or shorter or narrower benches"
+            )
         )
     if fits:
         raise UnsureError(
