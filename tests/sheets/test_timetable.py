@@ -45,6 +45,8 @@ def test_a_pdf_holds_every_row(
         for cell in row:
             assert "".join(cell.split()) in text
     assert "18:30:11" in text
+    assert "Contents" not in text, "of one chapter there are none"
+    assert "目录" not in text
     assert "".join(briefing.foot.split()) in text
 
 

@@ -9,7 +9,7 @@ from typing import Literal
 
 import numpy as np
 
-from benchdragon.analysis.findings import shown_name
+from benchdragon.analysis.findings import named
 from benchdragon.i18n import _, language
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.obstacle import Obstacle
@@ -110,14 +110,14 @@ def _beside(plan: Plan, walk: Walk, span: tuple[float, float]) -> Iterator[Passi
             out = obstacle.forbids(points)
             for n in np.flatnonzero(out[:-1] & ~out[1:]).tolist():
                 s = _entered(walk, obstacle, float(looks[n]), float(looks[n + 1]))
-                name = _("entrance of {name}").format(name=shown_name(obstacle))
+                name = _("entrance of {name}").format(name=named(obstacle))
                 yield _passing(walk, span, "entrance", name, s)
         else:
             away = _distance(obstacle, points)
             n = int(np.argmin(away))
             low, high = looks[max(n - 1, 0)], looks[min(n + 1, count - 1)]
             s = _lowest(partial(_away, walk, obstacle), float(low), float(high))
-            name = _("nearest to {name}").format(name=shown_name(obstacle))
+            name = _("nearest to {name}").format(name=named(obstacle))
             yield _passing(walk, span, "obstacle", name, s)
 
 

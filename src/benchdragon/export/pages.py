@@ -112,7 +112,8 @@ class Pages(Typeset):
         opening = True
         for block in self._document.blocks:
             if opening and isinstance(block, Heading):
-                self._contents()
+                if len(self._document.headings) > 1:
+                    self._contents()
                 opening = False
             self._set(block)
         while self._waiting:
