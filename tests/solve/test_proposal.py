@@ -43,3 +43,10 @@ def test_a_head_slows_down_where_benches_behind_would_be_too_fast() -> None:
     assert isinstance(found, Proposal)
     assert found.slower
     assert found.report.greatest_speed.upper <= 1.0
+
+
+def test_few_benches_for_which_every_pitch_serves_get_a_turn() -> None:
+    """Their dragon is shorter than a round: no search finds a smallest pitch."""
+    found = propose(Wishes(3, 2.0, 0.3, radius=30.0, kind="turn"))
+    assert isinstance(found, Proposal)
+    assert found.plan.route.kind == "turn"

@@ -266,11 +266,16 @@ def _trial(wishes: Wishes, kind: Kind, pitch: float, disc: float) -> Plan:
 
 
 def _pitch(wishes: Wishes, kind: Kind, first: float, disc: float) -> float:
-    """The smallest pitch beside a disc, sought from a first one, rounded up, m; inf if none."""
+    """The smallest pitch beside a disc, sought from a first one, rounded up, m; inf if none.
+
+    It is 0 where so few benches walk that every pitch serves.
+    """
     try:
         found = limit(_trial(wishes, kind, first, disc), "pitch")
     except (PlanError, WalkError, UnsureError):
         return math.inf
+    if found.status == "unlimited":
+        return 0.0
     return _up(found.upper, SIZE_STEP) if found.status == "found" else math.inf
 
 
