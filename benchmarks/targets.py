@@ -68,6 +68,13 @@ def targets(options: Options) -> list[str]:
         f"greatest head speed. The target of the march is {TIMES_C:g} times what the best C takes.",
         "",
         *lines_of(columns, rows),
+        "",
+        "Why four take longer than was aimed at: a first contact is a walk of the whole dance in "
+        "steps that no contact can slip through, and nearly all of its time goes to placing "
+        "handles; a smallest pitch is two such walks, one that fails and one that does not, and "
+        "some parts of others; a least clearance is looked for twice, once roughly in cells and "
+        "once by placing the dragon near each low point; the march carries each angle in two "
+        "doubles and the ratio of speeds besides, which the march in C does not.",
     ]
 
 
