@@ -321,7 +321,7 @@ def _refusal(wishes: "Wishes", found: "TooSmall") -> str:
             "{benches} benches do not fit on this square: the dance that takes the least room of those "
             "tried needs a radius of {radius} m, room for people and margins included."
         )
-    fewer = _("Of the same benches {count} fit.") if found.benches else ""
+    fewer = _("A dragon of {count} such benches fits.") if found.benches else ""
     said = text.format(benches=wishes.benches, length=length, width=width, radius=f"{found.radius:g}")
     return f"{said} {fewer.format(count=found.benches)}".strip()
 
