@@ -44,8 +44,8 @@ def room_lines(report: Report) -> list[str]:
     ]
     if people.beside or people.ahead:
         text = _(
-            "With people each bench is {beside} m wider on both sides, and the head's bench {ahead} m "
-            "longer in front, straight on."
+            "With people each bench is {beside} m wider on both sides, and that of the head longer by "
+            "{ahead} m in front, straight on."
         )
         lines.append(text.format(beside=number(people.beside), ahead=number(people.ahead)))
     return [*lines, *(_bracketed(level) for level in report.room)]
