@@ -41,7 +41,8 @@ class Dance:
 
     walk: Walk
     duration: float
-    tightest: float  # no radius of curvature of the route is shorter, m
+    # No radius of curvature of the route is shorter, m, nor the way on which one grows by as much.
+    tightest: float
 
     @property
     def curves(self) -> list[AnyCurve]:
@@ -66,6 +67,8 @@ def dances(draw: st.DrawFn) -> Dance:
     bend = draw(st.floats(-1.0, 1.0)) / widest
     assume(abs(bend) * widest > 0.02)
     opened = bend * draw(st.floats(0.05, 1.0))
+    opening = draw(st.floats(0.5, 15.0))
+    growth = (1.0 / abs(opened) - 1.0 / abs(bend)) / opening
     last = draw(st.floats(-1.0, 1.0)) / widest
     pitch = draw(st.floats(0.5, 3.0))
     near = widest + pitch + draw(st.floats(0.0, 10.0))
@@ -81,7 +84,7 @@ def dances(draw: st.DrawFn) -> Dance:
             first,
             Clothoid(draw(st.floats(0.5, 15.0)), 0.0, bend),
             Arc(1.0 / abs(bend), math.copysign(draw(st.floats(0.1, 5.0)), bend)),
-            LogSpiral(draw(st.floats(0.5, 15.0)), bend, opened),
+            LogSpiral(opening, bend, opened),
             Clothoid(draw(st.floats(0.5, 15.0)), opened, last),
             Line(draw(st.floats(0.5, 20.0))),
             Spiral.between(pitch, start, end, mirrored=draw(st.booleans())),
@@ -90,7 +93,8 @@ def dances(draw: st.DrawFn) -> Dance:
     speeds = draw(st.floats(0.2, 2.0)), draw(st.floats(0.2, 2.0))
     duration = 2.0 * route.length / sum(speeds)
     profile = SpeedProfile((0.0, duration), speeds)
-    return Dance(Walk(dragon, route, profile), duration * (1.0 - 1e-12), widest)
+    tightest = widest / max(1.0, growth)
+    return Dance(Walk(dragon, route, profile), duration * (1.0 - 1e-12), tightest)
 
 
 shares = st.lists(st.floats(0.0, 1.0), min_size=2, max_size=8)

@@ -44,7 +44,7 @@ ENGLISH = re.compile(r"[A-Za-z]{3,} [a-z]{3,} [a-z]{3,}")
 
 
 # A picture laid on a page of the PDF: where its lower left corner is.
-DRAWN = re.compile(r"1 0 0 1 ([\d.]+) ([\d.]+) cm /Drawn\d+ Do Q")
+DRAWN = re.compile(r"1\.0+ 0 0 1\.0+ ([\d.]+) ([\d.]+) cm /Drawn\d+ Do Q")
 # Of a page's height, so much at most is empty below what stands on it.
 EMPTY = 0.4
 
