@@ -137,7 +137,7 @@ CASES: dict[str, Case] = {
     "new --carry": Case(PROPOSED, ["--carry", "under"]),
     "new --speed": Case(PROPOSED, ["--speed", "0.5"]),
     "new --most-speed": Case(PROPOSED, ["--most-speed", "1.2"]),
-    "new --kind": Case(PROPOSED, ["--kind", "turn"]),
+    "new --kind": Case(PROPOSED, ["--kind", "spiral-in"]),
     "new --roster": Case(PROPOSED, ["--roster", "names.csv"]),
     "new --force": Case(PROPOSED, ["--force"], PROPOSED),
     "formations --json": Case(["formations"], ["--json"]),
