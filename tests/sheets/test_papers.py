@@ -65,6 +65,22 @@ def test_an_option_of_the_chalk_plan_has_an_effect(here: Path, added: list[str])
     assert come(here, "--only", "chalk", *added) != come(here, "--only", "chalk")
 
 
+@pytest.mark.parametrize(
+    ("paper", "added", "said"),
+    [
+        ("overview", ["--night"], "--night goes with benches alone"),
+        ("chalk", ["--phones"], "--phones goes with benches / overview alone"),
+        ("benches", ["--scale", "1:200"], "--scale goes with chalk alone"),
+    ],
+)
+def test_an_option_of_papers_that_are_not_written_is_refused(
+    here: Path, paper: str, added: list[str], said: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["sheets", "ours.dragon.toml", "--only", paper, *added]) == 2
+    assert said in capfd.readouterr().err
+    assert not (here / "sheets").exists()
+
+
 def test_quiet_is_silent(here: Path, capfd: pytest.CaptureFixture[str]) -> None:
     village(here, PLAN.replace("address", "# address"))
     assert run(["sheets", "ours.dragon.toml", *BENCHES, "--check"]) == 0

@@ -1,5 +1,6 @@
 """The verb `sheets`: all papers of a dance that was checked."""
 
+from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -9,7 +10,14 @@ import click
 from benchdragon.cli.answers import UNDECIDED, UNSAFE
 from benchdragon.cli.check import print_report
 from benchdragon.cli.console import print_files, shown_progress
-from benchdragon.cli.options import folder_option, plan_options, plan_to_walk, shared_options
+from benchdragon.cli.options import (
+    WITHOUT,
+    folder_option,
+    plan_options,
+    plan_to_walk,
+    refuse_strays,
+    shared_options,
+)
 from benchdragon.cli.parsing import parse_length, parse_scale
 from benchdragon.errors import finite
 from benchdragon.i18n import N_, _
@@ -17,6 +25,13 @@ from benchdragon.progress import part
 
 if TYPE_CHECKING:
     from benchdragon.sheets.options import ChalkOptions
+
+# Options by the papers that they speak of.
+SPEAK_OF = {
+    ("benches",): ("paper", "by", "night"),
+    ("benches", "overview"): ("phones",),
+    ("chalk",): ("every", "peg", "scale", "paper_size"),
+}
 
 
 @click.command(
@@ -85,6 +100,7 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     from benchdragon.sheets.papers import chosen_papers, planned_papers, write_papers
 
     names = chosen_papers(options["only"])
+    _refuse_strays(names)
     path, folder = record_path(plan), options["output"]
     read = plan_to_walk(plan, settings, quiet)
     roster = roster_of(read)
@@ -106,6 +122,17 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
         return UNSAFE if report.decided else UNDECIDED
     print_files(files)
     return 0
+
+
+def _refuse_strays(names: Sequence[str]) -> None:
+    """Refuse options that speak of papers which are not written."""
+    refuse_strays(
+        *(
+            (option, any(paper in names for paper in papers), WITHOUT, " / ".join(papers))
+            for papers, options in SPEAK_OF.items()
+            for option in options
+        )
+    )
 
 
 def _chalk_options(options: dict[str, Any]) -> "ChalkOptions":
