@@ -1,18 +1,19 @@
 """When the head and the tail pass each place of a dance."""
 
-import itertools
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import partial
 from typing import Literal
 
 import numpy as np
+import shapely
+from scipy.optimize import minimize_scalar
+from shapely.geometry.base import BaseGeometry
 
 from benchdragon.analysis.findings import named
 from benchdragon.i18n import _, language
-from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.obstacle import Obstacle
+from benchdragon.model.outline import shape_of
 from benchdragon.model.walk import Walk
 from benchdragon.plans.cues import TIME_OF_DAY, Moment
 from benchdragon.plans.schema import Plan
@@ -113,10 +114,10 @@ def _beside(plan: Plan, walk: Walk, span: tuple[float, float]) -> Iterator[Passi
                 name = _("entrance of {name}").format(name=named(obstacle))
                 yield _passing(walk, span, "entrance", name, s)
         else:
-            away = _distance(obstacle, points)
-            n = int(np.argmin(away))
-            low, high = looks[max(n - 1, 0)], looks[min(n + 1, count - 1)]
-            s = _lowest(partial(_away, walk, obstacle), float(low), float(high))
+            shape = shape_of(obstacle)
+            n = int(np.argmin(shapely.distance(shape, shapely.points(points))))
+            about = float(looks[max(n - 1, 0)]), float(looks[min(n + 1, count - 1)])
+            s = _nearest(walk, shape, about)
             name = _("nearest to {name}").format(name=named(obstacle))
             yield _passing(walk, span, "obstacle", name, s)
 
@@ -132,33 +133,13 @@ def _entered(walk: Walk, venue: Obstacle, out: float, within: float) -> float:
     return within
 
 
-def _away(walk: Walk, obstacle: Obstacle, s: float) -> float:
-    return float(_distance(obstacle, walk.route.point([s]))[0])
+def _nearest(walk: Walk, shape: BaseGeometry, about: tuple[float, float]) -> float:
+    """Where the route comes nearest to a shape between two route positions, m."""
 
+    def away(s: float) -> float:
+        return float(shapely.distance(shape, shapely.Point(walk.route.point([s])[0])))
 
-def _distance(obstacle: Obstacle, points: FloatArray) -> FloatArray:
-    """How far points, (P, 2), lie from an obstacle's outline, or of a circle from its centre, m."""
-    corners = obstacle.outline
-    if obstacle.kind == "circle":
-        return np.asarray(np.hypot(*(points - corners[0]).T))
-    ends = corners if obstacle.kind == "line" else np.vstack([corners, corners[:1]])
-    least = np.full(len(points), np.inf)
-    for a, b in itertools.pairwise(ends):
-        share = np.clip((points - a) @ (b - a) / max(float((b - a) @ (b - a)), 1e-18), 0.0, 1.0)
-        least = np.minimum(least, np.hypot(*(points - a - share[:, np.newaxis] * (b - a)).T))
-    return least
-
-
-def _lowest(value: Callable[[float], float], low: float, high: float) -> float:
-    """Where a function with one low point between two places has it, to NEAR."""
-    golden = 0.5 * (math.sqrt(5.0) - 1.0)
-    while high - low > NEAR:
-        a, b = high - golden * (high - low), low + golden * (high - low)
-        if value(a) <= value(b):
-            high = b
-        else:
-            low = a
-    return 0.5 * (low + high)
+    return float(minimize_scalar(away, bounds=about, method="bounded", options={"xatol": NEAR}).x)
 
 
 def clock_text(clock: str, start: float, time: float) -> str:
