@@ -2,7 +2,7 @@
 
 What is asked for is a dance that can be walked, not the best one: sizes come from the searches of this
 room, rounded up, and what is proposed passes the same check as any plan. Bearers are counted as benches
-so wide, and a head so long, that they have room (`with_room`).
+so wide, and a head so long, that they have room (`room.with_people`).
 """
 
 import math
@@ -14,6 +14,7 @@ import numpy as np
 import shapely
 
 from benchdragon.analysis.check import Report, check
+from benchdragon.analysis.room import with_people
 from benchdragon.analysis.swept import swept_area
 from benchdragon.errors import InputError, UnsureError, WalkError
 from benchdragon.i18n import N_, _, both
@@ -34,6 +35,8 @@ NAME = "benchdragon new"
 SHOULDERS, ELBOWS, AHEAD, SWAY, IMPRECISION = 0.5, 0.5, 0.5, 0.05, 0.1
 # Asked for beyond that, m: between benches, and from the edge of the square.
 MARGIN, VENUE_MARGIN = 0.05, 0.5
+# What two benches with their bearers then keep from one another, m: each of them sways and strays.
+BETWEEN = MARGIN + 2.0 * (SWAY + IMPRECISION)
 MOST_BENCHES, MOST_BEARERS = 500, 8
 # Sizes are proposed in decimetres, speeds in steps of 5 cm/s: nobody lays them out finer.
 SIZE_STEP, SPEED_STEP = 0.1, 0.05
@@ -47,6 +50,8 @@ ENOUGH = 60
 ROUNDS: dict[Kind, tuple[float, ...]] = {"turn": (1.0, 0.5, 0.0), "spiral-in": (2.0, 1.0, 0.5)}
 # The ground is drawn to this, m; a round square has so many corners; angles of the dance, degrees.
 DRAWN, CORNERS, ANGLES = 0.02, 90, 180
+# Sizes of a bench, in the order of `Dragon.sizes`.
+SIZES = ("length", "width", "front_inset", "rear_inset")
 TITLE = N_("{benches} benches on our square")
 
 
@@ -166,26 +171,6 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
     return _too_small(wishes, min(smallest, key=lambda dance: _radius(dance.ground)))
 
 
-def with_room(plan: Plan) -> Plan:
-    """The plan with benches as large as they are with their bearers, and their margins with them."""
-    people, limits, dragon = plan.people, plan.limits, plan.dragon
-    sides = {"width": dragon.width + 2.0 * people.beside, "rear_inset": dragon.rear_inset}
-    head = {
-        "length": dragon.head_length + people.ahead,
-        "front_inset": dragon.front_inset + people.ahead,
-    }
-    body = {"length": dragon.body_length, "front_inset": dragon.front_inset}
-    body["count"] = dragon.benches - 1
-    more = people.sway + people.imprecision
-    data = plan.data()
-    data["dragon"] = {"bench": [{**sides, **head}, {**sides, **body}]}
-    data["limits"]["margin"] = limits.margin + 2.0 * more  # each of two benches sways and strays
-    if limits.venue_margin is not None:
-        data["limits"]["venue_margin"] = limits.venue_margin + more
-    del data["people"]
-    return checked(data, NAME)
-
-
 def _refuse(wishes: Wishes) -> None:
     """Refuse what cannot be before anything is computed."""
     if not 2 <= wishes.benches <= MOST_BENCHES:
@@ -240,7 +225,7 @@ def _sized(wishes: Wishes, kind: Kind) -> Plan | None:
     link = max(wishes.length, wishes.head_length) - 2.0 * wishes.inset
     wide = wishes.width + 2.0 * wishes.beside
     dragon = wishes.benches * (wishes.length - 2.0 * wishes.inset) / math.pi
-    first = (wide + MARGIN + 2.0 * (SWAY + IMPRECISION)) * (2.0 if kind == "turn" else 1.0)
+    first = (wide + BETWEEN) * (2.0 if kind == "turn" else 1.0)
     least, best = math.inf, None
     for share in DISCS:
         disc = _up(share * max(link, wide), SIZE_STEP)
@@ -258,11 +243,17 @@ def _sized(wishes: Wishes, kind: Kind) -> Plan | None:
 
 def _trial(wishes: Wishes, kind: Kind, pitch: float, disc: float) -> Plan:
     """A plan of benches with their room, for searches of sizes."""
-    plan = checked(_data(wishes, kind, pitch, disc), NAME)
-    plan.dragon.build()  # says what is wrong with benches as the village has them
+    data = _data(wishes, kind, pitch, disc)
+    plan = checked(data, NAME)
+    # Building says what is wrong with benches as the village has them.
+    head, body, *_others = with_people(plan.dragon.build(), plan.people).sizes.T.tolist()
+    sizes = [dict(zip(SIZES, bench, strict=True)) for bench in (head, body)]
+    data["dragon"] = {"bench": [sizes[0], sizes[1] | {"count": wishes.benches - 1}]}
+    data["limits"]["margin"] = BETWEEN
     if kind == "spiral-in":
-        plan = plan.with_value("route.start_turn", disc / pitch + 6.0)
-    return with_room(plan)
+        data["route"]["start_turn"] = disc / pitch + 6.0
+    del data["people"]
+    return checked(data, NAME)
 
 
 def _pitch(wishes: Wishes, kind: Kind, first: float, disc: float) -> float:
@@ -284,9 +275,9 @@ def _dances(wishes: Wishes, sized: Plan, rounds_walked: Sequence[float]) -> Iter
     for rounds in rounds_walked:
         try:
             plan = _begun(_steady(wishes, sized, rounds), rounds)
-            wide = with_room(plan)
-            walk = wide.build()
-            region = swept_area(walk, *wide.span(walk), error=DRAWN).polygon
+            walk = plan.build()
+            wide = replace(walk, dragon=with_people(walk.dragon, plan.people))
+            region = swept_area(wide, *plan.span(walk), error=DRAWN).polygon
         except (WalkError, UnsureError, PlanError):
             continue
         yield _Dance(plan, shapely.get_coordinates(region.convex_hull))
