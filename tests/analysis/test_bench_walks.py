@@ -241,3 +241,23 @@ def test_a_short_stretch_is_joined_to_the_longer_neighbour() -> None:
     assert _followed(pieces, 3.9) == [pieces[0], pieces[2]]
     assert _followed(pieces[:2], 2.5) == pieces[:1]
     assert _followed(pieces[1:2], 2.1) == pieces[1:2]
+
+
+def test_thresholds_that_are_met_just_when_speeds_are_looked_at_are_told_then() -> None:
+    """Times of the knots and thresholds lie on the grid: neither end of a bracket is past its root."""
+    plan = checked(
+        {
+            "schema": 1,
+            "dragon": {"benches": 2},
+            "route": {"kind": "parts", "part": [{"kind": "line", "length": 80}]},
+            "walk": {"profile": [[0, 0], [8, 2], [16, 0], [20, 0]], "position": 20, "end": 20},
+            "people": {"hurry_from": 1.0, "run_from": 1.5},
+        },
+        "even",
+    )
+    walk = plan.build()
+    for bench in bench_walks(plan, walk, plan.span(walk)):
+        paces = [one.pace for one in bench.stretches]
+        assert paces == ["walk", "hurry", "run", "hurry", "walk", "wait"]
+        starts = [one.start for one in bench.stretches]
+        assert starts == pytest.approx([0.0, 4.0, 6.0, 10.0, 12.0, 15.8], abs=1e-6)

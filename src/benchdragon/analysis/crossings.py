@@ -5,15 +5,15 @@ from dataclasses import dataclass, fields
 from typing import Self
 
 import numpy as np
+from scipy.optimize.elementwise import find_root
 
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray, positions
 from benchdragon.model.placement import Placement
 from benchdragon.model.walk import SLICE_PLACES, Motion, Walk
 
-# How exactly crossings are timed, s; a bracket is halved every so many steps, and interpolated else.
-TOLERANCE, HALVED = 1e-6, 3
-MOST_STEPS = 100
+# How exactly crossings are timed, s.
+TOLERANCE = 1e-6
 
 
 @dataclass(frozen=True)
@@ -63,16 +63,13 @@ def crossings(walk: Walk, motion: Motion, places: FloatArray, gates: FloatArray)
     s, speed = motion.s[:, :-1], motion.speed[:, :-1]
     told = [_passed(s, places, 1), _passed(speed, gates, 0)]
     step, handle, bend, new, aim = (np.concatenate(column) for column in zip(*told, strict=True))
-    seen = np.where(bend == 1, s[step, handle], speed[step, handle]) - aim
-    after = np.where(bend == 1, s[step + 1, handle], speed[step + 1, handle]) - aim
     low, high = motion.times[step], motion.times[step + 1]
     out = np.empty((3, len(step)))
     per = max(SLICE_PLACES // (len(walk.dragon) + 1), 1)
     order = np.argsort(handle, kind="stable")
     for first in range(0, len(order), per):
         some = order[first : first + per]
-        bracket = np.array([low[some], high[some], seen[some], after[some]])
-        out[:, some] = _roots(walk, handle[some], bend[some] == 1, aim[some], bracket)
+        out[:, some] = _roots(walk, handle[some], bend[some], aim[some], (low[some], high[some]))
     time, place, fast = out
     return Crossings(handle, time, place, fast, bend, new)
 
@@ -97,33 +94,18 @@ def _passed(
 def _roots(
     walk: Walk,
     handle: IntArray,
-    bend: "np.typing.NDArray[np.bool_]",
+    bend: IntArray,
     aim: FloatArray,
-    bracket: FloatArray,
+    bracket: tuple[FloatArray, FloatArray],
 ) -> FloatArray:
-    """Time, s, route position, m, and speed, m/s, of crossings, (3, n).
+    """Time, s, route position, m, and speed, m/s, of crossings between two times each, (3, n)."""
 
-    `bracket` holds times before and after, and by how much what passes its aim is off then: regula
-    falsi with halvings (Illinois).
-    """
-    low, high, below, above = bracket
-    out = np.empty((3, len(aim)))
-    left: IntArray = np.flatnonzero(high >= low)
-    for step in range(MOST_STEPS):
-        if not left.size:
-            break
-        a, b, f, g = low[left], high[left], below[left], above[left]
-        with np.errstate(invalid="ignore", divide="ignore"):
-            guess = b - g * (b - a) / (g - f)
-        middle = 0.5 * (a + b)
-        inside = (guess > a) & (guess < b) & (step % HALVED != HALVED - 1)
-        out[:, left] = _states(walk, handle[left], np.where(inside, guess, middle))
-        off = np.where(bend[left], out[1, left], out[2, left]) - aim[left]
-        same = (off < 0.0) == (f < 0.0)
-        low[left], below[left] = np.where(same, out[0, left], a), np.where(same, off, 0.5 * f)
-        high[left], above[left] = np.where(same, b, out[0, left]), np.where(same, 0.5 * g, off)
-        left = left[(high[left] - low[left] > TOLERANCE) & (off != 0.0)]
-    return out
+    def off(times: FloatArray, handle: IntArray, bend: IntArray, aim: FloatArray) -> FloatArray:
+        _times, s, speed = _states(walk, handle, times)
+        return np.asarray(np.where(bend == 1, s, speed) - aim)
+
+    found = find_root(off, bracket, args=(handle, bend, aim), tolerances={"xatol": TOLERANCE})
+    return _states(walk, handle, found.x)
 
 
 def _states(walk: Walk, handle: IntArray, times: FloatArray) -> FloatArray:
