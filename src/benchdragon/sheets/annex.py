@@ -13,6 +13,7 @@ from benchdragon.analysis.stops import stops_of, stops_text
 from benchdragon.export.document import Block, Document, Heading, Paragraph, Picture, say
 from benchdragon.export.pages import write_pdf
 from benchdragon.figures.area import AreaDrawing, page_picture
+from benchdragon.figures.glyphs import printable
 from benchdragon.figures.style import write_picture
 from benchdragon.i18n import LANGUAGES, N_, _, language, spoken_in
 from benchdragon.progress import Progress, part, silent
@@ -34,6 +35,7 @@ from benchdragon.sheets.annex_tables import (
     swept_table,
 )
 from benchdragon.sheets.briefing import Briefing
+from benchdragon.sheets.timetable import times_text
 from benchdragon.version import __version__
 
 # Blank lines under a heading that the program knows nothing of.
@@ -78,13 +80,13 @@ def write_annex(folder: Path, briefing: Briefing, progress: Progress = silent) -
 def annex_document(facts: AnnexFacts, folder: Path) -> Document:
     """The annex in the language in use; its picture is put into a folder."""
     briefing = facts.briefing
-    title = _("Permit annex: {title}").format(title=briefing.plan.title(language()) or BLANK)
+    title = _("Permit annex: {title}").format(title=printable(briefing.plan.title(language())) or BLANK)
     blocks = (
         *_basics(facts), *_dance(facts), *_ground(facts, folder), *_timetable(facts), *_people(facts),
         *_clearances(facts), *_speeds(facts), *_posts(facts), *_chance(facts), *_by_hand(),
         *_limits(facts), *_version(facts),
     )  # fmt: skip
-    return Document(title, language(), briefing.checked_on, blocks)
+    return Document(title, language(), briefing.checked_on, blocks, briefing.foot)
 
 
 def _basics(facts: AnnexFacts) -> Iterator[Block]:
@@ -152,11 +154,7 @@ def _ground(facts: AnnexFacts, folder: Path) -> Iterator[Block]:
 def _timetable(facts: AnnexFacts) -> Iterator[Block]:
     report = facts.briefing.report
     yield Heading(_("Timetable"), "timetable")
-    clock = facts.briefing.plan.cues.clock
-    if clock:
-        yield say(_("Times are times of day; the dance starts at {clock}."), clock=clock)
-    else:
-        yield say(_("Times are minutes and seconds, as the plan counts them."))
+    yield say(times_text(facts.briefing.plan))
     yield Paragraph((stops_text(stops_of(report.walk, report.start, report.end)),))
     yield passing_table(facts)
 

@@ -10,6 +10,7 @@ from benchdragon.analysis.stops import stops_of, stops_text
 from benchdragon.analysis.timetable import Passing, clock_text, timetable
 from benchdragon.export.document import Document, Heading, Paragraph, Table, say
 from benchdragon.export.pages import write_pdf
+from benchdragon.figures.glyphs import printable
 from benchdragon.files import whole_bytes
 from benchdragon.i18n import _, language
 from benchdragon.plans.schema import Plan
@@ -48,20 +49,22 @@ def timetable_document(briefing: Briefing) -> Document:
     report, plan = briefing.report, briefing.plan
     rows = [cells(plan, row, report.start) for row in passings_of(briefing)]
     score = score_of(plan, report.start, report.end)
-    clock = plan.cues.clock
-    told = _("Times are times of day; the dance starts at {clock}.").format(clock=clock)
-    if not clock:
-        told = _("Times are minutes and seconds, as the plan counts them.")
-    title = plan.title(language()) or _("Timetable")
+    title = printable(plan.title(language())) or _("Timetable")
     blocks = (
         Heading(_("Timetable"), "timetable"),
-        say(told),
+        say(times_text(plan)),
         Paragraph((stops_text(stops_of(report.walk, report.start, report.end)),)),
         Paragraph((_("Drum: {tempo}.").format(tempo=tempo_text(plan, score)),)),
         Table("timetable", _("When head and tail pass"), columns(), WIDTHS, tuple(rows), numbers=True),
-        Paragraph((briefing.foot,)),
     )
-    return Document(title, language(), briefing.checked_on, blocks)
+    return Document(title, language(), briefing.checked_on, blocks, briefing.foot)
+
+
+def times_text(plan: Plan) -> str:
+    """What times of the timetable are, in the language in use."""
+    if not plan.cues.clock:
+        return _("Times are minutes and seconds, as the plan counts them.")
+    return _("Times are times of day; the dance starts at {clock}.").format(clock=plan.cues.clock)
 
 
 def write_timetable_pdf(path: Path, briefing: Briefing) -> None:
