@@ -132,10 +132,19 @@ def test_handles_keep_their_order_along_the_route(dance: Dance) -> None:
 
 @given(dances())
 def test_every_handle_stays_on_the_route(dance: Dance) -> None:
+    placed = dance.walk.placement(np.linspace(0.0, dance.walk.route.length, 16))
+    rows, us, xs, ys = (table.ravel() for table in placed.tables)
+    for j, u, x, y in zip(rows, us, xs, ys, strict=True):
+        there = place(dance.walk.route.rows, int(j), float(u))
+        assert math.hypot(there[0] - x, there[1] - y) <= 1e-12
+
+
+@given(dances())
+def test_route_positions_are_those_of_the_handles(dance: Dance) -> None:
     motion = dance.motion()
     points = dance.walk.route.point(motion.s)
     # Route positions are rounded: at 4 km neighbouring doubles are 9e-13 m apart.
-    rounding = 1e-12 + 1e-15 * dance.walk.route.length
+    rounding = 1e-12 + np.spacing(dance.walk.route.length)
     assert np.hypot(points[..., 0] - motion.x, points[..., 1] - motion.y).max() <= rounding
 
 
