@@ -62,7 +62,7 @@ def score_of(plan: Plan, start: float, end: float) -> Score:
     if tempo is None:
         tempo = min(max(60.0 * _pace(plan) / plan.people.step, SLOWEST), FASTEST)
     runs: list[Run] = []
-    since, period, counting = start, 60.0 / tempo, 0.0
+    since, period = start, 60.0 / tempo
     moments = plan.moments()
     for one in (one for one in moments if start <= one.time <= end):
         if one.cue.kind == "tempo" and one.cue.tempo is not None:
@@ -73,8 +73,7 @@ def score_of(plan: Plan, start: float, end: float) -> Score:
             if since < one.time:
                 runs.append(Run(since, one.time, period, bar, False))
             since = min(one.until, end)
-            counting = one.time
-            counted = min(bar, math.floor((one.until - counting) / period)) if one.until < end else 0
+            counted = min(bar, math.floor((one.until - one.time) / period)) if one.until < end else 0
             if counted:
                 runs.append(Run(one.until - counted * period, one.until, period, bar, True))
     if since < end:

@@ -9,6 +9,7 @@ import numpy as np
 from fpdf import FPDF
 from shapely.geometry import LineString
 
+from benchdragon.figures.scale import corners_of
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.obstacle import Obstacle
@@ -77,10 +78,7 @@ class SmallMap:
     @cached_property
     def bounds(self) -> tuple[FloatArray, FloatArray]:
         """The lower left and the upper right corner of all that is shown, m."""
-        corners = [self._way[1]]
-        for one in self._obstacles:
-            corners += [one.outline - one.radius, one.outline + one.radius]
-        points = np.concatenate(corners)
+        points = np.concatenate([self._way[1], *map(corners_of, self._obstacles)])
         return points.min(axis=0), points.max(axis=0)
 
     def draw(self, pdf: FPDF, frame: Frame, benches: Sequence[int], names: Sequence[str]) -> None:
