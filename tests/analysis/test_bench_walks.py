@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from shapely import Polygon
 
+from benchdragon.analysis.bench_nearness import STRAIGHT
 from benchdragon.analysis.bench_walks import (
     SHORTEST,
     STEP,
@@ -19,8 +20,9 @@ from benchdragon.analysis.bench_walks import (
 from benchdragon.analysis.distance import boxes
 from benchdragon.kernels.box import corner
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.curves import Line, Route
 from benchdragon.model.walk import Walk
-from benchdragon.plans.schema import Plan, checked
+from benchdragon.plans.schema import checked
 
 # A line, a bend to the left, an S of clothoids that changes its side within a part, and a stop.
 PLAN = checked(
@@ -131,8 +133,8 @@ def test_places_headings_and_who_is_before_and_behind(walk: Walk, told: tuple[Be
 COIL = checked(
     {
         "schema": 1,
-        "dragon": {"benches": 24, "head_length": 2.2},
-        "route": {"kind": "spiral-in", "pitch": 1.1, "start_turn": 5},
+        "dragon": {"benches": 54, "head_length": 2.2},
+        "route": {"kind": "spiral-in", "pitch": 1.5, "start_turn": 4},
         "walk": {"end": 45},
     },
     "test",
@@ -153,14 +155,24 @@ def test_the_tightest_moment_is_bracketed_and_no_one_comes_nearer(
     shapes = [outlines(walk, float(t)) for t in motion.times]
     for bench in told[::4]:
         k = bench.bench - 1
-        seen = min(shape[k].distance(shape[j]) for shape in shapes for j in range(24) if abs(j - k) > 1)
+        others = of_another_coil(walk, k)
+        seen = min(shape[k].distance(shape[j]) for shape in shapes for j in others)
         near = bench.tightest
         assert near is not None
+        assert near.bench - 1 in others
         assert near.lower <= seen + 1e-9
         assert near.upper <= seen + 1e-3
         then = outlines(walk, near.time)
         assert then[k].distance(then[near.bench - 1]) == pytest.approx(near.upper, abs=1e-6)
         assert near.upper - near.lower < 0.35
+
+
+def of_another_coil(walk: Walk, k: int) -> list[int]:
+    """The rows of benches that are farther than STRAIGHT from one where the dragon stands on a line."""
+    line = Walk(walk.dragon, Route((Line(200.0),)))
+    table = boxes(line.placement([190.0]), 0)
+    shapes = [Polygon([corner(table, j, n) for n in range(4)]) for j in range(len(table))]
+    return [j for j, shape in enumerate(shapes) if shape.distance(shapes[k]) > STRAIGHT]
 
 
 def outlines(walk: Walk, time: float) -> list[Polygon]:
@@ -202,9 +214,8 @@ def test_what_is_known_to_be_kept_narrows_the_bracket(
 
 
 def test_nobody_near_is_said_so(walk: Walk) -> None:
-    straight: Plan = PLAN.with_values({"walk.end": 3.0})
-    told = bench_walks(straight, walk, (0.0, 3.0))
-    assert [bench.tightest for bench in told[4:7]] != [None] * 3  # the next but one is a bench away
+    told = bench_walks(PLAN, walk, (0.0, 3.0))  # on the line, where the next but one is a bench away
+    assert [bench.tightest for bench in told] == [None] * 9
     short = checked(
         {**COIL.model_dump(by_alias=True, exclude_unset=True), "dragon": {"benches": 2}}, "test"
     )
@@ -230,7 +241,7 @@ def test_the_bracket_holds_when_looked_at_seldom(monkeypatch: pytest.MonkeyPatch
     shapes = [outlines(walk, float(t)) for t in motion.times]
     for bench in bench_walks(PLAN, walk, PLAN.span(walk)):
         k = bench.bench - 1
-        seen = min(shape[k].distance(shape[j]) for shape in shapes for j in range(9) if abs(j - k) > 1)
+        seen = min(shape[k].distance(shape[j]) for shape in shapes for j in of_another_coil(walk, k))
         assert bench.tightest is not None
         assert bench.tightest.lower <= seen + 1e-9
 

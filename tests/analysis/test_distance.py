@@ -155,6 +155,23 @@ def test_uneven_benches_find_their_nearest() -> None:
         np.testing.assert_array_equal(distance[t], by_brute_force(boxes(motion, t), 1.0)[1])
 
 
+def test_benches_that_are_near_in_a_straight_line_are_left_out() -> None:
+    rng = np.random.default_rng(6)
+    dragon = Dragon.of_sizes(rng.uniform(0.8, 4.0, 60), rng.uniform(0.1, 0.9, 60), 0.2, 0.1)
+    line = boxes(Walk(dragon, Route((Line(200.0),))).placement([190.0]), 0)
+    lined = by_brute_force(line, 0.0)[0]
+    motion = Walk(dragon, Route((Spiral(0.9, 40.0, 5.0),))).motion([0.0, 20.0])
+    for straight in (0.5, 2.0, 6.0):
+        distance, partner = nearest_each(motion, 1.0, straight)
+        for t in range(2):
+            apart = by_brute_force(boxes(motion, t), 1.0)[0]
+            least = np.where(lined > straight, apart, math.inf).min(axis=1)
+            np.testing.assert_array_equal(distance[t], np.where(least <= 1.0, least, math.inf))
+            near = np.flatnonzero(partner[t])
+            np.testing.assert_array_equal(apart[near, partner[t, near] - 1], least[near])
+    assert (nearest_each(motion, 1.0, 6.0)[0] > nearest_each(motion, 1.0)[0]).any()
+
+
 def test_who_does_not_stand_has_no_nearest() -> None:
     distance, partner = nearest_each(SPIRAL.motion([0.0, 900.0], throw=False))
     assert np.isfinite(distance[0]).all()

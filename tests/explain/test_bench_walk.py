@@ -94,16 +94,20 @@ def test_the_tightest_moment_and_the_neighbours_have_the_names_that_the_village_
         one_bench(stretch(10.0, 90.0, "left", "walk")), tightest=near, before=1, left=9, right=3
     )
     text = text_of(plan, bench)
-    assert text.tightest == "Tightest at 1:05: qiao 2 comes as near as 27 cm, on your left."
+    assert text.tightest == (
+        "Tightest at 1:05: qiao 2, in another coil, comes as near as 27 cm, on your left."
+    )
     assert text.people == (
         "Before you: the head.", "Behind you: qiao 5.", "At the end on your left: the tail.",
         "At the end on your right: qiao 2.",
     )  # fmt: skip
     alone = replace(bench, tightest=None, before=None, behind=None, left=None, right=None)
-    assert "no bench comes nearer to you than 1.5 m" in text_of(plan, alone).tightest
+    assert text_of(plan, alone).tightest == "No bench of another coil comes within about 1.5 m of you."
     assert text_of(plan, alone).people == ()
     with spoken_in("zh"):
-        assert re.fullmatch(r"1:05 最挤：.+在你左边，只隔 27 厘米。", text_of(plan, bench).tightest)
+        assert re.fullmatch(
+            r"1:05 最挤：另一圈的.+在你左边，只隔 27 厘米。", text_of(plan, bench).tightest
+        )
 
 
 def test_thresholds_are_those_of_the_plan(told: tuple[BenchWalk, ...]) -> None:

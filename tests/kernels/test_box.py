@@ -122,8 +122,21 @@ def test_nearest_each_sees_overlaps_and_leaves_out_neighbours() -> None:
     y = np.zeros_like(x)
     distance, partner = np.full((2, 4), np.nan), np.zeros((2, 4), dtype=np.int64)
     for t in range(2):
-        nearest_each(sizes, x, y, t, 1.0, distance, partner)
+        nearest_each(sizes, x, y, t, 1.0, -math.inf, distance, partner)
     assert distance[0] == pytest.approx([-0.2, 0.0, 0.0, -0.2])
     assert partner[0].tolist() == [3, 3, 0, 0]
     assert distance[1] == pytest.approx([1.0, 1.0, 1.0, 1.0])
     assert partner[1].tolist() == [2, 3, 0, 1]
+
+
+def test_nearest_each_leaves_out_those_that_are_near_in_a_straight_line_too() -> None:
+    """Benches of many insets, folded up; in a line they end at 1, 2.4, 3.05 and 4.15, and the last two
+    start at 2.05 and 2.65."""
+    sizes = np.array([[1.0, 2.0, 1.0, 1.5], [0.2] * 4, [0.0, 0.5, 0.1, 0.2], [0.1, 0.25, 0.2, 0.0]])
+    x = np.array([[0.0, -0.9, 0.35, -0.35, 0.95]]).T
+    y = np.zeros_like(x)
+    for straight, benches in [(0.2, [0, 1, 2, 3]), (1.04, [0, 2, 3]), (1.06, [0, 3]), (1.66, [])]:
+        distance, partner = np.full((1, 4), np.nan), np.zeros((1, 4), dtype=np.int64)
+        nearest_each(sizes, x, y, 0, 1.0, straight, distance, partner)
+        assert np.flatnonzero(partner[0] >= 0).tolist() == benches
+        assert np.flatnonzero(np.isfinite(distance[0])).tolist() == benches

@@ -17,6 +17,10 @@ Side = Literal["left", "right", "front", "rear"]
 
 # How far other benches are looked for, m, at all times; and at the end for those beside.
 REACH, BESIDE = 1.5, 1.5
+# Benches farther apart than this, m, in a straight line are of another coil once they come within
+# REACH: nearer than half of that, which takes a bend of more than half a turn. The others are next in
+# line and near at all times, which tells a bearer nothing.
+STRAIGHT = 2.0 * REACH
 # Distances that differ by less than this, m, count as equal: the sooner is told.
 LEVEL = 1e-3
 # How often the time about a least distance is narrowed.
@@ -25,13 +29,13 @@ SHRINKS = 6
 
 @dataclass(frozen=True)
 class Tightest:
-    """When another bench, not a neighbour, comes nearest.
+    """When a bench of another coil comes nearest: one that is farther away than STRAIGHT in a line.
 
     Attributes:
         time: s.
         bench: number of the other.
         side: on which side of this bench it then is.
-        lower: no other bench comes nearer than this at any time, m.
+        lower: no such bench comes nearer than this at any time, m.
         upper: so near that one is then, m.
     """
 
@@ -63,7 +67,7 @@ class TightestSearch:
 
     def look(self, motion: Motion) -> None:
         """Look at the times of a motion; the next begins with the last of them."""
-        distance, partner = nearest_each(motion, REACH)
+        distance, partner = nearest_each(motion, REACH, STRAIGHT)
         known = np.minimum(distance, REACH)
         self._floor = np.minimum(self._floor, self._between(motion, known))
         least = distance.min(axis=0)

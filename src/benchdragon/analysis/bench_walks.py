@@ -63,7 +63,7 @@ class BenchWalk:
         place: where its front handle is when the dance starts, m.
         heading: of the bench then, rad.
         stretches: one after another, from the start of the dance to its end.
-        tightest: None where no other bench comes within the distance looked for.
+        tightest: None where no bench of another coil comes within the distance looked for.
         before: number of the bench before it; None for the head.
         behind: number of the bench behind it; None for the tail.
         left: number of the bench on its left at the end; None where none is near.

@@ -4,6 +4,7 @@ Neighbours share a handle and lie at different heights, so they overlap by const
 pair counts, from |i - j| = 2 on.
 """
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -167,11 +168,14 @@ def pair_distances(placed: Placement, i: int, j: int) -> FloatArray:
     return out
 
 
-def nearest_each(placed: Placement, reach: float = 1.0) -> tuple[FloatArray, IntArray]:
+def nearest_each(
+    placed: Placement, reach: float = 1.0, straight: float = -math.inf
+) -> tuple[FloatArray, IntArray]:
     """Each bench's distance to the nearest bench that is no neighbour, m, and that bench's number.
 
     Both are (T, N). Beyond `reach`, m, they are infinite and 0; the distance is minus the depth where
-    benches overlap, and NaN at times at which the dragon does not stand.
+    benches overlap, and NaN at times at which the dragon does not stand. Only pairs count that are
+    farther apart than `straight`, m, where the whole dragon stands in a straight line.
 
     Raises:
         InputError: for a negative reach.
@@ -181,7 +185,7 @@ def nearest_each(placed: Placement, reach: float = 1.0) -> tuple[FloatArray, Int
     distance, partner = np.full(shape, np.nan), np.full(shape, -1, dtype=np.int64)
     x, y = np.ascontiguousarray(placed.x.T), np.ascontiguousarray(placed.y.T)
     for t in np.flatnonzero(placed.status == Status.OK).tolist():
-        kernel.nearest_each(placed.dragon.sizes, x, y, t, reach, distance, partner)
+        kernel.nearest_each(placed.dragon.sizes, x, y, t, reach, straight, distance, partner)
     return distance, partner + 1
 
 

@@ -40,7 +40,7 @@ class BenchText:
         place: where it starts, a sentence each: chalk coordinates, then steps from a landmark.
         stretches: what it does from when to when, a sentence each.
         paces: from which speeds on one hurries, runs or waits.
-        tightest: when another bench comes nearest.
+        tightest: when a bench of another coil comes nearest.
         people: who is before, behind and beside.
     """
 
@@ -178,11 +178,11 @@ def _stretch_line(one: Stretch, start: float, step: float) -> str:
 
 
 def _tightest_line(near: Tightest | None, start: float, called: Callable[[int], str]) -> str:
-    """When another bench comes nearest, which, on which side and how near."""
+    """When a bench of another coil comes nearest, which, on which side and how near."""
     if near is None:
-        text = _("But for those before and behind you, no bench comes nearer to you than {reach} m.")
+        text = _("No bench of another coil comes within about {reach} m of you.")
         return text.format(reach=f"{REACH:g}")
-    text = _("Tightest at {time}: {bench} comes as near as {gap} cm, {side}.")
+    text = _("Tightest at {time}: {bench}, in another coil, comes as near as {gap} cm, {side}.")
     gap = math.floor(100.0 * near.upper)
     time, side = clock(near.time - start), _(SIDES[near.side])
     return text.format(time=time, bench=called(near.bench), gap=gap, side=side)

@@ -169,6 +169,16 @@ def radii(sizes: FloatArray, out: FloatArray) -> float:
 
 
 @kernel
+def in_a_line(sizes: FloatArray, front: FloatArray, rear: FloatArray) -> None:
+    """Fill in how far behind the head's front hole the ends of each bench lie in a straight line, m."""
+    hole = 0.0
+    for i in range(front.shape[0]):
+        front[i] = hole - sizes[2, i]
+        rear[i] = front[i] + sizes[0, i]
+        hole = rear[i] - sizes[3, i]
+
+
+@kernel
 def centres(boxes: FloatArray, cx: FloatArray, cy: FloatArray) -> None:
     """Fill cx and cy with the centres of the first boxes, m: columns of their own are read faster."""
     for i in range(cx.shape[0]):
@@ -218,12 +228,14 @@ def nearest_each(
     y: Table,
     t: int,
     reach: float,
+    straight: float,
     distance: Table,
     partner: IntTable,
 ) -> None:
     """Fill row t with each bench's least distance to any but itself and its neighbours, and to which.
 
     Beyond `reach`, m, that is infinite and -1; minus the depth inside. x and y are (handles, times).
+    Only pairs count that are farther apart than `straight`, m, where the chain is straight.
     """
     count = sizes.shape[1]
     boxes = np.empty((count, BOX_COLUMNS))
@@ -231,6 +243,8 @@ def nearest_each(
     cx, cy, apart, radius = np.empty(count), np.empty(count), np.empty(count), np.empty(count)
     centres(boxes, cx, cy)
     widest = radii(sizes, radius) + reach
+    front, rear = np.empty(count), np.empty(count)
+    in_a_line(sizes, front, rear)
     for i in range(count):
         distance[t, i], partner[t, i] = math.inf, -1
     for i in range(2, count):
@@ -238,7 +252,7 @@ def nearest_each(
             apart[j] = (cx[j] - cx[i]) ** 2 + (cy[j] - cy[i]) ** 2
         far = (radius[i] + widest) ** 2
         for j in range(i - 1):
-            if apart[j] <= far:
+            if apart[j] <= far and front[i] - rear[j] > straight:
                 most = min(max(distance[t, i], distance[t, j]), reach)
                 near = radius[i] + radius[j] + most
                 if near > 0.0 and apart[j] <= near * near and box_gap(boxes, j, i) <= most:
