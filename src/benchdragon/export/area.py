@@ -91,7 +91,7 @@ def _standing(walk: Walk, start: float, end: float) -> float:
 
 def drawing_of(plan: Plan, swept: SweptArea) -> AreaDrawing:
     """The drawing of an area of a plan, with the plan's title, venue and obstacles."""
-    return AreaDrawing(plan.title(language()), swept, plan.obstacles())
+    return AreaDrawing(plan.title(language()), swept, plan.obstacles(), plan.survey.north)
 
 
 def write_area(

@@ -47,11 +47,13 @@ class AreaDrawing:
         title: of the dance.
         swept: the ground, and the spectators' line.
         obstacles: the venue's edge and what stands in it.
+        north: whether y points north.
     """
 
     title: str
     swept: SweptArea
     obstacles: tuple[Obstacle, ...] = ()
+    north: bool = False
 
     def route(self) -> FloatArray:
         """Points of the route under the benches, m, (n, 2)."""
@@ -98,7 +100,7 @@ def _drawn_on(sheet: Sheet, drawing: AreaDrawing, paper: str, posts: Sequence[Po
         _draw_ground(axes, sheet, drawing)
         _draw_posts(axes, sheet, posts)
         draw_bar(axes, sheet)
-        draw_north(axes, sheet, _("N (y axis)"))
+        draw_north(axes, sheet, _("N (y axis)") if drawing.north else _("y axis"))
         _write_names(axes, sheet, drawing, paper)
         return figure
 

@@ -36,6 +36,11 @@ class SurveyTable(Table):
     unit: Annotated[str, Field(max_length=40)] | None = None
     origin: tuple[Number, Number] | None = None
 
+    @property
+    def north(self) -> bool:
+        """Whether y points north, which a system of coordinates alone tells."""
+        return self.crs is not None
+
     def build(self) -> Survey:
         """The same, checked."""
         return Survey(self.crs, self.unit, self.origin)

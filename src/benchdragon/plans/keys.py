@@ -250,7 +250,10 @@ SECTIONS = (
         "[survey]", N_("What the coordinates of the plan's files mean; one origin for all of them."),
         SurveyTable,
         {
-            "crs": Key(N_("wgs84, gcj02 or a code such as EPSG:4549; else plain metres"), "gcj02"),
+            "crs": Key(
+                N_("wgs84, gcj02 or a code such as EPSG:4549, and y points north; else plain metres"),
+                "gcj02",
+            ),
             "unit": Key(N_("of files that do not say it: m, cm, mm, km, in, ft or us-ft"), "mm"),
             "origin": Key(
                 N_("what lies at (0, 0) in the plan: x and y of the file, or longitude and latitude"),

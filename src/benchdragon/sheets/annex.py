@@ -10,9 +10,10 @@ from tempfile import TemporaryDirectory
 
 from benchdragon.analysis.posts import EVERY
 from benchdragon.analysis.stops import stops_of, stops_text
+from benchdragon.export.area import drawing_of
 from benchdragon.export.document import Block, Document, Heading, Paragraph, Picture, say
 from benchdragon.export.pages import write_pdf
-from benchdragon.figures.area import AreaDrawing, page_picture
+from benchdragon.figures.area import page_picture
 from benchdragon.figures.glyphs import printable
 from benchdragon.figures.style import write_picture
 from benchdragon.i18n import LANGUAGES, N_, _, language, spoken_in
@@ -130,7 +131,7 @@ def _dance(facts: AnnexFacts) -> Iterator[Block]:
 
 def _ground(facts: AnnexFacts, folder: Path) -> Iterator[Block]:
     plan, swept = facts.briefing.plan, facts.swept
-    drawing = AreaDrawing(plan.title(language()), swept, plan.obstacles())
+    drawing = drawing_of(plan, swept)
     figure, scale = page_picture(drawing, [post.point for post in facts.posts])
     write_picture(figure, folder / "ground.pdf", drawing.title, plan.sha256)
     yield Heading(_("Route and ground, to scale"), "ground")

@@ -52,9 +52,7 @@ def chalk_drawing(briefing: Briefing, options: ChalkOptions) -> ChalkDrawing:
     plan, trail = report.plan, Trail.of(report.walk, report.start, report.end)
     peg = own_peg(plan) if options.peg is None else options.peg
     obstacles = plan.obstacles()
-    marks = placed_marks(
-        trail, options.every, peg, north=plan.survey.crs is not None, obstacles=obstacles
-    )
+    marks = placed_marks(trail, options.every, peg, north=plan.survey.north, obstacles=obstacles)
     return ChalkDrawing(plan.title(language()), marks, trail, obstacles, options.every, briefing.foot)
 
 

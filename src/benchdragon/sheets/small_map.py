@@ -60,7 +60,7 @@ class SmallMap:
     def __init__(self, briefing: Briefing) -> None:
         report = briefing.report
         self._obstacles = report.plan.obstacles()
-        self._north = report.plan.survey.crs is not None
+        self._north = report.plan.survey.north
         self._walk = report.walk
         self._called = briefing.called
         self._counted = report.plan.people.count_head
