@@ -4,13 +4,15 @@ from pathlib import Path
 
 import numpy as np
 import pypdfium2
+import pytest
 import zxingcpp
 
-from benchdragon.player.page import write_player
+from benchdragon.i18n import spoken_in
+from benchdragon.player.page import player_page, write_player
 from benchdragon.player.scene import checked_dance
 from benchdragon.sheets.cards import write_benches
 from benchdragon.sheets.options import Options
-from tests.browser.pages import Pages
+from tests.browser.pages import Language, Pages
 from tests.browser.players import ready
 from tests.sheets.village import small
 
@@ -36,3 +38,19 @@ def test_the_code_on_a_sheet_opens_the_player_at_its_bench(pages: Pages, tmp_pat
     assert 0.3 < seen[0] < 0.7
     page = ready(pages.open(f"{player.as_uri()}#t=2&bench=6", "phone", "zh", "light"))
     assert page.evaluate("[benchdragon.chosen, benchdragon.follows]") == [5, False]
+
+
+@pytest.mark.parametrize(("head", "language"), [("true", "en"), ("false", "zh")])
+def test_a_card_calls_each_bench_as_its_sheet_does(
+    head: str, language: Language, pages: Pages, tmp_path: Path
+) -> None:
+    player = tmp_path / "player.html"
+    ours = small(tmp_path, f"people.count_head={head}")
+    player.write_text(player_page(checked_dance(ours.report), language), "utf-8")
+    page = ready(pages.open(player.as_uri(), "phone", language, "light"))
+    plan = {"en": " (bench {n} of the plan)", "zh": "（方案里的第 {n} 节）"}[language]
+    for bench in range(1, 9):
+        page.evaluate(f"benchdragon.choose({bench - 1})")
+        with spoken_in(language):
+            name = ours.called(bench)
+        assert page.locator("aside.card h2").inner_text() == name + plan.format(n=bench)

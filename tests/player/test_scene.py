@@ -241,3 +241,16 @@ def test_what_a_page_cannot_hold_is_refused() -> None:
         plain_dance(crowd, Span(0.0, 1.0))
     with pytest.raises(WalkError, match="past the end of the route"):
         plain_dance(Walk(Dragon.uniform(3), route, start=29_999.0), Span(5.0, 9.0))
+
+
+def test_only_a_village_that_counts_otherwise_sends_its_names() -> None:
+    short = ("spiral-in", "dragon.benches=4", "walk.end=5")
+    assert danced(*short).village is None
+    village = danced(*short, "people.count_head=false").village
+    assert village is not None
+    assert (village.head.zh, village.tail.en, village.between.en) == ("龙头", "the tail", "bench {n}")
+    assert village.before == 1
+    village = danced(*short, "people.unit=qiao").village
+    assert village is not None
+    assert (village.head.zh, village.tail.en) == ("第 1 桥", "qiao 4")
+    assert (village.between.zh, village.before) == ("第 {n} 桥", 0)

@@ -164,6 +164,18 @@ class Beats(Record):
     strokes: list[float]
 
 
+class Village(Record):
+    """What a village calls its benches: head and tail by name, {n} for the number of those between.
+
+    That number is the plan's, less `before`.
+    """
+
+    head: Words
+    between: Words
+    tail: Words
+    before: int
+
+
 class Dance(Record):
     """A whole dance, as a player shows it.
 
@@ -171,6 +183,7 @@ class Dance(Record):
         ground: outlines of the ground that the dance covers, m, those around holes too; of plans with a
             square alone.
         beats: of plans with cues alone.
+        village: of plans that say how benches are counted alone.
     """
 
     version: str
@@ -191,3 +204,4 @@ class Dance(Record):
     ground: list[list[tuple[float, float]]]
     verdict: Verdict | None
     beats: Beats | None = None
+    village: Village | None = None

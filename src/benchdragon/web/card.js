@@ -2,14 +2,20 @@
 
 import { clock } from "./axis.js";
 import { make, signButton } from "./elements.js";
-import { _, decimals, shortLength } from "./words.js";
+import { _, decimals, language, shortLength } from "./words.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
 /** @typedef {import("./scene.js").Stand} Stand */
 /** @typedef {import("./nearness.js").Boxes} Boxes */
 
-/** @param {number} bench number from 1 @param {number} benches */
-function benchName(bench, benches) {
+/** What a bench is called: by its village too, where the plan says how that counts. @param {Scene} scene @param {number} bench number from 1 */
+function benchName({ benches, sent: { village } }, bench) {
+  if (village) {
+    const { head, between, tail, before } = village;
+    const said = bench === 1 ? head : bench === benches ? tail : between;
+    const name = said[language()].replace("{n}", String(bench - before));
+    return _("{name} (bench {bench} of the plan)", { name, bench });
+  }
   if (bench === 1) return _("Bench 1 (head)");
   return bench === benches ? _("Bench {bench} (tail)", { bench }) : _("Bench {bench}", { bench });
 }
@@ -47,7 +53,7 @@ export class Card {
       make(
         "header",
         {},
-        make("h2", {}, benchName(bench + 1, scene.benches)),
+        make("h2", {}, benchName(scene, bench + 1)),
         signButton("\u2715", _("close"), () => this.choose(-1)),
       ),
       make(

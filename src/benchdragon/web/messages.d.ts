@@ -115,6 +115,7 @@ export interface CuesTable {
  *     ground: outlines of the ground that the dance covers, m, those around holes too; of plans with a
  *         square alone.
  *     beats: of plans with cues alone.
+ *     village: of plans that say how benches are counted alone.
  */
 export interface Dance {
   version: string;
@@ -135,6 +136,7 @@ export interface Dance {
   ground: Array<Array<[number, number]>>;
   verdict: Verdict | null;
   beats?: Beats | null;
+  village?: Village | null;
 }
 
 /** The turning space: a circle about the spiral's centre. */
@@ -881,6 +883,18 @@ export interface Verdict {
   seconds: number | null;
   plan_sha256: string;
   version: string;
+}
+
+/**
+ * What a village calls its benches: head and tail by name, {n} for the number of those between.
+ *
+ * That number is the plan's, less `before`.
+ */
+export interface Village {
+  head: Words;
+  between: Words;
+  tail: Words;
+  before: number;
 }
 
 /**
