@@ -1,14 +1,15 @@
 """Write the tables of all keys of plan files into the manual's page, in both languages.
 
-They come from `benchdragon.plans.keys`, between two comments of the page; the same keys give the same
-bytes. Run it as `make keys`.
+They come from `benchdragon.plans.sections`, between two comments of the page; the same keys give the
+same bytes. Run it as `make keys`.
 """
 
 import re
 from pathlib import Path
 
 from benchdragon.i18n import LANGUAGES, _, spoken_in
-from benchdragon.plans.keys import SECTIONS, rows
+from benchdragon.plans.keys import rows
+from benchdragon.plans.sections import SECTIONS
 
 PAGES = Path(__file__).parent.parent / "docs"
 # Headers, and keys with or without a value, as they stand in files: `[turn]`, `route.kind = "turn"`.

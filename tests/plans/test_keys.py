@@ -12,9 +12,10 @@ from tools.make_keys import page
 
 from benchdragon.cli.main import run
 from benchdragon.i18n import LANGUAGES, spoken_in
-from benchdragon.plans.keys import SECTIONS, Section, commented, schema, written
+from benchdragon.plans.keys import commented, schema, written
 from benchdragon.plans.presets import presets
 from benchdragon.plans.schema import Plan, checked, read_plan
+from benchdragon.plans.sections import SECTIONS, Section
 from benchdragon.plans.toml import PlanError, built_in_names
 from tests.plans.test_effects import BASES
 

@@ -116,13 +116,14 @@ def schema(table: bool, quiet: bool) -> int:
     """Print the schema, as JSON or as tables."""
     del quiet
     from benchdragon.plans import keys as plan_keys
+    from benchdragon.plans.sections import SECTIONS
 
     if not table:
         narrow = not sys.stdout.encoding.lower().startswith("utf")
         click.echo(json.dumps(plan_keys.schema(), indent=1, ensure_ascii=narrow))
         return 0
     columns = (_("key"), _("what it is"), _("unit"), _("default"), _("example"))
-    for section in plan_keys.SECTIONS:
+    for section in SECTIONS:
         title = f"{section.header}  {_(section.text)}".strip()
         print_rows(title, columns, list(plan_keys.rows(section)), figures=False)
     return 0
