@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import textwrap
+import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor, Future, ProcessPoolExecutor
@@ -316,13 +317,14 @@ def test_blocks_that_others_cancel_are_told() -> None:
         list(in_blocks(work.double, range(9), given(Cancelling(), 1)))
 
 
-def test_closing_leaves_no_process(tmp_path: Path) -> None:
-    before = set(multiprocessing.active_children())
+def test_closing_leaves_no_process_and_no_thread(tmp_path: Path) -> None:
+    before, threads_before = set(multiprocessing.active_children()), set(threading.enumerate())
     blocks = in_blocks(work.Stuck(tmp_path), range(9), processes(2))
     assert next(blocks) == (range(1), [0])
     wait_until(lambda: len(list(tmp_path.iterdir())) == 2)
     assert len(set(multiprocessing.active_children()) - before) == 2
     blocks.close()
+    assert set(threading.enumerate()) <= threads_before
     numbers = [int(path.name) for path in tmp_path.iterdir()]
     wait_until(lambda: not any(map(alive, numbers)))
     assert not set(multiprocessing.active_children()) - before

@@ -46,7 +46,7 @@ LAST_WEIGHT, LONGER = 0.3, 8
 # How often an item may lose its worker before it is given up.
 MOST_LOSSES = 3
 MOST_WORKERS = 1024
-# For a scheduler to answer, s.
+# For a scheduler to answer, and for a pool whose processes were killed to end, s.
 PATIENCE = 10.0
 
 
@@ -407,17 +407,23 @@ class _Worker(SpawnProcess):
 
 @contextmanager
 def _pool(count: int) -> Iterator[Executor]:
-    """A pool of processes, which are killed when the block is left in haste."""
+    """A pool of processes, which are killed when the block is left in haste.
+
+    Its thread is waited for too: at Python 3.11's exit it would close a pipe that is just written to.
+    """
     context = _Recording()
     executor = ProcessPoolExecutor(count, mp_context=context, initializer=_begin_worker)
     try:
         yield executor
         executor.shutdown()
     finally:
+        manager = getattr(executor, "_executor_manager_thread", None)  # there is no public name for it
         executor.shutdown(wait=False, cancel_futures=True)
         for process in context.started:
             if process.is_alive():
                 process.kill()
+        if manager is not None and manager.is_alive():
+            manager.join(PATIENCE)
 
 
 def _begin_worker() -> None:
