@@ -9,10 +9,10 @@ import click
 from benchdragon.cli.console import print_files, shown_progress
 from benchdragon.cli.options import (
     BESIDE,
-    FILE,
     WITHOUT,
     force_option,
     json_option,
+    output_option,
     plan_options,
     plan_to_walk,
     refuse_strays,
@@ -39,14 +39,7 @@ if TYPE_CHECKING:
     )
 )
 @plan_options
-@click.option(
-    "-o",
-    "--output",
-    required=True,
-    type=FILE,
-    metavar="FILE",
-    help=N_("File to write: .mp4, .gif, .png, .svg or .pdf."),
-)
+@output_option(N_("File to write: .mp4, .gif, .png, .svg or .pdf."))
 @span_options
 @click.option(
     "--speed-up",

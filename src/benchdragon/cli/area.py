@@ -10,18 +10,19 @@ import click
 from benchdragon.cli.answers import about, print_answer, print_title
 from benchdragon.cli.console import print_files, shown_progress
 from benchdragon.cli.options import (
-    FILE,
     WITHOUT,
     brackets_option,
     force_option,
     json_option,
+    output_option,
     plan_options,
     plan_to_walk,
     refuse_strays,
+    scale_option,
     shared_options,
     span_options,
 )
-from benchdragon.cli.parsing import check_ending, parse_length, parse_scale, parse_span
+from benchdragon.cli.parsing import PAPERS, check_ending, parse_length, parse_scale, parse_span
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
 from benchdragon.number_format import rounded_up
@@ -30,7 +31,6 @@ if TYPE_CHECKING:
     from benchdragon.analysis.swept import SweptArea
 
 DRAWINGS, DATA = ("svg", "pdf"), ("dxf", "geojson")
-PAPERS = ("A4", "A3", "A2", "A1", "A0")
 
 
 @click.command(
@@ -41,12 +41,9 @@ PAPERS = ("A4", "A3", "A2", "A1", "A0")
     )
 )
 @plan_options
-@click.option(
-    "-o",
-    "--output",
-    type=FILE,
-    metavar="FILE",
-    help=N_("File to write: .svg or .pdf, to scale; .dxf for CAD; .geojson. Default: numbers alone."),
+@output_option(
+    N_("File to write: .svg or .pdf, to scale; .dxf for CAD; .geojson. Default: numbers alone."),
+    required=False,
 )
 @click.option(
     "--format",
@@ -69,11 +66,7 @@ PAPERS = ("A4", "A3", "A2", "A1", "A0")
     metavar="LENGTH",
     help=N_("No point of the area is farther than this from what is covered; 0.1 mm to 1 m."),
 )
-@click.option(
-    "--scale",
-    metavar="1:NUMBER",
-    help=N_("Scale of svg and pdf, 1:50 to 1:1000. Default: the largest usual one that fits."),
-)
+@scale_option(N_("Scale of svg and pdf, 1:50 to 1:1000. Default: the largest usual one that fits."))
 @click.option(
     "--paper",
     type=click.Choice(PAPERS),
@@ -95,7 +88,7 @@ def area(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> i
     )
     margin = parse_length("--margin", options["margin"])
     error = parse_length("--error", options["error"])
-    scale = None if options["scale"] is None else parse_scale("--scale", options["scale"])
+    scale = parse_scale("--scale", options["scale"])
     span = parse_span(options)
     read = plan_to_walk(plan, settings, quiet)
     from benchdragon.export.area import drawing_of, planned_area, write_area

@@ -11,7 +11,13 @@ import click
 from benchdragon.cli.answers import NO_SOLUTION
 from benchdragon.cli.check import print_report
 from benchdragon.cli.console import print_files, shown_progress
-from benchdragon.cli.options import FILE, announce_compiling, force_option, shared_options
+from benchdragon.cli.options import (
+    FILE,
+    announce_compiling,
+    force_option,
+    output_option,
+    shared_options,
+)
 from benchdragon.cli.parsing import check_ending, parse_length
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
@@ -172,14 +178,7 @@ QUESTIONS = (
         "--bench-length 1.5m --bench-width 15cm --square 30x20. Exit code 4: the dance does not fit."
     )
 )
-@click.option(
-    "-o",
-    "--output",
-    type=FILE,
-    required=True,
-    metavar="FILE",
-    help=N_("The plan file to write, for example village.dragon.toml."),
-)
+@output_option(N_("The plan file to write, for example village.dragon.toml."))
 @click.option("--benches", metavar="COUNT", help=N_("How many benches, head and tail included."))
 @click.option("--bench-length", metavar="LENGTH", help=N_("Length of a bench: 1.5m or 150cm."))
 @click.option("--bench-width", metavar="LENGTH", help=N_("Width of a bench."))

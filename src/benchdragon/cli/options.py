@@ -98,6 +98,16 @@ def force_option(command: Command) -> Command:
     )
 
 
+def output_option(text: str, *, required: bool = True) -> Callable[[Command], Command]:
+    """--output of one file, of which `text` says what it is."""
+    return click.option("-o", "--output", type=FILE, required=required, metavar="FILE", help=text)
+
+
+def scale_option(text: str) -> Callable[[Command], Command]:
+    """--scale of a drawing, which `parsing.parse_scale` reads; `text` says which there are."""
+    return click.option("--scale", metavar="1:NUMBER", help=text)
+
+
 def folder_option(command: Command, default: Path | None = None) -> Command:
     """--output and --force."""
     return click.option(

@@ -25,6 +25,8 @@ CLOCK = re.compile(r"([-+]?)(?:(\d{1,6}):(?=[0-5]?\d:))?(\d{1,6}):([0-5]?\d(?:\.
 NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?", re.ASCII | re.IGNORECASE)
 TABLE_FORMATS = ("xlsx", "csv", "npz", "parquet", "nc")
 PICTURE_FORMATS = ("png", "svg", "pdf")
+# Of drawings to scale.
+PAPERS = ("A4", "A3", "A2", "A1", "A0")
 
 
 def parse_times(text: str) -> "np.ndarray[Any, Any]":
@@ -89,12 +91,14 @@ def parse_length(option: str, text: str) -> float:
     return found
 
 
-def parse_scale(option: str, text: str) -> float:
-    """The 200 of a scale "1:200".
+def parse_scale(option: str, text: str | None) -> float | None:
+    """The 200 of a scale "1:200"; None where none is said.
 
     Raises:
         InputError: naming the option, for anything else.
     """
+    if text is None:
+        return None
     one, _colon, many = text.replace("：", ":").partition(":")
     if one.strip() != "1" or not NUMBER.fullmatch(many.strip()):
         raise InputError(

@@ -8,9 +8,9 @@ import click
 
 from benchdragon.cli.console import print_files, print_rows
 from benchdragon.cli.options import (
-    FILE,
     WITHOUT,
     force_option,
+    output_option,
     refuse_strays,
     settings_option,
     shared_options,
@@ -38,13 +38,7 @@ STATUSES = {
 )
 @click.argument("plan", metavar="[PLAN]", required=False)
 @settings_option
-@click.option(
-    "-o",
-    "--output",
-    type=FILE,
-    metavar="FILE",
-    help=N_("The file to write, for example my.dragon.toml."),
-)
+@output_option(N_("The file to write, for example my.dragon.toml."), required=False)
 @force_option
 @shared_options
 def plan(

@@ -16,9 +16,10 @@ from benchdragon.cli.options import (
     plan_options,
     plan_to_walk,
     refuse_strays,
+    scale_option,
     shared_options,
 )
-from benchdragon.cli.parsing import parse_length, parse_scale
+from benchdragon.cli.parsing import PAPERS, parse_length, parse_scale
 from benchdragon.errors import finite
 from benchdragon.i18n import N_, _
 from benchdragon.progress import part
@@ -77,14 +78,10 @@ SPEAK_OF = {
     metavar="X Y",
     help=N_("Of the chalk plan: where the peg stands, m. Default: the route's centre."),
 )
-@click.option(
-    "--scale",
-    metavar="1:NUMBER",
-    help=N_("Of the chalk plan: 1:50 to 1:500. Default: the largest usual one that fits."),
-)
+@scale_option(N_("Of the chalk plan: 1:50 to 1:500. Default: the largest usual one that fits."))
 @click.option(
     "--paper-size",
-    type=click.Choice(["A4", "A3", "A2", "A1", "A0"]),
+    type=click.Choice(PAPERS),
     help=N_("Of the chalk plan, which comes as A4 pages too. Default: one that suits."),
 )
 @click.option("--check", "anew", is_flag=True, help=N_("Check the plan and record it, then go on."))
@@ -146,8 +143,7 @@ def _chalk_options(options: dict[str, Any]) -> "ChalkOptions":
     from benchdragon.figures.scale import check_scale
     from benchdragon.sheets.options import ChalkOptions
 
-    every, asked = parse_length("--every", options["every"]), options["scale"]
-    scale = None if asked is None else parse_scale("--scale", asked)
+    every, scale = parse_length("--every", options["every"]), parse_scale("--scale", options["scale"])
     check_every(every)
     check_scale(scale, MOST_CHALK_SCALE)
     for name, value in zip("xy", options["peg"] or (), strict=False):

@@ -8,9 +8,9 @@ import click
 
 from benchdragon.cli.console import print_files, shown_progress
 from benchdragon.cli.options import (
-    FILE,
     announce_compiling,
     force_option,
+    output_option,
     plan_options,
     shared_options,
     span_options,
@@ -28,10 +28,7 @@ from benchdragon.progress import part
     )
 )
 @plan_options
-@click.option(
-    "-o", "--output", required=True, type=FILE, metavar="FILE",
-    help=N_("The file to write, for example dance.html."),
-)  # fmt: skip
+@output_option(N_("The file to write, for example dance.html."))
 @force_option
 @span_options
 @shared_options
