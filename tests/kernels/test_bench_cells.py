@@ -11,6 +11,7 @@ from benchdragon.kernels import drive
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.status import Ended
 from benchdragon.model.placement import Placement
+from tests.kernels.quantities import QUANTITIES, size_of
 
 LONGEST, SHORTEST = 0.44, 0.05
 ROUTES = {
@@ -20,13 +21,6 @@ ROUTES = {
 DRAGON = Dragon([Bench(1.6, 0.4, 0.1, 0.2), *[Bench(1.1, 0.3, 0.1, 0.1)] * 5])
 LINKS, INVERSE = np.unique(DRAGON.links, return_inverse=True)
 GROUP = INVERSE.astype(np.int64)
-QUANTITIES = {
-    "speed": drive.SPEEDS,
-    "turning": drive.TURNING,
-    "across": drive.ACROSS,
-    "total": drive.TOTAL,
-    "along": drive.ALONG,
-}
 
 
 def cut(
@@ -132,18 +126,8 @@ def test_kinds_that_never_come_are_left_open() -> None:
 def values(route: Route, name: str, at: FloatArray, squares: FloatArray, rate: float) -> FloatArray:
     """A quantity's size for each handle, of benches at their rear ones, (positions, handles)."""
     one = Placement(DRAGON, route, at)
-    square = squares[:, np.newaxis]
-    along = one.speed_ratio * rate + one.ratio_rate * square
-    across = one.speed_ratio**2 * route.curvature(one.s) * square
-    turning = np.column_stack([np.zeros(len(at)), one.turn_rate * np.sqrt(square)])
-    found = {
-        "speed": one.speed_ratio * np.sqrt(square),
-        "turning": turning,
-        "across": across,
-        "total": np.hypot(along, across),
-        "along": along,
-    }[name]
-    return np.asarray(np.abs(found))
+    found = size_of(name, one, route, squares, rate)
+    return np.column_stack([np.zeros(len(at)), found]) if name == "turning" else found
 
 
 @pytest.mark.parametrize("h", [0.6, 0.15])

@@ -9,6 +9,7 @@ from benchdragon import Arc, Clothoid, Dragon, Line, Route, Spiral
 from benchdragon.kernels import chain, drive, step_bounds
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.placement import Placement
+from tests.kernels.quantities import QUANTITIES, size_of
 
 DRAGON = Dragon.of_sizes(np.array([1.8, 1.1, 1.4]), 0.2, 0.0, 0.0)
 ROUTES = {
@@ -20,13 +21,6 @@ ROUTES = {
 SPANS = {"joints": (6.0, 17.0), "spiral": (30.0, 36.0)}
 # Squares of speed at both ends of the step, and the acceleration: speeding up, slowing down, even.
 DRIVES = {"starting": (0.0, 0.8, 1.3), "stopping": (1.1, 0.1, -0.7), "even": (0.6, 0.6, 0.0)}
-QUANTITIES = {
-    "speed": drive.SPEEDS,
-    "turning": drive.TURNING,
-    "across": drive.ACROSS,
-    "total": drive.TOTAL,
-    "along": drive.ALONG,
-}
 
 
 def placed(route: Route, at: FloatArray) -> step_bounds.Placements:
@@ -47,18 +41,7 @@ def bounds_over(route: Route, at: FloatArray, drives: FloatArray, quantity: int)
 def seen_at(route: Route, at: FloatArray, squares: FloatArray, rate: float, name: str) -> FloatArray:
     """The greatest of a quantity with the head at these places, by the formulas alone."""
     one = Placement(DRAGON, route, at)
-    bend = route.curvature(one.s)
-    square = squares[:, np.newaxis]
-    along = one.speed_ratio * rate + one.ratio_rate * square
-    across = one.speed_ratio**2 * bend * square
-    values = {
-        "speed": one.speed_ratio * np.sqrt(square),
-        "turning": one.turn_rate * np.sqrt(square),
-        "across": across,
-        "total": np.hypot(along, across),
-        "along": along,
-    }[name]
-    return np.asarray(np.abs(values).max(axis=1))
+    return np.asarray(size_of(name, one, route, squares, rate).max(axis=1))
 
 
 @pytest.mark.parametrize("name", QUANTITIES)

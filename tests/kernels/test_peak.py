@@ -12,19 +12,13 @@ from benchdragon.kernels import drive, peak
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.status import Ended
 from benchdragon.model.placement import Placement
+from tests.kernels.quantities import QUANTITIES, size_of
 
 DRAGON = Dragon.of_sizes(np.array([1.6, 1.1, 1.1, 1.1]), 0.2, 0.0, 0.0)
 LINKS, INVERSE = np.unique(DRAGON.links, return_inverse=True)
 GROUP = INVERSE.astype(np.int64)
 ROUTE = Route.joined([Line(8.0), Arc(1.6, 1.0), Arc(2.0, -1.5), Clothoid(3.0, -0.5, 0.2), Line(9.0)])
 FIRST, MIDDLE, LAST = 6.0, 11.0, 15.0
-QUANTITIES = {
-    "speed": drive.SPEEDS,
-    "turning": drive.TURNING,
-    "across": drive.ACROSS,
-    "total": drive.TOTAL,
-    "along": drive.ALONG,
-}
 # Squares of the head's speed at FIRST, MIDDLE and LAST.
 SQUARES = (0.4, 1.6, 0.9)
 
@@ -105,17 +99,8 @@ def sampled(name: str, at: FloatArray, end: float = MIDDLE) -> FloatArray:
     driven = drives()
     n = (at > end).astype(np.int64)
     share = (at - driven.ways[n, 0]) / np.diff(driven.ways).ravel()[n]
-    square = (driven.squares[n, 0] + share * np.diff(driven.squares).ravel()[n])[:, np.newaxis]
-    along = one.speed_ratio * driven.rates[n, np.newaxis] + one.ratio_rate * square
-    across = one.speed_ratio**2 * ROUTE.curvature(one.s) * square
-    found = {
-        "speed": one.speed_ratio * np.sqrt(square),
-        "turning": one.turn_rate * np.sqrt(square),
-        "across": across,
-        "total": np.hypot(along, across),
-        "along": along,
-    }[name]
-    return np.asarray(np.abs(found))
+    squares = driven.squares[n, 0] + share * np.diff(driven.squares).ravel()[n]
+    return size_of(name, one, ROUTE, squares, driven.rates[n])
 
 
 @pytest.mark.parametrize("by_cells", [0, 1])
