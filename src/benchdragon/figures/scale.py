@@ -138,7 +138,11 @@ def draw_frame(axes: Axes, sheet: Sheet) -> None:
 
 
 def draw_obstacles(axes: Axes, sheet: Sheet, obstacles: Sequence[Obstacle]) -> None:
-    """The venue's edge and what stands in it, with names; one of each kind has a label."""
+    """The venue's edge and what stands in it, with names; one of each kind has a label.
+
+    In black and white and in mm of paper, each an element of its own in SVG, without margins:
+    `square.draw_square` draws the square on axes of metres, in colour.
+    """
     named: set[str] = set()
     for one in obstacles:
         venue = one.kind == "venue"
