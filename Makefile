@@ -2,7 +2,8 @@
 # minute of lint, types, import contracts and a test of each room.
 PYTHON ?= python3
 BIN := .venv/bin
-PAGES := 'src/benchdragon/web/*.js' 'src/benchdragon/web/*.css' 'tests/engine/*.js' 'tests/engine/*.mjs'
+PAGES := 'src/benchdragon/web/*.js' 'src/benchdragon/web/compute/*.js' 'src/benchdragon/web/*.css' 'tests/engine/*.js' 'tests/engine/*.mjs' \
+  'tests/planner/*.mjs'
 NPM := $(shell command -v npm 2>/dev/null)
 # Two dances whose numbers are recorded: the same on every engine.
 RECORDED := tests/model/test_walk.py::test_a_built_in_dance_is_the_recorded_one_with_any_number_of_workers
@@ -129,6 +130,7 @@ keys: .venv/installed
 
 types: .venv/installed
 	$(BIN)/python tools/make_types.py
+	$(BIN)/python tools/make_constants.py
 
 map: .venv/installed
 	$(BIN)/python tools/make_map.py

@@ -1,0 +1,591 @@
+// Numbers of the kernels and of modules that have twins here. Made by tools/make_constants.py;
+// to make it again: make types
+
+export const BENCH_CELLS = {
+  REAR: 0,
+  SLOW: 1,
+  FAST: 2,
+  FADE: 3,
+  GROW: 4,
+  SWAY: 5,
+  CELL_COLUMNS: 6,
+  STEADY: 8,
+  AT: 0,
+  WIDTH: 1,
+  CELLS: 0,
+  RUN: 1,
+};
+
+export const BOX = {
+  CX: 0,
+  CY: 1,
+  UX: 2,
+  UY: 3,
+  HALF_LENGTH: 4,
+  HALF_WIDTH: 5,
+  BOX_COLUMNS: 6,
+  LONGEST_BENCH: 10000,
+  SHORTEST_LINK: 0.001,
+  ALONG: [1, -1, -1, 1],
+  ACROSS: [1, 1, -1, -1],
+};
+
+export const CELLS = {
+  PARTS: 4,
+  RADIUS: 6,
+  HULL_COLUMNS: 7,
+  STATE: 0,
+  CHILD: 1,
+  PARTNER: 2,
+  GROUP: 3,
+  NUMBER: 4,
+  LEVEL: 5,
+  TREE_COLUMNS: 6,
+  UNKNOWN: 0,
+  WANTED: 1,
+  BOXED: 2,
+  ROW: 0,
+  NEXT: 1,
+  GROUPS: 0,
+  CELLS: 1,
+  ROWS: 2,
+  ENTRIES: 3,
+  LOW: 4,
+  TODO: 5,
+  NEAR: 6,
+  DOUBTS: 7,
+  MIXED: 8,
+  FIRST: 9,
+  REAR: 10,
+  LOGGED: 11,
+  COUNTS: 12,
+  REACH: 0,
+  CELL: 1,
+  END: 2,
+  MEASURES: 3,
+  ARM: 0,
+  HIND: 1,
+  WIDEST: 2,
+  ALONE: 3,
+  WAYS: 4,
+  LOG_COLUMNS: 10,
+};
+
+export const COURSE = {
+  AT: 0,
+  GOAL: 1,
+  UPTO: 2,
+  KNOWN: 3,
+  SOUND: 4,
+  STEP_START: 5,
+  STEP_END: 6,
+  COURSE: 7,
+  SLOT: 0,
+  SLOTS: 1,
+  BENCHES: 2,
+  PAIRS: 3,
+  PLACED: 4,
+  CHAINS: 5,
+  TALLY: 6,
+};
+
+export const CURVE = {
+  LINE: 0,
+  ARC: 1,
+  CLOTHOID: 2,
+  SPIRAL: 3,
+  LOG_SPIRAL: 4,
+  KIND: 0,
+  PART: 1,
+  S_START: 2,
+  LENGTH: 3,
+  U_START: 4,
+  U_END: 5,
+  U_BACK: 6,
+  X: 7,
+  Y: 8,
+  ANGLE: 9,
+  P: 10,
+  Q: 11,
+  AXIS_X: 12,
+  AXIS_Y: 13,
+  COLUMNS: 14,
+  CLOTHOID_TURN: 2,
+  MOST_METRES: 100000000,
+  MOST_TURN: 10000,
+  SERIES_ANGLE: 0.001,
+  MAX_NEWTON: 40,
+};
+
+export const DOUBTS = {
+  CAREFUL_PARTS: 16,
+  FINEST: 1e-9,
+  UNIT: 2.3e-16,
+};
+
+export const DRIVE = {
+  SPEEDS: 0,
+  TURNING: 1,
+  ACROSS: 2,
+  TOTAL: 3,
+  ALONG: 4,
+  FROM: 0,
+  TO: 1,
+  RATE: 2,
+  DRIVE_COLUMNS: 3,
+  JUMP: 1e-9,
+  MOST_JUMPS: 3,
+};
+
+export const EVERY_PAIR = {
+  CROWDED: 7,
+};
+
+export const FAMILY = {
+  PITCH: 0,
+  DISC: 1,
+  WIDTH: 2,
+  BENCH: 3,
+  FIXED: 0,
+  SPIRAL_IN: 1,
+  TURN: 2,
+  ARC_ARC: 0,
+  THREE_PIECES: 1,
+  WHAT: 0,
+  ROUTE: 1,
+  PITCH_SIZE: 2,
+  DISC_RADIUS: 3,
+  START_TURN: 4,
+  HANDED: 5,
+  TURN_FAMILY: 6,
+  ENTRY_RADIUS: 7,
+  EXIT_RADIUS: 8,
+  RATIO: 9,
+  FIRST_RADIUS: 10,
+  LAST_RADIUS: 11,
+  BEND: 12,
+  EASE: 13,
+  POSITION: 14,
+  BEGIN_WAY: 15,
+  END_WAY: 16,
+  MOST_WAY: 17,
+  LEAST_SIZE: 18,
+  MOST_SIZE: 19,
+  ROOMY: 20,
+  FITS: 21,
+  NUMBERS: 22,
+  UNKNOWN: 1e-6,
+};
+
+export const GRID = {
+  PAIRS_A_PLACE: 64,
+  PAIRS_AT_FIRST: 4000000,
+  COLUMN_FACTOR: 73856093,
+  ROW_FACTOR: 19349663,
+};
+
+export const LOW_POINTS = {
+  SAMPLES: 16,
+  SHRINKS: 13,
+  LEVEL: 2e-15,
+  HINT_PLACES: 128,
+  HINT_SHRINKS: 4,
+  TAIL_TOLERANCE: 1e-9,
+};
+
+export const MEETINGS = {
+  SHARE: 0.01,
+  SHORT_STRIDE: 4,
+  LONG_STRIDE: 12,
+  STEPS_A_CALL: 4096,
+  STEP: 0,
+  DONE: 1,
+  WAIT: 2,
+  STOPPED: 3,
+  NARROW: 4,
+};
+
+export const NEAR_CELLS = {
+  SPARSE: 40,
+};
+
+export const PACING = {
+  FAST: 0,
+  TURNING_RATE: 1,
+  GROWTH_LOW: 2,
+  GROWTH_HIGH: 3,
+  BEND: 4,
+  HULL_COLUMNS: 5,
+  HEAD: 5,
+  NODES: 65,
+  HALVINGS: 52,
+};
+
+export const PEAK = {
+  BOUND: 0,
+  START: 1,
+  END: 2,
+  STRETCH: 0,
+  LINKS: 1,
+  BY_CELLS: 2,
+  PART_COLUMNS: 3,
+  SLOT: 0,
+  PIECES: 1,
+  SEEN: 0,
+  WHERE: 1,
+  UPPER: 2,
+  NOTES: 3,
+  OPEN: 0,
+  ROW: 1,
+  WHEN: 2,
+  EVALUATIONS: 3,
+  COUNTS: 4,
+  SLOTS: 16,
+  SHARES: 2,
+  MOST_PIECES: 15,
+  CELL_SHARES: 4,
+  ABOUT: 1.000000001,
+  NOTHING: 1e-9,
+  ROUGHLY: 0.01,
+  LITTLE: 0.01,
+  CELL_COST: 0.125,
+};
+
+export const PERTURBED = {
+  STEPS: 3,
+  FINE: 1e-5,
+  MOST_ROUNDS: 12,
+  MOST_GIVEN: 0.5,
+  LEAST_RADIUS: 0.05,
+};
+
+export const ROUTE = {
+  END_SLACK: 1e-9,
+  FOLD_COSINE: 0.001,
+  ROUNDING: 4.5e-16,
+  MAX_STEPS: 200,
+  MAX_POLISH: 80,
+};
+
+export const ROUTE_PARTS = {
+  PART_KIND: 0,
+  PART_X: 1,
+  PART_Y: 2,
+  PART_ANGLE: 3,
+  SIZE: 4,
+  FIRST: 5,
+  LAST: 6,
+  HAND: 7,
+  PART_COLUMNS: 8,
+  MOST_PLACES: 1000000,
+};
+
+export const SEARCH = {
+  FIRST_TOUCH: 0,
+  TOUCH_END: 1,
+  LEAST: 2,
+  CLEAR: 0,
+  FOUND: 1,
+  GRAZE: 2,
+  STUCK: 3,
+  FALLEN: 4,
+  UNSURE: 5,
+  SPLIT: 6,
+  LOWER: 0,
+  UPPER: 1,
+  PAIR: 2,
+  EVALUATIONS: 3,
+  NEAREST: 4,
+  LOWEST: 5,
+  FLOOR: 6,
+  NOTES: 7,
+  LOGGED: 4,
+  LOG_START: 2,
+  DEPTH: 60,
+};
+
+export const SIZE_BRACKET = {
+  PASSES: 0,
+  FAILS: 1,
+  UNDECIDED: 2,
+  SENSE: 0,
+  TOLERANCE: 1,
+  SLACK: 2,
+  STAGE: 3,
+  SIZE: 4,
+  GOOD: 5,
+  BAD: 6,
+  TRIED: 7,
+  ROOT: 8,
+  SHIFT: 9,
+  SLOPE: 10,
+  CAUTION: 11,
+  FAILURES: 12,
+  BESIDE: 13,
+  TRIALS: 14,
+  GROWN: 15,
+  DOUBTS: 16,
+  VALUE: 17,
+  AT: 18,
+  PHASE: 19,
+  NOW: 20,
+  SECOND_LAST: 21,
+  VALUE_THERE: 22,
+  SECANTS: 23,
+  STATE: 24,
+  ULPS: 4,
+  UNIT: 2.3e-16,
+  GROWTH: 1.25,
+  MOST_GROWTHS: 40,
+  FARTHEST: 100,
+  MOST_FAILURES: 2,
+  MOST_BESIDE: 12,
+  MOST_TRIALS: 80,
+  FIRST_CAUTION: 2.5,
+  MORE_CAUTION: 4,
+};
+
+export const SIZE_SEARCH = {
+  GROW: 0,
+  BORDER: 1,
+  NARROW: 2,
+  WALK: 0,
+  LOW_PAIR: 1,
+  DISTANCE: 2,
+  FOUND: 3,
+  UNLIMITED: 4,
+  INFEASIBLE: 5,
+  EXHAUSTED: 6,
+  OPENED: 0,
+  AFTER_WALK: 1,
+  AFTER_LOW_PAIR: 2,
+  AFTER_FIRST: 3,
+  AFTER_NEXT: 4,
+  AFTER_BELOW: 5,
+  NOBODY: -1,
+  MEET_S: 0,
+  MEET_LEFT: 1,
+  MEET_FRONT: 2,
+  MEET_REAR: 3,
+  FAILED: 0,
+  GUIDE: 1,
+  ROOTED: 2,
+  BEFORE: 3,
+  MEETINGS: 4,
+  NEARBY: 0.1,
+  FIRST_STEP: 1e-5,
+  SHARP: 1e-7,
+  SETTLED: 1e-15,
+  LONGEST_SECANT: 1.1,
+  MOST_SECANTS: 40,
+  AT_REST: 0.0001,
+};
+
+export const SPIRAL = {
+  LEAST_ANGLE: 4,
+  MOST_LINK_INWARD: 1.4,
+  MOST_LINK_OUTWARD: 0.9,
+  STEP_INWARD: 1.12,
+  STEP_OUTWARD: 1.3,
+  LARGE_STEP: 8e-15,
+  MAX_PASSES: 30,
+  LANES: 64,
+  REST: 0,
+  GUESS: 64,
+  NEXT_REST: 128,
+  NEXT_GUESS: 192,
+  FOUND: 256,
+  STATE: 320,
+};
+
+export const STANDING = {
+  STRETCH: 4,
+  ENDING: 0,
+  SPAN_LOWER: 1,
+  SPAN_UPPER: 2,
+  SPAN_COLUMNS: 3,
+};
+
+export const Status = {
+  OK: 0,
+  BEFORE_ROUTE: 1,
+  AFTER_ROUTE: 2,
+  ROUTE_TOO_SHORT: 3,
+  FOLDED: 4,
+  LINK_OVER_DIAMETER: 5,
+};
+
+export const TurnStatus = {
+  OK: 0,
+  TOO_NEAR: 1,
+  NO_ARCS: 2,
+  NO_LINE: 3,
+  NO_CIRCLE: 4,
+  NOT_EASED: 5,
+  NO_ROOM: 6,
+};
+
+export const Ended = {
+  DONE: 0,
+  MORE: 1,
+  ROOM: 2,
+  FALLEN: 3,
+};
+
+export const STEP_BOUNDS = {
+  PATH: 0,
+  SLOWEST: 1,
+  SPEED: 2,
+  GROWTH_LOW: 3,
+  GROWTH_HIGH: 4,
+  ACCELERATION: 5,
+  TURNING_RATE: 6,
+  RIGHT: 7,
+  LEFT: 8,
+  HEADING_CHANGE: 9,
+  TURN_LOW: 10,
+  TURN_HIGH: 11,
+  FRONT_LOW: 12,
+  FRONT_HIGH: 13,
+  REAR_LOW: 14,
+  REAR_HIGH: 15,
+  HANDLE_COLUMNS: 16,
+  TRAVEL: 0,
+  POINT_SPEED: 1,
+  POINT_ACCELERATION: 2,
+  TURN: 3,
+  ANGULAR_ACCELERATION: 4,
+  BENCH_COLUMNS: 5,
+  SMOOTH: 1e-12,
+  ROUNDED_UP: 1.000000000001,
+  PASSES: 3,
+};
+
+export const TURN_FAMILIES = {
+  PIECE_LENGTH: 0,
+  PIECE_START: 1,
+  PIECE_END: 2,
+  MOST_PIECES: 7,
+  ARCS: 3,
+  RADIUS: 2,
+  LEAST_THETA: 0.5,
+  MOST_STEPS: 40,
+  CLOSED: 1e-12,
+  SLOPE_STEP: 1e-7,
+  NOTHING: 1e-9,
+  FULL_TURN: 6.283185307178586,
+  LEAD: 100,
+  TRAIL: 1000,
+  LOOK: 0.02,
+};
+
+export const WALK_SEARCH = {
+  MORE: 8,
+  CROWDED: 9,
+  ASTRAY: 10,
+  SEEK: 3,
+  WIDTH_ROUNDINGS: 4,
+  HANDLES_A_CALL: 200000,
+};
+
+export const MODEL_ANSWER = {
+  ROUNDING: 1e-11,
+};
+
+export const MODEL_BASE_CURVE = {
+  NOWHERE: [0, 0, 0],
+  LEAST_METRES: 1e-6,
+};
+
+export const MODEL_CURVES = {
+  JOINT_GAP: 1e-9,
+  JOINT_KINK: 1e-9,
+  MOST_WINDING: 10000,
+};
+
+export const MODEL_DRAGON = {
+  MOST_BENCHES: 1000000,
+  MOST_FAULTS: 20,
+};
+
+export const MODEL_HOLDS = {
+  SAME_PLACE: 1e-9,
+};
+
+export const MODEL_OBSTACLE = {
+  MOST_CORNERS: 5000,
+  LEAST_SIDE: 1e-6,
+};
+
+export const MODEL_PROFILE = {
+  MOST_SPEED: 100,
+};
+
+export const MODEL_WALK = {
+  MOST_PLACES: 50000000,
+  MOST_WORKERS: 64,
+  SLICE_PLACES: 1000000,
+  FAILURE_TOLERANCE: 1e-9,
+};
+
+export const PLANS_CUES = {
+  MOST_CUES: 200,
+  LEAST_TEMPO: 20,
+  MOST_TEMPO: 400,
+  MOST_BAR: 16,
+  LEAST_HOLD: 0.1,
+  PRUDENCE: 1e-9,
+  END_SLACK: 1e-6,
+};
+
+export const PLANS_DRAWN = {
+  SAME_BEND: 1e-12,
+};
+
+export const PLANS_ROUTES = {
+  FITS: 0.001,
+  MOST_STEPS: 50,
+  RUN_UP: 1,
+  FOLDS: 0.001,
+};
+
+export const PLANS_SQUARE = {
+  MOST_LETTERS: 80,
+  MOST_OBSTACLES: 1000,
+};
+
+export const PLANS_TABLES = {
+  MOST_PARTS: 10000,
+  ROOMY: 0.9,
+  LEAST: 1e-6,
+  LEAST_PITCH: 0.001,
+  MOST_SECONDS: 1000000000,
+  MOST_DEGREES: 1000000,
+  MOST_CURVATURE: 1000000,
+  MOST_EASE: 1000,
+};
+
+export const PLAYER_FRAMES = {
+  QUANTUM: 0.0001,
+  STEPS: [4, 2, 1, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625],
+  SHARES: [0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875],
+  TRIED: 40,
+  NEAR: 0.125,
+  LEAP: 0.25,
+  MOST_PLACES: 12000000,
+  LEVEL: 4,
+  FARTHEST: 200000,
+  STRETCH: 20,
+  STRETCH_ERROR: 2e-5,
+};
+
+export const PLAYER_SCENE = {
+  MOST_ERROR: 0.001,
+  REACH: 1,
+  MOST_TIMES: 1500,
+  MOST_DISTANCES: 3000000,
+  AROUND: 5,
+  MOST_BENCHES: 5000,
+  LONG: 500000,
+  MOST_JOINTS: 200,
+};

@@ -1,0 +1,376 @@
+// Curves and the route that joins them: twin of model/base_curve.py and model/curves.py.
+//
+// A curve is a part as kernels/route_parts.py has it: eight numbers, checked here.
+
+import { _ } from "../words.js";
+import { doubles, withArena } from "./arena.js";
+import { CURVE, MODEL_BASE_CURVE, MODEL_CURVES, ROUTE_PARTS } from "./constants.js";
+import { InputError, finite, notNegative, positive } from "./errors.js";
+import { general } from "./number_format.js";
+
+/** @typedef {import("./arena.js").Arena} Arena */
+/** @typedef {import("../engine.js").Engine} Engine */
+/** @typedef {import("../engine.js").Numbers} Numbers */
+/** @typedef {[number, number]} Point */
+/** @typedef {number[]} Part */
+/** @typedef {{ x: number, y: number, heading: number }} Pose */
+
+const NOWHERE = { x: 0, y: 0, heading: 0 };
+
+/** `value` if it may be a length or a radius, m. @param {string} name @param {number} value */
+export function checkedSize(name, value) {
+  if (positive(name, value, "m") > CURVE.MOST_METRES)
+    throw new InputError(
+      _("{name} must be at most {most} m, not {value} m", {
+        name,
+        most: general(CURVE.MOST_METRES),
+        value: general(value),
+      }),
+    );
+  return value;
+}
+
+/** `value` if it may be a pitch or a radius, m. @param {string} name @param {number} value */
+export function checkedBend(name, value) {
+  if (positive(name, value, "m") < MODEL_BASE_CURVE.LEAST_METRES)
+    throw new InputError(
+      _("{name} must be at least {least} m, not {value} m", {
+        name,
+        least: general(MODEL_BASE_CURVE.LEAST_METRES),
+        value: general(value),
+      }),
+    );
+  return checkedSize(name, value);
+}
+
+/** Refuse a start or centre (m) and a heading (rad) that cannot be. @param {Point} point @param {number} heading */
+export function checkPose(point, heading) {
+  for (const value of point)
+    if (Math.abs(finite("start", value, "m")) > CURVE.MOST_METRES)
+      throw new InputError(_("a start or centre must lie within 1e8 m of the origin"));
+  finite("heading", heading, "rad");
+}
+
+/** A straight line. @param {number} length m @param {Point} [start] @param {number} [heading] rad @returns {Part} */
+export function linePart(length, start = [0, 0], heading = 0) {
+  checkedSize("length", length);
+  checkPose(start, heading);
+  return [CURVE.LINE, ...start, heading, length, 0, 0, 0];
+}
+
+/**
+ * A circular arc; a positive sweep, rad, turns left.
+ * @param {number} radius m
+ * @param {number} sweep
+ * @param {Point} [start]
+ * @param {number} [heading] rad
+ * @returns {Part}
+ */
+export function arcPart(radius, sweep, start = [0, 0], heading = 0) {
+  checkedBend("radius", radius);
+  if (finite("sweep", sweep, "rad") === 0) throw new InputError(_("the angle of an arc must not be 0"));
+  checkedSize("length", radius * Math.abs(sweep));
+  checkPose(start, heading);
+  return [CURVE.ARC, ...start, heading, radius, sweep, 0, 0];
+}
+
+/**
+ * An Archimedean spiral between two angles, rad: see Spiral in model/curves.py.
+ * @param {number} pitch m
+ * @param {number} startAngle
+ * @param {number} endAngle
+ * @param {{ centre?: Point, rotation?: number, mirrored?: boolean }} [placed]
+ * @returns {Part}
+ */
+export function spiralPart(pitch, startAngle, endAngle, placed = {}) {
+  const { centre = [0, 0], rotation = 0, mirrored = false } = placed;
+  const k = checkedBend("pitch", pitch) / (2 * Math.PI);
+  for (const [name, angle] of /** @type {Array<[string, number]>} */ ([
+    ["start_angle", startAngle],
+    ["end_angle", endAngle],
+  ]))
+    if (finite(name, angle, "rad") < 0)
+      throw new InputError(
+        _("{name} must not be negative, but is {value}", { name, value: `${general(angle)} rad` }),
+      );
+  if (startAngle === endAngle)
+    throw new InputError(_("a spiral must end at another angle than it starts at"));
+  const outer = Math.max(startAngle, endAngle);
+  checkedSize("radius", outer * k);
+  // The arc to the centre is at least this, and hardly more where it matters.
+  checkedSize("length", 0.5 * k * outer * outer);
+  checkPose(centre, rotation);
+  return [CURVE.SPIRAL, ...centre, rotation, pitch, startAngle, endAngle, mirrored ? -1 : 1];
+}
+
+/**
+ * The spiral from one radius, m, to another.
+ * @param {number} pitch m
+ * @param {number} startRadius
+ * @param {number} endRadius
+ * @param {{ centre?: Point, rotation?: number, mirrored?: boolean }} [placed]
+ */
+export function spiralBetween(pitch, startRadius, endRadius, placed = {}) {
+  const k = checkedBend("pitch", pitch) / (2 * Math.PI);
+  notNegative("start_radius", startRadius, "m");
+  notNegative("end_radius", endRadius, "m");
+  return spiralPart(pitch, startRadius / k, endRadius / k, placed);
+}
+
+/**
+ * A clothoid: its curvature, 1/m, changes evenly.
+ * @param {number} length m
+ * @param {number} startCurvature
+ * @param {number} endCurvature
+ * @param {Point} [start]
+ * @param {number} [heading] rad
+ * @returns {Part}
+ */
+export function clothoidPart(length, startCurvature, endCurvature, start = [0, 0], heading = 0) {
+  checkBent(length, startCurvature, endCurvature, start, heading);
+  checkTurn(_("a clothoid"), length, startCurvature, endCurvature);
+  return [CURVE.CLOTHOID, ...start, heading, length, startCurvature, endCurvature, 0];
+}
+
+/**
+ * A logarithmic spiral: its radius of curvature changes evenly.
+ * @param {number} length m
+ * @param {number} a curvature at its start, 1/m
+ * @param {number} b at its end
+ * @param {Point} [start]
+ * @param {number} [heading] rad
+ * @returns {Part}
+ */
+export function logSpiralPart(length, a, b, start = [0, 0], heading = 0) {
+  checkBent(length, a, b, start, heading);
+  const most = MODEL_CURVES.MOST_WINDING;
+  if (b === 0 || !(1 / most <= a / b && a / b <= most))
+    throw new InputError(
+      _(
+        "the curvatures of a logarithmic spiral must have the same sign and differ by a factor of at most {most}, not be {start} and {end} 1/m",
+        { most: general(most), start: general(a), end: general(b) },
+      ),
+    );
+  checkTurn(_("a logarithmic spiral"), length, a, b);
+  return [CURVE.LOG_SPIRAL, ...start, heading, length, a, b, 0];
+}
+
+/** @param {number} length @param {number} a @param {number} b @param {Point} start @param {number} heading */
+function checkBent(length, a, b, start, heading) {
+  checkedSize("length", length);
+  finite("start_curvature", a, "1/m");
+  finite("end_curvature", b, "1/m");
+  checkPose(start, heading);
+}
+
+/** @param {string} kind @param {number} length @param {number} a @param {number} b */
+function checkTurn(kind, length, a, b) {
+  const turn = length * Math.max(Math.abs(a), Math.abs(b)); // or less
+  if (turn > CURVE.MOST_TURN)
+    throw new InputError(
+      _("{kind} may sweep at most {most} rad, not {value} rad", {
+        kind,
+        most: general(CURVE.MOST_TURN),
+        value: general(turn),
+      }),
+    );
+}
+
+/** The same part, checked as when it was made: for parts that were moved. @param {Part} part @returns {Part} */
+export function checkedPart([kind, x, y, angle, size, first, last, hand]) {
+  switch (kind) {
+    case CURVE.LINE:
+      return linePart(size, [x, y], angle);
+    case CURVE.ARC:
+      return arcPart(size, first, [x, y], angle);
+    case CURVE.SPIRAL:
+      return spiralPart(size, first, last, { centre: [x, y], rotation: angle, mirrored: hand < 0 });
+    case CURVE.CLOTHOID:
+      return clothoidPart(size, first, last, [x, y], angle);
+    default:
+      return logSpiralPart(size, first, last, [x, y], angle);
+  }
+}
+
+/** Centre of an arc, m. @param {Part} part @returns {Point} */
+export function arcCentre([, x, y, heading, radius, sweep]) {
+  const side = heading + (sweep < 0 ? -0.5 : 0.5) * Math.PI;
+  return [x + radius * Math.cos(side), y + radius * Math.sin(side)];
+}
+
+/**
+ * The rows of a route of these parts; those from the one number to before the other are moved to where
+ * the one before each ends, the first part to `start`. And the parts as they then lie.
+ * @param {Arena} arena
+ * @param {Part[]} parts
+ * @param {[number, number]} [moved]
+ * @param {Pose} [start]
+ * @returns {{ rows: Numbers, parts: Part[] }}
+ */
+export function laidRows(arena, parts, moved = [0, 0], start = NOWHERE) {
+  const { engine } = arena;
+  const columns = ROUTE_PARTS.PART_COLUMNS;
+  const table = arena.table(parts, columns);
+  try {
+    const [count] = engine.call("bd_route_parts_row_count", table);
+    const rows = arena.full([count, CURVE.COLUMNS], 0);
+    engine.call("bd_route_parts_lay_rows", table, start, ...moved, rows);
+    const view = doubles(table);
+    const laid = parts.map((_part, i) => Array.from(view.subarray(i * columns, (i + 1) * columns)));
+    return { rows, parts: laid };
+  } finally {
+    arena.drop(table);
+  }
+}
+
+/**
+ * These parts, those from number `first` to before `stop` moved to where the one before ends.
+ * @param {Engine} engine
+ * @param {Part[]} parts
+ * @param {number} first
+ * @param {number} stop
+ * @param {Pose} [start] where part 0 is moved to, if it is
+ */
+export function joinedParts(engine, parts, first, stop, start) {
+  return withArena(engine, (arena) => {
+    const laid = laidRows(arena, parts, [first, stop], start).parts;
+    return parts.map((part, i) => (first <= i && i < stop ? checkedPart(laid[i]) : part));
+  });
+}
+
+/** The pose at which a part starts. @param {Engine} engine @param {Part} part @returns {Pose} */
+export function startPose(engine, part) {
+  return withArena(engine, (arena) => {
+    const { rows } = laidRows(arena, [part]);
+    const [x, y, heading] = engine.call("bd_route_parts_start_pose", rows, 0);
+    return { x, y, heading };
+  });
+}
+
+/** The pose at which a part ends. @param {Engine} engine @param {Part} part @returns {Pose} */
+export function endPose(engine, part) {
+  return withArena(engine, (arena) => {
+    const { rows } = laidRows(arena, [part]);
+    const [x, y, heading] = engine.call("bd_route_parts_end_pose", rows, rows.shape[0] - 1);
+    return { x, y, heading };
+  });
+}
+
+/** Curves joined end to end in walking order. */
+export class Route {
+  /**
+   * @param {Arena} arena which holds `rows`
+   * @param {Part[]} parts at least one; each starts where the one before it ends
+   */
+  constructor(arena, parts) {
+    if (!parts.length) throw new InputError(_("a route needs at least one curve"));
+    this.engine = arena.engine;
+    this.parts = parts;
+    /** The curve as kernels see it, (pieces, COLUMNS). */
+    this.rows = laidRows(arena, parts).rows;
+    const view = doubles(this.rows);
+    const last = view.length - CURVE.COLUMNS;
+    /** Exact length from start to end, m. */
+    this.length = view[last + CURVE.S_START] + view[last + CURVE.LENGTH];
+    /** How far it runs on behind its start, m: 0 or infinite. */
+    this.extension = Number.isFinite(view[CURVE.U_BACK]) ? 0 : Infinity;
+    /** Route positions of the curves' ends, m, from 0 to the length. */
+    this.joints = this.#joints(view);
+    this.#checkJoints();
+  }
+
+  /** The route of these parts, each moved to where the one before it ends. @param {Arena} arena @param {Part[]} parts */
+  static joined(arena, parts) {
+    if (!parts.length) throw new InputError(_("a route needs at least one curve"));
+    return new Route(arena, joinedParts(arena.engine, parts, 1, parts.length));
+  }
+
+  /** The same in another arena. @param {Arena} arena */
+  in(arena) {
+    return new Route(arena, this.parts);
+  }
+
+  /**
+   * The same turned about the origin by an angle, rad, and then moved, m.
+   * @param {Arena} arena
+   * @param {number} turned
+   * @param {Point} by
+   */
+  moved(arena, turned, by) {
+    checkPose(by, turned);
+    const [c, s] = [Math.cos(turned), Math.sin(turned)];
+    const parts = this.parts.map(([kind, x, y, angle, ...sizes]) =>
+      checkedPart([kind, c * x - s * y + by[0], s * x + c * y + by[1], angle + turned, ...sizes]),
+    );
+    return new Route(arena, parts);
+  }
+
+  /** Centre of the first spiral, else the origin, m. @returns {Point} */
+  get centre() {
+    const spiral = this.parts.find(([kind]) => kind === CURVE.SPIRAL);
+    return spiral ? [spiral[ROUTE_PARTS.PART_X], spiral[ROUTE_PARTS.PART_Y]] : [0, 0];
+  }
+
+  /**
+   * x, y (m), heading (rad) and curvature (1/m) at route positions, m: four numbers each, row by row.
+   * @param {ArrayLike<number>} positions
+   */
+  evaluate(positions) {
+    return withArena(this.engine, (arena) => {
+      const out = arena.array("d", positions.length, 4);
+      this.engine.call("bd_route_evaluate", this.rows, arena.vector(positions), out);
+      const found = doubles(out).slice();
+      const off = found.findIndex((value, i) => i % 4 === 0 && Number.isNaN(value));
+      if (off >= 0)
+        throw new InputError(
+          _("s must lie between {low} and {high} m, not at {value} m", {
+            low: general(0 - this.extension),
+            high: general(this.length, 12),
+            value: general(positions[off / 4], 12),
+          }),
+        );
+      return found;
+    });
+  }
+
+  /** Point of a route position, m. @param {number} s @returns {Point} */
+  point(s) {
+    const [x, y] = this.evaluate([s]);
+    return [x, y];
+  }
+
+  /** @param {Float64Array} view of its rows */
+  #joints(view) {
+    const found = [];
+    for (let row = 0, part = -1; row < view.length; row += CURVE.COLUMNS) {
+      if (view[row + CURVE.PART] !== part) found.push(view[row + CURVE.S_START]);
+      part = view[row + CURVE.PART];
+    }
+    return Float64Array.of(...found, this.length);
+  }
+
+  #checkJoints() {
+    const off = withArena(this.engine, (arena) => {
+      const out = arena.full([this.parts.length - 1, 2], 0);
+      this.engine.call("bd_route_parts_misfits", this.rows, out);
+      return doubles(out).slice();
+    });
+    for (let i = 0; i < off.length; i += 2) {
+      const numbers = { first: i / 2 + 1, second: i / 2 + 2 };
+      if (off[i] > MODEL_CURVES.JOINT_GAP)
+        throw new InputError(
+          _("curves {first} and {second} do not meet: they are {gap} m apart", {
+            ...numbers,
+            gap: general(off[i]),
+          }),
+        );
+      if (off[i + 1] > MODEL_CURVES.JOINT_KINK)
+        throw new InputError(
+          _(
+            "curves {first} and {second} meet at a kink of {kink} degrees; allow kinks or rotate one of them",
+            { ...numbers, kink: general((off[i + 1] * 180) / Math.PI) },
+          ),
+        );
+    }
+  }
+}

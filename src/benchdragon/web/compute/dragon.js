@@ -1,0 +1,182 @@
+// A dragon's sizes: twin of model/dragon.py.
+
+import { _ } from "../words.js";
+import { BOX, MODEL_DRAGON } from "./constants.js";
+import { InputError, notNegative, positive } from "./errors.js";
+import { general } from "./number_format.js";
+
+/** @typedef {import("./arena.js").Arena} Arena */
+/** @typedef {import("../engine.js").Numbers} Numbers */
+/** @typedef {"length" | "width" | "front_inset" | "rear_inset"} SizeName */
+/** @typedef {Record<SizeName, Float64Array>} SizeColumns */
+
+/** @type {SizeName[]} */
+const SIZE_NAMES = ["length", "width", "front_inset", "rear_inset"];
+
+/** Sizes that cannot be: bench (a row, from 0), size and sentence of each, benches of the same sizes once. */
+export class SizeError extends InputError {
+  /** @param {Array<[number, string, string]>} faults */
+  constructor(faults) {
+    super(faults[0][2]);
+    this.faults = faults;
+  }
+}
+
+/** Benches in walking order, bench 1 the head; their sizes in m, one entry a bench. */
+export class Dragon {
+  /**
+   * @param {Arena} arena which holds `sizes` and `links`
+   * @param {SizeColumns} columns
+   */
+  constructor(arena, { length, width, front_inset, rear_inset }) {
+    this.length = length;
+    this.width = width;
+    this.front_inset = front_inset;
+    this.rear_inset = rear_inset;
+    /** Number of benches. */
+    this.benches = length.length;
+    if (this.benches < 1 || this.benches > MODEL_DRAGON.MOST_BENCHES)
+      throw new InputError(countText(this.benches));
+    /** Between the holes of each bench, m. */
+    this.link = length.map((whole, i) => whole - front_inset[i] - rear_inset[i]);
+    this.#check();
+    /** The same for kernels, (benches,). @type {Numbers} */
+    this.links = arena.vector(this.link);
+    /** Length, width, front inset and rear inset for kernels, (4, benches). @type {Numbers} */
+    this.sizes = arena.table([length, width, front_inset, rear_inset], this.benches);
+  }
+
+  /**
+   * Head, equal bodies, tail.
+   * @param {Arena} arena
+   * @param {Record<"benches" | "head_length" | "body_length" | "tail_length" | "width" | "front_inset"
+   *   | "rear_inset", number>} sizes
+   */
+  static uniform(arena, sizes) {
+    const { benches } = sizes;
+    if (!(benches >= 1 && benches <= MODEL_DRAGON.MOST_BENCHES))
+      throw new InputError(countText(benches));
+    const all = (/** @type {number} */ value) => new Float64Array(benches).fill(value);
+    const length = all(sizes.body_length);
+    length[benches - 1] = sizes.tail_length;
+    length[0] = sizes.head_length;
+    const { width, front_inset, rear_inset } = sizes;
+    return new Dragon(arena, {
+      length,
+      width: all(width),
+      front_inset: all(front_inset),
+      rear_inset: all(rear_inset),
+    });
+  }
+
+  /** The dragon of its first benches alone. @param {Arena} arena @param {number} benches */
+  first(arena, benches) {
+    const [length, width, front_inset, rear_inset] = SIZE_NAMES.map((name) =>
+      this[name].slice(0, benches),
+    );
+    return new Dragon(arena, { length, width, front_inset, rear_inset });
+  }
+
+  /** The same in another arena. @param {Arena} arena */
+  in(arena) {
+    return this.first(arena, this.benches);
+  }
+
+  /** The most that any point of a bench moves when both its handles move by at most 1. */
+  get lever() {
+    let most = 0;
+    for (let i = 0; i < this.benches; i++) {
+      const insets = 2 * Math.max(this.front_inset[i], this.rear_inset[i]);
+      most = Math.max(most, 1 + (insets + this.width[i]) / this.link[i]);
+    }
+    return most;
+  }
+
+  /** From handle to handle, m: summed as NumPy sums, in pairs. */
+  get extent() {
+    return pairwiseSum(this.link);
+  }
+
+  #check() {
+    /** @type {Array<[number, string, string]>} */
+    const faults = [];
+    const seen = new Set();
+    for (let i = 0; i < this.benches && faults.length < MODEL_DRAGON.MOST_FAULTS; i++) {
+      if (this.#sound(i)) continue;
+      const sizes = SIZE_NAMES.map((name) => this[name][i]).join();
+      if (!seen.has(sizes)) faults.push(this.#fault(i));
+      seen.add(sizes);
+    }
+    if (faults.length) throw new SizeError(faults);
+  }
+
+  /** @param {number} i */
+  #sound(i) {
+    const [length, width, front, rear] = SIZE_NAMES.map((name) => this[name][i]);
+    const most = BOX.LONGEST_BENCH;
+    return (
+      length > 0 && length <= most && width > 0 && width <= most &&
+      front >= 0 && front <= most && rear >= 0 && rear <= most && this.link[i] >= BOX.SHORTEST_LINK
+    ); // prettier-ignore
+  }
+
+  /** @param {number} i @returns {[number, string, string]} */
+  #fault(i) {
+    for (const name of SIZE_NAMES) {
+      const label = _("bench {number}: {size}", { number: i + 1, size: name });
+      const value = this[name][i];
+      const check = name === "length" || name === "width" ? positive : notNegative;
+      try {
+        check(label, value, "m");
+      } catch (error) {
+        if (!(error instanceof InputError)) throw error;
+        return [i, name, error.message];
+      }
+      if (value > BOX.LONGEST_BENCH) {
+        const values = { name: label, most: general(BOX.LONGEST_BENCH), value: general(value) };
+        return [i, name, _("{name} must be at most {most} m, not {value} m", values)];
+      }
+    }
+    const text = _(
+      "bench {number}: its insets ({front} m and {rear} m) leave no link in a length of {length} m",
+      {
+        number: i + 1,
+        front: general(this.front_inset[i]),
+        rear: general(this.rear_inset[i]),
+        length: general(this.length[i]),
+      },
+    );
+    return [i, "length", text];
+  }
+}
+
+/** @param {number} count */
+function countText(count) {
+  const most = MODEL_DRAGON.MOST_BENCHES;
+  return _("a dragon has 1 to {most} benches, not {count}", { most, count });
+}
+
+/**
+ * The sum of numbers, in the order in which NumPy adds: the same to the last bit.
+ * @param {Float64Array} values
+ * @returns {number}
+ */
+export function pairwiseSum(values) {
+  const n = values.length;
+  if (n < 8) return values.reduce((sum, value) => sum + value, 0);
+  if (n > 128) {
+    const half = (n >> 1) - ((n >> 1) % 8);
+    return pairwiseSum(values.subarray(0, half)) + pairwiseSum(values.subarray(half));
+  }
+  const r = values.slice(0, 8);
+  const whole = n - (n % 8);
+  for (let i = 8; i < whole; i += 8) for (let k = 0; k < 8; k++) r[k] += values[i + k];
+  let sum = r[0] + r[1] + (r[2] + r[3]) + (r[4] + r[5] + (r[6] + r[7]));
+  for (let i = whole; i < n; i++) sum += values[i];
+  return sum;
+}
+
+/** The greatest of a list of numbers. @param {Float64Array} values */
+export function greatest(values) {
+  return values.reduce((most, value) => Math.max(most, value), -Infinity);
+}

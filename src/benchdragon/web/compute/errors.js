@@ -1,0 +1,172 @@
+// Everything that can go wrong, in words: twin of errors.py, and of Fault and Faults in plans/source.py.
+
+import { _ } from "../words.js";
+import { Status } from "./constants.js";
+import { general, pythonFloat } from "./number_format.js";
+
+export class BenchDragonError extends Error {}
+
+/** A value that cannot be used: what was wanted, and what came. */
+export class InputError extends BenchDragonError {}
+
+/** A question that could not be decided within the budget. */
+export class UnsureError extends BenchDragonError {}
+
+/** What was sought is not there. */
+export class NoSolutionError extends InputError {}
+
+/** A plan that cannot be read or used: where, what was wanted, and what came. */
+export class PlanError extends BenchDragonError {}
+
+/** What a page cannot do and the command line can. */
+export class NotHereError extends InputError {}
+
+/** A dragon that cannot stand on its route. */
+export class WalkError extends BenchDragonError {
+  /**
+   * @param {number} status how it failed
+   * @param {number} bench 1..N; 0 for the head's handle
+   * @param {number} s route position of that bench's front handle, m
+   * @param {number} head route position of the head's handle, m
+   * @param {string} size of the route, or of the bench's link, in words
+   * @param {number | null} [t] s; null where no walk says when
+   */
+  constructor(status, bench, s, head, size, t = null) {
+    super();
+    this.status = status;
+    this.bench = bench;
+    this.s = s;
+    this.head = head;
+    this.size = size;
+    this.t = t;
+  }
+
+  /** The same error at a time, s; one that never comes stays untold. @param {number} t */
+  at(t) {
+    const when = Number.isFinite(t) ? t : null;
+    return new WalkError(this.status, this.bench, this.s, this.head, this.size, when);
+  }
+
+  /** What went wrong, with advice, in the language in use. */
+  get message() {
+    const when =
+      this.t === null
+        ? _("with the head at s = {head} m", { head: general(this.head) })
+        : _("at t = {t} s", { t: general(this.t) });
+    return advice(this.status, { when, bench: this.bench, s: general(this.s), size: this.size });
+  }
+}
+
+/** @param {number} status @param {Record<string, string | number>} values */
+function advice(status, values) {
+  switch (status) {
+    case Status.BEFORE_ROUTE:
+      return _(
+        "{when} the head would stand at s = {s} m, before the route starts; begin the walk later or begin the route with a line or an inward spiral, which run on behind their start",
+        values,
+      );
+    case Status.AFTER_ROUTE:
+      return _(
+        "{when} the head would walk past the end of the route, which is {size} long (s = {s} m); end the walk earlier or lengthen the route",
+        values,
+      );
+    case Status.ROUTE_TOO_SHORT:
+      return _(
+        "{when} bench {bench} has no place: its front handle stands at s = {s} m and no point of the route behind it is one link ({size}) away; shorten the dragon, or begin the route with a line or an inward spiral, which run on behind their start",
+        values,
+      );
+    case Status.FOLDED:
+      return _(
+        "{when} bench {bench} (link {size}) folds: with its front handle at s = {s} m it stands square to the route, where the speed ratio runs away; use gentler curves or shorter benches",
+        values,
+      );
+    default:
+      return _(
+        "{when} bench {bench} cannot follow an arc: with its front handle at s = {s} m its link ({size}) is longer than the arc's diameter; use a larger radius or shorter benches",
+        values,
+      );
+  }
+}
+
+/** What is wrong under a dotted key of a plan; "" is the whole plan. */
+export class Fault {
+  /** @param {string} key @param {string} text */
+  constructor(key, text) {
+    this.key = key;
+    this.text = text;
+  }
+
+  toString() {
+    return this.text.startsWith(this.key) ? this.text : `${this.key}: ${this.text}`;
+  }
+}
+
+/** What is wrong with a plan when it is built. */
+export class KeyedError extends InputError {
+  /** @param {Fault[]} faults */
+  constructor(faults) {
+    super(faults.join("\n"));
+    this.faults = faults;
+  }
+}
+
+/** The error of one key. @param {string} key @param {string} text */
+export function keyed(key, text) {
+  return new KeyedError([new Fault(key, text)]);
+}
+
+/** Gathers what is wrong while parts of a plan are built, so that all can be said at once. */
+export class Faults {
+  /** @type {Fault[]} */
+  found = [];
+
+  /**
+   * What `make` makes of the key; null, and a fault, where it cannot.
+   * @template T
+   * @param {string} key
+   * @param {() => T} make
+   * @returns {T | null}
+   */
+  tried(key, make) {
+    try {
+      return make();
+    } catch (error) {
+      if (error instanceof KeyedError) this.found.push(...error.faults);
+      else if (error instanceof InputError) this.found.push(new Fault(key, error.message));
+      else throw error;
+    }
+    return null;
+  }
+}
+
+/** @param {number} value @param {string} unit */
+function withUnit(value, unit) {
+  return `${pythonFloat(value)} ${unit}`.trim();
+}
+
+/** `value`, if it is a finite number. @param {string} name @param {number} value @param {string} [unit] */
+export function finite(name, value, unit = "") {
+  if (!Number.isFinite(value))
+    throw new InputError(
+      _("{name} must be finite, not {value}", { name, value: withUnit(value, unit) }),
+    );
+  return value;
+}
+
+/** `value`, if it is finite and above 0. @param {string} name @param {number} value @param {string} [unit] */
+export function positive(name, value, unit = "") {
+  if (finite(name, value, unit) <= 0)
+    throw new InputError(
+      _("{name} must be positive, not {value}", { name, value: withUnit(value, unit) }),
+    );
+  return value;
+}
+
+/** `value`, if it is finite and at least 0. @param {string} name @param {number} value @param {string} [unit] */
+export function notNegative(name, value, unit = "") {
+  if (finite(name, value, unit) < 0)
+    throw new InputError(
+      _("{name} must not be negative, but is {value}", { name, value: withUnit(value, unit) }),
+    );
+  return value;
+}

@@ -1,0 +1,42 @@
+"""compute/constants.js holds what the Python modules hold."""
+
+import importlib.util
+import math
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+
+
+def load_tool() -> Any:
+    """tools/make_constants.py as a module."""
+    path = ROOT / "tools" / "make_constants.py"
+    spec = importlib.util.spec_from_file_location("make_constants", path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+TOOL = load_tool()
+
+
+def test_the_constants_of_the_pages_are_those_of_the_modules() -> None:
+    assert TOOL.FILE.read_text("utf-8") == TOOL.constants(), "run `make types`"
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [(3, "3"), (0.5, "0.5"), (1e-9, "1e-9"), (1e8, "100000000"), (math.inf, "Infinity"), (-2.0, "-2")],
+)
+def test_a_number_is_one_of_javascript(value: float, text: str) -> None:
+    assert TOOL.number(value) == text
+
+
+def test_texts_and_truths_are_left_out() -> None:
+    assert TOOL.literal(True) is None
+    assert TOOL.literal("text") is None
+    assert TOOL.literal((0.5, 2)) == "[0.5, 2]"
