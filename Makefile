@@ -131,6 +131,7 @@ keys: .venv/installed
 types: .venv/installed
 	$(BIN)/python tools/make_types.py
 	$(BIN)/python tools/make_constants.py
+	$(BIN)/python tools/make_plan_keys.py
 
 map: .venv/installed
 	$(BIN)/python tools/make_map.py

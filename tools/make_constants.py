@@ -27,8 +27,8 @@ KERNELS = (
 )  # fmt: skip
 # Modules with twins in the page: add those whose numbers you need.
 TWINS = (
-    "model.answer", "model.base_curve", "model.curves", "model.dragon", "model.formations",
-    "model.holds", "model.obstacle", "model.profile", "model.walk",
+    "model.answer", "model.base_curve", "model.connections", "model.curves", "model.dragon",
+    "model.formations", "model.holds", "model.obstacle", "model.profile", "model.walk",
     "plans.cues", "plans.drawn", "plans.routes", "plans.square", "plans.tables",
     "player.frames", "player.scene",
 )  # fmt: skip

@@ -497,6 +497,14 @@ export const MODEL_BASE_CURVE = {
   LEAST_METRES: 1e-6,
 };
 
+export const MODEL_CONNECTIONS = {
+  ROUNDING: 1e-13,
+  CHORD: 0.25,
+  MOST_CHORDS: 4000,
+  RUN: 32,
+  FULL: 6.283185307179586,
+};
+
 export const MODEL_CURVES = {
   JOINT_GAP: 1e-9,
   JOINT_KINK: 1e-9,

@@ -17,6 +17,16 @@ import { general } from "./number_format.js";
 
 const NOWHERE = { x: 0, y: 0, heading: 0 };
 
+/** @param {number} angle degrees */
+export function radians(angle) {
+  return angle * (Math.PI / 180);
+}
+
+/** @param {number} angle rad */
+export function degrees(angle) {
+  return angle * (180 / Math.PI);
+}
+
 /** `value` if it may be a length or a radius, m. @param {string} name @param {number} value */
 export function checkedSize(name, value) {
   if (positive(name, value, "m") > CURVE.MOST_METRES)
@@ -368,7 +378,7 @@ export class Route {
         throw new InputError(
           _(
             "curves {first} and {second} meet at a kink of {kink} degrees; allow kinks or rotate one of them",
-            { ...numbers, kink: general((off[i + 1] * 180) / Math.PI) },
+            { ...numbers, kink: general(degrees(off[i + 1])) },
           ),
         );
     }

@@ -150,8 +150,8 @@ export class Dragon {
   }
 }
 
-/** @param {number} count */
-function countText(count) {
+/** What is wrong with so many benches. @param {number} count */
+export function countText(count) {
   const most = MODEL_DRAGON.MOST_BENCHES;
   return _("a dragon has 1 to {most} benches, not {count}", { most, count });
 }

@@ -1,0 +1,405 @@
+// The check of what a plan says: twin of the tables in plans/ and of plans/faults.py, made from the same
+// models (plan_keys.js).
+
+import { _ } from "../words.js";
+import { Fault } from "./errors.js";
+import { PLAN_TABLES, PLAN_UNITS } from "./plan_keys.js";
+import {
+  asciiJson,
+  isPrintable,
+  nearestName,
+  pythonJson,
+  pythonRepr,
+  pythonText,
+} from "./python_text.js";
+import { pythonFloat } from "./number_format.js";
+
+/**
+ * What may stand under a key: see tools/make_plan_keys.py.
+ * @typedef {object} Spec
+ * @property {string} type float, int, bool, text, choice, list, tuple, table or union
+ * @property {boolean} [none] whether it may be null
+ * @property {boolean} [required]
+ * @property {any} [default]
+ * @property {string} [units] name of the units of text with numbers, "" for none
+ * @property {number} [ge] @property {number} [gt] @property {number} [le]
+ * @property {number} [least] the least that is not 0
+ * @property {number} [fewest] entries @property {number} [most] entries or letters
+ * @property {string} [check] of a text
+ * @property {boolean} [day] whether it may be a date of TOML
+ * @property {any[]} [values] of a choice
+ * @property {any} [of] spec of a list's entries, or those of a tuple's
+ * @property {string} [table] @property {Record<string, string>} [tables] by kind
+ */
+
+const QUANTITY = /([-+]?[0-9.]+(?:e[-+]?\d+)?)\s*([^\s\d.+^-]+(?:\^\d)?)/gi;
+const NUMBER_TEXT = /^\s*[-+]?(?:\d[\d_]*\.?\d*|\.\d+)(?:e[-+]?\d+)?\s*$/i;
+const TIME_OF_DAY = /^([01]?\d|2[0-3]):([0-5]\d)(?::([0-5]\d))?$/;
+const [TRUTHS, UNTRUTHS] = [
+  ["1", "on", "t", "true", "y", "yes"],
+  ["0", "off", "f", "false", "n", "no"],
+];
+// Letters of a value that are told.
+const MOST_TOLD = 60;
+
+/** A value that cannot be, in a sentence of its own. */
+class ValueFault extends Error {}
+
+/** A value that is not what was wanted. */
+class Unwanted extends Error {
+  /** @param {string} wanted @param {unknown} came @param {string} [step] */
+  constructor(wanted, came, step = "") {
+    super(wanted);
+    this.came = came;
+    this.step = step;
+  }
+}
+
+/**
+ * A number in the first of `units` from text such as "3 min 12 s"; other things unchanged.
+ * @param {unknown} text
+ * @param {Record<string, number>} units
+ */
+export function quantity(text, units) {
+  if (typeof text === "boolean")
+    throw new ValueFault(_("wanted a number, not {text}", { text: String(text) }));
+  if (typeof text === "bigint") throw new ValueFault(_("wanted a number with fewer digits"));
+  if (typeof text !== "string" || !Object.keys(units).length) return text;
+  const pieces = [...text.matchAll(QUANTITY)].map(([, number, unit]) => ({ number, unit }));
+  const sound =
+    pieces.length &&
+    !text.replace(QUANTITY, "").trim() &&
+    // The sign of the first number is that of the whole: -1 min 30 s is 90 s before.
+    pieces.every(
+      ({ number, unit }, n) =>
+        unit in units && !Number.isNaN(Number(number)) && !(n && /[+-]/.test(number[0])),
+    );
+  if (!sound)
+    throw new ValueFault(
+      _("wanted a number, or text with a unit of {units}, not {text}", {
+        units: Object.keys(units).join(", "),
+        text: pythonRepr(text),
+      }),
+    );
+  const size = pieces.reduce(
+    (sum, { number, unit }) => sum + Math.abs(Number(number)) * units[unit],
+    0,
+  );
+  return pieces[0].number[0] === "-" ? -size : size;
+}
+
+/** Checks a plan, and gathers what is wrong. */
+class Check {
+  /** @type {Fault[]} */
+  faults = [];
+
+  /**
+   * The value in the units that count; undefined, and a fault, where it cannot be.
+   * @param {Spec} spec
+   * @param {unknown} value
+   * @param {string} where dotted key
+   * @returns {any}
+   */
+  value(spec, value, where) {
+    if (spec.none && value === null) return null;
+    try {
+      return this.#checked(spec, value, where);
+    } catch (error) {
+      if (error instanceof ValueFault) this.#add(where, `${where}: ${error.message}`);
+      else if (error instanceof Unwanted) this.#unwanted(where + error.step, error);
+      else throw error;
+    }
+    return undefined;
+  }
+
+  /** @param {string} where @param {Unwanted} error */
+  #unwanted(where, error) {
+    const json = pythonJson(error.came);
+    const letters = Array.from(json);
+    const came = letters.length <= MOST_TOLD ? json : `${letters.slice(0, MOST_TOLD - 3).join("")}...`;
+    const wanted = error.message.replaceAll(" or ", ", ");
+    this.#add(where, _("{where}: wanted {wanted}, not {came}", { where, wanted, came }));
+  }
+
+  /** @param {string} where @param {string} text */
+  #add(where, text) {
+    this.faults.push(new Fault(where, text));
+  }
+
+  /** @param {Spec} spec @param {unknown} value @param {string} where */
+  #checked(spec, value, where) {
+    switch (spec.type) {
+      case "float":
+        return floatOf(spec, value);
+      case "int":
+        return wholeOf(spec, value);
+      case "bool":
+        return truthOf(value);
+      case "text":
+        return textOf(spec, value);
+      case "choice":
+        return choiceOf(spec, value);
+      case "table":
+        return this.table(/** @type {string} */ (spec.table), value, where);
+      case "union":
+        return this.#union(spec, value, where);
+      default:
+        return this.#entries(spec, value, where);
+    }
+  }
+
+  /** @param {Spec} spec @param {unknown} value @param {string} where */
+  #entries(spec, value, where) {
+    if (!Array.isArray(value)) throw new Unwanted(_("a list"), value);
+    if (spec.type === "list") {
+      if (spec.most !== undefined && value.length > spec.most) throw tooLong(spec.most, value);
+      const found = value.map((one, i) => this.value(spec.of, one, `${where}.${i}`));
+      if (spec.fewest !== undefined && value.length < spec.fewest)
+        throw new Unwanted(_("at least {min_length} entries", { min_length: spec.fewest }), value);
+      return found;
+    }
+    const specs = /** @type {Spec[]} */ (spec.of);
+    if (value.length > specs.length) throw tooLong(specs.length, value);
+    return specs.map((one, i) => {
+      if (i < value.length) return this.value(one, value[i], `${where}.${i}`);
+      this.#missing(`${where}.${i}`);
+      return undefined;
+    });
+  }
+
+  /** @param {Spec} spec @param {unknown} value @param {string} where */
+  #union(spec, value, where) {
+    const tables = /** @type {Record<string, string>} */ (spec.tables);
+    if (!isTable(value)) throw new Unwanted(_("a table"), value);
+    if (!("kind" in value)) throw new Unwanted(_("a table with the key kind"), value);
+    const { kind } = value;
+    if (typeof kind !== "string" || !(kind in tables)) {
+      const known = Object.keys(tables).map((name) => `'${name}'`);
+      throw new Unwanted(known.join(", "), pythonText(kind), ".kind");
+    }
+    return this.table(tables[kind], value, where);
+  }
+
+  /**
+   * @param {string} name of the table
+   * @param {unknown} value
+   * @param {string} where
+   */
+  table(name, value, where) {
+    if (!isTable(value)) throw new Unwanted(_("a table"), value);
+    const keys = PLAN_TABLES[name];
+    const before = this.faults.length;
+    const inside = (/** @type {string} */ key) => (where ? `${where}.${key}` : key);
+    /** @type {Record<string, any>} */
+    const found = {};
+    for (const [key, spec] of Object.entries(keys)) {
+      if (key in value) found[key] = this.value(spec, value[key], inside(key));
+      else if (spec.required) this.#missing(inside(key));
+    }
+    for (const key of Object.keys(value))
+      if (!(key in keys))
+        this.#unknown(inside(key), inside(nearestName(key, Object.keys(keys))), inside(""));
+    if (name === "CueTable" && this.faults.length === before) checkCue(found);
+    return found;
+  }
+
+  /** @param {string} where */
+  #missing(where) {
+    this.#add(where, _("{where} is missing", { where }));
+  }
+
+  /** @param {string} where @param {string} name the nearest known key @param {string} none what that is if none is near */
+  #unknown(where, name, none) {
+    const hint = name === none ? "" : _("; did you mean {name}?", { name });
+    this.#add(where, _("{where} is not a known key", { where }) + hint);
+  }
+}
+
+/** @param {unknown} value @returns {value is Record<string, unknown>} */
+function isTable(value) {
+  return (
+    typeof value === "object" && value !== null && !Array.isArray(value) && !(value instanceof Date)
+  );
+}
+
+/** @param {number} most @param {unknown} value */
+function tooLong(most, value) {
+  return new Unwanted(_("at most {max_length} entries", { max_length: most }), value);
+}
+
+/** @param {Spec} spec @param {unknown} value */
+function floatOf(spec, value) {
+  let number = spec.units === undefined ? value : quantity(value, PLAN_UNITS[spec.units] ?? {});
+  if (typeof number === "string" && NUMBER_TEXT.test(number))
+    number = Number(number.replaceAll("_", ""));
+  if (typeof number !== "number") throw new Unwanted(_("a number"), number);
+  if (!Number.isFinite(number)) throw new Unwanted(_("a finite number"), number);
+  inRange(spec, number);
+  const { least } = spec;
+  if (least !== undefined && 0 < number && number < least)
+    throw new ValueFault(
+      _("wanted at least {least}, not {value}", {
+        least: pythonFloat(least),
+        value: pythonFloat(number),
+      }),
+    );
+  return number;
+}
+
+/** @param {Spec} spec @param {unknown} value */
+function wholeOf(spec, value) {
+  if (typeof value !== "number" || !Number.isInteger(value))
+    throw new Unwanted(_("a whole number"), value);
+  inRange(spec, value);
+  return value;
+}
+
+/** @param {Spec} spec @param {number} value */
+function inRange({ type, le, ge, gt }, value) {
+  const shown = (/** @type {number} */ limit) => (type === "int" ? String(limit) : pythonFloat(limit));
+  if (le !== undefined && value > le) throw new Unwanted(_("at most {le}", { le: shown(le) }), value);
+  if (ge !== undefined && value < ge) throw new Unwanted(_("at least {ge}", { ge: shown(ge) }), value);
+  if (gt !== undefined && value <= gt)
+    throw new Unwanted(_("more than {gt}", { gt: shown(gt) }), value);
+}
+
+/** @param {unknown} value */
+function truthOf(value) {
+  const said = typeof value === "boolean" ? String(value) : String(value).toLowerCase();
+  const plain = typeof value === "boolean" || typeof value === "string" || value === 0 || value === 1;
+  if (plain && TRUTHS.includes(said)) return true;
+  if (plain && UNTRUTHS.includes(said)) return false;
+  throw new Unwanted(_("true or false"), value);
+}
+
+/** @param {Spec} spec @param {unknown} value */
+function textOf(spec, value) {
+  const text = spec.day && value instanceof Date ? value.toISOString() : value;
+  if (typeof text !== "string") throw new Unwanted(_("text"), value);
+  if (spec.most !== undefined && Array.from(text).length > spec.most)
+    throw new ValueFault(`String should have at most ${spec.most} characters`);
+  const blank = text && (!text.trim() || !isPrintable(text));
+  if (spec.check === "printable" && blank)
+    throw new ValueFault(
+      _("wanted a name that can be printed on one line, not {name}", { name: pythonRepr(text) }),
+    );
+  if (spec.check === "one_line" && blank)
+    throw new ValueFault(_("wanted text on one line, not {text}", { text: pythonRepr(text) }));
+  if (spec.check === "time_of_day" && text && !TIME_OF_DAY.test(text))
+    throw new ValueFault(
+      _("wanted a time of day such as 18:30, not {text}", { text: pythonRepr(text) }),
+    );
+  return text;
+}
+
+/** @param {Spec} spec @param {unknown} value */
+function choiceOf(spec, value) {
+  const values = /** @type {unknown[]} */ (spec.values);
+  if (values.includes(value)) return value;
+  if (value === true && values.includes(1)) return 1; // as Python has it
+  const known = values.map((one) => (typeof one === "string" ? `'${one}'` : String(one)));
+  throw new Unwanted(known.join(", "), value);
+}
+
+/** What the keys of a cue must be beside one another: `CueTable._whole`. @param {Record<string, any>} cue */
+function checkCue(cue) {
+  const unsaid = (/** @type {string} */ name) => (cue[name] ?? null) === null;
+  if (unsaid("at") === unsaid("head"))
+    throw new ValueFault(_("a cue needs either at, a time, or head, a place of the head"));
+  if (cue.kind === "start" && unsaid("at"))
+    throw new ValueFault(_("a start needs at, a time: the head stands until then"));
+  for (const name of ["hold", "tempo"])
+    if (!unsaid(name) !== (cue.kind === name))
+      throw new ValueFault(_("a cue needs {name} if its kind is {name}, and else has none", { name }));
+}
+
+/**
+ * What a plan says, in metres, seconds and degrees, and what is wrong with it.
+ * @param {Record<string, unknown>} data
+ */
+export function checkedTables(data) {
+  const check = new Check();
+  const said = check.value({ type: "table", table: "Plan" }, data, "");
+  return { said, faults: check.faults };
+}
+
+/**
+ * Everything that counts in a table: what is said, and the defaults of what is not.
+ * @param {string} name of the table
+ * @param {Record<string, any>} said as checked
+ * @returns {Record<string, any>}
+ */
+export function filledTable(name, said) {
+  const keys = Object.entries(PLAN_TABLES[name]);
+  return Object.fromEntries(
+    keys.map(([key, spec]) => [key, filled(spec, key in said ? said[key] : spec.default)]),
+  );
+}
+
+/** @param {Spec} spec @param {any} value @returns {any} */
+function filled(spec, value) {
+  if (value === null) return null;
+  if (spec.type === "table") return filledTable(/** @type {string} */ (spec.table), value);
+  if (spec.type === "union") return filledTable(/** @type {any} */ (spec.tables)[value.kind], value);
+  if (spec.type === "list") return value.map((/** @type {any} */ one) => filled(spec.of, one));
+  return value;
+}
+
+/**
+ * What of a filled table is not as by default: `model_dump(exclude_defaults=True)`.
+ * @param {string} name
+ * @param {Record<string, any>} table
+ * @returns {Record<string, any>}
+ */
+export function withoutDefaults(name, table) {
+  const keys = Object.entries(PLAN_TABLES[name]);
+  const own = keys.filter(([key, spec]) => spec.required || !isDefault(spec, table[key]));
+  return Object.fromEntries(own.map(([key, spec]) => [key, less(spec, table[key])]));
+}
+
+/** Whether a value is the one of who says nothing, be it -0. @param {Spec} spec @param {any} value */
+function isDefault(spec, value) {
+  const plain = (/** @type {any} */ one) => jsonOf(spec, one).replace(/-(0\.0)(?!\d)/g, "$1");
+  return plain(value) === plain(filled(spec, spec.default));
+}
+
+/** @param {Spec} spec @param {any} value @returns {any} */
+function less(spec, value) {
+  if (value === null) return null;
+  if (spec.type === "table") return withoutDefaults(/** @type {string} */ (spec.table), value);
+  if (spec.type === "union")
+    return withoutDefaults(/** @type {any} */ (spec.tables)[value.kind], value);
+  if (spec.type === "list" && spec.of.type !== "tuple")
+    return value.map((/** @type {any} */ one) => less(spec.of, one));
+  return value;
+}
+
+/**
+ * As `json.dumps(value, sort_keys=True)`: floats are floats, even where they are whole.
+ * @param {Spec} spec
+ * @param {any} value
+ * @returns {string}
+ */
+export function jsonOf(spec, value) {
+  if (value === null || value === undefined) return "null";
+  switch (spec.type) {
+    case "float":
+      return pythonFloat(value);
+    case "list":
+      return `[${value.map((/** @type {any} */ one) => jsonOf(spec.of, one)).join(", ")}]`;
+    case "tuple":
+      return `[${spec.of.map((/** @type {Spec} */ one, /** @type {number} */ i) => jsonOf(one, value[i])).join(", ")}]`;
+    case "table":
+      return jsonOfTable(/** @type {string} */ (spec.table), value);
+    case "union":
+      return jsonOfTable(/** @type {any} */ (spec.tables)[value.kind], value);
+    default:
+      return typeof value === "string" ? asciiJson(value) : String(value);
+  }
+}
+
+/** The same of a table, of the keys that it has. @param {string} name @param {Record<string, any>} table @returns {string} */
+export function jsonOfTable(name, table) {
+  const keys = Object.keys(table).sort();
+  return `{${keys.map((key) => `"${key}": ${jsonOf(PLAN_TABLES[name][key], table[key])}`).join(", ")}}`;
+}

@@ -1,0 +1,230 @@
+// Tables of plans before they are checked: what is laid over a base, what is set, and keys without an
+// effect. Twin of plans/toml.py.
+
+import { _ } from "../words.js";
+import { PlanError } from "./errors.js";
+import { BUILT_IN_PLANS, DRAWN_KEYS, FORMATION_SIZES, TURN_KEYS } from "./plan_keys.js";
+import { pythonRepr } from "./python_text.js";
+
+/** @typedef {Record<string, any>} Tables */
+
+/**
+ * A key that has no effect beside what a plan chooses: `because` is "KEY = VALUE" of the choice.
+ * Or, where that is `missing`, without it.
+ * @typedef {{ key: string, beside: string, because: string, missing?: boolean }} Idle
+ */
+
+// Tables of which some keys have no effect beside others.
+const CHOOSING = ["dragon", "route", "disc", "turn", "walk", "venue", "limits"];
+const ALL_SIZES = new Set(Object.values(FORMATION_SIZES).flat());
+
+/** In a sentence. @param {Idle} idle */
+export function idleText({ key, because, missing }) {
+  if (missing)
+    return _("{key} has no effect without one of {because}: take it out, or say one of them", {
+      key,
+      because,
+    });
+  return _("{key} has no effect beside {because}: take it out", { key, because });
+}
+
+/** @param {unknown} value @returns {value is Tables} */
+function isPlain(value) {
+  return typeof value === "object" && value !== null && !Array.isArray(value);
+}
+
+/** What a table says; null counts as not said. @param {unknown} table @returns {Tables} */
+function saidIn(table) {
+  if (!isPlain(table)) return {};
+  return Object.fromEntries(
+    Object.entries(table).filter(([, value]) => value !== null && value !== undefined),
+  );
+}
+
+/** Whether a list or a text is there and not empty, as Python asks. @param {any} value */
+function isFull(value) {
+  if (Array.isArray(value) || typeof value === "string") return value.length > 0;
+  return isPlain(value) ? Object.keys(value).length > 0 : Boolean(value);
+}
+
+/**
+ * The keys of a plan's tables that have no effect beside others; null counts as not said.
+ * Of several ways to say a drawing that under `latest` keys, just said, is chosen.
+ * @param {Tables} data
+ * @param {string[]} [latest]
+ * @returns {Idle[]}
+ */
+export function idleKeys(data, latest = []) {
+  const tables = Object.fromEntries(CHOOSING.map((name) => [name, saidIn(data[name])]));
+  const { walk, dragon } = tables;
+  const found = [...idleBesideRoute(tables, latest)];
+  if (isFull(walk.profile) && "speed" in walk)
+    found.push({ key: "walk.speed", beside: "walk.profile", because: "walk.profile" });
+  if (isFull(dragon.bench))
+    for (const name of Object.keys(dragon).filter((one) => one !== "bench"))
+      found.push({ key: `dragon.${name}`, beside: "dragon.bench", because: "[[dragon.bench]]" });
+  return [...found, ...idleOnTheSquare(tables.venue, tables.limits)];
+}
+
+/** @param {Tables} tables @param {string[]} latest @returns {Idle[]} */
+function idleBesideRoute({ route, turn, disc }, latest) {
+  const kind = "part" in route ? "parts" : route.kind;
+  /** @type {Idle[]} */
+  const found = [];
+  if (["parts", "drawn", "spiral-in", "formation", "programme"].includes(kind)) {
+    const idle = Object.keys(turn).map((name) => `turn.${name}`);
+    if (kind !== "spiral-in") idle.push(...Object.keys(disc).map((name) => `disc.${name}`));
+    const because = `route.kind = "${kind}"`;
+    found.push(...idle.map((key) => ({ key, beside: "route.kind", because })));
+  }
+  if (kind === "turn") {
+    const family = turn.family ?? "arc-arc";
+    const strays = Object.keys(TURN_KEYS).filter(
+      (name) => name in turn && !TURN_KEYS[name].includes(family),
+    );
+    const because = `turn.family = "${family}"`;
+    found.push(...strays.map((name) => ({ key: `turn.${name}`, beside: "turn.family", because })));
+  }
+  if (kind === "formation") found.push(...idleSizes(route, "route"));
+  if (kind === "programme" && Array.isArray(route.formation))
+    route.formation.forEach((/** @type {unknown} */ one, /** @type {number} */ i) =>
+      found.push(...idleSizes(saidIn(one), `route.formation.${i}`)),
+    );
+  if (kind === "drawn") found.push(...idleDrawn(route, latest));
+  return found;
+}
+
+/** @param {Tables} route @param {string[]} latest @returns {Idle[]} */
+function idleDrawn(route, latest) {
+  const ways = Object.keys(DRAWN_KEYS);
+  const first = ways.find((name) => name in route && latest.includes(`route.${name}`));
+  const chosen = first ?? ways.find((name) => name in route);
+  if (chosen === undefined) return [];
+  const idle = DRAWN_KEYS[chosen].filter((name) => name in route);
+  const because = `route.${chosen}`;
+  return idle.map((name) => ({ key: `route.${name}`, beside: because, because }));
+}
+
+/** @param {Tables} venue @param {Tables} limits @returns {Idle[]} */
+function idleOnTheSquare(venue, limits) {
+  /** @type {Idle[]} */
+  const found = [];
+  const inVenue = (/** @type {string[]} */ names) =>
+    names.filter((name) => name in venue).map((name) => `venue.${name}`);
+  if ("boundary" in venue) {
+    const because = "venue.boundary";
+    const others = inVenue(["rectangle", "centre", "angle"]);
+    found.push(...others.map((key) => ({ key, beside: because, because })));
+  } else if (!("rectangle" in venue) && !("file" in venue)) {
+    const others = inVenue(["centre", "angle"]);
+    if (isFull(venue.name)) others.push("venue.name");
+    if ("venue_margin" in limits) others.push("limits.venue_margin");
+    const because = "venue.rectangle, venue.boundary, venue.file";
+    found.push(...others.map((key) => ({ key, beside: "venue", because, missing: true })));
+  }
+  if ("layer" in venue && !("file" in venue))
+    found.push({ key: "venue.layer", beside: "venue", because: "venue.file", missing: true });
+  return found;
+}
+
+/** @param {Tables} table @param {string} key @returns {Idle[]} */
+function idleSizes(table, key) {
+  const own = FORMATION_SIZES[String(table.name)];
+  if (own === undefined) return [];
+  const strays = Object.keys(table).filter((name) => ALL_SIZES.has(name) && !own.includes(name));
+  const because = `${key}.name = "${table.name}"`;
+  return strays.map((name) => ({ key: `${key}.${name}`, beside: `${key}.name`, because }));
+}
+
+/** Take keys out of a plan's tables. @param {Tables} data @param {Idle[]} idle */
+export function dropKeys(data, idle) {
+  for (const { key } of idle) {
+    const folders = key.split(".");
+    const name = /** @type {string} */ (folders.pop());
+    delete folders.reduce((table, folder) => table[folder], data)[name];
+  }
+}
+
+/** Take out what has no effect beside the choices under `keys`, just made. @param {Tables} data @param {string[]} keys */
+export function dropReplaced(data, keys) {
+  const idle = idleKeys(data, keys);
+  dropKeys(
+    data,
+    idle.filter(({ beside, key }) => keys.includes(beside) && !keys.includes(key)),
+  );
+}
+
+/**
+ * Set the value under a dotted key, in which the parts of a list have numbers from 0.
+ * @param {Tables} data
+ * @param {string} key
+ * @param {unknown} value
+ */
+export function setValue(data, key, value) {
+  const folders = key.split(".");
+  const last = /** @type {string} */ (folders.pop());
+  const at = folders.reduce((/** @type {any} */ table, name) => {
+    const slot = slotOf(table, name, key);
+    if (!Array.isArray(table) && !(slot in table)) table[slot] = {};
+    if (typeof table[slot] !== "object" || table[slot] === null) throw nowhere(key);
+    return table[slot];
+  }, data);
+  at[slotOf(at, last, key)] = value;
+}
+
+/** @param {any} at @param {string} name @param {string} key */
+function slotOf(at, name, key) {
+  if (!Array.isArray(at)) return name;
+  const i = /^-?\d+$/.test(name) ? Number(name) : NaN;
+  if (!(i >= -at.length && i < at.length)) throw nowhere(key);
+  return i < 0 ? i + at.length : i;
+}
+
+/** @param {string} key */
+function nowhere(key) {
+  return new PlanError(_("there is no {key} to set", { key }));
+}
+
+/**
+ * The tables of a plan laid over those of the built-in plan that its `base` names; all, if it has none.
+ * @param {Tables} data
+ * @param {string} source name of the plan, in errors
+ * @returns {Tables}
+ */
+export function withBase(data, source) {
+  const { base, ...own } = data;
+  if (!("base" in data)) return own;
+  if (typeof base !== "string" || !(base in BUILT_IN_PLANS)) {
+    const names = Object.keys(BUILT_IN_PLANS).join(", ");
+    throw new PlanError(
+      _("{source}: base must be one of {names} or the name of a file beside it, not {base}", {
+        source,
+        names,
+        base: typeof base === "string" ? pythonRepr(base) : String(base),
+      }),
+    );
+  }
+  const merged = structuredClone(BUILT_IN_PLANS[base]);
+  const keys = [];
+  for (const [name, table] of Object.entries(own)) {
+    const before = merged[name];
+    if (name === "obstacle" && Array.isArray(table) && Array.isArray(before)) {
+      merged[name] = [...before, ...table];
+    } else if (isPlain(table) && isPlain(before) && !isAnother(name, before, table)) {
+      merged[name] = { ...before, ...table };
+      keys.push(...Object.keys(table).map((key) => `${name}.${key}`));
+    } else {
+      merged[name] = table;
+      if (isPlain(table)) keys.push(...[...Object.keys(table), "kind"].map((key) => `${name}.${key}`));
+    }
+  }
+  dropReplaced(merged, keys);
+  return merged;
+}
+
+/** Whether a table replaces that of the base as a whole. @param {string} name @param {Tables} before @param {Tables} table */
+function isAnother(name, before, table) {
+  const kind = (/** @type {Tables} */ one) => ("part" in one ? "parts" : one.kind);
+  const own = kind(table);
+  return name === "venue" || (own !== undefined && own !== null && own !== kind(before));
+}

@@ -1,0 +1,116 @@
+"""compute/plan.js: the plan, its hash, walk, span and sentences are those of Python."""
+
+import importlib.util
+import json
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from benchdragon.plans.presets import presets
+from benchdragon.plans.toml import BUILT_IN_FOLDER
+from tests.engine.recording import node
+from tests.planner.random_plans import plan
+from tests.planner.twins import answered, asked, difference
+
+ROOT = Path(__file__).parents[2]
+pytestmark = pytest.mark.skipif(node() is None, reason="no Node here to run the page's modules in")
+
+# Plans with something special in them, that random plans seldom have.
+SPECIAL: dict[str, dict[str, Any]] = {
+    "texts beyond ASCII": {
+        "obstacle": [{"kind": "circle", "centre": [1, 2], "radius": 1, "name": "井 é"}]
+    },
+    "cues alone": {"cues": {"tempo": 100}},
+    "the usual bar": {"cues": {"bar": 4}},
+    "another bar": {"cues": {"bar": 3}},
+    "a stop for good": {"cues": {"cue": [{"kind": "stop", "head": 40}]}},
+    "a cue after the end": {"cues": {"cue": [{"kind": "beat", "at": 5000}]}},
+    "two holds at one time": {"cues": {"cue": [{"kind": "hold", "at": 9, "hold": 5}] * 2}},
+    "a start without a stop": {"cues": {"cue": [{"kind": "start", "at": 9}]}},
+    "braked too hard": {"cues": {"cue": [{"kind": "stop", "head": 0.1}]}},
+    "an acceleration over the limit": {"cues": {"acceleration": 2}},
+    "small and large numbers": {"walk": {"speed": 1e-6, "end": 1e8, "position": -1e-7}},
+    "negative zero": {"walk": {"position": -0.0}, "route": {"kind": "spiral-in", "turned": -0.0}},
+    "moved": {"route": {"kind": "spiral-in", "at": [1, 2], "turned": "0.25 turns"}},
+    "a misspelt key": {"dragon": {"bodylength": 3}},
+    "a misspelt table": {"wlak": {}},
+    "an idle key": {"turn": {"ratio": 2}, "walk": {"speed": 1, "profile": [[0, 1]]}},
+    "a base": {"base": "turn", "route": {"pitch": 1.8}, "turn": {"family": "arc-line-arc"}},
+    "a base that is no plan": {"base": "sprial"},
+    "an outline that crosses itself": {"venue": {"boundary": [[0, 0], [9, 9], [9, 0], [0, 9]]}},
+    "an outline that folds back": {"venue": {"boundary": [[0, 0], [9, 0], [5, 0], [0, 9]]}},
+    "obstacles of one name": {
+        "obstacle": [
+            {"kind": "circle", "centre": [9, 9], "radius": 1, "name": "well"},
+            {"kind": "line", "points": [[0, 0], [1, 1]], "name": "well"},
+            {"kind": "line", "points": [[0, 0], [0, 0]]},
+        ]
+    },
+    "benches that cannot be": {
+        "dragon": {"bench": [{"length": 1, "count": 3}, {"length": 0.3, "count": 2}]}
+    },
+    "a head that never arrives": {"walk": {"profile": [[0, 1], [5, 0]]}},
+    "a disc that is too large": {"disc": {"radius": 20}},
+}  # fmt: skip
+
+
+def compared(plans: dict[str, dict[str, Any]]) -> dict[str, str]:
+    """Where Python and its twin differ, by the plans' names."""
+    twins = asked("plans.mjs", list(plans.values()))
+    pairs = zip(plans.items(), twins, strict=True)
+    found = {name: difference(answered(data), twin) for (name, data), twin in pairs}
+    return {name: text for name, text in found.items() if text}
+
+
+def spiral(**tables: Any) -> dict[str, Any]:
+    base = {} if "base" in tables else {"route": {"kind": "spiral-in"}}
+    return {"schema": 1, **base, **tables}
+
+
+def read(path: Path) -> dict[str, Any]:
+    return tomllib.loads(path.read_text("utf-8"))
+
+
+def test_random_plans_are_the_same() -> None:
+    assert compared({f"{seed}": plan(seed) for seed in range(40)}) == {}
+
+
+def test_what_is_wrong_is_said_in_the_same_words() -> None:
+    assert compared({f"{seed}": plan(seed, 1.0) for seed in range(2000, 2060)}) == {}
+
+
+def test_special_plans_are_the_same() -> None:
+    assert compared({name: spiral(**tables) for name, tables in SPECIAL.items()}) == {}
+
+
+def test_presets_and_examples_are_the_same() -> None:
+    plans = {one.name: one.plan.data() for one in presets()}
+    files = [*BUILT_IN_FOLDER.glob("*.toml"), *(ROOT / "examples").glob("*.toml")]
+    plans |= {path.name: read(path) for path in files if "drawn" not in path.name}
+    assert len(plans) > 20
+    assert compared(plans) == {}
+
+
+def test_files_and_drawn_routes_are_refused_with_what_to_do() -> None:
+    (read_file, line) = asked(
+        "plans.mjs",
+        [
+            {"schema": 1, "route": {"kind": "drawn", "file": "walk.csv"}},
+            {"schema": 1, "route": {"kind": "drawn", "points": [[0, 0], [50, 1]]}},
+        ],
+    )
+    assert "the command line does" in read_file["error"]
+    assert "the command line does" in line["walk"]["error"]
+
+
+def test_what_plans_may_hold_is_as_the_models_say() -> None:
+    path = ROOT / "tools" / "make_plan_keys.py"
+    spec = importlib.util.spec_from_file_location("make_plan_keys", path)
+    assert spec is not None
+    assert spec.loader is not None
+    tool: Any = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(tool)
+    assert tool.FILE.read_text("utf-8") == tool.plan_keys(), "run `make types`"
+    assert json.dumps(tool.built_in())
