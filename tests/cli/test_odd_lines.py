@@ -34,6 +34,7 @@ LINES = {
     "view": ["view", "PLAN", "-o", "x.html"],
     "animate": ["animate", "PLAN", "-o", "x.png"],
     "area": ["area", "PLAN", "-o", "x.dxf"],
+    "timetable": ["timetable", "PLAN"],
     "sheets": ["sheets", "PLAN", "--check", "--only", "overview", "-o", "x"],
     "studio": ["studio", "--no-browser"],
     "reproduce": ["reproduce"],

@@ -68,6 +68,7 @@ STILL = ["animate", "spiral-in", *SHORT, "-o", "still.png", "--size", "320x180"]
 SHEET = [*STILL, "--sheet", "2x1"]
 FILM = ["animate", "spiral-in", *SHORT, "-o", "film.gif", "--size", "320x180", "--end", "0.3"]
 AREA = ["area", "spiral-in", *SHORT]
+TIMES = ["timetable", "spiral-in", *SHORT]
 DRAWN = [*AREA, "-o", "area.svg"]
 MINE = ["plan", "spiral-in", *SHORT, "-o", "mine.dragon.toml"]
 STUDIO = ["studio", "--port", "0", "--no-browser"]
@@ -235,6 +236,8 @@ CASES: dict[str, Case] = {
     "area --force": Case(DRAWN, ["--force"], DRAWN),
     "area --json": Case(AREA, ["--json"]),
     "area --brackets": Case(AREA, ["--brackets"]),
+    "timetable --set": Case(TIMES, ["--set", "cues.clock=18:30"]),
+    "timetable --json": Case(TIMES, ["--json"]),
     "animate --set": Case(STILL, ["--set", "dragon.width=0.5"]),
     "animate --output": Case(STILL, ["-o", "still.svg"]),
     "animate --start": Case(STILL, ["--start", "1"]),
@@ -262,14 +265,14 @@ CASES: dict[str, Case] = {
         f"{called(line)} --lang": Case(line, ["--lang", "zh"])
         for line in (
             *(MOTION, CHECK, *SIZES.values(), SPEED, BEST, PLACE, SQUARE, MARGINS, SWEEP, VIEW, STILL),
-            *(AREA, SURVEY, STUDIO, PROPOSED, ["doctor"], ["plan"], ["formations"], ["schema"]),
+            *(AREA, TIMES, SURVEY, STUDIO, PROPOSED, ["doctor"], ["plan"], ["formations"], ["schema"]),
         )
     },
     **{
         f"{called(line)} --quiet": Case(line, ["--quiet"])
         for line in (
             *(MOTION, CHECK, *SIZES.values(), SPEED, BEST, PLACE, SQUARE, MARGINS, SWEEP, VIEW, STILL),
-            *(AREA, SURVEY, STUDIO, PROPOSED),
+            *(AREA, TIMES, SURVEY, STUDIO, PROPOSED),
         )
     },
 }

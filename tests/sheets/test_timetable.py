@@ -12,8 +12,8 @@ from benchdragon.i18n import spoken_in
 from benchdragon.rosters.roster import Roster
 from benchdragon.sheets.briefing import Briefing
 from benchdragon.sheets.timetable import (
-    cells,
     passings_of,
+    printed_rows,
     tempo_text,
     write_timetable_pdf,
     write_timetable_xlsx,
@@ -37,7 +37,7 @@ def test_a_pdf_holds_every_row(
     path = tmp_path / "timetable.pdf"
     with spoken_in(language):
         write_timetable_pdf(path, briefing)
-        rows = [cells(briefing.plan, row, briefing.report.start) for row in passings_of(briefing)]
+        rows = printed_rows(briefing.plan, passings_of(briefing), briefing.report.start)
     text = "".join("".join(page.extract_text().split()) for page in PdfReader(path).pages)
     assert word.replace(" ", "") in text
     assert other not in text

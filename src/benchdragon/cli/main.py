@@ -60,6 +60,7 @@ from benchdragon.cli.solve import solve
 from benchdragon.cli.studio import studio
 from benchdragon.cli.survey import survey
 from benchdragon.cli.sweep import sweep
+from benchdragon.cli.timetable import timetable
 from benchdragon.cli.tolerance import margins
 from benchdragon.cli.view import view
 from benchdragon.errors import BenchDragonError, InputError, MachineError, engine_advice, reason
@@ -215,8 +216,8 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
 for question in (place, square):
     solve.add_command(question)
 for verb in (
-    new, check, solve, margins, sweep, atlas, survey, compare, view, studio, animate, area, sheets,
-    plan, formations, schema,
+    new, check, solve, margins, sweep, atlas, survey, compare, view, studio, animate, area, timetable,
+    sheets, plan, formations, schema,
 ):  # fmt: skip
     program.add_command(verb)
 

@@ -18,7 +18,7 @@ from benchdragon.number_format import decimals_towards, outward
 from benchdragon.plans.people import SourcesTable
 from benchdragon.sheets.annex_facts import DISTANCE, AnnexFacts
 from benchdragon.sheets.briefing import Briefing
-from benchdragon.sheets.timetable import WIDTHS, cells, columns, passings_of
+from benchdragon.sheets.timetable import WIDTHS, columns, passings_of, printed_rows
 
 BLANK = "________"
 STATUS = {
@@ -116,10 +116,8 @@ def swept_table(facts: AnnexFacts) -> Table:
 def passing_table(facts: AnnexFacts) -> Table:
     """When head and tail pass places of the route: as the timetable has it."""
     briefing = facts.briefing
-    rows = [cells(briefing.plan, row, briefing.report.start) for row in passings_of(briefing)]
-    return Table(
-        "timetable", _("When head and tail pass"), columns(), WIDTHS, tuple(rows), numbers=True
-    )
+    rows = printed_rows(briefing.plan, passings_of(briefing), briefing.report.start)
+    return Table("timetable", _("When head and tail pass"), columns(), WIDTHS, rows, numbers=True)
 
 
 def people_table(briefing: Briefing) -> Table:

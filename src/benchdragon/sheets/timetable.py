@@ -1,5 +1,6 @@
 """The timetable of a dance: as lines of text, a PDF page and a workbook; and its drum."""
 
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -44,10 +45,15 @@ def cells(plan: Plan, row: Passing, start: float) -> tuple[str, ...]:
     return row.name, f"{row.way:z.2f}", place, head, at(row.tail)
 
 
+def printed_rows(plan: Plan, passings: Iterable[Passing], start: float) -> tuple[tuple[str, ...], ...]:
+    """All rows of the table as text; `start` is that of the dance, s."""
+    return tuple(cells(plan, row, start) for row in passings)
+
+
 def timetable_document(briefing: Briefing) -> Document:
     """The timetable as a document of a page or a few."""
     report, plan = briefing.report, briefing.plan
-    rows = [cells(plan, row, report.start) for row in passings_of(briefing)]
+    rows = printed_rows(plan, passings_of(briefing), report.start)
     score = score_of(plan, report.start, report.end)
     title = printable(plan.title(language())) or _("Timetable")
     blocks = (
@@ -55,7 +61,7 @@ def timetable_document(briefing: Briefing) -> Document:
         say(times_text(plan)),
         Paragraph((stops_text(stops_of(report.walk, report.start, report.end)),)),
         Paragraph((_("Drum: {tempo}.").format(tempo=tempo_text(plan, score)),)),
-        Table("timetable", _("When head and tail pass"), columns(), WIDTHS, tuple(rows), numbers=True),
+        Table("timetable", _("When head and tail pass"), columns(), WIDTHS, rows, numbers=True),
     )
     return Document(title, language(), briefing.checked_on, blocks, briefing.foot)
 

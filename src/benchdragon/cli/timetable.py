@@ -1,0 +1,45 @@
+"""The verb `timetable`: when the head and the tail pass each place of a dance."""
+
+import json
+from dataclasses import asdict
+from typing import Any
+
+import click
+
+from benchdragon.cli.answers import about
+from benchdragon.cli.console import print_rows
+from benchdragon.cli.options import json_option, plan_options, plan_to_walk, shared_options
+from benchdragon.i18n import N_, language
+
+
+@click.command(
+    help=N_(
+        "When the head and the tail pass each place of a dance, and where the head stops."
+        "\n\nThe rows are those of the paper that benchdragon sheets writes; whether the dance is safe "
+        "says benchdragon check. PLAN is a *.dragon.toml file or the name of a built-in plan: "
+        "spiral-in, turn. For example: benchdragon timetable turn"
+    )
+)
+@plan_options
+@json_option
+@shared_options
+def timetable(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) -> int:
+    """Print the timetable, as a table or as JSON."""
+    from benchdragon.analysis.stops import stops_of, stops_text
+    from benchdragon.analysis.timetable import timetable as passings_of
+    from benchdragon.sheets.timetable import columns, printed_rows, times_text
+
+    read = plan_to_walk(plan, settings, quiet)
+    walk = read.build()
+    start, end = read.span(walk)
+    passings, stops = passings_of(read, walk, start, end), stops_of(walk, start, end)
+    if as_json:
+        answer: dict[str, Any] = {"start": start, "end": end, "clock": read.cues.clock}
+        answer["places"] = [asdict(one) for one in passings]
+        answer["stops"] = [one._asdict() for one in stops]
+        click.echo(json.dumps({**answer, **about(read, [])}))
+        return 0
+    print_rows(read.title(language()), columns(), printed_rows(read, passings, start))
+    click.echo(times_text(read))
+    click.echo(stops_text(stops))
+    return 0
