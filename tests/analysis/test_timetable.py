@@ -61,6 +61,24 @@ def test_every_place_is_passed_when_the_head_and_the_tail_are_there() -> None:
     assert late - (free["nearest to well"].tail or 0.0) == pytest.approx(7.0, abs=1e-6)
 
 
+def test_head_and_tail_are_told_nearest_to_where_people_come_in() -> None:
+    # Beside the line that the head walks first, and beside the bow behind it, of 8 m about (20, 8).
+    event = {"entrances": [[12.25, -5.0], [40.0, 8.0]]}
+    plan = checked({**plan_with().data(), "event": event}, "dance")
+    walk = plan.build()
+    rows = [row for row in timetable(plan, walk, *plan.span(walk)) if "(" in row.name]
+    assert [(row.kind, row.name) for row in rows] == [
+        ("entrance", "nearest to entrance 1 (12.25, -5)"),
+        ("entrance", "nearest to entrance 2 (40, 8)"),
+    ]
+    for row, point in zip(rows, [(12.25, 0.0), (28.0, 8.0)], strict=True):
+        np.testing.assert_allclose(row.point, point, atol=1e-5)
+        assert row.head is not None
+        assert row.tail is not None
+        assert walk.motion([row.head]).s[0, 0] == pytest.approx(row.s, abs=1e-6)
+        assert walk.motion([row.tail]).s[0, -1] == pytest.approx(row.s, abs=1e-6)
+
+
 @pytest.mark.parametrize(
     ("clock", "start", "time", "text"),
     [

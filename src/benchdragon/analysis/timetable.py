@@ -12,6 +12,7 @@ from shapely.geometry.base import BaseGeometry
 
 from benchdragon.analysis.findings import named
 from benchdragon.i18n import _, language
+from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.outline import shape_of
 from benchdragon.model.walk import Walk
@@ -101,7 +102,10 @@ def _cue(walk: Walk, span: tuple[float, float], one: Moment, first: float) -> Pa
 
 
 def _beside(plan: Plan, walk: Walk, span: tuple[float, float]) -> Iterator[Passing]:
-    """Where the head crosses the venue's edge inward, and comes nearest to each named obstacle."""
+    """Where the head crosses the venue's edge inward, and is nearest to obstacles and to entrances.
+
+    A dance that passes a place several times is told once: where the head is nearest of all.
+    """
     first, last = np.minimum(walk.head_position(span), walk.route.length).tolist()
     count = max(2, min(MOST_LOOKS, math.ceil((last - first) / FINE) + 1))
     looks = np.linspace(first, last, count)
@@ -114,12 +118,11 @@ def _beside(plan: Plan, walk: Walk, span: tuple[float, float]) -> Iterator[Passi
                 name = _("entrance of {name}").format(name=named(obstacle))
                 yield _passing(walk, span, "entrance", name, s)
         else:
-            shape = shape_of(obstacle)
-            n = int(np.argmin(shapely.distance(shape, shapely.points(points))))
-            about = float(looks[max(n - 1, 0)]), float(looks[min(n + 1, count - 1)])
-            s = _nearest(walk, shape, about)
             name = _("nearest to {name}").format(name=named(obstacle))
-            yield _passing(walk, span, "obstacle", name, s)
+            yield _passing(walk, span, "obstacle", name, _nearest(walk, shape_of(obstacle), looks))
+    for n, (x, y) in enumerate(plan.event.entrances, start=1):
+        name = _("nearest to entrance {n} ({x}, {y})").format(n=n, x=f"{x:g}", y=f"{y:g}")
+        yield _passing(walk, span, "entrance", name, _nearest(walk, shapely.Point(x, y), looks))
 
 
 def _entered(walk: Walk, venue: Obstacle, out: float, within: float) -> float:
@@ -133,12 +136,14 @@ def _entered(walk: Walk, venue: Obstacle, out: float, within: float) -> float:
     return within
 
 
-def _nearest(walk: Walk, shape: BaseGeometry, about: tuple[float, float]) -> float:
-    """Where the route comes nearest to a shape between two route positions, m."""
+def _nearest(walk: Walk, shape: BaseGeometry, looks: FloatArray) -> float:
+    """Where the route comes nearest to a shape, m, about the best of route positions looked at, m."""
 
     def away(s: float) -> float:
         return float(shapely.distance(shape, shapely.Point(walk.route.point([s])[0])))
 
+    n = int(np.argmin(shapely.distance(shape, shapely.points(walk.route.point(looks)))))
+    about = float(looks[max(n - 1, 0)]), float(looks[min(n + 1, len(looks) - 1)])
     return float(minimize_scalar(away, bounds=about, method="bounded", options={"xatol": NEAR}).x)
 
 
