@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 from pypdf import PdfReader
 
-from benchdragon.analysis.posts import EVERY, JOINED, _spaced
+from benchdragon.analysis.posts import EVERY, JOINED, _spaced, marshal_posts
+from benchdragon.analysis.swept import swept_area
 from benchdragon.export.document import Document, Heading, Paragraph, Table
 from benchdragon.i18n import LANGUAGES, spoken_in
 from benchdragon.plans.people import PeopleTable
@@ -149,6 +150,22 @@ def test_posts_stand_on_the_line_and_are_never_farther_apart_than_stated(facts: 
     nearest = rings[0].distance(Point(20.0, 5.0))
     assert Point(entrance.point).distance(Point(20.0, 5.0)) <= nearest + JOINED
     assert len(post_table(facts).rows) == len(facts.posts)
+
+
+def test_where_handles_run_there_are_posts_but_not_again_at_the_fastest(tmp_path: Path) -> None:
+    # Two rushes, 10 m apart; only the faster one is where the fastest handle is.
+    rushes = "[[0, 1], [1, 1], [1.5, 2.6], [2, 1], [12, 1], [12.5, 2.4], [13, 1]]"
+    pace = f"walk.profile={rushes}", "walk.end=15", "dragon.benches=2"
+    asked = []
+    for run_from in (1.8, 2.5, 3.0):
+        report = small(tmp_path, *pace, f"people.run_from={run_from}").report
+        swept = swept_area(report.walk, report.start, report.end, margin=2.0, error=0.05)
+        posts = marshal_posts(report, swept)
+        asked.append([one for post in posts for one in post.reasons if one.why == "run"])
+        assert "fastest" in [one.why for post in posts for one in post.reasons]
+    assert [len(reasons) for reasons in asked] == [1, 0, 0]
+    assert 12.0 <= asked[0][0].time <= 13.0
+    assert 1.8 <= asked[0][0].value <= 2.5
 
 
 def test_a_line_on_which_nothing_is_wanted_has_posts_all_the_same() -> None:

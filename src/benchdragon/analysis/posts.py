@@ -1,9 +1,9 @@
 """Posts for marshals along the spectators' line, and what each is there for.
 
 The rule is this program's own and no regulation's: a post where the ground that benches cover comes
-nearest to the venue's edge, at each entrance, where benches come nearest to one
-another and where the fastest handle is; and others between them, so that no two that follow one another
-are farther apart along the line than EVERY.
+nearest to the venue's edge, at each entrance, where benches come nearest to one another, where the
+fastest handle is and where else handles run; and others between them, so that no two that follow one
+another are farther apart along the line than EVERY.
 """
 
 import math
@@ -16,6 +16,7 @@ import shapely
 from shapely.geometry import LinearRing, Point
 
 from benchdragon.analysis.check import Report
+from benchdragon.analysis.running import APART, Running, running_stretches
 from benchdragon.analysis.swept import SweptArea
 from benchdragon.model import base_curve
 from benchdragon.model.answer import Answer
@@ -24,8 +25,10 @@ from benchdragon.model.outline import shape_of
 # The farthest that two posts that follow one another are apart along the line, m; posts nearer to one
 # another along it than JOINED, m, are one.
 EVERY, JOINED = 25.0, 3.0
+# Stretches where handles run that have a post: the fastest ones.
+MOST_RUNS = 5
 
-Why = Literal["venue", "entrance", "tightest", "fastest", "line"]
+Why = Literal["venue", "entrance", "tightest", "fastest", "run", "line"]
 
 
 @dataclass(frozen=True)
@@ -34,8 +37,8 @@ class Reason:
 
     Attributes:
         why: "venue": the ground covered comes nearest to the venue's edge; "entrance"; "tightest": two
-            benches come nearest to one another; "fastest": the fastest handle; "line": no other post is
-            near.
+            benches come nearest to one another; "fastest": the fastest handle; "run": the fastest of
+            a stretch where handles run elsewhere; "line": no other post is near.
         value: the distance, m, or the speed, m/s; NaN where there is none.
         time: s; NaN where there is none.
     """
@@ -100,6 +103,19 @@ def _places(
         near = found.witness
         if near is not None and near.time is not None:
             yield near.point, Reason(why, found.value, near.time)
+    for run in _runs(report):
+        yield run.point, Reason("run", run.speed, run.time)
+
+
+def _runs(report: Report) -> list[Running]:
+    """The fastest places of stretches where handles run, if not at the fastest of all."""
+    fastest, run_from = report.greatest_speed, report.plan.people.run_from
+    if fastest.upper < run_from:
+        return []
+    found = running_stretches(report.walk, report.start, report.end, run_from)
+    near = fastest.witness
+    others = [one for one in found if near is None or math.dist(one.point, near.point) > APART]
+    return others[:MOST_RUNS]
 
 
 def _spaced(

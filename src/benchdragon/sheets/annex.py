@@ -8,7 +8,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from benchdragon.analysis.posts import EVERY
+from benchdragon.analysis.posts import EVERY, MOST_RUNS
+from benchdragon.analysis.running import APART
 from benchdragon.analysis.stops import stops_of, stops_text
 from benchdragon.export.area import drawing_of
 from benchdragon.export.document import Block, Document, Heading, Paragraph, Picture, say
@@ -203,10 +204,19 @@ def _posts(facts: AnnexFacts) -> Iterator[Block]:
             "The spectators' line keeps {distance} from the ground that benches cover. Posts are "
             "proposed by a rule of this program, which is no regulation: where that ground comes "
             "nearest to the venue's edge, at entrances that the plan names, where benches come nearest "
-            "to one another, where the fastest handle is, and between these so that no two that follow "
-            "one another are farther apart than {every} along the line."
+            "to one another, where the fastest handle is, where else handles run, and between these so "
+            "that no two that follow one another are farther apart than {every} along the line."
         ),
         distance=metres(facts.swept.margin), every=metres(EVERY),
+    )  # fmt: skip
+    yield say(
+        _(
+            "Handles run where they go at {run} m/s or more. Positions where they do are one stretch "
+            "if they are within {apart} of one another. The fastest position of each stretch has a "
+            "post, if it is farther than that from the fastest handle: of the {most} fastest stretches "
+            "at most."
+        ),
+        run=f"{facts.briefing.plan.people.run_from:g}", apart=metres(APART), most=MOST_RUNS,
     )  # fmt: skip
     if facts.leaves_venue:
         yield say(

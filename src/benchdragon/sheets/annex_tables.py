@@ -33,6 +33,7 @@ WHY: dict[Why, str] = {
     "entrance": N_("entrance"),
     "tightest": N_("benches nearest to one another: {value} m at {time}"),
     "fastest": N_("fastest handle: {value} m/s at {time}"),
+    "run": N_("handles run: up to {value} m/s at {time}"),
     "line": N_("along the line"),
 }
 DEVIATIONS = {
