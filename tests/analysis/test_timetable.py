@@ -11,7 +11,8 @@ from benchdragon.analysis.records import verdict_of
 from benchdragon.analysis.stops import stops_of, stops_text
 from benchdragon.analysis.timetable import clock_text, timetable
 from benchdragon.cli.main import run
-from benchdragon.plans.schema import Plan, checked
+from benchdragon.errors import WalkError
+from benchdragon.plans.schema import Plan, checked, read_plan
 
 HOLD = {"kind": "hold", "head": 10.0, "hold": 5.0}
 LINES = [{"kind": "line", "length": 20.0}, {"kind": "arc", "radius": 8.0, "angle": 180.0}]
@@ -77,6 +78,18 @@ def test_head_and_tail_are_told_nearest_to_where_people_come_in() -> None:
         assert row.tail is not None
         assert walk.motion([row.head]).s[0, 0] == pytest.approx(row.s, abs=1e-6)
         assert walk.motion([row.tail]).s[0, -1] == pytest.approx(row.s, abs=1e-6)
+
+
+def test_a_tail_that_would_come_after_the_dance_is_not_sought_where_no_dragon_can_be() -> None:
+    # Where the tail comes to the place of the head's start, the head would be in the spiral's centre.
+    plan = read_plan(
+        "spiral-in", ["dragon.benches=300", "route.pitch=1.2", "route.start_turn=10", "walk.end=5"]
+    )
+    walk = plan.build()
+    with pytest.raises(WalkError, match="folds"):
+        walk.placement([walk.head_where_tail(float(walk.head_position([0.0])[0]))])
+    rows = [(row.kind, row.head, row.tail) for row in timetable(plan, walk, *plan.span(walk))]
+    assert rows == [("start", 0.0, None), ("end", 5.0, None)]
 
 
 @pytest.mark.parametrize(

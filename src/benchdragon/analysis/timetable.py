@@ -11,6 +11,7 @@ from scipy.optimize import minimize_scalar
 from shapely.geometry.base import BaseGeometry
 
 from benchdragon.analysis.findings import named
+from benchdragon.errors import in_order, of_kind
 from benchdragon.i18n import _, language
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.obstacle import Obstacle
@@ -56,7 +57,17 @@ class Passing:
 
 
 def timetable(plan: Plan, walk: Walk, start: float, end: float) -> tuple[Passing, ...]:
-    """All places of a dance over a span, s, in the order in which the head comes to them."""
+    """All places of a plan's walk over a span, s, in the order in which the head comes to them.
+
+    Names are in the language in use.
+
+    Raises:
+        InputError: for what is no plan or no walk, or an end before the start.
+        WalkError: if the dragon cannot stand at some time.
+    """
+    of_kind("plan", plan, Plan)
+    of_kind("walk", walk, Walk)
+    in_order(start, end)
     first, last = walk.head_position([start, end]).tolist()
     rows = [_passing(walk, (start, end), "start", _("the dance starts"), first)]
     joints = [s for s in walk.route.joints[1:-1].tolist() if s < last]
@@ -85,8 +96,8 @@ def _within(time: float, span: tuple[float, float]) -> float | None:
 
 def _tail_time(walk: Walk, s: float, span: tuple[float, float]) -> float | None:
     """When the last handle comes to a route position, m; None if that is not in the dance."""
-    begins = float(walk.motion([span[0]]).s[0, -1])
-    if s < begins:
+    begins, ends = walk.motion(span).s[:, -1].tolist()
+    if not begins <= s <= ends + NEAR:
         return None
     head = walk.head_where_tail(s)
     if float(walk.placement([head]).s[0, -1]) < s - NEAR:
