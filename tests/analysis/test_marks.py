@@ -7,6 +7,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from benchdragon.analysis import marks as marks_module
 from benchdragon.analysis.marks import (
     LENGTH_STEP,
     MOST_MARKS,
@@ -137,6 +138,18 @@ def test_base_points_stand_within_the_venue_and_on_no_obstacle(trail: Trail) -> 
     well = Obstacle.rectangle("well", (5.0, 0.0), (0.5, 0.5))
     small = placed_marks(trail, 1.0, (0.0, 0.0), obstacles=(corner, well))
     assert small.bases.tolist() == [[0.0, 5.0], [-5.0, 0.0]]
+
+
+def test_marks_that_nobody_spaced_are_a_metre_apart_or_as_much_more_as_is_needed(
+    trail: Trail, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert trail.usual_every == 1.0
+    monkeypatch.setattr(marks_module, "MOST_MARKS", 10)
+    every = trail.usual_every
+    assert every > 1.0
+    assert len(placed_marks(trail, every, PEG)) > 8
+    with pytest.raises(InputError, match=re.escape(f"ask for at least {every:g} m between them")):
+        placed_marks(trail, every - 0.1, PEG)
 
 
 def test_marks_too_near_or_too_many_are_refused(trail: Trail) -> None:

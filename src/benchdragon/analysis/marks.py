@@ -12,7 +12,7 @@ from typing import Literal, Self
 
 import numpy as np
 
-from benchdragon.errors import InputError
+from benchdragon.errors import InputError, as_number, finite, in_order, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.base_curve import Point
@@ -52,11 +52,19 @@ class Trail:
         """The trail of a walk from one time to another, s.
 
         Raises:
+            InputError: for what is no walk, or an end before the start.
             WalkError: if the dragon cannot stand at the start.
         """
+        of_kind("walk", walk, Walk)
+        in_order(start, end)
         head, last = walk.head_position([start, end]).tolist()
         tail = walk.motion([start]).s[0, -1]
         return cls(walk.route, float(tail), head, min(last, walk.route.length))
+
+    @property
+    def usual_every(self) -> float:
+        """How far apart marks usually are: 1 m, or as many decimetres more as MOST_MARKS want."""
+        return max(1.0, _least_every(self.high - self.low))
 
     def marked(self, every: float) -> tuple[FloatArray, list[Kind]]:
         """Positions of the marks along the route, m, ascending, and what each is for.
@@ -116,6 +124,11 @@ def check_every(every: float) -> None:
         )
 
 
+def _least_every(length: float) -> float:
+    """The least distance between marks, m, in decimetres, of which a length, m, has not too many."""
+    return math.ceil(10.0 * length / MOST_MARKS) / 10.0
+
+
 def _check_count(every: float, length: float) -> None:
     if length / every > MOST_MARKS:
         raise InputError(
@@ -126,7 +139,7 @@ def _check_count(every: float, length: float) -> None:
                 every=f"{every:g}",
                 length=f"{length:.1f}",
                 most=MOST_MARKS,
-                needed=f"{math.ceil(10.0 * length / MOST_MARKS) / 10.0:g}",
+                needed=f"{_least_every(length):g}",
             )
         )
 
@@ -283,13 +296,26 @@ def placed_marks(
         obstacles: where no base point should be; the venue's edge, within which they should.
 
     Raises:
-        InputError: as `Trail.marked`.
+        InputError: for what is no trail or no place of a peg, and as `Trail.marked`.
     """
+    of_kind("trail", trail, Trail, "Trail.of(walk, start, end) makes one")
+    check_every(as_number("every", every))
+    peg = _peg(peg)
     s, kinds = trail.marked(every)
     points = trail.route.point(s)
     farthest = float(np.hypot(*(points - np.array(peg)).T).max())
     reach, quarter = _base(peg, max(1.0, math.ceil(farthest)), obstacles, first=1 if north else 0)
     return Marks(s, points, tuple(kinds), peg, north, _bases(peg, reach, quarter), reach)
+
+
+def _peg(peg: Point) -> Point:
+    """Where the peg stands, m, if that is a place."""
+    try:
+        x, y = peg
+    except (TypeError, ValueError):
+        text = _("peg must be a pair (x, y), not {value}")
+        raise InputError(text.format(value=repr(peg)[:80])) from None
+    return finite("peg x", x, "m"), finite("peg y", y, "m")
 
 
 def _base(peg: Point, most: float, obstacles: tuple[Obstacle, ...], first: int) -> tuple[float, int]:

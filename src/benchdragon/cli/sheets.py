@@ -66,10 +66,11 @@ SPEAK_OF = {
 )
 @click.option(
     "--every",
-    default="1",
-    show_default=True,
     metavar="LENGTH",
-    help=N_("Of the chalk plan: between marks along the route, at least 0.1 m."),
+    help=N_(
+        "Of the chalk plan: between marks along the route, at least 0.1 m. Default: 1 m, or more on a "
+        "route so long that there were too many."
+    ),
 )
 @click.option(
     "--peg",
@@ -143,8 +144,10 @@ def _chalk_options(options: dict[str, Any]) -> "ChalkOptions":
     from benchdragon.figures.scale import check_scale
     from benchdragon.sheets.options import ChalkOptions
 
-    every, scale = parse_length("--every", options["every"]), parse_scale("--scale", options["scale"])
-    check_every(every)
+    said, scale = options["every"], parse_scale("--scale", options["scale"])
+    every = None if said is None else parse_length("--every", said)
+    if every is not None:
+        check_every(every)
     check_scale(scale, MOST_CHALK_SCALE)
     for name, value in zip("xy", options["peg"] or (), strict=False):
         finite(f"--peg {name}", value, "m")

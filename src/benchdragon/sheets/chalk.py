@@ -52,8 +52,9 @@ def chalk_drawing(briefing: Briefing, options: ChalkOptions) -> ChalkDrawing:
     plan, trail = report.plan, Trail.of(report.walk, report.start, report.end)
     peg = own_peg(plan) if options.peg is None else options.peg
     obstacles = plan.obstacles()
-    marks = placed_marks(trail, options.every, peg, north=plan.survey.north, obstacles=obstacles)
-    return ChalkDrawing(plan.title(language()), marks, trail, obstacles, options.every, briefing.foot)
+    every = trail.usual_every if options.every is None else options.every
+    marks = placed_marks(trail, every, peg, north=plan.survey.north, obstacles=obstacles)
+    return ChalkDrawing(plan.title(language()), marks, trail, obstacles, every, briefing.foot)
 
 
 def write_chalk(briefing: Briefing, folder: Path, options: ChalkOptions) -> list[Path]:
