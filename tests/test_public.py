@@ -140,6 +140,12 @@ CALLS: dict[str, tuple[Any, ...]] = {
     "Walk": (DRAGON, ROUTE, WALK.profile, 0.0),
     "TurnGoal": (),
     "bench_offsets": (MOTION, 1),
+    "Wishes": (2, 1.5, 0.15, 2.0, 0.15),
+    "bench_walks": (PLAN, WALK, (0.0, 1.0)),
+    "placed_marks": (bd.Trail.of(WALK, 0.0, 1.0), 1.0, (0.0, 0.0)),
+    "propose": (bd.Wishes(2, 1.5, 0.15, radius=9.0, kind="spiral-in"),),
+    "roster_of": (PLAN,),
+    "timetable": (PLAN, WALK, 0.0, 1.0),
     "best_place": (HALL,),
     "best_turn": (TURN,),
     "check": (PLAN,),
@@ -170,6 +176,7 @@ CALLS: dict[str, tuple[Any, ...]] = {
 }
 # What the package makes, and nobody else has to.
 MADE = {
+    "BenchWalk", "Marks", "Passing", "Person", "Proposal", "Roster", "TooSmall", "Trail",
     "Answer", "BestTurn", "BoundingCircle", "BoundingRectangle", "ClearanceCurve", "Comparison",
     "Connection", "Enclosing", "Formation", "Motion", "Nearness", "Obstacle", "Offsets", "PlacedDance",
     "Plan", "Points", "Report", "Rings", "Status", "Sweep", "SweptArea", "Tolerance", "Widest",

@@ -1,4 +1,6 @@
 # All public names and where they live: the one list, for people, type checkers and Python.
+from .analysis.bench_walks import BenchWalk as BenchWalk
+from .analysis.bench_walks import bench_walks as bench_walks
 from .analysis.check import Report as Report
 from .analysis.check import check as check
 from .analysis.contact import ClearanceCurve as ClearanceCurve
@@ -10,6 +12,9 @@ from .analysis.contact import least_clearance as least_clearance
 from .analysis.distance import Nearness as Nearness
 from .analysis.distance import clearances as clearances
 from .analysis.distance import tightest_pairs as tightest_pairs
+from .analysis.marks import Marks as Marks
+from .analysis.marks import Trail as Trail
+from .analysis.marks import placed_marks as placed_marks
 from .analysis.obstacles import first_touch as first_touch
 from .analysis.obstacles import least_distance as least_distance
 from .analysis.offsets import Offsets as Offsets
@@ -24,6 +29,8 @@ from .analysis.swept import SweptArea as SweptArea
 from .analysis.swept import enclosing as enclosing
 from .analysis.swept import swept_area as swept_area
 from .analysis.swept_width import Widest as Widest
+from .analysis.timetable import Passing as Passing
+from .analysis.timetable import timetable as timetable
 from .errors import BenchDragonError as BenchDragonError
 from .errors import InputError as InputError
 from .errors import NoSolutionError as NoSolutionError
@@ -57,12 +64,19 @@ from .model.walk import Motion as Motion
 from .model.walk import Walk as Walk
 from .paper.compare import Comparison as Comparison
 from .paper.compare import compare as compare
+from .plans.roster import roster_of as roster_of
 from .plans.schema import Plan as Plan
 from .plans.schema import read_plan as read_plan
 from .player.page import show as show
+from .rosters.roster import Person as Person
+from .rosters.roster import Roster as Roster
 from .solve.head_speed import greatest_head_speed as greatest_head_speed
 from .solve.place import PlacedDance as PlacedDance
 from .solve.place import best_place as best_place
+from .solve.proposal import Proposal as Proposal
+from .solve.proposal import TooSmall as TooSmall
+from .solve.proposal import Wishes as Wishes
+from .solve.proposal import propose as propose
 from .solve.size import limit as limit
 from .solve.size import smallest_pitch as smallest_pitch
 from .solve.tolerance import Deviations as Deviations

@@ -6,6 +6,7 @@ from dataclasses import replace
 import pytest
 
 from benchdragon.analysis.check import check
+from benchdragon.errors import InputError
 from benchdragon.solve.proposal import Proposal, TooSmall, Wishes, propose
 
 SMALL = Wishes(12, 1.5, 0.15, rectangle=(20.0, 18.0), carry="under")
@@ -50,3 +51,9 @@ def test_few_benches_for_which_every_pitch_serves_get_a_turn() -> None:
     found = propose(Wishes(3, 2.0, 0.3, radius=30.0, kind="turn"))
     assert isinstance(found, Proposal)
     assert found.plan.route.kind == "turn"
+
+
+def test_a_square_that_is_not_said_or_said_twice_is_refused() -> None:
+    for wishes in (replace(SMALL, rectangle=None), replace(SMALL, radius=9.0)):
+        with pytest.raises(InputError, match="either its rectangle or its radius"):
+            propose(wishes)

@@ -11,7 +11,8 @@ import numpy as np
 from benchdragon.analysis.bench_nearness import Side, Tightest, TightestSearch, beside
 from benchdragon.analysis.bends import Bends, Turning
 from benchdragon.analysis.crossings import Crossings, crossings
-from benchdragon.errors import in_order, of_kind
+from benchdragon.errors import InputError, in_order, of_kind
+from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.walk import SLICE_PLACES, Motion, Walk
 from benchdragon.plans.schema import Plan
@@ -98,8 +99,7 @@ def bench_walks(
     """
     of_kind("plan", plan, Plan)
     of_kind("walk", walk, Walk)
-    start, end = span
-    in_order(start, end)
+    start, end = _span(span)
     bends, times = Bends.of(walk.route), _times(walk, start, end)
     gates = _gates(plan)
     count = len(walk.dragon)
@@ -121,6 +121,17 @@ def bench_walks(
         )
         for k in range(count)
     )  # fmt: skip
+
+
+def _span(span: tuple[float, float]) -> tuple[float, float]:
+    """Start and end, s, if they are two times in order."""
+    try:
+        start, end = span
+    except (TypeError, ValueError):
+        text = _("span must be a pair of times, not {value}")
+        raise InputError(text.format(value=repr(span)[:80])) from None
+    in_order(start, end)
+    return start, end
 
 
 def _gates(plan: Plan) -> FloatArray:

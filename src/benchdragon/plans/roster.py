@@ -1,6 +1,6 @@
 """Who carries the benches of a plan: the list of names beside it."""
 
-from benchdragon.errors import InputError
+from benchdragon.errors import InputError, of_kind
 from benchdragon.plans.people import called
 from benchdragon.plans.schema import Plan
 from benchdragon.plans.source import Fault
@@ -15,8 +15,10 @@ def roster_of(plan: Plan) -> Roster:
     Notes are in the language in use. The plan itself holds no names: not in its data, nor its hash.
 
     Raises:
+        InputError: for what is no plan.
         PlanError: for a list that cannot be read, and for a dragon that cannot be.
     """
+    of_kind("plan", plan, Plan)
     people, source = plan.people, plan._source
     if not people.roster:
         return Roster()

@@ -16,7 +16,7 @@ import shapely
 from benchdragon.analysis.check import Report, check
 from benchdragon.analysis.room import with_people
 from benchdragon.analysis.swept import swept_area
-from benchdragon.errors import InputError, UnsureError, WalkError
+from benchdragon.errors import InputError, UnsureError, WalkError, as_number, of_kind
 from benchdragon.i18n import N_, _, both
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.plans.schema import Plan, checked
@@ -89,6 +89,11 @@ class Wishes:
     kind: Kind | None = None
     roster: str = ""
 
+    def __post_init__(self) -> None:
+        """Refuse what is no number."""
+        for name in ("benches", "length", "width", "head_length", "inset", "bearers", "speed"):
+            as_number(name, getattr(self, name))
+
     @property
     def beside(self) -> float:
         """Room for bearers on each side of a bench, m, rounded up to a centimetre."""
@@ -135,9 +140,12 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
     """A dance of the benches on the square that passes `check`, or how much too small the square is.
 
     Raises:
-        InputError: for sizes that no dance can have.
+        InputError: for what are no wishes, for a square that is not said or said twice, and for sizes
+            that no dance can have.
+        UnsureError: if what fits the square does not pass the check.
         PlanError: for sizes of which no dragon can be built.
     """
+    of_kind("wishes", wishes, Wishes)
     _refuse(wishes)
     kinds = KINDS if wishes.kind is None else (wishes.kind,)
     smallest: list[_Dance] = []
@@ -173,6 +181,8 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
 
 def _refuse(wishes: Wishes) -> None:
     """Refuse what cannot be before anything is computed."""
+    if (wishes.rectangle is None) == (wishes.radius is None):
+        raise InputError(_("say how large the square is: either its rectangle or its radius"))
     if not 2 <= wishes.benches <= MOST_BENCHES:
         text = _("a dance is proposed for 2 to {most} benches, not {count}")
         raise InputError(text.format(most=MOST_BENCHES, count=wishes.benches))
