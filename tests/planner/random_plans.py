@@ -225,7 +225,7 @@ def plan(seed: int, wrong: float = 0.1) -> Tables:
     return data
 
 
-WRONG = (None, "", "x", -1, 0, 1e-9, 10**12, True, [], {}, "3 lb", [1, 2, 3], 2.5)
+WRONG: tuple[Any, ...] = (None, "", "x", -1, 0, 1e-9, 10**12, True, [], {}, "3 lb", [1, 2, 3], 2.5)
 
 
 def spoil(dice: random.Random, data: Tables) -> None:

@@ -32,6 +32,24 @@ export function _(text, values = {}) {
 }
 
 /**
+ * The same words in both languages.
+ * @param {() => string} say
+ * @returns {{ en: string, zh: string }}
+ */
+export function both(say) {
+  const before = spoken;
+  try {
+    const [en, zh] = /** @type {const} */ (["en", "zh"]).map((each) => {
+      spoken = each;
+      return say();
+    });
+    return { en, zh };
+  } finally {
+    spoken = before;
+  }
+}
+
+/**
  * A number with so many decimals, and a true minus sign.
  * @param {number} value
  * @param {number} digits

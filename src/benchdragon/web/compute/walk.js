@@ -121,7 +121,9 @@ export class Motion extends Placement {
 
   /** Speed of every handle along the route, m/s, (handles, T). */
   get speed() {
-    return doubles(this.ratio).map((ratio, i) => ratio * this.headSpeed[i % this.count]);
+    const found = doubles(this.ratio).slice();
+    for (let i = 0; i < found.length; i++) found[i] *= this.headSpeed[i % this.count];
+    return found;
   }
 
   /** Rate of change of every handle's speed along the route, m/s^2, (handles, T). */

@@ -1,0 +1,57 @@
+// Lists of numbers as NumPy makes them: the same to the last bit.
+
+const HALF_WAY = 6755399441055744; // 1.5 * 2 ** 52: what is added to it loses its fraction, half to even
+
+/** The nearest whole number, of two the even one: `numpy.rint`. @param {number} value */
+export function rint(value) {
+  return Math.abs(value) < 2 ** 51 ? value + HALF_WAY - HALF_WAY : value;
+}
+
+/** So many numbers evenly from one to another: `numpy.linspace`. @param {number} start @param {number} end @param {number} count */
+export function linspace(start, end, count) {
+  const step = (end - start) / (count - 1);
+  const found = Float64Array.from({ length: count }, (_value, i) => i * step + start);
+  if (count > 1) found[count - 1] = end;
+  return found;
+}
+
+/** Rounded to so many decimals: `numpy.round`. @param {number} value @param {number} decimals */
+export function rounded(value, decimals) {
+  const scale = 10 ** decimals;
+  return rint(value * scale) / scale;
+}
+
+/** Headings without jumps of a turn: `numpy.unwrap`. @param {Float64Array} headings */
+export function unwrapped(headings) {
+  const found = headings.slice();
+  let added = 0;
+  for (let i = 1; i < headings.length; i++) {
+    const change = headings[i] - headings[i - 1];
+    let within = ((change + Math.PI) % (2 * Math.PI)) - Math.PI;
+    if (within < -Math.PI) within += 2 * Math.PI;
+    if (within === -Math.PI && change > 0) within = Math.PI;
+    if (Math.abs(change) >= Math.PI) added += within - change;
+    found[i] = headings[i] + added;
+  }
+  return found;
+}
+
+/**
+ * A value between increasing places by straight lines; not a number outside: `numpy.interp`.
+ * @param {number} x
+ * @param {ArrayLike<number>} xs
+ * @param {ArrayLike<number>} values
+ */
+export function interpolated(x, xs, values) {
+  const last = xs.length - 1;
+  if (!(x >= xs[0] && x <= xs[last])) return NaN;
+  let [low, high] = [0, last];
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (xs[middle] <= x) low = middle;
+    else high = middle;
+  }
+  if (x === xs[high]) return values[high];
+  const slope = (values[high] - values[low]) / (xs[high] - xs[low]);
+  return slope * (x - xs[low]) + values[low];
+}

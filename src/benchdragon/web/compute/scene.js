@@ -1,0 +1,238 @@
+// A dance as the player shows it, computed here: twin of player/scene.py. Its lists of numbers come beside
+// the message, not packed into it.
+
+import { _, both } from "../words.js";
+import { doubles, withArena, withArenaAsync } from "./arena.js";
+import { scoreOf } from "./beats.js";
+import { PLAYER_FRAMES, PLAYER_SCENE } from "./constants.js";
+import { course } from "./course.js";
+import { cueName } from "./cues.js";
+import { InputError, finite } from "./errors.js";
+import { foretold, frames } from "./frames.js";
+import { nearness } from "./nearness.js";
+import { general } from "./number_format.js";
+import { interpolated, rounded } from "./numbers.js";
+import { silent } from "./tick.js";
+
+/** @typedef {import("./frames.js").Frames} Frames */
+/** @typedef {import("./obstacle.js").Obstacle} Obstacle */
+/** @typedef {import("./plan.js").Plan} Plan */
+/** @typedef {import("./tick.js").Progress} Progress */
+/** @typedef {import("./walk.js").Walk} Walk */
+/** @typedef {import("../engine.js").Engine} Engine */
+/** @typedef {import("../messages").Dance} Dance */
+/** @typedef {import("../messages").Occasion} Occasion */
+
+/**
+ * What part of a walk is shown, and how carefully: see `Span` of player/scene.py.
+ * @typedef {{ start: number, end: number, mostError?: number, shares?: number[], times?: number }} Shown
+ */
+
+/**
+ * A dance, and the lists that `Scene` of web/scene.js takes beside it: `new Scene(sent, nodes, told, [])`.
+ * @typedef {{ sent: Dance, nodes: Float32Array, told: Int32Array }} Unpacked
+ */
+
+/** How carefully a dance is shown while its plan changes: see `Shown`. */
+export const SKETCH = { mostError: 0.002, shares: [], times: 120 };
+
+/**
+ * The dance of a walk: its only occasions are joints, and an end where the benches cannot follow.
+ * @param {Walk} walk
+ * @param {Shown} shown
+ * @param {Progress} [progress]
+ * @returns {Promise<Unpacked>}
+ */
+export async function plainDance(walk, shown, progress = silent) {
+  const { start, end, mostError = PLAYER_SCENE.MOST_ERROR, times = PLAYER_SCENE.MOST_TIMES } = shown;
+  checkSpan(walk, start, end);
+  progress(0, _("computing positions"));
+  const shot = await frames(walk, start, end, 0.9 * mostError, shown.shares);
+  progress(0.4, _("finding benches near one another"));
+  const { nearest, tightness } = await nearness(walk, shot, times);
+  progress(0.8, _("drawing the route"));
+  const way = wayOf(walk, shot);
+  const sent = {
+    version: "",
+    plan_sha256: "",
+    title: { en: "", zh: "" },
+    benches: sizesOf(walk),
+    disc: null,
+    centre: walk.route.centre,
+    course: { stretches: way.stretches, origin: way.origin, packed: "" },
+    frames: {
+      start: shot.start,
+      step: shot.step,
+      count: shot.count,
+      quantum: PLAYER_FRAMES.QUANTUM,
+      packed: "",
+      largest_error: shot.error + way.error,
+    },
+    following: null,
+    occasions: [...joints(walk, shot), ...endOf(shot)],
+    nearest,
+    tightness,
+    margin: 0,
+    speed_limit: null,
+    obstacles: [],
+    ground: [],
+    verdict: null,
+    beats: null,
+  };
+  return { sent, nodes: way.nodes, told: foretold(shot) };
+}
+
+/**
+ * The dance of a plan, with what the plan says, and no verdict.
+ * @param {Engine} engine
+ * @param {Plan} plan
+ * @param {Partial<Shown>} [shown] the whole walk where nothing is said
+ * @param {Progress} [progress]
+ * @returns {Promise<Unpacked>}
+ */
+export async function danceOf(engine, plan, shown = {}, progress = silent) {
+  return withArenaAsync(engine, async (arena) => {
+    const walk = plan.build(arena);
+    const [start, end] = plan.span(walk);
+    const dance = await plainDance(walk, { start, end, ...shown }, progress);
+    const { tables } = plan;
+    const occasions = [...dance.sent.occasions, ...cueOccasions(plan, dance.sent.frames)];
+    const sent = {
+      ...dance.sent,
+      plan_sha256: plan.sha256,
+      title: both(() => plan.title),
+      disc: tables.disc.radius,
+      margin: tables.limits.margin,
+      speed_limit: tables.limits.speed,
+      obstacles: plan.obstacles().map(drawnObstacle),
+      occasions: occasions.sort((a, b) => a.time - b.time),
+      beats: beatsOf(plan, start, end),
+    };
+    return { ...dance, sent };
+  });
+}
+
+/** @param {Walk} walk @param {number} start @param {number} end */
+function checkSpan({ dragon: { benches } }, start, end) {
+  if (finite("start", start, "s") >= finite("end", end, "s"))
+    throw new InputError(
+      _("the dance would end at {end} s, before it starts at {start} s", {
+        end: general(end),
+        start: general(start),
+      }),
+    );
+  if (benches > PLAYER_SCENE.MOST_BENCHES)
+    throw new InputError(
+      _("a player shows at most {most} benches, not {count}", {
+        most: PLAYER_SCENE.MOST_BENCHES,
+        count: benches,
+      }),
+    );
+}
+
+/** The sizes of all benches, to a micrometre. @param {Walk} walk */
+function sizesOf({ dragon }) {
+  const all = (/** @type {Float64Array} */ sizes) => Array.from(sizes, (size) => rounded(size, 6));
+  return {
+    length: all(dragon.length),
+    width: all(dragon.width),
+    front_inset: all(dragon.front_inset),
+    rear_inset: all(dragon.rear_inset),
+  };
+}
+
+/** The route that is walked on in the frames, and somewhat more of it. @param {Walk} walk @param {Frames} shot */
+function wayOf(walk, shot) {
+  const { route } = walk;
+  const tail = withArena(walk.engine, (arena) =>
+    doubles(walk.motion(arena, [shot.start]).s).reduce((low, s) => Math.min(low, s), Infinity),
+  );
+  let head = -Infinity;
+  for (let k = 0; k < shot.places.length; k++) if (shot.places[k] > head) head = shot.places[k];
+  const { AROUND } = PLAYER_SCENE;
+  const low = Math.max(tail - AROUND, -route.extension);
+  return course(route, low, Math.min(head * PLAYER_FRAMES.QUANTUM + AROUND, route.length));
+}
+
+/** When head and tail pass the joints of the route; none where there are too many. @param {Walk} walk @param {Frames} shot */
+function joints(walk, { start, step, count, places }) {
+  const inner = walk.route.joints.subarray(1, -1);
+  if (inner.length > PLAYER_SCENE.MOST_JOINTS) return [];
+  const times = Float64Array.from({ length: count }, (_time, k) => start + step * k);
+  /** @type {Occasion[]} */
+  const found = [];
+  for (const head of [true, false]) {
+    const first = head ? 0 : places.length - count;
+    const s = Float64Array.from(
+      places.subarray(first, first + count),
+      (place) => place * PLAYER_FRAMES.QUANTUM,
+    );
+    inner.forEach((joint, n) => {
+      const time = interpolated(joint, s, times);
+      if (Number.isFinite(time)) found.push(occasion("joint", time, () => jointText(n + 1, head)));
+    });
+  }
+  return found;
+}
+
+/** @param {number} n @param {boolean} head */
+function jointText(n, head) {
+  return head
+    ? _("the head passes joint {n} of the route", { n })
+    : _("the tail passes joint {n} of the route", { n });
+}
+
+/** Why the frames end, where that is not the end of the walk. @param {Frames} shot */
+function endOf({ leap, start, step, count }) {
+  if (!leap) return [];
+  const end = start + step * (count - 1);
+  return [occasion("end", end, () => _("from here on the benches cannot follow"))];
+}
+
+/**
+ * Something that happens at a time.
+ * @param {Occasion["kind"]} kind
+ * @param {number} time s
+ * @param {() => string} say
+ * @param {number[]} [benches]
+ * @param {number | null} [obstacle]
+ * @returns {Occasion}
+ */
+export function occasion(kind, time, say, benches = [], obstacle = null) {
+  return { kind, time, text: both(say), benches, obstacle };
+}
+
+/** The cues of a plan that are among its frames, each with what it is called. @param {Plan} plan @param {Dance["frames"]} frames */
+function cueOccasions(plan, { start, step, count }) {
+  const last = start + step * (count - 1);
+  return plan
+    .moments()
+    .filter(({ time }) => start <= time && time <= last)
+    .map(({ time, cue }) => occasion("cue", time, () => cueName(cue)));
+}
+
+/** The drum of a plan with cues. @param {Plan} plan @param {number} start @param {number} end */
+function beatsOf(plan, start, end) {
+  if (!plan.saidCues) return null;
+  const { tempo, runs, strokes } = scoreOf(plan, start, end);
+  return { tempo, runs, strokes };
+}
+
+/** An obstacle as a page draws it, to a tenth of a millimetre. @param {Obstacle} obstacle */
+function drawnObstacle({ name, kind, outline, radius, margin }) {
+  return {
+    name: both(() => shownName(name, kind)),
+    kind,
+    points: outline.map(([x, y]) => /** @type {[number, number]} */ ([rounded(x, 4), rounded(y, 4)])),
+    radius,
+    margin,
+    rings: [],
+  };
+}
+
+/** What an obstacle is called where it stands alone, in the language in use. @param {string} name @param {string} kind */
+function shownName(name, kind) {
+  const nameless = /^obstacle (\d+)$/.exec(name);
+  if (kind !== "venue") return nameless ? _("obstacle {n}", { n: nameless[1] }) : name;
+  return name === "venue" ? _("the venue") : name;
+}

@@ -1,0 +1,36 @@
+// The dances of plans: node dances.mjs MODULES ENGINE.wasm QUESTIONS.json; each with how long it took, ms.
+import { readFileSync } from "node:fs";
+import { pathToFileURL } from "node:url";
+
+const [modules, file, questions] = process.argv.slice(2);
+const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
+const [{ Engine }, { checkedPlan }, { danceOf }, { Scene }] = await Promise.all(
+  ["engine", "compute/plan", "compute/scene", "scene"].map(load),
+);
+const engine = await Engine.load(readFileSync(file));
+const { memory } = engine.exports;
+
+async function danced({ plan: data, shown, rounds = 1 }) {
+  let least = Infinity;
+  for (let round = 0; ; round++) {
+    const begun = performance.now();
+    const plan = checkedPlan(data);
+    const { sent, nodes, told } = await danceOf(engine, plan, shown);
+    least = Math.min(least, performance.now() - begun);
+    if (round + 1 < rounds) continue;
+    const scene = new Scene(sent, nodes, told, []);
+    const lists = { nodes, told, places: scene.places, speeds: scene.speeds };
+    const plain = Object.entries(lists).map(([name, list]) => [name, Array.from(list)]);
+    return { sent, ...Object.fromEntries(plain), least, memory: memory.buffer.byteLength };
+  }
+}
+
+const answers = [];
+for (const question of JSON.parse(readFileSync(questions, "utf-8"))) {
+  try {
+    answers.push(await danced(question));
+  } catch (error) {
+    answers.push({ error: error.message, kind: error.constructor.name });
+  }
+}
+console.log(JSON.stringify(answers));

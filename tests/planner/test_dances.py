@@ -1,0 +1,160 @@
+"""compute/scene.js: the dance that the page shows is that of player/scene.py."""
+
+import json
+from typing import Any
+
+import numpy as np
+import pytest
+
+from benchdragon.analysis.beats import score_of
+from benchdragon.errors import BenchDragonError
+from benchdragon.model.obstacle import Obstacle
+from benchdragon.plans.schema import Plan, checked, read_plan
+from benchdragon.player.frames import course, frames, walked
+from benchdragon.player.scene import AROUND, Span, plain_dance
+from tests.engine.recording import node
+from tests.planner.random_plans import plan
+from tests.planner.twins import asked, difference
+
+pytestmark = pytest.mark.skipif(node() is None, reason="no Node here to run the page's modules in")
+
+# Few looks: the answers are compared, not how careful they are.
+FEW: dict[str, Any] = {"shares": [0.5], "times": 60}
+# What is the same in all dances, or not here.
+ELSEWHERE = {"version", "verdict", "ground", "obstacles"}
+SEEDS = range(300, 330)
+
+
+def told_span(read: Plan) -> Span:
+    start, end = read.span(read.build())
+    return Span(start, min(end, start + 60.0), shares=(0.5,), times=60)
+
+
+def asked_dances(plans: list[dict[str, Any]]) -> list[tuple[Any, Any]]:
+    """What Python and its twin make of plans that can be built, for a minute at most."""
+    questions, own = [], []
+    for data in plans:
+        try:
+            read = checked(json.loads(json.dumps(data)), "plan")
+            span = told_span(read)
+            own.append(danced(read, span))
+        except BenchDragonError:
+            continue
+        questions.append({"plan": data, "shown": {**FEW, "start": span.start, "end": span.end}})
+    return list(zip(own, asked("dances.mjs", questions), strict=True))
+
+
+def danced(read: Plan, span: Span) -> dict[str, Any]:
+    """A dance of Python, and its lists not yet packed."""
+    walk = read.build()
+    sent = plain_dance(walk, span).model_dump(mode="json")
+    shot = frames(walk, span.start, span.end, 0.9 * span.most_error, span.shares)
+    low = max(float(walk.motion([shot.start]).s.min()) - AROUND, -walk.route.extension)
+    high = min(float(shot.places.max()) * 1e-4 + AROUND, walk.route.length)
+    way = course(walk, low, high)
+    changes = np.diff(shot.places, axis=1) - walked(shot.speeds, shot.step)
+    return {
+        "sent": sent, "nodes": way.nodes, "places": shot.places, "speeds": shot.speeds,
+        "changes": changes, "plan": read, "span": span,
+    }  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def dances() -> list[tuple[Any, Any]]:
+    """Dances of random plans and of the built-in ones."""
+    found = asked_dances([plan(seed) for seed in SEEDS] + [read_plan("turn").data()])
+    assert len(found) > 15
+    return found
+
+
+def test_frames_are_the_same(dances: list[tuple[Any, Any]]) -> None:
+    for own, twin in dances:
+        assert "error" not in twin
+        for name in ("places", "speeds"):
+            table = np.array(twin[name]).reshape(own[name].shape)
+            assert np.abs(table - own[name]).max() <= 1  # rounding at a half
+        handles, count = own["places"].shape
+        told = np.array(twin["told"]).reshape(2, handles, count)[1, :, 1:]
+        assert np.abs(told - own["changes"]).max() <= 4
+
+
+def test_the_route_is_the_same(dances: list[tuple[Any, Any]]) -> None:
+    for own, twin in dances:
+        nodes = np.array(twin["nodes"]).reshape(own["nodes"].shape)
+        assert np.abs(nodes - own["nodes"]).max() < 1e-4
+
+
+def test_messages_are_the_same(dances: list[tuple[Any, Any]]) -> None:
+    for own, twin in dances:
+        read, sent = own["plan"], own["sent"]
+        theirs = {key: value for key, value in twin["sent"].items() if key not in ELSEWHERE}
+        cues = [one for one in theirs["occasions"] if one["kind"] == "cue"]
+        theirs["occasions"] = [one for one in theirs["occasions"] if one["kind"] != "cue"]
+        last = sent["frames"]["start"] + sent["frames"]["step"] * (sent["frames"]["count"] - 1)
+        assert len(cues) == sum(own["span"].start <= one.time <= last for one in read.moments())
+        expected = {key: value for key, value in sent.items() if key not in ELSEWHERE}
+        expected |= {
+            "plan_sha256": read.sha256, "disc": read.disc.radius, "margin": read.limits.margin,
+            "speed_limit": read.limits.speed, "beats": beats(read),
+            "occasions": sorted(expected["occasions"], key=lambda one: float(one["time"])),
+        }  # fmt: skip
+        assert difference(loose(expected), loose(theirs)) == ""
+
+
+def loose(sent: dict[str, Any]) -> dict[str, Any]:
+    """A message without its lists, Chinese, and what rounding decides."""
+    kept = {key: value for key, value in sent.items() if key not in ("nearest", "title")}
+    for table, names in (("frames", ("packed", "largest_error")), ("course", ("packed",))):
+        kept[table] = {key: value for key, value in sent[table].items() if key not in names}
+    kept["occasions"] = [one | {"text": one["text"]["en"]} for one in sent["occasions"]]
+    return kept
+
+
+def beats(read: Plan) -> Any:
+    """The drum of a plan."""
+    if not read.cues.said():
+        return None
+    score = score_of(read, *read.span(read.build()))
+    runs = [run._asdict() for run in score.runs]
+    return {"tempo": score.tempo, "runs": runs, "strokes": list(score.strokes)}
+
+
+def test_the_nearest_benches_are_the_same(dances: list[tuple[Any, Any]]) -> None:
+    for own, twin in dances:
+        nearest = {"own": own["sent"]["nearest"], "twin": twin["sent"]["nearest"]}
+        far = np.array(nearest["own"]["distance"]) - np.array(nearest["twin"]["distance"])
+        assert np.abs(far).max(initial=0.0) < 1.1e-5
+
+
+def test_a_sketch_is_of_the_whole_dance_and_ends_where_a_bench_leaps() -> None:
+    sketch = {"shares": [], "times": 30, "mostError": 0.002}
+    names = ("spiral-in", "turn")
+    answers = asked("dances.mjs", [{"plan": read_plan(name).data(), "shown": sketch} for name in names])
+    coil, turn = (answer["sent"]["frames"] for answer in answers)
+    end = coil["start"] + coil["step"] * (coil["count"] - 1)
+    assert 431.5 < end <= 432.85
+    assert [one["kind"] for one in answers[0]["sent"]["occasions"]][-1] == "end"
+    start, last = read_plan("turn").span(read_plan("turn").build())
+    assert turn["start"] == start
+    assert abs(turn["start"] + turn["step"] * (turn["count"] - 1) - last) < 1e-9
+
+
+def test_memory_does_not_grow_from_dance_to_dance() -> None:
+    shown = {"shares": [], "times": 30}
+    data = read_plan("turn").data()
+    few, many = asked(
+        "dances.mjs", [{"plan": data, "shown": shown, "rounds": rounds} for rounds in (3, 30)]
+    )
+    assert few["memory"] == many["memory"]
+
+
+def test_obstacles_are_drawn_where_they_stand() -> None:
+    data = read_plan("turn").data() | {
+        "obstacle": [{"kind": "circle", "centre": [30, 1], "radius": 2}],
+        "venue": {"rectangle": [90, 80]},
+    }
+    (answer,) = asked("dances.mjs", [{"plan": data, "shown": FEW}])
+    own: tuple[Obstacle, ...] = checked(data, "plan").obstacles()
+    shown = answer["sent"]["obstacles"]
+    assert [one["points"] for one in shown] == [one.outline.tolist() for one in own]
+    assert [one["name"]["en"] for one in shown] == ["the venue", "obstacle 1"]
