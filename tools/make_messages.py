@@ -72,7 +72,7 @@ def extracted(package: Path = PACKAGE) -> Iterator[MessageId]:
         for _line, message, _comments, _context in extract_from_file("python", source, KEYWORDS):
             if message:
                 yield message
-    for script in sorted((package / "web").glob("*.js")):
+    for script in sorted((package / "web").rglob("*.js")):
         yield from script_messages(script)
 
 

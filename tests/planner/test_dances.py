@@ -106,8 +106,10 @@ def loose(sent: dict[str, Any]) -> dict[str, Any]:
     kept = {key: value for key, value in sent.items() if key not in ("nearest", "title")}
     for table, names in (("frames", ("packed", "largest_error")), ("course", ("packed",))):
         kept[table] = {key: value for key, value in sent[table].items() if key not in names}
-    kept["occasions"] = [one | {"text": one["text"]["en"]} for one in sent["occasions"]]
-    return kept
+    # A joint where the dance begins is passed or not, as rounding has it.
+    first = sent["frames"]["start"] + 1e-6
+    said = [one | {"text": one["text"]["en"]} for one in sent["occasions"]]
+    return kept | {"occasions": [one for one in said if one["time"] > first]}
 
 
 def beats(read: Plan) -> Any:
