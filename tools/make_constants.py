@@ -20,13 +20,15 @@ import numpy as np
 import benchdragon
 
 KERNELS = (
-    "band", "bench_cells", "box", "cells", "course", "curve", "doubts", "drive", "every_pair", "family",
-    "grid", "low_points", "meetings", "near_cells", "pacing", "peak", "perturbed", "route",
-    "route_parts", "search", "size_bracket", "size_search", "spiral", "standing", "status",
+    "band", "beginning", "bench_cells", "box", "cells", "course", "curve", "doubts", "drive", "every_pair", "family",
+    "grid", "low_points", "meetings", "near_cells", "pacing", "peak", "perturbed", "regions",
+    "route", "route_parts", "search", "size_bracket", "size_search", "spiral", "standing", "status",
     "step_bounds", "turn_families", "walk_search",
 )  # fmt: skip
 # Modules with twins in the page: add those whose numbers you need.
 TWINS = (
+    "analysis.check", "analysis.contact", "analysis.contact_search", "analysis.distance",
+    "analysis.obstacle_search", "analysis.room", "analysis.speed", "analysis.tables",
     "model.answer", "model.base_curve", "model.connections", "model.curves", "model.dragon",
     "model.formations", "model.holds", "model.obstacle", "model.profile", "model.walk",
     "plans.cues", "plans.drawn", "plans.routes", "plans.square", "plans.tables",

@@ -1,6 +1,11 @@
 // Numbers of the kernels and of modules that have twins here. Made by tools/make_constants.py;
 // to make it again: make types
 
+export const BEGINNING = {
+  CELL_SHARE: 0.45,
+  NOWHERE: 1.152921504606847e18,
+};
+
 export const BENCH_CELLS = {
   REAR: 0,
   SLOW: 1,
@@ -259,6 +264,13 @@ export const PERTURBED = {
   LEAST_RADIUS: 0.05,
 };
 
+export const REGIONS = {
+  SQUARE: 1.5687963267948966,
+  SHORT: 0.99999999,
+  MOST_PIECES: 200,
+  EDGE: 1e-7,
+};
+
 export const ROUTE = {
   END_SLACK: 1e-9,
   FOLD_COSINE: 0.001,
@@ -486,6 +498,85 @@ export const WALK_SEARCH = {
   SEEK: 3,
   WIDTH_ROUNDINGS: 4,
   HANDLES_A_CALL: 200000,
+};
+
+export const ANALYSIS_CHECK = {
+  SAMPLES: 1000,
+  LAST_SHARE: 0.04,
+  LAST_SAMPLES: 300,
+  AFTER: 3,
+  QUICK_CLEARANCE: 0.001,
+  QUICK_SPEED: 0.0001,
+};
+
+export const ANALYSIS_CONTACT = {
+  FRAYED: 1e-5,
+  FIRST_REACH: 0.003,
+  WIDER: 6,
+  TOLERANCES: [1e-12, 1e-8, 1e-5],
+  MOST_GRAZES: 100,
+  MOST_SAMPLES: 1000000,
+};
+
+export const ANALYSIS_CONTACT_SEARCH = {
+  SLACK: 1e-13,
+  SLACK_REACH: 50,
+  WIDTH: 1e-13,
+  MOST_EVALUATIONS: 200000,
+  MOST_LEAST_EVALUATIONS: 2000,
+  SAMPLES_AHEAD: 65,
+};
+
+export const ANALYSIS_DISTANCE = {
+  MOST_PAIRS: 100000,
+  MOST_SAMPLED: 5000,
+  TIE: 12,
+  TOUCHING: 1e-9,
+};
+
+export const ANALYSIS_OBSTACLE_SEARCH = {
+  SPANS: 2000,
+  LOG: 65536,
+  SAMPLES: 65,
+  MOST_GRAZES: 1000,
+  NARROW: 1e-6,
+  MOST_STEPS: 100,
+};
+
+export const ANALYSIS_ROOM = {
+  TOLERANCES: [0.001],
+};
+
+export const ANALYSIS_SPEED = {
+  TOLERANCE: 1e-10,
+  LEAST_TOLERANCE: 1e-12,
+  RATE_TOLERANCE: 1e-6,
+  STEP: 0.1,
+  MOST_OPEN: 5000000,
+  OPEN: 1024,
+  COARSE_STEP: 0.8,
+  COARSE_CELL: 0.4,
+  FINEST_CELL: 0.0125,
+  CELL_COST: 24,
+  LEAST_LOSS: 1e-9,
+  MOST_LOSS: 0.2,
+  SAMPLES: 4,
+  MOST_CELLS: 500000,
+  BUDGET: 100000,
+};
+
+export const ANALYSIS_TABLES = {
+  MOST_SIZES: 2000,
+  MOST_CELLS: 2000000,
+  PLACES: 1000000,
+  A_CELL: 64,
+  AT_FIRST: 1000000,
+  PAIRS: 1000,
+  MEMBERS: 256,
+  DOUBTS: 64,
+  WIDER: 2,
+  LOG: 4096,
+  CELL_LOG: 65536,
 };
 
 export const MODEL_ANSWER = {

@@ -1,20 +1,71 @@
-// Numbers as sentences hold them: twin of Python's formats.
+// Numbers as sentences hold them: the twin of number_format.py and of Python's formats, half of the last
+// digit rounded to even as there.
 
-/** As `f"{value:g}"`, with so many significant figures. @param {number} value @param {number} [figures] */
-export function general(value, figures = 6) {
-  if (!Number.isFinite(value)) return pythonFloat(value);
-  if (value === 0) return Object.is(value, -0) ? "-0" : "0";
-  const [digits, exponent] = value.toExponential(figures - 1).split("e");
-  const power = Number(exponent);
-  if (power < -4 || power >= figures) return `${trimmed(digits)}e${signed(power)}`;
-  return trimmed(value.toFixed(Math.max(figures - 1 - power, 0)));
+import { wholeOf } from "./exact.js";
+
+/** @param {number} value @returns {string | null} what is said of a number that is not finite */
+function unlimited(value) {
+  if (Number.isFinite(value)) return null;
+  return Number.isNaN(value) ? "nan" : value > 0 ? "inf" : "-inf";
+}
+
+/** So many decimals, without the sign of a zero: "z.6f". @param {number} value @param {number} count */
+export function decimals(value, count = 6) {
+  const whole = wholeOf(Number.isFinite(value) ? value : 0, count);
+  const text = String(whole).padStart(count + 1, "0");
+  const point = text.length - count;
+  const said = count ? `${text.slice(0, point)}.${text.slice(point)}` : text;
+  return unlimited(value) ?? (value < 0 && whole ? `-${said}` : said);
+}
+
+/**
+ * The first digits of a number that is not 0, and the power of ten of the first of them.
+ * @param {number} value @param {number} count @returns {[string, number]}
+ */
+function digitsOf(value, count) {
+  let power = Number(value.toExponential().split("e")[1]);
+  let text = String(wholeOf(value, count - 1 - power));
+  if (text.length < count) text = String(wholeOf(value, count - 1 - --power));
+  if (text.length > count) [text, power] = [text.slice(0, count), power + 1];
+  return [text, power];
+}
+
+/** @param {string} digits @param {number} power */
+function raised(digits, power) {
+  const point = digits.length > 1 ? `${digits[0]}.${digits.slice(1)}` : digits;
+  return `${point}e${signed(power)}`;
+}
+
+/** Decimals and a power of ten: ".1e". @param {number} value @param {number} count of decimals */
+export function powered(value, count) {
+  const none = unlimited(value);
+  if (none) return none;
+  const [digits, power] = value ? digitsOf(value, count + 1) : ["0".repeat(count + 1), 0];
+  return (value < 0 || Object.is(value, -0) ? "-" : "") + raised(digits, power);
+}
+
+/** So many digits at most, and a power of ten where that is shorter: ".6g". @param {number} value @param {number} count */
+export function general(value, count = 6) {
+  const none = unlimited(value);
+  const sign = value < 0 || Object.is(value, -0) ? "-" : "";
+  if (none || !value) return none ?? `${sign}0`;
+  const [digits, power] = digitsOf(value, count);
+  const shown = digits.replace(/0+$/, "");
+  if (power < -4 || power >= count) return sign + raised(shown, power);
+  if (power < 0) return `${sign}0.${"0".repeat(-power - 1)}${shown}`;
+  const whole = shown.slice(0, power + 1).padEnd(power + 1, "0");
+  return shown.length > power + 1 ? `${sign}${whole}.${shown.slice(power + 1)}` : sign + whole;
+}
+
+/** A number for JSON, which knows no infinity. @param {number} value */
+export function finiteOrNull(value) {
+  return Number.isFinite(value) ? value : null;
 }
 
 /** As `repr(value)` of a float. @param {number} value */
 export function pythonFloat(value) {
-  if (Number.isNaN(value)) return "nan";
-  if (!Number.isFinite(value)) return value > 0 ? "inf" : "-inf";
-  if (Object.is(value, -0)) return "-0.0";
+  const none = unlimited(value);
+  if (none || Object.is(value, -0)) return none ?? "-0.0";
   const [digits, exponent] = value.toExponential().split("e");
   const power = Number(exponent);
   if (value !== 0 && (power < -4 || power >= 16)) return `${digits}e${signed(power)}`;
@@ -30,11 +81,6 @@ function spelled(digits, power) {
   const whole = bare.slice(0, power + 1).padEnd(power + 1, "0");
   const rest = bare.slice(power + 1);
   return `${sign}${whole}${rest && `.${rest}`}`;
-}
-
-/** @param {string} digits */
-function trimmed(digits) {
-  return digits.includes(".") ? digits.replace(/\.?0+$/, "") : digits;
 }
 
 /** @param {number} power */

@@ -1,0 +1,84 @@
+// When the head comes to a route position, so that brackets of times are sure: the twin of
+// analysis/head_times.py.
+
+import { Exact, ulp } from "./exact.js";
+
+/** @typedef {import("./walk.js").Walk} Walk */
+/** @typedef {import("./walk.js").Profile} Profile */
+
+/**
+ * How far a profile's head walks from its first knot to a finite time, without any rounding.
+ * @param {Profile} profile
+ * @param {number} t s
+ */
+function exactFromFirst({ times, speeds }, t) {
+  const last = times.length - 1;
+  if (t <= times[0]) return Exact.of(t).minus(Exact.of(times[0])).times(Exact.of(speeds[0]));
+  let walked = Exact.of(0);
+  if (t > times[last]) walked = Exact.of(t).minus(Exact.of(times[last])).times(Exact.of(speeds[last]));
+  for (let n = 0; n < last && t > times[n]; n++) {
+    const [a, b, v, w] = [times[n], times[n + 1], speeds[n], speeds[n + 1]].map(Exact.of);
+    if (t >= times[n + 1]) {
+      walked = walked.plus(v.plus(w).half().times(b.minus(a)));
+      continue;
+    }
+    const gone = Exact.of(t).minus(a);
+    const gained = w.minus(v).times(gone).half().by(b.minus(a));
+    walked = walked.plus(v.plus(gained).times(gone));
+  }
+  return walked;
+}
+
+/** Times of a search along a walk. */
+export class HeadTimes {
+  /**
+   * @param {Walk} walk what is searched
+   * @param {number} start the head position at which the search begins, m
+   * @param {number} since the time at which it does, s
+   */
+  constructor(walk, start, since = -Infinity) {
+    this.walk = walk;
+    this.start = start;
+    this.since = since;
+  }
+
+  /** The first time of the search, s, at which the head stands at s. @param {number} s */
+  at(s) {
+    return s <= this.start ? this.since : Math.max(this.walk.timeAt(s), this.since);
+  }
+
+  /**
+   * About when the head is between two positions, m, and a time before and one after that, s.
+   *
+   * At the second it has surely come no farther than `lower`, at the third at least to `upper`.
+   * @param {number} lower @param {number} upper @returns {[number, number, number]}
+   */
+  bracketed(lower, upper) {
+    const [early, late] = [this.notAfter(lower), this.notBefore(upper)];
+    return [Math.min(Math.max(this.at(0.5 * (lower + upper)), early), late), early, late];
+  }
+
+  /** A time at which the head has come no farther than s; not before the search begins. @param {number} s */
+  notAfter(s) {
+    let t = this.at(s);
+    let step = Number.isFinite(t) ? ulp(t) : 0;
+    while (t > this.since && this.#lead(t, s) > 0) [t, step] = [t - step, 2 * step];
+    return Math.max(t, this.since);
+  }
+
+  /** A time at which the head has come at least as far as s. @param {number} s */
+  notBefore(s) {
+    let t = this.at(s);
+    let step = Number.isFinite(t) ? ulp(t) : 0;
+    while (s > this.start && t < Infinity && this.#lead(t, s) < 0) [t, step] = [t + step, 2 * step];
+    return t;
+  }
+
+  /** Whether the head stands past s at time t (1), before (-1) or there (0): not rounded. @param {number} t @param {number} s */
+  #lead(t, s) {
+    const { profile, start } = this.walk;
+    if (!Number.isFinite(t)) return Math.sign(this.walk.headPosition(t) - s);
+    const walked = exactFromFirst(profile, t).minus(exactFromFirst(profile, 0));
+    return Exact.of(start).plus(walked).minus(Exact.of(s)).sign;
+  }
+}
