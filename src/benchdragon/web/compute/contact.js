@@ -1,0 +1,265 @@
+// Contact over time: the first, all of them, and the least clearance of a walk. Twin of
+// analysis/contact.py.
+
+import { answered } from "./answer.js";
+import { ANALYSIS_CONTACT, ANALYSIS_DISTANCE, SEARCH } from "./constants.js";
+import { withContactSearch } from "./contact_search.js";
+import { lowPair, tightestPairs } from "./distance.js";
+import { withArena } from "./arena.js";
+import { silent } from "./tick.js";
+
+/** @typedef {import("./answer.js").Answer} Answer */
+/** @typedef {import("./contact_search.js").ContactSearch} ContactSearch */
+/** @typedef {import("./tick.js").Progress} Progress */
+/** @typedef {import("./walk.js").Walk} Walk */
+
+/**
+ * A span of time through which some pair of benches touches (or is nearer than the margin); its opening
+ * is "undecided" for a graze that rounding leaves open, its closing null if it lasts to the end.
+ * @typedef {{ opens: Answer, closes: Answer | null }} Window
+ */
+
+/**
+ * The least distance seen, m, at which head position, of which benches (rows, from 0); no pair is nearer
+ * than `floor`.
+ * @typedef {{ distance: number, where: number, pair: [number, number], floor: number }} Best
+ */
+
+const { FRAYED, FIRST_REACH, WIDER, MOST_GRAZES } = ANALYSIS_CONTACT;
+/** Widths of brackets of clearances, m: the first that can be. @type {number[]} */
+export const TOLERANCES = ANALYSIS_CONTACT.TOLERANCES;
+const { MOST_SAMPLED } = ANALYSIS_DISTANCE;
+const NONE = answered(Infinity, Infinity, Infinity, "m");
+
+/**
+ * All spans of time in start..end, s, in which two non-adjacent benches are nearer than margin, m.
+ *
+ * Never late and none left out: what lies outside of all windows is clear by bounds. Stops after `most`.
+ * @param {Walk} walk
+ * @param {number} start @param {number} end
+ * @param {{ margin?: number, most?: number, progress?: Progress }} [options]
+ */
+export function contactWindows(walk, start, end, { margin = 0, most = 1000, progress = silent } = {}) {
+  return withContactSearch(walk, start, end, margin, progress, async (search) => {
+    const opened = touchingAtStart(search);
+    /** @type {Window[]} */
+    const windows = opened === null ? [] : [{ opens: opened, closes: null }];
+    while (windows.length < most) {
+      const touching = windows.length > 0 && windows[windows.length - 1].closes === null;
+      const [ending, note] = await search.search(touching ? SEARCH.TOUCH_END : SEARCH.FIRST_TOUCH);
+      if (ending === SEARCH.CLEAR) break;
+      const status = ending === SEARCH.FOUND ? "found" : "undecided";
+      const [lower, upper] = [note[SEARCH.LOWER], note[SEARCH.UPPER]];
+      takeDown(windows, search.answerAt(lower, upper, status, ...search.pair(note)), touching);
+    }
+    return windows;
+  });
+}
+
+/** Add to `windows` what opens, closes or grazes. @param {Window[]} windows @param {Answer} found @param {boolean} touching */
+function takeDown(windows, found, touching) {
+  const last = windows.length - 1;
+  if (touching && found.status === "found")
+    windows[last] = { opens: windows[last].opens, closes: found };
+  else if (!touching && found.status === "found") windows.push({ opens: found, closes: null });
+  else if (!touching && windows.length && belongs(windows[last], found))
+    windows[last] = widened(windows[last], found);
+  else if (!touching) windows.push({ opens: found, closes: found });
+}
+
+/** Whether a graze is but the frayed end of a window just closed. @param {Window} window @param {Answer} graze */
+function belongs({ closes }, graze) {
+  return closes !== null && graze.lower - closes.upper <= FRAYED;
+}
+
+/** A window with a graze joined to its end; a graze itself if it was one. @param {Window} window @param {Answer} graze */
+function widened({ opens, closes }, { upper }) {
+  if (opens.status === "undecided") {
+    const graze = { ...opens, upper };
+    return { opens: graze, closes: graze };
+  }
+  return { opens, closes: closes && { ...closes, upper } };
+}
+
+/** The contact in which a walk starts, if it does. @param {ContactSearch} search */
+function touchingAtStart(search) {
+  const [near] = tightestAt(search);
+  if (!near || near.distance > search.margin - search.slack) return null;
+  const [i, j] = near.benches;
+  return search.answerAt(search.start, search.start, "found", i - 1, j - 1);
+}
+
+/** The tightest pair at the start, if there is one. @param {ContactSearch} search */
+function tightestAt({ walk, start }) {
+  return withArena(walk.engine, (arena) =>
+    tightestPairs(walk.placement(arena, [start], { throws: false })),
+  );
+}
+
+/**
+ * The first time in start..end, s, at which two non-adjacent benches touch, or are nearer than a margin,
+ * m; null if never. All is clear up to `lower`, and at `upper` a pair surely is; "undecided" is a graze
+ * within rounding.
+ * @param {Walk} walk
+ * @param {number} start @param {number} end
+ * @param {{ margin?: number, progress?: Progress }} [options]
+ */
+export async function firstContact(walk, start, end, { margin = 0, progress = silent } = {}) {
+  const [first] = await contactWindows(walk, start, end, { margin, most: 1, progress });
+  return first ? first.opens : null;
+}
+
+/**
+ * `firstContact`, or if that is a graze the first that is none, if there is one.
+ * @param {Walk} walk
+ * @param {number} start @param {number} end
+ * @param {{ margin: number, progress?: Progress }} options
+ */
+export async function firstSureContact(walk, start, end, { margin, progress = silent }) {
+  const first = await firstContact(walk, start, end, { margin, progress });
+  if (first === null || first.status !== "undecided") return first;
+  const windows = await contactWindows(walk, start, end, { margin, most: MOST_GRAZES });
+  return windows.find(({ opens }) => opens.status === "found")?.opens ?? first;
+}
+
+/**
+ * The least clearance, m, of any two non-adjacent benches from start to end, s.
+ *
+ * 0 where benches overlap; infinite for a dragon of one or two benches. The bracket is as wide as the
+ * first of `tolerances`, m, or where benches keep one distance for a while as one of the others. Nothing
+ * beyond `within` metres is looked for.
+ * @param {Walk} walk
+ * @param {number} start @param {number} end
+ * @param {{ within?: number, tolerances?: number[], progress?: Progress }} [options]
+ * @returns {Promise<Answer>}
+ */
+export function leastClearance(
+  walk,
+  start,
+  end,
+  { within = Infinity, tolerances = TOLERANCES, progress = silent } = {},
+) {
+  return withContactSearch(walk, start, end, 0, progress, async (search) => {
+    if (walk.dragon.benches < 3) return NONE;
+    return least(search, guess(search), within, tolerances);
+  });
+}
+
+/**
+ * The least clearance, m, if it surely exceeds the margin, m; null, soon, if it may not.
+ * @param {Walk} walk
+ * @param {number} start @param {number} end
+ * @param {number} margin
+ * @param {{ tolerances?: number[], progress?: Progress }} [options]
+ * @returns {Promise<Answer | null>}
+ */
+export function clearanceAbove(
+  walk,
+  start,
+  end,
+  margin,
+  { tolerances = TOLERANCES, progress = silent } = {},
+) {
+  return withContactSearch(walk, start, end, margin, progress, async (search) => {
+    if (walk.dragon.benches < 3) return NONE;
+    const best = guess(search);
+    if (best.distance <= margin) return null;
+    const found = await least(search, best, Infinity, tolerances);
+    return found.lower > margin ? found : null;
+  });
+}
+
+/**
+ * The least clearance, some distance being known: see `leastClearance`.
+ * @param {ContactSearch} search
+ * @param {Best} best
+ * @param {number} within
+ * @param {number[]} tolerances
+ */
+async function least(search, best, within, tolerances) {
+  if (search.start === search.end) return clearanceAnswer(search, best);
+  const sampled = search.walk.dragon.benches <= MOST_SAMPLED;
+  let reach = sampled ? best.distance : FIRST_REACH;
+  if (!best.distance) {
+    search.begin(0);
+    await search.walkThrough(); // whether the dragon can walk all the way
+  }
+  while (best.distance > 0) {
+    reach = Math.min(reach, best.distance, within);
+    search.begin(reach);
+    if (!sampled) [best] = await lowered(search, best, reach, Infinity); // seen at the start alone
+    best = await bracketed(search, best, reach, tolerances);
+    if (best.distance <= reach) break;
+    if (reach >= within) {
+      const { assumptions, evaluations } = search.told();
+      return answered(Infinity, best.floor, Infinity, "m", { assumptions, evaluations });
+    }
+    reach *= WIDER;
+  }
+  return clearanceAnswer(search, best);
+}
+
+/** A low distance, looked for here and there, so that what is farther need not be searched. @param {ContactSearch} search @returns {Best} */
+function guess(search) {
+  const { start, end, walk } = search;
+  const still = start === end;
+  if (still || walk.dragon.benches > MOST_SAMPLED) {
+    const [{ distance, benches }] = tightestAt(search);
+    const apart = Math.max(distance, 0);
+    return {
+      distance: apart,
+      where: start,
+      pair: [benches[0] - 1, benches[1] - 1],
+      floor: still ? apart : 0,
+    };
+  }
+  const [distance, where, i, j] = lowPair(walk, start, end);
+  return { distance: Math.max(distance, 0), where, pair: [i, j], floor: 0 };
+}
+
+/**
+ * `best`, or what is lower within `reach`, bracketed as the first tolerance that can be says. A last
+ * pass, of whatever width, sees the rest of the walk.
+ * @param {ContactSearch} search
+ * @param {Best} best
+ * @param {number} reach
+ * @param {number[]} tolerances
+ */
+async function bracketed(search, best, reach, tolerances) {
+  for (const tolerance of [...tolerances, Infinity]) {
+    search.tables.again();
+    const [found, closed] = await lowered(search, best, Math.min(reach, best.distance), tolerance);
+    best = found;
+    if (closed) break;
+  }
+  return best;
+}
+
+/**
+ * `best`, or what is lower within `reach` from here on, and whether its floor was found.
+ * @param {ContactSearch} search
+ * @param {Best} best
+ * @param {number} reach
+ * @param {number} tolerance
+ * @returns {Promise<[Best, boolean]>}
+ */
+async function lowered(search, best, reach, tolerance) {
+  const known = { [SEARCH.NEAREST]: reach, [SEARCH.FLOOR]: Infinity };
+  const [ending, note] = await search.search(SEARCH.LEAST, known, tolerance);
+  const closed = ending === SEARCH.CLEAR;
+  const nearest = note[SEARCH.NEAREST];
+  if (nearest < reach) {
+    const [distance, where] = [Math.max(nearest, 0), note[SEARCH.UPPER]];
+    best = { distance, where, pair: search.pair(note), floor: 0 };
+  }
+  const floor = Math.max(Math.min(note[SEARCH.FLOOR], nearest - tolerance), 0);
+  return [{ ...best, floor: closed ? floor : 0 }, closed || best.distance === 0];
+}
+
+/** @param {ContactSearch} search @param {Best} best */
+function clearanceAnswer(search, { distance, where, pair, floor }) {
+  const lower = Math.max(floor - search.slack, 0);
+  const upper = distance ? distance + search.slack : 0;
+  const witness = search.witness(where, ...pair);
+  return answered(distance, lower, upper, "m", { witness, ...search.told() });
+}
