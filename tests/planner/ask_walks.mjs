@@ -1,0 +1,69 @@
+// Answers questions about walks that are given as numbers: node ask_walks.mjs ENGINE.wasm QUESTIONS.json
+import { readFileSync } from "node:fs";
+import { Engine } from "../../src/benchdragon/web/engine.js";
+import { withArenaAsync } from "../../src/benchdragon/web/compute/arena.js";
+import { CURVE } from "../../src/benchdragon/web/compute/constants.js";
+import {
+  clearanceAbove,
+  contactWindows,
+  firstSureContact,
+  leastClearance,
+} from "../../src/benchdragon/web/compute/contact.js";
+import { Dragon } from "../../src/benchdragon/web/compute/dragon.js";
+import { BenchDragonError } from "../../src/benchdragon/web/compute/errors.js";
+import { QUANTITIES } from "../../src/benchdragon/web/compute/quantities.js";
+import { greatest } from "../../src/benchdragon/web/compute/speed.js";
+import { Profile } from "../../src/benchdragon/web/compute/profile.js";
+import { Route } from "../../src/benchdragon/web/compute/curves.js";
+import { Walk } from "../../src/benchdragon/web/compute/walk.js";
+
+const [, , wasm, file] = process.argv;
+const engine = await Engine.load(readFileSync(wasm));
+
+/** A route by its rows, kinks and all. */
+function routeOf(arena, rows) {
+  const table = arena.table(rows, CURVE.COLUMNS);
+  const last = rows[rows.length - 1];
+  const length = last[CURVE.S_START] + last[CURVE.LENGTH];
+  return Object.assign(Object.create(Route.prototype), { engine, rows: table, length });
+}
+
+function walkOf(arena, { sizes, rows, times, speeds, start }) {
+  const [length, width, front_inset, rear_inset] = sizes.map((column) => Float64Array.from(column));
+  const dragon = new Dragon(arena, { length, width, front_inset, rear_inset });
+  return new Walk(dragon, routeOf(arena, rows), new Profile(times, speeds), start);
+}
+
+const ASKED = {
+  windows: (walk, start, end, options) => contactWindows(walk, start, end, options),
+  contact: (walk, start, end, options) => firstSureContact(walk, start, end, options),
+  clearance: (walk, start, end, options) => leastClearance(walk, start, end, options),
+  above: (walk, start, end, { margin, ...options }) =>
+    clearanceAbove(walk, start, end, margin, options),
+  greatest: (walk, start, end, { quantity, ...options }) =>
+    greatest(walk, QUANTITIES[quantity], start, end, options),
+};
+
+/** What JSON knows no word for, as Python reads it. */
+function plain(_key, value) {
+  return typeof value === "number" && !Number.isFinite(value) ? { float: String(value) } : value;
+}
+
+const said = [];
+for (const { walk, name, start, end, options } of JSON.parse(readFileSync(file, "utf8"))) {
+  const began = performance.now();
+  let found;
+  try {
+    found = {
+      found: await withArenaAsync(engine, (arena) =>
+        ASKED[name](walkOf(arena, walk), start, end, options ?? {}),
+      ),
+    };
+  } catch (error) {
+    if (!(error instanceof BenchDragonError)) throw error;
+    found = { error: error.constructor.name, text: error.message };
+  }
+  said.push({ ...found, milliseconds: performance.now() - began });
+}
+const bytes = engine.exports.memory.buffer.byteLength;
+console.log(JSON.stringify({ said, bytes }, plain));
