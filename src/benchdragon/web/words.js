@@ -13,7 +13,7 @@ export function useWords(table) {
 /** @param {"en" | "zh"} language */
 export function speak(language) {
   spoken = language;
-  document.documentElement.lang = language === "zh" ? "zh-CN" : "en";
+  if ("document" in globalThis) document.documentElement.lang = language === "zh" ? "zh-CN" : "en";
 }
 
 /** @returns {"en" | "zh"} */
@@ -29,6 +29,19 @@ export function language() {
 export function _(text, values = {}) {
   const said = spoken === "zh" ? (chinese[text] ?? text) : text;
   return said.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+}
+
+/** What `say` says in both languages. @param {() => string} say */
+export function both(say) {
+  const before = spoken;
+  try {
+    spoken = "en";
+    const en = say();
+    spoken = "zh";
+    return { en, zh: say() };
+  } finally {
+    spoken = before;
+  }
 }
 
 /**

@@ -1,0 +1,182 @@
+// Whether a walk is safe: first contact, least clearance, speeds and accelerations against limits. Twin of
+// analysis/check.py; what is proved, the command line proves.
+
+import { _ } from "../words.js";
+import { keeps, mostOf, now } from "./answer.js";
+import { ANALYSIS_CHECK, ANALYSIS_SPEED } from "./constants.js";
+import { TOLERANCES, clearanceAbove, firstSureContact, leastClearance } from "./contact.js";
+import { UnsureError, WalkError } from "./errors.js";
+import { allFindings, named } from "./findings.js";
+import { obstacleAnswers } from "./obstacles.js";
+import { QUANTITIES, givenLimits } from "./quantities.js";
+import { levelsAsked, roomLevels } from "./room.js";
+import { greatest } from "./speed.js";
+import { stages } from "./stages.js";
+import { stopsOf } from "./stops.js";
+import { silent } from "./tick.js";
+
+/** @typedef {import("./answer.js").Answer} Answer */
+/** @typedef {import("./findings.js").Finding} Finding */
+/** @typedef {import("./obstacle.js").Obstacle} Obstacle */
+/** @typedef {import("./obstacles.js").ObstacleAnswers} ObstacleAnswers */
+/** @typedef {import("./quantities.js").QuantityName} QuantityName */
+/** @typedef {import("./room.js").RoomLevel} RoomLevel */
+/** @typedef {import("./stops.js").Stop} Stop */
+/** @typedef {import("./tick.js").Progress} Progress */
+/** @typedef {import("./walk.js").Walk} Walk */
+
+/**
+ * What a check asks of a plan.
+ * @typedef {object} CheckedPlan
+ * @property {string} sha256
+ * @property {Record<QuantityName, number | null> & { head_acceleration: number, margin: number }} limits
+ * @property {import("./room.js").People & { most_speed?: number | null }} people
+ * @property {{ cue: unknown[] }} cues
+ * @property {() => Obstacle[]} obstacles the venue's edge, if the plan says one, then what stands in it
+ */
+
+/**
+ * What a check found: see `Report` there.
+ * @typedef {object} Report
+ * @property {CheckedPlan} plan
+ * @property {Walk} walk that of the plan
+ * @property {number} start of the walk, s
+ * @property {number} end of the walk, s; the answers but the first speak of it up to a contact
+ * @property {Answer | null} contact when two non-adjacent benches first touch, or come nearer than the margin
+ * @property {Answer} clearance the least that they keep, m; 0 where they touch
+ * @property {Answer} speed the greatest of any handle, m/s
+ * @property {Partial<Record<QuantityName, Answer>>} peaks the greatest of what else is limited, in SI units
+ * @property {Finding[]} findings empty if the walk is safe
+ * @property {ObstacleAnswers[]} obstacles
+ * @property {RoomLevel[]} room level upon level; empty where the plan asks for none
+ * @property {Stop[] | null} stops of the head; null for a plan without cues
+ * @property {number} seconds how long the check took
+ */
+
+const { QUICK_CLEARANCE, QUICK_SPEED } = ANALYSIS_CHECK;
+
+/**
+ * Check the whole walk of a plan against its margin and its limits.
+ *
+ * `quick` is for sliders: brackets of the clearance and of the greatest speed may be QUICK_CLEARANCE and
+ * QUICK_SPEED wide, and no contact is looked for where that clearance shows that there is none. They are
+ * established as ever, and what has its limit inside of a wide bracket is asked again to the last digit.
+ * @param {CheckedPlan} plan
+ * @param {Walk} walk that of the plan
+ * @param {[number, number]} span start and end of the walk, s
+ * @param {{ quick?: boolean, progress?: Progress }} [options]
+ * @returns {Promise<Report>}
+ */
+export async function check(plan, walk, [start, end], { quick = false, progress = silent } = {}) {
+  const began = now();
+  const asked = levelsAsked(plan.people).length > 0;
+  const stage = stages(progress, asked ? 6 : 5);
+  const { contact, clearance } = await nearnessOf(plan, walk, [start, end], stage, quick);
+  /** @type {[number, number]} */
+  const span = [start, contact === null || contact.witness === null ? end : contact.upper];
+  const width = quick ? QUICK_SPEED : ANALYSIS_SPEED.TOLERANCE;
+  const told = { tolerance: width, progress: stage(_("greatest speed")) };
+  const seen = await greatest(walk, QUANTITIES.speed, ...span, told);
+  const speed = await decidedSpeed(plan, walk, span, seen);
+  const peaks = await limitedPeaks(plan, walk, span, stage(_("other limits")));
+  const widths = quick ? [QUICK_CLEARANCE] : TOLERANCES;
+  const obstacles = await obstaclesOf(plan, walk, span, widths, stage(_("obstacles")));
+  const bare = { contact, obstacles };
+  const room = asked
+    ? await roomLevels(plan, walk, [start, end], bare, stage(_("room for people")))
+    : [];
+  const known = { contact, obstacles, room, peaks: { speed, ...peaks } };
+  const findings = allFindings(plan, walk, span, known);
+  const stops = plan.cues.cue.length ? stopsOf(walk, start, end) : null;
+  const seconds = now() - began;
+  return {
+    plan, walk, start, end, contact, clearance, speed, peaks, findings, obstacles, room, stops, seconds,
+  }; // prettier-ignore
+}
+
+/**
+ * The first contact, and the least clearance until then.
+ * @param {CheckedPlan} plan
+ * @param {Walk} walk
+ * @param {[number, number]} span
+ * @param {ReturnType<typeof stages>} stage
+ * @param {boolean} quick
+ * @returns {Promise<{ contact: Answer | null, clearance: Answer }>}
+ */
+async function nearnessOf(plan, walk, [start, end], stage, quick) {
+  const clear = quick ? await clearThroughout(plan, walk, [start, end]) : null;
+  if (clear !== null) return { contact: null, clearance: clear };
+  const { margin } = plan.limits;
+  const progress = stage(_("searching for contact"));
+  const contact = await firstSureContact(walk, start, end, { margin, progress });
+  const near = contact?.witness ?? null;
+  if (contact !== null && near !== null && !(near.gap > 0))
+    return { contact, clearance: { ...contact, value: 0, lower: 0, upper: 0, unit: "m" } };
+  const until = contact === null || near === null ? end : contact.upper;
+  const tolerances = quick ? [QUICK_CLEARANCE] : TOLERANCES;
+  const told = { tolerances, progress: stage(_("clearance")) };
+  return { contact, clearance: await leastClearance(walk, start, until, told) };
+}
+
+/** The least clearance of a walk that it shows to be free of contact; null if it may have one. @param {CheckedPlan} plan @param {Walk} walk @param {[number, number]} span */
+async function clearThroughout(plan, walk, span) {
+  try {
+    return await clearanceAbove(walk, ...span, plan.limits.margin, {
+      tolerances: [QUICK_CLEARANCE],
+    });
+  } catch (error) {
+    if (error instanceof WalkError || error instanceof UnsureError) return null;
+    throw error;
+  }
+}
+
+/**
+ * What is found about the venue's edge and each obstacle over a span of the walk, s.
+ * @param {CheckedPlan} plan
+ * @param {Walk} walk
+ * @param {[number, number]} span
+ * @param {number[]} tolerances
+ * @param {Progress} progress
+ */
+async function obstaclesOf(plan, walk, span, tolerances, progress) {
+  const known = plan.obstacles();
+  const found = [];
+  for (const [n, obstacle] of known.entries()) {
+    progress(n / known.length, named(obstacle));
+    found.push(await obstacleAnswers(walk, obstacle, ...span, { tolerances }));
+  }
+  return found;
+}
+
+/** The greatest speed over a span of the walk, s, asked again where its bracket holds a limit. @param {CheckedPlan} plan @param {Walk} walk @param {[number, number]} span @param {Answer} speed */
+async function decidedSpeed({ limits, people }, walk, span, speed) {
+  for (const limit of [limits.speed ?? null, people.most_speed ?? null])
+    if (limit !== null && keeps(speed, limit) === null)
+      speed = await greatest(walk, QUANTITIES.speed, ...span, { limit: mostOf(limit) });
+  return speed;
+}
+
+/**
+ * The greatest of each quantity but speed that the plan limits, over a span of the walk, s.
+ * @param {CheckedPlan} plan
+ * @param {Walk} walk
+ * @param {[number, number]} span
+ * @param {Progress} progress
+ */
+async function limitedPeaks(plan, walk, span, progress) {
+  const limits = Object.entries(givenLimits(plan.limits)).filter(([name]) => name !== "speed");
+  /** @type {Partial<Record<QuantityName, Answer>>} */
+  const peaks = {};
+  for (const [n, [name, limit]] of limits.entries()) {
+    const quantity = QUANTITIES[/** @type {QuantityName} */ (name)];
+    const options = { tolerance: ANALYSIS_SPEED.RATE_TOLERANCE, limit: mostOf(limit) };
+    peaks[quantity.name] = await greatest(walk, quantity, ...span, options);
+    progress((n + 1) / limits.length, "");
+  }
+  return peaks;
+}
+
+/** Whether no question was left open that could change whether a walk is safe. @param {Report} report */
+export function isDecided({ findings }) {
+  return !findings.length || findings.some(({ decided }) => decided);
+}

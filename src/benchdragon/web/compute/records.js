@@ -1,0 +1,161 @@
+// What a check found as plain data, in the shape of `--json`: twin of analysis/records.py. SI units;
+// numbers that are not finite come as null. What readers read comes in both languages, but for the
+// assumptions of an answer: those are in the language in which it was sought.
+
+import { _, both } from "../words.js";
+import { isDecided } from "./check.js";
+import { CODES, shownName } from "./findings.js";
+import { finiteOrNull } from "./number_format.js";
+import { levelName } from "./room.js";
+import { peakText, sentence } from "./verdict_text.js";
+
+/** @typedef {import("../messages").Answer} AnswerRecord */
+/** @typedef {import("../messages").Finding} FindingRecord */
+/** @typedef {import("../messages").ObstacleRecord} ObstacleRecord */
+/** @typedef {import("../messages").RoomRecord} RoomRecord */
+/** @typedef {import("../messages").Verdict} Verdict */
+/** @typedef {import("./answer.js").Answer} Answer */
+/** @typedef {import("./check.js").Report} Report */
+/** @typedef {import("./errors.js").WalkError} WalkError */
+/** @typedef {import("./quantities.js").QuantityName} QuantityName */
+/** The plan's hash and the package's version, which all answers carry. @typedef {{ plan_sha256: string, version: string }} Stamp */
+
+/** The record of an answer about a plan. @param {Answer} found @param {Stamp} stamp @returns {AnswerRecord} */
+export function answerOf(found, stamp) {
+  const { value, lower, upper, unit, status, witness, assumptions, evaluations, seconds } = found;
+  const [low, high] = [finiteOrNull(lower), finiteOrNull(upper)];
+  return {
+    value: finiteOrNull(value),
+    lower: low,
+    upper: high,
+    unit,
+    status,
+    witness: witness && {
+      ...witness,
+      time: witness.time === null ? null : finiteOrNull(witness.time),
+      gap: finiteOrNull(witness.gap),
+    },
+    assumptions,
+    evaluations,
+    seconds,
+    ...stamp,
+  };
+}
+
+/** The record of an answer that may be missing. @param {Answer | null} found @param {Stamp} stamp */
+function answerOrNull(found, stamp) {
+  return found && answerOf(found, stamp);
+}
+
+/** The record of a check. @param {Report} report @param {string} version of the package @returns {Verdict} */
+export function verdictOf(report, version) {
+  const { plan, start, end, clearance, speed, peaks } = report;
+  const stamp = { plan_sha256: plan.sha256, version };
+  return {
+    safe: !report.findings.length,
+    decided: isDecided(report),
+    proved: false,
+    sentence: both(() => sentence(report)),
+    start,
+    end,
+    first_contact: answerOrNull(report.contact, stamp),
+    clearance: answerOf(clearance, stamp),
+    greatest_speed: answerOf(speed, stamp),
+    peaks: Object.entries(peaks).map(([name, peak]) => ({
+      name,
+      text: both(() => peakText(/** @type {QuantityName} */ (name))),
+      peak: answerOf(peak, stamp),
+    })),
+    obstacles: report.obstacles.map((found) => obstacleRecord(found, stamp)),
+    room: report.room.map((level) => roomRecord(level, stamp)),
+    findings: report.findings.map(findingRecord),
+    stops: report.stops,
+    seconds: report.seconds,
+    ...stamp,
+  };
+}
+
+/** @param {import("./findings.js").Finding} found @returns {FindingRecord} */
+function findingRecord({ kind, decided, text, time, benches, value, limit, obstacle }) {
+  return {
+    code: CODES[kind],
+    kind,
+    decided,
+    text: both(text),
+    time,
+    benches,
+    value: finiteOrNull(value),
+    limit: finiteOrNull(limit),
+    obstacle: obstacle && obstacle.name,
+  };
+}
+
+/** @param {import("./obstacles.js").ObstacleAnswers} found @param {Stamp} stamp @returns {ObstacleRecord} */
+function obstacleRecord({ obstacle, contact, touch, distance }, stamp) {
+  return {
+    name: obstacle.name,
+    shown: both(() => shownName(obstacle)),
+    kind: obstacle.kind,
+    margin: obstacle.margin,
+    contact: answerOrNull(contact, stamp),
+    touch: answerOrNull(touch, stamp),
+    distance: answerOf(distance, stamp),
+  };
+}
+
+/** @param {import("./room.js").RoomLevel} level @param {Stamp} stamp @returns {RoomRecord} */
+function roomRecord({ name, asked, margin, kept, first }, stamp) {
+  return {
+    name,
+    text: both(() => levelName(name)),
+    asked: asked.map(({ key, value, source }) => ({ key, value, source: source || null })),
+    margin,
+    kept,
+    first: first && answerOf(first.contact, stamp),
+    obstacle: first?.obstacle ? first.obstacle.name : null,
+  };
+}
+
+/**
+ * The record of a walk over a span, s, along which the benches cannot follow.
+ * @param {{ sha256: string }} plan
+ * @param {[number, number]} span
+ * @param {WalkError} error
+ * @param {string} version
+ * @returns {Verdict}
+ */
+export function verdictOfFall(plan, [start, end], error, version) {
+  const text = both(() => error.message);
+  const time = error.t;
+  return {
+    safe: false,
+    decided: true,
+    proved: false,
+    sentence: both(() => _("Not safe: {finding}", { finding: error.message })),
+    start,
+    end,
+    first_contact: null,
+    clearance: null,
+    greatest_speed: null,
+    peaks: [],
+    obstacles: [],
+    room: [],
+    findings: [
+      {
+        code: CODES.walk,
+        kind: "walk",
+        decided: true,
+        text,
+        time,
+        benches: [error.bench],
+        value: null,
+        limit: null,
+        obstacle: null,
+      },
+    ],
+    stops: null,
+    seconds: null,
+    plan_sha256: plan.sha256,
+    version,
+  };
+}
