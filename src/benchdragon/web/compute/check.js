@@ -29,11 +29,12 @@ import { silent } from "./tick.js";
  * What a check asks of a plan.
  * @typedef {object} CheckedPlan
  * @property {string} sha256
- * @property {Record<QuantityName, number | null> & { head_acceleration: number, margin: number }} limits
- * @property {import("./room.js").People & { most_speed?: number | null }} people
- * @property {{ cue: unknown[] }} cues
+ * @property {{ limits: Limits, people: import("./room.js").People & { most_speed: number | null },
+ *   cues: { cue: unknown[] } }} tables
  * @property {() => Obstacle[]} obstacles the venue's edge, if the plan says one, then what stands in it
  */
+
+/** A plan's limits. @typedef {Record<QuantityName, number | null> & { head_acceleration: number, margin: number }} Limits */
 
 /**
  * What a check found: see `Report` there.
@@ -69,7 +70,7 @@ const { QUICK_CLEARANCE, QUICK_SPEED } = ANALYSIS_CHECK;
  */
 export async function check(plan, walk, [start, end], { quick = false, progress = silent } = {}) {
   const began = now();
-  const asked = levelsAsked(plan.people).length > 0;
+  const asked = levelsAsked(plan.tables.people).length > 0;
   const stage = stages(progress, asked ? 6 : 5);
   const { contact, clearance } = await nearnessOf(plan, walk, [start, end], stage, quick);
   /** @type {[number, number]} */
@@ -87,7 +88,7 @@ export async function check(plan, walk, [start, end], { quick = false, progress 
     : [];
   const known = { contact, obstacles, room, peaks: { speed, ...peaks } };
   const findings = allFindings(plan, walk, span, known);
-  const stops = plan.cues.cue.length ? stopsOf(walk, start, end) : null;
+  const stops = plan.tables.cues.cue.length ? stopsOf(walk, start, end) : null;
   const seconds = now() - began;
   return {
     plan, walk, start, end, contact, clearance, speed, peaks, findings, obstacles, room, stops, seconds,
@@ -106,7 +107,7 @@ export async function check(plan, walk, [start, end], { quick = false, progress 
 async function nearnessOf(plan, walk, [start, end], stage, quick) {
   const clear = quick ? await clearThroughout(plan, walk, [start, end]) : null;
   if (clear !== null) return { contact: null, clearance: clear };
-  const { margin } = plan.limits;
+  const { margin } = plan.tables.limits;
   const progress = stage(_("searching for contact"));
   const contact = await firstSureContact(walk, start, end, { margin, progress });
   const near = contact?.witness ?? null;
@@ -121,7 +122,7 @@ async function nearnessOf(plan, walk, [start, end], stage, quick) {
 /** The least clearance of a walk that it shows to be free of contact; null if it may have one. @param {CheckedPlan} plan @param {Walk} walk @param {[number, number]} span */
 async function clearThroughout(plan, walk, span) {
   try {
-    return await clearanceAbove(walk, ...span, plan.limits.margin, {
+    return await clearanceAbove(walk, ...span, plan.tables.limits.margin, {
       tolerances: [QUICK_CLEARANCE],
     });
   } catch (error) {
@@ -149,8 +150,8 @@ async function obstaclesOf(plan, walk, span, tolerances, progress) {
 }
 
 /** The greatest speed over a span of the walk, s, asked again where its bracket holds a limit. @param {CheckedPlan} plan @param {Walk} walk @param {[number, number]} span @param {Answer} speed */
-async function decidedSpeed({ limits, people }, walk, span, speed) {
-  for (const limit of [limits.speed ?? null, people.most_speed ?? null])
+async function decidedSpeed({ tables: { limits, people } }, walk, span, speed) {
+  for (const limit of [limits.speed, people.most_speed])
     if (limit !== null && keeps(speed, limit) === null)
       speed = await greatest(walk, QUANTITIES.speed, ...span, { limit: mostOf(limit) });
   return speed;
@@ -164,7 +165,7 @@ async function decidedSpeed({ limits, people }, walk, span, speed) {
  * @param {Progress} progress
  */
 async function limitedPeaks(plan, walk, span, progress) {
-  const limits = Object.entries(givenLimits(plan.limits)).filter(([name]) => name !== "speed");
+  const limits = Object.entries(givenLimits(plan.tables.limits)).filter(([name]) => name !== "speed");
   /** @type {Partial<Record<QuantityName, Answer>>} */
   const peaks = {};
   for (const [n, [name, limit]] of limits.entries()) {

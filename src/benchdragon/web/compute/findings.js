@@ -80,16 +80,16 @@ export function shownName(obstacle) {
  *   peaks: Partial<Record<QuantityName, Answer>> }} found
  */
 export function allFindings(plan, walk, span, { contact, obstacles, peaks, room }) {
-  const limits = givenLimits(plan.limits);
+  const limits = givenLimits(plan.tables.limits);
   const names = /** @type {QuantityName[]} */ (Object.keys(limits));
   return [
-    ...contactFindings(contact, plan.limits.margin),
+    ...contactFindings(contact, plan.tables.limits.margin),
     ...obstacles.flatMap(obstacleFindings),
-    ...headFindings(walk, span, plan.limits.head_acceleration),
+    ...headFindings(walk, span, plan.tables.limits.head_acceleration),
     ...names.flatMap((name) =>
       limitFindings(name, /** @type {Answer} */ (peaks[name]), Number(limits[name])),
     ),
-    ...carryingFindings(plan.people.most_speed ?? null, /** @type {Answer} */ (peaks.speed)),
+    ...carryingFindings(plan.tables.people.most_speed, /** @type {Answer} */ (peaks.speed)),
     ...roomFindings(room),
   ];
 }

@@ -75,16 +75,16 @@ export function levelsAsked(people) {
  */
 export function roomLevels(plan, walk, span, bare, progress) {
   return withArenaAsync(walk.engine, async (arena) => {
-    const names = levelsAsked(plan.people);
-    const levels = [levelOf("benches", [], plan.limits.margin, bare)];
+    const names = levelsAsked(plan.tables.people);
+    const levels = [levelOf("benches", [], plan.tables.limits.margin, bare)];
     let [each, line] = [0, walk];
     for (const [n, name] of names.entries()) {
       progress(n / names.length, levelName(name));
-      const asked = askedOf(plan.people, name);
-      if (name === "people") line = withPeople(arena, walk, plan.people);
+      const asked = askedOf(plan.tables.people, name);
+      if (name === "people") line = withPeople(arena, walk, plan.tables.people);
       else each += asked[0].value;
       const until = untilBroken(levels[levels.length - 1], span);
-      const margin = plan.limits.margin + 2 * each;
+      const margin = plan.tables.limits.margin + 2 * each;
       const contact = await firstSureContact(line, ...until, { margin });
       const stands = plan.obstacles().map((one) => withMargin(one, one.margin + each));
       const obstacles = [];

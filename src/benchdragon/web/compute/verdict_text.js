@@ -88,7 +88,7 @@ function briefly({ kind, decided, time, obstacle, benches, limit, text }) {
 
 /** What a safe walk keeps: the tightest place, and margin and speed beside what was asked for. @param {Report} report */
 function keptText(report) {
-  const { limits } = report.plan;
+  const { limits } = report.plan.tables;
   const said = [tightestText(report)];
   if (limits.margin)
     said.push(_("{margin} cm were asked for", { margin: general(100 * limits.margin) }));
@@ -97,11 +97,11 @@ function keptText(report) {
     const levels = report.room.slice(1).map(({ name }) => levelName(name)).join(_(", ")); // prettier-ignore
     said.push(_("room is kept {levels}", { levels }));
   }
-  if ((limits.speed ?? null) !== null)
+  if (limits.speed !== null)
     said.push(
       _("fastest handle {speed} m/s of {limit} m/s allowed", {
         speed: general(report.speed.value),
-        limit: general(Number(limits.speed)),
+        limit: general(limits.speed),
       }),
     );
   const given = givenLimits(limits);
