@@ -1,4 +1,4 @@
-// Answers questions about walks that are given as numbers: node ask_walks.mjs ENGINE.wasm QUESTIONS.json
+// Answers questions about walks that are given as numbers: node ask_walks.mjs MODULES ENGINE.wasm QUESTIONS.json
 import { readFileSync } from "node:fs";
 import { Engine } from "../../src/benchdragon/web/engine.js";
 import { withArenaAsync } from "../../src/benchdragon/web/compute/arena.js";
@@ -11,13 +11,14 @@ import {
 } from "../../src/benchdragon/web/compute/contact.js";
 import { Dragon } from "../../src/benchdragon/web/compute/dragon.js";
 import { BenchDragonError } from "../../src/benchdragon/web/compute/errors.js";
+import { HeadTimes } from "../../src/benchdragon/web/compute/head_times.js";
 import { QUANTITIES } from "../../src/benchdragon/web/compute/quantities.js";
 import { greatest } from "../../src/benchdragon/web/compute/speed.js";
 import { Profile } from "../../src/benchdragon/web/compute/profile.js";
 import { Route } from "../../src/benchdragon/web/compute/curves.js";
 import { Walk } from "../../src/benchdragon/web/compute/walk.js";
 
-const [, , wasm, file] = process.argv;
+const [wasm, file] = process.argv.slice(3);
 const engine = await Engine.load(readFileSync(wasm));
 
 /** A route by its rows, kinks and all. */
@@ -42,16 +43,19 @@ const ASKED = {
     clearanceAbove(walk, start, end, margin, options),
   greatest: (walk, start, end, { quantity, ...options }) =>
     greatest(walk, QUANTITIES[quantity], start, end, options),
+  times: (walk, start, _end, { at }) => {
+    const times = new HeadTimes(walk, walk.headPosition(start), start);
+    return at.map((s) => times.bracketed(s, s));
+  },
 };
 
 /** What JSON knows no word for, as Python reads it. */
 function plain(_key, value) {
-  return typeof value === "number" && !Number.isFinite(value) ? { float: String(value) } : value;
+  return typeof value === "number" && !Number.isFinite(value) ? String(value) : value;
 }
 
 const said = [];
 for (const { walk, name, start, end, options } of JSON.parse(readFileSync(file, "utf8"))) {
-  const began = performance.now();
   let found;
   try {
     found = {
@@ -63,7 +67,6 @@ for (const { walk, name, start, end, options } of JSON.parse(readFileSync(file, 
     if (!(error instanceof BenchDragonError)) throw error;
     found = { error: error.constructor.name, text: error.message };
   }
-  said.push({ ...found, milliseconds: performance.now() - began });
+  said.push(found);
 }
-const bytes = engine.exports.memory.buffer.byteLength;
-console.log(JSON.stringify({ said, bytes }, plain));
+console.log(JSON.stringify(said, plain));

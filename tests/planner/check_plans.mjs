@@ -1,4 +1,5 @@
-// Checks plans: node check_plans.mjs ENGINE.wasm QUESTIONS.json
+// Checks plans: node check_plans.mjs MODULES ENGINE.wasm QUESTIONS.json, verdicts as JSON. With "cancel"
+// each is given up where its progress is first told.
 import { readFileSync } from "node:fs";
 import { Engine } from "../../src/benchdragon/web/engine.js";
 import { withArenaAsync } from "../../src/benchdragon/web/compute/arena.js";
@@ -8,10 +9,16 @@ import { checkedPlan } from "../../src/benchdragon/web/compute/plan.js";
 import { verdictOf } from "../../src/benchdragon/web/compute/records.js";
 import { useWords } from "../../src/benchdragon/web/words.js";
 
-const [, , wasm, file] = process.argv;
+const [wasm, file] = process.argv.slice(3);
 const engine = await Engine.load(readFileSync(wasm));
-const { plans, words, quick, version } = JSON.parse(readFileSync(file, "utf8"));
+const { plans, words, quick, version, rounds, cancel } = JSON.parse(readFileSync(file, "utf8"));
 useWords(words);
+
+class Cancelled extends Error {}
+
+function progress() {
+  if (cancel) throw new Cancelled("given up");
+}
 
 /** The verdict on a plan in plain data, or why there is none. */
 async function judged(data) {
@@ -19,23 +26,25 @@ async function judged(data) {
     const plan = checkedPlan(data);
     return await withArenaAsync(engine, async (arena) => {
       const walk = plan.build(arena);
-      return { verdict: verdictOf(await check(plan, walk, plan.span(walk), { quick }), version) };
+      const report = await check(plan, walk, plan.span(walk), { quick, progress });
+      return { verdict: verdictOf(report, version) };
     });
   } catch (error) {
-    if (!(error instanceof BenchDragonError)) throw error;
-    return { error: error.constructor.name, text: error.message };
+    if (!(error instanceof BenchDragonError || error instanceof Cancelled)) throw error;
+    return { kind: error.constructor.name, error: error.message };
   }
 }
 
 const said = [];
-for (const { data, rounds } of plans) {
+for (const data of plans) {
   let found;
-  let milliseconds = Infinity;
+  const [bytes, milliseconds] = [[], []];
   for (let round = 0; round < rounds; round++) {
     const began = performance.now();
     found = await judged(data);
-    milliseconds = Math.min(milliseconds, performance.now() - began);
+    milliseconds.push(performance.now() - began);
+    bytes.push(engine.exports.memory.buffer.byteLength);
   }
-  said.push({ ...found, milliseconds, bytes: engine.exports.memory.buffer.byteLength });
+  said.push({ found, bytes, milliseconds });
 }
 console.log(JSON.stringify(said));

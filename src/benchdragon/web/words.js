@@ -31,14 +31,19 @@ export function _(text, values = {}) {
   return said.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
 }
 
-/** What `say` says in both languages. @param {() => string} say */
+/**
+ * The same words in both languages.
+ * @param {() => string} say
+ * @returns {{ en: string, zh: string }}
+ */
 export function both(say) {
   const before = spoken;
   try {
-    spoken = "en";
-    const en = say();
-    spoken = "zh";
-    return { en, zh: say() };
+    const [en, zh] = /** @type {const} */ (["en", "zh"]).map((each) => {
+      spoken = each;
+      return say();
+    });
+    return { en, zh };
   } finally {
     spoken = before;
   }
