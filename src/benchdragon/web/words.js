@@ -50,24 +50,6 @@ export function both(say) {
 }
 
 /**
- * The same words in both languages.
- * @param {() => string} say
- * @returns {{ en: string, zh: string }}
- */
-export function both(say) {
-  const before = spoken;
-  try {
-    const [en, zh] = /** @type {const} */ (["en", "zh"]).map((each) => {
-      spoken = each;
-      return say();
-    });
-    return { en, zh };
-  } finally {
-    spoken = before;
-  }
-}
-
-/**
  * A number with so many decimals, and a true minus sign.
  * @param {number} value
  * @param {number} digits
