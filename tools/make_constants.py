@@ -32,7 +32,7 @@ TWINS = (
     "model.answer", "model.base_curve", "model.connections", "model.curves", "model.dragon",
     "model.formations", "model.holds", "model.obstacle", "model.profile", "model.walk",
     "plans.cues", "plans.drawn", "plans.routes", "plans.square", "plans.tables",
-    "player.frames", "player.scene",
+    "player.following", "player.frames", "player.scene",
 )  # fmt: skip
 FILE = Path(benchdragon.__file__).with_name("web") / "compute" / "constants.js"
 # Longer lists are tables of the kernels' own.

@@ -4,24 +4,35 @@ import { pathToFileURL } from "node:url";
 
 const [modules, file, questions] = process.argv.slice(2);
 const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
-const [{ Engine }, { checkedPlan }, { danceOf }, { Scene }] = await Promise.all(
-  ["engine", "compute/plan", "compute/scene", "scene"].map(load),
+const [{ Engine }, { checkedPlan }, { danceOf, SKETCH }, { Scene }, { Table }] = await Promise.all(
+  ["engine", "compute/plan", "compute/scene", "scene", "following"].map(load),
 );
 const engine = await Engine.load(readFileSync(file));
 const { memory } = engine.exports;
 
-async function danced({ plan: data, shown, rounds = 1 }) {
+async function danced({ plan: data, shown = SKETCH, rounds = 1, at }) {
   let least = Infinity;
   for (let round = 0; ; round++) {
     const begun = performance.now();
     const plan = checkedPlan(data);
-    const { sent, nodes, told } = await danceOf(engine, plan, shown);
+    const { sent, nodes, told, tables } = await danceOf(engine, plan, shown);
     least = Math.min(least, performance.now() - begun);
     if (round + 1 < rounds) continue;
-    const scene = new Scene(sent, nodes, told, []);
-    const lists = { nodes, told, places: scene.places, speeds: scene.speeds };
+    const readers = tables.map((table, i) => new Table(sent.following.tables[i], table));
+    const scene = new Scene(sent, nodes, told, readers);
+    const stand = scene.stand(at ?? sent.frames.start, scene.room());
+    const lists = {
+      nodes,
+      told,
+      places: scene.places,
+      speeds: scene.speeds,
+      s: stand.s,
+      x: stand.x,
+      v: stand.v,
+    };
     const plain = Object.entries(lists).map(([name, list]) => [name, Array.from(list)]);
-    return { sent, ...Object.fromEntries(plain), least, memory: memory.buffer.byteLength };
+    const followed = tables.map((table) => Array.from(table));
+    return { sent, followed, ...Object.fromEntries(plain), least, memory: memory.buffer.byteLength };
   }
 }
 

@@ -10,7 +10,8 @@ from benchdragon.analysis.beats import score_of
 from benchdragon.errors import BenchDragonError
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.plans.schema import Plan, checked, read_plan
-from benchdragon.player.frames import course, frames, walked
+from benchdragon.player.following import following
+from benchdragon.player.frames import SHARES, course, frames, walked
 from benchdragon.player.scene import AROUND, Span, plain_dance
 from tests.engine.recording import node
 from tests.planner.random_plans import plan
@@ -160,3 +161,27 @@ def test_obstacles_are_drawn_where_they_stand() -> None:
     shown = answer["sent"]["obstacles"]
     assert [one["points"] for one in shown] == [one.outline.tolist() for one in own]
     assert [one["name"]["en"] for one in shown] == ["the venue", "obstacle 1"]
+
+
+def test_a_long_dance_is_the_heads_and_how_all_follow() -> None:
+    settings = ["dragon.benches=1000", "dragon.tail_length=3", "walk.start=0"]
+    read = read_plan("turn", settings)
+    walk, at = read.build(), 1234.5
+    sketch = {"mostError": 0.002, "shares": [], "times": 60}
+    shown = sketch | {"care": {"compared": 20_000, "looks": 60_000_000}}
+    (twin,) = asked("dances.mjs", [{"plan": read.data(), "at": at, "shown": shown}])
+    start, end = read.span(walk)
+    assert len(walk.dragon) * (end - start) > 500_000
+    told = twin["sent"]["following"]
+    assert told["kinds"] == [2] + [0] * 998 + [1]  # a kind for each length of link, shortest first
+    motion = walk.motion([at])
+    assert np.abs(np.array(twin["s"]) - motion.s[0]).max() < 2e-3
+    assert np.abs(np.array(twin["x"]) - motion.x[0]).max() < 2e-3
+    assert np.abs(np.array(twin["v"]) - motion.speed[0]).max() < 2e-3
+    own = following(walk, start, end, 1.8e-3, SHARES)
+    assert own is not None
+    assert told["tables"][0]["link"] == own.tables[0].link
+    for table, nodes in zip(own.tables, twin["followed"], strict=True):
+        expected = np.concatenate([table.ways, table.rates])
+        assert np.abs(np.array(nodes) - expected).max() <= 50  # 5e-8 m: Newton's last digits
+    assert np.abs(np.array(told["fastest"]) - own.fastest).max() < 1e-3

@@ -77,6 +77,14 @@ export class Dragon {
     return new Dragon(arena, { length, width, front_inset, rear_inset });
   }
 
+  /** The dragon of one bench alone (a row, from 0). @param {Arena} arena @param {number} bench */
+  only(arena, bench) {
+    const [length, width, front_inset, rear_inset] = SIZE_NAMES.map((name) =>
+      this[name].slice(bench, bench + 1),
+    );
+    return new Dragon(arena, { length, width, front_inset, rear_inset });
+  }
+
   /** The same in another arena. @param {Arena} arena */
   in(arena) {
     return this.first(arena, this.benches);

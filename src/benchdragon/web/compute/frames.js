@@ -43,7 +43,7 @@ function* slicesOf(walk, count) {
  * @param {Float64Array} times
  * @param {(motion: Motion, first: number) => void} use
  */
-async function inSlices(walk, times, use) {
+export async function inSlices(walk, times, use) {
   for (const [first, last] of slicesOf(walk, times.length)) {
     withArena(walk.engine, (arena) => {
       use(walk.motion(arena, times.subarray(first, last), { throws: false }), first);
@@ -131,7 +131,7 @@ function triedError(walk, start, step, count) {
 }
 
 /** A cubic's value at a share f of a step; slopes are those of a step. @param {number} a @param {number} b @param {number} riseA @param {number} riseB @param {number} f */
-function cubic(a, b, riseA, riseB, f) {
+export function cubic(a, b, riseA, riseB, f) {
   return a + f * f * (3 - 2 * f) * (b - a) + f * (1 - f) * ((1 - f) * riseA - f * riseB);
 }
 

@@ -8,12 +8,14 @@ import { PLAYER_FRAMES, PLAYER_SCENE } from "./constants.js";
 import { course } from "./course.js";
 import { cueName } from "./cues.js";
 import { InputError, finite } from "./errors.js";
+import { CAREFUL, following } from "./follow.js";
 import { foretold, frames } from "./frames.js";
 import { nearness } from "./nearness.js";
 import { general } from "./number_format.js";
 import { interpolated, rounded } from "./numbers.js";
 import { silent } from "./tick.js";
 
+/** @typedef {import("./follow.js").Following} Following */
 /** @typedef {import("./frames.js").Frames} Frames */
 /** @typedef {import("./obstacle.js").Obstacle} Obstacle */
 /** @typedef {import("./plan.js").Plan} Plan */
@@ -25,16 +27,23 @@ import { silent } from "./tick.js";
 
 /**
  * What part of a walk is shown, and how carefully: see `Span` of player/scene.py.
- * @typedef {{ start: number, end: number, mostError?: number, shares?: number[], times?: number }} Shown
+ * @typedef {{ start: number, end: number, mostError?: number, shares?: readonly number[], times?: number,
+ *   care?: import("./follow.js").Care }} Shown
  */
 
 /**
- * A dance, and the lists that `Scene` of web/scene.js takes beside it: `new Scene(sent, nodes, told, [])`.
- * @typedef {{ sent: Dance, nodes: Float32Array, told: Int32Array }} Unpacked
+ * A dance, and the lists that `Scene` of web/scene.js takes beside it: `new Scene(sent, nodes, told, tables)`
+ * with `new Table(sent.following.tables[i], tables[i])` of each.
+ * @typedef {{ sent: Dance, nodes: Float32Array, told: Int32Array, tables: Int32Array[] }} Unpacked
  */
 
 /** How carefully a dance is shown while its plan changes: see `Shown`. */
-export const SKETCH = { mostError: 0.002, shares: [], times: 120 };
+export const SKETCH = {
+  mostError: 0.002,
+  shares: [],
+  times: 120,
+  care: { compared: 20_000, looks: 4_000_000 },
+};
 
 /**
  * The dance of a walk: its only occasions are joints, and an end where the benches cannot follow.
@@ -47,7 +56,7 @@ export async function plainDance(walk, shown, progress = silent) {
   const { start, end, mostError = PLAYER_SCENE.MOST_ERROR, times = PLAYER_SCENE.MOST_TIMES } = shown;
   checkSpan(walk, start, end);
   progress(0, _("computing positions"));
-  const shot = await frames(walk, start, end, 0.9 * mostError, shown.shares);
+  const { shot, behind } = await shotOf(walk, { ...shown, mostError });
   progress(0.4, _("finding benches near one another"));
   const { nearest, tightness } = await nearness(walk, shot, times);
   progress(0.8, _("drawing the route"));
@@ -68,8 +77,8 @@ export async function plainDance(walk, shown, progress = silent) {
       packed: "",
       largest_error: shot.error + way.error,
     },
-    following: null,
-    occasions: [...joints(walk, shot), ...endOf(shot)],
+    following: behind && followingMessage(behind),
+    occasions: [...joints(walk, shot, behind), ...endOf(shot)],
     nearest,
     tightness,
     margin: 0,
@@ -79,7 +88,38 @@ export async function plainDance(walk, shown, progress = silent) {
     verdict: null,
     beats: null,
   };
-  return { sent, nodes: way.nodes, told: foretold(shot) };
+  const tables = behind ? behind.tables.map((table) => table.nodes) : [];
+  return { sent, nodes: way.nodes, told: foretold(shot), tables };
+}
+
+/** Whether a dance is long: frames of all its handles would take too long to find. @param {Walk} walk @param {Shown} shown */
+export function isLong(walk, { start, end }) {
+  return walk.dragon.benches * (end - start) > PLAYER_SCENE.LONG;
+}
+
+/**
+ * Frames of all handles; of a long dance, if it can be told so, the head's, and how all follow.
+ * @param {Walk} walk
+ * @param {Shown & { mostError: number }} shown
+ * @returns {Promise<{ shot: Frames, behind: Following | null }>}
+ */
+async function shotOf(walk, shown) {
+  const { start, end, mostError, shares = PLAYER_FRAMES.SHARES, care = CAREFUL } = shown;
+  const most = 0.9 * mostError;
+  const behind = isLong(walk, shown) ? await following(walk, start, end, most, shares, care) : null;
+  return { shot: behind?.head ?? (await frames(walk, start, end, most, shares)), behind };
+}
+
+/** How handles follow, as a page takes it. @param {Following} behind @returns {Dance["following"]} */
+function followingMessage({ tables, kinds, fastest, when, speeds, change }) {
+  return {
+    tables: tables.map(({ sent }) => sent),
+    kinds,
+    fastest: Array.from(fastest, (speed) => rounded(speed, 4)),
+    when: Array.from(when, (time) => rounded(time, 2)),
+    speeds,
+    change,
+  };
 }
 
 /**
@@ -154,19 +194,20 @@ function wayOf(walk, shot) {
   return course(route, low, Math.min(head * PLAYER_FRAMES.QUANTUM + AROUND, route.length));
 }
 
-/** When head and tail pass the joints of the route; none where there are too many. @param {Walk} walk @param {Frames} shot */
-function joints(walk, { start, step, count, places }) {
+/** When head and tail pass the joints of the route; none where there are too many. @param {Walk} walk @param {Frames} shot @param {Following | null} behind */
+function joints(walk, { start, step, count, places }, behind) {
   const inner = walk.route.joints.subarray(1, -1);
   if (inner.length > PLAYER_SCENE.MOST_JOINTS) return [];
-  const times = Float64Array.from({ length: count }, (_time, k) => start + step * k);
+  const times = behind?.times ?? Float64Array.from({ length: count }, (_time, k) => start + step * k);
+  const framed = (/** @type {number} */ first) =>
+    Float64Array.from(places.subarray(first, first + count)).map(
+      (place) => place * PLAYER_FRAMES.QUANTUM,
+    );
+  const ends = behind?.ends ?? [framed(0), framed(places.length - count)];
   /** @type {Occasion[]} */
   const found = [];
   for (const head of [true, false]) {
-    const first = head ? 0 : places.length - count;
-    const s = Float64Array.from(
-      places.subarray(first, first + count),
-      (place) => place * PLAYER_FRAMES.QUANTUM,
-    );
+    const s = ends[head ? 0 : 1];
     inner.forEach((joint, n) => {
       const time = interpolated(joint, s, times);
       if (Number.isFinite(time)) found.push(occasion("joint", time, () => jointText(n + 1, head)));
