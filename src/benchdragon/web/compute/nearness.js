@@ -28,7 +28,8 @@ export function nearestEach(motion, reach) {
   motion.status.forEach((status, t) => {
     if (status !== Status.OK) return;
     const { x, y } = motion;
-    arena.engine.call("bd_box_nearest_each", dragon.sizes, x, y, t, reach, distance, partner);
+    const all = -Infinity; // all pairs count, however near they are in a straight line
+    arena.engine.call("bd_box_nearest_each", dragon.sizes, x, y, t, reach, all, distance, partner);
   });
   return { distance, partner };
 }
