@@ -33,6 +33,7 @@ TWINS = (
     "model.formations", "model.holds", "model.obstacle", "model.profile", "model.walk",
     "plans.cues", "plans.drawn", "plans.routes", "plans.square", "plans.tables",
     "player.following", "player.frames", "player.scene",
+    "surveys.clothoids", "surveys.corners", "surveys.fitting", "surveys.lines",
 )  # fmt: skip
 FILE = Path(benchdragon.__file__).with_name("web") / "compute" / "constants.js"
 # Longer lists are tables of the kernels' own.

@@ -1,5 +1,6 @@
 """Random plans as plain data: all kinds of routes, squares, cues and people; some of them are wrong."""
 
+import math
 import random
 from typing import Any
 
@@ -106,12 +107,30 @@ def programme_route(dice: random.Random) -> Tables:
     return {"formation": steps, "radius": length(dice, 2.0, 8.0)}
 
 
+def drawn_route(dice: random.Random) -> Tables:
+    points, heading = [[dice.uniform(0, 1), 0]], dice.uniform(-3, 3)
+    for _n in range(dice.randrange(2, 12)):
+        heading += dice.uniform(-1.2, 1.2)
+        step = dice.uniform(4, 25)
+        x, y = points[-1]
+        points.append([x + step * math.cos(heading), y + step * math.sin(heading)])
+    table: Tables = {"points": points, "deviation": length(dice, 0.2, 3.0)}
+    if dice.random() < 0.7:
+        table["smooth"] = dice.choice(["none", "G1", "G2"])
+    if dice.random() < 0.3:
+        table["closed"] = True
+    if dice.random() < 0.2:
+        table |= {"drawn_within": "1 cm", "least_radius": length(dice, 0.5, 2.0)}
+    return table
+
+
 ROUTES = {
     "spiral-in": spiral_route,
     "turn": turn_route,
     "parts": parts_route,
     "formation": formation,
     "programme": programme_route,
+    "drawn": drawn_route,
 }
 
 

@@ -93,12 +93,13 @@ def test_presets_and_examples_are_the_same() -> None:
     assert compared(plans) == {}
 
 
-def test_files_and_drawn_routes_are_refused_with_what_to_do() -> None:
+def test_files_and_surveyed_pieces_are_refused_with_what_to_do() -> None:
+    piece = {"start": [0, 0], "heading": 0, "length": 12}
     (read_file, line) = asked(
         "plans.mjs",
         [
             {"schema": 1, "route": {"kind": "drawn", "file": "walk.csv"}},
-            {"schema": 1, "route": {"kind": "drawn", "points": [[0, 0], [50, 1]]}},
+            {"schema": 1, "route": {"kind": "drawn", "piece": [piece]}},
         ],
     )
     assert "the command line does" in read_file["error"]

@@ -3,7 +3,7 @@
 
 import { _ } from "../words.js";
 import { checkStep, programme } from "./connections.js";
-import { PLANS_ROUTES, TURN_FAMILIES } from "./constants.js";
+import { CURVE, PLANS_ROUTES, SURVEYS_LINES, TURN_FAMILIES } from "./constants.js";
 import {
   Route,
   arcPart,
@@ -17,7 +17,8 @@ import {
   startPose,
 } from "./curves.js";
 import { greatest } from "./dragon.js";
-import { Fault, Faults, InputError, KeyedError, keyed } from "./errors.js";
+import { Faults, InputError, KeyedError, keyed } from "./errors.js";
+import { fitted, withoutRepeats } from "./fitting.js";
 import { builtFormation, refuseTight, wholeDragonOn } from "./formations.js";
 import { general } from "./number_format.js";
 import { builtTurn } from "./turns.js";
@@ -182,16 +183,48 @@ function dragonOn(route, data, dragon) {
   return data.walk.position !== null || !dragon ? 0 : wholeDragonOn(route, dragon);
 }
 
-/** @returns {Built} */
-function drawnRoute() {
-  throw new KeyedError([
-    new Fault(
+/** @param {Arena} arena @param {Tables} data @param {Dragon | null} dragon @returns {Built} */
+function drawnRoute(arena, { route: table }, dragon) {
+  const parts = drawnParts(arena.engine, table, longestLink(dragon));
+  const [kind, x, y, heading] = parts[0];
+  if (table.closed) {
+    const once = new Route(arena, parts);
+    const laps = Math.ceil((dragon ? dragon.extent : 0) / once.length);
+    if ((laps + 1) * parts.length > SURVEYS_LINES.MOST_CURVES)
+      throw keyed(
+        "route",
+        _(
+          "the dragon goes round the drawing {laps} times, with {count} bends a round: too many; draw it larger, or allow a larger deviation",
+          { laps, count: parts.length },
+        ),
+      );
+    const all = Array.from({ length: laps + 1 }, () => parts).flat();
+    return { route: new Route(arena, all), start: laps * once.length };
+  }
+  if (kind === CURVE.LINE) return { route: new Route(arena, parts), start: 0 };
+  const { RUN_UP } = PLANS_ROUTES;
+  const before = linePart(
+    RUN_UP,
+    [x - RUN_UP * Math.cos(heading), y - RUN_UP * Math.sin(heading)],
+    heading,
+  );
+  return { route: new Route(arena, [before, ...parts]), start: RUN_UP };
+}
+
+/** The parts of the route along a drawing; `link` is the longest of a bench, m. @param {import("../engine.js").Engine} engine @param {Tables} table @param {number} link */
+function drawnParts(engine, table, link) {
+  const { points, piece, closed, least_radius, smooth, deviation, drawn_within: off } = table;
+  const least = Math.max(least_radius ?? 0, 0.5 * link * (1 + PLANS_ROUTES.FOLDS));
+  if (piece?.length)
+    throw keyed(
       "route",
       _(
-        "this page does not compute drawn and surveyed routes: the command line does, by benchdragon check",
+        "this page does not compute routes of surveyed pieces: the command line does, by benchdragon check",
       ),
-    ),
-  ]);
+    );
+  if (!points?.length) throw keyed("route", _("a drawn route needs points, or a file beside the plan"));
+  const line = { points: withoutRepeats(points, closed), closed, off };
+  return fitted(engine, line, smooth, deviation, least);
 }
 
 const KINDS = {

@@ -4,7 +4,7 @@
 import { _ } from "../words.js";
 import { PlanError } from "./errors.js";
 import { BUILT_IN_PLANS, DRAWN_KEYS, FORMATION_SIZES, TURN_KEYS } from "./plan_keys.js";
-import { pythonRepr } from "./python_text.js";
+import { pythonRepr, pythonText } from "./python_text.js";
 
 /** @typedef {Record<string, any>} Tables */
 
@@ -74,7 +74,7 @@ function idleBesideRoute({ route, turn, disc }, latest) {
   if (["parts", "drawn", "spiral-in", "formation", "programme"].includes(kind)) {
     const idle = Object.keys(turn).map((name) => `turn.${name}`);
     if (kind !== "spiral-in") idle.push(...Object.keys(disc).map((name) => `disc.${name}`));
-    const because = `route.kind = "${kind}"`;
+    const because = `route.kind = "${pythonText(kind)}"`;
     found.push(...idle.map((key) => ({ key, beside: "route.kind", because })));
   }
   if (kind === "turn") {
@@ -82,7 +82,7 @@ function idleBesideRoute({ route, turn, disc }, latest) {
     const strays = Object.keys(TURN_KEYS).filter(
       (name) => name in turn && !TURN_KEYS[name].includes(family),
     );
-    const because = `turn.family = "${family}"`;
+    const because = `turn.family = "${pythonText(family)}"`;
     found.push(...strays.map((name) => ({ key: `turn.${name}`, beside: "turn.family", because })));
   }
   if (kind === "formation") found.push(...idleSizes(route, "route"));
@@ -132,7 +132,7 @@ function idleSizes(table, key) {
   const own = FORMATION_SIZES[String(table.name)];
   if (own === undefined) return [];
   const strays = Object.keys(table).filter((name) => ALL_SIZES.has(name) && !own.includes(name));
-  const because = `${key}.name = "${table.name}"`;
+  const because = `${key}.name = "${pythonText(table.name)}"`;
   return strays.map((name) => ({ key: `${key}.${name}`, beside: `${key}.name`, because }));
 }
 
