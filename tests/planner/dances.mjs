@@ -7,15 +7,27 @@ const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
 const [{ Engine }, { checkedPlan }, { danceOf, SKETCH }, { Scene }, { Table }] = await Promise.all(
   ["engine", "compute/plan", "compute/scene", "scene", "following"].map(load),
 );
+const [{ withArenaAsync }, { check }, { judgedDance }] = await Promise.all(
+  ["compute/arena", "compute/check", "compute/judged"].map(load),
+);
 const engine = await Engine.load(readFileSync(file));
 const { memory } = engine.exports;
 
-async function danced({ plan: data, shown = SKETCH, rounds = 1, at }) {
+/** The dance with what a quick check of its plan found. */
+function judged(plan, dance) {
+  return withArenaAsync(engine, async (arena) => {
+    const walk = plan.build(arena);
+    return judgedDance(dance, await check(plan, walk, plan.span(walk), { quick: true }), "");
+  });
+}
+
+async function danced({ plan: data, shown = SKETCH, rounds = 1, at, judge }) {
   let least = Infinity;
   for (let round = 0; ; round++) {
     const begun = performance.now();
     const plan = checkedPlan(data);
-    const { sent, nodes, told, tables } = await danceOf(engine, plan, shown);
+    const dance = await danceOf(engine, plan, shown);
+    const { sent, nodes, told, tables } = judge ? await judged(plan, dance) : dance;
     least = Math.min(least, performance.now() - begun);
     if (round + 1 < rounds) continue;
     const readers = tables.map((table, i) => new Table(sent.following.tables[i], table));

@@ -8,11 +8,13 @@ import { PLAYER_FRAMES, PLAYER_SCENE } from "./constants.js";
 import { course } from "./course.js";
 import { cueName } from "./cues.js";
 import { InputError, finite } from "./errors.js";
+import { shownName } from "./findings.js";
 import { CAREFUL, following } from "./follow.js";
 import { foretold, frames } from "./frames.js";
 import { nearness } from "./nearness.js";
 import { general } from "./number_format.js";
 import { interpolated, rounded } from "./numbers.js";
+import { marginRings } from "./rings.js";
 import { silent } from "./tick.js";
 
 /** @typedef {import("./follow.js").Following} Following */
@@ -259,21 +261,11 @@ function beatsOf(plan, start, end) {
   return { tempo, runs, strokes };
 }
 
-/** An obstacle as a page draws it, to a tenth of a millimetre. @param {Obstacle} obstacle */
-function drawnObstacle({ name, kind, outline, radius, margin }) {
-  return {
-    name: both(() => shownName(name, kind)),
-    kind,
-    points: outline.map(([x, y]) => /** @type {[number, number]} */ ([rounded(x, 4), rounded(y, 4)])),
-    radius,
-    margin,
-    rings: [],
-  };
-}
-
-/** What an obstacle is called where it stands alone, in the language in use. @param {string} name @param {string} kind */
-function shownName(name, kind) {
-  const nameless = /^obstacle (\d+)$/.exec(name);
-  if (kind !== "venue") return nameless ? _("obstacle {n}", { n: nameless[1] }) : name;
-  return name === "venue" ? _("the venue") : name;
+/** An obstacle as a page draws it, to a tenth of a millimetre. @param {Obstacle} obstacle @returns {Dance["obstacles"][0]} */
+function drawnObstacle(obstacle) {
+  const { kind, outline, radius, margin } = obstacle;
+  const drawn = (/** @type {Array<[number, number]>} */ points) =>
+    points.map(([x, y]) => /** @type {[number, number]} */ ([rounded(x, 4), rounded(y, 4)]));
+  const rings = marginRings(obstacle).map(drawn);
+  return { name: both(() => shownName(obstacle)), kind, points: drawn(outline), radius, margin, rings };
 }
