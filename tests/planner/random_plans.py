@@ -239,6 +239,7 @@ def plan(seed: int, wrong: float = 0.1) -> Tables:
         data["cues"] = cues(dice)
     if dice.random() < 0.2:
         data["people"] = {"beside": "40 cm", "sway": length(dice, 0.1, 0.3), "unit": "qiao"}
+        data["people"]["count_head"] = dice.random() < 0.5
     if dice.random() < wrong:
         spoil(dice, data)
     return data

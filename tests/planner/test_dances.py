@@ -9,6 +9,7 @@ import pytest
 from benchdragon.analysis.beats import score_of
 from benchdragon.errors import BenchDragonError
 from benchdragon.model.obstacle import Obstacle
+from benchdragon.plans.people import UNITS, called
 from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.player.following import following
 from benchdragon.player.frames import SHARES, course, frames, walked
@@ -96,7 +97,7 @@ def test_messages_are_the_same(dances: list[tuple[Any, Any]]) -> None:
         expected = {key: value for key, value in sent.items() if key not in ELSEWHERE}
         expected |= {
             "plan_sha256": read.sha256, "disc": read.disc.radius, "margin": read.limits.margin,
-            "speed_limit": read.limits.speed, "beats": beats(read),
+            "speed_limit": read.limits.speed, "beats": beats(read), "village": village(read),
             "occasions": sorted(expected["occasions"], key=lambda one: float(one["time"])),
         }  # fmt: skip
         assert difference(loose(expected), loose(theirs)) == ""
@@ -105,12 +106,26 @@ def test_messages_are_the_same(dances: list[tuple[Any, Any]]) -> None:
 def loose(sent: dict[str, Any]) -> dict[str, Any]:
     """A message without its lists, Chinese, and what rounding decides."""
     kept = {key: value for key, value in sent.items() if key not in ("nearest", "title")}
-    for table, names in (("frames", ("packed", "largest_error")), ("course", ("packed",))):
-        kept[table] = {key: value for key, value in sent[table].items() if key not in names}
+    for table in ("frames", "course"):
+        own = sent[table].items()
+        kept[table] = {key: value for key, value in own if key not in ("packed", "largest_error")}
+    if "names" not in (kept["village"] or {"names": []}):
+        names = [kept["village"][key]["en"] for key in ("head", "tail", "between")]
+        kept["village"] = {"names": names, "before": kept["village"]["before"]}
     # A joint where the dance begins is passed or not, as rounding has it.
     first = sent["frames"]["start"] + 1e-6
     said = [one | {"text": one["text"]["en"]} for one in sent["occasions"]]
     return kept | {"occasions": [one for one in said if one["time"] > first]}
+
+
+def village(read: Plan) -> Any:
+    """What the village calls its benches, in English."""
+    people, count = read.people, len(read.build().dragon)
+    if people.unit == "bench" and people.count_head:
+        return None
+    called_all = [called(people, bench, count) for bench in (1, count)]
+    between = UNITS[people.unit]
+    return {"names": [*called_all, between], "before": 0 if people.count_head else 1}
 
 
 def beats(read: Plan) -> Any:

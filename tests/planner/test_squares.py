@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 import shapely
+from shapely.geometry.base import BaseGeometry
 
 from benchdragon.analysis.check import check
 from benchdragon.model.obstacle import Obstacle
@@ -77,7 +78,7 @@ VENUES: dict[str, dict[str, Any]] = {
 
 def area(rings: list[Any]) -> float:
     """The area inside an odd number of rings, m^2."""
-    found = shapely.Polygon()
+    found: BaseGeometry = shapely.Polygon()
     for ring in rings:
         found = found.symmetric_difference(shapely.Polygon(ring))
     return float(found.area)

@@ -14,6 +14,7 @@ import { foretold, frames } from "./frames.js";
 import { nearness } from "./nearness.js";
 import { general } from "./number_format.js";
 import { interpolated, rounded } from "./numbers.js";
+import { villageOf } from "./people.js";
 import { marginRings } from "./rings.js";
 import { silent } from "./tick.js";
 
@@ -89,6 +90,7 @@ export async function plainDance(walk, shown, progress = silent) {
     ground: [],
     verdict: null,
     beats: null,
+    village: null,
   };
   const tables = behind ? behind.tables.map((table) => table.nodes) : [];
   return { sent, nodes: way.nodes, told: foretold(shot), tables };
@@ -149,6 +151,7 @@ export async function danceOf(engine, plan, shown = {}, progress = silent) {
       obstacles: plan.obstacles().map(drawnObstacle),
       occasions: occasions.sort((a, b) => a.time - b.time),
       beats: beatsOf(plan, start, end),
+      village: villageOf(tables.people, walk.dragon.benches),
     };
     return { ...dance, sent };
   });
