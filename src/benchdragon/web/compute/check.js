@@ -71,20 +71,26 @@ const { QUICK_CLEARANCE, QUICK_SPEED } = ANALYSIS_CHECK;
 export async function check(plan, walk, [start, end], { quick = false, progress = silent } = {}) {
   const began = now();
   const asked = levelsAsked(plan.tables.people).length > 0;
-  const stage = stages(progress, asked ? 6 : 5);
-  const { contact, clearance } = await nearnessOf(plan, walk, [start, end], stage, quick);
+  let reached = 0;
+  const heard = (/** @type {number} */ share, /** @type {string} */ text) =>
+    progress((reached = share), text);
+  // Told by what does not know how far it is, so that it can be given up.
+  const alive = () => progress(reached, "");
+  const stage = stages(heard, asked ? 6 : 5);
+  const { contact, clearance } = await nearnessOf(plan, walk, [start, end], stage, alive, quick);
   /** @type {[number, number]} */
   const span = [start, contact === null || contact.witness === null ? end : contact.upper];
   const width = quick ? QUICK_SPEED : ANALYSIS_SPEED.TOLERANCE;
   const told = { tolerance: width, progress: stage(_("greatest speed")) };
   const seen = await greatest(walk, QUANTITIES.speed, ...span, told);
-  const speed = await decidedSpeed(plan, walk, span, seen);
-  const peaks = await limitedPeaks(plan, walk, span, stage(_("other limits")));
+  const speed = await decidedSpeed(plan, walk, span, seen, alive);
+  const peaks = await limitedPeaks(plan, walk, span, stage(_("other limits")), alive);
   const widths = quick ? [QUICK_CLEARANCE] : TOLERANCES;
-  const obstacles = await obstaclesOf(plan, walk, span, widths, stage(_("obstacles")));
+  const stands = { tolerances: widths, progress: alive };
+  const obstacles = await obstaclesOf(plan, walk, span, stands, stage(_("obstacles")));
   const bare = { contact, obstacles };
   const room = asked
-    ? await roomLevels(plan, walk, [start, end], bare, stage(_("room for people")))
+    ? await roomLevels(plan, walk, [start, end], bare, stage(_("room for people")), alive)
     : [];
   const known = { contact, obstacles, room, peaks: { speed, ...peaks } };
   const findings = allFindings(plan, walk, span, known);
@@ -101,11 +107,12 @@ export async function check(plan, walk, [start, end], { quick = false, progress 
  * @param {Walk} walk
  * @param {[number, number]} span
  * @param {ReturnType<typeof stages>} stage
+ * @param {Progress} alive
  * @param {boolean} quick
  * @returns {Promise<{ contact: Answer | null, clearance: Answer }>}
  */
-async function nearnessOf(plan, walk, [start, end], stage, quick) {
-  const clear = quick ? await clearThroughout(plan, walk, [start, end]) : null;
+async function nearnessOf(plan, walk, [start, end], stage, alive, quick) {
+  const clear = quick ? await clearThroughout(plan, walk, [start, end], alive) : null;
   if (clear !== null) return { contact: null, clearance: clear };
   const { margin } = plan.tables.limits;
   const progress = stage(_("searching for contact"));
@@ -119,11 +126,12 @@ async function nearnessOf(plan, walk, [start, end], stage, quick) {
   return { contact, clearance: await leastClearance(walk, start, until, told) };
 }
 
-/** The least clearance of a walk that it shows to be free of contact; null if it may have one. @param {CheckedPlan} plan @param {Walk} walk @param {[number, number]} span */
-async function clearThroughout(plan, walk, span) {
+/** The least clearance of a walk that it shows to be free of contact; null if it may have one. @param {CheckedPlan} plan @param {Walk} walk @param {[number, number]} span @param {Progress} progress */
+async function clearThroughout(plan, walk, span, progress) {
   try {
     return await clearanceAbove(walk, ...span, plan.tables.limits.margin, {
       tolerances: [QUICK_CLEARANCE],
+      progress,
     });
   } catch (error) {
     if (error instanceof WalkError || error instanceof UnsureError) return null;
@@ -136,24 +144,27 @@ async function clearThroughout(plan, walk, span) {
  * @param {CheckedPlan} plan
  * @param {Walk} walk
  * @param {[number, number]} span
- * @param {number[]} tolerances
+ * @param {{ tolerances: number[], progress: Progress }} options those of each
  * @param {Progress} progress
  */
-async function obstaclesOf(plan, walk, span, tolerances, progress) {
+async function obstaclesOf(plan, walk, span, options, progress) {
   const known = plan.obstacles();
   const found = [];
   for (const [n, obstacle] of known.entries()) {
     progress(n / known.length, named(obstacle));
-    found.push(await obstacleAnswers(walk, obstacle, ...span, { tolerances }));
+    found.push(await obstacleAnswers(walk, obstacle, ...span, options));
   }
   return found;
 }
 
-/** The greatest speed over a span of the walk, s, asked again where its bracket holds a limit. @param {CheckedPlan} plan @param {Walk} walk @param {[number, number]} span @param {Answer} speed */
-async function decidedSpeed({ tables: { limits, people } }, walk, span, speed) {
+/** The greatest speed over a span of the walk, s, asked again where its bracket holds a limit. @param {CheckedPlan} plan @param {Walk} walk @param {[number, number]} span @param {Answer} speed @param {Progress} progress */
+async function decidedSpeed({ tables: { limits, people } }, walk, span, speed, progress) {
   for (const limit of [limits.speed, people.most_speed])
     if (limit !== null && keeps(speed, limit) === null)
-      speed = await greatest(walk, QUANTITIES.speed, ...span, { limit: mostOf(limit) });
+      speed = await greatest(walk, QUANTITIES.speed, ...span, {
+        limit: mostOf(limit),
+        progress,
+      });
   return speed;
 }
 
@@ -163,14 +174,16 @@ async function decidedSpeed({ tables: { limits, people } }, walk, span, speed) {
  * @param {Walk} walk
  * @param {[number, number]} span
  * @param {Progress} progress
+ * @param {Progress} alive
  */
-async function limitedPeaks(plan, walk, span, progress) {
+async function limitedPeaks(plan, walk, span, progress, alive) {
   const limits = Object.entries(givenLimits(plan.tables.limits)).filter(([name]) => name !== "speed");
   /** @type {Partial<Record<QuantityName, Answer>>} */
   const peaks = {};
   for (const [n, [name, limit]] of limits.entries()) {
     const quantity = QUANTITIES[/** @type {QuantityName} */ (name)];
-    const options = { tolerance: ANALYSIS_SPEED.RATE_TOLERANCE, limit: mostOf(limit) };
+    const tolerance = ANALYSIS_SPEED.RATE_TOLERANCE;
+    const options = { tolerance, limit: mostOf(limit), progress: alive };
     peaks[quantity.name] = await greatest(walk, quantity, ...span, options);
     progress((n + 1) / limits.length, "");
   }

@@ -118,7 +118,12 @@ export async function firstContact(walk, start, end, { margin = 0, progress = si
 export async function firstSureContact(walk, start, end, { margin, progress = silent }) {
   const first = await firstContact(walk, start, end, { margin, progress });
   if (first === null || first.status !== "undecided") return first;
-  const windows = await contactWindows(walk, start, end, { margin, most: MOST_GRAZES });
+  const again = () => progress(1, "");
+  const windows = await contactWindows(walk, start, end, {
+    margin,
+    most: MOST_GRAZES,
+    progress: again,
+  });
   return windows.find(({ opens }) => opens.status === "found")?.opens ?? first;
 }
 

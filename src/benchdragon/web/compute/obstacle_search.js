@@ -32,6 +32,7 @@ import { Placement } from "./walk.js";
 /** @typedef {import("./answer.js").Witness} Witness */
 /** @typedef {import("./dragon.js").Dragon} Dragon */
 /** @typedef {import("./obstacle.js").Obstacle} Obstacle */
+/** @typedef {import("./tick.js").Progress} Progress */
 /** @typedef {import("./walk.js").Walk} Walk */
 /** @typedef {[number, number]} Span of route positions, m */
 
@@ -57,10 +58,12 @@ export class ObstacleSearch {
    * @param {Walk} walk
    * @param {Obstacle} obstacle
    * @param {number} start @param {number} end s; the dragon must be able to stand at both
+   * @param {Progress} progress is told that it goes on
    */
-  constructor(arena, walk, obstacle, start, end) {
+  constructor(arena, walk, obstacle, start, end, progress) {
     inOrder(start, end);
     this.arena = arena;
+    this.progress = progress;
     this.walk = walk;
     this.obstacle = obstacle;
     this.evaluations = 0;
@@ -161,6 +164,7 @@ export class ObstacleSearch {
         throw this.#stopped(doubles(note)[SEARCH.LOWER]);
       if (goal === SEARCH.LEAST && ending === SEARCH.FOUND) break;
       await tick();
+      this.progress(0, "");
     }
     return told;
   }

@@ -7,8 +7,10 @@ import { SEARCH } from "./constants.js";
 import { TOLERANCES } from "./contact.js";
 import { Obstacle } from "./obstacle.js";
 import { ObstacleSearch } from "./obstacle_search.js";
+import { silent } from "./tick.js";
 
 /** @typedef {import("./answer.js").Answer} Answer */
+/** @typedef {import("./tick.js").Progress} Progress */
 /** @typedef {import("./walk.js").Walk} Walk */
 
 /**
@@ -86,10 +88,10 @@ function frontOf({ walk }, head, bench) {
  * @param {Walk} walk
  * @param {Obstacle} obstacle
  * @param {number} start @param {number} end
- * @param {number[]} tolerances
+ * @param {{ tolerances: number[], progress: Progress }} options
  */
-function leastDistance(walk, obstacle, start, end, tolerances) {
-  return searched(walk, obstacle, start, end, async (search) => {
+function leastDistance(walk, obstacle, start, end, { tolerances, progress }) {
+  return searched(walk, obstacle, start, end, progress, async (search) => {
     const { apart, bench } = search.atStart;
     /** @type {Nearest} */
     let best = { distance: apart, k: -1, s: bench };
@@ -156,18 +158,24 @@ function distanceAnswer(search, best, floor) {
  * @param {Walk} walk
  * @param {Obstacle} obstacle
  * @param {number} start @param {number} end
- * @param {{ tolerances?: number[] }} [options]
+ * @param {{ tolerances?: number[], progress?: Progress }} [options] progress is told that it goes on
  * @returns {Promise<ObstacleAnswers>}
  */
-export async function obstacleAnswers(walk, obstacle, start, end, { tolerances = TOLERANCES } = {}) {
-  const distance = await leastDistance(walk, obstacle, start, end, tolerances);
+export async function obstacleAnswers(
+  walk,
+  obstacle,
+  start,
+  end,
+  { tolerances = TOLERANCES, progress = silent } = {},
+) {
+  const distance = await leastDistance(walk, obstacle, start, end, { tolerances, progress });
   if (distance.lower > obstacle.margin) return { obstacle, contact: null, distance, touch: null };
-  const answers = await searched(walk, obstacle, start, end, touching);
+  const answers = await searched(walk, obstacle, start, end, progress, touching);
   const contact = answers[answers.length - 1] ?? null;
   const near = contact?.witness ?? null;
   if (distance.value > 0 || near === null || near.gap <= 0)
     return { obstacle, contact, distance, touch: null };
-  const bare = await searched(walk, withMargin(obstacle, 0), start, end, touching);
+  const bare = await searched(walk, withMargin(obstacle, 0), start, end, progress, touching);
   return { obstacle, contact, distance, touch: bare[bare.length - 1] ?? null };
 }
 
@@ -182,10 +190,11 @@ export function withMargin({ name, kind, outline, radius }, margin) {
  * @param {Walk} walk
  * @param {Obstacle} obstacle
  * @param {number} start @param {number} end s
+ * @param {Progress} progress
  * @param {(search: ObstacleSearch) => Promise<T>} use
  */
-function searched(walk, obstacle, start, end, use) {
+function searched(walk, obstacle, start, end, progress, use) {
   return withArenaAsync(walk.engine, (arena) =>
-    use(new ObstacleSearch(arena, walk, obstacle, start, end)),
+    use(new ObstacleSearch(arena, walk, obstacle, start, end, progress)),
   );
 }

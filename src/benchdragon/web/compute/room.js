@@ -71,9 +71,10 @@ export function levelsAsked(people) {
  * @param {[number, number]} span
  * @param {{ contact: Answer | null, obstacles: ObstacleAnswers[] }} bare
  * @param {Progress} progress
+ * @param {Progress} alive is told that a level is still searched
  * @returns {Promise<RoomLevel[]>}
  */
-export function roomLevels(plan, walk, span, bare, progress) {
+export function roomLevels(plan, walk, span, bare, progress, alive) {
   return withArenaAsync(walk.engine, async (arena) => {
     const names = levelsAsked(plan.tables.people);
     const levels = [levelOf("benches", [], plan.tables.limits.margin, bare)];
@@ -85,13 +86,11 @@ export function roomLevels(plan, walk, span, bare, progress) {
       else each += asked[0].value;
       const until = untilBroken(levels[levels.length - 1], span);
       const margin = plan.tables.limits.margin + 2 * each;
-      const contact = await firstSureContact(line, ...until, { margin });
+      const contact = await firstSureContact(line, ...until, { margin, progress: alive });
       const stands = plan.obstacles().map((one) => withMargin(one, one.margin + each));
+      const options = { tolerances: ANALYSIS_ROOM.TOLERANCES, progress: alive };
       const obstacles = [];
-      for (const one of stands)
-        obstacles.push(
-          await obstacleAnswers(line, one, ...until, { tolerances: ANALYSIS_ROOM.TOLERANCES }),
-        );
+      for (const one of stands) obstacles.push(await obstacleAnswers(line, one, ...until, options));
       levels.push(levelOf(name, asked, margin, { contact, obstacles }));
     }
     return names.length ? levels : [];
