@@ -3,6 +3,7 @@
 
 import { Arena, doubles, withArena, wholes } from "./arena.js";
 import { ANALYSIS_DISTANCE, BOX, GRID, SPIRAL } from "./constants.js";
+import { firstRows } from "./lists.js";
 import { emptyGrid } from "./tables.js";
 
 /** @typedef {import("../engine.js").Engine} Engine */
@@ -133,7 +134,7 @@ function pairsNear(arena, grid, others, places, start, reach) {
       "bd_grid_pairs_within", grid, others, places, start, reach, found, first, second,
     ); // prettier-ignore
     if (count <= most) {
-      const [i, j] = [first, second].map((list) => wholes(list).slice(0, count));
+      const [i, j] = [first, second].map((list) => wholes(firstRows(list, count)));
       return i.map((one, n) => [one, j[n]]);
     }
     most = count;
