@@ -1,24 +1,25 @@
 // Answers questions about walks that are given as numbers: node ask_walks.mjs MODULES ENGINE.wasm QUESTIONS.json
 import { readFileSync } from "node:fs";
-import { Engine } from "../../src/benchdragon/web/engine.js";
-import { withArenaAsync } from "../../src/benchdragon/web/compute/arena.js";
-import { CURVE } from "../../src/benchdragon/web/compute/constants.js";
-import {
-  clearanceAbove,
-  contactWindows,
-  firstSureContact,
-  leastClearance,
-} from "../../src/benchdragon/web/compute/contact.js";
-import { Dragon } from "../../src/benchdragon/web/compute/dragon.js";
-import { BenchDragonError } from "../../src/benchdragon/web/compute/errors.js";
-import { HeadTimes } from "../../src/benchdragon/web/compute/head_times.js";
-import { QUANTITIES } from "../../src/benchdragon/web/compute/quantities.js";
-import { greatest } from "../../src/benchdragon/web/compute/speed.js";
-import { Profile } from "../../src/benchdragon/web/compute/profile.js";
-import { Route } from "../../src/benchdragon/web/compute/curves.js";
-import { Walk } from "../../src/benchdragon/web/compute/walk.js";
+import { pathToFileURL } from "node:url";
 
-const [wasm, file] = process.argv.slice(3);
+const [modules, wasm, file] = process.argv.slice(2);
+const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
+const { Engine } = await load("engine");
+const { withArenaAsync } = await load("compute/arena");
+const { CURVE } = await load("compute/constants");
+const { clearanceAbove, contactWindows, firstSureContact, leastClearance } =
+  await load("compute/contact");
+const { Dragon } = await load("compute/dragon");
+const { BenchDragonError } = await load("compute/errors");
+const { HeadTimes } = await load("compute/head_times");
+const { Obstacle } = await load("compute/obstacle");
+const { obstacleAnswers } = await load("compute/obstacles");
+const { QUANTITIES } = await load("compute/quantities");
+const { greatest } = await load("compute/speed");
+const { Profile } = await load("compute/profile");
+const { Route } = await load("compute/curves");
+const { Walk } = await load("compute/walk");
+
 const engine = await Engine.load(readFileSync(wasm));
 
 /** A route by its rows, kinks and all. */
@@ -43,6 +44,11 @@ const ASKED = {
     clearanceAbove(walk, start, end, margin, options),
   greatest: (walk, start, end, { quantity, ...options }) =>
     greatest(walk, QUANTITIES[quantity], start, end, options),
+  obstacle: async (walk, start, end, { name, kind, outline, radius, margin }) => {
+    const obstacle = new Obstacle(name, kind, outline, radius, margin);
+    const { contact, distance, touch } = await obstacleAnswers(walk, obstacle, start, end);
+    return { contact, distance, touch };
+  },
   times: (walk, start, _end, { at }) => {
     const times = new HeadTimes(walk, walk.headPosition(start), start);
     return at.map((s) => times.bracketed(s, s));

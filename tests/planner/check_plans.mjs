@@ -1,23 +1,28 @@
 // Checks plans: node check_plans.mjs MODULES ENGINE.wasm QUESTIONS.json, verdicts as JSON. With "cancel"
-// each is given up where its progress is first told.
+// each is given up where its progress is told for that time.
 import { readFileSync } from "node:fs";
-import { Engine } from "../../src/benchdragon/web/engine.js";
-import { withArenaAsync } from "../../src/benchdragon/web/compute/arena.js";
-import { check } from "../../src/benchdragon/web/compute/check.js";
-import { BenchDragonError } from "../../src/benchdragon/web/compute/errors.js";
-import { checkedPlan } from "../../src/benchdragon/web/compute/plan.js";
-import { verdictOf } from "../../src/benchdragon/web/compute/records.js";
-import { useWords } from "../../src/benchdragon/web/words.js";
+import { pathToFileURL } from "node:url";
 
-const [wasm, file] = process.argv.slice(3);
+const [modules, wasm, file] = process.argv.slice(2);
+const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
+const { Engine } = await load("engine");
+const { withArenaAsync } = await load("compute/arena");
+const { check } = await load("compute/check");
+const { BenchDragonError } = await load("compute/errors");
+const { checkedPlan } = await load("compute/plan");
+const { verdictOf } = await load("compute/records");
+const { useWords } = await load("words");
+
 const engine = await Engine.load(readFileSync(wasm));
 const { plans, words, quick, version, rounds, cancel } = JSON.parse(readFileSync(file, "utf8"));
 useWords(words);
 
 class Cancelled extends Error {}
 
+let told = 0;
+
 function progress() {
-  if (cancel) throw new Cancelled("given up");
+  if (++told === cancel) throw new Cancelled("given up");
 }
 
 /** The verdict on a plan in plain data, or why there is none. */
@@ -41,10 +46,11 @@ for (const data of plans) {
   const [bytes, milliseconds] = [[], []];
   for (let round = 0; round < rounds; round++) {
     const began = performance.now();
+    told = 0;
     found = await judged(data);
     milliseconds.push(performance.now() - began);
     bytes.push(engine.exports.memory.buffer.byteLength);
   }
-  said.push({ found, bytes, milliseconds });
+  said.push({ found, bytes, milliseconds, told });
 }
 console.log(JSON.stringify(said));

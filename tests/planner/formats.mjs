@@ -1,9 +1,13 @@
 // Numbers as sentences hold them: node formats.mjs MODULES ENGINE.wasm NUMBERS.json
 import { readFileSync } from "node:fs";
-import { ulp } from "../../src/benchdragon/web/compute/exact.js";
-import { decimals, general, powered } from "../../src/benchdragon/web/compute/number_format.js";
+import { pathToFileURL } from "node:url";
 
-const numbers = JSON.parse(readFileSync(process.argv[4], "utf8"));
+const [modules, , file] = process.argv.slice(2);
+const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
+const { ulp } = await load("compute/exact");
+const { decimals, general, powered } = await load("compute/number_format");
+
+const numbers = JSON.parse(readFileSync(file, "utf8"));
 const said = numbers.map((text) => {
   const value = Number(text);
   const step = String(ulp(value));

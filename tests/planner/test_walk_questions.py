@@ -8,6 +8,7 @@ from collections.abc import Callable
 from dataclasses import asdict
 from typing import Any
 
+import numpy as np
 import pytest
 
 from benchdragon import Answer, BenchDragonError, Walk
@@ -19,16 +20,22 @@ from benchdragon.analysis.contact import (
     least_clearance,
 )
 from benchdragon.analysis.head_times import HeadTimes
+from benchdragon.analysis.obstacles import obstacle_answers
 from benchdragon.analysis.speed import QUANTITIES, greatest
+from benchdragon.model.obstacle import Obstacle
 from benchdragon.number_format import decimals
+from benchdragon.plans.schema import read_plan
 from tests.engine.recording import node
 from tests.laws.hard_dances import dance
+from tests.laws.random_squares import random_square
 from tests.planner.twins import asked
 from tests.planner.verdicts import differences
 
 pytestmark = pytest.mark.skipif(node() is None, reason="no Node here to run the page's modules in")
 
 Options = dict[str, Any]
+# A walk, what is asked, from when to when, s, and how.
+Question = tuple[Walk, str, float, float, Options]
 NEAR = {"tolerances": [1e-3]}
 
 
@@ -38,6 +45,12 @@ def windows(walk: Walk, start: float, end: float, **options: Any) -> list[Window
 
 def peak(walk: Walk, start: float, end: float, quantity: str, **options: Any) -> Answer:
     return greatest(walk, QUANTITIES[quantity], start, end, **options)
+
+
+def obstacle(walk: Walk, start: float, end: float, **sizes: Any) -> dict[str, Any]:
+    sizes["outline"] = np.array(sizes["outline"])
+    found = obstacle_answers(walk, Obstacle(**sizes), start, end)
+    return {"contact": found.contact, "distance": found.distance, "touch": found.touch}
 
 
 def times(walk: Walk, start: float, _end: float, at: list[float]) -> list[tuple[float, ...]]:
@@ -51,6 +64,7 @@ ASKED: dict[str, Callable[..., Any]] = {
     "clearance": least_clearance,
     "above": clearance_above,
     "greatest": peak,
+    "obstacle": obstacle,
     "times": times,
 }
 
@@ -78,26 +92,27 @@ def plain(found: Any) -> Any:
     return found
 
 
-def answered(walk: Walk, name: str, end: float, options: Options) -> Any:
+def answered(question: Question) -> Any:
     """What Python answers: see ask_walks.mjs."""
+    walk, name, start, end, options = question
     try:
-        return {"found": plain(ASKED[name](walk, 0.0, end, **options))}
+        return {"found": plain(ASKED[name](walk, start, end, **options))}
     except BenchDragonError as error:
         return {"error": type(error).__name__, "text": str(error)}
 
 
-def compared(questions: list[tuple[Walk, str, float, Options]]) -> Counter[str]:
+def compared(questions: list[Question]) -> Counter[str]:
     """How answers agree: the same, another of equal witnesses, or what differs."""
     said = asked(
         "ask_walks.mjs",
         [
-            {"walk": numbers(walk), "name": name, "start": 0.0, "end": end, "options": options}
-            for walk, name, end, options in questions
+            {"walk": numbers(walk), "name": name, "start": start, "end": end, "options": options}
+            for walk, name, start, end, options in questions
         ],
     )
     found: Counter[str] = Counter()
     for question, twin in zip(questions, said, strict=True):
-        paths = list(differences(answered(*question), twin))
+        paths = list(differences(answered(question), twin))
         rest = [path for path in paths if ".witness" not in path]
         found["; ".join(rest)[:300] or ("another witness" if paths else "same")] += 1
     return found
@@ -112,7 +127,41 @@ def test_contact_and_clearance_of_hard_dances_are_the_same() -> None:
             ("contact", margin), ("windows", {**margin, "most": 5}), ("clearance", NEAR),
             ("clearance", {"within": 0.2}), ("above", margin | NEAR),
         ]  # fmt: skip
-        questions += [(tried.walk, name, tried.end, options) for name, options in asked_of]
+        questions += [(tried.walk, name, 0.0, tried.end, options) for name, options in asked_of]
+    found = compared(questions)
+    assert set(found) <= {"same", "another witness"}
+    assert found["same"] > 0.85 * len(questions)
+
+
+def test_walks_that_begin_in_contact_are_told_alike() -> None:
+    questions: list[Question] = []
+    for tried in map(dance, range(60)):
+        try:
+            found = contact_windows(tried.walk, 0.0, tried.end, margin=tried.margin, most=1)
+        except BenchDragonError:
+            continue
+        if found and found[0].opens.upper + 0.01 < tried.end:
+            start, options = found[0].opens.upper + 0.01, {"margin": tried.margin}
+            questions.append((tried.walk, "windows", start, tried.end, {**options, "most": 2}))
+            questions.append((tried.walk, "clearance", start, start, {}))
+    assert len(questions) > 10
+    assert set(compared(questions)) <= {"same", "another witness"}
+
+
+def test_a_sure_contact_is_told_before_a_graze() -> None:
+    walk = read_plan("spiral-in", ["route.pitch=0.4503373930271955"]).build()
+    (graze,) = contact_windows(walk, 200.0, 330.0, most=1)
+    assert graze.opens.status == "undecided"
+    assert compared([(walk, "contact", 200.0, 330.0, {"margin": 0.0})]) == {"same": 1}
+
+
+def test_random_squares_are_the_same() -> None:
+    questions: list[Question] = []
+    for square in map(random_square, range(60)):
+        one = square.obstacle
+        sizes = {"name": one.name, "kind": one.kind, "outline": one.outline.tolist()}
+        options = {**sizes, "radius": one.radius, "margin": one.margin}
+        questions.append((square.walk, "obstacle", square.start, square.end, options))
     found = compared(questions)
     assert set(found) <= {"same", "another witness"}
     assert found["same"] > 0.85 * len(questions)
@@ -120,7 +169,7 @@ def test_contact_and_clearance_of_hard_dances_are_the_same() -> None:
 
 def test_greatest_quantities_of_hard_dances_are_the_same() -> None:
     questions = [
-        (tried.walk, "greatest", tried.end, {"quantity": name, "tolerance": 1e-6, "limit": 3.0})
+        (tried.walk, "greatest", 0.0, tried.end, {"quantity": name, "tolerance": 1e-6, "limit": 3.0})
         for tried in map(dance, range(30))
         for name in QUANTITIES
     ]

@@ -57,8 +57,11 @@ def _judged(data: Tables, *, quick: bool) -> dict[str, Any]:
     return {"verdict": verdict_of(check(known, quick=quick)).model_dump(mode="json")}
 
 
-def there(plans: list[Tables], *, quick: bool, rounds: int = 1, cancel: bool = False) -> Any:
-    """What the page says of plans, and the memory that it then has, bytes, after each of `rounds`."""
+def there(plans: list[Tables], *, quick: bool, rounds: int = 1, cancel: int = 0) -> Any:
+    """What the page says of plans, and its memory, bytes, after each of `rounds`.
+
+    Each is given up where its progress is told for the time `cancel`, if that is not 0.
+    """
     questions = {"plans": plans, "words": words(), "quick": quick, "version": __version__}
     return asked("check_plans.mjs", {**questions, "rounds": rounds, "cancel": cancel})
 
