@@ -5,9 +5,9 @@ import hashlib
 import json
 from pathlib import Path
 
+from benchdragon.inlining import EXPORT, inlined
 from benchdragon.kernels import jit
 from benchdragon.kernels.signature import signature
-from benchdragon.player.page import EXPORT, inlined
 from tests.browser.pages import Pages
 from tests.engine.recording import HERE, MODULE, compared, recorded
 

@@ -10,7 +10,7 @@ import os
 import re
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
@@ -21,24 +21,14 @@ import pytest
 from benchdragon import Arc, Dragon, InputError, Line, Motion, Route, SpeedProfile, Walk
 from benchdragon.cli.main import run
 from benchdragon.i18n import Words, language, spoken_in
+from benchdragon.inlining import chinese, inert
 from benchdragon.plans.schema import read_plan
 from benchdragon.player import messages
 from benchdragon.player import page as player
 from benchdragon.player.frames import frames
-from benchdragon.player.page import (
-    WEB,
-    ScriptError,
-    chinese,
-    inert,
-    inlined,
-    player_page,
-    show,
-    write_player,
-)
+from benchdragon.player.page import player_page, show, write_player
 from benchdragon.player.scene import Span, plain_dance
 
-NAME = r"(?:async )?(?:const|let|var|class|function\*?) (\w+)"
-MODULES = sorted(WEB.glob("*.js"))
 IDEOGRAPH = re.compile(r"[\u4e00-\u9fff]")
 
 
@@ -75,85 +65,6 @@ def small_dance() -> messages.Dance:
     """A dance of a few benches."""
     walk = read_plan("turn", ["dragon.benches=6"]).build()
     return plain_dance(walk, Span(-5.0, 20.0))
-
-
-@pytest.fixture
-def web(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    """A folder for modules of a page of the test's own."""
-    monkeypatch.setattr(player, "WEB", tmp_path)
-    inlined.cache_clear()
-    yield tmp_path
-    inlined.cache_clear()
-
-
-def test_modules_stand_once_each_before_those_that_need_them(web: Path) -> None:
-    needs = 'import {{ {0} }} from "./{0}.js";\n'.format
-    (web / "a.js").write_text(f"// First.\n{needs('b')}{needs('c')}\nexport const a = b + c;\n")
-    (web / "b.js").write_text(f"{needs('c')}export async function b() {{}}\n")
-    (web / "c.js").write_text(
-        'import {\n  a,\n} from "./a.js";\nexport class c {}\nconst exported = 1;\n'
-    )
-    wanted = "class c {} const exported = 1; async function b() {} // First. const a = b + c;"
-    assert inlined("a.js").split() == wanted.split()
-
-
-@pytest.mark.parametrize(
-    "line",
-    [
-        'import b from "./b.js";',
-        'import * as b from "./b.js";',
-        'import "./b.js";',
-        'import { b } from "b.js";',
-        'import { b } from "../b.js";',
-        'import { b } from "https://example.org/b.js";',
-        "export default 1;",
-        "export { a };",
-        'export * from "./b.js";',
-        '  import { b } from "./b.js";',
-    ],
-)
-def test_imports_and_exports_of_another_form_are_refused(web: Path, line: str) -> None:
-    (web / "a.js").write_text(f"const a = 1;\n{line}\n")
-    with pytest.raises(ScriptError, match=r"a\.js: "):
-        inlined("a.js")
-
-
-def test_top_level_names_are_unique_and_imported_ones_are_exported() -> None:
-    names: dict[str, str] = {}
-    exports: dict[str, set[str]] = {}
-    for module in MODULES:
-        text = module.read_text("utf-8")
-        for name in re.findall(f"^(?:export )?{NAME}", text, re.MULTILINE):
-            assert name not in names, f"{name}: {names.get(name)} and {module.name}"
-            names[name] = module.name
-        exports[module.name] = set(re.findall(f"^export {NAME}", text, re.MULTILINE))
-    assert names["Player"] == "player.js"
-    for module in MODULES:
-        text = module.read_text("utf-8")
-        for wanted, source in re.findall(
-            r'^import \{([^}]*)\} from "\./(\w+\.js)"', text, re.MULTILINE
-        ):
-            missing = {name.strip() for name in wanted.split(",")} - {""} - exports[source]
-            assert not missing, f"{module.name} from {source}"
-
-
-def test_inlining_leaves_no_import_and_no_export() -> None:
-    script = inlined("start.js")
-    assert not re.search(r"^\s*(import|export)\b", script, re.MULTILINE)
-    for text in ("class Player", "class Scene", "class Boxes", "async function start"):
-        assert script.count(f"{text} ") + script.count(f"{text}(") == 1
-    assert script.index("class Scene") < script.index("async function start")
-
-
-def test_every_sentence_of_the_scripts_has_chinese() -> None:
-    words = chinese("start.js")
-    assert len(words) > 60
-    for english, said in words.items():
-        assert IDEOGRAPH.search(said) or english == "Home, End", english
-        assert sorted(re.findall(r"\{\w+\}", english)) == sorted(re.findall(r"\{\w+\}", said))
-    calls = len(re.findall(r"(?<![\w$.])_\(", inlined("start.js")))
-    literals = len(player.TEXT.findall(inlined("start.js")))
-    assert calls == literals + 1  # the function's own line
 
 
 def test_the_page_allows_its_own_script_and_style_and_nothing_else() -> None:

@@ -3,35 +3,24 @@
 The file fetches nothing, and its content security policy forbids it.
 """
 
-import base64
-import hashlib
 import html
-import json
-import re
 from dataclasses import asdict, dataclass
-from functools import cache
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from benchdragon.errors import BenchDragonError, InputError, of_kind
 from benchdragon.files import whole_file
-from benchdragon.i18n import _, both, language, spoken_in
+from benchdragon.i18n import _, both, language
+from benchdragon.inlining import chinese, content_hash, inert, inlined, joined_styles
 from benchdragon.kernels.status import Status
 from benchdragon.model.walk import Motion
 from benchdragon.player import messages
 from benchdragon.player.scene import Span, plain_dance
 from benchdragon.version import __version__
 
-WEB = Path(__file__).parents[1] / "web"
 STYLES = ("style.css", "print.css")
-# Modules may import others so, and in no other way, so that joining them is all that inlining takes.
-IMPORT = re.compile(r'^import \{[^}]*\} from "\./(\w+\.js)";\n', re.MULTILINE)
-EXPORT = re.compile(r"^export (?=const|let|class|function|async function)", re.MULTILINE)
-STRAY = re.compile(r"^\s*(?:import|export)\b.*", re.MULTILINE)
-TEXT = re.compile(r'(?<![\w$.])_\(\s*("(?:[^"\\]|\\.)*")')
 # Bytes that a file may have for up to 1,000 benches; larger dragons get this for each thousand.
 MOST_BYTES = 10_000_000
 # In a notebook: bytes, and benches times seconds (about 10 s of work).
@@ -41,47 +30,10 @@ MOST_FRAMED, MOST_SHOWN = 3_000_000, 500_000
 BESIDE, TRIED = 5.0, 50
 
 
-class ScriptError(ValueError):
-    """A module of the page that cannot be put into one file."""
-
-
-@cache
-def inlined(entry: str) -> str:
-    """A module of the page and all it imports as one script, each before those that need it.
-
-    Raises:
-        ScriptError: for an import or an export of another form.
-    """
-    done: dict[str, str] = {}
-
-    def add(name: str) -> None:
-        if name in done:
-            return
-        text = (WEB / name).read_text("utf-8")
-        done[name] = ""  # which ends a circle of imports
-        for needed in IMPORT.findall(text):
-            add(needed)
-        text = EXPORT.sub("", IMPORT.sub("", text))
-        if stray := STRAY.search(text):
-            raise ScriptError(f"{name}: {stray.group().strip()}")
-        del done[name]
-        done[name] = text
-
-    add(entry)
-    return "\n".join(done.values())
-
-
-@cache
-def chinese(entry: str) -> dict[str, str]:
-    """Chinese for every sentence of a script."""
-    with spoken_in("zh"):
-        return {text: _(text) for text in map(json.loads, TEXT.findall(inlined(entry)))}
-
-
 def player_page(dance: messages.Dance, spoken: str | None = None) -> str:
     """The page that shows a dance, beginning in a language ("en" or "zh"; None: that in use)."""
     script = inlined("start.js") + "\nawait start();\n"
-    style = "".join((WEB / name).read_text("utf-8") for name in STYLES)
+    style = joined_styles(STYLES)
     environment = Environment(
         loader=PackageLoader("benchdragon"),
         autoescape=True,
@@ -93,7 +45,7 @@ def player_page(dance: messages.Dance, spoken: str | None = None) -> str:
         language=spoken,
         title=getattr(dance.title, spoken) or "benchdragon",
         version=__version__,
-        hashes={"script": _hash(script), "style": _hash(style)},
+        hashes={"script": content_hash(script), "style": content_hash(style)},
         script=script,
         style=style,
         waiting=asdict(
@@ -103,15 +55,6 @@ def player_page(dance: messages.Dance, spoken: str | None = None) -> str:
         spoken=inert(spoken),
         dance=inert(dance.model_dump(mode="json")),
     )
-
-
-def inert(data: Any) -> str:
-    """Data as JSON that may stand inside a script element."""
-    return json.dumps(data, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
-
-
-def _hash(text: str) -> str:
-    return "sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
 
 
 def write_player(path: Path, dance: messages.Dance) -> None:

@@ -20,11 +20,11 @@ from pydantic_core import ErrorDetails
 from benchdragon.analysis.records import Answer, Verdict
 from benchdragon.errors import BenchDragonError, InputError, MissingExtraError, reason
 from benchdragon.i18n import _, language
+from benchdragon.inlining import chinese
 from benchdragon.plans.faults import fault_of
 from benchdragon.plans.presets import presets
 from benchdragon.plans.schema import Plan
 from benchdragon.player.messages import Dance
-from benchdragon.player.page import chinese
 from benchdragon.studio import messages
 from benchdragon.studio.jobs import Jobs
 from benchdragon.studio.limits import Settings

@@ -1,0 +1,130 @@
+"""Modules, styles and words of the pages, as text that stands in one file.
+
+Each module keeps its own names: it becomes a function's body, but for the one that is asked for.
+"""
+
+import base64
+import hashlib
+import json
+import posixpath
+import re
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from benchdragon.i18n import _, spoken_in
+
+WEB = Path(__file__).parent / "web"
+# Modules may import others so, and in no other way.
+IMPORT = re.compile(r'^import \{([^}]*)\} from "(\.\.?/(?:\w+/)*\w+\.js)";\n', re.MULTILINE)
+EXPORT = re.compile(
+    r"^export (?=(?:const|let|class|function\*?|async function\*?) (\w+))", re.MULTILINE
+)
+# What a bundler writes at the end of a module.
+LIST = re.compile(r"^export \{([^}]*)\};?$\n?", re.MULTILINE)
+STRAY = re.compile(r"^\s*(?:import|export)\b.*", re.MULTILINE)
+TEXT = re.compile(r'(?<![\w$.])_\(\s*("(?:[^"\\]|\\.)*")')
+
+
+class ScriptError(ValueError):
+    """A module of the page that cannot be put into one file."""
+
+
+@cache
+def inlined(entry: str) -> str:
+    """A module of the page and all it imports as one script, each before those that need it.
+
+    What `entry` exports are names of the script.
+
+    Raises:
+        ScriptError: for an import or an export of another form, and for a circle of imports.
+    """
+    done: dict[str, str] = {}
+    under_way: list[str] = []
+
+    def add(name: str) -> None:
+        if name in under_way:
+            raise ScriptError(f"a circle of imports: {', '.join([*under_way, name])}")
+        if name in done:
+            return
+        under_way.append(name)
+        text = (WEB / name).read_text("utf-8")
+        for _names, path in IMPORT.findall(text):
+            add(_resolved(name, path))
+        under_way.pop()
+        done[name] = _joined(name, text, name == entry)
+
+    add(entry)
+    return "\n".join(done.values())
+
+
+def _joined(name: str, text: str, entry: bool) -> str:
+    """A module, with names that it takes from those before it in place of its imports."""
+    given = EXPORT.findall(text)
+    for names in LIST.findall(text):
+        given += [_pair(outside, inside) for inside, outside in _pairs(names)]
+    text = IMPORT.sub(lambda found: _taken(name, *found.groups()), text)
+    text = LIST.sub("", EXPORT.sub("", text))
+    if stray := STRAY.search(text):
+        raise ScriptError(f"{name}: {stray.group().strip()}")
+    if entry:
+        return text
+    return f"const {_variable(name)} = (() => {{\n{text}return {{ {', '.join(given)} }};\n}})();\n"
+
+
+def _taken(importer: str, names: str, path: str) -> str:
+    """What stands in place of an import."""
+    pattern = ", ".join(_pair(outside, inside) for outside, inside in _pairs(names))
+    return f"const {{ {pattern} }} = {_variable(_resolved(importer, path))};\n"
+
+
+def _pairs(names: str) -> list[tuple[str, str]]:
+    """Names in the braces of an import or an export: those before and those after `as`."""
+    told = [name.split(" as ") for name in names.split(",") if name.strip()]
+    return [(name[0].strip(), name[-1].strip()) for name in told]
+
+
+def _pair(key: str, name: str) -> str:
+    """A key of an object and the name of its value, as the literal or pattern has them."""
+    return key if key == name else f"{key}: {name}"
+
+
+def _resolved(importer: str, path: str) -> str:
+    """The name of a module, below the folder of all, from how another calls it.
+
+    Raises:
+        ScriptError: if it is not in there.
+    """
+    name = posixpath.normpath(posixpath.join(posixpath.dirname(importer), path))
+    if name.startswith(".."):
+        raise ScriptError(f"{importer}: {path}")
+    return name
+
+
+def _variable(name: str) -> str:
+    """What a module is called in the script."""
+    return "$" + name.removesuffix(".js").replace("/", "_")
+
+
+@cache
+def chinese(*entries: str) -> dict[str, str]:
+    """Chinese for every sentence of some scripts."""
+    texts = [text for entry in entries for text in TEXT.findall(inlined(entry))]
+    with spoken_in("zh"):
+        return {text: _(text) for text in map(json.loads, texts)}
+
+
+def joined_styles(names: Iterable[str]) -> str:
+    """Styles of the page, one after the other."""
+    return "".join((WEB / name).read_text("utf-8") for name in names)
+
+
+def inert(data: Any) -> str:
+    """Data as JSON that may stand inside a script element."""
+    return json.dumps(data, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
+
+
+def content_hash(text: str) -> str:
+    """How a content security policy names a script or a style."""
+    return "sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
