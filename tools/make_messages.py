@@ -25,6 +25,8 @@ PACKAGE = Path(benchdragon.__file__).parent
 CATALOGUE = PACKAGE / "locale" / "zh_CN" / "LC_MESSAGES" / "benchdragon.po"
 # Those of click's files that speak to users; the others prompt, or draw bars, which we leave.
 CLICK_FILES = ("core", "decorators", "exceptions", "formatting", "parser", "types")
+# Code of others, which says nothing to users.
+CARRIED = "carried.js"
 KEYWORDS = {"_": None, "N_": None, "ngettext": (1, 2)}
 SCRIPT_OPTIONS = {"jsx": False, "parse_template_string": True}
 # A text for users in a script, as it stands there.
@@ -72,7 +74,8 @@ def extracted(package: Path = PACKAGE) -> Iterator[MessageId]:
         for _line, message, _comments, _context in extract_from_file("python", source, KEYWORDS):
             if message:
                 yield message
-    for script in sorted((package / "web").rglob("*.js")):
+    scripts = set((package / "web").rglob("*.js")) - {package / "web" / CARRIED}
+    for script in sorted(scripts):
         yield from script_messages(script)
 
 
