@@ -49,12 +49,23 @@ function stored(name) {
   }
 }
 
-/** Whether the browser keeps a value. @param {string} name @param {string} value */
+/** Whether the browser keeps a value; null: it is to keep none. @param {string} name @param {string | null} value */
 function store(name, value) {
   try {
-    localStorage.setItem(`benchdragon.${name}`, value);
+    if (value === null) localStorage.removeItem(`benchdragon.${name}`);
+    else localStorage.setItem(`benchdragon.${name}`, value);
     return true;
   } catch {
     return false; // see above; or it is full
   }
+}
+
+/** The plan that the browser keeps, as text; null if it keeps none. */
+export function keptPlan() {
+  return stored("plan");
+}
+
+/** Have the browser keep a plan, or none; whether it does. @param {string | null} text */
+export function keepPlan(text) {
+  return store("plan", text);
 }

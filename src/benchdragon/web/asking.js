@@ -1,8 +1,15 @@
-// Questions to the studio's server, and what it refuses.
+// Questions to the studio's server.
 
+import { Refusal, mayPass, noteHash } from "./standing.js";
+import { unpackedScene } from "./scene.js";
 import { _, language } from "./words.js";
 
+/** @typedef {import("./messages").JobState} JobState */
+/** @typedef {import("./messages").JobTaken} JobTaken */
+/** @typedef {import("./messages").Preset} Preset */
 /** @typedef {import("./plan_form.js").Plan} Plan */
+/** @typedef {import("./standing.js").Answers} Answers */
+/** @typedef {import("./standing.js").MadeFile} MadeFile */
 
 /** A name that nobody guesses; `crypto.randomUUID` is for addresses with https alone. */
 function freshName() {
@@ -27,38 +34,6 @@ function holder() {
 }
 const HOLDER = holder();
 
-/** Hashes of plans, which the server tells with every answer about one. @type {WeakMap<Plan, string>} */
-const hashes = new WeakMap();
-
-/** Note the hash of a plan. @param {Plan} plan @param {string | null} hash */
-export function noteHash(plan, hash) {
-  if (hash) hashes.set(plan, hash);
-}
-
-/** Whether what is said of one plan holds for another. @param {Plan} one @param {Plan} other */
-export function samePlan(one, other) {
-  const hash = hashes.get(one);
-  return one === other || (hash !== undefined && hash === hashes.get(other));
-}
-
-/** The server said no, or nothing (status 0); `message` is the sentence for it. */
-export class Refusal extends Error {
-  /** @param {number} status @param {string} message */
-  constructor(status, message) {
-    super(message);
-    this.status = status;
-  }
-}
-
-/** Statuses after which asking again may help: no answer, another page's question instead, too many
- * questions, a server that is closing or lost its workers. */
-const AGAIN = [0, 409, 429, 503];
-
-/** Whether asking again may help. @param {unknown} error @returns {error is Refusal} */
-export function mayPass(error) {
-  return error instanceof Refusal && AGAIN.includes(error.status);
-}
-
 /**
  * Ask, and get the response.
  * @param {string} path
@@ -66,7 +41,7 @@ export function mayPass(error) {
  * @param {{method?: string, signal?: AbortSignal}} [options]
  * @throws {Refusal}
  */
-export async function asked(path, body, { method = body ? "POST" : "GET", signal } = {}) {
+async function asked(path, body, { method = body ? "POST" : "GET", signal } = {}) {
   const client = path.startsWith("/api/jobs") ? HOLDER : CLIENT;
   const sent = body === null ? null : JSON.stringify(body);
   const response = await fetch(`${path}?lang=${language()}`, {
@@ -84,87 +59,127 @@ export async function asked(path, body, { method = body ? "POST" : "GET", signal
   throw new Refusal(response.status, problem.error ?? `${response.status} ${response.statusText}`);
 }
 
-/** How long a question may be on its way before a newer one takes its place, ms: so long, or twice as
- * long as the last answer took, and twice as long again after each that was given up. */
-const PATIENCE = 250;
-/** The status that says: a newer question is on its way. */
-const REPLACED = 409;
-/** How soon a question that nobody could answer is asked again, ms: at first, and at most. */
-const SOON = 2000;
-const LATEST = 30_000;
+/** How often a running question is looked at, ms. */
+const LOOK_EACH = 400;
+
+/** @param {number} time ms */
+function pause(time) {
+  return new Promise((done) => setTimeout(done, time));
+}
 
 /**
- * One question that is asked again and again as the plan changes: the newest is always answered, and
- * those that nobody waits for any more are given up. Each answer comes with the plan that it is about.
- * @template Answer
+ * What the server says of long questions; asked until it answers.
+ * @param {string} path
+ * @param {(error: Error) => void} told of each time it does not
+ * @throws {Refusal} where it knows of no such question any more
  */
-export class Standing {
+async function heard(path, told) {
+  for (;;) {
+    try {
+      return await (await asked(path, null)).json();
+    } catch (error) {
+      if (!mayPass(error)) throw error;
+      told(error);
+    }
+    await pause(5 * LOOK_EACH);
+  }
+}
+
+/** A long question that the server took on. */
+class ServerJob {
+  /** @param {string} id @param {Plan} plan */
+  constructor(id, plan) {
+    this.id = id;
+    this.plan = plan;
+  }
+
   /**
-   * @param {(plan: Plan, signal: AbortSignal) => Promise<Answer>} ask
-   * @param {(answer: Answer, plan: Plan) => void} answered
-   * @param {(error: Error, plan: Plan) => void} failed
+   * @param {(state: JobState) => void} told
+   * @param {(error: Error) => void} troubled
+   * @returns {Promise<JobState>}
    */
-  constructor(ask, answered, failed) {
-    this.ask = ask;
-    this.answered = answered;
-    this.failed = failed;
-    /** The plan to be asked about next. @type {Plan | null} */
-    this.wanted = null;
-    /** @type {AbortController | null} */
-    this.flying = null;
-    this.since = 0;
-    this.patience = PATIENCE;
-    this.pause = SOON;
-    this.later = 0;
-    /** Times from a question to its answer, ms. @type {number[]} */
-    this.times = [];
-  }
-
-  /** Ask about a plan, and no more about those before. @param {Plan} plan */
-  renew(plan) {
-    clearTimeout(this.later);
-    this.wanted = plan;
-    if (!this.flying) this.#go();
-    else if (performance.now() - this.since > this.patience) {
-      this.patience *= 2;
-      this.flying.abort();
+  async follow(told, troubled) {
+    for (;;) {
+      /** @type {JobState} */
+      const job = await heard(`/api/jobs/${this.id}`, troubled);
+      noteHash(this.plan, job.plan_sha256);
+      told(job);
+      if (!["waiting", "running"].includes(job.state)) return job;
+      await pause(LOOK_EACH);
     }
   }
 
-  /** Ask no more. */
-  drop() {
-    clearTimeout(this.later);
-    this.wanted = null;
-    this.flying?.abort();
+  /** Where the server does not hear it, the next look says so. */
+  cancel() {
+    asked(`/api/jobs/${this.id}`, null, { method: "DELETE" }).catch(() => null);
   }
 
-  async #go() {
-    while (this.wanted) {
-      const plan = this.wanted;
-      this.wanted = null;
-      this.flying = new AbortController();
-      this.since = performance.now();
-      try {
-        const answer = await this.ask(plan, this.flying.signal);
-        const time = performance.now() - this.since;
-        this.times.push(time);
-        this.patience = Math.max(PATIENCE, 2 * time);
-        this.pause = SOON;
-        this.answered(answer, plan);
-      } catch (error) {
-        if (!(error instanceof Error)) throw error;
-        if (error.name !== "AbortError") this.#unanswered(error, plan);
-      }
-    }
-    this.flying = null;
+  /** Or it is forgotten later. */
+  forget() {
+    this.cancel();
+  }
+}
+
+/** @param {Response} response @returns {Promise<MadeFile>} */
+async function madeFile(response) {
+  const told = response.headers.get("Content-Disposition") ?? "";
+  return { name: /filename="([^"]+)"/.exec(told)?.[1] ?? "benchdragon", data: await response.blob() };
+}
+
+/** The studio's server as who answers. @implements {Answers} */
+export class ServerAnswers {
+  /** It answers all. */
+  has() {
+    return true;
   }
 
-  /** @param {Error} error @param {Plan} plan */
-  #unanswered(error, plan) {
-    const replaced = error instanceof Refusal && error.status === REPLACED;
-    if (!replaced) this.failed(error, plan);
-    if (this.wanted || !mayPass(error)) return;
-    this.later = setTimeout(() => this.renew(plan), this.pause);
-    this.pause = Math.min(2 * this.pause, LATEST);
+  /** @param {string} question @param {Plan} plan @param {AbortSignal} signal */
+  async ask(question, plan, signal) {
+    return (await asked(`/api/${question}`, { plan }, { signal })).json();
+  }
+
+  /** @param {Plan} plan @param {AbortSignal} signal */
+  async scene(plan, signal) {
+    return unpackedScene({ ...(await this.ask("dance", plan, signal)), verdict: null });
+  }
+
+  /** @param {string} text @returns {Promise<Plan>} */
+  async opened(text) {
+    return (await (await asked("/api/plan", { toml: text })).json()).plan;
+  }
+
+  /** @param {Plan} plan */
+  async saved(plan) {
+    return madeFile(await asked("/api/toml", { plan }));
+  }
+
+  /** @param {string} kind @param {Plan} plan */
+  async exported(kind, plan) {
+    return madeFile(await asked(`/api/export/${kind}`, { plan, lang: language() }));
+  }
+
+  /** @param {JobState["question"]} question @param {Plan} plan */
+  async long(question, plan) {
+    const { id } = await (await asked("/api/jobs", { plan, question })).json();
+    return new ServerJob(id, plan);
+  }
+
+  async taken() {
+    /** @type {JobTaken[]} */
+    const taken = await heard("/api/jobs", () => {});
+    return taken.map(({ id, question, plan, plan_sha256: hash }) => {
+      noteHash(plan, hash);
+      return { question, plan, long: new ServerJob(id, plan) };
+    });
+  }
+
+  /** @returns {Promise<Record<string, string>>} */
+  async words() {
+    return (await asked("/api/words", null)).json();
+  }
+
+  /** @returns {Promise<Preset[]>} */
+  async presets() {
+    return (await asked("/api/presets", null)).json();
   }
 }

@@ -85,3 +85,8 @@ export function tick(name, on, action) {
   const box = make("input", { type: "checkbox", checked: on, onchange: () => action(box.checked) });
   return make("label", { class: "tick" }, box, name);
 }
+
+/** What an inert script element of the page holds. @param {string} id */
+export function held(id) {
+  return JSON.parse(/** @type {HTMLElement} */ (document.getElementById(id)).textContent ?? "");
+}

@@ -1,17 +1,16 @@
 // Long questions: started, followed, cancelled, found again.
 
-import { asked, mayPass, noteHash, samePlan } from "./asking.js";
 import { make, signButton } from "./elements.js";
 import { answerText, valueText } from "./evidence.js";
+import { samePlan } from "./standing.js";
 import { _, language, decimals } from "./words.js";
 
 /** @typedef {import("./messages").JobState} JobState */
 /** @typedef {import("./messages").TurnFound} TurnFound */
 /** @typedef {JobState["question"]} Question */
 /** @typedef {import("./plan_form.js").Plan} Plan */
-
-/** How often a running question is looked at, ms. */
-const LOOK_EACH = 400;
+/** @typedef {import("./standing.js").Answers} Answers */
+/** @typedef {import("./standing.js").LongQuestion} LongQuestion */
 
 /** @param {Question} question */
 export function questionText(question) {
@@ -75,30 +74,16 @@ function resultText(result) {
   return answerText(result);
 }
 
-/**
- * What the server says of long questions; asked until it answers.
- * @param {string} path
- * @param {(error: Error) => void} told of each time it does not
- * @throws {import("./asking.js").Refusal} where it knows of no such question any more
- */
-async function heard(path, told) {
-  for (;;) {
-    try {
-      return await (await asked(path, null)).json();
-    } catch (error) {
-      if (!mayPass(error)) throw error;
-      told(error);
-    }
-    await new Promise((done) => setTimeout(done, 5 * LOOK_EACH));
-  }
-}
-
 /** A long question on the page.
  * @typedef {{question: Question, plan: Plan, item: HTMLElement, of: HTMLElement, say: () => void}} Entry */
 
 export class JobList {
-  /** @param {(plan: Plan) => void} take takes a plan: one that was found, or asked about */
-  constructor(take) {
+  /**
+   * @param {Answers} answers
+   * @param {(plan: Plan) => void} take takes a plan: one that was found, or asked about
+   */
+  constructor(answers, take) {
+    this.answers = answers;
     this.take = take;
     /** @type {Set<Entry>} */
     this.entries = new Set();
@@ -157,19 +142,15 @@ export class JobList {
   async start(question, plan) {
     const entry = this.#entered(question, plan);
     await this.#tried(entry, async () => {
-      const { id } = await (await asked("/api/jobs", { plan, question })).json();
-      await this.#follow(id, entry);
+      await this.#follow(await this.answers.long(question, plan), entry);
     });
   }
 
   /** Find the questions that were asked before the page was loaded again. */
   async find() {
-    /** @type {import("./messages").JobTaken[]} */
-    const taken = await heard("/api/jobs", () => {});
-    for (const { id, question, plan, plan_sha256: hash } of taken) {
-      noteHash(plan, hash);
+    for (const { question, plan, long } of await this.answers.taken()) {
       const entry = this.#entered(question, plan);
-      this.#tried(entry, () => this.#follow(id, entry));
+      this.#tried(entry, () => this.#follow(long, entry));
     }
   }
 
@@ -183,38 +164,32 @@ export class JobList {
     }
   }
 
-  /** @param {string} id @param {Entry} entry */
-  async #follow(id, entry) {
+  /** @param {LongQuestion} long @param {Entry} entry */
+  async #follow(long, entry) {
     const { item, question } = entry;
     const name = make("strong", {});
     const bar = make("progress", { max: "1" });
     const told = make("span", { class: "told" });
-    // Where the server does not hear it, the next look says so.
-    const stop = () => asked(`/api/jobs/${id}`, null, { method: "DELETE" }).catch(() => null);
-    const cancel = make("button", { type: "button", onclick: stop });
+    const cancel = make("button", { type: "button", onclick: () => long.cancel() });
     this.#say(entry, () => {
       item.replaceChildren(name, bar, told, cancel);
       name.textContent = bar.ariaLabel = questionText(question);
       cancel.textContent = _("cancel");
     });
-    for (;;) {
-      /** @type {JobState} */
-      const job = await heard(`/api/jobs/${id}`, (error) => {
-        told.textContent = error.message;
-      });
-      noteHash(entry.plan, job.plan_sha256);
+    const show = (/** @type {JobState} */ job) => {
       this.#mark(entry);
       item.dataset.state = job.state;
       bar.value = job.share;
       told.textContent = job.state === "waiting" ? _("waiting") : job.text;
-      if (!["waiting", "running"].includes(job.state))
-        return this.#say(entry, () => this.#ended(job, entry));
-      await new Promise((done) => setTimeout(done, LOOK_EACH));
-    }
+    };
+    const ended = await long.follow(show, (error) => {
+      told.textContent = error.message;
+    });
+    this.#say(entry, () => this.#ended(ended, long, entry));
   }
 
-  /** @param {JobState} job @param {Entry} entry */
-  #ended(job, entry) {
+  /** @param {JobState} job @param {LongQuestion} long @param {Entry} entry */
+  #ended(job, long, entry) {
     const text = job.result
       ? resultText(job.result)
       : job.state === "cancelled"
@@ -225,7 +200,7 @@ export class JobList {
       found && make("button", { type: "button", onclick: () => this.take(found) }, _("take this plan"));
     const away = () => {
       this.#forget(entry);
-      asked(`/api/jobs/${job.id}`, null, { method: "DELETE" }).catch(() => null); // or it is forgotten later
+      long.forget();
     };
     this.#over(entry, text, away, take ? [take] : []);
   }

@@ -1,14 +1,10 @@
 // The player page: reads the dance that the page holds, and the address.
 
 import { chosenBefore, obey, remember } from "./address.js";
+import { held } from "./elements.js";
 import { Player } from "./player.js";
 import { unpackedScene } from "./scene.js";
 import { _, speak, useWords } from "./words.js";
-
-/** What an inert script element of the page holds. @param {string} id */
-function held(id) {
-  return JSON.parse(/** @type {HTMLElement} */ (document.getElementById(id)).textContent ?? "");
-}
 
 /** Show the dance that the page holds. */
 export async function start() {

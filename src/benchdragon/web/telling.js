@@ -1,7 +1,7 @@
 // What is told of a plan: lines that say so where it is another plan than the one on the page.
 
-import { samePlan } from "./asking.js";
 import { make } from "./elements.js";
+import { samePlan } from "./standing.js";
 import { _ } from "./words.js";
 
 /** @typedef {import("./plan_form.js").Plan} Plan */

@@ -1,0 +1,144 @@
+// Plan files in and out, files that are made of a plan, and the plan that the browser keeps.
+
+import { keepPlan, keptPlan } from "./address.js";
+import { commandList } from "./commands.js";
+import { make } from "./elements.js";
+import { planText } from "./plan_form.js";
+import { _ } from "./words.js";
+
+/** @typedef {import("./plan_form.js").Plan} Plan */
+/** @typedef {import("./standing.js").Answers} Answers */
+/** @typedef {import("./standing.js").MadeFile} MadeFile */
+
+/**
+ * The page that files are of.
+ * @typedef {object} Host
+ * @property {Plan} plan
+ * @property {object} subject what it is about: the plan, or what stands in the address instead
+ * @property {(plan: Plan, final: boolean) => void} change
+ * @property {(plan: object, text: string) => void} tellFile how it went, and with which plan
+ */
+
+/** What a server makes of plans. */
+function exports() {
+  return {
+    "player.html": _("player (a page)"),
+    "motion.xlsx": _("positions, spreadsheet"),
+    "motion.csv": _("positions, CSV"),
+    "motion.npz": _("positions, NumPy"),
+    "motion.parquet": _("positions, Parquet"),
+    "motion.nc": _("positions, NetCDF"),
+    "check.xlsx": _("moment of contact, spreadsheet"),
+    png: _("pictures, PNG"),
+    svg: _("pictures, SVG"),
+    pdf: _("pictures, PDF"),
+  };
+}
+
+export class Files {
+  /** @param {Host} host @param {Answers} answers */
+  constructor(host, answers) {
+    this.host = host;
+    this.answers = answers;
+    addEventListener("dragover", (event) => {
+      if (event.dataTransfer?.types.includes("Files")) event.preventDefault();
+    });
+    addEventListener("drop", (event) => {
+      const [file] = event.dataTransfer?.files ?? [];
+      if (!file) return;
+      event.preventDefault();
+      this.#open(file);
+    });
+  }
+
+  /** The controls, in the language in use. @param {HTMLElement} told where it is said how it went */
+  controls(told) {
+    const input = make("input", { type: "file", accept: ".toml", hidden: true });
+    input.addEventListener("change", () => {
+      const file = input.files?.[0];
+      input.value = "";
+      if (file) this.#open(file);
+    });
+    const open = make("button", { type: "button", onclick: () => input.click() });
+    open.append(_("open a plan file"));
+    const saved = (/** @type {string} */ _kind, /** @type {Plan} */ plan) => this.answers.saved(plan);
+    const save = make("button", { type: "button", onclick: () => this.#deliver(saved, "") });
+    save.append(_("save the plan file"));
+    return make(
+      "fieldset",
+      {},
+      make("legend", {}, _("Files")),
+      make("div", { class: "row" }, input, open, save),
+      this.#keeper(),
+      this.#others(),
+      told,
+    );
+  }
+
+  /** A tick that has the browser keep the plan. */
+  #keeper() {
+    const kept = make("input", { type: "checkbox" });
+    kept.checked = keptPlan() !== null;
+    kept.addEventListener("change", () => {
+      const keeps = keepPlan(kept.checked ? planText(this.host.plan) : null);
+      if (!keeps) kept.checked = false;
+    });
+    return make("label", { class: "row" }, kept, _("keep the plan in this browser"));
+  }
+
+  /** What else can be made of the plan, here or by commands. */
+  #others() {
+    const { answers } = this;
+    if (!answers.exported) return commandList((name) => answers.has(name));
+    const options = Object.entries(exports()).map(([value, name]) => make("option", { value }, name));
+    const kinds = make("select", { "aria-label": _("file to export") }, ...options);
+    const made = answers.exported.bind(answers);
+    const get = make("button", { type: "button", onclick: () => this.#deliver(made, kinds.value) });
+    get.append(_("export"));
+    return make("div", { class: "row" }, kinds, get);
+  }
+
+  /** Keep a plan, where the browser keeps one already. @param {Plan} plan */
+  keep(plan) {
+    if (keptPlan() !== null) keepPlan(planText(plan));
+  }
+
+  /** @param {File} file */
+  async #open(file) {
+    const before = this.host.subject;
+    await this.#tried(async () => {
+      const plan = await this.answers.opened(await file.text());
+      if (this.host.subject !== before)
+        throw new Error(_("The plan was changed meanwhile: open it again."));
+      this.host.change(plan, true);
+      return { name: file.name, plan };
+    });
+  }
+
+  /** @param {(kind: string, plan: Plan) => Promise<MadeFile>} make @param {string} kind */
+  async #deliver(make, kind) {
+    const { plan } = this.host;
+    await this.#tried(async () => ({ name: deliver(await make(kind, plan)), plan }));
+  }
+
+  /** Do something with files, and say how it went. @param {() => Promise<{ name: string, plan: Plan }>} action */
+  async #tried(action) {
+    const before = this.host.subject;
+    this.host.tellFile(before, _("working ..."));
+    try {
+      const { name, plan } = await action();
+      this.host.tellFile(plan, name);
+    } catch (error) {
+      if (!(error instanceof Error)) throw error;
+      this.host.tellFile(before, error.message);
+    }
+  }
+}
+
+/** Have the browser save a file; its name. @param {MadeFile} file */
+function deliver({ name, data }) {
+  const url = URL.createObjectURL(data);
+  make("a", { href: url, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(url), 60_000);
+  return name;
+}

@@ -1,0 +1,391 @@
+// A plan as controls, its verdict as it changes, the player, long questions, files.
+
+import { addressed, keptPlan, obey, remember } from "./address.js";
+import { make } from "./elements.js";
+import { answerText, evidenceDialog } from "./evidence.js";
+import { Files } from "./files.js";
+import { JobList, questionText } from "./jobs.js";
+import { planText, PlanForm, textPlan, textSays } from "./plan_form.js";
+import { Player, REST } from "./player.js";
+import { Standing, mayPass, samePlan } from "./standing.js";
+import { Line } from "./telling.js";
+import { _, language } from "./words.js";
+
+/** @typedef {import("./messages").Answer} Answer */
+/** @typedef {import("./messages").Preset} Preset */
+/** @typedef {import("./messages").Verdict} Verdict */
+/** @typedef {import("./scene.js").Scene} Scene */
+/** @typedef {import("./plan_form.js").Plan} Plan */
+/** @typedef {import("./standing.js").Answers} Answers */
+
+const MOST_STEPS_BACK = 200;
+const QUESTIONS = /** @type {const} */ (["turn", "prove", "speed", "pace", "margins"]);
+
+/** A plan's smallest pitch says something: its spiral ends at a disc. @param {Plan} plan */
+function hasPitch(plan) {
+  return plan.route.kind === "turn" || (plan.route.kind === "spiral-in" && plan.disc.radius != null);
+}
+
+export class Planner {
+  /** @param {Answers} answers @param {Preset[]} presets @param {Plan} plan */
+  constructor(answers, presets, plan) {
+    this.answers = answers;
+    this.presets = presets;
+    /** @type {Plan[]} */
+    this.past = [];
+    /** @type {Plan[]} */
+    this.future = [];
+    this.plan = plan;
+    this.settled = plan;
+    this.first = plan;
+    /** What stands in the address and is no plan; of it nothing is told. @type {{text: string} | null} */
+    this.unread = null;
+    /** @type {{found: Verdict, plan: Plan} | null} */
+    this.verdict = null;
+    /** @type {Answer | null} */
+    this.pitch = null;
+    /** @type {Player | null} */
+    this.player = null;
+    /** The plan whose dance the player shows. @type {Plan | null} */
+    this.pictured = null;
+    /** @type {HTMLDialogElement | null} */
+    this.dialog = null;
+    this.rest = 0;
+    this.jobs = new JobList(answers, (found) => this.change(found, true));
+    this.files = new Files(this, answers);
+    this.verdicts = new Standing(
+      (asked, signal) => answers.ask("verdict", asked, signal),
+      (found, about) => this.#judged(found, about),
+      (error, about) => this.#unjudged(error, about),
+    );
+    this.pitches = new Standing(
+      (asked, signal) => answers.ask("limit/pitch", asked, signal),
+      (found, about) => this.#limited(found, about),
+      (error, about) => this.#limited(null, about, error.message),
+    );
+    // A scene before it counts as answered, so that no older one can come in late.
+    this.dances = new Standing(
+      (asked, signal) => answers.scene(asked, signal),
+      (scene, about) => this.#danced(scene, about),
+      (error, about) => this.#undanced(error, about),
+    );
+    this.root = /** @type {HTMLElement} */ (document.getElementById("studio"));
+    this.stage = make("main", { id: "player", class: "player" });
+    this.notice = make("div", { class: "unread", role: "alert", hidden: true });
+    /** What the notice is about. @type {Planner["unread"]} */
+    this.noticed = null;
+    this.lines = this.#lines();
+    this.#build();
+    addEventListener("keydown", (event) => this.#key(event));
+    addEventListener("hashchange", () => this.#obey());
+  }
+
+  /** What the page is about: its plan, or what stands in the address instead of one. */
+  get subject() {
+    return this.unread ?? this.plan;
+  }
+
+  /** Lines that tell something, in the language in use. */
+  #lines() {
+    const verdict = make("button", {
+      type: "button",
+      class: "verdict",
+      "aria-live": "polite",
+      title: _("show the evidence"),
+      onclick: () => this.#evidence(),
+    });
+    return {
+      verdict: new Line(verdict, _("computing ...")),
+      limit: new Line(make("output", { class: "limit" })),
+      dance: new Line(make("output")),
+      file: new Line(make("output", { class: "told" })),
+    };
+  }
+
+  /** Build the page, in the language in use. */
+  #build() {
+    document.title = _("Bench dragon studio");
+    this.form = new PlanForm(this.presets, (plan, final) => this.change(plan, final));
+    this.undoButton = make("button", { type: "button", onclick: () => this.undo() }, _("undo"));
+    this.redoButton = make("button", { type: "button", onclick: () => this.redo() }, _("redo"));
+    const reset = make(
+      "button",
+      { type: "button", onclick: () => this.change(structuredClone(this.first), true) },
+      _("reset"),
+    );
+    const steps = make("div", { class: "row" }, this.undoButton, this.redoButton, reset);
+    const panel = make(
+      "section",
+      { class: "panel", "aria-label": _("plan") },
+      steps,
+      this.form.element,
+      this.#long(),
+      this.files.controls(this.lines.file.element),
+    );
+    const { verdict, limit, dance } = this.lines;
+    const lines = [verdict, limit, dance].map(({ element }) => element);
+    this.root.replaceChildren(
+      make("header", { class: "verdicts" }, this.notice, ...lines),
+      panel,
+      make("p", { class: "old" }, make("span", {}, _("the picture is of an earlier plan"))),
+      this.stage,
+    );
+    this.#shown();
+  }
+
+  /** Long questions, those that are answered here. */
+  #long() {
+    const asked = QUESTIONS.filter((question) => this.answers.has(`job/${question}`));
+    const buttons = asked.map((question) =>
+      make(
+        "button",
+        {
+          type: "button",
+          "data-question": question,
+          onclick: () => this.jobs.start(question, this.plan),
+        },
+        questionText(question),
+      ),
+    );
+    this.turnButton = buttons[asked.indexOf("turn")];
+    return make(
+      "fieldset",
+      { hidden: !asked.length },
+      make("legend", {}, _("Long questions")),
+      make("div", { class: "row" }, ...buttons),
+      this.jobs.element,
+    );
+  }
+
+  /** How it went with a file. @param {object} plan what it is about @param {string} text */
+  tellFile(plan, text) {
+    this.lines.file.tell(plan, text);
+    this.#mark();
+  }
+
+  /** Another plan. @param {Plan} plan @param {boolean} final whether it is a step of its own */
+  change(plan, final) {
+    if (final && JSON.stringify(plan) !== JSON.stringify(this.settled)) {
+      this.past.push(this.settled);
+      if (this.past.length > MOST_STEPS_BACK) this.past.shift();
+      this.future = [];
+      this.settled = plan;
+    }
+    this.show(plan);
+  }
+
+  undo() {
+    const before = this.past.pop();
+    if (before) this.#step(before, this.future);
+  }
+
+  redo() {
+    const next = this.future.pop();
+    if (next) this.#step(next, this.past);
+  }
+
+  /** @param {Plan} plan @param {Plan[]} left */
+  #step(plan, left) {
+    left.push(this.settled);
+    this.settled = plan;
+    this.show(plan);
+  }
+
+  /** Be about a plan from now on, and ask all that follows from it. @param {Plan} plan */
+  show(plan) {
+    this.plan = plan;
+    this.unread = null;
+    this.#shown();
+    this.#ask();
+  }
+
+  /** Show the plan in the controls. */
+  #shown() {
+    this.form?.show(this.plan);
+    if (this.undoButton) this.undoButton.disabled = !this.past.length;
+    if (this.redoButton) this.redoButton.disabled = !this.future.length;
+    if (this.turnButton) this.turnButton.disabled = this.plan.route.kind !== "turn";
+  }
+
+  /** Another address was put into the same window: go there. */
+  #obey() {
+    const text = addressed().get("plan");
+    const plan = text ? textPlan(text) : null;
+    if (this.player) obey(this.player);
+    if (text && !plan) this.refuse(text);
+    else if (plan && planText(plan) !== planText(this.subject)) this.change(plan, true);
+    else if (this.unread) this.show(this.plan);
+    else this.#remember();
+  }
+
+  /** The address holds what is no plan: say so, leave it there, and tell nothing. @param {string} text */
+  refuse(text) {
+    this.unread = { text };
+    for (const standing of [this.verdicts, this.pitches, this.dances]) standing.drop();
+    clearTimeout(this.rest);
+    this.dialog?.close();
+    this.verdict = null;
+    this.lines.verdict.tell(
+      this.unread,
+      _("No verdict: the plan in this link cannot be read."),
+      "none",
+    );
+    this.#mark();
+  }
+
+  /** What is said of a link that cannot be read. @param {string} text */
+  #unreadWords(text) {
+    const on = make("button", { type: "button", onclick: () => this.show(this.plan) });
+    on.append(_("go on with the plan in the controls"));
+    return [
+      make("strong", {}, _("The plan in this link cannot be read.")),
+      ` ${_("What the controls show is another plan. The link says:")}`,
+      make("code", { tabindex: "0" }, textSays(text) || text),
+      on,
+    ];
+  }
+
+  /** Put the plan into the address, and where the player stands. */
+  #remember() {
+    if (!this.unread) remember(this.player, { plan: planText(this.plan), lang: language() });
+  }
+
+  /** Ask all that follows from the plan; the dance once a change has come to rest. */
+  #ask() {
+    this.dialog?.close();
+    this.#mark();
+    if (this.answers.has("verdict")) this.verdicts.renew(this.plan);
+    if (this.#limitable) this.pitches.renew(this.plan);
+    else this.pitches.drop();
+    clearTimeout(this.rest);
+    this.rest = setTimeout(() => {
+      this.#remember();
+      this.files.keep(this.plan);
+      if (this.answers.has("dance")) this.dances.renew(this.plan);
+    }, REST);
+  }
+
+  /** Whether a smallest pitch is asked for. */
+  get #limitable() {
+    return this.answers.has("limit/pitch") && hasPitch(this.plan);
+  }
+
+  /** Show all that was told, and mark what is about another plan than the page. */
+  #mark() {
+    const { subject, unread } = this;
+    const { verdict, limit, dance, file } = this.lines;
+    for (const line of [verdict, limit, dance, file]) line.show(subject);
+    const limitless = unread !== null || !this.#limitable;
+    verdict.element.hidden = unread === null && !this.answers.has("verdict");
+    limit.element.hidden = limitless || limit.repeats(verdict);
+    dance.element.hidden = dance.repeats(verdict);
+    this.root.ariaBusy = String(!unread && !dance.about(subject));
+    this.root.dataset.picture = !this.pictured ? "none" : this.#pictures(subject) ? "this" : "old";
+    this.jobs.show(subject);
+    this.notice.hidden = unread === null;
+    if (unread === this.noticed) return;
+    this.noticed = unread;
+    this.notice.replaceChildren(...(unread ? this.#unreadWords(unread.text) : []));
+  }
+
+  /** Whether the player shows the dance of this plan. @param {Plan} plan */
+  #pictures(plan) {
+    return this.pictured !== null && samePlan(this.pictured, plan);
+  }
+
+  /** @param {Verdict} found @param {Plan} plan */
+  #judged(found, plan) {
+    this.verdict = { found, plan };
+    const state = found.decided ? (found.safe ? "safe" : "unsafe") : "open";
+    this.lines.verdict.tell(plan, found.sentence[language()], state);
+    this.#mark();
+  }
+
+  /** There is no verdict, neither safe nor unsafe. @param {Error} error @param {Plan} plan */
+  #unjudged(error, plan) {
+    this.verdict = null;
+    const values = { error: error.message };
+    const text = mayPass(error)
+      ? _("No verdict yet, asking again: {error}", values)
+      : _("No verdict: {error}", values);
+    this.lines.verdict.tell(plan, text, "none", error.message);
+    this.#mark();
+  }
+
+  /** @param {Answer | null} found @param {Plan} plan @param {string} [error] */
+  #limited(found, plan, error = "") {
+    this.pitch = found;
+    const text = found ? _("smallest pitch: {answer}", { answer: answerText(found) }) : error;
+    this.lines.limit.tell(plan, text, "", error);
+    this.#mark();
+  }
+
+  #evidence() {
+    if (!this.verdict || !samePlan(this.verdict.plan, this.subject)) return;
+    const jump = (/** @type {number} */ time) => this.player?.jump(time);
+    const seen = this.#pictures(this.subject);
+    const dialog = evidenceDialog(this.verdict.found, this.pitch, seen ? jump : null);
+    this.dialog = dialog;
+    this.root.append(dialog);
+    dialog.showModal();
+  }
+
+  /** @param {Scene} scene @param {Plan} plan */
+  #danced(scene, plan) {
+    this.pictured = plan;
+    this.lines.dance.tell(plan, "");
+    this.#mark();
+    if (this.player) return this.player.show(scene);
+    const player = new Player(this.stage, scene);
+    this.player = player;
+    obey(player);
+    player.onSettled = () => this.#remember();
+    player.onTranslated = () => this.#translated();
+  }
+
+  /** The player shows no new dance: say why. @param {Error} error @param {Plan} plan */
+  #undanced(error, plan) {
+    const values = { error: error.message };
+    const text = mayPass(error)
+      ? _("No picture yet, asking again: {error}", values)
+      : _("This plan cannot be shown: {error}", values);
+    this.lines.dance.tell(plan, text, "", error.message);
+    this.#mark();
+  }
+
+  #translated() {
+    this.lines = this.#lines();
+    this.noticed = null;
+    this.#build();
+    this.jobs.retell();
+    if (this.unread) this.refuse(this.unread.text);
+    else this.#ask();
+  }
+
+  /** @param {KeyboardEvent} event */
+  #key(event) {
+    const key = event.key.toLowerCase();
+    if (!(event.ctrlKey || event.metaKey) || !["y", "z"].includes(key)) return;
+    event.preventDefault();
+    if (key === "y" || event.shiftKey) this.redo();
+    else this.undo();
+  }
+}
+
+/**
+ * The page on which a dance is planned: with the plan of the address, else with the one given, else with
+ * the one that the browser keeps, else with the first preset.
+ * @param {Answers} answers
+ * @param {Preset[]} presets
+ * @param {Plan | null} plan
+ */
+export function opened(answers, presets, plan) {
+  const text = addressed().get("plan");
+  const told = text ? textPlan(text) : null;
+  const kept = textPlan(keptPlan() ?? "");
+  const planner = new Planner(answers, presets, told ?? plan ?? kept ?? presets[0].plan);
+  if (text && !told) planner.refuse(text);
+  else planner.show(planner.plan);
+  planner.jobs.find();
+  Object.assign(globalThis, { benchdragon: planner }); // for the browser's console
+}
