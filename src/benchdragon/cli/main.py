@@ -55,6 +55,7 @@ from benchdragon.cli.parsing import (
 )
 from benchdragon.cli.place import place, square
 from benchdragon.cli.plan import plan, schema
+from benchdragon.cli.planner import planner
 from benchdragon.cli.sheets import sheets
 from benchdragon.cli.solve import solve
 from benchdragon.cli.studio import studio
@@ -216,8 +217,8 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
 for question in (place, square):
     solve.add_command(question)
 for verb in (
-    new, check, solve, margins, sweep, atlas, survey, compare, view, studio, animate, area, timetable,
-    sheets, plan, formations, schema,
+    new, check, solve, margins, sweep, atlas, survey, compare, view, planner, studio, animate, area,
+    timetable, sheets, plan, formations, schema,
 ):  # fmt: skip
     program.add_command(verb)
 

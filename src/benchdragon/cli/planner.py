@@ -1,0 +1,59 @@
+"""The verb `planner`: the page on which dances are planned, as one file that needs no server."""
+
+import tempfile
+import webbrowser
+from pathlib import Path
+
+import click
+
+from benchdragon.cli.console import print_files
+from benchdragon.cli.options import (
+    FILE,
+    WITHOUT,
+    force_option,
+    refuse_strays,
+    settings_option,
+    shared_options,
+)
+from benchdragon.cli.parsing import check_ending
+from benchdragon.i18n import N_
+
+
+@click.command(
+    help=N_(
+        "Write the planner: one page on which a dance is planned, judged and watched.\n\nThe file "
+        "needs no network, no server and no program; send it to a phone and open it there. Without -o "
+        "the browser opens it from a temporary folder. PLAN, a *.dragon.toml file or the name of a "
+        "built-in plan, is what it begins with."
+    )
+)
+@click.argument("plan", metavar="[PLAN]", required=False)
+@settings_option
+@click.option(
+    "-o", "--output", type=FILE, metavar="FILE",
+    help=N_("The file to write, for example planner.html."),
+)  # fmt: skip
+@force_option
+@shared_options
+def planner(
+    plan: str | None, settings: tuple[str, ...], output: Path | None, force: bool, quiet: bool
+) -> int:
+    """Write the planner, or open it."""
+    from benchdragon.files import refuse_existing
+    from benchdragon.planner.page import write_planner
+    from benchdragon.plans.schema import read_plan
+
+    refuse_strays(
+        ("settings", plan is not None, WITHOUT, "PLAN"),
+        ("force", output is not None, WITHOUT, "-o"),
+    )
+    path = output or Path(tempfile.mkdtemp(prefix="benchdragon-")) / "planner.html"
+    check_ending("-o", path, [".html"])
+    read = None if plan is None else read_plan(plan, settings)
+    refuse_existing([path], force)
+    write_planner(path, read)
+    if output is None:
+        webbrowser.open(path.as_uri())
+    if output is not None or not quiet:
+        print_files([path])
+    return 0

@@ -1,0 +1,43 @@
+// What the planner's Worker answers: a table from the name of a question to the function for it.
+// Twin of studio/tasks.py.
+
+import { TomlError, parse, stringify } from "../carried.js";
+import { _ } from "../words.js";
+import { PlanError } from "./errors.js";
+import { checkedPlan } from "./plan.js";
+
+/** @typedef {import("./plan.js").Plan} Plan */
+/** @typedef {import("./tick.js").Progress} Progress */
+/** @typedef {import("../engine.js").Engine} Engine */
+
+/**
+ * A question, and what its answer is made with.
+ * @typedef {object} Asked
+ * @property {Engine} engine
+ * @property {Plan} plan
+ * @property {Record<string, any>} options of a long question
+ * @property {Progress} progress
+ */
+
+/** Questions about a plan. @type {Record<string, (asked: Asked) => unknown>} */
+export const QUESTIONS = {
+  toml: ({ plan }) => stringify(plan.written()),
+};
+
+/** The plan in the text of a plan file, with every key. @param {string} text */
+export function openedPlan(text) {
+  return checkedPlan(parsed(text)).data();
+}
+
+/** The tables in the text of a plan file. @param {string} text */
+function parsed(text) {
+  try {
+    return parse(text.replace(/^\ufeff/, ""));
+  } catch (error) {
+    if (!(error instanceof TomlError)) throw error;
+    const unread = _("this cannot be read");
+    const values = { line: error.line, column: error.column, fault: unread };
+    const fault = _("line {line}, column {column}: {fault}", values);
+    throw new PlanError(_("{source} is not TOML: {fault}", { source: "plan", fault }));
+  }
+}

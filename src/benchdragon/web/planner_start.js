@@ -1,0 +1,37 @@
+// The planner's page: reads what the page holds, and starts what computes.
+
+import { chosenBefore } from "./address.js";
+import { held } from "./elements.js";
+import { opened } from "./planner.js";
+import { WorkerAnswers } from "./working.js";
+import { _, speak, useWords } from "./words.js";
+
+/** Bytes that were deflated, in base64. @param {string} packed @returns {Promise<ArrayBuffer>} */
+function inflated(packed) {
+  const squeezed = Uint8Array.from(atob(packed), (sign) => sign.charCodeAt(0));
+  const stream = new Blob([squeezed]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
+  return new Response(stream).arrayBuffer();
+}
+
+/** Begin the page. */
+export async function start() {
+  const words = held("words");
+  useWords(words);
+  const chosen = chosenBefore("lang");
+  speak(chosen === "en" || chosen === "zh" ? chosen : held("language"));
+  const root = /** @type {HTMLElement} */ (document.getElementById("studio"));
+  if (typeof DecompressionStream === "undefined") {
+    root.textContent = _("This browser is too old to show the dance: it takes one of 2023 or newer.");
+    return;
+  }
+  try {
+    const engine = await inflated(held("engine"));
+    const script = new Blob([held("worker")], { type: "text/javascript" });
+    const answers = new WorkerAnswers(URL.createObjectURL(script), { engine, words });
+    await answers.start();
+    opened(answers, held("presets"), held("plan"));
+  } catch (error) {
+    if (!(error instanceof Error)) throw error;
+    root.textContent = error.message;
+  }
+}
