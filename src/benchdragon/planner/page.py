@@ -56,6 +56,7 @@ def planner_page(plan: Plan | None = None, spoken: str | None = None) -> str:
         ),
         notices="\n".join(path.read_text("utf-8") for path in NOTICES),
         held={
+            "version": inert(__version__),
             "language": inert(spoken),
             "words": inert(chinese(PAGE, WORKER)),
             "presets": inert([_told(preset) for preset in presets()]),

@@ -27,7 +27,11 @@ export async function start() {
   try {
     const engine = await inflated(held("engine"));
     const script = new Blob([held("worker")], { type: "text/javascript" });
-    const answers = new WorkerAnswers(URL.createObjectURL(script), { engine, words });
+    const answers = new WorkerAnswers(URL.createObjectURL(script), {
+      engine,
+      words,
+      version: held("version"),
+    });
     await answers.start();
     opened(answers, held("presets"), held("plan"));
   } catch (error) {

@@ -3,8 +3,11 @@
 
 import { TomlError, parse, stringify } from "../carried.js";
 import { _ } from "../words.js";
+import { withArenaAsync } from "./arena.js";
+import { check } from "./check.js";
 import { PlanError } from "./errors.js";
 import { checkedPlan } from "./plan.js";
+import { verdictOf } from "./records.js";
 
 /** @typedef {import("./plan.js").Plan} Plan */
 /** @typedef {import("./tick.js").Progress} Progress */
@@ -14,6 +17,7 @@ import { checkedPlan } from "./plan.js";
  * A question, and what its answer is made with.
  * @typedef {object} Asked
  * @property {Engine} engine
+ * @property {string} version of the program
  * @property {Plan} plan
  * @property {Record<string, any>} options of a long question
  * @property {Progress} progress
@@ -22,7 +26,18 @@ import { checkedPlan } from "./plan.js";
 /** Questions about a plan. @type {Record<string, (asked: Asked) => unknown>} */
 export const QUESTIONS = {
   toml: ({ plan }) => stringify(plan.written()),
+  verdict: judged,
 };
+
+/** Whether the walk is safe. @param {Asked} asked */
+function judged({ engine, version, plan, progress }) {
+  return withArenaAsync(engine, async (arena) => {
+    const walk = plan.build(arena);
+    const own = /** @type {any} */ (plan);
+    const report = await check(own, walk, plan.span(walk), { quick: true, progress });
+    return verdictOf(report, version);
+  });
+}
 
 /** The plan in the text of a plan file, with every key. @param {string} text */
 export function openedPlan(text) {

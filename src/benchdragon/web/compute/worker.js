@@ -17,8 +17,8 @@ import { QUESTIONS, openedPlan } from "./questions.js";
  * @property {Record<string, any>} [options]
  */
 
-/** What comes first: the engine's bytes, and Chinese for English sentences.
- * @typedef {{ engine: ArrayBuffer, words: Record<string, string> }} Beginning */
+/** What comes first: the engine's bytes, Chinese for English sentences, the version of the program.
+ * @typedef {{ engine: ArrayBuffer, words: Record<string, string>, version: string }} Beginning */
 
 /**
  * What is said: once that it is ready, and for what; of each question how far it is, and at last its answer,
@@ -39,9 +39,10 @@ import { QUESTIONS, openedPlan } from "./questions.js";
 class CancelledError extends Error {}
 
 class Desk {
-  /** @param {Engine} engine @param {Port} port */
-  constructor(engine, port) {
+  /** @param {Engine} engine @param {string} version @param {Port} port */
+  constructor(engine, version, port) {
     this.engine = engine;
+    this.version = version;
     this.port = port;
     /** @type {Question[]} */
     this.waiting = [];
@@ -85,7 +86,8 @@ class Desk {
       if (data) {
         const plan = checkedPlan(data);
         hash = plan.sha256;
-        answer = await QUESTIONS[question]({ engine: this.engine, plan, options, progress });
+        const { engine, version } = this;
+        answer = await QUESTIONS[question]({ engine, version, plan, options, progress });
       } else answer = openedPlan(text);
       this.port.postMessage({ id, hash, answer }, buffers(answer));
     } catch (error) {
@@ -105,13 +107,13 @@ function buffers(answer) {
 
 /** Begin to hear, first of all the engine. @param {Port} port */
 export function serve(port) {
-  port.onmessage = async ({ data: { engine, words } }) => {
+  port.onmessage = async ({ data: { engine, words, version } }) => {
     useWords(words);
     /** @type {MessageEvent[]} */
     const early = [];
     port.onmessage = (event) => early.push(event);
     try {
-      const desk = new Desk(await Engine.load(engine), port);
+      const desk = new Desk(await Engine.load(engine), version, port);
       port.onmessage = ({ data }) => desk.hear(data);
       port.postMessage({ ready: Object.keys(QUESTIONS) }, []);
       for (const { data } of early) desk.hear(data);
