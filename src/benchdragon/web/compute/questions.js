@@ -8,6 +8,7 @@ import { check } from "./check.js";
 import { PlanError } from "./errors.js";
 import { checkedPlan } from "./plan.js";
 import { verdictOf } from "./records.js";
+import { SKETCH, danceOf } from "./scene.js";
 
 /** @typedef {import("./plan.js").Plan} Plan */
 /** @typedef {import("./tick.js").Progress} Progress */
@@ -27,6 +28,7 @@ import { verdictOf } from "./records.js";
 export const QUESTIONS = {
   toml: ({ plan }) => stringify(plan.written()),
   verdict: judged,
+  dance: ({ engine, plan, progress }) => danceOf(engine, plan, SKETCH, progress),
 };
 
 /** Whether the walk is safe. @param {Asked} asked */

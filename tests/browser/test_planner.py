@@ -1,0 +1,218 @@
+"""The planner opened from disk: it judges and shows the plan on its page, and opens and saves plans."""
+
+import json
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from benchdragon.analysis.check import check
+from benchdragon.analysis.records import verdict_of
+from benchdragon.planner.page import planner_page
+from benchdragon.plans.schema import Plan, read_plan
+from tests.browser.pages import Device, Language, Pages
+from tests.browser.studios import change, number, settle, verdict
+
+PITCH = {"en": "spiral pitch", "zh": "螺距"}
+Opened = Callable[..., Page]
+
+
+@pytest.fixture(scope="package")
+def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The planner's file."""
+    path = tmp_path_factory.mktemp("planner") / "planner.html"
+    path.write_text(planner_page(None, "en"), "utf-8")
+    return path
+
+
+@pytest.fixture
+def opened(pages: Pages, file: Path) -> Opened:
+    """Opens the planner, and waits for its first dance."""
+
+    def open_page(device: Device = "desktop", where: str = "") -> Page:
+        page = pages.open(f"{file.as_uri()}{where}", device)
+        expect(page.locator("canvas")).to_be_visible()
+        return settled(page)
+
+    return open_page
+
+
+def settled(page: Page) -> Page:
+    """The page, once it shows verdict and dance of its plan."""
+    expect(page.locator("#studio")).to_have_attribute("aria-busy", "false")
+    expect(page.locator("[data-stale]")).to_have_count(0)
+    expect(page.locator(".verdict:is(.safe, .unsafe)")).to_have_count(1)
+    return page
+
+
+def shown_plan(page: Page) -> Plan:
+    """The plan on the page."""
+    return Plan.model_validate(json.loads(page.evaluate("JSON.stringify(benchdragon.plan)")))
+
+
+@pytest.mark.parametrize(("device", "language"), [("desktop", "en"), ("phone", "zh")])
+def test_a_slider_is_moved_and_the_verdict_is_that_of_the_plan_shown(
+    opened: Opened, device: Device, language: Language
+) -> None:
+    page = opened(device, f"#lang={language}")
+    slider = page.get_by_role("slider", name=PITCH[language])
+    for value, safe in (("0.46", True), ("0.44", False), ("0.46", True)):
+        slider.fill(value)
+        expect(verdict(page)).to_have_class("verdict safe" if safe else "verdict unsafe")
+        settled(page)
+        plan = shown_plan(page)
+        assert plan.value("route.pitch") == float(value)
+        wanted = verdict_of(check(plan, quick=True))
+        assert page.evaluate("benchdragon.verdict.found.plan_sha256") == plan.sha256
+        assert page.evaluate("benchdragon.player.scene.sent.plan_sha256") == plan.sha256
+        sentence = getattr(wanted.sentence, language)
+        expect(verdict(page)).to_have_text(re.compile(re.escape(sentence)))
+    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+
+
+def test_what_is_told_of_an_earlier_plan_says_so(opened: Opened) -> None:
+    """The Worker is held up, so that the old verdict stands while the new one is on its way."""
+    page = opened()
+    page.evaluate("void (benchdragon.answers.quick.ask = () => new Promise(() => {}))")
+    change(page, PITCH["en"], "0.44")
+    expect(verdict(page)).to_have_text(re.compile("^\u2026 earlier plan: Safe"))
+    expect(verdict(page)).to_have_class("verdict")
+    verdict(page).click()
+    expect(page.get_by_role("dialog")).to_have_count(0)
+
+
+def test_newer_plans_are_answered_and_older_ones_given_up(opened: Opened) -> None:
+    page = opened()
+    page.evaluate("""async () => {
+        for (const pitch of [0.52, 0.5, 0.48, 0.47, 0.46, 0.44]) {
+            const plan = structuredClone(benchdragon.plan);
+            plan.route.pitch = pitch;
+            benchdragon.change(plan, false);
+            await new Promise((done) => setTimeout(done, 30));
+        }
+    }""")
+    settled(page)
+    assert shown_plan(page).value("route.pitch") == 0.44
+    expect(verdict(page)).to_have_class("verdict unsafe")
+
+
+def test_a_plan_file_is_opened_and_saved(opened: Opened, tmp_path: Path) -> None:
+    page = opened()
+    path = tmp_path / "mine.dragon.toml"
+    dragon, route = 'benches = 9\nwidth = "25 cm"', 'kind = "turn"\npitch = 1.8'
+    path.write_text(f"# mine\nschema = 1\n[dragon]\n{dragon}\n[route]\n{route}\n", "utf-8")
+    with page.expect_file_chooser() as chooser:
+        page.get_by_role("button", name="open a plan file").click()
+    chooser.value.set_files(path)
+    expect(number(page, "number of benches")).to_have_value("9")
+    expect(number(page, "width of a bench")).to_have_value("0.25")
+    settled(page)
+    assert shown_plan(page).sha256 == read_plan(str(path)).sha256
+    change(page, PITCH["en"], "1.75")
+    with page.expect_download() as saved:
+        page.get_by_role("button", name="save the plan file").click()
+    assert saved.value.suggested_filename == "dance.dragon.toml"
+    again = tmp_path / "again.dragon.toml"
+    saved.value.save_as(again)
+    assert read_plan(str(again)).sha256 == read_plan(str(path), ["route.pitch=1.75"]).sha256
+
+
+def test_a_plan_file_is_dropped_on_the_page(opened: Opened) -> None:
+    page = opened()
+    data = page.evaluate_handle(
+        """() => {
+            const data = new DataTransfer();
+            const text = "schema = 1\\n[dragon]\\nbenches = 7\\n[route]\\nkind = 'turn'\\n";
+            data.items.add(new File([text], "dropped.dragon.toml"));
+            return data;
+        }"""
+    )
+    page.dispatch_event(".panel", "drop", {"dataTransfer": data})
+    expect(number(page, "number of benches")).to_have_value("7")
+    expect(page.locator("fieldset > output.told")).to_have_text("dropped.dragon.toml")
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("schema = 1\n[route\n", "plan is not TOML: line 2, column"),
+        ("schema = 1\n[route]\nkind = 'turn'\npich = 1\n", "route.pich"),
+        (
+            "schema = 1\n[route]\nkind = 'turn'\n[dragon]\nbenches = 0\n",
+            "dragon.benches: wanted at least 1",
+        ),
+    ],
+)
+def test_a_file_that_is_no_plan_is_refused_in_the_programs_words(
+    opened: Opened, tmp_path: Path, text: str, said: str
+) -> None:
+    page = opened()
+    path = tmp_path / "wrong.dragon.toml"
+    path.write_text(text, "utf-8")
+    before = shown_plan(page).sha256
+    page.locator("input[type=file]").set_input_files(path)
+    expect(page.locator("fieldset > output.told")).to_contain_text(said)
+    assert shown_plan(page).sha256 == before
+
+
+def test_a_plan_that_cannot_be_walked_has_no_verdict_but_a_reason(opened: Opened) -> None:
+    page = opened()
+    change(page, "number of benches", "3500")
+    change(page, "turns at the start", "4")
+    expect(verdict(page)).to_have_class("verdict none")
+    expect(verdict(page)).to_contain_text("No verdict: ")
+
+
+def test_language_and_theme_are_switched_and_remembered(opened: Opened) -> None:
+    page = opened()
+    page.get_by_role("button", name="中文").click()
+    settle(page, "安全：最紧处")
+    page.reload()
+    settle(page, "安全：最紧处")
+    expect(page.locator("html")).to_have_attribute("lang", "zh-CN")
+
+
+def test_the_plan_stands_in_the_address_and_in_the_browser_if_asked(opened: Opened, file: Path) -> None:
+    page = opened()
+    page.get_by_label("keep the plan in this browser").check()
+    change(page, PITCH["en"], "0.46")
+    page.wait_for_url(re.compile("plan="))
+    settled(page)
+    other = page.context.new_page()
+    other.goto(page.url)
+    expect(number(other, PITCH["en"])).to_have_value("0.46")
+    other.goto("about:blank")
+    other.goto(file.as_uri())
+    expect(number(other, PITCH["en"])).to_have_value("0.46")
+    other.get_by_label("keep the plan in this browser").uncheck()
+    other.goto("about:blank")
+    other.goto(file.as_uri())
+    expect(number(other, PITCH["en"])).to_have_value("0.55")
+
+
+def test_what_the_page_cannot_do_has_its_command_and_no_button(opened: Opened) -> None:
+    page = opened()
+    expect(page.get_by_role("button", name="prove the verdict")).to_have_count(0)
+    page.get_by_text("On the command line").click()
+    proof = page.locator(".commands li", has_text="prove the verdict")
+    expect(proof.locator("code")).to_have_text("benchdragon check dance.dragon.toml --prove")
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    proof.get_by_role("button").click()
+    expect(proof.locator("output")).to_have_text("copied")
+    copied = page.evaluate("navigator.clipboard.readText()")
+    assert copied == "benchdragon check dance.dragon.toml --prove"
+
+
+def test_a_fault_of_the_worker_is_told_and_the_next_question_has_a_new_one(opened: Opened) -> None:
+    page = opened()
+    page.evaluate(
+        "benchdragon.answers.ask('nosuch', benchdragon.plan).catch((e) => { globalThis.told = e; })"
+    )
+    page.wait_for_function("globalThis.told !== undefined")
+    assert page.evaluate("told.status") == 500
+    assert "something is wrong with this page" in page.evaluate("told.message")
+    change(page, PITCH["en"], "0.44")
+    settled(page)
+    expect(verdict(page)).to_have_class("verdict unsafe")
