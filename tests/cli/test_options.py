@@ -64,6 +64,7 @@ TOUCHING = [*SWEEP, "--ask", "tolerance", "--draws", "2"]
 REFINED = [*SWEEP, "--ask", "clearance", "--refine", "4"]
 SURVEY = ["survey", str(Path(__file__).parents[2] / "examples" / "11_drawn_walk.dragon.toml")]
 VIEW = ["view", "spiral-in", *SHORT, "-o", "dance.html"]
+PLANNER = ["planner", "spiral-in", *SHORT, "-o", "planner.html"]
 STILL = ["animate", "spiral-in", *SHORT, "-o", "still.png", "--size", "320x180"]
 SHEET = [*STILL, "--sheet", "2x1"]
 FILM = ["animate", "spiral-in", *SHORT, "-o", "film.gif", "--size", "320x180", "--end", "0.3"]
@@ -224,6 +225,9 @@ CASES: dict[str, Case] = {
     "view --force": Case(VIEW, ["--force"], VIEW),
     "view --start": Case(VIEW, ["--start", "1"]),
     "view --end": Case(VIEW, ["--end", "1"]),
+    "planner --set": Case(PLANNER, ["--set", "dragon.width=0.4"]),
+    "planner --output": Case(PLANNER, ["-o", "other.html"]),
+    "planner --force": Case(PLANNER, ["--force"], PLANNER),
     "area --set": Case(AREA, ["--set", "dragon.width=0.5"]),
     "area --output": Case(AREA, ["-o", "area.svg"]),
     "area --format": Case(DRAWN, ["--format", "geojson"]),
@@ -265,7 +269,8 @@ CASES: dict[str, Case] = {
         f"{called(line)} --lang": Case(line, ["--lang", "zh"])
         for line in (
             *(MOTION, CHECK, *SIZES.values(), SPEED, BEST, PLACE, SQUARE, MARGINS, SWEEP, VIEW, STILL),
-            *(AREA, TIMES, SURVEY, STUDIO, PROPOSED, ["doctor"], ["plan"], ["formations"], ["schema"]),
+            *(AREA, TIMES, SURVEY, STUDIO, PROPOSED, PLANNER),
+            *(["doctor"], ["plan"], ["formations"], ["schema"]),
         )
     },
     **{
@@ -282,6 +287,8 @@ ELSEWHERE = {f"reproduce --{name}" for name in ("json", "explain", "lang", "quie
 ELSEWHERE |= {f"compare --{name}" for name in ("as", "tolerance", "json", "lang", "quiet")}
 # These want a sweep: tests/cli/test_atlas.py gives them.
 ELSEWHERE |= {f"atlas --{name}" for name in ("output", "force", "lang", "quiet")}
+# Where it opens a browser: tests/planner/test_page.py gives it.
+ELSEWHERE |= {"planner --quiet"}
 # These want a plan beside which a record may stand: tests/sheets/test_papers.py gives it.
 ELSEWHERE |= {
     f"sheets --{name}"

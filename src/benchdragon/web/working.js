@@ -1,6 +1,7 @@
 // Questions to Workers of the page's own, which compute without a server.
 
 import { PLAN_FILE } from "./commands.js";
+import { Table } from "./following.js";
 import { Scene } from "./scene.js";
 import { Refusal, noteHash } from "./standing.js";
 import { _, language } from "./words.js";
@@ -151,6 +152,8 @@ class WorkerQuestion {
 export class WorkerAnswers {
   /** @type {Set<string>} */
   #questions = new Set();
+  /** Verdicts that were asked for, come or not. @type {WeakMap<Plan, Promise<unknown>>} */
+  #verdicts = new WeakMap();
 
   /** @param {string} script the address of the Worker's script @param {Beginning} beginning */
   constructor(script, beginning) {
@@ -172,13 +175,21 @@ export class WorkerAnswers {
 
   /** @param {string} question @param {Plan} plan @param {AbortSignal} signal */
   ask(question, plan, signal) {
-    return this.quick.ask({ question, plan }, signal);
+    const answer = this.quick.ask({ question, plan }, signal);
+    if (question === "verdict") this.#verdicts.set(plan, answer);
+    return answer;
   }
 
   /** @param {Plan} plan @param {AbortSignal} signal */
   async scene(plan, signal) {
-    const { sent, nodes, told } = await this.slower.ask({ question: "dance", plan }, signal);
-    return new Scene(sent, nodes, told, []);
+    const verdict = await this.#verdicts.get(plan)?.catch(() => null); // then there is a dance alone
+    const asked = { question: "dance", plan, options: { verdict } };
+    const { sent, nodes, told, tables } = await this.slower.ask(asked, signal);
+    const behind = sent.following?.tables ?? [];
+    const follow = behind.map(
+      (/** @type {any} */ one, /** @type {number} */ i) => new Table(one, tables[i]),
+    );
+    return new Scene(sent, nodes, told, follow);
   }
 
   /** @param {string} text @returns {Promise<Plan>} */

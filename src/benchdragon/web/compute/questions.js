@@ -6,9 +6,10 @@ import { _ } from "../words.js";
 import { withArenaAsync } from "./arena.js";
 import { check } from "./check.js";
 import { PlanError } from "./errors.js";
+import { withFindings } from "./occasions.js";
 import { checkedPlan } from "./plan.js";
 import { verdictOf } from "./records.js";
-import { SKETCH, danceOf } from "./scene.js";
+import { danceOf } from "./scene.js";
 
 /** @typedef {import("./plan.js").Plan} Plan */
 /** @typedef {import("./tick.js").Progress} Progress */
@@ -20,7 +21,7 @@ import { SKETCH, danceOf } from "./scene.js";
  * @property {Engine} engine
  * @property {string} version of the program
  * @property {Plan} plan
- * @property {Record<string, any>} options of a long question
+ * @property {Record<string, any>} options of a long question; of a dance its verdict, if there is one
  * @property {Progress} progress
  */
 
@@ -28,7 +29,7 @@ import { SKETCH, danceOf } from "./scene.js";
 export const QUESTIONS = {
   toml: ({ plan }) => stringify(plan.written()),
   verdict: judged,
-  dance: ({ engine, plan, progress }) => danceOf(engine, plan, SKETCH, progress),
+  dance: danced,
 };
 
 /** Whether the walk is safe. @param {Asked} asked */
@@ -39,6 +40,14 @@ function judged({ engine, version, plan, progress }) {
     const report = await check(own, walk, plan.span(walk), { quick: true, progress });
     return verdictOf(report, version);
   });
+}
+
+/** The dance as the player shows it. @param {Asked} asked */
+async function danced({ engine, version, plan, options, progress }) {
+  const dance = await danceOf(engine, plan, {}, progress);
+  const sent = { ...dance.sent, version };
+  if (!options.verdict) return { ...dance, sent };
+  return { ...dance, sent: withFindings(sent, options.verdict, plan.obstacles()) };
 }
 
 /** The plan in the text of a plan file, with every key. @param {string} text */

@@ -101,7 +101,7 @@ class Desk {
 
 /** The memory of lists of numbers in an answer, which is handed over. @param {unknown} answer */
 function buffers(answer) {
-  const values = typeof answer === "object" && answer ? Object.values(answer) : [];
+  const values = typeof answer === "object" && answer ? Object.values(answer).flat() : [];
   return values.filter((value) => ArrayBuffer.isView(value)).map(({ buffer }) => buffer);
 }
 
