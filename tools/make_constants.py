@@ -32,8 +32,10 @@ TWINS = (
     "model.answer", "model.base_curve", "model.connections", "model.curves", "model.dragon",
     "model.formations", "model.holds", "model.obstacle", "model.profile", "model.walk",
     "plans.cues", "plans.drawn", "plans.routes", "plans.square", "plans.tables",
-    "player.following", "player.frames", "player.scene",
-    "surveys.clothoids", "surveys.corners", "surveys.fitting", "surveys.lines",
+    "player.following", "player.frames", "player.scene", "solve.dance_bound", "solve.head_speed",
+    "solve.minima", "solve.random_dance", "solve.size", "solve.size_family", "solve.size_trials",
+    "solve.tolerance", "solve.turn", "solve.turn_trials", "surveys.clothoids", "surveys.corners",
+    "surveys.fitting", "surveys.lines",
 )  # fmt: skip
 FILE = Path(benchdragon.__file__).with_name("web") / "compute" / "constants.js"
 # Longer lists are tables of the kernels' own.

@@ -40,7 +40,7 @@ import { silent } from "./tick.js";
  * @param {ObstacleSearch} search
  * @returns {Promise<Answer[]>}
  */
-async function touching(search) {
+export async function touching(search) {
   const { apart, bench } = search.atStart;
   const [head, last] = search.heads;
   if (apart <= search.reach - search.slack) return [search.answer(head, head, "found", bench)];

@@ -43,7 +43,7 @@ export function fillWhole(list, value) {
 /**
  * The kind of each bench of a dragon, and the kinds: sizes (4, kinds), and the group of each.
  * @param {Arena} arena
- * @param {Dragon} dragon
+ * @param {Pick<Dragon, "sizes" | "benches">} dragon
  * @returns {{ kind: Numbers, kinds: Kinds }}
  */
 export function kindsOf(arena, { sizes, benches }) {

@@ -1,0 +1,55 @@
+// What plans may be: node solve_plans.mjs MODULES ENGINE.wasm QUESTIONS.json, its answers as JSON. With
+// "cancel" each is given up where its progress is first told; "rounds" tells how often each is asked.
+import { readFileSync } from "node:fs";
+import { pathToFileURL } from "node:url";
+
+const [modules, file, questions] = process.argv.slice(2);
+const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
+const names = ["engine", "words", "compute/plan", "compute/errors", "compute/size"];
+const [{ Engine }, { useWords }, { checkedPlan }, { BenchDragonError }, size] = await Promise.all(
+  names.map(load),
+);
+const engine = await Engine.load(readFileSync(file));
+const { asked, words, rounds = 1, cancel = false } = JSON.parse(readFileSync(questions, "utf-8"));
+useWords(words ?? {});
+
+class Cancelled extends Error {}
+
+function progress() {
+  if (cancel) throw new Cancelled("given up");
+}
+
+const ASKED = {
+  limit: (plan, { size: name, ...options }) => size.limit(engine, plan, name, { ...options, progress }),
+  sizes: (plan, { size: name, low, high, ...options }) =>
+    size.feasibleSizes(engine, plan, name, low, high, { ...options, progress }),
+};
+
+/** An answer, or why there is none. */
+async function answered({ data, name, options }) {
+  try {
+    return await ASKED[name](checkedPlan(data), options ?? {});
+  } catch (error) {
+    if (!(error instanceof BenchDragonError || error instanceof Cancelled)) throw error;
+    return { error: error.message, kind: error.constructor.name };
+  }
+}
+
+/** What JSON knows no word for, as Python reads it. */
+function plain(_key, value) {
+  return typeof value === "number" && !Number.isFinite(value) ? String(value) : value;
+}
+
+const said = [];
+for (const one of asked) {
+  let found;
+  const [bytes, milliseconds] = [[], []];
+  for (let round = 0; round < rounds; round++) {
+    const began = performance.now();
+    found = await answered(one);
+    milliseconds.push(performance.now() - began);
+    bytes.push(engine.exports.memory.buffer.byteLength);
+  }
+  said.push({ found, bytes, milliseconds });
+}
+console.log(JSON.stringify(said, plain));
