@@ -5,8 +5,15 @@ import { pathToFileURL } from "node:url";
 
 const [modules, file, questions] = process.argv.slice(2);
 const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
-const names = ["engine", "words", "compute/plan", "compute/errors", "compute/size"];
-const [{ Engine }, { useWords }, { checkedPlan }, { BenchDragonError }, size] = await Promise.all(
+const names = [
+  "engine",
+  "words",
+  "compute/plan",
+  "compute/errors",
+  "compute/size",
+  "compute/head_speed",
+];
+const [{ Engine }, { useWords }, { checkedPlan }, { BenchDragonError }, size, head] = await Promise.all(
   names.map(load),
 );
 const engine = await Engine.load(readFileSync(file));
@@ -23,7 +30,15 @@ const ASKED = {
   limit: (plan, { size: name, ...options }) => size.limit(engine, plan, name, { ...options, progress }),
   sizes: (plan, { size: name, low, high, ...options }) =>
     size.feasibleSizes(engine, plan, name, low, high, { ...options, progress }),
+  speed: (plan, options) => head.greatestHeadSpeed(engine, plan, { ...options, progress }),
+  pace: paced,
 };
+
+/** A pace, and the plan walked at it. */
+async function paced(plan) {
+  const pace = await head.slowed(engine, plan, { progress });
+  return { ...pace, sha256: head.withPace(plan, pace).sha256 };
+}
 
 /** An answer, or why there is none. */
 async function answered({ data, name, options }) {

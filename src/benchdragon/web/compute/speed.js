@@ -365,14 +365,19 @@ function chainsFor(arena, handles) {
     places: arena.placements(handles, SLOTS),
     change: arena.full([handles, SLOTS], 0),
     turn: arena.full([handles, SLOTS], 0),
-    scratch: {
-      table: arena.array("d", handles, STEP_BOUNDS.HANDLE_COLUMNS),
-      bend: arena.array("d", handles, 2),
-      rates: arena.array("d", handles, 2),
-      crossing: arena.array("q", DRIVE.MOST_JUMPS),
-      sides: arena.array("d", DRIVE.MOST_JUMPS, 4),
-      most: arena.array("d", handles),
-    },
+    scratch: scratchFor(arena, handles),
+  };
+}
+
+/** Scratch for a chain of so many handles: `drive.scratch_for`. @param {Arena} arena @param {number} handles */
+export function scratchFor(arena, handles) {
+  return {
+    table: arena.array("d", handles, STEP_BOUNDS.HANDLE_COLUMNS),
+    bend: arena.array("d", handles, 2),
+    rates: arena.array("d", handles, 2),
+    crossing: arena.array("q", DRIVE.MOST_JUMPS),
+    sides: arena.array("d", DRIVE.MOST_JUMPS, 4),
+    most: arena.array("d", handles),
   };
 }
 
