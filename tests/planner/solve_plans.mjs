@@ -5,17 +5,13 @@ import { pathToFileURL } from "node:url";
 
 const [modules, file, questions] = process.argv.slice(2);
 const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
-const names = [
-  "engine",
-  "words",
-  "compute/plan",
-  "compute/errors",
-  "compute/size",
-  "compute/head_speed",
-];
-const [{ Engine }, { useWords }, { checkedPlan }, { BenchDragonError }, size, head] = await Promise.all(
-  names.map(load),
-);
+const { Engine } = await load("engine");
+const { useWords } = await load("words");
+const { checkedPlan } = await load("compute/plan");
+const { BenchDragonError } = await load("compute/errors");
+const size = await load("compute/size");
+const head = await load("compute/head_speed");
+const turning = await load("compute/turn");
 const engine = await Engine.load(readFileSync(file));
 const { asked, words, rounds = 1, cancel = false } = JSON.parse(readFileSync(questions, "utf-8"));
 useWords(words ?? {});
@@ -32,12 +28,19 @@ const ASKED = {
     size.feasibleSizes(engine, plan, name, low, high, { ...options, progress }),
   speed: (plan, options) => head.greatestHeadSpeed(engine, plan, { ...options, progress }),
   pace: paced,
+  turn: turned,
 };
 
 /** A pace, and the plan walked at it. */
 async function paced(plan) {
   const pace = await head.slowed(engine, plan, { progress });
   return { ...pace, sha256: head.withPace(plan, pace).sha256 };
+}
+
+/** The best turn, in plain data. */
+async function turned(plan, goal) {
+  const { plan: found, turn, ...rest } = await turning.bestTurn(engine, plan, goal, { progress });
+  return { ...rest, turn: found.tables.turn, pieces: turn.pieces, sha256: found.sha256 };
 }
 
 /** An answer, or why there is none. */

@@ -167,9 +167,9 @@ export async function slowed(engine, plan, { progress = silent } = {}) {
     let { speeds } = fastest;
     let times = timesOf(fastest);
     const whole = (last - first) / even;
-    if (times[times.length - 1] >= evenly)
+    if (times[times.length - 1] >= whole)
       [times, speeds] = [
-        [0, evenly],
+        [0, whole],
         [even, even],
       ];
     const plain = profileOf(times, speeds);

@@ -51,6 +51,15 @@ import { Placement } from "./walk.js";
 const { SPANS, SAMPLES, MOST_GRAZES, NARROW, MOST_STEPS } = ANALYSIS_OBSTACLE_SEARCH;
 const { MOST_EVALUATIONS, MOST_LEAST_EVALUATIONS, WIDTH } = ANALYSIS_CONTACT_SEARCH;
 
+/** Boxes that stand, with scratch for as many: `standing.scratch_for`. @param {Arena} arena @param {Numbers} standing */
+export function standingScratch(arena, standing) {
+  const [count] = standing.shape;
+  const [first, second, number] = [0, 1, 2].map(() => arena.array("q", count));
+  const near = arena.array("d", Math.max(count, 2), BOX.BOX_COLUMNS);
+  const members = fillWhole(arena.array("q", 1), 0n);
+  return { boxes: standing, near, number, first, second, members };
+}
+
 /** A search of a walk from one time to another, s, for what comes near one obstacle. */
 export class ObstacleSearch {
   /**
@@ -77,23 +86,13 @@ export class ObstacleSearch {
     this.kind = Array.from(kind.view, Number);
     this.kinds = kinds;
     this.boxes = obstacle.boxes(arena);
-    this.standing = this.#scratch();
+    this.standing = standingScratch(arena, this.boxes);
     const count = this.boxes.shape[0] + 1;
     this.search = searchRoom(arena, 2, count, count);
     this.times = new HeadTimes(walk, this.heads[0], start);
     /** Distance from the obstacle's boxes at which a bench is as near as it may be, m. */
     this.reach = obstacle.margin + obstacle.radius;
     this.stretches = this.#stretches();
-  }
-
-  /** The obstacle's boxes with scratch for as many. */
-  #scratch() {
-    const { arena, boxes: standing } = this;
-    const [count] = standing.shape;
-    const [first, second, number] = [0, 1, 2].map(() => arena.array("q", count));
-    const near = arena.array("d", Math.max(count, 2), BOX.BOX_COLUMNS);
-    const members = fillWhole(arena.array("q", 1), 0n);
-    return { boxes: standing, near, number, first, second, members };
   }
 
   /**

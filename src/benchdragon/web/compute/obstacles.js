@@ -90,7 +90,7 @@ function frontOf({ walk }, head, bench) {
  * @param {number} start @param {number} end
  * @param {{ tolerances: number[], progress: Progress }} options
  */
-function leastDistance(walk, obstacle, start, end, { tolerances, progress }) {
+export function leastDistance(walk, obstacle, start, end, { tolerances, progress }) {
   return searched(walk, obstacle, start, end, progress, async (search) => {
     const { apart, bench } = search.atStart;
     /** @type {Nearest} */

@@ -284,7 +284,7 @@ function faultSentences(faults, source) {
 }
 
 /** The dragon of a plan's table: `DragonTable.build`. @param {Arena} arena @param {Tables} table */
-function builtDragon(arena, table) {
+export function builtDragon(arena, table) {
   try {
     if (!table.bench.length) return Dragon.uniform(arena, /** @type {any} */ (table));
     const count = table.bench.reduce(

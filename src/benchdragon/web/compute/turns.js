@@ -9,6 +9,7 @@ import { general, pythonFloat } from "./number_format.js";
 
 /** @typedef {import("./arena.js").Arena} Arena */
 /** @typedef {import("../engine.js").Engine} Engine */
+/** @typedef {import("../engine.js").Numbers} Numbers */
 /** @typedef {import("./curves.js").Part} Part */
 /** A piece of a turn: its length, m, and its curvature at both ends, 1/m, left positive. */
 /** @typedef {[number, number, number]} Piece */
@@ -53,17 +54,27 @@ export class Turn {
     return 1 / Math.max(...this.pieces.map(([, a, b]) => Math.max(Math.abs(a), Math.abs(b))));
   }
 
+  /** The rows of `route` alone, for searches that try many turns. @param {Arena} arena @param {number} lead @param {number} trail m */
+  rows(arena, lead, trail) {
+    const parts = this.#parts(lead, trail);
+    return laidRows(arena, parts, [1, parts.length - 1]).rows;
+  }
+
+  /** The whole way inside a disc of this radius, m: the spirals inside it, and the turn. @param {number} radius m */
+  way(radius) {
+    const { pitch, entry, exit } = this.joints;
+    const k = pitch / (2 * Math.PI);
+    const along = (/** @type {number} */ r) => this.engine.call("bd_curve_spiral_length", k, r / k)[0];
+    const spirals = [entry, exit].map((joint) =>
+      radius - joint > TURN_FAMILIES.NOTHING ? along(radius) - along(joint) : 0,
+    );
+    return spirals[0] + spirals[1] + this.length;
+  }
+
   /** How far its curves reach from the centre of the spirals, m. */
   get extent() {
-    return withArena(this.engine, (arena) => {
-      const { pitch } = this.joints;
-      const parts = this.#parts(pitch, pitch);
-      const { rows } = laidRows(arena, parts, [1, parts.length - 1]);
-      const [count, columns] = rows.shape;
-      const starts = doubles(rows).filter((_value, i) => i % columns === CURVE.S_START);
-      const [first, last] = [starts[1], starts[count - 1]];
-      return this.engine.call("bd_route_parts_farthest", rows, first, last, TURN_FAMILIES.LOOK)[0];
-    });
+    const { pitch } = this.joints;
+    return withArena(this.engine, (arena) => reachOf(arena, this.rows(arena, pitch, pitch)));
   }
 
   /** In along the spiral for `lead` metres, the turn, and out for `trail` metres. @param {Arena} arena @param {number} trail @param {number} [lead] */
@@ -72,6 +83,14 @@ export class Turn {
     const checked = parts.map(checkedPart);
     return new Route(arena, joinedParts(this.engine, checked, 1, parts.length - 1));
   }
+}
+
+/** How far a turn reaches from the centre, m, by the rows of its route. @param {Arena} arena @param {Numbers} rows */
+export function reachOf({ engine }, rows) {
+  const [count, columns] = rows.shape;
+  const start = (/** @type {number} */ row) => doubles(rows)[row * columns + CURVE.S_START];
+  const [first, last] = [start(1), start(count - 1)];
+  return engine.call("bd_route_parts_farthest", rows, first, last, TURN_FAMILIES.LOOK)[0];
 }
 
 /** Why there is no turn. @param {number} status @param {Record<string, string>} values */
