@@ -28,7 +28,7 @@ import { ObstacleSearch } from "./obstacle_search.js";
 import { touching } from "./obstacles.js";
 import { TOLERANCE, kernelFamily, windowsOf } from "./size_family.js";
 import { Tables } from "./tables.js";
-import { tick } from "./tick.js";
+import { silent, tick } from "./tick.js";
 
 /** @typedef {import("../engine.js").Numbers} Numbers */
 /** @typedef {import("./answer.js").Answer} Answer */
@@ -247,7 +247,7 @@ export class SizeSearch {
       const { walk, start, end } = this.plans.walk(size);
       for (const obstacle of this.obstacles) {
         const found = await withArenaAsync(this.engine, async (arena) => {
-          const search = new ObstacleSearch(arena, walk, obstacle, start, end);
+          const search = new ObstacleSearch(arena, walk, obstacle, start, end, silent);
           const touches = await touching(search);
           this.evaluations += search.evaluations;
           return touches;
