@@ -10,6 +10,7 @@ from benchdragon.analysis.bench_nearness import Tightest
 from benchdragon.analysis.bench_walks import BenchWalk, Stretch, bench_walks
 from benchdragon.explain.bench_walk import BenchText, bench_text, clock, quick_line
 from benchdragon.i18n import spoken_in
+from benchdragon.model.base_curve import Point
 from benchdragon.plans.people import called
 from benchdragon.plans.schema import Plan, read_plan
 from tests.analysis.test_bench_walks import PLAN
@@ -21,8 +22,8 @@ def told() -> tuple[BenchWalk, ...]:
     return bench_walks(PLAN, walk, PLAN.span(walk))
 
 
-def text_of(plan: Plan, found: BenchWalk) -> BenchText:
-    return bench_text(plan, found, partial(called, plan.people, count=9))
+def text_of(plan: Plan, found: BenchWalk, peg: Point = (0.0, 0.0)) -> BenchText:
+    return bench_text(plan, found, partial(called, plan.people, count=9), peg)
 
 
 def stretch(start: float, end: float, turning: str, pace: str, angle: float = 1.0) -> Stretch:
@@ -74,9 +75,17 @@ def test_the_place_is_told_from_the_peg_and_from_the_nearest_landmark() -> None:
     bench = one_bench(stretch(0.0, 9.0, "left", "walk"))
     peg = text_of(PLAN, bench).place
     assert peg == (
-        "Your front handle starts at x = 3.00 m, y = 4.00 m from the centre peg: 5.00 m from it at "
-        "53°.",
-        "That is 8 steps from the centre peg.",
+        "Your front handle starts at x = 3.00 m, y = 4.00 m from the peg: 5.00 m from it at 53° "
+        "from the x axis.",
+        "That is 8 steps from the peg.",
+    )
+    away = text_of(PLAN, bench, (0.0, 4.02)).place
+    assert "x = 3.00 m, y = -0.02 m from the peg: 3.00 m from it at 0° from" in away[0]
+    assert away[1] == "That is 5 steps from the peg."
+    surveyed = read_plan("turn", ["survey.crs=EPSG:4549"])
+    assert text_of(surveyed, bench, (0.0, 0.0)).place[0] == (
+        "Your front handle starts at x = 3.00 m (east), y = 4.00 m (north) from the peg: 5.00 m from "
+        "it on a bearing of 37° from north."
     )
     said = ['obstacle=[{kind="circle", name="well", centre=[3.0, 6.5], radius=0.7}]']
     assert text_of(read_plan("turn", said), bench).place[1] == "That is 3 steps from well."

@@ -1,6 +1,7 @@
 """The benches' sheets and the overview: what they say is what the plan and the list say."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Literal
 
@@ -14,7 +15,8 @@ from benchdragon.explain.bench_walk import bench_text
 from benchdragon.i18n import spoken_in
 from benchdragon.sheets.briefing import Briefing
 from benchdragon.sheets.cards import write_benches
-from benchdragon.sheets.options import Options
+from benchdragon.sheets.chalk import chalk_drawing
+from benchdragon.sheets.options import ChalkOptions, Options
 from benchdragon.sheets.overview import write_overview
 from tests.sheets.village import small
 
@@ -24,7 +26,7 @@ Written = Callable[..., list[str]]
 @pytest.fixture(scope="module")
 def ours(tmp_path_factory: pytest.TempPathFactory) -> Briefing:
     """What the papers of the small dance are made from."""
-    return small(tmp_path_factory.mktemp("ours"))
+    return small(tmp_path_factory.mktemp("ours"), "route.at=[0.67,-1.5]")
 
 
 def bare(text: str) -> str:
@@ -45,7 +47,7 @@ def test_a_sheet_says_what_its_bench_does_and_who_is_beside(
         found = pages(tmp_path / "b.pdf")
         assert len(found) == 8
         for bench, page in enumerate(found, start=1):
-            said = bench_text(ours.plan, ours.benches[bench - 1], ours.named)
+            said = bench_text(ours.plan, ours.benches[bench - 1], ours.named, ours.peg)
             assert bare(ours.called(bench)) in page
             for line in said.lines:
                 assert bare(line) in page
@@ -54,6 +56,19 @@ def test_a_sheet_says_what_its_bench_does_and_who_is_beside(
             assert bare(ours.foot) in page
             assert "138-0000" not in page
         assert "王五" in found[0], "who carries the bench behind"
+
+
+@pytest.mark.parametrize("survey", [[], ["survey.crs=EPSG:4549", "survey.origin=[500000,3000000]"]])
+def test_sheets_and_chalk_plan_measure_from_one_peg(
+    tmp_path: Path, ours: Briefing, survey: list[str]
+) -> None:
+    asked = small(tmp_path, *survey)
+    for one in (ours, replace(asked, told_peg=(2.0, 3.0))):
+        marks = chalk_drawing(one, ChalkOptions()).marks
+        start = marks.kinds.index("start")
+        place = bench_text(one.plan, one.benches[0], one.named, one.peg).place[0]
+        assert f" {marks.radius[start]:.2f} m from it " in place
+        assert f" {round(marks.angle[start]) % 360}° from " in place
 
 
 @pytest.mark.parametrize(("paper", "count"), [("a4", 8), ("quarter", 2), ("lanyard", 4)])
@@ -107,8 +122,8 @@ def test_the_overview_has_every_bench_its_people_and_the_notes(
         found = pages(tmp_path / "o.pdf")
         whole = "".join(found)
         for bench in range(1, 9):
-            x, y = ours.benches[bench - 1].place
-            text = bench_text(ours.plan, ours.benches[bench - 1], ours.called)
+            x, y = ours.benches[bench - 1].place_from(ours.peg)
+            text = bench_text(ours.plan, ours.benches[bench - 1], ours.called, ours.peg)
             said = [ours.called(bench), f"{x:z.2f}, {y:z.2f}", text.tightest]
             said += [person.name for person in ours.roster.people(bench)]
             assert all(bare(one) in whole for one in said)

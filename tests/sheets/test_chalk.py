@@ -3,6 +3,7 @@
 import math
 import re
 import zipfile
+from dataclasses import replace
 from itertools import combinations, pairwise
 from pathlib import Path
 from typing import Any
@@ -15,7 +16,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from python_calamine import CalamineWorkbook
 
 from benchdragon.analysis.check import check
-from benchdragon.analysis.marks import ANGLE_STEP, LENGTH_STEP
+from benchdragon.analysis.marks import ANGLE_STEP, LENGTH_STEP, own_peg
 from benchdragon.errors import InputError
 from benchdragon.export.tiles import BORDER, Tiling
 from benchdragon.figures.chalk import ChalkDrawing, chalk_picture
@@ -28,7 +29,6 @@ from benchdragon.sheets.chalk import (
     FILES,
     chalk_drawing,
     list_rows,
-    own_peg,
     write_chalk,
 )
 from benchdragon.sheets.options import ChalkOptions
@@ -198,16 +198,17 @@ def test_no_number_overlaps_another_number_a_name_or_a_mark(
 
 
 def test_the_peg_is_the_centre_of_the_route_where_it_is_danced() -> None:
-    assert own_peg(village()) == (1.0, 2.0)
+    plan = village()
+    assert own_peg(plan, plan.build().route) == (1.0, 2.0)
     spiral = {"kind": "spiral-in", "at": [3.0, -1.0]}
     plan = checked({"schema": 1, "dragon": {"benches": 4}, "route": spiral}, "spiral")
-    assert own_peg(plan) == pytest.approx((3.0, -1.0))
+    assert own_peg(plan, plan.build().route) == pytest.approx((3.0, -1.0))
 
 
 def test_bearings_are_from_north_only_where_a_survey_tells_it(briefing: Briefing) -> None:
     assert not chalk_drawing(briefing, ChalkOptions()).marks.north
     surveyed = briefed(village(survey={"crs": "wgs84", "origin": [120.0, 30.0]}))
-    marks = chalk_drawing(surveyed, ChalkOptions(peg=(0.0, 0.0))).marks
+    marks = chalk_drawing(replace(surveyed, told_peg=(0.0, 0.0)), ChalkOptions()).marks
     assert marks.north
     x, y = marks.points.T
     assert marks.radius * np.sin(np.radians(marks.angle)) == pytest.approx(x, abs=1e-9)

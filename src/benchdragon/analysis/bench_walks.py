@@ -14,6 +14,7 @@ from benchdragon.analysis.crossings import Crossings, crossings
 from benchdragon.errors import InputError, in_order, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.base_curve import Point
 from benchdragon.model.walk import SLICE_PLACES, Motion, Walk
 from benchdragon.plans.schema import Plan
 
@@ -80,6 +81,10 @@ class BenchWalk:
     behind: int | None
     left: int | None = None
     right: int | None = None
+
+    def place_from(self, peg: Point) -> Point:
+        """Where the front handle starts as seen from a peg (m of the plan): x and y, m."""
+        return self.place[0] - peg[0], self.place[1] - peg[1]
 
 
 def bench_walks(

@@ -19,6 +19,7 @@ from benchdragon.model.base_curve import Point
 from benchdragon.model.curves import Route
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
+from benchdragon.plans.schema import Plan
 
 # Marks of one plan, and the least distance between them along the route, m.
 MOST_MARKS, LEAST_EVERY = 5_000, 0.1
@@ -108,6 +109,11 @@ class Trail:
 
     def _again(self, s: float) -> bool:
         return any(first < s <= last for first, last in self._repeated)
+
+
+def own_peg(plan: Plan, route: Route) -> Point:
+    """The centre of the route's first spiral, else where the plan puts the route's origin, m."""
+    return route.centre if route.centre != (0.0, 0.0) else plan.route.at or (0.0, 0.0)
 
 
 def check_every(every: float) -> None:

@@ -31,7 +31,8 @@ if TYPE_CHECKING:
 SPEAK_OF = {
     ("benches",): ("paper", "by", "night"),
     ("benches", "overview"): ("phones",),
-    ("chalk",): ("every", "peg", "scale", "paper_size"),
+    ("benches", "overview", "chalk"): ("peg",),
+    ("chalk",): ("every", "scale", "paper_size"),
 }
 
 
@@ -77,7 +78,10 @@ SPEAK_OF = {
     nargs=2,
     type=float,
     metavar="X Y",
-    help=N_("Of the chalk plan: where the peg stands, m. Default: the route's centre."),
+    help=N_(
+        "Where the peg stands, m of the plan, from which the papers measure. "
+        "Default: the route's centre."
+    ),
 )
 @scale_option(N_("Of the chalk plan: 1:50 to 1:500. Default: the largest usual one that fits."))
 @click.option(
@@ -112,7 +116,7 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
         report = check(read, part(progress, 0.0, 0.2))
         if report.safe:
             record = record or record_check(path, report, roster)
-            briefing = briefing_of(report, roster, record)
+            briefing = briefing_of(report, roster, record, options["peg"])
             write_papers(briefing, folder, names, wanted, part(progress, 0.2, 1.0))
     if not report.safe:
         print_report(report)
@@ -151,4 +155,4 @@ def _chalk_options(options: dict[str, Any]) -> "ChalkOptions":
     check_scale(scale, MOST_CHALK_SCALE)
     for name, value in zip("xy", options["peg"] or (), strict=False):
         finite(f"--peg {name}", value, "m")
-    return ChalkOptions(every, options["peg"], options["paper_size"], scale)
+    return ChalkOptions(every, options["paper_size"], scale)

@@ -5,9 +5,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
+import numpy as np
+
 from benchdragon.analysis.bench_nearness import REACH
 from benchdragon.analysis.bench_walks import STILL, BenchWalk, Stretch, Tightest
 from benchdragon.analysis.findings import named
+from benchdragon.analysis.marks import angles_of
 from benchdragon.i18n import N_, _
 from benchdragon.kernels.standing import centre_distance
 from benchdragon.model.base_curve import Point
@@ -59,15 +62,16 @@ class BenchText:
         ]  # fmt: skip
 
 
-def bench_text(plan: Plan, found: BenchWalk, called: Callable[[int], str]) -> BenchText:
+def bench_text(plan: Plan, found: BenchWalk, called: Callable[[int], str], peg: Point) -> BenchText:
     """What one bench of a plan does; `called` says what people call the bench of a number.
 
+    Places are told from the peg (m of the plan) from which the chalk plan measures.
     Times are told from the start of the dance on.
     """
     start = found.stretches[0].start
     return BenchText(
         quick_line(found),
-        place_lines(plan, found),
+        place_lines(plan, found, peg),
         tuple(_stretch_line(one, start, plan.people.step) for one in found.stretches),
         _("Hurry means {hurry} m/s or more, run {run} m/s or more; below {still} m/s you wait.").format(
             hurry=f"{plan.people.hurry_from:g}", run=f"{plan.people.run_from:g}", still=f"{STILL:g}"
@@ -127,19 +131,22 @@ def _quick_paces(stretches: Sequence[Stretch], start: float) -> list[str]:
     ]
 
 
-def place_lines(plan: Plan, found: BenchWalk) -> tuple[str, str]:
-    """Where a bench starts: chalk coordinates from the centre peg, and steps from a landmark."""
-    x, y = found.place
-    text = _(
-        "Your front handle starts at x = {x} m, y = {y} m from the centre peg: {radius} m from it at "
-        "{angle}°."
+def place_lines(plan: Plan, found: BenchWalk, peg: Point) -> tuple[str, str]:
+    """Where a bench starts: chalk coordinates from the peg, and steps from a landmark."""
+    x, y = found.place_from(peg)
+    text = N_(
+        "Your front handle starts at x = {x} m, y = {y} m from the peg: {radius} m from it at {angle}° "
+        "from the x axis."
     )
-    angle = math.degrees(math.atan2(y, x)) % 360.0
-    where = text.format(
-        x=f"{x:z.2f}", y=f"{y:z.2f}", radius=f"{math.hypot(x, y):.2f}", angle=f"{angle:.0f}"
-    )
-    apart, landmark = _landmark(plan, (x, y))
-    text = N_("That is {steps} steps from the centre peg.")
+    if plan.survey.north:
+        text = N_(
+            "Your front handle starts at x = {x} m (east), y = {y} m (north) from the peg: {radius} m "
+            "from it on a bearing of {angle}° from north."
+        )
+    angle = round(float(angles_of(np.array([[x, y]]), north=plan.survey.north)[0])) % 360
+    where = _(text).format(x=f"{x:z.2f}", y=f"{y:z.2f}", radius=f"{math.hypot(x, y):.2f}", angle=angle)
+    apart, landmark = _landmark(plan, found.place, math.hypot(x, y))
+    text = N_("That is {steps} steps from the peg.")
     if landmark is not None:
         text = N_("That is {steps} steps from {name}.")
         if landmark.kind == "venue":
@@ -148,9 +155,9 @@ def place_lines(plan: Plan, found: BenchWalk) -> tuple[str, str]:
     return where, _(text).format(steps=round(apart / plan.people.step), name=name)
 
 
-def _landmark(plan: Plan, place: Point) -> tuple[float, Obstacle | None]:
-    """The landmark nearest to a place, and how far it is, m; None for the centre peg."""
-    best: tuple[float, Obstacle | None] = (math.hypot(*place), None)
+def _landmark(plan: Plan, place: Point, from_peg: float) -> tuple[float, Obstacle | None]:
+    """The landmark nearest to a place, and how far it is, m; None for the peg."""
+    best: tuple[float, Obstacle | None] = (from_peg, None)
     for obstacle in plan.obstacles():
         sides = range(len(obstacle.boxes))
         apart = min(centre_distance(obstacle.boxes, n, *place) for n in sides)

@@ -59,7 +59,7 @@ def bench_sheets(
 
 def _entry(briefing: Briefing, bench: int, phones: bool) -> Entry:
     people = tuple(_person(one, phones) for one in briefing.roster.people(bench))
-    text = bench_text(briefing.plan, briefing.benches[bench - 1], briefing.named)
+    text = bench_text(briefing.plan, briefing.benches[bench - 1], briefing.named, briefing.peg)
     return Entry(bench, briefing.called(bench), people, text)
 
 

@@ -5,8 +5,10 @@ from functools import cached_property
 
 from benchdragon.analysis.bench_walks import BenchWalk, bench_walks
 from benchdragon.analysis.check import Report
+from benchdragon.analysis.marks import own_peg
 from benchdragon.figures.glyphs import printable
 from benchdragon.i18n import _
+from benchdragon.model.base_curve import Point
 from benchdragon.plans.people import called
 from benchdragon.plans.schema import Plan
 from benchdragon.rosters.roster import Roster
@@ -23,6 +25,7 @@ class Briefing:
         benches: what each bench does, the head's first.
         checked_on: the day of the check, YYYY-MM-DD.
         sha256: of all that the papers rest on: plan, people, cues and roster.
+        told_peg: where the peg stands, m; None for the plan's own.
     """
 
     report: Report
@@ -30,6 +33,7 @@ class Briefing:
     benches: tuple[BenchWalk, ...]
     checked_on: str
     sha256: str
+    told_peg: Point | None = None
 
     @property
     def plan(self) -> Plan:
@@ -40,6 +44,11 @@ class Briefing:
     def foot(self) -> str:
         """What stands at the foot of every page: that it is this plan, and when it was checked."""
         return f"{self.sha256[:12]} · {self.checked_on}"
+
+    @cached_property
+    def peg(self) -> Point:
+        """The peg on the ground from which all papers measure, m of the plan."""
+        return own_peg(self.plan, self.report.walk.route) if self.told_peg is None else self.told_peg
 
     def called(self, bench: int) -> str:
         """What the village calls a bench (number, from 1), in the language in use."""
@@ -54,7 +63,7 @@ class Briefing:
         return text.format(bench=self.called(bench), people=_(", ").join(people))
 
 
-def briefing_of(report: Report, roster: Roster, record: Record) -> Briefing:
-    """What papers are made from: a check that found nothing, the people, the check's record."""
+def briefing_of(report: Report, roster: Roster, record: Record, peg: Point | None = None) -> Briefing:
+    """What papers are made from: a check that found nothing, the people, the check's record, a peg."""
     benches = bench_walks(report.plan, report.walk, (report.start, report.end))
-    return Briefing(report, roster, benches, record.date.isoformat(), record.sha256)
+    return Briefing(report, roster, benches, record.date.isoformat(), record.sha256, peg)

@@ -24,8 +24,6 @@ from benchdragon.figures.scale import PAPERS
 from benchdragon.figures.style import write_picture
 from benchdragon.files import whole_bytes
 from benchdragon.i18n import _, language
-from benchdragon.model.base_curve import Point
-from benchdragon.plans.schema import Plan
 from benchdragon.sheets.briefing import Briefing
 from benchdragon.sheets.options import ChalkOptions
 
@@ -36,12 +34,6 @@ Cell = str | int | float
 ANGLE, WIDTHS = 5, (4.0, 7.5, 7.0, 7.0, 7.0, 8.0, 6.5, 7.0, 5.0, 8.0, 9.0)
 
 
-def own_peg(plan: Plan) -> Point:
-    """The centre of the route's first spiral, else where the plan puts the route's origin, m."""
-    route = plan.build().route
-    return route.centre if route.centre != (0.0, 0.0) else plan.route.at or (0.0, 0.0)
-
-
 def chalk_drawing(briefing: Briefing, options: ChalkOptions) -> ChalkDrawing:
     """The marks of a dance and what is drawn with them.
 
@@ -50,10 +42,9 @@ def chalk_drawing(briefing: Briefing, options: ChalkOptions) -> ChalkDrawing:
     """
     report = briefing.report
     plan, trail = report.plan, Trail.of(report.walk, report.start, report.end)
-    peg = own_peg(plan) if options.peg is None else options.peg
     obstacles = plan.obstacles()
     every = trail.usual_every if options.every is None else options.every
-    marks = placed_marks(trail, every, peg, north=plan.survey.north, obstacles=obstacles)
+    marks = placed_marks(trail, every, briefing.peg, north=plan.survey.north, obstacles=obstacles)
     return ChalkDrawing(plan.title(language()), marks, trail, obstacles, every, briefing.foot)
 
 

@@ -68,7 +68,7 @@ def _notes(briefing: Briefing) -> list[Block]:
 def _table(briefing: Briefing, phones: bool) -> Table:
     """A row for each bench."""
     columns = (
-        _("bench"), _("people"), _("starts at x, y (m)"), _("what it does"), _("tightest"),
+        _("bench"), _("people"), _("starts from the peg: x, y (m)"), _("what it does"), _("tightest"),
     )  # fmt: skip
     rows = tuple(_row(briefing, n + 1, phones) for n in range(len(briefing.benches)))
     caption = _("All benches: who carries them, where they start, what they do")
@@ -77,12 +77,12 @@ def _table(briefing: Briefing, phones: bool) -> Table:
 
 def _row(briefing: Briefing, bench: int, phones: bool) -> tuple[str, ...]:
     found = briefing.benches[bench - 1]
-    text = bench_text(briefing.plan, found, briefing.called)
+    text = bench_text(briefing.plan, found, briefing.called, briefing.peg)
     people = [
         printable(f"{one.name} {one.phone}" if phones and one.phone else one.name)
         for one in briefing.roster.people(bench)
     ]
-    x, y = found.place
+    x, y = found.place_from(briefing.peg)
     return (
         briefing.called(bench), _(", ").join(people), f"{x:z.2f}, {y:z.2f}", text.quick, text.tightest,
     )  # fmt: skip
