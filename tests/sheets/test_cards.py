@@ -1,23 +1,27 @@
 """The benches' sheets and the overview: what they say is what the plan and the list say."""
 
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 import pypdfium2
 import pytest
 import zxingcpp
+from fpdf import FPDF
 from pypdf import PdfReader
 
 from benchdragon.explain.bench_walk import bench_text
 from benchdragon.i18n import spoken_in
+from benchdragon.rosters.roster import Person, Roster
 from benchdragon.sheets.briefing import Briefing
-from benchdragon.sheets.cards import write_benches
+from benchdragon.sheets.cards import LEAST_MAP, write_benches
 from benchdragon.sheets.chalk import chalk_drawing
 from benchdragon.sheets.options import ChalkOptions, Options
 from benchdragon.sheets.overview import write_overview
+from benchdragon.sheets.small_map import Frame, SmallMap
 from tests.sheets.village import small
 
 Written = Callable[..., list[str]]
@@ -87,6 +91,41 @@ def test_each_format_has_every_bench_in_its_foot_and_its_code(
         picture = np.asarray(page.render(scale=200 / 72).to_pil().convert("L"))
         read += [code.text for code in zxingcpp.read_barcodes(picture)]
     assert sorted(read) == [f"https://dragon.test/ours#bench={n + 1}" for n in range(8)]
+
+
+@pytest.mark.parametrize(("paper", "night"), [("a4", False), ("quarter", True), ("lanyard", True)])
+def test_many_people_at_a_bench_find_room_beside_a_map_and_the_rest_are_counted(
+    tmp_path: Path,
+    ours: Briefing,
+    paper: Literal["a4", "quarter", "lanyard"],
+    night: bool,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    drawn: list[float] = []
+    draw = SmallMap.draw
+
+    def watched(plan: SmallMap, pdf: FPDF, frame: Frame, *more: Sequence[Any]) -> None:
+        drawn.append(frame.height)
+        draw(plan, pdf, frame, *more)
+
+    monkeypatch.setattr(SmallMap, "draw", watched)
+    many = tuple(Person(f"Maximilian Oberhofer {n}") for n in range(40))
+    crowd = replace(ours, roster=Roster({1: many[:3], 3: many, 5: (Person("x" * 200),)}))
+    write_benches(tmp_path / "b.pdf", crowd, Options(paper=paper, night=night))
+    whole = "".join(pages(tmp_path / "b.pdf"))
+    assert all(bare(person.name) in whole for person in many[:3])
+    assert "36more" in whole, "on the sheets of neighbours"
+    assert re.search(r"Oberhofer\d+and\d+more", whole)
+    assert len(drawn) >= 6
+    assert min(drawn) >= LEAST_MAP
+
+
+def test_the_overview_names_all_people_of_a_bench_however_many(tmp_path: Path, ours: Briefing) -> None:
+    many = tuple(Person(f"Maximilian Oberhofer {n}") for n in range(200))
+    crowd = replace(ours, roster=Roster({3: many, 5: (Person("x" * 1000),)}))
+    write_overview(tmp_path / "o.pdf", crowd, phones=False)
+    whole = "".join(pages(tmp_path / "o.pdf"))
+    assert all(bare(person.name) in whole for person in many)
 
 
 def test_phones_are_printed_only_where_asked_for(tmp_path: Path, ours: Briefing) -> None:

@@ -1,5 +1,6 @@
 """What all papers are made from: the plan as it was checked, its people, what each bench does."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -13,6 +14,9 @@ from benchdragon.plans.people import called
 from benchdragon.plans.schema import Plan
 from benchdragon.rosters.roster import Roster
 from benchdragon.sheets.checked import Record
+
+# People of another bench who are named on a sheet.
+MOST_NAMED = 4
 
 
 @dataclass(frozen=True)
@@ -60,7 +64,15 @@ class Briefing:
         if not people:
             return self.called(bench)
         text = _("{bench} ({people})")
-        return text.format(bench=self.called(bench), people=_(", ").join(people))
+        return text.format(bench=self.called(bench), people=listed(people, MOST_NAMED))
+
+
+def listed(names: Sequence[str], most: int) -> str:
+    """So many names at most one after another, and how many more there are."""
+    text = _(", ").join(names[:most])
+    if len(names) <= most:
+        return text
+    return _("{names} and {count} more").format(names=text, count=len(names) - most)
 
 
 def briefing_of(report: Report, roster: Roster, record: Record, peg: Point | None = None) -> Briefing:

@@ -1,6 +1,6 @@
 """The benches' sheets as PDF pages: A4, quarters of it to cut, cards to hang round the neck."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -9,10 +9,10 @@ from fpdf.enums import MethodReturnValue
 
 from benchdragon.export.typeset import Typeset, breakable
 from benchdragon.files import whole_bytes
-from benchdragon.i18n import _, language
+from benchdragon.i18n import N_, _, language
 from benchdragon.progress import Progress, silent
 from benchdragon.sheets.benches import Entry, Sheet, bench_sheets
-from benchdragon.sheets.briefing import Briefing
+from benchdragon.sheets.briefing import Briefing, listed
 from benchdragon.sheets.options import Options
 from benchdragon.sheets.qr import bench_address, draw_qr
 from benchdragon.sheets.small_map import Frame, SmallMap
@@ -30,6 +30,11 @@ FOOT = 4.0
 CUT = 6.0
 # Benches of a household on one sheet, where sheets are large and the type is not.
 MOST_BENCHES = 3
+# People of a bench who have a line each where that leaves too little room; who are named at all then.
+MOST_LINES, MOST_NAMES = 2, 24
+# A map is as tall as that, mm, or there is none; type that is still too large shrinks by this share.
+LEAST_MAP, SMALLER = 25.0, 0.9
+MORE = N_("And so on: the rest is in the player.")
 
 
 @dataclass(frozen=True)
@@ -145,14 +150,11 @@ class Cards(Typeset):
         layout, backs = self._layout, self._layout.backs
         front = self._inner(layout.frames[place])
         facts = [block for entry in sheet.entries for block in _facts(entry, len(sheet.entries))]
-        head = [block for entry in sheet.entries for block in _head(entry)]
-        if sheet.title:
-            head = [Block(sheet.title, 1.3, bold=True), *head]
         if backs:
-            self._front(front, sheet, head, [])
+            self._front(front, sheet, [])
             self._back(self._inner(backs[place]), facts)
         else:
-            self._front(front, sheet, head, facts)
+            self._front(front, sheet, facts)
 
     def _inner(self, frame: Frame) -> Frame:
         edge = self._layout.edge
@@ -160,36 +162,57 @@ class Cards(Typeset):
             frame.x + edge, frame.y + edge, frame.width - 2.0 * edge, frame.height - 2.0 * edge
         )
 
-    def _front(self, frame: Frame, sheet: Sheet, head: list[Block], facts: list[Block]) -> None:
-        """What is seen first, in the largest type that finds room; else without the last facts."""
-        room = frame.height - FOOT
-        for share in self._shares:
-            needed = self._head_height(frame, head, share) + self._height(frame.width, facts, share)
-            if needed + self._layout.map <= room:
-                break
-        while needed + self._layout.map > room and any(block.spare for block in facts):
-            facts = _fewer(facts)
-            needed = self._head_height(frame, head, share) + self._height(frame.width, facts, share)
-        y = self._head(frame, sheet, head, share)
-        below = self._height(frame.width, facts, share)
-        tall = frame.y + room - below - y
-        area = Frame(frame.x, y, frame.width, tall)
-        benches = [entry.bench for entry in sheet.entries]
-        self._map.draw(self, area, benches, [entry.called for entry in sheet.entries])
+    def _front(self, frame: Frame, sheet: Sheet, facts: list[Block]) -> None:
+        """What is seen first: words above and below a map, if they leave room for one."""
+        head, facts, share = self._fitting(frame, _heads(sheet), facts, self._layout.map)
+        y = self._head(frame, head, share, sheet.entries[0].bench)
+        tall = frame.y + frame.height - FOOT - self._height(frame.width, facts, share) - y
+        if tall >= LEAST_MAP:
+            area = Frame(frame.x, y, frame.width, tall)
+            benches = [entry.bench for entry in sheet.entries]
+            self._map.draw(self, area, benches, [entry.called for entry in sheet.entries])
         self._blocks(frame.x, y + tall, frame.width, facts, share)
         self._foot(frame)
 
     def _back(self, frame: Frame, facts: list[Block]) -> None:
         """What is seen after, likewise."""
-        room = frame.height - FOOT
-        share = self._shares[0]
-        for share in self._shares:
-            if self._height(frame.width, facts, share) <= room:
-                break
-        while self._height(frame.width, facts, share) > room and any(block.spare for block in facts):
-            facts = _fewer(facts)
+        _none, facts, share = self._fitting(frame, [[]], facts, 0.0)
         self._blocks(frame.x, frame.y, frame.width, facts, share)
         self._foot(frame)
+
+    def _fitting(
+        self, frame: Frame, heads: list[list[Block]], facts: list[Block], beside: float
+    ) -> tuple[list[Block], list[Block], float]:
+        """Head, facts and share of the type that find room in a frame, with so much beside them, mm."""
+        for head, kept, share, spared in self._versions(heads, facts):
+            tall = self._head_height(frame, head, share) + self._height(frame.width, kept, share)
+            if tall + (0.0 if spared else beside) <= frame.height - FOOT:
+                break
+        return head, kept, share
+
+    def _versions(
+        self, heads: list[list[Block]], facts: list[Block]
+    ) -> Iterator[tuple[list[Block], list[Block], float, bool]]:
+        """Heads, facts, shares of the type, and whether all beside is spared; the best first.
+
+        What gives way, in this order: the size of type, a line for each of many people, facts that may
+        be spared, people but the first, what is beside, other facts, and the size of type again.
+        """
+        for head in heads[:2]:
+            for share in self._shares:
+                yield head, facts, share, False
+        while any(block.spare for block in facts):
+            facts = _fewer(facts, lambda block: block.spare)
+            yield head, facts, share, False
+        for head in heads[2:]:
+            yield head, facts, share, False
+        yield head, facts, share, True
+        while any(block.text != _(MORE) for block in facts):
+            facts = _fewer(facts, lambda _block: True)
+            yield head, facts, share, True
+        while True:
+            share *= SMALLER
+            yield head, facts, share, True
 
     def _beside_code(self, frame: Frame) -> float:
         """The width that the QR code leaves, mm."""
@@ -197,17 +220,17 @@ class Cards(Typeset):
 
     def _head_height(self, frame: Frame, head: list[Block], share: float) -> float:
         tall = self._height(self._beside_code(frame), head[:-1], share)
-        if self._address:
+        if self._address and head:
             tall = max(tall, self._layout.code)
         return tall + self._height(frame.width, head[-1:], share)
 
-    def _head(self, frame: Frame, sheet: Sheet, head: list[Block], share: float) -> float:
+    def _head(self, frame: Frame, head: list[Block], share: float, bench: int) -> float:
         """Who it is and what they do in a line, with the QR code beside; how far down it comes, mm."""
         y = self._blocks(frame.x, frame.y, self._beside_code(frame), head[:-1], share)
         if self._address:
             code = self._layout.code
             x = frame.x + frame.width - code
-            draw_qr(self, bench_address(self._address, sheet.entries[0].bench), x, frame.y, code)
+            draw_qr(self, bench_address(self._address, bench), x, frame.y, code)
             y = max(y, frame.y + code)
         return self._blocks(frame.x, y, frame.width, head[-1:], share)
 
@@ -252,13 +275,28 @@ class Cards(Typeset):
         self.set_text_color(0)
 
 
-def _head(entry: Entry) -> list[Block]:
-    """Who it is, and last what they do in a line."""
+def _heads(sheet: Sheet) -> list[list[Block]]:
+    """What stands above the map: a line for each of the people; then all of many in one, then fewer."""
+    most = max(len(entry.people) for entry in sheet.entries)
     return [
-        Block(entry.called, 2.6, bold=True),
-        *(Block(person, 1.9, bold=True) for person in entry.people),
-        Block(entry.text.quick, 1.35, bold=True),
+        _head(sheet, None),
+        *(_head(sheet, n) for n in range(min(most, MOST_NAMES), 0, -1) if most > MOST_LINES),
     ]
+
+
+def _head(sheet: Sheet, most: int | None) -> list[Block]:
+    """Who it is, and last what they do in a line; with a number, so many people in one block."""
+    head = [Block(sheet.title, 1.3, bold=True)] if sheet.title else []
+    for entry in sheet.entries:
+        people, size = entry.people, 1.9
+        if most is not None and people:
+            people, size = (listed(people, most),), 1.3
+        head += [
+            Block(entry.called, 2.6, bold=True),
+            *(Block(person, size, bold=True) for person in people),
+            Block(entry.text.quick, 1.35, bold=True),
+        ]
+    return head
 
 
 def _facts(entry: Entry, entries: int) -> list[Block]:
@@ -275,11 +313,11 @@ def _facts(entry: Entry, entries: int) -> list[Block]:
     ]
 
 
-def _fewer(facts: list[Block]) -> list[Block]:
-    """The same without the last that may be spared, and a word that there is more."""
-    more = _("And so on: the rest is in the player.")
+def _fewer(facts: list[Block], spare: Callable[[Block], bool]) -> list[Block]:
+    """The same without the last of those that may be spared, and a word that there is more."""
+    more = _(MORE)
     kept = [block for block in facts if block.text != more]
-    last = max(n for n, block in enumerate(kept) if block.spare)
+    last = max(n for n, block in enumerate(kept) if spare(block))
     return [*kept[:last], Block(more), *kept[last + 1 :]]
 
 

@@ -1,5 +1,6 @@
 """The leader's overview: the verdict, the map with all benches, who they are and what they do."""
 
+from collections.abc import Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -15,6 +16,8 @@ from benchdragon.i18n import _, language
 from benchdragon.sheets.briefing import Briefing
 from benchdragon.sheets.small_map import Frame, SmallMap
 
+# Signs of people's names in a row, which must not be taller than a page.
+MOST_SIGNS = 500
 # Size of the map, mm.
 MAP = Frame(0.0, 0.0, 178.0, 150.0)
 
@@ -70,12 +73,13 @@ def _table(briefing: Briefing, phones: bool) -> Table:
     columns = (
         _("bench"), _("people"), _("starts from the peg: x, y (m)"), _("what it does"), _("tightest"),
     )  # fmt: skip
-    rows = tuple(_row(briefing, n + 1, phones) for n in range(len(briefing.benches)))
+    rows = tuple(row for n in range(len(briefing.benches)) for row in _rows(briefing, n + 1, phones))
     caption = _("All benches: who carries them, where they start, what they do")
     return Table("all", caption, columns, (12.0, 26.0, 14.0, 30.0, 34.0), rows)
 
 
-def _row(briefing: Briefing, bench: int, phones: bool) -> tuple[str, ...]:
+def _rows(briefing: Briefing, bench: int, phones: bool) -> Iterator[tuple[str, ...]]:
+    """The row of a bench, and more below it where its people are too many for one."""
     found = briefing.benches[bench - 1]
     text = bench_text(briefing.plan, found, briefing.called, briefing.peg)
     people = [
@@ -83,9 +87,11 @@ def _row(briefing: Briefing, bench: int, phones: bool) -> tuple[str, ...]:
         for one in briefing.roster.people(bench)
     ]
     x, y = found.place_from(briefing.peg)
-    return (
-        briefing.called(bench), _(", ").join(people), f"{x:z.2f}, {y:z.2f}", text.quick, text.tightest,
-    )  # fmt: skip
+    told = f"{x:z.2f}, {y:z.2f}", text.quick, text.tightest
+    size = max(1, MOST_SIGNS // max(map(len, people), default=1))
+    yield briefing.called(bench), _(", ").join(people[:size]), *told
+    for n in range(size, len(people), size):
+        yield briefing.called(bench), _(", ").join(people[n : n + size]), "", "", ""
 
 
 def _write_map(path: Path, briefing: Briefing) -> None:
