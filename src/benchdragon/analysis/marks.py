@@ -11,12 +11,13 @@ from functools import cached_property
 from typing import Literal, Self
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from benchdragon.errors import InputError, as_number, finite, in_order, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.base_curve import Point
-from benchdragon.model.curves import Route
+from benchdragon.model.curves import Arc, Route
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
@@ -71,7 +72,7 @@ class Trail:
         """Positions of the marks along the route, m, ascending, and what each is for.
 
         From the start of the head each way, joints and ends besides. Where a closed line is walked
-        again, the marks of the first round serve again.
+        again, the marks of the first round serve again; start and ends are always marked.
 
         Raises:
             InputError: for marks that are too near, or too many.
@@ -86,8 +87,9 @@ class Trail:
         found |= {s: "joint" for s in self.route.joints.tolist() if self.low < s < self.high}
         found |= {self.low: "end", self.high: "end", self.start: "start"}
         kept: list[float] = []
-        for s in sorted(found):
-            if self._again(s):
+        places = sorted(found)
+        for s, again in zip(places, self._again(np.array(places)), strict=True):
+            if again and found[s] in ("step", "joint"):
                 continue
             if kept and s - kept[-1] <= SAME_MARK:
                 if RANK[found[s]] <= RANK[found[kept[-1]]]:
@@ -96,19 +98,37 @@ class Trail:
             kept.append(s)
         return np.array(kept), [found[s] for s in kept]
 
-    @cached_property
-    def _repeated(self) -> tuple[tuple[float, float], ...]:
-        """Stretches, m along the route, whose curves were covered before, from start to end."""
-        joints, seen, again = self.route.joints.tolist(), set(), []
-        for curve, first, last in zip(self.route.curves, joints[:-1], joints[1:], strict=True):
-            if curve in seen:
-                again.append((first, last))
-            elif first >= self.low and last <= self.high:
-                seen.add(curve)
-        return tuple(again)
+    def _again(self, s: FloatArray) -> list[bool]:
+        """Whether the ground at positions, (n,), m, was walked the same way before."""
+        again = np.zeros(len(s), dtype=bool)
+        for lag in self._lags:
+            before = np.maximum(s - lag, self.low)
+            again |= (s - lag >= self.low) & (_apart(self.route, s, before) <= SAME_MARK)
+        found: list[bool] = again.tolist()
+        return found
 
-    def _again(self, s: float) -> bool:
-        return any(first < s <= last for first, last in self._repeated)
+    @cached_property
+    def _lags(self) -> tuple[float, ...]:
+        """After how many m a place may come again: whole circles, or between joints in one place."""
+        joints = self.route.joints
+        lags = [
+            math.tau * one.radius
+            for one in self.route.curves
+            if isinstance(one, Arc) and abs(one.sweep) > math.tau
+        ]
+        points = cKDTree(self.route.point(joints))
+        for near, first in zip(points.query_ball_point(points.data, SAME_MARK), joints, strict=True):
+            later = joints[near][joints[near] > first + SAME_MARK]
+            lags += [float(later.min() - first)] if later.size else []
+        return tuple(np.unique(np.round(lags, 9)).tolist())
+
+
+def _apart(route: Route, s: FloatArray, others: FloatArray) -> FloatArray:
+    """How far apart positions along a route are on the ground, m, and in heading, rad: the greater."""
+    turned = route.heading(s) - route.heading(others)
+    turned = np.abs((turned + math.pi) % math.tau - math.pi)
+    apart: FloatArray = np.maximum(as_lengths(route.point(s) - route.point(others)), turned)
+    return apart
 
 
 def own_peg(plan: Plan, route: Route) -> Point:

@@ -136,8 +136,8 @@ def _about(drawing: ChalkDrawing, scale: float) -> Iterator[Paragraph]:
             "{count} marks, one each {every} m along the route and one at each joint of its parts, on "
             "{way} m of route. The drawing is to scale 1:{scale}. Plan {foot}."
         ),
-        count=len(marks), every=f"{drawing.every:g}", way=f"{marks.way[-1]:.2f}", scale=f"{scale:g}",
-        foot=drawing.foot,
+        count=len(marks), every=f"{drawing.every:g}",
+        way=f"{drawing.trail.high - drawing.trail.low:.2f}", scale=f"{scale:g}", foot=drawing.foot,
     )  # fmt: skip
     x, y = marks.peg
     yield say(_("The peg stands at x = {x} m, y = {y} m of the plan."), x=f"{x:.3f}", y=f"{y:.3f}")
