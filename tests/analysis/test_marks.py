@@ -171,6 +171,13 @@ def test_marks_that_nobody_spaced_are_a_metre_apart_or_as_much_more_as_is_needed
         placed_marks(trail, every - 0.1, PEG)
 
 
+def test_a_peg_that_no_tape_reaches_is_refused(trail: Trail) -> None:
+    x, y = trail.route.point(trail.low)
+    assert placed_marks(trail, 1.0, (x, y - 150.0)).reach > 150.0
+    with pytest.raises(InputError, match=r"the peg is \d+ m from the nearest mark, farther than 200 m"):
+        placed_marks(trail, 1.0, (1e12, 0.0))
+
+
 def test_marks_too_near_or_too_many_are_refused(trail: Trail) -> None:
     with pytest.raises(InputError, match=re.escape("marks must be at least 0.1 m apart, not 0.05 m")):
         placed_marks(trail, 0.05, PEG)

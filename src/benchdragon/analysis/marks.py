@@ -28,6 +28,8 @@ MOST_MARKS, LEAST_EVERY = 5_000, 0.1
 LENGTH_STEP, ANGLE_STEP = 0.005, 0.01
 # Marks that would be nearer than this along the route, m, are one.
 SAME_MARK = 1e-6
+# As far as that, m, the peg may be from the nearest mark.
+LONGEST_TAPE = 200.0
 Kind = Literal["step", "joint", "start", "end"]
 # Which of two marks in one place is kept.
 RANK: dict[Kind, int] = {"step": 0, "joint": 1, "end": 2, "start": 3}
@@ -322,15 +324,18 @@ def placed_marks(
         obstacles: where no base point should be; the venue's edge, within which they should.
 
     Raises:
-        InputError: for what is no trail or no place of a peg, and as `Trail.marked`.
+        InputError: for what is no trail, a peg that is no place or too far, and as `Trail.marked`.
     """
     of_kind("trail", trail, Trail, "Trail.of(walk, start, end) makes one")
     check_every(as_number("every", every))
     peg = _peg(peg)
     s, kinds = trail.marked(every)
     points = trail.route.point(s)
-    farthest = float(np.hypot(*(points - np.array(peg)).T).max())
-    reach, quarter = _base(peg, max(1.0, math.ceil(farthest)), obstacles, first=1 if north else 0)
+    away = as_lengths(points - np.array(peg))
+    if away.min() > LONGEST_TAPE:
+        text = _("the peg is {far} m from the nearest mark, farther than {most} m: no tape reaches it")
+        raise InputError(text.format(far=f"{away.min():.0f}", most=f"{LONGEST_TAPE:g}"))
+    reach, quarter = _base(peg, max(1, math.ceil(away.max())), obstacles, first=1 if north else 0)
     return Marks(s, points, tuple(kinds), peg, north, _bases(peg, reach, quarter), reach)
 
 
@@ -344,13 +349,13 @@ def _peg(peg: Point) -> Point:
     return finite("peg x", x, "m"), finite("peg y", y, "m")
 
 
-def _base(peg: Point, most: float, obstacles: tuple[Obstacle, ...], first: int) -> tuple[float, int]:
+def _base(peg: Point, most: int, obstacles: tuple[Obstacle, ...], first: int) -> tuple[float, int]:
     """How far from the peg both base points can stand, whole m, and in which quarter the first is.
 
     As far as possible up to `most`, in the quarter `first` or the next ones; without regard to what
     stands there if no quarter has a metre.
     """
-    for reach in np.arange(most, 0.0, -1.0).tolist():
+    for reach in range(most, 0, -1):
         for quarter in range(first, first + 4):
             if not any(one.forbids(_bases(peg, reach, quarter)).any() for one in obstacles):
                 return reach, quarter
