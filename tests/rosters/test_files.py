@@ -1,6 +1,8 @@
 """Files that are torn, too large or of another kind, as strangers send them."""
 
+import io
 import random
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -207,6 +209,35 @@ def test_sheets_of_a_workbook(tmp_path: Path) -> None:
     assert sorted(read_roster(tmp_path / "a.xlsx", TEN, "名单").benches) == [1, 2, 10]
     assert "no sheet called 'x'; it has 名单" in refused(tmp_path / "a.xlsx", data, "x")
     assert "has no sheets" in refused(tmp_path / "a.csv", csv_bytes(SMALL), "名单")
+
+
+def test_formulas_without_a_value_are_refused_and_others_read(tmp_path: Path) -> None:
+    rows: Cells = [["桥号", "姓名"], [1, "张三"], ["=A2+1", "王五"]]
+    whole = zipfile.ZipFile(io.BytesIO(xlsx_bytes(rows)))
+    for value, kind in (("", ""), ("2", ""), ("", ' t="str"')):
+        cell = f'<c r="A3"{kind}><f>A2+1</f><v>{value}</v></c>'
+        parts = {
+            name: whole.read(name).decode().replace('<c r="A3"><f>A2+1</f><v>0</v></c>', cell)
+            for name in whole.namelist()
+        }
+        assert any(cell in text for text in parts.values())
+        if value or kind:
+            (tmp_path / "a.xlsx").write_bytes(zipped(parts))
+            found = read_roster(tmp_path / "a.xlsx", TEN)
+            assert [one.name for one in found.people(2 if value else 1)][-1] == "王五"
+        else:
+            said = refused(tmp_path / "a.xlsx", zipped(parts))
+            assert "row 3, column 1 is a formula without a value" in said
+    name = '<table:table-cell office:value-type="string"><text:p>李四</text:p></table:table-cell>'
+    sum_cell = '<table:table-cell table:formula="of:=[.A2]+1"{more}/>'
+    for more in ("", ' office:value-type="float" office:value="2"'):
+        tail = f"<table:table-row>{sum_cell.format(more=more)}{name}</table:table-row>"
+        data = ods_bytes(rows[:2], tail)
+        if more:
+            (tmp_path / "a.ods").write_bytes(data)
+            assert read_roster(tmp_path / "a.ods", TEN).people(2)[0].name == "李四"
+        else:
+            assert "row 3, column 1" in refused(tmp_path / "a.ods", data)
 
 
 def test_too_many_people(tmp_path: Path) -> None:

@@ -104,7 +104,7 @@ class _Extent:
         self._depth = self._cells = self._row = self._column = 0
         self._row_cells = self._last_column = self._signs = 0
         self._row_repeated = self._cell_repeated = 1
-        self._filled = False
+        self._filled = self._formula = self._within_formula = self._told = False
         self._parser = expat.ParserCreate(namespace_separator="}")
         self._parser.buffer_text = True
         self._parser.StartElementHandler = self._start
@@ -130,7 +130,7 @@ class _Extent:
         if any(_number(attributes.get(key, "0")) > MOST_COUNTED for key in ("count", "uniqueCount")):
             raise InputError(torn(self._name))
         if tag in CELLS or tag == "si":
-            self._signs, self._filled = 0, any(key.endswith("value") for key in attributes)
+            self._start_text(attributes)
         if tag == "table":
             self._row = 0
         elif tag in ROWS:
@@ -138,24 +138,41 @@ class _Extent:
             self._row_repeated = _repeated(attributes, "number-rows-repeated")
             self._row = _number(attributes["r"]) if "r" in attributes else self._row + 1
         elif tag in CELLS:
-            self._cell_repeated = _repeated(attributes, "number-columns-repeated")
-            self._column += self._cell_repeated
-            if "r" in attributes:
-                place = PLACE.fullmatch(attributes["r"])
-                if place is None:
-                    raise InputError(torn(self._name))
-                self._column, self._row = _letters(place[1]), int(place[2])
+            self._start_cell(attributes)
         elif tag in ("v", "is", "p"):
             self._filled = True
+        elif tag == "f":
+            self._formula = self._within_formula = True
+
+    def _start_cell(self, attributes: dict[str, str]) -> None:
+        """Where a cell stands."""
+        self._cell_repeated = _repeated(attributes, "number-columns-repeated")
+        self._column += self._cell_repeated
+        if "r" in attributes:
+            place = PLACE.fullmatch(attributes["r"])
+            if place is None:
+                raise InputError(torn(self._name))
+            self._column, self._row = _letters(place[1]), int(place[2])
+
+    def _start_text(self, attributes: dict[str, str]) -> None:
+        """Begin a cell, or a text that cells share."""
+        self._signs, self._filled = 0, any(key.endswith("value") for key in attributes)
+        self._formula = any(key.endswith("}formula") for key in attributes)
+        self._told = attributes.get("t") == "str" or any("}value-type" in key for key in attributes)
 
     def _text(self, text: str) -> None:
         self._signs += len(text)
+        self._told = self._told or not (self._within_formula or text.isspace())
 
     def _end(self, tag: str) -> None:
         tag = tag.rpartition("}")[2]
         self._depth -= 1
         if tag == "si" and self._signs > MOST_SIGNS:
             raise too_large(self._name)
+        if tag == "f":
+            self._within_formula = False
+        if tag in CELLS and self._formula and not self._told:
+            raise InputError(self._untold())
         if tag in CELLS and self._filled:
             self._last_column = self._column
             self._row_cells += self._cell_repeated
@@ -165,6 +182,14 @@ class _Extent:
             if self._row_cells:
                 self._cells += self._row_cells * self._row_repeated
                 self._check(self._cells, 0)
+
+    def _untold(self) -> str:
+        """What is said of a formula whose value was not saved: its cell would read as empty."""
+        text = _(
+            "{file}: the cell in row {row}, column {column} is a formula without a value: open the "
+            "file in a spreadsheet and save it again"
+        )
+        return text.format(file=self._name, row=self._row, column=self._column)
 
     def _check(self, cells: int, signs: int) -> None:
         within = self._row <= MOST_ROWS and self._last_column <= MOST_COLUMNS
