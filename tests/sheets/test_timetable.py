@@ -1,5 +1,6 @@
 """The timetable as papers: what stands in them is what the plan says, in both languages."""
 
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -58,6 +59,20 @@ def test_a_workbook_holds_times_in_seconds_too(briefing: Briefing, tmp_path: Pat
     held = next(row for row in rows if row[0] == "bow to the temple")
     assert held[5:7] == pytest.approx([11.0, 16.0])
     assert briefing.foot in str(rows[-1][0])
+
+
+def test_texts_of_cues_are_no_formulas_and_no_links(tmp_path: Path) -> None:
+    said = ["=1+1", "http://example.org", "{=SUM(A1)}"]
+    cues = [{"kind": "note", "at": 2.0 + n, "text": text} for n, text in enumerate(said)]
+    report = check(plan_with(*cues).without_square(), quick=True)
+    path = tmp_path / "timetable.xlsx"
+    write_timetable_xlsx(path, Briefing(report, Roster(), (), "2026-11-23", report.plan.sha256))
+    rows = CalamineWorkbook.from_path(path).get_sheet_by_index(0).to_python()
+    assert set(said) <= {row[0] for row in rows}
+    with zipfile.ZipFile(path) as book:
+        sheet = book.read("xl/worksheets/sheet1.xml").decode()
+        assert "<f>" not in sheet
+        assert "hyperlink" not in sheet
 
 
 def test_the_tempo_says_where_it_comes_from(briefing: Briefing) -> None:

@@ -2,15 +2,13 @@
 
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
-
-import xlsxwriter
 
 from benchdragon.analysis.beats import Score, score_of
 from benchdragon.analysis.stops import stops_of, stops_text
 from benchdragon.analysis.timetable import Passing, clock_text, timetable
 from benchdragon.export.document import Document, Heading, Paragraph, Table, say
 from benchdragon.export.pages import write_pdf
+from benchdragon.export.tables import workbook
 from benchdragon.figures.glyphs import printable
 from benchdragon.files import whole_bytes
 from benchdragon.i18n import _, language
@@ -81,21 +79,21 @@ def write_timetable_pdf(path: Path, briefing: Briefing) -> None:
 def write_timetable_xlsx(path: Path, briefing: Briefing) -> None:
     """Write the timetable as a workbook; times are seconds of the dance beside the times of day."""
     report, plan = briefing.report, briefing.plan
-    with whole_bytes(path) as made:
-        book: Any = xlsxwriter.Workbook(made, {"in_memory": True})
+    with whole_bytes(path) as made, workbook(made) as book:
         sheet = book.add_worksheet(_("Timetable"))
         sheet.freeze_panes(1, 1)
         sheet.set_column(0, 0, 30)
         sheet.set_column(1, 8, 14)
         heads = (*columns(), _("head (s)"), _("goes on (s)"), _("tail (s)"))
-        sheet.write_row(0, 0, heads)
+        for column, text in enumerate(heads):
+            sheet.write_string(0, column, text)
         for n, row in enumerate(passings_of(briefing), start=1):
-            sheet.write_row(n, 0, cells(plan, row, report.start))
+            for column, text in enumerate(cells(plan, row, report.start)):
+                sheet.write_string(n, column, text)
             for column, time in enumerate((row.head, row.until, row.tail), start=5):
                 if time is not None:
                     sheet.write_number(n, column, round(time, 6))
         sheet.write_string(n + 2, 0, briefing.foot)
-        book.close()
 
 
 def tempo_text(plan: Plan, score: Score) -> str:
