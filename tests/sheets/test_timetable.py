@@ -75,6 +75,16 @@ def test_texts_of_cues_are_no_formulas_and_no_links(tmp_path: Path) -> None:
         assert "hyperlink" not in sheet
 
 
+def test_signs_of_cues_that_no_font_has_are_printed_by_their_code(tmp_path: Path) -> None:
+    report = check(
+        plan_with({"kind": "note", "at": 2.0, "text": "gong \ue000"}).without_square(), quick=True
+    )
+    path = tmp_path / "timetable.pdf"
+    write_timetable_pdf(path, Briefing(report, Roster(), (), "2026-11-23", report.plan.sha256))
+    text = "".join(page.extract_text() for page in PdfReader(path).pages)
+    assert "gong 〔U+E000〕" in text
+
+
 def test_the_tempo_says_where_it_comes_from(briefing: Briefing) -> None:
     plan = briefing.plan
     score = score_of(plan, briefing.report.start, briefing.report.end)

@@ -10,7 +10,7 @@ from fpdf.fonts import TTFFont
 from fpdf.line_break import TextLine
 from matplotlib import font_manager
 
-from benchdragon.figures.glyphs import spare_fonts
+from benchdragon.figures.glyphs import printable, spare_fonts
 from benchdragon.figures.style import FONT_FILES
 from benchdragon.version import __version__
 
@@ -70,5 +70,8 @@ class Typeset(FPDF):
 
 
 def breakable(text: str) -> str:
-    """Text in which lines may break after Chinese signs, not before stops or after "（"."""
-    return BREAKABLE.sub(rf"\1{BREAK}", text)
+    """Text as it can be printed, with lines that may break after Chinese signs, not before stops.
+
+    Signs that no font here has become their code, so that all that is set goes through here.
+    """
+    return BREAKABLE.sub(rf"\1{BREAK}", printable(text))

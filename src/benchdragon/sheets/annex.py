@@ -15,7 +15,6 @@ from benchdragon.export.area import drawing_of
 from benchdragon.export.document import Block, Document, Heading, Paragraph, Picture, say
 from benchdragon.export.pages import write_pdf
 from benchdragon.figures.area import page_picture
-from benchdragon.figures.glyphs import printable
 from benchdragon.figures.style import write_picture
 from benchdragon.i18n import LANGUAGES, N_, _, language, spoken_in
 from benchdragon.progress import Progress, part, silent
@@ -82,7 +81,7 @@ def write_annex(folder: Path, briefing: Briefing, progress: Progress = silent) -
 def annex_document(facts: AnnexFacts, folder: Path) -> Document:
     """The annex in the language in use; its picture is put into a folder."""
     briefing = facts.briefing
-    title = _("Permit annex: {title}").format(title=printable(briefing.plan.title(language())) or BLANK)
+    title = _("Permit annex: {title}").format(title=briefing.plan.title(language()) or BLANK)
     blocks = (
         *_basics(facts), *_dance(facts), *_ground(facts, folder), *_timetable(facts), *_people(facts),
         *_clearances(facts), *_speeds(facts), *_posts(facts), *_chance(facts), *_by_hand(),

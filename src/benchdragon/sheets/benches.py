@@ -4,7 +4,6 @@ from dataclasses import dataclass
 from typing import Literal
 
 from benchdragon.explain.bench_walk import BenchText, bench_text
-from benchdragon.figures.glyphs import printable
 from benchdragon.i18n import _
 from benchdragon.rosters.roster import Person
 from benchdragon.sheets.briefing import Briefing
@@ -51,7 +50,7 @@ def bench_sheets(
         for key in dict.fromkeys(households) or [f"\0{entry.bench}"]:
             groups.setdefault(key, []).append(entry)
     return [
-        Sheet("" if key.startswith("\0") else printable(key), tuple(there[n : n + most]))
+        Sheet("" if key.startswith("\0") else key, tuple(there[n : n + most]))
         for key, there in groups.items()
         for n in range(0, len(there), most)
     ]
@@ -66,5 +65,5 @@ def _entry(briefing: Briefing, bench: int, phones: bool) -> Entry:
 def _person(person: Person, phones: bool) -> str:
     if phones and person.phone:
         text = _("{name}, phone {phone}")
-        return text.format(name=printable(person.name), phone=printable(person.phone))
-    return printable(person.name)
+        return text.format(name=person.name, phone=person.phone)
+    return person.name

@@ -7,7 +7,6 @@ from functools import cached_property
 from benchdragon.analysis.bench_walks import BenchWalk, bench_walks
 from benchdragon.analysis.check import Report
 from benchdragon.analysis.marks import own_peg
-from benchdragon.figures.glyphs import printable
 from benchdragon.i18n import _
 from benchdragon.model.base_curve import Point
 from benchdragon.plans.people import called
@@ -60,7 +59,7 @@ class Briefing:
 
     def named(self, bench: int) -> str:
         """What the village calls a bench, and who carries it, as papers print it."""
-        people = [printable(person.name) for person in self.roster.people(bench)]
+        people = [person.name for person in self.roster.people(bench)]
         if not people:
             return self.called(bench)
         text = _("{bench} ({people})")

@@ -10,7 +10,6 @@ from benchdragon.explain.room import level_line
 from benchdragon.export.document import Block, Document, Heading, Paragraph, Picture, Table, say
 from benchdragon.export.pages import write_pdf
 from benchdragon.export.typeset import Typeset
-from benchdragon.figures.glyphs import printable
 from benchdragon.files import whole_bytes
 from benchdragon.i18n import _, language
 from benchdragon.sheets.briefing import Briefing
@@ -41,7 +40,7 @@ def overview(briefing: Briefing, phones: bool) -> Document:
         Heading(_("Benches"), "benches"),
         _table(briefing, phones),
     ]  # fmt: skip
-    title = printable(briefing.plan.title(language())) or _("Overview")
+    title = briefing.plan.title(language()) or _("Overview")
     return Document(title, language(), briefing.checked_on, tuple(blocks), briefing.foot)
 
 
@@ -49,7 +48,7 @@ def _room(briefing: Briefing) -> list[Block]:
     """The levels of room for people, where the plan asks for any."""
     if not briefing.report.room:
         return []
-    lines = [Paragraph((printable(level_line(level)),)) for level in briefing.report.room]
+    lines = [Paragraph((level_line(level),)) for level in briefing.report.room]
     return [Heading(_("Room for people"), "room"), *lines]
 
 
@@ -64,7 +63,7 @@ def _notes(briefing: Briefing) -> list[Block]:
     """What is odd about the list of names."""
     if not briefing.roster.notes:
         return []
-    said = [Paragraph((printable(note),)) for note in briefing.roster.notes]
+    said = [Paragraph((note,)) for note in briefing.roster.notes]
     return [Heading(_("Notes on the list of names"), "notes"), *said]
 
 
@@ -83,7 +82,7 @@ def _rows(briefing: Briefing, bench: int, phones: bool) -> Iterator[tuple[str, .
     found = briefing.benches[bench - 1]
     text = bench_text(briefing.plan, found, briefing.called, briefing.peg)
     people = [
-        printable(f"{one.name} {one.phone}" if phones and one.phone else one.name)
+        f"{one.name} {one.phone}" if phones and one.phone else one.name
         for one in briefing.roster.people(bench)
     ]
     x, y = found.place_from(briefing.peg)

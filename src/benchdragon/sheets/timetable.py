@@ -9,7 +9,6 @@ from benchdragon.analysis.timetable import Passing, clock_text, timetable
 from benchdragon.export.document import Document, Heading, Paragraph, Table, say
 from benchdragon.export.pages import write_pdf
 from benchdragon.export.tables import workbook
-from benchdragon.figures.glyphs import printable
 from benchdragon.files import whole_bytes
 from benchdragon.i18n import _, language
 from benchdragon.plans.schema import Plan
@@ -53,7 +52,7 @@ def timetable_document(briefing: Briefing) -> Document:
     report, plan = briefing.report, briefing.plan
     rows = printed_rows(plan, passings_of(briefing), report.start)
     score = score_of(plan, report.start, report.end)
-    title = printable(plan.title(language())) or _("Timetable")
+    title = plan.title(language()) or _("Timetable")
     blocks = (
         Heading(_("Timetable"), "timetable"),
         say(times_text(plan)),
