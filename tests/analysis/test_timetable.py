@@ -150,6 +150,15 @@ def test_beats_are_even_silent_in_a_hold_and_counted_in_before_the_start() -> No
     assert list(score.strokes) == pytest.approx([11.0, 20.0])
 
 
+def test_a_tempo_told_in_a_hold_is_that_of_the_bar_that_counts_in() -> None:
+    plan = plan_with(HOLD, {"kind": "tempo", "at": 13.5, "tempo": 120}, tempo=60, bar=3)
+    score = score_of(plan, *plan.span(plan.build()))
+    last = plan.span(plan.build())[1]
+    told = [time for run in score.runs for time in (run.start, run.end, run.period)]
+    assert told == pytest.approx([0.0, 11.0, 1.0, 14.5, 16.0, 0.5, 16.0, last, 0.5])
+    assert [run.counted for run in score.runs] == [False, True, False]
+
+
 def test_a_tempo_that_is_not_said_is_a_step_a_beat() -> None:
     plan = plan_with(HOLD).with_value("walk.speed", 0.9).with_value("people.step", 0.6)
     score = score_of(plan, *plan.span(plan.build()))

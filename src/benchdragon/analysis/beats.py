@@ -62,22 +62,27 @@ def score_of(plan: Plan, start: float, end: float) -> Score:
     if tempo is None:
         tempo = min(max(60.0 * _pace(plan) / plan.people.step, SLOWEST), FASTEST)
     runs: list[Run] = []
-    since, period = start, 60.0 / tempo
+    since, period, still = start, 60.0 / tempo, 0.0
+
+    def up_to(until: float) -> None:
+        """Beat until then, with the bar before it that the head, which stood so long, counts in."""
+        nonlocal still
+        if since < until:
+            counted = min(bar, math.floor(still / period))
+            if counted:
+                runs.append(Run(since - counted * period, since, period, bar, True))
+            runs.append(Run(since, until, period, bar, False))
+            still = 0.0
+
     moments = plan.moments()
     for one in (one for one in moments if start <= one.time <= end):
         if one.cue.kind == "tempo" and one.cue.tempo is not None:
-            if since < one.time:
-                runs.append(Run(since, one.time, period, bar, False))
+            up_to(one.time)
             period, since = 60.0 / one.cue.tempo, max(one.time, since)
         elif one.until > one.time:
-            if since < one.time:
-                runs.append(Run(since, one.time, period, bar, False))
-            since = min(one.until, end)
-            counted = min(bar, math.floor((one.until - one.time) / period)) if one.until < end else 0
-            if counted:
-                runs.append(Run(one.until - counted * period, one.until, period, bar, True))
-    if since < end:
-        runs.append(Run(since, end, period, bar, False))
+            up_to(one.time)
+            since, still = min(one.until, end), one.until - one.time
+    up_to(end)
     strokes = [one.time for one in moments if one.cue.kind != "note" and start <= one.time <= end]
     return Score(tempo, by_step, tuple(runs), tuple(dict.fromkeys(strokes)))
 

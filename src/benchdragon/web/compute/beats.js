@@ -25,9 +25,14 @@ export function scoreOf(plan, start, end) {
   const tempo = said ?? Math.min(Math.max(byStep, SLOWEST_BEAT), FASTEST_BEAT);
   /** @type {Run[]} */
   const runs = [];
-  let [since, period] = [start, 60 / tempo];
+  let [since, period, still] = [start, 60 / tempo, 0];
   const upTo = (/** @type {number} */ until) => {
-    if (since < until) runs.push({ start: since, end: until, period, bar, counted: false });
+    if (since >= until) return;
+    const counted = Math.min(bar, Math.floor(still / period));
+    if (counted)
+      runs.push({ start: since - counted * period, end: since, period, bar, counted: true });
+    runs.push({ start: since, end: until, period, bar, counted: false });
+    still = 0;
   };
   const moments = plan.moments().filter(({ time }) => start <= time && time <= end);
   for (const { cue, time, until } of moments) {
@@ -36,10 +41,7 @@ export function scoreOf(plan, start, end) {
       [period, since] = [60 / cue.tempo, Math.max(time, since)];
     } else if (until > time) {
       upTo(time);
-      since = Math.min(until, end);
-      const counted = until < end ? Math.min(bar, Math.floor((until - time) / period)) : 0;
-      if (counted)
-        runs.push({ start: until - counted * period, end: until, period, bar, counted: true });
+      [since, still] = [Math.min(until, end), until - time];
     }
   }
   upTo(end);
