@@ -128,6 +128,8 @@ def _spaced(
             joined[-1][1].append(reason)
         else:
             joined.append((along, [reason]))
+    if len(joined) > 1 and joined[0][0] + length - joined[-1][0] <= JOINED:  # over the ring's seam
+        joined[0][1].extend(joined.pop()[1])
     if not joined:
         joined = [(0.0, [Reason("line")])]
     found = []
