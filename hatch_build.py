@@ -23,10 +23,11 @@ class KernelsHook(BuildHookInterface):  # type: ignore[type-arg]
         if version == "editable":  # there `make` builds, and again after each change
             return
         self.folder = tempfile.TemporaryDirectory()
-        source = Path(self.root, "src")
+        # Before the builder's own: an installer that builds apart says there where numba is.
+        paths = [str(Path(self.root, "src")), *filter(None, [os.environ.get("PYTHONPATH")])]
         done = subprocess.run(
             [sys.executable, "-m", "benchdragon.engine", self.folder.name],
-            env={**os.environ, "PYTHONPATH": str(source)},
+            env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)},
             check=False,
         )
         built = list(Path(self.folder.name).glob("kernels-*.so"))
