@@ -27,11 +27,14 @@ from benchdragon.cli.options import (
     prove_option,
     refuse_strays,
     shared_options,
+    tell_roster,
 )
 from benchdragon.i18n import N_, _
 
 if TYPE_CHECKING:
     from benchdragon.analysis.check import Report
+    from benchdragon.plans.schema import Plan
+    from benchdragon.rosters.roster import Roster
 
 
 @click.command(
@@ -77,8 +80,10 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
             progress(1.0, _("writing"))
             write_files(report, files)
     lines = _explained(report) if options["explain"] else []
+    roster = _roster(read, needed=record is not None)
+    tell_roster(roster, quiet)
     if record is not None:
-        _record(record, report)
+        _record(record, report, roster)
     if options["as_json"]:
         from benchdragon.analysis.records import verdict_of
 
@@ -104,13 +109,31 @@ def _record_path(plan: str) -> Path:
     return record_path(plan)
 
 
-def _record(path: Path, report: "Report") -> None:
-    """Record a check, if it found nothing; and say on standard error what was done."""
+def _roster(plan: "Plan", needed: bool) -> "Roster":
+    """Who carries the benches; a list that cannot be read is told, and refused only if it is needed.
+
+    Raises:
+        PlanError: for a list that is needed and cannot be read.
+    """
     from benchdragon.plans.roster import roster_of
+    from benchdragon.plans.toml import PlanError
+    from benchdragon.rosters.roster import Roster
+
+    try:
+        return roster_of(plan)
+    except PlanError as error:
+        if needed:
+            raise
+        click.echo(str(error), err=True)
+        return Roster()
+
+
+def _record(path: Path, report: "Report", roster: "Roster") -> None:
+    """Record a check, if it found nothing; and say on standard error what was done."""
     from benchdragon.sheets.checked import record_check
 
     if report.safe:
-        record_check(path, report, roster_of(report.plan))
+        record_check(path, report, roster)
         click.echo(_("Recorded in {path}").format(path=path), err=True)
     elif path.exists():
         text = _("not recorded: only a plan that is safe is; the older {path} was left as it is")

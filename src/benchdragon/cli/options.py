@@ -1,6 +1,7 @@
 """Options that several verbs take."""
 
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,11 +13,16 @@ from benchdragon.i18n import LANGUAGES, N_, _
 
 if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
+    from benchdragon.rosters.roster import Roster
 
 Command = Callable[..., int | None]  # groups give nothing
 
 # Of random dances: their number, and their seed.
 MOST_DRAWS, MOST_SEED = 100_000, 2**31
+# Notes on a list of names that a screen shows.
+MOST_TOLD = 6
+# Stands in the folder of compiled code once it was told there what compiling means.
+TOLD_HERE = "told"
 # Seconds of compiling after which a word is due.
 SLOW_COMPILE = 1.0
 
@@ -235,20 +241,30 @@ def refuse_strays(*rules: tuple[str, bool, str, str]) -> None:
 
 
 def announce_compiling(quiet: bool) -> None:
-    """Say on standard error when compiling takes long, unless `quiet`."""
+    """Say on standard error when compiling takes long, unless `quiet`: in full where it is new here."""
     if quiet:
         return
-    from benchdragon.kernels.jit import watch_compiling
+    from benchdragon.kernels import jit
 
-    text = _("compiling the kernels, once for this machine; this takes up to a minute")
+    folder = jit.CACHE_FOLDER
+    told = None if folder is None else folder / TOLD_HERE
+    text = _("compiling more of the kernels")
+    if told is None or not told.exists():
+        text = _(
+            "compiling the kernels for this computer: a few minutes; what is compiled is kept, and "
+            "other questions may take a little more once"
+        )
     said: list[str] = []
 
     def say() -> None:
         if not said:
             said.append(text)
             click.echo(text, err=True)
+            if told is not None:
+                with suppress(OSError):  # then it is told in full once more
+                    told.touch()
 
-    watch_compiling(say, SLOW_COMPILE)
+    jit.watch_compiling(say, SLOW_COMPILE)
 
 
 def plan_to_walk(plan: str, settings: tuple[str, ...], quiet: bool) -> "Plan":
@@ -258,3 +274,17 @@ def plan_to_walk(plan: str, settings: tuple[str, ...], quiet: bool) -> "Plan":
     read = read_plan(plan, settings)
     announce_compiling(quiet)
     return read
+
+
+def tell_roster(roster: "Roster", quiet: bool) -> None:
+    """Say on standard error what is odd about a list of names, a sentence each; a handful at most."""
+    notes = roster.notes
+    if quiet or not notes:
+        return
+    # The last says which benches nobody carries.
+    shown = notes if len(notes) <= MOST_TOLD else (*notes[: MOST_TOLD - 1], notes[-1])
+    for note in shown:
+        click.echo(_("List of names: {note}").format(note=note), err=True)
+    if len(notes) > len(shown):
+        text = _("List of names: and {count} more: see the overview (benchdragon sheets)")
+        click.echo(text.format(count=len(notes) - len(shown)), err=True)

@@ -18,6 +18,7 @@ from benchdragon.cli.options import (
     refuse_strays,
     scale_option,
     shared_options,
+    tell_roster,
 )
 from benchdragon.cli.parsing import PAPERS, parse_length, parse_scale
 from benchdragon.errors import finite
@@ -106,6 +107,7 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     path, folder = record_path(plan), options["output"]
     read = plan_to_walk(plan, settings, quiet)
     roster = roster_of(read)
+    tell_roster(roster, quiet)
     record = None if options["anew"] else read_record(path, read, roster, plan)
     files = planned_papers(folder, names, options["force"])
     looks = options["paper"], options["by"], options["night"], options["phones"]
