@@ -2,6 +2,7 @@
 
 import os
 import pty
+import re
 import subprocess
 import sys
 from contextlib import suppress
@@ -9,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from benchdragon.cli.main import run
 from benchdragon.plans.schema import read_plan
 
 END_OF_INPUT = "\x04"
@@ -50,7 +52,8 @@ def test_questions_are_asked_until_they_are_answered_and_the_plan_is_written(tmp
     assert plan.value("dragon.benches") == 4
     assert plan.value("dragon.body_length") == 1.5
     assert plan.venue.rectangle == (25.0, 20.0)
-    assert "SAFE" in shown
+    assert shown.index("Proposed:") < shown.index("SAFE")
+    assert "Length of a bench: wanted a length from 1 cm to 20 m, such as 1.5" in shown
 
 
 @pytest.mark.parametrize("typed", [END_OF_INPUT, "4\n" + END_OF_INPUT])
@@ -59,3 +62,48 @@ def test_where_input_ends_nothing_is_written(tmp_path: Path, typed: str) -> None
     assert code != 0
     assert "Traceback" not in shown
     assert list(tmp_path.iterdir()) == []
+
+
+SHORT_LINE = (
+    "new -o v.dragon.toml --benches 24 --bench-length 1.5 --bench-width 15cm --square 13x13 "
+    "--carry under --kind spiral-in"
+)
+
+
+def test_what_is_proposed_is_told_and_each_number_that_nobody_gave_is_marked(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    line = "new -o v.dragon.toml --benches 9 --bench-length 1.5m --bench-width 15cm --square 20x20"
+    assert run([*line.split(), "--carry", "under", "--quiet", "--lang", "en"]) == 0
+    told = capsys.readouterr().out
+    assert "in, round, and out again" in told
+    assert "WARNING" not in told
+    text = (tmp_path / "v.dragon.toml").read_text("utf-8")
+    assert "assumed" in text.splitlines()[0]
+    numbers = re.findall(r"^(\w+) = [-\[]*[0-9][^#]*(.*)$", text, re.MULTILINE)
+    marks = {key: note.endswith(("(assumed)", "(proposed)")) for key, note in numbers}
+    given = {"benches", "width", "body_length", "rectangle", "schema"}
+    assert {key for key, marked in marks.items() if not marked} == given
+    assert marks["head_length"]
+
+
+def test_a_dance_that_is_soon_over_is_proposed_with_a_warning(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert run([*SHORT_LINE.split(), "--quiet", "--lang", "en"]) == 0
+    told = capsys.readouterr().out
+    assert "hardly a dance. It gets longer with fewer benches or a larger square." in told
+    assert "it does not come out again" in told
+
+
+def test_a_refusal_names_walking_under_the_benches_where_that_fits(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    beside = SHORT_LINE.replace("--carry under ", "").replace("13x13", "12x12")
+    assert run([*beside.split(), "--quiet", "--lang", "en"]) == 4
+    assert "--carry under" in capsys.readouterr().err
+    assert run([*beside.replace("12x12", "4x4").split(), "--quiet", "--lang", "en"]) == 4
+    assert "--carry under" not in capsys.readouterr().err

@@ -7,6 +7,7 @@ import pytest
 
 from benchdragon.analysis.check import check
 from benchdragon.errors import InputError
+from benchdragon.solve.course import course_of
 from benchdragon.solve.proposal import Proposal, TooSmall, Wishes, propose
 
 SMALL = Wishes(12, 1.5, 0.15, rectangle=(20.0, 18.0), carry="under")
@@ -57,3 +58,15 @@ def test_a_square_that_is_not_said_or_said_twice_is_refused() -> None:
     for wishes in (replace(SMALL, rectangle=None), replace(SMALL, radius=9.0)):
         with pytest.raises(InputError, match="either its rectangle or its radius"):
             propose(wishes)
+
+
+def test_a_course_tells_the_rounds_of_the_coil_and_the_way_of_the_head() -> None:
+    found = propose(replace(SMALL, benches=30, rectangle=(25.0, 25.0), kind="spiral-in"))
+    assert isinstance(found, Proposal)
+    course, plan = course_of(found.plan), found.plan
+    assert not course.out
+    assert course.way == pytest.approx(plan.walk.speed * course.seconds)
+    # Where the head starts a round farther out, the dragon stands in fewer rounds.
+    farther = course_of(plan.with_value("route.start_turn", plan.value("route.start_turn") + 1.0))
+    assert farther.way > course.way
+    assert 0.0 < farther.rounds < course.rounds

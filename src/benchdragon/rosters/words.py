@@ -113,11 +113,11 @@ def _place(text: str) -> Place | None:
     if word in HEADS or word in TAILS:
         return Place(end="head" if word in HEADS else "tail")
     match = ITEM.fullmatch(word)
-    number = None if match is None else _number(match[1])
+    number = None if match is None else numeral(match[1])
     return None if number is None else Place(number)
 
 
-def _number(text: str) -> int | None:
+def numeral(text: str) -> int | None:
     """A number in digits, or as Chinese write it: 三十七, 一百零五, 一二〇."""
     if text[0] in "0123456789":
         return int(float(text))

@@ -6,8 +6,9 @@ so wide, and a head so long, that they have room (`room.with_people`).
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain
 from typing import Any, Literal
 
 import numpy as np
@@ -47,7 +48,9 @@ WIDE = 2.0
 # Benches with which sizes are sought: what lies farther out in a coil is less tight.
 ENOUGH = 60
 # Rounds of the spiral that the head walks in before it turns or stops; the first that fit are taken.
-ROUNDS: dict[Kind, tuple[float, ...]] = {"turn": (1.0, 0.5, 0.0), "spiral-in": (2.0, 1.0, 0.5)}
+ROUNDS: dict[Kind, tuple[float, ...]] = {
+    "turn": (2.0, 1.0, 0.5, 0.0), "spiral-in": (6.0, 4.0, 3.0, 2.0, 1.0, 0.5),
+}  # fmt: skip
 # The ground is drawn to this, m; a round square has so many corners; angles of the dance, degrees.
 DRAWN, CORNERS, ANGLES = 0.02, 90, 180
 # Sizes of a bench, in the order of `Dragon.sizes`.
@@ -120,12 +123,14 @@ class TooSmall:
         rectangle: on which that dance fits, its margins included, m; rounded up.
         radius: of a round square on which it fits, m; rounded up.
         benches: so many, of the same sizes, fit on the square; 0 where none were found to.
+        under: whether all of them fit if those who walk beside their benches walk under them.
     """
 
     kind: Kind
     rectangle: tuple[float, float]
     radius: float
     benches: int
+    under: bool = False
 
 
 @dataclass(frozen=True)
@@ -147,28 +152,17 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
     """
     of_kind("wishes", wishes, Wishes)
     _refuse(wishes)
-    kinds = KINDS if wishes.kind is None else (wishes.kind,)
-    smallest: list[_Dance] = []
-    fits = False
-    for n, kind in enumerate(kinds):
-        progress(n / len(kinds), _("pitch and disc"))
-        sized = _sized(wishes, kind)
-        progress((n + 0.5) / len(kinds), _("place on the square"))
-        dances = [] if sized is None else list(_dances(wishes, sized, ROUNDS[kind]))
-        for dance in dances:
-            placed = _placed(wishes, dance)
-            fits = fits or placed is not None
-            if placed is not None and (found := _walked(wishes, placed)) is not None:
-                return found
-        smallest += dances[-1:]
-    if not smallest:
+    tried = _tried(wishes, ROUNDS, progress)
+    if tried.found is not None:
+        return tried.found
+    if not tried.smallest:
         raise InputError(
             _(
                 "no dance of these benches was found among the pitches and turning discs that were "
                 "tried: try another --kind, or shorter or narrower benches"
             )
         )
-    if fits:
+    if tried.fits:
         raise UnsureError(
             _(
                 "a dance was found that fits the square, but it does not pass the check: try "
@@ -176,7 +170,70 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
             )
         )
     progress(0.9, _("how large a square it takes"))
-    return _too_small(wishes, min(smallest, key=lambda dance: _radius(dance.ground)))
+    smallest = min(tried.smallest, key=lambda dance: _radius(dance.ground))
+    return _too_small(wishes, smallest, _fits_under(wishes))
+
+
+@dataclass(frozen=True)
+class _Tried:
+    """What came of trying the kinds of dance: one that passes the check, or what takes the least room.
+
+    `fits` says whether any dance fits the square.
+    """
+
+    found: Proposal | None
+    smallest: list[_Dance]
+    fits: bool
+
+
+def _tried(wishes: Wishes, walked: Mapping[Kind, Sequence[float]], progress: Progress) -> _Tried:
+    """Try each kind with so many rounds walked, the most first that fit."""
+    kinds = KINDS if wishes.kind is None else (wishes.kind,)
+    smallest: list[_Dance] = []
+    fits = False
+    for n, kind in enumerate(kinds):
+        progress(n / len(kinds), _("pitch and disc"))
+        sized = _sized(wishes, kind)
+        if sized is None:
+            continue
+        progress((n + 0.5) / len(kinds), _("place on the square"))
+        least = list(_dances(wishes, sized, walked[kind][-1:]))
+        smallest += least
+        if least and _placed(wishes, least[0]) is None:  # with more rounds it does not fit either
+            continue
+        more = (rounds for rounds in walked[kind][:-1] if not _too_wide(wishes, sized, rounds))
+        for dance in chain(_dances(wishes, sized, more), least):
+            placed = _placed(wishes, dance)
+            fits = fits or placed is not None
+            if placed is not None and (found := _walked(wishes, placed)) is not None:
+                return _Tried(found, smallest, fits)
+    return _Tried(None, smallest, fits)
+
+
+def _too_wide(wishes: Wishes, sized: Plan, rounds: float) -> bool:
+    """Whether a dragon that begins so many rounds out is sure to be wider than the square.
+
+    Its coil is taken for rings: what a round covers is its length times the pitch.
+    """
+    pitch, disc = sized.value("route.pitch"), sized.value("disc.radius")
+    inner = disc + rounds * pitch
+    link = wishes.length - 2.0 * wishes.inset
+    outer = math.sqrt(inner * inner + wishes.benches * link * pitch / math.pi)
+    narrow = 2.0 * (wishes.radius or 0.0) if wishes.rectangle is None else min(wishes.rectangle)
+    return outer > inner + pitch and 2.0 * (outer - pitch) > narrow
+
+
+def _fits_under(wishes: Wishes) -> bool:
+    """Whether the dance fits if those who walk beside their benches walk under them."""
+    if wishes.carry == "under":
+        return False
+    under = replace(wishes, carry="under")
+    try:
+        _refuse(under)
+    except InputError:  # so many have no room behind one another under a bench
+        return False
+    shortest = {kind: rounds[-1:] for kind, rounds in ROUNDS.items()}
+    return _tried(under, shortest, silent).found is not None
 
 
 def _refuse(wishes: Wishes) -> None:
@@ -280,7 +337,7 @@ def _pitch(wishes: Wishes, kind: Kind, first: float, disc: float) -> float:
     return _up(found.upper, SIZE_STEP) if found.status == "found" else math.inf
 
 
-def _dances(wishes: Wishes, sized: Plan, rounds_walked: Sequence[float]) -> Iterator[_Dance]:
+def _dances(wishes: Wishes, sized: Plan, rounds_walked: Iterable[float]) -> Iterator[_Dance]:
     """The dance begun early, then later, each with the ground that it covers with its people."""
     for rounds in rounds_walked:
         try:
@@ -336,7 +393,7 @@ def _walked(wishes: Wishes, plan: Plan) -> Proposal | None:
     return Proposal(plan, report, plan.walk.speed < wishes.speed) if report.safe else None
 
 
-def _too_small(wishes: Wishes, dance: _Dance) -> TooSmall:
+def _too_small(wishes: Wishes, dance: _Dance, under: bool) -> TooSmall:
     """How much room a dance takes, and how many benches would fit."""
     boxes = [_box(dance.ground, math.radians(angle)) for angle in range(ANGLES)]
     low, high = min(boxes, key=lambda box: float(np.prod(box[1] - box[0])))
@@ -344,7 +401,8 @@ def _too_small(wishes: Wishes, dance: _Dance) -> TooSmall:
     sides = sorted((_up(float(side) + kept, SIZE_STEP) for side in high - low), reverse=True)
     radius = (_radius(dance.ground) + 0.5 * kept) / math.cos(math.pi / CORNERS)
     kind: Kind = "turn" if dance.plan.route.kind == "turn" else "spiral-in"
-    return TooSmall(kind, (sides[0], sides[1]), _up(radius, SIZE_STEP), _fitting(wishes, dance.plan))
+    fitting = _fitting(wishes, dance.plan)
+    return TooSmall(kind, (sides[0], sides[1]), _up(radius, SIZE_STEP), fitting, under)
 
 
 def _fitting(wishes: Wishes, plan: Plan) -> int:
