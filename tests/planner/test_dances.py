@@ -157,6 +157,20 @@ def test_a_sketch_is_of_the_whole_dance_and_ends_where_a_bench_leaps() -> None:
     assert abs(turn["start"] + turn["step"] * (turn["count"] - 1) - last) < 1e-9
 
 
+def test_a_sketch_takes_no_short_run_of_the_head_for_a_leap() -> None:
+    burst = [[0, 0.5], [300.3, 0.5], [301, 3], [301.7, 0.5]]
+    data = {
+        "schema": 1,
+        "dragon": {"benches": 5},
+        "route": {"kind": "parts", "part": [{"kind": "line", "length": 400}]},
+        "walk": {"profile": burst, "end": 600},
+    }
+    (answer,) = asked("dances.mjs", [{"plan": data}])
+    frames = answer["sent"]["frames"]
+    assert abs(frames["step"] * (frames["count"] - 1) - 600.0) < 1e-9
+    assert "end" not in [one["kind"] for one in answer["sent"]["occasions"]]
+
+
 def test_memory_does_not_grow_from_dance_to_dance() -> None:
     shown = {"shares": [], "times": 30}
     data = read_plan("turn").data()

@@ -34,6 +34,7 @@ SPECIAL: dict[str, dict[str, Any]] = {
     "small and large numbers": {"walk": {"speed": 1e-6, "end": 1e8, "position": -1e-7}},
     "negative zero": {"walk": {"position": -0.0}, "route": {"kind": "spiral-in", "turned": -0.0}},
     "moved": {"route": {"kind": "spiral-in", "at": [1, 2], "turned": "0.25 turns"}},
+    "a slip of the pen": {"dragon": {"width": 1e-9}, "turn": {"ratio": 1e-4}},
     "a misspelt key": {"dragon": {"bodylength": 3}},
     "a misspelt table": {"wlak": {}},
     "an idle key": {"turn": {"ratio": 2}, "walk": {"speed": 1, "profile": [[0, 1]]}},
