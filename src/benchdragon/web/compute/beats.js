@@ -29,8 +29,7 @@ export function scoreOf(plan, start, end) {
   const upTo = (/** @type {number} */ until) => {
     if (since >= until) return;
     const counted = Math.min(bar, Math.floor(still / period));
-    if (counted)
-      runs.push({ start: since - counted * period, end: since, period, bar, counted: true });
+    if (counted) runs.push({ start: since - counted * period, end: since, period, bar, counted: true });
     runs.push({ start: since, end: until, period, bar, counted: false });
     still = 0;
   };
