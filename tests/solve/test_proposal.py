@@ -70,3 +70,13 @@ def test_a_course_tells_the_rounds_of_the_coil_and_the_way_of_the_head() -> None
     farther = course_of(plan.with_value("route.start_turn", plan.value("route.start_turn") + 1.0))
     assert farther.way > course.way
     assert 0.0 < farther.rounds < course.rounds
+
+
+def test_a_longer_dance_is_proposed_where_it_fits() -> None:
+    """The same benches on a larger square: the head walks farther."""
+    ways = []
+    for side in (13.0, 20.0):
+        found = propose(replace(SMALL, rectangle=(side, side), kind="spiral-in"))
+        assert isinstance(found, Proposal)
+        ways.append(course_of(found.plan).way)
+    assert ways[0] < ways[1]

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 
 from benchdragon.errors import InputError
@@ -84,6 +85,7 @@ def read_roster(path: Path, numbering: Numbering, sheet: str = "") -> Roster:
     for seat in sorted(kept, key=lambda seat: seat.bench):
         found_benches[seat.bench] = (*found_benches.get(seat.bench, ()), seat.person)
     notes += [*_some(odd), *_some(twice), *_some(_at_two(kept, numbering))]
+    notes += _some(_apart(said, numbering))
     notes += _holes(found_benches, numbering)
     return Roster(found_benches, tuple(dict.fromkeys(notes)))
 
@@ -197,6 +199,19 @@ def _at_two(seats: Sequence[_Seat], numbering: Numbering) -> Iterator[str]:
                     name=group[0].person.name, benches=_called(benches, numbering),
                     rows=_listed(map(str, rows)),
                 )  # fmt: skip
+
+
+def _apart(said: Sequence[Entry], numbering: Numbering) -> Iterator[str]:
+    """Benches that rows name by themselves which do not follow one another."""
+    rows: dict[int, list[int]] = {}
+    for entry in said:
+        benches, _beyond = _benches(entry.benches, numbering)
+        if len(benches) == 1:
+            rows.setdefault(benches[0], []).append(entry.row)
+    text = _("{bench} is in rows {rows}: all of their people are taken for it")
+    for bench, found in sorted(rows.items()):
+        if any(after - before > 1 for before, after in pairwise(found)):
+            yield text.format(bench=numbering.called(bench), rows=_listed(map(str, found)))
 
 
 def _holes(benches: dict[int, tuple[Person, ...]], numbering: Numbering) -> list[str]:

@@ -36,6 +36,7 @@ def overview(briefing: Briefing, phones: bool) -> Document:
         *_room(briefing),
         *_notes(briefing),
         Heading(_("Where each bench starts"), "starts"),
+        Paragraph((_("Figure 1 is the map."),)),
         Picture("map", _("The square, the route, and where the front handle of each bench starts")),
         Heading(_("Benches"), "benches"),
         _table(briefing, phones),
