@@ -10,14 +10,13 @@ import pytest
 
 from benchdragon import inlining
 from benchdragon.inlining import (
-    EXPORT,
     IMPORT,
-    LIST,
     TEXT,
     WEB,
     ScriptError,
     chinese,
     content_hash,
+    exported,
     inert,
     inlined,
     joined_styles,
@@ -60,15 +59,17 @@ def test_modules_stand_once_each_before_those_that_need_them(web: Path) -> None:
     )
     (web / "b.js").write_text('import { c } from "./deep/c.js";\nexport const b = c();\n')
     (web / "deep" / "c.js").write_text(
-        'import { d } from "../d.js";\nimport { Many } from "./e.js";\nconst name = 2;\n'
-        "let calls = 0;\nexport function c() {\n  return [d, new Many().e, ++calls];\n}\n"
+        'import { d } from "../d.js";\nimport { Many, y } from "./e.js";\nconst name = 2;\n'
+        "let calls = 0;\nexport function c() {\n  return [d, new Many().e, y, ++calls];\n}\n"
         "export { name };\n"
     )
     (web / "d.js").write_text("const name = 3;\nexport {name as d};")
-    (web / "deep" / "e.js").write_text("export class Many {\n  e = 4;\n}\n")
+    (web / "deep" / "e.js").write_text(
+        "export class Many {\n  e = 4;\n}\nexport const { x, y } = { x: 5, y: 6 };\n"
+    )
     script = inlined("a.js")
     assert script.count("class Many") == 1
-    assert said(script + "console.log(JSON.stringify(a));") == [[3, 4, 1], [3, 4, 2], 2, 1]
+    assert said(script + "console.log(JSON.stringify(a));") == [[3, 4, 6, 1], [3, 4, 6, 2], 2, 1]
 
 
 @pytest.mark.parametrize(
@@ -83,7 +84,8 @@ def test_modules_stand_once_each_before_those_that_need_them(web: Path) -> None:
         "export default 1;",
         'export { b } from "./b.js";',
         'export * from "./b.js";',
-        "export const { a, b } = {};",
+        "export const { a: b } = {};",
+        "export const [b] = [];",
         '  import { b } from "./b.js";',
     ],
 )
@@ -102,11 +104,10 @@ def test_circles_are_refused(web: Path) -> None:
 
 
 def test_imported_names_are_exported() -> None:
-    exports = {}
-    for module in MODULES:
-        text = module.read_text("utf-8")
-        lists = {name.split()[-1] for names in LIST.findall(text) for name in names.split(",")}
-        exports[module] = {*EXPORT.findall(text), *lists}
+    exports = {
+        module: {outside for _inside, outside in exported(module.read_text("utf-8"))}
+        for module in MODULES
+    }
     assert "Player" in exports[WEB / "player.js"]
     for module in MODULES:
         for names, path in IMPORT.findall(module.read_text("utf-8")):

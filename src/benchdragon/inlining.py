@@ -21,6 +21,8 @@ IMPORT = re.compile(r'^import \{([^}]*)\} from "(\.\.?/(?:\w+/)*\w+\.js)";\n', r
 EXPORT = re.compile(
     r"^export (?=(?:const|let|class|function\*?|async function\*?) (\w+))", re.MULTILINE
 )
+# Names that are taken out of an object.
+TAKEN = re.compile(r"^export (?=const \{([\w\s,]*)\} = )", re.MULTILINE)
 # What a bundler writes at the end of a module.
 LIST = re.compile(r"^export \{([^}]*)\};?$\n?", re.MULTILINE)
 STRAY = re.compile(r"^\s*(?:import|export)\b.*", re.MULTILINE)
@@ -61,16 +63,22 @@ def inlined(entry: str) -> str:
 
 def _joined(name: str, text: str, entry: bool) -> str:
     """A module, with names that it takes from those before it in place of its imports."""
-    given = EXPORT.findall(text)
-    for names in LIST.findall(text):
-        given += [_pair(outside, inside) for inside, outside in _pairs(names)]
+    given = ", ".join(_pair(outside, inside) for inside, outside in exported(text))
     text = IMPORT.sub(lambda found: _taken(name, *found.groups()), text)
-    text = LIST.sub("", EXPORT.sub("", text))
+    text = LIST.sub("", TAKEN.sub("", EXPORT.sub("", text)))
     if stray := STRAY.search(text):
         raise ScriptError(f"{name}: {stray.group().strip()}")
     if entry:
         return text
-    return f"const {_variable(name)} = (() => {{\n{text}return {{ {', '.join(given)} }};\n}})();\n"
+    return f"const {_variable(name)} = (() => {{\n{text}return {{ {given} }};\n}})();\n"
+
+
+def exported(text: str) -> list[tuple[str, str]]:
+    """What a module exports: names inside of it, and those that others call them by."""
+    found = [(name, name) for name in EXPORT.findall(text)]
+    for names in [*TAKEN.findall(text), *LIST.findall(text)]:
+        found += _pairs(names)
+    return found
 
 
 def _taken(importer: str, names: str, path: str) -> str:
