@@ -12,7 +12,10 @@ from benchdragon.analysis.check import check
 from benchdragon.analysis.records import verdict_of
 from benchdragon.planner.page import planner_page
 from benchdragon.plans.schema import Plan, read_plan
+from benchdragon.solve.head_speed import greatest_head_speed
+from benchdragon.solve.size import limit
 from tests.browser.pages import Device, Language, Pages
+from tests.browser.players import until
 from tests.browser.studios import change, number, settle, verdict
 
 PITCH = {"en": "spiral pitch", "zh": "螺距"}
@@ -205,12 +208,55 @@ def test_what_the_page_cannot_do_has_its_command_and_no_button(opened: Opened) -
     assert copied == "benchdragon check dance.dragon.toml --prove"
 
 
+def test_the_smallest_pitch_is_that_of_the_plan_shown(opened: Opened) -> None:
+    page = opened()
+    expect(page.locator(".limit")).to_have_text("smallest pitch: 0.450337 m (found)")
+    change(page, "radius of the turning disc", "6")
+    settled(page)
+    wanted = limit(shown_plan(page), "pitch", tolerance=1e-5)
+    found = page.evaluate("benchdragon.pitch")
+    assert found["plan_sha256"] == shown_plan(page).sha256
+    assert (found["lower"], found["upper"]) == pytest.approx((wanted.lower, wanted.upper), abs=1e-11)
+
+
+def test_long_questions_are_answered_with_the_plan_that_they_are_about(opened: Opened) -> None:
+    page = opened()
+    page.get_by_label("begin with").select_option("turn")
+    change(page, "number of benches", "20")
+    settled(page)
+    asked = shown_plan(page)
+    page.get_by_role("button", name="greatest head speed").click()
+    job = page.locator(".jobs li")
+    wanted = greatest_head_speed(asked)
+    expect(job).to_contain_text(f"{wanted.value:.6f}"[:7])
+    expect(job).to_have_attribute("data-plan", "this")
+    change(page, "number of benches", "21")
+    settled(page)
+    expect(job).to_have_attribute("data-plan", "other")
+    job.get_by_role("button", name="show that plan").click()
+    assert shown_plan(page).sha256 == asked.sha256
+    job.get_by_role("button", name="clear away").click()
+    expect(job).to_have_count(0)
+
+
+def test_a_long_question_is_cancelled_at_once(opened: Opened) -> None:
+    page = opened()
+    page.get_by_label("begin with").select_option("turn")
+    settled(page)
+    page.get_by_role("button", name="best turn").click()
+    job = page.locator(".jobs li")
+    expect(job.locator("progress")).to_have_count(1)
+    until(page, "document.querySelector('.jobs progress').value > 0")
+    job.get_by_role("button", name="cancel").click()
+    expect(job).to_contain_text("cancelled")
+
+
 def test_a_fault_of_the_worker_is_told_and_the_next_question_has_a_new_one(opened: Opened) -> None:
     page = opened()
     page.evaluate(
         "benchdragon.answers.ask('nosuch', benchdragon.plan).catch((e) => { globalThis.told = e; })"
     )
-    page.wait_for_function("globalThis.told !== undefined")
+    until(page, "globalThis.told !== undefined")
     assert page.evaluate("told.status") == 500
     assert "something is wrong with this page" in page.evaluate("told.message")
     change(page, PITCH["en"], "0.44")

@@ -159,7 +159,7 @@ export class WorkerAnswers {
   constructor(script, beginning) {
     this.lane = () => new Lane(script, beginning);
     this.quick = this.lane();
-    // A dance takes longer than a verdict, which is not to wait for it.
+    // Sizes and dances take longer than a verdict, which is not to wait for them.
     this.slower = this.lane();
   }
 
@@ -175,9 +175,10 @@ export class WorkerAnswers {
 
   /** @param {string} question @param {Plan} plan @param {AbortSignal} signal */
   ask(question, plan, signal) {
-    const answer = this.quick.ask({ question, plan }, signal);
-    if (question === "verdict") this.#verdicts.set(plan, answer);
-    return answer;
+    if (question !== "verdict") return this.slower.ask({ question, plan }, signal);
+    const verdict = this.quick.ask({ question, plan }, signal);
+    this.#verdicts.set(plan, verdict);
+    return verdict;
   }
 
   /** @param {Plan} plan @param {AbortSignal} signal */

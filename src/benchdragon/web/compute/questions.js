@@ -6,6 +6,7 @@ import { _ } from "../words.js";
 import { withArenaAsync } from "./arena.js";
 import { check } from "./check.js";
 import { PlanError } from "./errors.js";
+import { headSpeed, limited, pace, turn } from "./long_questions.js";
 import { withFindings } from "./occasions.js";
 import { checkedPlan } from "./plan.js";
 import { verdictOf } from "./records.js";
@@ -25,11 +26,19 @@ import { danceOf } from "./scene.js";
  * @property {Progress} progress
  */
 
+const SIZES = ["pitch", "disc", "width", "length"];
+
 /** Questions about a plan. @type {Record<string, (asked: Asked) => unknown>} */
 export const QUESTIONS = {
   toml: ({ plan }) => stringify(plan.written()),
   verdict: judged,
   dance: danced,
+  ...Object.fromEntries(
+    SIZES.map((name) => [`limit/${name}`, (/** @type {Asked} */ asked) => limited(name, asked)]),
+  ),
+  "job/turn": turn,
+  "job/speed": headSpeed,
+  "job/pace": pace,
 };
 
 /** Whether the walk is safe. @param {Asked} asked */
