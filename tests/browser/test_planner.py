@@ -3,6 +3,7 @@
 import json
 import re
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -12,6 +13,8 @@ from benchdragon.analysis.check import check
 from benchdragon.analysis.records import verdict_of
 from benchdragon.planner.page import planner_page
 from benchdragon.plans.schema import Plan, read_plan
+from benchdragon.player.messages import Dance
+from benchdragon.player.scene import judged_dance
 from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.size import limit
 from tests.browser.pages import Device, Language, Pages
@@ -45,7 +48,7 @@ def opened(pages: Pages, file: Path) -> Opened:
 def settled(page: Page) -> Page:
     """The page, once it shows verdict and dance of its plan."""
     expect(page.locator("#studio")).to_have_attribute("aria-busy", "false")
-    expect(page.locator("[data-stale]")).to_have_count(0)
+    expect(page.locator("[data-stale]:visible")).to_have_count(0)
     expect(page.locator(".verdict:is(.safe, .unsafe)")).to_have_count(1)
     return page
 
@@ -206,6 +209,38 @@ def test_what_the_page_cannot_do_has_its_command_and_no_button(opened: Opened) -
     expect(proof.locator("output")).to_have_text("copied")
     copied = page.evaluate("navigator.clipboard.readText()")
     assert copied == "benchdragon check dance.dragon.toml --prove"
+
+
+SQUARE = Path(__file__).parents[2] / "examples" / "10_village_square.dragon.toml"
+
+
+@pytest.mark.parametrize(
+    ("source", "settings"),
+    [
+        ("spiral-in", ["dragon.benches=40", "route.start_turn=8"]),
+        ("spiral-in", ["dragon.benches=40", "disc.radius=4.5", "limits.margin=0.3"]),
+        (str(SQUARE), []),
+        (str(SQUARE), ["limits.margin=1.5"]),
+    ],
+)
+def test_the_player_marks_what_the_check_found(
+    opened: Opened, source: str, settings: list[str]
+) -> None:
+    page, plan = opened(), read_plan(source, settings)
+    page.evaluate("(plan) => benchdragon.change(plan, true)", plan.data())
+    settled(page)
+    wanted = judged_dance(plan, partial(check, quick=True))
+    found = Dance.model_validate(page.evaluate("benchdragon.player.scene.sent"))
+    assert found.plan_sha256 == plan.sha256
+    marks, others = (
+        [one for one in dance.occasions if one.kind != "joint"] for dance in (found, wanted)
+    )
+    assert [one.kind for one in marks] == [one.kind for one in others]
+    for one, other in zip(marks, others, strict=True):
+        assert one.time == pytest.approx(other.time, abs=1e-3)
+        assert (one.text, one.benches, one.obstacle) == (other.text, other.benches, other.obstacle)
+    found_least, least = min(found.nearest.distance), min(wanted.nearest.distance)
+    assert found_least == pytest.approx(least, abs=1e-5)
 
 
 def test_the_smallest_pitch_is_that_of_the_plan_shown(opened: Opened) -> None:
