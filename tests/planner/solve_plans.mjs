@@ -12,6 +12,7 @@ const { BenchDragonError } = await load("compute/errors");
 const size = await load("compute/size");
 const head = await load("compute/head_speed");
 const turning = await load("compute/turn");
+const margins = await load("compute/tolerance");
 const engine = await Engine.load(readFileSync(file));
 const { asked, words, rounds = 1, cancel = false } = JSON.parse(readFileSync(questions, "utf-8"));
 useWords(words ?? {});
@@ -29,6 +30,7 @@ const ASKED = {
   speed: (plan, options) => head.greatestHeadSpeed(engine, plan, { ...options, progress }),
   pace: paced,
   turn: turned,
+  margins: drawn,
 };
 
 /** A pace, and the plan walked at it. */
@@ -41,6 +43,13 @@ async function paced(plan) {
 async function turned(plan, goal) {
   const { plan: found, turn, ...rest } = await turning.bestTurn(engine, plan, goal, { progress });
   return { ...rest, turn: found.tables.turn, pieces: turn.pieces, sha256: found.sha256 };
+}
+
+/** What random dances need, in plain data. */
+async function drawn(plan, { deviations, ...options }) {
+  const found = await margins.tolerance(engine, plan, deviations, { ...options, progress });
+  const pitchFor = margins.RISKS.map((risk) => margins.pitchFor(found, risk));
+  return { ...found, touching: margins.touching(found), pitchFor };
 }
 
 /** An answer, or why there is none. */

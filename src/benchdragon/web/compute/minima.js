@@ -14,8 +14,8 @@ import { PCG64 } from "./random.js";
 /** Called after each evaluation: lets go, and may throw. @typedef {() => Promise<unknown>} Pause */
 /** A point and its score. @typedef {{ x: Point, score: number }} Scored */
 /** @typedef {import("./quadratic.js").Matrix} Matrix */
-/** Slopes of the value and of the rooms, what is left of these, and how wide differences were taken. @typedef {{ gradient: number[], rows: Matrix, rooms: number[], curvature: Matrix, width: number }} Model */
-/** What is known at a point: what is to be small, and rooms none of which may be negative. @typedef {{ value: number, rooms: number[] }} Figures */
+/** What is known about a point, slopes of all values and rooms, and how far differences were taken. @typedef {{ here: Figures, slopes: Matrix, bends: Matrix, curvature: Matrix, width: number }} Model */
+/** What is known at a point: values the greatest of which is to be small, and rooms none of which may be negative. @typedef {{ values: number[], rooms: number[] }} Figures */
 
 const { MEMBERS, GENERATIONS, SEEDS, SPREAD, SIMPLEX } = SOLVE_MINIMA;
 // Differential evolution as SciPy's: shares of a step, between which it is drawn for each generation, and
@@ -31,6 +31,8 @@ const [DIFFERENCE, LEAST_DIFFERENCE] = [0.1, 1e-6];
 // What a room that is exceeded by all of itself costs, in shares of the value; what is left of each; and how
 // much the slope of the value is taken to change at first over the whole range of an unknown.
 const [PENALTY, LEFT, CURVED] = [20, 1e-9, 0.1];
+// The curvature along what the greatest value is to become, which has none.
+const FLAT = 0.01;
 // When the simplex has come to rest.
 const [FINE_POINT, FINE_SCORE] = [1e-5, 1e-6];
 
@@ -213,10 +215,11 @@ class Region {
 
   /** @param {Point} z where to begin @param {number} most evaluations */
   async lowest(z, most) {
-    let here = await this.#at(z);
-    this.scale = Math.abs(here.value) || 1;
-    let model = await this.#modelAt(z, here, identity(z.length, CURVED));
+    const first = await this.#at(z);
+    this.scale = Math.abs(greatest(first.values)) || 1;
+    let model = await this.#modelAt(z, first, identity(z.length, CURVED));
     while (this.radius > LAST_REGION && this.evaluations < most) {
+      const { here } = model;
       const { step, promised, multipliers } = this.#best(z, model);
       const next = z.map((share, k) => Math.min(Math.max(share + step[k], 0), 1));
       const there = promised > 0 ? await this.#at(next) : here;
@@ -228,60 +231,90 @@ class Region {
       }
       if (gained > GOOD * promised) this.radius = Math.min(WIDER * this.radius, FIRST_REGION);
       const ahead = await this.#modelAt(next, there, model.curvature);
-      const change = slopeOf(ahead, multipliers).map((one, k) => one - slopeOf(model, multipliers)[k]);
+      const before = pulled(model, multipliers);
+      const change = pulled(ahead, multipliers).map((one, k) => one - before[k]);
       const moved = next.map((share, k) => share - z[k]);
-      [z, here] = [next, there];
+      z = next;
       model = { ...ahead, curvature: updated(model.curvature, moved, change) };
     }
     return z;
   }
 
   /** What is to be small: a share of the value, and what is exceeded. @param {Figures} figures */
-  #merit({ value, rooms }) {
-    return (
-      value / this.scale + PENALTY * rooms.reduce((sum, room) => sum + Math.max(LEFT - room, 0), 0)
-    );
+  #merit({ values, rooms }) {
+    return greatest(values) / this.scale + PENALTY * lackOf(rooms);
   }
 
   /**
-   * How all figures change about a point.
+   * How all figures change about a point; not towards where it is hopeless.
    * @param {Point} z @param {Figures} here @param {Matrix} curvature
    * @returns {Promise<Model>}
    */
   async #modelAt(z, here, curvature) {
     const width = Math.max(DIFFERENCE * this.radius, LEAST_DIFFERENCE);
-    const gradient = [];
-    const rows = here.rooms.map(() => /** @type {number[]} */ ([]));
+    const slopes = here.values.map(() => /** @type {number[]} */ ([]));
+    const bends = here.rooms.map(() => /** @type {number[]} */ ([]));
     for (const k of z.keys()) {
-      const [low, high] = [Math.max(z[k] - width, 0), Math.min(z[k] + width, 1)];
-      const [a, b] = [await this.#at(replaced(z, k, low)), await this.#at(replaced(z, k, high))];
-      gradient.push((b.value - a.value) / (high - low) / this.scale);
-      rows.forEach((row, n) => row.push((b.rooms[n] - a.rooms[n]) / (high - low)));
+      let [low, high] = [Math.max(z[k] - width, 0), Math.min(z[k] + width, 1)];
+      let [a, b] = [await this.#at(replaced(z, k, low)), await this.#at(replaced(z, k, high))];
+      if (isHopeless(a)) [low, a] = [z[k], here];
+      if (isHopeless(b)) [high, b] = [z[k], here];
+      const over = high > low ? high - low : Infinity;
+      slopes.forEach((row, n) => row.push((b.values[n] - a.values[n]) / over / this.scale));
+      bends.forEach((row, n) => row.push((b.rooms[n] - a.rooms[n]) / over));
     }
-    const rooms = here.rooms.map((room) => room - LEFT);
-    return { gradient, rows, rooms, curvature, width: this.radius };
+    return { here, slopes, bends, curvature, width: this.radius };
   }
 
-  /** The step that a model likes best, and by how much it promises to lower the merit. @param {Point} z @param {Model} model */
-  #best(z, { gradient, rows, rooms, curvature }) {
-    const low = z.map((share) => Math.max(-this.radius, -share));
-    const high = z.map((share) => Math.min(this.radius, 1 - share));
-    const found = leastQuadratic(curvature, gradient, rows, rooms, PENALTY, low, high);
-    const { step } = found;
-    const lacking = rooms.map(
-      (room, n) => Math.max(-room, 0) - Math.max(-room - dot(rows[n], step), 0),
-    );
-    const spared = PENALTY * lacking.reduce((a, b) => a + b, 0);
-    return {
-      ...found,
-      promised: spared - dot(gradient, step) - 0.5 * dot(step, times(curvature, step)),
-    };
+  /**
+   * The step that a model likes best, and by how much it promises to lower the merit. One more unknown is by
+   * how much the greatest value rises.
+   * @param {Point} z @param {Model} model
+   */
+  #best(z, { here, slopes, bends, curvature }) {
+    const [top, size] = [greatest(here.values), z.length];
+    const below = here.values.map((value) => (top - value) / this.scale);
+    const rooms = here.rooms.map((room) => room - LEFT);
+    const rows = [
+      ...slopes.map((row) => [...row.map((one) => -one), 1]),
+      ...bends.map((row) => [...row, 0]),
+    ];
+    const curved = [...curvature.map((row) => [...row, 0]), [...z.map(() => 0), FLAT]];
+    const caps = [...slopes.map(() => Infinity), ...bends.map(() => PENALTY)];
+    const low = [...z.map((share) => Math.max(-this.radius, -share)), -1];
+    const high = [...z.map((share) => Math.min(this.radius, 1 - share)), 1];
+    const rise = [...z.map(() => 0), 1];
+    const found = leastQuadratic(curved, rise, rows, [...below, ...rooms], caps, low, high);
+    const step = found.step.slice(0, size);
+    const risen = greatest(slopes.map((row, n) => dot(row, step) - below[n]));
+    const lack = lackOf(here.rooms) - lackOf(here.rooms.map((room, n) => room + dot(bends[n], step)));
+    const promised = PENALTY * lack - risen - 0.5 * dot(step, times(curvature, step));
+    return { step, promised, multipliers: found.multipliers };
   }
 }
 
-/** The slope of the value less what the rooms hold back. @param {Model} model @param {number[]} multipliers */
-function slopeOf({ gradient, rows }, multipliers) {
-  return gradient.map((one, k) => one - rows.reduce((sum, row, n) => sum + multipliers[n] * row[k], 0));
+/** @param {number[]} values */
+function greatest(values) {
+  return values.reduce((most, value) => Math.max(most, value), -Infinity);
+}
+
+/** What rooms lack. @param {number[]} rooms */
+function lackOf(rooms) {
+  return rooms.reduce((sum, room) => sum + Math.max(LEFT - room, 0), 0);
+}
+
+/** Whether a room is exceeded by all of itself, as where nothing can be told. @param {Figures} figures */
+function isHopeless({ rooms }) {
+  return rooms.some((room) => room <= -1);
+}
+
+/** The slope of what multipliers make of the values and rooms. @param {Model} model @param {number[]} multipliers */
+function pulled({ slopes, bends }, multipliers) {
+  const count = slopes.length;
+  return slopes[0].map((_one, k) => {
+    const up = slopes.reduce((sum, row, n) => sum + multipliers[n] * row[k], 0);
+    return bends.reduce((sum, row, n) => sum - multipliers[count + n] * row[k], up);
+  });
 }
 
 /**

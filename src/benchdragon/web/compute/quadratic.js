@@ -3,7 +3,7 @@
 
 /** @typedef {number[][]} Matrix */
 
-const MOST_ROUNDS = 3000;
+const MOST_ROUNDS = 300;
 const SETTLED = 1e-13;
 
 /** @param {number[]} a @param {number[]} b */
@@ -39,15 +39,15 @@ function inverse(matrix) {
 
 /**
  * The point d between low and high at which gradient . d + d . curvature d / 2 is least, rows d + rooms being
- * nowhere negative, or costing `penalty` times what they lack; and the multipliers of the rows.
+ * nowhere negative, or costing `caps` times what they lack; and the multipliers of the rows.
  * @param {Matrix} curvature symmetric, positive definite
  * @param {number[]} gradient
  * @param {Matrix} rows
  * @param {number[]} rooms
- * @param {number} penalty
+ * @param {number[]} caps infinite for rows that must not be negative
  * @param {number[]} low @param {number[]} high
  */
-export function leastQuadratic(curvature, gradient, rows, rooms, penalty, low, high) {
+export function leastQuadratic(curvature, gradient, rows, rooms, caps, low, high) {
   const size = gradient.length;
   const unit = identity(size, 1);
   const all = [...rows, ...unit, ...unit.map((row) => row.map((one) => -one))];
@@ -61,7 +61,7 @@ export function leastQuadratic(curvature, gradient, rows, rooms, penalty, low, h
     for (const [i, row] of all.entries()) {
       const stiff = dot(row, pulled[i]);
       if (stiff <= 0) continue;
-      const cap = i < rows.length ? penalty : Infinity;
+      const cap = caps[i] ?? Infinity;
       const wanted = multipliers[i] - (dot(row, d) + left[i]) / stiff;
       const change = Math.min(Math.max(wanted, 0), cap) - multipliers[i];
       multipliers[i] += change;

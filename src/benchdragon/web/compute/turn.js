@@ -40,6 +40,8 @@ import { EXCEEDED, STEPS, TurnEvaluator, WORSE, wholeGoal } from "./turn_trials.
 
 const { SEARCHED, NARROWINGS, PRUDENCE, DEEP, ACTIVE, HOPELESS } = SOLVE_TURN;
 const { LOCAL } = SOLVE_MINIMA;
+// Rounds of a local search, as long as each is better than the one before by some share.
+const [ROUNDS, BETTER] = [6, 1e-6];
 const EXACT = 1e-6; // of speeds, as a share
 const CLEAR = [1e-5]; // of distances, m
 
@@ -133,28 +135,39 @@ class TurnSearch {
     const { evaluator } = this;
     const names = Object.keys(evaluator.rooms(this.#complete(x)));
     const figures = (/** @type {number[]} */ point) => {
-      const found = this.#complete(point);
-      const rooms = evaluator.rooms(found);
-      return { value: found[evaluator.sought], rooms: names.map((name) => rooms[name]) };
+      const found = this.#tried(point);
+      const values = evaluator.valuesOfParts(found);
+      return { values, rooms: evaluator.roomsOfParts(found, names) };
     };
     const pause = () => this.#pause(_("local search"));
     const { bounds } = evaluator;
-    const found = await constrainedPoint(figures, bounds, x, LOCAL, pause);
-    const best = this.#best([x, found]);
     const score = (/** @type {number[]} */ point) => evaluator.score(point);
-    const lower = await downhillPoint(score, bounds, best, LOCAL, pause);
-    return this.#best([best, lower]);
+    for (let round = 0; round < ROUNDS; round++) {
+      const before = score(x);
+      const found = await constrainedPoint(figures, bounds, x, LOCAL, pause);
+      const best = this.#best([x, found]);
+      x = this.#best([best, await downhillPoint(score, bounds, best, LOCAL, pause)]);
+      if (!(before - score(x) > BETTER * Math.abs(before))) break;
+    }
+    return x;
   }
 
-  /** All figures; of a turn that does not exist, hopeless ones. @param {number[]} x @returns {Figures} */
+  /** All figures; of a turn that does not exist, hopeless ones. @param {number[]} x */
   #complete(x) {
+    return this.#tried(x).figures;
+  }
+
+  /** The same with parts. @param {number[]} x @returns {import("./turn_trials.js").Tried} */
+  #tried(x) {
     const { evaluator } = this;
     const names = ["length", "way", "disc", ...evaluator.quantities.map(({ name }) => name)];
     const bad = Object.fromEntries(names.map((name) => [name, HOPELESS]));
     /** @type {Figures} */
     const none = { ...bad, radius: 0, clearance: -1 };
     if (evaluator.obstacles.length) none.obstacles = -1;
-    return { ...none, ...evaluator.figures(x, true) };
+    const found = evaluator.tried(x, true);
+    const peaks = Object.fromEntries(names.slice(2).map((name) => [name, evaluator.hopeless(name)]));
+    return { figures: { ...none, ...found?.figures }, peaks: { ...peaks, ...found?.peaks } };
   }
 
   /**

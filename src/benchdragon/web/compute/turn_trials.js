@@ -3,7 +3,7 @@
 
 import { _ } from "../words.js";
 import { doubles, withArena } from "./arena.js";
-import { CURVE, SEARCH, SOLVE_TURN_TRIALS } from "./constants.js";
+import { CURVE, SEARCH, SOLVE_TURN, SOLVE_TURN_TRIALS } from "./constants.js";
 import { radians } from "./curves.js";
 import { greatest } from "./dragon.js";
 import { InputError, finite, positive } from "./errors.js";
@@ -26,6 +26,7 @@ import { builtTurn, reachOf } from "./turns.js";
 /** @typedef {import("./quantities.js").QuantityName} QuantityName */
 /** @typedef {"length" | "way" | "speed" | "disc" | "acceleration"} Objective */
 /** What a turn comes to, by name, in SI units. @typedef {Record<string, number>} Figures */
+/** What a turn comes to; of speeds and the like in each part of it, of the disc to each of its ends. @typedef {{ figures: Figures, peaks: Record<string, number[]> }} Tried */
 
 /**
  * What is sought of a turn, and what it must keep besides the plan's limits.
@@ -40,6 +41,9 @@ const { BENCHES, CLEAR_BENCHES, CLEAR_STEP, NOWHERE, DEEPEST, WIDEST, LONGEST_EA
   SOLVE_TURN_TRIALS;
 /** Worth of the worst of a limit that is exceeded by all of itself; by what share one may be exceeded. */
 export const { WORSE, EXCEEDED } = SOLVE_TURN_TRIALS;
+// Parts of the head's way through a turn, each with a greatest speed of its own: what is greatest of all has
+// edges, where one part takes over from another, and so none of them may hide another.
+const PARTS = 12;
 /** How far the head goes at a time, m: in the search all over the family and in the local one. @type {number[]} */
 export const STEPS = SOLVE_TURN_TRIALS.STEPS;
 
@@ -151,21 +155,33 @@ export class TurnEvaluator {
    * @returns {Figures | null}
    */
   figures(x, complete) {
+    return this.tried(x, complete)?.figures ?? null;
+  }
+
+  /**
+   * The same, with what the greatest of each quantity is in each part of the turn, and the radii of all.
+   * @param {number[]} x @param {boolean} complete
+   * @returns {Tried | null}
+   */
+  tried(x, complete) {
     this.evaluations++;
     const turn = this.#turnOrNull(x);
     if (!turn) return null;
     return withArena(this.engine, (arena) => {
       const rows = turn.rows(arena, 1, 1000);
       const { length, leastRadius: radius, joints } = turn;
-      const disc = Math.max(reachOf(arena, rows), joints.entry, joints.exit);
+      /** @type {Record<string, number[]>} */
+      const peaks = { disc: [reachOf(arena, rows), joints.entry, joints.exit] };
       /** @type {Figures} */
-      const found = { length, way: turn.way(this.disc), disc, radius };
-      if (radius < 0.98 * this.narrowest) return found;
-      Object.assign(found, this.#rates(arena, rows));
-      if (!complete && Object.values(this.rooms(found)).some((room) => !(room >= 0))) return found;
-      found.clearance = this.#clearance(arena, rows);
-      if (this.obstacles.length) found.obstacles = this.#obstacleRoom(arena, rows);
-      return found;
+      const figures = { length, way: turn.way(this.disc), disc: Math.max(...peaks.disc), radius };
+      if (radius < 0.98 * this.narrowest) return { figures, peaks };
+      Object.assign(peaks, this.#rates(arena, rows));
+      for (const { name } of this.quantities) figures[name] = Math.max(...peaks[name]);
+      const kept = Object.values(this.rooms(figures)).every((room) => room >= 0);
+      if (!complete && !kept) return { figures, peaks };
+      figures.clearance = this.#clearance(arena, rows);
+      if (this.obstacles.length) figures.obstacles = this.#obstacleRoom(arena, rows);
+      return { figures, peaks };
     });
   }
 
@@ -206,10 +222,10 @@ export class TurnEvaluator {
     return least + (this.factors.obstacles ?? 0);
   }
 
-  /** The greatest of each quantity with the head at 1 m/s. @param {Arena} arena @param {Numbers} rows */
+  /** The greatest of each quantity with the head at 1 m/s in each part of its way. @param {Arena} arena @param {Numbers} rows @returns {Record<string, number[]>} */
   #rates(arena, rows) {
     const places = this.#places(arena, rows, this.few, this.step);
-    const told = this.quantities.map(({ name }) => [name, Infinity]);
+    const told = this.quantities.map(({ name }) => [name, Array(PARTS).fill(Infinity)]);
     if (!places) return Object.fromEntries(told);
     const { row, u, x, y, ratio } = places;
     const [handles, slots] = u.shape;
@@ -219,7 +235,8 @@ export class TurnEvaluator {
     this.engine.call("bd_chain_rates", rows, links, row, u, x, y, ratio, change, turn);
     const most = this.quantities.map(({ name, kind }) => {
       this.engine.call("bd_drive_greatest_in_slots", rows, places, change, turn, 1, 0, kind, values);
-      return [name, greatest(doubles(values)) * (this.factors[name] ?? 1)];
+      const factor = this.factors[name] ?? 1;
+      return [name, partsOf(doubles(values)).map((some) => greatest(some) * factor)];
     });
     return Object.fromEntries(most);
   }
@@ -269,6 +286,32 @@ export class TurnEvaluator {
     return Object.fromEntries(Object.entries(rooms).map(([name, room]) => [name, Math.max(room, -1)]));
   }
 
+  /** The rooms of `rooms`, those with parts for each part. @param {Tried} tried @param {string[]} names */
+  roomsOfParts({ figures, peaks }, names) {
+    const whole = this.rooms(figures);
+    const limits = Object.fromEntries(this.limits);
+    return names.flatMap((name) => {
+      if (name === "disc") return peaks.disc.map((reach) => 1 - reach / this.disc);
+      if (!(name in peaks)) return [whole[name]];
+      const { power } = QUANTITIES[/** @type {QuantityName} */ (name)];
+      const allowed = limits[name] / this.plan.tables.walk.speed ** power;
+      // Near a fold speeds run away as one over a root: their squares upside down are nearly straight.
+      return peaks[name].map((peak) =>
+        peak < SOLVE_TURN.HOPELESS ? 0.5 * ((allowed / Math.max(peak, 0.1 * allowed)) ** 2 - 1) : -1,
+      );
+    });
+  }
+
+  /** What the parts of a figure are where there is no turn. @param {string} name @returns {number[]} */
+  hopeless(name) {
+    return Array(name === "disc" ? 3 : PARTS).fill(SOLVE_TURN.HOPELESS);
+  }
+
+  /** What is to be small, in parts. @param {Tried} tried */
+  valuesOfParts({ figures, peaks }) {
+    return peaks[this.sought] ?? [figures[this.sought]];
+  }
+
   /** What the global search makes small: the objective, or how far limits are exceeded. @param {number[]} x */
   score(x) {
     const found = this.figures(x, false);
@@ -278,6 +321,12 @@ export class TurnEvaluator {
     const exceeded = -rooms.reduce((sum, room) => sum + Math.min(room + EXCEEDED, 0), 0);
     return exceeded > 0 ? WORSE * (1 + exceeded) : found[this.sought];
   }
+}
+
+/** Values one after another in PARTS lists. @param {Float64Array} values */
+function partsOf(values) {
+  const border = (/** @type {number} */ n) => Math.round((n * values.length) / PARTS);
+  return Array.from({ length: PARTS }, (_part, n) => values.subarray(border(n), border(n + 1)));
 }
 
 /** Where a turn begins and ends, m. @param {Numbers} rows of its route */
