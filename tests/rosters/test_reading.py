@@ -230,7 +230,7 @@ def test_a_list_without_numbers_is_refused_in_a_sentence(tmp_path: Path) -> None
 def test_a_bench_in_rows_that_are_apart_is_told_and_in_rows_one_after_the_other_is_not(
     tmp_path: Path,
 ) -> None:
-    rows = [["桥号", "姓名"], [1, "张三"], [1, "李四"], [2, "王五"], [3, "赵六"], [2, "钱七"]]
+    rows: Cells = [["桥号", "姓名"], [1, "张三"], [1, "李四"], [2, "王五"], [3, "赵六"], [2, "钱七"]]
     notes = read(tmp_path, rows).notes
     assert "bench 2 is in rows 4, 6: all of their people are taken for it" in notes
     assert not any("bench 1 is in rows" in note for note in notes)
