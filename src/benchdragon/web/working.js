@@ -13,7 +13,7 @@ import { _, language } from "./words.js";
 /** @typedef {import("./standing.js").Answers} Answers */
 
 /** What is asked of a Worker: see `Question` of compute/worker.js.
- * @typedef {{ question: string, plan?: Plan, text?: string, options?: Record<string, any> }} Asked */
+ * @typedef {{ question: string, plan?: Plan, text?: string }} Asked */
 /** Who waits for an answer.
  * @typedef {{ plan: Plan | undefined, done: (answer: any) => void, failed: (error: Error) => void,
  *   told: (share: number, text: string) => void }} Waiting */
@@ -152,8 +152,6 @@ class WorkerQuestion {
 export class WorkerAnswers {
   /** @type {Set<string>} */
   #questions = new Set();
-  /** Verdicts that were asked for, come or not. @type {WeakMap<Plan, Promise<unknown>>} */
-  #verdicts = new WeakMap();
 
   /** @param {string} script the address of the Worker's script @param {Beginning} beginning */
   constructor(script, beginning) {
@@ -175,16 +173,12 @@ export class WorkerAnswers {
 
   /** @param {string} question @param {Plan} plan @param {AbortSignal} signal */
   ask(question, plan, signal) {
-    if (question !== "verdict") return this.slower.ask({ question, plan }, signal);
-    const verdict = this.quick.ask({ question, plan }, signal);
-    this.#verdicts.set(plan, verdict);
-    return verdict;
+    return (question === "verdict" ? this.quick : this.slower).ask({ question, plan }, signal);
   }
 
   /** @param {Plan} plan @param {AbortSignal} signal */
   async scene(plan, signal) {
-    const verdict = await this.#verdicts.get(plan)?.catch(() => null); // then there is a dance alone
-    const asked = { question: "dance", plan, options: { verdict } };
+    const asked = { question: "dance", plan };
     const { sent, nodes, told, tables } = await this.slower.ask(asked, signal);
     const behind = sent.following?.tables ?? [];
     const follow = behind.map(

@@ -5,9 +5,9 @@ import { TomlError, parse, stringify } from "../carried.js";
 import { _ } from "../words.js";
 import { withArenaAsync } from "./arena.js";
 import { check } from "./check.js";
-import { PlanError } from "./errors.js";
+import { PlanError, WalkError } from "./errors.js";
+import { judgedDance } from "./judged.js";
 import { headSpeed, limited, pace, turn } from "./long_questions.js";
-import { withFindings } from "./occasions.js";
 import { checkedPlan } from "./plan.js";
 import { verdictOf } from "./records.js";
 import { danceOf } from "./scene.js";
@@ -22,7 +22,6 @@ import { danceOf } from "./scene.js";
  * @property {Engine} engine
  * @property {string} version of the program
  * @property {Plan} plan
- * @property {Record<string, any>} options of a long question; of a dance its verdict, if there is one
  * @property {Progress} progress
  */
 
@@ -41,22 +40,32 @@ export const QUESTIONS = {
   "job/pace": pace,
 };
 
-/** Whether the walk is safe. @param {Asked} asked */
-function judged({ engine, version, plan, progress }) {
+/** What the quick check finds. @param {Asked} asked */
+function checked({ engine, plan, progress }) {
   return withArenaAsync(engine, async (arena) => {
     const walk = plan.build(arena);
     const own = /** @type {any} */ (plan);
-    const report = await check(own, walk, plan.span(walk), { quick: true, progress });
-    return verdictOf(report, version);
+    return check(own, walk, plan.span(walk), { quick: true, progress });
   });
 }
 
-/** The dance as the player shows it. @param {Asked} asked */
-async function danced({ engine, version, plan, options, progress }) {
+/** Whether the walk is safe. @param {Asked} asked */
+async function judged(asked) {
+  return verdictOf(await checked(asked), asked.version);
+}
+
+/** The dance as the player shows it; one that cannot be walked to its end as far as it can. @param {Asked} asked */
+async function danced(asked) {
+  const { engine, version, plan, progress } = asked;
   const dance = await danceOf(engine, plan, {}, progress);
-  const sent = { ...dance.sent, version };
-  if (!options.verdict) return { ...dance, sent };
-  return { ...dance, sent: withFindings(sent, options.verdict, plan.obstacles()) };
+  const told = { ...dance, sent: { ...dance.sent, version } };
+  try {
+    const shown = judgedDance(told, await checked(asked), version);
+    return { ...shown, sent: { ...shown.sent, verdict: null } }; // which the page has from elsewhere
+  } catch (error) {
+    if (error instanceof WalkError) return told;
+    throw error;
+  }
 }
 
 /** The plan in the text of a plan file, with every key. @param {string} text */

@@ -14,7 +14,6 @@ import { QUESTIONS, openedPlan } from "./questions.js";
  * @property {"en" | "zh"} language of all sentences
  * @property {Record<string, any>} [plan]
  * @property {string} [text]
- * @property {Record<string, any>} [options]
  */
 
 /** What comes first: the engine's bytes, Chinese for English sentences, the version of the program.
@@ -74,7 +73,7 @@ class Desk {
   }
 
   /** @param {Question} asked */
-  async #answer({ id, question, language, plan: data, text = "", options = {} }) {
+  async #answer({ id, question, language, plan: data, text = "" }) {
     speak(language);
     let hash = "";
     const progress = (/** @type {number} */ share, /** @type {string} */ told) => {
@@ -87,7 +86,7 @@ class Desk {
         const plan = checkedPlan(data);
         hash = plan.sha256;
         const { engine, version } = this;
-        answer = await QUESTIONS[question]({ engine, version, plan, options, progress });
+        answer = await QUESTIONS[question]({ engine, version, plan, progress });
       } else answer = openedPlan(text);
       this.port.postMessage({ id, hash, answer }, buffers(answer));
     } catch (error) {
