@@ -20,7 +20,7 @@ from benchdragon.player import messages
 from benchdragon.player.scene import Span, plain_dance
 from benchdragon.version import __version__
 
-STYLES = ("style.css", "print.css")
+STYLES = ("style.css", "explain.css", "print.css")
 # Bytes that a file may have for up to 1,000 benches; larger dragons get this for each thousand.
 MOST_BYTES = 10_000_000
 # In a notebook: bytes, and benches times seconds (about 10 s of work).

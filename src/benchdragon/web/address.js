@@ -30,12 +30,14 @@ export function remember(player, more = {}) {
   history.replaceState(null, "", `#${values}`);
 }
 
-/** What a person chose before: as the address says it, else the browser; null: nothing. @param {"lang" | "theme"} name */
+/** What a person chooses once: the language, the theme, how benches are drawn, whether letters are keys. @typedef {"lang" | "theme" | "drawn" | "keys"} Choice */
+
+/** What a person chose before: as the address says it, else the browser; null: nothing. @param {Choice} name */
 export function chosenBefore(name) {
   return addressed().get(name) ?? stored(name);
 }
 
-/** Keep what a person chose: in the browser if it lets us, else in the address; where the address says it, there too. @param {"lang" | "theme"} name @param {string} value */
+/** Keep what a person chose: in the browser if it lets us, else in the address; where the address says it, there too. @param {Choice} name @param {string} value */
 export function keepChoice(name, value) {
   if (!store(name, value) || addressed().has(name)) remember(null, { [name]: value });
 }

@@ -7,7 +7,7 @@ import { _, decimals, language, shortLength } from "./words.js";
 /** @typedef {import("./messages").Occasion} Occasion */
 
 /** What marks look like; joints are small ones. */
-const SIGNS = {
+export const SIGNS = {
   contact: "\u2716",
   tightest: "\u25b2",
   fastest: "\u26a1\ufe0e",
@@ -28,10 +28,21 @@ export function occasionText(occasion) {
   return occasion.text[language()];
 }
 
+/** A tick takes so much room, CSS pixels. */
+const TICK_ROOM = 84;
+/** Nearer to an end of the axis its text stands inside, CSS pixels. */
+const TICK_EDGE = 20;
+
+/** The least step of 1, 2 or 5 that is no smaller than another. @param {number} least s */
+function roundStep(least) {
+  const unit = 10 ** Math.floor(Math.log10(least));
+  return (least <= unit ? 1 : least <= 2 * unit ? 2 : least <= 5 * unit ? 5 : 10) * unit;
+}
+
 export class Axis {
   /**
    * @param {Scene} scene
-   * @param {(time: number) => void} jump
+   * @param {(time: number, benches?: number[]) => void} jump
    */
   constructor(scene, jump) {
     this.scene = scene;
@@ -44,6 +55,7 @@ export class Axis {
       "aria-label": _("time"),
       oninput: () => jump(this.slider.valueAsNumber),
     });
+    this.ticks = make("div", { class: "ticks", "aria-hidden": "true" });
     this.played = make("div", { class: "played" });
     this.element = make(
       "div",
@@ -52,13 +64,43 @@ export class Axis {
       this.played,
       this.slider,
       ...this.#marks(jump),
+      this.#ends(),
+      this.ticks,
     );
+    new ResizeObserver(() => this.#tick(this.element.clientWidth)).observe(this.element);
   }
 
   /** Share of the whole time, 0..1. @param {number} time */
   #share(time) {
     const { start, end } = this.scene;
     return end > start ? Math.min(Math.max((time - start) / (end - start), 0), 1) : 0;
+  }
+
+  /** What the curve is, and where it ends: its name and its ends are told with the curve too. */
+  #ends() {
+    const { reach } = this.scene.sent.nearest;
+    return make(
+      "div",
+      { class: "ends", "aria-hidden": "true" },
+      make("span", {}, _("clearance up to {most}", { most: shortLength(reach) })),
+    );
+  }
+
+  /** Ticks with round times, as many as find room. @param {number} width CSS pixels */
+  #tick(width) {
+    const { start, end } = this.scene;
+    const step = roundStep(((end - start) * TICK_ROOM) / Math.max(width, TICK_ROOM));
+    const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+    const ticks = [];
+    for (let n = Math.ceil(start / step - 1e-9); n * step <= end + 1e-9 * step; n++) {
+      const tick = make("span", {}, clock(n * step, digits));
+      const share = this.#share(n * step);
+      tick.style.left = `${100 * share}%`;
+      const edge = TICK_EDGE / Math.max(width, 1);
+      tick.className = share < edge ? "first" : share > 1 - edge ? "last" : "";
+      ticks.push(tick);
+    }
+    this.ticks.replaceChildren(...ticks);
   }
 
   #curve() {
@@ -84,7 +126,7 @@ export class Axis {
     return svg;
   }
 
-  /** @param {(time: number) => void} jump */
+  /** @param {(time: number, benches?: number[]) => void} jump */
   #marks(jump) {
     return this.scene.sent.occasions.map((occasion) => {
       const name = `${occasionText(occasion)} (${clock(occasion.time, 2)})`;
@@ -96,7 +138,7 @@ export class Axis {
           title: name,
           "aria-label": name,
           tabindex: "-1",
-          onclick: () => jump(occasion.time),
+          onclick: () => jump(occasion.time, occasion.benches),
         },
         SIGNS[occasion.kind],
       );

@@ -23,12 +23,19 @@ export class Camera {
     this.height = height;
   }
 
+  /** What shows a box of ground, m. @param {number} left @param {number} bottom @param {number} right @param {number} top */
+  view(left, bottom, right, top) {
+    const scale = Math.min(this.width / (right - left), this.height / (top - bottom));
+    return {
+      x: 0.5 * (left + right),
+      y: 0.5 * (bottom + top),
+      scale: Math.min(Math.max(scale, 0.01), 4000),
+    };
+  }
+
   /** Show a box of ground, m. @param {number} left @param {number} bottom @param {number} right @param {number} top */
   fit(left, bottom, right, top) {
-    this.x = 0.5 * (left + right);
-    this.y = 0.5 * (bottom + top);
-    const scale = Math.min(this.width / (right - left), this.height / (top - bottom));
-    this.scale = Math.min(Math.max(scale, 0.01), 4000);
+    Object.assign(this, this.view(left, bottom, right, top));
   }
 
   /**
@@ -119,6 +126,7 @@ export function listen(canvas, camera, hands) {
   const down = new Map();
   let travelled = 0;
   let fingers = 0;
+  let tapped = false;
 
   /** @param {PointerEvent} event */
   const at = (event) => {
@@ -157,9 +165,14 @@ export function listen(canvas, camera, hands) {
     if (!down.delete(event.pointerId)) return;
     const { x, y } = at(event);
     const measured = hands.measured(x, y, true, false);
-    if (event.type === "pointerup" && !measured && fingers === 1 && travelled <= TAP)
-      hands.tapped(x, y);
+    tapped = event.type === "pointerup" && !measured && fingers === 1 && travelled <= TAP;
   };
+  // Not before the click: what a tap opens would be clicked at.
+  canvas.addEventListener("click", (event) => {
+    const box = canvas.getBoundingClientRect();
+    if (tapped) hands.tapped(event.clientX - box.left, event.clientY - box.top);
+    tapped = false;
+  });
   canvas.addEventListener("pointerup", up);
   canvas.addEventListener("pointercancel", up);
   canvas.addEventListener(

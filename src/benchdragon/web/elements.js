@@ -35,6 +35,16 @@ export function signButton(sign, name, action, attributes = {}) {
 }
 
 /**
+ * A button with a word on it, which its name holds too, for those who say what they press.
+ * @param {string} word
+ * @param {string} name
+ * @param {() => void} action
+ */
+export function wordButton(word, name, action) {
+  return signButton(word, name, action, { "aria-label": `${word}: ${name}` });
+}
+
+/**
  * An element of a drawing.
  * @template {keyof SVGElementTagNameMap} Tag
  * @param {Tag} tag

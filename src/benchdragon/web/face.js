@@ -3,8 +3,10 @@
 import { Axis, clock, occasionText } from "./axis.js";
 import { Card } from "./card.js";
 import { endTexts, kindName, KINDS } from "./colours.js";
-import { choice, drawnSign, make, signButton, tick } from "./elements.js";
+import { choice, drawnSign, make, signButton, tick, wordButton } from "./elements.js";
+import { showKeys, showLegendOf } from "./help.js";
 import { Painter } from "./paint.js";
+import { Story, storyName } from "./story.js";
 import { _, decimals, language } from "./words.js";
 
 /** @typedef {import("./player.js").Player} Player */
@@ -19,6 +21,8 @@ const PAUSE = "M6 4h4v16H6zM14 4h4v16h-4z";
 const BEFORE = "M4 4h3v16H4zM20 4v16L8 12z";
 const NEXT = "M17 4h3v16h-3zM4 4v16l12-8z";
 const NOTE = "M9 17.5a3 2.5 0 1 1-2-2.4V5l13-2v12.5a3 2.5 0 1 1-2-2.4V7.4L9 8.9z";
+const SHAPES =
+  "M4 3h7v7H4zM17 3l4.5 7.5h-9zM7.5 13.5a4 4 0 1 1 0 8 4 4 0 0 1 0-8zM14 14h7v2h-7zM14 18h7v2h-7z";
 const HALF = "M12 3a9 9 0 1 0 0 18zM12 3a9 9 0 0 1 0 18v-2a7 7 0 0 0 0-14z";
 
 export class Face {
@@ -29,7 +33,8 @@ export class Face {
     const seen = _("the dragon from above");
     this.canvas = make("canvas", { role: "img", tabindex: "0", "aria-label": seen });
     this.painter = new Painter(this.canvas);
-    this.axis = new Axis(this.scene, (time) => player.jump(time));
+    this.axis = new Axis(this.scene, (time, benches) => player.jump(time, benches));
+    this.story = new Story(player);
     this.card = new Card(
       (bench) => player.choose(bench),
       (time, benches) => player.jump(time, benches),
@@ -49,6 +54,9 @@ export class Face {
     );
     this.ruleBox = tick(_("ruler: drag to measure"), player.ruling, (on) => player.rule(on));
     this.trailBox = tick(_("trails"), player.look.trails, (on) => player.see("trails", on));
+    this.dressBox = tick(_("drawn as a dragon"), player.look.dressed, (on) =>
+      player.see("dressed", on),
+    );
     this.kinds = choice(
       _("colour by"),
       KINDS.map((kind) => [kind, kindName(kind)]),
@@ -56,11 +64,26 @@ export class Face {
       (kind) => player.paintBy(/** @type {Kind} */ (kind)),
     );
     this.lists = [this.#views(), this.#events()];
-    this.stage = make("div", { class: "stage" }, this.canvas, this.legend, this.lists[0]);
+    this.storyButton = make(
+      "button",
+      { type: "button", class: "tell", onclick: () => this.tell() },
+      drawnSign(PLAY),
+      ` ${storyName(this.scene)}`,
+    );
+    this.showStory(false);
+    this.stage = make(
+      "div",
+      { class: "stage" },
+      this.canvas,
+      this.legend,
+      this.storyButton,
+      this.lists[0],
+    );
     const middle = make("div", { class: "middle" }, this.stage, this.card.element);
     this.elements = [
       this.#header(),
       middle,
+      this.story.element,
       this.axis.element,
       this.#controls(),
       this.#footer(),
@@ -113,7 +136,10 @@ export class Face {
           language() === "zh" ? "English" : "\u4e2d\u6587",
         ),
         signButton(drawnSign(HALF), _("light or dark"), () => this.player.nextTheme()),
-        signButton("?", _("keys"), () => this.#help()),
+        signButton(drawnSign(SHAPES), _("what is drawn"), () =>
+          showLegendOf(this.player.root, this.scene),
+        ),
+        signButton("?", _("keys"), () => showKeys(this.player.root, this.scene)),
       ),
     );
     return header;
@@ -126,11 +152,11 @@ export class Face {
       signButton(drawnSign(BEFORE), _("to the previous event"), () => this.player.event(-1), {
         class: "wide",
       }),
-      signButton("\u22121 s", _("one second back"), () => this.player.step(-1)),
+      wordButton("\u22121 s", _("one second back"), () => this.player.step(-1)),
       signButton("\u2039", _("one frame back"), () => this.player.step(-FRAME)),
       this.playButton,
       signButton("\u203a", _("one frame on"), () => this.player.step(FRAME)),
-      signButton("+1 s", _("one second on"), () => this.player.step(1)),
+      wordButton("+1 s", _("one second on"), () => this.player.step(1)),
       signButton(drawnSign(NEXT), _("to the next event"), () => this.player.event(1), {
         class: "wide",
       }),
@@ -185,6 +211,7 @@ export class Face {
       make("label", {}, _("colour by"), this.kinds),
       make("label", {}, _("bench"), this.number),
       this.followBox,
+      this.dressBox,
       this.trailBox,
       tick(_("route"), this.player.look.route, (on) => this.player.see("route", on)),
       ...(this.scene.sent.disc === null
@@ -215,36 +242,15 @@ export class Face {
     );
   }
 
-  #help() {
-    const keys = /** @type {[string, string][]} */ ([
-      [_("space"), _("play or pause")],
-      ["\u2190 \u2192", _("one second back or on")],
-      [", .", _("one frame back or on")],
-      ["p n", _("to the previous or next event")],
-      ["+ \u2212 0", _("nearer, farther, show all")],
-      ["[ ]", _("the bench before or behind")],
-      ["f", _("follow")],
-      ["c", _("colour by something else")],
-      ["t", _("trails")],
-      ["r", _("ruler")],
-      ...(this.scene.sent.beats ? [["b", _("drum beat")]] : []),
-      [_("Home, End"), _("to the beginning, to the end")],
-      ["Esc", _("close the card")],
-    ]);
-    const dialog = make(
-      "dialog",
-      { "aria-label": _("keys"), onclose: () => dialog.remove() },
-      make(
-        "table",
-        {},
-        ...keys.map(([key, text]) =>
-          make("tr", {}, make("th", { scope: "row" }, key), make("td", {}, text)),
-        ),
-      ),
-      make("p", {}, make("button", { type: "button", onclick: () => dialog.close() }, _("close"))),
-    );
-    this.player.root.append(dialog);
-    dialog.showModal();
+  /** Tell the story, from a step on. @param {number} [step] @param {boolean} [paused] */
+  tell(step = 0, paused = false) {
+    this.showStory(true);
+    this.story.begin(step, paused);
+  }
+
+  /** @param {boolean} told */
+  showStory(told) {
+    this.storyButton.hidden = told || !storyName(this.scene);
   }
 
   /** @param {boolean} on */

@@ -1,9 +1,11 @@
 // What keys do in the player.
 
+import { chosenBefore, keepChoice } from "./address.js";
 import { KINDS } from "./colours.js";
 import { FRAME } from "./face.js";
 
 /** @typedef {import("./player.js").Player} Player */
+/** @typedef {import("./story.js").Story} Story */
 
 /** @type {Record<string, (player: Player) => void>} */
 const KEYS = {
@@ -22,6 +24,7 @@ const KEYS = {
   "[": (player) => player.choose(Math.max(player.chosen - 1, 0)),
   "]": (player) => player.choose(player.chosen + 1),
   f: (player) => player.follow(!player.follows),
+  d: (player) => player.see("dressed", !player.look.dressed),
   t: (player) => player.see("trails", !player.look.trails),
   r: (player) => player.rule(!player.ruling),
   b: (player) => player.beat(!player.drum.on),
@@ -29,14 +32,35 @@ const KEYS = {
   Escape: (player) => player.choose(-1),
 };
 
+/** What keys do while a story is told. @type {Record<string, (story: Story) => void>} */
+const STORY_KEYS = {
+  ArrowLeft: (story) => story.go(story.at - 1),
+  ArrowRight: (story) => story.go(story.at + 1),
+  " ": (story) => story.pause(),
+  Escape: (story) => story.end(),
+};
+
+/** Whether letters, digits and signs are keys; arrows and other keys that write nothing always are. */
+export function lettersAreKeys() {
+  return chosenBefore("keys") !== "off";
+}
+
+/** @param {boolean} on */
+export function useLetters(on) {
+  keepChoice("keys", on ? "on" : "off");
+}
+
 /** Do what a key is for, unless it is meant for something else. @param {Player} player @param {KeyboardEvent} event */
 export function pressed(player, event) {
   const target = event.target instanceof Element ? event.target : null;
   const typing = target?.closest("select, textarea, dialog, input:not([type=range], [type=checkbox])");
   const other = target?.closest("input") && !player.root.contains(target); // a slider of the plan
   if (typing || other || event.ctrlKey || event.metaKey || event.altKey) return;
+  if (event.key.length === 1 && event.key !== " " && !lettersAreKeys()) return;
   const space = event.key === " " && !target?.closest("button, summary, input");
-  if (space) player.play(!player.playing);
+  const { story } = player.face;
+  if (story.open && STORY_KEYS[event.key] && (space || event.key !== " ")) STORY_KEYS[event.key](story);
+  else if (space) player.play(!player.playing);
   else if (KEYS[event.key]) KEYS[event.key](player);
   else return;
   event.preventDefault();

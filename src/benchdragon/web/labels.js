@@ -1,5 +1,7 @@
 // Where words stand on the picture: benches' numbers that can be read, and labels beside what they tell of.
 
+import { labelHeight, larger } from "./notes.js";
+
 /** @typedef {import("./nearness.js").Boxes} Boxes */
 /** @typedef {import("./camera.js").Camera} Camera */
 
@@ -11,9 +13,10 @@ const NUMBERED = [1, 5, 10, 50, 100, 500, 1000, 5000];
 const ROOM_FOR_ALL = 44;
 const ROOM_FOR_FEW = 150;
 /** From a ring to its label, CSS pixels. */
-const LEADERS = [16, 40, 80];
-/** Height of a label, and of what lies over the top of the picture, CSS pixels. */
-export const LABEL_HEIGHT = 22;
+const LEADERS = [16, 40, 80, 130];
+/** Sides of a ring that its label may stand on. */
+const SIDES = 16;
+/** Height of what lies over the top and the bottom of the picture, CSS pixels. */
 const OVERLAY = 56;
 /** A label stays on its side of the ring until another would hide so many benches fewer. */
 const STEADY = 3;
@@ -27,7 +30,7 @@ function overlap(a, b) {
   return Math.abs(a.x - b.x) < a.half + b.half && Math.abs(a.y - b.y) < a.tall + b.tall;
 }
 
-/** Height of benches' numbers, CSS pixels. @param {Camera} camera */
+/** Height of benches' numbers, CSS pixels, in a picture of plain size. @param {Camera} camera */
 export function numberHeight({ scale }) {
   return Math.min(Math.max(0.225 * scale, SMALLEST_NUMBER), LARGEST_NUMBER);
 }
@@ -42,9 +45,11 @@ export function numberHeight({ scale }) {
  * @param {Ring | null} ring
  */
 export function numberTags(boxes, seen, chosen, camera, ring) {
-  const size = numberHeight(camera);
+  const size = numberHeight(camera) * larger(camera);
   const link = (boxes.behind[boxes.count] / boxes.count) * camera.scale;
-  const each = NUMBERED.findIndex((n) => n * link >= (n > 1 ? ROOM_FOR_FEW : ROOM_FOR_ALL));
+  const each = NUMBERED.findIndex(
+    (n) => n * link >= (n > 1 ? ROOM_FOR_FEW : ROOM_FOR_ALL) * larger(camera),
+  );
   const steps = each < 0 ? [] : NUMBERED.slice(each);
   const rank = (/** @type {number} */ i) =>
     i === chosen
@@ -85,7 +90,7 @@ export class Beside {
    * @returns {Tag}
    */
   place(ring, half, hidden, camera) {
-    const tags = LEADERS.flatMap((leader) => sides(ring, leader, half));
+    const tags = LEADERS.flatMap((leader) => sides(ring, leader, half, labelHeight(camera) / 2));
     const costs = tags.map((tag) => hidden(tag) + outside(tag, camera));
     const best = costs.indexOf(Math.min(...costs));
     if (costs[this.#last] > costs[best] + STEADY) this.#last = best;
@@ -93,11 +98,11 @@ export class Beside {
   }
 }
 
-/** Labels on eight sides of a ring, above it first. @param {Ring} ring @param {number} leader @param {number} half @returns {Tag[]} */
-function sides({ x, y, radius }, leader, half) {
-  const tall = LABEL_HEIGHT / 2;
-  return Array.from({ length: 8 }, (_unused, n) => {
-    const [right, down] = [Math.sin((n * Math.PI) / 4), -Math.cos((n * Math.PI) / 4)];
+/** Labels on all sides of a ring, above it first. @param {Ring} ring @param {number} leader @param {number} half @param {number} tall @returns {Tag[]} */
+function sides({ x, y, radius }, leader, half, tall) {
+  return Array.from({ length: SIDES }, (_unused, n) => {
+    const angle = (2 * Math.PI * n) / SIDES;
+    const [right, down] = [Math.sin(angle), -Math.cos(angle)];
     const far = radius + leader;
     return {
       x: x + far * right + half * Math.sign(Math.round(right)),
@@ -111,5 +116,5 @@ function sides({ x, y, radius }, leader, half) {
 /** What it costs that a label leaves the picture, or comes under what lies over it. @param {Tag} tag @param {Camera} camera */
 function outside({ x, y, half, tall }, { width, height }) {
   if (x < half || y < tall || x > width - half || y > height - tall) return 1e6;
-  return y < tall + OVERLAY ? 10 : 0;
+  return y < tall + OVERLAY || y > height - tall - OVERLAY ? 10 : 0;
 }

@@ -1,7 +1,9 @@
 // Draws a dance at one instant onto a canvas: ground, route, benches to scale, what is tight.
 
 import { shade, shades, TOUCH } from "./colours.js";
-import { Beside, LABEL_HEIGHT, numberHeight, numberTags } from "./labels.js";
+import { Dress } from "./dragon.js";
+import { Beside, numberHeight, numberTags } from "./labels.js";
+import { drawRuler, drawScaleBar, FONT, halfWidth, lettering, patternOf, writeLabel } from "./notes.js";
 import { _, language, shortLength } from "./words.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
@@ -29,10 +31,11 @@ import { _, language, shortLength } from "./words.js";
  * @property {boolean} trails
  * @property {boolean} disc
  * @property {boolean} route
+ * @property {boolean} dressed whether benches are drawn as a dragon's, where colours tell nothing else
  * @property {[number, number][]} ruler two points on the ground, or none
  */
 
-/** Colours of a theme, read from the style sheet. @typedef {Record<"ground" | "ink" | "quiet" | "faint" | "body" | "head" | "disc" | "obstacle" | "edge" | "mark" | "trail", string>} Inks */
+/** Colours of a theme, read from the style sheet. @typedef {Record<"ground" | "ink" | "quiet" | "faint" | "body" | "head" | "disc" | "obstacle" | "edge" | "mark" | "trail" | "wood" | "grain" | "cloth" | "gold" | "lantern" | "glow" | "rib" | "horn" | "outline", string>} Inks */
 
 const HEAD_NAMES = /** @type {const} */ ([
   "ground",
@@ -46,17 +49,27 @@ const HEAD_NAMES = /** @type {const} */ ([
   "edge",
   "mark",
   "trail",
+  "wood",
+  "grain",
+  "cloth",
+  "gold",
+  "lantern",
+  "glow",
+  "rib",
+  "horn",
+  "outline",
 ]);
 /** Seconds of trail, and points drawn of it. */
 const TRAIL = 20;
 const TRAIL_POINTS = 80;
+/** Half width of a head, CSS pixels, from which its brow is drawn to scale. */
+const SMALLEST_BROW = 3;
 /** CSS pixels of a bench from which handles are drawn. */
 const HANDLES_FROM = 70;
+/** Labels of a ring are no farther from it, CSS pixels. */
+const ABOUT = 500;
 /** What a label costs that hides the benches it tells of: more than any others. */
 const OF_THE_PAIR = 1000;
-const FONT =
-  '"Noto Sans SC", "PingFang SC", "Microsoft YaHei", "Noto Sans CJK SC", system-ui, sans-serif';
-
 /** @param {Element} element @returns {Inks} */
 function inks(element) {
   const style = getComputedStyle(element);
@@ -74,8 +87,8 @@ export class Painter {
     /** @type {Scene | null} */
     this.routeOf = null;
     this.routePath = new Path2D();
-    this.hatch = this.#hatching();
-    this.dots = this.#dotting();
+    this.hatch = patternOf("lines");
+    this.dots = patternOf("dots");
     this.beside = new Beside();
   }
 
@@ -88,34 +101,6 @@ export class Painter {
   /** Read the theme again. */
   dress() {
     this.inks = inks(this.canvas);
-  }
-
-  /** Lines at an angle, for what touches. */
-  #hatching() {
-    const tile = document.createElement("canvas");
-    [tile.width, tile.height] = [6, 6];
-    const ctx = /** @type {CanvasRenderingContext2D} */ (tile.getContext("2d"));
-    ctx.strokeStyle = "#000";
-    ctx.lineWidth = 1.6;
-    ctx.beginPath();
-    for (const shift of [-6, 0, 6]) {
-      ctx.moveTo(shift, 6);
-      ctx.lineTo(shift + 6, 0);
-    }
-    ctx.stroke();
-    return /** @type {CanvasPattern} */ (ctx.createPattern(tile, "repeat"));
-  }
-
-  /** Dots, for what stands on the square. */
-  #dotting() {
-    const tile = document.createElement("canvas");
-    [tile.width, tile.height] = [6, 6];
-    const ctx = /** @type {CanvasRenderingContext2D} */ (tile.getContext("2d"));
-    ctx.fillStyle = "#000";
-    ctx.beginPath();
-    ctx.arc(3, 3, 1, 0, 2 * Math.PI);
-    ctx.fill();
-    return /** @type {CanvasPattern} */ (ctx.createPattern(tile, "repeat"));
   }
 
   /** @param {Picture} picture */
@@ -139,8 +124,8 @@ export class Painter {
     const ring = picture.ringed && ringOf(picture.ringed, picture.camera);
     this.#numbers(picture, seen, ring);
     if (picture.ringed && ring) this.#ring(picture, seen, picture.ringed, ring);
-    this.#scaleBar(camera);
-    this.#ruler(picture);
+    drawScaleBar(ctx, camera, this.inks);
+    drawRuler(ctx, camera, this.inks, picture.ruler);
   }
 
   /** @param {Picture} picture @param {number} density */
@@ -242,13 +227,18 @@ export class Painter {
   }
 
   /** @param {Picture} picture @param {number[]} seen */
-  #benches({ boxes, camera, scale }, seen) {
+  #benches(picture, seen) {
     const { ctx } = this;
+    const { boxes, camera, scale } = picture;
+    if (this.#dresses(picture)) {
+      this.#dressOf(boxes).paint(ctx, boxes, camera, this.inks, seen);
+      return;
+    }
     /** @type {Map<string, number[]>} */
     const groups = new Map();
     const colours = scale ? shades(scale) : [];
     for (const i of seen) {
-      const colour = this.#colour(scale, colours, i);
+      const colour = this.#colour(picture, colours, i);
       const group = groups.get(colour);
       if (group) group.push(i);
       else groups.set(colour, [i]);
@@ -265,9 +255,24 @@ export class Painter {
     this.#head(boxes, camera);
   }
 
-  /** @param {Scale | null} scale @param {string[]} colours of the scale @param {number} i */
-  #colour(scale, colours, i) {
-    return scale ? colours[shade(scale, scale.value(i))] : i ? this.inks.body : this.inks.head;
+  /** Whether benches are drawn as a dragon's: large enough, and without colours that tell something. @param {Picture} picture */
+  #dresses({ boxes, camera, scale, dressed }) {
+    return dressed && !scale && this.#dressOf(boxes).shows(camera);
+  }
+
+  /** @type {{boxes: Boxes, dress: Dress} | null} */
+  #dressed = null;
+
+  /** What benches of these sizes are drawn of. @param {Boxes} boxes */
+  #dressOf(boxes) {
+    if (this.#dressed?.boxes !== boxes) this.#dressed = { boxes, dress: new Dress(boxes) };
+    return this.#dressed.dress;
+  }
+
+  /** @param {Picture} picture @param {string[]} colours of the scale @param {number} i */
+  #colour({ scale, dressed }, colours, i) {
+    if (scale) return colours[shade(scale, scale.value(i))];
+    return i === 0 ? this.inks.head : dressed ? this.inks.cloth : this.inks.body;
   }
 
   /** The head's outline, and its brow. @param {Boxes} boxes @param {Camera} camera */
@@ -278,11 +283,14 @@ export class Painter {
     ctx.strokeStyle = this.inks.head;
     ctx.lineWidth = Math.max(0.05 * camera.scale, 2.5);
     ctx.stroke();
-    const size = Math.max(boxes.wide[0], 6 / camera.scale);
+    // Large enough to be seen, it lies inside the bench.
+    const small = boxes.wide[0] * camera.scale < SMALLEST_BROW;
+    const size = small ? 6 / camera.scale : boxes.wide[0];
+    const tip = boxes.half[0] + (small ? 1.6 * size : 0);
     ctx.beginPath();
-    ctx.moveTo(...camera.toScreen(...boxes.point(0, boxes.half[0] + 1.6 * size, 0)));
-    ctx.lineTo(...camera.toScreen(...boxes.point(0, boxes.half[0], size)));
-    ctx.lineTo(...camera.toScreen(...boxes.point(0, boxes.half[0], -size)));
+    ctx.moveTo(...camera.toScreen(...boxes.point(0, tip, 0)));
+    ctx.lineTo(...camera.toScreen(...boxes.point(0, tip - 1.6 * size, size)));
+    ctx.lineTo(...camera.toScreen(...boxes.point(0, tip - 1.6 * size, -size)));
     ctx.closePath();
     ctx.fillStyle = this.inks.head;
     ctx.fill();
@@ -306,7 +314,7 @@ export class Painter {
   /** @param {Picture} picture @param {number[]} seen @param {Ring | null} ring */
   #numbers({ boxes, camera, chosen }, seen, ring) {
     const { ctx } = this;
-    ctx.font = `600 ${numberHeight(camera)}px ${FONT}`;
+    ctx.font = lettering(numberHeight(camera), camera);
     ctx.textAlign = "center";
     ctx.textBaseline = "middle";
     ctx.lineWidth = 3;
@@ -341,7 +349,8 @@ export class Painter {
   }
 
   /** A ring about the chosen bench, which keeps its colour however small it is. @param {Picture} picture */
-  #chosen({ boxes, camera, chosen, scale }) {
+  #chosen(picture) {
+    const { boxes, camera, chosen, scale } = picture;
     if (chosen < 0) return;
     const { ctx } = this;
     ctx.beginPath();
@@ -353,9 +362,10 @@ export class Painter {
     ctx.strokeStyle = this.inks.ink;
     ctx.lineWidth = 5;
     ctx.stroke();
-    ctx.fillStyle = this.#colour(scale, scale ? shades(scale) : [], chosen);
+    ctx.fillStyle = this.#colour(picture, scale ? shades(scale) : [], chosen);
     ctx.fill();
     ctx.lineJoin = "miter";
+    if (this.#dresses(picture)) this.#dressOf(boxes).paint(ctx, boxes, camera, this.inks, [chosen]);
   }
 
   /** A pair's ring, and beside it what it is. @param {Picture} picture @param {number[]} seen @param {Pair | BesideObstacle} ringed @param {Ring} ring */
@@ -374,10 +384,14 @@ export class Painter {
         : shortLength(Math.max(ringed.distance, 0));
     const other = "j" in ringed ? ringed.j + 1 : square.obstacles[ringed.obstacle].name[language()];
     const text = `${gap}  (${ringed.i + 1}, ${other})`;
-    const hidden = (/** @type {Tag} */ tag) => hides(tag, boxes, camera, ringed, seen);
-    const tag = this.beside.place(ring, this.#halfWidth(text), hidden, camera);
+    const near = seen.filter((i) => {
+      const [x, y] = camera.toScreen(boxes.x[i], boxes.y[i]);
+      return Math.hypot(x - ring.x, y - ring.y) < ring.radius + ABOUT + boxes.radius[i] * camera.scale;
+    });
+    const hidden = (/** @type {Tag} */ tag) => hides(tag, boxes, camera, ringed, near);
+    const tag = this.beside.place(ring, halfWidth(ctx, camera, text), hidden, camera);
     this.#leader(ring, tag);
-    this.#label(text, tag.x, tag.y, camera);
+    writeLabel(ctx, camera, this.inks, text, tag.x, tag.y);
   }
 
   /** A line from a ring to its label. @param {Ring} ring @param {Tag} tag */
@@ -391,71 +405,6 @@ export class Painter {
     ctx.moveTo(x + share * dx, y + share * dy);
     ctx.lineTo(x + dx, y + dy);
     ctx.stroke();
-  }
-
-  /** Half the width of a label, CSS pixels. @param {string} text */
-  #halfWidth(text) {
-    this.ctx.font = `600 14px ${FONT}`;
-    return 0.5 * this.ctx.measureText(text).width + 6;
-  }
-
-  /** A label that stays on the canvas. @param {string} text @param {number} x @param {number} y @param {Camera} camera */
-  #label(text, x, y, camera) {
-    const { ctx } = this;
-    const half = this.#halfWidth(text);
-    ctx.textAlign = "center";
-    ctx.textBaseline = "middle";
-    const left = Math.min(Math.max(x, half + 4), camera.width - half - 4);
-    const top = Math.min(Math.max(y, 16), camera.height - 16);
-    ctx.fillStyle = this.inks.ground;
-    ctx.globalAlpha = 0.88;
-    ctx.fillRect(left - half, top - LABEL_HEIGHT / 2, 2 * half, LABEL_HEIGHT);
-    ctx.globalAlpha = 1;
-    ctx.fillStyle = this.inks.mark;
-    ctx.fillText(text, left, top);
-  }
-
-  /** @param {Camera} camera */
-  #scaleBar(camera) {
-    const { ctx } = this;
-    const most = Math.min(160, 0.3 * camera.width) / camera.scale;
-    const unit = 10 ** Math.floor(Math.log10(most));
-    const metres = (most >= 5 * unit ? 5 : most >= 2 * unit ? 2 : 1) * unit;
-    const [x, y] = [16, camera.height - 14];
-    ctx.fillStyle = this.inks.ground;
-    ctx.globalAlpha = 0.88;
-    ctx.fillRect(x - 8, y - 26, metres * camera.scale + 16, 34);
-    ctx.globalAlpha = 1;
-    ctx.strokeStyle = this.inks.ink;
-    ctx.lineWidth = 2;
-    ctx.beginPath();
-    ctx.moveTo(x, y - 6);
-    ctx.lineTo(x, y);
-    ctx.lineTo(x + metres * camera.scale, y);
-    ctx.lineTo(x + metres * camera.scale, y - 6);
-    ctx.stroke();
-    ctx.fillStyle = this.inks.ink;
-    ctx.font = `600 13px ${FONT}`;
-    ctx.textAlign = "left";
-    ctx.textBaseline = "alphabetic";
-    ctx.fillText(metres < 1 ? `${Math.round(100 * metres)} cm` : `${metres} m`, x + 4, y - 8);
-  }
-
-  /** @param {Picture} picture */
-  #ruler({ ruler, camera }) {
-    if (ruler.length < 2) return;
-    const { ctx } = this;
-    const [a, b] = ruler.map((point) => camera.toScreen(...point));
-    ctx.strokeStyle = this.inks.ink;
-    ctx.lineWidth = 2;
-    ctx.setLineDash([4, 3]);
-    ctx.beginPath();
-    ctx.moveTo(...a);
-    ctx.lineTo(...b);
-    ctx.stroke();
-    ctx.setLineDash([]);
-    const length = Math.hypot(ruler[1][0] - ruler[0][0], ruler[1][1] - ruler[0][1]);
-    this.#label(shortLength(length), 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]) - 16, camera);
   }
 }
 

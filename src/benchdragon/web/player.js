@@ -1,20 +1,21 @@
 // The player: a dance on a canvas, with a time axis, keys, gestures and a card for each bench.
 
 import { chosenBefore, keepChoice } from "./address.js";
-import { clock, occasionText } from "./axis.js";
+import { clock } from "./axis.js";
 import { Camera, listen } from "./camera.js";
 import { scaleOf } from "./colours.js";
 import { Drum } from "./drum.js";
 import { Face, ticked } from "./face.js";
+import { Flight } from "./flight.js";
 import { pressed } from "./keys.js";
+import { meetingOf, nearnessText, passedText, tightestOf } from "./nearby.js";
 import { Boxes } from "./nearness.js";
 import { Square } from "./square.js";
-import { _, language, shortLength, speak } from "./words.js";
+import { _, language, speak } from "./words.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
 /** @typedef {import("./colours.js").Kind} Kind */
 /** @typedef {import("./nearness.js").Pair} Pair */
-/** @typedef {import("./square.js").Beside} Beside */
 
 /** One turn of the loop lasts at most, s. */
 const LONGEST_TURN = 0.1;
@@ -25,11 +26,12 @@ export const REST = 180;
 const PAPER_DENSITY = 3;
 /** Frame times kept, ms. */
 const TIMES_KEPT = 600;
+/** Share of the picture's smaller side that a bench takes where a pair is shown. */
+const PAIR_SHARE = 0.5;
+/** A pair that is shown up to so many times as large stays as it is. */
+const PAIR_LARGER = 2;
 /** A dance that fills less of the canvas is drawn larger when another plan comes. */
 const LEAST_FILLED = 0.5;
-/** So near to its time an event is here, s: the address gives times to a thousandth. */
-const AT_EVENT = 1e-3;
-
 export class Player {
   /**
    * @param {HTMLElement} root
@@ -49,7 +51,7 @@ export class Player {
     /** @type {Kind} */
     this.kind = "plain";
     this.drum = new Drum();
-    this.look = { trails: false, disc: true, route: true };
+    this.look = { trails: false, disc: true, route: true, dressed: chosenBefore("drawn") !== "plain" };
     /** @type {number[]} */
     this.frameTimes = [];
     this.still = matchMedia("(prefers-reduced-motion: reduce)");
@@ -88,7 +90,7 @@ export class Player {
 
   /** Whether the whole dance is in sight, and fills a good part of it. */
   #fits() {
-    const [left, bottom, right, top] = this.#room(this.#times());
+    const [left, bottom, right, top] = this.room(this.#times());
     const { width, height, scale } = this.camera;
     const [west, south] = this.camera.toGround(0, height);
     const [east, north] = this.camera.toGround(width, 0);
@@ -99,11 +101,13 @@ export class Player {
   /** Another face, whose lists are open where they were. */
   #newFace() {
     const open = this.face.lists.map((list) => list.open);
+    const { story } = this.face;
     this.face = new Face(this);
     this.face.lists.forEach((list, n) => {
       list.open = open[n];
     });
     this.#attach();
+    if (story.open && story.scene === this.scene) this.face.tell(story.at, story.paused);
   }
 
   /** Put the face onto the page. */
@@ -143,7 +147,7 @@ export class Player {
   #onPaper() {
     if (this.#paper.matches) {
       this.#screen = this.camera;
-      this.camera = this.camera.paper(this.#fitted.length ? this.#room(this.#fitted) : null);
+      this.camera = this.camera.paper(this.#fitted.length ? this.room(this.#fitted) : null);
       this.face.painter.resize(this.camera, PAPER_DENSITY);
     } else if (this.#screen) {
       this.camera = this.#screen;
@@ -183,11 +187,12 @@ export class Player {
 
   /** @param {boolean} on */
   play(on) {
+    if (on) this.face.story.end();
     if (on && this.time >= this.scene.end) this.time = this.scene.start;
     this.playing = on;
     this.face.showPlaying(on);
     this.#touch();
-    if (!on) this.#settled();
+    if (!on) this.settled();
   }
 
   /** @param {number} seconds */
@@ -196,12 +201,41 @@ export class Player {
     this.jump(this.time + seconds);
   }
 
-  /** Go to a time, s; and to the first of some benches, where it is not in sight. @param {number} time @param {number[]} [benches] */
+  /** Go to a time, s; and to the pair of benches that meet then, or to a bench that is not in sight. @param {number} time @param {number[]} [benches] */
   jump(time, benches = []) {
+    this.face.story.end();
+    this.put(time);
+    const [a, b] = benches.map((bench) => bench - 1);
+    if (benches.length === 2 && !this.follows) this.#near(a, b);
+    else if (benches.length) this.#bring(a);
+    if (!this.playing) this.settled();
+  }
+
+  /** Have the dance at a time, s. @param {number} time */
+  put(time) {
     this.time = Math.min(Math.max(time, this.scene.start), this.scene.end);
+    this.pose();
     this.#touch();
-    if (benches.length) this.#bring(benches[0] - 1);
-    if (!this.playing) this.#settled();
+  }
+
+  /** @type {Flight | null} */
+  #flight = null;
+
+  /** Go near a pair of benches, numbers from 0. @param {number} a @param {number} b */
+  #near(a, b) {
+    const { from, to } = this.boxes.pair(a, b);
+    const least = this.pairScale(a, b);
+    const scale = Math.min(Math.max(this.camera.scale, least), PAIR_LARGER * least);
+    const goal = { x: 0.5 * (from[0] + to[0]), y: 0.5 * (from[1] + to[1]), scale };
+    this.#fitted = [];
+    this.#flight = new Flight(this.camera, () => goal);
+    if (this.still.matches) this.#flight.cut(this.camera);
+  }
+
+  /** CSS pixels a metre at which a pair of benches is well seen. @param {number} a @param {number} b */
+  pairScale(a, b) {
+    const longest = 2 * Math.max(this.boxes.half[a], this.boxes.half[b]);
+    return (PAIR_SHARE * Math.min(this.camera.width, this.camera.height)) / longest;
   }
 
   /** To the event before or after. @param {1 | -1} way */
@@ -217,12 +251,13 @@ export class Player {
     this.face.showChosen(this.chosen);
     this.#resize(); // its card takes room
     if (this.chosen >= 0) this.#bring(this.chosen);
-    this.#settled();
+    this.settled();
   }
 
   /** Have a bench in sight. @param {number} bench from 0 */
   #bring(bench) {
-    this.#pose();
+    this.pose();
+    this.#flight = null;
     const { x, y, radius } = this.boxes;
     if (!this.camera.bring(x[bench], y[bench], radius[bench])) return;
     this.#fitted = [];
@@ -260,10 +295,14 @@ export class Player {
     this.#touch();
   }
 
-  /** @param {"trails" | "disc" | "route"} what @param {boolean} on */
+  /** @param {"trails" | "disc" | "route" | "dressed"} what @param {boolean} on */
   see(what, on) {
     this.look[what] = on;
     if (what === "trails") ticked(this.face.trailBox, on);
+    if (what === "dressed") {
+      ticked(this.face.dressBox, on);
+      keepChoice("drawn", on ? "dragon" : "plain");
+    }
     this.#touch();
   }
 
@@ -276,12 +315,13 @@ export class Player {
   /** Show the whole dragon as it stands, or as it does at some times, and the disc. @param {number[]} [times] */
   fit(times = [this.time]) {
     this.#fitted = times;
-    this.camera.fit(...this.#room(times));
+    this.#flight = null;
+    this.camera.fit(...this.room(times));
     this.#touch();
   }
 
   /** Ground that the dragon takes at some times, and the disc: left, bottom, right, top. @param {number[]} times @returns {[number, number, number, number]} */
-  #room(times) {
+  room(times) {
     const { disc, centre } = this.scene.sent;
     const room = this.boxes.half[0] * 2;
     /** @type {number[]} */
@@ -321,6 +361,8 @@ export class Player {
   /** A gesture moved the camera: stop following. */
   #touched() {
     this.#fitted = [];
+    this.#flight = null;
+    if (this.face.story.runs) this.face.story.pause(true);
     if (this.follows) this.follow(false);
     this.#touch();
   }
@@ -348,6 +390,8 @@ export class Player {
   #turn(now) {
     const passed = Math.min((now - this.#before) / 1000, LONGEST_TURN);
     if (this.playing) this.#advance(passed, now);
+    this.face.story.turn(passed);
+    this.#fly(passed);
     this.drum.play(this.scene.sent.beats, this.time, this.playing, this.speed, this.still.matches);
     if (this.#painted !== this.time || this.playing) {
       const began = performance.now();
@@ -357,6 +401,13 @@ export class Player {
     }
     this.#before = now;
     requestAnimationFrame((next) => this.#turn(next));
+  }
+
+  /** @param {number} passed s */
+  #fly(passed) {
+    if (!this.#flight) return;
+    if (this.#flight.step(this.camera, passed)) this.#flight = null;
+    this.#touch();
   }
 
   #stillSince = 0;
@@ -372,47 +423,23 @@ export class Player {
     }
     const before = this.time;
     this.time += seconds;
-    this.#sayEvents(before);
+    const happened = passedText(this, before);
+    if (happened) this.face.spoken.textContent = happened;
     if (this.time >= this.scene.end) {
       this.time = this.scene.end;
       this.play(false);
     }
   }
 
-  #pose() {
+  /** Put the benches where they are now. */
+  pose() {
     this.scene.stand(this.time, this.stand);
     this.boxes.place(this.stand);
   }
 
-  /** The tightest pair; at rest at an event the event's own, which may be near by the chain alone. */
-  #tightest() {
-    const tightest = this.boxes.measure();
-    if (this.playing) return tightest;
-    const here = this.scene.sent.occasions.find(
-      ({ time, benches }) => benches.length === 2 && Math.abs(time - this.time) < AT_EVENT,
-    );
-    return here ? this.boxes.pair(here.benches[0] - 1, here.benches[1] - 1) : tightest;
-  }
-
-  /** How near benches are to one another and to what stands on the square. @param {Pair | null} tightest @param {Beside | null} beside */
-  #nearText(tightest, beside) {
-    const own = tightestText(tightest, this.boxes);
-    return beside ? `${own}; ${this.square.text(beside, this.boxes.touch)}` : own;
-  }
-
-  /** At rest at an event of an obstacle: how its bench stands to that. */
-  #meeting() {
-    if (this.playing) return null;
-    const here = this.scene.sent.occasions.find(
-      ({ time, obstacle }) => obstacle !== null && Math.abs(time - this.time) < AT_EVENT,
-    );
-    if (!here || here.obstacle == null) return null;
-    return this.square.pair(this.boxes, here.benches[0] - 1, here.obstacle);
-  }
-
   #draw() {
-    this.#pose();
-    const tightest = this.#tightest();
+    this.pose();
+    const tightest = tightestOf(this);
     this.ringed = this.playing ? this.boxes.held(tightest, this.ringed) : tightest;
     if (this.follows) {
       const bench = Math.max(this.chosen, 0);
@@ -421,44 +448,32 @@ export class Player {
     const beside = this.square.measure(this.boxes);
     const scale = scaleOf(this.kind, this.scene, this.stand, this.boxes);
     const { scene, stand, boxes, square, camera, chosen, ruler, face } = this;
-    const ringed = this.#meeting() ?? this.ringed;
+    const ringed = meetingOf(this) ?? this.ringed;
     const drawn = { scene, stand, boxes, square, camera, chosen, ruler, ringed, scale };
     face.painter.paint({ ...drawn, ...this.look });
     this.#painted = this.time;
-    face.axis.show(this.time, this.playing);
+    face.axis.show(this.time, this.playing || face.story.runs);
     face.clock.textContent = `t = ${clock(this.time, 2)}`;
-    face.tight.textContent = this.#nearText(tightest, beside);
+    face.tight.textContent = nearnessText(this, tightest, beside);
     face.card.show(stand, boxes, chosen);
     face.showLegend(scale);
     this.root.dataset.time = this.time.toFixed(3);
   }
 
-  /** Tell of what has happened since a time, s, to those who cannot see it; joints are too many. @param {number} before */
-  #sayEvents(before) {
-    const passed = this.scene.sent.occasions.filter(
-      ({ kind, time }) => kind !== "joint" && before < time && time <= this.time,
-    );
-    if (!passed.length) return;
-    this.face.spoken.textContent = passed
-      .map((one) => `t = ${clock(one.time)}. ${occasionText(one)}`)
-      .join("; ");
-  }
-
   /** Tell what the canvas shows to those who cannot see it. */
   #say() {
-    const tightest = this.#tightest();
-    const near = this.#nearText(tightest, this.square.measure(this.boxes));
+    const near = nearnessText(this, tightestOf(this), this.square.measure(this.boxes));
     const text = `t = ${clock(this.time)}. ${near}`;
     this.face.canvas.setAttribute("aria-label", `${_("the dragon from above")}: ${text}`);
     this.face.spoken.textContent = text;
   }
 
   /** The page may have come to rest: once it has, tell it, and put it into the address. */
-  #settled() {
-    this.#pose();
+  settled() {
+    this.pose();
     clearTimeout(this.#resting);
     this.#resting = setTimeout(() => {
-      this.#say();
+      if (!this.face.story.open) this.#say();
       this.onSettled?.();
     }, REST);
   }
@@ -467,13 +482,4 @@ export class Player {
 
   /** Called when the page has come to rest. @type {(() => void) | undefined} */
   onSettled;
-}
-
-/** @param {Pair | null} pair @param {Boxes} boxes */
-function tightestText(pair, { count, reach, touch }) {
-  if (count < 3) return _("no pair counts");
-  if (!pair) return _("no other coil within {reach}", { reach: shortLength(reach) });
-  const benches = { a: pair.i + 1, b: pair.j + 1 };
-  if (pair.distance <= touch) return _("benches {a} and {b} touch", benches);
-  return _("tightest {gap}: benches {a} and {b}", { gap: shortLength(pair.distance), ...benches });
 }
