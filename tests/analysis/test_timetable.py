@@ -7,9 +7,10 @@ import pytest
 
 from benchdragon.analysis.beats import score_of
 from benchdragon.analysis.check import check
+from benchdragon.analysis.clock import Clock, minutes
 from benchdragon.analysis.records import verdict_of
-from benchdragon.analysis.stops import stops_of, stops_text
-from benchdragon.analysis.timetable import clock_text, timetable
+from benchdragon.analysis.stops import stops_of, stops_sentence, stops_text
+from benchdragon.analysis.timetable import timetable
 from benchdragon.cli.main import run
 from benchdragon.errors import WalkError
 from benchdragon.plans.schema import Plan, checked, read_plan
@@ -99,14 +100,22 @@ def test_a_tail_that_would_come_after_the_dance_is_not_sought_where_no_dragon_ca
         ("18:30", -100.0, 0.0, "18:31:40"),
         ("23:59:30", 0.0, 45.0, "0:00:15"),
         ("", 0.0, 65.4, "1:05"),
-        ("", -100.0, -100.0, "-1:40"),
+        ("", -38.0, 15.27, "0:53"),
+        ("", -38.0, -38.0, "0:00"),
+        ("", -0.5, 2.0, "0:03"),
         ("9:05", 0.0, 59.6, "9:06:00"),
     ],
 )
 def test_times_are_times_of_day_where_the_plan_says_one(
     clock: str, start: float, time: float, text: str
 ) -> None:
-    assert clock_text(clock, start, time) == text
+    assert Clock(clock, start).tell(time) == text
+
+
+def test_halves_of_seconds_are_rounded_up() -> None:
+    assert [minutes(time) for time in (0.0, 0.5, 2.5, 59.4, 59.6, 130.0, 3600.0)] == [
+        "0:00", "0:01", "0:03", "0:59", "1:00", "2:10", "60:00",
+    ]  # fmt: skip
 
 
 def test_the_stops_of_the_head_are_counted_where_cues_are_said(
@@ -120,6 +129,11 @@ def test_the_stops_of_the_head_are_counted_where_cues_are_said(
     for one in stops:
         assert not walk.motion([one.start, one.end]).speed.any()
     assert stops_text(stops[:1]) == "stops of the head: 1, 5 s in all (11-16 s)"
+    clock = Clock("18:30", -38.0)
+    assert stops_sentence(stops[:1], clock) == (
+        "Stops of the head: 1, 5 s in all (18:30:49 to 18:30:54)."
+    )
+    assert stops_sentence((), clock) == "The head does not stop."
     report = check(plan.without_square())
     assert report.stops == stops
     record = verdict_of(report).stops

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.timetable import timetable
 from benchdragon.cli.main import run
 from benchdragon.i18n import spoken_in
@@ -31,7 +32,7 @@ def test_a_terminal_shows_the_rows_of_the_paper(
     with spoken_in(language):
         assert run(LINE) == 0
         start, end = plan.span(walk)
-        rows = printed_rows(plan, timetable(plan, walk, start, end), start)
+        rows = printed_rows(timetable(plan, walk, start, end), Clock("18:30", start))
     lines = capsys.readouterr().out.splitlines()
     shown = [tuple(cell.strip() for cell in line.split("│")[1:-1]) for line in lines if "│" in line]
     assert shown == list(rows)

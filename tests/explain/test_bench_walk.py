@@ -8,7 +8,8 @@ import pytest
 
 from benchdragon.analysis.bench_nearness import Tightest
 from benchdragon.analysis.bench_walks import BenchWalk, Stretch, bench_walks
-from benchdragon.explain.bench_walk import BenchText, bench_text, clock, quick_line
+from benchdragon.analysis.clock import Clock
+from benchdragon.explain.bench_walk import BenchText, bench_text, quick_line
 from benchdragon.i18n import spoken_in
 from benchdragon.model.base_curve import Point
 from benchdragon.plans.people import called
@@ -39,28 +40,31 @@ def test_the_quick_line_names_turns_and_times_from_the_start_of_the_dance_on() -
         stretch(-100.0, 30.0, "left", "walk"), stretch(30.0, 45.0, "left", "run"),
         stretch(45.0, 60.0, "straight", "walk"), stretch(60.0, 90.0, "straight", "wait"),
     )  # fmt: skip
-    assert quick_line(bench) == (
+    clock = Clock("", -100.0)
+    assert quick_line(bench, clock) == (
         "Turn left; keep walking; run from 2:10 to 2:25; wait from 2:40 to 3:10."
     )
     with spoken_in("zh"):
-        assert quick_line(bench) == "左拐；走；2:10 到 2:25 跑；2:40 到 3:10 等。"
+        assert quick_line(bench, clock) == "左拐；走；2:10 到 2:25 跑；2:40 到 3:10 等。"
 
 
 def test_the_quick_line_counts_what_is_too_much_to_name() -> None:
     sides, paces = ("left", "right"), ("walk", "hurry", "run", "wait")
     bench = one_bench(*(stretch(n, n + 1.0, sides[n % 2], paces[n % 4]) for n in range(20)))
-    assert quick_line(bench) == (
+    clock = Clock("", 0.0)
+    assert quick_line(bench, clock) == (
         "10 times left and 10 times right; keep walking; hurry, 5 times; run, 5 times; wait, 5 times."
     )
     still = one_bench(stretch(0.0, 9.0, "straight", "walk", 0.0))
-    assert quick_line(still) == "Straight on all the way; keep walking all the time."
+    assert quick_line(still, clock) == "Straight on all the way; keep walking all the time."
 
 
 def test_stretches_say_clock_turn_way_and_steps(told: tuple[BenchWalk, ...]) -> None:
+    clock = Clock("", told[0].stretches[0].start)
     for bench in told:
         text = text_of(PLAN, bench)
         for line, one in zip(text.stretches, bench.stretches, strict=True):
-            assert line.startswith(f"{clock(one.start)} to {clock(one.end)}: ")
+            assert line.startswith(f"{clock.tell(one.start)} to {clock.tell(one.end)}: ")
             assert (": wait." in line) == (one.pace == "wait")
             if one.pace != "wait":
                 way, steps = (int(number) for number in re.findall(r"(\d+) (?:m|steps)", line))
@@ -126,7 +130,14 @@ def test_thresholds_are_those_of_the_plan(told: tuple[BenchWalk, ...]) -> None:
     assert text.paces in text.lines
 
 
-def test_clocks_round_to_seconds() -> None:
-    assert [clock(time) for time in (0.0, 59.4, 59.6, 130.0, 3600.0)] == [
-        "0:00", "0:59", "1:00", "2:10", "60:00",
-    ]  # fmt: skip
+def test_times_are_of_day_where_the_plan_says_when_the_dance_starts() -> None:
+    near = Tightest(75.4, 3, "left", 0.1, 0.279)
+    bench = replace(one_bench(stretch(-38.0, 90.0, "left", "run")), tightest=near)
+    text = text_of(read_plan("turn", ["cues.clock=18:30"]), bench)
+    assert text.stretches[0].startswith("18:30:00 to 18:32:08: run")
+    assert text.tightest.startswith("Tightest at 18:31:53")
+    assert text.times == "Times are times of day; the dance starts at 18:30."
+    text = text_of(read_plan("turn"), bench)
+    assert text.stretches[0].startswith("0:00 to 2:08: run")
+    assert text.times == "Times are minutes and seconds since the dance starts."
+    assert text.times in text.lines

@@ -168,3 +168,18 @@ def test_the_overview_has_every_bench_its_people_and_the_notes(
             assert all(bare(one) in whole for one in said)
         assert bare(ours.roster.notes[0]) in whole
         assert all(bare(ours.foot) in page for page in found)
+
+
+@pytest.mark.parametrize("clock", ["", "18:30"])
+def test_sheets_and_overview_tell_times_by_one_clock(tmp_path: Path, clock: str) -> None:
+    paced = small(tmp_path, "walk.start=-5", f"cues.clock={clock}")
+    write_benches(tmp_path / "b.pdf", paced, Options())
+    write_overview(tmp_path / "o.pdf", paced, False)
+    legend = bare(paced.clock.legend)
+    assert all(page.count(legend) == 1 for page in pages(tmp_path / "b.pdf"))
+    overview = "".join(pages(tmp_path / "o.pdf"))
+    assert overview.count(legend) == 1
+    witness = paced.report.clearance.witness
+    assert witness is not None
+    assert witness.time is not None
+    assert re.search(rf"Safe:[^.]*,at{paced.clock.tell(witness.time)}\D", overview)

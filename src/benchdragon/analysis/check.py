@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.contact import (
     TOLERANCES,
     ClearanceCurve,
@@ -224,10 +225,13 @@ def peak_text(name: str) -> str:
     return _("greatest {what}").format(what=_(QUANTITIES[name].text))
 
 
-def sentence(report: Report) -> str:
-    """A verdict in one sentence, in the language in use."""
+def sentence(report: Report, told: Clock | None = None) -> str:
+    """A verdict in one sentence, in the language in use.
+
+    Of a safe walk a clock tells the time, where there is one; else it is seconds of the plan.
+    """
     if report.safe:
-        return _("Safe: {tightest}").format(tightest=_kept(report))
+        return _("Safe: {tightest}").format(tightest=_kept(report, told))
     text = _briefly(min(report.findings, key=_soonest))
     more = len(report.findings) - 1
     if more:
@@ -273,19 +277,17 @@ def _briefly(found: Finding) -> str:
     )
 
 
-def _kept(report: Report) -> str:
+def _kept(report: Report, told: Clock | None) -> str:
     """What a safe walk keeps: the tightest place, and margin and speed beside what was asked for."""
     near, limits = report.clearance.witness, report.plan.limits
     said = [_("no two benches come near one another")]
     if near is not None and near.time is not None and len(near.benches) == 2:
-        said = [
-            _("tightest {gap} cm, bench {a} with bench {b}, at {t} s").format(
-                gap=f"{100.0 * report.clearance.value:.3g}",
-                a=near.benches[0],
-                b=near.benches[1],
-                t=f"{near.time:z.1f}",
-            )
-        ]
+        text, time = _("tightest {gap} cm, bench {a} with bench {b}, at {t} s"), f"{near.time:z.1f}"
+        if told is not None:
+            text = _("tightest {gap} cm, bench {a} with bench {b}, at {t}")
+            time = told.tell(near.time)
+        gap = f"{100.0 * report.clearance.value:.3g}"
+        said = [text.format(gap=gap, a=near.benches[0], b=near.benches[1], t=time)]
     if limits.margin:
         said.append(_("{margin} cm were asked for").format(margin=f"{100.0 * limits.margin:g}"))
     said += _kept_from(report)

@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+from benchdragon.analysis.clock import Clock
 from benchdragon.i18n import _
 from benchdragon.model.walk import Walk
 
@@ -28,11 +29,25 @@ def stops_of(walk: Walk, start: float, end: float) -> tuple[Stop, ...]:
     return tuple(found)
 
 
-def stops_text(stops: tuple[Stop, ...]) -> str:
-    """How often the head stands, for how long, and when, in the language in use."""
+def stops_text(stops: tuple[Stop, ...], clock: Clock | None = None) -> str:
+    """How often the head stands, for how long, and when, in the language in use.
+
+    Times are seconds of the plan, without a clock that tells them.
+    """
     if not stops:
         return _("the head does not stop")
     times = ", ".join(f"{one.start:.6g}-{one.end:.6g} s" for one in stops)
+    if clock is not None:
+        ends = _("{start} to {end}")
+        times = _(", ").join(
+            ends.format(start=clock.tell(one.start), end=clock.tell(one.end)) for one in stops
+        )
     seconds = sum(one.end - one.start for one in stops)
     text = _("stops of the head: {count}, {seconds} s in all ({times})")
     return text.format(count=len(stops), seconds=f"{seconds:.6g}", times=times)
+
+
+def stops_sentence(stops: tuple[Stop, ...], clock: Clock) -> str:
+    """The same as a sentence of a paper."""
+    text = _("{all}.").format(all=stops_text(stops, clock))
+    return text[:1].upper() + text[1:]

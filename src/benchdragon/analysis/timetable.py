@@ -17,7 +17,7 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.outline import shape_of
 from benchdragon.model.walk import Walk
-from benchdragon.plans.cues import TIME_OF_DAY, Moment
+from benchdragon.plans.cues import Moment
 from benchdragon.plans.schema import Plan
 
 # Joints are told if there are no more.
@@ -25,8 +25,6 @@ MOST_JOINTS = 60
 # The way is looked at so finely for obstacles and the venue's edge, m, but at no more places; what it
 # finds is then drawn near to this, m.
 FINE, MOST_LOOKS, NEAR = 0.1, 50_000, 1e-6
-# A day, s.
-DAY = 86_400.0
 
 Kind = Literal["start", "joint", "cue", "entrance", "obstacle", "end"]
 
@@ -156,21 +154,3 @@ def _nearest(walk: Walk, shape: BaseGeometry, looks: FloatArray) -> float:
     n = int(np.argmin(shapely.distance(shape, shapely.points(walk.route.point(looks)))))
     about = float(looks[max(n - 1, 0)]), float(looks[min(n + 1, len(looks) - 1)])
     return float(minimize_scalar(away, bounds=about, method="bounded", options={"xatol": NEAR}).x)
-
-
-def clock_text(clock: str, start: float, time: float) -> str:
-    """A time of the dance, s, as a time of day, to a second, where the plan says one; else m:ss.
-
-    Args:
-        clock: that at which the dance starts, "18:30"; "" if the plan says none.
-        start: of the dance, s.
-        time: what to write, s.
-    """
-    found = TIME_OF_DAY.fullmatch(clock)
-    if not found:
-        seconds = math.floor(abs(time) + 0.5)
-        sign = "-" if time < 0.0 and seconds else ""
-        return f"{sign}{seconds // 60}:{seconds % 60:02d}"
-    hours, minutes, more = (int(part or 0) for part in found.groups())
-    seconds = math.floor(3600 * hours + 60 * minutes + more + time - start + 0.5) % int(DAY)
-    return f"{seconds // 3600}:{seconds // 60 % 60:02d}:{seconds % 60:02d}"

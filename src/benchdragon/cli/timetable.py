@@ -25,9 +25,10 @@ from benchdragon.i18n import N_, language
 @shared_options
 def timetable(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) -> int:
     """Print the timetable, as a table or as JSON."""
-    from benchdragon.analysis.stops import stops_of, stops_text
+    from benchdragon.analysis.clock import Clock
+    from benchdragon.analysis.stops import stops_of, stops_sentence
     from benchdragon.analysis.timetable import timetable as passings_of
-    from benchdragon.sheets.timetable import columns, printed_rows, times_text
+    from benchdragon.sheets.timetable import columns, printed_rows
 
     read = plan_to_walk(plan, settings, quiet)
     walk = read.build()
@@ -39,7 +40,8 @@ def timetable(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) 
         answer["stops"] = [one._asdict() for one in stops]
         click.echo(json.dumps({**answer, **about(read, [])}))
         return 0
-    print_rows(read.title(language()), columns(), printed_rows(read, passings, start))
-    click.echo(times_text(read))
-    click.echo(stops_text(stops))
+    clock = Clock(read.cues.clock, start)
+    print_rows(read.title(language()), columns(), printed_rows(passings, clock))
+    click.echo(clock.legend)
+    click.echo(stops_sentence(stops, clock))
     return 0

@@ -9,6 +9,7 @@ import numpy as np
 
 from benchdragon.analysis.bench_nearness import REACH
 from benchdragon.analysis.bench_walks import STILL, BenchWalk, Stretch, Tightest
+from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.findings import named
 from benchdragon.analysis.marks import angles_of
 from benchdragon.i18n import N_, _
@@ -45,6 +46,7 @@ class BenchText:
         paces: from which speeds on one hurries, runs or waits.
         tightest: when a bench of another coil comes nearest.
         people: who is before, behind and beside.
+        times: what times in it are.
     """
 
     quick: str
@@ -53,12 +55,14 @@ class BenchText:
     paces: str
     tightest: str
     people: tuple[str, ...]
+    times: str
 
     @property
     def lines(self) -> list[str]:
         """All sentences, in order."""
         return [
             self.quick, *self.place, *self.stretches, self.paces, self.tightest, *self.people,
+            self.times,
         ]  # fmt: skip
 
 
@@ -66,31 +70,24 @@ def bench_text(plan: Plan, found: BenchWalk, called: Callable[[int], str], peg: 
     """What one bench of a plan does; `called` says what people call the bench of a number.
 
     Places are told from the peg (m of the plan) from which the chalk plan measures.
-    Times are told from the start of the dance on.
     """
-    start = found.stretches[0].start
+    clock = Clock(plan.cues.clock, found.stretches[0].start)
     return BenchText(
-        quick_line(found),
+        quick_line(found, clock),
         place_lines(plan, found, peg),
-        tuple(_stretch_line(one, start, plan.people.step) for one in found.stretches),
+        tuple(_stretch_line(one, clock, plan.people.step) for one in found.stretches),
         _("Hurry means {hurry} m/s or more, run {run} m/s or more; below {still} m/s you wait.").format(
             hurry=f"{plan.people.hurry_from:g}", run=f"{plan.people.run_from:g}", still=f"{STILL:g}"
         ),
-        _tightest_line(found.tightest, start, called),
+        _tightest_line(found.tightest, clock, called),
         _people_lines(found, called),
+        clock.legend,
     )
 
 
-def clock(seconds: float) -> str:
-    """Minutes and seconds, m:ss, to the nearest second."""
-    whole = max(round(seconds), 0)
-    return f"{whole // 60}:{whole % 60:02d}"
-
-
-def quick_line(found: BenchWalk) -> str:
+def quick_line(found: BenchWalk, clock: Clock) -> str:
     """What a bench does in a dozen words."""
-    start = found.stretches[0].start
-    said = [*_quick_turns(found.stretches), *_quick_paces(found.stretches, start)]
+    said = [*_quick_turns(found.stretches), *_quick_paces(found.stretches, clock)]
     text = _("{all}.").format(all=_("; ").join(said))
     return text[:1].upper() + text[1:]
 
@@ -107,14 +104,14 @@ def _quick_turns(stretches: Sequence[Stretch]) -> list[str]:
     return [text.format(left=sides.count("left"), right=sides.count("right"))]
 
 
-def _quick_paces(stretches: Sequence[Stretch], start: float) -> list[str]:
+def _quick_paces(stretches: Sequence[Stretch], clock: Clock) -> list[str]:
     """At what paces it goes: one after another with their times, or how often."""
     runs = [(pace, list(some)) for pace, some in groupby(stretches, lambda one: one.pace)]
     if len(runs) == 1:
         return [_("{pace} all the time").format(pace=_(PACES[runs[0][0]]))]
     timed = [
         _("{pace} from {start} to {end}").format(
-            pace=_(PACES[pace]), start=clock(some[0].start - start), end=clock(some[-1].end - start)
+            pace=_(PACES[pace]), start=clock.tell(some[0].start), end=clock.tell(some[-1].end)
         )
         for pace, some in runs
         if pace != "walk"
@@ -167,9 +164,9 @@ def _landmark(plan: Plan, place: Point, from_peg: float) -> tuple[float, Obstacl
     return best
 
 
-def _stretch_line(one: Stretch, start: float, step: float) -> str:
+def _stretch_line(one: Stretch, clock: Clock, step: float) -> str:
     """What a bench does in one stretch."""
-    times = {"start": clock(one.start - start), "end": clock(one.end - start)}
+    times = {"start": clock.tell(one.start), "end": clock.tell(one.end)}
     if one.pace == "wait":
         return _("{start} to {end}: wait.").format(**times)
     angle = abs(math.degrees(one.angle))
@@ -184,14 +181,14 @@ def _stretch_line(one: Stretch, start: float, step: float) -> str:
     )  # fmt: skip
 
 
-def _tightest_line(near: Tightest | None, start: float, called: Callable[[int], str]) -> str:
+def _tightest_line(near: Tightest | None, clock: Clock, called: Callable[[int], str]) -> str:
     """When a bench of another coil comes nearest, which, on which side and how near."""
     if near is None:
         text = _("No bench of another coil comes within about {reach} m of you.")
         return text.format(reach=f"{REACH:g}")
     text = _("Tightest at {time}: {bench}, in another coil, comes as near as {gap} cm, {side}.")
     gap = math.floor(100.0 * near.upper)
-    time, side = clock(near.time - start), _(SIDES[near.side])
+    time, side = clock.tell(near.time), _(SIDES[near.side])
     return text.format(time=time, bench=called(near.bench), gap=gap, side=side)
 
 

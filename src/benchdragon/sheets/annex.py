@@ -8,9 +8,10 @@ from collections.abc import Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from benchdragon.analysis.clock import minutes
 from benchdragon.analysis.posts import EVERY, MOST_RUNS
 from benchdragon.analysis.running import APART
-from benchdragon.analysis.stops import stops_of, stops_text
+from benchdragon.analysis.stops import stops_of, stops_sentence
 from benchdragon.export.area import drawing_of
 from benchdragon.export.document import Block, Document, Heading, Paragraph, Picture, say
 from benchdragon.export.pages import write_pdf
@@ -31,12 +32,10 @@ from benchdragon.sheets.annex_tables import (
     people_table,
     post_table,
     room_table,
-    seconds,
     speed_table,
     swept_table,
 )
 from benchdragon.sheets.briefing import Briefing
-from benchdragon.sheets.timetable import times_text
 from benchdragon.version import __version__
 
 # Blank lines under a heading that the program knows nothing of.
@@ -124,7 +123,7 @@ def _dance(facts: AnnexFacts) -> Iterator[Block]:
             "All pins follow one line on the ground, the route, one after another. The head walks "
             "{way} of it in {time}. It starts at x = {x}, y = {y}, measured from the plan's origin."
         ),
-        way=metres(float(ends[1] - ends[0])), time=seconds(report.end - report.start),
+        way=metres(float(ends[1] - ends[0])), time=minutes(report.end - report.start),
         x=metres(first.x[0, 0]), y=metres(first.y[0, 0]),
     )  # fmt: skip
 
@@ -153,10 +152,10 @@ def _ground(facts: AnnexFacts, folder: Path) -> Iterator[Block]:
 
 
 def _timetable(facts: AnnexFacts) -> Iterator[Block]:
-    report = facts.briefing.report
+    report, clock = facts.briefing.report, facts.briefing.clock
     yield Heading(_("Timetable"), "timetable")
-    yield say(times_text(facts.briefing.plan))
-    yield Paragraph((stops_text(stops_of(report.walk, report.start, report.end)),))
+    yield Paragraph((clock.legend,))
+    yield Paragraph((stops_sentence(stops_of(report.walk, report.start, report.end), clock),))
     yield passing_table(facts)
 
 

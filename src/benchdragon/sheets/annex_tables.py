@@ -6,6 +6,7 @@ from dataclasses import fields
 from shapely.geometry import LinearRing
 
 from benchdragon.analysis.check import peak_text
+from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.findings import shown_name
 from benchdragon.analysis.posts import Reason, Why
 from benchdragon.analysis.room import asked_text
@@ -61,12 +62,6 @@ def metres(value: float, *, up: bool = False) -> str:
     return f"{decimals_towards(value, 2, up=True) if up else f'{value:z.2f}'} m"
 
 
-def seconds(value: float) -> str:
-    """A time as minutes and seconds."""
-    whole = round(value)
-    return f"{whole // 60}:{whole % 60:02d}"
-
-
 def place(point: tuple[float, float]) -> tuple[str, str]:
     """Coordinates, m."""
     return f"{point[0]:z.2f}", f"{point[1]:z.2f}"
@@ -117,7 +112,7 @@ def swept_table(facts: AnnexFacts) -> Table:
 def passing_table(facts: AnnexFacts) -> Table:
     """When head and tail pass places of the route: as the timetable has it."""
     briefing = facts.briefing
-    rows = printed_rows(briefing.plan, passings_of(briefing), briefing.report.start)
+    rows = printed_rows(passings_of(briefing), briefing.clock)
     return Table("timetable", _("When head and tail pass"), columns(), WIDTHS, rows, numbers=True)
 
 
@@ -188,16 +183,16 @@ def speed_table(briefing: Briefing) -> Table:
     return _answers("speeds", _("greatest values over the whole dance"), rows)
 
 
-def _reason(one: Reason, start: float) -> str:
-    time = "" if math.isnan(one.time) else seconds(one.time - start)
+def _reason(one: Reason, clock: Clock) -> str:
+    time = "" if math.isnan(one.time) else clock.tell(one.time)
     return _(WHY[one.why]).format(value=f"{one.value:.2f}", time=time)
 
 
 def post_table(facts: AnnexFacts) -> Table:
     """Where posts are, and what for."""
-    start = facts.briefing.report.start
+    clock = facts.briefing.clock
     rows = tuple(
-        (str(n), *place(post.point), _("; ").join(_reason(one, start) for one in post.reasons))
+        (str(n), *place(post.point), _("; ").join(_reason(one, clock) for one in post.reasons))
         for n, post in enumerate(facts.posts, start=1)
     )
     names = (_("post"), "x (m)", "y (m)", _("reason"))

@@ -6,6 +6,7 @@ from functools import cached_property
 
 from benchdragon.analysis.bench_walks import BenchWalk, bench_walks
 from benchdragon.analysis.check import Report
+from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.marks import own_peg
 from benchdragon.i18n import _
 from benchdragon.model.base_curve import Point
@@ -47,6 +48,11 @@ class Briefing:
     def foot(self) -> str:
         """What stands at the foot of every page: that it is this plan, and when it was checked."""
         return f"{self.sha256[:12]} · {self.checked_on}"
+
+    @property
+    def clock(self) -> Clock:
+        """How papers tell times."""
+        return Clock(self.plan.cues.clock, self.report.start)
 
     @cached_property
     def peg(self) -> Point:

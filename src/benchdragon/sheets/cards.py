@@ -150,6 +150,7 @@ class Cards(Typeset):
         layout, backs = self._layout, self._layout.backs
         front = self._inner(layout.frames[place])
         facts = [block for entry in sheet.entries for block in _facts(entry, len(sheet.entries))]
+        facts.append(Block(sheet.entries[0].text.times, 0.85))
         if backs:
             self._front(front, sheet, [])
             self._back(self._inner(backs[place]), facts)

@@ -27,7 +27,8 @@ def overview(briefing: Briefing, phones: bool) -> Document:
     people = sum(len(briefing.roster.people(n + 1)) for n in range(benches))
     blocks: list[Block] = [
         Heading(_("Verdict"), "verdict"),
-        Paragraph((sentence(briefing.report),)),
+        Paragraph((sentence(briefing.report, briefing.clock),)),
+        Paragraph((briefing.clock.legend,)),
         say(
             _("Checked on {date}; {benches} benches, {people} people in the list of names."),
             date=briefing.checked_on, benches=benches, people=people,

@@ -4,9 +4,10 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from benchdragon.analysis.beats import Score, score_of
-from benchdragon.analysis.stops import stops_of, stops_text
-from benchdragon.analysis.timetable import Passing, clock_text, timetable
-from benchdragon.export.document import Document, Heading, Paragraph, Table, say
+from benchdragon.analysis.clock import Clock
+from benchdragon.analysis.stops import stops_of, stops_sentence
+from benchdragon.analysis.timetable import Passing, timetable
+from benchdragon.export.document import Document, Heading, Paragraph, Table
 from benchdragon.export.pages import write_pdf
 from benchdragon.export.tables import workbook
 from benchdragon.files import whole_bytes
@@ -29,11 +30,11 @@ def columns() -> tuple[str, ...]:
     return (_("place"), _("way (m)"), _("x, y (m)"), _("head"), _("tail"))
 
 
-def cells(plan: Plan, row: Passing, start: float) -> tuple[str, ...]:
-    """A row of the table as text; times as times of day, where the plan says when the dance starts."""
+def cells(row: Passing, clock: Clock) -> tuple[str, ...]:
+    """A row of the table as text."""
 
     def at(time: float | None) -> str:
-        return "-" if time is None else clock_text(plan.cues.clock, start, time)
+        return "-" if time is None else clock.tell(time)
 
     head = at(row.head)
     if row.until is not None and row.head is not None and row.until > row.head:
@@ -42,32 +43,26 @@ def cells(plan: Plan, row: Passing, start: float) -> tuple[str, ...]:
     return row.name, f"{row.way:z.2f}", place, head, at(row.tail)
 
 
-def printed_rows(plan: Plan, passings: Iterable[Passing], start: float) -> tuple[tuple[str, ...], ...]:
-    """All rows of the table as text; `start` is that of the dance, s."""
-    return tuple(cells(plan, row, start) for row in passings)
+def printed_rows(passings: Iterable[Passing], clock: Clock) -> tuple[tuple[str, ...], ...]:
+    """All rows of the table as text."""
+    return tuple(cells(row, clock) for row in passings)
 
 
 def timetable_document(briefing: Briefing) -> Document:
     """The timetable as a document of a page or a few."""
     report, plan = briefing.report, briefing.plan
-    rows = printed_rows(plan, passings_of(briefing), report.start)
+    rows = printed_rows(passings_of(briefing), briefing.clock)
+    stops = stops_of(report.walk, report.start, report.end)
     score = score_of(plan, report.start, report.end)
     title = plan.title(language()) or _("Timetable")
     blocks = (
         Heading(_("Timetable"), "timetable"),
-        say(times_text(plan)),
-        Paragraph((stops_text(stops_of(report.walk, report.start, report.end)),)),
+        Paragraph((briefing.clock.legend,)),
+        Paragraph((stops_sentence(stops, briefing.clock),)),
         Paragraph((_("Drum: {tempo}.").format(tempo=tempo_text(plan, score)),)),
         Table("timetable", _("When head and tail pass"), columns(), WIDTHS, rows, numbers=True),
     )
     return Document(title, language(), briefing.checked_on, blocks, briefing.foot)
-
-
-def times_text(plan: Plan) -> str:
-    """What times of the timetable are, in the language in use."""
-    if not plan.cues.clock:
-        return _("Times are minutes and seconds, as the plan counts them.")
-    return _("Times are times of day; the dance starts at {clock}.").format(clock=plan.cues.clock)
 
 
 def write_timetable_pdf(path: Path, briefing: Briefing) -> None:
@@ -76,23 +71,28 @@ def write_timetable_pdf(path: Path, briefing: Briefing) -> None:
 
 
 def write_timetable_xlsx(path: Path, briefing: Briefing) -> None:
-    """Write the timetable as a workbook; times are seconds of the dance beside the times of day."""
-    report, plan = briefing.report, briefing.plan
+    """Write the timetable as a workbook, with times as seconds since the start of the dance too."""
+    start = briefing.report.start
     with whole_bytes(path) as made, workbook(made) as book:
         sheet = book.add_worksheet(_("Timetable"))
         sheet.freeze_panes(1, 1)
         sheet.set_column(0, 0, 30)
         sheet.set_column(1, 8, 14)
-        heads = (*columns(), _("head (s)"), _("goes on (s)"), _("tail (s)"))
-        for column, text in enumerate(heads):
+        names = (
+            _("head (s from the start)"),
+            _("goes on (s from the start)"),
+            _("tail (s from the start)"),
+        )
+        for column, text in enumerate((*columns(), *names)):
             sheet.write_string(0, column, text)
         for n, row in enumerate(passings_of(briefing), start=1):
-            for column, text in enumerate(cells(plan, row, report.start)):
+            for column, text in enumerate(cells(row, briefing.clock)):
                 sheet.write_string(n, column, text)
             for column, time in enumerate((row.head, row.until, row.tail), start=5):
                 if time is not None:
-                    sheet.write_number(n, column, round(time, 6))
-        sheet.write_string(n + 2, 0, briefing.foot)
+                    sheet.write_number(n, column, round(time - start, 6))
+        sheet.write_string(n + 2, 0, briefing.clock.legend)
+        sheet.write_string(n + 3, 0, briefing.foot)
 
 
 def tempo_text(plan: Plan, score: Score) -> str:

@@ -1,0 +1,50 @@
+"""How papers tell times: of day where the plan says when the dance starts, else since it starts."""
+
+import math
+from dataclasses import dataclass
+
+from benchdragon.i18n import _
+from benchdragon.plans.cues import TIME_OF_DAY
+
+# A day, s.
+DAY = 86_400.0
+
+
+@dataclass(frozen=True)
+class Clock:
+    """The one rule for times on papers, to a second.
+
+    Attributes:
+        said: the time of day at which the dance starts, "18:30"; "" if the plan says none.
+        start: of the dance, s of the plan.
+    """
+
+    said: str
+    start: float
+
+    def tell(self, time: float) -> str:
+        """A time, s of the plan: of day, h:mm:ss; else since the dance starts, m:ss."""
+        found = TIME_OF_DAY.fullmatch(self.said)
+        if not found:
+            return minutes(time - self.start)
+        hours, past, more = (int(part or 0) for part in found.groups())
+        seconds = _whole(3600 * hours + 60 * past + more + time - self.start) % int(DAY)
+        return f"{seconds // 3600}:{seconds // 60 % 60:02d}:{seconds % 60:02d}"
+
+    @property
+    def legend(self) -> str:
+        """What times on a paper are, in the language in use: said once on each."""
+        if not self.said:
+            return _("Times are minutes and seconds since the dance starts.")
+        return _("Times are times of day; the dance starts at {clock}.").format(clock=self.said)
+
+
+def minutes(seconds: float) -> str:
+    """A duration as minutes and seconds, m:ss."""
+    whole = _whole(seconds)
+    return f"{whole // 60}:{whole % 60:02d}"
+
+
+def _whole(seconds: float) -> int:
+    """The nearest second, of two as near the later."""
+    return math.floor(seconds + 0.5)
