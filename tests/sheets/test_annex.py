@@ -24,7 +24,7 @@ SAID = (
     'event.place="Temple square"', 'event.place_zh="祠堂前"', 'event.date="2027-02-20"',
     'event.organiser="V 1"', "event.spectators=813", "event.marshals=1", "event.distance=3.25",
     "event.entrances=[[20, 5]]", "venue.rectangle=[40, 30]", "limits.speed=1.73",
-    "people.sway=0.013", 'people.source.sway="M 7"',
+    "people.sway=0.013", 'people.source.sway="M 7"', "cues.clock=18:30",
 )  # fmt: skip
 
 
@@ -111,6 +111,16 @@ def test_each_language_has_its_own_words_alone(texts: dict[str, str]) -> None:
     for word in ("benchdragon", "people.sway", *re.findall(r"[0-9a-f]{12}", said)):
         said = said.replace(word, "")
     assert not re.findall(r"[A-Za-z]{3,}", said)
+
+
+def test_posts_and_timetable_tell_times_by_one_clock(facts: AnnexFacts, texts: dict[str, str]) -> None:
+    clock = facts.briefing.clock
+    times = [one.time for post in facts.posts for one in post.reasons if one.why == "fastest"]
+    (shown,) = [clock.tell(time) for time in times]
+    assert shown.startswith("18:30:")
+    assert any(f" m/s at {shown}" in row[3] for row in post_table(facts).rows)
+    assert texts["en"].count("".join(clock.legend.split())) == 1
+    assert f"m/sat{shown}" in texts["en"]
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
