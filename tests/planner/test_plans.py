@@ -19,6 +19,10 @@ pytestmark = pytest.mark.skipif(node() is None, reason="no Node here to run the 
 
 # Plans with something special in them, that random plans seldom have.
 SPECIAL: dict[str, dict[str, Any]] = {
+    "a cue in lines": {
+        "cues": {"cue": [{"kind": "note", "at": 2, "text": "a\nb", "text_zh": "\u0007"}]}
+    },
+    "a source in lines": {"people": {"source": {"beside": "a\u2028b"}, "sheet": "\u202e"}},
     "texts beyond ASCII": {
         "obstacle": [{"kind": "circle", "centre": [1, 2], "radius": 1, "name": "井 é"}]
     },

@@ -187,6 +187,14 @@ def test_a_cue_that_cannot_be_is_refused_in_one_sentence(cues: list[Any], senten
         ({"acceleration": 0.6}, "cues.acceleration: at most limits.head_acceleration, 0.5 m/s^2"),
         ({"clock": "25:00"}, "cues.clock: wanted a time of day such as 18:30, not '25:00'"),
         ({"tempo": 10}, "cues.tempo: wanted at least 20"),
+        *(
+            (
+                {"cue": [{"kind": "note", "at": 2.0, key: text}]},
+                f"cues.cue.0.{key}: wanted text that can",
+            )
+            for key in ("text", "text_zh")
+            for text in ("a\nb", "bell \u0007", "\u202eleft", " ")
+        ),
     ],
 )
 def test_other_keys_are_checked_too(others: dict[str, Any], sentence: str) -> None:

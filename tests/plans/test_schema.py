@@ -256,5 +256,5 @@ def test_a_plan_is_named_by_all_that_the_square_does_to_it() -> None:
 def test_a_name_must_be_seen_on_one_line(name: str) -> None:
     well = {"kind": "circle", "centre": [3, 1], "radius": 0.5, "name": name}
     data = {"schema": 1, "route": {"kind": "turn"}, "obstacle": [well]}
-    with pytest.raises(PlanError, match="wanted a name that can be printed on one line"):
+    with pytest.raises(PlanError, match="wanted text that can be printed on one line"):
         checked(data, "plan")

@@ -11,7 +11,15 @@ from benchdragon.i18n import N_, _
 from benchdragon.model.holds import SAME_PLACE, Hold, HoldError, Standing, Trouble, with_holds
 from benchdragon.model.profile import SpeedProfile
 from benchdragon.plans.source import Fault, KeyedError
-from benchdragon.plans.tables import Acceleration, LengthOrZero, LimitsTable, Number, Seconds, Table
+from benchdragon.plans.tables import (
+    Acceleration,
+    LengthOrZero,
+    LimitsTable,
+    Number,
+    OneLine,
+    Seconds,
+    Table,
+)
 
 # A dance with more cues than this is a list of something else.
 MOST_CUES = 200
@@ -26,7 +34,6 @@ END_SLACK = 1e-6
 
 Kind = Literal["beat", "hold", "stop", "start", "tempo", "note"]
 Tempo = Annotated[Number, Field(ge=LEAST_TEMPO, le=MOST_TEMPO)]
-Words = Annotated[str, Field(max_length=255)]
 
 # What cues are called that have no text of their own.
 NAMES: dict[str, str] = {
@@ -70,8 +77,8 @@ class CueTable(Table):
     head: LengthOrZero | None = None
     hold: Annotated[Seconds, Field(ge=LEAST_HOLD)] | None = None
     tempo: Tempo | None = None
-    text: Words = ""
-    text_zh: Words = ""
+    text: OneLine = ""
+    text_zh: OneLine = ""
 
     @model_validator(mode="after")
     def _whole(self) -> Self:

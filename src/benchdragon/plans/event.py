@@ -3,20 +3,12 @@
 from datetime import date
 from typing import Annotated, Any
 
-from pydantic import AfterValidator, BeforeValidator, Field
+from pydantic import BeforeValidator, Field
 
-from benchdragon.i18n import _
-from benchdragon.plans.tables import Length, Metres, Table
+from benchdragon.plans.tables import Length, Metres, OneLine, Table
 
 # Entrances of one venue, and people at one event: more are a slip of the pen.
 MOST_ENTRANCES, MOST_PEOPLE = 50, 10_000_000
-
-
-def _one_line(text: str) -> str:
-    """Refuses what would break a line of a paper."""
-    if text and (text.isspace() or not text.isprintable()):
-        raise ValueError(_("wanted text on one line, not {text}").format(text=repr(text)))
-    return text
 
 
 def _day(value: Any) -> Any:
@@ -24,7 +16,6 @@ def _day(value: Any) -> Any:
     return value.isoformat() if isinstance(value, date) else value
 
 
-Said = Annotated[str, Field(max_length=255), AfterValidator(_one_line)]
 People = Annotated[int, Field(ge=0, le=MOST_PEOPLE, strict=True)]
 
 
@@ -43,11 +34,11 @@ class EventTable(Table):
         entrances: where people come in, m.
     """
 
-    place: Said = ""
-    place_zh: Said = ""
-    date: Annotated[Said, BeforeValidator(_day, json_schema_input_type=str)] = ""
-    organiser: Said = ""
-    contact: Said = ""
+    place: OneLine = ""
+    place_zh: OneLine = ""
+    date: Annotated[OneLine, BeforeValidator(_day, json_schema_input_type=str)] = ""
+    organiser: OneLine = ""
+    contact: OneLine = ""
     spectators: People | None = None
     marshals: People | None = None
     distance: Length | None = None

@@ -5,9 +5,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from benchdragon.i18n import N_, _
-from benchdragon.plans.tables import Length, LengthOrZero, Speed, Table
-
-Text = Annotated[str, Field(max_length=255)]
+from benchdragon.plans.tables import Length, LengthOrZero, OneLine, Speed, Table
 
 # What a bench is called in a line of them, after its number.
 UNITS = {"bench": N_("bench {n}"), "qiao": N_("qiao {n}"), "jie": N_("jie {n}")}
@@ -16,14 +14,14 @@ UNITS = {"bench": N_("bench {n}"), "qiao": N_("qiao {n}"), "jie": N_("jie {n}")}
 class SourcesTable(Table):
     """Where numbers about people come from; what has no source is an assumption."""
 
-    beside: Text = ""
-    ahead: Text = ""
-    sway: Text = ""
-    imprecision: Text = ""
-    step: Text = ""
-    hurry_from: Text = ""
-    run_from: Text = ""
-    most_speed: Text = ""
+    beside: OneLine = ""
+    ahead: OneLine = ""
+    sway: OneLine = ""
+    imprecision: OneLine = ""
+    step: OneLine = ""
+    hurry_from: OneLine = ""
+    run_from: OneLine = ""
+    most_speed: OneLine = ""
 
 
 class PeopleTable(Table):
@@ -44,8 +42,8 @@ class PeopleTable(Table):
         address: where the player of the dance will be on the web.
     """
 
-    roster: Text = ""
-    sheet: Text = ""
+    roster: OneLine = ""
+    sheet: OneLine = ""
     unit: Literal["bench", "qiao", "jie"] = "bench"
     count_head: bool = True
     beside: LengthOrZero = 0.0
@@ -56,7 +54,7 @@ class PeopleTable(Table):
     hurry_from: Annotated[Speed, Field(gt=0.0)] = 1.2
     run_from: Annotated[Speed, Field(gt=0.0)] = 1.8
     most_speed: Annotated[Speed, Field(gt=0.0)] | None = None
-    address: Text = ""
+    address: OneLine = ""
     source: SourcesTable = SourcesTable()
 
 

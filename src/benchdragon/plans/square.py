@@ -10,7 +10,16 @@ from pydantic import AfterValidator, Field
 from benchdragon.i18n import N_, _
 from benchdragon.model.obstacle import MOST_CORNERS, Obstacle, rectangle_outline
 from benchdragon.plans.source import Fault, Faults, KeyedError
-from benchdragon.plans.tables import Degrees, Key, Length, LengthOrZero, LimitsTable, Metres, Table
+from benchdragon.plans.tables import (
+    Degrees,
+    Key,
+    Length,
+    LengthOrZero,
+    LimitsTable,
+    Metres,
+    Table,
+    one_line,
+)
 
 # Letters of a name that is put into sentences.
 MOST_LETTERS = 80
@@ -18,16 +27,7 @@ MOST_LETTERS = 80
 MOST_OBSTACLES = 1_000
 
 
-def _printable(name: str) -> str:
-    """Refuses what would not be seen in a sentence, or would break it."""
-    if name and (name.isspace() or not name.isprintable()):
-        raise ValueError(
-            _("wanted a name that can be printed on one line, not {name}").format(name=repr(name))
-        )
-    return name
-
-
-Name = Annotated[str, Field(max_length=MOST_LETTERS), AfterValidator(_printable)]
+Name = Annotated[str, Field(max_length=MOST_LETTERS), AfterValidator(one_line)]
 Corners = Annotated[list[tuple[Metres, Metres]], Field(max_length=MOST_CORNERS)]
 
 

@@ -83,6 +83,18 @@ Pitch = Annotated[Positive, at_least(LEAST_PITCH)]
 LengthOrZero = Annotated[Finite, Field(ge=0.0, le=MOST_METRES), _unit(METRES), at_least(LEAST)]
 
 
+def one_line(text: str) -> str:
+    """Refuses what would break a line of a sentence or a paper, or would not be seen there."""
+    if text and (text.isspace() or not text.isprintable()):
+        raise ValueError(
+            _("wanted text that can be printed on one line, not {text}").format(text=repr(text))
+        )
+    return text
+
+
+OneLine = Annotated[str, Field(max_length=255), AfterValidator(one_line)]
+
+
 class Table(BaseModel):
     """A table of a plan: unknown keys are errors."""
 

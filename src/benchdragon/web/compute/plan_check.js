@@ -279,12 +279,10 @@ function textOf(spec, value) {
   if (spec.most !== undefined && Array.from(text).length > spec.most)
     throw new ValueFault(`String should have at most ${spec.most} characters`);
   const blank = text && (!text.trim() || !isPrintable(text));
-  if (spec.check === "printable" && blank)
-    throw new ValueFault(
-      _("wanted a name that can be printed on one line, not {name}", { name: pythonRepr(text) }),
-    );
   if (spec.check === "one_line" && blank)
-    throw new ValueFault(_("wanted text on one line, not {text}", { text: pythonRepr(text) }));
+    throw new ValueFault(
+      _("wanted text that can be printed on one line, not {text}", { text: pythonRepr(text) }),
+    );
   if (spec.check === "time_of_day" && text && !TIME_OF_DAY.test(text))
     throw new ValueFault(
       _("wanted a time of day such as 18:30, not {text}", { text: pythonRepr(text) }),
