@@ -23,6 +23,7 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.curves import Line, Route
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import checked
+from tests.counting import lines_run
 
 # A line, a bend to the left, an S of clothoids that changes its side within a part, and a stop.
 PLAN = checked(
@@ -252,6 +253,14 @@ def test_a_short_stretch_is_joined_to_the_longer_neighbour() -> None:
     assert _followed(pieces, 3.9) == [pieces[0], pieces[2]]
     assert _followed(pieces[:2], 2.5) == pieces[:1]
     assert _followed(pieces[1:2], 2.1) == pieces[1:2]
+
+
+def test_joining_short_stretches_is_work_in_proportion_to_them() -> None:
+    def work(count: int) -> int:
+        pieces: list[Piece] = [(0.3 * n, 0.3 * n, 1.0, n % 2, n % 3) for n in range(count)]
+        return lines_run(lambda: _followed(pieces, 0.3 * count))
+
+    assert work(800) < 5 * work(200)
 
 
 def test_thresholds_that_are_met_just_when_speeds_are_looked_at_are_told_then() -> None:

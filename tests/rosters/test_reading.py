@@ -6,8 +6,9 @@ import pytest
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import use_language
-from benchdragon.rosters.reading import Numbering, read_roster
+from benchdragon.rosters.reading import Numbering, _at_two, _once, _Seat, read_roster
 from benchdragon.rosters.roster import Person, Roster
+from tests.counting import lines_run
 from tests.rosters.lists import Cells, csv_bytes, ods_bytes, xlsx_bytes
 
 TEN = Numbering(10, True, lambda bench: f"bench {bench}")
@@ -234,3 +235,34 @@ def test_a_bench_in_rows_that_are_apart_is_told_and_in_rows_one_after_the_other_
     notes = read(tmp_path, rows).notes
     assert "bench 2 is in rows 4, 6: all of their people are taken for it" in notes
     assert not any("bench 1 is in rows" in note for note in notes)
+
+
+def test_one_name_in_many_households_is_work_in_proportion_to_them() -> None:
+    def work(count: int) -> tuple[int, int]:
+        people = [Person("张三", f"{n} 家", "") for n in range(count)]
+        seats = [_Seat(1 + n % 10, person, n) for n, person in enumerate(people)]
+        return lines_run(lambda: list(_at_two(seats, TEN))), lines_run(lambda: _once(other, TEN, ""))
+
+    other = [_Seat(1, Person(f"张{n}", "", ""), n) for n in range(180)]
+    (few, once), (many, _same) = work(100), work(400)
+    assert many < 6 * few
+    assert once < 60 * len(other)
+
+
+def test_of_one_name_a_household_or_else_a_phone_tells_who_is_who() -> None:
+    said = [
+        (1, "A", "x", ""),
+        (2, "A", "x", "5"),
+        (3, "A", "y", "x"),
+        (4, "A", "", "5"),
+        (5, "B", "", ""),
+    ]
+    seats = [_Seat(bench, Person(*told), bench) for bench, *told in said]
+    assert list(_at_two(seats, TEN)) == [
+        "A is named at bench 2, bench 4: in rows 2, 4",
+        "A is named at bench 1 to bench 3: in rows 1, 2, 3",
+    ]
+    blank = _Seat(6, Person("A", "", ""), 6)
+    assert list(_at_two([*seats[:3], blank], TEN)) == [
+        "A is named at bench 1 to bench 3, bench 6: in rows 1, 2, 3, 6"
+    ]

@@ -1,5 +1,6 @@
 """What each bench does in a dance: where it starts, how it turns and how fast, what comes nearest."""
 
+import heapq
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -208,19 +209,57 @@ class _Whole:
 
 
 def _followed(pieces: list[Piece], end: float) -> list[Piece]:
-    """Stretches that people can follow: none shorter than SHORTEST, if there are several."""
-    pieces = _unlike(pieces)
-    while len(pieces) > 1:
-        starts = [piece[0] for piece in pieces] + [end]
-        lasts = [b - a for a, b in pairwise(starts)]
-        n = min(range(len(lasts)), key=lasts.__getitem__)
-        if lasts[n] >= SHORTEST:
-            break
-        if n == 0 or (n + 1 < len(pieces) and lasts[n + 1] > lasts[n - 1]):
-            pieces[n + 1] = (*pieces[n][:3], *pieces[n + 1][3:])
-        del pieces[n]
-        pieces = _unlike(pieces)
-    return pieces
+    """Stretches that people can follow: none shorter than SHORTEST, if there are several.
+
+    The shortest, of several the first, goes to the longer of its neighbours, again and again.
+    """
+    line = _Line(_unlike(pieces), end)
+    while (n := line.shortest()) is not None:
+        low, high = line.before[n], line.after[n]
+        if low < 0 or (high < len(line.lasts) and line.lasts[high] > line.lasts[low]):
+            line.join(n, high, line.pieces[high])
+        else:
+            line.join(low, n, line.pieces[low])
+    return line.left
+
+
+class _Line:
+    """Stretches one after another; neighbours are joined, and the first of them keeps its place."""
+
+    def __init__(self, pieces: list[Piece], end: float) -> None:
+        self.pieces, self.count = pieces[:], len(pieces)
+        starts = [*(piece[0] for piece in pieces), end]
+        self.starts, self.lasts = starts, [b - a for a, b in pairwise(starts)]
+        self.before = list(range(-1, len(pieces)))
+        self.after = list(range(1, len(pieces) + 1))
+        self.there = [True] * len(pieces)
+        self.queue = [(last, n) for n, last in enumerate(self.lasts)]
+        heapq.heapify(self.queue)
+
+    @property
+    def left(self) -> list[Piece]:
+        """The stretches that are there still."""
+        return [piece for piece, there in zip(self.pieces, self.there, strict=True) if there]
+
+    def shortest(self) -> int | None:
+        """The shortest stretch, if it is too short and not the only one."""
+        while self.count > 1 and self.queue[0][0] < SHORTEST:
+            last, n = heapq.heappop(self.queue)
+            if self.there[n] and last == self.lasts[n]:
+                return n
+        return None
+
+    def join(self, low: int, high: int, like: Piece) -> None:
+        """Join two neighbours to a stretch like one of them, and it to neighbours that are alike."""
+        self.pieces[low] = (*self.pieces[low][:3], *like[3:])
+        self.there[high], self.count = False, self.count - 1
+        self.after[low] = after = self.after[high]
+        self.before[after] = low
+        self.lasts[low] = self.starts[after] - self.starts[low]
+        heapq.heappush(self.queue, (self.lasts[low], low))
+        for one, other in ((self.before[low], low), (low, after)):
+            if one >= 0 and other < len(self.lasts) and self.pieces[one][3:] == self.pieces[other][3:]:
+                self.join(one, other, self.pieces[one])
 
 
 def _unlike(pieces: list[Piece]) -> list[Piece]:

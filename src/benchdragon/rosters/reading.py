@@ -149,12 +149,15 @@ def _stranger(entry: Entry, beyond: Sequence[tuple[int, int]], numbering: Number
 def _once(seats: Sequence[_Seat], numbering: Numbering, name: str) -> tuple[list[_Seat], list[str]]:
     """Seats without those that a row says again; what that row adds is kept."""
     found: dict[int, list[_Seat]] = {}
+    namesakes: dict[tuple[int, str], list[int]] = {}
     notes = []
     text = _("{name} is named twice at {bench}: in rows {first} and {row}")
     for seat in seats:
         there = found.setdefault(seat.bench, [])
-        at = next((n for n, one in enumerate(there) if _same(one.person, seat.person)), None)
+        alike = namesakes.setdefault((seat.bench, plain(seat.person.name)), [])
+        at = next((n for n in alike if _same(there[n].person, seat.person)), None)
         if at is None:
+            alike.append(len(there))
             there.append(seat)
         else:
             first = there[at]
@@ -171,9 +174,9 @@ def _once(seats: Sequence[_Seat], numbering: Numbering, name: str) -> tuple[list
 
 
 def _same(one: Person, other: Person) -> bool:
-    """Whether two entries may be the same person."""
+    """Whether two entries of one name may be the same person."""
     pairs = ((one.household, other.household), (one.phone, other.phone))
-    return plain(one.name) == plain(other.name) and all(a == b or not (a and b) for a, b in pairs)
+    return all(a == b or not (a and b) for a, b in pairs)
 
 
 def _fuller(one: Person, other: Person) -> Person:
@@ -189,9 +192,7 @@ def _at_two(seats: Sequence[_Seat], numbering: Numbering) -> Iterator[str]:
         named.setdefault(plain(seat.person.name), []).append(seat)
     text = _("{name} is named at {benches}: in rows {rows}")
     for found in named.values():
-        marks = {seat.person.household or seat.person.phone for seat in found}
-        for mark in {"": None} if "" in marks else dict.fromkeys(sorted(marks)):
-            group = [s for s in found if not mark or mark in (s.person.household, s.person.phone)]
+        for group in _alike(found):
             rows = sorted({seat.row for seat in group})
             benches = sorted({seat.bench for seat in group})
             if len(rows) > 1 and len(benches) > 1:
@@ -212,6 +213,17 @@ def _apart(said: Sequence[Entry], numbering: Numbering) -> Iterator[str]:
     for bench, found in sorted(rows.items()):
         if any(after - before > 1 for before, after in pairwise(found)):
             yield text.format(bench=numbering.called(bench), rows=_listed(map(str, found)))
+
+
+def _alike(seats: Sequence[_Seat]) -> list[list[_Seat]]:
+    """Seats of one name by household, or else phone: all of them together if one has neither."""
+    groups: dict[str, list[_Seat]] = {seat.person.household or seat.person.phone: [] for seat in seats}
+    if "" in groups:
+        return [list(seats)]
+    for seat in seats:
+        for mark in {seat.person.household, seat.person.phone} & groups.keys():
+            groups[mark].append(seat)
+    return [groups[mark] for mark in sorted(groups)]
 
 
 def _holes(benches: dict[int, tuple[Person, ...]], numbering: Numbering) -> list[str]:
