@@ -107,3 +107,15 @@ def test_a_refusal_names_walking_under_the_benches_where_that_fits(
     assert "--carry under" in capsys.readouterr().err
     assert run([*beside.replace("12x12", "4x4").split(), "--quiet", "--lang", "en"]) == 4
     assert "--carry under" not in capsys.readouterr().err
+
+
+def test_a_radius_may_be_told_as_the_question_shows_it_and_names_are_quoted(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    line = ["--benches", "4", "--bench-length", "1.5m", "--bench-width", "15cm", "--radius", "r14"]
+    assert run(["new", "-o", "n $m.dragon.toml", *line, "--carry", "under", "--quiet"]) == 0
+    out = capsys.readouterr().out
+    assert "benchdragon view 'n $m.dragon.toml' -o 'n $m.html'" in out
+    assert run(["new", "-o", "o.dragon.toml", *line[:-1], "wide", "--quiet"]) == 2
+    assert "--radius: wanted a length" in capsys.readouterr().err

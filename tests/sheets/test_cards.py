@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from datetime import date
 from pathlib import Path
 from typing import Any, Literal
 
@@ -13,12 +14,14 @@ import zxingcpp
 from fpdf import FPDF
 from pypdf import PdfReader
 
+from benchdragon.errors import InputError
 from benchdragon.explain.bench_walk import bench_text
 from benchdragon.i18n import spoken_in
 from benchdragon.rosters.roster import Person, Roster
-from benchdragon.sheets.briefing import Briefing
+from benchdragon.sheets.briefing import Briefing, briefing_of
 from benchdragon.sheets.cards import LEAST_MAP, write_benches
-from benchdragon.sheets.chalk import chalk_drawing
+from benchdragon.sheets.chalk import chalk_drawing, list_rows
+from benchdragon.sheets.checked import Record
 from benchdragon.sheets.options import ChalkOptions, Options
 from benchdragon.sheets.overview import write_overview
 from benchdragon.sheets.small_map import Frame, SmallMap
@@ -73,6 +76,15 @@ def test_sheets_and_chalk_plan_measure_from_one_peg(
         place = bench_text(one.plan, one.benches[0], one.named, one.peg).place[0]
         assert f" {marks.radius[start]:.2f} m from it " in place
         assert f" {round(marks.angle[start]) % 360}° from " in place
+        _n, _way, x, y, *_rest = list(list_rows(marks))[start]
+        told = [float(number) for number in re.findall(r"[xy] = (-?[\d.]+) m", place)]
+        assert told == pytest.approx([x, y], abs=0.0076)
+
+
+def test_a_peg_that_no_tape_reaches_is_refused_whatever_papers_are_wanted(ours: Briefing) -> None:
+    record = Record(sha256=ours.sha256, date=date(2026, 2, 17), version="0.1.0", verdict={})
+    with pytest.raises(InputError, match="m from the nearest mark, farther than 200 m"):
+        briefing_of(ours.report, ours.roster, record, (1e8, 0.0))
 
 
 @pytest.mark.parametrize(("paper", "count"), [("a4", 8), ("quarter", 2), ("lanyard", 4)])

@@ -93,8 +93,8 @@ def test_the_list_says_what_the_route_is_to_the_rounding(drawing: ChalkDrawing) 
     half = 0.5 * LENGTH_STEP + 1e-9
     for (x, y), line in zip(points.tolist(), rows, strict=True):
         row: Any = line
-        assert abs(row[2] - x) <= half
-        assert abs(row[3] - y) <= half
+        assert abs(row[2] - (x - 1.0)) <= half
+        assert abs(row[3] - (y - 2.0)) <= half
         assert abs(row[4] - math.hypot(x - 1.0, y - 2.0)) <= half
         turned = math.degrees(math.atan2(y - 2.0, x - 1.0)) - row[5]
         assert abs((turned + 180.0) % 360.0 - 180.0) <= 0.5 * ANGLE_STEP + 1e-9
@@ -108,9 +108,9 @@ def test_the_pdf_prints_the_list(
 ) -> None:
     reader = pypdf.PdfReader(folders[language] / "chalk.pdf")
     text = "\n".join(page.extract_text() for page in reader.pages)
-    words = re.findall(r"[\d.]+|[BC]\b", text)
+    words = re.findall(r"-?[\d.]+|[BC]\b", text)
     for row in list_rows(drawing.marks):
-        numbers = [f"{value:.3f}" for value in row[1:5] if isinstance(value, float)]
+        numbers = [f"{value:z.3f}" for value in row[1:5] if isinstance(value, float)]
         wanted = [str(row[0]), *numbers, f"{row[5]:.2f}", row[6], f"{row[7]:.3f}", f"{row[9]:.3f}"]
         assert any(words[n : n + 9] == wanted for n in range(len(words))), wanted
     assert (re.search(r"[一-鿿]", text) is not None) == (language == "zh")

@@ -331,12 +331,23 @@ def placed_marks(
     peg = _peg(peg)
     s, kinds = trail.marked(every)
     points = trail.route.point(s)
+    far = _farthest(points, peg)
+    reach, quarter = _base(peg, max(1, math.ceil(far)), obstacles, first=1 if north else 0)
+    return Marks(s, points, tuple(kinds), peg, north, _bases(peg, reach, quarter), reach)
+
+
+def check_peg(trail: Trail, peg: Point) -> None:
+    """Refuse a peg from which no tape reaches any of the usual marks of a trail."""
+    _farthest(trail.route.point(trail.marked(trail.usual_every)[0]), _peg(peg))
+
+
+def _farthest(points: FloatArray, peg: Point) -> float:
+    """How far the farthest of marks is from the peg, m, if a tape reaches the nearest."""
     away = as_lengths(points - np.array(peg))
     if away.min() > LONGEST_TAPE:
         text = _("the peg is {far} m from the nearest mark, farther than {most} m: no tape reaches it")
         raise InputError(text.format(far=f"{away.min():.0f}", most=f"{LONGEST_TAPE:g}"))
-    reach, quarter = _base(peg, max(1, math.ceil(away.max())), obstacles, first=1 if north else 0)
-    return Marks(s, points, tuple(kinds), peg, north, _bases(peg, reach, quarter), reach)
+    return float(away.max())
 
 
 def _peg(peg: Point) -> Point:

@@ -1,5 +1,6 @@
 """The verb `new`: a plan that can be walked, from a few questions."""
 
+import shlex
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
@@ -107,7 +108,7 @@ def _wishes(output: Path, options: Mapping[str, Any]) -> tuple["Wishes", set[str
     roster = _roster(output, options["roster"])
     typed = {one.name: options[one.name] for one in QUESTIONS}
     if options["radius"] is not None:
-        typed["square"] = f"r{options['radius']}"
+        typed["square"] = "r" + options["radius"].removeprefix("r")
     said = {
         one.name: one.answer("--radius" if typed[one.name] != options[one.name] else one.option, text)
         for one in QUESTIONS
@@ -287,11 +288,11 @@ def _text(plan: "Plan", wishes: "Wishes", given: set[str]) -> str:
 
 def _print_next(output: Path) -> None:
     """The commands to type next."""
-    name = f'"{output}"' if " " in str(output) else str(output)
     page = Path(str(output).removesuffix(".toml").removesuffix(".dragon")).with_suffix(".html")
+    name, shown = shlex.quote(str(output)), shlex.quote(str(page))
     click.echo(_("Next:"))
     for command, text in (
-        (f"benchdragon view {name} -o {page}", _("see it walk")),
+        (f"benchdragon view {name} -o {shown}", _("see it walk")),
         (f"benchdragon check {name} --record", _("check it again after each change")),
         (f"benchdragon sheets {name} -o sheets", _("papers for everyone")),
     ):

@@ -7,7 +7,7 @@ from functools import cached_property
 from benchdragon.analysis.bench_walks import BenchWalk, bench_walks
 from benchdragon.analysis.check import Report
 from benchdragon.analysis.clock import Clock
-from benchdragon.analysis.marks import own_peg
+from benchdragon.analysis.marks import Trail, check_peg, own_peg
 from benchdragon.i18n import _
 from benchdragon.model.base_curve import Point
 from benchdragon.plans.people import called
@@ -81,6 +81,12 @@ def listed(names: Sequence[str], most: int) -> str:
 
 
 def briefing_of(report: Report, roster: Roster, record: Record, peg: Point | None = None) -> Briefing:
-    """What papers are made from: a check that found nothing, the people, the check's record, a peg."""
+    """What papers are made from: a check that found nothing, the people, the check's record, a peg.
+
+    Raises:
+        InputError: for a peg that no tape reaches.
+    """
+    if peg is not None:
+        check_peg(Trail.of(report.walk, report.start, report.end), peg)
     benches = bench_walks(report.plan, report.walk, (report.start, report.end))
     return Briefing(report, roster, benches, record.date.isoformat(), record.sha256, peg)

@@ -85,15 +85,16 @@ def _columns(marks: Marks) -> tuple[str, ...]:
     """Headings of the list."""
     angle = _("bearing from north (°)") if marks.north else _("angle from the x axis (°)")
     return (
-        _("mark"), _("along the route (m)"), _("x (m)"), _("y (m)"), _("from the peg (m)"), angle,
-        _("measured from"), _("from there (m)"), _("side"), _("from the mark before (m)"), _("what"),
+        _("mark"), _("along the route (m)"), _("x from the peg (m)"), _("y from the peg (m)"),
+        _("from the peg (m)"), angle, _("measured from"), _("from there (m)"), _("side"),
+        _("from the mark before (m)"), _("what"),
     )  # fmt: skip
 
 
 def list_rows(marks: Marks) -> Iterator[tuple[Cell, ...]]:
     """What the list says of each mark, as `_columns`: lengths in m and angles in degrees, rounded."""
     for n in range(len(marks)):
-        lengths = marks.way[n], *marks.points[n], marks.radius[n], marks.cross[n], marks.before[n]
+        lengths = marks.way[n], *marks.off[n], marks.radius[n], marks.cross[n], marks.before[n]
         way, x, y, radius, cross, before = (rounded(float(one), LENGTH_STEP) for one in lengths)
         angle = rounded(float(marks.angle[n]), ANGLE_STEP) % 360.0
         side = _("left") if marks.on_left[n] else _("right")

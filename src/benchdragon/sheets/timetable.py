@@ -27,7 +27,7 @@ def passings_of(briefing: Briefing) -> tuple[Passing, ...]:
 
 def columns() -> tuple[str, ...]:
     """What stands above the columns."""
-    return (_("place"), _("way (m)"), _("x, y (m)"), _("head"), _("tail"))
+    return (_("place"), _("way (m)"), _("x, y in the plan (m)"), _("head"), _("tail"))
 
 
 def cells(row: Passing, clock: Clock) -> tuple[str, ...]:
