@@ -17,6 +17,7 @@ from benchdragon.player.messages import Dance
 from benchdragon.player.scene import judged_dance
 from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.size import limit
+from benchdragon.solve.tolerance import CASES, tolerance
 from tests.browser.pages import Device, Language, Pages
 from tests.browser.players import until
 from tests.browser.studios import change, number, settle, verdict
@@ -282,6 +283,20 @@ def test_long_questions_are_answered_with_the_plan_that_they_are_about(opened: O
     assert shown_plan(page).sha256 == asked.sha256
     job.get_by_role("button", name="clear away").click()
     expect(job).to_have_count(0)
+
+
+def test_random_dances_are_those_of_python(opened: Opened) -> None:
+    coil = ["dragon.benches=9", "route.start_turn=8", "route.pitch=0.59", "disc.radius=2"]
+    page, plan = opened(), read_plan("spiral-in", coil)
+    page.evaluate("(plan) => benchdragon.change(plan, true)", plan.data())
+    settled(page)
+    page.get_by_role("button", name="tolerance for people who are not exact").click()
+    found = tolerance(plan, CASES["all"].deviations, 100, seed=1, own=True)
+    chance, pitch = 100.0 * found.touching()[0], found.pitch_for(0.1)
+    assert 0.0 < chance < 100.0
+    job = page.locator(".jobs li")
+    expect(job).to_contain_text(f"{chance:.1f} % of 100 random dances touch")
+    expect(job).to_contain_text(f"at most 10 % with a pitch of {pitch:.3f} m")
 
 
 def test_a_long_question_is_cancelled_at_once(opened: Opened) -> None:

@@ -1,20 +1,28 @@
-// Answers that are searched for, as records that pages take: twins of `limited`, `best`, `head_speed` and
-// `paced` in studio/tasks.py.
+// Answers that are searched for, as records that pages take: twins of `limited`, `best`, `head_speed`, `paced`
+// and `room_needed` in studio/tasks.py.
 
+import { _ } from "../words.js";
 import { withArena } from "./arena.js";
 import { greatestHeadSpeed, slowed, withPace } from "./head_speed.js";
+import { finiteOrNull } from "./number_format.js";
 import { discOf, turnOf } from "./plan_routes.js";
 import { answerOf } from "./records.js";
 import { limit } from "./size.js";
+import { part } from "./stages.js";
+import { ALL, RISKS, pitchFor, tolerance, touching } from "./tolerance.js";
 import { bestTurn } from "./turn.js";
 
 /** @typedef {import("../messages").Answer} Answer */
+/** @typedef {import("../messages").MarginsFound} MarginsFound */
 /** @typedef {import("../messages").PaceFound} PaceFound */
 /** @typedef {import("../messages").TurnFound} TurnFound */
 /** @typedef {import("./questions.js").Asked} Asked */
 
 /** How wide the bracket of a size may be, m, while its slider is dragged. */
 const SIZE = 1e-5;
+
+/** How many random dances are walked. */
+const DRAWS = 100;
 
 /** What all answers about a plan carry. @param {Asked} asked */
 function stampOf({ plan, version }) {
@@ -61,6 +69,22 @@ export async function turn(asked) {
     head_speed: found.headSpeed && answerOf(found.headSpeed, stamp),
     clearance: answerOf(found.clearance, stamp),
     active: found.active,
+  };
+}
+
+/** How much room imprecise people need, with all deviations together. @param {Asked} asked @returns {Promise<MarginsFound>} */
+export async function margins({ engine, plan, progress }) {
+  const told = part(progress, 0, 1, _("random dances"));
+  const found = await tolerance(engine, plan, ALL, { draws: DRAWS, progress: told });
+  const [chance, lower, upper] = touching(found);
+  return {
+    draws: DRAWS,
+    exact: finiteOrNull(found.exact),
+    pitch: plan.value("route.pitch"),
+    chance,
+    chance_lower: lower,
+    chance_upper: upper,
+    pitch_for: RISKS.map((risk) => ({ risk, pitch: finiteOrNull(pitchFor(found, risk)) })),
   };
 }
 

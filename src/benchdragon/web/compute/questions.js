@@ -7,7 +7,7 @@ import { withArenaAsync } from "./arena.js";
 import { check } from "./check.js";
 import { PlanError, WalkError } from "./errors.js";
 import { judgedDance } from "./judged.js";
-import { headSpeed, limited, pace, turn } from "./long_questions.js";
+import { headSpeed, limited, margins, pace, turn } from "./long_questions.js";
 import { checkedPlan } from "./plan.js";
 import { verdictOf } from "./records.js";
 import { danceOf } from "./scene.js";
@@ -38,6 +38,7 @@ export const QUESTIONS = {
   "job/turn": turn,
   "job/speed": headSpeed,
   "job/pace": pace,
+  "job/margins": margins,
 };
 
 /** What the quick check finds. @param {Asked} asked */
