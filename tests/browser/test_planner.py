@@ -172,7 +172,7 @@ def test_a_plan_that_cannot_be_walked_has_no_verdict_but_a_reason(opened: Opened
     expect(verdict(page)).to_contain_text("No verdict: ")
 
 
-def test_language_and_theme_are_switched_and_remembered(opened: Opened) -> None:
+def test_the_language_is_switched_and_remembered(opened: Opened) -> None:
     page = opened()
     page.get_by_role("button", name="中文").click()
     settle(page, "安全：最紧处")
