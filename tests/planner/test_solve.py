@@ -1,0 +1,177 @@
+"""compute/size.js, head_speed.js, turn.js, tolerance.js: the page's searches answer as Python's do."""
+
+import json
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from benchdragon.model.answer import Answer
+from benchdragon.plans.schema import Plan, checked, read_plan
+from benchdragon.solve.head_speed import greatest_head_speed, slowed, with_pace
+from benchdragon.solve.size import feasible_sizes, limit
+from benchdragon.solve.tolerance import RISKS, Deviations, tolerance
+from benchdragon.solve.turn import best_turn
+from benchdragon.solve.turn_trials import TurnGoal
+from tests.engine.recording import node
+from tests.planner.random_plans import plan
+from tests.planner.twins import asked, tried
+
+pytestmark = pytest.mark.skipif(node() is None, reason="no Node here to run the page's modules in")
+
+NAMES = ("pitch", "disc", "width", "length")
+# Numbers of two libms, as a share of 1 or of the number.
+APART = 1e-11
+# A pitch that a random dance needs is a border of a bracket of 1e-5 m, found along secants.
+PITCHES_APART = 1e-8
+# A turn may be worse than Python's by this share, as its search is another.
+WORSE = 1e-6
+FEW = ["disc.radius=4.5", "dragon.benches=30", "route.start_turn=11"]
+SQUARE = {
+    "schema": 1,
+    "route": {"kind": "spiral-in", "pitch": 0.6, "start_turn": 11},
+    "disc": {"radius": 4.5},
+    "dragon": {"benches": 20},
+    "venue": {"rectangle": [18, 17]},
+    "obstacle": [{"kind": "circle", "centre": [0.5, 0.2], "radius": 2.0, "margin": 0.3}],
+}
+LIMITED = [
+    "dragon.benches=25", "walk.end=70", "limits.total_acceleration=1.2", "limits.turning_rate=60",
+]  # fmt: skip
+
+
+def searched(name: str, data: Any, **options: Any) -> Any:
+    """What the page answers about one plan."""
+    question = {"data": data.data() if isinstance(data, Plan) else data, "name": name}
+    (said,) = asked("solve_plans.mjs", {"asked": [question | {"options": options}]})
+    return said["found"]
+
+
+def near(one: float, other: Any, apart: float = APART) -> bool:
+    """Whether two numbers are the same but for rounding."""
+    if not math.isfinite(one):
+        return str(one).replace("inf", "Infinity").replace("nan", "NaN") == other
+    return abs(one - float(other)) <= apart * max(1.0, abs(one))
+
+
+def same_answer(found: Answer, twin: dict[str, Any], *, same_benches: bool = True) -> bool:
+    """Whether two answers say the same; on an arc many handles come to one acceleration."""
+    numbers = (found.value, twin["value"]), (found.lower, twin["lower"]), (found.upper, twin["upper"])
+    witness = None if found.witness is None else list(found.witness.benches)
+    return (
+        all(near(*pair) for pair in numbers)
+        and found.status == twin["status"]
+        and list(found.assumptions) == twin["assumptions"]
+        and (not same_benches or witness == (twin["witness"] and twin["witness"]["benches"]))
+    )
+
+
+def plain(data: dict[str, Any]) -> Any:
+    """A copy of a plan's data."""
+    return json.loads(json.dumps(data))
+
+
+def small(seed: int) -> dict[str, Any]:
+    """A random plan of few benches."""
+    data = plan(seed, 0.03)
+    if "bench" not in data["dragon"]:
+        data["dragon"]["benches"] = min(data["dragon"]["benches"], 20)
+    return data
+
+
+def test_limits_of_random_plans_are_the_same() -> None:
+    plans = [(small(seed), NAMES[seed % 4]) for seed in range(24)]
+    questions = [{"data": data, "name": "limit", "options": {"size": name}} for data, name in plans]
+    found = 0
+    for (data, name), said in zip(plans, asked("solve_plans.mjs", {"asked": questions}), strict=True):
+        answer = tried(lambda data=data, name=name: limit(checked(plain(data), "plan"), name))
+        if isinstance(answer, dict):
+            assert said["found"] == answer
+            continue
+        assert same_answer(answer, said["found"]), (data, answer, said)
+        found += answer.status == "found"
+    assert found > 3
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_limits_of_a_spiral_and_beside_obstacles_are_the_same(name: str) -> None:
+    for whole in (read_plan("spiral-in", FEW), checked(plain(SQUARE), "plan")):
+        assert same_answer(limit(whole, name), searched("limit", whole, size=name))
+
+
+def test_sizes_of_a_range_are_the_same() -> None:
+    whole = read_plan("spiral-in", FEW)
+    found = feasible_sizes(whole, "pitch", 0.3, 0.7, 9)
+    twin = searched("sizes", whole, size="pitch", low=0.3, high=0.7, count=9)
+    assert len(found.spans) == len(twin["spans"]) == 1
+    assert near(found.spans[0].low, twin["spans"][0]["low"])
+    assert near(found.spans[0].borders[0], twin["spans"][0]["borders"][0])
+    assert found.spans[0].tried == twin["spans"][0]["tried"]
+
+
+@pytest.mark.parametrize("sets", [[*FEW, "limits.speed=2"], LIMITED])
+def test_head_speeds_are_the_same(sets: list[str]) -> None:
+    whole = read_plan("spiral-in" if sets[0] == FEW[0] else "turn", sets)
+    found = greatest_head_speed(whole)
+    assert found.status == "found"
+    assert same_answer(found, searched("speed", whole), same_benches=sets is not LIMITED)
+
+
+def test_a_slowed_pace_is_the_same() -> None:
+    whole = read_plan("turn", LIMITED)
+    pace, twin = slowed(whole), searched("pace", whole)
+    assert pace.saved > 1.0
+    assert near(pace.seconds, twin["seconds"])
+    assert near(pace.saved, twin["saved"], 1e-9)
+    profile = with_pace(whole, pace).walk.profile
+    assert np.allclose(twin["profile"]["times"], [time for time, _speed in profile], atol=1e-9)
+    assert np.allclose(twin["profile"]["speeds"], [speed for _time, speed in profile], atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("sets", "wish"),
+    [
+        (["turn.family=arc-line-arc"], {"objective": "way"}),
+        (["limits.turning_rate=60", "limits.margin=0.1"], {"objective": "length", "least_radius": 1.6}),
+    ],
+)
+def test_turns_are_as_good(sets: list[str], wish: dict[str, Any]) -> None:
+    whole = read_plan("turn", ["dragon.benches=30", *sets])
+    found, twin = best_turn(whole, TurnGoal(**wish)), searched("turn", whole, **wish)
+    assert twin["objective"]["value"] <= found.objective.value * (1.0 + WORSE)
+    # What the page says of its turn is what Python says of it.
+    sizes = ("entry_radius", "exit_radius", "ratio" if twin["turn"]["radii"] is None else "radii")
+    again = whole.with_values({f"turn.{size}": twin["turn"][size] for size in sizes})
+    assert near(greatest_head_speed(again).value, twin["headSpeed"]["value"], 1e-9)
+    assert again.sha256 == twin["sha256"]
+
+
+@pytest.mark.parametrize(
+    "deviations", [{"aside": 0.02}, {"stray": 0.02}, {"play": 0.01, "height": 0.1, "length": 0.02}]
+)
+def test_random_dances_are_the_same(deviations: dict[str, float]) -> None:
+    whole = read_plan("spiral-in", [*FEW, "route.pitch=0.46"])
+    found = tolerance(whole, Deviations(**deviations), 4, seed=7, own=True)
+    twin = searched("margins", whole, deviations=deviations, draws=4, seed=7)
+    assert near(found.exact, twin["exact"])
+    assert np.abs(found.needed - twin["needed"]).max() <= PITCHES_APART
+    assert found.hits == twin["hits"]
+    assert np.allclose(found.touching(), twin["touching"], atol=1e-12)
+    assert all(near(found.pitch_for(r), p, 1e-8) for r, p in zip(RISKS, twin["pitchFor"], strict=True))
+
+
+def test_a_search_is_given_up_where_its_progress_is_told() -> None:
+    whole = read_plan("spiral-in", FEW).data()
+    turn = read_plan("turn", ["dragon.benches=20"]).data()
+    names = {"limit": whole, "speed": turn, "turn": turn, "margins": whole}
+    options = {"limit": {"size": "pitch"}, "margins": {"deviations": {"aside": 0.02}, "draws": 5}}
+    questions = [{"data": d, "name": n, "options": options.get(n, {})} for n, d in names.items()]
+    for said in asked("solve_plans.mjs", {"asked": questions, "cancel": True}):
+        assert said["found"] == {"error": "given up", "kind": "Cancelled"}
+
+
+def test_memory_is_given_back() -> None:
+    question = {"data": SQUARE, "name": "limit", "options": {"size": "pitch", "tolerance": 1e-5}}
+    (said,) = asked("solve_plans.mjs", {"asked": [question], "rounds": 6})
+    assert said["bytes"][-1] == said["bytes"][1]
