@@ -7,6 +7,7 @@ from playwright.sync_api import Page
 
 from tests.browser.pages import Colours, Device, Language, Pages
 from tests.browser.players import DESK, HAND, LOOKS, Scene, drawn, opened, state, time_of, until
+from tests.browser.test_player_labels import APART, written
 
 NAMES = {
     "contact": {"en": "Why it ends here", "zh": "为什么到此为止"},
@@ -46,6 +47,14 @@ def told(page: Page, look: tuple[Device, Language, Colours], name: str) -> None:
     page.evaluate("benchdragon.face.story.pause(true)")
 
 
+def covered(page: Page) -> list[str]:
+    """Words on the canvas that lie on the pair they tell of."""
+    labels = [one for one in written(page) if "(" in one["text"]]
+    assert len(labels) == 1
+    boxes = [(one["text"], [one["x"], one["y"], one["half"] + 6.0, 11.0]) for one in labels]
+    return [text for text, box in boxes if page.evaluate(APART, box)["covers"]]
+
+
 @pytest.mark.parametrize("look", LOOKS, ids="-".join)
 @pytest.mark.parametrize("name", ["contact", "turn"])
 def test_a_story_goes_from_the_whole_dance_to_its_pair(
@@ -71,6 +80,7 @@ def test_a_story_goes_from_the_whole_dance_to_its_pair(
         if n:
             assert tuple(one["pair"]) == tuple(about.benches)
             assert page.evaluate(SEEN), n
+            assert covered(page) == [], n
         steps.append(one)
     assert [one["at"] for one in steps] == [0, 1, 2, 3, 4]
     assert steps[0]["scale"] < steps[1]["scale"] < steps[2]["scale"]
@@ -111,6 +121,31 @@ def test_a_story_goes_on_by_itself_is_held_and_stepped_by_keys_and_ended(
     assert not page.locator(".story").is_visible()
     assert page.get_by_role("button", name=NAMES["contact"]["en"]).is_visible()
     until(page, "location.hash.startsWith('#t=412.97')")
+
+
+def test_each_caption_of_a_story_is_told_once_and_no_value_between(
+    pages: Pages, contact: Scene
+) -> None:
+    page = opened(pages, contact)
+    page.evaluate(
+        """() => {
+          globalThis.heard = [];
+          const { spoken, axis } = benchdragon.face;
+          const watch = (one, tell, how) =>
+            new MutationObserver(() => heard.push(tell())).observe(one, how);
+          watch(spoken, () => spoken.textContent, { childList: true });
+          watch(axis.slider, () => "value", { attributes: true });
+        }"""
+    )
+    page.evaluate("benchdragon.face.tell()")
+    for _quarter in range(32):
+        page.evaluate(PASS, 1.0)
+        drawn(page)
+    until(page, "!benchdragon.face.story.runs")
+    texts = page.evaluate("benchdragon.face.story.steps.map(({ text }) => text)")
+    told = page.evaluate("heard")
+    assert [one for one in told if one != "value"] == texts
+    assert len(told) - len(texts) <= 2  # its time at rest
 
 
 @pytest.mark.parametrize("how", ["play", "axis", "drag"])

@@ -131,8 +131,10 @@ class Pen {
 
   /** @param {Path2D} fin */
   tail(fin) {
+    this.ctx.lineJoin = "round";
     this.#fill(fin, this.inks.head);
     this.#stroke(fin, this.inks.gold, 0.008);
+    this.ctx.lineJoin = "miter";
   }
 
   /** @param {HeadDrawing} face @param {boolean} lined */

@@ -13,7 +13,7 @@ const NUMBERED = [1, 5, 10, 50, 100, 500, 1000, 5000];
 const ROOM_FOR_ALL = 44;
 const ROOM_FOR_FEW = 150;
 /** From a ring to its label, CSS pixels. */
-const LEADERS = [16, 40, 80, 130];
+const LEADERS = [16, 40, 80, 130, 200, 300];
 /** Sides of a ring that its label may stand on. */
 const SIDES = 16;
 /** Height of what lies over the top and the bottom of the picture, CSS pixels. */

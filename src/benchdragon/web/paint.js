@@ -68,6 +68,8 @@ const SMALLEST_BROW = 3;
 const HANDLES_FROM = 70;
 /** Labels of a ring are no farther from it, CSS pixels. */
 const ABOUT = 500;
+/** How much of its colour what touches has over a drawn dragon, which stays to be seen. */
+const TOUCH_OVER = 0.84;
 /** What a label costs that hides the benches it tells of: more than any others. */
 const OF_THE_PAIR = 1000;
 /** @param {Element} element @returns {Inks} */
@@ -281,7 +283,7 @@ export class Painter {
     ctx.beginPath();
     this.#outline(boxes, camera, 0);
     ctx.strokeStyle = this.inks.head;
-    ctx.lineWidth = Math.max(0.05 * camera.scale, 2.5);
+    ctx.lineWidth = Math.min(Math.max(0.05 * camera.scale, 2.5), 4);
     ctx.stroke();
     // Large enough to be seen, it lies inside the bench.
     const small = boxes.wide[0] * camera.scale < SMALLEST_BROW;
@@ -329,7 +331,8 @@ export class Painter {
   }
 
   /** Benches that touch: colour, and hatch. @param {Picture} picture */
-  #touches({ boxes, camera, square }) {
+  #touches(picture) {
+    const { boxes, camera, square } = picture;
     const { ctx } = this;
     ctx.beginPath();
     let any = false;
@@ -340,7 +343,9 @@ export class Painter {
     }
     if (!any) return;
     ctx.fillStyle = TOUCH;
+    ctx.globalAlpha = this.#dresses(picture) ? TOUCH_OVER : 1;
     ctx.fill();
+    ctx.globalAlpha = 1;
     ctx.fillStyle = this.hatch;
     ctx.fill();
     ctx.strokeStyle = this.inks.ink;

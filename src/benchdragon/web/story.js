@@ -18,10 +18,12 @@ import { _, decimals, shortLength } from "./words.js";
  * @property {number} to
  * @property {number} seconds how long it takes
  * @property {"whole" | "pair" | "close"} view
+ * @property {number} ground on the picture's smaller side where all is close, m
  */
 
-/** Ground on the picture's smaller side where all is close, m. */
+/** Ground on the picture's smaller side where all is close, m, and so many gaps more. */
 const CLOSE = 0.9;
+const GAPS = 3;
 /** So long after a contact benches that overlap are shown, and after the tightest moment those that part, s. */
 const AFTER = 0.5;
 const PARTED = 4;
@@ -56,7 +58,8 @@ function stepsOf({ scene, boxes, stand }, { kind, time, benches: [a, b] }) {
     boxes.place(scene.stand(at, stand));
     return boxes.distance(a - 1, b - 1);
   };
-  const gap = shortLength(Math.max(gapAt(time), 0));
+  const least = Math.max(gapAt(time), 0);
+  const gap = shortLength(least);
   const before = time - within(time - 20);
   const words = { ...pair, gap, time: clock(time, 2) };
   const opening = { benches: scene.benches, seconds: decimals(before, 0), ...pair };
@@ -78,6 +81,7 @@ function stepsOf({ scene, boxes, stand }, { kind, time, benches: [a, b] }) {
     to: times[n + 1],
     seconds: lengths[n],
     view: views[n],
+    ground: CLOSE + GAPS * least,
   }));
   const after = touches
     ? time + AFTER <= scene.end && gapAt(time + AFTER) < -boxes.touch
@@ -226,7 +230,7 @@ export class Story {
     return () => {
       const { from, to } = this.player.boxes.pair(...pair);
       const side = Math.min(camera.width, camera.height);
-      const scale = step.view === "pair" ? this.player.pairScale(...pair) : side / CLOSE;
+      const scale = step.view === "pair" ? this.player.pairScale(...pair) : side / step.ground;
       return { x: 0.5 * (from[0] + to[0]), y: 0.5 * (from[1] + to[1]), scale };
     };
   }
