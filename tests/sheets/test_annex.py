@@ -118,7 +118,7 @@ def test_posts_and_timetable_tell_times_by_one_clock(facts: AnnexFacts, texts: d
     times = [one.time for post in facts.posts for one in post.reasons if one.why == "fastest"]
     (shown,) = [clock.tell(time) for time in times]
     assert shown.startswith("18:30:")
-    assert any(f" m/s at {shown}" in row[3] for row in post_table(facts).rows)
+    assert any(f" m/s at {shown}" in str(row[3]) for row in post_table(facts).rows)
     assert texts["en"].count("".join(clock.legend.split())) == 1
     assert f"m/sat{shown}" in texts["en"]
 
