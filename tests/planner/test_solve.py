@@ -51,7 +51,7 @@ def searched(name: str, data: Any, **options: Any) -> Any:
 def near(one: float, other: Any, apart: float = APART) -> bool:
     """Whether two numbers are the same but for rounding."""
     if not math.isfinite(one):
-        return str(one).replace("inf", "Infinity").replace("nan", "NaN") == other
+        return bool(str(one).replace("inf", "Infinity").replace("nan", "NaN") == other)
     return abs(one - float(other)) <= apart * max(1.0, abs(one))
 
 
