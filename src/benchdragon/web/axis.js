@@ -18,6 +18,9 @@ export const SIGNS = {
   cue: "\u25bc",
 };
 
+/** A film's frame, s. */
+export const FRAME = 1 / 25;
+
 /** Time as people read it. @param {number} time s @param {number} digits */
 export function clock(time, digits = 1) {
   return `${decimals(time, digits)} s`;

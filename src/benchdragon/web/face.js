@@ -1,6 +1,6 @@
 // What the player looks like for one dance in one language: all its elements, and their words.
 
-import { Axis, clock, occasionText } from "./axis.js";
+import { Axis, clock, FRAME, occasionText } from "./axis.js";
 import { Card } from "./card.js";
 import { endTexts, kindName, KINDS } from "./colours.js";
 import { choice, drawnSign, make, signButton, tick, wordButton } from "./elements.js";
@@ -14,8 +14,6 @@ import { _, decimals, language } from "./words.js";
 /** @typedef {import("./colours.js").Scale} Scale */
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 30];
-/** A film's frame, s. */
-export const FRAME = 1 / 25;
 const PLAY = "M7 4v16l13-8z";
 const PAUSE = "M6 4h4v16H6zM14 4h4v16h-4z";
 const BEFORE = "M4 4h3v16H4zM20 4v16L8 12z";

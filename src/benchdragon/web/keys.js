@@ -1,8 +1,8 @@
 // What keys do in the player.
 
 import { chosenBefore, keepChoice } from "./address.js";
+import { FRAME } from "./axis.js";
 import { KINDS } from "./colours.js";
-import { FRAME } from "./face.js";
 
 /** @typedef {import("./player.js").Player} Player */
 /** @typedef {import("./story.js").Story} Story */
