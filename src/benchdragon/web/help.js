@@ -73,12 +73,12 @@ function pictureRows({ sent }) {
   const rows = [
     [true, "bench-head", _("the head's bench, at true size; it walks ahead")],
     [true, "bench", _("a bench, at true size; its number is written on it or near")],
-    [true, "handle", _("a handle, about which benches turn")],
+    [true, "handle", _("a handle: benches pivot about it")],
     [
       true,
       "ring",
       _(
-        "the two benches nearest to one another, not counting neighbours; the label says how far apart they are",
+        "the two non-adjacent benches nearest to one another; the label says how far apart they are",
       ),
     ],
     [true, "touch", _("benches that touch: red and hatched")],

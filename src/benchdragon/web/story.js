@@ -97,7 +97,7 @@ function contactTexts(words, opening) {
       opening,
     ),
     _(
-      "Benches {a} and {b} are no neighbours in the line, but they meet. The ring is where they are nearest.",
+      "Benches {a} and {b} are not adjacent in the line, but they meet. The ring is where they are nearest.",
       words,
     ),
     _("In slow motion: what is left between them shrinks to nothing.", words),
