@@ -23,6 +23,9 @@ SPECIAL: dict[str, dict[str, Any]] = {
         "cues": {"cue": [{"kind": "note", "at": 2, "text": "a\nb", "text_zh": "\u0007"}]}
     },
     "a source in lines": {"people": {"source": {"beside": "a\u2028b"}, "sheet": "\u202e"}},
+    "a hold that begins when one ends": {
+        "cues": {"cue": [{"kind": "hold", "at": at, "hold": 5} for at in (20, 25)]}
+    },
     "texts beyond ASCII": {
         "obstacle": [{"kind": "circle", "centre": [1, 2], "radius": 1, "name": "井 é"}]
     },

@@ -155,6 +155,7 @@ HOLD = {"kind": "hold", "hold": 5.0}
         ([{**HOLD, "at": -3.0}], "cues.cue.0: that is before the dance starts, at 0 s"),
         ([{**HOLD, "head": 9.0}, {**HOLD, "head": 9.0}], "cues.cue.1: the head still stands"),
         ([{**HOLD, "head": 9.0}, {**HOLD, "at": 11.0}], "cues.cue.1: the head still stands"),
+        ([{**HOLD, "at": 20.0}, {**HOLD, "at": 25.0}], "cues.cue.1: the head still stands"),
         ([{**HOLD, "head": 900.0}], "cues.cue.0: that is not within the dance"),
         ([{"kind": "beat", "at": -1.0}], "cues.cue.0: that is not within the dance"),
         ([{"kind": "note", "at": 900.0}], "cues.cue.0: that is not within the dance"),

@@ -154,7 +154,7 @@ def test_view_writes_the_same_page_each_time(
 @pytest.mark.parametrize(
     ("options", "said", "code"),
     [
-        (["--start", "9", "--end", "5"], "would end at 5 s, before it starts at 9 s", 2),
+        (["--start", "9", "--end", "5"], "would end at 5 s, and must end after its start at 9 s", 2),
         (["--end", "inf"], "(3:12 or 1:02:03) or units (3 min 12 s), not 'inf'", 2),
         (["--start", "nan"], "(3:12 or 1:02:03) or units (3 min 12 s), not 'nan'", 2),
         (["--start", "soon"], "(3:12 or 1:02:03) or units (3 min 12 s), not 'soon'", 2),

@@ -223,8 +223,8 @@ def test_a_dance_tells_how_far_it_is_and_what_is_done() -> None:
 @pytest.mark.parametrize(
     ("start", "end", "said"),
     [
-        (5.0, 5.0, "would end at 5 s, before it starts at 5 s"),
-        (9.0, 5.0, "would end at 5 s, before it starts at 9 s"),
+        (5.0, 5.0, "would end at 5 s, and must end after its start at 5 s"),
+        (9.0, 5.0, "would end at 5 s, and must end after its start at 9 s"),
         (math.nan, 5.0, "start must be finite, not nan s"),
         (0.0, math.inf, "end must be finite, not inf s"),
     ],

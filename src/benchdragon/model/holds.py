@@ -148,7 +148,7 @@ class _Pace:
             raise HoldError(min(waiting), "over")
         if self.stood and way <= now.way + SAME_PLACE:
             raise HoldError(placed, "overlap")
-        if at < now.time:
+        if at < now.time or (self.stood and at == now.time < math.inf):
             raise HoldError(timed, "overlap" if self.stood else "outside")
         if self._brakes_too_late(way):
             raise HoldError(placed, "room")

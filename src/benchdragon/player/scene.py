@@ -75,7 +75,7 @@ class Span:
     def __post_init__(self) -> None:
         if finite("start", self.start, "s") >= finite("end", self.end, "s"):
             raise InputError(
-                _("the dance would end at {end} s, before it starts at {start} s").format(
+                _("the dance would end at {end} s, and must end after its start at {start} s").format(
                     end=f"{self.end:g}", start=f"{self.start:g}"
                 )
             )

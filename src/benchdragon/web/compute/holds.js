@@ -91,7 +91,8 @@ class Pace {
     if (this.over) throw new HoldError(Math.min(...waiting), "over");
     if (this.stood.length && way <= now.way + MODEL_HOLDS.SAME_PLACE)
       throw new HoldError(placed, "overlap");
-    if (at < now.time) throw new HoldError(timed, this.stood.length ? "overlap" : "outside");
+    if (at < now.time || (this.stood.length && at === now.time && at < Infinity))
+      throw new HoldError(timed, this.stood.length ? "overlap" : "outside");
     if (this.#brakesTooLate(way)) throw new HoldError(placed, "room");
     const ahead = this.ahead(way);
     const last = ahead.length ? ahead[ahead.length - 1] : now;

@@ -161,7 +161,7 @@ export async function danceOf(engine, plan, shown = {}, progress = silent) {
 function checkSpan({ dragon: { benches } }, start, end) {
   if (finite("start", start, "s") >= finite("end", end, "s"))
     throw new InputError(
-      _("the dance would end at {end} s, before it starts at {start} s", {
+      _("the dance would end at {end} s, and must end after its start at {start} s", {
         end: general(end),
         start: general(start),
       }),
