@@ -181,6 +181,7 @@ def test_entities_and_depth(tmp_path: Path) -> None:
         ("a.xlsx", OLE + "EncryptedPackage".encode("utf-16-le"), "password"),
         ("a.csv", b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", "no table of text"),
         ("a.csv", b"\xff\xfe\xff", "no table of text"),
+        ("a.csv", b"1,A\n2,B\x07\n", "line 2 has a control sign (U+0007)"),
         ("a.csv", b'1,"' + b"x" * 200_000, "no table of text"),
         ("a.csv", b"1," + b"x" * 2000, "too large"),
         ("a.csv", b"1," * 200, "too large"),

@@ -266,3 +266,31 @@ def test_of_one_name_a_household_or_else_a_phone_tells_who_is_who() -> None:
     assert list(_at_two([*seats[:3], blank], TEN)) == [
         "A is named at bench 1 to bench 3, bench 6: in rows 1, 2, 3, 6"
     ]
+
+
+def test_a_head_that_is_called_number_0_is_told(tmp_path: Path) -> None:
+    roster = read(tmp_path, [["桥号", "姓名"], [0, "张三"], ["龙头", "李四"], [1, "王五"]], HEADED)
+    assert names(roster)[1] == "张三 李四"
+    assert [note for note in roster.notes if "taken for the head" in note] == [
+        "row 2: bench 0 is taken for the head"
+    ]
+    counted = read(tmp_path, [["桥号", "姓名"], [0, "张三"], [1, "王五"]])
+    assert not any("taken for the head" in note for note in counted.notes)
+
+
+def test_failed_formulas_are_nobody_and_names_of_one_sign_are_told(tmp_path: Path) -> None:
+    rows = [["桥号", "姓名"], [1, "#N/A"], [2, "欧阳 锋"], [3, "张三+李四"], [4, "锋"], [5, "#REF!"]]
+    roster = read(tmp_path, rows)
+    assert names(roster) == {2: "欧阳锋", 3: "张三 李四", 4: "锋"}
+    assert [note for note in roster.notes if "one sign" in note] == [
+        "row 5: 锋 is a name of one sign: part names by 、 and not by spaces"
+    ]
+
+
+def test_who_is_named_at_two_benches_is_one_person(tmp_path: Path) -> None:
+    roster = read(
+        tmp_path,
+        [["桥号", "姓名", "户主"], [1, "张三、李四", "甲"], ["2-3", "张三", "甲"], [4, "张三", "乙"]],
+    )
+    assert sum(len(people) for people in roster.benches.values()) == 5
+    assert roster.persons == 3

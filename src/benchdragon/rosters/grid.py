@@ -180,8 +180,14 @@ def _decoded(data: bytes, name: str) -> str:
             text = data.decode(encoding)
         except UnicodeDecodeError:
             continue
-        if not NO_TEXT.search(text):
+        found = NO_TEXT.search(text)
+        if found is None:
             return text
+        if "\0" not in text:
+            said = _("{file}: line {line} has a control sign ({sign}), which no text has: delete it")
+            line = text.count("\n", 0, found.start()) + 1
+            sign = f"U+{ord(found[0]):04X}"
+            raise InputError(said.format(file=name, line=line, sign=sign))
     raise InputError(
         _("{file} is no table of text in UTF-8 or GB18030: save it as XLSX, or as CSV in UTF-8").format(
             file=name

@@ -72,6 +72,7 @@ def read_roster(path: Path, numbering: Numbering, sheet: str = "") -> Roster:
     odd: list[str] = []
     for entry in said:
         benches, beyond = _benches(entry.benches, numbering)
+        odd += _of_entry(entry, numbering)
         if beyond:
             odd.append(_stranger(entry, beyond, numbering))
         if len(seats) + len(benches) * len(entry.people) > MOST_PEOPLE:
@@ -136,6 +137,17 @@ def _shared(entry: Entry, benches: Sequence[int], numbering: Numbering) -> str:
     elif _dealt(entry, benches):
         text = _("row {row}: {names} are dealt to {benches} in order")
     return text.format(row=entry.row, names=_names(entry.people), benches=_called(benches, numbering))
+
+
+def _of_entry(entry: Entry, numbering: Numbering) -> Iterator[str]:
+    """What of a row was read otherwise than it may have been meant."""
+    ends = (place for pair in entry.benches for place in pair)
+    if not numbering.count_head and any(not place.number and not place.end for place in ends):
+        yield _("row {row}: bench 0 is taken for the head").format(row=entry.row)
+    text = _("row {row}: {name} is a name of one sign: part names by 、 and not by spaces")
+    for person in entry.people:
+        if len(person.name) == 1:
+            yield text.format(row=entry.row, name=person.name)
 
 
 def _stranger(entry: Entry, beyond: Sequence[tuple[int, int]], numbering: Numbering) -> str:

@@ -32,6 +32,12 @@ class Roster:
     benches: dict[int, tuple[Person, ...]] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
 
+    @property
+    def persons(self) -> int:
+        """How many people carry: who is named at several benches counts once."""
+        everybody = (one for people in self.benches.values() for one in people)
+        return len({(one.name, one.household, one.phone) for one in everybody})
+
     def people(self, bench: int) -> tuple[Person, ...]:
         """Who carries a bench (number, from 1); empty where the list names nobody."""
         return self.benches.get(bench, ())

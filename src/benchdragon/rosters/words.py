@@ -30,7 +30,9 @@ SUMS = re.compile(
     r"(合计|总计|共计|小计|总数|总人数|合共|(total|sum|subtotal)(?![a-z])|共.{0,4}[0-9]+.{0,3}$)"
 )
 NO_NAMES = "无 空 空缺 缺 暂缺 暂无 待定 未定 没有 tbd n/a na none nobody ? ?? - -- — —— /"
-NOBODY = frozenset(NO_NAMES.split())
+# What spreadsheets write into cells whose formula failed.
+ERRORS = "#n/a #ref! #name? #value! #div/0! #num! #null! #getting_data #spill! #calc! err:502 err:508"
+NOBODY = frozenset([*NO_NAMES.split(), *ERRORS.split()])
 HEADS, TAILS = ("龙头", "龙首", "头", "head", "thehead"), ("龙尾", "尾", "尾巴", "tail", "thetail")
 DIGITS = {sign: n for n, sign in enumerate("零一二三四五六七八九")} | {
     sign: n for n, sign in enumerate("〇壹贰叁肆伍陆柒捌玖")
@@ -48,7 +50,11 @@ PHONE = re.compile(
     r"(?<![0-9])(?:(?:\+?86[- ]?)?1[0-9]{2}[- ]?[0-9]{4}[- ]?[0-9]{4}"
     r"|0[0-9]{2,3}[- ]?[0-9]{7,8}|\+?[0-9](?:[-() ]{0,2}[0-9]){6,14})(?![0-9])"
 )
-PARTS = re.compile(r"[、，,;；/／|\\\n\r\t]+")
+PARTS = re.compile(r"[、，,;；/／|\\\n\r\t+＋&＆]+")
+# Family names of two signs, after which one sign is a given name.
+TWO_SIGNS = frozenset(
+    re.findall("..", "欧阳司马上官诸葛东方皇甫尉迟公孙慕容令狐夏侯司徒司空端木南宫长孙宇文轩辕百里独孤")
+)
 ORDINAL = re.compile(r"(?<![0-9])[0-9]{1,3}[)）.、:：]\s*(?=[^0-9\s])")
 MADE_A_DAY = re.compile(r"[0-9]{4}-[0-9]{2}-[0-9]{2}|[0-9]{1,2}月[0-9]{1,2}日")
 ROUNDED = re.compile(r"[0-9.]+e\+[0-9]+", re.IGNORECASE)
@@ -173,7 +179,7 @@ def _chinese(word: str) -> bool:
 
 
 def _joined(words: list[str]) -> list[str]:
-    """Names among words: two signs that stand alone one after the other are one name."""
+    """Names among words: two signs that stand alone are one name, and one after a family's two."""
     found: list[str] = []
     alone = False
     for word in words:
@@ -182,5 +188,5 @@ def _joined(words: list[str]) -> list[str]:
             alone = False
         else:
             found.append(word)
-            alone = len(word) == 1
+            alone = len(word) == 1 or word in TWO_SIGNS
     return found
