@@ -119,7 +119,7 @@ def passing_table(facts: AnnexFacts) -> Table:
 def people_table(briefing: Briefing) -> Table:
     """How many people there are."""
     event, dragon = briefing.plan.event, briefing.report.walk.dragon
-    bearers = sum(len(people) for people in briefing.roster.benches.values())
+    bearers = briefing.roster.persons
     without = sum(not briefing.roster.people(n) for n in range(1, len(dragon) + 1))
     rows = (
         (_("benches"), str(len(dragon))),

@@ -24,14 +24,13 @@ MAP = Frame(0.0, 0.0, 178.0, 150.0)
 def overview(briefing: Briefing, phones: bool) -> Document:
     """The overview as a document, whose map is a picture called "map"."""
     benches = len(briefing.benches)
-    people = sum(len(briefing.roster.people(n + 1)) for n in range(benches))
     blocks: list[Block] = [
         Heading(_("Verdict"), "verdict"),
         Paragraph((sentence(briefing.report, briefing.clock),)),
         Paragraph((briefing.clock.legend,)),
         say(
             _("Checked on {date}; {benches} benches, {people} people in the list of names."),
-            date=briefing.checked_on, benches=benches, people=people,
+            date=briefing.checked_on, benches=benches, people=briefing.roster.persons,
         ),
         *_numbering(briefing),
         *_room(briefing),
