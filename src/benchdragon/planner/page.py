@@ -20,7 +20,7 @@ from benchdragon.plans.presets import Preset, presets
 from benchdragon.plans.schema import Plan
 from benchdragon.version import __version__
 
-STYLES = ("style.css", "explain.css", "studio.css", "print.css")
+STYLES = ("style.css", "explain.css", "studio.css", "grips.css", "print.css")
 PAGE, WORKER = "planner_start.js", "compute/worker.js"
 ENGINE = Path(engine.__file__).with_name("engine.wasm")
 # Whose code is in the file, beside ours.

@@ -137,7 +137,7 @@ export class Face {
         signButton(drawnSign(SHAPES), _("what is drawn"), () =>
           showLegendOf(this.player.root, this.scene),
         ),
-        signButton("?", _("keys"), () => showKeys(this.player.root, this.scene)),
+        signButton("?", _("keys"), () => showKeys(this.player.root, this.scene, this.player.more())),
       ),
     );
     return header;

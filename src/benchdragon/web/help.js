@@ -35,8 +35,8 @@ function showRows(root, name, rows, more = []) {
   dialog.showModal();
 }
 
-/** @param {HTMLElement} root @param {Scene} scene */
-export function showKeys(root, { sent }) {
+/** @param {HTMLElement} root @param {Scene} scene @param {[string, string][]} more keys of the page's own */
+export function showKeys(root, { sent }, more) {
   const rows = /** @type {Row[]} */ ([
     [_("space"), _("play or pause")],
     ["\u2190 \u2192", _("one second back or on")],
@@ -51,6 +51,7 @@ export function showKeys(root, { sent }) {
     ["r", _("ruler")],
     ...(sent.beats ? [["b", _("drum beat")]] : []),
     [_("Home, End"), _("to the beginning, to the end")],
+    ...more,
     ["Esc", _("close the card")],
   ]);
   const letters = tick(_("letters, digits and signs are keys"), lettersAreKeys(), useLetters);
@@ -77,9 +78,7 @@ function pictureRows({ sent }) {
     [
       true,
       "ring",
-      _(
-        "the two non-adjacent benches nearest to one another; the label says how far apart they are",
-      ),
+      _("the two non-adjacent benches nearest to one another; the label says how far apart they are"),
     ],
     [true, "touch", _("benches that touch: red and hatched")],
     [true, "route", _("the route")],

@@ -259,6 +259,13 @@ const GROUPS = [
   },
 ];
 
+/** The number of the form under a key. @param {string} key */
+export function fieldOf(key) {
+  const found = GROUPS.flatMap(({ fields }) => fields).find((field) => field.key === key);
+  if (!found) throw new RangeError(key);
+  return found;
+}
+
 /** A plan as text for the page's address. @param {Plan} plan */
 export function planText(plan) {
   const bytes = new TextEncoder().encode(JSON.stringify(plan, (_key, value) => value ?? undefined));

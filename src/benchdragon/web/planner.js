@@ -4,6 +4,8 @@ import { addressed, keptPlan, obey, remember } from "./address.js";
 import { make } from "./elements.js";
 import { answerText, evidenceDialog } from "./evidence.js";
 import { Files } from "./files.js";
+import { onFingerTaps } from "./fingers.js";
+import { Grips } from "./grips.js";
 import { JobList, questionText } from "./jobs.js";
 import { planText, PlanForm, textPlan, textSays } from "./plan_form.js";
 import { Player, REST } from "./player.js";
@@ -24,6 +26,16 @@ const QUESTIONS = /** @type {const} */ (["turn", "prove", "speed", "pace", "marg
 /** A plan's smallest pitch says something: its spiral ends at a disc. @param {Plan} plan */
 function hasPitch(plan) {
   return plan.route.kind === "turn" || (plan.route.kind === "spiral-in" && plan.disc.radius != null);
+}
+
+/** What keys and fingers do on this page, beside what they do to the player. @returns {[string, string][]} */
+function helpRows() {
+  return [
+    [_("Ctrl Z, two fingers tap"), _("undo")],
+    [_("Ctrl Y, three fingers tap"), _("redo")],
+    [_("drag a grip in the picture"), _("change the plan; Alt: without round values; Esc: as it was")],
+    [_("arrows on a grip"), _("change the plan step by step; Shift: ten steps")],
+  ];
 }
 
 export class Planner {
@@ -71,6 +83,8 @@ export class Planner {
     );
     this.root = /** @type {HTMLElement} */ (document.getElementById("studio"));
     this.stage = make("main", { id: "player", class: "player" });
+    this.grips = new Grips(this, this.stage);
+    onFingerTaps(this.stage, (fingers) => (fingers === 2 ? this.undo() : this.redo()));
     this.notice = make("div", { class: "unread", role: "alert", hidden: true });
     /** What the notice is about. @type {Planner["unread"]} */
     this.noticed = null;
@@ -124,14 +138,24 @@ export class Planner {
     );
     const { verdict, limit, dance } = this.lines;
     const lines = [verdict, limit, dance].map(({ element }) => element);
+    const header = make("header", { class: "verdicts" }, this.notice, ...lines);
+    this.#below.disconnect();
+    this.#below.observe(header);
     this.root.replaceChildren(
-      make("header", { class: "verdicts" }, this.notice, ...lines),
+      header,
       panel,
       make("p", { class: "old" }, make("span", {}, _("the picture is of an earlier plan"))),
       this.stage,
+      this.grips.element,
     );
     this.#shown();
   }
+
+  /** Lets a phone's picture stay below what is told. */
+  #below = new ResizeObserver(([{ target }]) => {
+    const { height } = target.getBoundingClientRect();
+    this.root.style.setProperty("--told", `${height}px`);
+  });
 
   /** Long questions, those that are answered here. */
   #long() {
@@ -202,6 +226,7 @@ export class Planner {
   /** Show the plan in the controls. */
   #shown() {
     this.form?.show(this.plan);
+    this.grips.show(this.plan);
     if (this.undoButton) this.undoButton.disabled = !this.past.length;
     if (this.redoButton) this.redoButton.disabled = !this.future.length;
     if (this.turnButton) this.turnButton.disabled = this.plan.route.kind !== "turn";
@@ -261,7 +286,7 @@ export class Planner {
     this.rest = setTimeout(() => {
       this.#remember();
       this.files.keep(this.plan);
-      if (this.answers.has("dance")) this.dances.renew(this.plan);
+      if (this.answers.has("dance") && !this.grips.drag) this.dances.renew(this.plan);
     }, REST);
   }
 
@@ -338,6 +363,8 @@ export class Planner {
     if (this.player) return this.player.show(scene);
     const player = new Player(this.stage, scene);
     this.player = player;
+    player.more = helpRows;
+    this.grips.follow();
     obey(player);
     player.onSettled = () => this.#remember();
     player.onTranslated = () => this.#translated();

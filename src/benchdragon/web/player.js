@@ -182,6 +182,9 @@ export class Player {
     this.onTranslated?.();
   }
 
+  /** What else keys do on the page. @returns {[string, string][]} */
+  more = () => [];
+
   /** Called when the page has changed its language. @type {(() => void) | undefined} */
   onTranslated;
 
