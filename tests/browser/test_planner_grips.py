@@ -3,6 +3,7 @@
 import base64
 import json
 import math
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -13,7 +14,9 @@ from playwright.sync_api import Locator, Page, expect
 from benchdragon.analysis.check import check
 from benchdragon.planner.page import planner_page
 from benchdragon.plans.schema import Plan, checked, read_plan
+from benchdragon.solve.size import limit
 from tests.browser.pages import Device, Pages
+from tests.browser.players import until
 from tests.browser.studios import settled, verdict
 
 Opened = Callable[..., Page]
@@ -238,6 +241,61 @@ def test_a_phones_picture_stays_in_sight_while_controls_go_by(opened: Opened) ->
     ends = [box["y"] + box["height"] for box in boxes if box]
     assert 0 <= tops[0] < ends[0] <= tops[1] < ends[1] <= tops[2] < ends[2] <= 844
     assert ends[1] - tops[1] >= 220
+
+
+def test_a_tracks_border_is_the_limit(opened: Opened) -> None:
+    route = {"kind": "spiral-in", "pitch": 0.55, "start_turn": 14}
+    page = opened(more={"route": route, "disc": {"radius": 4.1}})
+    told = page.locator('[id="walkable-route.pitch"]')
+    expect(told).to_have_text(re.compile(r"can be walked from [\d.]+ m"))
+    found = re.search(r"from ([\d.]+) m", told.inner_text())
+    assert found is not None
+    border = float(found[1])
+    answer = limit(shown_plan(page), "pitch")
+    assert border == pytest.approx(math.ceil(1000 * answer.upper - 1e-9) / 1000, abs=1e-9)
+    field = page.locator(".field", has=told)
+    bar = field.locator(".track")
+    width = bar.evaluate("(element) => element.clientWidth")
+    unsafe, safe = (bar.locator(f".{state}").bounding_box() for state in ("unsafe", "safe"))
+    assert unsafe is not None
+    assert safe is not None
+    assert unsafe["x"] + unsafe["width"] == pytest.approx(safe["x"], abs=0.5)
+    assert unsafe["width"] == pytest.approx((border - 0.3) / 2.7 * width, abs=0.5)
+    # It holds for other values of its own size, for those of another no more.
+    page.get_by_role("slider", name="spiral pitch").fill("0.6")
+    expect(told).not_to_be_empty()
+    assert check(shown_plan(page).with_values({"route.pitch": border}), quick=True).safe
+    page.get_by_role("slider", name="turns at the start").fill("11")
+    expect(told).to_be_empty()
+
+
+def test_tracks_wait_for_the_page_and_are_given_up_at_once(opened: Opened) -> None:
+    page = opened()
+    until(page, "benchdragon.tracks.aside !== null")
+    given = page.evaluate("""() => {
+        const { aside } = benchdragon.tracks;
+        const plan = structuredClone(benchdragon.plan);
+        plan.route.pitch = 0.5;
+        const ended = aside.ask({ question: "verdict", plan }).catch((error) => error.name);
+        benchdragon.change(plan, true);
+        return Promise.all([ended, benchdragon.tracks.aside]);
+    }""")
+    assert given == ["AbortError", None]
+    settled(page)
+
+
+def test_the_time_span_is_a_control(opened: Opened) -> None:
+    page = opened()
+    end = page.evaluate("benchdragon.player.scene.end")
+    page.get_by_role("checkbox", name="set the walk ends at").check()
+    settled(page)
+    assert shown_plan(page).walk.end == math.floor(end)
+    page.get_by_role("slider", name="the walk ends at").fill("60")
+    settled(page)
+    assert shown_plan(page).walk.end == 60
+    assert page.evaluate("benchdragon.player.scene.end") == pytest.approx(60)
+    slider = page.get_by_role("slider", name="the walk ends at")
+    assert float(slider.get_attribute("max") or 0) >= math.floor(end)
 
 
 def test_the_help_says_what_keys_and_fingers_do(opened: Opened) -> None:

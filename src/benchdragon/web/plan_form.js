@@ -303,12 +303,12 @@ export function textPlan(text) {
 }
 
 /** What a key stands for in a plan; undefined where it does not say. @param {Plan} plan @param {string} key */
-function valueOf(plan, key) {
+export function valueOf(plan, key) {
   return key.split(".").reduce((/** @type {any} */ at, name) => at?.[name], plan);
 }
 
 /** The plan with another value under a key. @param {Plan} plan @param {string} key @param {unknown} value @returns {Plan} */
-function withValue(plan, key, value) {
+export function withValue(plan, key, value) {
   const copy = structuredClone(plan);
   const [table, name, place] = key.split(".");
   copy[table] ??= {};
@@ -341,7 +341,7 @@ function fitting(plan) {
 }
 
 /** One number: a slider, a box, and where the plan may leave it open a tick. */
-class NumberControl {
+export class NumberControl {
   /** @param {Field} field @param {(key: string, value: number | null, final: boolean) => void} changed */
   constructor(field, changed) {
     this.field = field;

@@ -10,7 +10,9 @@ import { JobList, questionText } from "./jobs.js";
 import { planText, PlanForm, textPlan, textSays } from "./plan_form.js";
 import { Player, REST } from "./player.js";
 import { Standing, mayPass, samePlan } from "./standing.js";
+import { Span } from "./span.js";
 import { Line } from "./telling.js";
+import { Tracks } from "./tracks.js";
 import { _, language } from "./words.js";
 
 /** @typedef {import("./messages").Answer} Answer */
@@ -84,6 +86,7 @@ export class Planner {
     this.root = /** @type {HTMLElement} */ (document.getElementById("studio"));
     this.stage = make("main", { id: "player", class: "player" });
     this.grips = new Grips(this, this.stage);
+    this.tracks = new Tracks(answers, () => this.root.ariaBusy === "true" || this.grips.drag !== null);
     onFingerTaps(this.stage, (fingers) => (fingers === 2 ? this.undo() : this.redo()));
     this.notice = make("div", { class: "unread", role: "alert", hidden: true });
     /** What the notice is about. @type {Planner["unread"]} */
@@ -120,6 +123,8 @@ export class Planner {
   #build() {
     document.title = _("Bench dragon studio");
     this.form = new PlanForm(this.presets, (plan, final) => this.change(plan, final));
+    this.tracks.attach(this.form);
+    this.span = new Span((plan, final) => this.change(plan, final));
     this.undoButton = make("button", { type: "button", onclick: () => this.undo() }, _("undo"));
     this.redoButton = make("button", { type: "button", onclick: () => this.redo() }, _("redo"));
     const reset = make(
@@ -133,6 +138,7 @@ export class Planner {
       { class: "panel", "aria-label": _("plan") },
       steps,
       this.form.element,
+      this.span.element,
       this.#long(),
       this.files.controls(this.lines.file.element),
     );
@@ -226,6 +232,8 @@ export class Planner {
   /** Show the plan in the controls. */
   #shown() {
     this.form?.show(this.plan);
+    this.span?.show(this.plan);
+    this.tracks.show(this.plan);
     this.grips.show(this.plan);
     if (this.undoButton) this.undoButton.disabled = !this.past.length;
     if (this.redoButton) this.redoButton.disabled = !this.future.length;
@@ -360,6 +368,7 @@ export class Planner {
     this.pictured = plan;
     this.lines.dance.tell(plan, "");
     this.#mark();
+    this.span?.dance(scene, plan);
     if (this.player) return this.player.show(scene);
     const player = new Player(this.stage, scene);
     this.player = player;

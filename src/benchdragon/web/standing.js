@@ -27,6 +27,14 @@
  * @property {(question: JobState["question"], plan: Plan) => Promise<LongQuestion>} long
  * @property {() => Promise<{ question: JobState["question"], plan: Plan, long: LongQuestion }[]>} taken
  *   long questions that this page had asked before it was loaded again
+ * @property {() => Aside} [aside] if it has somebody for questions that nobody waits for
+ */
+
+/**
+ * Somebody apart, for questions that nobody waits for.
+ * @typedef {object} Aside
+ * @property {(asked: { question: string, plan: Plan }) => Promise<any>} ask
+ * @property {() => void} close give up at once what is under way: it ends in an AbortError
  */
 
 /** Hashes of plans, which come with every answer about one. @type {WeakMap<Plan, string>} */

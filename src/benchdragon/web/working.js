@@ -203,6 +203,10 @@ export class WorkerAnswers {
     return new WorkerQuestion(this.lane(), question, plan);
   }
 
+  aside() {
+    return this.lane();
+  }
+
   /** Its long questions end with the page. */
   async taken() {
     return [];
