@@ -425,7 +425,10 @@ def _near_text(text: str, obstacle: Obstacle, gap: str = "") -> str:
 
 
 def _joints(walk: Walk, shot: Frames, behind: Following | None) -> list[messages.Occasion]:
-    """When head and tail pass the joints of the route; none where there are too many."""
+    """When head and tail pass the joints of the route; none where there are too many.
+
+    Whoever stands at a joint when the dance begins or ends does not pass it.
+    """
     joints = walk.route.joints[1:-1]
     if len(joints) > MOST_JOINTS:
         return []
@@ -434,7 +437,8 @@ def _joints(walk: Walk, shot: Frames, behind: Following | None) -> list[messages
         times, ends = behind.times, behind.ends
     found = []
     for s, head in zip(ends, (True, False), strict=True):
-        passed = np.interp(joints, s, times, math.nan, math.nan)
+        inside = (joints > s[0] + QUANTUM) & (joints < s[-1] - QUANTUM)
+        passed = np.where(inside, np.interp(joints, s, times), math.nan)
         for n, time in enumerate(passed.tolist(), start=1):
             if math.isfinite(time):
                 found.append(_occasion("joint", time, _joint_text(n, head), ()))

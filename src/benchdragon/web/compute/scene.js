@@ -199,7 +199,13 @@ function wayOf(walk, shot) {
   return course(route, low, Math.min(head * PLAYER_FRAMES.QUANTUM + AROUND, route.length));
 }
 
-/** When head and tail pass the joints of the route; none where there are too many. @param {Walk} walk @param {Frames} shot @param {Following | null} behind */
+/**
+ * When head and tail pass the joints of the route; none where there are too many. Whoever stands at a
+ * joint when the dance begins or ends does not pass it.
+ * @param {Walk} walk
+ * @param {Frames} shot
+ * @param {Following | null} behind
+ */
 function joints(walk, { start, step, count, places }, behind) {
   const inner = walk.route.joints.subarray(1, -1);
   if (inner.length > PLAYER_SCENE.MOST_JOINTS) return [];
@@ -213,9 +219,10 @@ function joints(walk, { start, step, count, places }, behind) {
   const found = [];
   for (const head of [true, false]) {
     const s = ends[head ? 0 : 1];
+    const [low, high] = [s[0] + PLAYER_FRAMES.QUANTUM, s[s.length - 1] - PLAYER_FRAMES.QUANTUM];
     inner.forEach((joint, n) => {
       const time = interpolated(joint, s, times);
-      if (Number.isFinite(time)) found.push(occasion("joint", time, () => jointText(n + 1, head)));
+      if (low < joint && joint < high) found.push(occasion("joint", time, () => jointText(n + 1, head)));
     });
   }
   return found;
