@@ -79,12 +79,12 @@ def test_texts_of_cues_are_no_formulas_and_no_links(tmp_path: Path) -> None:
 
 def test_signs_of_cues_that_no_font_has_are_printed_by_their_code(tmp_path: Path) -> None:
     report = check(
-        plan_with({"kind": "note", "at": 2.0, "text": "gong \ue000"}).without_square(), quick=True
+        plan_with({"kind": "note", "at": 2.0, "text": "gong \U00010600"}).without_square(), quick=True
     )
     path = tmp_path / "timetable.pdf"
     write_timetable_pdf(path, Briefing(report, Roster(), (), "2026-11-23", report.plan.sha256))
     text = "".join(page.extract_text() for page in PdfReader(path).pages)
-    assert "gong 〔U+E000〕" in text
+    assert "gong 〔U+10600〕" in text
 
 
 def test_the_tempo_says_where_it_comes_from(briefing: Briefing) -> None:
