@@ -26,8 +26,6 @@ from timing import Options
 from walking import growth, large_jobs, threads
 
 HERE = Path(__file__).parent
-# Seconds that fifty people move sliders.
-CROWDED = 30
 
 
 @dataclass(frozen=True)
@@ -44,13 +42,8 @@ def frames(_options: Options) -> list[str]:
 
 
 def sliders(_options: Options) -> list[str]:
-    """A studio's answers to one person."""
+    """The planner's answers to one person."""
     return printed("sliders")
-
-
-def crowd(_options: Options) -> list[str]:
-    """A studio's answers to fifty people."""
-    return printed("studio_load", "--seconds", str(CROWDED))
 
 
 TABLES = {
@@ -68,14 +61,13 @@ TABLES = {
     "large": Table("Large jobs", large_jobs),
     "threads": Table("Threads", threads),
     "frames": Table("The player's frames, in Chromium that draws without a GPU", frames),
-    "sliders": Table("The studio, one person moving a slider", sliders),
-    "crowd": Table("The studio, fifty people moving sliders", crowd),
+    "sliders": Table("The planner, one person moving a slider", sliders),
 }
 
 
-def printed(name: str, *arguments: str) -> list[str]:
+def printed(name: str) -> list[str]:
     """The table that another script of this folder prints."""
-    command = [sys.executable, "-m", f"benchmarks.{name}", *arguments]
+    command = [sys.executable, "-m", f"benchmarks.{name}"]
     done = subprocess.run(command, cwd=HERE.parent, stdout=subprocess.PIPE, text=True, check=True)
     return done.stdout.splitlines()
 

@@ -25,7 +25,7 @@ from benchdragon import (
 )
 from benchdragon.analysis.distance import nearest_each
 from benchdragon.analysis.tables import Tables
-from benchdragon.studio.tasks import SIZE
+from benchdragon.solve.size import QUICK_SIZE
 
 # Plans whose verdicts are compared, and settings of the way in to the disc whose smallest pitches are.
 VERDICTS = (
@@ -115,7 +115,7 @@ def quick_answers(options: Options) -> list[str]:
     pitches = []
     for settings in ([DISC, *more] for more in PITCHES):
         plan = read_plan("spiral-in", settings)
-        sought = [partial(limit, plan, "pitch"), partial(limit, plan, "pitch", tolerance=SIZE)]
+        sought = [partial(limit, plan, "pitch"), partial(limit, plan, "pitch", tolerance=QUICK_SIZE)]
         pitches.append(beside("spiral-in", settings, sought, options))
     motion = WALK.motion(np.linspace(0.0, 400.0, 64))
     each, pair = fastest([partial(nearest_each, motion), partial(clearances, motion)], 5)

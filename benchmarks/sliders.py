@@ -1,16 +1,19 @@
-"""How long the studio takes to answer when one person moves a slider, as the page itself sees it.
+"""How long the planner takes to answer when one person moves a slider, as the page itself sees it.
 
-Run it as `python -m benchmarks.sliders`: a studio and Chromium on this machine, every move another
-value, so that no answer was kept from before. The first contact, the least clearance and the greatest
+Run it as `python -m benchmarks.sliders`: its file in Chromium on this machine, every move another
+value. The first contact, the least clearance and the greatest
 speed come as one verdict, the smallest pitch beside it, the dance that is shown when the slider rests.
 """
 
 import statistics
 import sys
+import tempfile
+from pathlib import Path
 
 from playwright.sync_api import Page, sync_playwright
 from tests.browser.pages import FLAGS, browser_path
-from tests.studio.servers import process
+
+from benchdragon.planner.page import write_planner
 
 # Plan, slider, its values from and to, moves, and ms between them.
 SLIDERS = (
@@ -18,7 +21,7 @@ SLIDERS = (
     ("turn", "ratio of the radii", 1.2, 2.0, 20, 1500),
 )
 ASKED = {"verdicts": "verdict", "pitches": "smallest pitch", "dances": "dance to be shown"}
-# ms that the studio may take to start, and to settle.
+# ms that the planner may take to start, and to settle.
 STARTS, SETTLES = 120_000, 4_000
 
 
@@ -54,10 +57,12 @@ def main() -> None:
         sys.exit("no Chromium here: apt-get install chromium")
     print("| plan | slider | question | answers | median, ms | p95, ms | max, ms |")
     print("|---|---|---|---|---|---|---|")
-    with process() as (_process, address), sync_playwright() as playwright:
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
+        file = Path(folder) / "planner.html"
+        write_planner(file)
         browser = playwright.chromium.launch(executable_path=path, args=FLAGS)
         page = browser.new_page(viewport={"width": 1366, "height": 768})
-        page.goto(address)
+        page.goto(file.as_uri())
         page.locator("canvas").wait_for(timeout=STARTS)
         for slider in SLIDERS:
             moved(page, slider)

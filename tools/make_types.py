@@ -19,7 +19,7 @@ from pydantic.json_schema import models_json_schema
 
 import benchdragon
 
-MODULES = ("benchdragon.player.messages", "benchdragon.studio.messages")
+MODULES = ("benchdragon.player.messages", "benchdragon.planner.messages")
 TYPES = Path(benchdragon.__file__).with_name("web") / "messages.d.ts"
 HEADER = "// Made from {modules} by tools/make_types.py; to make it again: make types\n"
 PLAIN = {

@@ -1,4 +1,4 @@
-"""How far long work is: one protocol, told by searches and writers, heard by terminal and studio.
+"""How far long work is: one protocol, told by searches and writers, heard by the terminal.
 
 Whoever passes `progress=` gets calls progress(share, text): the share of the work that is done, 0 to 1
 and never less than before, and what is being done; an empty text leaves that as it was.

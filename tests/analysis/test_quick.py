@@ -7,8 +7,7 @@ import pytest
 from benchdragon import WalkError, first_contact
 from benchdragon.analysis.check import QUICK_CLEARANCE, QUICK_SPEED, Report, check
 from benchdragon.plans.schema import Plan, read_plan
-from benchdragon.solve.size import limit
-from benchdragon.studio.tasks import SIZE
+from benchdragon.solve.size import QUICK_SIZE, limit
 
 DISC = "disc.radius=4.5"
 PLANS = {
@@ -85,11 +84,11 @@ def test_a_walk_that_falls_raises_as_ever() -> None:
 )
 def test_quick_pitches_hold_the_exact_ones(settings: list[str]) -> None:
     plan = read_plan("spiral-in", [DISC, *settings])
-    quick, exact = limit(plan, "pitch", tolerance=SIZE), limit(plan, "pitch")
+    quick, exact = limit(plan, "pitch", tolerance=QUICK_SIZE), limit(plan, "pitch")
     assert quick.status == exact.status == "found"
     assert quick.lower <= exact.lower < exact.upper <= quick.upper
-    assert 0.1 * SIZE < quick.upper - quick.lower <= SIZE
-    assert quick.value == pytest.approx(exact.value, abs=SIZE)
+    assert 0.1 * QUICK_SIZE < quick.upper - quick.lower <= QUICK_SIZE
+    assert quick.value == pytest.approx(exact.value, abs=QUICK_SIZE)
     assert quick.witness is not None
     assert exact.witness is not None
     assert quick.witness.benches == exact.witness.benches
@@ -98,9 +97,9 @@ def test_quick_pitches_hold_the_exact_ones(settings: list[str]) -> None:
 @pytest.mark.parametrize("name", ["disc", "width", "length"])
 def test_other_sizes_have_quick_limits(name: str) -> None:
     plan = read_plan("spiral-in", [DISC, "dragon.benches=100"])
-    quick, exact = limit(plan, name, tolerance=SIZE), limit(plan, name)
+    quick, exact = limit(plan, name, tolerance=QUICK_SIZE), limit(plan, name)
     assert quick.lower <= exact.value <= quick.upper
-    assert quick.upper - quick.lower <= SIZE
+    assert quick.upper - quick.lower <= QUICK_SIZE
 
 
 def test_the_longest_dragon_reported_is_judged_as_well() -> None:

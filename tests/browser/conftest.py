@@ -3,14 +3,13 @@
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-import httpx
 import pytest
 from playwright.sync_api import Browser, Page, expect, sync_playwright
 
-from tests.browser.pages import FLAGS, Device, Language, Pages, browser_path, clean_pages
+from benchdragon.planner.page import planner_page
+from tests.browser.pages import FLAGS, Device, Pages, browser_path, clean_pages
+from tests.browser.planners import Opened, settled
 from tests.browser.players import Scene
-from tests.browser.studios import Opened
-from tests.studio.servers import process, wait_for
 
 
 @pytest.hookimpl(tryfirst=True)
@@ -42,21 +41,21 @@ def pages(browser: Browser) -> Iterator[Pages]:
 
 
 @pytest.fixture(scope="package")
-def studio() -> Iterator[str]:
-    """The address of a studio whose workers are ready; they may have to compile the kernels first."""
-    with process("--workers", "1") as (_process, address):
-        wait_for(lambda: httpx.get(f"{address}/healthz").json()["workers"]["quick"]["ready"] == 1)
-        yield address
+def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The planner's file."""
+    path = tmp_path_factory.mktemp("planner") / "planner.html"
+    path.write_text(planner_page(None, "en"), "utf-8")
+    return path
 
 
 @pytest.fixture
-def opened(pages: Pages, studio: str) -> Opened:
-    """Opens the studio, and waits for its first dance."""
+def opened(pages: Pages, file: Path) -> Opened:
+    """Opens the planner, and waits for its first dance."""
 
-    def open_page(device: Device = "desktop", language: Language = "en", where: str = "") -> Page:
-        page = pages.open(f"{studio}/{where}", device, language)
+    def open_page(device: Device = "desktop", where: str = "") -> Page:
+        page = pages.open(f"{file.as_uri()}{where}", device)
         expect(page.locator("canvas")).to_be_visible()
-        return page
+        return settled(page)
 
     return open_page
 

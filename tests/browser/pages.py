@@ -53,10 +53,6 @@ def origin_of(url: str) -> str:
     return f"{parts.scheme}://{parts.netloc}"
 
 
-# What the console says of an answer that refuses.
-REFUSED = ("console: Failed to load resource",)
-
-
 class Pages:
     """Opens pages, each as a newcomer sees it, and keeps what goes wrong in them.
 
@@ -69,7 +65,6 @@ class Pages:
         self.faults: list[str] = []
         self._browser = browser
         self._contexts: list[BrowserContext] = []
-        self._forgiven: tuple[str, ...] = ()
 
     def open(
         self,
@@ -94,15 +89,6 @@ class Pages:
         page = context.new_page()
         page.goto(address)
         return page
-
-    def forgive_refusals(self) -> None:
-        """Take answers that refuse for no faults: they come to the console in their own time."""
-        self._forgiven = REFUSED
-
-    @property
-    def unforgiven(self) -> list[str]:
-        """All faults but those that were forgiven."""
-        return [fault for fault in self.faults if not fault.startswith(self._forgiven)]
 
     def close(self) -> None:
         """Close what was opened; what had gone wrong by then is among the faults."""
@@ -145,5 +131,5 @@ def clean_pages(browser: Browser) -> Iterator[Pages]:
         yield pages
     finally:
         pages.close()
-    if pages.unforgiven:
-        raise AssertionError("\n".join(pages.unforgiven))
+    if pages.faults:
+        raise AssertionError("\n".join(pages.faults))

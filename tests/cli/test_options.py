@@ -16,7 +16,6 @@ import benchdragon.model.placement
 import benchdragon.paper.reproduce
 import benchdragon.parallel
 import benchdragon.solve.turn
-import benchdragon.studio.app
 import benchdragon.sweeps.rows
 from benchdragon.__main__ import asked_language
 from benchdragon.cli.main import run
@@ -72,7 +71,6 @@ AREA = ["area", "spiral-in", *SHORT]
 TIMES = ["timetable", "spiral-in", *SHORT]
 DRAWN = [*AREA, "-o", "area.svg"]
 MINE = ["plan", "spiral-in", *SHORT, "-o", "mine.dragon.toml"]
-STUDIO = ["studio", "--port", "0", "--no-browser"]
 REPRODUCE = ["reproduce", "-o", "out"]
 NEW = ["new", "-o", "new.toml", "--benches", "4", "--bench-length", "1.5", "--bench-width", "0.2"]
 PROPOSED = [*NEW, "--square", "20x20"]
@@ -256,11 +254,6 @@ CASES: dict[str, Case] = {
     "animate --span": Case([*STILL, "--follow", "2"], ["--span", "20"]),
     "animate --force": Case(STILL, ["--force"], STILL),
     "animate --json": Case(STILL, ["--json"]),
-    "studio --host": Case(STUDIO, ["--host", "::1"]),
-    "studio --port": Case(STUDIO, ["--port", "8001"]),
-    "studio --allow": Case(STUDIO, ["--allow", "dragon.test"]),
-    "studio --no-browser": Case(STUDIO[:-1], STUDIO[-1:]),
-    "studio --workers": Case(STUDIO, ["--workers", "3"]),
     "reproduce --output": Case(REPRODUCE, ["-o", "elsewhere"]),
     "reproduce --force": Case(REPRODUCE, ["--force"]),
     "reproduce --docs": Case(REPRODUCE, ["--docs", "pages"]),
@@ -269,7 +262,7 @@ CASES: dict[str, Case] = {
         f"{called(line)} --lang": Case(line, ["--lang", "zh"])
         for line in (
             *(MOTION, CHECK, *SIZES.values(), SPEED, BEST, PLACE, SQUARE, MARGINS, SWEEP, VIEW, STILL),
-            *(AREA, TIMES, SURVEY, STUDIO, PROPOSED, PLANNER),
+            *(AREA, TIMES, SURVEY, PROPOSED, PLANNER),
             *(["doctor"], ["plan"], ["formations"], ["schema"]),
         )
     },
@@ -277,7 +270,7 @@ CASES: dict[str, Case] = {
         f"{called(line)} --quiet": Case(line, ["--quiet"])
         for line in (
             *(MOTION, CHECK, *SIZES.values(), SPEED, BEST, PLACE, SQUARE, MARGINS, SWEEP, VIEW, STILL),
-            *(AREA, TIMES, SURVEY, STUDIO, PROPOSED),
+            *(AREA, TIMES, SURVEY, PROPOSED),
         )
     },
 }
@@ -355,10 +348,6 @@ def recorded(monkeypatch: pytest.MonkeyPatch) -> list[str]:
         way = Answer(turn.length, turn.length, turn.length, "m", "found")
         return BestTurn(plan, turn, way, turn.length, turn.length, None, way, ())
 
-    def served(settings: object, listening: Callable[[str], None]) -> None:
-        calls.append(repr(settings))
-        listening("somewhere")
-
     # Whom earlier tests told to watch would say here that kernels are being compiled.
     benchdragon.kernels.jit.watch_compiling(lambda: None, 1e6)
     # A picture of the clearance is of few times: thousands take half a second.
@@ -372,7 +361,6 @@ def recorded(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     monkeypatch.setattr(benchdragon.sweeps.rows, "outcome", timeless)
     monkeypatch.setattr(benchdragon.solve.turn, "best_turn", best)
     monkeypatch.setattr(benchdragon.paper.reproduce, "reproduce", stopped("reproduce"))
-    monkeypatch.setattr(benchdragon.studio.app, "serve", served)
     monkeypatch.setattr("webbrowser.open", calls.append)
     monkeypatch.setattr(
         benchdragon.kernels.jit, "watch_compiling", lambda *_arguments: calls.append("watched")

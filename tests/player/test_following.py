@@ -86,8 +86,8 @@ def test_what_is_told_of_a_long_dance_is_what_comes_out() -> None:
         assert told.fastest[bench - 1] == pytest.approx(speed, abs=2e-3)
     assert told.speeds == pytest.approx((0.5404, 1.6044), abs=1e-3)
     joints = [occasion for occasion in dance.occasions if occasion.kind == "joint"]
-    assert len(joints) == 5  # the head stands at the first when the dance begins
-    for occasion, handle in zip(joints, [0, 0, -1, -1, -1], strict=True):
+    assert len(joints) == 5  # the tail stands at the last when the dance ends
+    for occasion, handle in zip(joints, [0, 0, 0, -1, -1], strict=True):
         s = walk.motion([occasion.time]).s[0, handle]
         assert np.abs(walk.route.joints - s).min() < 0.05
 

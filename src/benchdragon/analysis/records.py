@@ -1,4 +1,4 @@
-"""What a check found as plain data: the one schema of `--json`, the studio, the player and files.
+"""What a check found as plain data: the one schema of `--json`, the planner, the player and files.
 
 SI units. Numbers that are not finite come as null: JSON knows none. What readers read comes in both
 languages, but for the assumptions of an answer: those are in the language in which it was sought.

@@ -26,7 +26,6 @@ LIBRARIES = (
 EXTRAS = {
     N_("extra data"): ("xarray", "pyarrow", "h5netcdf", "h5py"),
     N_("extra prove"): ("flint",),
-    N_("extra studio"): ("fastapi", "uvicorn"),
     N_("extra video"): ("imageio_ffmpeg",),
 }
 PROGRAMS = {N_("browser"): ("chromium", "google-chrome", "firefox")}

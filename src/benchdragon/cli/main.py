@@ -58,7 +58,6 @@ from benchdragon.cli.plan import plan, schema
 from benchdragon.cli.planner import planner
 from benchdragon.cli.sheets import sheets
 from benchdragon.cli.solve import solve
-from benchdragon.cli.studio import studio
 from benchdragon.cli.survey import survey
 from benchdragon.cli.sweep import sweep
 from benchdragon.cli.timetable import timetable
@@ -217,7 +216,7 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
 for question in (place, square):
     solve.add_command(question)
 for verb in (
-    new, check, solve, margins, sweep, atlas, survey, compare, view, planner, studio, animate, area,
+    new, check, solve, margins, sweep, atlas, survey, compare, view, planner, animate, area,
     timetable, sheets, plan, formations, schema,
 ):  # fmt: skip
     program.add_command(verb)

@@ -8,7 +8,6 @@ import base64
 import zlib
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
@@ -16,11 +15,12 @@ from benchdragon import engine
 from benchdragon.files import whole_file
 from benchdragon.i18n import _, both, language
 from benchdragon.inlining import WEB, chinese, content_hash, inert, inlined, joined_styles
-from benchdragon.plans.presets import Preset, presets
+from benchdragon.planner.messages import Preset
+from benchdragon.plans.presets import presets
 from benchdragon.plans.schema import Plan
 from benchdragon.version import __version__
 
-STYLES = ("style.css", "explain.css", "studio.css", "grips.css", "print.css")
+STYLES = ("style.css", "explain.css", "planner.css", "grips.css", "print.css")
 PAGE, WORKER = "planner_start.js", "compute/worker.js"
 ENGINE = Path(engine.__file__).with_name("engine.wasm")
 # Whose code is in the file, beside ours.
@@ -59,23 +59,12 @@ def planner_page(plan: Plan | None = None, spoken: str | None = None) -> str:
             "version": inert(__version__),
             "language": inert(spoken),
             "words": inert(chinese(PAGE, WORKER)),
-            "presets": inert([_told(preset) for preset in presets()]),
+            "presets": inert([Preset.model_validate(one).model_dump(mode="json") for one in presets()]),
             "plan": inert(None if plan is None else plan.data()),
             "worker": inert(f'"use strict";\n{inlined(WORKER)}\nserve(globalThis);\n'),
             "engine": inert(_deflated(ENGINE.read_bytes())),
         },
     )
-
-
-def _told(preset: Preset) -> dict[str, Any]:
-    """A preset as the page takes it."""
-    return {
-        "name": preset.name,
-        "title": asdict(preset.title),
-        "source": asdict(preset.source),
-        "figures": [asdict(figure) for figure in preset.figures],
-        "plan": preset.plan.data(),
-    }
 
 
 def _deflated(data: bytes) -> str:

@@ -38,6 +38,8 @@ from benchdragon.solve.size_trials import FAR, SizeSearch
 # How often a bracket is doubled until it can be proved.
 MOST_WIDENINGS = 12
 MOST_COUNT = 10_000
+# How wide the bracket of a size may be, m, while its slider is dragged.
+QUICK_SIZE = 1e-5
 
 
 def limit(

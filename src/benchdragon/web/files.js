@@ -1,4 +1,4 @@
-// Plan files in and out, files that are made of a plan, and the plan that the browser keeps.
+// Plan files in and out, and the plan that the browser keeps.
 
 import { keepPlan, keptPlan } from "./address.js";
 import { commandList } from "./commands.js";
@@ -18,22 +18,6 @@ import { _ } from "./words.js";
  * @property {(plan: Plan, final: boolean) => void} change
  * @property {(plan: object, text: string) => void} tellFile how it went, and with which plan
  */
-
-/** What a server makes of plans. */
-function exports() {
-  return {
-    "player.html": _("player (a page)"),
-    "motion.xlsx": _("positions, spreadsheet"),
-    "motion.csv": _("positions, CSV"),
-    "motion.npz": _("positions, NumPy"),
-    "motion.parquet": _("positions, Parquet"),
-    "motion.nc": _("positions, NetCDF"),
-    "check.xlsx": _("moment of contact, spreadsheet"),
-    png: _("pictures, PNG"),
-    svg: _("pictures, SVG"),
-    pdf: _("pictures, PDF"),
-  };
-}
 
 export class Files {
   /** @param {Host} host @param {Answers} answers */
@@ -61,8 +45,7 @@ export class Files {
     });
     const open = make("button", { type: "button", onclick: () => input.click() });
     open.append(_("open a plan file"));
-    const saved = (/** @type {string} */ _kind, /** @type {Plan} */ plan) => this.answers.saved(plan);
-    const save = make("button", { type: "button", onclick: () => this.#deliver(saved, "") });
+    const save = make("button", { type: "button", onclick: () => this.#save() });
     save.append(_("save the plan file"));
     return make(
       "fieldset",
@@ -70,7 +53,7 @@ export class Files {
       make("legend", {}, _("Files")),
       make("div", { class: "row" }, input, open, save),
       this.#keeper(),
-      this.#others(),
+      commandList((name) => this.answers.has(name)),
       told,
     );
   }
@@ -84,18 +67,6 @@ export class Files {
       if (!keeps) kept.checked = false;
     });
     return make("label", { class: "row" }, kept, _("keep the plan in this browser"));
-  }
-
-  /** What else can be made of the plan, here or by commands. */
-  #others() {
-    const { answers } = this;
-    if (!answers.exported) return commandList((name) => answers.has(name));
-    const options = Object.entries(exports()).map(([value, name]) => make("option", { value }, name));
-    const kinds = make("select", { "aria-label": _("file to export") }, ...options);
-    const made = answers.exported.bind(answers);
-    const get = make("button", { type: "button", onclick: () => this.#deliver(made, kinds.value) });
-    get.append(_("export"));
-    return make("div", { class: "row" }, kinds, get);
   }
 
   /** Keep a plan, where the browser keeps one already. @param {Plan} plan */
@@ -115,10 +86,9 @@ export class Files {
     });
   }
 
-  /** @param {(kind: string, plan: Plan) => Promise<MadeFile>} make @param {string} kind */
-  async #deliver(make, kind) {
+  async #save() {
     const { plan } = this.host;
-    await this.#tried(async () => ({ name: deliver(await make(kind, plan)), plan }));
+    await this.#tried(async () => ({ name: deliver(await this.answers.saved(plan)), plan }));
   }
 
   /** Do something with files, and say how it went. @param {() => Promise<{ name: string, plan: Plan }>} action */

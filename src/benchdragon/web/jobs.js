@@ -1,9 +1,9 @@
-// Long questions: started, followed, cancelled, found again.
+// Long questions: started, followed, cancelled.
 
 import { make, signButton } from "./elements.js";
 import { answerText, valueText } from "./evidence.js";
 import { samePlan } from "./standing.js";
-import { _, language, decimals } from "./words.js";
+import { _, decimals } from "./words.js";
 
 /** @typedef {import("./messages").JobState} JobState */
 /** @typedef {import("./messages").TurnFound} TurnFound */
@@ -16,7 +16,6 @@ import { _, language, decimals } from "./words.js";
 export function questionText(question) {
   return {
     turn: _("best turn"),
-    prove: _("prove the verdict"),
     speed: _("greatest head speed"),
     pace: _("slow down only where it must"),
     margins: _("tolerance for people who are not exact"),
@@ -48,10 +47,6 @@ function betterPlan(result) {
 
 /** What came out, in words. @param {NonNullable<JobState["result"]>} result */
 function resultText(result) {
-  if ("sentence" in result) {
-    const sentence = result.sentence[language()];
-    return result.proved ? _("Proved. {sentence}", { sentence }) : sentence;
-  }
   if ("objective" in result) return turnText(result);
   if ("steady" in result)
     return _("steady {speed}; slowing down only where it must saves {saved} s", {
@@ -92,7 +87,7 @@ export class JobList {
     this.element = make("ul", { class: "jobs", "aria-live": "polite" });
   }
 
-  /** Say everything in the language in use; errors and progress of the server stay as they came. */
+  /** Say everything in the language in use; errors and progress stay as they came. */
   retell() {
     for (const { say } of this.entries) say();
     this.show(this.plan);
@@ -140,28 +135,7 @@ export class JobList {
 
   /** Ask a long question. @param {Question} question @param {Plan} plan */
   async start(question, plan) {
-    const entry = this.#entered(question, plan);
-    await this.#tried(entry, async () => {
-      await this.#follow(await this.answers.long(question, plan), entry);
-    });
-  }
-
-  /** Find the questions that were asked before the page was loaded again. */
-  async find() {
-    for (const { question, plan, long } of await this.answers.taken()) {
-      const entry = this.#entered(question, plan);
-      this.#tried(entry, () => this.#follow(long, entry));
-    }
-  }
-
-  /** Do something for an entry, and say in it why it cannot be done. @param {Entry} entry @param {() => Promise<void>} action */
-  async #tried(entry, action) {
-    try {
-      await action();
-    } catch (error) {
-      if (!(error instanceof Error)) throw error;
-      this.#say(entry, () => this.#over(entry, error.message, () => this.#forget(entry)));
-    }
+    await this.#follow(this.answers.long(question, plan), this.#entered(question, plan));
   }
 
   /** @param {LongQuestion} long @param {Entry} entry */
@@ -180,16 +154,14 @@ export class JobList {
       this.#mark(entry);
       item.dataset.state = job.state;
       bar.value = job.share;
-      told.textContent = job.state === "waiting" ? _("waiting") : job.text;
+      told.textContent = job.text;
     };
-    const ended = await long.follow(show, (error) => {
-      told.textContent = error.message;
-    });
-    this.#say(entry, () => this.#ended(ended, long, entry));
+    const ended = await long.follow(show);
+    this.#say(entry, () => this.#ended(ended, entry));
   }
 
-  /** @param {JobState} job @param {LongQuestion} long @param {Entry} entry */
-  #ended(job, long, entry) {
+  /** @param {JobState} job @param {Entry} entry */
+  #ended(job, entry) {
     const text = job.result
       ? resultText(job.result)
       : job.state === "cancelled"
@@ -198,20 +170,17 @@ export class JobList {
     const found = betterPlan(job.result);
     const take =
       found && make("button", { type: "button", onclick: () => this.take(found) }, _("take this plan"));
-    const away = () => {
-      this.#forget(entry);
-      long.forget();
-    };
-    this.#over(entry, text, away, take ? [take] : []);
+    this.#over(entry, text, take ? [take] : []);
   }
 
-  /** Show an entry in which nothing more happens. @param {Entry} entry @param {string} text @param {() => void} away @param {HTMLElement[]} [more] */
-  #over({ item, question }, text, away, more = []) {
+  /** Show an entry in which nothing more happens. @param {Entry} entry @param {string} text @param {HTMLElement[]} more */
+  #over(entry, text, more) {
+    const { item, question } = entry;
     item.replaceChildren(
       make("strong", {}, questionText(question)),
       make("span", { class: "told" }, text),
       ...more,
-      signButton("\u2715", _("clear away"), away),
+      signButton("\u2715", _("clear away"), () => this.#forget(entry)),
     );
   }
 

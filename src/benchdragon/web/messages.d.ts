@@ -1,4 +1,4 @@
-// Made from benchdragon.player.messages and benchdragon.studio.messages by tools/make_types.py; to make it again: make types
+// Made from benchdragon.player.messages and benchdragon.planner.messages by tools/make_types.py; to make it again: make types
 
 /** A solved number and the bracket that was established: see `answer.Answer`. */
 export interface Answer {
@@ -36,10 +36,6 @@ export interface BenchTable {
   front_inset?: number;
   rear_inset?: number;
   count?: number;
-}
-
-/** What a page sends: unknown keys are errors. */
-export interface Body {
 }
 
 /** A round obstacle. */
@@ -225,12 +221,6 @@ export interface EventTable {
   entrances?: Array<[number, number]>;
 }
 
-/** A plan, and the language of the file; without one that of the request. */
-export interface ExportBody {
-  plan: Plan;
-  lang?: "en" | "zh" | null;
-}
-
 /** One figure of a preset: its key in the plan, and where it comes from. */
 export interface Figure {
   key: string;
@@ -332,80 +322,22 @@ export interface HeadStop {
   s: number | null;
 }
 
-/** How the studio stands. */
-export interface Health {
-  status: "ok";
-  version: string;
-  workers: Record<string, QueueState>;
-}
-
-/** A long question about a plan. */
-export interface JobBody {
-  plan: Plan;
-  question: "turn" | "prove" | "speed" | "pace" | "margins";
-  options?: JobOptions;
-}
-
-/**
- * What a long question may be told.
- *
- * Attributes:
- *     objective: of "turn": see `solve turn`.
- *     least_radius: of "turn": no bend is tighter, m.
- *     longest: of "turn": the turn itself is no longer, m.
- *     longest_way: of "turn": the whole way inside the disc is no longer, m.
- *     draws: of "margins": random dances.
- *     seed: of "margins".
- *     aside: of "margins", like the following: standard deviations, m; see `Deviations`. Where all are
- *         0, those that `tolerance.CASES` takes together.
- */
-export interface JobOptions {
-  objective?: "way" | "length" | "speed" | "disc" | "acceleration";
-  least_radius?: number;
-  longest?: number | null;
-  longest_way?: number | null;
-  draws?: number;
-  seed?: number;
-  aside?: number;
-  stray?: number;
-  play?: number;
-  height?: number;
-  length?: number;
-  width?: number;
-}
-
-/** A long question that was taken on. */
-export interface JobStarted {
-  id: string;
-}
-
 /**
  * How a long question stands.
  *
  * Attributes:
- *     plan_sha256: of the plan that it asks about.
  *     share: of the work, 0 to 1, as far as can be told.
  *     text: what is being done.
  *     result: once it is done.
  *     error: why there is none, if it failed.
  */
 export interface JobState {
-  id: string;
-  question: "turn" | "prove" | "speed" | "pace" | "margins";
-  plan_sha256: string;
-  state: "waiting" | "running" | "done" | "failed" | "cancelled";
+  question: "turn" | "speed" | "pace" | "margins";
+  state: "running" | "done" | "failed" | "cancelled";
   share: number;
   text: string;
-  result?: Verdict | TurnFound | PaceFound | MarginsFound | Answer | null;
+  result?: TurnFound | PaceFound | MarginsFound | Answer | null;
   error?: string | null;
-}
-
-/** A long question of a client, and the plan that it asks about. */
-export interface JobTaken {
-  id: string;
-  question: "turn" | "prove" | "speed" | "pace" | "margins";
-  plan: Record<string, unknown>;
-  plan_sha256: string;
 }
 
 /** The greatest of a quantity that the plan limits, and what that is in words. */
@@ -526,11 +458,6 @@ export interface Occasion {
   obstacle?: number | null;
 }
 
-/** A plan file, read: every key, those left out as by default. */
-export interface OpenedPlan {
-  plan: Record<string, unknown>;
-}
-
 /** The plan walked at its own head speed, slowed down only where a limit wants it. */
 export interface PaceFound {
   plan: Record<string, unknown>;
@@ -616,11 +543,6 @@ export interface Plan {
   event?: EventTable;
 }
 
-/** A plan, to be asked about. */
-export interface PlanBody {
-  plan: Plan;
-}
-
 /** An obstacle with any number of corners. */
 export interface PolygonTable {
   name?: string;
@@ -638,11 +560,6 @@ export interface Preset {
   plan: Record<string, unknown>;
 }
 
-/** What went wrong, as one sentence in the language asked for. */
-export interface Problem {
-  error: string;
-}
-
 /** Formations one after another; at time 0 the whole dragon stands on the route, as above. */
 export interface ProgrammeRoute {
   at?: [number, number] | null;
@@ -650,14 +567,6 @@ export interface ProgrammeRoute {
   kind: "programme";
   formation: Array<StepTable>;
   radius?: number;
-}
-
-/** Workers of one kind of question. */
-export interface QueueState {
-  workers: number;
-  ready: number;
-  busy: number;
-  waiting: number;
 }
 
 /** A rectangular obstacle. */
@@ -779,11 +688,6 @@ export interface SurveyTable {
   crs?: string | null;
   unit?: string | null;
   origin?: [number, number] | null;
-}
-
-/** The text of a plan file. */
-export interface TextBody {
-  toml: string;
 }
 
 /** Distance of the tightest pair, m, at evenly spaced times; capped at `Nearest.reach`. */

@@ -327,7 +327,7 @@ export function withValue(plan, key, value) {
 // Tables whose keys mean something beside some routes, families and walks alone.
 const CHOSEN = ["disc", "turn", "walk"];
 
-/** The plan without what has no effect beside its choices, which the studio refuses. @param {Plan} plan @returns {Plan} */
+/** The plan without what has no effect beside its choices, which readers of plans refuse. @param {Plan} plan @returns {Plan} */
 function fitting(plan) {
   const copy = structuredClone(plan);
   if (!turning(copy)) copy.turn = {};

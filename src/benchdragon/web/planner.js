@@ -9,8 +9,8 @@ import { Grips } from "./grips.js";
 import { JobList, questionText } from "./jobs.js";
 import { planText, PlanForm, textPlan, textSays } from "./plan_form.js";
 import { Player, REST } from "./player.js";
-import { Standing, mayPass, samePlan } from "./standing.js";
 import { Span } from "./span.js";
+import { Standing, samePlan } from "./standing.js";
 import { Line } from "./telling.js";
 import { Tracks } from "./tracks.js";
 import { _, language } from "./words.js";
@@ -23,7 +23,7 @@ import { _, language } from "./words.js";
 /** @typedef {import("./standing.js").Answers} Answers */
 
 const MOST_STEPS_BACK = 200;
-const QUESTIONS = /** @type {const} */ (["turn", "prove", "speed", "pace", "margins"]);
+const QUESTIONS = /** @type {const} */ (["turn", "speed", "pace", "margins"]);
 
 /** A plan's smallest pitch says something: its spiral ends at a disc. @param {Plan} plan */
 function hasPitch(plan) {
@@ -83,7 +83,7 @@ export class Planner {
       (scene, about) => this.#danced(scene, about),
       (error, about) => this.#undanced(error, about),
     );
-    this.root = /** @type {HTMLElement} */ (document.getElementById("studio"));
+    this.root = /** @type {HTMLElement} */ (document.getElementById("planner"));
     this.stage = make("main", { id: "player", class: "player" });
     this.grips = new Grips(this, this.stage);
     this.tracks = new Tracks(answers, () => this.root.ariaBusy === "true" || this.grips.drag !== null);
@@ -121,7 +121,7 @@ export class Planner {
 
   /** Build the page, in the language in use. */
   #build() {
-    document.title = _("Bench dragon studio");
+    document.title = _("Bench dragon planner");
     this.form = new PlanForm(this.presets, (plan, final) => this.change(plan, final));
     this.tracks.attach(this.form);
     this.span = new Span((plan, final) => this.change(plan, final));
@@ -337,10 +337,7 @@ export class Planner {
   /** There is no verdict, neither safe nor unsafe. @param {Error} error @param {Plan} plan */
   #unjudged(error, plan) {
     this.verdict = null;
-    const values = { error: error.message };
-    const text = mayPass(error)
-      ? _("No verdict yet, asking again: {error}", values)
-      : _("No verdict: {error}", values);
+    const text = _("No verdict: {error}", { error: error.message });
     this.lines.verdict.tell(plan, text, "none", error.message);
     this.#mark();
   }
@@ -381,10 +378,7 @@ export class Planner {
 
   /** The player shows no new dance: say why. @param {Error} error @param {Plan} plan */
   #undanced(error, plan) {
-    const values = { error: error.message };
-    const text = mayPass(error)
-      ? _("No picture yet, asking again: {error}", values)
-      : _("This plan cannot be shown: {error}", values);
+    const text = _("This plan cannot be shown: {error}", { error: error.message });
     this.lines.dance.tell(plan, text, "", error.message);
     this.#mark();
   }
@@ -422,6 +416,5 @@ export function opened(answers, presets, plan) {
   const planner = new Planner(answers, presets, told ?? plan ?? kept ?? presets[0].plan);
   if (text && !told) planner.refuse(text);
   else planner.show(planner.plan);
-  planner.jobs.find();
   Object.assign(globalThis, { benchdragon: planner }); // for the browser's console
 }

@@ -19,7 +19,7 @@ export async function start() {
   useWords(words);
   const chosen = chosenBefore("lang");
   speak(chosen === "en" || chosen === "zh" ? chosen : held("language"));
-  const root = /** @type {HTMLElement} */ (document.getElementById("studio"));
+  const root = /** @type {HTMLElement} */ (document.getElementById("planner"));
   if (typeof DecompressionStream === "undefined") {
     root.textContent = _("This browser is too old to show the dance: it takes one of 2023 or newer.");
     return;

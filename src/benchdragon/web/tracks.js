@@ -2,7 +2,7 @@
 
 import { make } from "./elements.js";
 import { valueOf, withValue } from "./plan_form.js";
-import { Refusal } from "./standing.js";
+import { PageFault, Refusal } from "./standing.js";
 import { spansOf, walkable } from "./walkable.js";
 import { _, language } from "./words.js";
 
@@ -23,8 +23,6 @@ const LIMITS = {
   "dragon.width": "limit/width",
   "dragon.body_length": "limit/length",
 };
-/** A plan that the program cannot use. */
-const UNFIT = 422;
 
 /**
  * The marks of one slider.
@@ -135,7 +133,7 @@ export class Tracks {
   }
 
   async #work() {
-    if (this.aside || !this.answers.aside || !this.#next()) return;
+    if (this.aside || !this.#next()) return;
     const aside = this.answers.aside();
     this.aside = aside;
     try {
@@ -193,7 +191,7 @@ async function judged(aside, plan) {
     const { decided, safe } = /** @type {Verdict} */ (await aside.ask({ question: "verdict", plan }));
     return decided ? (safe ? "safe" : "unsafe") : "open";
   } catch (error) {
-    if (error instanceof Refusal && error.status === UNFIT) return "none";
+    if (error instanceof Refusal && !(error instanceof PageFault)) return "none";
     throw error;
   }
 }
@@ -205,7 +203,7 @@ async function bracket(aside, question, plan) {
     const { status, lower, upper } = await aside.ask({ question, plan });
     return status === "found" ? { lower, upper } : null;
   } catch (error) {
-    if (error instanceof Refusal && error.status === UNFIT) return null;
+    if (error instanceof Refusal && !(error instanceof PageFault)) return null;
     throw error;
   }
 }

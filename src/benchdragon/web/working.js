@@ -3,7 +3,7 @@
 import { PLAN_FILE } from "./commands.js";
 import { Table } from "./following.js";
 import { Scene } from "./scene.js";
-import { Refusal, noteHash } from "./standing.js";
+import { PageFault, Refusal, noteHash } from "./standing.js";
 import { _, language } from "./words.js";
 
 /** @typedef {import("./compute/worker.js").Beginning} Beginning */
@@ -17,10 +17,6 @@ import { _, language } from "./words.js";
 /** Who waits for an answer.
  * @typedef {{ plan: Plan | undefined, done: (answer: any) => void, failed: (error: Error) => void,
  *   told: (share: number, text: string) => void }} Waiting */
-
-/** Statuses as HTTP has them: the plan cannot be used, the program is wrong. */
-const UNFIT = 422;
-const WRONG = 500;
 
 /** What those who wait hear when nobody waits any more. */
 function abandoned() {
@@ -99,12 +95,12 @@ class Lane {
     this.#waiting.delete(said.id);
     if (waiting.plan) noteHash(waiting.plan, said.hash);
     if ("answer" in said) waiting.done(said.answer);
-    else waiting.failed(new Refusal(UNFIT, said.refusal));
+    else waiting.failed(new Refusal(said.refusal));
   }
 
   /** The Worker cannot go on: its memory may be damaged. @param {string} fault */
   #fail(fault) {
-    const refusal = new Refusal(WRONG, _("something is wrong with this page: {fault}", { fault }));
+    const refusal = new PageFault(_("something is wrong with this page: {fault}", { fault }));
     for (const { failed } of [this.#starting, ...this.#waiting.values()]) failed(refusal);
     this.#waiting.clear();
     this.close();
@@ -123,7 +119,7 @@ class WorkerQuestion {
   /** @param {(state: JobState) => void} told @returns {Promise<JobState>} */
   async follow(told) {
     const { lane, question, plan } = this;
-    const state = { id: "", question, plan_sha256: "", share: 0, text: "" };
+    const state = { question, share: 0, text: "" };
     const tell = (/** @type {number} */ share, /** @type {string} */ text) =>
       told({ ...state, state: "running", share, text });
     tell(0, "");
@@ -143,9 +139,6 @@ class WorkerQuestion {
   cancel() {
     this.lane.close();
   }
-
-  /** There is nothing left of it. */
-  forget() {}
 }
 
 /** Workers as who answers. @implements {Answers} */
@@ -199,16 +192,11 @@ export class WorkerAnswers {
   }
 
   /** @param {JobState["question"]} question @param {Plan} plan */
-  async long(question, plan) {
+  long(question, plan) {
     return new WorkerQuestion(this.lane(), question, plan);
   }
 
   aside() {
     return this.lane();
-  }
-
-  /** Its long questions end with the page. */
-  async taken() {
-    return [];
   }
 }

@@ -759,6 +759,7 @@ export const SOLVE_RANDOM_DANCE = {
 export const SOLVE_SIZE = {
   MOST_WIDENINGS: 12,
   MOST_COUNT: 10000,
+  QUICK_SIZE: 1e-5,
 };
 
 export const SOLVE_SIZE_FAMILY = {

@@ -1,8 +1,8 @@
-// Answers that are searched for, as records that pages take: twins of `limited`, `best`, `head_speed`, `paced`
-// and `room_needed` in studio/tasks.py.
+// Answers that are searched for, as records that pages take: the models of planner/messages.py.
 
 import { _ } from "../words.js";
 import { withArena } from "./arena.js";
+import { SOLVE_SIZE } from "./constants.js";
 import { greatestHeadSpeed, slowed, withPace } from "./head_speed.js";
 import { finiteOrNull } from "./number_format.js";
 import { discOf, turnOf } from "./plan_routes.js";
@@ -18,8 +18,7 @@ import { bestTurn } from "./turn.js";
 /** @typedef {import("../messages").TurnFound} TurnFound */
 /** @typedef {import("./questions.js").Asked} Asked */
 
-/** How wide the bracket of a size may be, m, while its slider is dragged. */
-const SIZE = 1e-5;
+const { QUICK_SIZE } = SOLVE_SIZE;
 
 /** How many random dances are walked. */
 const DRAWS = 100;
@@ -32,7 +31,7 @@ function stampOf({ plan, version }) {
 /** How small or large one size may be. @param {string} name @param {Asked} asked @returns {Promise<Answer>} */
 export async function limited(name, asked) {
   const { engine, plan, progress } = asked;
-  return answerOf(await limit(engine, plan, name, { tolerance: SIZE, progress }), stampOf(asked));
+  return answerOf(await limit(engine, plan, name, { tolerance: QUICK_SIZE, progress }), stampOf(asked));
 }
 
 /** How fast the head may walk. @param {Asked} asked @returns {Promise<Answer>} */

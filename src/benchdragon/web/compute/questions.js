@@ -1,5 +1,4 @@
 // What the planner's Worker answers: a table from the name of a question to the function for it.
-// Twin of studio/tasks.py.
 
 import { TomlError, parse, stringify } from "../carried.js";
 import { _ } from "../words.js";

@@ -1,0 +1,91 @@
+"""What the planner's page, its Workers and this package send one another: presets, long questions.
+
+Metres, seconds, metres a second. Numbers that are not finite come as null: JSON knows none.
+`tools/make_types.py` turns the models into `web/messages.d.ts`.
+"""
+
+from typing import Annotated, Any, Literal
+
+from pydantic import ConfigDict, PlainSerializer
+
+from benchdragon.analysis.records import Answer, Number, Record
+from benchdragon.i18n import Words
+from benchdragon.plans.presets import Figure
+from benchdragon.plans.schema import Plan
+
+SentPlan = Annotated[Plan, PlainSerializer(Plan.data, return_type=dict[str, Any])]
+
+
+class Preset(Record):
+    """A dance to begin with: see `presets.Preset`."""
+
+    model_config = ConfigDict(frozen=True, from_attributes=True)
+
+    name: str
+    title: Words
+    source: Words
+    figures: list[Figure]
+    plan: SentPlan
+
+
+class TurnFound(Record):
+    """The best turn found, and the plan with it: see `turn.BestTurn`.
+
+    `way_before` is the way inside the disc of the turn that the plan had, m.
+    """
+
+    plan: SentPlan
+    objective: Answer
+    length: Number
+    way: Number
+    way_before: Number
+    least_radius: Number
+    head_speed: Answer | None
+    clearance: Answer
+    active: list[str]
+
+
+class PaceFound(Record):
+    """The plan walked at its own head speed, slowed down only where a limit wants it."""
+
+    plan: SentPlan
+    steady: Answer
+    seconds: Number
+    saved: Number
+
+
+class PitchFor(Record):
+    """The pitch, m, at which benches touch with at most that chance, with 95 % confidence."""
+
+    risk: float
+    pitch: Number
+
+
+class MarginsFound(Record):
+    """What imprecise dances need: see `tolerance.Tolerance`; chance at the plan's own pitch."""
+
+    draws: int
+    exact: Number
+    pitch: float
+    chance: float
+    chance_lower: float
+    chance_upper: float
+    pitch_for: list[PitchFor]
+
+
+class JobState(Record):
+    """How a long question stands.
+
+    Attributes:
+        share: of the work, 0 to 1, as far as can be told.
+        text: what is being done.
+        result: once it is done.
+        error: why there is none, if it failed.
+    """
+
+    question: Literal["turn", "speed", "pace", "margins"]
+    state: Literal["running", "done", "failed", "cancelled"]
+    share: float
+    text: str
+    result: TurnFound | PaceFound | MarginsFound | Answer | None = None
+    error: str | None = None

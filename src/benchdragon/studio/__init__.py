@@ -1,1 +1,0 @@
-"""The studio: plans, verdicts and long questions in a browser, computed by workers."""

@@ -1,0 +1,94 @@
+"""The planner as tests open it in a browser."""
+
+import re
+from collections.abc import Callable
+
+from playwright.sync_api import Locator, Page, expect
+
+from tests.browser.players import until
+
+Opened = Callable[..., Page]
+PITCH = "spiral pitch"
+
+
+def verdict(page: Page) -> Locator:
+    return page.locator(".verdict")
+
+
+def number(page: Page, name: str) -> Locator:
+    return page.get_by_role("spinbutton", name=name, exact=True)
+
+
+def change(page: Page, name: str, value: str) -> None:
+    """Give a size of the plan another value."""
+    number(page, name).fill(value)
+    number(page, name).press("Enter")
+
+
+def settle(page: Page, pattern: str) -> None:
+    """Wait for a verdict that reads so."""
+    expect(verdict(page)).to_have_text(re.compile(pattern))
+
+
+def settled(page: Page) -> Page:
+    """The page, once it shows verdict, limit and dance of its plan."""
+    expect(page.locator("#planner")).to_have_attribute("aria-busy", "false")
+    expect(page.locator("[data-stale]:visible")).to_have_count(0)
+    expect(page.locator(".verdict:is(.safe, .unsafe)")).to_have_count(1)
+    return page
+
+
+def on_its_way(page: Page, name: str, way: str) -> None:
+    """Have questions of one name go another way: it gets `go`, which asks the Worker, and `signal`."""
+    page.evaluate(
+        f"""() => {{
+          const way = {way};
+          for (const lane of [benchdragon.answers.quick, benchdragon.answers.slower]) {{
+            const ask = lane.ask.bind(lane);
+            lane.ask = (asked, signal, told) => {{
+              const go = () => ask(asked, signal, told);
+              return asked.question === {name!r} ? way(go, signal) : go();
+            }};
+          }}
+        }}"""
+    )
+
+
+class Held:
+    """Questions of one name that are held up on their way until they are let go."""
+
+    def __init__(self, page: Page, name: str) -> None:
+        self.page, self.name = page, name
+        # Else a question that is long on its way is given up for a newer one.
+        page.evaluate(
+            "for (const one of ['verdicts', 'pitches', 'dances']) benchdragon[one].patience = 1e9"
+        )
+        page.evaluate("(name) => { (globalThis.heldUp ??= {})[name] = []; }", name)
+        on_its_way(
+            page,
+            name,
+            f"""(go, signal) => new Promise((done, failed) => {{
+              signal?.addEventListener("abort", () => failed(new DOMException("", "AbortError")));
+              heldUp[{name!r}].push(() => go().then(done, failed));
+            }})""",
+        )
+
+    def wait(self, count: int) -> None:
+        """Wait until so many have been asked."""
+        until(self.page, f"heldUp[{self.name!r}].length >= {count}")
+
+    def let_go(self, number: int) -> None:
+        self.page.evaluate(f"void heldUp[{self.name!r}][{number}]()")
+
+
+class Refused:
+    """Questions of one name that have no answer until they are answered again."""
+
+    def __init__(self, page: Page, name: str) -> None:
+        self.page, self.name = page, name
+        page.evaluate("(name) => void (globalThis.refused ??= new Set()).add(name)", name)
+        memory = 'Promise.reject(new Error("memory"))'
+        on_its_way(page, name, f"(go) => refused.has({name!r}) ? {memory} : go()")
+
+    def end(self) -> None:
+        self.page.evaluate("(name) => void refused.delete(name)", self.name)

@@ -1,0 +1,307 @@
+"""The planner shows no answer as if it were about another plan than the one on its page.
+
+Questions are held up on their way, so that older answers come in while newer questions wait.
+"""
+
+import re
+from base64 import urlsafe_b64encode
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.browser.pages import Device, Language, Pages
+from tests.browser.planners import (
+    PITCH,
+    Held,
+    Opened,
+    Refused,
+    change,
+    number,
+    settle,
+    settled,
+    verdict,
+)
+from tests.browser.players import until
+
+OLD_PICTURE = "the picture is of an earlier plan"
+
+
+def in_late(page: Page, name: str) -> Held:
+    """Ask about 0.46 m, then about 0.44 m, and let only the first question go."""
+    held = Held(page, name)
+    change(page, PITCH, "0.46")
+    held.wait(1)
+    change(page, PITCH, "0.44")
+    if name == "dance":  # which is asked for once a change has come to rest
+        until(page, "benchdragon.dances.wanted?.route.pitch === 0.44")
+    held.let_go(0)
+    held.wait(2)  # the second is asked once the first was shown
+    return held
+
+
+def test_a_verdict_that_comes_in_late_is_marked_as_an_earlier_plans(opened: Opened) -> None:
+    page = opened()
+    held = in_late(page, "verdict")
+    line = verdict(page)
+    expect(line).to_have_text(re.compile("^\u2026 earlier plan: Safe: tightest"))
+    expect(line).to_have_class("verdict")
+    expect(line).to_have_attribute("data-stale", "")
+    expect(line).to_have_attribute("aria-busy", "true")
+    line.click()
+    expect(page.get_by_role("dialog")).to_have_count(0)
+    held.let_go(1)
+    expect(line).to_have_text(re.compile("^\u2716 Not safe"))
+    expect(line).to_have_class("verdict unsafe")
+    expect(line).not_to_have_attribute("data-stale", "")
+    line.click()
+    expect(page.get_by_role("dialog")).to_contain_text("Not safe")
+
+
+def test_a_limit_that_comes_in_late_is_marked_as_an_earlier_plans(opened: Opened) -> None:
+    page = opened()
+    held = in_late(page, "limit/pitch")
+    line = page.locator(".limit")
+    expect(line).to_have_text(re.compile("^earlier plan: smallest pitch: 0.4503"))
+    expect(line).to_have_attribute("data-stale", "")
+    expect(line).to_be_visible()
+    settle(page, "Not safe")
+    verdict(page).click()
+    expect(page.get_by_role("dialog").get_by_role("row", name="smallest pitch")).to_have_count(0)
+    page.keyboard.press("Escape")
+    held.let_go(1)
+    expect(line).to_have_text(re.compile("^smallest pitch: 0.4503"))
+    expect(line).not_to_have_attribute("data-stale", "")
+
+
+def test_a_dance_that_comes_in_late_is_marked_as_an_earlier_plans(opened: Opened) -> None:
+    page = opened()
+    place = page.locator(".player").bounding_box()
+    held = in_late(page, "dance")
+    assert page.locator(".player").bounding_box() == place
+    root, note = page.locator("#planner"), page.get_by_text(OLD_PICTURE)
+    expect(note).to_be_visible()
+    expect(root).to_have_attribute("data-picture", "old")
+    expect(root).to_have_attribute("aria-busy", "true")
+    settle(page, "Not safe")
+    verdict(page).click()
+    dialog = page.get_by_role("dialog")
+    expect(dialog).to_contain_text("benches 1 and 19")
+    expect(dialog.get_by_role("button")).to_have_text(["close"])  # no way into another plan's picture
+    page.keyboard.press("Escape")
+    held.let_go(1)
+    expect(note).to_be_hidden()
+    expect(root).to_have_attribute("data-picture", "this")
+    expect(root).to_have_attribute("aria-busy", "false")
+
+
+def test_no_limit_is_shown_of_a_plan_that_has_none(opened: Opened) -> None:
+    page = opened()
+    held = Held(page, "limit/pitch")
+    change(page, PITCH, "0.46")
+    held.wait(1)
+    page.get_by_label("begin with").select_option("spiral-in")
+    settle(page, "^\u2716 Not safe")
+    expect(page.locator(".limit")).to_be_hidden()
+    page.get_by_role("button", name="undo").click()
+    held.wait(2)
+    held.let_go(1)
+    expect(page.locator(".limit")).to_have_text(re.compile("^smallest pitch"))
+    expect(page.locator(".limit")).to_be_visible()
+
+
+def test_a_question_that_takes_too_long_is_given_up_for_a_newer_one(opened: Opened) -> None:
+    page = opened()
+    held = Held(page, "verdict")
+    page.evaluate("benchdragon.verdicts.patience = -1")
+    change(page, PITCH, "0.46")
+    held.wait(1)
+    change(page, PITCH, "0.44")
+    held.wait(2)  # the first was never let go
+    held.let_go(1)
+    settle(page, "^\u2716 Not safe")
+
+
+def test_evidence_goes_with_its_plan(opened: Opened) -> None:
+    page = opened()
+    change(page, PITCH, "0.44")
+    settled(page)
+    verdict(page).click()
+    expect(page.get_by_role("dialog")).to_contain_text("Not safe")
+    page.keyboard.press("Control+z")
+    expect(page.get_by_role("dialog")).to_have_count(0)
+    settle(page, "^\u2713 Safe")
+
+
+def test_a_file_that_comes_in_late_is_marked_as_an_earlier_plans(opened: Opened) -> None:
+    page = opened()
+    held = Held(page, "toml")
+    page.get_by_role("button", name="save the plan file").click()
+    held.wait(1)
+    change(page, PITCH, "0.46")
+    told = page.locator("fieldset > output.told")
+    expect(told).to_have_text("earlier plan: working ...")
+    with page.expect_download():
+        held.let_go(0)
+    expect(told).to_have_text("earlier plan: dance.dragon.toml")
+
+
+def test_a_plan_file_that_is_read_late_does_not_take_a_newer_plans_place(
+    opened: Opened, tmp_path: Path
+) -> None:
+    page = opened()
+    path = tmp_path / "a.toml"
+    path.write_text("schema = 1\n[route]\nkind = 'turn'\n", "utf-8")
+    held = Held(page, "open")
+    page.locator("input[type=file]").set_input_files(path)
+    held.wait(1)
+    change(page, PITCH, "0.46")
+    held.let_go(0)
+    told = page.locator("fieldset > output.told")
+    expect(told).to_contain_text("The plan was changed meanwhile")
+    expect(number(page, PITCH)).to_have_value("0.46")
+
+
+# --- neither safe nor unsafe
+
+
+@pytest.mark.parametrize(
+    ("device", "language", "said"),
+    [("desktop", "en", "! No verdict: memory"), ("phone", "zh", "! 没有结论：memory")],
+)
+def test_no_answer_is_neither_safe_nor_unsafe(
+    opened: Opened, device: Device, language: Language, said: str
+) -> None:
+    page = opened(device, f"#lang={language}")
+    pitch = {"en": PITCH, "zh": "螺距"}[language]
+    colours = {verdict(page).evaluate("one => getComputedStyle(one).color")}
+    refused = Refused(page, "verdict")
+    change(page, pitch, "0.44")
+    expect(verdict(page)).to_have_text(said)
+    expect(verdict(page)).to_have_class("verdict none")
+    colours.add(verdict(page).evaluate("one => getComputedStyle(one).color"))
+    refused.end()
+    change(page, pitch, "0.445")
+    expect(verdict(page)).to_have_class("verdict unsafe")
+    colours.add(verdict(page).evaluate("one => getComputedStyle(one).color"))
+    assert len(colours) == 3
+
+
+def test_of_plans_that_nobody_answered_about_none_is_another(opened: Opened) -> None:
+    """Answers tell the hashes of their plans; without any, no two plans are one."""
+    page = opened()
+    refused = [Refused(page, name) for name in ("verdict", "limit/pitch", "dance")]
+    change(page, PITCH, "0.46")
+    expect(verdict(page)).to_have_text("! No verdict: memory")
+    refused[0].end()
+    held = Held(page, "verdict")
+    change(page, PITCH, "0.47")
+    held.wait(1)
+    expect(verdict(page)).to_have_text("\u2026 earlier plan: No verdict: memory")
+
+
+def test_where_there_is_no_verdict_there_is_no_evidence(opened: Opened) -> None:
+    page = opened()
+    Refused(page, "verdict")
+    page.get_by_role("button", name="中文").click()  # the same plan is asked about again
+    expect(verdict(page)).to_have_text("! 没有结论：memory")
+    verdict(page).click()
+    expect(page.get_by_role("dialog")).to_have_count(0)
+
+
+def test_a_dance_that_cannot_be_shown_is_said_beside_its_verdict(opened: Opened) -> None:
+    page = opened()
+    refused = Refused(page, "dance")
+    change(page, "width of a bench", "0.31")
+    expect(page.locator(".verdicts")).to_contain_text("This plan cannot be shown: memory")
+    settle(page, "Safe")
+    refused.end()
+    page.get_by_role("button", name="undo").click()
+    expect(page.locator(".verdicts")).not_to_contain_text("cannot be shown")
+
+
+# --- links
+
+# What a page asks its Workers, from the first on.
+ASKED = """
+  globalThis.asked = [];
+  const post = Worker.prototype.postMessage;
+  Worker.prototype.postMessage = function (said) {
+    if (said.question) asked.push(said.question);
+    post.call(this, said);
+  };
+"""
+
+
+@pytest.mark.parametrize(("device", "language"), [("desktop", "en"), ("phone", "zh")])
+def test_a_link_that_cannot_be_read_gets_no_verdict(
+    opened: Opened, pages: Pages, device: Device, language: Language
+) -> None:
+    whole = opened(device, f"#lang={language}")
+    whole.wait_for_url(re.compile("plan="))
+    # As a letter may have cut it.
+    link = re.sub(r"plan=[^&]*", lambda found: found[0][:200], whole.url)
+    page = pages.open("about:blank", device, language)
+    page.add_init_script(ASKED)
+    page.goto(link)
+    notice = page.get_by_role("alert")
+    words = {"en": "The plan in this link cannot be read.", "zh": "链接中的方案无法读取。"}
+    expect(notice).to_contain_text(words[language])
+    expect(notice.locator("code")).to_contain_text('"schema":1')
+    expect(verdict(page)).to_have_class("verdict none")
+    expect(verdict(page)).to_contain_text({"en": "No verdict", "zh": "没有结论"}[language])
+    expect(page.locator(".limit")).to_be_hidden()
+    expect(page.locator("canvas")).to_have_count(0)
+    assert page.url == link
+    assert page.evaluate("asked") == []
+    notice.get_by_role("button").click()
+    settled(page)
+    expect(verdict(page)).to_have_class("verdict safe")
+    expect(notice).to_have_count(0)
+    page.wait_for_url(lambda url: url != link)
+    assert page.evaluate("asked.includes('verdict')")
+
+
+def test_a_link_that_cannot_be_read_takes_the_verdict_off_the_page(opened: Opened) -> None:
+    page = opened()
+    page.wait_for_url(re.compile("plan="))
+    before, broken = page.url, page.url.split("#")[0] + "#plan=nothing!"
+    page.goto(broken)
+    expect(page.get_by_role("alert").locator("code")).to_have_text("nothing!")
+    expect(verdict(page)).to_have_class("verdict none")
+    expect(page.locator("#planner")).to_have_attribute("data-picture", "old")
+    expect(number(page, PITCH)).to_have_value("0.55")
+    page.locator(".clock").click()
+    page.keyboard.press("ArrowRight")
+    expect(page.locator(".clock")).to_have_text("t = 1.00 s")
+    page.evaluate("benchdragon.player.onSettled()")  # which comes once the player has come to rest
+    assert page.url == broken
+    page.goto(before)
+    settled(page)
+    expect(page.get_by_role("alert")).to_have_count(0)
+    expect(verdict(page)).to_have_class("verdict safe")
+    page.goto(broken)
+    change(page, PITCH, "0.44")
+    settled(page)
+    expect(page.get_by_role("alert")).to_have_count(0)
+    expect(verdict(page)).to_have_class("verdict unsafe")
+
+
+def test_nothing_comes_in_late_beside_a_link_that_cannot_be_read(opened: Opened) -> None:
+    page = opened()
+    questions = {"verdict": "verdicts", "limit/pitch": "pitches", "dance": "dances"}
+    held = [Held(page, name) for name in questions]
+    change(page, PITCH, "0.46")
+    for one in held:
+        one.wait(1)
+    page.goto(page.url.split("#")[0] + "#plan=nothing!")
+    for standing in questions.values():
+        until(page, f"benchdragon.{standing}.flying === null")
+    expect(verdict(page)).to_have_text("! No verdict: the plan in this link cannot be read.")
+
+
+def test_a_link_of_other_data_is_no_plan(opened: Opened) -> None:
+    page = opened()
+    text = urlsafe_b64encode(b'{"schema": 1}').decode().rstrip("=")
+    page.goto(page.url.split("#")[0] + f"#plan={text}")
+    expect(page.get_by_role("alert").locator("code")).to_have_text('{"schema": 1}')

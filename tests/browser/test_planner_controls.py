@@ -1,0 +1,175 @@
+"""The planner's controls: evidence, steps back, sizes, kinds of turns, keys, long questions' words."""
+
+import re
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.browser.pages import Device
+from tests.browser.planners import PITCH, Opened, change, number, settle, settled, verdict
+
+
+def test_the_evidence_is_one_click_away_and_leads_to_the_moment(opened: Opened) -> None:
+    page = opened()
+    change(page, PITCH, "0.44")
+    settled(page)
+    verdict(page).click()
+    dialog = page.get_by_role("dialog")
+    expect(dialog).to_contain_text("181.196253")
+    expect(dialog).to_contain_text("found")
+    dialog.get_by_role("button", name=re.compile("benches 1 and 19")).first.click()
+    expect(dialog).to_have_count(0)
+    expect(page.locator(".clock")).to_have_text("t = 181.20 s")
+
+
+def test_steps_go_back_and_forth_and_all_stands_in_the_address(opened: Opened) -> None:
+    page = opened()
+    benches = number(page, "number of benches")
+    undo, redo = (page.get_by_role("button", name=name) for name in ("undo", "redo"))
+    expect(undo).to_be_disabled()
+    change(page, "number of benches", "60")
+    expect(undo).to_be_enabled()
+    undo.click()
+    expect(benches).to_have_value("223")
+    redo.click()
+    expect(benches).to_have_value("60")
+    settled(page)
+    page.wait_for_url(re.compile("plan="))
+    before = page.url
+    page.reload()
+    expect(number(page, "number of benches")).to_have_value("60")
+    change(page, "number of benches", "50")
+    page.wait_for_url(lambda url: url != before)
+    page.goto(before)  # in the same window
+    expect(benches).to_have_value("60")
+    change(page, "number of benches", "50")
+    page.get_by_role("button", name="reset").click()
+    expect(benches).to_have_value("60")  # which the page was loaded with
+
+
+def test_a_wrong_plan_is_told_in_one_sentence_and_loses_nothing(opened: Opened) -> None:
+    page = opened()
+    change(page, "width of a bench", "-1")
+    settle(page, r"No verdict: plan: dragon\.width: wanted more than 0")
+    expect(verdict(page)).to_have_class("verdict none")
+    expect(page.locator("canvas")).to_be_visible()
+    expect(page.get_by_text("the picture is of an earlier plan")).to_be_visible()
+    assert page.get_by_text("wanted more than").filter(visible=True).count() == 1
+    page.locator("h1").click()
+    page.keyboard.press("Control+z")
+    settle(page, "Safe")
+    expect(page.locator(".limit")).to_have_text("smallest pitch: 0.450337 m (found)")
+
+
+def test_another_kind_of_turn_takes_along_what_belonged_to_the_former(opened: Opened) -> None:
+    page = opened()
+    page.get_by_label("begin with").select_option("turn")
+    settle(page, "Safe: tightest 27.9 cm")
+    page.get_by_label("kind of turn").select_option("arc-line-arc")
+    settle(page, "Safe: tightest (?!27.9)")
+    page.get_by_label("kind of turn").select_option("arc-arc-arc")
+    expect(number(page, "curvature of the middle arc")).to_have_value("0")
+    page.get_by_label("kind of turn").select_option("arc-arc")
+    settle(page, "Safe: tightest 27.9 cm")
+    expect(number(page, "ratio of the radii")).to_have_value("2")
+    expect(number(page, "ratio of the radii")).to_be_enabled()
+
+
+def test_every_control_has_a_name(opened: Opened) -> None:
+    page = opened()
+    nameless = page.evaluate(
+        """() => [...document.querySelectorAll("button, select, input:not([hidden])")]
+          .filter((one) => one.checkVisibility() && !one.ariaLabel && !one.textContent.trim())
+          .filter((one) => !one.labels?.[0]?.textContent.trim())
+          .map((one) => one.outerHTML)"""
+    )
+    assert nameless == []
+
+
+def test_keys_move_a_slider_of_the_plan_and_not_the_time_and_an_emptied_box_is_filled(
+    opened: Opened,
+) -> None:
+    page = opened(where="#t=soon&bench=x")  # an odd address does no harm
+    slider = page.get_by_role("slider", name=PITCH)
+    for _n in range(3):
+        slider.press("ArrowRight")
+    expect(number(page, PITCH)).to_have_value("0.556")
+    expect(page.locator(".clock")).to_have_text("t = 0.00 s")
+    change(page, "width of a bench", "")
+    expect(number(page, "width of a bench")).to_have_value("0.3")
+
+
+def test_another_dance_is_in_sight(opened: Opened) -> None:
+    """The dragon of Nanchang is twice as wide as the contest's."""
+    page = opened()
+    page.get_by_label("begin with").select_option("nanchang")
+    expect(page.locator("h1")).to_have_text("Nanchang")
+    far = page.evaluate(
+        """() => { const { boxes, camera } = benchdragon.player;
+          return Array.from(boxes.x, (x, n) => camera.toScreen(x, boxes.y[n]))
+            .filter(([px, py]) => Math.min(px, py) < 0 || px > camera.width || py > camera.height)
+            .length; }"""
+    )
+    assert far == 0
+
+
+def test_a_long_question_and_the_evidence_change_their_language_with_the_page(opened: Opened) -> None:
+    page = opened()
+    change(page, "number of benches", "20")
+    settled(page)
+    page.get_by_role("button", name="greatest head speed").click()
+    job = page.locator(".jobs li")
+    expect(job).to_contain_text("about this plan")
+    page.get_by_role("button", name="中文").click()
+    expect(job).to_contain_text("龙头最大速度")
+    expect(job).to_contain_text("针对当前方案")
+    settle(page, "安全")
+    verdict(page).click()
+    expect(page.get_by_role("row", name="首次碰撞")).to_contain_text("不会发生")
+
+
+def test_the_evidence_of_a_dance_on_a_square(opened: Opened) -> None:
+    """Its rows tell the edge and the well, and what bars the way whatever the pitch is told soon."""
+    page = opened()
+    page.evaluate(
+        """() => {
+          const plan = structuredClone(benchdragon.plan);
+          plan.venue = { rectangle: [40, 30] };
+          plan.obstacle = [{ kind: "circle", name: "well", centre: [9, 0], radius: 0.5 }];
+          benchdragon.change(plan, true);
+        }"""
+    )
+    settle(page, "bench 1 touches well at 0.0 s")
+    expect(page.locator(".limit")).to_have_text(re.compile("no solution"))
+    verdict(page).click()
+    rows = page.get_by_role("row")
+    expect(rows.filter(has_text="well").first).to_be_visible()
+    expect(rows.filter(has_text="the edge of the venue").first).to_be_visible()
+
+
+@pytest.mark.parametrize(
+    ("device", "language"), [("desktop", "en"), ("desktop", "zh"), ("phone", "en")]
+)
+def test_with_all_limits_set_the_controls_and_the_evidence_stay_in_sight(
+    opened: Opened, device: Device, language: str
+) -> None:
+    page = opened(device, f"#lang={language}")
+    page.evaluate(
+        """() => {
+          const plan = structuredClone(benchdragon.plan);
+          Object.assign(plan.limits, {
+            speed: 2, acceleration: 1, lateral_acceleration: 1, total_acceleration: 1, turning_rate: 60,
+          });
+          benchdragon.change(plan, true);
+        }"""
+    )
+    expect(verdict(page)).to_have_text(re.compile("rad/s"))
+    assert page.evaluate("document.querySelector('.verdicts').offsetHeight < 0.25 * innerHeight")
+    verdict(page).click()
+    if device == "desktop":
+        assert page.evaluate(
+            "(({ scrollWidth, clientWidth }) => scrollWidth <= clientWidth)"
+            "(document.querySelector('.evidence .scroll'))"
+        )
+    else:
+        expect(page.get_by_role("dialog")).to_contain_text("rad/s")
