@@ -8,10 +8,10 @@ NPM := $(shell command -v npm 2>/dev/null)
 # Two dances whose numbers are recorded: the same on every engine.
 RECORDED := tests/model/test_walk.py::test_a_built_in_dance_is_the_recorded_one_with_any_number_of_workers
 KERNELS := $(wildcard src/benchdragon/kernels/*.py tests/kernels/*.py tests/conftest.py tests/model/test_walk.py)
-# One process more than cores: tests wait for browsers and servers.
+# One process more than cores: tests wait for browsers.
 WORKERS := $(shell expr $$(getconf _NPROCESSORS_ONLN) + 1)
 # The kernels are built on one core while the other does what has no need of them; types are checked beside
-# the tests, which wait for browsers and servers.
+# the tests, which wait for browsers.
 MAKEFLAGS += --jobs=2
 # Tests start a hundred processes: those that may keep no bytecode would each compile the package anew.
 export PYTHONDONTWRITEBYTECODE :=
@@ -150,7 +150,7 @@ fonts: .venv/installed
 
 lock:
 	uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-annotate --no-header \
-	  --python-version 3.11 --extra data --extra prove --extra studio --extra video --extra cluster --extra refine --extra survey --group dev --group build --group docs pyproject.toml -o requirements.lock
+	  --python-version 3.11 --extra data --extra prove --extra video --extra cluster --extra refine --extra survey --group dev --group build --group docs pyproject.toml -o requirements.lock
 	uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-annotate --no-header \
 	  --python-version 3.11 --no-deps --group wasm -o requirements-wasm.lock
 
