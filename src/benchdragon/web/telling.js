@@ -25,7 +25,7 @@ export class Line {
    * @param {Plan} plan
    * @param {string} text
    * @param {State} [state]
-   * @param {string} [why] what the server said where there is no answer
+   * @param {string} [why] why there is no answer, if there is none
    */
   tell(plan, text, state = "", why = "") {
     this.told = { plan, text, state, why };
