@@ -27,7 +27,9 @@ from benchdragon.rosters.roster import Roster
 from benchdragon.sheets.briefing import Briefing
 from benchdragon.sheets.chalk import (
     FILES,
+    chalk_document,
     chalk_drawing,
+    edge_lengths,
     list_rows,
     write_chalk,
 )
@@ -136,6 +138,30 @@ def test_the_workbook_holds_the_list(
     assert (re.search(r"[一-鿿]", str(head)) is not None) == (language == "zh")
     with zipfile.ZipFile(path) as archive:
         assert 'pane xSplit="1" ySplit="1"' in archive.read("xl/worksheets/sheet1.xml").decode()
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_the_peg_and_the_directions_are_told_from_the_venues_edge(
+    language: str, folders: dict[str, Path], drawing: ChalkDrawing
+) -> None:
+    # Peg at (1, 2); the venue is 30 m by 24 m about (8, 3).
+    assert edge_lengths(drawing) == pytest.approx([22.0, 13.0, 8.0, 11.0])
+    reader = pypdf.PdfReader(folders[language] / "chalk.pdf")
+    about = CalamineWorkbook.from_path(folders[language] / "chalk.xlsx").get_sheet_by_index(1)
+    for text in (reader.pages[0].extract_text(), str(about.to_python())):
+        assert re.search(r"22\.000.*13\.000.*8\.000.*11\.000", text, re.DOTALL)
+        assert "You choose" not in text
+        assert "自己定" not in text
+
+
+def test_one_chooses_where_x_points_only_where_nothing_stands(briefing: Briefing) -> None:
+    plan = village(venue={}, obstacle=[])
+    free = chalk_drawing(briefed(plan), ChalkOptions())
+    assert edge_lengths(free) is None
+    assert "You choose on the ground" in str(chalk_document(free, "", "2026-11-23", 100.0).blocks)
+    outside = chalk_drawing(replace(briefing, told_peg=(40.0, 3.0)), ChalkOptions())
+    assert edge_lengths(outside) is None
+    assert "You choose" not in str(chalk_document(outside, "", "2026-11-23", 100.0).blocks)
 
 
 def _numbers_on(path: Path) -> dict[str, FloatArray]:

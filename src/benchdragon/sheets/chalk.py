@@ -5,6 +5,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+import numpy as np
+from shapely.geometry import LineString, Point, Polygon
+
 from benchdragon.analysis.marks import (
     ANGLE_STEP,
     LENGTH_STEP,
@@ -28,6 +31,8 @@ from benchdragon.sheets.briefing import Briefing
 from benchdragon.sheets.options import ChalkOptions
 
 FILES = ("chalk.pdf", "chalk-drawing.pdf", "chalk-tiles.pdf", "chalk.xlsx")
+# The ways x and y point, and against them.
+QUARTERS = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))
 # A cell of the list.
 Cell = str | int | float
 # Columns of the list: angles, and how wide they are beside one another in print.
@@ -140,16 +145,55 @@ def _about(drawing: ChalkDrawing, scale: float) -> Iterator[Paragraph]:
         count=len(marks), every=f"{drawing.every:g}",
         way=f"{drawing.trail.high - drawing.trail.low:.2f}", scale=f"{scale:g}", foot=drawing.foot,
     )  # fmt: skip
+    yield from _ground(drawing)
+
+
+def _ground(drawing: ChalkDrawing) -> Iterator[Paragraph]:
+    """Where the peg stands, and which way the axes point on the ground."""
+    marks = drawing.marks
     x, y = marks.peg
     yield say(_("The peg stands at x = {x} m, y = {y} m of the plan."), x=f"{x:.3f}", y=f"{y:.3f}")
-    yield say(
-        _("The plan's survey says where north is: along y. Bearings run clockwise from north.")
-        if marks.north
-        else _(
-            "The plan does not say where north is. Angles run counter-clockwise from the x axis; you "
-            "choose on the ground which way x points."
+    if marks.north:
+        yield say(
+            _("The plan's survey says where north is: along y. Bearings run clockwise from north.")
         )
-    )
+    else:
+        yield say(
+            _("The plan does not say where north is. Angles run counter-clockwise from the x axis.")
+        )
+        yield say(
+            _(
+                "On the drawing x points right and y points up. The drawing shows what stands on the "
+                "ground: turn it until both agree, and x and y point on the ground as they do on it."
+            )
+            if drawing.obstacles
+            else _("You choose on the ground which way x points.")
+        )
+    edges = edge_lengths(drawing)
+    if edges is not None:
+        text = _(
+            "From the peg to the venue's edge it is {first} m {a}, {second} m {b}, {third} m {c}, "
+            "{fourth} m {d}. Find the peg's place by these lengths, and the directions with it."
+        )
+        first, second, third, fourth = (f"{rounded(one, LENGTH_STEP):.3f}" for one in edges)
+        a, b, c, d = _names(marks)
+        yield say(text, first=first, second=second, third=third, fourth=fourth, a=a, b=b, c=c, d=d)
+
+
+def edge_lengths(drawing: ChalkDrawing) -> list[float] | None:
+    """From the peg to the venue's edge in the directions of QUARTERS, m.
+
+    None if the plan has no venue, or the peg stands outside it.
+    """
+    venue = next((one for one in drawing.obstacles if one.kind == "venue"), None)
+    peg = Point(drawing.marks.peg)
+    if venue is None or not Polygon(venue.outline).contains(peg):
+        return None
+    edge, start = Polygon(venue.outline).exterior, np.array(drawing.marks.peg)
+    # Longer than any way to the edge.
+    far = edge.length
+    rays = (LineString([start, start + far * np.array(quarter)]) for quarter in QUARTERS)
+    return [float(peg.distance(ray.intersection(edge))) for ray in rays]
 
 
 def _steps(marks: Marks) -> Iterator[Paragraph]:
@@ -177,17 +221,16 @@ def _steps(marks: Marks) -> Iterator[Paragraph]:
         yield say(text, reach=reach, across=across, first=direction[0], second=direction[1])
 
 
+def _names(marks: Marks) -> tuple[str, str, str, str]:
+    """The directions of QUARTERS in words."""
+    if marks.north:
+        return _("due east"), _("due north"), _("due west"), _("due south")
+    return _("the way x points"), _("the way y points"), _("against x"), _("against y")
+
+
 def _directions(marks: Marks) -> list[str]:
     """Where base points are from the peg, in words."""
-    quarters = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))
-    names = (
-        (_("due east"), _("due north"), _("due west"), _("due south"))
-        if marks.north
-        else (
-            _("the way x points"), _("the way y points"), _("against x"), _("against y"),
-        )
-    )  # fmt: skip
-    named = dict(zip(quarters, names, strict=True))
+    named = dict(zip(QUARTERS, _names(marks), strict=True))
     arms = ((marks.bases - marks.peg) / marks.reach).round().tolist()
     return [named[x + 0.0, y + 0.0] for x, y in arms]
 
@@ -229,6 +272,9 @@ def write_list(path: Path, drawing: ChalkDrawing) -> None:
         about = book.add_worksheet(_("About"))
         about.set_column(0, 0, 110, book.add_format({"text_wrap": True}))
         texts = [drawing.title, drawing.foot]
-        texts += ["".join(map(str, one.words)) for one in (*_steps(marks), *_exactness(marks))]
+        texts += [
+            "".join(map(str, one.words))
+            for one in (*_ground(drawing), *_steps(marks), *_exactness(marks))
+        ]
         for n, text in enumerate(texts):
             about.write_string(n, 0, text)
