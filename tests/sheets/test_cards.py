@@ -65,6 +65,34 @@ def test_a_sheet_says_what_its_bench_does_and_who_is_beside(
         assert "王五" in found[0], "who carries the bench behind"
 
 
+@pytest.mark.parametrize(
+    ("every", "language", "pattern"),
+    [
+        (None, "en", r"marks(\d+)and(\d+)ofthechalkplan,([\d.]+)mpastmark\1|atmark(\d+)of"),
+        (0.7, "zh", r"在放样图的(\d+)号和(\d+)号标点之间，沿线过\1号([\d.]+)米|在放样图的(\d+)号标点"),
+    ],
+)
+def test_a_sheet_says_between_which_chalk_marks_its_bench_starts(
+    tmp_path: Path, ours: Briefing, every: float | None, language: str, pattern: str
+) -> None:
+    wanted = ChalkOptions(every=every)
+    with spoken_in(language):
+        write_benches(tmp_path / "b.pdf", ours, Options(chalk=wanted))
+    drawing = chalk_drawing(ours, wanted)
+    ways = []
+    for bench, page in zip(ours.benches, pages(tmp_path / "b.pdf"), strict=True):
+        told = re.search(pattern, page)
+        assert told is not None
+        first, second, past, at = told.groups()
+        n = int(at or first) - 1
+        assert at or int(second) == n + 2
+        place = drawing.trail.route.point([drawing.marks.s[n] + float(past or 0.0)])[0]
+        assert np.abs(place - bench.place).max() < 0.0051
+        ways.append(at is None)
+    assert not ways[0], "the head starts at a mark"
+    assert any(ways)
+
+
 @pytest.mark.parametrize("survey", [[], ["survey.crs=EPSG:4549", "survey.origin=[500000,3000000]"]])
 def test_sheets_and_chalk_plan_measure_from_one_peg(
     tmp_path: Path, ours: Briefing, survey: list[str]

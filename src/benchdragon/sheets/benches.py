@@ -3,10 +3,16 @@
 from dataclasses import dataclass
 from typing import Literal
 
+import numpy as np
+
+from benchdragon.analysis.marks import SAME_MARK, Marks, rounded
 from benchdragon.explain.bench_walk import BenchText, bench_text
 from benchdragon.i18n import _
 from benchdragon.rosters.roster import Person
 from benchdragon.sheets.briefing import Briefing
+
+# Marks farther apart than this, in usual distances, have others of an earlier round between them.
+FARTHEST = 1.5
 
 
 @dataclass(frozen=True)
@@ -18,12 +24,14 @@ class Entry:
         called: what the village calls it.
         people: who carries it, a line each.
         text: what it does; benches beside it are named with their people.
+        marks: between which marks of the chalk plan it starts; "" where no two marks tell.
     """
 
     bench: int
     called: str
     people: tuple[str, ...]
     text: BenchText
+    marks: str
 
 
 @dataclass(frozen=True)
@@ -35,13 +43,27 @@ class Sheet:
 
 
 def bench_sheets(
-    briefing: Briefing, by: Literal["bench", "household"], phones: bool, most: int
+    briefing: Briefing,
+    by: Literal["bench", "household"],
+    phones: bool,
+    most: int,
+    every: float | None = None,
 ) -> list[Sheet]:
     """The sheets of a dance, the head's first, with so many benches of a household at most.
 
-    Benches of no household stand alone.
+    Benches of no household stand alone. Marks of the chalk plan are `every` m apart; None for as far
+    as usual.
+
+    Raises:
+        InputError: for marks that are too near or too many.
     """
-    entries = [_entry(briefing, found.bench, phones) for found in briefing.benches]
+    starts = briefing.report.walk.motion([briefing.report.start]).s[0]
+    marks = briefing.marks(every)
+    told = [mark_line(marks, float(starts[found.bench - 1])) for found in briefing.benches]
+    entries = [
+        _entry(briefing, found.bench, phones, line)
+        for found, line in zip(briefing.benches, told, strict=True)
+    ]
     if by == "bench":
         return [Sheet("", (entry,)) for entry in entries]
     groups: dict[str, list[Entry]] = {}
@@ -56,10 +78,31 @@ def bench_sheets(
     ]
 
 
-def _entry(briefing: Briefing, bench: int, phones: bool) -> Entry:
+def _entry(briefing: Briefing, bench: int, phones: bool, marks: str) -> Entry:
     people = tuple(_person(one, phones) for one in briefing.roster.people(bench))
     text = bench_text(briefing.plan, briefing.benches[bench - 1], briefing.named, briefing.peg)
-    return Entry(bench, briefing.called(bench), people, text)
+    return Entry(bench, briefing.called(bench), people, text, marks)
+
+
+def mark_line(marks: Marks, s: float) -> str:
+    """Where a front handle starts, m along the route, by the chalk plan's marks.
+
+    Empty where the marks about it are not its neighbours on the ground: where a closed line is walked
+    again, it has those of the first round.
+    """
+    last = len(marks) - 1
+    n = min(max(int(np.searchsorted(marks.s, s + SAME_MARK, side="right")) - 1, 0), last)
+    past = rounded(s - float(marks.s[n]), 0.01)
+    if abs(past) < 0.01:
+        return _("Your front handle starts at mark {n} of the chalk plan.").format(n=n + 1)
+    gap = float(marks.s[n + 1] - marks.s[n]) if n < last else 0.0
+    if past < 0.0 or gap > FARTHEST * float(np.median(np.diff(marks.s))):
+        return ""
+    text = _(
+        "Your front handle starts between marks {n} and {next} of the chalk plan, {past} m past mark "
+        "{n} along the line."
+    )
+    return text.format(n=n + 1, next=n + 2, past=f"{past:.2f}")
 
 
 def _person(person: Person, phones: bool) -> str:

@@ -7,7 +7,7 @@ from functools import cached_property
 from benchdragon.analysis.bench_walks import BenchWalk, bench_walks
 from benchdragon.analysis.check import Report
 from benchdragon.analysis.clock import Clock
-from benchdragon.analysis.marks import Trail, check_peg, own_peg
+from benchdragon.analysis.marks import Marks, Trail, check_peg, own_peg, placed_marks
 from benchdragon.i18n import _
 from benchdragon.model.base_curve import Point
 from benchdragon.plans.people import called
@@ -58,6 +58,21 @@ class Briefing:
     def peg(self) -> Point:
         """The peg on the ground from which all papers measure, m of the plan."""
         return own_peg(self.plan, self.report.walk.route) if self.told_peg is None else self.told_peg
+
+    @cached_property
+    def trail(self) -> Trail:
+        """What the dragon covers of its route."""
+        return Trail.of(self.report.walk, self.report.start, self.report.end)
+
+    def marks(self, every: float | None) -> Marks:
+        """The chalk plan's marks, so many m apart; None for its usual distance.
+
+        Raises:
+            InputError: for marks that are too near or too many.
+        """
+        apart = self.trail.usual_every if every is None else every
+        north, obstacles = self.plan.survey.north, self.plan.obstacles()
+        return placed_marks(self.trail, apart, self.peg, north=north, obstacles=obstacles)
 
     def called(self, bench: int) -> str:
         """What the village calls a bench (number, from 1), in the language in use."""

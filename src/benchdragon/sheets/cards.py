@@ -308,7 +308,8 @@ def _facts(entry: Entry, entries: int) -> list[Block]:
         *name,
         *(Block(line, 1.0, bold=True) for line in text.people),
         Block(text.tightest),
-        *(Block(line) for line in text.place),
+        *([Block(entry.marks)] if entry.marks else []),
+        *(Block(line, spare=bool(entry.marks)) for line in text.place),
         *(Block(line, spare=True) for line in text.stretches),
         Block(text.paces, 0.85, spare=True),
     ]
@@ -327,7 +328,7 @@ def write_benches(
 ) -> None:
     """Write the benches' sheets of a dance."""
     most = MOST_BENCHES if options.paper == "a4" and not options.night else 1
-    sheets = bench_sheets(briefing, options.by, options.phones, most)
+    sheets = bench_sheets(briefing, options.by, options.phones, most, options.chalk.every)
     cards = Cards(briefing, options.paper, options.night, repr(sheets))
     cards.write_all(sheets, progress)
     with whole_bytes(path) as made:

@@ -13,8 +13,6 @@ from benchdragon.analysis.marks import (
     LENGTH_STEP,
     Kind,
     Marks,
-    Trail,
-    placed_marks,
     rounded,
 )
 from benchdragon.errors import InputError
@@ -45,12 +43,10 @@ def chalk_drawing(briefing: Briefing, options: ChalkOptions) -> ChalkDrawing:
     Raises:
         InputError: for marks that are too near or too many.
     """
-    report = briefing.report
-    plan, trail = report.plan, Trail.of(report.walk, report.start, report.end)
-    obstacles = plan.obstacles()
+    plan, trail = briefing.plan, briefing.trail
     every = trail.usual_every if options.every is None else options.every
-    marks = placed_marks(trail, every, briefing.peg, north=plan.survey.north, obstacles=obstacles)
-    return ChalkDrawing(plan.title(language()), marks, trail, obstacles, every, briefing.foot)
+    marks = briefing.marks(options.every)
+    return ChalkDrawing(plan.title(language()), marks, trail, plan.obstacles(), every, briefing.foot)
 
 
 def write_chalk(briefing: Briefing, folder: Path, options: ChalkOptions) -> list[Path]:
