@@ -1,6 +1,7 @@
 """Answers for readers: value, how it was established, where and when it comes about."""
 
 import math
+import warnings
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -23,6 +24,19 @@ def about(plan: "Plan", lines: list[str]) -> dict[str, Any]:
     """What every JSON answer ends with: the lines of --explain, if any, plan and version."""
     explained: dict[str, Any] = {"explanation": lines} if lines else {}
     return {**explained, "plan_sha256": plan.sha256, "version": __version__}
+
+
+def warn_of_outside(plan: "Plan") -> None:
+    """Warn of obstacles wholly outside the venue: x and y may have been taken for each other."""
+    from benchdragon.analysis.findings import named
+    from benchdragon.model.outline import outside_venue
+
+    for obstacle in outside_venue(plan.obstacles()):
+        text = _(
+            "{name} lies wholly outside the venue; if it stands inside, its x (to the right) and y "
+            "(ahead) may have changed places: look at both"
+        )
+        warnings.warn(text.format(name=named(obstacle)), stacklevel=2)
 
 
 def print_title(plan: "Plan") -> None:

@@ -13,6 +13,7 @@ from benchdragon.cli.answers import (
     print_answer,
     print_distance,
     print_title,
+    warn_of_outside,
 )
 from benchdragon.cli.console import print_explanation, print_files, shown_progress
 from benchdragon.cli.options import (
@@ -74,6 +75,7 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
         from benchdragon.export.check_files import planned_files, write_files
 
         files = planned_files(folder, options["formats"].split(","), options["force"])
+    warn_of_outside(read)
     with shown_progress(quiet) as progress:
         report = checked(read, progress, prove=options["prove"])
         if files:

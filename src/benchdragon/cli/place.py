@@ -7,7 +7,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from benchdragon.cli.answers import NO_SOLUTION, about, print_answer, print_distance, print_title
+from benchdragon.cli.answers import (
+    NO_SOLUTION,
+    about,
+    print_answer,
+    print_distance,
+    print_title,
+    warn_of_outside,
+)
 from benchdragon.cli.console import print_files, shown_progress
 from benchdragon.cli.options import (
     FILE,
@@ -51,6 +58,7 @@ def place(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     path: Path | None = options["plan_file"]
     read = read_to_write(plan, settings, quiet, "--plan-file", path)
     refuse_existing([] if path is None else [path], options["force"])
+    warn_of_outside(read)
     with shown_progress(quiet) as progress:
         best = best_place(read, progress=progress)
     fits = best.room.status != "infeasible"

@@ -1,6 +1,7 @@
 """Outlines of obstacles and of the margins about them: for shapely, for pictures and for pages."""
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -24,6 +25,17 @@ def shape_of(obstacle: Obstacle) -> "BaseGeometry":
     if obstacle.kind == "line":
         return shapely.LineString(obstacle.outline)
     return shapely.Polygon(obstacle.outline)
+
+
+def outside_venue(obstacles: Sequence[Obstacle]) -> list[Obstacle]:
+    """Which of obstacles lie wholly outside the venue among them; none where none is a venue."""
+    venues = [shape_of(one) for one in obstacles if one.kind == "venue"]
+    return [
+        one
+        for one in obstacles
+        for venue in venues
+        if one.kind != "venue" and venue.distance(shape_of(one)) > one.radius
+    ]
 
 
 def drawn_outline(obstacle: Obstacle) -> FloatArray:
