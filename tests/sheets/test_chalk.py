@@ -118,6 +118,7 @@ def test_the_pdf_prints_the_list(
     assert (re.search(r"[一-鿿]", text) is not None) == (language == "zh")
     assert ("from the peg" in text) == (language == "en")
     assert "1:100" in text
+    assert re.search(r"chalk-drawing\.pdf (is|是) A3", text)
     assert drawing.foot[:12] in text
     assert f"{math.ceil(1000.0 * drawing.marks.tape_error)} " in text
 
@@ -158,10 +159,14 @@ def test_one_chooses_where_x_points_only_where_nothing_stands(briefing: Briefing
     plan = village(venue={}, obstacle=[])
     free = chalk_drawing(briefed(plan), ChalkOptions())
     assert edge_lengths(free) is None
-    assert "You choose on the ground" in str(chalk_document(free, "", "2026-11-23", 100.0).blocks)
+    assert "You choose on the ground" in str(
+        chalk_document(free, "", "2026-11-23", free.sheet(None, 200.0)).blocks
+    )
     outside = chalk_drawing(replace(briefing, told_peg=(40.0, 3.0)), ChalkOptions())
     assert edge_lengths(outside) is None
-    assert "You choose" not in str(chalk_document(outside, "", "2026-11-23", 100.0).blocks)
+    assert "You choose" not in str(
+        chalk_document(outside, "", "2026-11-23", outside.sheet(None, 200.0)).blocks
+    )
 
 
 def _numbers_on(path: Path) -> dict[str, FloatArray]:

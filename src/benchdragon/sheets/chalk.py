@@ -21,7 +21,7 @@ from benchdragon.export.pages import write_pdf
 from benchdragon.export.tables import workbook
 from benchdragon.export.tiles import write_tiles
 from benchdragon.figures.chalk import BASES, ChalkDrawing, chalk_picture
-from benchdragon.figures.scale import PAPERS
+from benchdragon.figures.scale import PAPERS, Sheet
 from benchdragon.figures.style import write_picture
 from benchdragon.files import whole_bytes
 from benchdragon.i18n import _, language
@@ -75,7 +75,7 @@ def write_chalk(briefing: Briefing, folder: Path, options: ChalkOptions) -> list
         paths[1].read_bytes(), paths[2], PAPERS[options.tile][::-1], title, drawing.foot,
         briefing.checked_on,
     )  # fmt: skip
-    document = chalk_document(drawing, title, briefing.checked_on, sheet.scale)
+    document = chalk_document(drawing, title, briefing.checked_on, sheet)
     with TemporaryDirectory() as none:
         write_pdf(paths[0], document, Path(none))
     write_list(paths[3], drawing)
@@ -113,7 +113,7 @@ def _printed(value: Cell, column: int) -> str:
     return f"{value:z.{2 if column == ANGLE else 3}f}" if isinstance(value, float) else str(value)
 
 
-def chalk_document(drawing: ChalkDrawing, title: str, date: str, scale: float) -> Document:
+def chalk_document(drawing: ChalkDrawing, title: str, date: str, sheet: Sheet) -> Document:
     """How the marks are laid out, and their list."""
     marks = drawing.marks
     rows = tuple(
@@ -121,7 +121,7 @@ def chalk_document(drawing: ChalkDrawing, title: str, date: str, scale: float) -
     )
     table = Table("marks", _("Marks on the ground"), _columns(marks), WIDTHS, rows, numbers=True)
     blocks: tuple[Block, ...] = (
-        *_about(drawing, scale),
+        *_about(drawing, sheet),
         Heading(_("How to lay it out"), "how"),
         *_steps(marks),
         Heading(_("How exact it is"), "exact"),
@@ -131,7 +131,7 @@ def chalk_document(drawing: ChalkDrawing, title: str, date: str, scale: float) -
     return Document(title, language(), date, blocks, drawing.foot)
 
 
-def _about(drawing: ChalkDrawing, scale: float) -> Iterator[Paragraph]:
+def _about(drawing: ChalkDrawing, sheet: Sheet) -> Iterator[Paragraph]:
     marks = drawing.marks
     yield say(
         _(
@@ -139,8 +139,19 @@ def _about(drawing: ChalkDrawing, scale: float) -> Iterator[Paragraph]:
             "{way} m of route. The drawing is to scale 1:{scale}. Plan {foot}."
         ),
         count=len(marks), every=f"{drawing.every:g}",
-        way=f"{drawing.trail.high - drawing.trail.low:.2f}", scale=f"{scale:g}", foot=drawing.foot,
+        way=f"{drawing.trail.high - drawing.trail.low:.2f}", scale=f"{sheet.scale:g}",
+        foot=drawing.foot,
     )  # fmt: skip
+    sides = sorted((sheet.width, sheet.height))
+    paper = next(name for name, size in PAPERS.items() if sorted(size) == sides)
+    if paper != "A4":
+        yield say(
+            _(
+                "chalk-drawing.pdf is {paper}. On A4 print chalk-tiles.pdf instead, or write the "
+                "drawing again with --paper-size A4 if it fits."
+            ),
+            paper=paper,
+        )
     yield from _ground(drawing)
 
 
