@@ -34,7 +34,7 @@ def warn_of_outside(plan: "Plan") -> None:
     for obstacle in outside_venue(plan.obstacles()):
         text = _(
             "{name} lies wholly outside the venue; if it stands inside, its x (to the right) and y "
-            "(ahead) may have changed places: look at both"
+            "(ahead) may have been exchanged: check both"
         )
         warnings.warn(text.format(name=named(obstacle)), stacklevel=2)
 

@@ -171,7 +171,7 @@ def _ground(drawing: ChalkDrawing) -> Iterator[Paragraph]:
         yield say(
             _(
                 "On the drawing x points right and y points up. The drawing shows what stands on the "
-                "ground: turn it until both agree, and x and y point on the ground as they do on it."
+                "ground: lay it so that both agree, and x and y point on the ground as they do on it."
             )
             if drawing.obstacles
             else _("You choose on the ground which way x points.")
