@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from shapely import Polygon
 
-from benchdragon.analysis.bench_nearness import STRAIGHT
+from benchdragon.analysis.bench_nearness import STRAIGHT, beside
 from benchdragon.analysis.bench_walks import (
     SHORTEST,
     STEP,
@@ -18,7 +18,7 @@ from benchdragon.analysis.bench_walks import (
     bench_walks,
 )
 from benchdragon.analysis.distance import boxes
-from benchdragon.kernels.box import corner
+from benchdragon.kernels.box import CX, CY, UX, UY, corner
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.curves import Line, Route
 from benchdragon.model.walk import Walk
@@ -202,6 +202,29 @@ def test_sides_are_told_as_a_bearer_who_looks_ahead_sees_them(
     assert told[0].left is not None
     assert told[0].right is None
     assert told[told[0].left - 1].right in (1, 2)
+
+
+@pytest.mark.parametrize("pitch", [1.5, 0.7])
+def test_the_bench_beside_is_the_one_most_abreast_of_the_nearest_coil(pitch: float) -> None:
+    walk = COIL.model_copy(update={"route": COIL.route.model_copy(update={"pitch": pitch})}).build()
+    placed = walk.motion([0.0])
+    table, seen = boxes(placed, 0), 0
+    for k, sides in enumerate(beside(placed)):
+        turned = complex(*table[k, [UX, UY]])
+        apart = (table[:, CX] + 1j * table[:, CY] - complex(*table[k, [CX, CY]])) / turned
+        for other, sign in zip(sides, (1.0, -1.0), strict=True):
+            if other is None:
+                continue
+            mine = apart[other - 1]
+            # Nobody stands between: of the next coil, not of the one after it.
+            between = (np.abs(apart.real) < 0.6) & (sign * apart.imag > 0.1)
+            between &= sign * apart.imag < sign * mine.imag - 0.5 * pitch
+            assert sign * mine.imag > 0.0
+            assert not between.any()
+            coil = [j for j in (other - 2, other) if 0 <= j < len(table) and abs(j - k) > 1]
+            assert all(abs(apart[j].real) >= abs(mine.real) for j in coil if sign * apart[j].imag > 0.0)
+            seen += 1
+    assert seen > 40
 
 
 def test_what_is_known_to_be_kept_narrows_the_bracket(

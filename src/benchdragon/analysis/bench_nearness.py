@@ -120,8 +120,8 @@ def side_of(table: FloatArray, k: int, point: tuple[float, float]) -> Side:
 def beside(placed: Placement) -> list[tuple[int | None, int | None]]:
     """The numbers of the benches next to each on its left and on its right, at the first position.
 
-    That is the nearest whose middle is level with it, not a neighbour and no more than BESIDE metres
-    away; None where there is none.
+    Of each line of benches that passes, no neighbours and no more than BESIDE metres away, that is the
+    one most abreast, and of these the one of the nearest line; None where there is none.
     """
     table = boxes(placed, 0)
     first, second = pairs_within(table, BESIDE)
@@ -131,15 +131,24 @@ def beside(placed: Placement) -> list[tuple[int | None, int | None]]:
     along, across = apart[:, 0] * ux + apart[:, 1] * uy, apart[:, 1] * ux - apart[:, 0] * uy
     level = np.abs(along) <= table[mine, kernel.HALF_LENGTH] + 0.5 * table[other, kernel.HALF_LENGTH]
     near = np.abs(across) <= BESIDE + table[mine, kernel.HALF_WIDTH] + table[other, kernel.HALF_WIDTH]
-    sides = [_nearest(mine, other, sign * across, level & near, len(table)) for sign in (1.0, -1.0)]
+    sides = [
+        _nearest(mine[rows], other[rows], np.abs(along[rows]), np.abs(across[rows]), len(table))
+        for rows in (level & near & (across > 0.0), level & near & (across < 0.0))
+    ]
     return list(zip(*sides, strict=True))
 
 
 def _nearest(
-    mine: IntArray, other: IntArray, across: FloatArray, fits: "np.typing.NDArray[np.bool_]", count: int
+    mine: IntArray, other: IntArray, along: FloatArray, across: FloatArray, count: int
 ) -> list[int | None]:
-    """The number of the nearest of the others of each bench that lies on the positive side."""
-    rows = np.flatnonzero(fits & (across > 0.0))
+    """The number of the other that is beside each bench, of those on one side of it."""
+    rows = np.lexsort((other, mine))
+    next_to = (np.diff(mine[rows]) == 0) & (np.diff(other[rows]) == 1)
+    gains = np.diff(along[rows])
+    abreast = np.ones(len(rows), dtype=np.bool_)
+    abreast[1:] &= ~(next_to & (gains > 0.0))
+    abreast[:-1] &= ~(next_to & (gains < 0.0))
+    rows = rows[abreast]
     rows = rows[np.lexsort((across[rows], mine[rows]))]
     found: list[int | None] = [None] * count
     benches, at = np.unique(mine[rows], return_index=True)
