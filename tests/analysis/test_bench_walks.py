@@ -162,7 +162,7 @@ def test_the_tightest_moment_is_bracketed_and_no_one_comes_nearer(
         assert near is not None
         assert near.bench - 1 in others
         assert near.lower <= seen + 1e-9
-        assert near.upper <= seen + 1e-3
+        assert near.upper <= seen + 2e-6
         then = outlines(walk, near.time)
         assert then[k].distance(then[near.bench - 1]) == pytest.approx(near.upper, abs=1e-6)
         assert near.upper - near.lower < 0.35

@@ -21,8 +21,9 @@ REACH, BESIDE = 1.5, 1.5
 # REACH: nearer than half of that, which takes a bend of more than half a turn. The others are next in
 # line and near at all times, which tells a bearer nothing.
 STRAIGHT = 2.0 * REACH
-# Distances that differ by less than this, m, count as equal: the sooner is told.
-LEVEL = 1e-3
+# Distances that differ by less than this, m, count as equal, and the sooner is told: in a steady coil
+# they stay the same for long, and rounding must not choose the moment.
+LEVEL = 1e-6
 # How often the time about a least distance is narrowed.
 SHRINKS = 6
 
