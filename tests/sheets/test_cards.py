@@ -14,8 +14,9 @@ import zxingcpp
 from fpdf import FPDF
 from pypdf import PdfReader
 
+from benchdragon.analysis.bench_nearness import Tightest
 from benchdragon.errors import InputError
-from benchdragon.explain.bench_walk import bench_text
+from benchdragon.explain.bench_walk import bench_text, tightest_line
 from benchdragon.i18n import spoken_in
 from benchdragon.rosters.roster import Person, Roster
 from benchdragon.sheets.briefing import Briefing, briefing_of
@@ -23,7 +24,7 @@ from benchdragon.sheets.cards import LEAST_MAP, write_benches
 from benchdragon.sheets.chalk import chalk_drawing, list_rows
 from benchdragon.sheets.checked import Record
 from benchdragon.sheets.options import ChalkOptions, Options
-from benchdragon.sheets.overview import write_overview
+from benchdragon.sheets.overview import overview, write_overview
 from benchdragon.sheets.small_map import Frame, SmallMap
 from tests.sheets.village import small
 
@@ -223,3 +224,21 @@ def test_sheets_and_overview_tell_times_by_one_clock(tmp_path: Path, clock: str)
     assert witness is not None
     assert witness.time is not None
     assert re.search(rf"Safe:[^.]*,at{paced.clock.tell(witness.time)}\D", overview)
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_the_overview_lists_the_tightest_three_of_different_benches_first(
+    ours: Briefing, language: str
+) -> None:
+    gaps = {2: (0.9, 6), 6: (0.9, 2), 3: (0.7, 7), 4: (0.8, 8), 5: (0.95, 1)}
+    told = {n: Tightest(float(n), other, "left", gap, gap) for n, (gap, other) in gaps.items()}
+    benches = tuple(replace(one, tightest=told.get(one.bench)) for one in ours.benches)
+    with spoken_in(language):
+        given = replace(ours, benches=benches)
+        blocks = overview(given, phones=False).blocks
+        at = next(n for n, one in enumerate(blocks) if getattr(one, "anchor", "") == "tightest")
+        lines = [str(one) for one in blocks[at + 1 : at + 4]]
+        for line, bench in zip(lines, (3, 4, 2), strict=True):
+            assert tightest_line(told[bench], given.clock, given.called) in line
+            assert given.called(bench) in line
+        assert tightest_line(told[5], given.clock, given.called) not in str(blocks[at + 4])

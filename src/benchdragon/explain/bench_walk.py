@@ -79,7 +79,7 @@ def bench_text(plan: Plan, found: BenchWalk, called: Callable[[int], str], peg: 
         _("Hurry means {hurry} m/s or more, run {run} m/s or more; below {still} m/s you wait.").format(
             hurry=f"{plan.people.hurry_from:g}", run=f"{plan.people.run_from:g}", still=f"{STILL:g}"
         ),
-        _tightest_line(found.tightest, clock, called),
+        tightest_line(found.tightest, clock, called),
         _people_lines(found, called),
         clock.legend,
     )
@@ -181,7 +181,7 @@ def _stretch_line(one: Stretch, clock: Clock, step: float) -> str:
     )  # fmt: skip
 
 
-def _tightest_line(near: Tightest | None, clock: Clock, called: Callable[[int], str]) -> str:
+def tightest_line(near: Tightest | None, clock: Clock, called: Callable[[int], str]) -> str:
     """When a bench of another coil comes nearest, which, on which side and how near."""
     if near is None:
         text = _("No bench of another coil comes within about {reach} m of you.")

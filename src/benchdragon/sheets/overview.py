@@ -5,7 +5,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from benchdragon.analysis.check import sentence
-from benchdragon.explain.bench_walk import bench_text
+from benchdragon.explain.bench_walk import bench_text, tightest_line
 from benchdragon.explain.room import level_line
 from benchdragon.export.document import Block, Document, Heading, Paragraph, Picture, Table, say
 from benchdragon.export.pages import write_pdf
@@ -17,6 +17,8 @@ from benchdragon.sheets.small_map import Frame, SmallMap
 
 # Signs of people's names in a row, which must not be taller than a page.
 MOST_SIGNS = 500
+# Tightest moments that are listed, of different benches.
+MOST_TIGHT = 3
 # Size of the map, mm.
 MAP = Frame(0.0, 0.0, 178.0, 150.0)
 
@@ -33,6 +35,7 @@ def overview(briefing: Briefing, phones: bool) -> Document:
             date=briefing.checked_on, benches=benches, people=briefing.roster.persons,
         ),
         *_numbering(briefing),
+        *_tightest(briefing),
         *_room(briefing),
         *_notes(briefing),
         Heading(_("Where each bench starts"), "starts"),
@@ -43,6 +46,22 @@ def overview(briefing: Briefing, phones: bool) -> Document:
     ]  # fmt: skip
     title = briefing.plan.title(language()) or _("Overview")
     return Document(title, language(), briefing.checked_on, tuple(blocks), briefing.foot)
+
+
+def _tightest(briefing: Briefing) -> list[Block]:
+    """The tightest moments, each told of one bench: where marshals stand."""
+    found = [(one.tightest.upper, one.bench, one.tightest) for one in briefing.benches if one.tightest]
+    lines: list[Block] = []
+    told: set[int] = set()
+    for _gap, bench, near in sorted(found, key=lambda one: one[:2]):
+        if len(lines) < MOST_TIGHT and told.isdisjoint((bench, near.bench)):
+            told |= {bench, near.bench}
+            said = _("{bench}: {tightest}").format(
+                bench=briefing.called(bench),
+                tightest=tightest_line(near, briefing.clock, briefing.called),
+            )
+            lines.append(Paragraph((said,)))
+    return [Heading(_("Tightest places"), "tightest"), *lines] if lines else []
 
 
 def _room(briefing: Briefing) -> list[Block]:
