@@ -40,10 +40,15 @@ function slots(parameter) {
   return parameter.fields.reduce((sum, field) => sum + slots(field), 0);
 }
 
+/** There is not as much memory as was wanted. */
+export class NoMemory extends RangeError {
+  name = "RangeError";
+}
+
 export class Engine {
-  /** @param {BufferSource} bytes those of engine.wasm */
-  static async load(bytes) {
-    const module = await WebAssembly.compile(bytes);
+  /** @param {BufferSource | WebAssembly.Module} code the bytes of engine.wasm, or what was compiled of them */
+  static async load(code) {
+    const module = code instanceof WebAssembly.Module ? code : await WebAssembly.compile(code);
     const [told] = WebAssembly.Module.customSections(module, SECTION);
     const { entries } = JSON.parse(new TextDecoder().decode(told));
     const { exports } = await WebAssembly.instantiate(module);
@@ -69,8 +74,13 @@ export class Engine {
   #room(count) {
     // A length too great for an address would be cut to a small one.
     const address = SLOT * count < 2 ** 32 ? this.exports.malloc(SLOT * count) >>> 0 : 0;
-    if (!address) throw new RangeError(`no memory for ${count} numbers`);
+    if (!address) throw new NoMemory(`no memory for ${count} numbers`);
     return address;
+  }
+
+  /** Bytes of memory that it holds, which never become fewer. */
+  get held() {
+    return this.exports.memory.buffer.byteLength;
   }
 
   /** Room for an array; what stands in it is not said. @param {Code} code @param {number[]} shape */
@@ -98,7 +108,7 @@ export class Engine {
     const block = new Block(this.exports.memory, this.block, this.blockSlots);
     parameters.forEach((parameter, n) => block.put(parameter, parameter.name, values[n]));
     const code = this.exports[name](this.block);
-    if (code) throw new Error(`${name} ended with code ${code}: no memory for its scratch`);
+    if (code) throw new NoMemory(`${name} ended with code ${code}: no memory for its scratch`);
     const after = new Block(this.exports.memory, this.block, this.blockSlots);
     return results.map((kind, n) => Number(after[kind][block.next + n]));
   }

@@ -25,7 +25,7 @@ export async function start() {
     return;
   }
   try {
-    const engine = await inflated(held("engine"));
+    const engine = await WebAssembly.compile(await inflated(held("engine")));
     const script = new Blob([held("worker")], { type: "text/javascript" });
     const answers = new WorkerAnswers(URL.createObjectURL(script), {
       engine,

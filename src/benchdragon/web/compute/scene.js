@@ -222,7 +222,8 @@ function joints(walk, { start, step, count, places }, behind) {
     const [low, high] = [s[0] + PLAYER_FRAMES.QUANTUM, s[s.length - 1] - PLAYER_FRAMES.QUANTUM];
     inner.forEach((joint, n) => {
       const time = interpolated(joint, s, times);
-      if (low < joint && joint < high) found.push(occasion("joint", time, () => jointText(n + 1, head)));
+      if (low < joint && joint < high)
+        found.push(occasion("joint", time, () => jointText(n + 1, head)));
     });
   }
   return found;

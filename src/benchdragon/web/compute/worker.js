@@ -1,7 +1,7 @@
 // The planner's Worker: hears questions and answers them one after another, the oldest first.
 
-import { Engine } from "../engine.js";
-import { speak, useWords } from "../words.js";
+import { Engine, NoMemory } from "../engine.js";
+import { _, speak, useWords } from "../words.js";
 import { BenchDragonError } from "./errors.js";
 import { checkedPlan } from "./plan.js";
 import { QUESTIONS, openedPlan } from "./questions.js";
@@ -16,8 +16,8 @@ import { QUESTIONS, openedPlan } from "./questions.js";
  * @property {string} [text]
  */
 
-/** What comes first: the engine's bytes, Chinese for English sentences, the version of the program.
- * @typedef {{ engine: ArrayBuffer, words: Record<string, string>, version: string }} Beginning */
+/** What comes first: the engine, compiled, Chinese for English sentences, the version of the program.
+ * @typedef {{ engine: WebAssembly.Module, words: Record<string, string>, version: string }} Beginning */
 
 /**
  * What is said: once that it is ready, and for what; of each question how far it is, and at last its answer,
@@ -37,9 +37,24 @@ import { QUESTIONS, openedPlan } from "./questions.js";
 /** A question that nobody waits for any more. */
 class CancelledError extends Error {}
 
+/** An engine that holds more bytes than this after a question gives way to a new one. */
+export const MOST_HELD = 500e6;
+
+/** A dance that is checked at once, and calls most of what checks call. */
+const SMALL = {
+  schema: 1,
+  dragon: { benches: 5 },
+  route: { kind: "turn" },
+  walk: { start: -20, end: 20 },
+};
+
+/** The number of no question. */
+const WARMING = 0;
+
 class Desk {
-  /** @param {Engine} engine @param {string} version @param {Port} port */
-  constructor(engine, version, port) {
+  /** @param {WebAssembly.Module} module @param {Engine} engine that of it @param {string} version @param {Port} port */
+  constructor(module, engine, version, port) {
+    this.module = module;
     this.engine = engine;
     this.version = version;
     this.port = port;
@@ -63,11 +78,28 @@ class Desk {
     else this.waiting = this.waiting.filter((asked) => asked.id !== id);
   }
 
+  /** Let the browser compile what questions will call, until the first is asked. */
+  async warm() {
+    if (this.busy !== null) return;
+    this.busy = WARMING;
+    const { engine, version } = this;
+    const progress = () => {
+      if (this.waiting.length) throw new CancelledError();
+    };
+    try {
+      await QUESTIONS.verdict({ engine, version, plan: checkedPlan(SMALL), progress });
+    } catch (error) {
+      if (!(error instanceof CancelledError)) throw error;
+    }
+    this.#work();
+  }
+
   async #work() {
     for (let asked = this.waiting.shift(); asked; asked = this.waiting.shift()) {
       this.busy = asked.id;
       this.cancelled = false;
       await this.#answer(asked);
+      if (this.engine.held > MOST_HELD) this.engine = await Engine.load(this.module);
     }
     this.busy = null;
   }
@@ -91,11 +123,19 @@ class Desk {
       this.port.postMessage({ id, hash, answer }, buffers(answer));
     } catch (error) {
       if (error instanceof CancelledError) return;
-      if (error instanceof BenchDragonError)
-        this.port.postMessage({ id, hash, refusal: error.message }, []);
+      const refusal = refusalOf(error);
+      if (refusal) this.port.postMessage({ id, hash, refusal }, []);
       else this.port.postMessage({ fault: String(error) }, []);
     }
   }
+}
+
+/** Why a question has no answer; null where the program is wrong. @param {unknown} error */
+function refusalOf(error) {
+  if (error instanceof BenchDragonError) return error.message;
+  if (error instanceof NoMemory)
+    return _("This browser has not enough memory for that: the command line may have.");
+  return null;
 }
 
 /** The memory of lists of numbers in an answer, which is handed over. @param {unknown} answer */
@@ -112,10 +152,11 @@ export function serve(port) {
     const early = [];
     port.onmessage = (event) => early.push(event);
     try {
-      const desk = new Desk(await Engine.load(engine), version, port);
+      const desk = new Desk(engine, await Engine.load(engine), version, port);
       port.onmessage = ({ data }) => desk.hear(data);
       port.postMessage({ ready: Object.keys(QUESTIONS) }, []);
       for (const { data } of early) desk.hear(data);
+      await desk.warm();
     } catch (error) {
       port.postMessage({ fault: String(error) }, []);
     }

@@ -1,0 +1,67 @@
+// A Worker's life: node serve_worker.mjs MODULES ENGINE.wasm PLAN.json, what came of it as JSON.
+import { readFileSync } from "node:fs";
+import { pathToFileURL } from "node:url";
+
+const [modules, wasm, file] = process.argv.slice(2);
+const { MOST_HELD, serve } = await import(pathToFileURL(`${modules}/compute/worker.js`));
+const plan = JSON.parse(readFileSync(file, "utf8"));
+
+const PAGE = 65_536;
+const engines = [];
+let empty = false;
+const instantiate = WebAssembly.instantiate;
+WebAssembly.instantiate = async (module) => {
+  const { exports } = await instantiate(module);
+  const malloc = (bytes) => (empty ? 0 : exports.malloc(bytes));
+  engines.push({ exports, calls: 0 });
+  const mine = engines.at(-1);
+  const counted = Object.entries(exports).map(([name, value]) => [
+    name,
+    typeof value === "function" ? (...values) => (mine.calls++, value(...values)) : value,
+  ]);
+  return { exports: { ...Object.fromEntries(counted), malloc } };
+};
+
+const engine = await WebAssembly.compile(readFileSync(wasm));
+const rest = () => new Promise((resolve) => setTimeout(resolve, 500));
+
+/** A Worker that is ready: what it says, and how it is asked. */
+async function begun() {
+  const heard = [];
+  const waiting = [];
+  const port = {
+    postMessage: (said) => {
+      if ("progress" in said) return;
+      heard.push(said.id ?? null);
+      waiting.shift()?.(said);
+    },
+  };
+  const next = () => new Promise((resolve) => waiting.push(resolve));
+  const ready = next();
+  serve(port);
+  port.onmessage({ data: { engine, words: {}, version: "1" } });
+  await ready;
+  let id = 0;
+  const ask = () => {
+    const said = next();
+    port.onmessage({ data: { id: ++id, question: "verdict", language: "en", plan } });
+    return said;
+  };
+  return { heard, ask };
+}
+
+await begun();
+await rest();
+const warmed = engines.pop().calls;
+const { heard, ask } = await begun();
+const asked = await ask(); // while it warms up
+engines[0].exports.memory.grow(Math.ceil(MOST_HELD / PAGE));
+const large = await ask();
+await rest();
+const after = engines.length;
+empty = true;
+const without = await ask();
+empty = false;
+const again = await ask();
+process.stdout.write(JSON.stringify({ warmed, asked, large, after, without, again, heard }));
+process.exit();
