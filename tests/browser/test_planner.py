@@ -89,10 +89,37 @@ def test_a_plan_file_is_opened_and_saved(opened: Opened, tmp_path: Path) -> None
     change(page, PITCH["en"], "1.75")
     with page.expect_download() as saved:
         page.get_by_role("button", name="save the plan file").click()
-    assert saved.value.suggested_filename == "dance.dragon.toml"
+    assert saved.value.suggested_filename == "dance-9.dragon.toml"
     again = tmp_path / "again.dragon.toml"
     saved.value.save_as(again)
     assert read_plan(str(again)).sha256 == read_plan(str(path), ["route.pitch=1.75"]).sha256
+
+
+@pytest.mark.parametrize(
+    ("title", "language", "name"),
+    [
+        ("On the village square", "en", "On-the-village-square-7"),
+        ('CON: a/b\\c "d" <e>|f? * $(g) ..', "en", "CON-a-b-c-d-e-f-g-7"),
+        ("村里的广场", "zh", "村里的广场-7"),
+        ("...", "en", "dance-7"),
+        ("x" * 200, "en", "x" * 60 + "-7"),
+    ],
+)
+def test_a_saved_file_is_called_as_the_dance_is(
+    opened: Opened, title: str, language: Language, name: str
+) -> None:
+    page = opened(where=f"#lang={language}")
+    key = "title_zh" if language == "zh" else "title"
+    plan = read_plan("spiral-in", ["dragon.benches=7"]).data()
+    plan["meta"][key] = title
+    page.evaluate("(plan) => benchdragon.change(plan, true)", plan)
+    settled(page)
+    with page.expect_download() as saved:
+        page.get_by_role("button", name=re.compile("save the plan file|保存")).click()
+    assert saved.value.suggested_filename == f"{name}.dragon.toml"
+    page.locator(".commands summary").click()
+    code = page.locator(".commands code").first
+    expect(code).to_contain_text(f" {name}.dragon.toml ")
 
 
 def test_a_plan_file_is_dropped_on_the_page(opened: Opened) -> None:
@@ -176,12 +203,14 @@ def test_what_the_page_cannot_do_has_its_command_and_no_button(opened: Opened) -
     expect(page.get_by_role("button", name="prove the verdict")).to_have_count(0)
     page.get_by_text("On the command line").click()
     proof = page.locator(".commands li", has_text="prove the verdict")
-    expect(proof.locator("code")).to_have_text("benchdragon check dance.dragon.toml --prove")
+    expect(proof.locator("code")).to_have_text(
+        "benchdragon check Coiling-in-to-the-disc-223.dragon.toml --prove"
+    )
     page.context.grant_permissions(["clipboard-read", "clipboard-write"])
     proof.get_by_role("button").click()
     expect(proof.locator("output")).to_have_text("copied")
     copied = page.evaluate("navigator.clipboard.readText()")
-    assert copied == "benchdragon check dance.dragon.toml --prove"
+    assert copied == "benchdragon check Coiling-in-to-the-disc-223.dragon.toml --prove"
 
 
 SQUARE = Path(__file__).parents[2] / "examples" / "10_village_square.dragon.toml"

@@ -16,8 +16,8 @@ from benchdragon.planner.page import planner_page
 from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.solve.size import limit
 from tests.browser.pages import Device, Pages
-from tests.browser.players import until
 from tests.browser.planners import settled, verdict
+from tests.browser.players import until
 
 Opened = Callable[..., Page]
 COIL = ["dragon.benches=30", "disc.radius=4", "route.start_turn=10"]

@@ -279,7 +279,8 @@ def test_a_head_that_is_called_number_0_is_told(tmp_path: Path) -> None:
 
 
 def test_failed_formulas_are_nobody_and_names_of_one_sign_are_told(tmp_path: Path) -> None:
-    rows = [["桥号", "姓名"], [1, "#N/A"], [2, "欧阳 锋"], [3, "张三+李四"], [4, "锋"], [5, "#REF!"]]
+    said = ["#N/A", "欧阳 锋", "张三+李四", "锋", "#REF!"]
+    rows: Cells = [["桥号", "姓名"], *([bench, name] for bench, name in enumerate(said, 1))]
     roster = read(tmp_path, rows)
     assert names(roster) == {2: "欧阳锋", 3: "张三 李四", 4: "锋"}
     assert [note for note in roster.notes if "one sign" in note] == [

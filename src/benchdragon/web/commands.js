@@ -1,10 +1,27 @@
 // What the command line does and the page does not: the very commands, to be copied.
 
 import { make } from "./elements.js";
-import { _ } from "./words.js";
+import { _, language } from "./words.js";
 
-/** The name under which plan files are saved. */
-export const PLAN_FILE = "dance.dragon.toml";
+/** @typedef {import("./plan_form.js").Plan} Plan */
+
+/** Where the name of the plan's file stands in a command. */
+const PLAN_FILE = "{plan}";
+/** Letters that a title leaves to a file's name: with the rest, under any system's 255 bytes. */
+const MOST_LETTERS = 60;
+
+/**
+ * The name under which a plan is saved: its title and how many benches dance, without what file systems
+ * or command lines take for something else.
+ * @param {Plan} plan
+ */
+export function planFile({ meta, dragon }) {
+  const { title, title_zh } = meta;
+  const told = language() === "zh" ? title_zh || title : title || title_zh;
+  const words = (told || "dance").normalize("NFC").match(/[\p{L}\p{M}\p{N}]+/gu) ?? ["dance"];
+  const name = Array.from(words.join("-")).slice(0, MOST_LETTERS).join("");
+  return `${name}-${dragon.benches}.dragon.toml`;
+}
 
 /** What is asked in the page where it can be, and its command where it cannot. */
 const QUESTIONS = {
@@ -46,28 +63,40 @@ async function copy(text, shown) {
   }
 }
 
-/** @param {string} text @param {string} command */
-function row(text, command) {
-  const shown = make("code", { tabindex: "0" }, `benchdragon ${command}`);
+/** @param {string} text @param {string} command @param {() => Plan} plan */
+function row(text, command, plan) {
+  const shown = make("code", { tabindex: "0" });
+  const tell = () => {
+    shown.textContent = `benchdragon ${command.replace(PLAN_FILE, planFile(plan()))}`;
+  };
   const told = make("output", { class: "told" });
   const button = make("button", { type: "button", "aria-label": _("copy: {text}", { text }) });
   button.append(_("copy"));
   button.addEventListener("click", async () => {
-    await copy(`benchdragon ${command}`, shown);
+    tell();
+    await copy(shown.textContent ?? "", shown);
     told.textContent = _("copied");
   });
-  return make("li", {}, make("span", { class: "name" }, text), shown, button, told);
+  const item = make("li", {}, make("span", { class: "name" }, text), shown, button, told);
+  tell();
+  return { item, tell };
 }
 
-/** The commands for all that a page cannot answer. @param {(question: string) => boolean} has what it can */
-export function commandList(has) {
+/**
+ * The commands for all that a page cannot answer, and how they are told anew of another plan.
+ * @param {(question: string) => boolean} has what it can
+ * @param {() => Plan} plan that on the page
+ */
+export function commandList(has, plan) {
   const questions = Object.entries(QUESTIONS).filter(([name]) => !has(name));
   const wanted = [...questions.map(([, one]) => one), ...FILES];
-  return make(
+  const rows = wanted.map(({ text, command }) => row(text(), command, plan));
+  const element = make(
     "details",
     { class: "commands" },
     make("summary", {}, _("On the command line")),
     make("p", { class: "source" }, _("Save the plan file, and beside it run:")),
-    make("ul", {}, ...wanted.map(({ text, command }) => row(text(), command))),
+    make("ul", {}, ...rows.map(({ item }) => item)),
   );
+  return { element, tell: () => rows.forEach(({ tell }) => tell()) };
 }

@@ -24,6 +24,8 @@ export class Files {
   constructor(host, answers) {
     this.host = host;
     this.answers = answers;
+    /** @type {ReturnType<typeof commandList> | null} */
+    this.commands = null;
     addEventListener("dragover", (event) => {
       if (event.dataTransfer?.types.includes("Files")) event.preventDefault();
     });
@@ -53,9 +55,18 @@ export class Files {
       make("legend", {}, _("Files")),
       make("div", { class: "row" }, input, open, save),
       this.#keeper(),
-      commandList((name) => this.answers.has(name)),
+      this.#commandsOf().element,
       told,
     );
+  }
+
+  /** What can be made of the plan by commands. */
+  #commandsOf() {
+    this.commands = commandList(
+      (name) => this.answers.has(name),
+      () => this.host.plan,
+    );
+    return this.commands;
   }
 
   /** A tick that has the browser keep the plan. */
@@ -69,8 +80,9 @@ export class Files {
     return make("label", { class: "row" }, kept, _("keep the plan in this browser"));
   }
 
-  /** Keep a plan, where the browser keeps one already. @param {Plan} plan */
+  /** Keep a plan, where the browser keeps one already, and name it in commands. @param {Plan} plan */
   keep(plan) {
+    this.commands?.tell();
     if (keptPlan() !== null) keepPlan(planText(plan));
   }
 

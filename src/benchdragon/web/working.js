@@ -1,6 +1,6 @@
 // Questions to Workers of the page's own, which compute without a server.
 
-import { PLAN_FILE } from "./commands.js";
+import { planFile } from "./commands.js";
 import { Table } from "./following.js";
 import { Scene } from "./scene.js";
 import { PageFault, Refusal, noteHash } from "./standing.js";
@@ -188,7 +188,7 @@ export class WorkerAnswers {
   /** @param {Plan} plan */
   async saved(plan) {
     const text = await this.quick.ask({ question: "toml", plan });
-    return { name: PLAN_FILE, data: new Blob([text], { type: "application/toml" }) };
+    return { name: planFile(plan), data: new Blob([text], { type: "application/toml" }) };
   }
 
   /** @param {JobState["question"]} question @param {Plan} plan */
