@@ -61,7 +61,7 @@ def _tightest(briefing: Briefing) -> list[Block]:
                 tightest=tightest_line(near, briefing.clock, briefing.called),
             )
             lines.append(Paragraph((said,)))
-    return [Heading(_("Tightest places"), "tightest"), *lines] if lines else []
+    return [Heading(_("Tightest moments"), "tightest"), *lines] if lines else []
 
 
 def _room(briefing: Briefing) -> list[Block]:
