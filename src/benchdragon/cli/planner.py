@@ -50,6 +50,8 @@ def planner(
     path = output or Path(tempfile.mkdtemp(prefix="benchdragon-")) / "planner.html"
     check_ending("-o", path, [".html"])
     read = None if plan is None else read_plan(plan, settings)
+    if read is not None:
+        read.build()  # says what is wrong with a plan that nobody can walk
     refuse_existing([path], force)
     write_planner(path, read)
     if output is None:
