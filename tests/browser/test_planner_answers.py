@@ -143,7 +143,7 @@ def test_a_file_that_comes_in_late_is_marked_as_an_earlier_plans(opened: Opened)
     expect(told).to_have_text("earlier plan: working ...")
     with page.expect_download():
         held.let_go(0)
-    expect(told).to_have_text("earlier plan: dance.dragon.toml")
+    expect(told).to_have_text("earlier plan: Coiling-in-to-the-disc-223.dragon.toml")
 
 
 def test_a_plan_file_that_is_read_late_does_not_take_a_newer_plans_place(

@@ -81,7 +81,8 @@ def small(seed: int) -> dict[str, Any]:
 
 
 def test_limits_of_random_plans_are_the_same() -> None:
-    plans = [(small(seed), NAMES[seed % 4]) for seed in range(24)]
+    # Seed 23 takes 2 GB of Python, more than the page has: its Worker says so (test_worker.py).
+    plans = [(small(seed), NAMES[seed % 4]) for seed in range(23)]
     questions = [{"data": data, "name": "limit", "options": {"size": name}} for data, name in plans]
     found = 0
     for (data, name), said in zip(plans, asked("solve_plans.mjs", {"asked": questions}), strict=True):
