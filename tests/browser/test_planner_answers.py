@@ -220,6 +220,23 @@ def test_a_dance_that_cannot_be_shown_is_said_beside_its_verdict(opened: Opened)
     expect(page.locator(".verdicts")).not_to_contain_text("cannot be shown")
 
 
+def test_a_long_questions_answer_says_when_it_is_about_another_plan(opened: Opened) -> None:
+    page = opened()
+    page.get_by_label("begin with").select_option("turn")
+    change(page, "number of benches", "20")
+    settled(page)
+    page.get_by_role("button", name="greatest head speed").click()
+    job = page.locator(".jobs li")
+    expect(job.locator("progress")).to_have_count(0)
+    expect(job).to_have_attribute("data-plan", "this")
+    change(page, "number of benches", "21")
+    settled(page)
+    expect(job).to_have_attribute("data-plan", "other")
+    change(page, "number of benches", "20")  # another object of the same hash
+    settled(page)
+    expect(job).to_have_attribute("data-plan", "this")
+
+
 # --- links
 
 # What a page asks its Workers, from the first on.
