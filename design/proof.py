@@ -1,60 +1,69 @@
-"""Why a proof needs no second search: places are looked over afterwards, in ball arithmetic.
+"""Why a proof believes no search: the head's way is cut into cells, each of which is shown by itself.
 
-The search (design/first_contact.py) draws its conclusions with bounds that hold for the exact chain,
-from chains computed in doubles; it leaves room for `slack` metres in every distance. Afterwards each
-computed handle is compared with the exact one, in ball arithmetic with 100 bits:
+The search (design/first_contact.py) says where the first contact is. Everything that is called
+proved is then shown again, by code that shares no arithmetic with it (the room `proofs`), in four
+steps:
 
-1. The head. What its computed place is off the route position that was asked for is its error along the
-   route, with what that position is off the exact one at the times between which is searched.
-2. The handles behind. From the enclosed place of the handle before (a ball of 1e-28 m), one Newton step
-   leads to the exact place of the next; what the distance of the two then misses the link by, and the
-   error of the handle before times its cosine, divided by the cosine at the rear, bounds what is left.
-   The difference to the computed point is its error (`beside`), the difference of parameters times the
-   arc per parameter its error along the route (`along`).
-3. Joints. Where headings or places of two rows differ by rounding, every handle is off by as much more.
-   Where a heading jumps by more and a handle may stand on either side of the kink, nothing is proved.
-4. A distance of two benches moves by at most twice `lever` times `beside`, `lever` being what a corner
-   moves when both handles of its bench move by 1; half the travel of both in a step by twice `lever`
-   times `along`. While slack is not below their sum the search proves what it says. If it is, it is run
-   again with more slack.
-5. Cells, and the places that only say which pairs are near, are looked over too; they are widened by
-   1e-7 m, and a tenth of that would do.
+1. Chains. With the head at the end of a cell, each handle is led to a point of the route that is
+   known with 128 bits. The distance of two such points misses the link by what ball arithmetic
+   encloses; so how far the exact handle may be from its point is bounded from the head's to the
+   tail's. Computed places are guesses alone: a wrong one gives no wrong bound.
+2. Following. From one chain to the next each angle between bench and route stays below a right
+   angle, so each handle goes with the one before it, forward and without a leap; and none of the
+   places between two handles is a link away, so that it is the nearest. From then on a handle's way
+   is no longer than what lies between its two places.
+3. Pairs. In a cell no point of a bench moves more than its handles let it. Two benches keep the
+   mean of their distances at both ends, less half of what both move (first order). Where that is
+   not enough, their distance along a line is enclosed with its second derivative L: it lies above
+   the chord by no more than L h^2 / 8 in a cell of length h (second order).
+4. Meeting. At one head position right behind the last cell, two benches surely overlap, or are
+   nearer than the margin.
 
-What is not done in balls, and said with every answer:
+Cells are found by trying: the next is longer by a tenth after one that held, half as long after one
+that did not. How they were found proves nothing, and a certificate holds nothing but their ends.
 
-* Arithmetic between places and distances: differences, products and square roots of numbers below some
-  tens of metres, a few dozen roundings each; 16 of the largest coordinate are allowed for.
-* Bounds on speeds, angles and accelerations in a step: sums of positive terms, taken from the computed
-  places and widened by 1e-12; unless a bench stands nearly square to the route that is far above what
-  places are off by.
-* Which benches can meet: boxes, widened by 1e-7 m. Turns of a spiral that cannot touch rest on no
-  place: a closed form holds there with 1e-9 m to spare.
-* That each handle stands at the nearest place one link behind, and follows without a leap: angles keep
-  0.01 rad, and chords 0.1 %, from the limit.
+None of this is new by itself. That a bound on motion and the distances at both ends show a whole
+step free of contact is the adaptive dynamic collision checking of Schwarzer, Saha and Latombe; a
+bound on the first derivative that passes over what cannot hold a root is the method of Piyavskii
+and Shubert; to halve until bounds decide is branch and bound with intervals. What is added is a
+chain whose links are kept, by the hundred, with bounds on what each handle does within a step.
 
-What is taken as exact: the numbers stored for route and benches, so that pitch / 2 pi is the double.
-Below: the errors found for the contest's dragon, and the brackets that they allow.
+Below: how many cells either order needs for the last metre before the contest's first contact. The
+first order ends earlier, since it is taken from doubles, and leaves room for their rounding.
 """
 
-from benchdragon.analysis.contact import contact_windows
-from benchdragon.analysis.ledger import Ledger
-from benchdragon.analysis.proof import errors, needed_slack, prove_contact
+from contextlib import nullcontext
+from unittest.mock import patch
+
+from benchdragon.analysis.proof import Claim, prove_contact
 from benchdragon.plans.schema import read_plan
+from benchdragon.proofs import cells, cover
+from benchdragon.proofs.exact import guess_of, stored_dance
+
+CONTACT, METRE = 412.4738376821147, 1.0
+
+
+def last_metre(second_order: bool) -> list[float]:
+    """The cells from a metre before the first contact on, as far as they go, m."""
+    walk = read_plan("spiral-in").build()
+    dance, guess = stored_dance(walk, 0.0), guess_of(walk)
+    curved = cells.__name__ + ".curved_apart"
+    with nullcontext() if second_order else patch(curved, lambda *_arguments: False):
+        return cover.cells(dance, guess, CONTACT - METRE, CONTACT + METRE)
 
 
 def main() -> None:
-    """Print what was looked over."""
-    walk = read_plan("spiral-in").build()
-    ledger = Ledger()
-    contact_windows(walk, 390.0, 430.0, most=1, ledger=ledger)
-    found = errors(walk, ledger)
-    print(f"places enclosed: {found.places}")
-    print(f"beside {found.beside:.1e} m, along {found.along:.1e} m")
-    print(f"others {found.others:.1e} m (1e-8 m would do)")
-    print(f"slack needed: {needed_slack(walk, found, 6.0):.1e} m")
-    answer = prove_contact(walk, 390.0, 430.0)
+    """Print how many cells there are, and the bracket that they leave."""
+    for name, second_order in (("first order alone", False), ("with the second", True)):
+        at = last_metre(second_order)
+        print(f"{name}: {len(at) - 1} cells, to {CONTACT - at[-1]:.1e} m before the contact")
+        for off in (1e-1, 1e-3, 1e-6):
+            print(f"  to {off:.0e} m before it: {sum(s < CONTACT - off for s in at)}")
+    claims: list[Claim] = []
+    answer = prove_contact(read_plan("spiral-in").build(), CONTACT - METRE, 413.0, claims=claims)
     if answer is not None:
-        print(f"first contact {answer.status}: {answer.lower:.13f} .. {answer.upper:.13f} s")
+        print(f"first contact {answer.status}: {answer.lower!r} .. {answer.upper!r} s")
+        print(f"{answer.upper - answer.lower:.1e} s wide, {len(claims[0].cells) - 1} cells")
 
 
 if __name__ == "__main__":

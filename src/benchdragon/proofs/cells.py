@@ -1,0 +1,121 @@
+"""A cell: the head goes from one place to another, and nothing comes nearer than it may."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+from flint import arb
+
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.proofs.apart import (
+    Body,
+    Moving,
+    Side,
+    Sizes,
+    corners,
+    curved_apart,
+    gaps,
+    near_pairs,
+    near_sides,
+    reach,
+)
+from benchdragon.proofs.ball_route import BallRoute
+from benchdragon.proofs.chain import Chain
+from benchdragon.proofs.motion import SLACK, follows, moves, nearest
+
+
+@dataclass(frozen=True)
+class Standing:
+    """Sides that stand still, and the distance that benches keep from them, m.
+
+    Attributes:
+        boxes: the sides as rectangles without width, (n, 4, 2), about the dance's origin.
+        inside: whether benches belong inside, as in a venue, or outside; None where there is no inside
+            but what is nearer than the margin.
+    """
+
+    sides: Sequence[Side]
+    margin: arb
+    boxes: FloatArray
+    inside: bool | None
+
+
+@dataclass(frozen=True)
+class Dance:
+    """What is walked, exactly.
+
+    Attributes:
+        route: of all handles.
+        sizes: of the benches.
+        margin: the distance that benches keep from one another, m; None: they are not looked at.
+        standing: what stands still.
+        origin: near the dance, m: doubles are taken relative to it.
+    """
+
+    route: BallRoute
+    sizes: Sizes
+    margin: arb | None
+    standing: Sequence[Standing]
+    origin: tuple[float, float]
+
+
+# Roundings in a corner of a bench, or a gap: so many units of the farthest coordinate, and of s.
+CORNER_ROUNDING, WAY_ROUNDING = 2.5e-15, 2.5e-16
+
+
+def resolved(dance: Dance, *chains: Chain) -> bool:
+    """Whether doubles hold all corners and places to SLACK: not far out, on a long lever."""
+    links, front, rear, width = dance.sizes.numbers
+    lever = 1.0 + float(((front + rear + width) / links).max())
+    places = [np.abs(values).max() for chain in chains for values in (chain.x, chain.y)]
+    places += [np.abs(one.boxes).max() for one in dance.standing]
+    places += [links.max(), front.max(), rear.max(), width.max()]
+    way = max(float(np.abs(chain.s).max()) for chain in chains)
+    return max(CORNER_ROUNDING * lever * float(max(places)), WAY_ROUNDING * way) <= SLACK
+
+
+def holds(dance: Dance, a: Chain, b: Chain) -> bool:
+    """Whether the dragon surely walks from one chain to the next, and nothing comes too near."""
+    way, links = moves(a, b), dance.sizes.numbers[0]
+    if not resolved(dance, a, b) or not follows(a, b, links, way):
+        return False
+    if not nearest(a, b, dance.route, links, way):
+        return False
+    room = reach(way, dance.sizes)
+    boxes = corners(a, dance.sizes), corners(b, dance.sizes)
+    if dance.margin is not None:
+        pairs = near_pairs(boxes[0], dance.sizes, room, float(dance.margin))
+        i, j = pairs.T
+        ends = [gaps(box[i], box[j]).size for box in boxes]
+        kept = 0.5 * (ends[0] + ends[1] - room[i] - room[j])
+        bodies = [(Moving(int(i)), Moving(int(j))) for i, j in pairs[_unsure(kept, dance.margin)]]
+        if not _curved(dance, a, b, bodies, dance.margin):
+            return False
+    return all(_keeps_off(dance, one, (a, b), boxes, room) for one in dance.standing)
+
+
+def _keeps_off(
+    dance: Dance,
+    standing: Standing,
+    chains: tuple[Chain, Chain],
+    boxes: tuple[FloatArray, FloatArray],
+    room: FloatArray,
+) -> bool:
+    """Whether all benches keep off what stands still."""
+    pairs = near_sides(boxes[0], standing.boxes, dance.sizes, room, float(standing.margin))
+    i, k = pairs.T
+    ends = [gaps(box[i], standing.boxes[k]).size for box in boxes]
+    kept = 0.5 * (ends[0] + ends[1] - room[i])
+    unsure = pairs[_unsure(kept, standing.margin)]
+    bodies = [(Moving(int(i)), standing.sides[int(k)]) for i, k in unsure]
+    return _curved(dance, *chains, bodies, standing.margin)
+
+
+def _unsure(kept: FloatArray, margin: arb) -> npt.NDArray[np.bool_]:
+    """Which of distances, m, are not surely beyond the margin."""
+    return np.asarray(~(kept > float(margin) + 10.0 * SLACK))
+
+
+def _curved(dance: Dance, a: Chain, b: Chain, pairs: Sequence[tuple[Body, Body]], margin: arb) -> bool:
+    return all(curved_apart(a, b, dance.route, dance.sizes, pair, margin) for pair in pairs)

@@ -1,0 +1,57 @@
+"""Meetings: what surely overlaps, and on which side of a line a point surely lies."""
+
+import numpy as np
+import pytest
+import shapely
+
+pytest.importorskip("flint")
+from flint import arb
+
+from benchdragon.proofs.apart import Moving, Side, corners
+from benchdragon.proofs.cover import chain_at
+from benchdragon.proofs.exact import guess_of, stored_dance
+from benchdragon.proofs.meeting import lies_inside, nearer
+from tests.proofs.dances import coil
+
+STAR = [(0.0, 3.0), (1.0, 1.0), (3.0, 0.5), (1.2, -0.6), (1.5, -3.0), (-0.4, -1.0), (-3.0, 0.2)]
+
+
+def sides(points: list[tuple[float, float]]) -> list[Side]:
+    ends = zip(points, [*points[1:], points[0]], strict=True)
+    return [Side((arb(a), arb(b)), (arb(c), arb(d))) for (a, b), (c, d) in ends]
+
+
+def test_points_are_inside_as_shapely_has_it() -> None:
+    shape, star = shapely.Polygon(STAR), sides(STAR)
+    count = 0
+    for x, y in np.random.default_rng(4).uniform(-3.5, 3.5, (400, 2)).tolist():
+        found = lies_inside((arb(x), arb(y)), star)
+        assert found is shape.contains(shapely.Point(x, y))
+        count += bool(found)
+    assert 40 < count < 360
+
+
+@pytest.mark.parametrize("point", [(1.0, 1.0), (0.5, 2.0), (2.0, 0.75)])
+def test_a_point_on_the_edge_is_left_open(point: tuple[float, float]) -> None:
+    x, y = (arb(value) + arb(0, 1e-30) for value in point)
+    assert lies_inside((x, y), sides(STAR)) is None
+
+
+def test_benches_are_nearer_as_shapely_has_it() -> None:
+    walk = coil(0.55, dragon__width=0.7).build()
+    seen = set()
+    for s in np.linspace(5.0, 60.0, 6).tolist():
+        dance, guess = stored_dance(walk, 0.0), guess_of(walk)
+        chain = chain_at(dance, guess, s)
+        boxes = [shapely.Polygon(box) for box in corners(chain, dance.sizes)]
+        for i, j in zip(*np.triu_indices(30, 2), strict=True):
+            if i % 3:
+                continue
+            apart = boxes[i].distance(boxes[j])
+            pair = Moving(int(i)), Moving(int(j))
+            found = nearer(chain, dance.sizes, pair, arb(0))
+            assert found is (apart == 0.0)
+            assert nearer(chain, dance.sizes, pair, arb(apart + 1e-6))
+            assert apart < 1e-5 or not nearer(chain, dance.sizes, pair, arb(apart - 1e-6))
+            seen.add(found)
+    assert seen == {True, False}
