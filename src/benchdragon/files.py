@@ -1,26 +1,60 @@
-"""Files appear whole or not at all, and never over one that was there unless asked."""
+"""Files appear whole or not at all, and never over one that was there unless asked.
 
+However a run ends: what kill -9 leaves is hidden, and cleared by the next run that writes the same.
+"""
+
+import errno
 import io
 import os
+import re
 import secrets
+from collections import Counter
 from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
+from contextvars import ContextVar
 from pathlib import Path
 
 from benchdragon.errors import BenchDragonError, MachineError, reason
 from benchdragon.i18n import _
+
+# In a folder that a run keeps others out of, where the system cannot lock the folder itself.
+LOCK = ".lock"
+# The folders that the run at hand keeps others out of.
+_kept: ContextVar[ExitStack | None] = ContextVar("kept", default=None)
 
 
 class FileRefusedError(BenchDragonError):
     """A file that is in the way, or a folder that cannot be written."""
 
 
+@contextmanager
+def one_run() -> Iterator[None]:
+    """A run whose files belong together: folders that get several of them take no others meanwhile."""
+    with ExitStack() as kept:
+        token = _kept.set(kept)
+        try:
+            yield
+        finally:
+            _kept.reset(token)
+
+
 def refuse_existing(paths: Iterable[Path], force: bool) -> None:
     """Make the folders of `paths`; refuse if a file is there already and `force` is not set.
 
     Raises:
-        FileRefusedError: naming the first one.
+        FileRefusedError: naming the first one; or a folder that is to get several files, into which
+            another run is writing.
     """
+    wanted = list(paths)
+    _make_folders(wanted, force)
+    kept = _kept.get()
+    several = [folder for folder, count in Counter(path.parent for path in wanted).items() if count > 1]
+    if kept is not None:
+        for folder in several:
+            kept.enter_context(alone(folder))
+
+
+def _make_folders(paths: Iterable[Path], force: bool) -> None:
     for path in paths:
         if path.exists() and not force:
             raise FileRefusedError(
@@ -37,14 +71,61 @@ def refuse_existing(paths: Iterable[Path], force: bool) -> None:
 
 
 @contextmanager
+def alone(folder: Path) -> Iterator[None]:
+    """Keep other runs out of a folder; the system lets go when this process ends, however it does.
+
+    Raises:
+        FileRefusedError: if somebody else is in.
+    """
+    if os.name == "nt":
+        handle = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT, 0o644)
+    else:
+        handle = os.open(folder, os.O_RDONLY)
+    try:
+        if not _locked(handle, otherwise=True):
+            raise FileRefusedError(_("another run is writing into {folder}").format(folder=folder))
+        yield
+    finally:
+        _let_go(handle)
+
+
+def _locked(handle: int, *, otherwise: bool) -> bool:
+    """Whether what is open could be locked, as nobody else has; `otherwise` where nothing can be."""
+    try:
+        if os.name == "nt":
+            import msvcrt
+
+            msvcrt.locking(handle, msvcrt.LK_NBLCK, 1)  # type: ignore[attr-defined, unused-ignore]
+        else:
+            import fcntl
+
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError as error:
+        return error.errno not in (errno.EAGAIN, errno.EACCES) and otherwise
+    return True
+
+
+def _let_go(handle: int) -> None:
+    if os.name != "nt":  # a worker made by a fork has it open, too, and would keep the lock
+        import fcntl
+
+        fcntl.flock(handle, fcntl.LOCK_UN)
+    os.close(handle)
+
+
+@contextmanager
 def whole_file(path: Path) -> Iterator[Path]:
     """A temporary path beside `path` that takes its name once the block has ended well.
+
+    What killed runs have left of the same file goes.
 
     Raises:
         MachineError: naming the file, if the system refuses to write it.
     """
-    temporary = path.with_name(f".{path.name}.{secrets.token_hex(4)}{path.suffix}")
+    temporary, handle = None, None
     try:
+        clear_leftovers(path)
+        temporary, handle = _begun(path)
         yield temporary
         temporary.replace(path)
     except OSError as error:
@@ -52,7 +133,46 @@ def whole_file(path: Path) -> Iterator[Path]:
             _("{path} could not be written: {why}").format(path=path, why=reason(error))
         ) from None
     finally:
-        temporary.unlink(missing_ok=True)
+        if temporary is not None:
+            temporary.unlink(missing_ok=True)
+        if handle is not None:
+            _let_go(handle)
+
+
+def _begun(path: Path) -> tuple[Path, int | None]:
+    """A new temporary file beside `path`, and what keeps others from clearing it, where that can be."""
+    while True:
+        temporary = path.with_name(f".{path.name}.{secrets.token_hex(4)}{path.suffix}")
+        handle = os.open(temporary, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o666)
+        if os.name == "nt":  # what is open cannot be renamed there
+            os.close(handle)
+            return temporary, None
+        if _locked(handle, otherwise=True) and temporary.exists():
+            return temporary, handle
+        os.close(handle)  # it was taken for a leftover before it was locked
+
+
+def clear_leftovers(path: Path) -> None:
+    """Remove the temporary files of runs that were killed while they wrote `path`, where that shows."""
+    if os.name == "nt":
+        return
+    name = re.compile(rf"\.{re.escape(path.name)}\.[0-9a-f]{{8}}{re.escape(path.suffix)}")
+    for found in path.parent.iterdir():
+        if name.fullmatch(found.name):
+            _clear(found)
+
+
+def _clear(leftover: Path) -> None:
+    """Remove a temporary file that nobody writes any more."""
+    try:
+        handle = os.open(leftover, os.O_RDWR)
+    except OSError:
+        return  # who wrote it was done just now
+    try:
+        if _locked(handle, otherwise=False):
+            leftover.unlink(missing_ok=True)
+    finally:
+        os.close(handle)
 
 
 @contextmanager

@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+import benchdragon.proofs.exact  # noqa: F401 - else imported by a proof, once entries are wrapped
 from benchdragon.analysis.check import check
 from benchdragon.analysis.contact import least_clearance
 from benchdragon.analysis.distance import nearest_each, pair_distances

@@ -29,6 +29,7 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder / native.library_name()
 
 
+@pytest.mark.numba
 def test_every_entry_gives_what_numba_gives(library: Path) -> None:
     done = subprocess.run(
         [sys.executable, "-m", "tests.engine.both", str(library)],

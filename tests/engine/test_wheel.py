@@ -1,12 +1,14 @@
 """What installers run to put the kernels' library into a wheel."""
 
-import importlib.util
 import os
 import subprocess
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 
 import pytest
+
+from tests.scripts import script
 
 ROOT = Path(__file__).parents[2]
 
@@ -14,11 +16,7 @@ ROOT = Path(__file__).parents[2]
 def test_the_builder_finds_what_an_isolated_installer_put_elsewhere(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    spec = importlib.util.spec_from_file_location("hatch_build", ROOT / "hatch_build.py")
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
+    module: Any = script("hatch_build.py")
     seen: list[str] = []
 
     def build(_line: list[str], env: dict[str, str], check: bool) -> SimpleNamespace:

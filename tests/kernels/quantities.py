@@ -7,6 +7,9 @@ from benchdragon.kernels import drive
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.placement import Placement
 
+# What compiled code may be off by from the same formula in Python: products and sums are contracted.
+ROUNDING = 1e-13
+
 QUANTITIES = {
     "speed": drive.SPEEDS,
     "turning": drive.TURNING,

@@ -21,9 +21,13 @@ def main(arguments: list[str]) -> int:
     wanted = parser.parse_args(arguments)
     os.environ.update(PLAIN_CODE, BENCHDRAGON_ENGINE="jit")
     from benchdragon.kernels import native
+    from benchdragon.own_folder import made_own
 
-    here = native.ENGINE if os.access(native.ENGINE, os.W_OK) else native.user_folder()
-    folder = wanted.folder or here
+    own = os.access(native.ENGINE, os.W_OK)
+    folder = wanted.folder or (native.ENGINE if own else made_own(native.user_folder()))
+    if folder is None:
+        print(f"{native.user_folder()} is not this user's alone: name a FOLDER", file=sys.stderr)
+        return 1
     from benchdragon.engine.build import build
     from benchdragon.engine.optimise import BuildError
     from benchdragon.engine.wasm import build_module

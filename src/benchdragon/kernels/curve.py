@@ -184,7 +184,7 @@ def heading(rows: FloatArray, j: int, u: float) -> float:
     return rows[j, ANGLE] + u * (rows[j, P] + 0.5 * rows[j, Q] * u)
 
 
-@entry
+@kernel
 def curvature(rows: Table, j: int, u: float) -> float:
     """Curvature, 1/m, left positive."""
     if rows[j, KIND] == SPIRAL:
@@ -195,7 +195,7 @@ def curvature(rows: Table, j: int, u: float) -> float:
     return rows[j, P] + rows[j, Q] * u
 
 
-@entry
+@kernel
 def stretch(rows: Table, j: int, u: float) -> float:
     """Metres of arc per unit of parameter; on a spiral it grows with u."""
     if rows[j, KIND] == SPIRAL:

@@ -17,6 +17,7 @@ from typing import Any, TypeVar, cast
 
 from benchdragon.kernels import native
 from benchdragon.kernels.status import EngineError
+from benchdragon.own_folder import made_own, shared_folder
 
 VARIABLE = "BENCHDRAGON_ENGINE"
 NATIVE, JIT, PLAIN = "native", "jit", "plain"
@@ -54,21 +55,14 @@ ENTRIES: dict[str, Callable[..., object]] = {}
 def cache_folder() -> Path | None:
     """The folder of compiled code, named by the kernels' own text; None where none can be written.
 
-    numba does not notice a change in a function that a cached one calls, so the name changes with
-    any line of any kernel.
+    What lies there is run, so that it must be this user's alone. numba does not notice a change in a
+    function that a cached one calls, so the name changes with any line of any kernel.
     """
     sources = sorted(Path(__file__).parent.glob("*.py"))
     name = hashlib.sha256(b"".join(path.read_bytes() for path in sources)).hexdigest()[:16]
-    home = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
-    for root in (home / "benchdragon", Path(tempfile.gettempdir()) / f"benchdragon-{os.getuid()}"):
-        folder = root / f"kernels-{name}"
-        try:
-            folder.mkdir(parents=True, exist_ok=True)
-        except OSError:
-            continue
-        if os.access(folder, os.W_OK):
-            return folder
-    return None
+    roots = native.user_folder(), shared_folder("benchdragon", Path(tempfile.gettempdir()))
+    folders = (made_own(root, f"kernels-{name}") for root in roots if root is not None)
+    return next((folder for folder in folders if folder is not None), None)
 
 
 CACHE_FOLDER = cache_folder() if COMPILED else None

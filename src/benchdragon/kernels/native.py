@@ -19,6 +19,7 @@ import numpy as np
 import numpy.typing as npt
 
 from benchdragon.kernels.signature import Leaf, Parameter, Signature, signature
+from benchdragon.own_folder import is_own
 
 Function = TypeVar("Function", bound=Callable[..., object])
 
@@ -65,9 +66,13 @@ def user_folder() -> Path:
 
 
 def find_library() -> Path | None:
-    """The library for these kernels and this machine: its builder's, or the user's; or None."""
+    """The library for these kernels and this machine: its builder's, or the user's; or None.
+
+    The user's is taken from a folder that nobody else can write to.
+    """
     name = library_name()
-    return next((path for path in (ENGINE / name, user_folder() / name) if path.is_file()), None)
+    folders = [ENGINE, *([user_folder()] if is_own(user_folder()) else [])]
+    return next((path for folder in folders if (path := folder / name).is_file()), None)
 
 
 def load_library() -> ctypes.CDLL | None:

@@ -1,0 +1,145 @@
+"""How much work and memory one question may take: counted, so that it is the same on all machines.
+
+A question is what somebody asks at once: a check, a size, a sheet for each bench. What it calls counts
+with it. Work is counted in handles placed on a route, or what takes as long: some millions a second.
+Searches estimate what they need at least before they begin, and spend while they go on.
+"""
+
+import math
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass
+
+from benchdragon.errors import BenchDragonError, InputError
+from benchdragon.i18n import _
+
+# Multiplies both limits.
+VARIABLE, MOST_TIMES = "BENCHDRAGON_BUDGET", 1e6
+# Handles placed for one question, and bytes of its tables.
+WORK, MEMORY = 1_000_000_000, 600_000_000
+
+
+class OverBudgetError(BenchDragonError):
+    """A question that takes more work or memory than it may: not wrong, but not answered."""
+
+    exit_code = 5
+
+
+@dataclass
+class Budget:
+    """What a question may take, and what it has taken.
+
+    Attributes:
+        work: handles that may be placed.
+        memory: bytes that tables may take.
+        spent: handles placed.
+    """
+
+    work: float
+    memory: float
+    spent: float = 0.0
+
+
+_asked: ContextVar[Budget | None] = ContextVar("asked", default=None)
+
+
+def times() -> float:
+    """By how much the limits are multiplied.
+
+    Raises:
+        InputError: if the variable holds no number from 0 to 1e6.
+    """
+    text = os.environ.get(VARIABLE, "1")
+    try:
+        number = float(text)
+    except ValueError:
+        number = -1.0
+    if not 0.0 <= number <= MOST_TIMES:
+        raise InputError(
+            _("{variable} must be a number from 0 to {most}, not {text}").format(
+                variable=VARIABLE, most=f"{MOST_TIMES:g}", text=repr(text)[:80]
+            )
+        )
+    return number
+
+
+@contextmanager
+def question(count: int = 1) -> Iterator[None]:
+    """A question, or `count` of them that share; within another question it is a part of that one."""
+    if _asked.get() is not None:
+        yield
+        return
+    share = times()
+    token = _asked.set(Budget(share * WORK * count, share * MEMORY))
+    try:
+        yield
+    finally:
+        _asked.reset(token)
+
+
+def spend(handles: float) -> None:
+    """Count handles that were placed; nothing is counted outside of questions.
+
+    Raises:
+        OverBudgetError: if the question at hand has placed more than it may.
+    """
+    budget = _asked.get()
+    if budget is not None:
+        budget.spent += handles
+        expect(0.0)
+
+
+def left() -> float:
+    """How many handles the question at hand may still place."""
+    budget = _asked.get()
+    return math.inf if budget is None else max(budget.work - budget.spent, 0.0)
+
+
+def expect(handles: float) -> None:
+    """Say how many handles must at least be placed, before that is begun.
+
+    Raises:
+        OverBudgetError: if the question at hand may not place so many more.
+    """
+    budget = _asked.get()
+    if budget is None or budget.spent + handles <= budget.work:
+        return
+    asked = budget.spent + handles
+    raise OverBudgetError(
+        _(
+            "this takes more work than a question may: at least {asked} million positions of handles, "
+            "where {most} million are allowed; take fewer benches or a shorter walk (walk.start, "
+            "walk.end), or allow {times} times as much by {variable}={times}"
+        ).format(
+            asked=f"{asked / 1e6:.4g}", most=f"{budget.work / 1e6:.4g}", variable=VARIABLE,
+            times=_enough(asked / WORK),
+        )
+    )  # fmt: skip
+
+
+def hold(size: float) -> None:
+    """Say how many bytes the tables of the question at hand are to take, before they are made.
+
+    Raises:
+        OverBudgetError: if they are more than it may have.
+    """
+    budget = _asked.get()
+    if budget is None or size <= budget.memory:
+        return
+    raise OverBudgetError(
+        _(
+            "this takes more memory than a question may: at least {asked} MB, where {most} MB are "
+            "allowed; take fewer benches, fewer sizes of benches or a shorter walk (walk.start, "
+            "walk.end), or allow {times} times as much by {variable}={times}"
+        ).format(
+            asked=f"{size / 1e6:.4g}", most=f"{budget.memory / 1e6:.4g}", variable=VARIABLE,
+            times=_enough(size / MEMORY),
+        )
+    )  # fmt: skip
+
+
+def _enough(times: float) -> str:
+    """The power of ten that allows so many times the limits, and somewhat more."""
+    return f"{10.0 ** max(math.ceil(math.log10(1.01 * times)), 1):g}"

@@ -1,0 +1,165 @@
+"""Compiled code lies in a folder that nobody else can write to, or nowhere."""
+
+import os
+import stat
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from benchdragon.cli.options import announce_compiling
+from benchdragon.i18n import use_language
+from benchdragon.kernels import jit, native
+from benchdragon.own_folder import is_own, made_own, shared_folder
+
+STRANGER = 54_321
+
+
+@pytest.fixture
+def place(tmp_path: Path) -> Path:
+    """A folder that all write to, as the system's temporary one."""
+    folder = tmp_path / "shared"
+    folder.mkdir()
+    folder.chmod(stat.S_ISVTX | 0o777)
+    return folder
+
+
+def test_a_folder_is_made_for_this_user_alone_whatever_the_mask(place: Path) -> None:
+    before = os.umask(0)
+    try:
+        made = made_own(place / "ours", "kernels")
+    finally:
+        os.umask(before)
+    assert made == place / "ours" / "kernels"
+    assert [stat.S_IMODE(each.stat().st_mode) for each in (made, made.parent)] == [0o700, 0o700]
+    assert made_own(place / "ours", "kernels") == made
+
+
+@pytest.mark.parametrize("inner", ["", "kernels"])
+@pytest.mark.parametrize("mode", [0o701, 0o710, 0o702, 0o720, 0o750, 0o777])
+def test_a_folder_that_is_open_to_others_is_not_used(place: Path, inner: str, mode: int) -> None:
+    made = made_own(place / "ours", "kernels")
+    assert made is not None
+    (place / "ours" / inner).chmod(mode)
+    assert made_own(place / "ours", "kernels") is None
+
+
+@pytest.mark.parametrize("inner", ["", "kernels"])
+def test_a_link_is_not_used(place: Path, tmp_path: Path, inner: str) -> None:
+    """Whoever made it may let it lead elsewhere."""
+    target = made_own(tmp_path / "target", "kernels")
+    assert target is not None
+    if inner:
+        assert made_own(place / "ours") is not None
+    (place / "ours" / inner).symlink_to(target if inner else target.parent)
+    assert made_own(place / "ours", "kernels") is None
+    assert not is_own(place / "ours" / inner)
+
+
+def test_a_file_in_the_way_is_not_used(place: Path) -> None:
+    (place / "ours").write_text("", encoding="utf-8")
+    assert made_own(place / "ours", "kernels") is None
+
+
+@pytest.mark.parametrize("inner", ["", "kernels"])
+def test_a_folder_of_another_user_is_not_used(place: Path, inner: str) -> None:
+    if os.getuid() != 0:
+        pytest.skip("only the superuser can give folders away")
+    assert made_own(place / "ours", "kernels") is not None
+    os.chown(place / "ours" / inner, STRANGER, STRANGER)
+    assert made_own(place / "ours", "kernels") is None
+
+
+def test_whoever_is_not_its_owner_does_not_use_it(place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert made_own(place / "ours") is not None
+    monkeypatch.setattr(os, "getuid", lambda: STRANGER)
+    assert made_own(place / "ours") is None
+
+
+def test_a_place_in_which_anyone_may_rename_is_not_used(place: Path) -> None:
+    place.chmod(0o777)
+    assert made_own(place / "ours") is None
+    assert list(place.iterdir()) == []
+
+
+def test_what_cannot_be_written_is_not_used(place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(os, "access", lambda _path, _mode: False)
+    assert made_own(place / "ours") is None
+
+
+def test_where_users_have_no_numbers_nothing_is_shared(
+    place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert shared_folder("x", place) == place / f"x-{os.getuid()}"
+    monkeypatch.delattr(os, "getuid")
+    assert shared_folder("x", place) is None
+    assert made_own(place / "ours") == place / "ours"
+
+
+def started(environment: dict[str, str]) -> str:
+    """Where a fresh process keeps what it compiles."""
+    text = "from benchdragon.kernels import jit; print(jit.CACHE_FOLDER)"
+    done = subprocess.run(
+        [sys.executable, "-c", text], env={**os.environ, "BENCHDRAGON_ENGINE": "jit", **environment},
+        capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    return done.stdout.strip()
+
+
+def test_a_planted_cache_is_not_used(place: Path, tmp_path: Path) -> None:
+    """Home cannot hold one, and somebody was there before: by his folder, or by a link to it."""
+    (tmp_path / "file").write_text("in the way", encoding="utf-8")
+    environment = {"XDG_CACHE_HOME": str(tmp_path / "file"), "TMPDIR": str(place)}
+    ours = Path(started(environment))
+    assert ours.is_relative_to(place / f"benchdragon-{os.getuid()}")
+    ours.parent.rename(tmp_path / "away")
+    ours.parent.symlink_to(tmp_path / "away")
+    assert started(environment) == "None"
+    ours.parent.unlink()
+    ours.mkdir(parents=True, mode=0o755)
+    ours.parent.chmod(0o755)
+    assert started(environment) == "None"
+
+
+def test_a_library_is_taken_from_an_own_folder_alone(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(native, "ENGINE", tmp_path / "nowhere")
+    monkeypatch.setattr(native, "library_name", lambda: "kernels.so")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    own = made_own(native.user_folder())
+    assert own is not None
+    (own / "kernels.so").write_bytes(b"")
+    assert native.find_library() == own / "kernels.so"
+    own.chmod(0o770)
+    assert native.find_library() is None
+
+
+@pytest.mark.parametrize(("quiet", "lines"), [(False, 1), (True, 0)])
+@pytest.mark.parametrize(
+    ("language", "word"), [("en", "XDG_CACHE_HOME to a"), ("zh", "每次启动都要重新编译")]
+)
+def test_it_is_said_once_that_nothing_is_kept(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], quiet: bool, lines: int,
+    language: str, word: str,
+) -> None:  # fmt: skip
+    monkeypatch.setattr(jit, "COMPILED", True)
+    monkeypatch.setattr(jit, "CACHE_FOLDER", None)
+    monkeypatch.setattr(jit, "watch_compiling", lambda _slow, _after: None)
+    use_language(language)
+    announce_compiling(quiet)
+    use_language("en")
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert len(said.err.splitlines()) == lines
+    assert (word in said.err) == bool(lines)
+
+
+def test_where_the_library_serves_there_is_nothing_to_keep(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(jit, "COMPILED", False)
+    monkeypatch.setattr(jit, "CACHE_FOLDER", None)
+    announce_compiling(quiet=False)
+    assert capsys.readouterr().err == ""
