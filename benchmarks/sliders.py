@@ -2,10 +2,11 @@
 
 Run it as `python -m benchmarks.sliders`: the planner's file in Chromium on this machine, every move
 another value. The first contact, the least clearance and the greatest speed come as one verdict, the
-smallest pitch beside it, the dance that is shown when the slider rests. Waiting counts from the move,
-also where a newer move took the question's place. Chromium's own throttling leaves Workers as fast as
-they are: for the phone the process of page and Workers is stopped three quarters of the time.
-`--seconds N` drags for so long instead, and says what memory that process takes as it goes.
+smallest pitch beside it, a rough picture and then the dance that is shown when the slider rests.
+Waiting counts from the move, also where a newer move took the question's place. Chromium's own
+throttling leaves Workers as fast as they are: for the phone the process of page and Workers is
+stopped three quarters of the time. `--seconds N` drags for so long instead, and says what memory that
+process takes as it goes.
 """
 
 import argparse
@@ -37,7 +38,12 @@ DEVICES: tuple[tuple[Device, int], ...] = (("desktop", 1), ("phone", 4))
 MOVES, PAUSES = 30, (60, 500)
 # ms until a page must have settled, and that it is left alone.
 SETTLES, ALONE = 60_000, 1_500
-ASKED = {"verdicts": "verdict", "pitches": "smallest pitch", "dances": "dance to be shown"}
+ASKED = {
+    "verdicts": "verdict",
+    "pitches": "smallest pitch",
+    "sketches": "rough picture",
+    "dances": "dance to be shown",
+}
 MEGABYTE = 1e6
 # Seconds between looks at the memory, and of a turn in which a slowed process runs and is stopped.
 LOOK, TURN = 15.0, 0.02

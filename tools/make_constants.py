@@ -27,12 +27,16 @@ KERNELS = (
 )  # fmt: skip
 # Modules with twins in the page: add those whose numbers you need.
 TWINS = (
-    "analysis.check", "analysis.contact", "analysis.contact_search", "analysis.distance",
-    "analysis.obstacle_search", "analysis.room", "analysis.speed", "analysis.tables",
+    "analysis.bench_nearness", "analysis.bench_walks", "analysis.bends", "analysis.check",
+    "analysis.clock", "analysis.contact", "analysis.contact_search", "analysis.crossings",
+    "analysis.distance", "analysis.ground", "analysis.marks", "analysis.obstacle_search",
+    "analysis.room", "analysis.speed", "analysis.tables", "explain.bench_walk",
     "model.answer", "model.base_curve", "model.connections", "model.curves", "model.dragon",
     "model.formations", "model.holds", "model.obstacle", "model.profile", "model.walk",
-    "plans.cues", "plans.drawn", "plans.routes", "plans.square", "plans.tables",
-    "player.following", "player.frames", "player.scene", "solve.dance_bound", "solve.head_speed",
+    "plans.cues", "plans.drawn", "plans.routes", "plans.square", "plans.tables", "plans.toml",
+    "player.following", "player.frames", "player.scene", "rosters.extent", "rosters.grid",
+    "rosters.reading", "rosters.columns", "rosters.entries", "rosters.words", "sheets.benches",
+    "sheets.briefing", "solve.dance_bound", "solve.head_speed",
     "solve.minima", "solve.random_dance", "solve.size", "solve.size_family", "solve.size_trials",
     "solve.tolerance", "solve.turn", "solve.turn_trials", "surveys.clothoids", "surveys.corners",
     "surveys.fitting", "surveys.lines",

@@ -3,6 +3,7 @@
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Literal
 from urllib.parse import urlsplit
 
@@ -72,8 +73,12 @@ class Pages:
         device: Device = "desktop",
         language: Language = "en",
         colours: Colours = "light",
+        served: Path | None = None,
     ) -> Page:
-        """A new page at an address, `file:`, `data:` or of a server here, without any history."""
+        """A new page at an address, `file:`, `data:` or of a server here, without any history.
+
+        Where a file is `served`, it is what stands at that address, and no server is asked.
+        """
         phone = device == "phone"
         context = self._browser.new_context(
             viewport={"width": 390, "height": 844} if phone else {"width": 1366, "height": 768},
@@ -86,6 +91,9 @@ class Pages:
         self._contexts.append(context)
         self._watch(context, origin_of(address))
         context.set_default_timeout(HANGING)
+        if served:
+            bare = address.split("#")[0]
+            context.route(bare, lambda route: route.fulfill(path=served, content_type="text/html"))
         page = context.new_page()
         page.goto(address)
         return page

@@ -1,6 +1,8 @@
 """The planner as tests open it in a browser."""
 
+import base64
 import re
+import zlib
 from collections.abc import Callable
 
 from playwright.sync_api import Locator, Page, expect
@@ -43,7 +45,8 @@ def on_its_way(page: Page, name: str, way: str) -> None:
     page.evaluate(
         f"""() => {{
           const way = {way};
-          for (const lane of [benchdragon.answers.quick, benchdragon.answers.slower]) {{
+          const {{ quick, slower, drawing }} = benchdragon.answers;
+          for (const lane of [quick, slower, drawing]) {{
             const ask = lane.ask.bind(lane);
             lane.ask = (asked, signal, told) => {{
               const go = () => ask(asked, signal, told);
@@ -61,7 +64,8 @@ class Held:
         self.page, self.name = page, name
         # Else a question that is long on its way is given up for a newer one.
         page.evaluate(
-            "for (const one of ['verdicts', 'pitches', 'dances']) benchdragon[one].patience = 1e9"
+            "for (const one of ['verdicts', 'pitches', 'sketches', 'dances'])"
+            " benchdragon[one].patience = 1e9"
         )
         page.evaluate("(name) => { (globalThis.heldUp ??= {})[name] = []; }", name)
         on_its_way(
@@ -92,3 +96,10 @@ class Refused:
 
     def end(self) -> None:
         self.page.evaluate("(name) => void refused.delete(name)", self.name)
+
+
+def text_of(data: bytes) -> str:
+    """Data as the address of a page holds a plan, without a right checksum."""
+    packer = zlib.compressobj(9, wbits=-zlib.MAX_WBITS)
+    packed = packer.compress(data) + packer.flush()
+    return base64.urlsafe_b64encode(b"sums" + packed).decode().rstrip("=")

@@ -20,6 +20,22 @@ PLANS = {
     "single": ("spiral-in", ("dragon.benches=1", "walk.end=50"), None),
     "parade": (str(EXAMPLES / "01_parade.dragon.toml"), (), None),
     "long": ("turn", ("dragon.benches=1000",), None),
+    "pole": (
+        "spiral-in",
+        (
+            *("dragon.benches=20", "walk.end=60"),
+            'obstacle=[{name="pole", kind="circle", centre=[7.75, 0], radius=0.3}]',
+        ),
+        None,
+    ),
+    "yard": (
+        "turn",
+        (
+            *("dragon.benches=20", "walk.start=0", "walk.end=60"),
+            *('venue.name="yard"', "venue.rectangle=[13, 26]"),
+        ),
+        None,
+    ),
 }
 
 

@@ -1,19 +1,13 @@
-"""What everybody can use: axe finds nothing wrong, letters are keys only if wanted, pages reflow."""
+"""The player for everybody: axe finds nothing wrong, letters are keys if wanted, it reflows."""
 
-from pathlib import Path
+from collections.abc import Callable
 
 import pytest
-from playwright.sync_api import Page
 
+from tests.browser.axe import needs_axe, violations
 from tests.browser.pages import Colours, Language, Pages
 from tests.browser.players import DESK, HAND, Scene, drawn, opened, ready, state, time_of, until
 
-AXE = Path(__file__).parents[2] / "node_modules" / "axe-core" / "axe.min.js"
-RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
-FOUND = """(rules) => axe.run(document, { runOnly: rules }).then(({ passes, violations }) => ({
-  passes: passes.length,
-  violations: violations.flatMap(({ id, nodes }) => nodes.map(({ html }) => `${id}: ${html}`)),
-}))"""
 # What opens each part of the page.
 PARTS = {
     "main": "0",
@@ -23,21 +17,12 @@ PARTS = {
     "legend": "document.querySelector('.tools button:nth-child(3)').click()",
     "keys": "document.querySelector('dialog').close();"
     " document.querySelector('.tools button:last-child').click()",
-    "story": "document.querySelector('dialog').close(); benchdragon.face.tell(1)",
+    "story": "document.querySelector('dialog').close(); benchdragon.face.tell(undefined, 1)",
 }
 OFF = "document.querySelector('dialog input')"
 
 
-def violations(page: Page) -> list[str]:
-    """What axe finds wrong in a page as it is."""
-    if not page.evaluate("typeof axe === 'object'"):
-        page.evaluate(f"{AXE.read_text('utf-8')}\n0;")
-    found = page.evaluate(FOUND, RULES)
-    assert found["passes"] > 10
-    return found["violations"]  # type: ignore[no-any-return]
-
-
-@pytest.mark.skipif(not AXE.exists(), reason="axe-core is not here: npm ci")
+@needs_axe
 @pytest.mark.parametrize("colours", ["light", "dark"])
 @pytest.mark.parametrize("language", ["en", "zh"])
 def test_axe_finds_nothing_wrong(
@@ -51,7 +36,7 @@ def test_axe_finds_nothing_wrong(
         assert violations(page) == [], part
 
 
-@pytest.mark.skipif(not AXE.exists(), reason="axe-core is not here: npm ci")
+@needs_axe
 def test_axe_would_find_what_is_wrong(pages: Pages, contact: Scene) -> None:
     page = opened(pages, contact)
     page.evaluate("document.querySelector('.axis input').removeAttribute('aria-label')")
@@ -117,6 +102,35 @@ def test_fingers_find_targets_of_44_pixels(pages: Pages, contact: Scene, languag
               .map(([html, box]) => `${box.width} x ${box.height} ${html}`)"""
         )
         assert small == [], part
+
+
+@pytest.mark.parametrize("mark", ["contact", "joint"])
+def test_a_finger_that_taps_beside_a_mark_of_the_time_axis_finds_it(
+    pages: Pages, scenes: Callable[[str], Scene], mark: str
+) -> None:
+    page = opened(pages, scenes({"contact": "contact", "joint": "turn"}[mark]), HAND)
+    boxes = page.evaluate(
+        "(kind) => [...document.querySelectorAll(`.axis .${kind}`)].map((one) => {"
+        " const box = one.getBoundingClientRect(); return [box.x + box.width / 2, box.y]; })",
+        mark,
+    )
+    box = page.locator(".axis input").bounding_box()
+    assert box is not None
+    assert box["height"] >= 44.0
+    times = page.evaluate(
+        "(kind) => benchdragon.scene.sent.occasions.filter((one) => one.kind === kind)"
+        ".map(({ time }) => time)",
+        mark,
+    )
+    middle = box["y"] + box["height"] / 2
+    for aside in (-21.0, 21.0):
+        page.evaluate("benchdragon.put(0)")
+        tapped = boxes[0][0] + aside if len(boxes) == 1 or aside < 0 else boxes[-1][0] + aside
+        page.touchscreen.tap(tapped, middle)
+        wanted = times[0] if aside < 0 else times[-1]
+        until(page, f"Math.abs(benchdragon.time - {wanted}) < 1e-9")
+    page.touchscreen.tap(boxes[0][0] - 24.0, middle)
+    until(page, f"Math.abs(benchdragon.time - {times[0]}) > 1e-9")
 
 
 @pytest.mark.parametrize("language", ["en", "zh"])

@@ -6,7 +6,7 @@ from functools import partial
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Browser, Page, ViewportSize, expect
 
 from benchdragon.analysis.check import check
 from benchdragon.analysis.records import verdict_of
@@ -46,6 +46,26 @@ def test_a_slider_is_moved_and_the_verdict_is_that_of_the_plan_shown(
         sentence = getattr(wanted.sentence, language)
         expect(verdict(page)).to_have_text(re.compile(re.escape(sentence)))
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+
+
+@pytest.mark.parametrize("device", [(1366, 768), (320, 640)], ids=["desktop", "phone"])
+def test_without_scripts_a_dance_and_its_verdict_are_in_sight(
+    browser: Browser, file: Path, device: tuple[int, int]
+) -> None:
+    width, height = device
+    size: ViewportSize = {"width": width, "height": height}
+    page = browser.new_context(java_script_enabled=False, viewport=size).new_page()
+    page.goto(file.as_uri())
+    for name in ("svg", "strong"):
+        box = page.locator(f".look {name}").first.bounding_box()
+        assert box is not None
+        assert box["y"] + box["height"] < height
+        assert box["x"] + box["width"] <= width
+    letters = page.locator(".look text").bounding_box()
+    assert letters is not None
+    assert letters["height"] >= 10
+    expect(page.locator(".look strong")).to_have_count(2)
+    page.context.close()
 
 
 def test_what_is_told_of_an_earlier_plan_says_so(opened: Opened) -> None:
@@ -118,8 +138,24 @@ def test_a_saved_file_is_called_as_the_dance_is(
         page.get_by_role("button", name=re.compile("save the plan file|保存")).click()
     assert saved.value.suggested_filename == f"{name}.dragon.toml"
     page.locator(".commands summary").click()
-    code = page.locator(".commands code").first
-    expect(code).to_contain_text(f" {name}.dragon.toml ")
+    commands = page.locator(".commands code").all_text_contents()
+    assert [command.split(" ", 3)[2] for command in commands if "solve" not in command] == [
+        f"{name}.dragon.toml"
+    ] * 6
+    for made in (".html", "-motion", "-check", "-papers", ".mp4"):
+        assert f"-o {name}{made}" in " ".join(commands)
+
+
+def test_a_file_of_a_dragon_of_own_benches_is_called_by_how_many_dance(opened: Opened) -> None:
+    page = opened()
+    own = [{"length": 3.41}, {"length": 2.2, "count": 5}]
+    page.evaluate(
+        "(bench) => benchdragon.change({ ...benchdragon.plan, dragon: { bench } }, true)", own
+    )
+    settled(page)
+    with page.expect_download() as saved:
+        page.get_by_role("button", name="save the plan file").click()
+    assert saved.value.suggested_filename == "Coiling-in-to-the-disc-6.dragon.toml"
 
 
 def test_a_plan_file_is_dropped_on_the_page(opened: Opened) -> None:

@@ -6,7 +6,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.browser.pages import Device
-from tests.browser.planners import PITCH, Opened, change, number, settle, settled, verdict
+from tests.browser.planners import PITCH, Opened, change, number, settle, settled, text_of, verdict
 
 
 def test_the_evidence_is_one_click_away_and_leads_to_the_moment(opened: Opened) -> None:
@@ -173,3 +173,29 @@ def test_with_all_limits_set_the_controls_and_the_evidence_stay_in_sight(
         )
     else:
         expect(page.get_by_role("dialog")).to_contain_text("rad/s")
+
+
+def test_an_address_that_is_being_read_is_not_written_over(opened: Opened) -> None:
+    """The page comes to rest while it unfolds what an address holds that was put into its window."""
+    page = opened()
+    page.wait_for_url(re.compile("plan="))
+    other = "plan=" + text_of(b'["nosuch", {}]')
+    page.evaluate(
+        """(other) => {
+          const slowly = (readable) => readable.pipeThrough(new TransformStream({
+            async transform(piece, out) {
+              benchdragon.player.onSettled();
+              for (let turn = 0; turn < 5; turn++) await new Promise((done) => setTimeout(done));
+              out.enqueue(piece);
+            },
+          }));
+          const made = globalThis.DecompressionStream;
+          globalThis.DecompressionStream = class extends made {
+            get readable() { return slowly(super.readable); }
+          };
+          location.hash = other;
+        }""",
+        other,
+    )
+    expect(page.get_by_role("alert").locator("code")).to_have_text('["nosuch", {}]')
+    assert page.url.endswith(other)

@@ -179,6 +179,28 @@ def test_a_face_turned_with_the_phone_keeps_the_dragon_in_sight(pages: Pages, tu
     assert state(page, "camera.scale") == pytest.approx(1.4 * scale)
 
 
+@pytest.mark.parametrize("size", [(390, 844), (360, 640), (844, 390)])
+def test_a_benchs_card_leaves_the_picture_its_room_on_a_phone(
+    pages: Pages, turn: Scene, size: tuple[int, int]
+) -> None:
+    page = opened(pages, turn, HAND)
+    page.set_viewport_size({"width": size[0], "height": size[1]})
+    until(page, f"benchdragon.camera.width === {size[0]}")
+    page.evaluate("benchdragon.choose(8)")
+    until(page, "document.querySelector('.card').checkVisibility()")
+    stage, card = (
+        page.locator(name).evaluate("(one) => one.getBoundingClientRect().toJSON()")
+        for name in (".stage", ".card")
+    )
+    beside = card["left"] >= stage["right"] - 1
+    assert beside == (size[0] > size[1])
+    assert beside or card["top"] >= stage["bottom"] - 1
+    assert stage["height"] >= 0.28 * size[1]
+    assert not page.locator(".summary").is_visible()
+    page.evaluate("benchdragon.choose(-1)")
+    expect(page.locator(".summary")).to_be_visible()
+
+
 def legend_colour(page: Page, value: float) -> list[float]:
     """What the legend says a value looks like: by its ends, and the colours between them."""
     ends = [

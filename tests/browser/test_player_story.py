@@ -5,14 +5,31 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Page
 
+from benchdragon.analysis.check import check
 from tests.browser.pages import Colours, Device, Language, Pages
-from tests.browser.players import DESK, HAND, LOOKS, Scene, drawn, opened, state, time_of, until
+from tests.browser.players import (
+    DESK,
+    HAND,
+    LOOKS,
+    Scene,
+    drawn,
+    opened,
+    seconds,
+    state,
+    time_of,
+    until,
+)
 from tests.browser.test_player_labels import APART, written
 
 NAMES = {
     "contact": {"en": "Why it ends here", "zh": "为什么到此为止"},
     "turn": {"en": "The tightest moment", "zh": "最紧的时刻"},
 }
+MET = {
+    "obstacle": {"en": "Where it touches an obstacle", "zh": "哪里碰到障碍物"},
+    "venue": {"en": "Where it leaves the venue", "zh": "哪里越出场地"},
+}
+MEETS = "camera, face: { story: { met } }"
 # The story's place, and what it tells of the dance.
 TOLD = """() => {
   const { face, time, camera, ringed } = benchdragon;
@@ -151,7 +168,7 @@ def test_each_caption_of_a_story_is_told_once_and_no_value_between(
 @pytest.mark.parametrize("how", ["play", "axis", "drag"])
 def test_a_story_gives_way_to_hands(pages: Pages, contact: Scene, how: str) -> None:
     page = opened(pages, contact)
-    page.evaluate("benchdragon.face.tell(1)")
+    page.evaluate("benchdragon.face.tell(undefined, 1)")
     if how == "play":
         page.locator("button.play").click()
         assert (state(page, "face.story.open"), state(page, "playing")) == (False, True)
@@ -169,7 +186,7 @@ def test_a_story_gives_way_to_hands(pages: Pages, contact: Scene, how: str) -> N
 
 def test_a_story_goes_on_in_the_other_language(pages: Pages, contact: Scene) -> None:
     page = opened(pages, contact)
-    page.evaluate("benchdragon.face.tell(2, true)")
+    page.evaluate("benchdragon.face.tell(undefined, 2, true)")
     english = page.evaluate(TOLD)
     page.get_by_role("button", name="中文").click()
     chinese = page.evaluate(TOLD)
@@ -181,7 +198,7 @@ def test_a_story_goes_on_in_the_other_language(pages: Pages, contact: Scene) -> 
 def test_with_reduced_motion_a_story_cuts(pages: Pages, contact: Scene) -> None:
     page = opened(pages, contact)
     page.emulate_media(reduced_motion="reduce")
-    page.evaluate("benchdragon.face.tell(1)")
+    page.evaluate("benchdragon.face.tell(undefined, 1)")
     drawn(page)
     goal = page.evaluate("benchdragon.pairScale(...benchdragon.face.story.pair)")
     assert state(page, "camera.scale") == pytest.approx(goal)
@@ -205,7 +222,10 @@ def test_a_jump_to_an_event_goes_near_its_pair(
     page = opened(pages, contact, look)
     before = state(page, "camera.scale")
     (about,) = [one for one in contact.dance.occasions if one.kind == "contact"]
-    page.locator(".mark.contact").click()
+    box = page.locator(".mark.contact").bounding_box()
+    assert box is not None
+    press = page.touchscreen.tap if look[0] == "phone" else page.mouse.click
+    press(box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"])
     assert time_of(page) == pytest.approx(about.time)
     until(page, f"benchdragon.camera.scale >= benchdragon.pairScale(0, {about.benches[1] - 1}) - 1e-6")
     drawn(page)
@@ -219,3 +239,39 @@ def test_a_dance_in_which_nothing_is_near_has_no_story(
 ) -> None:
     page = opened(pages, scenes(name))
     assert not page.locator(".tell").is_visible()
+
+
+@pytest.mark.parametrize("look", [DESK, HAND], ids="-".join)
+@pytest.mark.parametrize(("name", "kind"), [("pole", "obstacle"), ("yard", "venue")])
+def test_a_story_tells_how_a_bench_touches_an_obstacle_or_leaves_the_venue(
+    pages: Pages,
+    scenes: Callable[[str], Scene],
+    name: str,
+    kind: str,
+    look: tuple[Device, Language, Colours],
+) -> None:
+    scene = scenes(name)
+    (finding,) = [one for one in check(scene.plan, quick=True).findings if one.kind == kind]
+    page = opened(pages, scene, look)
+    page.get_by_role("button", name=MET[kind][look[1]]).click()
+    lengths = page.evaluate("benchdragon.face.story.steps.map(({ seconds }) => seconds)")
+    assert 20 <= sum(lengths) <= 35
+    texts = []
+    for n, length in enumerate(lengths):
+        page.evaluate(STEP, [n, length - 0.2])
+        drawn(page)
+        (text,) = page.evaluate(TOLD)["texts"]
+        texts.append(text)
+        if n:
+            met = state(page, "face.story.met")
+            assert (met["i"] + 1, met["obstacle"]) == (finding.benches[0], 0)
+            assert page.evaluate(SEEN.replace("ringed", "met").replace("camera, met", MEETS)), n
+            label = [one for one in written(page) if "(" in one["text"]]
+            assert [one["text"].split("(")[1] for one in label] == [f"{finding.benches[0]}, {name})"]
+    assert time_of(page) == pytest.approx(finding.time)
+    assert finding.time is not None
+    assert seconds(finding.time) in texts[-1]
+    assert name in texts[0]
+    assert state(page, "face.story.met.distance") <= 1e-3
+    page.get_by_role("button", name={"en": "中文", "zh": "English"}[look[1]]).click()
+    assert page.evaluate(TOLD)["texts"][0] not in texts

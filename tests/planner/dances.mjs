@@ -7,8 +7,8 @@ const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
 const [{ Engine }, { checkedPlan }, { danceOf, SKETCH }, { Scene }, { Table }] = await Promise.all(
   ["engine", "compute/plan", "compute/scene", "scene", "following"].map(load),
 );
-const [{ withArenaAsync }, { check }, { judgedDance }] = await Promise.all(
-  ["compute/arena", "compute/check", "compute/judged"].map(load),
+const [{ withArenaAsync }, { check }, { judgedDance }, { verdictOf }] = await Promise.all(
+  ["compute/arena", "compute/check", "compute/judged", "compute/records"].map(load),
 );
 const engine = await Engine.load(readFileSync(file));
 const { memory } = engine.exports;
@@ -17,7 +17,8 @@ const { memory } = engine.exports;
 function judged(plan, dance) {
   return withArenaAsync(engine, async (arena) => {
     const walk = plan.build(arena);
-    return judgedDance(dance, await check(plan, walk, plan.span(walk), { quick: true }), "");
+    const report = await check(plan, walk, plan.span(walk), { quick: true });
+    return judgedDance(dance, verdictOf(report, ""), plan.obstacles());
   });
 }
 

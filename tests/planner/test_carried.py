@@ -1,4 +1,4 @@
-"""The library that the planner carries: its version, its notice, what it does."""
+"""The libraries that the planner carries: their versions, their notices, what they do."""
 
 import json
 import re
@@ -14,8 +14,9 @@ from tests.engine.recording import node
 
 ROOT = Path(__file__).parents[2]
 MODULE = WEB / "carried.js"
+LIBRARIES = {MODULE: "smol-toml", WEB / "carried_code.js": "uqr"}
 PLANS = sorted([*ROOT.glob("examples/*.toml"), *ROOT.glob("src/benchdragon/plans/builtin/*.toml")])
-AGAIN = "carried.js is of other versions: run `make carried`, and commit what it makes"
+AGAIN = "{name} is of other versions: run `make carried`, and commit what it makes"
 
 needs_node = pytest.mark.skipif(node() is None, reason="no Node here to run carried.js in")
 
@@ -39,11 +40,13 @@ def run(script: str, data: object) -> Any:
     return json.loads(done.stdout)
 
 
-def test_the_module_is_of_the_locked_versions() -> None:
-    told = dict(re.findall(r"([\w-]+) (\d+\.\d+\.\d+)", MODULE.read_text("utf-8").split("\n")[0]))
+@pytest.mark.parametrize(("module", "library"), LIBRARIES.items(), ids=LIBRARIES.values())
+def test_the_modules_are_of_the_locked_versions(module: Path, library: str) -> None:
+    told = dict(re.findall(r"([\w-]+) (\d+\.\d+\.\d+)", module.read_text("utf-8").split("\n")[0]))
     lock = json.loads((ROOT / "package-lock.json").read_text("utf-8"))["packages"]
-    assert set(told) == {"smol-toml", "esbuild"}
-    assert told == {name: lock[f"node_modules/{name}"]["version"] for name in told}, AGAIN
+    assert set(told) == {library, "esbuild"}
+    wanted = {name: lock[f"node_modules/{name}"]["version"] for name in told}
+    assert told == wanted, AGAIN.format(name=module.name)
 
 
 def test_the_lock_names_no_address_of_a_registry() -> None:
@@ -53,15 +56,18 @@ def test_the_lock_names_no_address_of_a_registry() -> None:
 
 def test_the_notice_names_what_is_carried_and_goes_into_the_wheel() -> None:
     text = (WEB / "carried.txt").read_text("utf-8")
-    assert "smol-toml" in text
-    assert "Squirrel Chat et al." in text
+    for library, owner in (("smol-toml", "Squirrel Chat et al."), ("uqr", "Project Nayuki")):
+        assert f"* {library}: " in text
+        assert f"\n{library}\n" in text
+        assert owner in text.rsplit(f"\n{library}\n", 1)[1]
     project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
     assert "src/benchdragon/web/carried.txt" in project["license-files"]
 
 
-def test_the_module_makes_no_code_of_texts() -> None:
+@pytest.mark.parametrize("module", LIBRARIES, ids=LIBRARIES.values())
+def test_the_modules_make_no_code_of_texts(module: Path) -> None:
     """As the policy of a page forbids it."""
-    assert not re.search(r"\beval\(|\bFunction\(|\bimport\(", MODULE.read_text("utf-8"))
+    assert not re.search(r"\beval\(|\bFunction\(|\bimport\(", module.read_text("utf-8"))
 
 
 @needs_node

@@ -1,27 +1,13 @@
 """compute/constants.js holds what the Python modules hold."""
 
-import importlib.util
 import math
-from pathlib import Path
 from typing import Any
 
 import pytest
 
-ROOT = Path(__file__).parents[2]
+from tests.scripts import script
 
-
-def load_tool() -> Any:
-    """tools/make_constants.py as a module."""
-    path = ROOT / "tools" / "make_constants.py"
-    spec = importlib.util.spec_from_file_location("make_constants", path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-TOOL = load_tool()
+TOOL: Any = script("tools/make_constants.py")
 
 
 def test_the_constants_of_the_pages_are_those_of_the_modules() -> None:

@@ -98,6 +98,7 @@ def test_messages_are_the_same(dances: list[tuple[Any, Any]]) -> None:
         expected |= {
             "plan_sha256": read.sha256, "disc": read.disc.radius, "margin": read.limits.margin,
             "speed_limit": read.limits.speed, "beats": beats(read), "village": village(read),
+            "north": read.survey.north,
             "occasions": sorted(expected["occasions"], key=lambda one: float(one["time"])),
         }  # fmt: skip
         assert difference(loose(expected), loose(theirs)) == ""

@@ -1,6 +1,5 @@
 """compute/plan.js: the plan, its hash, walk, span and sentences are those of Python."""
 
-import importlib.util
 import json
 import tomllib
 from pathlib import Path
@@ -13,6 +12,7 @@ from benchdragon.plans.toml import BUILT_IN_FOLDER
 from tests.engine.recording import node
 from tests.planner.random_plans import plan
 from tests.planner.twins import answered, asked, difference
+from tests.scripts import script
 
 ROOT = Path(__file__).parents[2]
 pytestmark = pytest.mark.skipif(node() is None, reason="no Node here to run the page's modules in")
@@ -61,6 +61,9 @@ SPECIAL: dict[str, dict[str, Any]] = {
     },
     "a head that never arrives": {"walk": {"profile": [[0, 1], [5, 0]]}},
     "a disc that is too large": {"disc": {"radius": 20}},
+    "a very long number as text": {"walk": {"speed": "1" * 1_000_000}},
+    "as long a text as may be": {"walk": {"speed": "1" * 100}},
+    "one sign more": {"walk": {"speed": "龙" * 101}},
 }  # fmt: skip
 
 
@@ -115,11 +118,6 @@ def test_files_and_surveyed_pieces_are_refused_with_what_to_do() -> None:
 
 
 def test_what_plans_may_hold_is_as_the_models_say() -> None:
-    path = ROOT / "tools" / "make_plan_keys.py"
-    spec = importlib.util.spec_from_file_location("make_plan_keys", path)
-    assert spec is not None
-    assert spec.loader is not None
-    tool: Any = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(tool)
+    tool: Any = script("tools/make_plan_keys.py")
     assert tool.FILE.read_text("utf-8") == tool.plan_keys(), "run `make types`"
     assert json.dumps(tool.built_in())

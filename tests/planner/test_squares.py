@@ -53,7 +53,6 @@ def test_what_a_check_found_is_on_the_dance() -> None:
         span = Span(*read.span(read.build()), shares=(0.5,), times=60)
         own = judged_dance(read, partial(check, quick=True), span).model_dump(mode="json")
         assert occasions(twin["sent"]) == occasions(own)
-        assert twin["sent"]["verdict"]["safe"] == own["verdict"]["safe"]
         for one, other in zip(own["occasions"], twin["sent"]["occasions"], strict=True):
             assert abs(one["time"] - other["time"]) < 0.02  # the tightest moment is flat
         far = np.subtract(own["nearest"]["distance"], twin["sent"]["nearest"]["distance"])

@@ -14,7 +14,7 @@ from benchdragon.analysis.check import Report, check, sentence
 from benchdragon.analysis.distance import boxes
 from benchdragon.i18n import Words, _, both, spoken_in
 from benchdragon.kernels.box import corner
-from benchdragon.plans.schema import read_plan
+from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.player import messages
 from benchdragon.player.scene import (
     MOST_BENCHES,
@@ -241,6 +241,12 @@ def test_what_a_page_cannot_hold_is_refused() -> None:
         plain_dance(crowd, Span(0.0, 1.0))
     with pytest.raises(WalkError, match="past the end of the route"):
         plain_dance(Walk(Dragon.uniform(3), route, start=29_999.0), Span(5.0, 9.0))
+
+
+def test_a_plan_with_coordinates_says_where_north_is() -> None:
+    plan = read_plan("spiral-in", ["dragon.benches=3", "walk.end=5"])
+    surveyed = Plan.model_validate(plan.data() | {"survey": {"crs": "wgs84"}})
+    assert [checked_dance(check(one)).north for one in (plan, surveyed)] == [False, True]
 
 
 def test_only_a_village_that_counts_otherwise_sends_its_names() -> None:

@@ -45,6 +45,13 @@ class TurnFound(Record):
     active: list[str]
 
 
+class TurnShape(Record):
+    """The turn of a plan: its own length and the radius of its tightest bend, m."""
+
+    length: Number
+    least_radius: Number
+
+
 class PaceFound(Record):
     """The plan walked at its own head speed, slowed down only where a limit wants it."""
 

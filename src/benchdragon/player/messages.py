@@ -184,6 +184,7 @@ class Dance(Record):
             square alone.
         beats: of plans with cues alone.
         village: of plans that say how benches are counted alone.
+        north: whether y points north.
     """
 
     version: str
@@ -205,3 +206,4 @@ class Dance(Record):
     verdict: Verdict | None
     beats: Beats | None = None
     village: Village | None = None
+    north: bool = False

@@ -4,22 +4,21 @@ The file fetches nothing, and its content security policy forbids it.
 """
 
 import html
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from benchdragon.errors import BenchDragonError, InputError, of_kind
 from benchdragon.files import whole_file
-from benchdragon.i18n import _, both, language
-from benchdragon.inlining import chinese, content_hash, inert, inlined, joined_styles
+from benchdragon.i18n import _, language
+from benchdragon.inlining import chinese, html_page
 from benchdragon.kernels.status import Status
 from benchdragon.model.walk import Motion
 from benchdragon.player import messages
 from benchdragon.player.scene import Span, plain_dance
-from benchdragon.version import __version__
 
+PAGE = "start.js"
 STYLES = ("style.css", "explain.css", "print.css")
 # Bytes that a file may have for up to 1,000 benches; larger dragons get this for each thousand.
 MOST_BYTES = 10_000_000
@@ -32,29 +31,10 @@ BESIDE, TRIED = 5.0, 50
 
 def player_page(dance: messages.Dance, spoken: str | None = None) -> str:
     """The page that shows a dance, beginning in a language ("en" or "zh"; None: that in use)."""
-    script = inlined("start.js") + "\nawait start();\n"
-    style = joined_styles(STYLES)
-    environment = Environment(
-        loader=PackageLoader("benchdragon"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-    )
     spoken = spoken or language()
-    return environment.get_template("player.html.jinja").render(
-        language=spoken,
-        title=getattr(dance.title, spoken) or "benchdragon",
-        version=__version__,
-        hashes={"script": content_hash(script), "style": content_hash(style)},
-        script=script,
-        style=style,
-        waiting=asdict(
-            both(lambda: _("Nothing moves? Then open this file in a browser: previews do not run it."))
-        ),
-        words=inert(chinese("start.js")),
-        spoken=inert(spoken),
-        dance=inert(dance.model_dump(mode="json")),
-    )
+    title = getattr(dance.title, spoken) or "benchdragon"
+    held = {"words": chinese(PAGE), "dance": dance.model_dump(mode="json")}
+    return html_page("player.html.jinja", PAGE, STYLES, spoken, held, title=title)
 
 
 def write_player(path: Path, dance: messages.Dance) -> None:

@@ -7,6 +7,7 @@ from functools import partial
 
 import numpy as np
 
+from benchdragon import budget
 from benchdragon.analysis.beats import score_of
 from benchdragon.analysis.check import Report
 from benchdragon.analysis.distance import nearest_each
@@ -86,6 +87,7 @@ def is_long(walk: Walk, span: Span) -> bool:
     return len(walk.dragon) * (span.end - span.start) > LONG
 
 
+@budget.question()
 def checked_dance(
     report: Report, span: Span | None = None, progress: Progress = silent
 ) -> messages.Dance:
@@ -107,6 +109,7 @@ def checked_dance(
     )
 
 
+@budget.question()
 def judged_dance(
     plan: Plan,
     judge: Callable[[Plan], Report],
@@ -148,6 +151,7 @@ def _of_plan(
             ),
             "beats": _beats(plan),
             "village": _village(plan.people, len(dance.benches.length)),
+            "north": plan.survey.north,
         }
     )
 
@@ -207,6 +211,7 @@ def _rounded(points: FloatArray) -> list[tuple[float, float]]:
     return [(x, y) for x, y in np.round(points, 4).tolist()]
 
 
+@budget.question()
 def plain_dance(walk: Walk, span: Span, progress: Progress = silent) -> messages.Dance:
     """The dance of a walk: its only occasions are joints, and an end where the benches cannot follow.
 

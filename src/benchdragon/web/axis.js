@@ -33,6 +33,9 @@ export function occasionText(occasion) {
 
 /** A tick takes so much room, CSS pixels. */
 const TICK_ROOM = 84;
+/** A finger that lands so far beside a mark means it, and one that moved no farther tapped, CSS pixels. */
+const FINGER = 22;
+const STEADY = 10;
 /** Nearer to an end of the axis its text stands inside, CSS pixels. */
 const TICK_EDGE = 20;
 
@@ -58,6 +61,7 @@ export class Axis {
       "aria-label": _("time"),
       oninput: () => jump(this.slider.valueAsNumber),
     });
+    this.#onTaps(jump);
     this.ticks = make("div", { class: "ticks", "aria-hidden": "true" });
     this.played = make("div", { class: "played" });
     this.element = make(
@@ -87,6 +91,34 @@ export class Axis {
       { class: "ends", "aria-hidden": "true" },
       make("span", {}, _("clearance up to {most}", { most: shortLength(reach) })),
     );
+  }
+
+  /** Where fingers tap the slider near a mark, go to its event: the nearest mark's. @param {(time: number, benches?: number[]) => void} jump */
+  #onTaps(jump) {
+    let began = NaN;
+    this.slider.addEventListener("pointerdown", ({ clientX }) => {
+      began = clientX;
+    });
+    this.slider.addEventListener("pointerup", ({ pointerType, clientX, clientY }) => {
+      if (pointerType === "mouse" || !(Math.abs(clientX - began) <= STEADY)) return;
+      const found = this.#markAt(clientX, clientY);
+      if (found) jump(found.time, found.benches);
+    });
+  }
+
+  /** The event whose mark is nearest to a place on the axis, if a finger there means it. @param {number} x @param {number} y @returns {Occasion | null} */
+  #markAt(x, y) {
+    const marks = [...this.element.querySelectorAll(".mark")];
+    const away = marks.map((mark) => {
+      const { left, right, top, bottom } = mark.getBoundingClientRect();
+      return [Math.abs(x - 0.5 * (left + right)), Math.abs(y - 0.5 * (top + bottom))];
+    });
+    let best = -1;
+    away.forEach(([across, up], n) => {
+      const nearer = best < 0 || Math.hypot(across, up) < Math.hypot(...away[best]);
+      if (across <= FINGER && nearer) best = n;
+    });
+    return best < 0 ? null : this.scene.sent.occasions[best];
   }
 
   /** Ticks with round times, as many as find room. @param {number} width CSS pixels */

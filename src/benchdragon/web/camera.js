@@ -1,9 +1,5 @@
 // What part of the ground the canvas shows, and the gestures that move it.
 
-/** Width of a printed picture, CSS pixels: that of A4 upright between margins; and its shape, at most. */
-const PAPER_WIDTH = 720;
-const PAPER_SHAPES = [0.5, 1.25];
-
 /** What is brought into sight is so far from the picture's edge, CSS pixels. */
 const EDGE = 12;
 
@@ -36,22 +32,6 @@ export class Camera {
   /** Show a box of ground, m. @param {number} left @param {number} bottom @param {number} right @param {number} top */
   fit(left, bottom, right, top) {
     Object.assign(this, this.view(left, bottom, right, top));
-  }
-
-  /**
-   * A view for paper of what this one shows, or of a box of ground.
-   * @param {[number, number, number, number] | null} ground left, bottom, right, top, m
-   */
-  paper(ground) {
-    const [left, top] = this.toGround(0, 0);
-    const [right, bottom] = this.toGround(this.width, this.height);
-    const box = ground ?? [left, bottom, right, top];
-    const shape = (box[3] - box[1]) / (box[2] - box[0]);
-    const camera = new Camera();
-    const height = PAPER_WIDTH * Math.min(Math.max(shape, PAPER_SHAPES[0]), PAPER_SHAPES[1]);
-    camera.resize(PAPER_WIDTH, height);
-    camera.fit(box[0], box[1], box[2], box[3]);
-    return camera;
   }
 
   /** @param {number} x @param {number} y m @returns {[number, number]} CSS pixels */

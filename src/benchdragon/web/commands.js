@@ -1,27 +1,14 @@
 // What the command line does and the page does not: the very commands, to be copied.
 
 import { make } from "./elements.js";
-import { _, language } from "./words.js";
+import { planName } from "./names.js";
+import { _ } from "./words.js";
 
 /** @typedef {import("./plan_form.js").Plan} Plan */
 
-/** Where the name of the plan's file stands in a command. */
-const PLAN_FILE = "{plan}";
-/** Letters that a title leaves to a file's name: with the rest, under any system's 255 bytes. */
-const MOST_LETTERS = 60;
-
-/**
- * The name under which a plan is saved: its title and how many benches dance, without what file systems
- * or command lines take for something else.
- * @param {Plan} plan
- */
-export function planFile({ meta, dragon }) {
-  const { title, title_zh } = meta;
-  const told = language() === "zh" ? title_zh || title : title || title_zh;
-  const words = (told || "dance").normalize("NFC").match(/[\p{L}\p{M}\p{N}]+/gu) ?? ["dance"];
-  const name = Array.from(words.join("-")).slice(0, MOST_LETTERS).join("");
-  return `${name}-${dragon.benches}.dragon.toml`;
-}
+/** What stands for the name of the plan's files in a command; and its own file. */
+const NAME = "{name}";
+const PLAN_FILE = `${NAME}.dragon.toml`;
 
 /** What is asked in the page where it can be, and its command where it cannot. */
 const QUESTIONS = {
@@ -32,7 +19,7 @@ const QUESTIONS = {
   "job/speed": { text: () => _("greatest head speed"), command: `solve speed ${PLAN_FILE}` },
   "job/pace": {
     text: () => _("slow down only where it must"),
-    command: `solve speed ${PLAN_FILE} --pace slow.dragon.toml`,
+    command: `solve speed ${PLAN_FILE} --pace ${NAME}-slow.dragon.toml`,
   },
   "job/margins": {
     text: () => _("tolerance for people who are not exact"),
@@ -40,20 +27,24 @@ const QUESTIONS = {
   },
 };
 const FILES = [
-  { text: () => _("player (a page)"), command: `view ${PLAN_FILE} -o dance.html` },
+  { text: () => _("player (a page)"), command: `view ${PLAN_FILE} -o ${NAME}.html` },
   {
     text: () => _("positions, as tables and pictures"),
-    command: `motion ${PLAN_FILE} -o motion --format xlsx,csv,png`,
+    command: `motion ${PLAN_FILE} -o ${NAME}-motion --format xlsx,csv,png`,
   },
   {
     text: () => _("moment of contact, as a table and a picture"),
-    command: `check ${PLAN_FILE} -o check`,
+    command: `check ${PLAN_FILE} -o ${NAME}-check`,
   },
-  { text: () => _("film"), command: `animate ${PLAN_FILE} -o dance.mp4` },
+  {
+    text: () => _("sheets as PDF with QR codes, chalk plan, timetable, permit annex"),
+    command: `sheets ${PLAN_FILE} --check -o ${NAME}-papers`,
+  },
+  { text: () => _("film"), command: `animate ${PLAN_FILE} -o ${NAME}.mp4` },
 ];
 
 /** Put text where it can be pasted from. @param {string} text @param {HTMLElement} shown where it stands on the page */
-async function copy(text, shown) {
+export async function copy(text, shown) {
   try {
     await navigator.clipboard.writeText(text);
   } catch {
@@ -67,7 +58,7 @@ async function copy(text, shown) {
 function row(text, command, plan) {
   const shown = make("code", { tabindex: "0" });
   const tell = () => {
-    shown.textContent = `benchdragon ${command.replace(PLAN_FILE, planFile(plan()))}`;
+    shown.textContent = `benchdragon ${command.replaceAll(NAME, planName(plan()))}`;
   };
   const told = make("output", { class: "told" });
   const button = make("button", { type: "button", "aria-label": _("copy: {text}", { text }) });

@@ -24,7 +24,7 @@ const SOUNDS = {
  * What sounds from one time of the dance on until another, s.
  * @param {Beats} beats @param {number} from @param {number} to
  */
-export function soundsBetween(beats, from, to) {
+function soundsBetween(beats, from, to) {
   /** @type {[number, Sound][]} */
   const found = [];
   for (const time of beats.strokes) if (time >= from && time < to) found.push([time, "drum"]);

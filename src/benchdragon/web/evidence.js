@@ -8,7 +8,7 @@ import { _, language, decimals } from "./words.js";
 /** @typedef {import("./messages").Verdict} Verdict */
 
 /** @param {Answer["status"]} status */
-export function statusText(status) {
+function statusText(status) {
   return {
     proved: _("proved"),
     found: _("found"),
@@ -145,7 +145,7 @@ export function evidenceDialog(verdict, pitch, jump) {
       "p",
       { class: "source" },
       _(
-        "Found: every bracket rests on bounds that allow for rounding; nothing is sampled. Proved: all positions behind it were verified in ball arithmetic. Walk from {start} s to {end} s; plan {hash}, benchdragon {version}.",
+        "Found: every bracket rests on bounds that allow for rounding; nothing is sampled. Proved: shown again in ball arithmetic, without the search. Walk from {start} s to {end} s; plan {hash}, benchdragon {version}.",
         {
           start: decimals(verdict.start ?? 0, 1),
           end: decimals(verdict.end ?? 0, 1),

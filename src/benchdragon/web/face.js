@@ -6,12 +6,14 @@ import { endTexts, kindName, KINDS } from "./colours.js";
 import { choice, drawnSign, make, signButton, tick, wordButton } from "./elements.js";
 import { showKeys, showLegendOf } from "./help.js";
 import { Painter } from "./paint.js";
-import { Story, storyName } from "./story.js";
+import { Story } from "./story.js";
+import { talesOf } from "./tales.js";
 import { _, decimals, language } from "./words.js";
 
 /** @typedef {import("./player.js").Player} Player */
 /** @typedef {import("./colours.js").Kind} Kind */
 /** @typedef {import("./colours.js").Scale} Scale */
+/** @typedef {import("./story.js").Tale} Tale */
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 30];
 const PLAY = "M7 4v16l13-8z";
@@ -21,7 +23,10 @@ const NEXT = "M17 4h3v16h-3zM4 4v16l12-8z";
 const NOTE = "M9 17.5a3 2.5 0 1 1-2-2.4V5l13-2v12.5a3 2.5 0 1 1-2-2.4V7.4L9 8.9z";
 const SHAPES =
   "M4 3h7v7H4zM17 3l4.5 7.5h-9zM7.5 13.5a4 4 0 1 1 0 8 4 4 0 0 1 0-8zM14 14h7v2h-7zM14 18h7v2h-7z";
+const PRINTER = "M7 3h10v4H7zM4 8h16v9h-3v-3H7v3H4zM8 15h8v6H8z";
 const HALF = "M12 3a9 9 0 1 0 0 18zM12 3a9 9 0 0 1 0 18v-2a7 7 0 0 0 0-14z";
+/** A frame in a notebook may not print. */
+const PRINTABLE = location.protocol !== "about:";
 
 export class Face {
   /** @param {Player} player */
@@ -38,6 +43,7 @@ export class Face {
       (time, benches) => player.jump(time, benches),
     );
     this.legend = make("div", { class: "legend" });
+    this.onPaper = make("p", { class: "on-paper" });
     this.clock = make("p", { class: "clock" });
     this.tight = make("p", { class: "tight" });
     this.spoken = make("p", { class: "spoken", "aria-live": "polite" });
@@ -62,11 +68,18 @@ export class Face {
       (kind) => player.paintBy(/** @type {Kind} */ (kind)),
     );
     this.lists = [this.#views(), this.#events()];
-    this.storyButton = make(
-      "button",
-      { type: "button", class: "tell", onclick: () => this.tell() },
-      drawnSign(PLAY),
-      ` ${storyName(this.scene)}`,
+    this.tales = talesOf(this.scene);
+    this.storyButtons = make(
+      "div",
+      { class: "tales" },
+      ...this.tales.map((tale) =>
+        make(
+          "button",
+          { type: "button", class: "tell", onclick: () => this.tell(tale) },
+          drawnSign(PLAY),
+          ` ${tale.name()}`,
+        ),
+      ),
     );
     this.showStory(false);
     this.stage = make(
@@ -74,12 +87,13 @@ export class Face {
       { class: "stage" },
       this.canvas,
       this.legend,
-      this.storyButton,
+      this.storyButtons,
       this.lists[0],
     );
     const middle = make("div", { class: "middle" }, this.stage, this.card.element);
     this.elements = [
       this.#header(),
+      this.onPaper,
       middle,
       this.story.element,
       this.axis.element,
@@ -137,6 +151,7 @@ export class Face {
         signButton(drawnSign(SHAPES), _("what is drawn"), () =>
           showLegendOf(this.player.root, this.scene),
         ),
+        ...(PRINTABLE ? [signButton(drawnSign(PRINTER), _("print"), () => print())] : []),
         signButton("?", _("keys"), () => showKeys(this.player.root, this.scene, this.player.more())),
       ),
     );
@@ -211,6 +226,13 @@ export class Face {
       this.followBox,
       this.dressBox,
       this.trailBox,
+      tick(
+        this.scene.sent.ground.length
+          ? _("ground that the dance covers")
+          : _("ground that the dance covers, as a picture of many moments"),
+        this.player.look.ground,
+        (on) => this.player.see("ground", on),
+      ),
       tick(_("route"), this.player.look.route, (on) => this.player.see("route", on)),
       ...(this.scene.sent.disc === null
         ? []
@@ -240,15 +262,15 @@ export class Face {
     );
   }
 
-  /** Tell the story, from a step on. @param {number} [step] @param {boolean} [paused] */
-  tell(step = 0, paused = false) {
+  /** Tell a story, from a step on. @param {Tale} [tale] @param {number} [step] @param {boolean} [paused] */
+  tell(tale = this.tales[0], step = 0, paused = false) {
     this.showStory(true);
-    this.story.begin(step, paused);
+    this.story.begin(tale, step, paused);
   }
 
   /** @param {boolean} told */
   showStory(told) {
-    this.storyButton.hidden = told || !storyName(this.scene);
+    this.storyButtons.hidden = told;
   }
 
   /** @param {boolean} on */

@@ -19,6 +19,9 @@ import { _ } from "./words.js";
  * @property {(plan: object, text: string) => void} tellFile how it went, and with which plan
  */
 
+/** A page reads smaller files than the program: what is opened stays in memory several times. */
+const MOST_BYTES = 20e6;
+
 export class Files {
   /** @param {Host} host @param {Answers} answers */
   constructor(host, answers) {
@@ -90,6 +93,14 @@ export class Files {
   async #open(file) {
     const before = this.host.subject;
     await this.#tried(async () => {
+      if (file.size > MOST_BYTES)
+        throw new Error(
+          _("{source} is too large for a plan: {size} MB, at most {most} MB are read", {
+            source: file.name,
+            size: Math.floor(file.size / 1e6),
+            most: MOST_BYTES / 1e6,
+          }),
+        );
       const plan = await this.answers.opened(await file.text());
       if (this.host.subject !== before)
         throw new Error(_("The plan was changed meanwhile: open it again."));
@@ -118,7 +129,7 @@ export class Files {
 }
 
 /** Have the browser save a file; its name. @param {MadeFile} file */
-function deliver({ name, data }) {
+export function deliver({ name, data }) {
   const url = URL.createObjectURL(data);
   make("a", { href: url, download: name }).click();
   setTimeout(() => URL.revokeObjectURL(url), 60_000);

@@ -40,7 +40,7 @@ export class Grips {
     this.stage = stage;
     this.lines = draw("path", { class: "sketch" });
     const sketch = draw("svg", { "aria-hidden": "true" }, this.lines);
-    this.element = make("div", { class: "grips", role: "group" }, sketch);
+    this.element = make("div", { class: "grips", role: "region" }, sketch);
     /** @type {Map<string, { element: HTMLElement, told: HTMLElement, grip: Grip }>} */
     this.shown = new Map();
     /** @type {Drag | null} */

@@ -112,6 +112,7 @@ export interface CuesTable {
  *         square alone.
  *     beats: of plans with cues alone.
  *     village: of plans that say how benches are counted alone.
+ *     north: whether y points north.
  */
 export interface Dance {
   version: string;
@@ -133,6 +134,7 @@ export interface Dance {
   verdict: Verdict | null;
   beats?: Beats | null;
   village?: Village | null;
+  north?: boolean;
 }
 
 /** The turning space: a circle about the spiral's centre. */
@@ -720,6 +722,12 @@ export interface TurnRoute {
   turned?: number;
   kind: "turn";
   pitch?: number;
+}
+
+/** The turn of a plan: its own length and the radius of its tightest bend, m. */
+export interface TurnShape {
+  length: number | null;
+  least_radius: number | null;
 }
 
 /**

@@ -23,9 +23,10 @@ export function tightestOf({ boxes, playing, scene, time, face }) {
   return here ? boxes.pair(here.benches[0] - 1, here.benches[1] - 1) : tightest;
 }
 
-/** At rest at an event of an obstacle: how its bench stands to that. @param {Player} player */
-export function meetingOf({ boxes, playing, scene, square, time }) {
+/** At rest at an event of an obstacle: how its bench stands to that; or what a story is about. @param {Player} player */
+export function meetingOf({ boxes, playing, scene, square, time, face }) {
   if (playing) return null;
+  if (face.story.open) return face.story.met;
   const here = scene.sent.occasions.find(
     (one) => one.obstacle !== null && Math.abs(one.time - time) < AT_EVENT,
   );

@@ -1,6 +1,6 @@
 // Words and measures on the picture: labels, the scale bar, the ruler.
 
-import { shortLength } from "./words.js";
+import { _, shortLength } from "./words.js";
 
 /** @typedef {import("./camera.js").Camera} Camera */
 /** @typedef {import("./paint.js").Inks} Inks */
@@ -77,6 +77,22 @@ export function drawScaleBar(ctx, camera, inks) {
   ctx.textBaseline = "alphabetic";
   const text = metres < 1 ? `${Number((100 * metres).toPrecision(1))} cm` : `${metres} m`;
   ctx.fillText(text, x + 4, y - 8);
+}
+
+/** An arrow to the north, which is up, in the upper left corner. @param {CanvasRenderingContext2D} ctx @param {Camera} camera @param {Inks} inks */
+export function drawNorth(ctx, camera, inks) {
+  ctx.fillStyle = inks.ink;
+  ctx.beginPath();
+  ctx.moveTo(24, 10);
+  ctx.lineTo(33, 46);
+  ctx.lineTo(24, 38);
+  ctx.lineTo(15, 46);
+  ctx.closePath();
+  ctx.fill();
+  ctx.font = lettering(14, camera);
+  ctx.textAlign = "center";
+  ctx.textBaseline = "top";
+  ctx.fillText(_("N"), 24, 50);
 }
 
 /** A measured line and its length. @param {CanvasRenderingContext2D} ctx @param {Camera} camera @param {Inks} inks @param {[number, number][]} ruler two points on the ground, or none */

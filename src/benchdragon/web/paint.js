@@ -1,9 +1,19 @@
 // Draws a dance at one instant onto a canvas: ground, route, benches to scale, what is tight.
 
 import { shade, shades, TOUCH } from "./colours.js";
+import { Covered } from "./covered.js";
 import { Dress } from "./dragon.js";
 import { Beside, numberHeight, numberTags } from "./labels.js";
-import { drawRuler, drawScaleBar, FONT, halfWidth, lettering, patternOf, writeLabel } from "./notes.js";
+import {
+  drawNorth,
+  drawRuler,
+  drawScaleBar,
+  FONT,
+  halfWidth,
+  lettering,
+  patternOf,
+  writeLabel,
+} from "./notes.js";
 import { _, language, shortLength } from "./words.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
@@ -15,6 +25,7 @@ import { _, language, shortLength } from "./words.js";
 /** @typedef {import("./square.js").Beside} BesideObstacle */
 /** @typedef {import("./colours.js").Scale} Scale */
 /** @typedef {import("./labels.js").Tag} Tag */
+/** @typedef {import("./story.js").Told} Told */
 /** @typedef {import("./labels.js").Ring} Ring */
 
 /**
@@ -24,14 +35,16 @@ import { _, language, shortLength } from "./words.js";
  * @property {Stand} stand
  * @property {Boxes} boxes
  * @property {Square} square
- * @property {Pair | BesideObstacle | null} ringed
+ * @property {Pair | BesideObstacle | Told | null} ringed
  * @property {Camera} camera
  * @property {Scale | null} scale
  * @property {number} chosen number of the chosen bench from 0, or -1
  * @property {boolean} trails
  * @property {boolean} disc
  * @property {boolean} route
+ * @property {boolean} ground whether the ground that the dance covers is drawn
  * @property {boolean} dressed whether benches are drawn as a dragon's, where colours tell nothing else
+ * @property {boolean} north whether an arrow says that up is north
  * @property {[number, number][]} ruler two points on the ground, or none
  */
 
@@ -59,6 +72,8 @@ const HEAD_NAMES = /** @type {const} */ ([
   "horn",
   "outline",
 ]);
+/** How much of its colour the ground that the dance covers has. */
+const GROUND = 0.1;
 /** Seconds of trail, and points drawn of it. */
 const TRAIL = 20;
 const TRAIL_POINTS = 80;
@@ -92,6 +107,8 @@ export class Painter {
     this.hatch = patternOf("lines");
     this.dots = patternOf("dots");
     this.beside = new Beside();
+    /** The ground that a dance covers. @type {Covered | null} */
+    this.covered = null;
   }
 
   /** @param {Camera} camera @param {number} density dots for each CSS pixel */
@@ -113,6 +130,8 @@ export class Painter {
     ctx.setTransform(density, 0, 0, density, 0, 0);
     ctx.fillStyle = this.inks.ground;
     ctx.fillRect(0, 0, camera.width, camera.height);
+    if (picture.ground) this.#ground(picture);
+    else this.covered = null;
     picture.square.paint(ctx, camera, this.inks, this.dots);
     if (picture.route) this.#route(picture, density);
     if (picture.disc) this.#disc(picture);
@@ -127,7 +146,27 @@ export class Painter {
     this.#numbers(picture, seen, ring);
     if (picture.ringed && ring) this.#ring(picture, seen, picture.ringed, ring);
     drawScaleBar(ctx, camera, this.inks);
+    if (picture.north) drawNorth(ctx, camera, this.inks);
     drawRuler(ctx, camera, this.inks, picture.ruler);
+  }
+
+  /** Whether more of the picture is still to be painted. */
+  get unfinished() {
+    return this.covered !== null && !this.covered.done;
+  }
+
+  /** The ground that the dance covers: as outlines where those are known, else painted by and by. @param {Picture} picture */
+  #ground({ scene, square, camera }) {
+    const { ctx, inks } = this;
+    ctx.globalAlpha = GROUND;
+    if (square.ground.length) square.cover(ctx, camera, inks);
+    else {
+      if (this.covered?.scene !== scene || this.covered.colour !== inks.edge)
+        this.covered = new Covered(scene, inks.edge);
+      if (!this.covered.done) this.covered.paint();
+      this.covered.draw(ctx, camera);
+    }
+    ctx.globalAlpha = 1;
   }
 
   /** @param {Picture} picture @param {number} density */
@@ -373,7 +412,7 @@ export class Painter {
     if (this.#dresses(picture)) this.#dressOf(boxes).paint(ctx, boxes, camera, this.inks, [chosen]);
   }
 
-  /** A pair's ring, and beside it what it is. @param {Picture} picture @param {number[]} seen @param {Pair | BesideObstacle} ringed @param {Ring} ring */
+  /** A pair's ring, and beside it what it is. @param {Picture} picture @param {number[]} seen @param {Pair | BesideObstacle | Told} ringed @param {Ring} ring */
   #ring({ boxes, camera, square }, seen, ringed, ring) {
     const { ctx } = this;
     ctx.strokeStyle = this.inks.mark;
@@ -383,12 +422,7 @@ export class Painter {
     ctx.moveTo(...camera.toScreen(...ringed.from));
     ctx.lineTo(...camera.toScreen(...ringed.to));
     ctx.stroke();
-    const gap =
-      ringed.distance < -boxes.touch
-        ? _("overlap {depth}", { depth: shortLength(-ringed.distance) })
-        : shortLength(Math.max(ringed.distance, 0));
-    const other = "j" in ringed ? ringed.j + 1 : square.obstacles[ringed.obstacle].name[language()];
-    const text = `${gap}  (${ringed.i + 1}, ${other})`;
+    const text = ringText(ringed, boxes, square);
     const near = seen.filter((i) => {
       const [x, y] = camera.toScreen(boxes.x[i], boxes.y[i]);
       return Math.hypot(x - ring.x, y - ring.y) < ring.radius + ABOUT + boxes.radius[i] * camera.scale;
@@ -413,7 +447,18 @@ export class Painter {
   }
 }
 
-/** The ring about where a pair is nearest; none outside the picture. @param {Pair | BesideObstacle} pair @param {Camera} camera @returns {Ring | null} */
+/** What a ring's label says. @param {Pair | BesideObstacle | Told} ringed @param {Boxes} boxes @param {Square} square */
+function ringText(ringed, boxes, square) {
+  if ("text" in ringed) return ringed.text;
+  const gap =
+    ringed.distance < -boxes.touch
+      ? _("overlap {depth}", { depth: shortLength(-ringed.distance) })
+      : shortLength(Math.max(ringed.distance, 0));
+  const other = "j" in ringed ? ringed.j + 1 : square.obstacles[ringed.obstacle].name[language()];
+  return `${gap}  (${ringed.i + 1}, ${other})`;
+}
+
+/** The ring about where a pair is nearest; none outside the picture. @param {Pair | BesideObstacle | Told} pair @param {Camera} camera @returns {Ring | null} */
 function ringOf({ from, to }, camera) {
   const [[x0, y0], [x1, y1]] = [camera.toScreen(...from), camera.toScreen(...to)];
   const [x, y] = [0.5 * (x0 + x1), 0.5 * (y0 + y1)];
@@ -427,7 +472,7 @@ function ringOf({ from, to }, camera) {
  * @param {Tag} tag
  * @param {Boxes} boxes
  * @param {Camera} camera
- * @param {Pair | BesideObstacle} pair
+ * @param {Pair | BesideObstacle | Told} pair
  * @param {number[]} seen
  */
 function hides({ x, y, half, tall }, boxes, camera, pair, seen) {

@@ -266,36 +266,33 @@ export function fieldOf(key) {
   return found;
 }
 
-/** A plan as text for the page's address. @param {Plan} plan */
+/** A plan as text, the same for the same plan: keys in order, without those that say nothing. @param {Plan} plan */
 export function planText(plan) {
-  const bytes = new TextEncoder().encode(JSON.stringify(plan, (_key, value) => value ?? undefined));
-  return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""))
-    .replaceAll("+", "-")
-    .replaceAll("/", "_")
-    .replaceAll("=", "");
+  const said = (/** @type {object} */ table) =>
+    Object.entries(table)
+      .filter(([, value]) => value !== null && value !== undefined)
+      .sort(([one], [other]) => (one < other ? -1 : 1));
+  return JSON.stringify(plan, (_key, value) =>
+    isTable(value) ? Object.fromEntries(said(value)) : value,
+  );
+}
+
+/** Whether a value of a plan is a table. @param {unknown} value @returns {value is Record<string, unknown>} */
+export function isTable(value) {
+  return value instanceof Object && !Array.isArray(value);
 }
 
 const TABLES = ["dragon", "route", "disc", "turn", "walk", "limits"];
 
-/** What such a text says, as far as it is whole; null where it cannot be told. @param {string} text */
-export function textSays(text) {
-  const whole = text.length % 4 === 1 ? text.slice(0, -1) : text; // it may have been cut anywhere
-  try {
-    const bytes = Uint8Array.from(atob(whole.replaceAll("-", "+").replaceAll("_", "/")), (sign) =>
-      sign.charCodeAt(0),
-    );
-    return new TextDecoder().decode(bytes);
-  } catch (error) {
-    if (error instanceof DOMException) return null;
-    throw error;
-  }
+/** Data as a plan, as far as this page needs it to be one; null if it is none. @param {unknown} data @returns {Plan | null} */
+export function planOf(data) {
+  return isTable(data) && TABLES.every((name) => isTable(data[name])) ? fitting(data) : null;
 }
 
-/** The plan in such a text; null if it holds none. @param {string} text @returns {Plan | null} */
+/** The plan in the text of one; null if it holds none. @param {string} text */
 export function textPlan(text) {
   try {
-    const plan = JSON.parse(textSays(text) ?? "");
-    return TABLES.every((name) => plan[name] instanceof Object) ? fitting(plan) : null;
+    return planOf(JSON.parse(text));
   } catch (error) {
     if (error instanceof SyntaxError || error instanceof TypeError) return null;
     throw error;

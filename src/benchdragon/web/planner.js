@@ -7,10 +7,14 @@ import { Files } from "./files.js";
 import { onFingerTaps } from "./fingers.js";
 import { Grips } from "./grips.js";
 import { JobList, questionText } from "./jobs.js";
-import { planText, PlanForm, textPlan, textSays } from "./plan_form.js";
+import { linkText, readLink } from "./link.js";
+import { planText, PlanForm, textPlan } from "./plan_form.js";
 import { Player, REST } from "./player.js";
+import { showShare } from "./share.js";
+import { Sheets } from "./sheets.js";
 import { Span } from "./span.js";
 import { Standing, samePlan } from "./standing.js";
+import { Stories } from "./stories.js";
 import { Line } from "./telling.js";
 import { Tracks } from "./tracks.js";
 import { _, language } from "./words.js";
@@ -23,6 +27,8 @@ import { _, language } from "./words.js";
 /** @typedef {import("./standing.js").Answers} Answers */
 
 const MOST_STEPS_BACK = 200;
+/** Once a plan has not changed for so long, ms, the picture is to follow. */
+const PAUSE = 60;
 const QUESTIONS = /** @type {const} */ (["turn", "speed", "pace", "margins"]);
 
 /** A plan's smallest pitch says something: its spiral ends at a disc. @param {Plan} plan */
@@ -52,7 +58,7 @@ export class Planner {
     this.plan = plan;
     this.settled = plan;
     this.first = plan;
-    /** What stands in the address and is no plan; of it nothing is told. @type {{text: string} | null} */
+    /** What an address says that is no plan; of it nothing is told. @type {{says: string} | null} */
     this.unread = null;
     /** @type {{found: Verdict, plan: Plan} | null} */
     this.verdict = null;
@@ -65,8 +71,12 @@ export class Planner {
     /** @type {HTMLDialogElement | null} */
     this.dialog = null;
     this.rest = 0;
+    this.pause = 0;
     this.jobs = new JobList(answers, (found) => this.change(found, true));
     this.files = new Files(this, answers);
+    this.stories = new Stories(this);
+    /** Who waits for the dance of a plan. @type {{ plan: Plan, done: (shown: boolean) => void } | null} */
+    this.awaited = null;
     this.verdicts = new Standing(
       (asked, signal) => answers.ask("verdict", asked, signal),
       (found, about) => this.#judged(found, about),
@@ -83,9 +93,16 @@ export class Planner {
       (scene, about) => this.#danced(scene, about),
       (error, about) => this.#undanced(error, about),
     );
+    // A rough picture first. Where there is none, the dance says why.
+    this.sketches = new Standing(
+      (asked, signal) => answers.sketch(asked, signal),
+      (scene, about) => this.#sketched(scene, about),
+      () => {},
+    );
     this.root = /** @type {HTMLElement} */ (document.getElementById("planner"));
     this.stage = make("main", { id: "player", class: "player" });
     this.grips = new Grips(this, this.stage);
+    this.sheets = new Sheets(this.root, answers);
     this.tracks = new Tracks(answers, () => this.root.ariaBusy === "true" || this.grips.drag !== null);
     onFingerTaps(this.stage, (fingers) => (fingers === 2 ? this.undo() : this.redo()));
     this.notice = make("div", { class: "unread", role: "alert", hidden: true });
@@ -132,14 +149,17 @@ export class Planner {
       { type: "button", onclick: () => this.change(structuredClone(this.first), true) },
       _("reset"),
     );
-    const steps = make("div", { class: "row" }, this.undoButton, this.redoButton, reset);
+    const share = make("button", { type: "button", onclick: () => this.#share() }, _("share"));
+    const steps = make("div", { class: "row" }, this.undoButton, this.redoButton, reset, share);
     const panel = make(
       "section",
       { class: "panel", "aria-label": _("plan") },
       steps,
       this.form.element,
       this.span.element,
+      this.stories.controls(),
       this.#long(),
+      this.sheets.control(() => this.plan),
       this.files.controls(this.lines.file.element),
     );
     const { verdict, limit, dance } = this.lines;
@@ -150,7 +170,7 @@ export class Planner {
     this.root.replaceChildren(
       header,
       panel,
-      make("p", { class: "old" }, make("span", {}, _("the picture is of an earlier plan"))),
+      make("aside", { class: "old" }, make("span", {}, _("the picture is of an earlier plan"))),
       this.stage,
       this.grips.element,
     );
@@ -185,6 +205,13 @@ export class Planner {
       make("div", { class: "row" }, ...buttons),
       this.jobs.element,
     );
+  }
+
+  /** Show how the plan is sent to others. */
+  async #share() {
+    const { plan } = this;
+    const text = await linkText(plan, this.presets);
+    showShare(this.root, text, () => this.answers.saved(plan));
   }
 
   /** How it went with a file. @param {object} plan what it is about @param {string} text */
@@ -225,8 +252,23 @@ export class Planner {
   show(plan) {
     this.plan = plan;
     this.unread = null;
+    this.stories.show(plan);
+    if (this.awaited && this.awaited.plan !== plan) this.#await(false);
     this.#shown();
     this.#ask();
+  }
+
+  /** Wait for the dance of the plan on the page; whether it is shown. @param {Plan} plan @returns {Promise<boolean>} */
+  whenDanced(plan) {
+    return new Promise((done) => {
+      this.awaited = { plan, done };
+    });
+  }
+
+  /** Say to whoever waits for a dance that it is shown, or will not be. @param {boolean} shown */
+  #await(shown) {
+    this.awaited?.done(shown);
+    this.awaited = null;
   }
 
   /** Show the plan in the controls. */
@@ -240,21 +282,29 @@ export class Planner {
     if (this.turnButton) this.turnButton.disabled = this.plan.route.kind !== "turn";
   }
 
+  /** Addresses that were put into the same window; and those of them that have been read. */
+  #arrived = 0;
+  #read = 0;
+
   /** Another address was put into the same window: go there. */
-  #obey() {
+  async #obey() {
+    const arrival = ++this.#arrived;
     const text = addressed().get("plan");
-    const plan = text ? textPlan(text) : null;
+    const { plan, says } = text ? await readLink(text, this.presets) : { plan: null, says: "" };
+    if (arrival !== this.#arrived) return;
+    this.#read = arrival;
     if (this.player) obey(this.player);
-    if (text && !plan) this.refuse(text);
+    if (text && !plan) this.refuse(says);
     else if (plan && planText(plan) !== planText(this.subject)) this.change(plan, true);
     else if (this.unread) this.show(this.plan);
     else this.#remember();
   }
 
-  /** The address holds what is no plan: say so, leave it there, and tell nothing. @param {string} text */
-  refuse(text) {
-    this.unread = { text };
-    for (const standing of [this.verdicts, this.pitches, this.dances]) standing.drop();
+  /** The address holds what is no plan: say so, leave it there, and tell nothing. @param {string} says */
+  refuse(says) {
+    this.unread = { says };
+    for (const one of [this.verdicts, this.pitches, this.sketches, this.dances]) one.drop();
+    clearTimeout(this.pause);
     clearTimeout(this.rest);
     this.dialog?.close();
     this.verdict = null;
@@ -266,21 +316,24 @@ export class Planner {
     this.#mark();
   }
 
-  /** What is said of a link that cannot be read. @param {string} text */
-  #unreadWords(text) {
+  /** What is said of a link that cannot be read. @param {string} says */
+  #unreadWords(says) {
     const on = make("button", { type: "button", onclick: () => this.show(this.plan) });
     on.append(_("go on with the plan in the controls"));
     return [
       make("strong", {}, _("The plan in this link cannot be read.")),
       ` ${_("What the controls show is another plan. The link says:")}`,
-      make("code", { tabindex: "0" }, textSays(text) || text),
+      make("code", { tabindex: "0" }, says),
       on,
     ];
   }
 
   /** Put the plan into the address, and where the player stands. */
-  #remember() {
-    if (!this.unread) remember(this.player, { plan: planText(this.plan), lang: language() });
+  async #remember() {
+    const { plan } = this;
+    const text = await linkText(plan, this.presets);
+    const there = this.unread !== null || this.#read !== this.#arrived; // what is not to be lost
+    if (!there && plan === this.plan) remember(this.player, { plan: text, lang: language() });
   }
 
   /** Ask all that follows from the plan; the dance once a change has come to rest. */
@@ -290,11 +343,16 @@ export class Planner {
     if (this.answers.has("verdict")) this.verdicts.renew(this.plan);
     if (this.#limitable) this.pitches.renew(this.plan);
     else this.pitches.drop();
+    const draws = () => this.answers.has("dance") && !this.grips.drag;
+    clearTimeout(this.pause);
+    this.pause = setTimeout(() => {
+      if (draws()) this.sketches.renew(this.plan);
+    }, PAUSE);
     clearTimeout(this.rest);
     this.rest = setTimeout(() => {
       this.#remember();
       this.files.keep(this.plan);
-      if (this.answers.has("dance") && !this.grips.drag) this.dances.renew(this.plan);
+      if (draws()) this.dances.renew(this.plan);
     }, REST);
   }
 
@@ -308,6 +366,7 @@ export class Planner {
     const { subject, unread } = this;
     const { verdict, limit, dance, file } = this.lines;
     for (const line of [verdict, limit, dance, file]) line.show(subject);
+    this.sheets.about(subject);
     const limitless = unread !== null || !this.#limitable;
     verdict.element.hidden = unread === null && !this.answers.has("verdict");
     limit.element.hidden = limitless || limit.repeats(verdict);
@@ -318,7 +377,7 @@ export class Planner {
     this.notice.hidden = unread === null;
     if (unread === this.noticed) return;
     this.noticed = unread;
-    this.notice.replaceChildren(...(unread ? this.#unreadWords(unread.text) : []));
+    this.notice.replaceChildren(...(unread ? this.#unreadWords(unread.says) : []));
   }
 
   /** Whether the player shows the dance of this plan. @param {Plan} plan */
@@ -362,8 +421,19 @@ export class Planner {
 
   /** @param {Scene} scene @param {Plan} plan */
   #danced(scene, plan) {
-    this.pictured = plan;
     this.lines.dance.tell(plan, "");
+    this.#picture(scene, plan);
+    if (this.awaited?.plan === plan) this.#await(true);
+  }
+
+  /** A rough dance, shown unless the dance itself was faster. @param {Scene} scene @param {Plan} plan */
+  #sketched(scene, plan) {
+    if (!this.lines.dance.about(plan)) this.#picture(scene, plan);
+  }
+
+  /** Show a dance. @param {Scene} scene @param {Plan} plan */
+  #picture(scene, plan) {
+    this.pictured = plan;
     this.#mark();
     this.span?.dance(scene, plan);
     if (this.player) return this.player.show(scene);
@@ -381,6 +451,7 @@ export class Planner {
     const text = _("This plan cannot be shown: {error}", { error: error.message });
     this.lines.dance.tell(plan, text, "", error.message);
     this.#mark();
+    if (this.awaited?.plan === plan) this.#await(false);
   }
 
   #translated() {
@@ -388,7 +459,7 @@ export class Planner {
     this.noticed = null;
     this.#build();
     this.jobs.retell();
-    if (this.unread) this.refuse(this.unread.text);
+    if (this.unread) this.refuse(this.unread.says);
     else this.#ask();
   }
 
@@ -409,12 +480,12 @@ export class Planner {
  * @param {Preset[]} presets
  * @param {Plan | null} plan
  */
-export function opened(answers, presets, plan) {
+export async function opened(answers, presets, plan) {
   const text = addressed().get("plan");
-  const told = text ? textPlan(text) : null;
+  const told = text ? await readLink(text, presets) : null;
   const kept = textPlan(keptPlan() ?? "");
-  const planner = new Planner(answers, presets, told ?? plan ?? kept ?? presets[0].plan);
-  if (text && !told) planner.refuse(text);
+  const planner = new Planner(answers, presets, told?.plan ?? plan ?? kept ?? presets[0].plan);
+  if (told && !told.plan) planner.refuse(told.says);
   else planner.show(planner.plan);
   Object.assign(globalThis, { benchdragon: planner }); // for the browser's console
 }

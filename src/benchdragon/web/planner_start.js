@@ -33,7 +33,7 @@ export async function start() {
       version: held("version"),
     });
     await answers.start();
-    opened(answers, held("presets"), held("plan"));
+    await opened(answers, held("presets"), held("plan"));
   } catch (error) {
     if (!(error instanceof Error)) throw error;
     root.textContent = error.message;

@@ -10,6 +10,7 @@ import { Flight } from "./flight.js";
 import { pressed } from "./keys.js";
 import { meetingOf, nearnessText, passedText, tightestOf } from "./nearby.js";
 import { Boxes } from "./nearness.js";
+import { Paper } from "./paper.js";
 import { Square } from "./square.js";
 import { _, language, speak } from "./words.js";
 
@@ -22,8 +23,6 @@ const LONGEST_TURN = 0.1;
 const THEMES = /** @type {const} */ (["auto", "light", "dark"]);
 /** What stays for so long is at rest, ms: browsers refuse to write an address a hundred times in a row. */
 export const REST = 180;
-/** Dots of a printed picture for each CSS pixel. */
-const PAPER_DENSITY = 3;
 /** Frame times kept, ms. */
 const TIMES_KEPT = 600;
 /** Share of the picture's smaller side that a bench takes where a pair is shown. */
@@ -51,7 +50,8 @@ export class Player {
     /** @type {Kind} */
     this.kind = "plain";
     this.drum = new Drum();
-    this.look = { trails: false, disc: true, route: true, dressed: chosenBefore("drawn") !== "plain" };
+    const [dressed, ground] = [chosenBefore("drawn") !== "plain", scene.sent.ground.length > 0];
+    this.look = { trails: false, disc: true, route: true, dressed, ground };
     /** @type {number[]} */
     this.frameTimes = [];
     this.still = matchMedia("(prefers-reduced-motion: reduce)");
@@ -62,12 +62,16 @@ export class Player {
     /** The pair in the ring. @type {Pair | null} */
     this.ringed = null;
     this.face = new Face(this);
+    this.paper = new Paper(
+      this,
+      () => (this.#fitted.length ? this.room(this.#fitted, this.boxes.half[0]) : null),
+      () => this.#redrawn(),
+    );
     this.#watch = new ResizeObserver(() => this.#resize());
     this.#attach();
     this.fit(this.#times());
     document.addEventListener("keydown", (event) => pressed(this, event));
     this.#dark.addEventListener("change", () => this.#dressed());
-    this.#paper.addEventListener("change", () => this.#onPaper());
     requestAnimationFrame((now) => this.#turn(now));
   }
 
@@ -107,7 +111,11 @@ export class Player {
       list.open = open[n];
     });
     this.#attach();
-    if (story.open && story.scene === this.scene) this.face.tell(story.at, story.paused);
+    const { plan_sha256: hash } = this.scene.sent;
+    const same = story.scene === this.scene || (hash && story.scene.sent.plan_sha256 === hash);
+    if (!same || !story.tale || !story.open) return;
+    this.face.tell(story.tale, story.at, story.paused);
+    this.face.story.next = story.next;
   }
 
   /** Put the face onto the page. */
@@ -129,7 +137,7 @@ export class Player {
   }
 
   #resize() {
-    if (this.#paper.matches) return;
+    if (this.paper.on) return;
     const box = this.face.stage.getBoundingClientRect();
     const [width, height] = [Math.max(box.width, 1), Math.max(box.height, 1)];
     const other = width !== this.camera.width || height !== this.camera.height;
@@ -139,22 +147,11 @@ export class Player {
     this.#touch();
   }
 
-  #paper = matchMedia("print");
-  /** The view of the screen while another is on paper. @type {Camera | null} */
-  #screen = null;
-
-  /** Draw what the canvas shows for paper, which has another shape and is light; or for the screen again. */
-  #onPaper() {
-    if (this.#paper.matches) {
-      this.#screen = this.camera;
-      this.camera = this.camera.paper(this.#fitted.length ? this.room(this.#fitted) : null);
-      this.face.painter.resize(this.camera, PAPER_DENSITY);
-    } else if (this.#screen) {
-      this.camera = this.#screen;
-    }
+  /** Draw at once, for paper or for the screen again: a browser that prints takes no turn of the loop before. */
+  #redrawn() {
     this.#resize();
     this.#dressed();
-    this.#draw(); // a browser that prints takes no turn of the loop before
+    this.#draw();
   }
 
   /** Light, dark, or as the system says. */
@@ -169,7 +166,7 @@ export class Player {
 
   #dressed() {
     const asked = this.#theme === "dark" || (this.#theme === "auto" && this.#dark.matches);
-    const dark = asked && !this.#paper.matches;
+    const dark = asked && !this.paper.on;
     document.documentElement.dataset.theme = dark ? "dark" : "light";
     this.face.painter.dress();
     this.#touch();
@@ -298,7 +295,7 @@ export class Player {
     this.#touch();
   }
 
-  /** @param {"trails" | "disc" | "route" | "dressed"} what @param {boolean} on */
+  /** @param {"trails" | "disc" | "route" | "dressed" | "ground"} what @param {boolean} on */
   see(what, on) {
     this.look[what] = on;
     if (what === "trails") ticked(this.face.trailBox, on);
@@ -323,10 +320,9 @@ export class Player {
     this.#touch();
   }
 
-  /** Ground that the dragon takes at some times, and the disc: left, bottom, right, top. @param {number[]} times @returns {[number, number, number, number]} */
-  room(times) {
+  /** Ground that the dragon takes at some times, and the disc: left, bottom, right, top. @param {number[]} times @param {number} room about all that, m @returns {[number, number, number, number]} */
+  room(times, room = 2 * this.boxes.half[0]) {
     const { disc, centre } = this.scene.sent;
-    const room = this.boxes.half[0] * 2;
     /** @type {number[]} */
     const across = [];
     /** @type {number[]} */
@@ -396,7 +392,7 @@ export class Player {
     this.face.story.turn(passed);
     this.#fly(passed);
     this.drum.play(this.scene.sent.beats, this.time, this.playing, this.speed, this.still.matches);
-    if (this.#painted !== this.time || this.playing) {
+    if (this.#painted !== this.time || this.playing || this.face.painter.unfinished) {
       const began = performance.now();
       this.#draw();
       this.frameTimes.push(performance.now() - began);
@@ -453,7 +449,7 @@ export class Player {
     const { scene, stand, boxes, square, camera, chosen, ruler, face } = this;
     const ringed = meetingOf(this) ?? this.ringed;
     const drawn = { scene, stand, boxes, square, camera, chosen, ruler, ringed, scale };
-    face.painter.paint({ ...drawn, ...this.look });
+    face.painter.paint({ ...drawn, ...this.look, north: this.paper.on && scene.sent.north === true });
     this.#painted = this.time;
     face.axis.show(this.time, this.playing || face.story.runs);
     face.clock.textContent = `t = ${clock(this.time, 2)}`;

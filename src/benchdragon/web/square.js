@@ -19,8 +19,6 @@ const MOST_SIDES = 400_000;
 /** Names are written in a picture of no more obstacles. */
 const MOST_NAMES = 40;
 const NAME_SIZE = 13;
-/** How much of its colour the ground that the dance covers has. */
-const GROUND = 0.1;
 
 /** An obstacle's sides; of a circle its centre, as a side without length. @param {DrawnObstacle} one @returns {[Point, Point][]} */
 function sidesOf({ kind, points }) {
@@ -130,6 +128,14 @@ export class Square {
       : _("bench {bench} touches {name}", words);
   }
 
+  /** Draw the ground that the dance covers. @param {CanvasRenderingContext2D} ctx @param {Camera} camera @param {Inks} inks */
+  cover(ctx, camera, inks) {
+    ctx.beginPath();
+    for (const ring of this.ground) chain(ctx, camera, ring, true);
+    ctx.fillStyle = inks.edge;
+    ctx.fill("evenodd");
+  }
+
   /**
    * Draw it.
    * @param {CanvasRenderingContext2D} ctx
@@ -138,12 +144,6 @@ export class Square {
    * @param {CanvasPattern} dots
    */
   paint(ctx, camera, inks, dots) {
-    ctx.beginPath();
-    for (const ring of this.ground) chain(ctx, camera, ring, true);
-    ctx.globalAlpha = GROUND;
-    ctx.fillStyle = inks.edge;
-    ctx.fill("evenodd");
-    ctx.globalAlpha = 1;
     for (const one of this.obstacles) {
       ctx.beginPath();
       outline(ctx, camera, one);

@@ -19,7 +19,8 @@
  * @typedef {object} Answers
  * @property {(question: string) => boolean} has whether it answers such a question
  * @property {(question: string, plan: Plan, signal: AbortSignal) => Promise<any>} ask
- * @property {(plan: Plan, signal: AbortSignal) => Promise<Scene>} scene
+ * @property {(plan: Plan, signal: AbortSignal) => Promise<Scene>} sketch its dance soon, with what is known
+ * @property {(plan: Plan, signal: AbortSignal) => Promise<Scene>} scene its dance, with what its verdict found
  * @property {(text: string) => Promise<Plan>} opened the plan in a plan file
  * @property {(plan: Plan) => Promise<MadeFile>} saved
  * @property {(question: JobState["question"], plan: Plan) => LongQuestion} long
@@ -29,7 +30,8 @@
 /**
  * Somebody apart, for questions that nobody waits for.
  * @typedef {object} Aside
- * @property {(asked: { question: string, plan: Plan }) => Promise<any>} ask
+ * @property {(asked: { question: string, plan: Plan }, signal?: AbortSignal,
+ *   told?: (share: number, text: string) => void) => Promise<any>} ask `told` hears how far it is
  * @property {() => void} close give up at once what is under way: it ends in an AbortError
  */
 

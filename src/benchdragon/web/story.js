@@ -1,14 +1,12 @@
-// A guided story of half a minute: why a dance ends where two benches touch, or where it is tightest.
+// A guided story of half a minute: steps of a tale, each with its sentence, its time and its view.
 
-import { clock } from "./axis.js";
-import { make, drawnSign, signButton } from "./elements.js";
+import { drawnSign, make, signButton } from "./elements.js";
 import { Flight } from "./flight.js";
-import { _, decimals, shortLength } from "./words.js";
+import { _ } from "./words.js";
 
 /** @typedef {import("./player.js").Player} Player */
-/** @typedef {import("./scene.js").Scene} Scene */
-/** @typedef {import("./messages").Occasion} Occasion */
 /** @typedef {import("./flight.js").View} View */
+/** @typedef {import("./square.js").Beside} Beside */
 
 /**
  * A step of a story.
@@ -17,17 +15,23 @@ import { _, decimals, shortLength } from "./words.js";
  * @property {number} from time of the dance, s
  * @property {number} to
  * @property {number} seconds how long it takes
- * @property {"whole" | "pair" | "close"} view
+ * @property {"whole" | "disc" | "pair" | "close"} view
+ * @property {number[]} benches that it is about, from 1: a pair, one beside the obstacle or of the handle, or none
+ * @property {number | null} obstacle from 0, that it is about
+ * @property {Ringed | null} ringed the handle that it is about
  * @property {number} ground on the picture's smaller side where all is close, m
  */
+/** A handle that a step is about, number from 0, and what its ring says. @typedef {{ handle: number, text: string }} Ringed */
+/**
+ * What can be told of a dance: its name, and its steps, both in the language in use.
+ * @typedef {{ name: () => string, steps: (player: Player) => Step[] }} Tale
+ */
+/** What a handle's ring is drawn with: see `Beside` of square.js.
+ * @typedef {{ i: number, distance: number, from: [number, number], to: [number, number], text: string }} Told */
 
-/** Ground on the picture's smaller side where all is close, m, and so many gaps more. */
-const CLOSE = 0.9;
-const GAPS = 3;
-/** So long after a contact benches that overlap are shown, and after the tightest moment those that part, s. */
-const AFTER = 0.5;
-const PARTED = 4;
-/** The view goes after its pair so slowly, s. */
+/** So much of the disc's radius is shown of the ground about the centre. */
+const ROOM = 1.5;
+/** The view goes after what it shows so slowly, s. */
 const CALM = 0.3;
 /** Where motion is unwanted, a story shows so many pictures a second. */
 const STILL = 1;
@@ -36,93 +40,15 @@ const PAUSED = "M6 4h4v16H6zM14 4h4v16h-4z";
 const BACK = "M16 4v16L5 12z";
 const ON = "M8 4v16l11-8z";
 
-/** What a dance's story is about: its first contact, or its tightest moment; null if it has neither. @param {Scene} scene @returns {Occasion | null} */
-function subject({ sent: { occasions } }) {
-  const of = (/** @type {string} */ kind) =>
-    occasions.find((one) => one.kind === kind && one.benches.length === 2);
-  return of("contact") ?? of("tightest") ?? null;
-}
-
-/** What the story of a dance is called; "" if it has none. @param {Scene} scene */
-export function storyName(scene) {
-  const about = subject(scene);
-  if (!about) return "";
-  return about.kind === "contact" ? _("Why it ends here") : _("The tightest moment");
-}
-
-/** @param {Player} player @param {Occasion} about @returns {Step[]} */
-function stepsOf({ scene, boxes, stand }, { kind, time, benches: [a, b] }) {
-  const pair = { a, b };
-  const within = (/** @type {number} */ at) => Math.min(Math.max(at, scene.start), scene.end);
-  const gapAt = (/** @type {number} */ at) => {
-    boxes.place(scene.stand(at, stand));
-    return boxes.distance(a - 1, b - 1);
-  };
-  const least = Math.max(gapAt(time), 0);
-  const gap = shortLength(least);
-  const before = time - within(time - 20);
-  const words = { ...pair, gap, time: clock(time, 2) };
-  const opening = { benches: scene.benches, seconds: decimals(before, 0), ...pair };
-  const touches = kind === "contact";
-  const texts = touches ? contactTexts(words, opening) : tightestTexts(words, opening);
-  const times = [
-    within(time - 20),
-    within(time - 4),
-    within(time - 0.8),
-    time,
-    time,
-    within(time + (touches ? AFTER : PARTED)),
-  ];
-  const views = /** @type {const} */ (["whole", "pair", "close", "close", touches ? "close" : "pair"]);
-  const lengths = [6, 6, 8, 4, 6];
-  const steps = texts.map((text, n) => ({
-    text,
-    from: times[n],
-    to: times[n + 1],
-    seconds: lengths[n],
-    view: views[n],
-    ground: CLOSE + GAPS * least,
-  }));
-  const after = touches
-    ? time + AFTER <= scene.end && gapAt(time + AFTER) < -boxes.touch
-    : scene.end > time;
-  return after ? steps : steps.slice(0, -1);
-}
-
-/** @param {Record<string, string | number>} words @param {Record<string, string | number>} opening */
-function contactTexts(words, opening) {
-  return [
-    _(
-      "{benches} benches from above, at true size. In {seconds} s, benches {a} and {b} touch.",
-      opening,
-    ),
-    _(
-      "Benches {a} and {b} are not adjacent in the line, but they meet. The ring is where they are nearest.",
-      words,
-    ),
-    _("In slow motion: what is left between them shrinks to nothing.", words),
-    _("t = {time}: bench {a} meets bench {b}. This is the first contact.", words),
-    _("Half a second later they would overlap. No dragon walks beyond {time}.", words),
-  ];
-}
-
-/** @param {Record<string, string | number>} words @param {Record<string, string | number>} opening */
-function tightestTexts(words, opening) {
-  return [
-    _("{benches} benches from above, at true size. In {seconds} s it is tightest.", opening),
-    _("Benches {a} and {b} come near one another. The ring is where they are nearest.", words),
-    _("In slow motion: what is left between them shrinks.", words),
-    _("t = {time}: {gap} is left between benches {a} and {b}, the least of the dance.", words),
-    _("They part again. At every other time there is at least as much room.", words),
-  ];
-}
-
 export class Story {
   /** @param {Player} player */
   constructor(player) {
     this.player = player;
     this.scene = player.scene;
-    this.about = subject(player.scene);
+    /** What is told. @type {Tale | null} */
+    this.tale = null;
+    /** What comes after the last step, if anything does. @type {(() => void) | null} */
+    this.next = null;
     /** @type {Step[]} */
     this.steps = [];
     this.at = -1;
@@ -135,7 +61,7 @@ export class Story {
     this.pauseButton = signButton(drawnSign(PAUSED), _("pause the story"), () => this.pause());
     this.element = make(
       "section",
-      { class: "story", hidden: true, "aria-label": storyName(player.scene) || _("story") },
+      { class: "story", hidden: true, "aria-label": _("story") },
       this.texts,
       make(
         "div",
@@ -159,28 +85,51 @@ export class Story {
     return this.open && !this.paused;
   }
 
-  /** The story's pair, numbers from 0, where its step is about that. @returns {[number, number] | null} */
-  get pair() {
-    if (!this.about || !this.open || this.steps[this.at].view === "whole") return null;
-    return [this.about.benches[0] - 1, this.about.benches[1] - 1];
+  /** The step that is told now, if it is about something in the picture. @returns {Step | null} */
+  get #about() {
+    const step = this.open ? this.steps[this.at] : null;
+    return step && step.view !== "whole" && step.view !== "disc" ? step : null;
   }
 
-  /** Begin, or go on where another story of the same dance was. @param {number} [at] @param {boolean} [paused] */
-  begin(at = 0, paused = false) {
-    const { player, about } = this;
-    if (!about) return;
+  /** The step's pair, numbers from 0. @returns {[number, number] | null} */
+  get pair() {
+    const [a, b] = this.#about?.benches ?? [];
+    return b ? [a - 1, b - 1] : null;
+  }
+
+  /** What the step is about beside a pair: how a bench stands to an obstacle, or a handle. @returns {Beside | Told | null} */
+  get met() {
+    const about = this.#about;
+    if (!about) return null;
+    const { boxes, square, stand } = this.player;
+    const { benches, obstacle, ringed } = about;
+    if (obstacle !== null) return square.pair(boxes, benches[0] - 1, obstacle);
+    if (!ringed) return null;
+    /** @type {[number, number]} */
+    const here = [stand.x[ringed.handle], stand.y[ringed.handle]];
+    return { i: benches[0] - 1, distance: Infinity, from: here, to: here, text: ringed.text };
+  }
+
+  /** Begin, or go on where another story of the same dance was. @param {Tale} tale @param {number} [at] @param {boolean} [paused] */
+  begin(tale, at = 0, paused = false) {
+    const { player } = this;
     player.play(false);
     if (player.follows) player.follow(false);
-    this.steps = stepsOf(player, about);
+    this.tale = tale;
+    this.next = null;
+    this.steps = tale.steps(player);
     this.texts.replaceChildren(...this.steps.map(({ text }) => make("p", {}, text)));
+    this.element.setAttribute("aria-label", tale.name());
     this.element.hidden = false;
     this.go(at);
     if (paused) this.pause(true);
-    this.pauseButton.focus();
+    this.pauseButton.focus({ preventScroll: true });
+    this.element.scrollIntoView({ block: "nearest" });
   }
 
   /** Go to a step, from its beginning. @param {number} step */
   go(step) {
+    if (step === this.steps.length && this.next) return this.next();
     this.at = Math.min(Math.max(step, 0), this.steps.length - 1);
     this.elapsed = 0;
     const { text } = this.steps[this.at];
@@ -221,17 +170,21 @@ export class Story {
   /** What the step shows: a view for each instant. @returns {() => View} */
   #goal() {
     const { camera } = this.player;
-    const step = this.steps[this.at];
-    if (step.view === "whole") {
-      const box = this.player.room([step.from, step.to]);
+    const { view, from, to, ground, benches } = this.steps[this.at];
+    if (view === "whole" || view === "disc") {
+      const { disc, centre } = this.player.scene.sent;
+      const [[x, y], r] = [centre, ROOM * (disc ?? 0)];
+      if (view === "disc" && r) return () => camera.view(x - r, y - r, x + r, y + r);
+      const box = this.player.room([from, to]);
       return () => camera.view(...box);
     }
-    const pair = /** @type {[number, number]} */ (this.pair);
+    const [a, b] = [benches[0] - 1, (benches[1] ?? benches[0]) - 1];
     return () => {
-      const { from, to } = this.player.boxes.pair(...pair);
+      const { boxes } = this.player;
+      const met = this.met ?? boxes.pair(a, b);
       const side = Math.min(camera.width, camera.height);
-      const scale = step.view === "pair" ? this.player.pairScale(...pair) : side / step.ground;
-      return { x: 0.5 * (from[0] + to[0]), y: 0.5 * (from[1] + to[1]), scale };
+      const scale = view === "pair" ? this.player.pairScale(a, b) : side / ground;
+      return { x: 0.5 * (met.from[0] + met.to[0]), y: 0.5 * (met.from[1] + met.to[1]), scale };
     };
   }
 
@@ -250,7 +203,7 @@ export class Story {
     this.#put();
     this.#look(passed);
     if (this.elapsed < this.steps[this.at].seconds) return;
-    if (this.#ended()) this.pause(true);
+    if (this.#ended() && !this.next) this.pause(true);
     else this.go(this.at + 1);
   }
 

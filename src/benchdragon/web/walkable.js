@@ -98,7 +98,7 @@ async function limited(good, bad, { step }, { judge, limit }) {
  * @param {boolean} above whether larger values keep clear
  * @param {number} step
  */
-export function limitValue({ lower, upper }, above, step) {
+function limitValue({ lower, upper }, above, step) {
   const digits = digitsOf(step) + 1;
   const unit = 10 ** -digits;
   const value = above ? Math.ceil(upper / unit) * unit : Math.floor(lower / unit) * unit;

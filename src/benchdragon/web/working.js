@@ -1,7 +1,7 @@
 // Questions to Workers of the page's own, which compute without a server.
 
-import { planFile } from "./commands.js";
 import { Table } from "./following.js";
+import { planName } from "./names.js";
 import { Scene } from "./scene.js";
 import { PageFault, Refusal, noteHash } from "./standing.js";
 import { _, language } from "./words.js";
@@ -12,8 +12,9 @@ import { _, language } from "./words.js";
 /** @typedef {import("./plan_form.js").Plan} Plan */
 /** @typedef {import("./standing.js").Answers} Answers */
 
+/** @typedef {import("./messages").Verdict} Verdict */
 /** What is asked of a Worker: see `Question` of compute/worker.js.
- * @typedef {{ question: string, plan?: Plan, text?: string }} Asked */
+ * @typedef {{ question: string, plan?: Plan, verdict?: Verdict | null, text?: string }} Asked */
 /** Who waits for an answer.
  * @typedef {{ plan: Plan | undefined, done: (answer: any) => void, failed: (error: Error) => void,
  *   told: (share: number, text: string) => void }} Waiting */
@@ -141,6 +142,12 @@ class WorkerQuestion {
   }
 }
 
+/** There is no answer: say so to those who can do without. @param {Error} error */
+function withoutAnswer(error) {
+  if (error instanceof Refusal) return null;
+  throw error;
+}
+
 /** Workers as who answers. @implements {Answers} */
 export class WorkerAnswers {
   /** @type {Set<string>} */
@@ -150,8 +157,12 @@ export class WorkerAnswers {
   constructor(script, beginning) {
     this.lane = () => new Lane(script, beginning);
     this.quick = this.lane();
-    // Sizes and dances take longer than a verdict, which is not to wait for them.
+    // Sizes and dances take longer than a verdict, which is not to wait for them, nor they for one another.
     this.slower = this.lane();
+    this.drawing = this.lane();
+    /** The plan that was judged last, and what was found by now; null where there is no verdict.
+     * @type {{ plan: Plan, known: Verdict | null, found: Promise<Verdict | null> } | null} */
+    this.judging = null;
   }
 
   /** Wait until there are answers. @throws {Refusal} where the browser cannot compute */
@@ -166,13 +177,32 @@ export class WorkerAnswers {
 
   /** @param {string} question @param {Plan} plan @param {AbortSignal} signal */
   ask(question, plan, signal) {
-    return (question === "verdict" ? this.quick : this.slower).ask({ question, plan }, signal);
+    if (question !== "verdict") return this.slower.ask({ question, plan }, signal);
+    const asked = this.quick.ask({ question, plan }, signal);
+    /** @type {NonNullable<WorkerAnswers["judging"]>} */
+    const judging = { plan, known: null, found: asked.catch(withoutAnswer) };
+    this.judging = judging;
+    const given = () => {}; // up, which those who asked hear
+    judging.found.then((verdict) => (judging.known = verdict), given);
+    return asked;
+  }
+
+  /** @param {Plan} plan @param {AbortSignal} signal */
+  async sketch(plan, signal) {
+    const verdict = this.judging?.plan === plan ? this.judging.known : null;
+    return this.#drawn({ question: "sketch", plan, verdict }, signal);
   }
 
   /** @param {Plan} plan @param {AbortSignal} signal */
   async scene(plan, signal) {
-    const asked = { question: "dance", plan };
-    const { sent, nodes, told, tables } = await this.slower.ask(asked, signal);
+    const verdict = this.judging?.plan === plan ? await this.judging.found : null;
+    signal.throwIfAborted();
+    return this.#drawn({ question: "dance", plan, verdict }, signal);
+  }
+
+  /** @param {Asked} asked @param {AbortSignal} signal */
+  async #drawn(asked, signal) {
+    const { sent, nodes, told, tables } = await this.drawing.ask(asked, signal);
     const behind = sent.following?.tables ?? [];
     const follow = behind.map(
       (/** @type {any} */ one, /** @type {number} */ i) => new Table(one, tables[i]),
@@ -188,7 +218,10 @@ export class WorkerAnswers {
   /** @param {Plan} plan */
   async saved(plan) {
     const text = await this.quick.ask({ question: "toml", plan });
-    return { name: planFile(plan), data: new Blob([text], { type: "application/toml" }) };
+    return {
+      name: `${planName(plan)}.dragon.toml`,
+      data: new Blob([text], { type: "application/toml" }),
+    };
   }
 
   /** @param {JobState["question"]} question @param {Plan} plan */

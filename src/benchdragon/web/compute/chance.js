@@ -9,7 +9,7 @@ export function atMost(hits, count, risk) {
 }
 
 /** The probability that more than so many hit. @param {number} hits @param {number} count @param {number} risk */
-export function moreThan(hits, count, risk) {
+function moreThan(hits, count, risk) {
   return sumOf(hits + 1, count, count, risk);
 }
 

@@ -500,6 +500,25 @@ export const WALK_SEARCH = {
   HANDLES_A_CALL: 200000,
 };
 
+export const ANALYSIS_BENCH_NEARNESS = {
+  REACH: 1.5,
+  BESIDE: 1.5,
+  STRAIGHT: 3,
+  LEVEL: 1e-6,
+  SHRINKS: 6,
+};
+
+export const ANALYSIS_BENCH_WALKS = {
+  STILL: 0.05,
+  SHORTEST: 1,
+  STEP: 0.125,
+  MOST_KEPT: 20000000,
+};
+
+export const ANALYSIS_BENDS = {
+  STRAIGHT: 1e-6,
+};
+
 export const ANALYSIS_CHECK = {
   SAMPLES: 1000,
   LAST_SHARE: 0.04,
@@ -507,6 +526,10 @@ export const ANALYSIS_CHECK = {
   AFTER: 3,
   QUICK_CLEARANCE: 0.001,
   QUICK_SPEED: 0.0001,
+};
+
+export const ANALYSIS_CLOCK = {
+  DAY: 86400,
 };
 
 export const ANALYSIS_CONTACT = {
@@ -524,7 +547,13 @@ export const ANALYSIS_CONTACT_SEARCH = {
   WIDTH: 1e-13,
   MOST_EVALUATIONS: 200000,
   MOST_LEAST_EVALUATIONS: 2000,
+  CALL: 1000,
+  SEARCHED: 8,
   SAMPLES_AHEAD: 65,
+};
+
+export const ANALYSIS_CROSSINGS = {
+  TOLERANCE: 1e-6,
 };
 
 export const ANALYSIS_DISTANCE = {
@@ -534,8 +563,23 @@ export const ANALYSIS_DISTANCE = {
   TOUCHING: 1e-9,
 };
 
+export const ANALYSIS_GROUND = {
+  LEAST_EDGE: 0.15,
+  UNTURNED: 1e-9,
+};
+
+export const ANALYSIS_MARKS = {
+  MOST_MARKS: 5000,
+  LEAST_EVERY: 0.1,
+  LENGTH_STEP: 0.005,
+  ANGLE_STEP: 0.01,
+  SAME_MARK: 1e-6,
+  LONGEST_TAPE: 200,
+};
+
 export const ANALYSIS_OBSTACLE_SEARCH = {
   SPANS: 2000,
+  BENCH: 16,
   LOG: 65536,
   SAMPLES: 65,
   MOST_GRAZES: 1000,
@@ -563,6 +607,7 @@ export const ANALYSIS_SPEED = {
   SAMPLES: 4,
   MOST_CELLS: 500000,
   BUDGET: 100000,
+  BOUNDED: 4,
 };
 
 export const ANALYSIS_TABLES = {
@@ -575,8 +620,17 @@ export const ANALYSIS_TABLES = {
   MEMBERS: 256,
   DOUBTS: 64,
   WIDER: 2,
+  BOX_WORK: 64,
+  PARTNER_WORK: 128,
   LOG: 4096,
   CELL_LOG: 65536,
+};
+
+export const EXPLAIN_BENCH_WALK = {
+  MOST_TURNS: 3,
+  MOST_PACES: 4,
+  LEAST_ANGLE: 5,
+  ROUND: 360,
 };
 
 export const MODEL_ANSWER = {
@@ -664,6 +718,13 @@ export const PLANS_TABLES = {
   MOST_EASE: 1000,
 };
 
+export const PLANS_TOML = {
+  MOST_BYTES: 200000000,
+  MOST_SIGNS: 100,
+  MOST_BASES: 8,
+  MOST_BITS: 1023,
+};
+
 export const PLAYER_FOLLOWING = {
   FINE: 1e-9,
   LARGEST: 2.1,
@@ -701,6 +762,52 @@ export const PLAYER_SCENE = {
   MOST_BENCHES: 5000,
   LONG: 500000,
   MOST_JOINTS: 200,
+};
+
+export const ROSTERS_EXTENT = {
+  MOST_UNPACKED: 100000000,
+  MOST_PARTS: 2000,
+  MOST_DEPTH: 200,
+  MOST_ROWS: 20000,
+  MOST_COLUMNS: 100,
+  MOST_CELLS: 100000,
+  MOST_SIGNS: 1000,
+  MOST_COUNTED: 1000000,
+  NONSENSE: 1000000000,
+  CHUNK: 65536,
+};
+
+export const ROSTERS_GRID = {
+  MOST_BYTES: 20000000,
+  MOST_NAMES: 10,
+};
+
+export const ROSTERS_READING = {
+  MOST_PEOPLE: 50000,
+  MOST_NOTES: 100,
+  MOST_A_BENCH: 200,
+  MOST_LISTED: 30,
+};
+
+export const ROSTERS_COLUMNS = {
+  MOST_TITLES: 30,
+  MOST_LOOKED_AT: 50,
+};
+
+export const ROSTERS_ENTRIES = {
+  MOST_SHOWN: 40,
+};
+
+export const ROSTERS_WORDS = {
+  MOST_NAME: 60,
+};
+
+export const SHEETS_BENCHES = {
+  FARTHEST: 1.5,
+};
+
+export const SHEETS_BRIEFING = {
+  MOST_NAMED: 4,
 };
 
 export const SOLVE_DANCE_BOUND = {
@@ -813,6 +920,8 @@ export const SOLVE_TURN_TRIALS = {
   WIDEST: 0.75,
   LONGEST_EASE: 4,
   WIDER: 1.001,
+  JUDGED: 4,
+  PLACED: 64,
 };
 
 export const SURVEYS_CLOTHOIDS = {

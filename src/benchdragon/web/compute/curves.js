@@ -41,7 +41,7 @@ export function checkedSize(name, value) {
 }
 
 /** `value` if it may be a pitch or a radius, m. @param {string} name @param {number} value */
-export function checkedBend(name, value) {
+function checkedBend(name, value) {
   if (positive(name, value, "m") < MODEL_BASE_CURVE.LEAST_METRES)
     throw new InputError(
       _("{name} must be at least {least} m, not {value} m", {
@@ -54,7 +54,7 @@ export function checkedBend(name, value) {
 }
 
 /** Refuse a start or centre (m) and a heading (rad) that cannot be. @param {Point} point @param {number} heading */
-export function checkPose(point, heading) {
+function checkPose(point, heading) {
   for (const value of point)
     if (Math.abs(finite("start", value, "m")) > CURVE.MOST_METRES)
       throw new InputError(_("a start or centre must lie within 1e8 m of the origin"));
@@ -200,12 +200,6 @@ export function checkedPart([kind, x, y, angle, size, first, last, hand]) {
     default:
       return logSpiralPart(size, first, last, [x, y], angle);
   }
-}
-
-/** Centre of an arc, m. @param {Part} part @returns {Point} */
-export function arcCentre([, x, y, heading, radius, sweep]) {
-  const side = heading + (sweep < 0 ? -0.5 : 0.5) * Math.PI;
-  return [x + radius * Math.cos(side), y + radius * Math.sin(side)];
 }
 
 /**

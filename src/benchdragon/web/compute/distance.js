@@ -99,7 +99,7 @@ function foot(engine, table, j, x, y) {
  * @param {number} reach m
  * @returns {Array<[number, number]>}
  */
-function pairsWithin(arena, table, reach) {
+export function pairsWithin(arena, table, reach) {
   const [view, count] = [doubles(table), table.shape[0]];
   const column = (/** @type {number} */ c) =>
     Float64Array.from({ length: count }, (_row, i) => view[i * BOX.BOX_COLUMNS + c]);

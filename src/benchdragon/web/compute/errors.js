@@ -18,9 +18,6 @@ export class NoSolutionError extends InputError {}
 /** A plan that cannot be read or used: where, what was wanted, and what came. */
 export class PlanError extends BenchDragonError {}
 
-/** What a page cannot do and the command line can. */
-export class NotHereError extends InputError {}
-
 /** A dragon that cannot stand on its route. */
 export class WalkError extends BenchDragonError {
   /**

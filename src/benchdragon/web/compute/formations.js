@@ -34,7 +34,7 @@ import { Placement } from "./walk.js";
  */
 
 /** A size of a formation that cannot be. */
-export class FormationSizeError extends InputError {
+class FormationSizeError extends InputError {
   /** @param {string} size its name @param {string} text */
   constructor(size, text) {
     super(text);
@@ -57,7 +57,7 @@ const COILED = [
 ];
 
 /** @type {Record<string, FormationKind>} */
-export const FORMATION_KINDS = {
+const FORMATION_KINDS = {
   "coil-in": {
     defaults: { pitch: 0.8, outer_radius: 12, inner_radius: 3, clockwise: true },
     sizes: COIL_SIZES,

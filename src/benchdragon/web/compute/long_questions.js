@@ -16,6 +16,7 @@ import { bestTurn } from "./turn.js";
 /** @typedef {import("../messages").MarginsFound} MarginsFound */
 /** @typedef {import("../messages").PaceFound} PaceFound */
 /** @typedef {import("../messages").TurnFound} TurnFound */
+/** @typedef {import("../messages").TurnShape} TurnShape */
 /** @typedef {import("./questions.js").Asked} Asked */
 
 const { QUICK_SIZE } = SOLVE_SIZE;
@@ -69,6 +70,14 @@ export async function turn(asked) {
     clearance: answerOf(found.clearance, stamp),
     active: found.active,
   };
+}
+
+/** The plan's own turn. @param {Asked} asked @returns {TurnShape} */
+export function shape({ engine, plan: { tables } }) {
+  return withArena(engine, (arena) => {
+    const { length, leastRadius } = turnOf(arena, tables, null);
+    return { length, least_radius: leastRadius };
+  });
 }
 
 /** How much room imprecise people need, with all deviations together. @param {Asked} asked @returns {Promise<MarginsFound>} */

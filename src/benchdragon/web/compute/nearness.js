@@ -19,8 +19,9 @@ const NEAR_TIMES = 64;
  * `nearest_each` of analysis/distance.py. Both (times, benches); not numbers where the dragon cannot stand.
  * @param {Motion} motion
  * @param {number} reach m
+ * @param {number} [straight] only pairs count that are farther apart, m, where the dragon stands in a line
  */
-export function nearestEach(motion, reach) {
+export function nearestEach(motion, reach, straight = -Infinity) {
   const { arena, dragon } = motion;
   const distance = arena.full([motion.count, dragon.benches], NaN);
   const partner = arena.array("q", motion.count, dragon.benches);
@@ -28,8 +29,7 @@ export function nearestEach(motion, reach) {
   motion.status.forEach((status, t) => {
     if (status !== Status.OK) return;
     const { x, y } = motion;
-    const all = -Infinity; // all pairs count, however near they are in a straight line
-    arena.engine.call("bd_box_nearest_each", dragon.sizes, x, y, t, reach, all, distance, partner);
+    arena.engine.call("bd_box_nearest_each", dragon.sizes, x, y, t, reach, straight, distance, partner);
   });
   return { distance, partner };
 }

@@ -2,6 +2,7 @@
 // models (plan_keys.js).
 
 import { _ } from "../words.js";
+import { PLANS_TOML } from "./constants.js";
 import { Fault } from "./errors.js";
 import { PLAN_TABLES, PLAN_UNITS } from "./plan_keys.js";
 import {
@@ -65,6 +66,13 @@ export function quantity(text, units) {
     throw new ValueFault(_("wanted a number, not {text}", { text: String(text) }));
   if (typeof text === "bigint") throw new ValueFault(_("wanted a number with fewer digits"));
   if (typeof text !== "string" || !Object.keys(units).length) return text;
+  if ([...text].length > PLANS_TOML.MOST_SIGNS)
+    throw new ValueFault(
+      _("wanted a number, or text with a unit, in at most {most} signs, not {count}", {
+        most: PLANS_TOML.MOST_SIGNS,
+        count: [...text].length,
+      }),
+    );
   const pieces = [...text.matchAll(QUANTITY)].map(([, number, unit]) => ({ number, unit }));
   const sound =
     pieces.length &&
@@ -378,7 +386,7 @@ function less(spec, value) {
  * @param {any} value
  * @returns {string}
  */
-export function jsonOf(spec, value) {
+function jsonOf(spec, value) {
   if (value === null || value === undefined) return "null";
   switch (spec.type) {
     case "float":

@@ -50,7 +50,7 @@ export function pythonText(value) {
 }
 
 /** A float as JSON of Python has it. @param {number} value */
-export function jsonFloat(value) {
+function jsonFloat(value) {
   if (Number.isNaN(value)) return "NaN";
   return Number.isFinite(value) ? pythonFloat(value) : value > 0 ? "Infinity" : "-Infinity";
 }

@@ -3,17 +3,19 @@
 import { TomlError, parse, stringify } from "../carried.js";
 import { _ } from "../words.js";
 import { withArenaAsync } from "./arena.js";
+import { briefing } from "./briefing.js";
 import { check } from "./check.js";
-import { PlanError, WalkError } from "./errors.js";
+import { PlanError } from "./errors.js";
 import { judgedDance } from "./judged.js";
-import { headSpeed, limited, margins, pace, turn } from "./long_questions.js";
+import { headSpeed, limited, margins, pace, shape, turn } from "./long_questions.js";
 import { checkedPlan } from "./plan.js";
 import { verdictOf } from "./records.js";
-import { danceOf } from "./scene.js";
+import { SKETCH, danceOf } from "./scene.js";
 
 /** @typedef {import("./plan.js").Plan} Plan */
 /** @typedef {import("./tick.js").Progress} Progress */
 /** @typedef {import("../engine.js").Engine} Engine */
+/** @typedef {import("../messages").Verdict} Verdict */
 
 /**
  * A question, and what its answer is made with.
@@ -21,6 +23,7 @@ import { danceOf } from "./scene.js";
  * @property {Engine} engine
  * @property {string} version of the program
  * @property {Plan} plan
+ * @property {Verdict | null} [verdict] on the plan, where a question takes what is known of it
  * @property {Progress} progress
  */
 
@@ -30,7 +33,9 @@ const SIZES = ["pitch", "disc", "width", "length"];
 export const QUESTIONS = {
   toml: ({ plan }) => stringify(plan.written()),
   verdict: judged,
-  dance: danced,
+  shape,
+  sketch: (asked) => danced(asked, SKETCH),
+  dance: (asked) => danced(asked),
   ...Object.fromEntries(
     SIZES.map((name) => [`limit/${name}`, (/** @type {Asked} */ asked) => limited(name, asked)]),
   ),
@@ -38,34 +43,23 @@ export const QUESTIONS = {
   "job/speed": headSpeed,
   "job/pace": pace,
   "job/margins": margins,
+  sheets: briefing,
 };
 
-/** What the quick check finds. @param {Asked} asked */
-function checked({ engine, plan, progress }) {
+/** Whether the walk is safe. @param {Asked} asked */
+function judged({ engine, version, plan, progress }) {
   return withArenaAsync(engine, async (arena) => {
     const walk = plan.build(arena);
     const own = /** @type {any} */ (plan);
-    return check(own, walk, plan.span(walk), { quick: true, progress });
+    return verdictOf(await check(own, walk, plan.span(walk), { quick: true, progress }), version);
   });
 }
 
-/** Whether the walk is safe. @param {Asked} asked */
-async function judged(asked) {
-  return verdictOf(await checked(asked), asked.version);
-}
-
-/** The dance as the player shows it; one that cannot be walked to its end as far as it can. @param {Asked} asked */
-async function danced(asked) {
-  const { engine, version, plan, progress } = asked;
-  const dance = await danceOf(engine, plan, {}, progress);
-  const told = { ...dance, sent: { ...dance.sent, version } };
-  try {
-    const shown = judgedDance(told, await checked(asked), version);
-    return { ...shown, sent: { ...shown.sent, verdict: null } }; // which the page has from elsewhere
-  } catch (error) {
-    if (error instanceof WalkError) return told;
-    throw error;
-  }
+/** The dance as the player shows it; one that cannot be walked to its end as far as it can. @param {Asked} asked @param {Partial<import("./scene.js").Shown>} [shown] how carefully */
+async function danced({ engine, version, plan, verdict, progress }, shown = {}) {
+  const { sent, ...lists } = await danceOf(engine, plan, shown, progress);
+  const told = { ...lists, sent: { ...sent, version } };
+  return verdict ? judgedDance(told, verdict, plan.obstacles()) : told;
 }
 
 /** The plan in the text of a plan file, with every key. @param {string} text */

@@ -40,7 +40,7 @@ import { silent } from "./tick.js";
  * @typedef {{ sent: Dance, nodes: Float32Array, told: Int32Array, tables: Int32Array[] }} Unpacked
  */
 
-/** How carefully a dance is shown while its plan changes: see `Shown`. */
+/** How carefully a dance is shown first, until a finer one is computed: see `Shown`. */
 export const SKETCH = {
   mostError: 0.002,
   shares: [],
@@ -55,7 +55,7 @@ export const SKETCH = {
  * @param {Progress} [progress]
  * @returns {Promise<Unpacked>}
  */
-export async function plainDance(walk, shown, progress = silent) {
+async function plainDance(walk, shown, progress = silent) {
   const { start, end, mostError = PLAYER_SCENE.MOST_ERROR, times = PLAYER_SCENE.MOST_TIMES } = shown;
   checkSpan(walk, start, end);
   progress(0, _("computing positions"));
@@ -91,13 +91,14 @@ export async function plainDance(walk, shown, progress = silent) {
     verdict: null,
     beats: null,
     village: null,
+    north: false,
   };
   const tables = behind ? behind.tables.map((table) => table.nodes) : [];
   return { sent, nodes: way.nodes, told: foretold(shot), tables };
 }
 
 /** Whether a dance is long: frames of all its handles would take too long to find. @param {Walk} walk @param {Shown} shown */
-export function isLong(walk, { start, end }) {
+function isLong(walk, { start, end }) {
   return walk.dragon.benches * (end - start) > PLAYER_SCENE.LONG;
 }
 
@@ -152,6 +153,7 @@ export async function danceOf(engine, plan, shown = {}, progress = silent) {
       occasions: occasions.sort((a, b) => a.time - b.time),
       beats: beatsOf(plan, start, end),
       village: villageOf(tables.people, walk.dragon.benches),
+      north: tables.survey.crs !== null,
     };
     return { ...dance, sent };
   });

@@ -152,7 +152,7 @@ function assumed({ plan, margin }, unsure) {
 }
 
 /** That sizes, m, could not be decided. @param {number[]} sizes */
-export function undecidedText(sizes) {
+function undecidedText(sizes) {
   return _("{count} of the sizes tried, from {low} m to {high} m, are undecided", {
     count: sizes.length,
     low: general(Math.min(...sizes)),

@@ -143,7 +143,7 @@ export function witnessOf(walk, quantity, found) {
 }
 
 /** The first handle that comes to the greatest of these speeds but for rounding. @param {Float64Array} speeds */
-export function fastestHandle(speeds) {
+function fastestHandle(speeds) {
   const most = speeds.reduce((a, b) => Math.max(a, b)) * (1 - MODEL_ANSWER.ROUNDING);
   return speeds.findIndex((speed) => speed >= most);
 }

@@ -48,7 +48,7 @@ const PARTS = 12;
 export const STEPS = SOLVE_TURN_TRIALS.STEPS;
 
 /** @type {Record<Objective, () => string>} */
-export const OBJECTIVES = {
+const OBJECTIVES = {
   length: () => _("shortest turn"),
   way: () => _("shortest path inside the disc"),
   speed: () => _("greatest head speed"),

@@ -13,6 +13,7 @@ import { QUESTIONS, openedPlan } from "./questions.js";
  * @property {string} question
  * @property {"en" | "zh"} language of all sentences
  * @property {Record<string, any>} [plan]
+ * @property {import("../messages").Verdict | null} [verdict] on that plan, where it is known
  * @property {string} [text]
  */
 
@@ -105,7 +106,7 @@ class Desk {
   }
 
   /** @param {Question} asked */
-  async #answer({ id, question, language, plan: data, text = "" }) {
+  async #answer({ id, question, language, plan: data, verdict, text = "" }) {
     speak(language);
     let hash = "";
     const progress = (/** @type {number} */ share, /** @type {string} */ told) => {
@@ -118,7 +119,7 @@ class Desk {
         const plan = checkedPlan(data);
         hash = plan.sha256;
         const { engine, version } = this;
-        answer = await QUESTIONS[question]({ engine, version, plan, progress });
+        answer = await QUESTIONS[question]({ engine, version, plan, verdict, progress });
       } else answer = openedPlan(text);
       this.port.postMessage({ id, hash, answer }, buffers(answer));
     } catch (error) {

@@ -1,0 +1,186 @@
+// The sheets of benches as they are printed: who it is, what they do, a map, and all else that finds room.
+
+import { benchText, markLine, tightestLine } from "./compute/bench_text.js";
+import { Clock } from "./compute/clock.js";
+import { SHEETS_BRIEFING } from "./compute/constants.js";
+import { called } from "./compute/people.js";
+import { make } from "./elements.js";
+import { _, language } from "./words.js";
+
+/** @typedef {import("./compute/bench_text.js").BenchText} BenchText */
+/** @typedef {import("./compute/briefing.js").Briefing} Briefing */
+/** @typedef {import("./sheet_map.js").SheetMaps} SheetMaps */
+
+/** Somebody who carries a bench. @typedef {{ name: string, household: string, phone: string, remarks: string }} Person */
+/** Who carries each bench (number, from 1). @typedef {Map<number, Person[]>} People */
+/** How sheets are wanted: "a4" or "quarter", in large type, with phones. @typedef {{ paper: string, night: boolean, phones: boolean }} Looks */
+
+/** What a bench's sheet says. @typedef {{ called: string, people: string[], text: BenchText, marks: string }} Told */
+
+// What is tried until a sheet fits, as shares of the format's type: by day, and by night.
+const DAY = [1, 0.93, 0.86, 0.8, 0.74];
+const NIGHT = [1.5, 1.4, 1.3, 1.2, 1.1];
+// People of a bench who have a line each where that leaves too little room; who are named then.
+const MOST_LINES = 2;
+const FEWER = [24, 12, 6, 3, 1];
+// Where names are written by hand.
+const BLANK = "_".repeat(22);
+// Type that is still too large shrinks by this share, so many times at most.
+const [SMALLER, MOST_SMALLER] = [0.9, 20];
+
+/** So many names at most one after another, and how many more there are. @param {string[]} names @param {number} most */
+export function listed(names, most) {
+  const text = names.slice(0, most).join(_(", "));
+  if (names.length <= most) return text;
+  return _("{names} and {count} more", { names: text, count: names.length - most });
+}
+
+/** What the sheets of a dance say, and who carries. */
+export class Sayings {
+  /** @param {Briefing} briefing @param {People} people */
+  constructor(briefing, people) {
+    const { clock, start, ground } = briefing;
+    this.briefing = briefing;
+    this.people = people;
+    this.basis = { clock: new Clock(clock, start), people: briefing.people, ground };
+  }
+
+  /** What the village calls a bench (number, from 1). @param {number} bench */
+  called(bench) {
+    return called(this.briefing.people, bench, this.briefing.benches.length);
+  }
+
+  /** The same with who carries it. @param {number} bench */
+  named(bench) {
+    const names = (this.people.get(bench) ?? []).map(({ name }) => name);
+    const text = this.called(bench);
+    if (!names.length) return text;
+    return _("{bench} ({people})", { bench: text, people: listed(names, SHEETS_BRIEFING.MOST_NAMED) });
+  }
+
+  /** Who carries a bench, a line each. @param {number} bench @param {boolean} phones */
+  carriers(bench, phones) {
+    return (this.people.get(bench) ?? []).map(({ name, phone }) =>
+      phones && phone ? _("{name}, phone {phone}", { name, phone }) : name,
+    );
+  }
+
+  /** The same as the leader reads of them: with what the list remarks. @param {number} bench @param {boolean} phones */
+  remarked(bench, phones) {
+    return (this.people.get(bench) ?? []).map(({ name, phone, remarks }) => {
+      const told = phones && phone ? `${name} ${phone}` : name;
+      return remarks ? _("{name} ({remarks})", { name: told, remarks }) : told;
+    });
+  }
+
+  /** What a bench does; others in it as `name` calls them. @param {number} bench @param {(bench: number) => string} name */
+  text(bench, name) {
+    const { benches, landmarks } = this.briefing;
+    const { apart, name: words, edge } = landmarks[bench - 1];
+    const landmark = { apart, name: words?.[language()] ?? "", edge };
+    return benchText(this.basis, benches[bench - 1], landmark, name);
+  }
+
+  /** The tightest moment of a bench, others without their people. @param {number} bench */
+  tightest(bench) {
+    const { tightest } = this.briefing.benches[bench - 1];
+    return tightestLine(tightest, this.basis.clock, (other) => this.called(other));
+  }
+
+  /** What a bench's sheet says. @param {number} bench @param {boolean} phones @returns {Told} */
+  sheet(bench, phones) {
+    return {
+      called: this.called(bench),
+      people: this.carriers(bench, phones),
+      text: this.text(bench, (other) => this.named(other)),
+      marks: markLine(this.briefing.marks[bench - 1]),
+    };
+  }
+}
+
+/** One sheet, which gives way until all of it finds room. */
+export class BenchSheet {
+  /** @param {Told} told @param {HTMLElement} map @param {Looks} looks @param {string} foot */
+  constructor(told, map, { paper, night }, foot) {
+    const { text, people, marks } = told;
+    this.names = people;
+    this.map = map;
+    const blank = make("p", { class: "few" }, _("Names: {blank}", { blank: BLANK }));
+    const carriers = people.map((name) => make("p", {}, name));
+    this.people = make("div", { class: "people" }, ...(people.length ? carriers : [blank]));
+    /** What may be spared, the last first. @type {HTMLElement[]} */
+    this.spare = [
+      ...[...(marks ? text.place : []), ...text.stretches].map((line) => make("p", {}, line)),
+      ...text.paces.map((line) => make("p", { class: "small" }, line)),
+    ];
+    /** What may not, but where nothing else helps. @type {HTMLElement[]} */
+    this.facts = [
+      ...text.people.map((line) => make("p", { class: "strong" }, line)),
+      make("p", {}, text.tightest),
+      ...(marks ? [marks] : text.place).map((line) => make("p", {}, line)),
+    ];
+    this.element = make(
+      "article",
+      { class: `sheet ${paper}${night ? " night" : ""}` },
+      make("h2", {}, told.called),
+      this.people,
+      make("p", { class: "quick" }, text.quick),
+      map,
+      ...this.facts,
+      ...this.spare,
+      make("p", { class: "small" }, text.times),
+      make("footer", {}, foot),
+    );
+    this.shares = night ? NIGHT : DAY;
+    this.steps = this.#versions();
+    this.steps.next();
+  }
+
+  /** Whether all of it finds room. */
+  get fits() {
+    return this.element.scrollHeight <= this.element.clientHeight + 1;
+  }
+
+  /** What gives way, step by step: type, what may be spared, people but the first, the map, other facts, and type again. */
+  *#versions() {
+    const size = (/** @type {number} */ share) =>
+      this.element.style.setProperty("--share", String(share));
+    for (const share of this.shares) {
+      size(share);
+      yield;
+    }
+    const more = make("p", {}, _("And so on: the rest is in the player."));
+    for (const line of this.spare.reverse()) {
+      line.replaceWith(more);
+      yield;
+    }
+    if (this.names.length > MOST_LINES)
+      for (const most of FEWER) {
+        this.people.replaceChildren(make("p", { class: "few" }, listed(this.names, most)));
+        yield;
+      }
+    this.map.remove();
+    yield;
+    for (const line of this.facts.reverse()) {
+      line.replaceWith(more);
+      yield;
+    }
+    for (let n = 0, share = this.shares[this.shares.length - 1]; n < MOST_SMALLER; n++) {
+      size((share *= SMALLER));
+      yield;
+    }
+  }
+}
+
+/** Have sheets that stand in the page give way until all of each finds room. @param {BenchSheet[]} sheets */
+export function fitted(sheets) {
+  for (let open = sheets; open.length;) {
+    // All are measured before any is changed, so that the browser sets the page once for each step.
+    open = open.filter((sheet) => !sheet.fits);
+    open = open.filter((sheet) => !sheet.steps.next().done);
+  }
+  // Maps are as tall as the least of them.
+  const maps = sheets.map(({ map }) => map).filter(({ isConnected }) => isConnected);
+  const tall = maps.reduce((least, map) => Math.min(least, map.clientHeight), Infinity);
+  for (const map of maps) map.style.maxHeight = `${tall}px`;
+}

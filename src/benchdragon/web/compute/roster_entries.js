@@ -1,0 +1,140 @@
+// What each row of a list says: benches as the list numbers them, and their people. Twin of
+// rosters/entries.py.
+
+import { _ } from "../words.js";
+import { ROSTERS_ENTRIES } from "./constants.js";
+import { pythonRepr } from "./python_text.js";
+import { DECIMALS, MADE_A_DAY, ROUNDED, clean, isName, isSum } from "./roster_words.js";
+import { namesOf, places, plain, withoutPhones } from "./roster_words.js";
+
+/** @typedef {import("./roster_columns.js").Columns} Columns */
+/** @typedef {import("./roster_words.js").Place} Place */
+/** Somebody who carries a bench; what is not known is "". @typedef {{ name: string, household: string, phone: string, remarks: string }} Person */
+/** A row with people: its number, from 1, and the benches as it names them. @typedef {{ row: number, benches: Array<[Place, Place]>, people: Person[] }} Entry */
+/** A row, or a part of it, that was not read, and why, in words. @typedef {{ row: number, why: string }} Unread */
+
+const { MOST_SHOWN } = ROSTERS_ENTRIES;
+
+/**
+ * What a block of columns says, row by row from `first`, counted from 0. A row without a number goes on about
+ * the bench of the row above.
+ * @param {string[][]} rows
+ * @param {number} first
+ * @param {Columns} block
+ * @returns {Array<Entry | Unread>}
+ */
+export function entries(rows, first, block) {
+  const head = first ? plainly(rows[first - 1]) : plainly([]);
+  /** @type {Array<Entry | Unread>} */
+  const found = [];
+  /** @type {Array<[Place, Place]>} */
+  let benches = [];
+  let household = "";
+  for (let number = first + 1; number <= rows.length; number++) {
+    const row = rows[number - 1];
+    if (!row.some(Boolean) || plainly(row) === head) continue;
+    if (isSum(/** @type {string} */ (row.find(Boolean)))) {
+      benches = [];
+      found.push({ row: number, why: _("taken for a sum: {text}", { text: shown(row) }) });
+      continue;
+    }
+    if (!cellsOf(row, allOf(block)).some(Boolean)) continue;
+    const [said] = cellsOf(row, [block.number]);
+    if (said) {
+      const told = places(said);
+      [benches, household] = [told ?? [], ""];
+      if (!told) {
+        found.push({ row: number, why: notANumber(said, row) });
+        continue;
+      }
+    } else if (!benches.length) {
+      found.push({ row: number, why: _("no number of a bench: {text}", { text: shown(row) }) });
+      continue;
+    }
+    const { people, odd } = peopleOf(row, block, household);
+    found.push(...odd.map((why) => ({ row: number, why })));
+    household = people.find((one) => one.household)?.household ?? household;
+    if (people.length) found.push({ row: number, benches, people });
+  }
+  return found;
+}
+
+/** What rows that say the same have in common. @param {string[]} row */
+function plainly(row) {
+  return JSON.stringify(row.map(plain));
+}
+
+/** @param {Columns} block */
+function allOf({ number, names, households, phones, remarks }) {
+  return [number, ...names, ...households, ...phones, ...remarks];
+}
+
+/** @param {string[]} row @param {number[]} columns */
+function cellsOf(row, columns) {
+  return columns.map((n) => row[n] ?? "");
+}
+
+/** What a row says, without phones. @param {string[]} row */
+function shown(row) {
+  const text = clean(row.map((cell) => withoutPhones(cell)[0]).join(" "));
+  const signs = Array.from(text);
+  return signs.length <= MOST_SHOWN ? text : `${signs.slice(0, MOST_SHOWN).join("")}…`;
+}
+
+/** @param {string} said @param {string[]} row */
+function notANumber(said, row) {
+  if (MADE_A_DAY.test(said))
+    return _(
+      "the spreadsheet made a day of the bench's number ({text}): format the column as text",
+      { text: said },
+    ); // prettier-ignore
+  const values = { said: pythonRepr(shown([said])), text: shown(row) };
+  return _("{said} is no number of a bench: {text}", values);
+}
+
+/** The people of a row, and what of it was not understood. @param {string[]} row @param {Columns} block @param {string} above the household of the row above */
+function peopleOf(row, block, above) {
+  const [remarks, hidden] = opened(cellsOf(row, block.remarks));
+  const [said, more] = opened(cellsOf(row, block.households));
+  const household = said || above;
+  const columns = cellsOf(row, block.phones);
+  const paired = block.phones.length === block.names.length;
+  /** @type {Person[]} */
+  const people = [];
+  const odd = columns
+    .filter((cell) => ROUNDED.test(cell))
+    .map(() => _("the spreadsheet rounded a phone number: format the column as text"));
+  for (const [n, cell] of cellsOf(row, block.names).entries()) {
+    const [rest, phones] = withoutPhones(cell);
+    const beside = paired ? columns[n] : n ? "" : columns.join(" ");
+    const own = [...phonesOf(beside), ...phones, ...(n ? [] : [...hidden, ...more])];
+    const all = namesOf(rest);
+    odd.push(
+      ...all
+        .filter((name) => !isName(name))
+        .map((name) => _("{text} is no name", { text: shown([name]) })),
+    );
+    const names = all.filter(isName);
+    for (const [k, name] of names.entries()) {
+      const phone = own.length === names.length ? own[k] : own.join(" ");
+      people.push({ name, household, phone, remarks });
+    }
+  }
+  const others = [...block.households, ...block.phones, ...block.remarks];
+  if (!people.length && !odd.length && cellsOf(row, others).some(Boolean))
+    return { people, odd: [_("no name: {text}", { text: shown(row) })] };
+  return { people, odd };
+}
+
+/** The texts of cells without the phones in them, and these. @param {string[]} cells @returns {[string, string[]]} */
+function opened(cells) {
+  const split = cells.filter(Boolean).map(withoutPhones);
+  return [clean(split.map(([text]) => text).join(" ")), split.flatMap(([, phones]) => phones)];
+}
+
+/** The numbers of a cell of phones; all of it where none is told apart. @param {string} cell */
+function phonesOf(cell) {
+  const [rest, phones] = withoutPhones(cell.replace(DECIMALS, ""));
+  if (!rest.replace(/^[ ,;、，；/]+|[ ,;、，；/]+$/gu, "")) return phones;
+  return cell ? [clean(cell)] : [];
+}

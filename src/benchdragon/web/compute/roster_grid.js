@@ -1,0 +1,160 @@
+// A list of names as rows of texts: tables of text in the encodings in use. Twin of rosters/grid.py, but for
+// workbooks, which this page does not read.
+
+import { _ } from "../words.js";
+import { ROSTERS_EXTENT, ROSTERS_GRID } from "./constants.js";
+import { InputError } from "./errors.js";
+import { stripped } from "./roster_words.js";
+
+const { MOST_ROWS, MOST_COLUMNS, MOST_CELLS, MOST_SIGNS } = ROSTERS_EXTENT;
+// What files start with: of zip (XLSX, ODS), and of old and of locked workbooks.
+const WORKBOOKS = [
+  [0x50, 0x4b, 0x03, 0x04],
+  [0xd0, 0xcf, 0x11, 0xe0],
+];
+const ENDINGS = /\.(csv|tsv|txt|xlsx|xlsm|ods|xls)$/i;
+// What parts the columns of a table of text, and what ends the number where nothing does.
+const MARKS = ["\t", ",", ";"];
+const NUMBER_END = /(?<=\S)[\s:：，]+/u;
+const LINE_END = /\r\n|[\n\r\v\f\x1c-\x1e\x85\u2028\u2029]/u;
+// Signs of texts that no text has.
+const NO_TEXT = /[\0-\x08\x0e-\x19\x1b-\x1f]/u;
+
+/** The text of a file with a list. @param {ArrayBuffer} data @param {string} name */
+export function textOf(data, name) {
+  const bytes = new Uint8Array(data);
+  if (!ENDINGS.test(name))
+    throw new InputError(
+      _("{file}: lists of names are read from {endings} files", {
+        file: name,
+        endings: ".csv, .tsv, .txt",
+      }),
+    );
+  if (bytes.length > ROSTERS_GRID.MOST_BYTES) throw tooLarge(name);
+  if (WORKBOOKS.some((sign) => sign.every((byte, n) => bytes[n] === byte)))
+    throw new InputError(
+      _(
+        "{file} is a workbook, which this page does not read: save it as CSV (UTF-8), or copy its rows and paste them here",
+        { file: name },
+      ),
+    );
+  const marked = (bytes[0] === 0xff && bytes[1] === 0xfe) || (bytes[0] === 0xfe && bytes[1] === 0xff);
+  const wide = bytes[0] === 0xff ? "utf-16le" : "utf-16be";
+  for (const encoding of marked ? [wide] : ["utf-8", "gb18030"]) {
+    const text = decoded(bytes, encoding);
+    if (text !== null && isText(text, name)) return text;
+  }
+  throw new InputError(
+    _("{file} is no table of text in UTF-8 or GB18030: save it as XLSX, or as CSV in UTF-8", {
+      file: name,
+    }),
+  );
+}
+
+/** @param {Uint8Array} bytes @param {string} encoding */
+function decoded(bytes, encoding) {
+  try {
+    return new TextDecoder(encoding, { fatal: true }).decode(bytes);
+  } catch (error) {
+    if (error instanceof TypeError) return null;
+    throw error;
+  }
+}
+
+/** Whether it may be text; a single sign that no text has is told. @param {string} text @param {string} name */
+function isText(text, name) {
+  const found = NO_TEXT.exec(text);
+  if (!found) return true;
+  if (text.includes("\0")) return false;
+  const line = text.slice(0, found.index).split("\n").length;
+  const code = found[0].charCodeAt(0).toString(16).toUpperCase().padStart(4, "0");
+  throw new InputError(
+    _("{file}: line {line} has a control sign ({sign}), which no text has: delete it", {
+      file: name,
+      line,
+      sign: `U+${code}`,
+    }),
+  );
+}
+
+/** What is said of a list beyond the limits. @param {string} name */
+function tooLarge(name) {
+  return new InputError(
+    _(
+      "{file} is too large for a list of names: at most {rows} rows, {columns} columns, {cells} cells and {signs} signs in a cell are read; save the list alone",
+      { file: name, rows: MOST_ROWS, columns: MOST_COLUMNS, cells: MOST_CELLS, signs: MOST_SIGNS },
+    ),
+  );
+}
+
+/** The cells of a list, row by row; where no sign parts its columns, a line is a number and names. @param {string} text @param {string} name */
+export function rowsOf(text, name) {
+  if (text.length > ROSTERS_GRID.MOST_BYTES) throw tooLarge(name);
+  isText(text, name);
+  const lines = text.split(LINE_END);
+  if (lines[lines.length - 1] === "") lines.pop();
+  const first = lines.map((line) => Array.from(line).find((sign) => MARKS.includes(sign)) ?? "");
+  const counts = MARKS.map((mark) => first.filter((sign) => sign === mark).length);
+  const most = Math.max(...counts);
+  const rows = most ? tableRows(text, MARKS[counts.indexOf(most)]) : lines.map((line) => parted(line));
+  return limited(
+    rows.map((row) => row.map(stripped)),
+    name,
+  );
+}
+
+/** A line as a number and what is behind it. @param {string} line */
+function parted(line) {
+  const found = NUMBER_END.exec(line);
+  if (!found) return [line];
+  return [line.slice(0, found.index), line.slice(found.index + found[0].length)];
+}
+
+/** Rows of a table, whose cells may stand between quotes, as Python's csv reads them. @param {string} text @param {string} mark */
+function tableRows(text, mark) {
+  /** @type {string[][]} */
+  const rows = [];
+  /** @type {string[]} */
+  let row = [];
+  let [cell, quoted, begun] = ["", false, false];
+  const endCell = () => {
+    row.push(cell);
+    [cell, begun] = ["", false];
+  };
+  const endRow = () => {
+    if (row.length || begun) endCell();
+    rows.push(row);
+    row = [];
+  };
+  for (let n = 0; n < text.length; n++) {
+    const sign = text[n];
+    if (quoted) {
+      if (sign !== '"') cell += sign;
+      else if (text[n + 1] === '"') cell += text[++n];
+      else quoted = false;
+    } else if (sign === '"' && !begun) [quoted, begun] = [true, true];
+    else if (sign === mark) endCell();
+    else if (isLineEnd(sign)) {
+      if (sign === "\r" && text[n + 1] === "\n") n++;
+      endRow();
+    } else [cell, begun] = [cell + sign, true];
+  }
+  if (row.length || begun) endRow();
+  return rows;
+}
+
+/** @param {string | undefined} sign */
+function isLineEnd(sign) {
+  return sign === "\n" || sign === "\r";
+}
+
+/** @param {string[][]} rows @param {string} name */
+function limited(rows, name) {
+  const cells = rows.reduce((count, row) => count + row.length, 0);
+  if (rows.length > MOST_ROWS || cells > MOST_ROWS * MOST_COLUMNS) throw tooLarge(name);
+  const filled = rows.flatMap((row) => [...row.entries()].filter(([, cell]) => cell));
+  if (!filled.length) throw new InputError(_("{file} is empty", { file: name }));
+  const wide = ([n, cell] = [0, ""]) => n >= MOST_COLUMNS || Array.from(cell).length > MOST_SIGNS;
+  if (filled.length > MOST_CELLS || filled.some(wide)) throw tooLarge(name);
+  return rows;
+}

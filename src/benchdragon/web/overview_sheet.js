@@ -1,0 +1,137 @@
+// The leader's table: who carries each bench, where it starts, what comes nearest; on paper and as a file.
+
+import { make } from "./elements.js";
+import { groundLegend, seenFrom } from "./compute/ground.js";
+import { decimals } from "./compute/number_format.js";
+import { _, language } from "./words.js";
+
+/** @typedef {import("./bench_sheet.js").Sayings} Sayings */
+/** @typedef {import("./sheet_map.js").SheetMaps} SheetMaps */
+
+// Tightest moments that are listed, of different benches: MOST_TIGHT of sheets/overview.py.
+const MOST_TIGHT = 3;
+// The column of what a bench does.
+const WHAT = 3;
+// What a spreadsheet takes for a formula.
+const FORMULA = /^[=+\-@\t\r]/;
+const NUMBER = /^-?\d+(\.\d+)?$/;
+
+/** What stands above the columns. */
+function headings() {
+  return [
+    _("bench"),
+    _("people"),
+    _("starts from the peg: x, y (m)"),
+    _("what it does"),
+    _("tightest"),
+  ];
+}
+
+/** A row for each bench. @param {Sayings} said @param {boolean} phones */
+function rowsOf(said, phones) {
+  const { ground, benches } = said.briefing;
+  return benches.map(({ bench, place }) => ({
+    bench: said.called(bench),
+    people: said.remarked(bench, phones),
+    place: seenFrom(ground, place).map((far) => decimals(far, 2)),
+    quick: said.text(bench, (other) => said.called(other)).quick,
+    tightest: said.tightest(bench),
+  }));
+}
+
+/** The tightest moments, each told of one bench: where marshals stand. @param {Sayings} said */
+function tightestLines(said) {
+  const found = said.briefing.benches.flatMap(({ bench, tightest }) =>
+    tightest ? [{ bench, other: tightest.bench, upper: tightest.upper }] : [],
+  );
+  found.sort((a, b) => a.upper - b.upper || a.bench - b.bench);
+  const told = new Set();
+  return found.flatMap(({ bench, other }) => {
+    if (told.size >= 2 * MOST_TIGHT || told.has(bench) || told.has(other)) return [];
+    told.add(bench).add(other);
+    return [_("{bench}: {tightest}", { bench: said.called(bench), tightest: said.tightest(bench) })];
+  });
+}
+
+/** The table and what stands above it. @param {Sayings} said @param {SheetMaps} maps @param {boolean} phones @param {string[]} notes about the list of names @param {string} date @param {string} foot */
+export function overviewSheet(said, maps, phones, notes, date, foot) {
+  const { title, verdict, people } = said.briefing;
+  const tight = tightestLines(said);
+  const rows = rowsOf(said, phones);
+  const alike = rows.length > 1 && rows.every(({ quick }) => quick === rows[0].quick);
+  return make(
+    "article",
+    { class: "overview" },
+    make("h2", {}, title[language()] || _("Overview")),
+    make("p", {}, verdict[language()]),
+    make("p", {}, said.basis.clock.legend),
+    make("p", {}, checkedLine(said, date)),
+    ...(people.count_head
+      ? []
+      : [make("p", {}, _("In the verdict bench 1 is the head's, bench 2 the next."))]),
+    ...listOf(_("Tightest moments"), tight),
+    ...listOf(_("Notes on the list of names"), notes),
+    make("h3", {}, _("Where each bench starts")),
+    make("p", {}, groundLegend(said.briefing.ground)),
+    maps.starts((bench) => said.called(bench)),
+    make("h3", {}, _("Benches")),
+    ...(alike ? [make("p", {}, _("All benches: {what}", { what: rows[0].quick }))] : []),
+    tableOf(rows, alike),
+    make("footer", {}, foot),
+  );
+}
+
+/** The table; what all benches do alike stands above it. @param {ReturnType<typeof rowsOf>} rows @param {boolean} alike */
+function tableOf(rows, alike) {
+  const kept = (/** @type {string[]} */ cells) => cells.filter((_cell, n) => !(alike && n === WHAT));
+  const body = rows.map(({ bench, people, place, quick, tightest }) => {
+    const names = people.join(_(", ")) || _("(nobody)");
+    const [head, ...cells] = kept([bench, names, place.join(", "), quick, tightest]);
+    return make(
+      "tr",
+      {},
+      make("th", { scope: "row" }, head),
+      ...cells.map((text) => make("td", {}, text)),
+    );
+  });
+  const heads = kept(headings()).map((text) => make("th", { scope: "col" }, text));
+  return make(
+    "table",
+    alike ? { class: "alike" } : {},
+    make("thead", {}, make("tr", {}, ...heads)),
+    make("tbody", {}, ...body),
+  );
+}
+
+/** When it was checked, and how many benches and people there are: who is named at several counts once. @param {Sayings} said @param {string} date */
+function checkedLine({ briefing, people }, date) {
+  const everybody = [...people.values()].flat();
+  const persons = everybody.map((one) => [one.name, one.household, one.phone].join("\0"));
+  return _("Checked on {date}; {benches} benches, {people} people in the list of names.", {
+    date,
+    benches: briefing.benches.length,
+    people: new Set(persons).size,
+  });
+}
+
+/** @param {string} name @param {string[]} lines */
+function listOf(name, lines) {
+  if (!lines.length) return [];
+  return [make("h3", {}, name), ...lines.map((line) => make("p", {}, line))];
+}
+
+/** The table as a file for spreadsheets: commas, and the mark by which they know UTF-8. @param {Sayings} said @param {boolean} phones */
+export function overviewTable(said, phones) {
+  const [bench, names, , does, tightest] = headings();
+  const rows = rowsOf(said, phones).map((row) => [
+    row.bench, row.people.join(_(", ")), ...row.place, row.quick, row.tightest,
+  ]); // prettier-ignore
+  const whole = [[bench, names, "x (m)", "y (m)", does, tightest], ...rows];
+  return `\ufeff${whole.map((row) => `${row.map(cell).join(",")}\r\n`).join("")}`;
+}
+
+/** @param {string} text */
+function cell(text) {
+  const plain = FORMULA.test(text) && !NUMBER.test(text) ? `'${text}` : text;
+  return `"${plain.replaceAll('"', '""')}"`;
+}

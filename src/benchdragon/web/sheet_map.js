@@ -1,0 +1,213 @@
+// A small map of a dance on paper: the square, the route, and the track of one bench, or where all start.
+
+import { yWord } from "./compute/ground.js";
+import { draw, make } from "./elements.js";
+import { _, language } from "./words.js";
+
+/** @typedef {import("./compute/briefing.js").Briefing} Briefing */
+/** @typedef {[number, number]} Point */
+
+// Widths of lines and sizes of marks, mm of paper, on a map as wide as that.
+const [THIN, EDGE, BOLD, MARK] = [0.15, 0.35, 0.9, 1.5];
+// How wide and tall a map is about, mm, by which lines are drawn so wide.
+const SIZES = { a4: [150, 90], quarter: [85, 45] };
+// Every so manyth bench is numbered, where numbers are so far apart, mm; and how tall they are.
+const NUMBERED = [1, 2, 5, 10, 20, 50, 100, 200, 500];
+const [NUMBER_ROOM, DIGITS] = [5, 2.5];
+// Of an obstacle's name so many signs at most; a cross's arm, mm.
+const [MOST_SIGNS, CROSS] = [16, 1.4];
+// What is drawn once, and used by all maps.
+const [SQUARE, WAY] = ["sheet-square", "sheet-way"];
+
+/** Of points the coordinates as the picture has them, with y downwards. @param {Point} point */
+function placed([x, y]) {
+  return `${x.toFixed(3)},${(-y).toFixed(3)}`;
+}
+
+/** What all maps of a dance share. */
+export class SheetMaps {
+  /** @param {Briefing} briefing @param {"a4" | "quarter"} paper */
+  constructor(briefing, paper) {
+    this.briefing = briefing;
+    /** The points of the route, m. @type {Point[]} */
+    this.way = [];
+    for (let n = 0; n < briefing.points.length; n += 2)
+      this.way.push([briefing.points[n], briefing.points[n + 1]]);
+    const [low, high] = this.#bounds();
+    const size = [high[0] - low[0], high[1] - low[1]].map((side) => Math.max(side, 1e-3));
+    /** Metres of the dance to a millimetre of a map, about. */
+    this.unit = Math.max(size[0] / SIZES[paper][0], size[1] / SIZES[paper][1]);
+    const around = 3 * MARK * this.unit;
+    const [x, y] = [low[0] - around, -high[1] - around];
+    this.viewBox = [x, y, size[0] + 2 * around, size[1] + 2 * around]
+      .map((n) => n.toFixed(3))
+      .join(" ");
+  }
+
+  /** The lower left and the upper right corner of all that is shown, m. @returns {Point[]} */
+  #bounds() {
+    const { obstacles } = this.briefing.ways;
+    const corners = obstacles.flatMap(({ points, radius }) =>
+      points.flatMap(([x, y]) => /** @type {Point[]} */ ([[x - radius, y - radius], [x + radius, y + radius]])),
+    ); // prettier-ignore
+    const all = [...this.way, this.briefing.ground.peg, ...corners];
+    return [Math.min, Math.max].map(
+      (most) =>
+        /** @type {Point} */ (
+          [0, 1].map((n) => all.reduce((one, point) => most(one, point[n]), all[0][n]))
+        ),
+    );
+  }
+
+  /** What maps draw from: it must stand in the page beside them. */
+  shared() {
+    const { low, high, obstacles } = this.briefing.ways;
+    const way = draw("path", {
+      id: WAY,
+      d: `M${this.way.map(placed).join("L")}`,
+      pathLength: String(high - low),
+      fill: "none",
+    });
+    const square = draw("g", { id: SQUARE, "stroke-width": String(EDGE * this.unit) });
+    square.append(...obstacles.map((one) => standing(one)));
+    return draw("svg", { class: "shared", "aria-hidden": "true" }, draw("defs", {}, way, square));
+  }
+
+  /** The square and the route. @param {string} name for those who cannot see it @param {Node[]} more */
+  #map(name, ...more) {
+    const thin = String(THIN * this.unit);
+    return make(
+      "figure",
+      { class: "map" },
+      draw(
+        "svg",
+        { viewBox: this.viewBox, role: "img", "aria-label": name },
+        draw("use", { href: `#${SQUARE}` }),
+        draw("use", { href: `#${WAY}`, class: "way", "stroke-width": thin }),
+        ...more,
+        ...this.#names(),
+      ),
+      compass(this.briefing.ground),
+    );
+  }
+
+  /** The peg, and what obstacles are called. */
+  #names() {
+    const { unit } = this;
+    const { ground, ways } = this.briefing;
+    const [x, y] = [ground.peg[0], -ground.peg[1]];
+    const arm = CROSS * unit;
+    const d = `M${x - arm} ${y}h${2 * arm}M${x} ${y - arm}v${2 * arm}`;
+    const cross = draw("path", { class: "peg", d, "stroke-width": String(EDGE * unit) });
+    const found = [cross, this.#name(_("peg"), x, y - arm - 0.6 * unit)];
+    for (const { kind, points, radius, shown } of ways.obstacles) {
+      if (kind === "venue") continue;
+      const top = points.reduce((most, point) => Math.max(most, point[1]), -Infinity) + radius;
+      const middle = points.reduce((sum, point) => sum + point[0], 0) / points.length;
+      const told = Array.from(shown[language()]).slice(0, MOST_SIGNS).join("");
+      found.push(this.#name(told, middle, -top - 0.8 * unit));
+    }
+    return found;
+  }
+
+  /** A name above a place. @param {string} name @param {number} x @param {number} y */
+  #name(name, x, y) {
+    const at = { x: x.toFixed(3), y: y.toFixed(3), "font-size": String(DIGITS * this.unit) };
+    const text = draw("text", { ...at, class: "name" });
+    text.textContent = name;
+    return text;
+  }
+
+  /** The track of a bench (number, from 1): a disc where it starts, an arrow's head where it ends. @param {number} bench */
+  track(bench) {
+    const { low, high, s, ends } = this.briefing.ways;
+    const [first, last] = s.map((at) => at[bench - 1]);
+    const [start, end] = ends.map((at) => at.slice(3 * bench - 3, 3 * bench));
+    const track = draw("use", {
+      href: `#${WAY}`,
+      class: "track",
+      "stroke-width": String(BOLD * this.unit),
+      "stroke-dasharray": `0 ${first - low} ${last - first} ${high - low}`,
+    });
+    const map = this.#map(
+      _("map with your way"),
+      track,
+      disc(start, MARK * this.unit),
+      this.#arrow(end),
+    );
+    map.append(legend(last > first));
+    return map;
+  }
+
+  /** An arrow's head at a place, to its heading. @param {number[]} end */
+  #arrow([x, y, heading]) {
+    const turned = (-heading * 180) / Math.PI;
+    const size = MARK * this.unit;
+    const transform = `translate(${placed([x, y])}) rotate(${turned.toFixed(2)}) scale(${size})`;
+    return draw("path", { class: "mark", d: "M1.4 0L-1 1.1L-1 -1.1Z", transform });
+  }
+
+  /** Where all benches start, with as many numbers as find room. @param {(bench: number) => string} called */
+  starts(called) {
+    const { briefing, unit } = this;
+    const [s] = briefing.ways.s;
+    const least = s.slice(1).reduce((gap, at, n) => Math.min(gap, Math.abs(s[n] - at)), Infinity);
+    const each =
+      NUMBERED.find((n) => (n * least) / unit >= NUMBER_ROOM) ?? NUMBERED[NUMBERED.length - 1];
+    const { count_head: counted } = briefing.people;
+    const marks = briefing.benches.flatMap(({ bench, place: [x, y] }) => {
+      const dot = disc([x, y], 0.6 * unit);
+      const number = counted ? bench : bench - 1;
+      const end = !counted && (bench === 1 || bench === briefing.benches.length);
+      if (!end && number % each) return [dot];
+      const at = { x: (x + 0.9 * unit).toFixed(3), y: (-y - 0.6 * unit).toFixed(3) };
+      const text = draw("text", { ...at, class: "number", "font-size": String(DIGITS * unit) });
+      text.textContent = end ? called(bench) : String(number);
+      return [dot, text];
+    });
+    return this.#map(
+      _("The square, the route, and where the front handle of each bench starts"),
+      ...marks,
+    );
+  }
+}
+
+/** @param {number[]} place @param {number} radius m */
+function disc([x, y], radius) {
+  return draw("circle", { class: "mark", cx: x.toFixed(3), cy: (-y).toFixed(3), r: radius.toFixed(4) });
+}
+
+/** The venue's edge, or an obstacle. @param {Briefing["ways"]["obstacles"][number]} one */
+function standing({ kind, points, radius }) {
+  if (kind === "circle") {
+    const [[x, y]] = points;
+    return draw("circle", { class: "stone", cx: String(x), cy: String(-y), r: String(radius) });
+  }
+  const shape = kind === "line" ? "polyline" : "polygon";
+  const solid = kind !== "line" && kind !== "venue";
+  return draw(shape, { class: solid ? "stone" : "edge", points: points.map(placed).join(" ") });
+}
+
+/** An arrow the way y points, and what is there. @param {Briefing["ground"]} ground */
+function compass(ground) {
+  const turned = ((-ground.turned * 180) / Math.PI).toFixed(2);
+  const d = "M8 11V3M8 0L5.6 4.2H10.4Z";
+  const arrow = draw("path", { d, class: "compass", transform: `rotate(${turned} 8 5.5)` });
+  const text = draw("text", { x: "8", y: "15", "text-anchor": "middle" });
+  text.textContent = yWord(ground);
+  return draw("svg", { class: "compass", viewBox: "0 0 16 17", "aria-hidden": "true" }, arrow, text);
+}
+
+/** What the marks mean that are there. @param {boolean} moves whether the bench does */
+function legend(moves) {
+  const sign = (/** @type {SVGElement} */ shape) =>
+    draw("svg", { viewBox: "-2 -2 4 4", class: "sign", "aria-hidden": "true" }, shape);
+  const end = sign(draw("path", { class: "mark", d: "M1.8 0L-1.2 1.4L-1.2 -1.4Z" }));
+  return make(
+    "figcaption",
+    {},
+    sign(disc([0, 0], 1.4)),
+    make("span", {}, _("you start here")),
+    ...(moves ? [end, make("span", {}, _("you end here"))] : []),
+  );
+}

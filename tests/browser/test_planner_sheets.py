@@ -1,0 +1,237 @@
+"""The benches' sheets of the planner's page, as they are printed: what Python's say, on paper."""
+
+import io
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from datetime import date
+from pathlib import Path
+
+import pypdfium2
+import pytest
+from playwright.sync_api import Locator, Page, expect
+
+from benchdragon.i18n import spoken_in
+from benchdragon.planner.page import planner_page
+from benchdragon.plans.roster import roster_of
+from benchdragon.plans.schema import read_plan
+from benchdragon.rosters.roster import Roster
+from benchdragon.sheets.benches import Entry, bench_sheets
+from tests.browser.axe import needs_axe, violations
+from tests.browser.pages import Device, Language, Pages
+from tests.browser.planners import PITCH, change, settled
+from tests.sheets.village import PLAN, briefing, village
+
+NAMES = {"en": "benches' sheets", "zh": "板凳单"}
+OVERVIEW = {"en": "the leader's overview", "zh": "领队总表"}
+SAVE = re.compile("save as CSV|存成 CSV")
+Opened = Callable[..., Page]
+LIST = """桥号\t姓名\t户主\t电话
+龙头\t张三、李四\t张家\t138-0000-0001
+1\t王五\t王家\t
+5\t赵六\t赵家\t
+99\t钱七\t\t
+"""
+
+
+@pytest.fixture(scope="module")
+def plan(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A small dance with people who count their benches in qiao."""
+    return village(tmp_path_factory.mktemp("village"), PLAN)
+
+
+@pytest.fixture(scope="module")
+def sheets_file(tmp_path_factory: pytest.TempPathFactory, plan: Path) -> Path:
+    """The planner's file, opened with that dance."""
+    path = tmp_path_factory.mktemp("planner") / "planner.html"
+    path.write_text(planner_page(read_plan(str(plan)), "en"), "utf-8")
+    return path
+
+
+@pytest.fixture
+def opened_sheets(pages: Pages, sheets_file: Path) -> Opened:
+    """Opens the planner, and in it the sheets of its dance."""
+
+    def open_sheets(language: Language = "en", device: Device = "desktop") -> Page:
+        page = pages.open(f"{sheets_file.as_uri()}#lang={language}", device)
+        settled(page).get_by_role("button", name=NAMES[language], exact=True).click()
+        expect(sheets(page).locator(".paper")).to_have_count(8)
+        return page
+
+    return open_sheets
+
+
+def sheets(page: Page) -> Locator:
+    return page.locator("#sheets")
+
+
+def printed(page: Page) -> list[str]:
+    """What stands on each page that is printed, without spaces."""
+    made = pypdfium2.PdfDocument(io.BytesIO(page.pdf(prefer_css_page_size=True)))
+    for sheet in made:
+        assert sheet.get_size() == pytest.approx((595.3, 841.9), abs=1.0)
+    return ["".join(sheet.get_textpage().get_text_bounded().split()) for sheet in made]
+
+
+def told(plan: Path, language: Language, roster: Roster) -> list[Entry]:
+    """What Python puts on the sheets."""
+    with spoken_in(language):
+        known = briefing(read_plan(str(plan)), roster)
+        return [sheet.entries[0] for sheet in bench_sheets(known, "bench", True, 1)]
+
+
+def assert_says(text: str, entry: Entry) -> None:
+    for line in (entry.called, *entry.people, *entry.text.lines, entry.marks):
+        assert "".join(line.split()) in text, line
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_sheets_on_paper_say_what_pythons_say(
+    opened_sheets: Opened, plan: Path, language: Language
+) -> None:
+    page = opened_sheets(language)
+    entries = told(plan, language, Roster())
+    foot = f"{read_plan(str(plan)).sha256[:12]}·{date.today().isoformat()}"
+    on_paper = printed(page)
+    assert len(on_paper) == len(entries)
+    for text, entry in zip(on_paper, entries, strict=True):
+        assert_says(text, entry)
+        assert foot in text
+    assert "print" not in "".join(on_paper)
+    sheets(page).get_by_role("combobox").nth(1).select_option("quarter")
+    quarters = printed(page)
+    assert len(quarters) == 2
+    for n, entry in enumerate(entries):
+        assert_says(quarters[n // 4], entry)
+
+
+@needs_axe
+@pytest.mark.parametrize(("language", "device"), [("en", "desktop"), ("zh", "phone")])
+def test_axe_finds_nothing_wrong_in_sheets(
+    opened_sheets: Opened, language: Language, device: Device
+) -> None:
+    page = opened_sheets(language, device)
+    given(page, LIST)
+    for what in ("benches", "overview"):
+        sheets(page).get_by_role("combobox").first.select_option(what)
+        assert violations(page) == [], what
+
+
+def test_one_bench_is_printed_alone(opened_sheets: Opened, plan: Path) -> None:
+    page = opened_sheets("en", "phone")
+    sheets(page).get_by_role("combobox", name="which benches").select_option("one")
+    sheets(page).get_by_role("combobox", name="bench", exact=True).select_option("3")
+    (text,) = printed(page)
+    assert_says(text, told(plan, "en", Roster())[2])
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_the_overview_is_printed_and_saved(
+    opened_sheets: Opened, plan: Path, language: Language
+) -> None:
+    page = opened_sheets(language)
+    sheets(page).get_by_role("combobox").first.select_option("overview")
+    text = "".join(printed(page))
+    with page.expect_download() as found:
+        sheets(page).get_by_role("button", name=SAVE).click()
+    saved = Path(found.value.path()).read_text("utf-8-sig")
+    for entry in told(plan, language, Roster()):
+        for line in (entry.called, entry.text.quick, entry.text.tightest):
+            assert "".join(line.split()) in text
+            assert line in saved
+    assert len(saved.splitlines()) == 9
+
+
+def test_sheets_close_when_the_page_is_about_another_plan(opened_sheets: Opened) -> None:
+    page = opened_sheets()
+    page.evaluate("benchdragon.undo()")
+    expect(sheets(page)).to_have_count(1)
+    wider = "{...benchdragon.plan, route: {...benchdragon.plan.route, pitch: 1.3}}"
+    page.evaluate(f"benchdragon.change({wider}, true)")
+    expect(sheets(page)).to_have_count(0)
+
+
+def test_a_dance_that_is_not_safe_has_no_sheets(pages: Pages, sheets_file: Path) -> None:
+    page = settled(pages.open(f"{sheets_file.as_uri()}#lang=en"))
+    change(page, PITCH, "0.3")
+    settled(page).get_by_role("button", name=NAMES["en"], exact=True).click()
+    expect(sheets(page)).to_contain_text(re.compile("of a plan that is safe alone. Not safe"))
+    expect(sheets(page).locator(".paper")).to_have_count(0)
+    page.keyboard.press("Escape")
+    expect(sheets(page)).to_have_count(0)
+    expect(page.get_by_role("button", name=NAMES["en"], exact=True)).to_be_focused()
+
+
+def given(page: Page, text: str) -> None:
+    """Give the page a list of names."""
+    names = sheets(page).locator("details.names")
+    names.locator("summary").click()
+    names.get_by_role("textbox").fill(text)
+    names.get_by_role("button").first.click()
+
+
+def test_names_stand_on_sheets_and_nowhere_else(opened_sheets: Opened, plan: Path) -> None:
+    page = opened_sheets("en")
+    before = page.url
+    given(page, LIST)
+    names = sheets(page).locator("details.names")
+    expect(names).to_contain_text("3 benches have people")
+    expect(names).to_contain_text("row 5: the dragon of 8 benches has no qiao 99: 钱七")
+    expect(names).to_contain_text("nobody is named for")
+    plan.with_name("names.tsv").write_text(LIST, "utf-8")
+    read = read_plan(str(plan), ["people.roster=names.tsv"])
+    entries = told(plan, "en", roster_of(read))
+    on_paper = printed(page)
+    for text, entry in zip(on_paper, entries, strict=True):
+        names_alone = replace(entry, people=tuple(one.partition(",")[0] for one in entry.people))
+        assert_says(text, names_alone)
+        assert "138" not in text.replace(read.sha256[:12], "")
+    assert "王五" in on_paper[0]  # which is next behind the head
+    sheets(page).get_by_role("checkbox", name="print phone numbers").check()
+    assert "张三,phone138-0000-0001" in printed(page)[0]
+    sheets(page).get_by_role("button", name="close").click()
+    expect(page.get_by_role("button", name=NAMES["en"], exact=True)).to_be_focused()
+    assert page.url == before
+    kept = page.evaluate("JSON.stringify([{...localStorage}, {...sessionStorage}, benchdragon.plan])")
+    assert "张三" not in kept
+
+
+def test_a_workbook_is_to_be_saved_as_text(opened_sheets: Opened, tmp_path: Path) -> None:
+    page = opened_sheets("en")
+    path = tmp_path / "names.xlsx"
+    path.write_bytes(b"PK\x03\x04 and more")
+    sheets(page).locator("input[type=file]").set_input_files(path)
+    alert = sheets(page).get_by_role("alert")
+    sheets(page).locator("details.names summary").click()
+    expect(alert).to_contain_text(
+        "names.xlsx is a workbook, which this page does not read: save it as CSV"
+    )
+    path = tmp_path / "names.csv"
+    path.write_bytes(LIST.replace("\t", ",").encode("gb18030"))
+    sheets(page).locator("input[type=file]").set_input_files(path)
+    expect(alert).to_have_count(0)
+    expect(sheets(page).locator(".paper").first).to_contain_text("张三")
+
+
+def test_all_of_a_sheet_finds_room(opened_sheets: Opened) -> None:
+    page = opened_sheets("en")
+    crowd = "、".join(f"{family}小{one}" for family in "张李王赵钱孙" for one in "东南西北春夏秋冬前后")
+    given(page, f"桥号\t姓名\n3\t{crowd}\n")
+    sheets(page).get_by_role("combobox").nth(1).select_option("quarter")
+    sheets(page).get_by_role("checkbox", name="large type").check()
+    more = re.compile(r"张小东.* and \d+ more")
+    over = "(found) => found.filter((one) => one.scrollHeight > one.clientHeight + 1).length"
+    assert sheets(page).locator(".sheet").evaluate_all(over) == 0
+    expect(sheets(page).locator(".sheet").nth(3)).to_contain_text(more)
+    expect(sheets(page).locator(".sheet").first).not_to_contain_text(more)
+
+
+def test_a_name_in_the_table_is_no_formula(opened_sheets: Opened) -> None:
+    page = opened_sheets("en")
+    given(page, "桥号\t姓名\n3\t=HYPERLINK(A1)\n")
+    sheets(page).get_by_role("combobox").first.select_option("overview")
+    with page.expect_download() as found:
+        sheets(page).get_by_role("button", name=SAVE).click()
+    saved = Path(found.value.path()).read_text("utf-8-sig")
+    assert '"\'=HYPERLINK(A1)"' in saved
+    assert re.search(r'"-\d+\.\d\d"', saved)  # numbers stay numbers

@@ -1,0 +1,41 @@
+// What each bench does in plans: node bench_walks.mjs MODULES ENGINE.wasm PLANS.json
+import { readFileSync } from "node:fs";
+import { pathToFileURL } from "node:url";
+
+const [modules, file, questions] = process.argv.slice(2);
+const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
+const [{ Engine }, { withArenaAsync }, { briefed }, { checkedPlan }] = await Promise.all(
+  ["engine", "compute/arena", "compute/briefing", "compute/plan"].map(load),
+);
+const [{ benchText, markLine }, { Clock }, { called }, { language, speak, useWords }] =
+  await Promise.all(["compute/bench_text", "compute/clock", "compute/people", "words"].map(load));
+const engine = await Engine.load(readFileSync(file));
+
+/** What stands on the sheets of all benches, in a language. */
+function sentences(told, spoken) {
+  speak(spoken);
+  const { people, start, clock, ground, benches } = told;
+  const basis = { clock: new Clock(clock, start), people, ground };
+  const name = (bench) => called(people, bench, benches.length);
+  return benches.map((one, k) => {
+    const { apart, name: words, edge } = told.landmarks[k];
+    const near = { apart, name: words?.[language()] ?? "", edge };
+    return [benchText(basis, one, near, name), markLine(told.marks[k])];
+  });
+}
+
+const { plans, words } = JSON.parse(readFileSync(questions, "utf-8"));
+useWords(words);
+const answers = [];
+for (const { plan: data, span } of plans) {
+  try {
+    const plan = checkedPlan(data);
+    const told = await withArenaAsync(engine, (arena) =>
+      briefed(arena, plan, plan.build(arena), span, () => {}),
+    );
+    answers.push({ benches: told.benches, en: sentences(told, "en"), zh: sentences(told, "zh") });
+  } catch (error) {
+    answers.push({ error: error.message, kind: error.constructor.name });
+  }
+}
+console.log(JSON.stringify(answers));

@@ -1,0 +1,48 @@
+// Rosters of lists, and what words of them mean: node rosters.mjs MODULES ENGINE.wasm QUESTIONS.json
+import { readFileSync } from "node:fs";
+import { pathToFileURL } from "node:url";
+
+const [modules, , questions] = process.argv.slice(2);
+const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
+const [{ readRoster }, { textOf }, { called }, { speak, useWords }, roster] = await Promise.all(
+  ["compute/roster", "compute/roster_grid", "compute/people", "words", "compute/roster_words"].map(
+    load,
+  ),
+);
+
+/** What a list of names says, or why it says nothing. */
+function read({ data, name, count, people, language }) {
+  speak(language);
+  const bytes = Buffer.from(data, "base64");
+  const numbering = {
+    count,
+    countHead: people.count_head,
+    called: (bench) => called(people, bench, count),
+  };
+  try {
+    const text = textOf(new Uint8Array(bytes).buffer, name);
+    const { benches, notes } = readRoster(text, name, numbering);
+    return { benches: Object.fromEntries(benches), notes };
+  } catch (error) {
+    return { error: error.message, kind: error.constructor.name };
+  }
+}
+
+/** What a cell means in all ways in which it may be read. */
+function meant(text) {
+  const { heading, isName, isSum, namesOf, places, withoutPhones } = roster;
+  const found = heading(text);
+  const ranges = places(text)?.map((ends) => ends.map(({ number, end }) => [number, end])) ?? null;
+  return [
+    found && [found.kind, found.rank],
+    ranges,
+    namesOf(text),
+    withoutPhones(text),
+    isSum(text),
+    isName(text),
+  ];
+}
+
+const { lists, cells, words } = JSON.parse(readFileSync(questions, "utf-8"));
+useWords(words);
+console.log(JSON.stringify({ lists: lists.map(read), cells: cells.map(meant) }));
