@@ -1,4 +1,4 @@
-"""Modules, styles and words of the pages, as text that stands in one file.
+"""Pages of one file: their modules, styles and words, and what they hold, as the text of it.
 
 Each module keeps its own names: it becomes a function's body, but for the one that is asked for.
 """
@@ -8,12 +8,16 @@ import hashlib
 import json
 import posixpath
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict
 from functools import cache
 from pathlib import Path
 from typing import Any
 
-from benchdragon.i18n import _, spoken_in
+from jinja2 import Environment, PackageLoader, StrictUndefined
+
+from benchdragon.i18n import _, both, spoken_in
+from benchdragon.version import __version__
 
 WEB = Path(__file__).parent / "web"
 # Modules may import others so, and in no other way.
@@ -121,6 +125,46 @@ def chinese(*entries: str) -> dict[str, str]:
     texts = [text for entry in entries for text in TEXT.findall(inlined(entry))]
     with spoken_in("zh"):
         return {text: _(text) for text in map(json.loads, texts)}
+
+
+def html_page(
+    template: str,
+    entry: str,
+    styles: Iterable[str],
+    language: str,
+    held: Mapping[str, Any],
+    **more: Any,
+) -> str:
+    """A page that runs what a module exports as `start`, beginning in a language ("en" or "zh").
+
+    Args:
+        template: the name of its template.
+        entry: the module.
+        styles: their names.
+        language: "en" or "zh".
+        held: data that it finds in elements of these names.
+        more: what the template takes beside.
+    """
+    script, style = f"{inlined(entry)}\nawait start();\n", joined_styles(styles)
+    environment = Environment(
+        loader=PackageLoader("benchdragon"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+    )
+    waiting = both(
+        lambda: _("Nothing moves? Then open this file in a browser: previews do not run it.")
+    )
+    return environment.get_template(template).render(
+        language=language,
+        version=__version__,
+        hashes={"script": content_hash(script), "style": content_hash(style)},
+        script=script,
+        style=style,
+        waiting=asdict(waiting),
+        held={"language": inert(language)} | {name: inert(data) for name, data in held.items()},
+        **more,
+    )
 
 
 def joined_styles(names: Iterable[str]) -> str:

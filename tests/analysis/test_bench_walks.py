@@ -304,3 +304,15 @@ def test_thresholds_that_are_met_just_when_speeds_are_looked_at_are_told_then() 
         assert paces == ["walk", "hurry", "run", "hurry", "walk", "wait"]
         starts = [one.start for one in bench.stretches]
         assert starts == pytest.approx([0.0, 4.0, 6.0, 10.0, 12.0, 15.8], abs=1e-6)
+
+
+def test_what_is_tightest_while_the_head_waits_to_start_is_told_within_the_dance() -> None:
+    data = {
+        "schema": 1, "base": "spiral-in", "dragon": {"benches": 40},
+        "route": {"pitch": 0.9, "start_turn": 5},
+        "walk": {"profile": [[-11, 0], [13, 0.5]], "start": -20, "end": -10},
+    }  # fmt: skip
+    plan = checked(data, "test")
+    found = [one.tightest for one in bench_walks(plan, plan.build(), (-20.0, -10.0)) if one.tightest]
+    assert len(found) > 10
+    assert all(-20.0 <= one.time <= -10.0 for one in found)

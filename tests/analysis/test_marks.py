@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from benchdragon.analysis import marks as marks_module
+from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.marks import (
     LENGTH_STEP,
     MOST_MARKS,
@@ -73,7 +74,7 @@ def test_bearings_run_clockwise_from_y_and_other_angles_the_other_way_from_x(tra
     ways = np.array([(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0), (1.0, -1.0)])
     assert angles_of(ways, north=False).tolist() == [0.0, 90.0, 180.0, 270.0, 315.0]
     assert angles_of(ways, north=True).tolist() == [90.0, 0.0, 270.0, 180.0, 135.0]
-    towards_north = placed_marks(trail, 1.0, PEG, north=True)
+    towards_north = placed_marks(trail, 1.0, Ground(PEG, north=True))
     assert ((towards_north.bases - PEG) / towards_north.reach).tolist() == [[0.0, 1.0], [-1.0, 0.0]]
 
 

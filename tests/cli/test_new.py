@@ -6,12 +6,14 @@ import re
 import subprocess
 import sys
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from benchdragon.cli.main import run
 from benchdragon.plans.schema import read_plan
+from benchdragon.solve.proposal import Proposal, Wishes, propose
 
 END_OF_INPUT = "\x04"
 # In the order of the questions: benches, length, width, head, holes, square, bearers, beside, speeds.
@@ -94,8 +96,41 @@ def test_a_dance_that_is_soon_over_is_proposed_with_a_warning(
     monkeypatch.chdir(tmp_path)
     assert run([*SHORT_LINE.split(), "--quiet", "--lang", "en"]) == 0
     told = capsys.readouterr().out
-    assert "hardly a dance. It gets longer with fewer benches or a larger square." in told
+    assert "hardly a dance. It gets longer with fewer benches, or a larger square." in told
     assert "it does not come out again" in told
+
+
+def test_how_many_benches_come_out_again_is_told_where_all_of_them_do_not(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    line = SHORT_LINE.replace(" --kind spiral-in", "")
+    assert run([*line.split(), "--quiet", "--lang", "en"]) == 0
+    told = re.search(r"With (\d+) benches it comes out again", capsys.readouterr().out)
+    assert told is not None
+    wished = Wishes(24, 1.5, 0.15, rectangle=(13.0, 13.0), carry="under")
+    kinds = []
+    for count in (int(told[1]), int(told[1]) + 1):
+        found = propose(replace(wished, benches=count))
+        assert isinstance(found, Proposal)
+        kinds.append(found.plan.route.kind)
+    assert kinds == ["turn", "spiral-in"]
+
+
+def test_what_does_not_fit_is_asked_again_alone_and_the_other_answers_stay(tmp_path: Path) -> None:
+    first = ["24", "1.5m", "15cm", "2", "", "12x12", "", "beside", "", ""]
+    # Under the benches, as is proposed; beside them still, but the number that fits.
+    for again, carried, most in (("\n", "under", 24), ("1\n\n", "beside", 23)):
+        folder = tmp_path / carried
+        folder.mkdir()
+        code, shown = asked(folder, "".join(f"{answer}\n" for answer in first) + again + END_OF_INPUT)
+        assert code == 0, shown
+        assert "do not fit" in shown
+        assert shown.count("How long is a bench") == 1
+        assert "add --carry" not in shown
+        text = (folder / "v.dragon.toml").read_text("utf-8")
+        assert f"they walk {carried}" in text
+        assert 2 <= read_plan(str(folder / "v.dragon.toml")).value("dragon.benches") <= most
 
 
 def test_a_refusal_names_walking_under_the_benches_where_that_fits(

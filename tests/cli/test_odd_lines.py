@@ -31,6 +31,7 @@ LINES = {
     "atlas": ["atlas", "x", "-o", "x.html"],
     "survey": ["survey", "PLAN"],
     "compare": ["compare", "result1.xlsx"],
+    "verify": ["verify", "certificate.json"],
     "view": ["view", "PLAN", "-o", "x.html"],
     "planner": ["planner", "PLAN", "-o", "x.html"],
     "animate": ["animate", "PLAN", "-o", "x.png"],
@@ -130,6 +131,9 @@ MORE = [
     ["compare"], ["compare", ""], ["compare", "/"], ["compare", "/dev/null"], ["compare", "x" * 5000],
     *(["compare", f"{name}.toml"] for name in FILES), ["compare", "a.xlsx", "b.xlsx"],
     ["compare", "龙.xlsx"], ["compare", "\ud800"],
+    ["verify"], ["verify", ""], ["verify", "/"], ["verify", "/dev/null"], ["verify", "x" * 5000],
+    *(["verify", f"{name}.toml"] for name in FILES), ["verify", "a.json", "b.json"],
+    ["verify", "龙.json"], ["verify", "\ud800"],
 ]  # fmt: skip
 
 

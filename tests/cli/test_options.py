@@ -72,6 +72,8 @@ TIMES = ["timetable", "spiral-in", *SHORT]
 DRAWN = [*AREA, "-o", "area.svg"]
 MINE = ["plan", "spiral-in", *SHORT, "-o", "mine.dragon.toml"]
 REPRODUCE = ["reproduce", "-o", "out"]
+VERIFY = ["verify", "out/certificate.json"]
+CERTIFIED = [*CHECK, "--prove", "-o", "out", "--format", "svg"]
 NEW = ["new", "-o", "new.toml", "--benches", "4", "--bench-length", "1.5", "--bench-width", "0.2"]
 PROPOSED = [*NEW, "--square", "20x20"]
 
@@ -108,6 +110,9 @@ CASES: dict[str, Case] = {
     "motion --explain": Case(MOTION, ["--explain"]),
     "check --set": Case(CHECK, ["--set", "walk.end=3"]),
     "check --prove": Case(CHECK, ["--prove"]),
+    "verify --json": Case(VERIFY, ["--json"], CERTIFIED),
+    "verify --lang": Case(VERIFY, ["--lang", "zh"], CERTIFIED),
+    "verify --quiet": Case(VERIFY, ["--quiet"], CERTIFIED),
     "check --output": Case(CHECK, ["-o", "out", "--format", "svg"]),
     "check --format": Case([*CHECK, "-o", "out", "--format", "svg"], ["--format", "pdf"]),
     "check --force": Case(

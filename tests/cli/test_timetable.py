@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from benchdragon.analysis.clock import Clock
+from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.timetable import timetable
 from benchdragon.cli.main import run
 from benchdragon.i18n import spoken_in
@@ -32,7 +33,8 @@ def test_a_terminal_shows_the_rows_of_the_paper(
     with spoken_in(language):
         assert run(LINE) == 0
         start, end = plan.span(walk)
-        rows = printed_rows(timetable(plan, walk, start, end), Clock("18:30", start))
+        passings, ground = timetable(plan, walk, start, end), Ground.of(plan, walk.route)
+        rows = printed_rows(passings, Clock("18:30", start), ground)
     lines = capsys.readouterr().out.splitlines()
     shown = [tuple(cell.strip() for cell in line.split("│")[1:-1]) for line in lines if "│" in line]
     assert shown == list(rows)

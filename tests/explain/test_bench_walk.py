@@ -7,8 +7,9 @@ from functools import partial
 import pytest
 
 from benchdragon.analysis.bench_nearness import Tightest
-from benchdragon.analysis.bench_walks import BenchWalk, Stretch, bench_walks
+from benchdragon.analysis.bench_walks import PACES, BenchWalk, Stretch, bench_walks
 from benchdragon.analysis.clock import Clock
+from benchdragon.analysis.ground import Ground
 from benchdragon.explain.bench_walk import BenchText, bench_text, quick_line
 from benchdragon.i18n import spoken_in
 from benchdragon.model.base_curve import Point
@@ -24,7 +25,8 @@ def told() -> tuple[BenchWalk, ...]:
 
 
 def text_of(plan: Plan, found: BenchWalk, peg: Point = (0.0, 0.0)) -> BenchText:
-    return bench_text(plan, found, partial(called, plan.people, count=9), peg)
+    ground = Ground.of(plan, plan.build().route, peg)
+    return bench_text(plan, found, partial(called, plan.people, count=9), ground)
 
 
 def stretch(start: float, end: float, turning: str, pace: str, angle: float = 1.0) -> Stretch:
@@ -32,7 +34,9 @@ def stretch(start: float, end: float, turning: str, pace: str, angle: float = 1.
 
 
 def one_bench(*stretches: Stretch) -> BenchWalk:
-    return BenchWalk(5, (3.0, 4.0), 0.0, stretches, None, 4, 6)
+    # 2 m long and 0.3 m wide, its front handle 0.2 m from its front end.
+    box = (2.2, 4.0, 1.0, 0.0, 1.0, 0.15)
+    return BenchWalk(5, (3.0, 4.0), 0.0, box, stretches, None, 4, 6)
 
 
 def test_the_quick_line_names_turns_and_times_from_the_start_of_the_dance_on() -> None:
@@ -45,7 +49,7 @@ def test_the_quick_line_names_turns_and_times_from_the_start_of_the_dance_on() -
         "Turn left; keep walking; run from 2:10 to 2:25; wait from 2:40 to 3:10."
     )
     with spoken_in("zh"):
-        assert quick_line(bench, clock) == "左拐；走；2:10 到 2:25 跑；2:40 到 3:10 等。"
+        assert quick_line(bench, clock) == "往左弯；走；2:10 到 2:25 跑；2:40 到 3:10 等。"
 
 
 def test_the_quick_line_counts_what_is_too_much_to_name() -> None:
@@ -56,7 +60,7 @@ def test_the_quick_line_counts_what_is_too_much_to_name() -> None:
         "10 times left and 10 times right; keep walking; hurry, 5 times; run, 5 times; wait, 5 times."
     )
     still = one_bench(stretch(0.0, 9.0, "straight", "walk", 0.0))
-    assert quick_line(still, clock) == "Straight on all the way; keep walking all the time."
+    assert quick_line(still, clock) == "Straight on all the way; keep walking, without a stop."
 
 
 def test_stretches_say_clock_turn_way_and_steps(told: tuple[BenchWalk, ...]) -> None:
@@ -68,7 +72,7 @@ def test_stretches_say_clock_turn_way_and_steps(told: tuple[BenchWalk, ...]) -> 
             assert (": wait." in line) == (one.pace == "wait")
             if one.pace != "wait":
                 way, steps = (int(number) for number in re.findall(r"(\d+) (?:m|steps)", line))
-                assert (way, steps) == (round(one.way), round(one.way / 0.6))
+                assert (way, steps) == (round(round(one.way, 6)), round(round(one.way / 0.6, 6)))
             if one.turning != "straight" and one.pace != "wait":
                 assert f"turn {one.turning}" in line
     rounds = one_bench(stretch(0.0, 60.0, "right", "walk", -15.707963))
@@ -81,23 +85,45 @@ def test_the_place_is_told_from_the_peg_and_from_the_nearest_landmark() -> None:
     assert peg == (
         "Your front handle starts at x = 3.00 m, y = 4.00 m from the peg: 5.00 m from it at 53° "
         "from the x axis.",
-        "That is 8 steps from the peg.",
+        "At the start your front handle is 8 steps from the peg.",
     )
     away = text_of(PLAN, bench, (0.0, 4.02)).place
     assert "x = 3.00 m, y = -0.02 m from the peg: 3.00 m from it at 0° from" in away[0]
-    assert away[1] == "That is 5 steps from the peg."
+    assert away[1] == "At the start your front handle is 5 steps from the peg."
     surveyed = read_plan("turn", ["survey.crs=EPSG:4549"])
     assert text_of(surveyed, bench, (0.0, 0.0)).place[0] == (
         "Your front handle starts at x = 3.00 m (east), y = 4.00 m (north) from the peg: 5.00 m from "
         "it on a bearing of 37° from north."
     )
     said = ['obstacle=[{kind="circle", name="well", centre=[3.0, 6.5], radius=0.7}]']
-    assert text_of(read_plan("turn", said), bench).place[1] == "That is 3 steps from well."
+    # The well's edge is 1.65 m from the bench, 1.8 m from its front handle.
+    assert text_of(read_plan("turn", said), bench).place[1] == (
+        "At the start your bench is 3 steps from well."
+    )
     said.append("venue.rectangle=[7.2, 60]")
     plan = read_plan("turn", [*said, "people.step=0.3"])
-    assert text_of(plan, bench).place[1] == "That is 2 steps from the edge of the venue."
+    # The bench's front end is 0.4 m from it, its front handle 0.6 m.
+    assert text_of(plan, bench).place == (
+        "Your front handle starts 3.00 m to the right and 4.00 m forward from the peg: 5.00 m from it.",
+        "At the start your bench is 1 steps from the right edge of the venue.",
+    )
     with spoken_in("zh"):
-        assert text_of(plan, bench).place[1] == "离场地的边线 2 步。"
+        assert text_of(plan, bench, (4.0, 4.5)).place == (
+            "你的前把手从木桩往左 1.00 米、往后 0.50 米起步：离木桩 1.12 米。",
+            "起步时你这条板凳离场地的右边线 1 步。",
+        )
+    near = read_plan("turn", [*said[:1], "venue.rectangle=[6.6, 60]"])
+    assert "less than 1 steps from the right edge" in text_of(near, bench).place[1]
+
+
+def test_places_are_told_along_the_edges_of_a_venue_that_is_turned() -> None:
+    bench = one_bench(stretch(0.0, 9.0, "left", "walk"))
+    plan = read_plan("turn", ["venue.rectangle=[20, 9.6]", "venue.angle=30"])
+    # (3, 4) along and across axes turned by 30 degrees; the nearest corner is 1.81 m from the edge.
+    assert text_of(plan, bench).place == (
+        "Your front handle starts 4.60 m to the right and 1.96 m forward from the peg: 5.00 m from it.",
+        "At the start your bench is 3 steps from the far edge of the venue.",
+    )
 
 
 def test_the_tightest_moment_and_the_neighbours_have_the_names_that_the_village_gives() -> None:
@@ -124,10 +150,25 @@ def test_the_tightest_moment_and_the_neighbours_have_the_names_that_the_village_
 
 
 def test_thresholds_are_those_of_the_plan(told: tuple[BenchWalk, ...]) -> None:
-    text = text_of(PLAN, told[0])
-    assert text.paces.startswith("Hurry means 1.15 m/s or more, run 1.45 m/s or more; below 0.05")
+    bench = one_bench(*(stretch(n, n + 1.0, "left", pace) for n, pace in enumerate(PACES)))
+    text = text_of(PLAN, bench)
+    assert text.paces == (
+        "Hurry means 1.15 m/s or more.", "Run means 1.45 m/s or more.",
+        "Wait means to stand still: less than 0.05 m/s.",
+    )  # fmt: skip
     assert text.lines[0] == text.quick
-    assert text.paces in text.lines
+    assert set(text.paces) <= set(text.lines)
+    assert text_of(PLAN, one_bench(stretch(0.0, 9.0, "left", "run"))).paces == text.paces[1:2]
+
+
+def test_who_only_walks_and_bends_one_way_reads_no_more_than_that() -> None:
+    bench = one_bench(stretch(0.0, 9.0, "right", "walk"))
+    text = text_of(PLAN, bench)
+    assert (text.quick, text.paces) == ("Bend right all the way; keep walking, without a stop.", ())
+    with spoken_in("zh"):
+        assert quick_line(bench, Clock("", 0.0)) == "一路往右弯；一直走，不停。"
+    straight = one_bench(stretch(0.0, 9.0, "right", "walk"), stretch(9.0, 12.0, "straight", "walk"))
+    assert quick_line(straight, Clock("", 0.0)) == "Turn right; keep walking, without a stop."
 
 
 def test_times_are_of_day_where_the_plan_says_when_the_dance_starts() -> None:

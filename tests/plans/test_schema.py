@@ -200,7 +200,7 @@ def test_a_title_falls_back_to_the_other_language() -> None:
     ("content", "sentence"),
     [
         (b"schema = 1\nroute = [", "is not TOML: at its end: a value is wanted here"),
-        (b"\xff\xfe\x00", "is not UTF-8 text"),
+        (b"\xff\xfe\x00", "is not UTF-8 text: save it again with the encoding UTF-8"),
         (b"schema = 1", "route is missing"),
         (b"schema = 1\n[route]\npitch = 1", "route: wanted a table with the key kind"),
     ],

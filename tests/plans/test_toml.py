@@ -91,3 +91,31 @@ def test_what_another_reader_of_toml_might_say_is_no_error() -> None:
     unknown = tomllib.TOMLDecodeError("Something new (at line 3, column 4)")
     assert toml_fault(unknown) == "line 3, column 4: this cannot be read"
     assert toml_fault(tomllib.TOMLDecodeError("")) == "at its end: this cannot be read"
+
+
+@pytest.mark.parametrize(
+    ("line", "column", "sign", "plain"),
+    [
+        ("name = “水井”", 8, "“", '"'),
+        ('name = "水井”', 11, "”", '"'),
+        ("centre = [13，8]", 13, "，", ","),
+        ("centre = [13, 8】", 16, "】", "]"),
+        ("radius＝0.6", 7, "＝", "="),
+        ("【obstacle】", 1, "【", "["),
+        ("radius = ０.6", 10, "０", "0"),
+        ("radius = 0。6  # 一点", 11, "。", "."),
+    ],
+)
+def test_a_sign_of_a_chinese_input_method_is_named_with_what_to_type_instead(
+    line: str, column: int, sign: str, plain: str
+) -> None:
+    for text in (f'schema = 1\nname = "，“"  # ，\n{line}\n', f"schema = 1\n\n{line}"):
+        with pytest.raises(PlanError) as caught, spoken_in("zh"):
+            parsed(text, "village.dragon.toml")
+        assert f"第 3 行第 {column} 列打的是「{sign}」，要改成英文的「{plain}」：" in str(caught.value)
+
+
+def test_signs_in_texts_and_comments_are_left_alone() -> None:
+    with pytest.raises(PlanError, match="line 1, column 15: something stands behind"):
+        parsed('name = "，“水”" x  # ，', "plan")
+    assert parsed('name = "，“水”"  # ，。', "plan") == {"name": "，“水”"}

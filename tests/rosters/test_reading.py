@@ -295,3 +295,23 @@ def test_who_is_named_at_two_benches_is_one_person(tmp_path: Path) -> None:
     )
     assert sum(len(people) for people in roster.benches.values()) == 5
     assert roster.persons == 3
+
+
+@pytest.mark.parametrize(
+    ("people", "persons"),
+    [
+        ([("甲", ""), ("", "1")], 2),
+        ([("甲", ""), ("", "1"), ("甲", "1")], 1),
+        ([("甲", "1"), ("乙", "1"), ("乙", "2"), ("丙", "3")], 2),
+        ([("甲", "1"), ("乙", "2"), ("", "")], 1),
+        ([("", ""), ("", "")], 1),
+    ],
+)
+def test_namesakes_are_others_only_by_another_household_and_phone(
+    people: list[tuple[str, str]], persons: int
+) -> None:
+    benches: dict[int, tuple[Person, ...]] = {
+        n: (Person("张三", *marks),) for n, marks in enumerate(people, start=1)
+    }
+    assert Roster(benches).persons == persons
+    assert Roster({**benches, 99: (Person("李四"),)}).persons == persons + 1

@@ -17,10 +17,11 @@ from pypdf import PdfReader
 from benchdragon.analysis.bench_nearness import Tightest
 from benchdragon.errors import InputError
 from benchdragon.explain.bench_walk import bench_text, tightest_line
+from benchdragon.export.document import Table
 from benchdragon.i18n import spoken_in
 from benchdragon.rosters.roster import Person, Roster
 from benchdragon.sheets.briefing import Briefing, briefing_of
-from benchdragon.sheets.cards import LEAST_MAP, write_benches
+from benchdragon.sheets.cards import BLANK, LEAST_MAP, write_benches
 from benchdragon.sheets.chalk import chalk_drawing, list_rows
 from benchdragon.sheets.checked import Record
 from benchdragon.sheets.options import ChalkOptions, Options
@@ -55,7 +56,7 @@ def test_a_sheet_says_what_its_bench_does_and_who_is_beside(
         found = pages(tmp_path / "b.pdf")
         assert len(found) == 8
         for bench, page in enumerate(found, start=1):
-            said = bench_text(ours.plan, ours.benches[bench - 1], ours.named, ours.peg)
+            said = bench_text(ours.plan, ours.benches[bench - 1], ours.named, ours.ground)
             assert bare(ours.called(bench)) in page
             for line in said.lines:
                 assert bare(line) in page
@@ -102,7 +103,7 @@ def test_sheets_and_chalk_plan_measure_from_one_peg(
     for one in (ours, replace(asked, told_peg=(2.0, 3.0))):
         marks = chalk_drawing(one, ChalkOptions()).marks
         start = marks.kinds.index("start")
-        place = bench_text(one.plan, one.benches[0], one.named, one.peg).place[0]
+        place = bench_text(one.plan, one.benches[0], one.named, one.ground).place[0]
         assert f" {marks.radius[start]:.2f} m from it " in place
         assert f" {round(marks.angle[start]) % 360}° from " in place
         _n, _way, x, y, *_rest = list(list_rows(marks))[start]
@@ -202,8 +203,8 @@ def test_the_overview_has_every_bench_its_people_and_the_notes(
         found = pages(tmp_path / "o.pdf")
         whole = "".join(found)
         for bench in range(1, 9):
-            x, y = ours.benches[bench - 1].place_from(ours.peg)
-            text = bench_text(ours.plan, ours.benches[bench - 1], ours.called, ours.peg)
+            x, y = ours.ground.seen([ours.benches[bench - 1].place])[0]
+            text = bench_text(ours.plan, ours.benches[bench - 1], ours.called, ours.ground)
             said = [ours.called(bench), f"{x:z.2f}, {y:z.2f}", text.tightest]
             said += [person.name for person in ours.roster.people(bench)]
             assert all(bare(one) in whole for one in said)
@@ -242,3 +243,70 @@ def test_the_overview_lists_the_tightest_three_of_different_benches_first(
             assert tightest_line(told[bench], given.clock, given.called) in line
             assert given.called(bench) in line
         assert tightest_line(told[5], given.clock, given.called) not in str(blocks[at + 4])
+
+
+def test_a_bench_that_nobody_carries_has_a_line_for_names(tmp_path: Path, ours: Briefing) -> None:
+    write_benches(tmp_path / "b.pdf", ours, Options())
+    found = [f"Names:{BLANK}" in page for page in pages(tmp_path / "b.pdf")]
+    assert found == [False, False, True, True, True, False, True, True]
+    write_overview(tmp_path / "o.pdf", ours, phones=False)
+    assert "".join(pages(tmp_path / "o.pdf")).count("(nobody)") == 5
+
+
+def test_maps_of_all_sheets_are_of_one_size(
+    tmp_path: Path, ours: Briefing, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    drawn: list[tuple[float, float]] = []
+
+    def watched(_map: SmallMap, _pdf: FPDF, frame: Frame, *_more: Sequence[Any]) -> None:
+        drawn.append((frame.width, frame.height))
+
+    monkeypatch.setattr(SmallMap, "draw", watched)
+    write_benches(tmp_path / "b.pdf", ours, Options(paper="quarter"))
+    assert len(drawn) == 8
+    assert len(set(drawn)) == 1
+
+
+def test_remarks_are_for_the_leader_alone(tmp_path: Path, ours: Briefing) -> None:
+    told = replace(ours, roster=Roster({2: (Person("王五", remarks="wet paint"),)}))
+    write_overview(tmp_path / "o.pdf", told, phones=False)
+    write_benches(tmp_path / "b.pdf", told, Options())
+    assert "王五(wetpaint)" in "".join(pages(tmp_path / "o.pdf"))
+    assert "wetpaint" not in "".join(pages(tmp_path / "b.pdf"))
+
+
+def test_the_overview_says_once_what_all_benches_do_alike(ours: Briefing) -> None:
+    quick = bench_text(ours.plan, ours.benches[0], ours.called, ours.ground).quick
+    alike = replace(
+        ours, benches=tuple(replace(one, stretches=ours.benches[0].stretches) for one in ours.benches)
+    )
+    table = next(one for one in overview(alike, phones=False).blocks if isinstance(one, Table))
+    assert len(table.columns) == 4
+    assert quick in str(overview(alike, phones=False).blocks)
+    assert all(quick not in row for row in table.rows)
+
+
+def test_contents_name_the_page_on_which_the_map_stands(tmp_path: Path, ours: Briefing) -> None:
+    notes = replace(ours, roster=replace(ours.roster, notes=tuple(f"note {n}" for n in range(12))))
+    write_overview(tmp_path / "o.pdf", notes, phones=False)
+    reader = PdfReader(tmp_path / "o.pdf")
+    told = re.search(r"Where each bench starts\s+(\d+)", reader.pages[0].extract_text())
+    assert told is not None
+    shown = next(n for n, page in enumerate(reader.pages, 1) if "Figure 1." in page.extract_text())
+    assert int(told[1]) == shown == 2
+
+
+@pytest.mark.parametrize("every", [None, 0.5])
+def test_the_overview_says_from_which_mark_to_come_in_and_at_which_it_ends(
+    ours: Briefing, every: float | None
+) -> None:
+    said = str(overview(ours, phones=False, every=every).blocks)
+    marks = chalk_drawing(ours, ChalkOptions(every=every)).marks
+    start = marks.kinds.index("start") + 1
+    assert (
+        f"comes in at mark 1 of the chalk plan and walks slowly along the line to mark {start};" in said
+    )
+    assert f"the head stands inside, at mark {len(marks)}:" in said
+    # The way in is the line on which the dragon stands at first.
+    assert marks.s[0] == pytest.approx(ours.trail.low)
+    assert marks.s[start - 1] == pytest.approx(ours.trail.start)

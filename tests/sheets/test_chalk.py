@@ -16,7 +16,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from python_calamine import CalamineWorkbook
 
 from benchdragon.analysis.check import check
-from benchdragon.analysis.marks import ANGLE_STEP, LENGTH_STEP, own_peg
+from benchdragon.analysis.ground import own_peg
+from benchdragon.analysis.marks import ANGLE_STEP, LENGTH_STEP
 from benchdragon.errors import InputError
 from benchdragon.export.tiles import BORDER, Tiling
 from benchdragon.figures.chalk import ChalkDrawing, chalk_picture
@@ -146,7 +147,9 @@ def test_the_peg_and_the_directions_are_told_from_the_venues_edge(
     language: str, folders: dict[str, Path], drawing: ChalkDrawing
 ) -> None:
     # Peg at (1, 2); the venue is 30 m by 24 m about (8, 3).
-    assert edge_lengths(drawing) == pytest.approx([22.0, 13.0, 8.0, 11.0])
+    assert edge_lengths(drawing.marks.ground, drawing.obstacles) == pytest.approx(
+        [22.0, 13.0, 8.0, 11.0]
+    )
     reader = pypdf.PdfReader(folders[language] / "chalk.pdf")
     about = CalamineWorkbook.from_path(folders[language] / "chalk.xlsx").get_sheet_by_index(1)
     for text in (reader.pages[0].extract_text(), str(about.to_python())):
@@ -158,12 +161,12 @@ def test_the_peg_and_the_directions_are_told_from_the_venues_edge(
 def test_one_chooses_where_x_points_only_where_nothing_stands(briefing: Briefing) -> None:
     plan = village(venue={}, obstacle=[])
     free = chalk_drawing(briefed(plan), ChalkOptions())
-    assert edge_lengths(free) is None
+    assert edge_lengths(free.marks.ground, free.obstacles) is None
     assert "You choose on the ground" in str(
         chalk_document(free, "", "2026-11-23", free.sheet(None, 200.0)).blocks
     )
     outside = chalk_drawing(replace(briefing, told_peg=(40.0, 3.0)), ChalkOptions())
-    assert edge_lengths(outside) is None
+    assert edge_lengths(outside.marks.ground, outside.obstacles) is None
     assert "You choose" not in str(
         chalk_document(outside, "", "2026-11-23", outside.sheet(None, 200.0)).blocks
     )
@@ -311,3 +314,12 @@ def test_windows_cover_a_drawing_and_overlap(size: tuple[float, float]) -> None:
     assert ys[-1] + tall >= size[1]
     assert all(b - a == pytest.approx(wide - 10.0) for a, b in pairwise(xs))
     assert all(b - a == pytest.approx(tall - 10.0) for a, b in pairwise(ys))
+
+
+def test_how_long_the_marks_take_is_told_by_their_number(briefing: Briefing) -> None:
+    drawing = chalk_drawing(briefing, ChalkOptions(every=0.25))
+    text = str(chalk_document(drawing, "", "2026-11-23", drawing.sheet(None, 200.0)).blocks)
+    told = re.search(r"need (\S+) minutes a mark, which is an assumption, take about (\d+) hours", text)
+    assert told is not None
+    assert int(told[2]) == math.ceil(len(drawing.marks) * float(told[1]) / 60.0) > 1
+    assert f"take {math.ceil(len(drawing.marks) / 10)} times as long" in text

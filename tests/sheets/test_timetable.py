@@ -38,7 +38,7 @@ def test_a_pdf_holds_every_row(
     path = tmp_path / "timetable.pdf"
     with spoken_in(language):
         write_timetable_pdf(path, briefing)
-        rows = printed_rows(passings_of(briefing), briefing.clock)
+        rows = printed_rows(passings_of(briefing), briefing.clock, briefing.ground)
     text = "".join("".join(page.extract_text().split()) for page in PdfReader(path).pages)
     assert word.replace(" ", "") in text
     assert other not in text

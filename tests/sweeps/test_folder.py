@@ -19,7 +19,6 @@ from benchdragon.files import FileRefusedError
 from benchdragon.plans.schema import read_plan
 from benchdragon.sweeps import folder as subject
 from benchdragon.sweeps.folder import (
-    LOCK,
     OTHERS,
     Rows,
     name_of,
@@ -261,7 +260,7 @@ def test_what_a_killed_run_left_is_cleared_and_nothing_else(tmp_path: Path) -> N
         (tmp_path / name).touch()
     filled(tmp_path)
     names = {path.name for path in tmp_path.iterdir()}
-    assert names == {LOCK, "sweep.json", "part-00000000.parquet", "notes.txt", ".hidden"}
+    assert names == {"sweep.json", "part-00000000.parquet", "notes.txt", ".hidden"}
 
 
 def test_one_writer_keeps_others_out_until_it_ends(tmp_path: Path) -> None:
@@ -314,5 +313,5 @@ def test_a_full_disk_leaves_no_part_and_the_rows_are_written_later(
             rows.write()
     part = tmp_path / "part-00000001.parquet"
     assert str(told.value) == f"{part} could not be written: the disk is full"
-    assert {path.name for path in tmp_path.iterdir()} == {LOCK, "sweep.json", "part-00000000.parquet"}
+    assert {path.name for path in tmp_path.iterdir()} == {"sweep.json", "part-00000000.parquet"}
     assert points(rows.table()) == [0, 1]

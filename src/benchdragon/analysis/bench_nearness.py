@@ -64,7 +64,7 @@ class TightestSearch:
         self.walk, self.apart = walk, apart
         self._least, self._floor = np.full(count, math.inf), np.full(count, math.inf)
         self._partner = np.zeros(count, dtype=np.int64)
-        self._about = np.zeros((count, 3))
+        self._about, self._when = np.zeros((count, 3)), np.zeros((count, 2))
 
     def look(self, motion: Motion) -> None:
         """Look at the times of a motion; the next begins with the last of them."""
@@ -77,6 +77,7 @@ class TightestSearch:
         self._least[nearer], self._partner[nearer] = least[nearer], partner[at, nearer]
         before, after = np.maximum(at - 1, 0), np.minimum(at + 1, len(motion.times) - 1)
         self._about[nearer] = motion.head_s[np.column_stack([before, at, after])]
+        self._when[nearer] = motion.times[np.column_stack([before, after])]
 
     def _between(self, motion: Motion, known: FloatArray) -> FloatArray:
         """What nothing comes nearer to each bench than between these times, m, (N,)."""
@@ -104,9 +105,10 @@ class TightestSearch:
         near = nearness(table, k, other)
         upper = max(near.distance, 0.0)
         lower = min(max(float(self._floor[k]), self.apart, 0.0), upper)
-        return Tightest(
-            self.walk.time_at(head), other + 1, side_of(table, k, near.points[other > k]), lower, upper
-        )
+        first, last = self._when[k].tolist()
+        # Where the head stops for good, rounding may put its place beyond all that it comes to.
+        time = min(max(self.walk.time_at(head), first), last)
+        return Tightest(time, other + 1, side_of(table, k, near.points[other > k]), lower, upper)
 
 
 def side_of(table: FloatArray, k: int, point: tuple[float, float]) -> Side:

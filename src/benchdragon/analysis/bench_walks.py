@@ -9,13 +9,14 @@ from typing import Literal
 
 import numpy as np
 
+from benchdragon import budget
 from benchdragon.analysis.bench_nearness import Side, Tightest, TightestSearch, beside
 from benchdragon.analysis.bends import Bends, Turning
 from benchdragon.analysis.crossings import Crossings, crossings
+from benchdragon.analysis.distance import boxes
 from benchdragon.errors import InputError, in_order, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.model.base_curve import Point
 from benchdragon.model.walk import SLICE_PLACES, Motion, Walk
 from benchdragon.plans.schema import Plan
 
@@ -65,6 +66,7 @@ class BenchWalk:
         bench: its number, from 1, the head's.
         place: where its front handle is when the dance starts, m.
         heading: of the bench then, rad.
+        box: its rectangle then, a row of kernels/box.py.
         stretches: one after another, from the start of the dance to its end.
         tightest: None where no bench of another coil comes within the distance looked for.
         before: number of the bench before it; None for the head.
@@ -76,6 +78,7 @@ class BenchWalk:
     bench: int
     place: tuple[float, float]
     heading: float
+    box: tuple[float, ...]
     stretches: tuple[Stretch, ...]
     tightest: Tightest | None
     before: int | None
@@ -83,11 +86,8 @@ class BenchWalk:
     left: int | None = None
     right: int | None = None
 
-    def place_from(self, peg: Point) -> Point:
-        """Where the front handle starts as seen from a peg (m of the plan): x and y, m."""
-        return self.place[0] - peg[0], self.place[1] - peg[1]
 
-
+@budget.question()
 def bench_walks(
     plan: Plan, walk: Walk, span: tuple[float, float], *, apart: float = 0.0
 ) -> tuple[BenchWalk, ...]:
@@ -118,12 +118,13 @@ def bench_walks(
     ends = [walk.motion([time]) for time in (start, end)]
     whole = _Whole(bends, gates, times, speeds, (ends[0].s[0], ends[1].s[0]))
     tightest, sides = near.found(), beside(ends[1])
+    first_boxes = boxes(ends[0], 0).tolist()
     bounds = Crossings.joined(passed).by_bench(count)
     return tuple(
         BenchWalk(
             k + 1, (float(ends[0].x[0, k]), float(ends[0].y[0, k])), float(ends[0].heading[0, k]),
-            whole.stretches(k, bounds[k]), tightest[k], k or None, k + 2 if k + 1 < count else None,
-            *sides[k],
+            tuple(first_boxes[k]), whole.stretches(k, bounds[k]), tightest[k], k or None,
+            k + 2 if k + 1 < count else None, *sides[k],
         )
         for k in range(count)
     )  # fmt: skip

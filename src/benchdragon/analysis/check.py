@@ -4,9 +4,11 @@ import math
 import time as clock
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
+from benchdragon import budget
 from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.contact import (
     TOLERANCES,
@@ -18,7 +20,7 @@ from benchdragon.analysis.contact import (
 )
 from benchdragon.analysis.findings import Finding, all_findings, named
 from benchdragon.analysis.obstacles import ObstacleAnswers, obstacle_answers
-from benchdragon.analysis.proof import prove_contact, prove_obstacle
+from benchdragon.analysis.proof import Claim, prove_contact, prove_obstacle
 from benchdragon.analysis.room import ASKED, RoomLevel, levels_asked, room_levels, shown_name
 from benchdragon.analysis.speed import (
     QUANTITIES,
@@ -64,6 +66,7 @@ class Report:
         findings: empty if the walk is safe.
         proved: whether what is said of contact was proved.
         seconds: how long the check took.
+        claims: what was proved of benches alone, and of obstacles, to be shown again.
     """
 
     plan: Plan
@@ -79,6 +82,7 @@ class Report:
     room: tuple[RoomLevel, ...] = ()
     proved: bool = False
     seconds: float = 0.0
+    claims: tuple[Claim, ...] = ()
 
     @property
     def safe(self) -> bool:
@@ -96,6 +100,7 @@ class Report:
         return not self.findings or any(finding.decided for finding in self.findings)
 
 
+@budget.question()
 def check(
     plan: Plan, progress: Progress = silent, *, prove: bool = False, quick: bool = False
 ) -> Report:
@@ -119,14 +124,15 @@ def check(
     stage = Stages(progress, 6 if levels_asked(plan.people) else 5)
     walk = plan.build()
     start, end = plan.span(walk)
-    contact, clearance = _nearness(plan, walk, (start, end), stage, prove, quick)
+    claims: list[Claim] | None = [] if prove else None
+    contact, clearance = _nearness(plan, walk, (start, end), stage, claims, quick)
     span = start, end if contact is None or contact.witness is None else contact.upper
     width = QUICK_SPEED if quick else TOLERANCE
     speed = greatest_speed(walk, *span, tolerance=width, progress=stage(_("greatest speed")))
     speed = _decided_speed(plan, walk, span, speed)
     peaks = _limited_peaks(plan, walk, span, stage(_("other limits")))
     widths = (QUICK_CLEARANCE,) if quick else TOLERANCES
-    obstacles = _obstacles(plan, walk, span, widths, prove, stage(_("obstacles")))
+    obstacles = _obstacles(plan, walk, span, widths, claims, stage(_("obstacles")))
     room: tuple[RoomLevel, ...] = ()
     if levels_asked(plan.people):
         told = stage(_("room for people"))
@@ -140,18 +146,24 @@ def check(
         room=room,
         proved=prove and all(one is None or one.status == "proved" for one in contacts),
         seconds=clock.perf_counter() - began,
+        claims=tuple(claims or ()),
     )  # fmt: skip
 
 
 def _nearness(
-    plan: Plan, walk: Walk, span: tuple[float, float], stage: Stages, prove: bool, quick: bool
+    plan: Plan,
+    walk: Walk,
+    span: tuple[float, float],
+    stage: Stages,
+    claims: list[Claim] | None,
+    quick: bool,
 ) -> tuple[Answer | None, Answer]:
     """The first contact, and the least clearance until then."""
     clearance = _clear_throughout(plan, walk, span) if quick else None
     if clearance is not None:
         return None, clearance
     margin, told = plan.limits.margin, stage(_("searching for contact"))
-    search = prove_contact if prove else None
+    search = None if claims is None else partial(prove_contact, claims=claims)
     contact = first_sure_contact(walk, *span, margin=margin, search=search, progress=told)
     if (touching := _no_clearance(contact)) is not None:
         return contact, touching
@@ -180,7 +192,7 @@ def _obstacles(
     walk: Walk,
     span: tuple[float, float],
     tolerances: Sequence[float],
-    prove: bool,
+    claims: list[Claim] | None,
     progress: Progress,
 ) -> tuple[ObstacleAnswers, ...]:
     """What is found about the venue's edge and each obstacle over a span of the walk, s."""
@@ -188,7 +200,9 @@ def _obstacles(
     for n, obstacle in enumerate(known):
         progress(n / len(known), named(obstacle))
         answers = obstacle_answers(walk, obstacle, *span, tolerances=tolerances)
-        found.append(prove_obstacle(walk, answers, *span) if prove else answers)
+        if claims is not None:
+            answers = prove_obstacle(walk, answers, *span, claims=claims)
+        found.append(answers)
     return tuple(found)
 
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
+from benchdragon import budget
 from benchdragon.analysis.contact_search import ContactSearch, contact_search
 from benchdragon.analysis.distance import MOST_SAMPLED, low_pair, tightest_pairs
 from benchdragon.analysis.ledger import Ledger
@@ -81,6 +82,7 @@ class Best:
     floor: float = 0.0
 
 
+@budget.question()
 def contact_windows(
     walk: Walk,
     start: float,
@@ -159,6 +161,7 @@ def _touching_at_start(search: ContactSearch) -> Answer | None:
     return search.answer_at(search.start, search.start, "found", i - 1, j - 1)
 
 
+@budget.question()
 def first_contact(
     walk: Walk,
     start: float,
@@ -184,6 +187,7 @@ def first_contact(
     return windows[0].opens if windows else None
 
 
+@budget.question()
 def first_sure_contact(
     walk: Walk,
     start: float,
@@ -207,6 +211,7 @@ def first_sure_contact(
     return next((window.opens for window in windows if window.opens.status == "found"), first)
 
 
+@budget.question()
 def least_clearance(
     walk: Walk,
     start: float,
@@ -234,6 +239,7 @@ def least_clearance(
     return _least(search, _guess(search), within, tolerances)
 
 
+@budget.question()
 def clearance_above(
     walk: Walk,
     start: float,
@@ -339,6 +345,7 @@ def _clearance_answer(search: ContactSearch, best: Best) -> Answer:
     )
 
 
+@budget.question()
 def clearance_curve(walk: Walk, times: npt.ArrayLike) -> ClearanceCurve:
     """Clearance at increasing `times` (s, T of them, at least 3), and its local minima between them.
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 import numpy as np
 import numpy.typing as npt
 
+from benchdragon import budget
 from benchdragon.analysis.distance import boxes, nearness
 from benchdragon.analysis.head_times import HeadTimes
 from benchdragon.analysis.ledger import Ledger
@@ -41,6 +42,8 @@ MOST_EVALUATIONS = 200_000
 # Chains marched in one step for one of these; where benches keep the same distance for a while no
 # number would do for the last.
 MOST_LEAST_EVALUATIONS = 2000
+# What a call of a search costs, and a handle of a chain that is searched, in handles placed.
+CALL, SEARCHED = 1_000, 8
 # Places looked at for why a walk could not be followed.
 SAMPLES_AHEAD = 65
 
@@ -56,6 +59,11 @@ def assumed_within(slack: float) -> tuple[str, ...]:
     return (text.format(slack=f"{slack:.1e}"),)
 
 
+def most_evaluations(handles: int) -> int:
+    """Chains of so many handles that the question at hand may still march, in one step."""
+    return int(min(max(budget.left() / (SEARCHED * handles), 1.0), MOST_EVALUATIONS))
+
+
 def run_search(
     tables: Tables,
     goal: int,
@@ -67,8 +75,17 @@ def run_search(
 
     `limits` and `note` are those of kernels/walk_search.py; `tell` hears how each call ended.
     """
+    margin, slack, width, most = limits
+    handles = len(tables.walk.benches.links) + 1
     while True:
-        ending = search_walk(tables.walk, tables.room, goal, *limits, note)
+        known, marched, most = (
+            tables.work,
+            note[kernel.EVALUATIONS],
+            min(most, most_evaluations(handles)),
+        )
+        ending = search_walk(tables.walk, tables.room, goal, margin, slack, width, most, note)
+        marched = float(note[kernel.EVALUATIONS] - marched) * int(tables.course.tally[course.PLACED])
+        budget.spend(CALL + SEARCHED * marched + max(tables.work - known, 0.0))
         tell(ending)
         if ending == CROWDED:
             tables.widen()

@@ -13,6 +13,8 @@ from typing import Literal, Self
 import numpy as np
 from scipy.spatial import cKDTree
 
+from benchdragon import budget
+from benchdragon.analysis.ground import Ground
 from benchdragon.errors import InputError, as_number, finite, in_order, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
@@ -20,7 +22,6 @@ from benchdragon.model.base_curve import Point
 from benchdragon.model.curves import Arc, Route
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
-from benchdragon.plans.schema import Plan
 
 # Marks of one plan, and the least distance between them along the route, m.
 MOST_MARKS, LEAST_EVERY = 5_000, 0.1
@@ -133,11 +134,6 @@ def _apart(route: Route, s: FloatArray, others: FloatArray) -> FloatArray:
     return apart
 
 
-def own_peg(plan: Plan, route: Route) -> Point:
-    """The centre of the route's first spiral, else where the plan puts the route's origin, m."""
-    return route.centre if route.centre != (0.0, 0.0) else plan.route.at or (0.0, 0.0)
-
-
 def check_every(every: float) -> None:
     """Refuse a distance between marks that is less than LEAST_EVERY, m.
 
@@ -180,8 +176,7 @@ class Marks:
         s: along the route, m, (M,); the first is 0 m of the cumulative length.
         points: exact places, m, (M, 2).
         kinds: what each is for, (M,).
-        peg: where the peg stands, m.
-        north: whether y points north, so that angles are bearings; else they are from the x axis.
+        ground: the peg and the base line that they are measured from.
         bases: the base points, m, (2, 2), as far from the peg as `reach`.
         reach: m.
     """
@@ -189,14 +184,23 @@ class Marks:
     s: FloatArray
     points: FloatArray
     kinds: tuple[Kind, ...]
-    peg: Point
-    north: bool
+    ground: Ground
     bases: FloatArray
     reach: float
 
     def __len__(self) -> int:
         """Number of marks."""
         return len(self.s)
+
+    @property
+    def peg(self) -> Point:
+        """Where the peg stands, m."""
+        return self.ground.peg
+
+    @property
+    def north(self) -> bool:
+        """Whether y points north, so that angles are bearings; else they are from the x axis."""
+        return self.ground.north
 
     @cached_property
     def way(self) -> FloatArray:
@@ -206,9 +210,13 @@ class Marks:
 
     @cached_property
     def off(self) -> FloatArray:
-        """From the peg, m, (M, 2)."""
-        off: FloatArray = self.points - np.array(self.peg)
-        return off
+        """From the peg along the base line and to its left, m, (M, 2)."""
+        return self.ground.seen(self.points)
+
+    @cached_property
+    def arms(self) -> FloatArray:
+        """The base points, likewise, m, (2, 2)."""
+        return self.ground.seen(self.bases)
 
     @cached_property
     def radius(self) -> FloatArray:
@@ -239,7 +247,7 @@ class Marks:
         To first order: two lengths that are off by e each, at right angles, mislead by √2 e, and the
         more the more nearly they run alike.
         """
-        to_peg, to_base = -self.off[:, None], self.bases - self.points[:, None]
+        to_peg, to_base = -self.off[:, None], self.arms - self.off[:, None]
         long = as_lengths(to_peg) * self.from_base
         cross = to_peg[..., 0] * to_base[..., 1] - to_peg[..., 1] * to_base[..., 0]
         dot = (to_peg * to_base).sum(axis=-1)
@@ -264,7 +272,7 @@ class Marks:
     @property
     def on_left(self) -> list[bool]:
         """Whether each mark is on the left of who looks from the peg to its base point, (M,)."""
-        arms = self.bases[self.base] - np.array(self.peg)
+        arms = self.arms[self.base]
         left: list[bool] = (arms[:, 0] * self.off[:, 1] - arms[:, 1] * self.off[:, 0] > 0.0).tolist()
         return left
 
@@ -306,21 +314,16 @@ def rounded(value: float, step: float) -> float:
     return round(round(value / step) * step, 6)
 
 
+@budget.question()
 def placed_marks(
-    trail: Trail,
-    every: float,
-    peg: Point,
-    *,
-    north: bool = False,
-    obstacles: tuple[Obstacle, ...] = (),
+    trail: Trail, every: float, peg: Point | Ground, *, obstacles: tuple[Obstacle, ...] = ()
 ) -> Marks:
     """The marks of a trail.
 
     Args:
         trail: where the dragon goes.
         every: m between marks along the route.
-        peg: where the peg stands, m.
-        north: whether y points north.
+        peg: where the peg stands, m, so that the base line runs along x; or peg and base line.
         obstacles: where no base point should be; the venue's edge, within which they should.
 
     Raises:
@@ -328,12 +331,12 @@ def placed_marks(
     """
     of_kind("trail", trail, Trail, "Trail.of(walk, start, end) makes one")
     check_every(as_number("every", every))
-    peg = _peg(peg)
+    ground = peg if isinstance(peg, Ground) else Ground(_peg(peg))
     s, kinds = trail.marked(every)
     points = trail.route.point(s)
-    far = _farthest(points, peg)
-    reach, quarter = _base(peg, max(1, math.ceil(far)), obstacles, first=1 if north else 0)
-    return Marks(s, points, tuple(kinds), peg, north, _bases(peg, reach, quarter), reach)
+    far = _farthest(points, ground.peg)
+    reach, bases = _bases(ground, max(1, math.ceil(far)), obstacles)
+    return Marks(s, points, tuple(kinds), ground, bases, reach)
 
 
 def check_peg(trail: Trail, peg: Point) -> None:
@@ -360,23 +363,16 @@ def _peg(peg: Point) -> Point:
     return finite("peg x", x, "m"), finite("peg y", y, "m")
 
 
-def _base(peg: Point, most: int, obstacles: tuple[Obstacle, ...], first: int) -> tuple[float, int]:
-    """How far from the peg both base points can stand, whole m, and in which quarter the first is.
+def _bases(ground: Ground, most: int, obstacles: tuple[Obstacle, ...]) -> tuple[float, FloatArray]:
+    """How far from the peg both base points can stand, whole m, and where, m of the plan, (2, 2).
 
-    As far as possible up to `most`, in the quarter `first` or the next ones; without regard to what
-    stands there if no quarter has a metre.
+    As far as possible up to `most`, the first of them along the base line or at the next right angles
+    to it; without regard to what stands there if no place has a metre.
     """
+    ways, first = np.concatenate([ground.ways, ground.ways]), 1 if ground.north else 0
     for reach in range(most, 0, -1):
         for quarter in range(first, first + 4):
-            if not any(one.forbids(_bases(peg, reach, quarter)).any() for one in obstacles):
-                return reach, quarter
-    return most, first
-
-
-def _bases(peg: Point, reach: float, quarter: int) -> FloatArray:
-    """Points so far from the peg along an axis and at right angles to its left, m, (2, 2)."""
-    angles = 0.5 * math.pi * np.array([quarter, quarter + 1])
-    bases: FloatArray = np.array(peg) + reach * np.round(
-        np.column_stack([np.cos(angles), np.sin(angles)])
-    )
-    return bases
+            bases = np.array(ground.peg) + reach * ways[quarter : quarter + 2]
+            if not any(one.forbids(bases).any() for one in obstacles):
+                return reach, bases
+    return most, np.array(ground.peg) + most * ways[first : first + 2]

@@ -13,6 +13,7 @@ from functools import cached_property
 
 import numpy as np
 
+from benchdragon import budget
 from benchdragon.analysis.contact_search import (
     MOST_EVALUATIONS,
     MOST_LEAST_EVALUATIONS,
@@ -44,6 +45,8 @@ from benchdragon.model.walk import Walk
 
 # Spans of route that are searched in one call: some hundredths of a second.
 SPANS = 2_000
+# What a bench beside a box of an obstacle costs, in handles placed.
+BENCH = 16
 # Chains of two handles that a proof may log before its log is read.
 LOG = 65_536
 # Head positions at which it is looked why benches could not be followed.
@@ -147,7 +150,9 @@ class ObstacleSearch:
             ending = kernel.search_spans(
                 bench, self._standing, self._search, goal, some, *limits, note, found
             )
-            self.evaluations += int(note[steps.EVALUATIONS] - before)
+            made = int(note[steps.EVALUATIONS] - before)
+            self.evaluations += made
+            budget.spend(BENCH * (made + len(some)) * len(self.obstacle.boxes))
             self._read_log(float(bench.link[0]))
             told.append(found)
             if ending in (ASTRAY, FALLEN):

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from benchdragon import budget
 from benchdragon.analysis.contact import TOLERANCES
 from benchdragon.analysis.contact_search import assumed_within
 from benchdragon.analysis.ledger import Ledger
@@ -56,6 +57,7 @@ def touching(search: ObstacleSearch) -> list[Answer]:
     return answers
 
 
+@budget.question()
 def first_touch(
     walk: Walk,
     obstacle: Obstacle,
@@ -80,6 +82,7 @@ def first_touch(
     return answers[0] if answers else None
 
 
+@budget.question()
 def least_distance(
     walk: Walk,
     obstacle: Obstacle,
@@ -134,6 +137,7 @@ class ObstacleAnswers:
     touch: Answer | None = None
 
 
+@budget.question()
 def obstacle_answers(
     walk: Walk,
     obstacle: Obstacle,

@@ -2,8 +2,8 @@
 
 The rule is this program's own and no regulation's: a post where the ground that benches cover comes
 nearest to the venue's edge, at each entrance, where benches come nearest to one another, where the
-fastest handle is and where else handles run; and others between them, so that no two that follow one
-another are farther apart along the line than EVERY.
+fastest handle is, unless all are about as fast, and where else handles run; and others between them, so
+that no two that follow one another are farther apart along the line than EVERY.
 """
 
 import math
@@ -15,6 +15,7 @@ import numpy as np
 import shapely
 from shapely.geometry import LinearRing, Point
 
+from benchdragon import budget
 from benchdragon.analysis.check import Report
 from benchdragon.analysis.running import APART, Running, running_stretches
 from benchdragon.analysis.swept import SweptArea
@@ -25,6 +26,8 @@ from benchdragon.model.outline import shape_of
 # The farthest that two posts that follow one another are apart along the line, m; posts nearer to one
 # another along it than JOINED, m, are one.
 EVERY, JOINED = 25.0, 3.0
+# A dance in which no handle is faster than this many times the head's least speed has no fastest place.
+FASTER = 1.02
 # Stretches where handles run that have a post: the fastest ones.
 MOST_RUNS = 5
 
@@ -61,6 +64,7 @@ class Post:
     reasons: tuple[Reason, ...]
 
 
+@budget.question()
 def marshal_posts(
     report: Report, swept: SweptArea, entrances: Sequence[base_curve.Point] = ()
 ) -> tuple[Post, ...]:
@@ -98,13 +102,21 @@ def _places(
             yield (float(x), float(y)), Reason("venue", float(swept.polygon.distance(edge)))
     for place in entrances:
         yield place, Reason("entrance")
-    answers: dict[Why, Answer] = {"tightest": report.clearance, "fastest": report.greatest_speed}
+    answers: dict[Why, Answer] = {"tightest": report.clearance}
+    if _fastest_stands_out(report):
+        answers["fastest"] = report.greatest_speed
     for why, found in answers.items():
         near = found.witness
         if near is not None and near.time is not None:
             yield near.point, Reason(why, found.value, near.time)
     for run in _runs(report):
         yield run.point, Reason("run", run.speed, run.time)
+
+
+def _fastest_stands_out(report: Report) -> bool:
+    """Whether the fastest handle is faster than the head ever is at its slowest."""
+    slowest = float(report.walk.profile.stretches(report.start, report.end).speeds.min())
+    return report.greatest_speed.value > FASTER * slowest
 
 
 def _runs(report: Report) -> list[Running]:

@@ -8,6 +8,7 @@ import shapely
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
+from benchdragon import budget
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.base_curve import Point
 from benchdragon.model.walk import Walk
@@ -27,6 +28,7 @@ class Running(NamedTuple):
     time: float
 
 
+@budget.question()
 def running_stretches(walk: Walk, start: float, end: float, run_from: float) -> tuple[Running, ...]:
     """Stretches of the ground on which handles go at a speed, m/s, or faster; the fastest first.
 

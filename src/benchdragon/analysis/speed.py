@@ -11,6 +11,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from benchdragon import budget
 from benchdragon.analysis.tables import PLACES
 from benchdragon.errors import InputError, UnsureError, in_order, of_kind
 from benchdragon.i18n import N_, _
@@ -48,6 +49,8 @@ LEAST_LOSS, MOST_LOSS, SAMPLES = 1e-9, 0.2, 4
 MOST_CELLS = 500_000
 # Handles placed, or cells made, between two looks at the clock: some 20 ms.
 BUDGET = 100_000
+# What each of these costs, in handles placed.
+BOUNDED = 4
 
 
 @dataclass(frozen=True)
@@ -111,6 +114,7 @@ def greatest_speed(
     return greatest(walk, QUANTITIES["speed"], start, end, tolerance=tolerance, progress=progress)
 
 
+@budget.question()
 def greatest(
     walk: Walk,
     quantity: Quantity,
@@ -146,6 +150,7 @@ def greatest(
     )  # fmt: skip
 
 
+@budget.question()
 def greatest_of(
     walk: Walk,
     quantity: Quantity,
@@ -178,7 +183,10 @@ def hulls(
     Raises:
         WalkError: if the dragon cannot stand at one of the positions.
     """
-    handles, fine = len(walk.dragon) + 1, np.linspace(first, last, steps * finer + 1)
+    handles = len(walk.dragon) + 1
+    budget.hold(8 * steps * (handles * pacing.HULL_COLUMNS + finer))
+    budget.expect(BOUNDED * steps * finer * handles)
+    fine = np.linspace(first, last, steps * finer + 1)
     found = np.zeros((steps, handles, pacing.HULL_COLUMNS))
     found[:, :, pacing.GROWTH_LOW], found[:, :, pacing.GROWTH_HIGH] = math.inf, -math.inf
     per, scratch, even = (
@@ -188,6 +196,7 @@ def hulls(
     )
     for n in range(0, steps * finer, per):
         at = fine[n : n + per + 1]
+        budget.spend(BOUNDED * len(at) * handles)
         slots, places = np.arange(len(at) - 1), empty_placements(handles, len(at))
         if not place_chain(walk.route.rows, walk.dragon.links, at, 0, len(at), places):
             raise failure_within(walk, first, last)
@@ -303,6 +312,7 @@ class _Search:
                 self.walk.route.rows, self.walk.dragon.links, *made, self._aim, drives, heap,
                 self._batch, self._chains, self._notes, self._counts, BUDGET,
             )  # fmt: skip
+            budget.spend(BOUNDED * BUDGET)
             if ended == Ended.FALLEN:
                 raise failure_within(self.walk, low, high)
             if ended == Ended.DONE or (ended == Ended.ROOM and len(heap.parts) > most):
@@ -342,6 +352,7 @@ class _Search:
             ended = cells.cut_cells(
                 self.walk.route.rows, kinds, shop, cuts, made, reached, done, BUDGET
             )
+            budget.spend(BOUNDED * BUDGET)
             if ended == Ended.DONE:
                 break
             if ended == Ended.ROOM:
@@ -352,12 +363,14 @@ class _Search:
 
 def failure_within(walk: Walk, low: float, high: float) -> Exception:
     """Why a dragon does not stand with its head somewhere in low..high, m."""
-    count = max(math.ceil((high - low) / (STEP * float(walk.dragon.links.min()))), 1)
-    at, per = np.linspace(low, high, count + 1), max(2, PLACES // (len(walk.dragon) + 1))
-    for n in range(0, count, per - 1):
-        error = walk.first_failure(at[n : n + per])
+    end, step = min(high, walk.route.length), STEP * float(walk.dragon.links.min())
+    count, per = math.ceil(max(end - low, 0.0) / step), max(2, PLACES // (len(walk.dragon) + 1))
+    for n in range(0, count + 1, per - 1):
+        error = walk.first_failure(np.minimum(low + step * np.arange(n, n + per), max(low, end)))
         if error is not None:
             return error
+    if (error := walk.first_failure(np.array([high]))) is not None:
+        return error
     return UnsureError(_("it could not be shown that the dragon stands all along"))
 
 

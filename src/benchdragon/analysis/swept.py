@@ -16,6 +16,7 @@ import numpy.typing as npt
 import shapely
 from shapely.geometry.base import BaseGeometry
 
+from benchdragon import budget
 from benchdragon.analysis.swept_steps import Steps, walked_steps
 from benchdragon.analysis.swept_width import Widest, widest_place
 from benchdragon.errors import (
@@ -156,6 +157,7 @@ class SweptArea:
         return Enclosing(_rectangle(hull, self.error), _circle(hull, self.error))
 
 
+@budget.question()
 def swept_area(
     walk: Walk,
     start: float,
@@ -201,6 +203,7 @@ def swept_area(
     return SweptArea(walk, start, end, margin, polygon, bound, steps)
 
 
+@budget.question()
 def enclosing(
     walk: Walk, start: float, end: float, *, error: float = ERROR, progress: Progress = silent
 ) -> Enclosing:

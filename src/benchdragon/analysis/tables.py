@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 
+from benchdragon import budget
 from benchdragon.errors import InputError, UnsureError
 from benchdragon.i18n import _
 from benchdragon.kernels import cells, course
@@ -34,6 +35,8 @@ A_CELL, AT_FIRST = 64, 1_000_000
 PAIRS, MEMBERS, DOUBTS = 1_000, 256, 64
 # Rooms that turn out too small become so many times as wide as is wanted.
 WIDER = 2
+# What a bench at a border of a cell costs, and a pair of parts, in handles placed.
+BOX_WORK, PARTNER_WORK = 64.0, 128.0
 # Chains and single benches that a proof may log before its logs are read: 30 MB for 223 benches.
 LOG, CELL_LOG = 4096, 65_536
 
@@ -133,6 +136,14 @@ class Tables:
         """Room for the route ahead."""
         groups, rows = int(self.walk.kinds.group.max()) + 1, self._rows
         boxes = groups * self._cells + self._parts
+        budget.hold(
+            8
+            * (
+                boxes * (cells.HULL_COLUMNS + cells.TREE_COLUMNS + 1)
+                + 4 * self._pairs
+                + self._cells * groups * (groups + 2)
+            )
+        )
         self.ground = Ground(
             np.zeros(cells.COUNTS, dtype=np.int64),
             np.empty(cells.MEASURES),
@@ -173,6 +184,13 @@ class Tables:
         return Room(
             self.ground, self.grids, self.block, self.crowd, self.course, self.meeting, self.search
         )
+
+    @property
+    def work(self) -> float:
+        """What it took to come to know the route and to place dragons so far, in handles placed."""
+        counts, tally = self.ground.counts, self.course.tally
+        known = BOX_WORK * float(counts[cells.LOGGED]) + PARTNER_WORK * float(counts[cells.ENTRIES])
+        return known + float(tally[course.CHAINS]) * len(self.walk.benches.kind)
 
     def go(self, start: float, end: float) -> None:
         """Let the walk begin at head position start, m, and end at `end`, both within the first one.

@@ -10,6 +10,7 @@ import shapely
 from scipy.optimize import minimize_scalar
 from shapely.geometry.base import BaseGeometry
 
+from benchdragon import budget
 from benchdragon.analysis.findings import named
 from benchdragon.errors import in_order, of_kind
 from benchdragon.i18n import _, language
@@ -54,6 +55,7 @@ class Passing:
     tail: float | None
 
 
+@budget.question()
 def timetable(plan: Plan, walk: Walk, start: float, end: float) -> tuple[Passing, ...]:
     """All places of a plan's walk over a span, s, in the order in which the head comes to them.
 
@@ -130,7 +132,7 @@ def _beside(plan: Plan, walk: Walk, span: tuple[float, float]) -> Iterator[Passi
             name = _("nearest to {name}").format(name=named(obstacle))
             yield _passing(walk, span, "obstacle", name, _nearest(walk, shape_of(obstacle), looks))
     for n, (x, y) in enumerate(plan.event.entrances, start=1):
-        name = _("nearest to entrance {n} ({x}, {y})").format(n=n, x=f"{x:g}", y=f"{y:g}")
+        name = _("nearest to entrance {n}").format(n=n)
         yield _passing(walk, span, "entrance", name, _nearest(walk, shapely.Point(x, y), looks))
 
 

@@ -74,7 +74,7 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     if folder is not None:
         from benchdragon.export.check_files import planned_files, write_files
 
-        files = planned_files(folder, options["formats"].split(","), options["force"])
+        files = planned_files(folder, options["formats"].split(","), options["force"], options["prove"])
     warn_of_outside(read)
     with shown_progress(quiet) as progress:
         report = checked(read, progress, prove=options["prove"])

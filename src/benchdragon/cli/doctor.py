@@ -6,6 +6,7 @@ import shutil
 from dataclasses import dataclass
 from importlib import metadata, util
 
+from benchdragon.cli.options import no_cache
 from benchdragon.export.encoders import find_ffmpeg
 from benchdragon.figures.style import FONT_FILES
 from benchdragon.i18n import N_, _, language
@@ -79,7 +80,7 @@ def kernels() -> Finding:
         )
     if jit.ENGINE == jit.PLAIN:
         return Finding(N_("kernels"), _("plain Python, as BENCHDRAGON_ENGINE says"), False)
-    cache = jit.CACHE_FOLDER or _("no cache folder can be written: each start compiles anew")
+    cache = jit.CACHE_FOLDER or no_cache()
     if os.environ.get(jit.VARIABLE):
         why = _("compiled by numba, as BENCHDRAGON_ENGINE says: {cache}")
     else:

@@ -62,8 +62,10 @@ from benchdragon.cli.survey import survey
 from benchdragon.cli.sweep import sweep
 from benchdragon.cli.timetable import timetable
 from benchdragon.cli.tolerance import margins
+from benchdragon.cli.verify import verify
 from benchdragon.cli.view import view
 from benchdragon.errors import BenchDragonError, InputError, MachineError, engine_advice, reason
+from benchdragon.files import one_run
 from benchdragon.i18n import N_, _, language
 from benchdragon.kernels.status import EngineError
 from benchdragon.number_format import finite_or_none
@@ -217,7 +219,7 @@ for question in (place, square):
     solve.add_command(question)
 for verb in (
     new, check, solve, margins, sweep, atlas, survey, compare, view, planner, animate, area,
-    timetable, sheets, plan, formations, schema,
+    timetable, sheets, plan, formations, schema, verify,
 ):  # fmt: skip
     program.add_command(verb)
 
@@ -435,7 +437,7 @@ def run(arguments: Sequence[str]) -> int:
     """Run one command line; its exit code. Errors become one sentence on standard error."""
     engine = os.environ.get(ENGINE)
     try:
-        with warnings.catch_warnings():
+        with one_run(), warnings.catch_warnings():
             warnings.simplefilter("always", UserWarning)
             warnings.showwarning = _notes()
             code = translated(program).main(

@@ -74,18 +74,26 @@ def new(output: Path, force: bool, quiet: bool, **options: Any) -> int:
 
     check_ending("--output", output, [".toml"])
     refuse_existing([output], force)
-    wishes, given = _wishes(output, options)
-    from benchdragon.solve.proposal import TooSmall, propose
+    roster = _roster(output, options["roster"])
+    said, given = _answers(options)
+    from benchdragon.solve.proposal import TooSmall, benches_out_again, propose
 
     announce_compiling(quiet)
-    with shown_progress(quiet) as progress:
-        found = propose(wishes, progress=progress)
-    if isinstance(found, TooSmall):
+    while True:
+        wishes = _wishes(said, options["kind"], roster)
+        with shown_progress(quiet) as progress:
+            found = propose(wishes, progress=progress)
+            out = isinstance(found, TooSmall) or wishes.kind or found.plan.route.kind == "turn"
+            again = 0 if out else benches_out_again(wishes, progress=progress)
+        if not isinstance(found, TooSmall):
+            break
         click.echo(_refusal(wishes, found), err=True)
-        return NO_SOLUTION
+        if not sys.stdin.isatty():
+            return NO_SOLUTION
+        given |= _asked_again(said, found)
     with whole_file(output) as temporary:
         temporary.write_text(_text(found.plan, wishes, given), encoding="utf-8")
-    for line in _told(found, wishes):
+    for line in _told(found, wishes, again):
         click.echo(line)
     print_report(found.report)
     print_files([output])
@@ -93,19 +101,16 @@ def new(output: Path, force: bool, quiet: bool, **options: Any) -> int:
     return 0
 
 
-def _wishes(output: Path, options: Mapping[str, Any]) -> tuple["Wishes", set[str]]:
+def _answers(options: Mapping[str, Any]) -> tuple[dict[str, Any], set[str]]:
     """What options and answers say, and the names of what was said rather than taken as usual.
 
     Raises:
         InputError: for what cannot be read, and for what is missing where nobody can be asked.
     """
-    from benchdragon.solve.proposal import Wishes
-
     if options["square"] is not None and options["radius"] is not None:
         raise InputError(
             _("{option} does not go with {what}").format(option="--radius", what="--square")
         )
-    roster = _roster(output, options["roster"])
     typed = {one.name: options[one.name] for one in QUESTIONS}
     if options["radius"] is not None:
         typed["square"] = "r" + options["radius"].removeprefix("r")
@@ -120,13 +125,37 @@ def _wishes(output: Path, options: Mapping[str, Any]) -> tuple["Wishes", set[str
         given |= _asked(unsaid, said)
     else:
         _usual(unsaid, said)
+    return said, given
+
+
+def _wishes(said: Mapping[str, Any], kind: Any, roster: str) -> "Wishes":
+    """The wishes that the answers make."""
+    from benchdragon.solve.proposal import Wishes
+
     square = said["square"]
     round_ = isinstance(square, float)
     return Wishes(
         said["benches"], said["bench_length"], said["bench_width"], said["head_length"], said["inset"],
         None if round_ else square, square if round_ else None, said["bearers"], said["carry"],
-        said["speed"], said["most_speed"], options["kind"], roster,
-    ), given  # fmt: skip
+        said["speed"], said["most_speed"], kind, roster,
+    )  # fmt: skip
+
+
+def _asked_again(said: dict[str, Any], found: "TooSmall") -> set[str]:
+    """Ask again what makes the dance fit, one question after another until one has another answer.
+
+    The other answers stay; the names of what was changed.
+    """
+    named = {one.name: one for one in QUESTIONS}
+    usual = {"carry": "2" if found.under else "", "benches": str(found.benches or ""), "square": ""}
+    click.echo(_("Your other answers stay. Change one thing:"), err=True)
+    for name, text in usual.items():
+        if text or name == "square":
+            answer = _answer(named[name], text or None)
+            if answer != said[name]:
+                said[name] = answer
+                return {name}
+    return set()
 
 
 def _usual(questions: Sequence[Question], said: dict[str, Any]) -> None:
@@ -194,16 +223,19 @@ def _refusal(wishes: "Wishes", found: "TooSmall") -> str:
         text.format(benches=wishes.benches, length=length, width=width, radius=f"{found.radius:g}")
     ]
     if found.under:
-        sentences.append(
-            _("All of them fit if their bearers walk under them, not beside them: add --carry under.")
+        text = _(
+            "All of them fit if their bearers walk under them, not beside them: add --carry under."
         )
+        if sys.stdin.isatty():
+            text = _("All of them fit if their bearers walk under them, not beside them.")
+        sentences.append(text)
     if found.benches:
         sentences.append(_("A dragon of {count} such benches fits.").format(count=found.benches))
     return ("" if language() == "zh" else " ").join(sentences)
 
 
-def _told(found: "Proposal", wishes: "Wishes") -> Iterator[str]:
-    """What is proposed, in plain words, before its check."""
+def _told(found: "Proposal", wishes: "Wishes", again: int) -> Iterator[str]:
+    """What is proposed, in plain words, before its check; so many benches would come out again."""
     from benchdragon.solve.course import course_of
 
     course = course_of(found.plan)
@@ -226,6 +258,10 @@ def _told(found: "Proposal", wishes: "Wishes") -> Iterator[str]:
         yield text.format(time=_duration(course.seconds), ways=longer)
     elif not course.out:
         yield _("  Room to come out again, or for longer: {ways}.").format(ways=longer)
+    if again:
+        yield _("  With {count} benches it comes out again: no more of them have the room.").format(
+            count=again
+        )
 
 
 def _duration(seconds: float) -> str:
@@ -240,7 +276,7 @@ def _longer(wishes: "Wishes") -> str:
     ways = [_("fewer benches"), _("a larger square")]
     if wishes.carry == "beside":
         ways.insert(1, _("bearers under their benches (--carry under)"))
-    return _(" or ").join(ways)
+    return _(", or ").join(ways)
 
 
 # What of a proposed plan was computed for it; what was neither computed nor said is assumed.

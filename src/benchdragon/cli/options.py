@@ -153,7 +153,7 @@ def brackets_option(command: Command) -> Command:
 def prove_option(command: Command) -> Command:
     """--prove."""
     return click.option(
-        "--prove", is_flag=True, help=N_("Verify all positions behind the answer in ball arithmetic.")
+        "--prove", is_flag=True, help=N_("Show the answer in ball arithmetic too, without the search.")
     )(command)
 
 
@@ -247,6 +247,8 @@ def announce_compiling(quiet: bool) -> None:
     from benchdragon.kernels import jit
 
     folder = jit.CACHE_FOLDER
+    if jit.COMPILED and folder is None:
+        click.echo(_("Note: {text}").format(text=no_cache()), err=True)
     told = None if folder is None else folder / TOLD_HERE
     text = _("compiling more of the kernels")
     if told is None or not told.exists():
@@ -265,6 +267,14 @@ def announce_compiling(quiet: bool) -> None:
                     told.touch()
 
     jit.watch_compiling(say, SLOW_COMPILE)
+
+
+def no_cache() -> str:
+    """That nothing of what is compiled is kept, and why, in the language in use."""
+    return _(
+        "there is no folder for compiled code that can be written and is yours alone, so each start "
+        "compiles anew; set XDG_CACHE_HOME to a folder of your own"
+    )
 
 
 def plan_to_walk(plan: str, settings: tuple[str, ...], quiet: bool) -> "Plan":

@@ -63,7 +63,7 @@ def place(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
         best = best_place(read, progress=progress)
     fits = best.room.status != "infeasible"
     if path is not None and fits:
-        write_plan(best.plan, path)
+        write_plan(best.plan, path, plan)
     if options["as_json"]:
         click.echo(json.dumps({**best.as_json(), **about(read, [])}))
     else:

@@ -182,7 +182,7 @@ def speed(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     read = read_to_write(plan, settings, quiet, "--pace", path)
     if path is None:
         return _print_speed(read, options, quiet)
-    return _print_pace(read, path, options, quiet)
+    return _print_pace(read, plan, path, options, quiet)
 
 
 @solve.command(
@@ -240,7 +240,7 @@ def turn(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> i
     with shown_progress(quiet) as progress:
         best = best_turn(read, goal, progress=progress)
     if path is not None:
-        write_plan(best.plan, path)
+        write_plan(best.plan, path, plan)
     _print_turn(read, best, goal.objective, options)
     return 0
 
@@ -255,12 +255,14 @@ def read_to_write(
     return plan_to_walk(plan, settings, quiet)
 
 
-def write_plan(plan: "Plan", path: Path) -> None:
-    """The plan as a whole file."""
+def write_plan(plan: "Plan", path: Path, source: str) -> None:
+    """The plan as a whole file, with the comments of the file that it was made from."""
     from benchdragon.files import whole_file
+    from benchdragon.plans.rewriting import rewritten
 
+    text = rewritten(plan, source)
     with whole_file(path) as temporary:
-        temporary.write_text(plan.toml(), encoding="utf-8")
+        temporary.write_text(text, encoding="utf-8")
 
 
 def _solve_size(
@@ -414,7 +416,7 @@ def _print_speed(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
     return _code(found)
 
 
-def _print_pace(plan: "Plan", path: Path, options: dict[str, Any], quiet: bool) -> int:
+def _print_pace(plan: "Plan", source: str, path: Path, options: dict[str, Any], quiet: bool) -> int:
     """The greatest head speed, and a pace that slows down only where it must, written to a file."""
     from benchdragon.files import refuse_existing
     from benchdragon.solve.head_speed import slowed, with_pace
@@ -422,7 +424,7 @@ def _print_pace(plan: "Plan", path: Path, options: dict[str, Any], quiet: bool) 
     refuse_existing([path], options["force"])
     with shown_progress(quiet) as progress:
         pace = slowed(plan, progress=progress)
-    write_plan(with_pace(plan, pace), path)
+    write_plan(with_pace(plan, pace), path, source)
     more: dict[str, Any] = {"pace": {"seconds": pace.seconds, "saved": pace.saved, "file": str(path)}}
     lines = _speed_lines(plan, pace.steady, pace) if options["explain"] else []
     json_lines = lines if options["as_json"] else []

@@ -26,6 +26,7 @@ from benchdragon.i18n import N_, language
 def timetable(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) -> int:
     """Print the timetable, as a table or as JSON."""
     from benchdragon.analysis.clock import Clock
+    from benchdragon.analysis.ground import Ground
     from benchdragon.analysis.stops import stops_of, stops_sentence
     from benchdragon.analysis.timetable import timetable as passings_of
     from benchdragon.sheets.timetable import columns, printed_rows
@@ -40,8 +41,9 @@ def timetable(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) 
         answer["stops"] = [one._asdict() for one in stops]
         click.echo(json.dumps({**answer, **about(read, [])}))
         return 0
-    clock = Clock(read.cues.clock, start)
-    print_rows(read.title(language()), columns(), printed_rows(passings, clock))
+    clock, ground = Clock(read.cues.clock, start), Ground.of(read, walk.route)
+    print_rows(read.title(language()), columns(), printed_rows(passings, clock, ground))
     click.echo(clock.legend)
+    click.echo(ground.legend)
     click.echo(stops_sentence(stops, clock))
     return 0

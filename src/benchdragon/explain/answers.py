@@ -54,7 +54,7 @@ def limit_lines(plan: Plan, name: str, answer: Answer, tried: Sequence[str]) -> 
     lines.append(_bracket_line(answer, family.question.sense))
     if answer.status == "proved":
         lines.append(
-            _("Proof: both ends were computed again in ball arithmetic, which encloses every number.")
+            _("Proof: both ends were shown again in ball arithmetic, which encloses every number.")
         )
     return lines
 

@@ -11,10 +11,12 @@ from benchdragon.analysis.bench_nearness import REACH
 from benchdragon.analysis.bench_walks import STILL, BenchWalk, Stretch, Tightest
 from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.findings import named
+from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.marks import angles_of
+from benchdragon.analysis.obstacle_distance import nearest_boxes
 from benchdragon.i18n import N_, _
-from benchdragon.kernels.standing import centre_distance
-from benchdragon.model.base_curve import Point
+from benchdragon.kernels.box import CX, CY, UX, UY
+from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.plans.schema import Plan
 
@@ -29,6 +31,10 @@ PACES = {
     "wait": N_("wait"), "walk": WALKING, "hurry": N_("hurry"), "run": N_("run"),
 }  # fmt: skip
 TURNS = {"left": N_("turn left"), "right": N_("turn right"), "straight": N_("straight on")}
+ALL_THE_WAY = {"left": N_("bend left all the way"), "right": N_("bend right all the way")}
+# Edges of the venue by the way that they lie: to the right, forward, to the left, back.
+EDGES = (N_("right edge"), N_("far edge"), N_("left edge"), N_("near edge"))
+NORTH_EDGES = (N_("eastern edge"), N_("northern edge"), N_("western edge"), N_("southern edge"))
 SIDES = {
     "left": N_("on your left"), "right": N_("on your right"),
     "front": N_("in front of you"), "rear": N_("behind you"),
@@ -43,7 +49,7 @@ class BenchText:
         quick: all of it in a dozen words.
         place: where it starts, a sentence each: chalk coordinates, then steps from a landmark.
         stretches: what it does from when to when, a sentence each.
-        paces: from which speeds on one hurries, runs or waits.
+        paces: from which speeds on one hurries, runs or waits, a sentence each; of paces in it alone.
         tightest: when a bench of another coil comes nearest.
         people: who is before, behind and beside.
         times: what times in it are.
@@ -52,7 +58,7 @@ class BenchText:
     quick: str
     place: tuple[str, ...]
     stretches: tuple[str, ...]
-    paces: str
+    paces: tuple[str, ...]
     tightest: str
     people: tuple[str, ...]
     times: str
@@ -61,24 +67,22 @@ class BenchText:
     def lines(self) -> list[str]:
         """All sentences, in order."""
         return [
-            self.quick, *self.place, *self.stretches, self.paces, self.tightest, *self.people,
+            self.quick, *self.place, *self.stretches, *self.paces, self.tightest, *self.people,
             self.times,
         ]  # fmt: skip
 
 
-def bench_text(plan: Plan, found: BenchWalk, called: Callable[[int], str], peg: Point) -> BenchText:
+def bench_text(plan: Plan, found: BenchWalk, called: Callable[[int], str], ground: Ground) -> BenchText:
     """What one bench of a plan does; `called` says what people call the bench of a number.
 
-    Places are told from the peg (m of the plan) from which the chalk plan measures.
+    Places are told as the chalk plan measures them on the ground.
     """
     clock = Clock(plan.cues.clock, found.stretches[0].start)
     return BenchText(
         quick_line(found, clock),
-        place_lines(plan, found, peg),
+        place_lines(plan, found, ground),
         tuple(_stretch_line(one, clock, plan.people.step) for one in found.stretches),
-        _("Hurry means {hurry} m/s or more, run {run} m/s or more; below {still} m/s you wait.").format(
-            hurry=f"{plan.people.hurry_from:g}", run=f"{plan.people.run_from:g}", still=f"{STILL:g}"
-        ),
+        _pace_lines(plan, found),
         tightest_line(found.tightest, clock, called),
         _people_lines(found, called),
         clock.legend,
@@ -98,6 +102,8 @@ def _quick_turns(stretches: Sequence[Stretch]) -> list[str]:
     sides = [side for side, _same in groupby(bent)]
     if not sides:
         return [_("straight on all the way")]
+    if len(sides) == 1 and len(bent) == len(stretches):
+        return [_(ALL_THE_WAY[sides[0]])]
     if len(sides) <= MOST_TURNS:
         return [_(", then ").join(_(TURNS[side]) for side in sides)]
     text = _("{left} times left and {right} times right")
@@ -107,6 +113,8 @@ def _quick_turns(stretches: Sequence[Stretch]) -> list[str]:
 def _quick_paces(stretches: Sequence[Stretch], clock: Clock) -> list[str]:
     """At what paces it goes: one after another with their times, or how often."""
     runs = [(pace, list(some)) for pace, some in groupby(stretches, lambda one: one.pace)]
+    if len(runs) == 1 and runs[0][0] == "walk":
+        return [_("keep walking, without a stop")]
     if len(runs) == 1:
         return [_("{pace} all the time").format(pace=_(PACES[runs[0][0]]))]
     timed = [
@@ -128,40 +136,83 @@ def _quick_paces(stretches: Sequence[Stretch], clock: Clock) -> list[str]:
     ]
 
 
-def place_lines(plan: Plan, found: BenchWalk, peg: Point) -> tuple[str, str]:
-    """Where a bench starts: chalk coordinates from the peg, and steps from a landmark."""
-    x, y = found.place_from(peg)
+def _pace_lines(plan: Plan, found: BenchWalk) -> tuple[str, ...]:
+    """What the paces of a bench mean, but for walking, which everybody knows."""
+    means = {
+        "hurry": _("Hurry means {speed} m/s or more.").format(speed=f"{plan.people.hurry_from:g}"),
+        "run": _("Run means {speed} m/s or more.").format(speed=f"{plan.people.run_from:g}"),
+        "wait": _("Wait means to stand still: less than {speed} m/s.").format(speed=f"{STILL:g}"),
+    }
+    used = {one.pace for one in found.stretches}
+    return tuple(text for pace, text in means.items() if pace in used)
+
+
+def place_lines(plan: Plan, found: BenchWalk, ground: Ground) -> tuple[str, str]:
+    """Where a bench starts: how far from the peg, and steps from a landmark."""
+    (x, y), radius = ground.seen([found.place])[0].tolist(), math.dist(found.place, ground.peg)
+    if ground.venue:
+        ways = ground.way_names
+        where = _(
+            "Your front handle starts {x} m {way_x} and {y} m {way_y} from the peg: {radius} m from it."
+        ).format(
+            x=f"{_settled(abs(x)):.2f}", way_x=ways[0 if x >= 0.0 else 2],
+            y=f"{_settled(abs(y)):.2f}", way_y=ways[1 if y >= 0.0 else 3],
+            radius=f"{_settled(radius):.2f}",
+        )  # fmt: skip
+        return where, _steps_line(plan, found, ground, radius)
     text = N_(
         "Your front handle starts at x = {x} m, y = {y} m from the peg: {radius} m from it at {angle}° "
         "from the x axis."
     )
-    if plan.survey.north:
+    if ground.north:
         text = N_(
             "Your front handle starts at x = {x} m (east), y = {y} m (north) from the peg: {radius} m "
             "from it on a bearing of {angle}° from north."
         )
-    angle = round(float(angles_of(np.array([[x, y]]), north=plan.survey.north)[0])) % 360
-    where = _(text).format(x=f"{x:z.2f}", y=f"{y:z.2f}", radius=f"{math.hypot(x, y):.2f}", angle=angle)
-    apart, landmark = _landmark(plan, found.place, math.hypot(x, y))
-    text = N_("That is {steps} steps from the peg.")
-    if landmark is not None:
-        text = N_("That is {steps} steps from {name}.")
-        if landmark.kind == "venue":
-            text = N_("That is {steps} steps from the edge of {name}.")
-    name = "" if landmark is None else named(landmark)
-    return where, _(text).format(steps=round(apart / plan.people.step), name=name)
+    angle = round(float(angles_of(np.array([[x, y]]), north=ground.north)[0])) % 360
+    where = _(text).format(
+        x=f"{_settled(x):z.2f}", y=f"{_settled(y):z.2f}", radius=f"{_settled(radius):.2f}", angle=angle
+    )
+    return where, _steps_line(plan, found, ground, radius)
 
 
-def _landmark(plan: Plan, place: Point, from_peg: float) -> tuple[float, Obstacle | None]:
-    """The landmark nearest to a place, and how far it is, m; None for the peg."""
-    best: tuple[float, Obstacle | None] = (from_peg, None)
+def _steps(way: float, step: float) -> int:
+    """How many steps a way is, m."""
+    return round(_settled(way / step))
+
+
+def _settled(value: float) -> float:
+    """A value of which rounding does not decide to which whole number it is nearer."""
+    return round(value, 6)
+
+
+def _steps_line(plan: Plan, found: BenchWalk, ground: Ground, from_peg: float) -> str:
+    """How many steps the bench is from the nearest landmark when the dance starts."""
+    best: tuple[float, Obstacle | None, int] = (from_peg, None, 0)
     for obstacle in plan.obstacles():
-        sides = range(len(obstacle.boxes))
-        apart = min(centre_distance(obstacle.boxes, n, *place) for n in sides)
-        apart = max(apart - obstacle.radius, 0.0)
+        far, which = nearest_boxes(np.array([found.box]), obstacle)
+        apart = max(float(far[0]) - obstacle.radius, 0.0)
         if apart < best[0]:
-            best = apart, obstacle
-    return best
+            best = apart, obstacle, int(which[0])
+    apart, landmark, side = best
+    steps = _steps(apart, plan.people.step)
+    told = str(steps) if steps else _("less than 1")
+    if landmark is None:
+        return _("At the start your front handle is {steps} steps from the peg.").format(steps=told)
+    if landmark.kind == "venue":
+        text = _("At the start your bench is {steps} steps from the {edge} of {name}.")
+        edge = _edge_name(found, ground, landmark.boxes[side])
+        return text.format(steps=told, edge=edge, name=named(landmark))
+    text = _("At the start your bench is {steps} steps from {name}.")
+    return text.format(steps=told, name=named(landmark))
+
+
+def _edge_name(found: BenchWalk, ground: Ground, side: FloatArray) -> str:
+    """What the side of the venue (a box) by a bench is called: the way out over it that is nearest."""
+    out = np.array([side[UY], -side[UX]])
+    if out @ (side[[CX, CY]] - np.array(found.box)[[CX, CY]]) < 0.0:
+        out = -out
+    return _((NORTH_EDGES if ground.north else EDGES)[int(np.argmax(ground.ways @ out))])
 
 
 def _stretch_line(one: Stretch, clock: Clock, step: float) -> str:
@@ -176,8 +227,8 @@ def _stretch_line(one: Stretch, clock: Clock, step: float) -> str:
     elif one.turning != "straight" and angle >= LEAST_ANGLE:
         text = _("{start} to {end}: {pace}, {turn} by {angle}°; {way} m, {steps} steps.")
     return text.format(
-        **times, pace=_(PACES[one.pace]), turn=_(TURNS[one.turning]), angle=f"{angle:.0f}",
-        rounds=f"{angle / ROUND:.1f}", way=f"{one.way:.0f}", steps=round(one.way / step),
+        **times, pace=_(PACES[one.pace]), turn=_(TURNS[one.turning]), angle=f"{_settled(angle):.0f}",
+        rounds=f"{angle / ROUND:.1f}", way=f"{_settled(one.way):.0f}", steps=_steps(one.way, step),
     )  # fmt: skip
 
 
@@ -187,7 +238,7 @@ def tightest_line(near: Tightest | None, clock: Clock, called: Callable[[int], s
         text = _("No bench of another coil comes within about {reach} m of you.")
         return text.format(reach=f"{REACH:g}")
     text = _("Tightest at {time}: {bench}, in another coil, comes as near as {gap} cm, {side}.")
-    gap = math.floor(100.0 * near.upper)
+    gap = math.floor(_settled(100.0 * near.upper))
     time, side = clock.tell(near.time), _(SIDES[near.side])
     return text.format(time=time, bench=called(near.bench), gap=gap, side=side)
 

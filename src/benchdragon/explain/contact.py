@@ -58,8 +58,8 @@ def check_lines(report: Report) -> list[str]:
     if report.proved:
         lines.append(
             _(
-                "Proof: every position that this rests on was computed again in ball arithmetic, "
-                "which encloses it."
+                "Proof: this was shown again without the search, in ball arithmetic, which encloses "
+                "every number."
             )
         )
     return [*lines, *_greatest_speed_lines(walk, report.greatest_speed, report.plan.limits.speed)]

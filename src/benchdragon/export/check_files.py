@@ -3,19 +3,21 @@
 from collections.abc import Sequence
 from pathlib import Path
 
+from benchdragon.analysis.certificate import certificate_of
 from benchdragon.analysis.check import Report, clearance_over, moment
 from benchdragon.errors import InputError
 from benchdragon.export.tables import write_moment_xlsx
 from benchdragon.figures.contact import clearance_picture, moment_picture
 from benchdragon.figures.style import write_picture
-from benchdragon.files import refuse_existing
+from benchdragon.files import refuse_existing, whole_file
 from benchdragon.i18n import _, language
 
+CERTIFICATE = "certificate.json"
 FORMATS = ("xlsx", "png", "svg", "pdf")
 
 
-def planned_files(folder: Path, formats: Sequence[str], force: bool) -> list[Path]:
-    """The files that a verdict writes into a folder.
+def planned_files(folder: Path, formats: Sequence[str], force: bool, proved: bool) -> list[Path]:
+    """The files that a verdict writes into a folder, its certificate among them if it is `proved`.
 
     Raises:
         InputError: for a format that is not one of FORMATS.
@@ -32,6 +34,7 @@ def planned_files(folder: Path, formats: Sequence[str], force: bool) -> list[Pat
     for kind in formats:
         if kind != "xlsx":
             files += [folder / f"contact.{kind}", folder / f"clearance.{kind}"]
+    files += [folder / CERTIFICATE] if proved else []
     refuse_existing(files, force)
     return files
 
@@ -48,7 +51,10 @@ def write_files(report: Report, files: Sequence[Path]) -> None:
         "clearance": clearance_picture(clearances, plan.limits.margin, title),
     }
     for path in files:
-        if path.suffix == ".xlsx":
+        if path.name == CERTIFICATE:
+            with whole_file(path) as temporary:
+                temporary.write_text(certificate_of(report).model_dump_json(), "utf-8")
+        elif path.suffix == ".xlsx":
             write_moment_xlsx(path, motion, report.obstacles)
         else:
             write_picture(figures[path.stem], path, title, plan.sha256)

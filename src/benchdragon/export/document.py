@@ -28,11 +28,15 @@ Inline = str | Link | Reference
 
 @dataclass(frozen=True)
 class Heading:
-    """A heading; level 1 is a chapter. The anchor is what links lead to."""
+    """A heading; level 1 is a chapter. The anchor is what links lead to.
+
+    What follows takes so much room, mm, on the same page of a PDF.
+    """
 
     text: str
     anchor: str
     level: int = 1
+    room: float = 0.0
 
 
 @dataclass(frozen=True)

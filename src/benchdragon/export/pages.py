@@ -41,6 +41,8 @@ EDGE, SHADE, LINK_COLOUR = (150, 150, 150), (235, 235, 235), (0, 84, 148)
 HEADING_ROOM, TABLE_ROOM, CAPTION = 26.0, 32.0, 6.0
 MOST_EMPTY_BEFORE_PICTURES, MOST_EMPTY = 100.0, 85.0
 ROW, PADDING = 0.5, 0.7
+# Headings of a document that has no contents, at most.
+WITHOUT_CONTENTS = 3
 # Pictures that found no room on a page stand at the head of the next, as far down as this share of it.
 HEAD_SHARE = 0.85
 
@@ -112,7 +114,7 @@ class Pages(Typeset):
         opening = True
         for block in self._document.blocks:
             if opening and isinstance(block, Heading):
-                if len(self._document.headings) > 1:
+                if len(self._document.headings) > WITHOUT_CONTENTS:
                     self._contents()
                 opening = False
             self._set(block)
@@ -151,7 +153,7 @@ class Pages(Typeset):
                 self._picture(block)
 
     def _heading(self, block: Heading) -> None:
-        if self.get_y() > self.h - MARGIN - HEADING_ROOM:
+        if self.get_y() > self.h - MARGIN - HEADING_ROOM - block.room:
             self.add_page()
         self.ln(3.0)
         self._arrive(block.anchor)

@@ -2,7 +2,8 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import Any
 
 import matplotlib
 import numpy as np
@@ -12,6 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
+from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.swept import Shape, SweptArea
 from benchdragon.errors import InputError
 from benchdragon.figures.framing import route_positions
@@ -47,13 +49,13 @@ class AreaDrawing:
         title: of the dance.
         swept: the ground, and the spectators' line.
         obstacles: the venue's edge and what stands in it.
-        north: whether y points north.
+        ground: the peg from which papers measure, and the ways x and y point; a page shows the peg.
     """
 
     title: str
     swept: SweptArea
     obstacles: tuple[Obstacle, ...] = ()
-    north: bool = False
+    ground: Ground = field(default_factory=lambda: Ground((0.0, 0.0)))
 
     def route(self) -> FloatArray:
         """Points of the route under the benches, m, (n, 2)."""
@@ -78,7 +80,9 @@ def area_picture(drawing: AreaDrawing, paper: str = "A3", scale: float | None = 
 
 
 def page_picture(drawing: AreaDrawing, posts: Sequence[Point] = ()) -> tuple[Figure, float]:
-    """The same between the margins of an A4 page, with numbered posts; and its scale: the 500 of 1:500.
+    """The same between the margins of an A4 page, with the peg and numbered posts.
+
+    And its scale: the 500 of 1:500.
 
     Raises:
         InputError: for ground that fits at none of PAGE_SCALES.
@@ -91,16 +95,16 @@ def page_picture(drawing: AreaDrawing, posts: Sequence[Point] = ()) -> tuple[Fig
         text = _("ground of 1:{needed} on a page is too large for the annex")
         raise InputError(text.format(needed=math.ceil(needed)))
     sheet = Sheet(*PAGE, scale, 0.5 * bounds.sum(axis=0))
-    return _drawn_on(sheet, drawing, "A4", posts), scale
+    return _drawn_on(sheet, drawing, "A4", [drawing.ground.peg, *posts]), scale
 
 
-def _drawn_on(sheet: Sheet, drawing: AreaDrawing, paper: str, posts: Sequence[Point] = ()) -> Figure:
+def _drawn_on(sheet: Sheet, drawing: AreaDrawing, paper: str, spots: Sequence[Point] = ()) -> Figure:
     with matplotlib.rc_context({**STYLE, "figure.constrained_layout.use": False}):
         figure, axes = empty_sheet(sheet)
         _draw_ground(axes, sheet, drawing)
-        _draw_posts(axes, sheet, posts)
+        _draw_spots(axes, sheet, spots)
         draw_bar(axes, sheet)
-        draw_north(axes, sheet, _("N (y axis)") if drawing.north else _("y axis"))
+        draw_north(axes, sheet, drawing.ground.y_name, drawing.ground.turned)
         _write_names(axes, sheet, drawing, paper)
         return figure
 
@@ -136,14 +140,18 @@ def _draw_ground(axes: Axes, sheet: Sheet, drawing: AreaDrawing) -> None:
     draw_obstacles(axes, sheet, drawing.obstacles)
 
 
-def _draw_posts(axes: Axes, sheet: Sheet, posts: Sequence[Point]) -> None:
-    """Posts for marshals by their numbers, from 1."""
-    if not posts:
+def _draw_spots(axes: Axes, sheet: Sheet, spots: Sequence[Point]) -> None:
+    """The peg, if there is one, and posts for marshals by their numbers, from 1."""
+    if not spots:
         return
-    x, y = sheet.place(np.array(posts)).T
-    axes.plot(x, y, ls="none", marker="o", ms=3.5, color="black", zorder=8, gid="posts",
-              label=_("post for a marshal"))  # fmt: skip
-    for n, (u, v) in enumerate(zip(x, y, strict=True), start=1):
+    (x, y), *posts = sheet.place(np.array(spots)).tolist()
+    look: dict[str, Any] = {"ls": "none", "color": "black", "zorder": 8}
+    axes.plot([x], [y], marker="P", ms=6.0, mec="white", mew=0.5, label=_("peg"), gid="peg", **look)
+    axes.text(x + 1.5, y + 1.0, _("peg"), fontsize=7, fontweight="bold", zorder=9)
+    if posts:
+        label = _("post for a marshal")
+        axes.plot(*np.array(posts).T, marker="o", ms=3.5, gid="posts", label=label, **look)
+    for n, (u, v) in enumerate(posts, start=1):
         axes.text(u + 1.2, v + 0.8, f"{n}", fontsize=7, fontweight="bold", zorder=9)
 
 
@@ -158,7 +166,7 @@ def _write_names(axes: Axes, sheet: Sheet, drawing: AreaDrawing, paper: str) -> 
     axes.text(EDGE, EDGE + 1.0, text, fontsize=8, va="bottom")
     legend = axes.legend(
         loc="lower right", bbox_to_anchor=(1.0 - 30.0 / sheet.width, EDGE / sheet.height),
-        ncols=1, frameon=False, fontsize=8, borderaxespad=0.0,
+        ncols=1, frameon=False, fontsize=7.5, borderaxespad=0.0, labelspacing=0.25,
     )  # fmt: skip
     legend.set_zorder(7)
     draw_frame(axes, sheet)

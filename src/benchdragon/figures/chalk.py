@@ -95,7 +95,7 @@ def chalk_picture(drawing: ChalkDrawing, sheet: Sheet) -> Figure:
         figure, axes = empty_sheet(sheet)
         draw_obstacles(axes, sheet, drawing.obstacles)
         draw_bar(axes, sheet)
-        draw_north(axes, sheet, _("N (y axis)") if drawing.marks.north else _("y axis"))
+        draw_north(axes, sheet, drawing.marks.ground.y_name, drawing.marks.ground.turned)
         draw_frame(axes, sheet)
         places = sheet.place(drawing.marks.points)
         axes.plot(*sheet.place(drawing.line()).T, color=ROUTE, lw=0.4, zorder=1, label=_("route"))

@@ -184,10 +184,14 @@ def draw_bar(axes: Axes, sheet: Sheet) -> None:
     axes.text(unit, low + 0.5 * BAR_HEIGHT, f"m   1:{sheet.scale:g}", va="center", fontsize=8)
 
 
-def draw_north(axes: Axes, sheet: Sheet, text: str) -> None:
-    """An arrow along the plan's y axis, and what is there."""
+def draw_north(axes: Axes, sheet: Sheet, text: str, turned: float = 0.0) -> None:
+    """An arrow along the plan's y axis, or turned to the left of it (rad), and what is there."""
     x, low = sheet.width - EDGE - 6.0, EDGE + 10.0
+    corners = np.array([(0.0, 0.5), (-0.215, -0.5), (0.0, -0.285), (0.215, -0.5)])
+    c, s = math.cos(turned), math.sin(turned)
     axes.add_patch(
-        Polygon([(x, low + ARROW), (x - 3.0, low), (x, low + 3.0), (x + 3.0, low)], fc="black", lw=0.0)
+        Polygon(
+            (x, low + 0.5 * ARROW) + ARROW * corners @ np.array([(c, s), (-s, c)]), fc="black", lw=0.0
+        )
     )
     axes.text(x, low - 1.0, text, ha="center", va="top", fontsize=8)

@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 
+from benchdragon import budget
 from benchdragon.errors import WalkError, of_kind
 from benchdragon.kernels.chain import march, rates
 from benchdragon.kernels.curve import FloatArray
@@ -15,6 +16,9 @@ from benchdragon.kernels.status import Status
 from benchdragon.model.arrays import as_numbers
 from benchdragon.model.curves import Route
 from benchdragon.model.dragon import Dragon
+
+# Bytes of a handle at one position of the head.
+PLACE = 40
 
 
 class Placement:
@@ -44,6 +48,8 @@ class Placement:
         self.dragon, self.route = dragon, route
         self.head_s = np.atleast_1d(as_numbers("head_s", head_s))
         shape = (len(dragon) + 1, self.head_s.size)
+        budget.spend(shape[0] * shape[1])
+        budget.hold(PLACE * shape[0] * shape[1])
         # Handle by handle in memory, as the kernels march; position by position to the outside.
         self._row = np.empty(shape, dtype=np.int64)
         self._failed = np.empty((2, shape[1]), dtype=np.int64)

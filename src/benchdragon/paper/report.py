@@ -91,8 +91,9 @@ def _opening(found: Results) -> Iterable[Block]:
     )
     yield say(
         _(
-            '"Proved" means: all positions behind the answer were enclosed in ball arithmetic '
-            'with 100 bits, and their errors stay within what the bounds allow for. "Found" '
+            '"Proved" means: shown again without the search, in ball arithmetic with 128 bits: '
+            "before the answer cell by cell, each short enough that bounds keep benches apart, "
+            'and at the answer by benches that overlap or are too near. "Found" '
             "means: bounds that hold at all moments, computed in floating point with an "
             'allowance for its rounding. "Best found" means: a search arrived at it, and '
             "something better may exist."

@@ -15,6 +15,7 @@ from typing import Any
 
 from benchdragon.errors import BenchDragonError, reason
 from benchdragon.i18n import N_, _
+from benchdragon.plans.signs import mistyped
 from benchdragon.plans.source import Source
 
 BUILT_IN_FOLDER = Path(__file__).parent / "builtin"
@@ -22,6 +23,8 @@ SUFFIX = ".dragon.toml"
 # Bytes: a million benches of their own sizes fit; anything larger is not a plan.
 MOST_BYTES = 200_000_000
 
+# Of a number with its unit; to look for both in a very long text would take hours.
+MOST_SIGNS = 100
 # Bases that stand on one another.
 MOST_BASES = 8
 
@@ -82,12 +85,23 @@ def read_toml(source: str, settings: Sequence[str] = ()) -> tuple[dict[str, Any]
     Raises:
         PlanError: for what is not there, not TOML, or cannot be set.
     """
-    path = Path(source)
-    if source in built_in_names():
-        path = BUILT_IN_FOLDER / f"{source}{SUFFIX}"
-    text = _text(path, source)
+    path, text = _path(source), read_text(source)
     data = with_base(parsed(text, source), path.parent, source)
     return data, Source(source, text, lay_over(data, settings), path.parent)
+
+
+def read_text(source: str) -> str:
+    """The text of a plan file or of a built-in plan.
+
+    Raises:
+        PlanError: for what is not there, or no text.
+    """
+    return _text(_path(source), source)
+
+
+def _path(source: str) -> Path:
+    """Where a plan file, or a built-in plan, lies."""
+    return BUILT_IN_FOLDER / f"{source}{SUFFIX}" if source in built_in_names() else Path(source)
 
 
 def with_base(
@@ -347,7 +361,9 @@ def _text(path: Path, source: str) -> str:
             + hint
         ) from None
     except UnicodeDecodeError:
-        raise PlanError(_("{source} is not UTF-8 text").format(source=source)) from None
+        raise PlanError(
+            _("{source} is not UTF-8 text: save it again with the encoding UTF-8").format(source=source)
+        ) from None
     except OSError as error:
         raise PlanError(f"{source}: {reason(error)}") from None
 
@@ -362,7 +378,7 @@ def parsed(text: str, source: str) -> dict[str, Any]:
         return _loaded(text.removeprefix(BYTE_ORDER_MARK), source)
     except tomllib.TOMLDecodeError as error:
         raise PlanError(
-            _("{source} is not TOML: {fault}").format(source=source, fault=toml_fault(error))
+            _("{source} is not TOML: {fault}").format(source=source, fault=toml_fault(error, text))
         ) from None
 
 
@@ -378,13 +394,23 @@ def _loaded(text: str, source: str) -> dict[str, Any]:
         raise PlanError(_("{source}: a number has too many digits").format(source=source)) from None
 
 
-def toml_fault(error: tomllib.TOMLDecodeError) -> str:
-    """Where a text is not TOML, and why, in the language in use."""
+def toml_fault(error: tomllib.TOMLDecodeError, text: str = "") -> str:
+    """Where a text is not TOML, and why, in the language in use.
+
+    A sign of a Chinese input method where it broke off is named, with what to type instead.
+    """
     said, _at, place = str(error).removesuffix(")").rpartition(" (at ")
-    found = ((match, text) for pattern, text in TOML_FAULTS if (match := re.fullmatch(pattern, said)))
-    match, text = next(found, (None, N_("this cannot be read")))
-    fault = _(text).format(what=match[1] if match and match.re.groups else "")
-    numbers = re.findall(r"\d+", place)
+    found = ((match, told) for pattern, told in TOML_FAULTS if (match := re.fullmatch(pattern, said)))
+    match, told = next(found, (None, N_("this cannot be read")))
+    fault = _(told).format(what=match[1] if match and match.re.groups else "")
+    numbers, lines = [int(number) for number in re.findall(r"\d+", place)], text.split("\n")
+    for line in numbers[:1] or range(1, len(lines) + 1):
+        typed = mistyped(lines[line - 1]) if line <= len(lines) else None
+        if typed is not None:
+            return _(
+                "line {line}, column {column}: {sign} stands there; type {plain} instead, with the "
+                "keyboard set to English"
+            ).format(line=line, column=typed[0], sign=typed[1], plain=typed[2])
     if not numbers:
         return _("at its end: {fault}").format(fault=fault)
     return _("line {line}, column {column}: {fault}").format(
@@ -452,6 +478,12 @@ def quantity(text: object, units: dict[str, float]) -> object:
         raise ValueError(_("wanted a number with fewer digits"))
     if not isinstance(text, str) or not units:
         return text
+    if len(text) > MOST_SIGNS:
+        raise ValueError(
+            _("wanted a number, or text with a unit, in at most {most} signs, not {count}").format(
+                most=MOST_SIGNS, count=len(text)
+            )
+        )
     pieces = QUANTITY.findall(text)
     try:
         if QUANTITY.sub("", text).strip() or not pieces:

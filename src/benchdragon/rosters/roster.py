@@ -1,6 +1,9 @@
 """Who carries which bench."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
+
+from benchdragon.rosters.words import plain
 
 
 @dataclass(frozen=True)
@@ -35,9 +38,33 @@ class Roster:
     @property
     def persons(self) -> int:
         """How many people carry: who is named at several benches counts once."""
-        everybody = (one for people in self.benches.values() for one in people)
-        return len({(one.name, one.household, one.phone) for one in everybody})
+        named: dict[str, list[Person]] = {}
+        for people in self.benches.values():
+            for one in people:
+                named.setdefault(plain(one.name), []).append(one)
+        return sum(map(_namesakes, named.values()))
 
     def people(self, bench: int) -> tuple[Person, ...]:
         """Who carries a bench (number, from 1); empty where the list names nobody."""
         return self.benches.get(bench, ())
+
+
+def _namesakes(people: Sequence[Person]) -> int:
+    """How many people those of one name are: of other households or phones they are others.
+
+    All of them are one if the list knows neither of somebody.
+    """
+    if any(not one.household and not one.phone for one in people):
+        return 1
+    above: dict[tuple[str, str], tuple[str, str]] = {}
+
+    def root(mark: tuple[str, str]) -> tuple[str, str]:
+        while above.setdefault(mark, mark) != mark:
+            above[mark] = mark = above[above[mark]]
+        return mark
+
+    for one in people:
+        marks = [("household", one.household), ("phone", one.phone)]
+        known = [mark for mark in marks if mark[1]]
+        above[root(known[-1])] = root(known[0])
+    return len({root(mark) for mark in list(above)})

@@ -30,16 +30,21 @@ from benchdragon.sheets.annex_tables import (
     metres,
     passing_table,
     people_table,
+    place,
     post_table,
     room_table,
     speed_table,
     swept_table,
 )
 from benchdragon.sheets.briefing import Briefing
+from benchdragon.sheets.chalk import peg_lines
+from benchdragon.sheets.timetable import dash_line, passings_of
 from benchdragon.version import __version__
 
 # Blank lines under a heading that the program knows nothing of.
-LINES = 5
+LINES, LINE = 5, 92 * "_"
+# Their room, mm.
+LINES_ROOM = 36.0
 # What is left to the organiser: chapters of permit plans on which a plan of a dance says nothing.
 BY_HAND = {
     "fire": N_("Fire safety"),
@@ -121,16 +126,18 @@ def _dance(facts: AnnexFacts) -> Iterator[Block]:
     yield say(
         _(
             "All pins follow one line on the ground, the route, one after another. The head walks "
-            "{way} of it in {time}. It starts at x = {x}, y = {y}, measured from the plan's origin."
+            "{way} of it in {time}. It starts at x, y = {place} m from the peg."
         ),
         way=metres(float(ends[1] - ends[0])), time=minutes(report.end - report.start),
-        x=metres(first.x[0, 0]), y=metres(first.y[0, 0]),
+        place=place((float(first.x[0, 0]), float(first.y[0, 0])), facts.briefing.ground),
     )  # fmt: skip
+    yield Paragraph((facts.briefing.ground.legend,))
+    yield from peg_lines(facts.briefing.ground, report.plan.obstacles())
 
 
 def _ground(facts: AnnexFacts, folder: Path) -> Iterator[Block]:
     plan, swept = facts.briefing.plan, facts.swept
-    drawing = drawing_of(plan, swept)
+    drawing = drawing_of(plan, swept, facts.briefing.ground)
     figure, scale = page_picture(drawing, [post.point for post in facts.posts])
     write_picture(figure, folder / "ground.pdf", drawing.title, plan.sha256)
     yield Heading(_("Route and ground, to scale"), "ground")
@@ -138,7 +145,7 @@ def _ground(facts: AnnexFacts, folder: Path) -> Iterator[Block]:
         _(
             "The area below contains everything that any bench covers from the start of the dance to "
             "its end; nothing of it is farther than {error} from what is covered. It is the benches' "
-            "own: the people who carry them need room beside it."
+            "own: people who stand out beyond their sides need more (see Clearances and margins)."
         ),
         error=metres(swept.error, up=True),
     )
@@ -156,6 +163,7 @@ def _timetable(facts: AnnexFacts) -> Iterator[Block]:
     yield Heading(_("Timetable"), "timetable")
     yield Paragraph((clock.legend,))
     yield Paragraph((stops_sentence(stops_of(report.walk, report.start, report.end), clock),))
+    yield from dash_line(passings_of(facts.briefing))
     yield passing_table(facts)
 
 
@@ -202,8 +210,9 @@ def _posts(facts: AnnexFacts) -> Iterator[Block]:
             "The spectators' line keeps {distance} from the ground that benches cover. Posts are "
             "proposed by a rule of this program, which is no regulation: where that ground comes "
             "nearest to the venue's edge, at entrances that the plan names, where benches come nearest "
-            "to one another, where the fastest handle is, where else handles run, and between these so "
-            "that no two that follow one another are farther apart than {every} along the line."
+            "to one another, where the fastest handle is (unless all are about as fast), where else "
+            "handles run, and between these so that no two that follow one another are farther apart "
+            "than {every} along the line."
         ),
         distance=metres(facts.swept.margin), every=metres(EVERY),
     )  # fmt: skip
@@ -258,9 +267,9 @@ def _chance(facts: AnnexFacts) -> Iterator[Block]:
 
 def _by_hand() -> Iterator[Block]:
     for anchor, text in BY_HAND.items():
-        yield Heading(_(text), anchor)
+        yield Heading(_(text), anchor, room=LINES_ROOM)
         yield say(_("To be filled in by the organiser: the plan of the dance says nothing of it."))
-        yield from (Paragraph((6 * BLANK,)) for _line in range(LINES))
+        yield from (Paragraph((LINE,)) for _line in range(LINES))
 
 
 def _limits(facts: AnnexFacts) -> Iterator[Block]:

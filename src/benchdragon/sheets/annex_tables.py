@@ -8,20 +8,22 @@ from shapely.geometry import LinearRing
 from benchdragon.analysis.check import peak_text
 from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.findings import shown_name
+from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.posts import Reason, Why
-from benchdragon.analysis.room import asked_text
+from benchdragon.analysis.room import RoomLevel
 from benchdragon.analysis.room import shown_name as level_name
 from benchdragon.analysis.speed import QUANTITIES, given_limits
 from benchdragon.export.document import Table
 from benchdragon.i18n import N_, _, language
 from benchdragon.model.answer import Answer
+from benchdragon.model.base_curve import Point
 from benchdragon.number_format import decimals_towards, outward
 from benchdragon.plans.people import SourcesTable
 from benchdragon.sheets.annex_facts import DISTANCE, AnnexFacts
 from benchdragon.sheets.briefing import Briefing
 from benchdragon.sheets.timetable import WIDTHS, columns, passings_of, printed_rows
 
-BLANK = "________"
+BLANK = 28 * "_"
 STATUS = {
     "proved": N_("proved"),
     "found": N_("found"),
@@ -62,9 +64,10 @@ def metres(value: float, *, up: bool = False) -> str:
     return f"{decimals_towards(value, 2, up=True) if up else f'{value:z.2f}'} m"
 
 
-def place(point: tuple[float, float]) -> tuple[str, str]:
-    """Coordinates, m."""
-    return f"{point[0]:z.2f}", f"{point[1]:z.2f}"
+def place(point: Point, ground: Ground) -> str:
+    """Coordinates on the ground, m."""
+    x, y = ground.seen([point])[0].tolist()
+    return f"{x:z.2f}, {y:z.2f}"
 
 
 def basics(briefing: Briefing) -> list[tuple[str, str]]:
@@ -112,7 +115,7 @@ def swept_table(facts: AnnexFacts) -> Table:
 def passing_table(facts: AnnexFacts) -> Table:
     """When head and tail pass places of the route: as the timetable has it."""
     briefing = facts.briefing
-    rows = printed_rows(passings_of(briefing), briefing.clock)
+    rows = printed_rows(passings_of(briefing), briefing.clock, briefing.ground)
     return Table("timetable", _("When head and tail pass"), columns(), WIDTHS, rows, numbers=True)
 
 
@@ -165,11 +168,28 @@ def room_table(briefing: Briefing) -> Table:
     """Room for people, level upon level."""
     words = {True: _("kept"), False: _("not kept"), None: _("undecided")}
     rows = tuple(
-        (level_name(one), asked_text(one) or "–", f"{one.margin:g} m", words[one.kept])
+        (level_name(one), _asked(one) or "–", f"{_between(one):g} m", words[one.kept])
         for one in briefing.report.room
     )
-    names = (_("room"), _("asked for"), _("margin between benches"), _("verdict"))
+    names = (_("room"), _("asked for"), _("between benches side by side, at least"), _("verdict"))
     return Table("room", _("room for people"), names, (1.2, 3.0, 1.4, 0.8), rows)
+
+
+def _asked(level: RoomLevel) -> str:
+    """What a level asks for and where that comes from."""
+    text = _("{what} {value} m ({source})")
+    return _("; ").join(
+        text.format(
+            what=_(PEOPLE[one.key]), value=f"{one.value:g}", source=one.source or _("assumption")
+        )
+        for one in level.asked
+    )
+
+
+def _between(level: RoomLevel) -> float:
+    """What a level leaves between the sides of two benches, m: the room for people of both within."""
+    beside = sum(one.value for one in level.asked if one.key == "beside")
+    return round(level.margin + 2.0 * beside, 9)
 
 
 def speed_table(briefing: Briefing) -> Table:
@@ -192,11 +212,15 @@ def post_table(facts: AnnexFacts) -> Table:
     """Where posts are, and what for."""
     clock = facts.briefing.clock
     rows = tuple(
-        (str(n), *place(post.point), _("; ").join(_reason(one, clock) for one in post.reasons))
+        (
+            str(n),
+            place(post.point, facts.briefing.ground),
+            _("; ").join(_reason(one, clock) for one in post.reasons),
+        )
         for n, post in enumerate(facts.posts, start=1)
     )
-    names = (_("post"), "x (m)", "y (m)", _("reason"))
-    return Table("posts", _("posts for marshals"), names, (0.5, 0.8, 0.8, 5.0), rows)
+    names = (_("post"), _("x, y from the peg (m)"), _("reason"))
+    return Table("posts", _("posts for marshals"), names, (0.5, 1.6, 5.0), rows)
 
 
 def chance_table(facts: AnnexFacts) -> Table:

@@ -80,7 +80,7 @@ def bench_sheets(
 
 def _entry(briefing: Briefing, bench: int, phones: bool, marks: str) -> Entry:
     people = tuple(_person(one, phones) for one in briefing.roster.people(bench))
-    text = bench_text(briefing.plan, briefing.benches[bench - 1], briefing.named, briefing.peg)
+    text = bench_text(briefing.plan, briefing.benches[bench - 1], briefing.named, briefing.ground)
     return Entry(bench, briefing.called(bench), people, text, marks)
 
 

@@ -7,7 +7,8 @@ from functools import cached_property
 from benchdragon.analysis.bench_walks import BenchWalk, bench_walks
 from benchdragon.analysis.check import Report
 from benchdragon.analysis.clock import Clock
-from benchdragon.analysis.marks import Marks, Trail, check_peg, own_peg, placed_marks
+from benchdragon.analysis.ground import Ground
+from benchdragon.analysis.marks import Marks, Trail, check_peg, placed_marks
 from benchdragon.i18n import _
 from benchdragon.model.base_curve import Point
 from benchdragon.plans.people import called
@@ -55,9 +56,9 @@ class Briefing:
         return Clock(self.plan.cues.clock, self.report.start)
 
     @cached_property
-    def peg(self) -> Point:
-        """The peg on the ground from which all papers measure, m of the plan."""
-        return own_peg(self.plan, self.report.walk.route) if self.told_peg is None else self.told_peg
+    def ground(self) -> Ground:
+        """The peg and the base line from which all papers measure."""
+        return Ground.of(self.plan, self.report.walk.route, self.told_peg)
 
     @cached_property
     def trail(self) -> Trail:
@@ -71,8 +72,7 @@ class Briefing:
             InputError: for marks that are too near or too many.
         """
         apart = self.trail.usual_every if every is None else every
-        north, obstacles = self.plan.survey.north, self.plan.obstacles()
-        return placed_marks(self.trail, apart, self.peg, north=north, obstacles=obstacles)
+        return placed_marks(self.trail, apart, self.ground, obstacles=self.plan.obstacles())
 
     def called(self, bench: int) -> str:
         """What the village calls a bench (number, from 1), in the language in use."""

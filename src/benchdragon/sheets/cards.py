@@ -7,6 +7,7 @@ from typing import Any
 
 from fpdf.enums import MethodReturnValue
 
+from benchdragon.analysis.findings import shown_name
 from benchdragon.export.typeset import Typeset, breakable
 from benchdragon.files import whole_bytes
 from benchdragon.i18n import N_, _, language
@@ -34,6 +35,8 @@ MOST_BENCHES = 3
 MOST_LINES, MOST_NAMES = 2, 24
 # A map is as tall as that, mm, or there is none; type that is still too large shrinks by this share.
 LEAST_MAP, SMALLER = 25.0, 0.9
+# Where names are written by hand.
+BLANK = 22 * "_"
 MORE = N_("And so on: the rest is in the player.")
 
 
@@ -101,6 +104,16 @@ class Block:
     spare: bool = False
 
 
+@dataclass(frozen=True)
+class _Laid:
+    """How a sheet finds room: what stands above and below its map, the share of the type, mm left."""
+
+    head: list[Block]
+    facts: list[Block]
+    share: float
+    tall: float
+
+
 class Cards(Typeset):
     """The benches' sheets of a dance.
 
@@ -127,12 +140,16 @@ class Cards(Typeset):
 
     def write_all(self, sheets: Sequence[Sheet], progress: Progress = silent) -> None:
         """Set all sheets."""
-        frames = len(self._layout.frames)
-        for n, sheet in enumerate(sheets):
+        frames, front = len(self._layout.frames), self._inner(self._layout.frames[0])
+        self.add_page()
+        laid = [self._laid(front, sheet) for sheet in sheets]
+        usual = min((one.tall for one in laid if one.tall >= self._layout.map), default=0.0)
+        for n, (sheet, one) in enumerate(zip(sheets, laid, strict=True)):
             if n % frames == 0:
-                self.add_page()
+                if n:
+                    self.add_page()
                 self._cuts()
-            self._sheet(sheet, n % frames)
+            self._sheet(sheet, one, usual, n % frames)
             progress((n + 1) / len(sheets), "")
 
     def _cuts(self) -> None:
@@ -146,16 +163,12 @@ class Cards(Typeset):
                 self.line(back.x, back.y + CUT, back.x, back.y + back.height - CUT)
             self.set_dash_pattern()
 
-    def _sheet(self, sheet: Sheet, place: int) -> None:
-        layout, backs = self._layout, self._layout.backs
-        front = self._inner(layout.frames[place])
-        facts = [block for entry in sheet.entries for block in _facts(entry, len(sheet.entries))]
-        facts.append(Block(sheet.entries[0].text.times, 0.85))
+    def _sheet(self, sheet: Sheet, laid: _Laid, usual: float, place: int) -> None:
+        """Set a sheet; maps are as tall as usual wherever they can be."""
+        backs = self._layout.backs
+        self._front(self._inner(self._layout.frames[place]), sheet, laid, min(laid.tall, usual))
         if backs:
-            self._front(front, sheet, [])
-            self._back(self._inner(backs[place]), facts)
-        else:
-            self._front(front, sheet, facts)
+            self._back(self._inner(backs[place]), _all_facts(sheet))
 
     def _inner(self, frame: Frame) -> Frame:
         edge = self._layout.edge
@@ -163,16 +176,21 @@ class Cards(Typeset):
             frame.x + edge, frame.y + edge, frame.width - 2.0 * edge, frame.height - 2.0 * edge
         )
 
-    def _front(self, frame: Frame, sheet: Sheet, facts: list[Block]) -> None:
-        """What is seen first: words above and below a map, if they leave room for one."""
+    def _laid(self, frame: Frame, sheet: Sheet) -> _Laid:
+        """How a sheet finds room in a frame: words above and below a map, if there is room for one."""
+        facts = [] if self._layout.backs else _all_facts(sheet)
         head, facts, share = self._fitting(frame, _heads(sheet), facts, self._layout.map)
-        y = self._head(frame, head, share, sheet.entries[0].bench)
-        tall = frame.y + frame.height - FOOT - self._height(frame.width, facts, share) - y
+        words = self._head_height(frame, head, share) + self._height(frame.width, facts, share)
+        return _Laid(head, facts, share, frame.height - FOOT - words)
+
+    def _front(self, frame: Frame, sheet: Sheet, laid: _Laid, tall: float) -> None:
+        """What is seen first."""
+        y = self._head(frame, laid.head, laid.share, sheet.entries[0].bench)
         if tall >= LEAST_MAP:
             area = Frame(frame.x, y, frame.width, tall)
             benches = [entry.bench for entry in sheet.entries]
             self._map.draw(self, area, benches, [entry.called for entry in sheet.entries])
-        self._blocks(frame.x, y + tall, frame.width, facts, share)
+        self._blocks(frame.x, y + tall, frame.width, laid.facts, laid.share)
         self._foot(frame)
 
     def _back(self, frame: Frame, facts: list[Block]) -> None:
@@ -295,9 +313,16 @@ def _head(sheet: Sheet, most: int | None) -> list[Block]:
         head += [
             Block(entry.called, 2.6, bold=True),
             *(Block(person, size, bold=True) for person in people),
+            *([] if people else [Block(_("Names: {blank}").format(blank=BLANK), 1.3)]),
             Block(entry.text.quick, 1.35, bold=True),
         ]
     return head
+
+
+def _all_facts(sheet: Sheet) -> list[Block]:
+    """All else of a sheet."""
+    facts = [block for entry in sheet.entries for block in _facts(entry, len(sheet.entries))]
+    return [*facts, Block(sheet.entries[0].text.times, 0.85)]
 
 
 def _facts(entry: Entry, entries: int) -> list[Block]:
@@ -311,7 +336,7 @@ def _facts(entry: Entry, entries: int) -> list[Block]:
         *([Block(entry.marks)] if entry.marks else []),
         *(Block(line, spare=bool(entry.marks)) for line in text.place),
         *(Block(line, spare=True) for line in text.stretches),
-        Block(text.paces, 0.85, spare=True),
+        *(Block(line, 0.85, spare=True) for line in text.paces),
     ]
 
 
@@ -329,7 +354,8 @@ def write_benches(
     """Write the benches' sheets of a dance."""
     most = MOST_BENCHES if options.paper == "a4" and not options.night else 1
     sheets = bench_sheets(briefing, options.by, options.phones, most, options.chalk.every)
-    cards = Cards(briefing, options.paper, options.night, repr(sheets))
+    names = [shown_name(one) for one in briefing.plan.obstacles()]
+    cards = Cards(briefing, options.paper, options.night, repr((sheets, names)))
     cards.write_all(sheets, progress)
     with whole_bytes(path) as made:
         made.write(bytes(cards.output()))

@@ -1,13 +1,14 @@
 """The chalk plan: marks on the ground, drawn to scale, tiled for small printers, and listed."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
 from shapely.geometry import LineString, Point, Polygon
 
+from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.marks import (
     ANGLE_STEP,
     LENGTH_STEP,
@@ -25,12 +26,13 @@ from benchdragon.figures.scale import PAPERS, Sheet
 from benchdragon.figures.style import write_picture
 from benchdragon.files import whole_bytes
 from benchdragon.i18n import _, language
+from benchdragon.model.obstacle import Obstacle
 from benchdragon.sheets.briefing import Briefing
 from benchdragon.sheets.options import ChalkOptions
 
+# Assumed of two people with a tape: minutes that a mark takes.
+MINUTES = 2.0
 FILES = ("chalk.pdf", "chalk-drawing.pdf", "chalk-tiles.pdf", "chalk.xlsx")
-# The ways x and y point, and against them.
-QUARTERS = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))
 # A cell of the list.
 Cell = str | int | float
 # Columns of the list: angles, and how wide they are beside one another in print.
@@ -85,8 +87,10 @@ def write_chalk(briefing: Briefing, folder: Path, options: ChalkOptions) -> list
 def _columns(marks: Marks) -> tuple[str, ...]:
     """Headings of the list."""
     angle = _("bearing from north (°)") if marks.north else _("angle from the x axis (°)")
+    x, y, *_against = marks.ground.way_names
     return (
-        _("mark"), _("along the route (m)"), _("x from the peg (m)"), _("y from the peg (m)"),
+        _("mark"), _("along the route (m)"), _("x from the peg, {way} (m)").format(way=x),
+        _("y from the peg, {way} (m)").format(way=y),
         _("from the peg (m)"), angle, _("measured from"), _("from there (m)"), _("side"),
         _("from the mark before (m)"), _("what"),
     )  # fmt: skip
@@ -142,6 +146,15 @@ def _about(drawing: ChalkDrawing, sheet: Sheet) -> Iterator[Paragraph]:
         way=f"{drawing.trail.high - drawing.trail.low:.2f}", scale=f"{sheet.scale:g}",
         foot=drawing.foot,
     )  # fmt: skip
+    yield say(
+        _(
+            "Two people who need {minutes} minutes a mark, which is an assumption, take about {hours} "
+            "hours. Time the first ten: all of them take {times} times as long. With --every {twice} "
+            "the marks are half as many."
+        ),
+        minutes=f"{MINUTES:g}", hours=f"{math.ceil(len(marks) * MINUTES / 60.0)}",
+        times=f"{math.ceil(len(marks) / 10)}", twice=f"{2.0 * drawing.every:g}",
+    )  # fmt: skip
     sides = sorted((sheet.width, sheet.height))
     paper = next(name for name, size in PAPERS.items() if sorted(size) == sides)
     if paper != "A4":
@@ -158,48 +171,51 @@ def _about(drawing: ChalkDrawing, sheet: Sheet) -> Iterator[Paragraph]:
 def _ground(drawing: ChalkDrawing) -> Iterator[Paragraph]:
     """Where the peg stands, and which way the axes point on the ground."""
     marks = drawing.marks
-    x, y = marks.peg
-    yield say(_("The peg stands at x = {x} m, y = {y} m of the plan."), x=f"{x:.3f}", y=f"{y:.3f}")
+    yield Paragraph((marks.ground.legend,))
     if marks.north:
         yield say(
             _("The plan's survey says where north is: along y. Bearings run clockwise from north.")
         )
     else:
-        yield say(
-            _("The plan does not say where north is. Angles run counter-clockwise from the x axis.")
-        )
+        yield say(_("Angles run counter-clockwise from the x axis."))
+    if drawing.obstacles and not marks.north and not marks.ground.venue:
         yield say(
             _(
-                "On the drawing x points right and y points up. The drawing shows what stands on the "
-                "ground: lay it so that both agree, and x and y point on the ground as they do on it."
+                "The drawing shows what stands on the ground: lay it so that both agree, and x and y "
+                "point on the ground as they do on it."
             )
-            if drawing.obstacles
-            else _("You choose on the ground which way x points.")
         )
-    edges = edge_lengths(drawing)
+    elif not drawing.obstacles and not marks.north:
+        yield say(_("You choose on the ground which way x points."))
+    yield from peg_lines(marks.ground, drawing.obstacles)
+
+
+def peg_lines(ground: Ground, obstacles: Sequence[Obstacle]) -> Iterator[Paragraph]:
+    """How far the peg is from the venue's edge, if it stands within one."""
+    edges = edge_lengths(ground, obstacles)
     if edges is not None:
         text = _(
             "From the peg to the venue's edge it is {first} m {a}, {second} m {b}, {third} m {c}, "
             "{fourth} m {d}. Find the peg's place by these lengths, and the directions with it."
         )
         first, second, third, fourth = (f"{rounded(one, LENGTH_STEP):.3f}" for one in edges)
-        a, b, c, d = _names(marks)
+        a, b, c, d = ground.way_names
         yield say(text, first=first, second=second, third=third, fourth=fourth, a=a, b=b, c=c, d=d)
 
 
-def edge_lengths(drawing: ChalkDrawing) -> list[float] | None:
-    """From the peg to the venue's edge in the directions of QUARTERS, m.
+def edge_lengths(ground: Ground, obstacles: Sequence[Obstacle]) -> list[float] | None:
+    """From the peg to the venue's edge the ways x and y point and against them, m.
 
-    None if the plan has no venue, or the peg stands outside it.
+    None if there is no venue, or the peg stands outside it.
     """
-    venue = next((one for one in drawing.obstacles if one.kind == "venue"), None)
-    peg = Point(drawing.marks.peg)
+    venue = next((one for one in obstacles if one.kind == "venue"), None)
+    peg = Point(ground.peg)
     if venue is None or not Polygon(venue.outline).contains(peg):
         return None
-    edge, start = Polygon(venue.outline).exterior, np.array(drawing.marks.peg)
+    edge, start = Polygon(venue.outline).exterior, np.array(ground.peg)
     # Longer than any way to the edge.
     far = edge.length
-    rays = (LineString([start, start + far * np.array(quarter)]) for quarter in QUARTERS)
+    rays = (LineString([start, start + far * way]) for way in ground.ways)
     return [float(peg.distance(ray.intersection(edge))) for ray in rays]
 
 
@@ -228,18 +244,11 @@ def _steps(marks: Marks) -> Iterator[Paragraph]:
         yield say(text, reach=reach, across=across, first=direction[0], second=direction[1])
 
 
-def _names(marks: Marks) -> tuple[str, str, str, str]:
-    """The directions of QUARTERS in words."""
-    if marks.north:
-        return _("due east"), _("due north"), _("due west"), _("due south")
-    return _("the way x points"), _("the way y points"), _("against x"), _("against y")
-
-
 def _directions(marks: Marks) -> list[str]:
     """Where base points are from the peg, in words."""
-    named = dict(zip(QUARTERS, _names(marks), strict=True))
-    arms = ((marks.bases - marks.peg) / marks.reach).round().tolist()
-    return [named[x + 0.0, y + 0.0] for x, y in arms]
+    names = marks.ground.way_names
+    ways = ((marks.bases - marks.peg) / marks.reach) @ marks.ground.ways.T
+    return [names[n] for n in np.argmax(ways, axis=1)]
 
 
 def _exactness(marks: Marks) -> Iterator[Paragraph]:

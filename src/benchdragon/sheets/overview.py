@@ -4,14 +4,17 @@ from collections.abc import Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from benchdragon.analysis.bench_walks import BenchWalk
 from benchdragon.analysis.check import sentence
-from benchdragon.explain.bench_walk import bench_text, tightest_line
+from benchdragon.analysis.findings import shown_name
+from benchdragon.explain.bench_walk import BenchText, bench_text, tightest_line
 from benchdragon.explain.room import level_line
 from benchdragon.export.document import Block, Document, Heading, Paragraph, Picture, Table, say
 from benchdragon.export.pages import write_pdf
 from benchdragon.export.typeset import Typeset
 from benchdragon.files import whole_bytes
 from benchdragon.i18n import _, language
+from benchdragon.rosters.roster import Person
 from benchdragon.sheets.briefing import Briefing
 from benchdragon.sheets.small_map import Frame, SmallMap
 
@@ -19,12 +22,17 @@ from benchdragon.sheets.small_map import Frame, SmallMap
 MOST_SIGNS = 500
 # Tightest moments that are listed, of different benches.
 MOST_TIGHT = 3
-# Size of the map, mm.
+# The column of what a bench does.
+WHAT = 3
+# Size of the map at most, mm.
 MAP = Frame(0.0, 0.0, 178.0, 150.0)
 
 
-def overview(briefing: Briefing, phones: bool) -> Document:
-    """The overview as a document, whose map is a picture called "map"."""
+def overview(briefing: Briefing, phones: bool, every: float | None = None) -> Document:
+    """The overview as a document, whose map is a picture called "map".
+
+    Marks of the chalk plan are `every` m apart; None for as far as usual.
+    """
     benches = len(briefing.benches)
     blocks: list[Block] = [
         Heading(_("Verdict"), "verdict"),
@@ -36,13 +44,14 @@ def overview(briefing: Briefing, phones: bool) -> Document:
         ),
         *_numbering(briefing),
         *_tightest(briefing),
+        *_coming(briefing, every),
         *_room(briefing),
         *_notes(briefing),
-        Heading(_("Where each bench starts"), "starts"),
-        Paragraph((_("Figure 1 is the map."),)),
+        Heading(_("Where each bench starts"), "starts", room=_map_frame(briefing).height),
+        Paragraph((briefing.ground.legend,)),
         Picture("map", _("The square, the route, and where the front handle of each bench starts")),
         Heading(_("Benches"), "benches"),
-        _table(briefing, phones),
+        *_benches(briefing, phones),
     ]  # fmt: skip
     title = briefing.plan.title(language()) or _("Overview")
     return Document(title, language(), briefing.checked_on, tuple(blocks), briefing.foot)
@@ -62,6 +71,27 @@ def _tightest(briefing: Briefing) -> list[Block]:
             )
             lines.append(Paragraph((said,)))
     return [Heading(_("Tightest moments"), "tightest"), *lines] if lines else []
+
+
+def _coming(briefing: Briefing, every: float | None) -> list[Block]:
+    """From which mark of the chalk plan to come in, and how to leave."""
+    kinds = briefing.marks(every).kinds
+    coming = _(
+        "To line up, the head comes in at mark {first} of the chalk plan and walks slowly along the "
+        "line to mark {start}; the others follow. Then each bench stands where its sheet says. The "
+        "check says nothing of this walk, nor of leaving."
+    )
+    leaving = _("At the end the head stands at mark {last}, and goes on from there.")
+    if briefing.plan.route.kind == "spiral-in":
+        leaving = _(
+            "At the end the head stands inside, at mark {last}: pull the pins from the tail on, and "
+            "walk out bench by bench."
+        )
+    return [
+        Heading(_("Coming and leaving"), "coming"),
+        say(coming, first=1, start=kinds.index("start") + 1),
+        say(leaving, last=len(kinds)),
+    ]
 
 
 def _room(briefing: Briefing) -> list[Block]:
@@ -87,45 +117,74 @@ def _notes(briefing: Briefing) -> list[Block]:
     return [Heading(_("Notes on the list of names"), "notes"), *said]
 
 
-def _table(briefing: Briefing, phones: bool) -> Table:
-    """A row for each bench."""
+def _benches(briefing: Briefing, phones: bool) -> Iterator[Block]:
+    """A row for each bench; what all of them do alike is said once above."""
+    texts = [
+        bench_text(briefing.plan, found, briefing.called, briefing.ground) for found in briefing.benches
+    ]
+    alike = len(texts) > 1 and len({text.quick for text in texts}) == 1
+    if alike:
+        yield say(_("All benches: {what}"), what=texts[0].quick)
     columns = (
         _("bench"), _("people"), _("starts from the peg: x, y (m)"), _("what it does"), _("tightest"),
     )  # fmt: skip
-    rows = tuple(row for n in range(len(briefing.benches)) for row in _rows(briefing, n + 1, phones))
-    caption = _("All benches: who carries them, where they start, what they do")
-    return Table("all", caption, columns, (12.0, 26.0, 14.0, 30.0, 34.0), rows)
-
-
-def _rows(briefing: Briefing, bench: int, phones: bool) -> Iterator[tuple[str, ...]]:
-    """The row of a bench, and more below it where its people are too many for one."""
-    found = briefing.benches[bench - 1]
-    text = bench_text(briefing.plan, found, briefing.called, briefing.peg)
-    people = [
-        f"{one.name} {one.phone}" if phones and one.phone else one.name
-        for one in briefing.roster.people(bench)
+    widths = (12.0, 26.0, 14.0, 30.0, 34.0)
+    rows = [
+        row
+        for found, text in zip(briefing.benches, texts, strict=True)
+        for row in _rows(briefing, found, text, phones)
     ]
-    x, y = found.place_from(briefing.peg)
+    kept = [n for n in range(len(columns)) if not (alike and n == WHAT)]
+    yield Table(
+        "all",
+        _("All benches: who carries them, where they start, what they do"),
+        tuple(columns[n] for n in kept),
+        tuple(widths[n] for n in kept),
+        tuple(tuple(row[n] for n in kept) for row in rows),
+    )
+
+
+def _rows(
+    briefing: Briefing, found: BenchWalk, text: BenchText, phones: bool
+) -> Iterator[tuple[str, ...]]:
+    """The row of a bench, and more below it where its people are too many for one."""
+    people = [_told(one, phones) for one in briefing.roster.people(found.bench)] or [_("(nobody)")]
+    x, y = briefing.ground.seen([found.place])[0].tolist()
     told = f"{x:z.2f}, {y:z.2f}", text.quick, text.tightest
-    size = max(1, MOST_SIGNS // max(map(len, people), default=1))
-    yield briefing.called(bench), _(", ").join(people[:size]), *told
+    size = max(1, MOST_SIGNS // max(map(len, people)))
+    yield briefing.called(found.bench), _(", ").join(people[:size]), *told
     for n in range(size, len(people), size):
-        yield briefing.called(bench), _(", ").join(people[n : n + size]), "", "", ""
+        yield briefing.called(found.bench), _(", ").join(people[n : n + size]), "", "", ""
+
+
+def _told(person: Person, phones: bool) -> str:
+    """A person as the leader reads of them: phones if asked for, and what the list remarks."""
+    name = f"{person.name} {person.phone}" if phones and person.phone else person.name
+    if not person.remarks:
+        return name
+    return _("{name} ({remarks})").format(name=name, remarks=person.remarks)
+
+
+def _map_frame(briefing: Briefing) -> Frame:
+    """The map's frame on a page of its size."""
+    return SmallMap(briefing).as_tall_as_needed(MAP)
 
 
 def _write_map(path: Path, briefing: Briefing) -> None:
     """The map as a page of its size."""
-    pdf = Typeset(briefing.checked_on)
+    names = [shown_name(one) for one in briefing.plan.obstacles()]
+    pdf = Typeset(briefing.checked_on, repr(names))
     pdf.set_auto_page_break(False)
     pdf.c_margin = 0.0
-    pdf.add_page(format=(MAP.width, MAP.height))
-    SmallMap(briefing).draw_starts(pdf, MAP)
+    frame = _map_frame(briefing)
+    pdf.add_page(format=(frame.width, frame.height))
+    SmallMap(briefing).draw_starts(pdf, frame)
     with whole_bytes(path) as made:
         made.write(bytes(pdf.output()))
 
 
-def write_overview(path: Path, briefing: Briefing, phones: bool) -> None:
+def write_overview(path: Path, briefing: Briefing, phones: bool, every: float | None = None) -> None:
     """Write the overview as a PDF."""
     with TemporaryDirectory() as folder:
         _write_map(Path(folder) / "map.pdf", briefing)
-        write_pdf(path, overview(briefing, phones), Path(folder))
+        write_pdf(path, overview(briefing, phones, every), Path(folder))

@@ -9,6 +9,8 @@ import numpy as np
 from fpdf import FPDF
 from shapely.geometry import LineString
 
+from benchdragon.analysis.findings import shown_name
+from benchdragon.export.typeset import BREAK, breakable
 from benchdragon.figures.scale import corners_of
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
@@ -22,7 +24,11 @@ THIN, EDGE, BOLD, MARK = 0.15, 0.35, 0.9, 1.5
 # Width of maps, mm, on which they are as wide as that.
 LARGE = 120.0
 # Room for the legend below, the arrow in the corner, and around all, mm.
-LEGEND, ARROW, AROUND = 5.0, 8.0, 2.5
+LEGEND, ARROW, AROUND = 6.5, 12.0, 2.5
+# Size of type of names, points; of an obstacle's name so many signs at most; a cross's arm, mm.
+NAMES, MOST_SIGNS, CROSS = 7.0, 16, 1.4
+# A map beside whose arrow it stands is as tall as that, mm.
+LEAST = 25.0
 # Every so manyth bench is numbered, where numbers are so far apart, mm.
 NUMBERED, NUMBER_ROOM = (1, 2, 5, 10, 20, 50, 100, 200, 500), 5.0
 GREY, STONE = (150, 150, 150), (205, 205, 205)
@@ -60,7 +66,7 @@ class SmallMap:
     def __init__(self, briefing: Briefing) -> None:
         report = briefing.report
         self._obstacles = report.plan.obstacles()
-        self._north = report.plan.survey.north
+        self._ground = briefing.ground
         self._walk = report.walk
         self._called = briefing.called
         self._counted = report.plan.people.count_head
@@ -78,7 +84,8 @@ class SmallMap:
     @cached_property
     def bounds(self) -> tuple[FloatArray, FloatArray]:
         """The lower left and the upper right corner of all that is shown, m."""
-        points = np.concatenate([self._way[1], *map(corners_of, self._obstacles)])
+        peg = np.array([self._ground.peg])
+        points = np.concatenate([self._way[1], peg, *map(corners_of, self._obstacles)])
         return points.min(axis=0), points.max(axis=0)
 
     def draw(self, pdf: FPDF, frame: Frame, benches: Sequence[int], names: Sequence[str]) -> None:
@@ -90,10 +97,9 @@ class SmallMap:
                 pdf.set_draw_color(*TRACKS[n % len(TRACKS)])
                 pdf.set_fill_color(*TRACKS[n % len(TRACKS)])
                 self._track(pdf, place, bench, names[n] if len(benches) > 1 else "")
-            pdf.set_draw_color(0)
-            pdf.set_fill_color(0)
+            self._names(pdf, place)
             self._arrow(pdf, frame)
-        self._legend(pdf, frame)
+        self._legend(pdf, frame, moves=any(self._last[n - 1] > self._first[n - 1] for n in benches))
 
     def draw_starts(self, pdf: FPDF, frame: Frame) -> None:
         """Draw into a frame, with a dot where each bench starts, and as many numbers as find room."""
@@ -104,8 +110,7 @@ class SmallMap:
             pdf.set_fill_color(*TRACKS[0])
             for x, y in dots:
                 pdf.circle(x, y, 0.6, style="F")
-            pdf.set_draw_color(0)
-            pdf.set_fill_color(0)
+            self._names(pdf, place)
             self._arrow(pdf, frame)
         apart = place.scale * float(np.abs(np.diff(self._first)).min(initial=1e3))
         each = next((n for n in NUMBERED if n * apart >= NUMBER_ROOM), NUMBERED[-1])
@@ -117,6 +122,12 @@ class SmallMap:
             elif number % each == 0:
                 pdf.text(x + 0.9, y - 0.6, str(number))
 
+    def as_tall_as_needed(self, frame: Frame) -> Frame:
+        """The same frame, no taller than its width lets the map be."""
+        wide, tall = np.maximum(self.bounds[1] - self.bounds[0], 1e-3).tolist()
+        needed = (frame.width - ARROW - 2.0 * AROUND) * tall / wide + LEGEND + 2.0 * AROUND
+        return Frame(frame.x, frame.y, frame.width, min(frame.height, max(needed, LEAST)))
+
     def _square(self, pdf: FPDF, place: _Scale) -> None:
         """What all maps show: venue, obstacles, route."""
         for obstacle in self._obstacles:
@@ -124,6 +135,30 @@ class SmallMap:
         pdf.set_draw_color(*GREY)
         pdf.set_line_width(THIN)
         self._line(pdf, place, self._way[1])
+
+    def _names(self, pdf: FPDF, place: _Scale) -> None:
+        """The peg, and what obstacles are called, within the map."""
+        pdf.set_draw_color(0)
+        pdf.set_fill_color(0)
+        pdf.set_font("Noto", "", NAMES)
+        ((x, y),) = place(np.array([self._ground.peg]))
+        pdf.set_line_width(EDGE)
+        _cross(pdf, x, y)
+        self._name(pdf, place, _("peg"), x, y - CROSS - 0.6)
+        for one in self._obstacles:
+            if one.kind != "venue":
+                points = place(one.outline)
+                top = min(v for _u, v in points) - one.radius * place.scale
+                middle = sum(u for u, _v in points) / len(points)
+                self._name(pdf, place, shown_name(one)[:MOST_SIGNS], middle, top - 0.8)
+
+    @staticmethod
+    def _name(pdf: FPDF, place: _Scale, name: str, x: float, y: float) -> None:
+        """A name above a place, moved so that it stays on the map."""
+        said = breakable(name).replace(BREAK, "")
+        wide, frame = pdf.get_string_width(said), place.frame
+        left = min(max(x - 0.5 * wide, frame.x), max(frame.x + frame.width - wide, frame.x))
+        pdf.text(left, max(y, frame.y + 0.35 * NAMES), said)
 
     def _scaled(self, frame: Frame) -> _Scale:
         low, high = self.bounds
@@ -175,19 +210,21 @@ class SmallMap:
         return min(1.0, max(0.6, place.frame.width / LARGE))
 
     def _arrow(self, pdf: FPDF, frame: Frame) -> None:
-        """An arrow to the north, or along y where nobody said where north is."""
+        """An arrow the way y points, and what is there."""
         x, y = frame.x + frame.width - ARROW / 2.0, frame.y + AROUND + 2.0
         pdf.set_line_width(EDGE)
-        pdf.line(x, y + 9.0, x, y + 2.0)
-        _arrow_head(pdf, x, y + 1.0, math.pi / 2.0)
+        heading, middle = 0.5 * math.pi + self._ground.turned, y + 5.0
+        ahead, left = 4.0 * math.cos(heading), 4.0 * math.sin(heading)
+        pdf.line(x - ahead, middle + left, x + 0.75 * ahead, middle - 0.75 * left)
+        _arrow_head(pdf, x + ahead, middle - left, heading)
         pdf.set_font("Noto", "B", 8)
         pdf.set_xy(x - ARROW / 2.0, y + 9.5)
-        pdf.cell(ARROW, 3.5, _("N") if self._north else "y", align="C")
+        pdf.cell(ARROW, 3.5, self._ground.y_word, align="C")
 
     @staticmethod
-    def _legend(pdf: FPDF, frame: Frame) -> None:
-        """What the marks mean."""
-        y = frame.y + frame.height - LEGEND / 2.0
+    def _legend(pdf: FPDF, frame: Frame, *, moves: bool) -> None:
+        """What the marks mean that are there."""
+        y = frame.y + frame.height - LEGEND + 2.0
         pdf.set_font("Noto", "", 7.5)
         pdf.set_fill_color(*TRACKS[0])
         x = frame.x + AROUND + MARK
@@ -195,11 +232,18 @@ class SmallMap:
         pdf.set_xy(x + 2.0, y - 2.0)
         text = _("you start here")
         pdf.cell(pdf.get_string_width(text) + 3.0, 4.0, text)
-        x = pdf.get_x() + 3.0
-        _arrow_head(pdf, x, y, 0.0)
-        pdf.set_xy(x + 3.0, y - 2.0)
-        pdf.cell(0, 4.0, _("you end here"))
+        if moves:
+            x = pdf.get_x() + 3.0
+            _arrow_head(pdf, x, y, 0.0)
+            pdf.set_xy(x + 3.0, y - 2.0)
+            pdf.cell(0, 4.0, _("you end here"))
         pdf.set_fill_color(0)
+
+
+def _cross(pdf: FPDF, x: float, y: float) -> None:
+    """A cross, as the chalk plan marks the peg."""
+    pdf.line(x - CROSS, y, x + CROSS, y)
+    pdf.line(x, y - CROSS, x, y + CROSS)
 
 
 def _arrow_head(pdf: FPDF, x: float, y: float, heading: float, share: float = 1.0) -> None:

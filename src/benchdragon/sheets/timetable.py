@@ -5,9 +5,10 @@ from pathlib import Path
 
 from benchdragon.analysis.beats import Score, score_of
 from benchdragon.analysis.clock import Clock
+from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.stops import stops_of, stops_sentence
 from benchdragon.analysis.timetable import Passing, timetable
-from benchdragon.export.document import Document, Heading, Paragraph, Table
+from benchdragon.export.document import Block, Document, Heading, Paragraph, Table
 from benchdragon.export.pages import write_pdf
 from benchdragon.export.tables import workbook
 from benchdragon.files import whole_bytes
@@ -27,11 +28,11 @@ def passings_of(briefing: Briefing) -> tuple[Passing, ...]:
 
 def columns() -> tuple[str, ...]:
     """What stands above the columns."""
-    return (_("place"), _("way (m)"), _("x, y in the plan (m)"), _("head"), _("tail"))
+    return (_("place"), _("way (m)"), _("x, y from the peg (m)"), _("head"), _("tail"))
 
 
-def cells(row: Passing, clock: Clock) -> tuple[str, ...]:
-    """A row of the table as text."""
+def cells(row: Passing, clock: Clock, ground: Ground) -> tuple[str, ...]:
+    """A row of the table as text, with its place as measured on the ground."""
 
     def at(time: float | None) -> str:
         return "-" if time is None else clock.tell(time)
@@ -39,30 +40,43 @@ def cells(row: Passing, clock: Clock) -> tuple[str, ...]:
     head = at(row.head)
     if row.until is not None and row.head is not None and row.until > row.head:
         head = _("{start} to {end}").format(start=head, end=at(row.until))
-    place = f"{row.point[0]:z.2f}, {row.point[1]:z.2f}"
+    x, y = ground.seen([row.point])[0].tolist()
+    place = f"{x:z.2f}, {y:z.2f}"
     return row.name, f"{row.way:z.2f}", place, head, at(row.tail)
 
 
-def printed_rows(passings: Iterable[Passing], clock: Clock) -> tuple[tuple[str, ...], ...]:
+def printed_rows(
+    passings: Iterable[Passing], clock: Clock, ground: Ground
+) -> tuple[tuple[str, ...], ...]:
     """All rows of the table as text."""
-    return tuple(cells(row, clock) for row in passings)
+    return tuple(cells(row, clock, ground) for row in passings)
 
 
 def timetable_document(briefing: Briefing) -> Document:
     """The timetable as a document of a page or a few."""
     report, plan = briefing.report, briefing.plan
-    rows = printed_rows(passings_of(briefing), briefing.clock)
+    passings = passings_of(briefing)
+    rows = printed_rows(passings, briefing.clock, briefing.ground)
     stops = stops_of(report.walk, report.start, report.end)
     score = score_of(plan, report.start, report.end)
     title = plan.title(language()) or _("Timetable")
-    blocks = (
+    blocks: tuple[Block, ...] = (
         Heading(_("Timetable"), "timetable"),
         Paragraph((briefing.clock.legend,)),
         Paragraph((stops_sentence(stops, briefing.clock),)),
         Paragraph((_("Drum: {tempo}.").format(tempo=tempo_text(plan, score)),)),
+        Paragraph((briefing.ground.legend,)),
+        *dash_line(passings),
         Table("timetable", _("When head and tail pass"), columns(), WIDTHS, rows, numbers=True),
     )
     return Document(title, language(), briefing.checked_on, blocks, briefing.foot)
+
+
+def dash_line(passings: Iterable[Passing]) -> list[Paragraph]:
+    """What a dash in the columns of times means, where there is one."""
+    if all(row.head is not None and row.tail is not None for row in passings):
+        return []
+    return [Paragraph((_("-: the head, or the tail, does not pass there while the dance lasts."),))]
 
 
 def write_timetable_pdf(path: Path, briefing: Briefing) -> None:
@@ -86,13 +100,15 @@ def write_timetable_xlsx(path: Path, briefing: Briefing) -> None:
         for column, text in enumerate((*columns(), *names)):
             sheet.write_string(0, column, text)
         for n, row in enumerate(passings_of(briefing), start=1):
-            for column, text in enumerate(cells(row, briefing.clock)):
+            for column, text in enumerate(cells(row, briefing.clock, briefing.ground)):
                 sheet.write_string(n, column, text)
             for column, time in enumerate((row.head, row.until, row.tail), start=5):
                 if time is not None:
                     sheet.write_number(n, column, round(time - start, 6))
-        sheet.write_string(n + 2, 0, briefing.clock.legend)
-        sheet.write_string(n + 3, 0, briefing.foot)
+        for k, text in enumerate(
+            (briefing.clock.legend, briefing.ground.legend, briefing.foot), start=2
+        ):
+            sheet.write_string(n + k, 0, text)
 
 
 def tempo_text(plan: Plan, score: Score) -> str:

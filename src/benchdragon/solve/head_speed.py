@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from benchdragon import budget
 from benchdragon.analysis.speed import (
     QUANTITIES,
     RATE_TOLERANCE,
@@ -65,6 +66,7 @@ def _limits_of(plan: Plan) -> dict[str, float]:
     return found
 
 
+@budget.question()
 def greatest_head_speed(
     plan: Plan, *, tolerance: float = TOLERANCE, progress: Progress = silent
 ) -> Answer:
@@ -139,6 +141,7 @@ def _assumed(quantity: Quantity, allowed: float) -> str:
     )
 
 
+@budget.question()
 def slowed(plan: Plan, *, progress: Progress = silent) -> Pace:
     """A pace at the plan's own head speed that slows down only where a limit would be exceeded.
 

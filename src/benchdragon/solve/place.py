@@ -15,6 +15,7 @@ from typing import Any
 import shapely
 from shapely.geometry.base import BaseGeometry
 
+from benchdragon import budget
 from benchdragon.analysis.obstacles import ObstacleAnswers, obstacle_answers
 from benchdragon.analysis.swept import swept_area
 from benchdragon.errors import InputError, of_kind
@@ -61,6 +62,7 @@ class PlacedDance:
         return {**self.room.as_json(), **where, "distances": distances}
 
 
+@budget.question()
 def best_place(plan: Plan, *, progress: Progress = silent) -> PlacedDance:
     """Where on its square a plan's dance fits best: with the most room to edge and obstacles.
 

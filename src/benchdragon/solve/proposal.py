@@ -14,6 +14,7 @@ from typing import Any, Literal
 import numpy as np
 import shapely
 
+from benchdragon import budget
 from benchdragon.analysis.check import Report, check
 from benchdragon.analysis.room import with_people
 from benchdragon.analysis.swept import swept_area
@@ -141,6 +142,7 @@ class _Dance:
     ground: FloatArray
 
 
+@budget.question()
 def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSmall:
     """A dance of the benches on the square that passes `check`, or how much too small the square is.
 
@@ -172,6 +174,18 @@ def propose(wishes: Wishes, *, progress: Progress = silent) -> Proposal | TooSma
     progress(0.9, _("how large a square it takes"))
     smallest = min(tried.smallest, key=lambda dance: _radius(dance.ground))
     return _too_small(wishes, smallest, _fits_under(wishes))
+
+
+def benches_out_again(wishes: Wishes, *, progress: Progress = silent) -> int:
+    """How many benches fit on the square if the dance is to come out again; 0 if none were found to.
+
+    Fewer than are wished: for those a dance that comes out again was not found, or not wanted.
+    """
+    of_kind("wishes", wishes, Wishes)
+    _refuse(wishes)
+    progress(0.0, _("how many benches come out again"))
+    sized = _sized(wishes, "turn")
+    return 0 if sized is None else _fitting(wishes, sized)
 
 
 @dataclass(frozen=True)
@@ -329,7 +343,7 @@ def _pitch(wishes: Wishes, kind: Kind, first: float, disc: float) -> float:
     It is 0 where so few benches walk that every pitch serves.
     """
     try:
-        found = limit(_trial(wishes, kind, first, disc), "pitch")
+        found = limit(_trial(wishes, kind, first, disc), "pitch", tolerance=0.1 * SIZE_STEP)
     except (PlanError, WalkError, UnsureError):
         return math.inf
     if found.status == "unlimited":

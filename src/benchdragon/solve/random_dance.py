@@ -11,6 +11,8 @@ from itertools import pairwise
 
 import numpy as np
 
+from benchdragon import budget
+from benchdragon.analysis.contact_search import SEARCHED
 from benchdragon.errors import BenchDragonError, InputError
 from benchdragon.i18n import _
 from benchdragon.kernels import curve as kernel
@@ -218,6 +220,7 @@ class RandomDance:
         links, aside, sizes = self._leading(part.count)
         partners, benches = PARTNERS, part.count
         while True:
+            budget.hold(8 * search.DEPTH * min(partners * benches, benches * (benches - 1) // 2))
             pairs = min(partners * benches, benches * (benches - 1) // 2)
             first, second = np.empty(pairs, dtype=np.int64), np.empty(pairs, dtype=np.int64)
             room = search.room(benches + 1, benches, pairs, 0)
@@ -226,6 +229,7 @@ class RandomDance:
                 room, goal, self.rows, links, aside, sizes, self._grid(part, STEP),
                 first, second, margin, slack, WIDTH, MOST_EVALUATIONS, found,
             )  # fmt: skip
+            budget.spend(SEARCHED * (benches + 1) * float(found[search.EVALUATIONS]))
             if ending != CROWDED:
                 break
             partners *= 4

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from benchdragon import budget
 from benchdragon.analysis.contact_search import ContactSearch
 from benchdragon.analysis.obstacles import obstacle_answers
 from benchdragon.analysis.proof import (
@@ -20,7 +21,6 @@ from benchdragon.analysis.proof import (
     prove_contact,
     prove_nearer,
     prove_obstacle,
-    require_enclosed,
     require_flint,
 )
 from benchdragon.errors import InputError, UnsureError, not_negative, of_kind
@@ -42,6 +42,7 @@ MOST_COUNT = 10_000
 QUICK_SIZE = 1e-5
 
 
+@budget.question()
 def limit(
     plan: Plan,
     name: str,
@@ -79,7 +80,6 @@ def limit(
     began = clock.perf_counter()
     family = _family(plan, name, margin, tolerance)
     if prove:
-        require_enclosed(family.walk(family.first)[0].route)
         require_flint()
     answer = _limit(family, progress, began)
     return _proved(family, answer, progress, began) if prove and answer.status == "found" else answer
@@ -230,12 +230,13 @@ def feasible_sizes(
         InputError: as `limit`; for an empty range, or a count outside 2..10,000.
     """
     _check_range(low, high, count)
-    search, trials = SizeSearch(_family(plan, name, margin), silent), []
-    for n, size in enumerate(np.linspace(low, high, count).tolist()):
-        progress(n / count, f"{size:.9g} m")
-        trials.append((size, search.trial(size)))
-    undecided = tuple(size for size, result in trials if result == UNDECIDED)
-    return FeasibleSizes(tuple(_spans(search, trials)), (high - low) / (count - 1), undecided)
+    with budget.question(count):
+        search, trials = SizeSearch(_family(plan, name, margin), silent), []
+        for n, size in enumerate(np.linspace(low, high, count).tolist()):
+            progress(n / count, f"{size:.9g} m")
+            trials.append((size, search.trial(size)))
+        undecided = tuple(size for size, result in trials if result == UNDECIDED)
+        return FeasibleSizes(tuple(_spans(search, trials)), (high - low) / (count - 1), undecided)
 
 
 def _check_range(low: float, high: float, count: int) -> None:

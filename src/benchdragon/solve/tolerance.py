@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from benchdragon import budget
 from benchdragon.errors import (
     InputError,
     MachineError,
@@ -188,6 +189,7 @@ def random_dance(plan: Plan, draw: Draw) -> RandomDance:
     return RandomDance(dragon, rows, aside, start, end, open_)
 
 
+@budget.question()
 def least_clearance(plan: Plan, draw: Draw) -> float:
     """The least distance of non-adjacent benches in one dance, m; minus the depth of an overlap.
 
@@ -200,6 +202,7 @@ def least_clearance(plan: Plan, draw: Draw) -> float:
     return random_dance(plan, draw).least()
 
 
+@budget.question()
 def touches(plan: Plan, draw: Draw) -> bool:
     """Whether benches of one dance come nearer than the plan's margin, or one cannot follow.
 
@@ -446,6 +449,7 @@ class Trials:
             return math.nan
 
 
+@budget.question()
 def needed_pitch(plan: Plan, draw: Draw, guess: float) -> float:
     """The pitch, m, next to which a dance stops keeping the plan's margin, sought from a guess.
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
+from benchdragon import budget
 from benchdragon.analysis.contact import least_clearance
 from benchdragon.analysis.obstacles import least_distance
 from benchdragon.analysis.speed import QUANTITIES, greatest_of
@@ -86,6 +87,7 @@ class BestTurn:
         }
 
 
+@budget.question()
 def best_turn(plan: Plan, goal: TurnGoal | None = None, *, progress: Progress = silent) -> BestTurn:
     """The best turn of the plan's family for a wish, under the plan's limits.
 
@@ -266,10 +268,11 @@ def pareto_front(
         for speed in speeds
     ]
     texts = [_("turns for {speed} m/s").format(speed=f"{speed:.3f}") for speed in speeds]
-    sketched = _sketched(judges, part(progress, 0.0, SKETCHED), texts)
-    if not sketched:
-        raise NoSolutionError(_("no turn of this family was found that keeps the limits"))
-    settled = _settled_front(judges, sketched, part(progress, SKETCHED, 1.0), texts)
+    with budget.question(len(speeds)):
+        sketched = _sketched(judges, part(progress, 0.0, SKETCHED), texts)
+        if not sketched:
+            raise NoSolutionError(_("no turn of this family was found that keeps the limits"))
+        settled = _settled_front(judges, sketched, part(progress, SKETCHED, 1.0), texts)
     return list(reversed(settled))
 
 

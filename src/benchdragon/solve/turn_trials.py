@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from benchdragon import budget
 from benchdragon.analysis.speed import QUANTITIES, given_limits, greatest_at
 from benchdragon.errors import InputError, finite, positive
 from benchdragon.i18n import N_, _
@@ -42,6 +43,9 @@ OBJECTIVES = {
     "disc": N_("smallest disc"),
     "acceleration": N_("least peak total acceleration"),
 }
+
+# What a handle of a judged turn costs, in handles placed, and its bytes.
+JUDGED, PLACED = 4, 64
 
 
 @dataclass(frozen=True)
@@ -175,7 +179,10 @@ class TurnEvaluator:
     def _obstacle_room(self, rows: FloatArray) -> float:
         """How much nearer benches near the turn might come to obstacles, m; negative: they may not."""
         first, last = float(rows[1, S_START] - self.few.links.sum()), float(rows[-1, S_START])
-        at = np.linspace(first, last, 2 * math.ceil((last - first) / (2.0 * CLEAR_STEP)))
+        count = 2 * math.ceil((last - first) / (2.0 * CLEAR_STEP))
+        budget.hold(PLACED * count)
+        at = np.linspace(first, last, count)
+        budget.spend(JUDGED * count * sum(len(obstacle.boxes) for obstacle in self.obstacles))
         spans, least, places = at.reshape(-1, 2), math.inf, np.empty((len(at), 4))
         evaluate(rows, at, places)
         for obstacle in self.obstacles:
@@ -210,7 +217,10 @@ class TurnEvaluator:
     def _places(self, rows: FloatArray, dragon: Dragon, step: float) -> step_bounds.Placements | None:
         """The dragon from where its head enters the turn to where its tail has left it."""
         first, last = float(rows[1, S_START]), float(rows[-1, S_START] + dragon.links.sum())
-        at = np.linspace(first, last, math.ceil((last - first) / step) + 1)
+        count = math.ceil((last - first) / step) + 1
+        budget.hold(PLACED * count * (len(dragon) + 1))
+        at = np.linspace(first, last, count)
+        budget.spend(JUDGED * (len(dragon) + 1) * len(at))
         places = step_bounds.empty_placements(len(dragon) + 1, len(at))
         stands = step_bounds.place_chain(rows, dragon.links, at, 0, len(at), places)
         return places if stands else None

@@ -1,9 +1,7 @@
 """A sweep's folder: what it is of, and its rows in Parquet files, each written whole or not at all."""
 
-import errno
 import hashlib
 import json
-import os
 import time as clock
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager
@@ -14,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from benchdragon.errors import InputError, MachineError, reason
-from benchdragon.files import FileRefusedError, whole_file
+from benchdragon.files import LOCK, FileRefusedError, alone, whole_file
 from benchdragon.i18n import N_, _
 from benchdragon.plans.schema import checked
 from benchdragon.plans.toml import PlanError
@@ -23,7 +21,6 @@ from benchdragon.sweeps.rows import arrow, row_schema
 
 # What a sweep is, and its rows; what a part is called by the sweep that it belongs to.
 ABOUT, PART, OF = "sweep.json", "part-{number:08d}.parquet", b"sweep"
-LOCK = ".lock"
 # A part holds the rows of so many seconds, or of so large a share of all the time, and no more than so
 # many: what is lost by kill -9.
 EACH_SECONDS, EACH_SHARE, MOST_ROWS = 5.0, 0.02, 200_000
@@ -199,7 +196,7 @@ def opened(folder: Path, about: Mapping[str, Any]) -> Iterator[None]:
         try:
             folder.mkdir(parents=True, exist_ok=True)
             _check(folder, about)
-            stack.enter_context(_alone(folder))
+            stack.enter_context(alone(folder))
             _check(folder, about)
             _prepare(folder, about)
         except (FileExistsError, NotADirectoryError):
@@ -243,35 +240,3 @@ def write_about(folder: Path, about: Mapping[str, Any]) -> None:
 def _is_leftover(path: Path) -> bool:
     """Whether this is the temporary file of a run that was killed: see `files.whole_file`."""
     return path.name.startswith((f".{ABOUT}.", ".part-"))
-
-
-@contextmanager
-def _alone(folder: Path) -> Iterator[None]:
-    """Keep others out of a folder; the system lets go when this process ends, however it does.
-
-    Raises:
-        FileRefusedError: if somebody else is in.
-    """
-    handle = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT, 0o644)
-    try:
-        if os.name == "nt":
-            import msvcrt
-
-            msvcrt.locking(handle, msvcrt.LK_NBLCK, 1)  # type: ignore[attr-defined, unused-ignore]
-        else:
-            import fcntl
-
-            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError as error:
-        os.close(handle)
-        if error.errno not in (errno.EAGAIN, errno.EACCES):
-            raise
-        raise FileRefusedError(
-            _("another run is writing into {folder}").format(folder=folder)
-        ) from None
-    try:
-        yield
-    finally:
-        if os.name != "nt":  # a worker made by a fork has the file open, too, and would keep the lock
-            fcntl.flock(handle, fcntl.LOCK_UN)
-        os.close(handle)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from benchdragon.analysis.contact import first_contact, least_clearance
 from benchdragon.analysis.speed import greatest_speed
+from benchdragon.budget import OverBudgetError
 from benchdragon.errors import (
     BenchDragonError,
     InputError,
@@ -174,7 +175,7 @@ def outcome(question: Question, plan: Plan, dances: RandomDances) -> Outcome:
         status, message = UNWALKABLE, str(error)
     except NoSolutionError as error:
         status, message = "infeasible", str(error)
-    except UnsureError as error:
+    except (UnsureError, OverBudgetError) as error:
         status, message = "undecided", str(error)
     except MemoryError:
         status, message = LOST, _("memory ran out")

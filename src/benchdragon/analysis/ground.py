@@ -1,0 +1,114 @@
+"""How places are measured on the ground: from a peg, along a base line and to the left of it.
+
+All papers of a dance tell places alike. The base line runs along the venue's longest edge, so that a
+tape laid from edge to edge finds it; where the plan's survey knows north, it runs due east.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+
+from benchdragon.i18n import N_, _
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.base_curve import Point
+from benchdragon.model.curves import Route
+from benchdragon.plans.schema import Plan
+
+# An edge shorter than this share of the way round the venue is one of many of a bent edge, and a base
+# line turned by less than this, rad, is not turned.
+LEAST_EDGE, UNTURNED = 0.15, 1e-9
+# The ways x and y point and against them, by what tells them on the ground.
+NORTH = (N_("due east"), N_("due north"), N_("due west"), N_("due south"))
+VENUE = (N_("to the right"), N_("forward"), N_("to the left"), N_("back"))
+AXES = (N_("the way x points"), N_("the way y points"), N_("against x"), N_("against y"))
+
+
+@dataclass(frozen=True)
+class Ground:
+    """Where papers measure from.
+
+    Attributes:
+        peg: where the peg stands, m of the plan.
+        turned: of the base line, along which x runs, from the plan's x axis, rad.
+        north: whether y points north.
+        venue: whether the base line runs along the venue's edge.
+    """
+
+    peg: Point
+    turned: float = 0.0
+    north: bool = False
+    venue: bool = False
+
+    @classmethod
+    def of(cls, plan: Plan, route: Route, peg: Point | None = None) -> Self:
+        """That of a plan; with the plan's own peg if none is said."""
+        peg = own_peg(plan, route) if peg is None else peg
+        edges = [one for one in plan.obstacles() if one.kind == "venue"]
+        if plan.survey.north:
+            return cls(peg, north=True)
+        return cls(peg, base_angle(edges[0].outline) if edges else 0.0, venue=bool(edges))
+
+    @property
+    def ways(self) -> FloatArray:
+        """Unit vectors of the plan: the ways x and y point, and against them; (4, 2)."""
+        c, s = math.cos(self.turned), math.sin(self.turned)
+        return np.array([(c, s), (-s, c), (-c, -s), (s, -c)])
+
+    @property
+    def way_names(self) -> tuple[str, str, str, str]:
+        """The same in words, in the language in use."""
+        x, y, against_x, against_y = NORTH if self.north else VENUE if self.venue else AXES
+        return _(x), _(y), _(against_x), _(against_y)
+
+    @property
+    def y_name(self) -> str:
+        """What an arrow along y is called."""
+        if self.north:
+            return _("N (y axis)")
+        return _("forward (y)") if self.venue else _("y axis")
+
+    @property
+    def legend(self) -> str:
+        """What x and y are, in a sentence."""
+        if self.north:
+            return _("x and y are measured from the peg: x east, y north.")
+        if self.venue:
+            return _(
+                "x and y are measured from the peg along the venue's edges: x to the right, y forward, "
+                "as one sees it who stands at the near edge and faces the square; to the left and back "
+                "they are negative."
+            )
+        return _("x and y are measured from the peg: on the drawings x to the right, y up.")
+
+    @property
+    def y_word(self) -> str:
+        """The same in a word, for small maps."""
+        return _("N") if self.north else _("forward") if self.venue else "y"
+
+    def seen(self, points: Sequence[Point] | FloatArray) -> FloatArray:
+        """Places of the plan, (n, 2), as measured on the ground: x and y from the peg, m, (n, 2)."""
+        off = np.asarray(points, dtype=float) - np.array(self.peg)
+        found: FloatArray = off @ self.ways[:2].T
+        return found
+
+
+def own_peg(plan: Plan, route: Route) -> Point:
+    """The centre of the route's first spiral, else where the plan puts the route's origin, m."""
+    return route.centre if route.centre != (0.0, 0.0) else plan.route.at or (0.0, 0.0)
+
+
+def base_angle(outline: FloatArray) -> float:
+    """By how much the longest edge of a venue is turned from the nearer axis, rad; within ±π/4.
+
+    0 for a bent edge, which has none that is long.
+    """
+    sides = np.roll(outline, -1, axis=0) - outline
+    lengths = np.hypot(sides[:, 0], sides[:, 1])
+    n = int(np.argmax(np.round(lengths, 9)))
+    if lengths[n] < LEAST_EDGE * lengths.sum():
+        return 0.0
+    turned = math.remainder(math.atan2(sides[n, 1], sides[n, 0]), 0.5 * math.pi)
+    return 0.0 if abs(turned) < UNTURNED else turned

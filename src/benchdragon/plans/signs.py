@@ -1,0 +1,39 @@
+"""Signs of a Chinese input method where a plan file wants plain ones."""
+
+import unicodedata
+
+# What is typed, and what a plan file wants; full-width signs and digits are told by Unicode besides.
+PLAIN = {
+    "“": '"', "”": '"', "„": '"', "‘": "'", "’": "'", "「": '"', "」": '"', "，": ",", "、": ",",
+    "。": ".", "【": "[", "】": "]", "—": "-", "–": "-", "−": "-", "\u3000": " ",
+}  # fmt: skip
+QUOTES = "\"'"
+
+
+def mistyped(line: str) -> tuple[int, str, str] | None:
+    """The first such sign of a line outside its texts and its comment; None if there is none.
+
+    If a text is not closed, the last quotation mark of the other kind in it.
+
+    Returns:
+        Its column, from 1; the sign; what to type instead.
+    """
+    opened = ""
+    last: tuple[int, str, str] | None = None
+    for column, sign in enumerate(line, start=1):
+        plain = PLAIN.get(sign) or _narrow(sign)
+        if opened:
+            last = (column, sign, plain) if plain == opened and sign != opened else last
+            opened = "" if sign == opened else opened
+        elif sign == "#":
+            return None
+        elif sign in QUOTES:
+            opened, last = sign, None
+        elif plain:
+            return column, sign, plain
+    return last if opened else None
+
+
+def _narrow(sign: str) -> str:
+    """The plain form of a full-width sign; "" of any other."""
+    return unicodedata.normalize("NFKC", sign) if "\uff01" <= sign <= "\uff5e" else ""

@@ -1,0 +1,69 @@
+"""How places are measured on the ground: from the peg, along the venue's edges or by the compass."""
+
+import math
+
+import numpy as np
+import pytest
+
+from benchdragon.analysis.ground import Ground, base_angle
+from benchdragon.analysis.marks import Trail, placed_marks
+from benchdragon.i18n import spoken_in
+from benchdragon.model.obstacle import rectangle_outline
+from benchdragon.plans.schema import Plan, read_plan
+
+BENCHES = ["dragon.benches=10", "walk.start=-5", "walk.end=20"]
+
+
+def planned(*settings: str) -> tuple[Plan, Ground]:
+    plan = read_plan("turn", [*BENCHES, *settings])
+    return plan, Ground.of(plan, plan.build().route)
+
+
+@pytest.mark.parametrize(("angle", "turned"), [(0, 0), (30, 30), (-20, -20), (80, -10), (120, 30)])
+def test_the_base_line_runs_along_the_venues_longest_edge(angle: float, turned: float) -> None:
+    outline = rectangle_outline("venue", (3.0, 1.0), (30.0, 20.0), math.radians(angle))
+    assert base_angle(outline) == pytest.approx(math.radians(turned), abs=1e-9)
+
+
+def test_a_bent_edge_and_no_venue_leave_the_axes_of_the_plan() -> None:
+    angles = np.linspace(0.1, 0.1 + math.tau, 25)[:-1]
+    assert base_angle(np.column_stack([np.cos(angles), np.sin(angles)])) == 0.0
+    plan, ground = planned()
+    assert (ground.turned, ground.venue, ground.y_word) == (0.0, False, "y")
+    assert ground.peg == plan.build().route.centre
+
+
+def test_x_and_y_are_lengths_along_the_edges_from_the_peg() -> None:
+    _plan, ground = planned("venue.rectangle=[40, 30]", "venue.angle=30", "route.at=[1, 2]")
+    ahead, aside = np.array([math.cos(0.5236), math.sin(0.5236)]), math.sqrt(0.75)
+    along = np.array([ground.peg]) + 3.0 * ahead
+    assert ground.seen(along)[0] == pytest.approx([3.0, 0.0], abs=1e-4)
+    assert ground.seen([(ground.peg[0], ground.peg[1] + 2.0)])[0] == pytest.approx([1.0, 2.0 * aside])
+    with spoken_in("zh"):
+        assert ground.way_names == ("往右", "往前", "往左", "往后")
+        assert "顺着场地的边线" in ground.legend
+        assert ground.y_word == "往前"
+
+
+def test_north_comes_before_the_venues_edges() -> None:
+    _plan, ground = planned("survey.crs=EPSG:4549", "venue.rectangle=[40, 30]", "venue.angle=30")
+    assert (ground.turned, ground.north, ground.venue) == (0.0, True, False)
+    assert ground.way_names == ("due east", "due north", "due west", "due south")
+    assert "y north" in ground.legend
+
+
+def test_base_points_stand_along_the_edges_and_the_marks_lie_where_their_lengths_meet() -> None:
+    plan, ground = planned("venue.rectangle=[40, 30]", "venue.angle=30")
+    trail = Trail.of(plan.build(), -5.0, 20.0)
+    marks = placed_marks(trail, 1.0, ground, obstacles=plan.obstacles())
+    assert marks.arms == pytest.approx(marks.reach * np.eye(2), abs=1e-9)
+    plain = placed_marks(trail, 1.0, ground.peg, obstacles=plan.obstacles())
+    assert marks.radius == pytest.approx(plain.radius)
+    turned = (marks.angle - plain.angle + 30.0 + 180.0) % 360.0
+    assert turned == pytest.approx(np.full(len(marks), 180.0), abs=1e-6)
+    for n in range(len(marks)):
+        base = marks.bases[marks.base[n]]
+        assert marks.cross[n] == pytest.approx(math.dist(base, marks.points[n]))
+        arm = base - np.array(ground.peg)
+        off = marks.points[n] - np.array(ground.peg)
+        assert marks.on_left[n] == bool(arm[0] * off[1] - arm[1] * off[0] > 0.0)
