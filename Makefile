@@ -2,7 +2,7 @@
 # minute of lint, types, import contracts and a test of each room.
 PYTHON ?= python3
 BIN := .venv/bin
-PAGES := 'src/benchdragon/web/*.js' '!src/benchdragon/web/carried.js' 'src/benchdragon/web/compute/*.js' 'src/benchdragon/web/*.css' \
+PAGES := 'src/benchdragon/web/*.js' '!src/benchdragon/web/carried*.js' 'src/benchdragon/web/compute/*.js' 'src/benchdragon/web/*.css' \
   'tests/engine/*.js' 'tests/engine/*.mjs' 'tests/planner/*.mjs' 'tools/*.mjs'
 NPM := $(shell command -v npm 2>/dev/null)
 # Two dances whose numbers are recorded: the same on every engine.
@@ -16,7 +16,7 @@ MAKEFLAGS += --jobs=2
 # Tests start a hundred processes: those that may keep no bytecode would each compile the package anew.
 export PYTHONDONTWRITEBYTECODE :=
 
-.PHONY: demo test main-test quick lint style mypy pages manual-test docs atlas bench truth wasm wasm-test carried carried-test mutants messages keys types \
+.PHONY: demo test main-test quick lint style mypy pages manual-test numba-test docs atlas bench truth wasm wasm-test carried carried-test mutants hostile messages keys types \
   map lock fonts clean
 
 .venv/installed: requirements.lock pyproject.toml
@@ -43,7 +43,7 @@ demo: .venv/engine
 test: lint pages main-test
 
 main-test: style .venv/engine .venv/kernels-plain .venv/kernels-compiled
-	$(BIN)/python -m pytest -q -n $(WORKERS) --dist loadgroup -m 'not manual' --ignore tests/kernels
+	$(BIN)/python -m pytest -q -n $(WORKERS) --dist loadgroup -m 'not manual and not numba' --ignore tests/kernels
 
 quick: lint .venv/engine
 	$(BIN)/python -m pytest -q @tests/quick.txt
@@ -63,14 +63,20 @@ pages: $(if $(NPM),node_modules/installed)
 	$(if $(NPM),node_modules/.bin/prettier --check --log-level warn $(PAGES))
 
 # The kernels' own tests run once for each state of kernels and tests: as plain Python, each line of which
-# can be counted, then compiled by numba.
+# can be counted, then from the library.
 .venv/kernels-plain: .venv/installed $(KERNELS)
 	BENCHDRAGON_ENGINE=plain $(BIN)/python -m pytest -q -n auto -m 'not compiled' tests/kernels $(RECORDED) --cov --cov-report=term-missing --cov-fail-under=95
 	touch $@
 
 .venv/kernels-compiled: .venv/kernels-plain .venv/engine
-	BENCHDRAGON_ENGINE=jit $(BIN)/python -m pytest -q -n auto tests/kernels $(RECORDED)
+	$(BIN)/python -m pytest -q -n auto tests/kernels $(RECORDED)
 	touch $@
+
+# All kernels compiled by numba one by one, minutes, as where no C compiler is: their own tests, and each
+# entry beside the library's.
+numba-test: .venv/engine
+	BENCHDRAGON_ENGINE=jit $(BIN)/python -m pytest -q -n auto tests/kernels $(RECORDED)
+	$(BIN)/python -m pytest -q -m numba tests/engine
 
 manual-test: .venv/engine
 	$(BIN)/python -m pytest -q -m manual tests/test_docs.py
@@ -121,14 +127,18 @@ wasm-test: .venv/zig
 	$(BIN)/python -m benchdragon.engine --wasm out/wasm
 	cmp out/wasm/engine.wasm src/benchdragon/engine/engine.wasm
 
-# The library that the planner carries, to be committed.
+# The libraries that the planner carries, to be committed.
 carried: node_modules/installed
-	node tools/make_carried.mjs src/benchdragon/web/carried.js
+	node tools/make_carried.mjs src/benchdragon/web
 
-# Whether the committed one is, byte for byte, what is bundled here.
+# Whether the committed ones are, byte for byte, what is bundled here.
 carried-test: node_modules/installed
-	node tools/make_carried.mjs out/carried.js
-	cmp out/carried.js src/benchdragon/web/carried.js
+	node tools/make_carried.mjs out
+	for module in carried.js carried_code.js; do cmp out/$$module src/benchdragon/web/$$module; done
+
+# Strangers' plans, each asked about in a child process, with a tenth of the budget of a question; for the night.
+hostile: .venv/engine
+	$(BIN)/python -m tests.hostile 10000
 
 mutants: .venv/installed
 	$(BIN)/python tools/mutants.py

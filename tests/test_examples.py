@@ -59,6 +59,7 @@ def python_blocks(readme: str) -> list[str]:
 LESS = {
     "benchdragon margins": "--draws 3 --set dragon.benches=60",
     "benchdragon check spiral-in --set disc.radius=4.5": "--set dragon.benches=60",
+    "benchdragon check examples/01_parade.dragon.toml --prove": "--set walk.end=185",
     "benchdragon animate turn": "--fps 4",
 }
 

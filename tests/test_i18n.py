@@ -1,5 +1,4 @@
 import asyncio
-import importlib.util
 import os
 import re
 import subprocess
@@ -23,6 +22,7 @@ from benchdragon.i18n import (
     spoken_in,
     use_language,
 )
+from tests.scripts import script
 
 ROOT = Path(__file__).parent.parent
 CATALOGUE = LOCALE_FOLDER / "zh_CN" / "LC_MESSAGES" / "benchdragon.po"
@@ -46,17 +46,7 @@ COMMAND_LINES = {
 }
 
 
-def load_tool() -> Any:
-    """tools/make_messages.py as a module."""
-    spec = importlib.util.spec_from_file_location("make_messages", ROOT / "tools" / "make_messages.py")
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-TOOL = load_tool()
+TOOL: Any = script("tools/make_messages.py")
 
 
 def catalogue(path: Path = CATALOGUE) -> Catalog:

@@ -1,4 +1,4 @@
-"""`make quick` runs a test of every room; continuous integration the manual, then all the rest."""
+"""`make quick` runs a test of every room; continuous integration manual, numba, then the rest."""
 
 import os
 import re
@@ -32,15 +32,19 @@ def test_every_quick_test_is_there(line: str) -> None:
     assert re.search(rf"^def {re.escape(name)}\(", (ROOT / file).read_text("utf-8"), re.MULTILINE)
 
 
+MADE = ["made manual-test", "made numba-test", "made test"]
+
+
 @pytest.mark.parametrize(
     ("failing", "code"),
     [
         ("nothing", 0),
         ("manual-test", 1),
+        ("numba-test", 1),
         ("test", 1),
     ],
 )
-def test_integration_ends_with_the_tests_and_fails_where_the_manual_does(
+def test_integration_ends_with_the_tests_and_fails_where_others_do(
     tmp_path: Path, failing: str, code: int
 ) -> None:
     # With these before all others nothing is missed on this machine, and nothing installed.
@@ -53,4 +57,4 @@ def test_integration_ends_with_the_tests_and_fails_where_the_manual_does(
         [ROOT / ".ci" / "run"], capture_output=True, text=True, check=False,
         env={"PATH": f"{tmp_path}{os.pathsep}{os.environ['PATH']}", "FAILING": failing},
     )  # fmt: skip
-    assert (done.stdout.splitlines(), done.returncode) == (["made manual-test", "made test"], code)
+    assert (done.stdout.splitlines(), done.returncode) == (MADE, code)
