@@ -1,6 +1,5 @@
 """Direct manipulation in the planner: grips on the picture, marked tracks, fingers, the time span."""
 
-import base64
 import json
 import math
 import re
@@ -32,22 +31,15 @@ SQUARE = {
 TARGET = 44
 
 
-@pytest.fixture(scope="module")
-def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("planner") / "planner.html"
-    path.write_text(planner_page(read_plan("spiral-in", COIL), "en"), "utf-8")
-    return path
-
-
 @pytest.fixture
-def opened(pages: Pages, file: Path) -> Opened:
-    """Opens the planner with a plan, and waits for its dance."""
+def opened(pages: Pages, tmp_path: Path) -> Opened:
+    """Opens a planner of a plan, and waits for its dance."""
 
     def open_page(device: Device = "desktop", more: dict[str, Any] | None = None) -> Page:
-        data = read_plan("spiral-in", COIL).data() | (more or {})
-        text = base64.urlsafe_b64encode(json.dumps(data).encode()).decode().rstrip("=")
-        page = pages.open(f"{file.as_uri()}#lang=en&plan={text}", device)
-        return settled(page)
+        plan = checked(read_plan("spiral-in", COIL).data() | (more or {}), "plan")
+        path = tmp_path / "planner.html"
+        path.write_text(planner_page(plan, "en"), "utf-8")
+        return settled(pages.open(path.as_uri(), device))
 
     return open_page
 
@@ -303,8 +295,3 @@ def test_the_help_says_what_keys_and_fingers_do(opened: Opened) -> None:
     page.get_by_role("button", name="keys").click()
     expect(page.get_by_role("dialog")).to_contain_text("two fingers tap")
     expect(page.get_by_role("dialog")).to_contain_text("drag a grip in the picture")
-
-
-def test_a_plan_that_leaves_sizes_out_has_no_grips_of_them(opened: Opened) -> None:
-    page = opened(more={"route": {"kind": "spiral-in"}})
-    assert page.locator(".grip").evaluate_all("(all) => all.map(({ dataset }) => dataset.grip)") == []
