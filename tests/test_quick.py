@@ -1,4 +1,4 @@
-"""`make quick` runs a test of every room; continuous integration the manual and numba, then the rest."""
+"""`make quick` runs a test of every room; `.ci/run` the manual, numba, and then all others."""
 
 import os
 import re

@@ -33,7 +33,7 @@ FLAGS = [
 ]
 # Milliseconds after which a page is taken to hang: a machine under load, which may have to compile the
 # kernels first, takes far less.
-HANGING = 300_000
+HANGING = 120_000
 LOCALES = {"en": "en-US", "zh": "zh-CN"}
 
 expect.set_options(timeout=HANGING)

@@ -168,7 +168,10 @@ def test_two_fingers_zoom_and_one_pans_and_taps(pages: Pages, turn: Scene) -> No
     assert (before[0] - after[0]) * after[2] == pytest.approx(60.0, abs=25.0)
     assert (after[1] - before[1]) * after[2] == pytest.approx(30.0, abs=15.0)
     look_at(page, 7, 60.0)
-    touch(page, [[on_screen(page, 7)]])
+    for _again in range(5):  # half a second may pass between busy frames, which is a long press
+        touch(page, [[on_screen(page, 7)]])
+        if state(page, "chosen") != -1:
+            break
     assert state(page, "chosen") == 6
 
 
