@@ -111,58 +111,49 @@ def _radius(sizes: Sizes, room: FloatArray) -> FloatArray:
     return result
 
 
-def _lines(one: FloatArray, other: FloatArray) -> FloatArray:
-    """Unit vectors along which pairs of rectangles may be apart, (n, 4, 2): their sides' normals."""
-    found = []
-    for box in (one, other):
-        long = box[:, 0] - box[:, 3]
-        size = np.hypot(long[:, 0], long[:, 1])[:, None]
-        unit = np.where(size > 0.0, long / np.where(size > 0.0, size, 1.0), (1.0, 0.0))
-        found += [unit, np.stack([-unit[:, 1], unit[:, 0]], 1)]
-    return np.stack(found, 1)
-
-
 @dataclass(frozen=True)
 class Gaps:
-    """How pairs of benches are apart, as seen in doubles.
+    """How pairs of benches are apart along lines, as seen in doubles.
 
     Attributes:
-        size: m, (n,): along `line`, a lower bound of the distance.
+        size: m, (n,): a lower bound of the distance.
         line: the unit vector from one towards the other, (n, 2).
-        normal: whose side's normal it is: 0 the first, 1 the second; 2: it leads from corner to corner.
-        axis: which normal of that bench: 0 along it, 1 across.
     """
 
     size: FloatArray
     line: FloatArray
-    normal: IntArray
-    axis: IntArray
 
 
-def gaps(one: FloatArray, other: FloatArray) -> Gaps:
-    """How rectangles, (n, 4, 2) each, are apart."""
-    lines = _lines(one, other)
-    a = np.einsum("nkc,nvc->nkv", lines, one)
-    b = np.einsum("nkc,nvc->nkv", lines, other)
-    ahead, behind = b.min(2) - a.max(2), a.min(2) - b.max(2)
-    size = np.maximum(ahead, behind)
-    best = size.argmax(1)
-    n = np.arange(len(one))
-    sign = np.where(ahead[n, best] >= behind[n, best], 1.0, -1.0)
-    found, line = size[n, best], lines[n, best] * sign[:, None]
-    normal, axis = best // 2, best % 2
-    between = other[:, None, :, :] - one[:, :, None, :]
-    apart = np.hypot(between[..., 0], between[..., 1]).reshape(len(one), 16)
-    nearest = apart.argmin(1)
-    corner = between.reshape(len(one), 16, 2)[n, nearest] / np.maximum(apart.min(1), 1e-300)[:, None]
-    along = np.einsum("nvc,nc->nv", other, corner).min(1) - np.einsum("nvc,nc->nv", one, corner).max(1)
-    better = along > found
-    return Gaps(
-        np.where(better, along, found),
-        np.where(better[:, None], corner, line),
-        np.where(better, 2, normal),
-        np.where(better, 0, axis),
-    )
+# Lines along which two benches are looked at: whose normal (0 the first, 1 the second; 2: from a corner
+# to the nearest of the other), and which (0 along the bench, 1 across). Coils lie side by side: across
+# comes first.
+LINES = ((0, 1), (1, 1), (0, 0), (1, 0), (2, 0))
+
+
+def gaps(one: FloatArray, other: FloatArray, normal: int, axis: int) -> Gaps:
+    """How rectangles, (n, 4, 2) each, are apart along one of LINES."""
+    line = _to_corner(one, other) if normal == 2 else _normal((one, other)[normal], axis)
+    a, b = (np.einsum("nvc,nc->nv", boxes, line) for boxes in (one, other))
+    ahead, behind = b.min(1) - a.max(1), a.min(1) - b.max(1)
+    sign = np.where(ahead >= behind, 1.0, -1.0)
+    return Gaps(np.maximum(ahead, behind), line * sign[:, None])
+
+
+def _normal(boxes: FloatArray, axis: int) -> FloatArray:
+    """Unit vectors along rectangles, or across them, (n, 2)."""
+    long = boxes[:, 0] - boxes[:, 3]
+    size = np.hypot(long[:, 0], long[:, 1])[:, None]
+    unit = np.where(size > 0.0, long / np.where(size > 0.0, size, 1.0), (1.0, 0.0))
+    return unit if axis == 0 else np.stack([-unit[:, 1], unit[:, 0]], 1)
+
+
+def _to_corner(one: FloatArray, other: FloatArray) -> FloatArray:
+    """Unit vectors from a corner to the nearest of the other rectangle, (n, 2)."""
+    between = (other[:, None, :, :] - one[:, :, None, :]).reshape(len(one), 16, 2)
+    apart = np.hypot(between[..., 0], between[..., 1])
+    nearest = between[np.arange(len(one)), apart.argmin(1)]
+    unit: FloatArray = nearest / np.maximum(apart.min(1), 1e-300)[:, None]
+    return unit
 
 
 @dataclass(frozen=True)
@@ -219,8 +210,9 @@ class Line:
 
 def line_between(one: FloatArray, other: FloatArray, ahead: FloatArray) -> Line:
     """The line of two rectangles, (4, 2) each, whose benches point along `ahead`, (2, 2)."""
-    found = gaps(one[None], other[None])
-    normal, axis, line = int(found.normal[0]), int(found.axis[0]), found.line[0]
+    tried = [(gaps(one[None], other[None], *which), *which) for which in LINES]
+    found, normal, axis = max(tried, key=lambda each: float(each[0].size[0]))
+    line = found.line[0]
     x, y = (arb(float(v)) for v in line)
     size = (x * x + y * y).sqrt()
     if normal == 2:

@@ -4,12 +4,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 from flint import arb
 
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.proofs.apart import (
+    LINES,
     Body,
+    IntArray,
     Moving,
     Side,
     Sizes,
@@ -20,6 +21,7 @@ from benchdragon.proofs.apart import (
     near_sides,
     reach,
 )
+from benchdragon.proofs.approach import approach
 from benchdragon.proofs.ball_route import BallRoute
 from benchdragon.proofs.chain import Chain
 from benchdragon.proofs.motion import SLACK, follows, moves, nearest
@@ -86,13 +88,11 @@ def holds(dance: Dance, a: Chain, b: Chain) -> bool:
     boxes = corners(a, dance.sizes), corners(b, dance.sizes)
     if dance.margin is not None:
         pairs = near_pairs(boxes[0], dance.sizes, room, float(dance.margin))
-        i, j = pairs.T
-        ends = [gaps(box[i], box[j]).size for box in boxes]
-        kept = 0.5 * (ends[0] + ends[1] - room[i] - room[j])
-        bodies = [(Moving(int(i)), Moving(int(j))) for i, j in pairs[_unsure(kept, dance.margin)]]
+        doubtful = unsure((a, b), dance.sizes, boxes, boxes, pairs, way, dance.margin)
+        bodies = [(Moving(int(i)), Moving(int(j))) for i, j in doubtful]
         if not _curved(dance, a, b, bodies, dance.margin):
             return False
-    return all(_keeps_off(dance, one, (a, b), boxes, room) for one in dance.standing)
+    return all(_keeps_off(dance, one, (a, b), boxes, way, room) for one in dance.standing)
 
 
 def _keeps_off(
@@ -100,21 +100,35 @@ def _keeps_off(
     standing: Standing,
     chains: tuple[Chain, Chain],
     boxes: tuple[FloatArray, FloatArray],
+    way: FloatArray,
     room: FloatArray,
 ) -> bool:
     """Whether all benches keep off what stands still."""
     pairs = near_sides(boxes[0], standing.boxes, dance.sizes, room, float(standing.margin))
-    i, k = pairs.T
-    ends = [gaps(box[i], standing.boxes[k]).size for box in boxes]
-    kept = 0.5 * (ends[0] + ends[1] - room[i])
-    unsure = pairs[_unsure(kept, standing.margin)]
-    bodies = [(Moving(int(i)), standing.sides[int(k)]) for i, k in unsure]
+    doubtful = unsure(chains, dance.sizes, boxes, 2 * (standing.boxes,), pairs, way, standing.margin)
+    bodies = [(Moving(int(i)), standing.sides[int(k)]) for i, k in doubtful]
     return _curved(dance, *chains, bodies, standing.margin)
 
 
-def _unsure(kept: FloatArray, margin: arb) -> npt.NDArray[np.bool_]:
-    """Which of distances, m, are not surely beyond the margin."""
-    return np.asarray(~(kept > float(margin) + 10.0 * SLACK))
+def unsure(
+    chains: tuple[Chain, Chain],
+    sizes: Sizes,
+    boxes: Sequence[FloatArray],
+    others: Sequence[FloatArray],
+    pairs: IntArray,
+    way: FloatArray,
+    margin: arb,
+) -> IntArray:
+    """Which pairs, of benches or of a bench and what stands, are not surely farther apart."""
+    for which in LINES:
+        i, j = pairs.T
+        first, last = (gaps(one[i], other[j], *which) for one, other in zip(boxes, others, strict=True))
+        nearer = approach(chains, sizes, i, (first.line, last.line), way)
+        if others is boxes:
+            nearer += approach(chains, sizes, j, (-first.line, -last.line), way)
+        kept = 0.5 * (first.size + last.size - nearer)
+        pairs = pairs[~(kept > float(margin) + 10.0 * SLACK)]
+    return pairs
 
 
 def _curved(dance: Dance, a: Chain, b: Chain, pairs: Sequence[tuple[Body, Body]], margin: arb) -> bool:
