@@ -68,6 +68,11 @@ class Plan(Table):
     _source: Source = PrivateAttr(default=Source())
 
     @property
+    def source(self) -> Source:
+        """Where it was read."""
+        return self._source
+
+    @property
     def sha256(self) -> str:
         """Name of everything that the plan says, titles and notes left out.
 

@@ -66,12 +66,14 @@ class Source:
         text: of the file, without which lines have no numbers.
         settings: keys that were set on the command line.
         folder: of the file, in which others that the plan names lie; None: nothing lies beside it.
+        rounded: numbers that the plan holds rounded: as written, and as held.
     """
 
     name: str = field(default="plan", compare=False)
     text: str = field(default="", compare=False, repr=False)
     settings: tuple[str, ...] = field(default=(), compare=False)
     folder: Path | None = field(default=None, compare=False)
+    rounded: Sequence[tuple[str, str]] = field(default=(), compare=False)
 
     def sentences(self, faults: Sequence[Fault]) -> str:
         """What is wrong, a line each, with its place."""

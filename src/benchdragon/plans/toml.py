@@ -15,6 +15,7 @@ from typing import Any
 
 from benchdragon.errors import BenchDragonError, reason
 from benchdragon.i18n import N_, _
+from benchdragon.plans.digits import measured, number, rounded_numbers
 from benchdragon.plans.signs import mistyped
 from benchdragon.plans.source import Source
 
@@ -35,6 +36,7 @@ DEGREES = {"deg": 1.0, "°": 1.0, "rad": 180.0 / math.pi, "turn": 360.0, "turns"
 SPEEDS = {"m/s": 1.0, "km/h": 1.0 / 3.6, "cm/s": 0.01, "米/秒": 1.0}
 ACCELERATIONS = {"m/s^2": 1.0, "m/s²": 1.0, "cm/s^2": 0.01, "cm/s²": 0.01, "米/秒²": 1.0}
 ANGULAR_SPEEDS = {"deg/s": 1.0, "°/s": 1.0, "rad/s": 180.0 / math.pi, "度/秒": 1.0}
+UNITS = METRES | SECONDS | DEGREES | SPEEDS | ACCELERATIONS | ANGULAR_SPEEDS
 # Beyond it no double holds a whole number.
 MOST_BITS = 1023
 # What some editors put before the text; it says nothing.
@@ -87,7 +89,8 @@ def read_toml(source: str, settings: Sequence[str] = ()) -> tuple[dict[str, Any]
     """
     path, text = _path(source), read_text(source)
     data = with_base(parsed(text, source), path.parent, source)
-    return data, Source(source, text, lay_over(data, settings), path.parent)
+    keys = lay_over(data, settings)
+    return data, Source(source, text, keys, path.parent, rounded_numbers(data, QUANTITY, UNITS))
 
 
 def read_text(source: str) -> str:
@@ -385,7 +388,7 @@ def parsed(text: str, source: str) -> dict[str, Any]:
 def _loaded(text: str, source: str) -> dict[str, Any]:
     """TOML, or its own error, or a PlanError for what Python refuses to hold."""
     try:
-        return tomllib.loads(text)
+        return tomllib.loads(text, parse_float=number)
     except RecursionError:
         raise PlanError(_("{source} is nested too deeply").format(source=source)) from None
     except tomllib.TOMLDecodeError:
@@ -491,7 +494,7 @@ def quantity(text: object, units: dict[str, float]) -> object:
         # The sign of the first number is that of the whole: -1 min 30 s is 90 s before.
         if any(number[0] in "+-" for number, _unit in pieces[1:]):
             raise ValueError
-        size = sum(abs(float(number)) * units[unit] for number, unit in pieces)
+        size = sum(measured(number, units[unit]) for number, unit in pieces)
         return -size if pieces[0][0][0] == "-" else size
     except (KeyError, ValueError):
         raise ValueError(

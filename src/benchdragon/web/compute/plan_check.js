@@ -40,6 +40,12 @@ const [TRUTHS, UNTRUTHS] = [
   ["1", "on", "t", "true", "y", "yes"],
   ["0", "off", "f", "false", "n", "no"],
 ];
+// Units that move the point: text with them is as exact as without.
+const POINTS = new Map([
+  [0.01, -2],
+  [0.001, -3],
+  [1000, 3],
+]);
 // Letters of a value that are told.
 const MOST_TOLD = 60;
 
@@ -54,6 +60,18 @@ class Unwanted extends Error {
     this.came = came;
     this.step = step;
   }
+}
+
+/**
+ * The size of a number in a unit that is worth so much: the nearest double where that is a decimal.
+ * @param {string} number
+ * @param {number} worth
+ */
+function measured(number, worth) {
+  const point = POINTS.get(worth);
+  if (point === undefined) return Math.abs(Number(number)) * worth;
+  const [digits, power] = number.toLowerCase().split("e");
+  return Math.abs(Number(`${digits}e${Number(power ?? 0) + point}`));
 }
 
 /**
@@ -89,10 +107,7 @@ export function quantity(text, units) {
         text: pythonRepr(text),
       }),
     );
-  const size = pieces.reduce(
-    (sum, { number, unit }) => sum + Math.abs(Number(number)) * units[unit],
-    0,
-  );
+  const size = pieces.reduce((sum, { number, unit }) => sum + measured(number, units[unit]), 0);
   return pieces[0].number[0] === "-" ? -size : size;
 }
 
