@@ -5,6 +5,7 @@ import os
 import re
 from collections.abc import Callable
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +16,8 @@ pytest.importorskip("flint")
 from benchdragon.analysis import certificate, proof
 from benchdragon.analysis.certificate import certificate_of, read_certificate, verify
 from benchdragon.analysis.check import check
-from benchdragon.analysis.proof import prove_contact
+from benchdragon.analysis.contact import least_clearance
+from benchdragon.analysis.proof import Claim, prove_clearance, prove_contact
 from benchdragon.errors import BenchDragonError, InputError, MissingExtraError, UnsureError, WalkError
 from benchdragon.plans.schema import checked
 from benchdragon.plans.toml import PlanError
@@ -79,7 +81,7 @@ def test_a_coils_contact_is_verified_with_the_plan_alone(
     shown: Shown, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     report = check(coil(0.44, dragon__benches=19, walk__start=25.9), prove=True)
-    what = json.loads(certificate_of(report).model_dump_json())
+    what = json.loads(certificate_of(report.plan, report.claims).model_dump_json())
     for search in ("contact_windows", "touching"):
         monkeypatch.delattr(f"benchdragon.analysis.proof.{search}")
     (told,) = shown(what)
@@ -96,7 +98,7 @@ def test_times_are_told_as_they_were_shown(shown: Shown) -> None:
 
 def test_what_was_not_proved_gives_no_certificate() -> None:
     with pytest.raises(InputError, match="nothing was proved"):
-        certificate_of(check(bend()))
+        certificate_of(bend(), check(bend()).claims)
 
 
 @pytest.mark.parametrize(("claim", "name"), [(BENCHES, "benches"), (POST, "post")])
@@ -261,7 +263,7 @@ def test_benches_of_a_contact_may_stand_in_either_order(shown: Shown) -> None:
 def test_fewer_cells_show_a_shorter_time_and_say_so(shown: Shown) -> None:
     what = written()
     claim = what["claims"][BENCHES]
-    claim["cells"], claim["clear"] = claim["cells"][:5], claim["cells"][4]
+    claim["cells"], claim["clear"] = claim["cells"][:5], round(claim["cells"][4] - 5e-5, 4)
     lines = shown(what)
     assert lines[0].endswith(f"from t = 10.0 s to t = {claim['clear']!r} s")
     rest = f"not in the certificate: benches from t = {claim['clear']!r} s to t = 18.0 s"
@@ -377,7 +379,7 @@ def test_a_contact_at_the_start_shows_no_time_before(shown: Shown) -> None:
 
 def test_a_walk_that_stands_is_shown_too() -> None:
     standing = bend().with_value("walk.end", 10.0)
-    told = verify(certificate_of(check(standing, prove=True)))
+    told = verify(certificate_of(standing, check(standing, prove=True).claims))
     assert [text.split(" from ")[1] for text in told] == ["t = 10.0 s to t = 10.0 s"] * 2
 
 
@@ -393,6 +395,90 @@ def test_a_search_that_overlooks_a_contact_of_a_standing_dragon_is_not_believed(
 
 def test_a_report_keeps_its_claims_as_they_are_written() -> None:
     report = check(bend(margin=TOO_MUCH), prove=True)
-    found = certificate_of(report)
-    assert found.model_dump() == certificate_of(replace(report)).model_dump()
+    found = certificate_of(report.plan, report.claims)
     assert json.loads(found.model_dump_json()) == written(margin=TOO_MUCH)
+
+
+def test_a_number_with_more_digits_than_are_shown_is_refused(tmp_path: Path) -> None:
+    path, text = tmp_path / "certificate.json", json.dumps(written())
+    for old, new in (
+        ('"width": 0.2', '"width": 0.2000000000000000001'),
+        ("18.0", "18.0000000000000001"),
+    ):
+        assert old in text
+        path.write_text(text.replace(old, new, 1), "utf-8")
+        with pytest.raises(InputError, match=r"certificate says \d+\.0*2?0+1, of which .* alone"):
+            read_certificate(path)
+
+
+@pytest.mark.parametrize("time", [10.1, 10.3])
+def test_times_are_decimals(shown: Shown, time: float) -> None:
+    what = written()
+    claim = what["claims"][BENCHES]
+    claim["cells"], claim["clear"] = (
+        [10.0 + 0.02 * n for n in range(20) if n < 50 * (time - 10.0)],
+        time,
+    )
+    claim["cells"].append(time)
+    if Fraction(time) > Fraction(repr(time)):  # the cells are doubles: this one ends behind the time
+        shown(what)
+    else:
+        with pytest.raises(UnsureError, match="cells end before"):
+            shown(what)
+
+
+def with_margin(what: Written, claim: int, margin: float) -> Written:
+    """Another certificate, a claim of which has this margin, m."""
+    other: Written = json.loads(json.dumps(what))
+    in_claim("margin", margin, claim)(other)
+    return other
+
+
+def test_a_clearance_is_verified_with_margins_of_its_own(shown: Shown) -> None:
+    plan = bend()
+    walk, (start, end) = plan.build(), (10.0, 18.0)
+    claims: list[Claim] = []
+    found = least_clearance(walk, start, end)
+    answer = prove_clearance(walk, found, start, end, claims=claims, plan=plan)
+    assert answer.status == "proved"
+    assert answer.lower <= found.value <= answer.upper <= answer.lower + 1.1e-6
+    what = json.loads(certificate_of(plan, claims).model_dump_json())
+    clear, near, *left = shown(what)
+    assert clear == (
+        f"proved: no two non-adjacent benches nearer than {answer.lower!r} m from t = 10.0 s to "
+        "t = 18.0 s"
+    )
+    assert near.startswith(f"proved: benches nearer than {answer.upper!r} m by t = ")
+    assert left == ["not in the certificate: benches", "not in the certificate: post"]
+    for claim, margin in ((0, answer.lower + 2e-6), (1, answer.lower - 1e-6)):
+        with pytest.raises(UnsureError):
+            shown(with_margin(what, claim, margin))
+    with pytest.raises(InputError, match="margin"):
+        shown(with_margin(what, 0, -1.0))
+
+
+def test_a_clearance_that_is_not_the_least_is_not_proved() -> None:
+    plan = bend()
+    walk, found = plan.build(), least_clearance(plan.build(), 10.0, 18.0)
+    for off in (-1e-5, 1e-5):
+        with pytest.raises(UnsureError):
+            prove_clearance(walk, replace(found, value=found.value + off), 10.0, 18.0, plan=plan)
+
+
+def test_a_claim_about_other_sizes_says_so(shown: Shown) -> None:
+    what = written()
+    wider = in_claim("values", {"dragon.width": 0.25})
+    wider(what)
+    (benches, post, *left) = shown(what)
+    assert benches.startswith("with dragon.width = 0.25: proved: no two non-adjacent benches nearer")
+    assert post.startswith("proved: free of contact with post")
+    assert left == [
+        "with dragon.width = 0.25: not in the certificate: post",
+        "not in the certificate: benches",
+    ]
+    in_claim("values", {"dragon.width": 1.3})(what)
+    with pytest.raises(UnsureError, match="does not hold"):
+        shown(what)
+    in_claim("values", {"dragon.with": 0.25})(what)
+    with pytest.raises(PlanError, match="not a known key"):
+        shown(what)

@@ -46,5 +46,5 @@ def test_a_contact_before_the_dance_hides_nothing() -> None:
 
 def test_a_margin_is_not_rounded() -> None:
     plan = bend(margin=0.29999996)
-    told = verify(_certificate(plan, cells=[10.0, 10.01], start=10.0, clear=10.01, benches=[]))
+    told = verify(_certificate(plan, cells=[10.0, 10.02], start=10.0, clear=10.01, benches=[]))
     assert "0.29999996 m" in told[0]

@@ -126,7 +126,7 @@ def test_a_limit_is_proved_at_both_ends(
 ) -> None:
     monkeypatch.setattr(size, "MOST_WIDENINGS", 2)
     monkeypatch.setattr(
-        size, end, {"prove_nearer": lambda *_a: False}.get(end, lambda *_a, **_m: proved)
+        size, end, {"prove_nearer": lambda *_a: None}.get(end, lambda *_a, **_m: proved)
     )
     with pytest.raises(UnsureError, match="could not be proved"):
         limit(COIL, "pitch", prove=True)

@@ -53,7 +53,8 @@ def bend(post: tuple[float, float] = ASIDE, margin: float = 0.0) -> Plan:
 
 @cache
 def _text(post: tuple[float, float], margin: float) -> str:
-    return certificate_of(check(bend(post, margin), prove=True)).model_dump_json()
+    report = check(bend(post, margin), prove=True)
+    return certificate_of(report.plan, report.claims).model_dump_json()
 
 
 def written(post: tuple[float, float] = ASIDE, margin: float = 0.0) -> dict[str, Any]:

@@ -2,22 +2,27 @@
 
 Whoever verifies one need not believe the search: from the plan alone the dragon is placed in ball
 arithmetic at the ends of each cell, and each is shown to hold (proofs/cells.py). Nothing that is
-written in a certificate is believed but where the cells begin and end.
+written in a certificate is believed but where the cells begin and end. The numbers of the plan, times,
+margins and speeds are the decimals that stand there; only head positions are doubles.
 """
 
+import json
 import stat
+from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from benchdragon import budget
-from benchdragon.analysis.check import Report
 from benchdragon.analysis.proof import Claim, Question, require_flint
-from benchdragon.errors import InputError, UnsureError, reason
+from benchdragon.analysis.speed_proof import SpeedClaim, SpeedQuestion, head_speeds
+from benchdragon.errors import InputError, UnsureError, not_negative, reason
+from benchdragon.files import whole_file
 from benchdragon.i18n import _
 from benchdragon.model.walk import Walk
+from benchdragon.plans.digits import Rounded, number
 from benchdragon.plans.schema import Plan, checked
 from benchdragon.progress import Progress, silent
 from benchdragon.proofs import MOST_CELLS
@@ -41,6 +46,31 @@ class ClaimRecord(BaseModel):
     contact: Number | None = None
     s: Number | None = None
     benches: list[int] = Field(default=[], max_length=2)
+    margin: Number | None = None
+    values: dict[str, Number] = Field(default={}, max_length=10)
+
+    def claim(self) -> Claim:
+        """The same to be shown."""
+        lists = {"cells": tuple(self.cells), "benches": tuple(self.benches)}
+        return Claim(**self.model_dump() | lists | {"values": tuple(self.values.items())})
+
+
+class SpeedRecord(BaseModel):
+    """A `SpeedClaim` as it is written."""
+
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+    cells: list[Number] = Field(min_length=1, max_length=MOST_CELLS)
+    start: Number
+    clear: Number
+    most: Number
+    s: Number
+    handle: int = Field(ge=0)
+    least: Number
+
+    def claim(self) -> SpeedClaim:
+        """The same to be shown."""
+        return SpeedClaim(**self.model_dump() | {"cells": tuple(self.cells)})
 
 
 class Certificate(BaseModel):
@@ -52,23 +82,44 @@ class Certificate(BaseModel):
     version: str = Field(max_length=100)
     plan: dict[str, Any]
     plan_sha256: str = Field(max_length=64)
-    claims: list[ClaimRecord] = Field(min_length=1, max_length=1000)
+    claims: list[ClaimRecord] = Field(default=[], max_length=1000)
+    speeds: list[SpeedRecord] = Field(default=[], max_length=1000)
+
+    @model_validator(mode="after")
+    def _says_something(self) -> Self:
+        if not (self.claims or self.speeds):
+            raise ValueError("nothing is claimed")
+        return self
 
 
-def certificate_of(report: Report) -> Certificate:
+def certificate_of(
+    plan: Plan, claims: Sequence[Claim], speeds: Sequence[SpeedClaim] = ()
+) -> Certificate:
     """What was proved of a plan, to be written.
 
     Raises:
         InputError: if nothing was.
     """
-    if not report.claims:
+    if not (claims or speeds):
         raise InputError(_("nothing was proved, so that there is no certificate"))
-    plan, claims = report.plan, [ClaimRecord(**_written(claim)) for claim in report.claims]
-    return Certificate(version=__version__, plan=plan.data(), plan_sha256=plan.sha256, claims=claims)
+    return Certificate(
+        version=__version__,
+        plan=plan.data(),
+        plan_sha256=plan.sha256,
+        claims=[ClaimRecord(**_written(claim)) for claim in claims],
+        speeds=[SpeedRecord(**asdict(claim) | {"cells": list(claim.cells)}) for claim in speeds],
+    )
 
 
 def _written(claim: Claim) -> dict[str, Any]:
-    return asdict(claim) | {"cells": list(claim.cells), "benches": list(claim.benches)}
+    lists = {"cells": list(claim.cells), "benches": list(claim.benches)}
+    return asdict(claim) | lists | {"values": dict(claim.values)}
+
+
+def write_certificate(certificate: Certificate, path: Path) -> None:
+    """Write a certificate as a whole file."""
+    with whole_file(path) as temporary:
+        temporary.write_text(certificate.model_dump_json(), "utf-8")
 
 
 def read_certificate(path: Path) -> Certificate:
@@ -88,18 +139,42 @@ def read_certificate(path: Path) -> Certificate:
                     path=name, most=MOST_BYTES // 1_000_000
                 )
             )
-        return Certificate.model_validate_json(path.read_bytes())
+        text = path.read_bytes()
+        found = Certificate.model_validate_json(text)
+        _refuse_rounded(text)
+        return found
     except OSError as error:
         raise InputError(f"{name}: {reason(error)}") from None
     except UnicodeEncodeError as error:  # a name that no system has
         raise InputError(_("{path} cannot be read: {why}").format(path=name, why=error)) from None
     except ValidationError as error:
-        where = ".".join(str(part) for part in error.errors()[0]["loc"])
+        first = error.errors()[0]
+        where = "claims" if first["type"] == "value_error" else ".".join(map(str, first["loc"]))
         raise InputError(
             _("{path} is no certificate that benchdragon writes: see {where}").format(
                 path=name, where=where or "JSON"
             )
         ) from None
+
+
+def _refuse_rounded(text: bytes) -> None:
+    """Refuse a number that is not the decimal that names its double: another is what is shown.
+
+    Raises:
+        InputError: naming it.
+    """
+
+    def held(written: str) -> float:
+        value = number(written)
+        if isinstance(value, Rounded):
+            raise InputError(
+                _("the certificate says {written}, of which {kept} alone could be shown").format(
+                    written=written, kept=repr(float(value))
+                )
+            )
+        return value
+
+    json.loads(text, parse_float=held)
 
 
 @budget.question()
@@ -116,27 +191,46 @@ def verify(certificate: Certificate, progress: Progress = silent) -> list[str]:
     plan = checked(certificate.plan, _("the certificate"))
     if plan.sha256 != certificate.plan_sha256:
         raise InputError(_("the plan in the certificate is not the one that it was written for"))
-    walk = plan.build()
     for record in certificate.claims:
-        lists = {"cells": tuple(record.cells), "benches": tuple(record.benches)}
-        claim = Claim(**record.model_dump() | lists)
+        claim = record.claim()
         try:
-            _question(plan, walk, claim).verify(claim, progress)
+            shown = _with(plan, claim)
+            _question(shown, shown.build(), claim).verify(claim, progress)
         except UnsureError as error:
             about = claim.about or _("benches")
             raise UnsureError(_("{about}: {error}").format(about=about, error=error)) from None
+    for speed in certificate.speeds:
+        _verify_speed(plan, speed.claim(), progress)
     told = [_sentence(plan, record) for record in certificate.claims]
-    return told + _left_out(plan, walk, certificate)
+    told += [_speed_sentence(plan, record) for record in certificate.speeds]
+    return told + _all_left_out(plan, certificate)
+
+
+def _with(plan: Plan, claim: Claim) -> Plan:
+    """The plan that a claim is about."""
+    return plan.with_values(dict(claim.values)) if claim.values else plan
+
+
+def _verify_speed(plan: Plan, claim: SpeedClaim, progress: Progress) -> None:
+    walk = plan.build()
+    if claim.handle > len(walk.dragon):
+        raise InputError(_("a speed in the certificate is of no handle of this dragon"))
+    try:
+        SpeedQuestion(walk, plan).verify(claim, progress)
+    except UnsureError as error:
+        raise UnsureError(_("{about}: {error}").format(about=_("speed"), error=error)) from None
 
 
 def _question(plan: Plan, walk: Walk, claim: Claim) -> Question:
     if not claim.about:
         _check_benches(claim, len(walk.dragon), 2)
-        return Question(walk, plan.limits.margin, None)
+        margin = plan.limits.margin if claim.margin is None else claim.margin
+        not_negative("margin", margin, "m")
+        return Question(walk, margin, None, plan)
     _check_benches(claim, len(walk.dragon), 1)
     for obstacle in plan.obstacles():
         if obstacle.name == claim.about:
-            return Question(walk, None, obstacle)
+            return Question(walk, None, obstacle, plan)
     raise InputError(_("the plan has no obstacle {name}").format(name=repr(claim.about)))
 
 
@@ -155,7 +249,20 @@ def _check_benches(claim: Claim, count: int, wanted: int) -> None:
 def _sentence(plan: Plan, claim: ClaimRecord) -> str:
     """What a claim says, once it is shown; its times with all digits, as none may be rounded."""
     span = {"start": repr(claim.start), "clear": repr(claim.clear)}
-    margin = repr(plan.limits.margin).removesuffix(".0")  # with all digits, as the times
+    kept = plan.limits.margin if claim.margin is None else claim.margin
+    margin = repr(kept).removesuffix(".0")  # with all digits, as the times
+    return _of_values(claim, _said_of(claim, margin, span))
+
+
+def _of_values(claim: ClaimRecord, text: str) -> str:
+    """The same of a walk that differs from the plan's."""
+    if not claim.values:
+        return text
+    values = ", ".join(f"{key} = {value!r}" for key, value in claim.values.items())
+    return _("with {values}: {text}").format(values=values, text=text)
+
+
+def _said_of(claim: ClaimRecord, margin: str, span: dict[str, str]) -> str:
     if claim.contact is not None and claim.clear <= claim.start:
         return _at_start(claim, margin)
     if claim.about:
@@ -188,12 +295,44 @@ def _numbers(claim: ClaimRecord) -> str:
     return " ".join(str(n + 1) for n in claim.benches)
 
 
-def _left_out(plan: Plan, walk: Walk, certificate: Certificate) -> list[str]:
-    """What the certificate says nothing about: benches, obstacles, or a part of the dance.
+def _speed_sentence(plan: Plan, claim: SpeedRecord) -> str:
+    """What a claim says of speeds, and of the head's, if the plan limits speeds."""
+    text = _(
+        "proved: from t = {start} s to t = {clear} s no handle is ever more than {most} times as fast "
+        "as the head; handle {handle} is at least {least} times as fast"
+    )
+    numbers = {name: repr(getattr(claim, name)) for name in ("start", "clear", "most", "least")}
+    told = text.format(handle=claim.handle, **numbers)
+    if plan.limits.speed is None:
+        return told
+    lower, upper = head_speeds(plan.limits.speed, claim.claim())
+    more = _("; so the head may go at {lower} m/s, and not at {upper} m/s, if {limit} m/s is the limit")
+    return told + more.format(lower=repr(lower), upper=repr(upper), limit=repr(plan.limits.speed))
+
+
+def _all_left_out(plan: Plan, certificate: Certificate) -> list[str]:
+    """What the certificate says nothing about; where it is about sizes, of those that are to be safe.
+
+    What it says with margins of its own is said besides.
+    """
+    plain = [claim for claim in certificate.claims if claim.margin is None or claim.values]
+    groups: dict[tuple[tuple[str, float], ...], list[ClaimRecord]] = {}
+    for claim in plain:
+        groups.setdefault(tuple(claim.values.items()), []).append(claim)
+    found: list[str] = []
+    for values, claims in (groups or {(): []}).items():
+        shown = plan.with_values(dict(values)) if values else plan
+        if not values or any(claim.contact is None for claim in claims):
+            left = _left_out(shown, shown.build(), claims)
+            found += [_of_values(claims[0], text) for text in left] if claims else left
+    return found
+
+
+def _left_out(plan: Plan, walk: Walk, claims: Sequence[ClaimRecord]) -> list[str]:
+    """What claims say nothing about: benches, obstacles, or a part of the dance.
 
     A dance is over where something is proved to come too near.
     """
-    claims = certificate.claims
     about = {claim.about for claim in claims}
     known = ["", *(obstacle.name for obstacle in plan.obstacles())]
     text = _("not in the certificate: {about}")

@@ -163,7 +163,7 @@ def _nearness(
     if clearance is not None:
         return None, clearance
     margin, told = plan.limits.margin, stage(_("searching for contact"))
-    search = None if claims is None else partial(prove_contact, claims=claims)
+    search = None if claims is None else partial(prove_contact, claims=claims, plan=plan)
     contact = first_sure_contact(walk, *span, margin=margin, search=search, progress=told)
     if (touching := _no_clearance(contact)) is not None:
         return contact, touching
@@ -201,7 +201,7 @@ def _obstacles(
         progress(n / len(known), named(obstacle))
         answers = obstacle_answers(walk, obstacle, *span, tolerances=tolerances)
         if claims is not None:
-            answers = prove_obstacle(walk, answers, *span, claims=claims)
+            answers = prove_obstacle(walk, answers, *span, claims=claims, plan=plan)
         found.append(answers)
     return tuple(found)
 

@@ -6,10 +6,8 @@ design/proof.py); and at the contact itself that benches are nearer than they ma
 be wrong in any way: what it found is then not proved.
 """
 
-import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from benchdragon import budget
@@ -21,16 +19,20 @@ from benchdragon.i18n import _
 from benchdragon.model.answer import Answer
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
+from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, silent
 from benchdragon.proofs import BITS
 
 if TYPE_CHECKING:
     from benchdragon.proofs.chain import Chain
+    from benchdragon.proofs.exact import Numbers
 
 # How far behind the search's own bracket a meeting is looked for, m, ten times as far each time.
 FIRST_BEHIND, MOST_BEHIND = 1e-15, 1e-6
 # What is clear short of a contact by more than this, m, leaves it unproved when it comes.
 MOST_SHORT = 1e-6
+# How wide the bracket of a proved clearance is, m.
+CLEARANCE_WIDTH = 1e-6
 
 
 @dataclass(frozen=True)
@@ -45,6 +47,8 @@ class Claim:
         contact: a time, s, by which something has come nearer; None if nothing was to.
         s: the head's route position where it has, m.
         benches: which, rows from 0.
+        margin: what nothing comes nearer than, m; None: what the plan says.
+        values: of other keys than the plan says them, by which the walk shown differs from the plan's.
     """
 
     about: str
@@ -54,6 +58,8 @@ class Claim:
     contact: float | None = None
     s: float | None = None
     benches: tuple[int, ...] = ()
+    margin: float | None = None
+    values: tuple[tuple[str, float], ...] = ()
 
 
 def require_flint() -> None:
@@ -77,13 +83,16 @@ def prove_contact(
     margin: float = 0.0,
     progress: Progress = silent,
     claims: list[Claim] | None = None,
+    plan: Plan | None = None,
 ) -> Answer | None:
     """`first_contact`, proved: clear up to `lower`, and a pair nearer than the margin by `upper`.
 
     None is proved as well: no pair comes nearer than the margin from start to end. A graze that stays
-    open is "undecided". What was shown is added to `claims`.
+    open is "undecided". What was shown is added to `claims`. With the `plan` of which the walk is built
+    all numbers, times and margin too, count as they are written, else as the doubles that they are.
 
     Raises:
+        InputError: for a number that the plan holds rounded, or a route that cannot be enclosed.
         MissingExtraError: without python-flint.
         UnsureError: if it could not be shown.
         WalkError: as `first_contact`.
@@ -97,7 +106,7 @@ def prove_contact(
         found = [window.opens for window in windows]
         if not found or found[0].status == "found":
             break
-    return Question(walk, margin, None).proved((start, end), found, progress, claims)
+    return Question(walk, margin, None, plan).proved((start, end), found, progress, claims)
 
 
 @budget.question()
@@ -108,12 +117,14 @@ def prove_obstacle(
     end: float,
     *,
     claims: list[Claim] | None = None,
+    plan: Plan | None = None,
 ) -> ObstacleAnswers:
     """The answers about an obstacle, with its contact proved, or that there is none from start to end.
 
-    What was shown is added to `claims`.
+    What was shown is added to `claims`; `plan` as for `prove_contact`.
 
     Raises:
+        InputError: as `prove_contact`.
         MissingExtraError: without python-flint.
         UnsureError: if it could not be shown.
         WalkError: as `first_touch`.
@@ -121,35 +132,104 @@ def prove_obstacle(
     require_flint()
     obstacle = answers.obstacle
     found = touching(ObstacleSearch(walk, obstacle, start, end))
-    contact = Question(walk, None, obstacle).proved((start, end), found, silent, claims)
+    contact = Question(walk, None, obstacle, plan).proved((start, end), found, silent, claims)
     return replace(answers, contact=contact)
 
 
-def prove_nearer(walk: Walk, s: float, i: int, j: int, margin: float) -> bool:
-    """Whether benches i < j (rows, from 0) are surely nearer than `margin`, the head at s, both m."""
+def prove_nearer(
+    walk: Walk, s: float, i: int, j: int, margin: float, plan: Plan | None = None
+) -> Claim | None:
+    """That benches i < j (rows, from 0) are nearer than `margin`, the head at s, both m; None if not.
+
+    `plan` as for `prove_contact`. The claim shows nothing of any time before.
+    """
     require_flint()
-    return Question(walk, margin, None).meet(s, (i, j))
+    return Question(walk, margin, None, plan).nearer_at(s, (i, j))
 
 
-def assumed() -> tuple[str, ...]:
-    """What every proof rests on."""
-    return (
-        _(
-            "the stored numbers of route and benches are exact, and each part of the route begins "
-            "where the one before it ends, in its direction if that is within 1e-9 rad"
-        ),
+@budget.question()
+def prove_clearance(
+    walk: Walk,
+    found: Answer,
+    start: float,
+    end: float,
+    *,
+    width: float = CLEARANCE_WIDTH,
+    progress: Progress = silent,
+    claims: list[Claim] | None = None,
+    plan: Plan | None = None,
+) -> Answer:
+    """The least clearance from start to end, s, proved in a bracket of `width`, m.
+
+    No two benches are ever nearer than the lower end of the bracket, and two are nearer than the upper.
+
+    Args:
+        walk: what is walked.
+        found: what `least_clearance` found.
+        start: s.
+        end: s.
+        width: of the bracket, m.
+        progress: is told how far it is.
+        claims: what was shown is added to it.
+        plan: as for `prove_contact`.
+
+    Raises:
+        InputError: as `prove_contact`.
+        MissingExtraError: without python-flint.
+        UnsureError: if it could not be shown, or no pair counts.
+    """
+    require_flint()
+    near = found.witness
+    if near is None or len(near.benches) != 2:
+        raise UnsureError(_("there is no clearance that could be proved"))
+    lower, upper = max(found.value - 0.5 * width, 0.0), found.value + 0.5 * width
+    i, j = sorted(number - 1 for number in near.benches)
+    nearest = prove_nearer(walk, near.s, i, j, upper, plan)
+    if nearest is None:
+        raise UnsureError(_("that benches come so near could not be shown in ball arithmetic"))
+    shown: list[Claim] = []
+    Question(walk, lower, None, plan).proved((start, end), [], progress, shown)
+    if claims is not None:
+        claims += [replace(shown[0], margin=lower), replace(nearest, margin=upper)]
+    return replace(found, lower=lower, upper=upper, status="proved", assumptions=(assumed(walk, plan),))
+
+
+def assumed(walk: Walk, plan: Plan | None = None) -> str:
+    """What every proof of a walk rests on."""
+    if plan is not None:
+        from benchdragon.analysis.written import assumed_of  # wants flint
+
+        return assumed_of(plan, walk)
+    return _(
+        "the stored numbers of route and benches are exact, and each part of the route begins "
+        "where the one before it ends, in its direction if that is within 1e-9 rad"
     )
 
 
+def exact_numbers(walk: Walk, plan: Plan | None) -> "Numbers":
+    """The numbers of which a proof speaks: those of a plan as written, else as they are stored."""
+    from benchdragon.proofs.exact import Numbers  # wants flint
+
+    if plan is None:
+        return Numbers.stored(walk)
+    from benchdragon.analysis.written import numbers_of
+
+    return numbers_of(plan, walk)
+
+
 class Question:
-    """What is to be proved of a walk: of its benches, with a margin, m, or of an obstacle."""
+    """What is to be proved of a walk: of its benches, with a margin, m, or of an obstacle.
 
-    def __init__(self, walk: Walk, margin: float | None, obstacle: Obstacle | None) -> None:
-        from benchdragon.proofs import exact  # wants flint
+    With the plan of which the walk is built, its numbers are those that are written.
+    """
 
-        self._walk, self._obstacle = walk, obstacle
-        self._dance = exact.stored_dance(walk, margin, () if obstacle is None else (obstacle,))
-        self._guess = exact.guess_of(walk)
+    def __init__(
+        self, walk: Walk, margin: float | None, obstacle: Obstacle | None, plan: Plan | None = None
+    ) -> None:
+        self._numbers = exact_numbers(walk, plan)
+        self._walk, self._obstacle, self._plan = walk, obstacle, plan
+        self._dance = self._numbers.dance(margin, () if obstacle is None else (obstacle,))
+        self._guess = self._numbers.guess
 
     def proved(
         self,
@@ -162,8 +242,8 @@ class Question:
         from benchdragon.proofs.cover import cells
 
         sure = next((one for one in found if one.status == "found"), None)
-        first = self._at_most(span[0])
-        last = self._at_least(span[1] if sure is None else sure.upper)
+        first = self._numbers.at_most(span[0])
+        last = self._numbers.at_least(span[1] if sure is None else sure.upper)
         belong = self._all_belong(first)
         at = cells(self._dance, self._guess, first, last, progress) if belong else [first]
         claims = [] if claims is None else claims
@@ -171,13 +251,13 @@ class Question:
             claims.append(Claim(self._about, tuple(at), *span))
             return None
         text = _("{count} cells of the head's way shown free of contact in balls of {bits} bits")
-        told = (*assumed(), text.format(count=len(at) - 1, bits=BITS))
+        told = (assumed(self._walk, self._plan), text.format(count=len(at) - 1, bits=BITS))
         open_still = [one for one in found if self._may_be(one, at[-1])]
         for one in open_still:
             benches = _rows(one)
-            s = self._meeting(max(at[-1], self._at_least(span[0])), benches)
+            s = self._meeting(max(at[-1], self._numbers.at_least(span[0])), benches)
             if s is not None:
-                lower, upper = self._before(at[-1]), self._after(s)
+                lower, upper = self._numbers.before(at[-1]), self._numbers.after(s)
                 claims.append(Claim(self._about, tuple(at), span[0], lower, upper, s, benches))
                 value = min(max(one.value, lower), upper)
                 return replace(
@@ -207,44 +287,33 @@ class Question:
         from benchdragon.proofs.chain import UnprovedError
         from benchdragon.proofs.cover import covered
 
-        position, at = self._walk.exact_head_position, claim.cells
-        if not (at and position(claim.start) >= Fraction(at[0])):
+        position, at = self._numbers.position, claim.cells
+        if len(at) == 1 and claim.contact is not None and claim.clear <= claim.start:
+            self._verify_contact(claim)
+            return
+        if not (at and position(claim.start) >= at[0]):
             raise UnsureError(_("the cells begin after the start"))
-        if not position(claim.clear) <= Fraction(at[-1]):
+        if not position(claim.clear) <= at[-1]:
             raise UnsureError(_("the cells end before what they are to show"))
         if claim.contact is None and claim.clear < claim.start:
             raise UnsureError(_("it ends before it starts"))
-        if len(at) > 1 or claim.contact is None or claim.clear > claim.start:
-            if not self._all_belong(at[0]):
-                raise UnsureError(_("a bench may stand at the start where none may"))
-            try:
-                covered(self._dance, self._guess, at, progress)
-            except UnprovedError as error:
-                raise UnsureError(_("it could not be shown: {error}").format(error=error)) from None
+        if not self._all_belong(at[0]):
+            raise UnsureError(_("a bench may stand at the start where none may"))
+        try:
+            covered(self._dance, self._guess, at, progress)
+        except UnprovedError as error:
+            raise UnsureError(_("it could not be shown: {error}").format(error=error)) from None
+        if claim.contact is not None:
+            self._verify_contact(claim)
+
+    def _verify_contact(self, claim: Claim) -> None:
+        """Show again that something has come nearer by a time."""
+        position = self._numbers.position
         if claim.contact is None or claim.s is None:
             return
-        within = position(claim.start) <= Fraction(claim.s) <= position(claim.contact)
+        within = position(claim.start) <= claim.s <= position(claim.contact)
         if not (within and self.meet(claim.s, claim.benches)):
             raise UnsureError(_("the contact could not be shown"))
-
-    def _at_most(self, t: float) -> float:
-        """A double at most the head's route position at a time, m."""
-        s = self._walk.exact_head_position(t)
-        return _stepped(float(s), lambda value: Fraction(value) <= s, -math.inf)
-
-    def _at_least(self, t: float) -> float:
-        s = self._walk.exact_head_position(t)
-        return _stepped(float(s), lambda value: Fraction(value) >= s, math.inf)
-
-    def _before(self, s: float) -> float:
-        """A time, s, at which the head has not passed route position s, m."""
-        position = self._walk.exact_head_position
-        return _stepped(self._walk.time_at(s), lambda t: position(t) <= Fraction(s), -math.inf)
-
-    def _after(self, s: float) -> float:
-        """A time, s, at which the head has come to route position s, m."""
-        position = self._walk.exact_head_position
-        return _stepped(self._walk.time_at(s), lambda t: position(t) >= Fraction(s), math.inf)
 
     def _all_belong(self, s: float) -> bool:
         """Whether all benches are surely where they may be, inside or outside, the head at s, m."""
@@ -283,6 +352,13 @@ class Question:
             at, behind = s + behind, 4.0 * behind
         return at
 
+    def nearer_at(self, s: float, benches: tuple[int, ...]) -> Claim | None:
+        """That two benches are nearer than the margin with the head at s, m; None if not surely."""
+        if not self.meet(s, benches):
+            return None
+        early, by = self._numbers.before(s), self._numbers.after(s)
+        return Claim(self._about, (self._numbers.at_most(early),), early, early, by, s, benches)
+
     def meet(self, s: float, benches: Sequence[int]) -> bool:
         """Whether two benches, or one and the obstacle, are surely nearer than they may be."""
         from benchdragon.proofs.apart import Moving
@@ -304,12 +380,3 @@ class Question:
 def _rows(found: Answer) -> tuple[int, ...]:
     """The benches of an answer, from 0."""
     return () if found.witness is None else tuple(n - 1 for n in found.witness.benches)
-
-
-def _stepped(value: float, holds: Callable[[float], bool], towards: float) -> float:
-    """The first double that holds from a value on, by steps that double."""
-    step, at = math.ulp(value), value
-    while not holds(at):
-        at = value + math.copysign(step, towards)
-        step *= 2.0
-    return at

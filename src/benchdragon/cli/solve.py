@@ -20,6 +20,7 @@ from benchdragon.cli.options import (
     force_option,
     json_option,
     lang_option,
+    output_option,
     plan_options,
     plan_to_walk,
     prove_option,
@@ -32,6 +33,8 @@ from benchdragon.model.answer import Answer
 from benchdragon.progress import Progress
 
 if TYPE_CHECKING:
+    from benchdragon.analysis.proof import Claim
+    from benchdragon.analysis.speed_proof import SpeedClaim
     from benchdragon.plans.schema import Plan
     from benchdragon.solve.head_speed import Pace
     from benchdragon.solve.size import FeasibleSizes
@@ -50,10 +53,18 @@ def solve() -> None:
     """Hold the questions."""
 
 
+def certificate_option(command: Command) -> Command:
+    """-o of a certificate, and --force."""
+    return output_option(
+        N_("Write what --prove shows into this file, as a certificate that `verify` shows again."),
+        required=False,
+    )(force_option(command))
+
+
 def size_options(command: Command) -> Command:
     """What the questions of all sizes take besides PLAN and --set."""
     for option in reversed(
-        (prove_option, json_option, brackets_option, explain_option, shared_options)
+        (prove_option, certificate_option, json_option, brackets_option, explain_option, shared_options)
     ):
         command = option(command)
     command = click.option(
@@ -171,7 +182,8 @@ for size in SIZES:
     metavar="FILE",
     help=N_("Write the plan walked at its own head speed, slowed down only where a limit requires it."),
 )
-@force_option
+@prove_option
+@certificate_option
 @json_option
 @brackets_option
 @explain_option
@@ -179,6 +191,12 @@ for size in SIZES:
 def speed(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print the greatest head speed; with --pace also write a pace, as a plan of its own."""
     path: Path | None = options["pace_file"]
+    refuse_strays(
+        ("prove", path is None, BESIDE, "--pace"), ("output", options["prove"], WITHOUT, "--prove")
+    )
+    if options["prove"]:
+        check_certificate(options)
+        return _print_speed(plan_to_walk(plan, settings, quiet), options, quiet)
     read = read_to_write(plan, settings, quiet, "--pace", path)
     if path is None:
         return _print_speed(read, options, quiet)
@@ -273,7 +291,9 @@ def _solve_size(
     refuse_strays(
         *((option, not ranged, BESIDE, "--range") for option in ("prove", "brackets")),
         ("count", ranged, WITHOUT, "--range"),
+        ("output", options["prove"], WITHOUT, "--prove"),
     )
+    check_certificate(options)
     read = plan_to_walk(plan, settings, quiet)
     return (_print_sizes if ranged else _print_limit)(name, read, options, quiet)
 
@@ -282,12 +302,40 @@ def _print_limit(name: str, plan: "Plan", options: dict[str, Any], quiet: bool) 
     from benchdragon.solve.size_family import question
 
     tried: list[str] = []
+    claims: list[Claim] = []
     with shown_progress(quiet) as progress:
-        found = _limit(name, plan, options, _kept(progress, tried))
+        found = _limit(name, plan, options, _kept(progress, tried), claims)
     lines = _limit_lines(name, plan, options, found, tried) if options["explain"] else []
     asked = question(name)
     _print_solved(plan, _(asked.text), found, options, lines, up=asked.sense > 0.0)
+    if found.status == "proved":
+        _write_certificate(plan, options, claims, [])
     return _code(found)
+
+
+def check_certificate(options: dict[str, Any]) -> None:
+    """Refuse a certificate that could not be written."""
+    from benchdragon.files import refuse_existing
+
+    path: Path | None = options["output"]
+    refuse_strays(("force", path is not None, WITHOUT, "-o"))
+    if path is not None:
+        check_ending("-o", path, [".json"])
+        refuse_existing([path], options["force"])
+
+
+def _write_certificate(
+    plan: "Plan", options: dict[str, Any], claims: "list[Claim]", speeds: "list[SpeedClaim]"
+) -> None:
+    """Write what was proved, if that is asked for."""
+    from benchdragon.analysis.certificate import certificate_of, write_certificate
+
+    path: Path | None = options["output"]
+    if path is None:
+        return
+    write_certificate(certificate_of(plan, claims, speeds), path)
+    if not options["as_json"]:
+        print_files([path])
 
 
 def _kept(progress: Progress, tried: list[str]) -> Progress:
@@ -306,7 +354,9 @@ def _stepped(options: dict[str, Any]) -> bool:
     return options.get("method") == "traversal"
 
 
-def _limit(name: str, plan: "Plan", options: dict[str, Any], progress: Progress) -> Answer:
+def _limit(
+    name: str, plan: "Plan", options: dict[str, Any], progress: Progress, claims: "list[Claim]"
+) -> Answer:
     """The limit of a size, exactly or as the paper finds it."""
     if _stepped(options):
         from benchdragon.paper.traversal import traversed_pitch
@@ -314,7 +364,7 @@ def _limit(name: str, plan: "Plan", options: dict[str, Any], progress: Progress)
         return traversed_pitch(plan, options["pitch_step"], options["time_step"], progress=progress)
     from benchdragon.solve.size import limit
 
-    return limit(plan, name, prove=options["prove"], progress=progress)
+    return limit(plan, name, prove=options["prove"], progress=progress, claims=claims)
 
 
 def _limit_lines(
@@ -407,12 +457,17 @@ def _echo_sizes(found: "FeasibleSizes") -> None:
 
 def _print_speed(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
     """The greatest head speed."""
-    from benchdragon.solve.head_speed import greatest_head_speed
+    from benchdragon.solve.head_speed import greatest_head_speed, prove_head_speed
 
+    claims: list[SpeedClaim] = []
     with shown_progress(quiet) as progress:
-        found = greatest_head_speed(plan, progress=progress)
+        if options["prove"]:
+            found = prove_head_speed(plan, progress=progress, claims=claims)
+        else:
+            found = greatest_head_speed(plan, progress=progress)
     lines = _speed_lines(plan, found, None) if options["explain"] else []
     _print_solved(plan, _("greatest head speed"), found, options, lines)
+    _write_certificate(plan, options, [], claims)
     return _code(found)
 
 

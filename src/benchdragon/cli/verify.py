@@ -13,8 +13,9 @@ from benchdragon.i18n import N_
 @click.command(
     help=N_(
         "Show again what a certificate says was proved, from its plan alone."
-        "\n\nFILE is a certificate.json that check --prove -o FOLDER writes. Exit code 0: all of it "
-        "holds; 5: something could not be shown. It needs the extra prove."
+        "\n\nFILE is a certificate, as check --prove -o FOLDER and the questions of solve with --prove "
+        "-o FILE write it. Exit code 0: all of it holds; 5: something could not be shown. It needs the "
+        "extra prove."
     )
 )
 @click.argument("file", metavar="FILE")
@@ -30,7 +31,8 @@ def verify(file: str, quiet: bool, as_json: bool) -> int:
     with shown_progress(quiet) as progress:
         lines = verified(certificate, progress)
     if as_json:
-        cells = sum(len(claim.cells) - 1 for claim in certificate.claims)
+        claims = (*certificate.claims, *certificate.speeds)
+        cells = sum(len(claim.cells) - 1 for claim in claims)
         answer = {"verified": lines, "cells": cells, "plan_sha256": certificate.plan_sha256}
         click.echo(json.dumps(answer))
     else:

@@ -3,13 +3,13 @@
 from collections.abc import Sequence
 from pathlib import Path
 
-from benchdragon.analysis.certificate import certificate_of
+from benchdragon.analysis.certificate import certificate_of, write_certificate
 from benchdragon.analysis.check import Report, clearance_over, moment
 from benchdragon.errors import InputError
 from benchdragon.export.tables import write_moment_xlsx
 from benchdragon.figures.contact import clearance_picture, moment_picture
 from benchdragon.figures.style import write_picture
-from benchdragon.files import refuse_existing, whole_file
+from benchdragon.files import refuse_existing
 from benchdragon.i18n import _, language
 
 CERTIFICATE = "certificate.json"
@@ -52,8 +52,7 @@ def write_files(report: Report, files: Sequence[Path]) -> None:
     }
     for path in files:
         if path.name == CERTIFICATE:
-            with whole_file(path) as temporary:
-                temporary.write_text(certificate_of(report).model_dump_json(), "utf-8")
+            write_certificate(certificate_of(report.plan, report.claims), path)
         elif path.suffix == ".xlsx":
             write_moment_xlsx(path, motion, report.obstacles)
         else:

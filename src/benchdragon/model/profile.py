@@ -5,7 +5,7 @@ a distance into a place.
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -110,9 +110,13 @@ class SpeedProfile:
         """Distance walked from time 0 to times t, m, exact; negative before 0."""
         return self._from_first(as_numbers("times", t)) - self._from_first(np.zeros(()))
 
-    def exact_distance(self, t: float) -> Fraction:
-        """Distance walked from time 0 to a finite time t, m, without any rounding."""
-        return self._exact_from_first(Fraction(t)) - self._exact_from_first(Fraction(0))
+    def exact_distance(self, t: float, read: Callable[[float], Fraction] = Fraction) -> Fraction:
+        """Distance walked from time 0 to a finite time t, m, without any rounding.
+
+        `read` says which number each double stands for: itself, or the decimal that names it.
+        """
+        times, speeds = ([read(number) for number in knots] for knots in (self.times, self.speeds))
+        return _walked(times, speeds, read(t)) - _walked(times, speeds, Fraction(0))
 
     def stretches(self, start: float, end: float) -> Stretches:
         """The walk from start to end, s, in stretches of one acceleration: from knot to knot."""
@@ -156,18 +160,6 @@ class SpeedProfile:
         spans = 0.5 * (speeds[1:] + speeds[:-1]) * np.diff(self.times)
         return np.concatenate([[0.0], np.cumsum(spans)])
 
-    def _exact_from_first(self, t: Fraction) -> Fraction:
-        times, speeds = ([Fraction(number) for number in knots] for knots in (self.times, self.speeds))
-        walked = (
-            min(t - times[0], Fraction(0)) * speeds[0] + max(t - times[-1], Fraction(0)) * speeds[-1]
-        )
-        for a, b, v, w in zip(times, times[1:], speeds, speeds[1:], strict=False):
-            if t >= b:
-                walked += (v + w) / 2 * (b - a)
-            elif t > a:
-                walked += (v + (w - v) * (t - a) / (b - a) / 2) * (t - a)
-        return walked
-
     def _from_first(self, t: FloatArray) -> FloatArray:
         knot = np.maximum(np.searchsorted(self.times, t, side="right") - 1, 0)
         dt = t - np.asarray(self.times)[knot]
@@ -176,3 +168,14 @@ class SpeedProfile:
         speed = np.asarray(self.speeds)[knot]
         speed = speed + 0.5 * slope * np.where(slope == 0.0, 0.0, dt)
         return np.asarray(self._sums[knot] + speed * np.where(speed == 0.0, 0.0, dt))
+
+
+def _walked(times: list[Fraction], speeds: list[Fraction], t: Fraction) -> Fraction:
+    """Distance walked from the first knot to time t, m, at these speeds between the knots."""
+    walked = min(t - times[0], Fraction(0)) * speeds[0] + max(t - times[-1], Fraction(0)) * speeds[-1]
+    for a, b, v, w in zip(times, times[1:], speeds, speeds[1:], strict=False):
+        if t >= b:
+            walked += (v + w) / 2 * (b - a)
+        elif t > a:
+            walked += (v + (w - v) * (t - a) / (b - a) / 2) * (t - a)
+    return walked

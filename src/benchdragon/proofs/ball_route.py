@@ -80,6 +80,12 @@ class Row:
         dx, dy = self._chord(u, cosine, sine)
         return self.x + dx, self.y + dy, cosine, sine
 
+    def heading(self, u: arb) -> arb:
+        """Heading in the walking direction at parameter u, rad, continuous along the row."""
+        if self.kind == kernel.SPIRAL:
+            return self.angle + self.q * (u + u.atan()) + (0 if self.way > 0 else arb.pi())
+        return self.angle + self._turn(u)
+
     def _turn(self, u: arb) -> arb:
         """What the heading has turned through at arc length u, rad."""
         if self.kind == kernel.LOG_SPIRAL and self.q != 0:
@@ -166,10 +172,12 @@ class BallRoute:
             raise InputError(
                 _("a route with a curve of kind {kind} cannot be proved").format(kind=strange[0])
             )
-        return cls([_stored(row, rows, j) for j, row in enumerate(rows.tolist())])
+        return cls([stored_row(rows, j) for j in range(len(rows))])
 
 
-def _stored(row: Sequence[float], rows: FloatArray, j: int) -> Row:
+def stored_row(rows: FloatArray, j: int) -> Row:
+    """Row number j of stored ones, whose numbers are taken for exact; not yet joined to others."""
+    row = rows[j].tolist()
     x, y, angle, p, q, start, end, s = (
         arb(row[column])
         for column in (

@@ -25,6 +25,7 @@ from benchdragon.proofs.approach import approach
 from benchdragon.proofs.ball_route import BallRoute
 from benchdragon.proofs.chain import Chain
 from benchdragon.proofs.motion import SLACK, follows, moves, nearest
+from benchdragon.proofs.pace import slower
 
 
 @dataclass(frozen=True)
@@ -53,6 +54,7 @@ class Dance:
         margin: the distance that benches keep from one another, m; None: they are not looked at.
         standing: what stands still.
         origin: near the dance, m: doubles are taken relative to it.
+        most: how fast handles may be with the head at 1 m/s, m/s; None: that is not looked at.
     """
 
     route: BallRoute
@@ -60,6 +62,7 @@ class Dance:
     margin: arb | None
     standing: Sequence[Standing]
     origin: tuple[float, float]
+    most: arb | None = None
 
 
 # Roundings in a corner of a bench, or a gap: so many units of the farthest coordinate, and of s.
@@ -84,6 +87,10 @@ def holds(dance: Dance, a: Chain, b: Chain) -> bool:
         return False
     if not nearest(a, b, dance.route, links, way):
         return False
+    if dance.most is not None and not slower(a, b, dance.route, dance.sizes.links, dance.most):
+        return False
+    if dance.margin is None and not dance.standing:
+        return True
     room = reach(way, dance.sizes)
     boxes = corners(a, dance.sizes), corners(b, dance.sizes)
     if dance.margin is not None:

@@ -48,7 +48,7 @@ def cells(
         return at
     while at[-1] < end and len(at) < MOST_CELLS:
         s = min(at[-1] + step, end)
-        if s - at[-1] <= SHORTEST * max(1.0, abs(end)):
+        if step <= SHORTEST * max(1.0, abs(end)):
             break
         b = _tried(dance, guess, a, s)
         if b is None:

@@ -1,6 +1,9 @@
-"""The numbers of a walk as balls: as they are stored."""
+"""The exact numbers of a walk, of which its proofs speak: as they are stored, or as written."""
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from flint import arb
@@ -9,43 +12,115 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
 from benchdragon.proofs.apart import Side, Sizes
-from benchdragon.proofs.ball_route import BallRoute
+from benchdragon.proofs.ball_route import BallRoute, Pair
 from benchdragon.proofs.cells import Dance, Standing
 from benchdragon.proofs.cover import Guess
+from benchdragon.proofs.parts import Reading, as_stored, ball
+
+
+@dataclass(frozen=True)
+class Numbers:
+    """The exact numbers of a walk.
+
+    Attributes:
+        walk: whose computed handles are guesses, and whose sizes, speeds and times are read.
+        route: of all handles.
+        start: the head's route position at time 0, m.
+        read: the number that a double stands for: of sizes, speeds, times, margins and obstacles.
+        outlines: corners of obstacles by their names, m, of which no double is to be read.
+    """
+
+    walk: Walk
+    route: BallRoute
+    start: arb
+    read: Reading = as_stored
+    outlines: Mapping[str, Sequence[Pair]] = field(default_factory=dict)
+
+    @classmethod
+    def stored(cls, walk: Walk) -> "Numbers":
+        """Those of a walk whose stored doubles are taken for exact."""
+        return cls(walk, BallRoute.stored(walk.route.rows), arb(walk.start))
+
+    @cached_property
+    def sizes(self) -> Sizes:
+        """Of the benches."""
+        length, width, front, rear = (self._balls(column) for column in self.walk.dragon.sizes)
+        return Sizes.of(length, width, front, rear)
+
+    def position(self, t: float) -> arb:
+        """The head's route position at time t, s, m."""
+        return self.start + ball(self.walk.profile.exact_distance(t, self.read))
+
+    def at_most(self, t: float) -> float:
+        """A double at most the head's route position at a time, m."""
+        s = self.position(t)
+        return stepped(float(s), lambda value: value <= s, -math.inf)
+
+    def at_least(self, t: float) -> float:
+        """A double at least the head's route position at a time, m."""
+        s = self.position(t)
+        return stepped(float(s), lambda value: value >= s, math.inf)
+
+    def before(self, s: float) -> float:
+        """A time, s, at which the head has not passed route position s, m."""
+        return stepped(self.walk.time_at(s), lambda t: self.position(t) <= s, -math.inf)
+
+    def after(self, s: float) -> float:
+        """A time, s, at which the head has come to route position s, m."""
+        return stepped(self.walk.time_at(s), lambda t: self.position(t) >= s, math.inf)
+
+    def dance(self, margin: float | None, obstacles: Sequence[Obstacle] = ()) -> Dance:
+        """What is walked; `margin`: that benches keep from one another, m, None for any."""
+        walk = self.walk
+        x, y = walk.placement(walk.start, throw=False).x[0, 0], walk.placement(walk.start).y[0, 0]
+        origin = float(x), float(y)
+        stands = tuple(self._standing(obstacle, origin) for obstacle in obstacles)
+        kept = None if margin is None else self.number(margin)
+        return Dance(self.route, self.sizes, kept, stands, origin)
+
+    def number(self, value: float) -> arb:
+        """What a double stands for, as a ball."""
+        return ball(self.read(value))
+
+    def guess(self, s: float) -> tuple[Sequence[int], FloatArray]:
+        """Computed rows and parameters of all handles, the head at route position s, m."""
+        rows, at = self.walk.placement(s).state(0)
+        return rows.tolist(), at
+
+    def _balls(self, values: FloatArray) -> list[arb]:
+        known: dict[float, arb] = {}
+        return [known.setdefault(value, self.number(value)) for value in values.tolist()]
+
+    def _standing(self, obstacle: Obstacle, origin: tuple[float, float]) -> Standing:
+        points, corners = obstacle.outline, self.outlines.get(obstacle.name)
+        if corners is None:
+            corners = [(self.number(x), self.number(y)) for x, y in points.tolist()]
+        if obstacle.kind == "circle":
+            ends = [(0, 0)]
+        else:
+            ends = [(n, (n + 1) % len(corners)) for n in range(len(corners))]
+            ends = ends[:-1] if obstacle.kind == "line" else ends
+        sides = [Side(corners[a], corners[b]) for a, b in ends]
+        boxes = np.array([(points[a], points[a], points[b], points[b]) for a, b in ends])
+        inside = None if obstacle.kind in ("circle", "line") else obstacle.kind == "venue"
+        kept = self.number(obstacle.margin) + self.number(obstacle.radius)
+        return Standing(sides, kept, boxes - np.array(origin), inside)
+
+
+def stepped(value: float, holds: Callable[[float], bool], towards: float) -> float:
+    """The first double that holds from a value on, by steps that double."""
+    step, at = math.ulp(value), value
+    while not holds(at):
+        at = value + math.copysign(step, towards)
+        step *= 2.0
+    return at
 
 
 def stored_dance(walk: Walk, margin: float | None, obstacles: Sequence[Obstacle] = ()) -> Dance:
     """A walk whose stored numbers are taken for exact; `margin`: between benches, m, None for any."""
-    sizes = (_balls(column) for column in walk.dragon.sizes)
-    x, y = walk.placement(walk.start, throw=False).x[0, 0], walk.placement(walk.start).y[0, 0]
-    origin = float(x), float(y)
-    stands = tuple(_standing(obstacle, origin) for obstacle in obstacles)
-    route = BallRoute.stored(walk.route.rows)
-    return Dance(route, Sizes.of(*sizes), None if margin is None else arb(margin), stands, origin)
+    return Numbers.stored(walk).dance(margin, obstacles)
 
 
 def guess_of(walk: Walk) -> Guess:
     """Computed handles of a walk, as guesses."""
-
-    def guess(s: float) -> tuple[Sequence[int], FloatArray]:
-        rows, at = walk.placement(s).state(0)
-        return rows.tolist(), at
-
-    return guess
-
-
-def _balls(values: FloatArray) -> list[arb]:
-    return [arb(value) for value in values.tolist()]
-
-
-def _standing(obstacle: Obstacle, origin: tuple[float, float]) -> Standing:
-    points = obstacle.outline.tolist()
-    if obstacle.kind == "circle":
-        ends = [(points[0], points[0])]
-    else:
-        ends = list(zip(points, [*points[1:], points[0]], strict=True))
-        ends = ends[:-1] if obstacle.kind == "line" else ends
-    sides = [Side((arb(a[0]), arb(a[1])), (arb(b[0]), arb(b[1]))) for a, b in ends]
-    boxes = np.array([(a, a, b, b) for a, b in ends]) - np.array(origin)
-    inside = None if obstacle.kind in ("circle", "line") else obstacle.kind == "venue"
-    return Standing(sides, arb(obstacle.margin) + arb(obstacle.radius), boxes, inside)
+    return Numbers.stored(walk).guess

@@ -163,12 +163,12 @@ def _box(route: BallRoute, one: Handle, other: Handle) -> tuple[tuple[arb, arb],
         u = low.union(high) + arb(0, (one.error + other.error) / float(row.stretch(low).lower()))
         boxes.append((*row.pose(u), row.bend(u)))
     x, y, tx, ty, bend = (_hull(values) for values in zip(*boxes, strict=True))
-    if _over_kink(route, one, other):  # where the speed jumps, and no second derivative is
+    if over_kink(route, one, other):  # where the speed jumps, and no second derivative is
         bend = arb(0, np.inf)
     return (x, y), (tx, ty), bend
 
 
-def _over_kink(route: BallRoute, one: Handle, other: Handle) -> bool:
+def over_kink(route: BallRoute, one: Handle, other: Handle) -> bool:
     """Whether a handle may go over a kink from its place to its next."""
     error = one.error + other.error
     inside = any(route.rows[j].kink for j in range(one.j + 1, other.j + 1))

@@ -17,6 +17,7 @@ from benchdragon.proofs.ball_route import BallRoute, Pair, Row, stored_row
 
 # What a stored double stands for: itself, or the shortest decimal that names it.
 Reading = Callable[[float], Fraction]
+ZERO = arb(0)
 
 
 def ball(number: Fraction) -> arb:
@@ -42,8 +43,8 @@ class Part:
     """A curve as a plan says it: the columns SIZE, FIRST and LAST of kernels/route_parts.py."""
 
     size: arb
-    first: arb = arb(0)
-    last: arb = arb(0)
+    first: arb = ZERO
+    last: arb = ZERO
 
 
 @dataclass(frozen=True)
@@ -65,8 +66,8 @@ def route_of(
     parts: Sequence[Part],
     rows: FloatArray,
     start: Start = NOWHERE,
-    turned: arb = arb(0),
-    at: Pair = (arb(0), arb(0)),
+    turned: arb = ZERO,
+    at: Pair = (ZERO, ZERO),
     lead: arb | None = None,
 ) -> BallRoute:
     """The route of these parts, which stored rows have as well, but for their rounding.

@@ -2,11 +2,12 @@
 
 import math
 import time as clock
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from benchdragon import budget
+from benchdragon.analysis.proof import assumed
 from benchdragon.analysis.speed import (
     QUANTITIES,
     RATE_TOLERANCE,
@@ -19,6 +20,7 @@ from benchdragon.analysis.speed import (
     hulls,
     witness_of,
 )
+from benchdragon.analysis.speed_proof import SpeedClaim, head_speeds, prove_speed
 from benchdragon.errors import InputError, UnsureError, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels import pacing
@@ -64,6 +66,37 @@ def _limits_of(plan: Plan) -> dict[str, float]:
             _("the plan has no limit that a head speed could keep: set limits.speed=2, for example")
         )
     return found
+
+
+@budget.question()
+def prove_head_speed(
+    plan: Plan, *, progress: Progress = silent, claims: list[SpeedClaim] | None = None
+) -> Answer:
+    """`greatest_head_speed`, proved: that of a plan that limits the handles' speeds alone.
+
+    The bracket: at its lower end no handle is ever faster than the limit, at its upper end one is. All
+    numbers count as they are written. What was shown is added to `claims`.
+
+    Raises:
+        InputError: without that limit, or with others; for a number that the plan holds rounded.
+        MissingExtraError: without python-flint.
+        UnsureError: if it could not be shown.
+        WalkError: if the dragon cannot walk all the way.
+    """
+    limit = plan.limits.speed
+    if limit is None or len(_limits_of(plan)) > 1:
+        text = _("a head speed can be proved where the plan limits speeds alone: set limits.speed")
+        raise InputError(text)
+    found, walk = greatest_head_speed(plan, progress=progress), plan.build()
+    near = found.witness
+    if near is None or near.handle is None:
+        raise UnsureError(_("there is no speed that could be proved"))
+    claim = prove_speed(walk, *plan.span(walk), near.s, plan=plan, progress=progress)
+    if claims is not None:
+        claims.append(claim)
+    lower, upper = head_speeds(limit, claim)
+    told = *found.assumptions, assumed(walk, plan)
+    return replace(found, value=lower, lower=lower, upper=upper, status="proved", assumptions=told)
 
 
 @budget.question()

@@ -17,6 +17,7 @@ from benchdragon import budget
 from benchdragon.analysis.contact_search import ContactSearch
 from benchdragon.analysis.obstacles import obstacle_answers
 from benchdragon.analysis.proof import (
+    Claim,
     assumed,
     prove_contact,
     prove_nearer,
@@ -28,7 +29,6 @@ from benchdragon.i18n import _
 from benchdragon.kernels.size_bracket import BAD, FAILS, GOOD, PASSES, UNDECIDED, VALUE
 from benchdragon.kernels.size_search import EXHAUSTED, INFEASIBLE, UNLIMITED
 from benchdragon.model.answer import Answer, Status, Witness
-from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, silent
@@ -51,6 +51,7 @@ def limit(
     tolerance: float = TOLERANCE,
     prove: bool = False,
     progress: Progress = silent,
+    claims: list[Claim] | None = None,
 ) -> Answer:
     """The size of `plan` next to which a walk stops staying clear: see QUESTIONS for the names.
 
@@ -61,6 +62,8 @@ def limit(
         tolerance: how wide the bracket may be, m; no narrower than 1e-12 can be had.
         prove: whether both ends of the bracket are established again by `proof`, which widens it.
         progress: is told what is being tried.
+        claims: what was proved is added to it: that the walk at one end of the bracket stays clear, and
+            that two benches come too near at the other.
 
     Returns:
         The limit, m. Its bracket: at one end the whole walk stays clear, at the other a pair comes
@@ -82,38 +85,51 @@ def limit(
     if prove:
         require_flint()
     answer = _limit(family, progress, began)
-    return _proved(family, answer, progress, began) if prove and answer.status == "found" else answer
+    if not prove or answer.status != "found":
+        return answer
+    return _proved(family, answer, progress, began, [] if claims is None else claims)
 
 
-def _proved(family: PlanFamily, answer: Answer, progress: Progress, began: float) -> Answer:
-    """The answer with a bracket both ends of which are proved."""
+def _proved(
+    family: PlanFamily, answer: Answer, progress: Progress, began: float, claims: list[Claim]
+) -> Answer:
+    """The answer with a bracket both ends of which are proved; what was shown is added to `claims`."""
     near = answer.witness
     if near is None or len(near.benches) != 2:
         raise UnsureError(_("only an answer that two benches decide can be proved"))
-    i, j = (number - 1 for number in near.benches)
+    i, j = sorted(number - 1 for number in near.benches)
     half = 0.5 * (answer.upper - answer.lower)
     for _trial in range(MOST_WIDENINGS):
         good, bad = (answer.value + side * family.question.sense * half for side in (1.0, -1.0))
         progress(0.0, _("proving at {size} m").format(size=f"{good:.16g}"))
-        walk, start, end = family.walk(good)
+        walk, _start, end = family.walk(good)
         _below, meeting = family.low_point(bad, meeting_of(walk, end, near))
-        if prove_nearer(family.walk(bad)[0], meeting.s, i, j, family.margin) and (
-            prove_contact(walk, start, end, margin=family.margin) is None
-            and _kept_away(family.plan, walk, start, end)
-        ):
-            seconds = clock.perf_counter() - began
+        nearer = prove_nearer(family.walk(bad)[0], meeting.s, i, j, family.margin, family.sized(bad))
+        shown = [] if nearer is None else _clear(family, good, progress)
+        if nearer is not None and shown:
+            claims += [*shown, family.said(nearer, bad)]
+            told = *answer.assumptions, assumed(walk, family.sized(good))
             return replace(
                 answer, lower=min(good, bad), upper=max(good, bad), status="proved",
-                assumptions=assumed(), seconds=seconds,
+                assumptions=told, seconds=clock.perf_counter() - began,
             )  # fmt: skip
         half *= 2.0
     raise UnsureError(_("the bracket could not be proved"))
 
 
-def _kept_away(plan: Plan, walk: Walk, start: float, end: float) -> bool:
-    """Whether it is proved that no bench of a walk comes nearer to an obstacle than it may."""
-    answers = (obstacle_answers(walk, obstacle, start, end) for obstacle in plan.obstacles())
-    return all(prove_obstacle(walk, found, start, end).contact is None for found in answers)
+def _clear(family: PlanFamily, size: float, progress: Progress) -> list[Claim]:
+    """What shows that a walk of a size stays clear of contact and obstacles; nothing if that fails."""
+    (walk, start, end), plan, claims = family.walk(size), family.sized(size), list[Claim]()
+    contact = prove_contact(
+        walk, start, end, margin=family.margin, progress=progress, claims=claims, plan=plan
+    )
+    if contact is not None:
+        return []
+    for obstacle in plan.obstacles():
+        found = obstacle_answers(walk, obstacle, start, end)
+        if prove_obstacle(walk, found, start, end, claims=claims, plan=plan).contact is not None:
+            return []
+    return [family.said(claim, size) for claim in claims]
 
 
 def _limit(family: PlanFamily, progress: Progress, began: float) -> Answer:

@@ -8,6 +8,7 @@ from typing import assert_never
 import numpy as np
 
 from benchdragon.analysis import distance
+from benchdragon.analysis.proof import Claim
 from benchdragon.analysis.tables import kinds_of, walk_tables
 from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
@@ -142,15 +143,22 @@ class PlanFamily:
         """The plan's own size, from which the search begins."""
         return self.plan.value(self.question.keys[0])
 
+    def sized(self, size: float) -> Plan:
+        """The plan with a size."""
+        return self.plan.with_values(dict.fromkeys(self.question.keys, size))
+
+    def said(self, claim: Claim, size: float) -> Claim:
+        """A claim about the walk of a size, as one about the plan."""
+        margin = None if self.margin == self.plan.limits.margin or claim.about else self.margin
+        return replace(claim, margin=margin, values=tuple((key, size) for key in self.question.keys))
+
     def walk(self, size: float) -> tuple[Walk, float, float]:
         """The walk of a size, and the times between which it must stay clear.
 
         The last one is kept: who shows a size asks for its walk several times.
         """
         if self._last is None or self._last[0] != size:
-            plan = self.plan
-            for key in self.question.keys:
-                plan = plan.with_value(key, size)
+            plan = self.sized(size)
             walk = plan.build()
             self._last = size, (walk, *plan.span(walk))
         return self._last[1]
