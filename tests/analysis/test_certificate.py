@@ -415,11 +415,8 @@ def test_a_number_with_more_digits_than_are_shown_is_refused(tmp_path: Path) -> 
 def test_times_are_decimals(shown: Shown, time: float) -> None:
     what = written()
     claim = what["claims"][BENCHES]
-    claim["cells"], claim["clear"] = (
-        [10.0 + 0.02 * n for n in range(20) if n < 50 * (time - 10.0)],
-        time,
-    )
-    claim["cells"].append(time)
+    inner = [10.0 + 0.02 * n for n in range(20) if n < 50.0 * (time - 10.0) - 0.5]
+    claim["cells"], claim["clear"] = [*inner, time], time
     if Fraction(time) > Fraction(repr(time)):  # the cells are doubles: this one ends behind the time
         shown(what)
     else:

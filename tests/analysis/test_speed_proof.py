@@ -37,7 +37,7 @@ def claim(plan: Plan) -> SpeedClaim:
     return found[0]
 
 
-def test_the_contests_greatest_head_speed_is_proved_to_a_picometre(claim: SpeedClaim) -> None:
+def test_the_contests_greatest_head_speed_is_proved_to_twelve_digits(claim: SpeedClaim) -> None:
     lower, upper = head_speeds(2.0, claim)
     assert Fraction(repr(lower)) < TRUTH < Fraction(repr(upper))
     assert upper < lower * (1.0 + 2e-12)

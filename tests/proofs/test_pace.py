@@ -14,7 +14,7 @@ from benchdragon.proofs.ball_route import BallRoute
 from benchdragon.proofs.cells import holds
 from benchdragon.proofs.cover import cells, chain_at
 from benchdragon.proofs.exact import Numbers
-from benchdragon.proofs.pace import Pace, Still, greatest, paces
+from benchdragon.proofs.pace import Pace, Still, course, greatest, paces
 from tests.proofs.dances import coil, eased, hairpin
 from tests.proofs.test_ball_route import ROUTES, SHARES, between
 
@@ -142,3 +142,14 @@ def test_a_joint_of_headings_a_turn_apart_is_no_obstacle() -> None:
     numbers = Numbers.stored(walk)
     dance = replace(numbers.dance(None), most=arb("1.000001"))
     assert cells(dance, numbers.guess, 2.0, 5.0)[-1] == 5.0
+
+
+def test_a_bend_that_jumps_at_a_joint_is_enclosed_on_both_sides() -> None:
+    numbers = Numbers.stored(hairpin())
+    dance = numbers.dance(None)
+    a, b = (chain_at(dance, numbers.guess, s) for s in (13.99, 14.01))
+    found = course(dance.route, a.handles[0], b.handles[0])
+    assert found.bend.overlaps(arb(0))
+    assert found.bend.overlaps(arb(1))
+    assert found.heading.overlaps(arb(0.01 - 1e-12))
+    assert not found.heading.overlaps(arb("0.02"))
