@@ -28,19 +28,36 @@ bound on the first derivative that passes over what cannot hold a root is the me
 and Shubert; to halve until bounds decide is branch and bound with intervals. What is added is a
 chain whose links are kept, by the hundred, with bounds on what each handle does within a step.
 
+Speeds are bounded over a cell from both its ends by how much they change (proofs/pace.py), which is
+second order as well: what is given away is the square of the cell's length. To multiply enclosed ratios
+of cosines from the head to the tail gives away the length, and more with every bench.
+
 Below: how many cells either order needs for the last metre before the contest's first contact. The
-first order ends earlier, since it is taken from doubles, and leaves room for their rounding.
+first order ends earlier, since it is taken from doubles, and leaves room for their rounding. Then what
+the certificates of the contest's first contact (its last second), of its smallest pitch and of its
+greatest head speed take, the latter with the benches that decide.
 """
 
+import math
+import time
+from collections.abc import Callable
 from contextlib import nullcontext
 from unittest.mock import patch
 
+from benchdragon.analysis.certificate import certificate_of, verify
 from benchdragon.analysis.proof import Claim, prove_contact
-from benchdragon.plans.schema import read_plan
+from benchdragon.analysis.speed_proof import SpeedClaim
+from benchdragon.model.answer import Answer
+from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.proofs import cells, cover
 from benchdragon.proofs.exact import guess_of, stored_dance
+from benchdragon.solve.head_speed import prove_head_speed
+from benchdragon.solve.size import limit
 
 CONTACT, METRE = 412.4738376821147, 1.0
+# The benches that decide, where these do: the smallest pitch, and the greatest head speed.
+COIL = ["disc.radius=4.5", "dragon.benches=30", "route.start_turn=12"]
+TURN = ["dragon.benches=8", "walk.start=-5", "walk.end=30"]
 
 
 def last_metre(second_order: bool) -> list[float]:
@@ -64,6 +81,41 @@ def main() -> None:
     if answer is not None:
         print(f"first contact {answer.status}: {answer.lower!r} .. {answer.upper!r} s")
         print(f"{answer.upper - answer.lower:.1e} s wide, {len(claims[0].cells) - 1} cells")
+    certificates()
+
+
+def certificates() -> None:
+    """Print what the certificates of three answers take: to write, and to show again."""
+    coil, turn = read_plan("spiral-in", COIL), read_plan("turn", TURN)
+    near = read_plan("spiral-in", ["walk.start=411.5", "walk.end=413"])
+    told("first contact", near, lambda kept, _speeds: contact_of(near, kept))
+    told("smallest pitch", coil, lambda kept, _speeds: limit(coil, "pitch", prove=True, claims=kept))
+    told("head speed", turn, lambda _kept, speeds: prove_head_speed(turn, claims=speeds))
+
+
+def contact_of(plan: Plan, claims: list[Claim]) -> Answer | None:
+    """The first contact of a plan, proved of what is written."""
+    walk = plan.build()
+    return prove_contact(walk, *plan.span(walk), claims=claims, plan=plan)
+
+
+def told(
+    name: str, plan: Plan, prove: Callable[[list[Claim], list[SpeedClaim]], Answer | None]
+) -> None:
+    """Print the bracket of an answer, and the size and times of its certificate."""
+    claims, speeds = list[Claim](), list[SpeedClaim]()
+    began = time.process_time()
+    answer = prove(claims, speeds)
+    shown = time.process_time()
+    certificate = certificate_of(plan, claims, speeds)
+    verify(certificate)
+    again = time.process_time()
+    cells = sum(len(claim.cells) - 1 for claim in (*claims, *speeds))
+    width = math.nan if answer is None else answer.upper - answer.lower
+    print(
+        f"{name}: {width:.1e} wide, {cells} cells, {len(certificate.model_dump_json())} bytes, "
+        f"found and proved in {shown - began:.1f} s of CPU, shown again in {again - shown:.1f} s"
+    )
 
 
 if __name__ == "__main__":

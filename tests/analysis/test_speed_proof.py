@@ -44,10 +44,11 @@ def test_the_contests_greatest_head_speed_is_proved_to_twelve_digits(claim: Spee
 
 
 def test_a_head_speed_is_rounded_to_the_safe_side() -> None:
-    claim = SpeedClaim((0.0,), 0.0, 0.0, 3.0, 0.0, 0, 3.0)
-    lower, upper = head_speeds(1.0, claim)
-    assert Fraction(repr(lower)) < Fraction(1, 3) < Fraction(repr(upper))
-    assert upper - lower < 1e-15
+    for limit in range(1, 7):  # of which some sevenths round up, and some down
+        claim = SpeedClaim((0.0,), 0.0, 0.0, 7.0, 0.0, 0, 7.0)
+        lower, upper = head_speeds(float(limit), claim)
+        assert Fraction(repr(lower)) < Fraction(limit, 7) < Fraction(repr(upper))
+        assert upper - lower < 1e-15
 
 
 FAULTS: dict[str, tuple[dict[str, Any], str]] = {
