@@ -110,7 +110,8 @@ def told(
     certificate = certificate_of(plan, claims, speeds)
     verify(certificate)
     again = time.process_time()
-    cells = sum(len(claim.cells) - 1 for claim in (*claims, *speeds))
+    ends = [claim.cells for claim in claims] + [claim.cells for claim in speeds]
+    cells = sum(len(at) - 1 for at in ends)
     width = math.nan if answer is None else answer.upper - answer.lower
     print(
         f"{name}: {width:.1e} wide, {cells} cells, {len(certificate.model_dump_json())} bytes, "

@@ -31,8 +31,9 @@ def verify(file: str, quiet: bool, as_json: bool) -> int:
     with shown_progress(quiet) as progress:
         lines = verified(certificate, progress)
     if as_json:
-        claims = (*certificate.claims, *certificate.speeds)
-        cells = sum(len(claim.cells) - 1 for claim in claims)
+        ends = [claim.cells for claim in certificate.claims]
+        ends += [claim.cells for claim in certificate.speeds]
+        cells = sum(len(at) - 1 for at in ends)
         answer = {"verified": lines, "cells": cells, "plan_sha256": certificate.plan_sha256}
         click.echo(json.dumps(answer))
     else:
