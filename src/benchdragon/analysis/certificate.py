@@ -11,7 +11,7 @@ import stat
 from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Literal, Self, TypeVar, overload
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
@@ -122,8 +122,19 @@ def write_certificate(certificate: Certificate, path: Path) -> None:
         temporary.write_text(certificate.model_dump_json(), "utf-8")
 
 
-def read_certificate(path: Path) -> Certificate:
-    """Read a certificate.
+Kind = TypeVar("Kind", bound=BaseModel)
+
+
+@overload
+def read_certificate(path: Path) -> Certificate: ...
+
+
+@overload
+def read_certificate(path: Path, kind: type[Kind]) -> Kind: ...
+
+
+def read_certificate(path: Path, kind: type[BaseModel] = Certificate) -> BaseModel:
+    """Read a certificate, of that kind.
 
     Raises:
         InputError: for a file that cannot be read, or is none.
@@ -140,7 +151,7 @@ def read_certificate(path: Path) -> Certificate:
                 )
             )
         text = path.read_bytes()
-        found = Certificate.model_validate_json(text)
+        found = kind.model_validate_json(text)
         _refuse_rounded(text)
         return found
     except OSError as error:

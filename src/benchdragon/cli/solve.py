@@ -30,7 +30,7 @@ from benchdragon.cli.options import (
 from benchdragon.cli.parsing import check_ending, parse_lengths
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import Answer
-from benchdragon.progress import Progress
+from benchdragon.progress import Progress, part
 
 if TYPE_CHECKING:
     from benchdragon.analysis.proof import Claim
@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from benchdragon.solve.head_speed import Pace
     from benchdragon.solve.size import FeasibleSizes
     from benchdragon.solve.turn import BestTurn
+    from benchdragon.solve.turn_trials import TurnGoal
 
 
 @click.group(
@@ -207,7 +208,7 @@ def speed(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     help=N_(
         "The best turn of the plan's family.\n\nPLAN is a *.dragon.toml file or the name of a built-in "
         "plan whose route is a turn: turn. The plan's turn.family names the family. Exit code 4: no "
-        "turn was found that keeps the limits."
+        "turn was found that keeps the limits; 5: --prove did not get as near as --within says."
     )
 )
 @plan_options
@@ -238,6 +239,34 @@ def speed(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     help=N_("The path inside the disc is no longer, in metres."),
 )
 @click.option(
+    "--prove",
+    is_flag=True,
+    help=N_(
+        "Prove in ball arithmetic how much better another turn of the family may be at most. "
+        "Ctrl-C ends this early, with what was shown till then."
+    ),
+)
+@click.option(
+    "--within",
+    type=click.FloatRange(min=1e-6, max=1e3),
+    default=1e-3,
+    show_default=True,
+    help=N_("With --prove: how much that is to be, in metres or metres a second."),
+)
+@click.option(
+    "--boxes",
+    type=click.IntRange(1, 1_000_000),
+    default=20_000,
+    show_default=True,
+    help=N_("With --prove: how many boxes of turns are looked at for it at most."),
+)
+@click.option(
+    "--certificate",
+    type=FILE,
+    metavar="FILE",
+    help=N_("With --prove: write what shows it, for benchdragon verify."),
+)
+@click.option(
     "--plan-file", type=FILE, metavar="FILE", help=N_("Write the plan with the turn that was found.")
 )
 @force_option
@@ -250,17 +279,53 @@ def turn(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> i
     from benchdragon.solve.turn import best_turn
     from benchdragon.solve.turn_trials import TurnGoal
 
-    path: Path | None = options["plan_file"]
-    read = read_to_write(plan, settings, quiet, "--plan-file", path)
+    path, certificate = options["plan_file"], options["certificate"]
+    written = [file for file in (path, certificate) if file is not None]
+    proving = (
+        (name, options["prove"], WITHOUT, "--prove") for name in ("within", "boxes", "certificate")
+    )
+    refuse_strays(*proving, ("force", bool(written), WITHOUT, "--plan-file"))
+    if path is not None:
+        check_ending("--plan-file", path, [".toml"])
+    if certificate is not None:
+        check_ending("--certificate", certificate, [".json"])
+    read = plan_to_walk(plan, settings, quiet)
     longest, longest_way = (options[name] or math.inf for name in ("longest", "longest_way"))
     goal = TurnGoal(options["objective"], options["least_radius"], longest, longest_way)
-    refuse_existing([] if path is None else [path], options["force"])
+    refuse_existing(written, options["force"])
+    if options["prove"]:
+        return _prove_turn(read, plan, goal, options, quiet)
     with shown_progress(quiet) as progress:
         best = best_turn(read, goal, progress=progress)
     if path is not None:
         write_plan(best.plan, path, plan)
     _print_turn(read, best, goal.objective, options)
     return 0
+
+
+def _prove_turn(
+    plan: "Plan", source: str, goal: "TurnGoal", options: dict[str, Any], quiet: bool
+) -> int:
+    """Print the best turn, and how much better another may be at most."""
+    from benchdragon.files import whole_file
+    from benchdragon.solve import turn_proof
+    from benchdragon.solve.turn import best_turn
+    from benchdragon.solve.turn_certificate import certificate_of
+
+    turn_proof.turns_of(plan, goal)  # what cannot be proved is told before the search
+    with shown_progress(quiet) as progress:
+        best = best_turn(plan, goal, progress=part(progress, 0.0, 0.5))
+        value, ends = best.objective.value, {"gap": options["within"], "most": options["boxes"]}
+        proof = turn_proof.proved_bound(plan, goal, value, **ends, progress=part(progress, 0.5, 1.0))
+    if options["plan_file"] is not None:
+        write_plan(best.plan, options["plan_file"], source)
+    if options["certificate"] is not None:
+        text = certificate_of(plan, goal, proof).model_dump_json()
+        with whole_file(options["certificate"]) as temporary:
+            temporary.write_text(text, encoding="utf-8")
+    shown = turn_proof.with_proof(best, proof)
+    _print_turn(plan, shown, goal.objective, options, proof=turn_proof.proof_json(proof))
+    return 0 if proof.complete else UNDECIDED
 
 
 def read_to_write(
@@ -502,7 +567,9 @@ def _speed_lines(plan: "Plan", found: Answer, pace: "Pace | None") -> list[str]:
     return speed_lines(plan, found, pace)
 
 
-def _print_turn(plan: "Plan", best: "BestTurn", objective: str, options: dict[str, Any]) -> None:
+def _print_turn(
+    plan: "Plan", best: "BestTurn", objective: str, options: dict[str, Any], **more: Any
+) -> None:
     """The best turn of a plan, as text or JSON."""
     lines: list[str] = []
     if options["explain"]:
@@ -510,12 +577,11 @@ def _print_turn(plan: "Plan", best: "BestTurn", objective: str, options: dict[st
 
         lines = explain_answers.turn_lines(best)
     if options["as_json"]:
-        click.echo(json.dumps({**best.as_json(), **about(plan, lines)}))
+        click.echo(json.dumps({**best.as_json(), **more, **about(plan, lines)}))
         return
     print_title(plan)
     _echo_turn(best, objective)
-    if options["plan_file"] is not None:
-        print_files([options["plan_file"]])
+    print_files([options[name] for name in ("plan_file", "certificate") if options[name] is not None])
     print_explanation(lines)
 
 

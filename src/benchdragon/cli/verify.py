@@ -13,9 +13,9 @@ from benchdragon.i18n import N_
 @click.command(
     help=N_(
         "Show again what a certificate says was proved, from its plan alone."
-        "\n\nFILE is a certificate, as check --prove -o FOLDER and the questions of solve with --prove "
-        "-o FILE write it. Exit code 0: all of it holds; 5: something could not be shown. It needs the "
-        "extra prove."
+        "\n\nFILE is a certificate, as check --prove -o FOLDER, the questions of solve with --prove -o FILE, "
+        "and solve turn --prove --certificate FILE write it. Exit code 0: all of it holds; 5: something "
+        "could not be shown. It needs the extra prove."
     )
 )
 @click.argument("file", metavar="FILE")
@@ -25,17 +25,22 @@ def verify(file: str, quiet: bool, as_json: bool) -> int:
     """Print what is proved, as sentences or as JSON."""
     from benchdragon.analysis.certificate import read_certificate
     from benchdragon.analysis.certificate import verify as verified
+    from benchdragon.solve import turn_certificate
 
-    certificate = read_certificate(Path(file))
-    announce_compiling(quiet)
-    with shown_progress(quiet) as progress:
-        lines = verified(certificate, progress)
+    if turn_certificate.is_turn_certificate(Path(file)):
+        turns = read_certificate(Path(file), turn_certificate.TurnCertificate)
+        with shown_progress(quiet) as progress:
+            lines = turn_certificate.verify(turns, progress)
+        size, plan_sha256 = {"boxes": len(turns.witnesses)}, turns.plan_sha256
+    else:
+        certificate = read_certificate(Path(file))
+        announce_compiling(quiet)
+        with shown_progress(quiet) as progress:
+            lines = verified(certificate, progress)
+        ends = [claim.cells for claim in (*certificate.claims, *certificate.speeds)]
+        size, plan_sha256 = {"cells": sum(len(at) - 1 for at in ends)}, certificate.plan_sha256
     if as_json:
-        ends = [claim.cells for claim in certificate.claims]
-        ends += [claim.cells for claim in certificate.speeds]
-        cells = sum(len(at) - 1 for at in ends)
-        answer = {"verified": lines, "cells": cells, "plan_sha256": certificate.plan_sha256}
-        click.echo(json.dumps(answer))
+        click.echo(json.dumps({"verified": lines, **size, "plan_sha256": plan_sha256}))
     else:
         for line in lines:
             click.echo(line)

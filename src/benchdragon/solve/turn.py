@@ -51,7 +51,8 @@ class BestTurn:
     Attributes:
         plan: the plan with this turn.
         turn: the turn itself.
-        objective: its value; no bound on better ones is known.
+        objective: its value, which is one end of the bracket; the other is infinite where no bound on
+            better ones was proved (solve/turn_proof.py).
         length: of the turn itself, m.
         way: whole way inside the disc, m.
         head_speed: the greatest constant head speed under the plan's limits; None without a limit.
@@ -186,12 +187,13 @@ def _exact(
         plan = plan.with_value("disc.radius", exact["disc"])
     speed = greatest_head_speed(plan) if plan.limits.speed is not None else None
     value, unit = exact[evaluator.sought], "m"
-    if evaluator.goal.objective == "speed":
-        value, unit = (math.nan if speed is None else speed.value), "m/s"
-    elif evaluator.goal.objective == "acceleration":
+    if evaluator.goal.objective == "acceleration":
         value, unit = exact[evaluator.sought] * plan.walk.speed**2, "m/s^2"
+    bracket = value, -math.inf, value  # nothing tells how much better another may be
+    if evaluator.goal.objective == "speed" and speed is not None:
+        bracket, unit = (speed.value, speed.lower, math.inf), "m/s"
     answer = Answer(
-        value, value, value, unit, "found", None,
+        *bracket, unit, "found", None,
         (_("best that was found in this family; better ones may exist"),),
         evaluator.evaluations, clock.perf_counter() - began,
     )  # fmt: skip
