@@ -32,6 +32,7 @@ def holds(ball: arb, value: float) -> bool:
 FUNCTIONS: dict[str, tuple[Callable[[Form, Form], Form], Callable[[float, float], float]]] = {
     "sums": (lambda x, y: x * 3.0 - y + 2.0, lambda x, y: 3.0 * x - y + 2.0),
     "product": (lambda x, y: x * y, lambda x, y: x * y),
+    "product of sums": (lambda x, y: (x + y) * (x - y * 2.0), lambda x, y: (x + y) * (x - 2.0 * y)),
     "quotient": (lambda x, y: x * (y + 3.0).inverse(), lambda x, y: x / (y + 3.0)),
     "square": (lambda x, y: (x - y).square(), lambda x, y: (x - y) ** 2),
     "root": (lambda x, y: (x + y + 4.0).root(), lambda x, y: math.sqrt(x + y + 4.0)),
@@ -150,6 +151,15 @@ def test_handles_of_all_turns_of_a_box_are_enclosed(
         assert max(float(handle.ratio.over.rad()) for handle in found) < 1e-15
 
 
+def test_a_range_that_may_not_hold_the_handle_shows_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    shape = TurnShape("arc-line-arc", PITCH, DISC, Box(*ends("arc-line-arc", 1e-3)), False)
+    chain = handles(shape, [arb(link) for link in LINKS[:2]], 3.9)
+    assert len(list(chain)) == 3
+    monkeypatch.setattr(turn_chain, "WIDER", 0.01)
+    with pytest.raises(UnboundedError, match="has no end"):
+        list(handles(shape, [arb(link) for link in LINKS[:2]], 3.9))
+
+
 def test_a_place_behind_a_nearer_one_is_no_handles_place() -> None:
     shape = TurnShape("arc-line-arc", PITCH, DISC, Box(*ends("arc-line-arc", 0.0)), False)
     front = next(handles(shape, [], -1.0))
@@ -202,13 +212,14 @@ def test_a_box_is_out_if_all_its_turns_are_too_tight_or_too_long(
     "witness",
     [
         Witness(False, -0.1, 2),  # before the head comes to the turn
-        Witness(False, 11.3 + sum(LINKS), 2),  # the tail has left it
+        Witness(True, sum(LINKS) + 0.1, 2),  # the tail has left it, and handles behind are faster
         Witness(False, 3.6, len(LINKS) + 1),
         Witness(False, 3.6, -1),
     ],
 )
 def test_a_witness_counts_only_where_limits_do(witness: Witness) -> None:
     speed = turns(objective="speed")
+    assert speed.bound(LOW, HIGH, Witness(True, sum(LINKS) - 0.1, 2)).least > -2.0
     assert speed.bound(LOW, HIGH, witness).least == speed.bound(LOW, HIGH).least
     assert speed.bound(LOW, HIGH).least == pytest.approx(-2.0)
     assert speed.bound(LOW, HIGH, FAST).least > -1.4

@@ -11,7 +11,7 @@ from benchdragon.model.turns import Turn, three_pieces, two_arcs
 
 PITCH, DISC = 1.7, 4.5
 # The middle of a box of each family: both joints, m, and the ratio's logarithm or both radii, m.
-MIDDLES = {"arc-arc": (4.3, 4.35, 0.4), "arc-line-arc": (4.4, 4.45, 1.55, 1.7)}
+MIDDLES = {"arc-arc": (4.45, 4.15, 0.4), "arc-line-arc": (4.4, 4.45, 1.55, 1.7)}
 
 
 def turn_of(family: str, numbers: Sequence[float]) -> Turn | None:

@@ -37,7 +37,8 @@ def verify(file: str, quiet: bool, as_json: bool) -> int:
         announce_compiling(quiet)
         with shown_progress(quiet) as progress:
             lines = verified(certificate, progress)
-        ends = [claim.cells for claim in (*certificate.claims, *certificate.speeds)]
+        ends = [claim.cells for claim in certificate.claims]
+        ends += [claim.cells for claim in certificate.speeds]
         size, plan_sha256 = {"cells": sum(len(at) - 1 for at in ends)}, certificate.plan_sha256
     if as_json:
         click.echo(json.dumps({"verified": lines, **size, "plan_sha256": plan_sha256}))
