@@ -51,6 +51,8 @@ RANGE = [*SOLVE, "--range", "0.5..0.8", "--count", "3"]
 SPEED = ["solve", "speed", *TURN]
 PACED = [*SPEED, "--pace", "paced.toml"]
 BEST = ["solve", "turn", *TURN]
+# Between the disc's joints some boxes tell how much better another turn may be.
+BOUNDED = [*BEST, "--set", "turn.entry_radius=4.5", "--set", "turn.exit_radius=4.5"]
 HALL = ["dragon.benches=4", "disc.radius=2.9", "route.pitch=0.9", "route.start_turn=5"]
 IN_HALL = [word for setting in (*HALL, "venue.rectangle=[14, 14]") for word in ("--set", setting)]
 PLACE = ["solve", "place", "spiral-in", *IN_HALL]
@@ -183,6 +185,10 @@ CASES: dict[str, Case] = {
     "solve turn --least-radius": Case(BEST, ["--least-radius", "1.6"]),
     "solve turn --longest": Case(BEST, ["--longest", "12"]),
     "solve turn --longest-way": Case(BEST, ["--longest-way", "12"]),
+    "solve turn --prove": Case(BOUNDED, ["--prove"]),
+    "solve turn --within": Case([*BOUNDED, "--prove"], ["--within", "3"]),
+    "solve turn --boxes": Case([*BOUNDED, "--prove"], ["--boxes", "2"]),
+    "solve turn --certificate": Case([*BOUNDED, "--prove"], ["--certificate", "turn.json"]),
     "solve turn --plan-file": Case(BEST, ["--plan-file", "best.toml"]),
     "solve turn --force": Case(
         [*BEST, "--plan-file", "best.toml"], ["--force"], [*BEST, "--plan-file", "best.toml"]

@@ -217,6 +217,9 @@ def test_nothing_bounds_what_a_search_finds() -> None:
     assert (shown.lower, shown.upper) == (proof().bound, answer.value)
     assert shown.assumptions[0].startswith("proved: no turn of the family arc-line-arc")
     assert not any("better ones may exist" in text for text in shown.assumptions)
+    for gap, said in ((0.0201, "0.021"), (9.91e-4, "0.001"), (0.0, "0")):
+        told = with_proof(found, replace(proof(), gap=gap)).objective.assumptions
+        assert f"is within {said} m of that" in told[1]
     root = Node((4.5,), (4.5,), -math.inf)
     nothing = with_proof(found, replace(proof(), root=root, bound=-math.inf)).objective
     assert nothing.lower == -math.inf
@@ -277,6 +280,12 @@ def test_a_witness_more_or_less_is_refused() -> None:
     for said in (written()["witnesses"][:-1], [*written()["witnesses"], None]):
         with pytest.raises(InputError, match="do not fit together"):
             verify(tampered(witnesses=said))
+
+
+def test_a_box_left_out_with_its_witness_is_missed() -> None:
+    said = written()
+    with pytest.raises(InputError, match="do not fit together"):
+        verify(tampered(across=said["across"][:-1], witnesses=said["witnesses"][:-1]))
 
 
 def test_boxes_halved_without_end_are_refused() -> None:

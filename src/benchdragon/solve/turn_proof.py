@@ -324,6 +324,14 @@ def _rounded(turns: "Turns", bound: float) -> str:
     return f"{whole / 1e6:.6f}"
 
 
+def _rounded_up(gap: float) -> str:
+    """A distance with two figures, no smaller than it is."""
+    if not gap > 0.0:
+        return "0"
+    unit = 10.0 ** (math.floor(math.log10(gap)) - 1)
+    return f"{math.ceil(gap / unit) * unit:.2g}"
+
+
 def with_proof(best: BestTurn, proof: TurnProof) -> BestTurn:
     """A best turn whose bracket is what was proved; in words too."""
     answer, bound = best.objective, proof.bound
@@ -333,7 +341,7 @@ def with_proof(best: BestTurn, proof: TurnProof) -> BestTurn:
     text = _("{boxes} boxes of turns were looked at; the best found is within {gap} {unit} of that")
     told = (
         proof_text(proof.turns, proof.root.low, proof.root.high, bound),
-        text.format(boxes=proof.boxes, gap=f"{proof.gap:.2g}", unit=answer.unit),
+        text.format(boxes=proof.boxes, gap=_rounded_up(proof.gap), unit=answer.unit),
     )
     if not proof.complete:
         told += (_("more boxes would bring the two closer together"),)
