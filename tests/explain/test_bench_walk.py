@@ -25,7 +25,8 @@ def told() -> tuple[BenchWalk, ...]:
 
 
 def text_of(plan: Plan, found: BenchWalk, peg: Point = (0.0, 0.0)) -> BenchText:
-    ground = Ground.of(plan, plan.build().route, peg)
+    plan = plan.with_value("chalk.peg", list(peg))
+    ground = Ground.of(plan, plan.build().route)
     return bench_text(plan, found, partial(called, plan.people, count=9), ground)
 
 

@@ -57,6 +57,7 @@ SURVEYED: Tables = {
     "survey": {"crs": "EPSG:4547"},
     "people": {"count_head": False, "unit": "qiao"},
     "cues": {"clock": "23:59:45"},
+    "chalk": {"every": 0.7, "peg": [2, -1]},
 }  # fmt: skip
 ROOT = Path(__file__).parents[2]
 # Seconds of each dance that are looked at.
@@ -85,7 +86,7 @@ def sentences(read: Plan, walk: Walk, span: tuple[float, float], benches: Sequen
     """What stands on the sheets of all benches, in the language in use."""
     ground = Ground.of(read, walk.route)
     trail = Trail.of(walk, *span)
-    marks = placed_marks(trail, trail.usual_every, ground)
+    marks = placed_marks(trail, read.chalk.every or trail.usual_every, ground)
     starts = walk.motion(span[:1]).s[0].tolist()
     name = partial(called, read.people, count=len(benches))
     return [

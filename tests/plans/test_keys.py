@@ -28,7 +28,7 @@ EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.dragon.toml")
 def test_every_key_of_every_table_is_described(section: Section) -> None:
     names = {field.alias or name for name, field in section.table.model_fields.items()}
     tables = {"meta", "dragon", "route", "disc", "turn", "walk", "limits", "venue", "obstacle"}
-    tables |= {"survey", "people", "cues", "event"}
+    tables |= {"survey", "people", "cues", "chalk", "event"}
     assert set(section.keys) == names - (tables if section.table is Plan else set())
 
 

@@ -3,7 +3,6 @@
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from datetime import date
 from pathlib import Path
 from typing import Any, Literal
 
@@ -20,11 +19,11 @@ from benchdragon.explain.bench_walk import bench_text, tightest_line
 from benchdragon.export.document import Table
 from benchdragon.i18n import spoken_in
 from benchdragon.rosters.roster import Person, Roster
-from benchdragon.sheets.briefing import Briefing, briefing_of
+from benchdragon.sheets.briefing import Briefing
 from benchdragon.sheets.cards import BLANK, LEAST_MAP, write_benches
 from benchdragon.sheets.chalk import chalk_drawing, list_rows
-from benchdragon.sheets.checked import Record
-from benchdragon.sheets.options import ChalkOptions, Options
+from benchdragon.sheets.checked import read_record, record_check
+from benchdragon.sheets.options import Options
 from benchdragon.sheets.overview import overview, write_overview
 from benchdragon.sheets.small_map import Frame, SmallMap
 from tests.sheets.village import small
@@ -75,14 +74,14 @@ def test_a_sheet_says_what_its_bench_does_and_who_is_beside(
     ],
 )
 def test_a_sheet_says_between_which_chalk_marks_its_bench_starts(
-    tmp_path: Path, ours: Briefing, every: float | None, language: str, pattern: str
+    tmp_path: Path, every: float | None, language: str, pattern: str
 ) -> None:
-    wanted = ChalkOptions(every=every)
+    asked = small(tmp_path, *([f"chalk.every={every}"] if every else []))
     with spoken_in(language):
-        write_benches(tmp_path / "b.pdf", ours, Options(chalk=wanted))
-    drawing = chalk_drawing(ours, wanted)
+        write_benches(tmp_path / "b.pdf", asked, Options())
+    drawing = chalk_drawing(asked)
     ways = []
-    for bench, page in zip(ours.benches, pages(tmp_path / "b.pdf"), strict=True):
+    for bench, page in zip(asked.benches, pages(tmp_path / "b.pdf"), strict=True):
         told = re.search(pattern, page)
         assert told is not None
         first, second, past, at = told.groups()
@@ -99,9 +98,8 @@ def test_a_sheet_says_between_which_chalk_marks_its_bench_starts(
 def test_sheets_and_chalk_plan_measure_from_one_peg(
     tmp_path: Path, ours: Briefing, survey: list[str]
 ) -> None:
-    asked = small(tmp_path, *survey)
-    for one in (ours, replace(asked, told_peg=(2.0, 3.0))):
-        marks = chalk_drawing(one, ChalkOptions()).marks
+    for one in (ours, small(tmp_path, "chalk.peg=[2, 3]", *survey)):
+        marks = chalk_drawing(one).marks
         start = marks.kinds.index("start")
         place = bench_text(one.plan, one.benches[0], one.named, one.ground).place[0]
         assert f" {marks.radius[start]:.2f} m from it " in place
@@ -111,10 +109,31 @@ def test_sheets_and_chalk_plan_measure_from_one_peg(
         assert told == pytest.approx([x, y], abs=0.0076)
 
 
-def test_a_peg_that_no_tape_reaches_is_refused_whatever_papers_are_wanted(ours: Briefing) -> None:
-    record = Record(sha256=ours.sha256, date=date(2026, 2, 17), version="0.1.0", verdict={})
-    with pytest.raises(InputError, match="m from the nearest mark, farther than 200 m"):
-        briefing_of(ours.report, ours.roster, record, (1e8, 0.0))
+@pytest.mark.parametrize(
+    ("settings", "said"),
+    [
+        (["chalk.peg=[1e8, 0]"], "m from the nearest mark, farther than 200 m"),
+        (
+            ["chalk.every=0.1", "route.start_turn=60", "walk.end=600"],
+            "are more than 5000: ask for at least",
+        ),
+    ],
+)
+def test_marks_that_cannot_be_laid_out_are_refused_whatever_papers_are_wanted(
+    tmp_path: Path, settings: list[str], said: str
+) -> None:
+    with pytest.raises(InputError, match=said):
+        small(tmp_path, *settings)
+
+
+def test_papers_with_marks_of_another_spacing_bear_another_name(tmp_path: Path, ours: Briefing) -> None:
+    other = small(tmp_path, "route.at=[0.67,-1.5]", "chalk.every=2")
+    assert other.plan.sha256 == ours.plan.sha256, "the dance is the same"
+    assert other.foot != ours.foot
+    path = tmp_path / "ours.checked.json"
+    record_check(path, ours.report, ours.roster)
+    with pytest.raises(InputError, match="has changed since it was checked"):
+        read_record(path, other.plan, other.roster, "ours")
 
 
 @pytest.mark.parametrize(("paper", "count"), [("a4", 8), ("quarter", 2), ("lanyard", 4)])
@@ -298,10 +317,11 @@ def test_contents_name_the_page_on_which_the_map_stands(tmp_path: Path, ours: Br
 
 @pytest.mark.parametrize("every", [None, 0.5])
 def test_the_overview_says_from_which_mark_to_come_in_and_at_which_it_ends(
-    ours: Briefing, every: float | None
+    tmp_path: Path, every: float | None
 ) -> None:
-    said = str(overview(ours, phones=False, every=every).blocks)
-    marks = chalk_drawing(ours, ChalkOptions(every=every)).marks
+    ours = small(tmp_path, *([f"chalk.every={every}"] if every else []))
+    said = str(overview(ours, phones=False).blocks)
+    marks = chalk_drawing(ours).marks
     start = marks.kinds.index("start") + 1
     assert (
         f"comes in at mark 1 of the chalk plan and walks slowly along the line to mark {start};" in said

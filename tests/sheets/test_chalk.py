@@ -3,7 +3,6 @@
 import math
 import re
 import zipfile
-from dataclasses import replace
 from itertools import combinations, pairwise
 from pathlib import Path
 from typing import Any
@@ -84,7 +83,7 @@ def folders(briefing: Briefing, tmp_path_factory: pytest.TempPathFactory) -> dic
 
 @pytest.fixture(scope="module")
 def drawing(briefing: Briefing) -> ChalkDrawing:
-    return chalk_drawing(briefing, ChalkOptions())
+    return chalk_drawing(briefing)
 
 
 def test_the_list_says_what_the_route_is_to_the_rounding(drawing: ChalkDrawing) -> None:
@@ -160,12 +159,12 @@ def test_the_peg_and_the_directions_are_told_from_the_venues_edge(
 
 def test_one_chooses_where_x_points_only_where_nothing_stands(briefing: Briefing) -> None:
     plan = village(venue={}, obstacle=[])
-    free = chalk_drawing(briefed(plan), ChalkOptions())
+    free = chalk_drawing(briefed(plan))
     assert edge_lengths(free.marks.ground, free.obstacles) is None
     assert "You choose on the ground" in str(
         chalk_document(free, "", "2026-11-23", free.sheet(None, 200.0)).blocks
     )
-    outside = chalk_drawing(replace(briefing, told_peg=(40.0, 3.0)), ChalkOptions())
+    outside = chalk_drawing(briefed(village(chalk={"peg": [40.0, 3.0]})))
     assert edge_lengths(outside.marks.ground, outside.obstacles) is None
     assert "You choose" not in str(
         chalk_document(outside, "", "2026-11-23", outside.sheet(None, 200.0)).blocks
@@ -206,10 +205,8 @@ def test_the_drawing_is_to_scale(folders: dict[str, Path], drawing: ChalkDrawing
 
 
 @pytest.mark.parametrize(("every", "all_shown"), [(1.0, True), (0.1, False)])
-def test_no_number_overlaps_another_number_a_name_or_a_mark(
-    every: float, all_shown: bool, briefing: Briefing
-) -> None:
-    drawing = chalk_drawing(briefing, ChalkOptions(every=every))
+def test_no_number_overlaps_another_number_a_name_or_a_mark(every: float, all_shown: bool) -> None:
+    drawing = chalk_drawing(briefed(village(chalk={"every": every})))
     sheet = drawing.sheet("A3", 100.0)
     figure = chalk_picture(drawing, sheet)
     figure.set_dpi(72.0)
@@ -237,12 +234,14 @@ def test_the_peg_is_the_centre_of_the_route_where_it_is_danced() -> None:
     spiral = {"kind": "spiral-in", "at": [3.0, -1.0]}
     plan = checked({"schema": 1, "dragon": {"benches": 4}, "route": spiral}, "spiral")
     assert own_peg(plan, plan.build().route) == pytest.approx((3.0, -1.0))
+    told = plan.with_value("chalk.peg", [0.5, 7.0])
+    assert own_peg(told, told.build().route) == (0.5, 7.0)
 
 
 def test_bearings_are_from_north_only_where_a_survey_tells_it(briefing: Briefing) -> None:
-    assert not chalk_drawing(briefing, ChalkOptions()).marks.north
-    surveyed = briefed(village(survey={"crs": "wgs84", "origin": [120.0, 30.0]}))
-    marks = chalk_drawing(replace(surveyed, told_peg=(0.0, 0.0)), ChalkOptions()).marks
+    assert not chalk_drawing(briefing).marks.north
+    plan = village(survey={"crs": "wgs84", "origin": [120.0, 30.0]}, chalk={"peg": [0.0, 0.0]})
+    marks = chalk_drawing(briefed(plan)).marks
     assert marks.north
     x, y = marks.points.T
     assert marks.radius * np.sin(np.radians(marks.angle)) == pytest.approx(x, abs=1e-9)
@@ -316,10 +315,16 @@ def test_windows_cover_a_drawing_and_overlap(size: tuple[float, float]) -> None:
     assert all(b - a == pytest.approx(tall - 10.0) for a, b in pairwise(ys))
 
 
-def test_how_long_the_marks_take_is_told_by_their_number(briefing: Briefing) -> None:
-    drawing = chalk_drawing(briefing, ChalkOptions(every=0.25))
+def test_how_long_the_marks_take_is_told_by_their_number() -> None:
+    drawing = chalk_drawing(briefed(village(chalk={"every": 0.25})))
     text = str(chalk_document(drawing, "", "2026-11-23", drawing.sheet(None, 200.0)).blocks)
-    told = re.search(r"need (\S+) minutes a mark, which is an assumption, take about (\d+) hours", text)
+    told = re.search(
+        r"need (\S+) to (\S+) minutes a mark, which is an assumption, take (\S+) to (\S+) hours", text
+    )
     assert told is not None
-    assert int(told[2]) == math.ceil(len(drawing.marks) * float(told[1]) / 60.0) > 1
+    fast, slow, least, most = map(float, told.groups())
+    for minutes, hours in ((fast, least), (slow, most)):
+        assert 0.0 <= hours - len(drawing.marks) * minutes / 60.0 < 0.5
+    assert 1.0 < least < most
+    assert "write every = 0.5 under [chalk]" in text
     assert f"take {math.ceil(len(drawing.marks) / 10)} times as long" in text

@@ -58,9 +58,7 @@ def test_all_papers_are_written_unless_some_are_named(here: Path) -> None:
     assert set(come(here)) == {f"sheets/{file}" for one in papers.PAPERS.values() for file in one.files}
 
 
-@pytest.mark.parametrize(
-    "added", [["--every", "2"], ["--peg", "1", "2"], ["--scale", "1:200"], ["--paper-size", "A2"]]
-)
+@pytest.mark.parametrize("added", [["--scale", "1:200"], ["--paper-size", "A2"]])
 def test_an_option_of_the_chalk_plan_has_an_effect(here: Path, added: list[str]) -> None:
     assert come(here, "--only", "chalk", *added) != come(here, "--only", "chalk")
 

@@ -43,9 +43,9 @@ class Ground:
     venue: bool = False
 
     @classmethod
-    def of(cls, plan: Plan, route: Route, peg: Point | None = None) -> Self:
-        """That of a plan; with the plan's own peg if none is said."""
-        peg = own_peg(plan, route) if peg is None else peg
+    def of(cls, plan: Plan, route: Route) -> Self:
+        """That of a plan."""
+        peg = own_peg(plan, route)
         edges = [one for one in plan.obstacles() if one.kind == "venue"]
         if plan.survey.north:
             return cls(peg, north=True)
@@ -96,7 +96,9 @@ class Ground:
 
 
 def own_peg(plan: Plan, route: Route) -> Point:
-    """The centre of the route's first spiral, else where the plan puts the route's origin, m."""
+    """Where the plan says, m; else the centre of the route's first spiral, else the route's origin."""
+    if plan.chalk.peg is not None:
+        return plan.chalk.peg
     return route.centre if route.centre != (0.0, 0.0) else plan.route.at or (0.0, 0.0)
 
 

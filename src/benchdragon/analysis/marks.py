@@ -22,9 +22,10 @@ from benchdragon.model.base_curve import Point
 from benchdragon.model.curves import Arc, Route
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
+from benchdragon.plans.chalk import LEAST_EVERY
 
-# Marks of one plan, and the least distance between them along the route, m.
-MOST_MARKS, LEAST_EVERY = 5_000, 0.1
+# Marks of one plan.
+MOST_MARKS = 5_000
 # What lengths, m, and angles, degrees, are rounded to.
 LENGTH_STEP, ANGLE_STEP = 0.005, 0.01
 # Marks that would be nearer than this along the route, m, are one.
@@ -339,9 +340,9 @@ def placed_marks(
     return Marks(s, points, tuple(kinds), ground, bases, reach)
 
 
-def check_peg(trail: Trail, peg: Point) -> None:
-    """Refuse a peg from which no tape reaches any of the usual marks of a trail."""
-    _farthest(trail.route.point(trail.marked(trail.usual_every)[0]), _peg(peg))
+def check_marks(trail: Trail, every: float, peg: Point) -> None:
+    """Refuse marks of a trail that are too many, and a peg from which no tape reaches any of them."""
+    _farthest(trail.route.point(trail.marked(every)[0]), _peg(peg))
 
 
 def _farthest(points: FloatArray, peg: Point) -> float:

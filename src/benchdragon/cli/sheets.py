@@ -20,8 +20,7 @@ from benchdragon.cli.options import (
     shared_options,
     tell_roster,
 )
-from benchdragon.cli.parsing import PAPERS, parse_length, parse_scale
-from benchdragon.errors import finite
+from benchdragon.cli.parsing import PAPERS, parse_scale
 from benchdragon.i18n import N_, _
 from benchdragon.progress import part
 
@@ -32,8 +31,7 @@ if TYPE_CHECKING:
 SPEAK_OF = {
     ("benches",): ("paper", "by", "night"),
     ("benches", "overview"): ("phones",),
-    ("benches", "overview", "chalk"): ("peg",),
-    ("chalk",): ("every", "scale", "paper_size"),
+    ("chalk",): ("scale", "paper_size"),
 }
 
 
@@ -65,24 +63,6 @@ SPEAK_OF = {
 @click.option("--night", is_flag=True, help=N_("Large type, to be read by lantern light."))
 @click.option(
     "--phones", is_flag=True, help=N_("Print phone numbers too, which else stay in the list.")
-)
-@click.option(
-    "--every",
-    metavar="LENGTH",
-    help=N_(
-        "Of the chalk plan: between marks along the route, at least 0.1 m. Default: 1 m, or more on a "
-        "route so long that there were too many."
-    ),
-)
-@click.option(
-    "--peg",
-    nargs=2,
-    type=float,
-    metavar="X Y",
-    help=N_(
-        "Where the peg stands, m of the plan, from which the papers measure. "
-        "Default: the route's centre."
-    ),
 )
 @scale_option(N_("Of the chalk plan: 1:50 to 1:500. Default: the largest usual one that fits."))
 @click.option(
@@ -118,7 +98,7 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
         report = check(read, part(progress, 0.0, 0.2))
         if report.safe:
             record = record or record_check(path, report, roster)
-            briefing = briefing_of(report, roster, record, options["peg"])
+            briefing = briefing_of(report, roster, record)
             write_papers(briefing, folder, names, wanted, part(progress, 0.2, 1.0))
     if not report.safe:
         print_report(report)
@@ -143,18 +123,12 @@ def _chalk_options(options: dict[str, Any]) -> "ChalkOptions":
     """How the chalk plan is wanted.
 
     Raises:
-        InputError: for a length, a place or a scale that cannot be.
+        InputError: for a scale that cannot be.
     """
-    from benchdragon.analysis.marks import check_every
     from benchdragon.figures.chalk import MOST_CHALK_SCALE
     from benchdragon.figures.scale import check_scale
     from benchdragon.sheets.options import ChalkOptions
 
-    said, scale = options["every"], parse_scale("--scale", options["scale"])
-    every = None if said is None else parse_length("--every", said)
-    if every is not None:
-        check_every(every)
+    scale = parse_scale("--scale", options["scale"])
     check_scale(scale, MOST_CHALK_SCALE)
-    for name, value in zip("xy", options["peg"] or (), strict=False):
-        finite(f"--peg {name}", value, "m")
-    return ChalkOptions(every, options["paper_size"], scale)
+    return ChalkOptions(options["paper_size"], scale)

@@ -17,6 +17,7 @@ from benchdragon.model.curves import Route
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.profile import SpeedProfile
 from benchdragon.model.walk import Walk
+from benchdragon.plans.chalk import ChalkTable
 from benchdragon.plans.cues import END_SLACK, CuesTable, Moment, Paced
 from benchdragon.plans.drawn import SurveyTable, with_drawings
 from benchdragon.plans.event import EventTable
@@ -63,6 +64,7 @@ class Plan(Table):
     survey: SurveyTable = SurveyTable()
     people: PeopleTable = PeopleTable()
     cues: CuesTable = CuesTable()
+    chalk: ChalkTable = ChalkTable()
     event: EventTable = EventTable()
     base: Annotated[str, Field(exclude=True)] = ""
     _source: Source = PrivateAttr(default=Source())
@@ -78,9 +80,9 @@ class Plan(Table):
 
         What is said of the square, of the people's needs and of cues counts where it is said: plans
         without keep their names. Where on earth the dance is does not count, nor who dances, nor
-        what is said of the event.
+        how it is marked on the ground, nor what is said of the event.
         """
-        aside = {"meta", "venue", "obstacle", "survey", "people", "cues", "event"}
+        aside = {"meta", "venue", "obstacle", "survey", "people", "cues", "chalk", "event"}
         data = self.model_dump(mode="json", by_alias=True, exclude=aside)
         if self.limits.venue_margin is None:
             del data["limits"]["venue_margin"]
@@ -149,13 +151,13 @@ class Plan(Table):
     def data(self) -> dict[str, Any]:
         """Every key that has an effect, those left out as by default, as plain data: the same plan.
 
-        Of the people, the cues and the event only what is said.
+        Of the people, the cues, the marks and the event only what is said.
         """
         data = self.model_dump(mode="json", by_alias=True, exclude_none=True)
-        data["people"] = self.people.model_dump(mode="json", exclude_defaults=True)
-        data["event"] = self.event.model_dump(mode="json", exclude_defaults=True)
+        for name in ("people", "chalk", "event"):
+            data[name] = getattr(self, name).model_dump(mode="json", exclude_defaults=True)
         data["cues"] = self.cues.said()
-        for name in ("people", "event", "cues"):
+        for name in ("people", "cues", "chalk", "event"):
             if not data[name]:
                 del data[name]
         drop(data, idle_keys(data))

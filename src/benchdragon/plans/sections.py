@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from benchdragon.i18n import N_
+from benchdragon.plans.chalk import ChalkTable
 from benchdragon.plans.cues import CuesTable, CueTable
 from benchdragon.plans.drawn import PieceTable, SurveyTable
 from benchdragon.plans.event import EventTable
@@ -380,6 +381,20 @@ SECTIONS = (
             "tempo": Key(N_("beats a minute from then on; of kind tempo alone"), 120),
             "text": Key(N_("what it is called; else its kind"), "bow to the temple"),
             "text_zh": Key(N_("the same in Chinese"), "拜庙"),
+        },
+    ),
+    Section(
+        "[chalk]",
+        N_("Marks on the ground; without effect on the dance. All papers go by them."), ChalkTable,
+        {
+            "every": Key(
+                N_("between marks along the route; else 1 m, or more where those were too many"), 2, "m"
+            ),
+            "peg": Key(
+                N_("where the peg stands, x and y, from which all papers measure; else the "
+                   "route's centre"),
+                [1, 2], "m",
+            ),
         },
     ),
     Section(

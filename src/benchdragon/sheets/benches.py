@@ -43,23 +43,17 @@ class Sheet:
 
 
 def bench_sheets(
-    briefing: Briefing,
-    by: Literal["bench", "household"],
-    phones: bool,
-    most: int,
-    every: float | None = None,
+    briefing: Briefing, by: Literal["bench", "household"], phones: bool, most: int
 ) -> list[Sheet]:
     """The sheets of a dance, the head's first, with so many benches of a household at most.
 
-    Benches of no household stand alone. Marks of the chalk plan are `every` m apart; None for as far
-    as usual.
+    Benches of no household stand alone.
 
     Raises:
-        InputError: for marks that are too near or too many.
+        InputError: for marks of the chalk plan that are too many.
     """
     starts = briefing.report.walk.motion([briefing.report.start]).s[0]
-    marks = briefing.marks(every)
-    told = [mark_line(marks, float(starts[found.bench - 1])) for found in briefing.benches]
+    told = [mark_line(briefing.marks, float(starts[found.bench - 1])) for found in briefing.benches]
     entries = [
         _entry(briefing, found.bench, phones, line)
         for found, line in zip(briefing.benches, told, strict=True)

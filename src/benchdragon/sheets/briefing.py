@@ -8,9 +8,9 @@ from benchdragon.analysis.bench_walks import BenchWalk, bench_walks
 from benchdragon.analysis.check import Report
 from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.ground import Ground
-from benchdragon.analysis.marks import Marks, Trail, check_peg, placed_marks
+from benchdragon.analysis.marks import Marks, Trail, check_marks, placed_marks
 from benchdragon.i18n import _
-from benchdragon.model.base_curve import Point
+from benchdragon.plans.chalk import ChalkTable
 from benchdragon.plans.people import called
 from benchdragon.plans.schema import Plan
 from benchdragon.rosters.roster import Roster
@@ -30,7 +30,6 @@ class Briefing:
         benches: what each bench does, the head's first.
         checked_on: the day of the check, YYYY-MM-DD.
         sha256: of all that the papers rest on: plan, people, cues and roster.
-        told_peg: where the peg stands, m; None for the plan's own.
     """
 
     report: Report
@@ -38,7 +37,6 @@ class Briefing:
     benches: tuple[BenchWalk, ...]
     checked_on: str
     sha256: str
-    told_peg: Point | None = None
 
     @property
     def plan(self) -> Plan:
@@ -58,21 +56,27 @@ class Briefing:
     @cached_property
     def ground(self) -> Ground:
         """The peg and the base line from which all papers measure."""
-        return Ground.of(self.plan, self.report.walk.route, self.told_peg)
+        return Ground.of(self.plan, self.report.walk.route)
 
     @cached_property
     def trail(self) -> Trail:
         """What the dragon covers of its route."""
         return Trail.of(self.report.walk, self.report.start, self.report.end)
 
-    def marks(self, every: float | None) -> Marks:
-        """The chalk plan's marks, so many m apart; None for its usual distance.
+    @property
+    def every(self) -> float:
+        """How far apart the chalk plan's marks are along the route, m."""
+        said = self.plan.chalk.every
+        return self.trail.usual_every if said is None else said
+
+    @cached_property
+    def marks(self) -> Marks:
+        """The chalk plan's marks, as all papers number them.
 
         Raises:
-            InputError: for marks that are too near or too many.
+            InputError: for marks that are too many.
         """
-        apart = self.trail.usual_every if every is None else every
-        return placed_marks(self.trail, apart, self.ground, obstacles=self.plan.obstacles())
+        return placed_marks(self.trail, self.every, self.ground, obstacles=self.plan.obstacles())
 
     def called(self, bench: int) -> str:
         """What the village calls a bench (number, from 1), in the language in use."""
@@ -95,13 +99,14 @@ def listed(names: Sequence[str], most: int) -> str:
     return _("{names} and {count} more").format(names=text, count=len(names) - most)
 
 
-def briefing_of(report: Report, roster: Roster, record: Record, peg: Point | None = None) -> Briefing:
-    """What papers are made from: a check that found nothing, the people, the check's record, a peg.
+def briefing_of(report: Report, roster: Roster, record: Record) -> Briefing:
+    """What papers are made from: a check that found nothing, the people, the check's record.
 
     Raises:
-        InputError: for a peg that no tape reaches.
+        InputError: for marks that the plan wants too many of, and for a peg that no tape reaches.
     """
-    if peg is not None:
-        check_peg(Trail.of(report.walk, report.start, report.end), peg)
     benches = bench_walks(report.plan, report.walk, (report.start, report.end))
-    return Briefing(report, roster, benches, record.date.isoformat(), record.sha256, peg)
+    briefing = Briefing(report, roster, benches, record.date.isoformat(), record.sha256)
+    if report.plan.chalk != ChalkTable():
+        check_marks(briefing.trail, briefing.every, briefing.ground.peg)
+    return briefing

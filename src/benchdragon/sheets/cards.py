@@ -353,7 +353,7 @@ def write_benches(
 ) -> None:
     """Write the benches' sheets of a dance."""
     most = MOST_BENCHES if options.paper == "a4" and not options.night else 1
-    sheets = bench_sheets(briefing, options.by, options.phones, most, options.chalk.every)
+    sheets = bench_sheets(briefing, options.by, options.phones, most)
     names = [shown_name(one) for one in briefing.plan.obstacles()]
     cards = Cards(briefing, options.paper, options.night, repr((sheets, names)))
     cards.write_all(sheets, progress)

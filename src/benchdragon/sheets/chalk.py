@@ -30,8 +30,8 @@ from benchdragon.model.obstacle import Obstacle
 from benchdragon.sheets.briefing import Briefing
 from benchdragon.sheets.options import ChalkOptions
 
-# Assumed of two people with a tape: minutes that a mark takes.
-MINUTES = 2.0
+# Assumed of two people with a tape: minutes that a mark takes, when they have the knack and before.
+MINUTES = (1.0, 2.0)
 FILES = ("chalk.pdf", "chalk-drawing.pdf", "chalk-tiles.pdf", "chalk.xlsx")
 # A cell of the list.
 Cell = str | int | float
@@ -39,16 +39,17 @@ Cell = str | int | float
 ANGLE, WIDTHS = 5, (4.0, 7.5, 7.0, 7.0, 7.0, 8.0, 6.5, 7.0, 5.0, 8.0, 9.0)
 
 
-def chalk_drawing(briefing: Briefing, options: ChalkOptions) -> ChalkDrawing:
+def chalk_drawing(briefing: Briefing) -> ChalkDrawing:
     """The marks of a dance and what is drawn with them.
 
     Raises:
-        InputError: for marks that are too near or too many.
+        InputError: for marks that are too many.
     """
-    plan, trail = briefing.plan, briefing.trail
-    every = trail.usual_every if options.every is None else options.every
-    marks = briefing.marks(options.every)
-    return ChalkDrawing(plan.title(language()), marks, trail, plan.obstacles(), every, briefing.foot)
+    plan = briefing.plan
+    return ChalkDrawing(
+        plan.title(language()), briefing.marks, briefing.trail, plan.obstacles(), briefing.every,
+        briefing.foot,
+    )  # fmt: skip
 
 
 def write_chalk(briefing: Briefing, folder: Path, options: ChalkOptions) -> list[Path]:
@@ -58,7 +59,7 @@ def write_chalk(briefing: Briefing, folder: Path, options: ChalkOptions) -> list
     drawing on one sheet, chalk-tiles.pdf the same on pages to be glued together.
 
     Raises:
-        InputError: for marks that are too near or too many, a paper that is not known, and ground that
+        InputError: for marks that are too many, a paper that is not known, and ground that
             does not fit it.
     """
     if options.tile not in PAPERS:
@@ -67,7 +68,7 @@ def write_chalk(briefing: Briefing, folder: Path, options: ChalkOptions) -> list
                 known=", ".join(PAPERS), value=options.tile
             )
         )
-    drawing = chalk_drawing(briefing, options)
+    drawing = chalk_drawing(briefing)
     sheet = drawing.sheet(options.paper, options.scale)
     paths = [folder / name for name in FILES]
     figure = chalk_picture(drawing, sheet)
@@ -135,8 +136,13 @@ def chalk_document(drawing: ChalkDrawing, title: str, date: str, sheet: Sheet) -
     return Document(title, language(), date, blocks, drawing.foot)
 
 
+def _hours(marks: Marks, minutes: float) -> str:
+    """How long all marks take at so many minutes each, to half an hour, rounded up."""
+    return f"{math.ceil(2.0 * len(marks) * minutes / 60.0) / 2.0:g}"
+
+
 def _about(drawing: ChalkDrawing, sheet: Sheet) -> Iterator[Paragraph]:
-    marks = drawing.marks
+    marks, (fast, slow) = drawing.marks, MINUTES
     yield say(
         _(
             "{count} marks, one each {every} m along the route and one at each joint of its parts, on "
@@ -148,13 +154,19 @@ def _about(drawing: ChalkDrawing, sheet: Sheet) -> Iterator[Paragraph]:
     )  # fmt: skip
     yield say(
         _(
-            "Two people who need {minutes} minutes a mark, which is an assumption, take about {hours} "
-            "hours. Time the first ten: all of them take {times} times as long. With --every {twice} "
-            "the marks are half as many."
+            "Two people who need {fast} to {slow} minutes a mark, which is an assumption, take {least} "
+            "to {most} hours. Time the first ten: all of them take {times} times as long."
         ),
-        minutes=f"{MINUTES:g}", hours=f"{math.ceil(len(marks) * MINUTES / 60.0)}",
-        times=f"{math.ceil(len(marks) / 10)}", twice=f"{2.0 * drawing.every:g}",
+        fast=f"{fast:g}", slow=f"{slow:g}", least=_hours(marks, fast), most=_hours(marks, slow),
+        times=f"{math.ceil(len(marks) / 10)}",
     )  # fmt: skip
+    yield say(
+        _(
+            "Fewer marks: write every = {twice} under [chalk] in the plan, and print all papers anew, "
+            "for all marks have other numbers then."
+        ),
+        twice=f"{2.0 * drawing.every:g}",
+    )
     sides = sorted((sheet.width, sheet.height))
     paper = next(name for name, size in PAPERS.items() if sorted(size) == sides)
     if paper != "A4":

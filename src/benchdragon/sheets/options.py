@@ -11,13 +11,11 @@ class ChalkOptions:
     """How the chalk plan is wanted.
 
     Attributes:
-        every: m between marks along the route; None for 1 m, or more where those were too many.
         paper: of the whole drawing, A4 to A0; None for one that suits.
         scale: 1 to this; None for the largest usual one that fits.
         tile: the paper on which the drawing is printed in parts.
     """
 
-    every: float | None = None
     paper: str | None = None
     scale: float | None = None
     tile: str = "A4"

@@ -28,11 +28,8 @@ WHAT = 3
 MAP = Frame(0.0, 0.0, 178.0, 150.0)
 
 
-def overview(briefing: Briefing, phones: bool, every: float | None = None) -> Document:
-    """The overview as a document, whose map is a picture called "map".
-
-    Marks of the chalk plan are `every` m apart; None for as far as usual.
-    """
+def overview(briefing: Briefing, phones: bool) -> Document:
+    """The overview as a document, whose map is a picture called "map"."""
     benches = len(briefing.benches)
     blocks: list[Block] = [
         Heading(_("Verdict"), "verdict"),
@@ -44,7 +41,7 @@ def overview(briefing: Briefing, phones: bool, every: float | None = None) -> Do
         ),
         *_numbering(briefing),
         *_tightest(briefing),
-        *_coming(briefing, every),
+        *_coming(briefing),
         *_room(briefing),
         *_notes(briefing),
         Heading(_("Where each bench starts"), "starts", room=_map_frame(briefing).height),
@@ -73,9 +70,9 @@ def _tightest(briefing: Briefing) -> list[Block]:
     return [Heading(_("Tightest moments"), "tightest"), *lines] if lines else []
 
 
-def _coming(briefing: Briefing, every: float | None) -> list[Block]:
+def _coming(briefing: Briefing) -> list[Block]:
     """From which mark of the chalk plan to come in, and how to leave."""
-    kinds = briefing.marks(every).kinds
+    kinds = briefing.marks.kinds
     coming = _(
         "To line up, the head comes in at mark {first} of the chalk plan and walks slowly along the "
         "line to mark {start}; the others follow. Then each bench stands where its sheet says. The "
@@ -183,8 +180,8 @@ def _write_map(path: Path, briefing: Briefing) -> None:
         made.write(bytes(pdf.output()))
 
 
-def write_overview(path: Path, briefing: Briefing, phones: bool, every: float | None = None) -> None:
+def write_overview(path: Path, briefing: Briefing, phones: bool) -> None:
     """Write the overview as a PDF."""
     with TemporaryDirectory() as folder:
         _write_map(Path(folder) / "map.pdf", briefing)
-        write_pdf(path, overview(briefing, phones, every), Path(folder))
+        write_pdf(path, overview(briefing, phones), Path(folder))

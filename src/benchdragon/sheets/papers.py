@@ -44,7 +44,7 @@ def _benches(briefing: Briefing, folder: Path, options: Options, progress: Progr
 
 
 def _overview(briefing: Briefing, folder: Path, options: Options, _progress: Progress) -> None:
-    write_overview(folder / "overview.pdf", briefing, options.phones, options.chalk.every)
+    write_overview(folder / "overview.pdf", briefing, options.phones)
 
 
 def _chalk(briefing: Briefing, folder: Path, options: Options, _progress: Progress) -> None:

@@ -38,6 +38,18 @@ export interface BenchTable {
   count?: number;
 }
 
+/**
+ * Marks on the ground: all papers of a dance number them alike, and measure from one peg.
+ *
+ * Attributes:
+ *     every: m between marks along the route; None for 1 m, or more where those were too many.
+ *     peg: where the peg stands, m; None for the centre of the route.
+ */
+export interface ChalkTable {
+  every?: number | null;
+  peg?: [number, number] | null;
+}
+
 /** A round obstacle. */
 export interface CircleTable {
   name?: string;
@@ -542,6 +554,7 @@ export interface Plan {
   survey?: SurveyTable;
   people?: PeopleTable;
   cues?: CuesTable;
+  chalk?: ChalkTable;
   event?: EventTable;
 }
 

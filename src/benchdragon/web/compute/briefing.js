@@ -86,17 +86,17 @@ export function briefing({ engine, plan, progress }) {
  */
 export async function briefed(arena, plan, walk, span, progress) {
   const { benches, s } = await benchWalks(plan, walk, span, progress);
-  const { people, cues, route, survey } = plan.tables;
+  const { people, cues, chalk, route, survey } = plan.tables;
   const { points, low, high } = wayOf(walk, s);
   const obstacles = plan.obstacles();
-  const ground = groundOf(ownPeg(walk, route.at), survey.crs !== null, obstacles);
+  const ground = groundOf(chalk.peg ?? ownPeg(walk, route.at), survey.crs !== null, obstacles);
   const ends = s.map((at) => endsOf(walk, at));
   return {
     sha256: plan.sha256,
     title: both(() => plan.title),
     benches,
     landmarks: landmarksOf(arena, obstacles, benches, ground),
-    marks: marksOf(walk, span, s[0]),
+    marks: marksOf(walk, span, s[0], chalk.every),
     ground,
     start: span[0],
     clock: String(cues.clock),
@@ -111,11 +111,11 @@ function ownPeg({ route: { centre } }, at) {
   return centre[0] || centre[1] ? centre : (at ?? [0, 0]);
 }
 
-/** @param {Walk} walk @param {[number, number]} span @param {number[]} starts where front handles stand at first, m */
-function marksOf(walk, [start, end], starts) {
+/** @param {Walk} walk @param {[number, number]} span @param {number[]} starts where front handles stand at first, m @param {number | null} every m between marks; null: as usual */
+function marksOf(walk, [start, end], starts, every) {
   const [head, last] = [start, end].map((time) => walk.headPosition(time));
   const high = Math.min(last, walk.route.length);
-  const marks = new Marks(walk.route, starts[starts.length - 1], head, high);
+  const marks = new Marks(walk.route, starts[starts.length - 1], head, high, every);
   return starts.slice(0, -1).map((s) => marks.place(s));
 }
 

@@ -570,7 +570,6 @@ export const ANALYSIS_GROUND = {
 
 export const ANALYSIS_MARKS = {
   MOST_MARKS: 5000,
-  LEAST_EVERY: 0.1,
   LENGTH_STEP: 0.005,
   ANGLE_STEP: 0.01,
   SAME_MARK: 1e-6,

@@ -1,7 +1,10 @@
 // Marks on the ground along a route, and between which of them a front handle starts. Twin of
 // analysis/marks.py, as far as sheets of benches need it.
 
+import { _ } from "../words.js";
 import { ANALYSIS_MARKS, CURVE, ROUTE_PARTS, SHEETS_BENCHES } from "./constants.js";
+import { InputError } from "./errors.js";
+import { decimals, general } from "./number_format.js";
 import { rint, rounded } from "./numbers.js";
 import { countUpTo } from "./profile.js";
 
@@ -16,13 +19,15 @@ const RANK = { step: 0, joint: 1, end: 2, start: 3 };
 // As near as that to a mark, m, a handle stands at it; and so finely it is told how far past it is.
 const FINE = 0.01;
 
-/** Where marks are as far apart as usual: 1 m, or as many decimetres more as MOST_MARKS want. */
+/** Marks so far apart, or as usual: 1 m, or as many decimetres more as MOST_MARKS want. */
 export class Marks {
-  /** @param {Route} route @param {number} low where the tail's last handle stands at first, m @param {number} start where the head's first stands then, m @param {number} high where that comes to, m */
-  constructor(route, low, start, high) {
+  /** @param {Route} route @param {number} low where the tail's last handle stands at first, m @param {number} start where the head's first stands then, m @param {number} high where that comes to, m @param {number | null} said how far apart they are to be, m */
+  constructor(route, low, start, high, said) {
     this.route = route;
     this.low = low;
-    const every = Math.max(1, Math.ceil((10 * (high - low)) / MOST_MARKS) / 10);
+    const least = Math.ceil((10 * (high - low)) / MOST_MARKS) / 10;
+    const every = said ?? Math.max(1, least);
+    refuseMany(every, high - low, least);
     /** Along the route, m. */
     this.s = this.#marked(every, start, high);
     /** What most marks are apart, m. */
@@ -82,6 +87,17 @@ export class Marks {
     const gap = n < last ? this.s[n + 1] - this.s[n] : 0;
     return past < 0 || gap > FARTHEST * this.usual ? null : { n: n + 1, past };
   }
+}
+
+/** Refuse marks that are too many: as many m apart, on so much of the route, m; and what they want at least. @param {number} every @param {number} length @param {number} needed */
+function refuseMany(every, length, needed) {
+  if (length / every <= MOST_MARKS) return;
+  throw new InputError(
+    _(
+      "marks each {every} m on {length} m of route are more than {most}: ask for at least {needed} m between them",
+      { every: general(every), length: decimals(length, 1), most: MOST_MARKS, needed: general(needed) },
+    ),
+  );
 }
 
 /** After how many m a place may come again: whole circles, or between joints in one place. @param {Route} route */

@@ -22,7 +22,7 @@ import { Walk } from "./walk.js";
 // What is named at once; of more it is said how many: MOST_FAULTS of plans/source.py.
 const MOST_NAMED = 20;
 // What of a plan does not count for its hash, or only where it is said.
-const ASIDE = ["meta", "venue", "obstacle", "survey", "people", "cues", "event", "base"];
+const ASIDE = ["meta", "venue", "obstacle", "survey", "people", "cues", "chalk", "event", "base"];
 // What of the people's table decides whether a dance is safe.
 const DECIDING = ["beside", "ahead", "sway", "imprecision", "most_speed"];
 const SIZE_KEYS = ["length", "width", "front_inset", "rear_inset"];
@@ -87,14 +87,14 @@ export class Plan {
 
   /**
    * Every key that has an effect, those left out as by default, as plain data: the same plan.
-   * Of the people, the cues and the event only what is said.
+   * Of the people, the cues, the marks and the event only what is said.
    * @returns {Tables}
    */
   data() {
     const { base: _base, ...tables } = this.tables;
     const data = withoutNulls(tables);
     const own = this.#notDefault();
-    for (const name of ["people", "event", "cues"]) {
+    for (const name of ["people", "cues", "chalk", "event"]) {
       if (own[name]) data[name] = own[name];
       else delete data[name];
     }
