@@ -30,7 +30,7 @@ TWINS = (
     "analysis.bench_nearness", "analysis.bench_walks", "analysis.bends", "analysis.check",
     "analysis.clock", "analysis.contact", "analysis.contact_search", "analysis.crossings",
     "analysis.distance", "analysis.ground", "analysis.marks", "analysis.obstacle_search",
-    "analysis.room", "analysis.speed", "analysis.tables", "explain.bench_walk",
+    "analysis.room", "analysis.speed", "analysis.tables", "analysis.unfinished", "explain.bench_walk",
     "model.answer", "model.base_curve", "model.connections", "model.curves", "model.dragon",
     "model.formations", "model.holds", "model.obstacle", "model.profile", "model.walk",
     "plans.cues", "plans.drawn", "plans.routes", "plans.square", "plans.tables", "plans.toml",

@@ -16,8 +16,9 @@ from benchdragon.plans.schema import read_plan
 from benchdragon.solve.proposal import Proposal, Wishes, propose
 
 END_OF_INPUT = "\x04"
-# In the order of the questions: benches, length, width, head, holes, square, bearers, beside, speeds.
-ANSWERS = ["4", "a lot", "1.5m", "15cm", "", "", "25x20", "", "2", "", ""]
+# In the order of the questions: benches, length, width, head, holes, square, bearers, beside, speeds,
+# sway, imprecision.
+ANSWERS = ["4", "a lot", "1.5m", "15cm", "", "", "25x20", "", "2", "", "", "3cm", ""]
 
 
 def asked(folder: Path, typed: str) -> tuple[int, str]:
@@ -54,6 +55,11 @@ def test_questions_are_asked_until_they_are_answered_and_the_plan_is_written(tmp
     assert plan.value("dragon.benches") == 4
     assert plan.value("dragon.body_length") == 1.5
     assert plan.venue.rectangle == (25.0, 20.0)
+    assert (plan.people.sway, plan.people.imprecision) == (0.03, 0.1)
+    assert plan.people.source.sway == "measured by the troupe"
+    assert plan.people.source.imprecision == "", "nobody measured it"
+    assert "people.sway 0.03 m (measured by the troupe)" in shown
+    assert "people.imprecision 0.1 m (assumption)" in shown
     assert shown.index("Proposed:") < shown.index("SAFE")
     assert "Length of a bench: wanted a length from 1 cm to 20 m, such as 1.5" in shown
 
@@ -100,6 +106,20 @@ def test_a_dance_that_is_soon_over_is_proposed_with_a_warning(
     assert "it does not come out again" in told
 
 
+def test_a_dance_that_ends_before_its_tail_is_out_is_printed_with_a_warning(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    text = 'schema = 1\n[dragon]\nbenches = 5\n[route]\nkind = "turn"\n[walk]\nstart = -5\nend = 9\n'
+    Path("v.dragon.toml").write_text(text, "utf-8")
+    assert run(["check", "v.dragon.toml", "--quiet", "--lang", "en"]) == 0
+    told = re.search(r"WARNING: the dance ends .*: walk.end = (\S+) is", capsys.readouterr().out)
+    assert told is not None
+    again = ["check", "v.dragon.toml", "--set", f"walk.end={told[1]}", "--quiet", "--lang", "en"]
+    assert run(again) == 0
+    assert "WARNING" not in capsys.readouterr().out
+
+
 def test_how_many_benches_come_out_again_is_told_where_all_of_them_do_not(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -118,7 +138,7 @@ def test_how_many_benches_come_out_again_is_told_where_all_of_them_do_not(
 
 
 def test_what_does_not_fit_is_asked_again_alone_and_the_other_answers_stay(tmp_path: Path) -> None:
-    first = ["24", "1.5m", "15cm", "2", "", "12x12", "", "beside", "", ""]
+    first = ["24", "1.5m", "15cm", "2", "", "12x12", "", "beside", "", "", "", ""]
     # Under the benches, as is proposed; beside them still, but the number that fits.
     for again, carried, most in (("\n", "under", 24), ("1\n\n", "beside", 23)):
         folder = tmp_path / carried

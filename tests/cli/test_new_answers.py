@@ -23,7 +23,8 @@ def question(name: str) -> Question:
         ("square", "30米乘20米", (30.0, 20.0)), ("square", "长30宽20", (30.0, 20.0)),
         ("square", "３０×２０", (30.0, 20.0)), ("square", "半径十二米", 12.0), ("square", "R12", 12.0),
         ("bearers", "两个人", 2), ("carry", "走在下面", "under"), ("carry", "两边", "beside"),
-        ("speed", "0.8米/秒", 0.8),
+        ("speed", "0.8米/秒", 0.8), ("sway", "三公分", 0.03), ("sway", "0", 0.0),
+        ("imprecision", "二十公分", 0.2),
     ],
 )  # fmt: skip
 def test_an_answer_as_people_type_it(name: str, text: str, value: object) -> None:
@@ -36,6 +37,7 @@ def test_an_answer_as_people_type_it(name: str, text: str, value: object) -> Non
         ("bearers", "some", "such as 2,"), ("benches", "一百二", "such as 120,"),
         ("bench_width", "30", "write 30cm"), ("bench_length", "150", "write 150cm"),
         ("bench_length", "long", "such as 1.5,"), ("square", "30", "(30x20)"),
+        ("sway", "3", "write 3cm"), ("imprecision", "-1cm", "from 0 cm to 1 m"),
         ("carry", "", "beside (1) or under (2)"), ("carry", "边上或下面", "beside (1)"),
         ("speed", "0", "such as 0.8,"),
     ],

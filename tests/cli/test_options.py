@@ -144,6 +144,8 @@ CASES: dict[str, Case] = {
     "new --carry": Case(PROPOSED, ["--carry", "under"]),
     "new --speed": Case(PROPOSED, ["--speed", "0.5"]),
     "new --most-speed": Case(PROPOSED, ["--most-speed", "1.2"]),
+    "new --sway": Case(PROPOSED, ["--sway", "2cm"]),
+    "new --imprecision": Case(PROPOSED, ["--imprecision", "20cm"]),
     "new --kind": Case(PROPOSED, ["--kind", "spiral-in"]),
     "new --roster": Case(PROPOSED, ["--roster", "names.csv"]),
     "new --force": Case(PROPOSED, ["--force"], PROPOSED),

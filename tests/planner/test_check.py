@@ -76,6 +76,18 @@ def test_what_stands_in_the_way_is_told_alike(quick: bool) -> None:
     assert wrong({name: SQUARE | data for name, data in SPECIAL.items()}, quick=quick) == {}
 
 
+def test_a_dance_that_ends_before_its_tail_is_out_is_told_alike() -> None:
+    turn: Tables = {"schema": 1, "route": {"kind": "turn"}, "dragon": {"benches": 9}}
+    plans = {
+        "too early": turn | {"walk": {"speed": 0.7, "start": -5, "end": 20}},
+        "for good": turn | {"walk": {"profile": [[0, 1], [9, 1], [11, 0]], "end": 30}},
+        "late enough": turn | {"walk": {"start": -5, "end": 90}},
+    }
+    assert wrong(plans, quick=True) == {}
+    told = [here(data, quick=True)["verdict"]["sentence"]["en"] for data in plans.values()]
+    assert ["before the tail is out" in text for text in told] == [True, True, False]
+
+
 def test_random_plans_get_the_same_quick_verdict() -> None:
     assert wrong({f"{seed}": limited(seed) for seed in range(30)}, quick=True) == {}
 

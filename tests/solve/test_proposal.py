@@ -72,6 +72,26 @@ def test_a_course_tells_the_rounds_of_the_coil_and_the_way_of_the_head() -> None
     assert 0.0 < farther.rounds < course.rounds
 
 
+def test_less_measured_sway_and_imprecision_need_less_room_and_are_kept() -> None:
+    found, steady = (propose(one) for one in (SMALL, replace(SMALL, sway=0.0, imprecision=0.02)))
+    assert isinstance(found, Proposal)
+    assert isinstance(steady, Proposal)
+    assert steady.plan.value("route.pitch") < found.plan.value("route.pitch")
+    assert (steady.plan.people.sway, steady.plan.people.imprecision) == (0.0, 0.02)
+    assert steady.report.safe
+    small = [propose(replace(SMALL, rectangle=(6.0, 6.0), imprecision=one)) for one in (0.0, 0.5)]
+    assert isinstance(small[0], TooSmall)
+    assert isinstance(small[1], TooSmall)
+    assert small[0].radius < small[1].radius
+
+
+def test_a_proposed_dance_in_and_out_again_ends_when_its_tail_is_out() -> None:
+    found = propose(replace(SMALL, kind="turn"))
+    assert isinstance(found, Proposal)
+    assert found.plan.walk.end is not None
+    assert found.report.unfinished is None
+
+
 def test_a_longer_dance_is_proposed_where_it_fits() -> None:
     """The same benches on a larger square: the head walks farther."""
     ways = []

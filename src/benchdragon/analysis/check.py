@@ -31,6 +31,7 @@ from benchdragon.analysis.speed import (
     greatest_speed,
 )
 from benchdragon.analysis.stops import Stop, stops_of
+from benchdragon.analysis.unfinished import Unfinished, unfinished
 from benchdragon.errors import InputError, UnsureError, WalkError, of_kind
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import ROUNDING, Answer
@@ -67,6 +68,7 @@ class Report:
         proved: whether what is said of contact was proved.
         seconds: how long the check took.
         claims: what was proved of benches alone, and of obstacles, to be shown again.
+        unfinished: what the walk lacks where it ends before the tail is out of the turn; else None.
     """
 
     plan: Plan
@@ -83,6 +85,7 @@ class Report:
     proved: bool = False
     seconds: float = 0.0
     claims: tuple[Claim, ...] = ()
+    unfinished: Unfinished | None = None
 
     @property
     def safe(self) -> bool:
@@ -147,6 +150,7 @@ def check(
         proved=prove and all(one is None or one.status == "proved" for one in contacts),
         seconds=clock.perf_counter() - began,
         claims=tuple(claims or ()),
+        unfinished=unfinished(plan, walk, end),
     )  # fmt: skip
 
 
@@ -324,6 +328,8 @@ def _kept(report: Report, told: Clock | None) -> str:
                 unit=quantity.unit,
             )
         )
+    if report.unfinished is not None:
+        said.append(report.unfinished.text)
     return _("; ").join(said)
 
 

@@ -170,6 +170,8 @@ def print_report(report: "Report", brackets: bool = False) -> None:
         click.echo(_("UNDECIDED"))
     for finding in report.findings:
         click.echo(f"  {finding.code}: {finding.text}")
+    if report.unfinished is not None:
+        click.echo(_("WARNING: {what}").format(what=report.unfinished.text))
     if report.first_contact is not None:
         near, margin = report.first_contact.witness, report.plan.limits.margin
         name = _("first contact")

@@ -59,6 +59,16 @@ if TYPE_CHECKING:
     "--most-speed", metavar="SPEED", help=N_("Greatest at which a bench can be carried: 1.5, in m/s.")
 )
 @click.option(
+    "--sway",
+    metavar="LENGTH",
+    help=N_("How far a bench sways to a side, as you measured it. Else 5cm."),
+)
+@click.option(
+    "--imprecision",
+    metavar="LENGTH",
+    help=N_("How far bearers stray from their line, as you measured it. Else 10cm."),
+)
+@click.option(
     "--kind",
     type=click.Choice(["turn", "spiral-in"]),
     help=N_("The dance: in, round and out again, or in alone. Default: the first of them that fits."),
@@ -80,7 +90,7 @@ def new(output: Path, force: bool, quiet: bool, **options: Any) -> int:
 
     announce_compiling(quiet)
     while True:
-        wishes = _wishes(said, options["kind"], roster)
+        wishes = _wishes(said, options["kind"], roster, given)
         with shown_progress(quiet) as progress:
             found = propose(wishes, progress=progress)
             out = isinstance(found, TooSmall) or wishes.kind or found.plan.route.kind == "turn"
@@ -128,8 +138,8 @@ def _answers(options: Mapping[str, Any]) -> tuple[dict[str, Any], set[str]]:
     return said, given
 
 
-def _wishes(said: Mapping[str, Any], kind: Any, roster: str) -> "Wishes":
-    """The wishes that the answers make."""
+def _wishes(said: Mapping[str, Any], kind: Any, roster: str, given: set[str]) -> "Wishes":
+    """The wishes that the answers make; those that were given are no assumptions."""
     from benchdragon.solve.proposal import Wishes
 
     square = said["square"]
@@ -137,7 +147,8 @@ def _wishes(said: Mapping[str, Any], kind: Any, roster: str) -> "Wishes":
     return Wishes(
         said["benches"], said["bench_length"], said["bench_width"], said["head_length"], said["inset"],
         None if round_ else square, square if round_ else None, said["bearers"], said["carry"],
-        said["speed"], said["most_speed"], kind, roster,
+        said["speed"], said["most_speed"], kind, roster, said["sway"], said["imprecision"],
+        frozenset(given & {"sway", "imprecision"}),
     )  # fmt: skip
 
 

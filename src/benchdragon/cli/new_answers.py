@@ -11,9 +11,9 @@ from benchdragon.errors import InputError
 from benchdragon.i18n import N_, _
 from benchdragon.rosters.words import NUMERALS, numeral
 
-# What a bench may be at most, long and wide, a square (m) and a speed (m/s): beyond it something was
-# mistyped.
-MOST_LENGTH, MOST_WIDTH, MOST_SQUARE, MOST_SPEED = 20.0, 2.0, 2_000.0, 10.0
+# What a bench may be at most, long, wide and beside its line, a square (m) and a speed (m/s): beyond it
+# something was mistyped.
+MOST_LENGTH, MOST_WIDTH, MOST_STRAY, MOST_SQUARE, MOST_SPEED = 20.0, 2.0, 1.0, 2_000.0, 10.0
 # Half a metre more than another bench: a head's bench is often longer.
 HEAD_LONGER = 0.5
 # How bearers walk, as plans for it are made, and as answers to the question may say it.
@@ -94,8 +94,8 @@ def read_count(called: str, text: str, example: str) -> int:
     return min(int(found[:9]), 10**9)
 
 
-def length_to(most: float) -> Length:
-    """A reader of lengths from a centimetre to `most`, m: "1.5", "150cm", "一米五", "30公分"."""
+def length_to(most: float, least: float = 0.01) -> Length:
+    """A reader of lengths from `least` to `most`, m: "1.5", "150cm", "一米五", "30公分"."""
 
     def read(called: str, text: str, example: str) -> float:
         plain = plainly(text)
@@ -106,8 +106,8 @@ def length_to(most: float) -> Length:
         try:
             found = parse_length(called, plain)
         except InputError:
-            found = 0.0
-        if not 0.01 <= found <= most:
+            found = -1.0
+        if not least <= found <= most:
             if BARE.fullmatch(plain) and found > most:
                 hint = _(
                     "{option}: {text} would be metres, at most {most}: write {text}cm for centimetres"
@@ -115,8 +115,15 @@ def length_to(most: float) -> Length:
                 raise InputError(hint.format(option=called, text=plain, most=f"{most:g}"))
             raise InputError(
                 _(
-                    "{option}: wanted a length from 1 cm to {most} m, such as {example}, not {text}"
-                ).format(option=called, most=f"{most:g}", example=example, text=repr(text))
+                    "{option}: wanted a length from {least} cm to {most} m, such as {example}, not "
+                    "{text}"
+                ).format(
+                    option=called,
+                    least=f"{100.0 * least:g}",
+                    most=f"{most:g}",
+                    example=example,
+                    text=repr(text),
+                )
             )
         return found
 
@@ -236,5 +243,17 @@ QUESTIONS = (
         N_("How fast can a bench be carried at most, in metres a second?"),
         N_("those behind may have to be faster than the head"), _always("1.5"), read_speed, "1.5",
         ("people.most_speed", "limits.speed"),
+    ),
+    Question(
+        "--sway", N_("Sway"),
+        N_("How far does a bench sway to a side when it is carried ten steps, in metres?"),
+        N_("if nobody measured it, it is assumed"), _always("5cm"), length_to(MOST_STRAY, 0.0), "5cm",
+        ("people.sway",),
+    ),
+    Question(
+        "--imprecision", N_("Imprecision"),
+        N_("How far do bearers stray from a line that they follow, in metres?"),
+        N_("if nobody measured it, it is assumed"), _always("10cm"), length_to(MOST_STRAY, 0.0), "10cm",
+        ("people.imprecision",),
     ),
 )  # fmt: skip

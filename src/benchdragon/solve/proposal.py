@@ -33,12 +33,11 @@ KINDS: tuple[Kind, ...] = ("turn", "spiral-in")
 NAME = "benchdragon new"
 
 # Assumed of people, m: shoulders' breadth, which is the room beside a bench or under it; what a bearer
-# wants of a bench's length; room before the head; how far benches sway, and bearers stray.
+# wants of a bench's length; room before the head; and, if nobody measured it, how far benches sway and
+# bearers stray.
 SHOULDERS, ELBOWS, AHEAD, SWAY, IMPRECISION = 0.5, 0.5, 0.5, 0.05, 0.1
 # Asked for beyond that, m: between benches, and from the edge of the square.
 MARGIN, VENUE_MARGIN = 0.05, 0.5
-# What two benches with their bearers then keep from one another, m: each of them sways and strays.
-BETWEEN = MARGIN + 2.0 * (SWAY + IMPRECISION)
 MOST_BENCHES, MOST_BEARERS = 500, 8
 # Sizes are proposed in decimetres, speeds in steps of 5 cm/s: nobody lays them out finer.
 SIZE_STEP, SPEED_STEP = 0.1, 0.05
@@ -77,6 +76,9 @@ class Wishes:
         most_speed: the greatest at which a bench can be carried.
         kind: of the dance; None: coiling in and out again, where it fits, else coiling in.
         roster: a list of names beside the plan.
+        sway: how far benches sway to a side.
+        imprecision: how far bearers stray from their line.
+        measured: which of these two were measured; the others are assumed.
     """
 
     benches: int
@@ -92,11 +94,25 @@ class Wishes:
     most_speed: float = 1.5
     kind: Kind | None = None
     roster: str = ""
+    sway: float = SWAY
+    imprecision: float = IMPRECISION
+    measured: frozenset[str] = frozenset()
 
     def __post_init__(self) -> None:
         """Refuse what is no number."""
-        for name in ("benches", "length", "width", "head_length", "inset", "bearers", "speed"):
+        names = ("benches", "length", "width", "head_length", "inset", "bearers", "speed")
+        for name in (*names, "sway", "imprecision"):
             as_number(name, getattr(self, name))
+
+    @property
+    def stray(self) -> float:
+        """How far a bench with its bearers may be from where it should, m."""
+        return self.sway + self.imprecision
+
+    @property
+    def between(self) -> float:
+        """What two benches with their bearers keep from one another, m: each sways and strays."""
+        return MARGIN + 2.0 * self.stray
 
     @property
     def beside(self) -> float:
@@ -270,9 +286,11 @@ def _data(wishes: Wishes, kind: Kind, pitch: float, disc: float) -> dict[str, An
     """The plan of a dance on no square yet, as parsed TOML."""
     title = both(lambda: _(TITLE).format(benches=wishes.benches))
     people = {
-        "beside": wishes.beside, "ahead": AHEAD, "sway": SWAY, "imprecision": IMPRECISION,
-        "most_speed": wishes.most_speed,
+        "beside": wishes.beside, "ahead": AHEAD, "sway": wishes.sway,
+        "imprecision": wishes.imprecision, "most_speed": wishes.most_speed,
     }  # fmt: skip
+    sources = {name: _("measured by the troupe") for name in sorted(wishes.measured)}
+    people |= {"source": sources} if sources else {}
     return {
         "schema": 1,
         "meta": {"title": title.en, "title_zh": title.zh},
@@ -297,7 +315,7 @@ def _begun(plan: Plan, rounds: float) -> Plan:
     way = 2.0 * math.pi * rounds * (disc + 0.5 * rounds * pitch)
     plan = plan.with_value("walk.start", 0.0 - _up(way / plan.walk.speed, 1.0))
     _start, end = plan.span(plan.build())
-    return plan.with_value("walk.end", _down(end, 1.0))
+    return plan.with_value("walk.end", _up(end, 1.0))
 
 
 def _sized(wishes: Wishes, kind: Kind) -> Plan | None:
@@ -306,7 +324,7 @@ def _sized(wishes: Wishes, kind: Kind) -> Plan | None:
     link = max(wishes.length, wishes.head_length) - 2.0 * wishes.inset
     wide = wishes.width + 2.0 * wishes.beside
     dragon = wishes.benches * (wishes.length - 2.0 * wishes.inset) / math.pi
-    first = (wide + BETWEEN) * (2.0 if kind == "turn" else 1.0)
+    first = (wide + wishes.between) * (2.0 if kind == "turn" else 1.0)
     least, best = math.inf, None
     for share in DISCS:
         disc = _up(share * max(link, wide), SIZE_STEP)
@@ -330,7 +348,7 @@ def _trial(wishes: Wishes, kind: Kind, pitch: float, disc: float) -> Plan:
     head, body, *_others = with_people(plan.dragon.build(), plan.people).sizes.T.tolist()
     sizes = [dict(zip(SIZES, bench, strict=True)) for bench in (head, body)]
     data["dragon"] = {"bench": [sizes[0], sizes[1] | {"count": wishes.benches - 1}]}
-    data["limits"]["margin"] = BETWEEN
+    data["limits"]["margin"] = wishes.between
     if kind == "spiral-in":
         data["route"]["start_turn"] = disc / pitch + 6.0
     del data["people"]
@@ -372,9 +390,9 @@ def _steady(wishes: Wishes, sized: Plan, rounds: float) -> Plan:
     return sized.with_value("walk.speed", steps if steps > 0.0 else _down(most, 1e-3))
 
 
-def _kept() -> float:
+def _kept(wishes: Wishes) -> float:
     """How far benches with their bearers keep from the edge of the square, m."""
-    return VENUE_MARGIN + SWAY + IMPRECISION
+    return VENUE_MARGIN + wishes.stray
 
 
 def _placed(wishes: Wishes, dance: _Dance) -> Plan | None:
@@ -391,7 +409,7 @@ def _placed(wishes: Wishes, dance: _Dance) -> Plan | None:
         room, (low, high) = max(rooms), boxes[int(turned)]
         middle = 0.5 * (low + high)
         venue = {"rectangle": list(wishes.rectangle)}
-    if room < _kept() + 0.01:  # rounding of the place
+    if room < _kept(wishes) + 0.01:  # rounding of the place
         return None
     at = [round(-x, 2) + 0.0 for x in middle.tolist()]
     data = dance.plan.data()
@@ -411,7 +429,7 @@ def _too_small(wishes: Wishes, dance: _Dance, under: bool) -> TooSmall:
     """How much room a dance takes, and how many benches would fit."""
     boxes = [_box(dance.ground, math.radians(angle)) for angle in range(ANGLES)]
     low, high = min(boxes, key=lambda box: float(np.prod(box[1] - box[0])))
-    kept = 2.0 * (_kept() + 0.01)
+    kept = 2.0 * (_kept(wishes) + 0.01)
     sides = sorted((_up(float(side) + kept, SIZE_STEP) for side in high - low), reverse=True)
     radius = (_radius(dance.ground) + 0.5 * kept) / math.cos(math.pi / CORNERS)
     kind: Kind = "turn" if dance.plan.route.kind == "turn" else "spiral-in"

@@ -14,6 +14,7 @@ import { greatest } from "./speed.js";
 import { stages } from "./stages.js";
 import { stopsOf } from "./stops.js";
 import { silent } from "./tick.js";
+import { unfinished } from "./unfinished.js";
 
 /** @typedef {import("./answer.js").Answer} Answer */
 /** @typedef {import("./findings.js").Finding} Finding */
@@ -29,7 +30,7 @@ import { silent } from "./tick.js";
  * What a check asks of a plan.
  * @typedef {object} CheckedPlan
  * @property {string} sha256
- * @property {{ limits: Limits, people: import("./room.js").People & { most_speed: number | null },
+ * @property {{ limits: Limits, route: any, people: import("./room.js").People & { most_speed: number | null },
  *   cues: { cue: unknown[] } }} tables
  * @property {() => Obstacle[]} obstacles the venue's edge, if the plan says one, then what stands in it
  */
@@ -52,6 +53,7 @@ import { silent } from "./tick.js";
  * @property {RoomLevel[]} room level upon level; empty where the plan asks for none
  * @property {Stop[] | null} stops of the head; null for a plan without cues
  * @property {number} seconds how long the check took
+ * @property {import("./unfinished.js").Unfinished | null} unfinished what the walk lacks where it ends before the tail is out of the turn
  */
 
 const { QUICK_CLEARANCE, QUICK_SPEED } = ANALYSIS_CHECK;
@@ -98,6 +100,7 @@ export async function check(plan, walk, [start, end], { quick = false, progress 
   const seconds = now() - began;
   return {
     plan, walk, start, end, contact, clearance, speed, peaks, findings, obstacles, room, stops, seconds,
+    unfinished: unfinished(plan, walk, end),
   }; // prettier-ignore
 }
 

@@ -625,6 +625,12 @@ export const ANALYSIS_TABLES = {
   CELL_LOG: 65536,
 };
 
+export const ANALYSIS_UNFINISHED = {
+  NEARLY: 0.01,
+  TENTHS: 10,
+  DUST: 1e-6,
+};
+
 export const EXPLAIN_BENCH_WALK = {
   MOST_TURNS: 3,
   MOST_PACES: 4,

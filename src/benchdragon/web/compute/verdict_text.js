@@ -7,6 +7,7 @@ import { named } from "./findings.js";
 import { decimals, general } from "./number_format.js";
 import { QUANTITIES, givenLimits } from "./quantities.js";
 import { levelName } from "./room.js";
+import { unfinishedText } from "./unfinished.js";
 
 /** @typedef {import("./check.js").Report} Report */
 /** @typedef {import("./findings.js").Finding} Finding */
@@ -116,6 +117,7 @@ function keptText(report) {
       }),
     );
   }
+  if (report.unfinished !== null) said.push(unfinishedText(report.unfinished));
   return said.join(_("; "));
 }
 
