@@ -172,6 +172,34 @@ def test_a_dance_that_fits_nowhere_is_told_so(capsys: pytest.CaptureFixture[str]
     out = capsys.readouterr().out
     assert "no place was found where the dance fits on this square" in out
     assert "least distance from the edge of the venue: 0.0 m" in out
+    assert "it has a place with" not in out, "the head alone is too far out"
+
+
+def test_what_would_do_for_a_dance_without_a_place_does(capsys: pytest.CaptureFixture[str]) -> None:
+    settings = [
+        *SQUARE[1:4],
+        "dragon.benches=30",
+        "venue.rectangle=[13, 12.6]",
+        "limits.venue_margin=0.1",
+    ]
+    words = ["solve", "place", "spiral-in", *(word for one in settings for word in ("--set", one))]
+    assert run([*words, "--quiet", "--json"]) == 4
+    enough = json.loads(capsys.readouterr().out)["enough"]
+    plan = read_plan("spiral-in", settings)
+    larger = plan.with_value("venue.rectangle", enough["rectangle"])
+    assert best_place(larger).room.status == "found"
+    length, width = enough["rectangle"]
+    assert length >= width > 12.6
+    smaller = plan.with_value("venue.rectangle", [length - 0.4, width - 0.4])
+    assert best_place(smaller).room.status == "infeasible"
+    count = enough["benches"]
+    assert 1 < count < 30
+    assert best_place(plan.with_value("dragon.benches", count)).room.status == "found"
+    assert best_place(plan.with_value("dragon.benches", count + 1)).room.status == "infeasible"
+    assert run([*words, "--quiet", "--lang", "en"]) == 4
+    told = capsys.readouterr().out
+    assert f"it has a place with {count} benches: write benches = {count} below [dragon]" in told
+    assert f"fits on a square of {length:g} m by {width:g} m" in told
 
 
 def test_a_place_needs_a_venue() -> None:

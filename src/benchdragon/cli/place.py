@@ -2,6 +2,7 @@
 
 import json
 import math
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -32,7 +33,7 @@ from benchdragon.number_format import rounded_up
 if TYPE_CHECKING:
     from benchdragon.analysis.swept import Enclosing
     from benchdragon.plans.schema import Plan
-    from benchdragon.solve.place import PlacedDance
+    from benchdragon.solve.place import Enough, PlacedDance
 
 
 @click.command(
@@ -53,7 +54,7 @@ if TYPE_CHECKING:
 def place(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print the best place; with --plan-file also write the plan there."""
     from benchdragon.files import refuse_existing
-    from benchdragon.solve.place import best_place
+    from benchdragon.solve.place import best_place, enough_room
 
     path: Path | None = options["plan_file"]
     read = read_to_write(plan, settings, quiet, "--plan-file", path)
@@ -61,13 +62,17 @@ def place(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     warn_of_outside(read)
     with shown_progress(quiet) as progress:
         best = best_place(read, progress=progress)
-    fits = best.room.status != "infeasible"
+        fits = best.room.status != "infeasible"
+        enough = None if fits else enough_room(read, progress=progress)
     if path is not None and fits:
         write_plan(best.plan, path, plan)
     if options["as_json"]:
-        click.echo(json.dumps({**best.as_json(), **about(read, [])}))
+        wanted = {} if enough is None else {"enough": asdict(enough)}
+        click.echo(json.dumps({**best.as_json(), **wanted, **about(read, [])}))
     else:
         _print_place(read, best, options)
+        if enough is not None:
+            _print_enough(enough)
         if path is not None and fits:
             print_files([path])
     return 0 if fits else NO_SOLUTION
@@ -87,6 +92,16 @@ def _print_place(plan: "Plan", best: "PlacedDance", options: dict[str, Any]) -> 
     print_answer(_("room beyond the margins"), best.room, up=False, brackets=options["brackets"])
     for answers in best.obstacles:
         print_distance(answers, brackets=options["brackets"])
+
+
+def _print_enough(enough: "Enough") -> None:
+    """What would do where there is no place."""
+    length, width = (f"{side:g}" for side in enough.rectangle)
+    text = _("This dance fits on a square of {length} m by {width} m on which nothing else stands.")
+    click.echo(text.format(length=length, width=width))
+    if enough.benches is not None:
+        text = _("Here it has a place with {count} benches: write benches = {count} below [dragon].")
+        click.echo(text.format(count=enough.benches))
 
 
 @click.command(

@@ -17,13 +17,14 @@ from shapely.geometry.base import BaseGeometry
 
 from benchdragon import budget
 from benchdragon.analysis.obstacles import ObstacleAnswers, obstacle_answers
-from benchdragon.analysis.swept import swept_area
-from benchdragon.errors import InputError, of_kind
+from benchdragon.analysis.swept import enclosing, swept_area
+from benchdragon.errors import InputError, UnsureError, WalkError, of_kind
 from benchdragon.i18n import _
 from benchdragon.model.answer import Answer
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.outline import shape_of
 from benchdragon.plans.schema import Plan
+from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, part, silent
 from benchdragon.solve import minima
 from benchdragon.solve.minima import downhill_point, low_points
@@ -87,6 +88,59 @@ def best_place(plan: Plan, *, progress: Progress = silent) -> PlacedDance:
     fits = square.crowding(rough) < ROUGH
     best = min(rough, square.refined(rough), key=square.exact_crowding) if fits else rough
     return square.placed(best, clock.perf_counter() - began)
+
+
+@dataclass(frozen=True)
+class Enough:
+    """What would do for a dance that has no place on its square.
+
+    Attributes:
+        rectangle: length and width of a square on which nothing else stands, m, rounded up to
+            decimetres: the dance fits on it, the margin to its edge included.
+        benches: so many of the plan's have a place on its own square, which `best_place` found; None
+            where no number of them was found to have one, or where the plan says each its own size.
+    """
+
+    rectangle: tuple[float, float]
+    benches: int | None
+
+
+@budget.question()
+def enough_room(plan: Plan, *, progress: Progress = silent) -> Enough:
+    """What would do for a dance of which `best_place` found no place: a larger square, fewer benches.
+
+    Raises:
+        InputError, WalkError, UnsureError: as `best_place` and `swept_area`.
+    """
+    of_kind("plan", plan, Plan)
+    walk = plan.build()
+    box = enclosing(walk, *plan.span(walk), error=ROUGH).rectangle
+    edge = next((one.margin for one in plan.obstacles() if one.kind == "venue"), 0.0)
+    sides = sorted(math.ceil(10.0 * (side + 2.0 * edge)) / 10.0 for side in (box.width, box.height))
+    return Enough((sides[1], sides[0]), _benches_placed(plan, progress))
+
+
+def _benches_placed(plan: Plan, progress: Progress) -> int | None:
+    """How many of a plan's benches have a place on its square, by halving; None if none were found."""
+    if plan.dragon.bench:
+        return None
+    fits, not_fit = 0, plan.dragon.benches
+    while not_fit - fits > 1:
+        progress(1.0 - (not_fit - fits) / plan.dragon.benches, _("fewer benches"))
+        middle = (fits + not_fit) // 2
+        if _has_place(plan.with_value("dragon.benches", middle)):
+            fits = middle
+        else:
+            not_fit = middle
+    return fits or None
+
+
+def _has_place(plan: Plan) -> bool:
+    """Whether a place is found for a plan's dance; not where its benches cannot walk."""
+    try:
+        return best_place(plan).room.status != "infeasible"
+    except (PlanError, WalkError, UnsureError):
+        return False
 
 
 class Square:
