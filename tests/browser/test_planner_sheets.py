@@ -81,7 +81,7 @@ def told(plan: Path, language: Language, roster: Roster) -> list[Entry]:
 
 
 def assert_says(text: str, entry: Entry) -> None:
-    for line in (entry.called, *entry.people, *entry.text.lines, entry.marks):
+    for line in (entry.title, *entry.people, *entry.text.lines, entry.marks, entry.kin):
         assert "".join(line.split()) in text, line
 
 
@@ -136,7 +136,7 @@ def test_the_overview_is_printed_and_saved(
         sheets(page).get_by_role("button", name=SAVE).click()
     saved = Path(found.value.path()).read_text("utf-8-sig")
     for entry in told(plan, language, Roster()):
-        for line in (entry.called, entry.text.quick, entry.text.tightest):
+        for line in (entry.title, entry.text.quick, entry.text.tightest):
             assert "".join(line.split()) in text
             assert line in saved
     assert len(saved.splitlines()) == 9

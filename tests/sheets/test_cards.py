@@ -294,6 +294,63 @@ def test_remarks_are_for_the_leader_alone(tmp_path: Path, ours: Briefing) -> Non
     assert "wetpaint" not in "".join(pages(tmp_path / "b.pdf"))
 
 
+def test_what_a_row_of_the_list_says_of_several_is_printed_once(tmp_path: Path, ours: Briefing) -> None:
+    two = (Person("王五", "", "139-7", "wet paint"), Person("赵六", "", "139-7", "wet paint"))
+    other = (Person("钱七", "", "139-8", "lame"), Person("孙八", "", "", "tall"))
+    told = replace(ours, roster=Roster({2: two, 3: other}))
+    write_overview(tmp_path / "o.pdf", told, phones=True)
+    write_benches(tmp_path / "b.pdf", told, Options(phones=True))
+    text = "".join(pages(tmp_path / "o.pdf"))
+    assert "王五,赵六139-7(wetpaint)" in text
+    assert "钱七139-8(lame),孙八(tall)" in text
+    sheet = pages(tmp_path / "b.pdf")[1]
+    assert "王五赵六,phone139-7" in sheet
+    assert sheet.count("139-7") == 1
+
+
+def test_the_sheets_of_head_and_tail_say_so_where_benches_are_counted_through(
+    tmp_path: Path, ours: Briefing
+) -> None:
+    counted = small(tmp_path, "people.count_head=true", "people.unit=bench")
+    assert [counted.titled(n) for n in (1, 2, 8)] == [
+        "bench 1, the head",
+        "bench 2",
+        "bench 8, the tail",
+    ]
+    assert [ours.titled(n) for n in (1, 2)] == [ours.called(1), ours.called(2)]
+    with spoken_in("zh"):
+        write_benches(tmp_path / "b.pdf", counted, Options())
+    found = pages(tmp_path / "b.pdf")
+    assert "第1节板凳（龙头）" in found[0]
+    assert "第8节板凳（龙尾）" in found[7]
+    assert "（龙" not in found[1]
+
+
+def test_a_sheet_names_the_other_benches_of_its_households(tmp_path: Path, ours: Briefing) -> None:
+    assert ours.kin(1) == f"Of your household too: {ours.called(2)}."
+    assert ours.kin(2) == f"Of your household too: {ours.called(1)}."
+    assert ours.kin(6) == ours.kin(3) == ""
+    write_benches(tmp_path / "b.pdf", ours, Options())
+    found = pages(tmp_path / "b.pdf")
+    assert bare(ours.kin(2)) in found[1]
+    assert "household" not in found[5]
+
+
+def test_the_tightest_moments_tell_the_mark_where_a_marshal_stands(tmp_path: Path) -> None:
+    ours = small(tmp_path, "dragon.benches=40")
+    said = str(overview(ours, phones=False).blocks)
+    told = [int(n) for n in re.findall(r"at mark (\d+) then: Tightest", said)]
+    near = sorted(
+        (one.tightest.upper, one.bench, one.tightest.time) for one in ours.benches if one.tightest
+    )
+    assert told
+    _gap, bench, time = near[0]
+    motion = ours.report.walk.motion([time])
+    place = np.array([motion.x[0, bench - 1], motion.y[0, bench - 1]])
+    apart = np.hypot(*(ours.marks.points - place).T)
+    assert apart[told[0] - 1] == apart.min() < 1.0
+
+
 def test_the_overview_says_once_what_all_benches_do_alike(ours: Briefing) -> None:
     quick = bench_text(ours.plan, ours.benches[0], ours.called, ours.ground).quick
     alike = replace(

@@ -1,11 +1,15 @@
 """The verb that writes all papers: its options, what is in the way, interruption."""
 
+import wave
+from io import BytesIO
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from benchdragon.__main__ import asked_language
 from benchdragon.cli.main import run
+from benchdragon.export.metronome import LENGTH, sound
 from benchdragon.i18n import spoken_in
 from benchdragon.progress import Progress
 from benchdragon.sheets import papers
@@ -56,6 +60,19 @@ def test_an_option_has_an_effect(here: Path, added: list[str]) -> None:
 
 def test_all_papers_are_written_unless_some_are_named(here: Path) -> None:
     assert set(come(here)) == {f"sheets/{file}" for one in papers.PAPERS.values() for file in one.files}
+
+
+def test_the_track_of_the_drum_counts_a_bar_in(here: Path) -> None:
+    track = come(here, "--only", "beat,timetable")["sheets/beat.wav"]
+    with wave.open(BytesIO(track)) as made:
+        rate, frames = made.getframerate(), made.getnframes()
+        heard = np.frombuffer(made.readframes(frames), "<i2")
+    period = 0.6  # of a step at 1 m/s
+    assert frames == round((12.0 + 4 * period + LENGTH) * rate)
+    for n in range(5):
+        start = round(n * period * rate)
+        wanted = sound("count" if n < 4 else "bar", rate)[:400]
+        np.testing.assert_allclose(heard[start : start + 400], wanted, atol=1.0)
 
 
 @pytest.mark.parametrize("added", [["--scale", "1:200"], ["--paper-size", "A2"]])

@@ -87,6 +87,15 @@ def score_of(plan: Plan, start: float, end: float) -> Score:
     return Score(tempo, by_step, tuple(runs), tuple(dict.fromkeys(strokes)))
 
 
+def counted_in(score: Score) -> Score:
+    """The same with a bar that counts in before its first beat, if it has one and no such bar yet."""
+    if not score.runs or score.runs[0].counted:
+        return score
+    first = score.runs[0]
+    lead = Run(first.start - first.bar * first.period, first.start, first.period, first.bar, True)
+    return score._replace(runs=(lead, *score.runs))
+
+
 def _pace(plan: Plan) -> float:
     """The head's usual speed, m/s: as the plan says, or the greatest of its profile."""
     return max((speed for _time, speed in plan.walk.profile), default=plan.walk.speed)

@@ -340,6 +340,13 @@ def placed_marks(
     return Marks(s, points, tuple(kinds), ground, bases, reach)
 
 
+def nearest_mark(marks: Marks, point: Point) -> tuple[int, float]:
+    """The mark that is nearest to a place, m: its number, from 1, and how far it is, m."""
+    away = as_lengths(marks.points - np.array(point))
+    n = int(np.argmin(away))
+    return n + 1, float(away[n])
+
+
 def check_marks(trail: Trail, every: float, peg: Point) -> None:
     """Refuse marks of a trail that are too many, and a peg from which no tape reaches any of them."""
     _farthest(trail.route.point(trail.marked(every)[0]), _peg(peg))

@@ -1,5 +1,6 @@
 """What a sheet for a bench, or for a household's benches, says."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -22,16 +23,20 @@ class Entry:
     Attributes:
         bench: its number, from 1.
         called: what the village calls it.
+        title: the same, with a word for head and tail.
         people: who carries it, a line each.
         text: what it does; benches beside it are named with their people.
         marks: between which marks of the chalk plan it starts; "" where no two marks tell.
+        kin: where the others of its household are; "" where the list names none.
     """
 
     bench: int
     called: str
+    title: str
     people: tuple[str, ...]
     text: BenchText
     marks: str
+    kin: str
 
 
 @dataclass(frozen=True)
@@ -73,9 +78,10 @@ def bench_sheets(
 
 
 def _entry(briefing: Briefing, bench: int, phones: bool, marks: str) -> Entry:
-    people = tuple(_person(one, phones) for one in briefing.roster.people(bench))
+    people = _people(briefing.roster.people(bench), phones)
     text = bench_text(briefing.plan, briefing.benches[bench - 1], briefing.named, briefing.ground)
-    return Entry(bench, briefing.called(bench), people, text, marks)
+    called, title = briefing.called(bench), briefing.titled(bench)
+    return Entry(bench, called, title, people, text, marks, briefing.kin(bench))
 
 
 def mark_line(marks: Marks, s: float) -> str:
@@ -99,8 +105,11 @@ def mark_line(marks: Marks, s: float) -> str:
     return text.format(n=n + 1, next=n + 2, past=f"{past:.2f}")
 
 
-def _person(person: Person, phones: bool) -> str:
-    if phones and person.phone:
-        text = _("{name}, phone {phone}")
-        return text.format(name=person.name, phone=person.phone)
-    return person.name
+def _people(people: Sequence[Person], phones: bool) -> tuple[str, ...]:
+    """People, a line each; a phone that several have one after another is behind the last of them."""
+    text, told = _("{name}, phone {phone}"), []
+    for n, one in enumerate(people):
+        shared = n + 1 < len(people) and people[n + 1].phone == one.phone
+        known = phones and one.phone and not shared
+        told.append(text.format(name=one.name, phone=one.phone) if known else one.name)
+    return tuple(told)

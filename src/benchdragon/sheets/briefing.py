@@ -82,6 +82,25 @@ class Briefing:
         """What the village calls a bench (number, from 1), in the language in use."""
         return called(self.plan.people, bench, len(self.report.walk.dragon))
 
+    def titled(self, bench: int) -> str:
+        """The same, with a word for the first bench and the last where the village only counts them."""
+        ends = {1: _("{bench}, the head"), len(self.report.walk.dragon): _("{bench}, the tail")}
+        if bench not in ends or not self.plan.people.count_head:
+            return self.called(bench)
+        return ends[bench].format(bench=self.called(bench))
+
+    def kin(self, bench: int) -> str:
+        """Which other benches people of a bench's households carry, in words; "" if there are none."""
+        own = {one.household for one in self.roster.people(bench)} - {""}
+        others = [
+            self.called(other)
+            for other, people in sorted(self.roster.benches.items())
+            if other != bench and own & {one.household for one in people}
+        ]
+        if not others:
+            return ""
+        return _("Of your household too: {benches}.").format(benches=listed(others, MOST_NAMED))
+
     def named(self, bench: int) -> str:
         """What the village calls a bench, and who carries it, as papers print it."""
         people = [person.name for person in self.roster.people(bench)]

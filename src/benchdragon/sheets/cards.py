@@ -311,7 +311,7 @@ def _head(sheet: Sheet, most: int | None) -> list[Block]:
         if most is not None and people:
             people, size = (listed(people, most),), 1.3
         head += [
-            Block(entry.called, 2.6, bold=True),
+            Block(entry.title, 2.6, bold=True),
             *(Block(person, size, bold=True) for person in people),
             *([] if people else [Block(_("Names: {blank}").format(blank=BLANK), 1.3)]),
             Block(entry.text.quick, 1.35, bold=True),
@@ -335,6 +335,7 @@ def _facts(entry: Entry, entries: int) -> list[Block]:
         Block(text.tightest),
         *([Block(entry.marks)] if entry.marks else []),
         *(Block(line, spare=bool(entry.marks)) for line in text.place),
+        *([Block(entry.kin, spare=True)] if entry.kin else []),
         *(Block(line, spare=True) for line in text.stretches),
         *(Block(line, 0.85, spare=True) for line in text.paces),
     ]

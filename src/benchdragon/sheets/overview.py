@@ -1,12 +1,13 @@
 """The leader's overview: the verdict, the map with all benches, who they are and what they do."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from benchdragon.analysis.bench_walks import BenchWalk
 from benchdragon.analysis.check import sentence
 from benchdragon.analysis.findings import shown_name
+from benchdragon.analysis.marks import nearest_mark
 from benchdragon.explain.bench_walk import BenchText, bench_text, tightest_line
 from benchdragon.explain.room import level_line
 from benchdragon.export.document import Block, Document, Heading, Paragraph, Picture, Table, say
@@ -62,8 +63,11 @@ def _tightest(briefing: Briefing) -> list[Block]:
     for _gap, bench, near in sorted(found, key=lambda one: one[:2]):
         if len(lines) < MOST_TIGHT and told.isdisjoint((bench, near.bench)):
             told |= {bench, near.bench}
-            said = _("{bench}: {tightest}").format(
+            s = briefing.report.walk.motion([near.time]).s[0, [bench - 1]]
+            mark, _away = nearest_mark(briefing.marks, briefing.trail.route.point(s)[0])
+            said = _("{bench}, at mark {mark} then: {tightest}").format(
                 bench=briefing.called(bench),
+                mark=mark,
                 tightest=tightest_line(near, briefing.clock, briefing.called),
             )
             lines.append(Paragraph((said,)))
@@ -145,7 +149,7 @@ def _rows(
     briefing: Briefing, found: BenchWalk, text: BenchText, phones: bool
 ) -> Iterator[tuple[str, ...]]:
     """The row of a bench, and more below it where its people are too many for one."""
-    people = [_told(one, phones) for one in briefing.roster.people(found.bench)] or [_("(nobody)")]
+    people = _people(briefing.roster.people(found.bench), phones) or [_("(nobody)")]
     x, y = briefing.ground.seen([found.place])[0].tolist()
     told = f"{x:z.2f}, {y:z.2f}", text.quick, text.tightest
     size = max(1, MOST_SIGNS // max(map(len, people)))
@@ -154,12 +158,21 @@ def _rows(
         yield briefing.called(found.bench), _(", ").join(people[n : n + size]), "", "", ""
 
 
-def _told(person: Person, phones: bool) -> str:
-    """A person as the leader reads of them: phones if asked for, and what the list remarks."""
-    name = f"{person.name} {person.phone}" if phones and person.phone else person.name
-    if not person.remarks:
-        return name
-    return _("{name} ({remarks})").format(name=name, remarks=person.remarks)
+def _people(people: Sequence[Person], phones: bool) -> list[str]:
+    """People as the leader reads of them: phones if asked for, and what the list remarks.
+
+    What a row of the list says of several at once is said once, behind the last of them.
+    """
+    told = []
+    for n, one in enumerate(people):
+        after = people[n + 1] if n + 1 < len(people) else None
+        name = one.name
+        if phones and one.phone and not (after and after.phone == one.phone):
+            name = f"{name} {one.phone}"
+        if one.remarks and not (after and after.remarks == one.remarks):
+            name = _("{name} ({remarks})").format(name=name, remarks=one.remarks)
+        told.append(name)
+    return told
 
 
 def _map_frame(briefing: Briefing) -> Frame:

@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from benchdragon.analysis.beats import score_of
+from benchdragon.analysis.beats import counted_in, score_of
 from benchdragon.errors import InputError
 from benchdragon.export.metronome import write_track
 from benchdragon.files import refuse_existing
@@ -58,8 +58,9 @@ def _timetable(briefing: Briefing, folder: Path, _options: Options, _progress: P
 
 def _beat(briefing: Briefing, folder: Path, _options: Options, progress: Progress) -> None:
     report = briefing.report
-    score = score_of(report.plan, report.start, report.end)
-    write_track(folder / "beat.wav", score, (report.start, report.end), progress=progress)
+    score = counted_in(score_of(report.plan, report.start, report.end))
+    start = min([report.start, *(run.start for run in score.runs[:1])])
+    write_track(folder / "beat.wav", score, (start, report.end), progress=progress)
 
 
 def _annex(briefing: Briefing, folder: Path, _options: Options, progress: Progress) -> None:

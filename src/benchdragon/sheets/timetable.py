@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from pathlib import Path
 
-from benchdragon.analysis.beats import Score, score_of
+from benchdragon.analysis.beats import Score, counted_in, score_of
 from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.stops import stops_of, stops_sentence
@@ -65,11 +65,21 @@ def timetable_document(briefing: Briefing) -> Document:
         Paragraph((briefing.clock.legend,)),
         Paragraph((stops_sentence(stops, briefing.clock),)),
         Paragraph((_("Drum: {tempo}.").format(tempo=tempo_text(plan, score)),)),
+        *_count_in(score, report.start),
         Paragraph((briefing.ground.legend,)),
         *dash_line(passings),
         Table("timetable", _("When head and tail pass"), columns(), WIDTHS, rows, numbers=True),
     )
     return Document(title, language(), briefing.checked_on, blocks, briefing.foot)
+
+
+def _count_in(score: Score, start: float) -> list[Paragraph]:
+    """How many beats of the track count in before the dance starts, s."""
+    first = counted_in(score).runs[:1]
+    if not first or first[0].start >= start:
+        return []
+    text = _("beat.wav counts {beats} beats in: the head sets out on the next one.")
+    return [Paragraph((text.format(beats=first[0].beats()),))]
 
 
 def dash_line(passings: Iterable[Passing]) -> list[Paragraph]:

@@ -15,7 +15,7 @@ import { _, language } from "./words.js";
 /** Who carries each bench (number, from 1). @typedef {Map<number, Person[]>} People */
 /** How sheets are wanted: "a4" or "quarter", in large type, with phones. @typedef {{ paper: string, night: boolean, phones: boolean }} Looks */
 
-/** What a bench's sheet says. @typedef {{ called: string, people: string[], text: BenchText, marks: string }} Told */
+/** What a bench's sheet says. @typedef {{ title: string, people: string[], text: BenchText, marks: string, kin: string }} Told */
 
 // What is tried until a sheet fits, as shares of the format's type: by day, and by night.
 const DAY = [1, 0.93, 0.86, 0.8, 0.74];
@@ -58,18 +58,43 @@ export class Sayings {
     return _("{bench} ({people})", { bench: text, people: listed(names, SHEETS_BRIEFING.MOST_NAMED) });
   }
 
-  /** Who carries a bench, a line each. @param {number} bench @param {boolean} phones */
+  /** The same, with a word for the first bench and the last, where the village says only a number. @param {number} bench */
+  titled(bench) {
+    const text = this.called(bench);
+    if (!this.briefing.people.count_head) return text;
+    if (bench === 1) return _("{bench}, the head", { bench: text });
+    return bench < this.briefing.benches.length ? text : _("{bench}, the tail", { bench: text });
+  }
+
+  /** Which other benches people of a bench's households carry, in words; "" if there are none. @param {number} bench */
+  kin(bench) {
+    const own = new Set((this.people.get(bench) ?? []).map(({ household }) => household));
+    own.delete("");
+    const others = [...this.people.keys()]
+      .filter((other) => other !== bench)
+      .filter((other) => this.people.get(other)?.some(({ household }) => own.has(household)));
+    const names = others.sort((a, b) => a - b).map((other) => this.called(other));
+    const benches = listed(names, SHEETS_BRIEFING.MOST_NAMED);
+    return names.length ? _("Of your household too: {benches}.", { benches }) : "";
+  }
+
+  /** Who carries a bench, a line each; what several have one after another is behind the last of them. @param {number} bench @param {boolean} phones */
   carriers(bench, phones) {
-    return (this.people.get(bench) ?? []).map(({ name, phone }) =>
-      phones && phone ? _("{name}, phone {phone}", { name, phone }) : name,
-    );
+    const people = this.people.get(bench) ?? [];
+    return people.map(({ name, phone }, n) => {
+      const known = phones && phone && people[n + 1]?.phone !== phone;
+      return known ? _("{name}, phone {phone}", { name, phone }) : name;
+    });
   }
 
   /** The same as the leader reads of them: with what the list remarks. @param {number} bench @param {boolean} phones */
   remarked(bench, phones) {
-    return (this.people.get(bench) ?? []).map(({ name, phone, remarks }) => {
-      const told = phones && phone ? `${name} ${phone}` : name;
-      return remarks ? _("{name} ({remarks})", { name: told, remarks }) : told;
+    const people = this.people.get(bench) ?? [];
+    return people.map(({ name, phone, remarks }, n) => {
+      const known = phones && phone && people[n + 1]?.phone !== phone;
+      const told = known ? `${name} ${phone}` : name;
+      const said = remarks && people[n + 1]?.remarks !== remarks;
+      return said ? _("{name} ({remarks})", { name: told, remarks }) : told;
     });
   }
 
@@ -90,10 +115,11 @@ export class Sayings {
   /** What a bench's sheet says. @param {number} bench @param {boolean} phones @returns {Told} */
   sheet(bench, phones) {
     return {
-      called: this.called(bench),
+      title: this.titled(bench),
       people: this.carriers(bench, phones),
       text: this.text(bench, (other) => this.named(other)),
       marks: markLine(this.briefing.marks[bench - 1]),
+      kin: this.kin(bench),
     };
   }
 }
@@ -102,7 +128,7 @@ export class Sayings {
 export class BenchSheet {
   /** @param {Told} told @param {HTMLElement} map @param {Looks} looks @param {string} foot */
   constructor(told, map, { paper, night }, foot) {
-    const { text, people, marks } = told;
+    const { text, people, marks, kin } = told;
     this.names = people;
     this.map = map;
     const blank = make("p", { class: "few" }, _("Names: {blank}", { blank: BLANK }));
@@ -110,7 +136,9 @@ export class BenchSheet {
     this.people = make("div", { class: "people" }, ...(people.length ? carriers : [blank]));
     /** What may be spared, the last first. @type {HTMLElement[]} */
     this.spare = [
-      ...[...(marks ? text.place : []), ...text.stretches].map((line) => make("p", {}, line)),
+      ...[...(marks ? text.place : []), ...(kin ? [kin] : []), ...text.stretches].map((line) =>
+        make("p", {}, line),
+      ),
       ...text.paces.map((line) => make("p", { class: "small" }, line)),
     ];
     /** What may not, but where nothing else helps. @type {HTMLElement[]} */
@@ -122,7 +150,7 @@ export class BenchSheet {
     this.element = make(
       "article",
       { class: `sheet ${paper}${night ? " night" : ""}` },
-      make("h2", {}, told.called),
+      make("h2", {}, told.title),
       this.people,
       make("p", { class: "quick" }, text.quick),
       map,
