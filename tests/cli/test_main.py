@@ -289,6 +289,25 @@ def test_the_doctor_names_versions_fonts_and_cache(capsys: pytest.CaptureFixture
     assert "NotoSansSC-Regular.ttf" in answered(capsys, "doctor")[1]
 
 
+def test_the_doctor_ends_with_what_a_troupe_can_do(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ready, wait = (
+        "All that sheets, chalk plan, drum and player need is here",
+        "The first questions take",
+    )
+
+    def last() -> str:
+        return answered(capsys, "doctor", "--lang", "en")[1].splitlines()[-1]
+
+    monkeypatch.setattr(jit, "ENGINE", jit.NATIVE)
+    assert last().startswith(ready)
+    monkeypatch.setattr(jit, "ENGINE", jit.JIT)
+    assert last().startswith(wait)
+    monkeypatch.setattr(doctor, "FONT_FILES", (Path("gone.ttf"),))
+    assert last().startswith("The package's fonts are missing")
+
+
 @pytest.mark.parametrize(
     ("engine", "said", "text", "good"),
     [

@@ -70,6 +70,28 @@ def findings() -> list[Finding]:
     return found
 
 
+def advice() -> list[str]:
+    """What a reader who is no programmer can make of it, a sentence each, in the language in use."""
+    if not all(path.is_file() for path in FONT_FILES):
+        return [
+            _("The package's fonts are missing: unpack its folder again, and type pip install . there.")
+        ]
+    said = [
+        _(
+            "All that sheets, chalk plan, drum and player need is here. What begins with - is for "
+            "other things: films, proofs, other tables."
+        )
+    ]
+    if jit.ENGINE != jit.NATIVE:
+        said.append(
+            _(
+                "The first questions take some minutes, for the kernels are compiled then: wait. With "
+                "a C compiler (gcc), pip install . does so once for all."
+            )
+        )
+    return said
+
+
 def kernels() -> Finding:
     """Which engine serves the kernels, and why."""
     if jit.ENGINE == jit.NATIVE:

@@ -230,7 +230,7 @@ for verb in (
 def doctor(as_json: bool, quiet: bool) -> int:
     """Say what this machine offers."""
     del quiet
-    from benchdragon.cli.doctor import findings
+    from benchdragon.cli.doctor import advice, findings
 
     found = findings()
     if as_json:
@@ -239,6 +239,8 @@ def doctor(as_json: bool, quiet: bool) -> int:
         for finding in found:
             mark = "ok " if finding.good else " - "
             click.echo(f"{mark} {_(finding.name)}: {finding.value}")
+        for line in advice():
+            click.echo(line)
     return 0
 
 

@@ -285,7 +285,7 @@ def _refuse(wishes: Wishes) -> None:
 def _data(wishes: Wishes, kind: Kind, pitch: float, disc: float) -> dict[str, Any]:
     """The plan of a dance on no square yet, as parsed TOML."""
     title = both(lambda: _(TITLE).format(benches=wishes.benches))
-    people = {
+    people: dict[str, Any] = {
         "beside": wishes.beside, "ahead": AHEAD, "sway": wishes.sway,
         "imprecision": wishes.imprecision, "most_speed": wishes.most_speed,
     }  # fmt: skip
