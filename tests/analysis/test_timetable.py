@@ -188,3 +188,14 @@ def test_a_short_hold_counts_in_as_many_beats_as_there_is_time_for() -> None:
     plan = plan_with({**HOLD, "hold": 2.5}, tempo=60)
     counted = [run for run in score_of(plan, *plan.span(plan.build())).runs if run.counted]
     assert [run.beats() for run in counted] == [2]
+
+
+def test_the_joints_at_which_a_turn_begins_and_ends_say_so() -> None:
+    data = {"schema": 1, "dragon": {"benches": 9}, "route": {"kind": "turn"}, "walk": {"start": -5}}
+    plan = checked(data, "turn")
+    walk = plan.build()
+    rows = timetable(plan, walk, *plan.span(walk))
+    names = [row.name for row in rows if row.kind == "joint"]
+    assert names == ["joint 1: the turn begins", "joint 2", "joint 3: the turn ends"]
+    begins = next(row for row in rows if row.name == names[0])
+    assert begins.head == pytest.approx(0.0, abs=1e-9), "time 0 of such a plan"

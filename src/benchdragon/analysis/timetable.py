@@ -73,12 +73,21 @@ def timetable(plan: Plan, walk: Walk, start: float, end: float) -> tuple[Passing
     joints = [s for s in walk.route.joints[1:-1].tolist() if s < last]
     if len(joints) <= MOST_JOINTS:
         for n, s in enumerate(joints, start=1):
-            rows.append(_passing(walk, (start, end), "joint", _("joint {n}").format(n=n), s))
+            name = _joint_name(plan, n, len(walk.route.joints) - 2)
+            rows.append(_passing(walk, (start, end), "joint", name, s))
     rows += [_cue(walk, (start, end), one, first) for one in plan.moments()]
     rows += _beside(plan, walk, (start, end))
     rows.append(_passing(walk, (start, end), "end", _("the dance ends"), last))
     rows.sort(key=lambda row: (row.s, row.kind == "end", row.head or 0.0))
     return tuple(row for row in rows if row.head is not None or row.tail is not None)
+
+
+def _joint_name(plan: Plan, n: int, count: int) -> str:
+    """What joint number n of so many between parts of the route is called; from 1."""
+    if plan.route.kind == "turn" and n in (1, count):
+        text = _("joint {n}: the turn begins") if n == 1 else _("joint {n}: the turn ends")
+        return text.format(n=n)
+    return _("joint {n}").format(n=n)
 
 
 def _passing(walk: Walk, span: tuple[float, float], kind: Kind, name: str, s: float) -> Passing:
