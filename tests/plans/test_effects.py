@@ -256,6 +256,8 @@ VARIED: dict[str, Any] = {
     "cues.cue.1.tempo": 100,
     "cues.cue.0.text": "bow",
     "cues.cue.0.text_zh": "拜庙",
+    "chalk.every": 2.0,
+    "chalk.peg": [1.0, 2.0],
     "event.place": "Temple square",
     "event.place_zh": "祠堂广场",
     "event.date": "2027-02-20",
@@ -301,7 +303,7 @@ def built(plan: Plan) -> list[Any]:
     """What comes of a plan: the walk and its times, and what it is called."""
     walk = plan.build()
     about = [plan.meta, walk.dragon.sizes, walk.route.rows, walk.profile, walk.start, plan.span(walk)]
-    return [*about, plan.obstacles(), plan.cues, plan.event]
+    return [*about, plan.obstacles(), plan.cues, plan.chalk, plan.event]
 
 
 def judged(plan: Plan) -> list[Any]:

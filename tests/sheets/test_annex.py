@@ -3,6 +3,7 @@
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 from pypdf import PdfReader
 
@@ -118,7 +119,10 @@ def test_posts_and_timetable_tell_times_by_one_clock(facts: AnnexFacts, texts: d
     times = [one.time for post in facts.posts for one in post.reasons if one.why == "tightest"]
     (shown,) = [clock.tell(time) for time in times]
     assert shown.startswith("18:30:")
-    assert any(f" m at {shown}" in str(row[2]) for row in post_table(facts).rows)
+    assert any(f" m at {shown}" in str(row[3]) for row in post_table(facts).rows)
+    for post, row in zip(facts.posts, post_table(facts).rows, strict=True):
+        away = np.hypot(*(facts.briefing.marks.points - np.array(post.point)).T)
+        assert row[2] == f"mark {np.argmin(away) + 1}, {away.min():.1f} m off"
     assert texts["en"].count("".join(clock.legend.split())) == 1
     assert f"mat{shown}" in texts["en"]
 
