@@ -330,6 +330,8 @@ def test_a_sheet_names_the_other_benches_of_its_households(tmp_path: Path, ours:
     assert ours.kin(1) == f"Of your household too: {ours.called(2)}."
     assert ours.kin(2) == f"Of your household too: {ours.called(1)}."
     assert ours.kin(6) == ours.kin(3) == ""
+    unsaid = replace(ours, roster=Roster({2: (Person("王五"),), 5: (Person("赵六"),)}))
+    assert unsaid.kin(2) == "", "of no household are not of one"
     write_benches(tmp_path / "b.pdf", ours, Options())
     found = pages(tmp_path / "b.pdf")
     assert bare(ours.kin(2)) in found[1]
