@@ -354,3 +354,62 @@ def test_a_link_of_other_data_is_no_plan(opened: Opened) -> None:
     text = text_of(b'["", {"schema": 1}]')
     page.goto(page.url.split("#")[0] + f"#plan={text}")
     expect(page.get_by_role("alert").locator("code")).to_have_text('["", {"schema": 1}]')
+
+
+# Of the dance, so much is over at the time that is shown.
+SHARE = "({ time, scene }) => (time - scene.start) / (scene.end - scene.start)"
+
+
+def test_a_dance_waits_until_a_hand_has_let_go_of_the_time_axis(opened: Opened) -> None:
+    page = opened()
+    held = Held(page, "dance")
+    change(page, PITCH, "0.46")
+    held.wait(1)
+    expect(page.locator("#planner")).to_have_attribute("data-picture", "this")
+    rough = page.evaluate("benchdragon.player.scene.sent.tightness.distance.length")
+    box = page.locator(".axis input").bounding_box()
+    assert box is not None
+    middle = box["y"] + box["height"] / 2
+    page.mouse.move(box["x"] + 0.2 * box["width"], middle)
+    page.mouse.down()
+    held.let_go(0)
+    expect(page.locator("#planner")).to_have_attribute("aria-busy", "false")
+    shown = "benchdragon.player.scene.sent.tightness.distance.length"
+    for share in (0.5, 0.8):
+        page.mouse.move(box["x"] + share * box["width"], middle)
+        until(page, f"Math.abs({share} - ({SHARE})(benchdragon.player)) < 0.05")
+        assert page.evaluate(shown) == rough
+    time = page.evaluate("benchdragon.player.time")
+    page.mouse.up()
+    until(page, f"{shown} > {rough}")
+    assert page.evaluate("benchdragon.player.time") == time
+
+
+def test_a_story_of_the_page_waits_for_the_dance_that_waits_for_a_hand(opened: Opened) -> None:
+    page = opened()
+    page.locator("canvas").hover(position={"x": 40, "y": 200})
+    page.mouse.down()
+    page.evaluate(
+        "() => { const other = structuredClone(benchdragon.plan); other.route.pitch = 0.46;"
+        " benchdragon.change(other, true);"
+        " benchdragon.whenDanced(other).then(() => (globalThis.danced = true)); }"
+    )
+    expect(page.locator("#planner")).to_have_attribute("aria-busy", "false")
+    expect(page.locator("#planner")).to_have_attribute("data-picture", "old")
+    assert page.evaluate("globalThis.danced === undefined")
+    page.mouse.up()
+    until(page, "globalThis.danced === true")
+    expect(page.locator("#planner")).to_have_attribute("data-picture", "this")
+
+
+@pytest.mark.parametrize("name", ["time", "nearer"])
+def test_the_focus_stays_where_it_is_when_another_dance_comes(opened: Opened, name: str) -> None:
+    page = opened()
+    page.locator("summary").filter(has_text="View").click()
+    control = page.get_by_label(name, exact=True)
+    control.focus()
+    change_by = "{ ...benchdragon.plan, route: { ...benchdragon.plan.route, pitch: 0.46 } }"
+    page.evaluate(f"globalThis.face = benchdragon.player.face; benchdragon.change({change_by}, true)")
+    settled(page)
+    assert not page.evaluate("face.canvas.isConnected")
+    expect(control).to_be_focused()

@@ -7,6 +7,7 @@ from playwright.sync_api import expect
 
 from tests.browser.pages import Device
 from tests.browser.planners import PITCH, Opened, change, number, settle, settled, text_of, verdict
+from tests.browser.players import until
 
 
 def test_the_evidence_is_one_click_away_and_leads_to_the_moment(opened: Opened) -> None:
@@ -199,3 +200,28 @@ def test_an_address_that_is_being_read_is_not_written_over(opened: Opened) -> No
     )
     expect(page.get_by_role("alert").locator("code")).to_have_text('["nosuch", {}]')
     assert page.url.endswith(other)
+
+
+@pytest.mark.parametrize("size", [(390, 844), (844, 390), (320, 640), (1366, 768)])
+def test_nothing_lies_over_the_picture_but_what_changes_it(
+    opened: Opened, size: tuple[int, int]
+) -> None:
+    page = opened()
+    page.set_viewport_size({"width": size[0], "height": size[1]})
+    stage = "document.querySelector('.stage').getBoundingClientRect()"
+    until(page, f"innerWidth === {size[0]} && benchdragon.player.camera.width === {stage}.width")
+    expect(page.get_by_role("button", name="The tightest moment")).to_be_visible()
+    over = page.evaluate(
+        """() => {
+          const seen = document.querySelector(".stage").getBoundingClientRect();
+          const apart = (box) => box.right <= seen.left + 0.5 || box.left >= seen.right - 0.5
+            || box.bottom <= seen.top + 0.5 || box.top >= seen.bottom - 0.5;
+          return [...document.querySelectorAll(".player :is(button, summary, input, select, h1, p)")]
+            .filter((one) => one.checkVisibility() && !one.closest(".views, .spoken"))
+            .filter((one) => !apart(one.getBoundingClientRect()))
+            .map((one) => one.outerHTML);
+        }"""
+    )
+    assert over == []
+    sides = page.evaluate("(({ width, height }) => [width, height])(benchdragon.player.camera)")
+    assert min(sides) >= 200

@@ -82,14 +82,7 @@ export class Face {
       ),
     );
     this.showStory(false);
-    this.stage = make(
-      "div",
-      { class: "stage" },
-      this.canvas,
-      this.legend,
-      this.storyButtons,
-      this.lists[0],
-    );
+    this.stage = make("div", { class: "stage" }, this.canvas, this.legend, this.lists[0]);
     const middle = make("div", { class: "middle" }, this.stage, this.card.element);
     this.elements = [
       this.#header(),
@@ -135,6 +128,7 @@ export class Face {
       );
     }
     header.append(
+      this.storyButtons,
       make(
         "div",
         { class: "tools" },

@@ -422,13 +422,22 @@ export class Planner {
   /** @param {Scene} scene @param {Plan} plan */
   #danced(scene, plan) {
     this.lines.dance.tell(plan, "");
-    this.#picture(scene, plan);
-    if (this.awaited?.plan === plan) this.#await(true);
+    this.#mark();
+    this.#whenFree(() => {
+      this.#picture(scene, plan);
+      if (this.awaited?.plan === plan) this.#await(true);
+    });
   }
 
   /** A rough dance, shown unless the dance itself was faster. @param {Scene} scene @param {Plan} plan */
   #sketched(scene, plan) {
-    if (!this.lines.dance.about(plan)) this.#picture(scene, plan);
+    if (!this.lines.dance.about(plan)) this.#whenFree(() => this.#picture(scene, plan));
+  }
+
+  /** Show a dance once no hand holds what it takes the place of. @param {() => void} show */
+  #whenFree(show) {
+    if (this.player) this.player.whenFree(show);
+    else show();
   }
 
   /** Show a dance. @param {Scene} scene @param {Plan} plan */

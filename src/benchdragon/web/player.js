@@ -7,6 +7,7 @@ import { scaleOf } from "./colours.js";
 import { Drum } from "./drum.js";
 import { Face, ticked } from "./face.js";
 import { Flight } from "./flight.js";
+import { Hold } from "./hold.js";
 import { pressed } from "./keys.js";
 import { meetingOf, nearnessText, passedText, tightestOf } from "./nearby.js";
 import { Boxes } from "./nearness.js";
@@ -68,6 +69,7 @@ export class Player {
       () => this.#redrawn(),
     );
     this.#watch = new ResizeObserver(() => this.#resize());
+    this.hold = new Hold(() => this.#freed());
     this.#attach();
     this.fit(this.#times());
     document.addEventListener("keydown", (event) => pressed(this, event));
@@ -77,6 +79,21 @@ export class Player {
 
   /** @type {ResizeObserver} */
   #watch;
+
+  /** What waits until no hand holds the picture or the time axis. @type {(() => void) | null} */
+  #next = null;
+
+  /** Show another dance once no hand holds the picture or the time axis, which it takes the place of: the newest alone. @param {() => void} show */
+  whenFree(show) {
+    this.#next = show;
+    if (!this.hold.on) this.#freed();
+  }
+
+  #freed() {
+    const next = this.#next;
+    this.#next = null;
+    next?.();
+  }
 
   /** Show another dance, at the same time and place. @param {Scene} scene */
   show(scene) {
@@ -102,9 +119,10 @@ export class Player {
     return inside && scale * Math.max((right - left) / width, (top - bottom) / height) > LEAST_FILLED;
   }
 
-  /** Another face, whose lists are open where they were. */
+  /** Another face, whose lists are open where they were, and which has the focus where it was. */
   #newFace() {
     const open = this.face.lists.map((list) => list.open);
+    const way = wayTo(document.activeElement, this.root);
     const { story } = this.face;
     this.face = new Face(this);
     this.face.lists.forEach((list, n) => {
@@ -113,15 +131,19 @@ export class Player {
     this.#attach();
     const { plan_sha256: hash } = this.scene.sent;
     const same = story.scene === this.scene || (hash && story.scene.sent.plan_sha256 === hash);
-    if (!same || !story.tale || !story.open) return;
-    this.face.tell(story.tale, story.at, story.paused);
-    this.face.story.next = story.next;
+    if (same && story.tale && story.open) {
+      this.face.tell(story.tale, story.at, story.paused);
+      this.face.story.next = story.next;
+    }
+    if (way) elementAt(way, this.root)?.focus({ preventScroll: true });
   }
 
   /** Put the face onto the page. */
   #attach() {
-    const { canvas, stage, elements } = this.face;
+    const { canvas, stage, axis, elements } = this.face;
     this.root.replaceChildren(...elements);
+    this.hold.watch(canvas);
+    this.hold.watch(axis.slider);
     this.face.showChosen(this.chosen);
     listen(canvas, this.camera, {
       moved: () => this.#touched(),
@@ -481,4 +503,18 @@ export class Player {
 
   /** Called when the page has come to rest. @type {(() => void) | undefined} */
   onSettled;
+}
+
+/** The way from an element up to one that it is in: which child of each it is; null if it is not in it. @param {Element | null} element @param {Element} above @returns {number[] | null} */
+function wayTo(element, above) {
+  if (element === above) return [];
+  const parent = element?.parentElement;
+  const way = element && parent ? wayTo(parent, above) : null;
+  return way && [...way, [...(parent?.children ?? [])].indexOf(/** @type {Element} */ (element))];
+}
+
+/** What such a way leads to. @param {number[]} way @param {Element | undefined} above @returns {HTMLElement | null} */
+function elementAt(way, above) {
+  const found = way.reduce((element, child) => element?.children[child], above);
+  return found instanceof HTMLElement ? found : null;
 }
