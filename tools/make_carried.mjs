@@ -9,6 +9,7 @@ import { build } from "esbuild";
 const MODULES = {
   "carried.js": { library: "smol-toml", names: ["parse", "stringify", "TomlDate", "TomlError"] },
   "carried_code.js": { library: "uqr", names: ["encode"] },
+  "carried_zip.js": { library: "fflate", names: ["unzipSync"] },
 };
 
 /** A package's name and version. @param {string} name */

@@ -20,6 +20,7 @@ from benchdragon.sheets.benches import Entry, bench_sheets
 from tests.browser.axe import needs_axe, violations
 from tests.browser.pages import Device, Language, Pages
 from tests.browser.planners import PITCH, change, settled
+from tests.rosters.lists import xlsx_bytes
 from tests.sheets.village import PLAN, briefing, village
 
 NAMES = {"en": "benches' sheets", "zh": "板凳单"}
@@ -196,21 +197,36 @@ def test_names_stand_on_sheets_and_nowhere_else(opened_sheets: Opened, plan: Pat
     assert "张三" not in kept
 
 
-def test_a_workbook_is_to_be_saved_as_text(opened_sheets: Opened, tmp_path: Path) -> None:
+def test_a_list_is_opened_from_a_workbook(opened_sheets: Opened, tmp_path: Path) -> None:
     page = opened_sheets("en")
-    path = tmp_path / "names.xlsx"
-    path.write_bytes(b"PK\x03\x04 and more")
-    sheets(page).locator("input[type=file]").set_input_files(path)
-    alert = sheets(page).get_by_role("alert")
-    sheets(page).locator("details.names summary").click()
-    expect(alert).to_contain_text(
-        "names.xlsx is a workbook, which this page does not read: save it as CSV"
-    )
-    path = tmp_path / "names.csv"
-    path.write_bytes(LIST.replace("\t", ",").encode("gb18030"))
-    sheets(page).locator("input[type=file]").set_input_files(path)
-    expect(alert).to_have_count(0)
-    expect(sheets(page).locator(".paper").first).to_contain_text("张三")
+    rows = [line.split("\t") for line in LIST.splitlines()]
+
+    def give(name: str, data: bytes) -> None:
+        (tmp_path / name).write_bytes(data)
+        sheets(page).locator("input[type=file]").set_input_files(tmp_path / name)
+
+    names = sheets(page).locator("details.names")
+    names.locator("summary").click()
+    alert, choice = sheets(page).get_by_role("alert"), names.get_by_role("combobox", name="sheet")
+    first = sheets(page).locator(".paper").first
+    give("torn.xlsx", b"PK\x03\x04 and more")
+    expect(alert).to_contain_text("torn.xlsx is torn, or no workbook")
+    give("names.xlsx", xlsx_bytes(rows))
+    expect(first).to_contain_text("张三")
+    expect(names).to_contain_text("3 benches have people")
+    expect(alert.or_(choice)).to_have_count(0)
+    give("several.xlsx", xlsx_bytes(rows, ("other", [["桥号", "姓名"], [1, "周一"]])))
+    expect(choice).to_contain_text("several.xlsx has several sheets: choose one")
+    expect(names).to_contain_text("none yet")
+    expect(first).not_to_contain_text("张三")
+    choice.select_option("other")
+    expect(first).to_contain_text("周一")
+    expect(names).to_contain_text("1 benches have people")
+    choice.select_option("名单")
+    expect(names).to_contain_text("3 benches have people")
+    give("names.csv", LIST.replace("\t", ",").encode("gb18030"))
+    expect(alert.or_(choice)).to_have_count(0)
+    expect(first).to_contain_text("张三")
 
 
 def test_all_of_a_sheet_finds_room(opened_sheets: Opened) -> None:

@@ -4,11 +4,12 @@ import { pathToFileURL } from "node:url";
 
 const [modules, , questions] = process.argv.slice(2);
 const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
-const [{ readRoster }, { textOf }, { called }, { speak, useWords }, roster] = await Promise.all(
-  ["compute/roster", "compute/roster_grid", "compute/people", "words", "compute/roster_words"].map(
-    load,
-  ),
-);
+const [{ readRoster }, { checkFile, rowsOf, textOf }, { called }, { speak, useWords }, roster] =
+  await Promise.all(
+    ["compute/roster", "compute/roster_grid", "compute/people", "words", "compute/roster_words"].map(
+      load,
+    ),
+  );
 
 /** What a list of names says, or why it says nothing. */
 function read({ data, name, count, people, language }) {
@@ -20,8 +21,8 @@ function read({ data, name, count, people, language }) {
     called: (bench) => called(people, bench, count),
   };
   try {
-    const text = textOf(new Uint8Array(bytes).buffer, name);
-    const { benches, notes } = readRoster(text, name, numbering);
+    checkFile(bytes, name);
+    const { benches, notes } = readRoster(rowsOf(textOf(bytes, name), name), name, numbering);
     return { benches: Object.fromEntries(benches), notes };
   } catch (error) {
     return { error: error.message, kind: error.constructor.name };

@@ -14,7 +14,11 @@ from tests.engine.recording import node
 
 ROOT = Path(__file__).parents[2]
 MODULE = WEB / "carried.js"
-LIBRARIES = {MODULE: "smol-toml", WEB / "carried_code.js": "uqr"}
+LIBRARIES = {
+    MODULE: "smol-toml",
+    WEB / "carried_code.js": "uqr",
+    WEB / "carried_zip.js": "fflate",
+}
 PLANS = sorted([*ROOT.glob("examples/*.toml"), *ROOT.glob("src/benchdragon/plans/builtin/*.toml")])
 AGAIN = "{name} is of other versions: run `make carried`, and commit what it makes"
 
@@ -56,7 +60,8 @@ def test_the_lock_names_no_address_of_a_registry() -> None:
 
 def test_the_notice_names_what_is_carried_and_goes_into_the_wheel() -> None:
     text = (WEB / "carried.txt").read_text("utf-8")
-    for library, owner in (("smol-toml", "Squirrel Chat et al."), ("uqr", "Project Nayuki")):
+    owners = (("smol-toml", "Squirrel Chat et al."), ("uqr", "Project Nayuki"), ("fflate", "Barrett"))
+    for library, owner in owners:
         assert f"* {library}: " in text
         assert f"\n{library}\n" in text
         assert owner in text.rsplit(f"\n{library}\n", 1)[1]

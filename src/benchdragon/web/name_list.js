@@ -1,21 +1,29 @@
 // The list of names on the page of sheets: opened or pasted, kept in this page alone.
 
 import { readRoster } from "./compute/roster.js";
-import { textOf } from "./compute/roster_grid.js";
-import { make } from "./elements.js";
+import { sheetsOf } from "./compute/roster_book.js";
+import { rowsOf } from "./compute/roster_grid.js";
+import { choice, make } from "./elements.js";
 import { _ } from "./words.js";
 
 /** @typedef {import("./bench_sheet.js").People} People */
 /** @typedef {import("./compute/roster.js").Numbering} Numbering */
+/** @typedef {import("./compute/roster_book.js").Sheet} Sheet */
+
+/** What was pasted, or a sheet of a file of some name. @typedef {{ text: string } | { name: string, sheet: Sheet }} List */
 
 export class NameList {
   /** @param {() => void} changed what is done when there are other names */
   constructor(changed) {
     this.changed = changed;
-    /** What was opened or pasted; its name, if it is a file. @type {{ text: string, name: string } | null} */
+    /** @type {List | null} */
     this.list = null;
+    /** Sheets of the file, of which one is to be chosen. @type {Sheet[]} */
+    this.sheets = [];
     /** Why a list was not read. */
     this.refusal = "";
+    /** The name of the file. */
+    this.file = "";
     /** @type {People} */
     this.people = new Map();
     /** What is odd about the list. @type {string[]} */
@@ -33,25 +41,28 @@ export class NameList {
     [this.people, this.notes] = [new Map(), []];
     if (!this.list) return;
     this.refusal = "";
-    this.#tried(({ text, name }) => {
-      const { benches, notes } = readRoster(text, name || _("the list"), numbering);
+    this.#tried((list) => {
+      const name = "name" in list ? list.name : _("the list");
+      const rows = "text" in list ? rowsOf(list.text, name) : list.sheet.rows;
+      const { benches, notes } = readRoster(rows, name, numbering);
       [this.people, this.notes] = [benches, notes];
     }, this.list);
   }
 
-  /** Read from a list, or say why not. @template List @param {(list: List) => void} read @param {List} list */
-  #tried(read, list) {
+  /** Read from something, or say why not. @template Read @param {(from: Read) => void} read @param {Read} from */
+  #tried(read, from) {
     try {
-      read(list);
+      read(from);
     } catch (error) {
       if (!(error instanceof Error)) throw error;
       this.refusal = error.message;
     }
   }
 
-  /** Take another list. @param {{ text: string, name: string } | null} list */
+  /** Take another list, which is of no file. @param {List | null} list */
   #take(list) {
     this.list = list;
+    this.sheets = [];
     this.refusal = "";
     this.changed();
   }
@@ -60,16 +71,35 @@ export class NameList {
   async #file(file) {
     const data = await file.arrayBuffer();
     this.list = null;
+    this.sheets = [];
     this.refusal = "";
     this.#tried(({ name }) => {
-      this.list = { text: textOf(data, name), name };
+      const sheets = sheetsOf(data, name);
+      if (sheets.length === 1) this.list = { name, sheet: sheets[0] };
+      else this.sheets = sheets;
+      this.file = name;
     }, file);
     this.changed();
   }
 
+  /** What chooses a sheet, where a file has several. */
+  #choice() {
+    const { list, sheets } = this;
+    const chosen = list && "sheet" in list ? sheets.indexOf(list.sheet) : -1;
+    /** @type {[string, string][]} */
+    const names = sheets.map(({ name }, n) => [String(n), name]);
+    const none = _("{file} has several sheets: choose one", { file: this.file });
+    return choice(_("sheet"), [["-1", none], ...names], String(chosen), (value) => {
+      const sheet = sheets[Number(value)];
+      this.list = sheet ? { name: this.file, sheet } : null;
+      this.refusal = "";
+      this.changed();
+    });
+  }
+
   /** The controls, in the language in use. */
   controls() {
-    const input = make("input", { type: "file", accept: ".csv,.tsv,.txt,.xlsx,.ods", hidden: true });
+    const input = make("input", { type: "file", accept: ".csv,.tsv,.txt,.xlsx,.xlsm", hidden: true });
     input.addEventListener("change", () => {
       const file = input.files?.[0];
       input.value = "";
@@ -79,7 +109,7 @@ export class NameList {
     area.placeholder = _(
       "bench, name, household, phone, remarks: paste the rows of a spreadsheet here",
     );
-    area.value = this.list && !this.list.name ? this.list.text : "";
+    area.value = this.list && "text" in this.list ? this.list.text : "";
     const button = (/** @type {string} */ text, /** @type {() => void} */ action) =>
       make("button", { type: "button", onclick: action }, text);
     const summary = this.list
@@ -93,11 +123,12 @@ export class NameList {
       make(
         "div",
         { class: "row" },
-        button(_("take the rows above"), () => this.#take({ text: area.value, name: "" })),
-        button(_("open a list (CSV)"), () => input.click()),
+        button(_("take the rows above"), () => this.#take({ text: area.value })),
+        button(_("open a list (XLSX, CSV)"), () => input.click()),
         button(_("no names"), () => this.#take(null)),
         input,
       ),
+      ...(this.sheets.length ? [make("div", { class: "row" }, this.#choice())] : []),
       ...(this.refusal ? [make("p", { class: "odd", role: "alert" }, this.refusal)] : []),
       ...(this.notes.length
         ? [make("ul", { class: "odd" }, ...this.notes.map((note) => make("li", {}, note)))]

@@ -6,7 +6,6 @@ import { ROSTERS_ENTRIES, ROSTERS_READING } from "./constants.js";
 import { InputError } from "./errors.js";
 import { layout, letters } from "./roster_columns.js";
 import { entries } from "./roster_entries.js";
-import { rowsOf } from "./roster_grid.js";
 import { plain } from "./roster_words.js";
 
 /** @typedef {import("./roster_columns.js").Layout} Layout */
@@ -28,9 +27,8 @@ import { plain } from "./roster_words.js";
 
 const { MOST_PEOPLE, MOST_NOTES, MOST_A_BENCH, MOST_LISTED } = ROSTERS_READING;
 
-/** Who carries which bench, as a list of names says it; `name` is the list's. @param {string} text @param {string} name @param {Numbering} numbering @returns {Roster} */
-export function readRoster(text, name, numbering) {
-  const rows = rowsOf(text, name);
+/** Who carries which bench, as the rows of a list say it; `name` is the list's. @param {string[][]} rows @param {string} name @param {Numbering} numbering @returns {Roster} */
+export function readRoster(rows, name, numbering) {
   const found = layout(rows, name);
   const told = found.blocks.flatMap((block) => entries(rows, found.first, block));
   const said = told.flatMap((one) => ("people" in one ? [one] : []));

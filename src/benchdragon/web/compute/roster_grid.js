@@ -1,5 +1,5 @@
 // A list of names as rows of texts: tables of text in the encodings in use. Twin of rosters/grid.py, but for
-// workbooks, which this page does not read.
+// workbooks, which roster_book.js reads.
 
 import { _ } from "../words.js";
 import { ROSTERS_EXTENT, ROSTERS_GRID } from "./constants.js";
@@ -20,21 +20,25 @@ const LINE_END = /\r\n|[\n\r\v\f\x1c-\x1e\x85\u2028\u2029]/u;
 // Signs of texts that no text has.
 const NO_TEXT = /[\0-\x08\x0e-\x19\x1b-\x1f]/u;
 
-/** The text of a file with a list. @param {ArrayBuffer} data @param {string} name */
-export function textOf(data, name) {
-  const bytes = new Uint8Array(data);
+/** Check what a file with a list is called, and how large it is. @param {Uint8Array} bytes @param {string} name */
+export function checkFile(bytes, name) {
   if (!ENDINGS.test(name))
     throw new InputError(
       _("{file}: lists of names are read from {endings} files", {
         file: name,
-        endings: ".csv, .tsv, .txt",
+        endings: ".xlsx, .xlsm, .csv, .tsv, .txt",
       }),
     );
   if (bytes.length > ROSTERS_GRID.MOST_BYTES) throw tooLarge(name);
+  if (!bytes.length) throw isEmpty(name);
+}
+
+/** The text of a file with a list. @param {Uint8Array} bytes @param {string} name */
+export function textOf(bytes, name) {
   if (WORKBOOKS.some((sign) => sign.every((byte, n) => bytes[n] === byte)))
     throw new InputError(
       _(
-        "{file} is a workbook, which this page does not read: save it as CSV (UTF-8), or copy its rows and paste them here",
+        "{file} is a workbook of a kind that this page does not read: save it as XLSX, or copy its rows and paste them here",
         { file: name },
       ),
     );
@@ -78,13 +82,18 @@ function isText(text, name) {
 }
 
 /** What is said of a list beyond the limits. @param {string} name */
-function tooLarge(name) {
+export function tooLarge(name) {
   return new InputError(
     _(
       "{file} is too large for a list of names: at most {rows} rows, {columns} columns, {cells} cells and {signs} signs in a cell are read; save the list alone",
       { file: name, rows: MOST_ROWS, columns: MOST_COLUMNS, cells: MOST_CELLS, signs: MOST_SIGNS },
     ),
   );
+}
+
+/** What is said of a list without anything in it. @param {string} name */
+export function isEmpty(name) {
+  return new InputError(_("{file} is empty", { file: name }));
 }
 
 /** The cells of a list, row by row; where no sign parts its columns, a line is a number and names. @param {string} text @param {string} name */
@@ -148,12 +157,12 @@ function isLineEnd(sign) {
   return sign === "\n" || sign === "\r";
 }
 
-/** @param {string[][]} rows @param {string} name */
-function limited(rows, name) {
+/** The same rows, if they are no more than are read. @param {string[][]} rows @param {string} name */
+export function limited(rows, name) {
   const cells = rows.reduce((count, row) => count + row.length, 0);
   if (rows.length > MOST_ROWS || cells > MOST_ROWS * MOST_COLUMNS) throw tooLarge(name);
   const filled = rows.flatMap((row) => [...row.entries()].filter(([, cell]) => cell));
-  if (!filled.length) throw new InputError(_("{file} is empty", { file: name }));
+  if (!filled.length) throw isEmpty(name);
   const wide = ([n, cell] = [0, ""]) => n >= MOST_COLUMNS || Array.from(cell).length > MOST_SIGNS;
   if (filled.length > MOST_CELLS || filled.some(wide)) throw tooLarge(name);
   return rows;
