@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pypdfium2
 import pytest
+import zxingcpp
 from playwright.sync_api import Locator, Page, expect
 
 from benchdragon.i18n import spoken_in
@@ -17,6 +18,7 @@ from benchdragon.plans.roster import roster_of
 from benchdragon.plans.schema import read_plan
 from benchdragon.rosters.roster import Roster
 from benchdragon.sheets.benches import Entry, bench_sheets
+from benchdragon.sheets.qr import bench_address
 from tests.browser.axe import needs_axe, violations
 from tests.browser.pages import Device, Language, Pages
 from tests.browser.planners import PITCH, change, settled
@@ -141,6 +143,21 @@ def test_the_overview_is_printed_and_saved(
             assert "".join(line.split()) in text
             assert line in saved
     assert len(saved.splitlines()) == 9
+
+
+def test_codes_open_the_player_at_ones_own_bench(opened_sheets: Opened, plan: Path) -> None:
+    page = opened_sheets("en")
+    address = read_plan(str(plan)).people.address
+
+    def read() -> list[list[str]]:
+        made = pypdfium2.PdfDocument(io.BytesIO(page.pdf(prefer_css_page_size=True)))
+        pictures = [sheet.render(scale=200 / 72).to_pil() for sheet in made]
+        return [sorted(one.text for one in zxingcpp.read_barcodes(picture)) for picture in pictures]
+
+    wanted = [bench_address(address, bench) for bench in range(1, 9)]
+    assert read() == [[one] for one in wanted]
+    sheets(page).get_by_role("combobox").nth(1).select_option("quarter")
+    assert read() == [wanted[:4], wanted[4:]]
 
 
 def test_sheets_close_when_the_page_is_about_another_plan(opened_sheets: Opened) -> None:

@@ -183,8 +183,9 @@ def test_files_that_are_no_workbooks_are_refused_as_python_does(reader: Page, tm
 
 
 def test_sheets_that_are_hidden_or_empty_are_not_there(reader: Page, tmp_path: Path) -> None:
-    rows = [["桥号", "姓名"], [1, "张三"]]
-    data = xlsx_bytes(rows, ("空", []), ("说明", [["别的"]]))
+    rows: Cells = [["桥号", "姓名"], [1, "张三"]]
+    nothing: Cells = []
+    data = xlsx_bytes(rows, ("空", nothing), ("说明", [["别的"]]))
     found = there(reader, data)
     assert [one["name"] for one in found] == ["名单", "说明"]
     for one in found:

@@ -4,6 +4,7 @@ import { benchText, markLine, tightestLine } from "./compute/bench_text.js";
 import { Clock } from "./compute/clock.js";
 import { SHEETS_BRIEFING } from "./compute/constants.js";
 import { called } from "./compute/people.js";
+import { drawnCode } from "./code.js";
 import { make } from "./elements.js";
 import { _, language } from "./words.js";
 
@@ -15,7 +16,7 @@ import { _, language } from "./words.js";
 /** Who carries each bench (number, from 1). @typedef {Map<number, Person[]>} People */
 /** How sheets are wanted: "a4" or "quarter", in large type, with phones. @typedef {{ paper: string, night: boolean, phones: boolean }} Looks */
 
-/** What a bench's sheet says. @typedef {{ title: string, people: string[], text: BenchText, marks: string, kin: string }} Told */
+/** What a bench's sheet says; `address` opens the player at the bench, if the plan says where that is. @typedef {{ title: string, people: string[], text: BenchText, marks: string, kin: string, address: string }} Told */
 
 // What is tried until a sheet fits, as shares of the format's type: by day, and by night.
 const DAY = [1, 0.93, 0.86, 0.8, 0.74];
@@ -23,6 +24,8 @@ const NIGHT = [1.5, 1.4, 1.3, 1.2, 1.1];
 // People of a bench who have a line each where that leaves too little room; who are named then.
 const MOST_LINES = 2;
 const FEWER = [24, 12, 6, 3, 1];
+// The largest kind of QR code that there is.
+const LARGEST_CODE = 40;
 // Where names are written by hand.
 const BLANK = "_".repeat(22);
 // Type that is still too large shrinks by this share, so many times at most.
@@ -120,15 +123,28 @@ export class Sayings {
       text: this.text(bench, (other) => this.named(other)),
       marks: markLine(this.briefing.marks[bench - 1]),
       kin: this.kin(bench),
+      address: this.#address(bench),
     };
   }
+
+  /** Where the player opens at a bench (number, from 1). @param {number} bench */
+  #address(bench) {
+    const { address } = this.briefing.people;
+    return address ? `${address}${address.includes("#") ? "&" : "#"}bench=${bench}` : "";
+  }
+}
+
+/** The code of an address; itself where it is too long for one. @param {string} address */
+function codeOf(address) {
+  const code = drawnCode(address, "M", LARGEST_CODE, _("QR code of the link"));
+  return code ?? make("p", { class: "small" }, address);
 }
 
 /** One sheet, which gives way until all of it finds room. */
 export class BenchSheet {
   /** @param {Told} told @param {HTMLElement} map @param {Looks} looks @param {string} foot */
   constructor(told, map, { paper, night }, foot) {
-    const { text, people, marks, kin } = told;
+    const { text, people, marks, kin, address } = told;
     this.names = people;
     this.map = map;
     const blank = make("p", { class: "few" }, _("Names: {blank}", { blank: BLANK }));
@@ -150,8 +166,13 @@ export class BenchSheet {
     this.element = make(
       "article",
       { class: `sheet ${paper}${night ? " night" : ""}` },
-      make("h2", {}, told.title),
-      this.people,
+      make(
+        "div",
+        { class: "head" },
+        ...(address ? [codeOf(address)] : []),
+        make("h2", {}, told.title),
+        this.people,
+      ),
       make("p", { class: "quick" }, text.quick),
       map,
       ...this.facts,

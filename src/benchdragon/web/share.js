@@ -1,8 +1,8 @@
 // How a plan is sent to others: a link with a QR code, where the page has an address; else its file.
 
-import { encode } from "./carried_code.js";
+import { drawnCode } from "./code.js";
 import { copy } from "./commands.js";
-import { draw, make } from "./elements.js";
+import { make } from "./elements.js";
 import { deliver } from "./files.js";
 import { _ } from "./words.js";
 
@@ -10,37 +10,12 @@ import { _ } from "./words.js";
 
 /** The largest kind of QR code that is shown: 97 squares on a side, of nearly 3 CSS pixels on a small phone. */
 const MOST_VERSION = 20;
-/** White squares about a code. */
-const QUIET = 4;
 /** Of machines that nobody else reaches under these names. */
 const OWN = ["localhost", "127.0.0.1", "[::1]"];
 
 /** Whether others find the page under its address. */
 function onTheWeb() {
   return ["http:", "https:"].includes(location.protocol) && !OWN.includes(location.hostname);
-}
-
-/** A QR code; null where the text is too long for one that phones read. @param {string} text */
-function codeOf(text) {
-  let found;
-  try {
-    found = encode(text, { ecc: "L", boostEcc: true, maxVersion: MOST_VERSION, border: QUIET });
-  } catch (error) {
-    if (error instanceof RangeError) return null;
-    throw error;
-  }
-  const { size, data } = found;
-  const squares = data.flatMap((row, y) => row.map((dark, x) => (dark ? `M${x} ${y}h1v1h-1z` : "")));
-  return draw(
-    "svg",
-    {
-      viewBox: `0 0 ${size} ${size}`,
-      class: "code",
-      role: "img",
-      "aria-label": _("QR code of the link"),
-    },
-    draw("path", { d: squares.join("") }),
-  );
 }
 
 /**
@@ -86,7 +61,7 @@ export function showShare(root, text, saved) {
 
 /** @param {string} link @param {HTMLElement} shown */
 function linkWords(link, shown) {
-  const code = codeOf(link);
+  const code = drawnCode(link, "L", MOST_VERSION, _("QR code of the link"));
   const tooLong = _(
     "This link has {length} letters: too many for a QR code that phones read. Copy it, or send the plan file.",
     { length: link.length },

@@ -238,7 +238,7 @@ export class Sheets {
         "p",
         {},
         _(
-          "The command line sets the same sheets as PDF, by household and as cards to hang round the neck too, with a QR code on each, and besides them chalk plan, timetable and permit annex: benchdragon sheets PLAN --check",
+          "The command line sets the same sheets as PDF, by household and as cards to hang round the neck too, and besides them chalk plan, timetable and permit annex: benchdragon sheets PLAN --check",
         ),
       ),
     );

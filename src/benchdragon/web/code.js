@@ -1,0 +1,31 @@
+// QR codes, drawn.
+
+import { encode } from "./carried_code.js";
+import { draw } from "./elements.js";
+
+/** White squares about a code. */
+const QUIET = 4;
+
+/**
+ * A QR code; null where the text is too long for the largest kind that is wanted.
+ * @param {string} text
+ * @param {"L" | "M"} least how much of it may be hidden at least
+ * @param {number} maxVersion the largest kind
+ * @param {string} name for those who cannot see it
+ */
+export function drawnCode(text, least, maxVersion, name) {
+  let found;
+  try {
+    found = encode(text, { ecc: least, boostEcc: true, maxVersion, border: QUIET });
+  } catch (error) {
+    if (error instanceof RangeError) return null;
+    throw error;
+  }
+  const { size, data } = found;
+  const squares = data.flatMap((row, y) => row.map((dark, x) => (dark ? `M${x} ${y}h1v1h-1z` : "")));
+  return draw(
+    "svg",
+    { viewBox: `0 0 ${size} ${size}`, class: "code", role: "img", "aria-label": name },
+    draw("path", { d: squares.join("") }),
+  );
+}
