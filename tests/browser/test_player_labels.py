@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import Page
 
 from tests.browser.pages import Colours, Device, Language, Pages
-from tests.browser.players import LOOKS, Scene, drawn, look_at, opened, page_of, pixels
+from tests.browser.players import DESK, HAND, LOOKS, Scene, drawn, look_at, opened, page_of, pixels
 
 LOOKED_AT = [(1, 15.0), (1, 23.0), (9, 30.0), (16, 80.0), (16, 300.0)]
 # What is written on the canvas: text, height of its letters, place, half its width, CSS pixels.
@@ -143,3 +143,31 @@ def test_the_label_stays_on_its_side_while_the_dance_plays(pages: Pages, turn: S
         ring = page.evaluate("benchdragon.camera.toScreen(...benchdragon.ringed.from)")
         sides.append((label["x"] > ring[0], label["y"] > ring[1]))
     assert sum(a != b for a, b in itertools.pairwise(sides)) <= 6
+
+
+@pytest.mark.parametrize("look", [HAND, DESK], ids="-".join)
+def test_the_label_does_not_hide_under_the_button_in_the_corner(
+    pages: Pages, turn: Scene, look: tuple[Device, Language, Colours]
+) -> None:
+    page = opened(pages, turn, look, where="#t=26")
+    button = page.locator(".views summary").bounding_box()
+    canvas = page.locator("canvas").bounding_box()
+    assert button is not None
+    assert canvas is not None
+    left, below = button["x"] - canvas["x"], button["y"] + button["height"] - canvas["y"]
+    for away, down in itertools.product((-180.0, -120.0, -60.0, 0.0), (20.0, 60.0, 100.0)):
+        page.evaluate(
+            """([px, py]) => {
+              const { camera, ringed } = benchdragon;
+              const [x, y] = camera.toScreen(...ringed.from);
+              camera.pan(px - x, py - y);
+              benchdragon.jump(benchdragon.time);
+            }""",
+            [left + away, below + down],
+        )
+        drawn(page)
+        labels = [one for one in written(page) if "(" in one["text"]]
+        assert labels
+        for one in labels:
+            hidden = one["x"] + one["half"] > left and one["y"] - 11.0 < below
+            assert not hidden, (away, down)

@@ -18,6 +18,8 @@ const LEADERS = [16, 40, 80, 130, 200, 300];
 const SIDES = 16;
 /** Height of what lies over the top and the bottom of the picture, CSS pixels. */
 const OVERLAY = 56;
+/** Width of the button in the corner at the top right, CSS pixels. */
+const CORNER = 84;
 /** A label stays on its side of the ring until another would hide so many benches fewer. */
 const STEADY = 3;
 
@@ -116,5 +118,6 @@ function sides({ x, y, radius }, leader, half, tall) {
 /** What it costs that a label leaves the picture, or comes under what lies over it. @param {Tag} tag @param {Camera} camera */
 function outside({ x, y, half, tall }, { width, height }) {
   if (x < half || y < tall || x > width - half || y > height - tall) return 1e6;
+  if (x > width - half - CORNER && y < tall + OVERLAY) return 1e6;
   return y < tall + OVERLAY || y > height - tall - OVERLAY ? 10 : 0;
 }
