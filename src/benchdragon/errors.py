@@ -9,6 +9,9 @@ from typing import Any, Self
 from benchdragon.i18n import N_, _
 from benchdragon.kernels.status import EngineError, Status
 
+# Signs of a wrong value that are shown.
+MOST_SHOWN = 80
+
 
 class BenchDragonError(Exception):
     """The one above the rest; `exit_code` is what the command line ends with."""
@@ -236,9 +239,9 @@ def as_number(name: str, value: object) -> float:
         if isinstance(value, str | bytes | bool):
             raise TypeError
         return float(value)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise InputError(
-            _("{name} must be a number, not {value}").format(name=name, value=repr(value))
+            _("{name} must be a number, not {value}").format(name=name, value=brief(value))
         ) from None
 
 
@@ -250,7 +253,7 @@ def of_kind(name: str, value: object, kind: type, hint: str = "") -> None:
     """
     if not isinstance(value, kind):
         text = _("{name} must be a {kind}, not {value}")
-        said = text.format(name=name, kind=kind.__name__, value=repr(value)[:80])
+        said = text.format(name=name, kind=kind.__name__, value=brief(value))
         raise InputError(f"{said}: {hint}" if hint else said)
 
 
@@ -267,10 +270,18 @@ def whole(name: str, value: object, least: int, most: int) -> int:
     if not least <= number <= most:
         raise InputError(
             _("{name} must be a whole number from {least} to {most}, not {value}").format(
-                name=name, least=least, most=most, value=repr(value)[:80]
+                name=name, least=least, most=most, value=brief(value)
             )
         )
     return number
+
+
+def brief(value: object) -> str:
+    """A value as Python writes it, cut short; a number of thousands of digits is not written at all."""
+    try:
+        return repr(value)[:MOST_SHOWN]
+    except (ValueError, RecursionError):
+        return _("something too long to be shown")
 
 
 def _with(value: object, unit: str) -> str:

@@ -14,7 +14,7 @@ from benchdragon.analysis.bench_nearness import Side, Tightest, TightestSearch, 
 from benchdragon.analysis.bends import Bends, Turning
 from benchdragon.analysis.crossings import Crossings, crossings
 from benchdragon.analysis.distance import boxes
-from benchdragon.errors import InputError, in_order, of_kind
+from benchdragon.errors import InputError, brief, in_order, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.walk import SLICE_PLACES, Motion, Walk
@@ -136,7 +136,7 @@ def _span(span: tuple[float, float]) -> tuple[float, float]:
         start, end = span
     except (TypeError, ValueError):
         text = _("span must be a pair of times, not {value}")
-        raise InputError(text.format(value=repr(span)[:80])) from None
+        raise InputError(text.format(value=brief(span))) from None
     in_order(start, end)
     return start, end
 

@@ -15,7 +15,7 @@ from scipy.spatial import cKDTree
 
 from benchdragon import budget
 from benchdragon.analysis.ground import Ground
-from benchdragon.errors import InputError, as_number, finite, in_order, of_kind
+from benchdragon.errors import InputError, as_number, brief, finite, in_order, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.base_curve import Point
@@ -367,7 +367,7 @@ def _peg(peg: Point) -> Point:
         x, y = peg
     except (TypeError, ValueError):
         text = _("peg must be a pair (x, y), not {value}")
-        raise InputError(text.format(value=repr(peg)[:80])) from None
+        raise InputError(text.format(value=brief(peg))) from None
     return finite("peg x", x, "m"), finite("peg y", y, "m")
 
 

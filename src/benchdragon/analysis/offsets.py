@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from benchdragon.errors import InputError, of_kind, whole
+from benchdragon.errors import InputError, brief, of_kind, whole
 from benchdragon.i18n import _
 from benchdragon.kernels.box import ACROSS, ALONG, LONGEST_BENCH
 from benchdragon.kernels.curve import FloatArray
@@ -94,7 +94,7 @@ def _pairs(points: npt.ArrayLike) -> FloatArray:
     if pairs.ndim != 2 or pairs.shape[1] != 2 or not (np.abs(pairs) <= LONGEST_BENCH).all():
         raise InputError(
             _("points must be a list of pairs (ahead, left) of at most {most} m, not {value}").format(
-                most=f"{LONGEST_BENCH:g}", value=repr(points)[:80]
+                most=f"{LONGEST_BENCH:g}", value=brief(points)
             )
         )
     return pairs

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from benchdragon.errors import InputError
+from benchdragon.errors import InputError, brief
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 
@@ -19,6 +19,6 @@ def as_numbers(name: str, values: object) -> FloatArray:
         array = np.asarray("ragged")
     if array.size and array.dtype.kind not in "fiu":
         raise InputError(
-            _("{name} must be numbers, not {value}").format(name=name, value=repr(values)[:80])
+            _("{name} must be numbers, not {value}").format(name=name, value=brief(values))
         )
     return array.astype(np.float64)

@@ -11,7 +11,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from benchdragon.errors import InputError, of_kind, positive
+from benchdragon.errors import InputError, brief, of_kind, positive
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.arrays import as_numbers
@@ -71,9 +71,7 @@ def connections(start: Pose, end: Pose, radius: float) -> list[Connection]:
 def _check(pose: object) -> None:
     """Refuse what is no pose."""
     if not isinstance(pose, tuple) or len(pose) != 2:
-        raise InputError(
-            _("a pose must be ((x, y), heading), not {value}").format(value=repr(pose)[:80])
-        )
+        raise InputError(_("a pose must be ((x, y), heading), not {value}").format(value=brief(pose)))
     as_numbers("point", pose[0])
     check_pose(*pose)
 
@@ -188,7 +186,7 @@ def programme(steps: Sequence[Step], radius: float) -> Route:
     """
     if isinstance(steps, str) or not isinstance(steps, Sequence):
         text = _("steps must be a list of Step, not {value}")
-        raise InputError(text.format(value=repr(steps)[:80]))
+        raise InputError(text.format(value=brief(steps)))
     for step in steps:
         of_kind("step", step, Step)
     positive("radius", radius, "m")

@@ -13,7 +13,7 @@ from typing import ClassVar, Self
 import numpy as np
 import numpy.typing as npt
 
-from benchdragon.errors import InputError, finite, not_negative
+from benchdragon.errors import InputError, brief, finite, not_negative
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels.curve import FloatArray
@@ -293,16 +293,14 @@ def curve_of(part: PartNumbers) -> AnyCurve:
 
 def _checked_curves(curves: object) -> tuple[AnyCurve, ...]:
     if not isinstance(curves, Iterable):
-        raise InputError(
-            _("curves must be a list of curves, not {value}").format(value=repr(curves)[:80])
-        )
+        raise InputError(_("curves must be a list of curves, not {value}").format(value=brief(curves)))
     checked = tuple(curves)
     for i, curve in enumerate(checked, start=1):
         if not isinstance(curve, AnyCurve):
             raise InputError(
                 _(
                     "curve {number} must be a Line, Arc, Spiral, Clothoid or LogSpiral, not {value}"
-                ).format(number=i, value=repr(curve)[:80])
+                ).format(number=i, value=brief(curve))
             )
     if not checked:
         raise InputError(_("a route needs at least one curve"))

@@ -9,7 +9,7 @@ from typing import Self
 import numpy as np
 import numpy.typing as npt
 
-from benchdragon.errors import InputError, as_number, not_negative, of_kind, positive
+from benchdragon.errors import InputError, as_number, brief, not_negative, of_kind, positive
 from benchdragon.i18n import _
 from benchdragon.kernels.box import LONGEST_BENCH, SHORTEST_LINK
 from benchdragon.kernels.curve import FloatArray
@@ -78,7 +78,7 @@ class Dragon:
     def __init__(self, benches: Iterable[Bench]) -> None:
         if not isinstance(benches, Iterable):
             raise InputError(
-                _("benches must be a list of Bench, not {value}").format(value=repr(benches)[:80])
+                _("benches must be a list of Bench, not {value}").format(value=brief(benches))
             )
         benches = list(benches)
         for n, bench in enumerate(benches, start=1):
@@ -153,7 +153,7 @@ class Dragon:
     def _check(self) -> None:
         """One vectorised look; only what it finds is described, benches of the same sizes once."""
         sizes = self.sizes
-        with np.errstate(invalid="ignore"):
+        with np.errstate(invalid="ignore", over="ignore"):
             sound = np.isfinite(sizes).all(axis=0) & (sizes[:2] > 0.0).all(axis=0)
             sound &= (sizes[2:] >= 0.0).all(axis=0) & (sizes <= LONGEST_BENCH).all(axis=0)
             sound &= self.links >= SHORTEST_LINK
@@ -232,4 +232,6 @@ _SIZES = ("length", "width", "front_inset", "rear_inset")
 
 
 def _count_text(count: object) -> str:
-    return _("a dragon has 1 to {most} benches, not {count}").format(most=MOST_BENCHES, count=count)
+    return _("a dragon has 1 to {most} benches, not {count}").format(
+        most=MOST_BENCHES, count=brief(count)
+    )

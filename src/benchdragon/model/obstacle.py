@@ -13,7 +13,7 @@ from typing import Literal, Self
 import numpy as np
 import numpy.typing as npt
 
-from benchdragon.errors import InputError, finite, not_negative
+from benchdragon.errors import InputError, brief, finite, not_negative
 from benchdragon.i18n import _
 from benchdragon.kernels.box import BOX_COLUMNS, CX, CY, HALF_LENGTH, UX, UY
 from benchdragon.kernels.curve import MOST_METRES, FloatArray
@@ -201,7 +201,7 @@ def _points(name: str, points: npt.ArrayLike, least: int, *, closed: bool = Fals
     if table.ndim != 2 or table.shape[1] != 2:
         raise InputError(
             _("{name}: wanted a list of points [x, y], not {value}").format(
-                name=name, value=repr(points)[:80]
+                name=name, value=brief(points)
             )
         )
     if not (np.abs(table) <= MOST_METRES).all():

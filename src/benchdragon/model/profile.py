@@ -166,8 +166,9 @@ class SpeedProfile:
         slope = np.where(dt < 0.0, 0.0, self._slopes[knot + 1])
         # Who stands does not move in an infinite time either.
         speed = np.asarray(self.speeds)[knot]
-        speed = speed + 0.5 * slope * np.where(slope == 0.0, 0.0, dt)
-        return np.asarray(self._sums[knot] + speed * np.where(speed == 0.0, 0.0, dt))
+        with np.errstate(over="ignore"):
+            speed = speed + 0.5 * slope * np.where(slope == 0.0, 0.0, dt)
+            return np.asarray(self._sums[knot] + speed * np.where(speed == 0.0, 0.0, dt))
 
 
 def _walked(times: list[Fraction], speeds: list[Fraction], t: Fraction) -> Fraction:

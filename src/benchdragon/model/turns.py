@@ -11,7 +11,7 @@ from functools import cached_property
 
 import numpy as np
 
-from benchdragon.errors import InputError, finite, positive
+from benchdragon.errors import InputError, brief, finite, not_negative, positive
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import turn_families
 from benchdragon.kernels.curve import S_START, FloatArray, spiral_length
@@ -28,7 +28,7 @@ from benchdragon.kernels.turn_families import (
     turn_parts,
 )
 from benchdragon.model.arrays import as_numbers
-from benchdragon.model.base_curve import Point, laid_rows
+from benchdragon.model.base_curve import Point, checked_bend, checked_size, laid_rows
 from benchdragon.model.curves import AnyCurve, Arc, Route, curve_of, joined_curves
 
 
@@ -49,8 +49,8 @@ class TwoArcTurn:
     ratio: float = 2.0
 
     def __post_init__(self) -> None:
-        positive("pitch", self.pitch, "m")
-        positive("entry_radius", self.entry_radius, "m")
+        checked_bend("pitch", self.pitch)
+        checked_size("entry_radius", self.entry_radius)
         positive("ratio", self.ratio)
         if self.theta <= 0.5:
             raise InputError(
@@ -138,12 +138,13 @@ class Turn:
     pieces: tuple[Piece, ...]
 
     def __post_init__(self) -> None:
-        for name in ("pitch", "entry_radius", "exit_radius"):
-            positive(name, getattr(self, name), "m")
+        checked_bend("pitch", self.pitch)
+        for name in ("entry_radius", "exit_radius"):
+            checked_size(name, getattr(self, name))
         if as_numbers("pieces", self.pieces).shape[1:] != (3,):
             raise InputError(
                 _("pieces must be triples (length, curvature, curvature), not {value}").format(
-                    value=repr(self.pieces)[:80]
+                    value=brief(self.pieces)
                 )
             )
         for part in self._parts(self.pitch, self.pitch)[1:-1].tolist():
@@ -169,10 +170,12 @@ class Turn:
     @property
     def least_radius(self) -> float:
         """The radius of its tightest bend, m."""
-        return 1.0 / max(max(abs(a), abs(b)) for _length, a, b in self.pieces)
+        bend = max(max(abs(a), abs(b)) for _length, a, b in self.pieces)
+        return 1.0 / bend if bend else math.inf
 
     def way(self, radius: float) -> float:
         """The whole way inside a disc of this radius, m: the spirals inside it, and the turn."""
+        checked_size("radius", radius)
         k, spirals = self.pitch / (2.0 * math.pi), 0.0
         for joint in (self.entry_radius, self.exit_radius):
             if radius - joint > NOTHING:
@@ -255,7 +258,7 @@ def three_pieces(
     """
     joints = _checked_joints(pitch, entry_radius, exit_radius, ease)
     if as_numbers("radii", radii).shape != (2,):
-        raise InputError(_("radii must be a pair, not {value}").format(value=repr(radii)[:80]))
+        raise InputError(_("radii must be a pair, not {value}").format(value=brief(radii)))
     first, last = (positive("radii", radius, "m") for radius in radii)
     finite("bend", bend, "1/m")
     arcs, pieces = np.empty((ARCS, 2)), np.empty((MOST_PIECES, 3))
@@ -266,11 +269,10 @@ def three_pieces(
 def _checked_joints(
     pitch: float, entry_radius: float, exit_radius: float, ease: float
 ) -> tuple[float, float, float]:
-    positive("pitch", pitch, "m")
-    for radius in (entry_radius, exit_radius):
-        positive("entry_radius", radius, "m")
-    if not 0.0 <= ease < math.inf:
-        raise InputError(_("ease must not be negative, but is {value} m").format(value=ease))
+    checked_bend("pitch", pitch)
+    for name, radius in (("entry_radius", entry_radius), ("exit_radius", exit_radius)):
+        checked_size(name, radius)
+    not_negative("ease", ease, "m")
     return pitch, entry_radius, exit_radius
 
 

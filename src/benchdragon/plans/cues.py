@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import AfterValidator, Field, model_validator
 
+from benchdragon.errors import brief
 from benchdragon.i18n import N_, _
 from benchdragon.model.holds import SAME_PLACE, Hold, HoldError, Standing, Trouble, with_holds
 from benchdragon.model.profile import SpeedProfile
@@ -58,7 +59,7 @@ TIME_OF_DAY = re.compile(r"([01]?\d|2[0-3]):([0-5]\d)(?::([0-5]\d))?", re.ASCII)
 
 def _time_of_day(text: str) -> str:
     if text and not TIME_OF_DAY.fullmatch(text):
-        raise ValueError(_("wanted a time of day such as 18:30, not {text}").format(text=repr(text)))
+        raise ValueError(_("wanted a time of day such as 18:30, not {text}").format(text=brief(text)))
     return text
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeVar
 
-from benchdragon.errors import InputError
+from benchdragon.errors import InputError, brief
 from benchdragon.i18n import _
 
 Built = TypeVar("Built")
@@ -93,7 +93,7 @@ class Source:
             raise InputError(_("this plan was not read from a file, so nothing lies beside it"))
         if name != Path(name).name or name in ("", ".", "..") or "\\" in name or "\0" in name:
             raise InputError(
-                _("wanted the name of a file beside the plan, not {name}").format(name=repr(name)[:80])
+                _("wanted the name of a file beside the plan, not {name}").format(name=brief(name))
             )
         return self.folder / name
 

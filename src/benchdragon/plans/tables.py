@@ -11,7 +11,7 @@ from typing import Annotated, Any, ClassVar, Literal, get_args
 import numpy as np
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field
 
-from benchdragon.errors import InputError
+from benchdragon.errors import InputError, brief
 from benchdragon.i18n import N_, _
 from benchdragon.kernels.curve import MOST_METRES
 from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line, LogSpiral, Spiral
@@ -36,8 +36,8 @@ MOST_PARTS = 10_000
 ROOMY = 0.9
 
 
-# The least size or speed that is not 0, m and m/s: a micrometre. What is smaller is a slip of the pen,
-# and its inverse spoils sums.
+# The least size, speed, acceleration or turning rate that is not 0, in m, s and degrees: a micrometre.
+# What is smaller is a slip of the pen, and its inverse spoils sums.
 LEAST = 1e-6
 # m; in narrower spirals rounding opens gaps.
 LEAST_PITCH = 1e-3
@@ -74,8 +74,8 @@ Seconds = Annotated[Finite, _within(MOST_SECONDS), _unit(SECONDS)]
 Degrees = Annotated[Finite, _within(MOST_DEGREES), _unit(DEGREES)]
 Curvature = Annotated[Finite, _within(MOST_CURVATURE), _unit({})]
 Speed = Annotated[Finite, Field(ge=0.0), _unit(SPEEDS), at_least(LEAST)]
-Acceleration = Annotated[float, _unit(ACCELERATIONS), Field(allow_inf_nan=False, gt=0.0)]
-AngularSpeed = Annotated[float, _unit(ANGULAR_SPEEDS), Field(allow_inf_nan=False, gt=0.0)]
+Acceleration = Annotated[Finite, Field(gt=0.0), _unit(ACCELERATIONS), at_least(LEAST)]
+AngularSpeed = Annotated[Finite, Field(gt=0.0), _unit(ANGULAR_SPEEDS), at_least(LEAST)]
 Number = Annotated[float, _unit({}), Field(allow_inf_nan=False)]
 Positive = Annotated[Finite, Field(gt=0.0, le=MOST_METRES), _unit(METRES)]
 Length = Annotated[Positive, at_least(LEAST)]
@@ -87,7 +87,7 @@ def one_line(text: str) -> str:
     """Refuses what would break a line of a sentence or a paper, or would not be seen there."""
     if text and (text.isspace() or not text.isprintable()):
         raise ValueError(
-            _("wanted text that can be printed on one line, not {text}").format(text=repr(text))
+            _("wanted text that can be printed on one line, not {text}").format(text=brief(text))
         )
     return text
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from benchdragon.errors import BenchDragonError, reason
+from benchdragon.errors import BenchDragonError, brief, reason
 from benchdragon.i18n import N_, _
 from benchdragon.plans.digits import measured, number, rounded_numbers
 from benchdragon.plans.signs import mistyped
@@ -133,7 +133,7 @@ def with_base(
     if base in chain or len(chain) > MOST_BASES:
         raise PlanError(
             _("{source}: base = {base} comes back to itself, or is the {most}th base in a row").format(
-                source=source, base=repr(base), most=MOST_BASES
+                source=source, base=brief(base), most=MOST_BASES
             )
         )
     below = with_base(parsed(_text(path, base), base), path.parent, base, chain)
@@ -152,7 +152,7 @@ def _base_path(base: object, folder: Path | None, source: str) -> Path:
         raise PlanError(
             _(
                 "{source}: base must be one of {names} or the name of a file beside it, not {base}"
-            ).format(source=source, names=", ".join(built_in_names()), base=repr(base)[:80])
+            ).format(source=source, names=", ".join(built_in_names()), base=brief(base))
         )
     return folder / base
 
@@ -425,7 +425,7 @@ def _lay_over(data: dict[str, Any], setting: str) -> str:
     """Set what a setting says; the key that it names."""
     key, equals, text = setting.partition("=")
     if not equals or not key.strip():
-        raise PlanError(_("wanted KEY=VALUE, not {text}").format(text=repr(setting)))
+        raise PlanError(_("wanted KEY=VALUE, not {text}").format(text=brief(setting)))
     try:
         value = _loaded(f"value = {text}", key)["value"]
     except tomllib.TOMLDecodeError:
@@ -499,6 +499,6 @@ def quantity(text: object, units: dict[str, float]) -> object:
     except (KeyError, ValueError):
         raise ValueError(
             _("wanted a number, or text with a unit of {units}, not {text}").format(
-                units=", ".join(units), text=repr(text)
+                units=", ".join(units), text=brief(text)
             )
         ) from None

@@ -12,7 +12,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from benchdragon.errors import InputError, MissingExtraError, whole
+from benchdragon.errors import InputError, MissingExtraError, brief, whole
 from benchdragon.i18n import _
 from benchdragon.kernels.route import IntArray
 
@@ -162,7 +162,7 @@ def _columns(
 def _check_mapping(columns: object) -> None:
     if not isinstance(columns, Mapping) or not all(isinstance(key, str) for key in columns):
         raise InputError(
-            _("wanted values of keys such as route.pitch, not {value}").format(value=repr(columns)[:80])
+            _("wanted values of keys such as route.pitch, not {value}").format(value=brief(columns))
         )
 
 

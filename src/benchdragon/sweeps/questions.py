@@ -16,6 +16,7 @@ from benchdragon.errors import (
     NoSolutionError,
     UnsureError,
     WalkError,
+    brief,
     of_kind,
     whole,
 )
@@ -155,7 +156,7 @@ def questions(names: Sequence[str]) -> list[Question]:
     if not known or not names or len(set(names)) < len(names):
         raise InputError(
             _("ask: wanted some of {known}, each once, not {names}").format(
-                known=", ".join(QUESTIONS), names=repr(names)[:80]
+                known=", ".join(QUESTIONS), names=brief(names)
             )
         )
     return [QUESTIONS[name] for name in names]
