@@ -25,12 +25,12 @@ FEW = ["disc.radius=4.5", "dragon.benches=20"]
 WORK = (
     r"^this takes more work than a question may: at least [\d.e+]+ million positions of handles, where "
     r"[\d.]+ million are allowed; take fewer benches or a shorter walk \(walk.start, walk.end\), or "
-    r"allow (\S+) times as much by BENCHDRAGON_BUDGET=\1$"
+    r"allow (\S+) times as much on the command line by BENCHDRAGON_BUDGET=\1$"
 )
 MEMORY = (
     r"^this takes more memory than a question may: at least [\d.e+]+ MB, where [\d.]+ MB are allowed; "
     r"take fewer benches, fewer sizes of benches or a shorter walk \(walk.start, walk.end\), or "
-    r"allow (\S+) times as much by BENCHDRAGON_BUDGET=\1$"
+    r"allow (\S+) times as much on the command line by BENCHDRAGON_BUDGET=\1$"
 )
 
 

@@ -111,7 +111,7 @@ def expect(handles: float) -> None:
         _(
             "this takes more work than a question may: at least {asked} million positions of handles, "
             "where {most} million are allowed; take fewer benches or a shorter walk (walk.start, "
-            "walk.end), or allow {times} times as much by {variable}={times}"
+            "walk.end), or allow {times} times as much on the command line by {variable}={times}"
         ).format(
             asked=f"{asked / 1e6:.4g}", most=f"{budget.work / 1e6:.4g}", variable=VARIABLE,
             times=_enough(asked / WORK),
@@ -132,7 +132,7 @@ def hold(size: float) -> None:
         _(
             "this takes more memory than a question may: at least {asked} MB, where {most} MB are "
             "allowed; take fewer benches, fewer sizes of benches or a shorter walk (walk.start, "
-            "walk.end), or allow {times} times as much by {variable}={times}"
+            "walk.end), or allow {times} times as much on the command line by {variable}={times}"
         ).format(
             asked=f"{size / 1e6:.4g}", most=f"{budget.memory / 1e6:.4g}", variable=VARIABLE,
             times=_enough(size / MEMORY),

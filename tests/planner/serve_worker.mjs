@@ -1,10 +1,11 @@
-// A Worker's life: node serve_worker.mjs MODULES ENGINE.wasm PLAN.json, what came of it as JSON.
+// A Worker's life: node serve_worker.mjs MODULES ENGINE.wasm PLANS.json, what came of it as JSON. Of the plans
+// one is small, and the length of benches of the other takes more memory to find than a question may.
 import { readFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
 
 const [modules, wasm, file] = process.argv.slice(2);
 const { MOST_HELD, serve } = await import(pathToFileURL(`${modules}/compute/worker.js`));
-const plan = JSON.parse(readFileSync(file, "utf8"));
+const { small, large: huge } = JSON.parse(readFileSync(file, "utf8"));
 
 const PAGE = 65_536;
 const engines = [];
@@ -42,9 +43,9 @@ async function begun() {
   port.onmessage({ data: { engine, words: {}, version: "1" } });
   await ready;
   let id = 0;
-  const ask = () => {
+  const ask = (question = "verdict", plan = small) => {
     const said = next();
-    port.onmessage({ data: { id: ++id, question: "verdict", language: "en", plan } });
+    port.onmessage({ data: { id: ++id, question, language: "en", plan } });
     return said;
   };
   return { heard, ask };
@@ -63,5 +64,9 @@ empty = true;
 const without = await ask();
 empty = false;
 const again = await ask();
-process.stdout.write(JSON.stringify({ warmed, asked, large, after, without, again, heard }));
+const over = await ask("limit/length", huge);
+const last = await ask();
+process.stdout.write(
+  JSON.stringify({ warmed, asked, large, after, without, again, over, last, heard }),
+);
 process.exit();

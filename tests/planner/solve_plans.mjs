@@ -1,5 +1,6 @@
 // What plans may be: node solve_plans.mjs MODULES ENGINE.wasm QUESTIONS.json, its answers as JSON. With
-// "cancel" each is given up where its progress is first told; "rounds" tells how often each is asked.
+// "cancel" each is given up where its progress is first told; "rounds" tells how often each is asked; "most"
+// of a question is what it may take.
 import { readFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
 
@@ -14,6 +15,8 @@ const head = await load("compute/head_speed");
 const turning = await load("compute/turn");
 const margins = await load("compute/tolerance");
 const { MOST_HELD } = await load("compute/worker");
+const { QUESTIONS } = await load("compute/questions");
+const { left, question } = await load("compute/budget");
 let engine = await Engine.load(readFileSync(file));
 const { asked, words, rounds = 1, cancel = false } = JSON.parse(readFileSync(questions, "utf-8"));
 useWords(words ?? {});
@@ -32,6 +35,7 @@ const ASKED = {
   pace: paced,
   turn: turned,
   margins: drawn,
+  page: (plan, { question: name }) => QUESTIONS[name]({ engine, version: "1", plan, progress }),
 };
 
 /** A pace, and the plan walked at it. */
@@ -63,6 +67,12 @@ async function answered({ data, name, options }) {
   }
 }
 
+/** The same where a question may take so much, and what it took. */
+function limited(one) {
+  const ask = async () => ({ found: await answered(one), spent: one.most.work - left() });
+  return question(ask, 1, one.most);
+}
+
 /** What JSON knows no word for, as Python reads it. */
 function plain(_key, value) {
   return typeof value === "number" && !Number.isFinite(value) ? String(value) : value;
@@ -70,15 +80,16 @@ function plain(_key, value) {
 
 const said = [];
 for (const one of asked) {
-  let found;
+  let [found, spent] = [null, null];
   const [bytes, milliseconds] = [[], []];
   for (let round = 0; round < rounds; round++) {
     const began = performance.now();
-    found = await answered(one);
+    if (one.most) ({ found, spent } = await limited(one));
+    else found = await answered(one);
     milliseconds.push(performance.now() - began);
     bytes.push(engine.exports.memory.buffer.byteLength);
   }
   if (engine.held > MOST_HELD) engine = await Engine.load(readFileSync(file)); // as the Worker does
-  said.push({ found, bytes, milliseconds });
+  said.push({ found, spent, bytes, milliseconds });
 }
 console.log(JSON.stringify(said, plain));

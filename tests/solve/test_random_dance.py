@@ -1,10 +1,13 @@
 """Random dances against brute force: evaluations each 5 mm of the head; lines that stray."""
 
+from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
 import pytest
 
+from benchdragon import budget
+from benchdragon.budget import OverBudgetError
 from benchdragon.errors import InputError
 from benchdragon.kernels.box import nearest_pair
 from benchdragon.kernels.curve import FloatArray
@@ -13,8 +16,17 @@ from benchdragon.kernels.step_bounds import curvature_range, empty_placements
 from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
 from benchdragon.model.dragon import Dragon
 from benchdragon.plans.schema import Plan, read_plan
+from benchdragon.solve import random_dance as module
 from benchdragon.solve.random_dance import TOLERANCE, CannotFollowError, RandomDance, strayed
-from benchdragon.solve.tolerance import CASES, Deviations, Draw, random_dance
+from benchdragon.solve.tolerance import (
+    CASES,
+    Deviations,
+    Draw,
+    least_clearance,
+    needed_pitch,
+    random_dance,
+    touches,
+)
 
 ROUTES = {
     "spiral": Route((Spiral.between(0.9, 14.0, 6.0),)),
@@ -143,3 +155,56 @@ def test_evaluations_of_a_hint_lie_no_farther_apart_than_is_said() -> None:
     again = dance.meeting_near(dance.hint(low))
     assert again.distance == pytest.approx(low.distance, abs=1e-6)
     assert (again.i, again.j) == (low.i, low.j)
+
+
+def test_a_line_that_strays_goes_no_farther_than_its_route() -> None:
+    route = ROUTES["turn"]
+    draw = Draw(Deviations(stray=0.02), 1, 0)
+    offset = draw.offset(-10.0, route.length + 1.0)
+    strayed(route, offset, -10.0, route.length)
+    with pytest.raises(CannotFollowError, match=f"^with the head at {route.length:.4g} m or after"):
+        strayed(route, offset, -10.0, route.length + 1.0)
+
+
+MOST = budget.WORK
+
+
+@pytest.mark.parametrize(
+    "question", [least_clearance, touches, lambda plan, draw: needed_pitch(plan, draw, 0.5)]
+)
+def test_a_dance_is_counted_and_refused_where_it_takes_too_much(
+    question: Callable[[Plan, Draw], object], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    plan = read_plan(*PLANS["spiral"])
+    draw = Draw(CASES["all"].deviations, 1, 0)
+    with budget.question():
+        question(plan, draw)
+        spent = MOST - budget.left()
+    monkeypatch.setenv(budget.VARIABLE, str(0.9 * spent / MOST))
+    with pytest.raises(OverBudgetError):
+        question(plan, draw)
+
+
+def test_a_search_in_many_calls_finds_what_one_call_finds(monkeypatch: pytest.MonkeyPatch) -> None:
+    plan = read_plan(*PLANS["turn"])
+    dance = random_dance(plan, Draw(CASES["all"].deviations, 1, 0))
+    least = dance.least()
+    found = [(dance.least(), dance.touch(least - 1e-3), dance.touch(least + 1e-3))]
+    monkeypatch.setattr(module, "STEPS", 7)
+    found.append((dance.least(), dance.touch(least - 1e-3), dance.touch(least + 1e-3)))
+    assert found[0] == found[1]
+    assert found[0][1] is None
+    assert found[0][2] is not None
+
+
+@pytest.mark.parametrize(
+    ("deviations", "told"),
+    [(Deviations(stray=0.02), OverBudgetError), (Deviations(aside=0.02), InputError)],
+)
+def test_a_walk_of_many_kilometres_is_refused_before_room_is_made_for_it(
+    deviations: Deviations, told: type[Exception], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(module, "evaluate", lambda *_arguments: pytest.fail("it began"))
+    plan = read_plan("turn", ["walk.end=1e8", "walk.start=-1e7", "dragon.benches=3"])
+    with budget.question(), pytest.raises(told):
+        random_dance(plan, Draw(deviations, 1, 0))

@@ -12,7 +12,7 @@ from itertools import pairwise
 import numpy as np
 
 from benchdragon import budget
-from benchdragon.analysis.contact_search import SEARCHED
+from benchdragon.analysis.contact_search import SEARCHED, most_evaluations
 from benchdragon.errors import BenchDragonError, InputError
 from benchdragon.i18n import _
 from benchdragon.kernels import curve as kernel
@@ -21,7 +21,7 @@ from benchdragon.kernels.box import nearest_pair
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.every_pair import CROWDED, search_all_pairs
 from benchdragon.kernels.perturbed import place_along
-from benchdragon.kernels.route import evaluate
+from benchdragon.kernels.route import END_SLACK, evaluate
 from benchdragon.kernels.step_bounds import empty_placements
 from benchdragon.model.curves import Route
 from benchdragon.model.dragon import Dragon
@@ -44,6 +44,11 @@ TOLERANCE, GRAZE = 1e-4, 1e-7
 WIDTH, MOST_EVALUATIONS = 1e-8, 20_000
 # Pairs a bench may have near it at first; more, if they are found, take another search.
 PARTNERS = 24
+# Steps of the head that are searched in one call: of 224 handles some hundredths of a second.
+STEPS = 1_000
+# What two benches of a dragon placed cost, in handles placed; bytes of a handle placed, and of a point
+# of a line that strays; what such a point costs.
+PAIR, PLACED, NODE, NODE_WORK = 0.02, 64, 100, 10
 # Limits of one dance: handles times evaluations (60 bytes each), and pairs times evaluations.
 MOST_PLACES, MOST_PAIRS = 5_000_000, 1e10
 # A line that strays is made of arcs between points so far apart, m, or nearer where the curvature
@@ -102,7 +107,7 @@ class RandomDance:
     open: Callable[[float], tuple[Part, ...]] | None = None
 
     def __post_init__(self) -> None:
-        steps = self._grid(self._whole, HINT_STEP).size
+        steps = self._count(self._whole, HINT_STEP)
         handles = len(self.dragon) + 1
         if handles * steps > MOST_PLACES or 0.5 * handles**2 * steps > MOST_PAIRS:
             raise InputError(_("the walk is too long, or the dragon, for random dances"))
@@ -115,10 +120,13 @@ class RandomDance:
         """Parts of the way outside which no benches come within a margin, m, or what counts as that."""
         return (self._whole,) if self.open is None else self.open(margin + 2.0 * GRAZE)
 
+    def _count(self, part: Part, share: float) -> int:
+        """How many head positions no farther apart than that share of the shortest link."""
+        return 2 + int((part.end - part.start) / (share * float(self.dragon.links.min())))
+
     def _grid(self, part: Part, share: float) -> FloatArray:
-        """Head positions no farther apart than that share of the shortest link, m."""
-        step = share * float(self.dragon.links.min())
-        return np.linspace(part.start, part.end, 2 + int((part.end - part.start) / step))
+        """These positions, m."""
+        return np.linspace(part.start, part.end, self._count(part, share))
 
     def _leading(self, count: int) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Links, offsets of handles, and sizes of the first benches."""
@@ -177,6 +185,8 @@ class RandomDance:
             CannotFollowError: where the dragon cannot stand.
         """
         links, aside, sizes = self._leading(count or len(self.dragon))
+        budget.hold(PLACED * (links.size + 1) * at.size)
+        budget.spend((links.size + 1 + 0.5 * PAIR * links.size**2) * at.size)
         places = empty_placements(links.size + 1, at.size)
         stood = place_along(self.rows, links, aside, at, places)
         if stood < at.size:
@@ -217,25 +227,47 @@ class RandomDance:
 
     def _search(self, part: Part, goal: int, margin: float, slack: float, note: FloatArray) -> int:
         """Search a part of the walk: see `every_pair.search_all_pairs`."""
-        links, aside, sizes = self._leading(part.count)
-        partners, benches = PARTNERS, part.count
-        while True:
-            budget.hold(8 * search.DEPTH * min(partners * benches, benches * (benches - 1) // 2))
-            pairs = min(partners * benches, benches * (benches - 1) // 2)
-            first, second = np.empty(pairs, dtype=np.int64), np.empty(pairs, dtype=np.int64)
-            room = search.room(benches + 1, benches, pairs, 0)
-            found = note.copy()
-            ending = search_all_pairs(
-                room, goal, self.rows, links, aside, sizes, self._grid(part, STEP),
-                first, second, margin, slack, WIDTH, MOST_EVALUATIONS, found,
-            )  # fmt: skip
-            budget.spend(SEARCHED * (benches + 1) * float(found[search.EVALUATIONS]))
-            if ending != CROWDED:
-                break
-            partners *= 4
-        if ending == search.FALLEN:
-            raise _stopped(float(found[search.UPPER]))
-        note[:] = found
+        at, partners, worst = self._grid(part, STEP), PARTNERS, search.CLEAR
+        for n in range(0, at.size - 1, STEPS):
+            some = at[n : n + STEPS + 1]
+            while True:
+                ending = self._search_steps(part.count, partners, some, (goal, margin, slack), note)
+                if ending != CROWDED:
+                    break
+                partners *= 4
+            if ending == search.FALLEN:
+                raise _stopped(float(note[search.UPPER]))
+            if ending != search.CLEAR and (ending != search.GRAZE or goal != search.LEAST):
+                return ending
+            worst = max(worst, ending)
+        return worst
+
+    def _search_steps(
+        self,
+        benches: int,
+        partners: int,
+        at: FloatArray,
+        aim: tuple[int, float, float],
+        note: FloatArray,
+    ) -> int:
+        """Search some steps of the head with room for so many pairs of a bench; how that ended.
+
+        `aim` is what is sought, the margin and the slack, m. After CROWDED nothing is noted.
+        """
+        links, aside, sizes = self._leading(benches)
+        pairs = min(partners * benches, benches * (benches - 1) // 2)
+        budget.hold(8 * search.DEPTH * pairs)
+        first, second = np.empty(pairs, dtype=np.int64), np.empty(pairs, dtype=np.int64)
+        goal, margin, slack = aim
+        most, found = min(MOST_EVALUATIONS, most_evaluations(benches + 1)), note.copy()
+        ending = search_all_pairs(
+            search.room(benches + 1, benches, pairs, 0), goal, self.rows, links, aside, sizes, at,
+            first, second, margin, slack, WIDTH, most, found,
+        )  # fmt: skip
+        chains = at.size + float(found[search.EVALUATIONS] - note[search.EVALUATIONS])
+        budget.spend(SEARCHED * (benches + 1) * chains + 0.5 * PAIR * benches**2 * at.size)
+        if ending != CROWDED:
+            note[:] = found
         return ending
 
 
@@ -258,7 +290,12 @@ def strayed(
 
     Returns:
         The rows; and, in pairs, positions along the route and along the line, m.
+
+    Raises:
+        CannotFollowError: where the route does not go so far.
     """
+    if end > route.length + END_SLACK:
+        raise _stopped(route.length)
     at = _nodes(route, low, end)
     places = np.empty((at.size, 4))
     evaluate(route.rows, at, places)
@@ -274,6 +311,8 @@ def strayed(
 def _nodes(route: Route, low: float, end: float) -> FloatArray:
     """Positions along a route between which arcs are fitted, joints among them, m."""
     low = low if route.extension else max(low, 0.0)
+    budget.hold(NODE * (end - low) / (0.1 * ARC_LENGTH))
+    budget.spend(NODE_WORK * (end - low) / (0.1 * ARC_LENGTH))
     joints = route.joints[1:-1]
     ends = np.concatenate([[low], joints[(joints > low + LEAST_PART) & (joints < end)], [end]])
     ends = np.delete(ends, 1 + np.flatnonzero(np.diff(ends[:-1]) < LEAST_PART))

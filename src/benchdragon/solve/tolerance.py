@@ -34,7 +34,7 @@ from benchdragon.parallel import Lost, Place, in_blocks, place_of, threads
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, silent
 from benchdragon.solve.dance_bound import WAYS, Offset, Part, open_parts
-from benchdragon.solve.random_dance import GRAZE, CannotFollowError, Hint, RandomDance, strayed
+from benchdragon.solve.random_dance import GRAZE, NODE, CannotFollowError, Hint, RandomDance, strayed
 from benchdragon.solve.size import limit
 
 # A trodden line strays smoothly: places d apart are correlated by exp(-d^2 / (2 STRAY_LENGTH^2)), m;
@@ -142,6 +142,7 @@ class Draw:
         step = STRAY_LENGTH / STRAY_ENTRIES
         if not self.deviations.stray:
             return np.zeros(2), step
+        budget.hold(NODE * way / step)
         # A Gaussian filter of spread w leaves noise a deviation of (4 pi w^2)^(-1/4).
         spread, edge = STRAY_ENTRIES / math.sqrt(2.0), 4 * STRAY_ENTRIES
         rough = self.noise(5, math.ceil(way / step) + 2 * edge)

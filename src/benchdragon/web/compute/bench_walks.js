@@ -4,6 +4,7 @@
 import { doubles, withArena } from "./arena.js";
 import { TightestSearch, beside } from "./bench_nearness.js";
 import { Bends } from "./bends.js";
+import { question } from "./budget.js";
 import { ANALYSIS_BENCH_WALKS, BOX, MODEL_WALK } from "./constants.js";
 import { crossings } from "./crossings.js";
 import { boxes } from "./distance.js";
@@ -65,7 +66,12 @@ const BENCHES = 20;
  * @param {[number, number]} span
  * @param {Progress} [progress]
  */
-export async function benchWalks(plan, walk, [start, end], progress = silent) {
+export function benchWalks(plan, walk, span, progress = silent) {
+  return question(() => walkedOver(plan, walk, span, progress));
+}
+
+/** @param {Plan} plan @param {Walk} walk @param {[number, number]} span @param {Progress} progress */
+async function walkedOver(plan, walk, [start, end], progress) {
   const { benches } = walk.dragon;
   const times = timesOf(walk, start, end);
   const gates = gatesOf(plan.tables.people);

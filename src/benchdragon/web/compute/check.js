@@ -3,6 +3,7 @@
 
 import { _ } from "../words.js";
 import { keeps, mostOf, now } from "./answer.js";
+import { question } from "./budget.js";
 import { ANALYSIS_CHECK, ANALYSIS_SPEED } from "./constants.js";
 import { TOLERANCES, clearanceAbove, firstSureContact, leastClearance } from "./contact.js";
 import { UnsureError, WalkError } from "./errors.js";
@@ -70,7 +71,12 @@ const { QUICK_CLEARANCE, QUICK_SPEED } = ANALYSIS_CHECK;
  * @param {{ quick?: boolean, progress?: Progress }} [options]
  * @returns {Promise<Report>}
  */
-export async function check(plan, walk, [start, end], { quick = false, progress = silent } = {}) {
+export function check(plan, walk, span, options = {}) {
+  return question(() => checked(plan, walk, span, options));
+}
+
+/** @param {CheckedPlan} plan @param {Walk} walk @param {[number, number]} span @param {{ quick?: boolean, progress?: Progress }} options @returns {Promise<Report>} */
+async function checked(plan, walk, [start, end], { quick = false, progress = silent }) {
   const began = now();
   const asked = levelsAsked(plan.tables.people).length > 0;
   let reached = 0;

@@ -631,6 +631,12 @@ export const ANALYSIS_UNFINISHED = {
   DUST: 1e-6,
 };
 
+export const BUDGET = {
+  MOST_TIMES: 1000000,
+  WORK: 1000000000,
+  MEMORY: 600000000,
+};
+
 export const EXPLAIN_BENCH_WALK = {
   MOST_TURNS: 3,
   MOST_PACES: 4,
@@ -673,6 +679,10 @@ export const MODEL_HOLDS = {
 export const MODEL_OBSTACLE = {
   MOST_CORNERS: 5000,
   LEAST_SIDE: 1e-6,
+};
+
+export const MODEL_PLACEMENT = {
+  PLACE: 40,
 };
 
 export const MODEL_PROFILE = {
@@ -860,6 +870,11 @@ export const SOLVE_RANDOM_DANCE = {
   WIDTH: 1e-8,
   MOST_EVALUATIONS: 20000,
   PARTNERS: 24,
+  STEPS: 1000,
+  PAIR: 0.02,
+  PLACED: 64,
+  NODE: 100,
+  NODE_WORK: 10,
   MOST_PLACES: 5000000,
   MOST_PAIRS: 10000000000,
   ARC_LENGTH: 2,

@@ -4,6 +4,7 @@
 import { _ } from "../words.js";
 import { answered, now } from "./answer.js";
 import { Arena, copied, doubles, withArena } from "./arena.js";
+import { left, spend } from "./budget.js";
 import {
   ANALYSIS_CONTACT_SEARCH,
   CELLS,
@@ -17,7 +18,7 @@ import { boxes, nearness } from "./distance.js";
 import { InputError, UnsureError, finite, notNegative } from "./errors.js";
 import { HeadTimes } from "./head_times.js";
 import { general, powered } from "./number_format.js";
-import { Tables, walkTables } from "./tables.js";
+import { Tables, walkTables, wholeAt } from "./tables.js";
 import { tick } from "./tick.js";
 
 /** @typedef {import("../engine.js").Numbers} Numbers */
@@ -30,6 +31,7 @@ import { tick } from "./tick.js";
 
 const { SLACK, SLACK_REACH, WIDTH, MOST_EVALUATIONS, MOST_LEAST_EVALUATIONS, SAMPLES_AHEAD } =
   ANALYSIS_CONTACT_SEARCH;
+const { CALL, SEARCHED } = ANALYSIS_CONTACT_SEARCH;
 const { UNKNOWN } = FAMILY;
 
 /** What computed distances may be off by, m, of a dragon so far out, m, at the start. @param {number} extent */
@@ -65,6 +67,11 @@ function geometric(low, high, count) {
   });
 }
 
+/** Chains of so many handles that the question at hand may still march, in one step. @param {number} handles */
+export function mostEvaluations(handles) {
+  return Math.trunc(Math.min(Math.max(left() / (SEARCHED * handles), 1), MOST_EVALUATIONS));
+}
+
 /**
  * Search on for `goal`, in wider room where it is wanted; how that ended.
  * @param {Tables} tables
@@ -74,10 +81,17 @@ function geometric(low, high, count) {
  * @param {(ending: number) => void} tell hears how each call ended
  */
 export async function runSearch(tables, goal, limits, note, tell) {
+  const handles = tables.count + 1;
+  let [margin, slack, width, most] = limits;
   for (;;) {
+    const [known, before] = [tables.work, doubles(note)[SEARCH.EVALUATIONS]];
+    most = Math.min(most, mostEvaluations(handles));
     const [ending] = tables.engine.call(
-      "bd_walk_search_search_walk", tables.walk, tables.room, goal, ...limits, note,
+      "bd_walk_search_search_walk", tables.walk, tables.room, goal, margin, slack, width, most, note,
     ); // prettier-ignore
+    const chains = doubles(note)[SEARCH.EVALUATIONS] - before;
+    const marched = chains * wholeAt(tables.course.tally, COURSE.PLACED);
+    spend(CALL + SEARCHED * marched + Math.max(tables.work - known, 0));
     tell(ending);
     if (ending === WALK_SEARCH.CROWDED) tables.widen();
     else if (ending !== WALK_SEARCH.MORE) return ending;

@@ -4,6 +4,7 @@
 import { _ } from "../words.js";
 import { answered, now } from "./answer.js";
 import { Arena, copied, doubles, withArenaAsync } from "./arena.js";
+import { expect, hold, question, spend } from "./budget.js";
 import { ANALYSIS_SPEED, MODEL_PROFILE, PACING, SOLVE_HEAD_SPEED } from "./constants.js";
 import { InputError, UnsureError } from "./errors.js";
 import { evenly, firstRows, least } from "./lists.js";
@@ -38,7 +39,7 @@ import { silent, tick } from "./tick.js";
 /** Head positions, m, and the greatest speeds there, m/s. @typedef {{ at: number[], speeds: number[] }} Fastest */
 
 const { PRUDENCE, MOST_KNOTS, FINER, ROUNDING } = SOLVE_HEAD_SPEED;
-const { STEP, TOLERANCE, RATE_TOLERANCE } = ANALYSIS_SPEED;
+const { BOUNDED, STEP, TOLERANCE, RATE_TOLERANCE } = ANALYSIS_SPEED;
 const { MOST_SPEED } = MODEL_PROFILE;
 // Handles times head positions that are placed at a time: memory of a page is never given back.
 const PLACES = 100_000;
@@ -76,6 +77,11 @@ function spanned(arena, plan) {
  * @returns {Promise<Answer>}
  */
 export function greatestHeadSpeed(engine, plan, options = {}) {
+  return question(() => steadySpeed(engine, plan, options));
+}
+
+/** @param {Engine} engine @param {Plan} plan @param {{ tolerance?: number, progress?: Progress }} options @returns {Promise<Answer>} */
+async function steadySpeed(engine, plan, options) {
   const { tolerance = TOLERANCE, progress = silent } = options;
   const began = now();
   const limits = Object.entries(limitsOf(plan));
@@ -153,7 +159,12 @@ function assumed({ text, unit }, allowed) {
  * @param {{ progress?: Progress }} [options]
  * @returns {Promise<Pace>}
  */
-export async function slowed(engine, plan, { progress = silent } = {}) {
+export function slowed(engine, plan, { progress = silent } = {}) {
+  return question(() => slowedWhereItMust(engine, plan, progress));
+}
+
+/** @param {Engine} engine @param {Plan} plan @param {Progress} progress @returns {Promise<Pace>} */
+async function slowedWhereItMust(engine, plan, progress) {
   refuseHeld(plan);
   const steady = await greatestHeadSpeed(engine, plan, { progress });
   if (steady.status === "undecided")
@@ -210,6 +221,9 @@ function timesOf({ at, speeds }) {
 function fastestOver(plan, walk, first, last, progress) {
   const step = STEP * least(walk.dragon.link);
   const steps = Math.max(1, Math.ceil(Math.min((last - first) / step, MOST_KNOTS - 1)));
+  const handles = walk.dragon.benches + 1;
+  hold(8 * steps * (handles * PACING.HULL_COLUMNS + FINER));
+  expect(BOUNDED * steps * FINER * handles);
   const fine = evenly(first, last, steps * FINER + 1);
   const at = fine.filter((_s, n) => n % FINER === 0);
   return withArenaAsync(walk.engine, async (arena) => {
@@ -217,9 +231,10 @@ function fastestOver(plan, walk, first, last, progress) {
     const table = arena.array("d", steps, PACING.NODES, 2);
     const limits = arena.vector(allLimits(plan));
     const asked = { limits, square: plan.tables.walk.speed ** 2 };
-    const per = Math.max(1, Math.floor(PLACES / ((walk.dragon.benches + 1) * FINER)));
+    const per = Math.max(1, Math.floor(PLACES / (handles * FINER)));
     for (let n = 0; n < steps; n += per) {
       const count = Math.min(per, steps - n);
+      spend(BOUNDED * (count * FINER + 1) * handles);
       progress(n / steps, _("other limits"));
       tabulated(walk, fine.slice(n * FINER, (n + count) * FINER + 1), asked, {
         most: rowsOf(most, n, count),

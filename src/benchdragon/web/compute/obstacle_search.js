@@ -6,6 +6,7 @@
 import { _ } from "../words.js";
 import { answered, now } from "./answer.js";
 import { Arena, doubles, withArena } from "./arena.js";
+import { spend } from "./budget.js";
 import {
   ANALYSIS_CONTACT_SEARCH,
   ANALYSIS_OBSTACLE_SEARCH,
@@ -48,7 +49,7 @@ import { Placement } from "./walk.js";
 
 /** How the search of a span ended, and between which positions, m. @typedef {[number, number, number]} Told */
 
-const { SPANS, SAMPLES, MOST_GRAZES, NARROW, MOST_STEPS } = ANALYSIS_OBSTACLE_SEARCH;
+const { BENCH, SPANS, SAMPLES, MOST_GRAZES, NARROW, MOST_STEPS } = ANALYSIS_OBSTACLE_SEARCH;
 const { MOST_EVALUATIONS, MOST_LEAST_EVALUATIONS, WIDTH } = ANALYSIS_CONTACT_SEARCH;
 
 /** Boxes that stand, with scratch for as many: `standing.scratch_for`. @param {Arena} arena @param {Numbers} standing */
@@ -152,7 +153,9 @@ export class ObstacleSearch {
         ); // prettier-ignore
         return [ended, doubles(out).slice()];
       });
-      this.evaluations += doubles(note)[SEARCH.EVALUATIONS] - before;
+      const made = doubles(note)[SEARCH.EVALUATIONS] - before;
+      this.evaluations += made;
+      spend(BENCH * (made + Math.min(SPANS, spans.length - first)) * this.standing.boxes.shape[0]);
       for (let n = 0; n < found.length; n += STANDING.SPAN_COLUMNS)
         told.push([
           found[n + STANDING.ENDING],

@@ -3,7 +3,9 @@
 
 import { _ } from "../words.js";
 import { doubles, withArena } from "./arena.js";
-import { EVERY_PAIR, SEARCH, SOLVE_RANDOM_DANCE } from "./constants.js";
+import { hold, spend } from "./budget.js";
+import { ANALYSIS_CONTACT_SEARCH, EVERY_PAIR, SEARCH, SOLVE_RANDOM_DANCE } from "./constants.js";
+import { mostEvaluations } from "./contact_search.js";
 import { greatest } from "./dragon.js";
 import { BenchDragonError, InputError } from "./errors.js";
 import { evenly, firstRows, least } from "./lists.js";
@@ -20,7 +22,8 @@ import { searchRoom } from "./tables.js";
 
 const { HINT_STEP, SHRINKS, PARTS, AROUND, BEYOND, LAST, STEP, WIDTH, MOST_EVALUATIONS } =
   SOLVE_RANDOM_DANCE;
-const { PARTNERS, MOST_PLACES, MOST_PAIRS } = SOLVE_RANDOM_DANCE;
+const { PARTNERS, MOST_PLACES, MOST_PAIRS, STEPS, PAIR, PLACED } = SOLVE_RANDOM_DANCE;
+const { SEARCHED } = ANALYSIS_CONTACT_SEARCH;
 /** What is nearer to touching than this, m, touches. */
 export const { GRAZE } = SOLVE_RANDOM_DANCE;
 // Handles times head positions that are placed at a time: memory of a page is never given back.
@@ -55,7 +58,7 @@ export class RandomDance {
     this.start = start;
     this.end = end;
     this.open = open;
-    const steps = this.#grid(this.#whole, HINT_STEP).length;
+    const steps = this.#count(this.#whole, HINT_STEP);
     const handles = dragon.benches + 1;
     if (handles * steps > MOST_PLACES || 0.5 * handles ** 2 * steps > MOST_PAIRS)
       throw new InputError(_("the walk is too long, or the dragon, for random dances"));
@@ -71,10 +74,14 @@ export class RandomDance {
     return this.open(margin + 2 * GRAZE);
   }
 
-  /** Head positions no farther apart than that share of the shortest link, m. @param {Part} part @param {number} share */
-  #grid({ start, end }, share) {
-    const step = share * least(this.dragon.link);
-    return evenly(start, end, 2 + Math.trunc((end - start) / step));
+  /** How many head positions no farther apart than that share of the shortest link. @param {Part} part @param {number} share */
+  #count({ start, end }, share) {
+    return 2 + Math.trunc((end - start) / (share * least(this.dragon.link)));
+  }
+
+  /** These positions, m. @param {Part} part @param {number} share */
+  #grid(part, share) {
+    return evenly(part.start, part.end, this.#count(part, share));
   }
 
   /** Links, offsets of handles, and sizes of the first benches. @param {Arena} arena @param {number} count */
@@ -140,6 +147,8 @@ export class RandomDance {
    */
   nearest(at, count) {
     const used = Math.min(count, this.dragon.benches);
+    hold(PLACED * (used + 1) * at.length);
+    spend((used + 1 + 0.5 * PAIR * used ** 2) * at.length);
     const slots = Math.max(2, Math.floor(PLACES / (used + 1)));
     const found = [];
     for (let first = 0; first < at.length; first += slots)
@@ -182,28 +191,44 @@ export class RandomDance {
 
   /** Search a part of the walk: see `every_pair.search_all_pairs`. @param {Part} part @param {number} margin */
   #search(part, margin) {
-    const { count } = part;
-    for (let partners = PARTNERS; ; partners *= 4) {
-      const pairs = Math.min(partners * count, (count * (count - 1)) / 2);
-      const found = withArena(this.engine, (arena) => {
-        const [links, aside, sizes] = this.#leading(arena, count);
-        const [first, second] = [arena.array("q", pairs), arena.array("q", pairs)];
-        const note = arena.full([SEARCH.NOTES], 0);
-        const [ending] = this.engine.call(
-          "bd_every_pair_search_all_pairs", searchRoom(arena, count + 1, count, pairs),
-          SEARCH.FIRST_TOUCH, this.rows, links, aside, sizes, arena.vector(this.#grid(part, STEP)),
-          first, second, margin, GRAZE, WIDTH, MOST_EVALUATIONS, note,
-        ); // prettier-ignore
-        return { ending, note: doubles(note).slice() };
-      });
-      if (found.ending === SEARCH.FALLEN) throw stopped(found.note[SEARCH.UPPER]);
-      if (found.ending !== EVERY_PAIR.CROWDED) return found;
+    const at = this.#grid(part, STEP);
+    let partners = PARTNERS;
+    let found = { ending: /** @type {number} */ (SEARCH.CLEAR), note: new Float64Array(SEARCH.NOTES) };
+    for (let n = 0; n < at.length - 1 && found.ending === SEARCH.CLEAR; n += STEPS) {
+      const some = at.slice(n, n + STEPS + 1);
+      while (
+        (found = this.#searchSteps(part.count, partners, some, margin)).ending === EVERY_PAIR.CROWDED
+      )
+        partners *= 4;
     }
+    if (found.ending === SEARCH.FALLEN) throw stopped(found.note[SEARCH.UPPER]);
+    return found;
+  }
+
+  /** Search some steps of the head with room for so many pairs of a bench. @param {number} benches @param {number} partners @param {number[]} at @param {number} margin */
+  #searchSteps(benches, partners, at, margin) {
+    const pairs = Math.min(partners * benches, (benches * (benches - 1)) / 2);
+    hold(8 * SEARCH.DEPTH * pairs);
+    const found = withArena(this.engine, (arena) => {
+      const [links, aside, sizes] = this.#leading(arena, benches);
+      const [first, second] = [arena.array("q", pairs), arena.array("q", pairs)];
+      const note = arena.full([SEARCH.NOTES], 0);
+      const most = Math.min(MOST_EVALUATIONS, mostEvaluations(benches + 1));
+      const [ending] = this.engine.call(
+        "bd_every_pair_search_all_pairs", searchRoom(arena, benches + 1, benches, pairs),
+        SEARCH.FIRST_TOUCH, this.rows, links, aside, sizes, arena.vector(at),
+        first, second, margin, GRAZE, WIDTH, most, note,
+      ); // prettier-ignore
+      return { ending, note: doubles(note).slice() };
+    });
+    const chains = at.length + found.note[SEARCH.EVALUATIONS];
+    spend(SEARCHED * (benches + 1) * chains + 0.5 * PAIR * benches ** 2 * at.length);
+    return found;
   }
 }
 
-/** @param {number} s m */
-function stopped(s) {
+/** That a bench cannot follow with the head so far, m, or farther. @param {number} s */
+export function stopped(s) {
   return new CannotFollowError(
     _("with the head at {s} m or after a bench cannot follow", { s: general(s, 4) }),
   );

@@ -4,6 +4,7 @@
 import { _, both } from "../words.js";
 import { doubles, withArena, withArenaAsync } from "./arena.js";
 import { scoreOf } from "./beats.js";
+import { question } from "./budget.js";
 import { PLAYER_FRAMES, PLAYER_SCENE } from "./constants.js";
 import { course } from "./course.js";
 import { cueName } from "./cues.js";
@@ -139,7 +140,7 @@ export async function danceOf(engine, plan, shown = {}, progress = silent) {
   return withArenaAsync(engine, async (arena) => {
     const walk = plan.build(arena);
     const [start, end] = plan.span(walk);
-    const dance = await plainDance(walk, { start, end, ...shown }, progress);
+    const dance = await question(() => plainDance(walk, { start, end, ...shown }, progress));
     const { tables } = plan;
     const occasions = [...dance.sent.occasions, ...cueOccasions(plan, dance.sent.frames)];
     const sent = {

@@ -4,6 +4,7 @@
 import { _ } from "../words.js";
 import { answered, now } from "./answer.js";
 import { withArena } from "./arena.js";
+import { question as asOne } from "./budget.js";
 import { SIZE_BRACKET, SIZE_SEARCH, SOLVE_SIZE } from "./constants.js";
 import { ContactSearch } from "./contact_search.js";
 import { InputError, PlanError, notNegative } from "./errors.js";
@@ -48,8 +49,10 @@ const { MOST_COUNT } = SOLVE_SIZE;
 export async function limit(engine, plan, name, options = {}) {
   const { margin = null, tolerance = TOLERANCE, progress = silent } = options;
   const began = now();
-  const family = familyOf(engine, plan, name, margin, tolerance);
-  return searched(family, progress, (search) => sought(family, search, began));
+  return asOne(async () => {
+    const family = familyOf(engine, plan, name, margin, tolerance);
+    return searched(family, progress, (search) => sought(family, search, began));
+  });
 }
 
 /**
@@ -176,7 +179,7 @@ export async function feasibleSizes(engine, plan, name, low, high, options = {})
   const { count = 50, margin = null, tolerance = TOLERANCE, progress = silent } = options;
   checkRange(low, high, count);
   const family = familyOf(engine, plan, name, margin, tolerance);
-  return searched(family, silent, async (search) => {
+  const tryEach = async (/** @type {SizeSearch} */ search) => {
     /** @type {Trial[]} */
     const trials = [];
     for (const [n, size] of evenly(low, high, count).entries()) {
@@ -187,7 +190,8 @@ export async function feasibleSizes(engine, plan, name, low, high, options = {})
     const spans = [];
     for (const [first, last] of runs(trials)) spans.push(await spanOf(search, trials, first, last));
     return { spans, step: (high - low) / (count - 1), undecided };
-  });
+  };
+  return asOne(() => searched(family, silent, tryEach), count);
 }
 
 /** @param {number} low @param {number} high @param {number} count */

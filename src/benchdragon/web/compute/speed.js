@@ -6,6 +6,7 @@
 import { _ } from "../words.js";
 import { answered, now } from "./answer.js";
 import { Arena, doubles, withArena, withArenaAsync } from "./arena.js";
+import { spend } from "./budget.js";
 import {
   ANALYSIS_SPEED,
   ANALYSIS_TABLES,
@@ -45,6 +46,7 @@ import { silent, tick } from "./tick.js";
 /** @typedef {{ parts: Numbers, marks: Numbers }} Heap */
 
 const { TOLERANCE, LEAST_TOLERANCE, STEP, MOST_OPEN, OPEN, COARSE_STEP, COARSE_CELL } = ANALYSIS_SPEED;
+const { BOUNDED } = ANALYSIS_SPEED;
 const { FINEST_CELL, CELL_COST, LEAST_LOSS, MOST_LOSS, SAMPLES, MOST_CELLS, BUDGET } = ANALYSIS_SPEED;
 
 /**
@@ -284,6 +286,7 @@ class PeakSearch {
           "bd_peak_seek_peak", route.rows, dragon.links, group, cells, this.aim, this.drives, heap,
           this.batch, this.chains, this.notes, this.counts, BUDGET,
         ); // prettier-ignore
+        spend(BOUNDED * BUDGET);
         if (ended === Ended.FALLEN) throw failureWithin(this.walk, low, high);
         if (ended === Ended.DONE || (ended === Ended.ROOM && heap.parts.shape[0] > most)) break;
         if (ended === Ended.ROOM)
@@ -349,6 +352,7 @@ class PeakSearch {
       const [ended] = this.engine.call(
         "bd_bench_cells_cut_cells", this.walk.route.rows, kinds, shop, cuts, made, reached, done, BUDGET,
       ); // prettier-ignore
+      spend(BOUNDED * BUDGET);
       if (ended === Ended.DONE) break;
       if (ended === Ended.ROOM) made = eachOf(made, (table) => grown(arena, table));
       else await tick();

@@ -1,7 +1,9 @@
 // Lines that run aside of a route, as rows of arcs. Twin of `strayed` in solve/random_dance.py.
 
-import { CURVE, SOLVE_RANDOM_DANCE } from "./constants.js";
+import { hold, spend } from "./budget.js";
+import { CURVE, ROUTE, SOLVE_RANDOM_DANCE } from "./constants.js";
 import { evenly } from "./lists.js";
+import { stopped } from "./random_dance.js";
 
 /** @typedef {import("../engine.js").Numbers} Numbers */
 /** @typedef {import("./arena.js").Arena} Arena */
@@ -9,7 +11,7 @@ import { evenly } from "./lists.js";
 /** How far to the left of a route a line runs at a route position, m, and its slope there. @typedef {(s: number) => [number, number]} Offset */
 /** Positions along a route and along a line, in pairs, m. @typedef {{ drawn: number[], along: number[] }} Ways */
 
-const { ARC_LENGTH, CHANGE, LEAST_PART, BEHIND } = SOLVE_RANDOM_DANCE;
+const { ARC_LENGTH, CHANGE, LEAST_PART, BEHIND, NODE, NODE_WORK } = SOLVE_RANDOM_DANCE;
 
 /**
  * A line that runs aside of a route from route position low to end, m.
@@ -20,6 +22,7 @@ const { ARC_LENGTH, CHANGE, LEAST_PART, BEHIND } = SOLVE_RANDOM_DANCE;
  * @returns {{ rows: Numbers, ways: Ways }}
  */
 export function strayed(arena, route, off, low, end) {
+  if (end > route.length + ROUTE.END_SLACK) throw stopped(route.length);
   const drawn = nodesOf(route, low, end);
   const places = route.evaluate(drawn);
   /** @type {Array<[number, number]>} */
@@ -40,6 +43,9 @@ export function strayed(arena, route, off, low, end) {
 /** Positions along a route between which arcs are fitted, joints among them, m. @param {Route} route @param {number} low @param {number} end */
 function nodesOf(route, low, end) {
   const first = route.extension ? low : Math.max(low, 0);
+  const count = (end - first) / (0.1 * ARC_LENGTH);
+  hold(NODE * count);
+  spend(NODE_WORK * count);
   const inner = Array.from(route.joints.slice(1, -1)).filter((s) => s > first + LEAST_PART && s < end);
   let ends = [first, ...inner];
   ends = ends.filter((s, n) => n === 0 || s - ends[n - 1] >= LEAST_PART);
@@ -48,8 +54,8 @@ function nodesOf(route, low, end) {
   const nodes = [first];
   for (let n = 1; n < ends.length; n++) {
     const [a, b] = [ends[n - 1], ends[n]];
-    const count = 2 + Math.trunc((b - a) * densityOf(route, a, b));
-    nodes.push(...evenly(a, b, count).slice(1));
+    const parts = 2 + Math.trunc((b - a) * densityOf(route, a, b));
+    nodes.push(...evenly(a, b, parts).slice(1));
   }
   return nodes;
 }

@@ -3,6 +3,7 @@
 
 import { _ } from "../words.js";
 import { Arena, doubles, wholes } from "./arena.js";
+import { hold } from "./budget.js";
 import {
   ANALYSIS_TABLES,
   BEGINNING,
@@ -23,6 +24,7 @@ import { InputError, UnsureError } from "./errors.js";
 
 const { MOST_SIZES, MOST_CELLS, PLACES, A_CELL, AT_FIRST, PAIRS, MEMBERS, DOUBTS, WIDER } =
   ANALYSIS_TABLES;
+const { BOX_WORK, PARTNER_WORK } = ANALYSIS_TABLES;
 
 /** A whole number of a list. @param {Numbers} list @param {number} n */
 export function wholeAt(list, n) {
@@ -202,6 +204,8 @@ export class Tables {
     const groups = this.#groups();
     const [cells, { parts, pairs, doubts }] = [this.cells, this.most];
     const boxes = groups * cells + parts;
+    const columns = CELLS.HULL_COLUMNS + CELLS.TREE_COLUMNS + 1;
+    hold(8 * (boxes * columns + 4 * pairs + cells * groups * (groups + 2)));
     return {
       counts: fillWhole(arena.array("q", CELLS.COUNTS), 0n),
       measures: arena.array("d", CELLS.MEASURES),
@@ -268,6 +272,13 @@ export class Tables {
   get room() {
     const { ground, grids, block, crowd, course, meeting, search } = this;
     return /** @type {any} */ ({ ground, grids, block, crowd, course, meeting, search });
+  }
+
+  /** What it took to come to know the route and to place dragons so far, in handles placed. */
+  get work() {
+    const [counts, tally] = [wholes(this.ground.counts), wholes(this.course.tally)];
+    const known = BOX_WORK * counts[CELLS.LOGGED] + PARTNER_WORK * counts[CELLS.ENTRIES];
+    return known + tally[COURSE.CHAINS] * this.count;
   }
 
   /** A measure of where the walk stands: a column of kernels/course.py. @param {number} column */

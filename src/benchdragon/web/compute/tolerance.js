@@ -3,8 +3,9 @@
 
 import { _ } from "../words.js";
 import { withArena } from "./arena.js";
+import { hold, question } from "./budget.js";
 import { atMost, chance } from "./chance.js";
-import { SOLVE_TOLERANCE } from "./constants.js";
+import { SOLVE_RANDOM_DANCE, SOLVE_TOLERANCE } from "./constants.js";
 import { WAYS, openParts } from "./dance_bound.js";
 import { Dragon } from "./dragon.js";
 import { InputError, UnsureError, WalkError, notNegative } from "./errors.js";
@@ -36,6 +37,7 @@ import { silent, tick } from "./tick.js";
 const { STRAY_LENGTH, STRAY_ENTRIES, TOLERANCE, MOST_TRIALS, LEAST_SLOPE, MOST_SLOPE } =
   SOLVE_TOLERANCE;
 const { UNWALKABLE, LONGEST_STEP, NARROWEST, WIDEST, LIKELY, MOST_DRAWS, CONFIDENCE } = SOLVE_TOLERANCE;
+const { NODE } = SOLVE_RANDOM_DANCE;
 /** Chances of touching for which a pitch is told. @type {number[]} */
 export const RISKS = SOLVE_TOLERANCE.RISKS;
 /** @type {Deviations} */
@@ -104,6 +106,7 @@ class Draw {
   /** How far aside the trodden line lies, as a smooth function of route position from low to end, m. @param {number} low @param {number} end @returns {Offset} */
   offset(low, end) {
     const step = STRAY_LENGTH / STRAY_ENTRIES;
+    hold((NODE * (end - low)) / step);
     // A Gaussian filter of spread w leaves noise a deviation of (4 pi w^2)^(-1/4).
     const [spread, edge] = [STRAY_ENTRIES / Math.sqrt(2), 4 * STRAY_ENTRIES];
     const rough = this.noise(5, Math.ceil((end - low) / step) + 2 * edge);
@@ -320,8 +323,8 @@ export async function tolerance(engine, plan, deviations, options = {}) {
       progress(number / draws, "");
       return tick();
     };
-    needed.push(await neededPitch(engine, plan, draw, exact, pause));
-    hits += Number(touches(engine, plan, draw));
+    needed.push(await question(() => neededPitch(engine, plan, draw, exact, pause)));
+    hits += Number(await question(async () => touches(engine, plan, draw)));
     progress((number + 1) / draws, "");
   }
   return { exact, needed: needed.sort((a, b) => a - b), hits };

@@ -4,6 +4,7 @@
 import { _ } from "../words.js";
 import { answered, now } from "./answer.js";
 import { withArenaAsync } from "./arena.js";
+import { question } from "./budget.js";
 import { SOLVE_MINIMA, SOLVE_TURN } from "./constants.js";
 import { leastClearance } from "./contact.js";
 import { InputError, NoSolutionError } from "./errors.js";
@@ -64,11 +65,12 @@ export function bestTurn(engine, plan, goal = {}, { progress = silent } = {}) {
   if (wished.objective === "speed" && plan.tables.limits.speed === null)
     throw new InputError(_("the plan has no limit of speed: set limits.speed=2, for example"));
   plan.pace(); // a wrong one is told before the search, not after it
-  return withArenaAsync(engine, async (arena) => {
+  const ask = async (/** @type {import("./arena.js").Arena} */ arena) => {
     const search = new TurnSearch(new TurnEvaluator(arena, plan, wished), progress);
     const starts = await search.globalStarts();
     return search.settled(starts, began);
-  });
+  };
+  return question(() => withArenaAsync(engine, ask));
 }
 
 /** A search for a turn: what judges turns, and who is told how far it is. */

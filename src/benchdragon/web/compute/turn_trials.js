@@ -3,6 +3,7 @@
 
 import { _ } from "../words.js";
 import { doubles, withArena } from "./arena.js";
+import { hold, spend } from "./budget.js";
 import { CURVE, SEARCH, SOLVE_TURN, SOLVE_TURN_TRIALS } from "./constants.js";
 import { radians } from "./curves.js";
 import { greatest } from "./dragon.js";
@@ -37,6 +38,7 @@ import { builtTurn, reachOf } from "./turns.js";
  * @property {number} [longest_way] whole way inside the disc, m
  */
 
+const { JUDGED, PLACED } = SOLVE_TURN_TRIALS;
 const { BENCHES, CLEAR_BENCHES, CLEAR_STEP, NOWHERE, DEEPEST, WIDEST, LONGEST_EASE, WIDER } =
   SOLVE_TURN_TRIALS;
 /** Worth of the worst of a limit that is exceeded by all of itself; by what share one may be exceeded. */
@@ -199,7 +201,10 @@ export class TurnEvaluator {
   #obstacleRoom(arena, rows) {
     const [first, last] = endsOf(rows);
     const from = first - this.few.extent;
-    const at = evenly(from, last, 2 * Math.ceil((last - from) / (2 * CLEAR_STEP)));
+    const count = 2 * Math.ceil((last - from) / (2 * CLEAR_STEP));
+    hold(PLACED * count);
+    const at = evenly(from, last, count);
+    spend(JUDGED * count * this.standing.reduce((sum, { boxes }) => sum + boxes.shape[0], 0));
     const out = arena.array("d", at.length, 4);
     this.engine.call("bd_route_evaluate", rows, arena.vector(at), out);
     const places = doubles(out).slice();
@@ -258,7 +263,10 @@ export class TurnEvaluator {
   #places(arena, rows, dragon, step) {
     const [first, out] = endsOf(rows);
     const last = out + dragon.extent;
-    const at = arena.vector(evenly(first, last, Math.ceil((last - first) / step) + 1));
+    const count = Math.ceil((last - first) / step) + 1;
+    hold(PLACED * count * (dragon.benches + 1));
+    const at = arena.vector(evenly(first, last, count));
+    spend(JUDGED * (dragon.benches + 1) * count);
     const places = arena.placements(dragon.benches + 1, at.size);
     const [stands] = this.engine.call(
       "bd_step_bounds_place_chain", rows, dragon.links, at, 0, at.size, places,

@@ -3,7 +3,8 @@
 
 import { _ } from "../words.js";
 import { doubles, flat, withArena, wholes } from "./arena.js";
-import { CURVE, ROUTE, Status } from "./constants.js";
+import { hold, spend } from "./budget.js";
+import { CURVE, MODEL_PLACEMENT, ROUTE, Status } from "./constants.js";
 import { InputError, WalkError, finite } from "./errors.js";
 import { general } from "./number_format.js";
 
@@ -14,6 +15,7 @@ import { general } from "./number_format.js";
 /** @typedef {import("../engine.js").Engine} Engine */
 /** @typedef {import("../engine.js").Numbers} Numbers */
 
+const { PLACE } = MODEL_PLACEMENT;
 // How near to the last sound place a failure is told, m: FAILURE_TOLERANCE of model/walk.py.
 const FAILURE_NEAR = 1e-9;
 
@@ -35,6 +37,8 @@ export class Placement {
     this.headS = Float64Array.from(headS);
     this.handles = dragon.benches + 1;
     this.count = headS.length;
+    spend(this.handles * this.count);
+    hold(PLACE * this.handles * this.count);
     const table = () => arena.array("d", this.handles, this.count);
     this.row = arena.array("q", this.handles, this.count);
     this.u = table();

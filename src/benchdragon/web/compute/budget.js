@@ -1,0 +1,87 @@
+// How much work and memory one question may take: twin of budget.py, whose limits hold here, too. A Worker
+// answers one question at a time, so that one budget at a time is kept.
+
+import { _ } from "../words.js";
+import { BUDGET } from "./constants.js";
+import { BenchDragonError } from "./errors.js";
+import { general } from "./number_format.js";
+
+/** What a question may take, and what it has taken. @typedef {{ work: number, memory: number, spent: number }} Budget */
+
+const { WORK, MEMORY } = BUDGET;
+const VARIABLE = "BENCHDRAGON_BUDGET";
+
+/** A question that takes more work or memory than it may: not wrong, but not answered. */
+export class OverBudgetError extends BenchDragonError {}
+
+/** That of the question at hand. @type {Budget | null} */
+let asked = null;
+
+/**
+ * What `ask` answers to a question, or to `count` of them that share; within another question it is a part
+ * of that one.
+ * @template T
+ * @param {() => Promise<T>} ask
+ * @param {number} [count]
+ * @param {{ work?: number, memory?: number }} [most] what a question may take
+ * @returns {Promise<T>}
+ */
+export async function question(ask, count = 1, { work = WORK, memory = MEMORY } = {}) {
+  if (asked) return ask();
+  asked = { work: work * count, memory, spent: 0 };
+  try {
+    return await ask();
+  } finally {
+    asked = null;
+  }
+}
+
+/** Count handles that were placed; nothing is counted outside of questions. @param {number} handles */
+export function spend(handles) {
+  if (!asked) return;
+  asked.spent += handles;
+  expect(0);
+}
+
+/** How many handles the question at hand may still place. */
+export function left() {
+  return asked ? Math.max(asked.work - asked.spent, 0) : Infinity;
+}
+
+/** Say how many handles must at least be placed, before that is begun. @param {number} handles */
+export function expect(handles) {
+  if (!asked || asked.spent + handles <= asked.work) return;
+  const wanted = asked.spent + handles;
+  throw new OverBudgetError(
+    _(
+      "this takes more work than a question may: at least {asked} million positions of handles, where {most} million are allowed; take fewer benches or a shorter walk (walk.start, walk.end), or allow {times} times as much on the command line by {variable}={times}",
+      {
+        asked: general(wanted / 1e6, 4),
+        most: general(asked.work / 1e6, 4),
+        variable: VARIABLE,
+        times: enough(wanted / WORK),
+      },
+    ),
+  );
+}
+
+/** Say how many bytes the tables of the question at hand are to take, before they are made. @param {number} size */
+export function hold(size) {
+  if (!asked || size <= asked.memory) return;
+  throw new OverBudgetError(
+    _(
+      "this takes more memory than a question may: at least {asked} MB, where {most} MB are allowed; take fewer benches, fewer sizes of benches or a shorter walk (walk.start, walk.end), or allow {times} times as much on the command line by {variable}={times}",
+      {
+        asked: general(size / 1e6, 4),
+        most: general(asked.memory / 1e6, 4),
+        variable: VARIABLE,
+        times: enough(size / MEMORY),
+      },
+    ),
+  );
+}
+
+/** The power of ten that allows so many times the limits, and somewhat more. @param {number} times */
+function enough(times) {
+  return general(10 ** Math.max(Math.ceil(Math.log10(1.01 * times)), 1));
+}
