@@ -1,6 +1,7 @@
 """Questions about strangers' plans, each in a child process: what came of it, and what it took."""
 
 import contextlib
+import gc
 import io
 import json
 import os
@@ -16,6 +17,8 @@ from typing import Any
 from benchdragon import budget
 from benchdragon.cli.main import run
 
+# A plan that all of them answer.
+GOOD = 'base = "turn"\nschema = 1\n[dragon]\nbenches = 20\n[limits]\nspeed = 2\n'
 # Each is asked of some of the plans; the first of all.
 QUESTIONS = (
     "check PLAN --json", "solve pitch PLAN --json", "solve width PLAN --json",
@@ -23,6 +26,7 @@ QUESTIONS = (
     "solve speed PLAN --json --pace OUT/b.dragon.toml", "solve turn PLAN --json",
     "timetable PLAN --json", "check PLAN --explain", "plan PLAN",
     "check PLAN --record; sheets PLAN -o OUT/sheets", "view PLAN -o OUT/a.html", "motion PLAN --json",
+    "margins PLAN --json --aside 0.02 --stray 0.02 --draws 2 -j 1",
 )  # fmt: skip
 # A question that takes longer than this is taken to be endless, CPU s.
 ENDLESS = 300
@@ -48,6 +52,14 @@ class Outcome:
     over: bool
     seconds: float
     memory: int
+
+
+def load() -> None:
+    """Import what questions call, so that no child has to."""
+    for question in QUESTIONS:
+        with tempfile.TemporaryDirectory() as folder:
+            _answer(Path(folder), GOOD, question)
+    gc.freeze()  # or each child copies what the collector looks at
 
 
 def asked(text: str, question: str, share: float) -> Outcome:
@@ -117,22 +129,32 @@ def _none(name: str) -> Any:
     raise ValueError(name)
 
 
-def _unsound(answer: Any) -> str:
-    """The part of an answer that says to be found and has no value; "" if there is none."""
+def _unsound(answer: Any, name: str = "") -> str:
+    """The part of an answer that says to be found and has no value; "" if there is none.
+
+    Only a clearance may be infinite, which JSON has no word for either: then it has no upper end.
+    """
     if isinstance(answer, list):
         return next((fault for fault in map(_unsound, answer) if fault), "")
     if not isinstance(answer, dict):
         return ""
-    if answer.get("status") in ("found", "proved") and answer.get("value", 0) is None:
+    infinite = name == "clearance" and answer.get("upper", 0) is None
+    good = answer.get("status") in ("found", "proved")
+    if good and answer.get("value", 0) is None and not infinite:
         return f"{answer['status']} without a value"
-    return next((fault for fault in map(_unsound, answer.values()) if fault), "")
+    return next((fault for key, one in answer.items() if (fault := _unsound(one, key))), "")
 
 
 def tried(
     seeds: Iterable[int], plans: Callable[[int], str], share: float
 ) -> Iterator[tuple[int, str, Outcome]]:
-    """For each seed its questions, and what came of them: a check, and one more by turns."""
+    """For each seed its questions, and what came of them."""
     for seed in seeds:
         text = plans(seed)
-        for question in (QUESTIONS[0], QUESTIONS[1 + seed % (len(QUESTIONS) - 1)]):
+        for question in questions_of(seed):
             yield seed, question, asked(text, question, share)
+
+
+def questions_of(seed: int) -> tuple[str, str]:
+    """What is asked about the plan of a seed: a check, and one more by turns."""
+    return QUESTIONS[0], QUESTIONS[1 + seed % (len(QUESTIONS) - 1)]

@@ -8,13 +8,15 @@ import tomlkit
 
 from tests.planner.random_plans import Tables, plan
 
-# What a number may be multiplied by: powers of ten between these.
-WILD, MILD = 9.0, 2.0
+# What a number may be multiplied by: powers of ten up to these, most often to one of the last.
+EXTREMES = 9.0, 2.0, 2.0, 1.0, 0.5
 ODD: tuple[Any, ...] = (
     float("nan"), float("inf"), -0.0, 5e-324, 1.7e308, 10**400, -(10**18), "", "0", "1e999",
     "1" * 5_000, "-1 min -5 s", "龙" * 300, True, [], {}, [[]], [[[[1]]]], "\x00", "../x", [0] * 3_000,
 )  # fmt: skip
-KINDS = ("extreme", "odd", "cut", "torn", "deep")
+# Powers of ten of the numbers that doubles hold, the least of them with few digits.
+POWERS = -323.0, 308.25
+KINDS = ("extreme", "vast", "odd", "cut", "torn", "deep")
 
 
 def toml(data: Tables) -> str:
@@ -42,9 +44,18 @@ def extreme(dice: random.Random, data: Tables) -> None:
     spots = list(_numbers(data))
     for _n in range(dice.choice([1, 1, 2, 3])):
         table, key = dice.choice(spots)
-        power = dice.choice([WILD, MILD, MILD])
+        power = dice.choice(EXTREMES)
         value = table[key] * 10.0 ** dice.uniform(-power, power) * dice.choice([1, 1, 1, -1])
         table[key] = round(value) if isinstance(table[key], int) and dice.random() < 0.9 else value
+
+
+def vast(dice: random.Random, data: Tables) -> None:
+    """Put any number that a double holds in the place of some numbers."""
+    spots = list(_numbers(data))
+    for _n in range(dice.choice([1, 1, 2, 5])):
+        table, key = dice.choice(spots)
+        value = 10.0 ** dice.uniform(*POWERS) * dice.choice([1, 1, 1, -1])
+        table[key] = round(value) if isinstance(table[key], int) and dice.random() < 0.5 else value
 
 
 def odd(dice: random.Random, data: Tables) -> None:
@@ -58,9 +69,10 @@ def odd(dice: random.Random, data: Tables) -> None:
 def hostile(seed: int) -> str:
     """The text of the plan file of a seed."""
     dice = random.Random(seed)
-    data, kind = plan(seed, 0.05), dice.choices(KINDS, [12, 3, 1, 1, 1])[0]
-    if kind in ("extreme", "odd"):
-        (extreme if kind == "extreme" else odd)(dice, data)
+    data, kind = plan(seed, 0.05), dice.choices(KINDS, [14, 3, 2, 1, 1, 1])[0]
+    change = {"extreme": extreme, "vast": vast, "odd": odd}.get(kind)
+    if change is not None:
+        change(dice, data)
         return toml(data)
     text = toml(data)
     if kind == "cut":

@@ -6,10 +6,9 @@ import pytest
 
 from benchdragon.cli.main import run
 from tests.hostile import children
-from tests.hostile.children import NOT_SAFE, QUESTIONS, UNDECIDED, Outcome, asked, tried
+from tests.hostile.children import GOOD, NOT_SAFE, QUESTIONS, UNDECIDED, Outcome, asked, tried
 from tests.hostile.plans import hostile
 
-GOOD = 'base = "turn"\nschema = 1\n[dragon]\nbenches = 6\n[limits]\nspeed = 2\n'
 # A hundredth of a budget: a second, where a whole one is a minute.
 SHARE = 0.01
 
@@ -59,6 +58,19 @@ def test_memory_beyond_what_is_stated_is_a_fault(monkeypatch: pytest.MonkeyPatch
         (0, '{"value": NaN}', "", "no JSON: NaN"),
         (0, '{"a": [{"status": "found", "value": null}]}', "", "found without a value"),
         (0, '{"a": [{"status": "undecided", "value": null}]}', "", ""),
+        (0, '{"clearance": {"status": "found", "value": null, "upper": null}}', "", ""),
+        (
+            0,
+            '{"clearance": {"status": "found", "value": null, "upper": 1}}',
+            "",
+            "found without a value",
+        ),
+        (
+            0,
+            '{"speed": {"status": "found", "value": null, "upper": null}}',
+            "",
+            "found without a value",
+        ),
         (70, "", "Traceback", "exit 70: Traceback"),
         (6, "", "memory ran out", "exit 6: memory ran out"),
         (3, "", "", "exit 3 without a word"),
