@@ -12,6 +12,8 @@ from benchdragon.i18n import _
 
 Built = TypeVar("Built")
 
+# Signs of a key that are shown.
+MOST_SIGNS = 200
 # What is named at once; of more it is said how many.
 MOST_FAULTS = 20
 # What may hold a bracket or a line's end that ends nothing, then brackets and ends of lines.
@@ -29,7 +31,10 @@ class Fault:
     text: str
 
     def __str__(self) -> str:
-        return self.text if self.text.startswith(self.key) else f"{self.key}: {self.text}"
+        said = self.text if self.text.startswith(self.key) else f"{self.key}: {self.text}"
+        if len(self.key) > MOST_SIGNS:
+            said = said.replace(self.key, f"{self.key[:MOST_SIGNS]}...")
+        return said
 
 
 class KeyedError(InputError):

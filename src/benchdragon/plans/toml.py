@@ -21,9 +21,16 @@ from benchdragon.plans.source import Source
 
 BUILT_IN_FOLDER = Path(__file__).parent / "builtin"
 SUFFIX = ".dragon.toml"
-# Bytes: a million benches of their own sizes fit; anything larger is not a plan.
-MOST_BYTES = 200_000_000
+# Bytes: hundreds of thousands of benches of their own sizes fit; anything larger is not a plan.
+MOST_BYTES = 20_000_000
 
+# Tables within tables by dotted keys, and digits of a number to another base than 10: of more the
+# parser makes what takes minutes, or cannot be shown. They are looked for from where words begin alone,
+# so that a text of any signs is read through once.
+MOST_DEPTH, MOST_DIGITS = 30, 200
+WORD = r"""(?:[A-Za-z0-9_-]++|"(?:\\.|[^"\\\n])*+"|'[^'\n]*+')[ \t]*+"""
+DEEP = re.compile(rf"(?<![\\A-Za-z0-9_-])(?:{WORD}\.[ \t]*+){{{MOST_DEPTH}}}")
+LONG = re.compile(rf"(?<![A-Za-z0-9_])0[box][0-9A-Fa-f_]{{{MOST_DIGITS}}}")
 # Of a number with its unit; to look for both in a very long text would take hours.
 MOST_SIGNS = 100
 # Bases that stand on one another.
@@ -387,6 +394,10 @@ def parsed(text: str, source: str) -> dict[str, Any]:
 
 def _loaded(text: str, source: str) -> dict[str, Any]:
     """TOML, or its own error, or a PlanError for what Python refuses to hold."""
+    if DEEP.search(text):
+        raise PlanError(_("{source} is nested too deeply").format(source=source))
+    if LONG.search(text):
+        raise PlanError(_("{source}: a number has too many digits").format(source=source))
     try:
         return tomllib.loads(text, parse_float=number)
     except RecursionError:
@@ -424,6 +435,8 @@ def toml_fault(error: tomllib.TOMLDecodeError, text: str = "") -> str:
 def _lay_over(data: dict[str, Any], setting: str) -> str:
     """Set what a setting says; the key that it names."""
     key, equals, text = setting.partition("=")
+    if key.count(".") >= MOST_DEPTH:
+        raise PlanError(_("{source} is nested too deeply").format(source=brief(key)))
     if not equals or not key.strip():
         raise PlanError(_("wanted KEY=VALUE, not {text}").format(text=brief(setting)))
     try:

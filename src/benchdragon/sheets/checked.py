@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import stat
 from dataclasses import asdict
 from datetime import date
 from pathlib import Path
@@ -95,16 +96,19 @@ def read_record(path: Path, plan: Plan, roster: Roster, name: str) -> Record:
         InputError: if there is none, and if the plan or its list of names has changed since.
     """
     advice = _("run benchdragon check {plan} --record").format(plan=name)
+    none = _("{path} is no record of a check: {advice}").format(path=path, advice=advice)
     try:
-        record = Record.model_validate_json(path.read_bytes()[:MOST_BYTES])
+        if not stat.S_ISREG(path.stat().st_mode):  # a device has no end, a pipe may have no beginning
+            raise InputError(none)
+        with path.open("rb") as written:
+            record = Record.model_validate_json(written.read(MOST_BYTES))
     except FileNotFoundError:
         text = _("{plan} has not been recorded as checked: {advice}")
         raise InputError(text.format(plan=name, advice=advice)) from None
     except OSError as error:
         raise InputError(f"{path}: {reason(error)}") from None
     except ValidationError:
-        text = _("{path} is no record of a check: {advice}")
-        raise InputError(text.format(path=path, advice=advice)) from None
+        raise InputError(none) from None
     if record.sha256 != foundation(plan, roster):
         text = _("the plan, or its list of names, has changed since it was checked on {date}: {advice}")
         raise InputError(text.format(date=record.date, advice=advice))

@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import stat
 import time as clock
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager
@@ -21,6 +22,8 @@ from benchdragon.sweeps.rows import arrow, row_schema
 
 # What a sweep is, and its rows; what a part is called by the sweep that it belongs to.
 ABOUT, PART, OF = "sweep.json", "part-{number:08d}.parquet", b"sweep"
+# Bytes of what tells of a sweep.
+MOST_BYTES = 100_000_000
 # A part holds the rows of so many seconds, or of so large a share of all the time, and no more than so
 # many: what is lost by kill -9.
 EACH_SECONDS, EACH_SHARE, MOST_ROWS = 5.0, 0.02, 200_000
@@ -49,11 +52,14 @@ def read_about(folder: Path) -> dict[str, Any]:
         InputError: if there is none.
     """
     try:
-        about: dict[str, Any] = json.loads((folder / ABOUT).read_text(encoding="utf-8"))
+        if not stat.S_ISREG((folder / ABOUT).stat().st_mode):  # a pipe may have no beginning
+            raise ValueError
+        with (folder / ABOUT).open("rb") as written:
+            about: dict[str, Any] = json.loads(written.read(MOST_BYTES))
         name_of({**about, "finished": about["finished"]})
         if checked(about["plan"], ABOUT).sha256 != about["plan_sha256"]:
             raise ValueError
-    except (OSError, ValueError, KeyError, TypeError, AttributeError, PlanError):
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError, PlanError):
         raise InputError(_("{folder} holds no sweep").format(folder=folder)) from None
     return about
 
