@@ -44,7 +44,9 @@ def main(arguments: list[str]) -> int:
     finally:
         told = counted(found)
         with whole_file(COUNTS) as path:
-            path.write_text(f"seeds from {first} to {last - 1}\n{told}\n", encoding="utf-8")
+            path.write_text(
+                f"of {last - first} plans, from seed {first} on:\n{told}\n", encoding="utf-8"
+            )
         print(told)
     return 1 if any(row["fault"] for row in found) else 0
 

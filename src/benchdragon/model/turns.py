@@ -229,7 +229,8 @@ def two_arcs(
     Raises:
         InputError: if there is no such turn, with the reason.
     """
-    joints = _checked_joints(pitch, entry_radius, exit_radius, ease)
+    joints = _checked_joints(pitch, entry_radius, exit_radius)
+    ease = not_negative("ease", ease, "m")
     arcs, pieces = np.empty((ARCS, 2)), np.empty((MOST_PIECES, 3))
     count, status = turn_families.two_arcs(*joints, positive("ratio", ratio), ease, arcs, pieces)
     return _made(joints, pieces[:count], status, ease)
@@ -256,24 +257,21 @@ def three_pieces(
     Raises:
         InputError: if there is no such turn, with the reason.
     """
-    joints = _checked_joints(pitch, entry_radius, exit_radius, ease)
+    joints = _checked_joints(pitch, entry_radius, exit_radius)
     if as_numbers("radii", radii).shape != (2,):
         raise InputError(_("radii must be a pair, not {value}").format(value=brief(radii)))
     first, last = (positive("radii", radius, "m") for radius in radii)
-    finite("bend", bend, "1/m")
+    bend, ease = finite("bend", bend, "1/m"), not_negative("ease", ease, "m")
     arcs, pieces = np.empty((ARCS, 2)), np.empty((MOST_PIECES, 3))
     count, status = turn_families.three_pieces(*joints, first, bend, last, ease, arcs, pieces)
     return _made(joints, pieces[:count], status, ease, (first, last))
 
 
 def _checked_joints(
-    pitch: float, entry_radius: float, exit_radius: float, ease: float
+    pitch: float, entry_radius: float, exit_radius: float
 ) -> tuple[float, float, float]:
-    checked_bend("pitch", pitch)
-    for name, radius in (("entry_radius", entry_radius), ("exit_radius", exit_radius)):
-        checked_size(name, radius)
-    not_negative("ease", ease, "m")
-    return pitch, entry_radius, exit_radius
+    entry, leave = checked_size("entry_radius", entry_radius), checked_size("exit_radius", exit_radius)
+    return checked_bend("pitch", pitch), entry, leave
 
 
 def _made(
