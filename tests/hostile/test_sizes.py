@@ -77,6 +77,11 @@ def test_a_turn_of_any_sizes_is_refused_or_has_finite_lengths(kind: str) -> None
     assert made or kind == "any pieces"  # which hardly ever join the spirals
 
 
+def test_a_turn_of_a_pitch_too_small_to_be_meant_is_refused() -> None:
+    with pytest.raises(InputError, match=r"^pitch must be at least "):
+        Turn(1e-320, 4.5, 4.5, ((1.0, 0.0, 0.0),))
+
+
 @pytest.mark.parametrize("digits", [400, 6000])
 @pytest.mark.parametrize(
     "make",
