@@ -13,9 +13,9 @@ from benchdragon.i18n import N_
 @click.command(
     help=N_(
         "Show again what a certificate says was proved, from its plan alone."
-        "\n\nFILE is a certificate, as check --prove -o FOLDER, the questions of solve with --prove -o FILE, "
-        "and solve turn --prove --certificate FILE write it. Exit code 0: all of it holds; 5: something "
-        "could not be shown. It needs the extra prove."
+        "\n\nFILE is a certificate, as check --prove -o FOLDER, the questions of solve with --prove "
+        "-o FILE, and solve turn --prove --certificate FILE write it. Exit code 0: all of it holds; "
+        "5: something could not be shown. It needs the extra prove."
     )
 )
 @click.argument("file", metavar="FILE")
