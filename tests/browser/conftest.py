@@ -1,4 +1,4 @@
-"""Tests of pages: one Chromium for all of them, and no page that fails unseen."""
+"""Tests of pages: one Chromium for many of them, and no page that fails unseen."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -14,10 +14,11 @@ from tests.browser.players import Scene
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Keep tests of pages in one process: one browser serves them."""
+    """Keep tests of the planner in one process, and those of other pages: one browser serves each."""
     for item in items:
         if item.path.is_relative_to(Path(__file__).parent):
-            item.add_marker(pytest.mark.xdist_group("browser"))
+            page = "planner" if "planner" in item.path.name else "player"
+            item.add_marker(pytest.mark.xdist_group(page))
 
 
 # Not for the session: an event loop runs for as long, and other tests start their own.
