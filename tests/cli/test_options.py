@@ -316,8 +316,6 @@ ELSEWHERE |= {
         "check",
         "output",
         "force",
-        "every",
-        "peg",
         "scale",
         "paper-size",
         "lang",

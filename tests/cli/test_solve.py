@@ -15,15 +15,16 @@ from benchdragon.solve.size_family import QUESTIONS
 from tests.cli.verbs import VERBS, options
 
 ALL = {"--set", "--json", "--explain", "--lang", "--quiet"}
-SIZE = ALL | {"--range", "--count", "--prove", "--brackets"}
+SIZE = ALL | {"--range", "--count", "--prove", "--output", "--force", "--brackets"}
 OPTIONS = {
     "pitch": SIZE | {"--method", "--pitch-step", "--time-step"},
     "disc": SIZE,
     "width": SIZE,
     "length": SIZE,
-    "speed": ALL | {"--brackets", "--pace", "--force"},
+    "speed": ALL | {"--brackets", "--pace", "--prove", "--output", "--force"},
     "turn": ALL
-    | {"--objective", "--least-radius", "--longest", "--longest-way", "--plan-file", "--force"},
+    | {"--objective", "--least-radius", "--longest", "--longest-way", "--plan-file", "--force"}
+    | {"--prove", "--within", "--boxes", "--certificate"},
     "place": ALL - {"--explain"} | {"--brackets", "--plan-file", "--force"},
     "square": ALL - {"--explain"} | {"--error"},
 }
@@ -44,7 +45,7 @@ def ran(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]
 def test_each_question_about_a_size_can_be_asked() -> None:
     assert list(OPTIONS) == list(solve.commands)
     assert list(QUESTIONS) == [name for name, own in OPTIONS.items() if own >= SIZE]
-    assert len(STRAYS) == 90
+    assert len(STRAYS) == 108
 
 
 @pytest.mark.parametrize("question", OPTIONS)

@@ -286,7 +286,13 @@ def test_the_curve_to_copy_stands_in_the_files_that_the_manual_names() -> None:
     files = [path for path in PACKAGE.rglob("*.py*") if path.suffix != ".pyc"]
     found = {str(path.relative_to(PACKAGE)) for path in files if said.search(path.read_text("utf-8"))}
     kernels = {"kernels/curve.py", "kernels/route_parts.py"}
-    others = {"model/curves.py", "plans/tables.py", "proofs/ball_route.py", "__init__.pyi"}
+    others = {
+        "model/curves.py",
+        "plans/tables.py",
+        "proofs/ball_route.py",
+        "proofs/parts.py",
+        "__init__.pyi",
+    }
     assert found == kernels | others
 
 

@@ -13,6 +13,9 @@ from typing import Any
 
 # Decimals with this many signs, point and sign included, have a double of their own.
 SHORT = 15
+# One with more signs is taken to name no double, and a text is refused where it is checked: a million
+# digits take half a minute.
+LONG = 1100
 # In these tables of a plan texts are numbers with units; elsewhere they are words.
 MEASURED = ("dragon", "route", "disc", "turn", "walk", "limits", "venue", "obstacle", "cues")
 # What a unit is worth, where no decimal says it; 0: nor any fraction.
@@ -37,7 +40,7 @@ def number(text: str) -> float:
     if len(text) <= SHORT or not math.isfinite(value):
         return value
     try:
-        exact = Decimal(text) == Decimal(repr(value))
+        exact = len(text) <= LONG and Decimal(text) == Decimal(repr(value))
     except InvalidOperation:  # an exponent of 19 digits
         exact = False
     if exact:
@@ -69,7 +72,7 @@ def rounded_numbers(
     for value in _leaves([data[name] for name in MEASURED if name in data]):
         if isinstance(value, Rounded):
             found.append((value.text, repr(float(value))))
-        elif isinstance(value, str) and not pattern.sub("", value).strip():
+        elif isinstance(value, str) and len(value) <= LONG and not pattern.sub("", value).strip():
             pieces = pattern.findall(value)
             if pieces and all(unit in units for _number, unit in pieces):
                 found += _rounded_quantity(value, pieces, units)

@@ -60,10 +60,13 @@ class TurnCertificate(BaseModel):
 
 def is_turn_certificate(path: Path) -> bool:
     """Whether a file begins as such a certificate does."""
-    if not path.is_file():  # a pipe would be waited for
+    try:
+        if not path.is_file():  # a pipe would be waited for
+            return False
+        with path.open("rb") as file:
+            return FORMAT.encode() in file.read(100)
+    except (OSError, UnicodeEncodeError):  # whoever reads all of it says why it cannot be read
         return False
-    with path.open("rb") as file:
-        return FORMAT.encode() in file.read(100)
 
 
 def certificate_of(plan: Plan, goal: TurnGoal, proof: TurnProof) -> TurnCertificate:
