@@ -512,6 +512,6 @@ def quantity(text: object, units: dict[str, float]) -> object:
     except (KeyError, ValueError):
         raise ValueError(
             _("wanted a number, or text with a unit of {units}, not {text}").format(
-                units=", ".join(units), text=brief(text)
+                units=", ".join(units), text=repr(text)
             )
         ) from None
