@@ -79,7 +79,7 @@ def test_less_measured_sway_and_imprecision_need_less_room_and_are_kept() -> Non
     assert steady.plan.value("route.pitch") < found.plan.value("route.pitch")
     assert (steady.plan.people.sway, steady.plan.people.imprecision) == (0.0, 0.02)
     assert steady.report.safe
-    small = [propose(replace(SMALL, rectangle=(6.0, 6.0), imprecision=one)) for one in (0.0, 0.5)]
+    small = [propose(replace(SMALL, rectangle=(6.0, 6.0), imprecision=one)) for one in (0.0, 0.3)]
     assert isinstance(small[0], TooSmall)
     assert isinstance(small[1], TooSmall)
     assert small[0].radius < small[1].radius
