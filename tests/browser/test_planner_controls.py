@@ -23,6 +23,11 @@ def test_the_evidence_is_one_click_away_and_leads_to_the_moment(opened: Opened) 
     expect(page.locator(".clock")).to_have_text("t = 181.20 s")
 
 
+def linked(url: str) -> list[str]:
+    """The plan in an address."""
+    return re.findall(r"plan=[^&]*", url)
+
+
 def test_steps_go_back_and_forth_and_all_stands_in_the_address(opened: Opened) -> None:
     page = opened()
     benches = number(page, "number of benches")
@@ -39,8 +44,10 @@ def test_steps_go_back_and_forth_and_all_stands_in_the_address(opened: Opened) -
     before = page.url
     page.reload()
     expect(number(page, "number of benches")).to_have_value("60")
+    settled(page)
     change(page, "number of benches", "50")
-    page.wait_for_url(lambda url: url != before)
+    settled(page)
+    page.wait_for_url(lambda url: linked(url) != linked(before))
     page.goto(before)  # in the same window
     expect(benches).to_have_value("60")
     change(page, "number of benches", "50")
