@@ -1,4 +1,4 @@
-"""Tests of pages: one Chromium for many of them, and no page that fails unseen."""
+"""Tests of pages: one Chromium for all of them, and no page that fails unseen."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -14,11 +14,10 @@ from tests.browser.players import Scene
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Keep tests of the planner in one process, and those of other pages: one browser serves each."""
+    """Keep tests of pages in one process: beside another browser, what is played comes late."""
     for item in items:
         if item.path.is_relative_to(Path(__file__).parent):
-            page = "planner" if "planner" in item.path.name else "player"
-            item.add_marker(pytest.mark.xdist_group(page))
+            item.add_marker(pytest.mark.xdist_group("browser"))
 
 
 # Not for the session: an event loop runs for as long, and other tests start their own.
