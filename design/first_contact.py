@@ -34,7 +34,7 @@ from benchdragon.progress import silent
 
 def looks_for(walk: Walk, slack: float, smooth: bool) -> int:
     """Chains marched until benches 1 and 9 touch, from 412 m on, by both bounds or by travel."""
-    search = kernel.room(10, 2, 1, 0)
+    search = kernel.room(10, 2, 1)
     dragon, note = walk.dragon, np.zeros(kernel.NOTES)
     members, nothing = np.array([0, 8]), np.empty((0, BOX_COLUMNS))
     chain = kernel.Chain(walk.route.rows, dragon.links[:9], np.empty(0), dragon.sizes, members, nothing)

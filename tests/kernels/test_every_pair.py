@@ -39,7 +39,7 @@ def searched(
     parts: int = 60,
 ) -> tuple[int, FloatArray]:
     route, start, end = ROUTES[name]
-    room = search.room(COUNT + 1, COUNT, COUNT * COUNT, 0)
+    room = search.room(COUNT + 1, COUNT, COUNT * COUNT)
     first, second = np.empty(COUNT * COUNT, dtype=np.int64), np.empty(COUNT * COUNT, dtype=np.int64)
     note = np.zeros(search.NOTES)
     note[search.NEAREST], note[search.FLOOR] = 1.0, math.inf
@@ -85,7 +85,7 @@ def test_no_sample_lies_below_the_least_distance(name: str, seed: int) -> None:
 def test_pairs_left_out_keep_farther_apart_all_through_the_step(name: str) -> None:
     route, start, end = ROUTES[name]
     dragon, aside = dancers(5, 0.2)
-    room = search.room(COUNT + 1, COUNT, 1, 0)
+    room = search.room(COUNT + 1, COUNT, 1)
     chain = search.Chain(route.rows, dragon.links, aside, dragon.sizes, np.arange(COUNT), NOTHING)
     circles = circles_of(dragon.sizes)
     first, second = np.empty(COUNT * COUNT, dtype=np.int64), np.empty(COUNT * COUNT, dtype=np.int64)
@@ -118,7 +118,7 @@ def test_pairs_left_out_keep_farther_apart_all_through_the_step(name: str) -> No
 def test_a_search_without_room_for_its_pairs_says_so() -> None:
     route, start, end = ROUTES["spiral"]
     dragon, aside = dancers(3, 0.2)
-    room = search.room(COUNT + 1, COUNT, COUNT, 0)
+    room = search.room(COUNT + 1, COUNT, COUNT)
     scratch = np.empty(2, dtype=np.int64), np.empty(2, dtype=np.int64)
     note = np.zeros(search.NOTES)
     ending = search_all_pairs(

@@ -23,7 +23,6 @@ from benchdragon import (
 )
 from benchdragon.analysis.contact_search import ContactSearch, Step, contact_search
 from benchdragon.analysis.distance import pair_distances
-from benchdragon.analysis.ledger import Ledger
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.analysis.tables import Tables
 from benchdragon.errors import WalkError
@@ -129,7 +128,7 @@ def search_chain(walk: Walk, members: IntArray) -> search.Chain:
 def test_too_few_looks_leave_a_search_stuck() -> None:
     walk = spiral_walk(0.78)
     step = next(iter(ContactSearch(walk, 0.0, 15.0, 0.0, silent).steps()))
-    room = search.room(17, 16, len(step.first), 0)
+    room = search.room(17, 16, len(step.first))
     members, inverse = np.unique(np.concatenate([step.first, step.second]), return_inverse=True)
     for goal in (search.FIRST_TOUCH, search.LEAST):
         note = np.zeros(search.NOTES)
@@ -139,14 +138,6 @@ def test_too_few_looks_leave_a_search_stuck() -> None:
             step.start, step.start + 4.0, search.Limits(0.0, 1e-13, 1e-13, 2), note,
         )  # fmt: skip
         assert ending == (search.STUCK if goal == search.FIRST_TOUCH else search.GRAZE)
-
-
-def test_a_ledger_holds_every_look() -> None:
-    walk, ledger = spiral_walk(0.78), Ledger()
-    (window,) = contact_windows(walk, 0.0, 15.0, most=1, ledger=ledger)
-    assert sum(len(chain[0]) for chain in ledger.evaluations) == window.opens.evaluations
-    assert ledger.cells
-    assert ledger.grid
 
 
 def test_the_greatest_speed_is_above_every_sample() -> None:
@@ -253,7 +244,7 @@ def test_a_search_that_gives_up_says_how_low_it_may_be() -> None:
         note = np.zeros(search.NOTES)
         note[search.NEAREST] = note[search.FLOOR] = math.inf
         ending = search_step(
-            search.room(17, 16, len(step.first), 0), search.LEAST, search_chain(walk, members),
+            search.room(17, 16, len(step.first)), search.LEAST, search_chain(walk, members),
             search.Pairs(*np.split(inverse, 2)), step.start, step.end,
             search.Limits(0.0, 1e-13, 1e-13, most), note,
         )  # fmt: skip
@@ -272,7 +263,7 @@ def test_what_was_given_up_first_is_not_forgotten() -> None:
         note = np.zeros(search.NOTES)
         note[search.NEAREST] = note[search.FLOOR] = math.inf
         search_step(
-            search.room(4, 2, 1, 0), search.LEAST, chain, pairs, start, end,
+            search.room(4, 2, 1), search.LEAST, chain, pairs, start, end,
             search.Limits(0.0, 1e-9, 0.06, 100), note,
         )  # fmt: skip
         floors.append(note[search.FLOOR])
@@ -305,7 +296,8 @@ def test_the_end_of_a_step_is_looked_at() -> None:
     walk, ends = spiral_walk(0.3), (10.0 - 9e-14, 10.0)
     falls = [pair_distances(walk.placement(ends), 0, j).tolist() for j in range(2, 16)]
     j, (_before, at) = next((j, pair) for j, pair in enumerate(falls, 2) if pair[0] > pair[1] + 9e-15)
-    contact_search = ContactSearch(walk, 9.0, 10.0, at + 2e-15, silent, 1e-15)
+    contact_search = ContactSearch(walk, 9.0, 10.0, at + 2e-15, silent)
+    contact_search.slack = 1e-15
     note = np.zeros(search.NOTES)
     step = Step(*ends, np.array([0]), np.array([j]))
     assert search_one(contact_search, search.FIRST_TOUCH, step, note) == search.FOUND
@@ -321,7 +313,8 @@ def test_a_pair_within_rounding_of_the_margin_is_neither_clear_nor_found(
 ) -> None:
     walk = Walk(Dragon.uniform(3, 2.2), Route((Line(30.0),)))
     distance = 2.0 * 1.65 - 2.2
-    contact_search = ContactSearch(walk, 15.0, 16.0, distance + beyond, silent, 1e-6)
+    contact_search = ContactSearch(walk, 15.0, 16.0, distance + beyond, silent)
+    contact_search.slack = 1e-6
     pair = np.array([0]), np.array([2])
     note = np.zeros(search.NOTES)
     step = Step(15.0, 15.2, *pair)
@@ -330,7 +323,10 @@ def test_a_pair_within_rounding_of_the_margin_is_neither_clear_nor_found(
 
 def test_a_bracket_begins_where_all_was_clear() -> None:
     walk = spiral_walk(0.78)
-    exact, rough = (first_contact(walk, 0.0, 15.0, slack=slack) for slack in (1e-13, 1e-3))
+    exact = first_contact(walk, 0.0, 15.0)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("benchdragon.analysis.contact_search.SLACK", 1e-3)
+        rough = first_contact(walk, 0.0, 15.0)
     assert exact is not None
     assert rough is not None
     assert rough.lower < exact.lower <= exact.upper < rough.upper
@@ -339,5 +335,7 @@ def test_a_bracket_begins_where_all_was_clear() -> None:
 
 def test_ground_is_asked_for_the_room_of_rounding() -> None:
     walk = spiral_walk(0.3)
-    steps = [list(ContactSearch(walk, 0.0, 12.0, 0.0, silent, slack).steps()) for slack in (1e-13, 0.6)]
-    assert [bool(some) for some in steps] == [False, True]
+    for slack in (1e-13, 0.6):
+        search = ContactSearch(walk, 0.0, 12.0, 0.0, silent)
+        search.slack = slack
+        assert bool(list(search.steps())) == (slack > 0.5)

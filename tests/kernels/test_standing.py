@@ -34,9 +34,9 @@ def wall(x: float, low: float = -1.0, high: float = 1.0) -> FloatArray:
     return Obstacle.line("wall", [(x, low), (x, high)]).boxes
 
 
-def room_for(standing: Standing, chains: int = 0) -> steps.Search:
+def room_for(standing: Standing) -> steps.Search:
     count = len(standing.boxes) + 1
-    return steps.room(2, count, count, chains)
+    return steps.room(2, count, count)
 
 
 def spans_searched(
@@ -126,7 +126,7 @@ def test_a_box_at_the_very_reach_of_a_step_is_gathered() -> None:
 
 
 def test_what_stands_still_is_boxed_alike_at_all_places_and_does_not_move() -> None:
-    boxes, search = random_boxes(np.random.default_rng(3), 3), steps.room(2, 4, 4, 0)
+    boxes, search = random_boxes(np.random.default_rng(3), 3), steps.room(2, 4, 4)
     search.at[:2] = 6.0, 6.4
     bench = bench_on(EAST)
     assert kernel.walks_step(bench, search)

@@ -365,7 +365,7 @@ def test_faces_that_are_left_and_come_back_lose() -> None:
 
 def faced(gap: float, travel: float, pull: float) -> tuple[search.Search, FloatArray]:
     """What a search knows of two benches as far apart at both ends of a part, and a fresh note."""
-    room = search.room(4, 2, 1, 0)
+    room = search.room(4, 2, 1)
     room.at[:2] = 0.0, 0.1
     room.handles[0, step_bounds.PATH] = 0.1
     room.alive[1, 0], room.kept[1] = 0, 1

@@ -24,7 +24,8 @@ def searched(
     dragon: Dragon, route: Route, span: tuple[float, float], reach: float, slack: float = 1e-13
 ) -> ContactSearch:
     """A search of a walk that has looked for all steps in which pairs may come within reach."""
-    found = ContactSearch(Walk(dragon, route), *span, 0.0, silent, slack)
+    found = ContactSearch(Walk(dragon, route), *span, 0.0, silent)
+    found.slack = slack
     found.begin(reach)
     assert all(step.start < step.end for step in found.steps())
     return found

@@ -85,7 +85,7 @@ def question(walk: Walk, last: float) -> tuple[object, ...]:
     benches = len(dragon)
     pairs = benches * (benches - 1) // 2
     first, second = np.zeros(pairs, dtype=np.int64), np.zeros(pairs, dtype=np.int64)
-    room = kernel.room(benches + 1, benches, pairs, 0)
+    room = kernel.room(benches + 1, benches, pairs)
     steps = 2 + int((last - walk.start) / (STEP * float(dragon.links.min())))
     at = np.linspace(walk.start, last, steps)
     aside = np.empty(0)

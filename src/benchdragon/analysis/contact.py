@@ -15,7 +15,6 @@ import numpy.typing as npt
 from benchdragon import budget
 from benchdragon.analysis.contact_search import ContactSearch, contact_search
 from benchdragon.analysis.distance import MOST_SAMPLED, low_pair, tightest_pairs
-from benchdragon.analysis.ledger import Ledger
 from benchdragon.errors import InputError, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels import search as kernel
@@ -90,23 +89,20 @@ def contact_windows(
     *,
     margin: float = 0.0,
     most: int = 1000,
-    slack: float = 0.0,
-    ledger: Ledger | None = None,
     progress: Progress = silent,
 ) -> list[Window]:
     """All spans of time in start..end (s) in which two non-adjacent benches are nearer than margin.
 
     Never late and none left out, whatever the speed: what lies outside of all windows is clear by
     bounds. A window whose opening is "undecided" is a graze: there a pair comes within rounding of the
-    margin. Stops after `most` windows. `slack` is what computed distances may be off by, m (0: 1e-13,
-    more far out), and `ledger` takes down all places that the answer rests on: see `proof`.
+    margin. Stops after `most` windows.
 
     Raises:
         InputError: for a negative margin or an end before the start.
         WalkError: if the dragon cannot stand at some time, and no windows fill `most` before.
         UnsureError: if it could not be shown that it can.
     """
-    search = contact_search(walk, start, end, margin, progress, slack, ledger)
+    search = contact_search(walk, start, end, margin, progress)
     opened = _touching_at_start(search)
     windows = [] if opened is None else [Window(opened, None)]
     while len(windows) < most:
@@ -151,12 +147,9 @@ def _widened(window: Window, graze: Answer) -> Window:
 
 def _touching_at_start(search: ContactSearch) -> Answer | None:
     """The contact in which a walk starts, if it does."""
-    placed = search.placement(search.start)
-    tightest = tightest_pairs(placed)
+    tightest = tightest_pairs(search.placement(search.start))
     if not tightest or tightest[0].distance > search.margin - search.slack:
         return None
-    if search.ledger is not None:
-        search.ledger.add_placement(placed)
     i, j = tightest[0].benches
     return search.answer_at(search.start, search.start, "found", i - 1, j - 1)
 
@@ -168,14 +161,12 @@ def first_contact(
     end: float,
     *,
     margin: float = 0.0,
-    slack: float = 0.0,
     progress: Progress = silent,
 ) -> Answer | None:
     """The first time in start..end, s, at which two non-adjacent benches touch; None if never.
 
     With a margin (m), the first time at which two are nearer than that. The answer's bracket: all is
-    clear up to `lower`, and at `upper` a pair surely touches. `slack`, m, is what computed distances
-    may be off by (0: 1e-13, more far out); it decides how narrow the bracket gets.
+    clear up to `lower`, and at `upper` a pair surely touches.
     Status "undecided" means a graze within rounding in the bracket (and clear up to it).
 
     Raises:
@@ -183,7 +174,7 @@ def first_contact(
         WalkError: if no contact comes before a time at which the dragon cannot stand.
         UnsureError: if that could not be decided.
     """
-    windows = contact_windows(walk, start, end, margin=margin, most=1, slack=slack, progress=progress)
+    windows = contact_windows(walk, start, end, margin=margin, most=1, progress=progress)
     return windows[0].opens if windows else None
 
 

@@ -16,7 +16,6 @@ import numpy.typing as npt
 from benchdragon import budget
 from benchdragon.analysis.distance import boxes, nearness
 from benchdragon.analysis.head_times import HeadTimes
-from benchdragon.analysis.ledger import Ledger
 from benchdragon.analysis.tables import Tables, walk_tables
 from benchdragon.errors import UnsureError, in_order, not_negative, of_kind
 from benchdragon.i18n import _
@@ -112,25 +111,23 @@ class ContactSearch:
     end: float
     margin: float
     progress: Progress
-    slack: float = 0.0
-    ledger: Ledger | None = None
     since: float = -math.inf  # the time at which it begins, s
+    slack: float = field(init=False)
     evaluations: int = 0
     began: float = field(default_factory=clock.perf_counter)
 
     def __post_init__(self) -> None:
         placed = self.placement(self.start)
         extent = float(np.abs([placed.x, placed.y]).max())
-        self.slack = self.slack or slack_at(extent)
+        self.slack = slack_at(extent)
         self._tail = float(placed.s[0, -2])
         self._tables: Tables | None = None
 
     def begin(self, reach: float) -> None:
         """Look for all pairs that come within reach, m, from the start on."""
-        logs = self.ledger is not None
         near = reach + self.slack
         walk = walk_tables(self.walk)
-        self._tables = Tables(walk, self.start, self.end, near, self._tail, logs=logs)
+        self._tables = Tables(walk, self.start, self.end, near, self._tail)
         self._tables.begin()
 
     @property
@@ -190,8 +187,7 @@ class ContactSearch:
         return ending
 
     def _tell(self, ending: int) -> None:
-        """Take down what a call has logged, and how far it has come."""
-        self._read_logs(whole=ending != CROWDED)
+        """Tell how far a call has come."""
         if ending == MORE:
             at = float(self.tables.course.way[course.AT])
             self.progress((at - self.start) / (self.end - self.start), "")
@@ -202,25 +198,6 @@ class ContactSearch:
         if at < sound:
             return self.stopped(at, sound)
         return self.stopped(sound, sound + 2.0 * float(self.tables.ground.measures[cells.CELL]))
-
-    def _read_logs(self, *, whole: bool) -> None:
-        """Take down for a proof what was computed since this was last called.
-
-        That of cells waits unless `whole`: with more room they are boxed, and logged, anew.
-        """
-        if self.ledger is None:
-            return
-        tables = self.tables
-        logs = (
-            (tables.search.log, tables.search.logged, 0, self.ledger.add_evaluations),
-            (tables.block.log, tables.course.tally, course.CHAINS, self.ledger.add_grid),
-            (tables.ground.log, tables.ground.counts, cells.LOGGED, self.ledger.add_cells),
-        )
-        for log, counts, n, take in logs if whole else logs[:-1]:
-            if counts[n] > len(log):
-                raise UnsureError(_("a proof would need too many evaluations in one step"))
-            take(log[: counts[n]])
-            counts[n] = 0
 
     def stopped(self, sound: float, until: float) -> Exception:
         """Why the walk could not be followed past head position `sound`, looked for up to `until`."""
@@ -276,8 +253,6 @@ def contact_search(
     end: float,
     margin: float,
     progress: Progress,
-    slack: float = 0.0,
-    ledger: Ledger | None = None,
 ) -> ContactSearch:
     """A search of the walk from start to end (s), for which the dragon must stand at the start."""
     of_kind("walk", walk, Walk)
@@ -285,4 +260,4 @@ def contact_search(
     in_order(start, end)
     walk.motion([start])  # raises where the dragon cannot stand at the start
     a, b = walk.head_position([start, end]).tolist()
-    return ContactSearch(walk, a, b, margin, progress, slack, ledger, start)
+    return ContactSearch(walk, a, b, margin, progress, start)

@@ -23,7 +23,6 @@ from benchdragon.analysis.contact_search import (
 )
 from benchdragon.analysis.distance import CORNERS, boxes, nearness
 from benchdragon.analysis.head_times import HeadTimes
-from benchdragon.analysis.ledger import Ledger
 from benchdragon.analysis.obstacle_distance import box_distances, nearest_boxes
 from benchdragon.analysis.tables import kinds_of
 from benchdragon.errors import UnsureError, in_order, of_kind
@@ -47,8 +46,6 @@ from benchdragon.model.walk import Walk
 SPANS = 2_000
 # What a bench beside a box of an obstacle costs, in handles placed.
 BENCH = 16
-# Chains of two handles that a proof may log before its log is read.
-LOG = 65_536
 # Head positions at which it is looked why benches could not be followed.
 SAMPLES = 65
 # Grazes of one bench that are passed over to see whether it touches; along a wall one each STRETCH.
@@ -80,8 +77,7 @@ class ObstacleSearch:
     obstacle: Obstacle
     start: float
     end: float
-    slack: float = 0.0
-    ledger: Ledger | None = None
+    slack: float = field(init=False)
     evaluations: int = 0
     began: float = field(default_factory=clock.perf_counter)
 
@@ -93,14 +89,12 @@ class ObstacleSearch:
         self.placed = self.walk.placement(self.heads)  # raises where the dragon cannot stand
         extent = float(np.abs(self.obstacle.outline).max()) + self.obstacle.radius
         far = max(float(np.abs([self.placed.x, self.placed.y]).max()), extent)
-        self.slack = self.slack or slack_at(far)
+        self.slack = slack_at(far)
         self.kind, self.kinds = kinds_of(self.walk.dragon.sizes)
         self._standing = kernel.scratch_for(self.obstacle.boxes)
         count = len(self.obstacle.boxes) + 1
-        self._search = steps.room(2, count, count, 0 if self.ledger is None else LOG)
+        self._search = steps.room(2, count, count)
         self._times = HeadTimes(self.walk, float(self.heads[0]), self.start)
-        if self.ledger is not None:
-            self.ledger.add_placement(self.placed)
 
     @property
     def reach(self) -> float:
@@ -153,7 +147,6 @@ class ObstacleSearch:
             made = int(note[steps.EVALUATIONS] - before)
             self.evaluations += made
             budget.spend(BENCH * (made + len(some)) * len(self.obstacle.boxes))
-            self._read_log(float(bench.link[0]))
             told.append(found)
             if ending in (ASTRAY, FALLEN):
                 raise self._stopped(note)
@@ -169,16 +162,6 @@ class ObstacleSearch:
         sizes = np.ascontiguousarray(self.kinds.sizes[:, k : k + 1])
         return kernel.Bench(self.walk.route.rows, sizes[0] - sizes[2] - sizes[3], sizes)
 
-    def _read_log(self, link: float) -> None:
-        """Take down for a proof what was computed."""
-        if self.ledger is None:
-            return
-        count = int(self._search.logged[0])
-        if count > len(self._search.log):
-            raise UnsureError(_("a proof would need too many evaluations in one step"))
-        self.ledger.add_benches(link, self._search.log[:count])
-        self._search.logged[0] = 0
-
     def _stopped(self, note: FloatArray) -> Exception:
         """Why a bench could not be followed past the end of what its search had shown."""
         first, last = self.heads.tolist()
@@ -193,9 +176,6 @@ class ObstacleSearch:
         line = self.walk.dragon.first(bench)
         before, _at = self._bracket(line, lower - self.slack)
         _at, after = self._bracket(line, upper + self.slack)
-        if self.ledger is not None:
-            for head in (before, after):
-                self.ledger.add_placement(Placement(line, self.walk.route, head))
         return before, after
 
     def _bracket(self, line: Dragon, s: float) -> tuple[float, float]:

@@ -13,7 +13,6 @@ import numpy as np
 from benchdragon import budget
 from benchdragon.analysis.contact import TOLERANCES
 from benchdragon.analysis.contact_search import assumed_within
-from benchdragon.analysis.ledger import Ledger
 from benchdragon.analysis.obstacle_search import ObstacleSearch
 from benchdragon.kernels import search as steps
 from benchdragon.kernels import standing as kernel
@@ -63,22 +62,19 @@ def first_touch(
     obstacle: Obstacle,
     start: float,
     end: float,
-    *,
-    slack: float = 0.0,
-    ledger: Ledger | None = None,
 ) -> Answer | None:
     """The first time in start..end, s, at which a bench touches an obstacle; None if none ever does.
 
     Or is nearer to it than the obstacle's margin, or leaves the venue. The answer's bracket: all is
     clear up to `lower`, and at `upper` a bench surely touches; "undecided" where one comes within
-    rounding of touching. `slack` and `ledger` are as in `contact_windows`.
+    rounding of touching.
 
     Raises:
         InputError: for an end before the start.
         WalkError: if the dragon cannot stand at the start, or walk on to the end.
         UnsureError: if it could not be shown that it can.
     """
-    answers = touching(ObstacleSearch(walk, obstacle, start, end, slack, ledger))
+    answers = touching(ObstacleSearch(walk, obstacle, start, end))
     return answers[0] if answers else None
 
 

@@ -37,8 +37,6 @@ PAIRS, MEMBERS, DOUBTS = 1_000, 256, 64
 WIDER = 2
 # What a bench at a border of a cell costs, and a pair of parts, in handles placed.
 BOX_WORK, PARTNER_WORK = 64.0, 128.0
-# Chains and single benches that a proof may log before its logs are read: 30 MB for 223 benches.
-LOG, CELL_LOG = 4096, 65_536
 
 
 def kinds_of(sizes: FloatArray) -> tuple[IntArray, Kinds]:
@@ -83,7 +81,6 @@ class Tables:
         last: likewise.
         reach: distance of benches, m, within which pairs are wanted.
         tail: about the route position of the last bench with the head at `first`, m, or less.
-        logs: whether all that is computed is logged, for a proof.
 
     Attributes:
         ground: the cells of the route.
@@ -95,23 +92,20 @@ class Tables:
         search: what a step is searched in.
     """
 
-    def __init__(
-        self, walk: course.Walk, first: float, last: float, reach: float, tail: float, *, logs: bool
-    ) -> None:
-        self.walk, self._span, self._reach, self._logs = walk, (first, last), reach, logs
+    def __init__(self, walk: course.Walk, first: float, last: float, reach: float, tail: float) -> None:
+        self.walk, self._span, self._reach = walk, (first, last), reach
         self._rows = len(walk.rows)
         benches, end = len(walk.benches.kind), float(walk.rows[-1, S_START] + walk.rows[-1, LENGTH])
         cell = CELL_SHARE * float(walk.benches.links.min())
         self._wanted = max(math.floor(min(last, end) / cell) - math.floor(tail / cell), 0) + 2
         self._cells = min(self._wanted, MOST_CELLS)
         most = min(A_CELL * self._cells, AT_FIRST)
-        self._parts, self._pairs, self._doubts, self._cell_log = most, most, DOUBTS, CELL_LOG
+        self._parts, self._pairs, self._doubts = most, most, DOUBTS
         self._bench_pairs, self._members = PAIRS, min(MEMBERS, benches)
         handles = benches + 1
         slots = max(2, min(LANES, PLACES // handles))
-        log = np.empty((LOG if logs else 0, steps.LOG_START + steps.LOGGED * handles))
         self.block = Block(
-            np.empty(slots), empty_placements(handles, slots), np.empty((handles, slots)), log
+            np.empty(slots), empty_placements(handles, slots), np.empty((handles, slots))
         )
         self.course = Course(np.empty(course.COURSE), np.zeros(course.TALLY, dtype=np.int64))
         self.crowd = Crowd(
@@ -157,7 +151,6 @@ class Tables:
             np.empty(boxes, dtype=np.int64),
             np.empty((self._pairs, 2), dtype=np.int64),
             np.empty((self._doubts, 2), dtype=np.int64),
-            np.empty((self._cell_log if self._logs else 0, cells.LOG_COLUMNS)),
         )
         whole = groups * self._cells
         self.grids = Grids(
@@ -176,7 +169,7 @@ class Tables:
         first, second, mine, other = (np.empty(pairs, dtype=np.int64) for _list in range(4))
         place = np.full(count, -1, dtype=np.int64)
         self.meeting = Meeting(first, second, mine, other, np.empty(count, dtype=np.int64), place)
-        self.search = steps.room(count + 1, self._members, pairs, LOG if self._logs else 0)
+        self.search = steps.room(count + 1, self._members, pairs)
 
     @property
     def room(self) -> Room:
@@ -189,7 +182,7 @@ class Tables:
     def work(self) -> float:
         """What it took to come to know the route and to place dragons so far, in handles placed."""
         counts, tally = self.ground.counts, self.course.tally
-        known = BOX_WORK * float(counts[cells.LOGGED]) + PARTNER_WORK * float(counts[cells.ENTRIES])
+        known = BOX_WORK * float(counts[cells.BORDERS]) + PARTNER_WORK * float(counts[cells.ENTRIES])
         return known + float(tally[course.CHAINS]) * len(self.walk.benches.kind)
 
     def go(self, start: float, end: float) -> None:
@@ -232,7 +225,6 @@ class Tables:
             "_parts": counts[cells.ROWS] - whole,
             "_pairs": max(counts[cells.ENTRIES], counts[cells.NEAR]),
             "_doubts": counts[cells.DOUBTS],
-            "_cell_log": counts[cells.LOGGED] if self._logs else 0,
         }
         short = {name: int(count) for name, count in wanted.items() if count > getattr(self, name)}
         for name, count in short.items():

@@ -44,7 +44,7 @@ DOUBTS = 7  # kinds and cells through which it is not sure that such benches can
 MIXED = 8  # 1 once cells lie in different clear spans
 FIRST = 9  # least number of a part that has partners, in cells times PARTS
 REAR = 10  # least number of a partner
-LOGGED = 11  # benches at borders of cells, for a proof
+BORDERS = 11  # benches placed at borders of cells
 COUNTS = 12
 # What is measured, a row of floats, m.
 REACH = 0  # nearer than this is near
@@ -57,8 +57,6 @@ HIND = 1  # route position of its rearmost bench at first, m: none ever comes be
 WIDEST = 2  # greatest radius of its boxes, m
 ALONE = 3  # 1 if its benches can meet no other: they must follow too, and no span spares their cells
 WAYS = 4  # and on: at most the way back to a bench of each group, m
-# Numbers that the log holds of a bench at a border: link, head position, then row, u, x, y of both.
-LOG_COLUMNS = 10
 
 
 class Kinds(NamedTuple):
@@ -85,7 +83,6 @@ class Ground(NamedTuple):
     todo: IntVector  # rows to be boxed, (rows,)
     near: IntTable  # pairs of rows, (pairs, 2)
     doubts: IntTable  # kind and cell, (most, 2)
-    log: Table  # for a proof: (benches, LOG_COLUMNS)
 
 
 class Grids(NamedTuple):
@@ -105,7 +102,6 @@ def has_room(ground: Ground) -> bool:
         and counts[ENTRIES] <= ground.partners.shape[0]
         and counts[NEAR] <= ground.near.shape[0]
         and counts[DOUBTS] <= ground.doubts.shape[0]
-        and (ground.log.shape[0] == 0 or counts[LOGGED] <= ground.log.shape[0])
     )
 
 

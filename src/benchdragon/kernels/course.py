@@ -9,7 +9,7 @@ from benchdragon.kernels.curve import S_START, FloatArray, length_at
 from benchdragon.kernels.grid import Grid
 from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.search import Search, log_chain
+from benchdragon.kernels.search import Search
 from benchdragon.kernels.step_bounds import Placements
 
 # Where a walk stands, a row of floats: head positions, m.
@@ -27,7 +27,7 @@ SLOTS = 1  # steps in it
 BENCHES = 2  # in it
 PAIRS = 3  # of the step at hand
 PLACED = 4  # handles in slot 0 of the search
-CHAINS = 5  # logged
+CHAINS = 5  # placed in blocks
 TALLY = 6
 
 
@@ -55,7 +55,6 @@ class Block(NamedTuple):
     at: Vector  # head positions, m
     places: Placements
     s: Table  # route positions of the handles, m, (handles, slots)
-    log: Table  # for a proof: see `search.log_chain`
 
 
 class Crowd(NamedTuple):
@@ -97,16 +96,6 @@ class Room(NamedTuple):
 
 
 @kernel
-def log_block(block: Block, tally: IntArray, slots: int, handles: int) -> None:
-    """Log the chains in the first slots, if there is room; they count in any case."""
-    for t in range(slots):
-        n = tally[CHAINS]
-        tally[CHAINS] = n + 1
-        if n < block.log.shape[0]:
-            log_chain(block.log, n, block.at[t], handles, block.places, t)
-
-
-@kernel
 def place_block(rows: FloatArray, links: FloatArray, block: Block, tally: IntArray, slots: int) -> bool:
     """Place chains with these links at the first slots; whether all stand."""
     places, s = block.places, block.s
@@ -121,5 +110,5 @@ def place_block(rows: FloatArray, links: FloatArray, block: Block, tally: IntArr
         for t in range(slots):
             j = places.row[i, t]
             s[i, t] = rows[j, S_START] + length_at(rows, j, places.u[i, t])
-    log_block(block, tally, slots, links.shape[0] + 1)
+    tally[CHAINS] += slots
     return True

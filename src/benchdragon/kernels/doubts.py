@@ -19,7 +19,7 @@ from benchdragon.kernels.course import (
 )
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.jit import allocates, kernel
-from benchdragon.kernels.near_cells import Sweeper, log_borders
+from benchdragon.kernels.near_cells import Sweeper, count_borders
 from benchdragon.kernels.regions import walks_on
 from benchdragon.kernels.step_bounds import HANDLE_COLUMNS, place_chain
 
@@ -70,7 +70,7 @@ def follows_until(
         ahead = min(end, at + step)
         sweeper.at[0], sweeper.at[1] = at, ahead
         place_chain(rows, sweeper.link, sweeper.at, 0, 2, sweeper.places)
-        log_borders(ground, sweeper, 2)
+        count_borders(ground, sweeper.places, 2)
         if walks_on(rows, sweeper.places, 0, sweeper.link, handles):
             at, step = ahead, 2.0 * step
         elif step > finest(at):

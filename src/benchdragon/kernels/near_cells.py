@@ -13,6 +13,7 @@ import numpy as np
 
 from benchdragon.kernels.box import CX, CY, HALF_LENGTH, HALF_WIDTH, box_distance, box_gap
 from benchdragon.kernels.cells import (
+    BORDERS,
     BOXED,
     CELL,
     CELLS,
@@ -25,7 +26,6 @@ from benchdragon.kernels.cells import (
     GROUPS,
     HIND,
     LEVEL,
-    LOGGED,
     LOW,
     NEAR,
     NEXT,
@@ -71,19 +71,11 @@ class Sweeper(NamedTuple):
 
 
 @kernel
-def log_borders(ground: Ground, sweeper: Sweeper, count: int) -> None:
-    """Log the benches at the first borders, where they stand; beyond the room they are only counted."""
-    places, log = sweeper.places, ground.log
+def count_borders(ground: Ground, places: Placements, count: int) -> None:
+    """Count the benches at the first borders that stand."""
     for t in range(count):
-        if places.failed[0, t]:
-            continue
-        n = ground.counts[LOGGED]
-        ground.counts[LOGGED] = n + 1
-        if n < log.shape[0]:
-            log[n, 0], log[n, 1] = sweeper.link[0], sweeper.at[t]
-            for i in range(2):
-                log[n, 2 + 4 * i], log[n, 3 + 4 * i] = places.row[i, t], places.u[i, t]
-                log[n, 4 + 4 * i], log[n, 5 + 4 * i] = places.x[i, t], places.y[i, t]
+        if not places.failed[0, t]:
+            ground.counts[BORDERS] += 1
 
 
 @kernel
@@ -94,7 +86,7 @@ def sweep_batch(
     at, places, link, sound = sweeper.at, sweeper.places, sweeper.link, sweeper.sound
     link[0] = kinds.sizes[0, k] - kinds.sizes[2, k] - kinds.sizes[3, k]
     place_chain(rows, link, at, 0, slots, places)
-    log_borders(ground, sweeper, slots)
+    count_borders(ground, places, slots)
     some, targets = sweeper.slots[:boxes], sweeper.targets[:boxes]
     sweep_cells(rows, link, kinds.sizes, k, places, some, targets, ground.hulls, sound)
     for n in range(boxes):

@@ -52,8 +52,6 @@ LOWEST = 5  # LEAST: no pair alive comes nearer in the part at hand, m
 FLOOR = 6  # LEAST: no pair comes nearer in the parts that were given up, m
 NOTES = 7
 
-# Numbers that a log holds of each handle: row, u, x, y; before them the head position, and how many.
-LOGGED, LOG_START = 4, 2
 # Halvings that may be open at once; 2^-60 of any step is below rounding.
 DEPTH = 60
 
@@ -103,12 +101,10 @@ class Search(NamedTuple):
     boxes: Table  # (DEPTH * members, BOX_COLUMNS), slot by slot
     alive: IntTable  # pairs not yet shown to keep apart in the part up to a slot, (DEPTH, pairs)
     kept: IntVector  # how many, (DEPTH,)
-    logged: IntVector  # chains written into the log so far, (1,)
-    log: Table  # for proofs: see `log_chain`, (chains, LOG_START + LOGGED * handles)
 
 
-def room(handles: int, members: int, pairs: int, chains: int) -> Search:
-    """Room for searches of up to so many handles, members and pairs; `chains` of them logged."""
+def room(handles: int, members: int, pairs: int) -> Search:
+    """Room for searches of up to so many handles, members and pairs."""
     return Search(
         np.empty(DEPTH),
         empty_placements(handles, DEPTH),
@@ -117,8 +113,6 @@ def room(handles: int, members: int, pairs: int, chains: int) -> Search:
         np.empty((DEPTH * members, BOX_COLUMNS)),
         np.empty((DEPTH, pairs), dtype=np.int64),
         np.empty(DEPTH, dtype=np.int64),
-        np.zeros(1, dtype=np.int64),
-        np.empty((chains, LOG_START + LOGGED * handles)),
     )
 
 
@@ -168,31 +162,11 @@ def enliven(search: Search, pairs: int) -> None:
 
 
 @kernel
-def write_log(search: Search, slot: int, handles: int) -> None:
-    """Log the chain in a slot, if there is room; it counts in any case."""
-    n, places = search.logged[0], search.places
-    search.logged[0] = n + 1
-    if n < search.log.shape[0]:
-        log_chain(search.log, n, search.at[slot], handles, places, slot)
-
-
-@kernel
-def log_chain(log: FloatArray, n: int, at: float, handles: int, places: Placements, slot: int) -> None:
-    """Fill row n of a log with the first handles of the chain in a slot: see `LOGGED`."""
-    log[n, 0], log[n, 1] = at, handles
-    for i in range(handles):
-        k = LOG_START + LOGGED * i
-        log[n, k], log[n, k + 1] = places.row[i, slot], places.u[i, slot]
-        log[n, k + 2], log[n, k + 3] = places.x[i, slot], places.y[i, slot]
-
-
-@kernel
 def evaluate_slot(chain: Chain, search: Search, slot: int, near: int) -> bool:
     """Place the chain at a slot, as in `place_beside`, and box its members; whether it can stand."""
     rows, links, aside = chain.rows, chain.links, chain.aside
     if not place_beside(rows, links, aside, search.at, near, slot, search.places):
         return False
-    write_log(search, slot, links.shape[0] + 1)
     box_slot(chain, search, slot)
     return True
 

@@ -44,7 +44,6 @@ from benchdragon.kernels.search import (
     bisect,
     box_slot,
     open_step,
-    write_log,
 )
 from benchdragon.kernels.step_bounds import TRAVEL, bound_bench, place_chain
 from benchdragon.kernels.walk_search import ASTRAY, WIDTH_ROUNDINGS
@@ -119,8 +118,6 @@ def search_step(
     """Search the step whose ends are placed in slots 0 and 1 for `goal`; how that ended."""
     wanted = note[NEAREST] - limits.slack if goal == LEAST else limits.margin + limits.slack
     start, end = search.at[0], search.at[1]
-    write_log(search, 0, 2)
-    write_log(search, 1, 2)
     count = gather_near(bench, standing, search, wanted)
     if count == 0:
         note[LOWER] = end

@@ -7,12 +7,10 @@ clear to its end, when more room is wanted, or to let others work: it is then ca
 from benchdragon.kernels.arrays import Vector
 from benchdragon.kernels.box import set_box
 from benchdragon.kernels.course import (
-    CHAINS,
     PAIRS,
     PLACED,
     STEP_END,
     STEP_START,
-    Block,
     Course,
     Room,
     Walk,
@@ -29,7 +27,6 @@ from benchdragon.kernels.meetings import (
     WAIT,
     next_step,
 )
-from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import (
     CLEAR,
     EVALUATIONS,
@@ -102,12 +99,6 @@ def search_open_step(walk: Walk, room: Room, goal: int, limits: Limits, note: Fl
     return ending
 
 
-@kernel
-def half_full(block: Block, tally: IntArray) -> bool:
-    """Whether the log of the block, if there is one, should be read before more is written."""
-    return 2 * tally[CHAINS] > block.log.shape[0] > 0
-
-
 @entry
 def search_walk(
     walk: Walk,
@@ -129,7 +120,7 @@ def search_walk(
     while True:
         while goal != SEEK and way[STEP_START] < way[STEP_END] and tally[PAIRS]:
             placed = (note[EVALUATIONS] - spent) * tally[PLACED]
-            if placed >= HANDLES_A_CALL or half_full(room.block, tally):
+            if placed >= HANDLES_A_CALL:
                 return MORE
             narrow = max(width, WIDTH_ROUNDINGS * UNIT * way[STEP_END])
             limits = Limits(margin, slack, narrow, most)

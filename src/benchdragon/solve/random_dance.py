@@ -261,7 +261,7 @@ class RandomDance:
         goal, margin, slack = aim
         most, found = min(MOST_EVALUATIONS, most_evaluations(benches + 1)), note.copy()
         ending = search_all_pairs(
-            search.room(benches + 1, benches, pairs, 0), goal, self.rows, links, aside, sizes, at,
+            search.room(benches + 1, benches, pairs), goal, self.rows, links, aside, sizes, at,
             first, second, margin, slack, WIDTH, most, found,
         )  # fmt: skip
         chains = at.size + float(found[search.EVALUATIONS] - note[search.EVALUATIONS])

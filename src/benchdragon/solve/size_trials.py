@@ -72,7 +72,7 @@ class SizeSearch:
     def _made_tables(self) -> Tables:
         """Room for searches of walks as long as that of the plan; others widen it."""
         tail = self._ends[0] - 1.5 * float(self._walk.benches.links.sum())
-        return Tables(self._walk, *self._ends, self._margin + SLACK, tail, logs=False)
+        return Tables(self._walk, *self._ends, self._margin + SLACK, tail)
 
     @property
     def doubts(self) -> list[float]:

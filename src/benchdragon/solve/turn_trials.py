@@ -87,7 +87,7 @@ class TurnEvaluator:
     factors: dict[str, float] = field(default_factory=dict)
     step: float = STEPS[0]
     evaluations: int = 0
-    _search: Search = field(default_factory=lambda: room(2, 1, 1, 0), init=False, repr=False)
+    _search: Search = field(default_factory=lambda: room(2, 1, 1), init=False, repr=False)
 
     def __post_init__(self) -> None:
         route = self.plan.route

@@ -62,7 +62,7 @@ export const CELLS = {
   MIXED: 8,
   FIRST: 9,
   REAR: 10,
-  LOGGED: 11,
+  BORDERS: 11,
   COUNTS: 12,
   REACH: 0,
   CELL: 1,
@@ -73,7 +73,6 @@ export const CELLS = {
   WIDEST: 2,
   ALONE: 3,
   WAYS: 4,
-  LOG_COLUMNS: 10,
 };
 
 export const COURSE = {
@@ -311,8 +310,6 @@ export const SEARCH = {
   LOWEST: 5,
   FLOOR: 6,
   NOTES: 7,
-  LOGGED: 4,
-  LOG_START: 2,
   DEPTH: 60,
 };
 
@@ -579,7 +576,6 @@ export const ANALYSIS_MARKS = {
 export const ANALYSIS_OBSTACLE_SEARCH = {
   SPANS: 2000,
   BENCH: 16,
-  LOG: 65536,
   SAMPLES: 65,
   MOST_GRAZES: 1000,
   NARROW: 1e-6,
@@ -621,8 +617,6 @@ export const ANALYSIS_TABLES = {
   WIDER: 2,
   BOX_WORK: 64,
   PARTNER_WORK: 128,
-  LOG: 4096,
-  CELL_LOG: 65536,
 };
 
 export const ANALYSIS_UNFINISHED = {

@@ -1,5 +1,5 @@
 // A search along a walk for pairs of benches: its steps, the kernels' search of each, and its answers.
-// Twin of analysis/contact_search.py; nothing is logged here, as nothing is proved here.
+// Twin of analysis/contact_search.py.
 
 import { _ } from "../words.js";
 import { answered, now } from "./answer.js";

@@ -115,7 +115,7 @@ export function emptyGrid(arena, places, side) {
  * @param {number} handles @param {number} members @param {number} pairs
  */
 export function searchRoom(arena, handles, members, pairs) {
-  const { DEPTH, LOGGED, LOG_START } = SEARCH;
+  const { DEPTH } = SEARCH;
   return {
     at: arena.array("d", DEPTH),
     places: arena.placements(handles, DEPTH),
@@ -124,12 +124,10 @@ export function searchRoom(arena, handles, members, pairs) {
     boxes: arena.array("d", DEPTH * members, CELLS.RADIUS),
     alive: arena.array("q", DEPTH, pairs),
     kept: arena.array("q", DEPTH),
-    logged: fillWhole(arena.array("q", 1), 0n),
-    log: arena.array("d", 0, LOG_START + LOGGED * handles),
   };
 }
 
-/** What a search along a walk works on; nothing is logged, as nothing is proved here. */
+/** What a search along a walk works on. */
 export class Tables {
   /**
    * @param {import("../engine.js").Engine} engine
@@ -186,7 +184,6 @@ export class Tables {
       at: this.arena.array("d", slots),
       places: this.arena.placements(handles, slots),
       s: this.arena.array("d", handles, slots),
-      log: this.arena.array("d", 0, SEARCH.LOG_START + SEARCH.LOGGED * handles),
     };
   }
 
@@ -219,7 +216,6 @@ export class Tables {
       todo: arena.array("q", boxes),
       near: arena.array("q", pairs, 2),
       doubts: arena.array("q", doubts, 2),
-      log: arena.array("d", 0, CELLS.LOG_COLUMNS),
     };
   }
 
