@@ -86,7 +86,11 @@ def test_what_has_no_end_is_no_plan_no_record_and_no_sweep(tmp_path: Path, made:
         read_about(tmp_path)
 
 
-@pytest.mark.parametrize("text", ["[" * 100_000, '{"points": ' + "1" * MANY + "}", "\0" * MANY])
+@pytest.mark.parametrize(
+    "text",
+    ["[" * 100_000, '{"points": ' + "1" * MANY + "}", "\0" * MANY],
+    ids=["lists", "digits", "signs of 0"],
+)
 def test_what_tells_of_a_sweep_and_is_nested_without_end_is_none(tmp_path: Path, text: str) -> None:
     (tmp_path / ABOUT).write_text(text, encoding="utf-8")
     with pytest.raises(InputError, match=r"holds no sweep$"):
