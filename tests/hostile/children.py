@@ -30,8 +30,8 @@ QUESTIONS = (
 )  # fmt: skip
 # A question that takes longer than this is taken to be endless, CPU s.
 ENDLESS = 300
-# What a process holds beside the tables of its question, bytes.
-BESIDE = 700_000_000
+# What a process comes to hold beside the tables of its question, bytes.
+BESIDE = 500_000_000
 ANSWERED, NOT_SAFE, WRONG, PLAN_WRONG, NO_SOLUTION, UNDECIDED = range(6)
 
 
@@ -44,7 +44,7 @@ class Outcome:
         fault: what must not be; "" where all is well.
         over: whether it was refused as too much work or memory.
         seconds: of the CPU.
-        memory: the most that it held, bytes.
+        memory: the most that it held beyond what it began with, which other tests may have left, bytes.
     """
 
     code: int | None
@@ -68,22 +68,27 @@ def asked(text: str, question: str, share: float) -> Outcome:
     child = os.fork()
     if not child:
         os.close(reading)
-        answer = _guarded(text, question, share)
         with os.fdopen(writing, "w", encoding="utf-8") as told:
-            json.dump(answer, told)
+            print(_held(resource.getrusage(resource.RUSAGE_SELF)), file=told, flush=True)
+            json.dump(_guarded(text, question, share), told)
         os._exit(0)
     os.close(writing)
     with os.fdopen(reading, encoding="utf-8") as told:
-        said = told.read()
+        began, said = int(told.readline()), told.read()
     _pid, status, used = os.wait4(child, 0)
-    took = used.ru_utime + used.ru_stime, used.ru_maxrss * 1024
+    took = used.ru_utime + used.ru_stime, _held(used) - began
     if not said:
         return Outcome(None, f"killed: {signal.Signals(os.WTERMSIG(status)).name}", False, *took)
     code, fault, over = json.loads(said)
     most = share * budget.MEMORY + BESIDE
     if took[1] > most:
-        fault = fault or f"it held {took[1] / 1e6:.0f} MB, where {most / 1e6:.0f} MB are stated"
+        fault = fault or f"it took {took[1] / 1e6:.0f} MB, where {most / 1e6:.0f} MB are stated"
     return Outcome(code, fault, over, *took)
+
+
+def _held(used: resource.struct_rusage) -> int:
+    """The most memory that a process held, bytes."""
+    return used.ru_maxrss * 1024
 
 
 def _guarded(text: str, question: str, share: float) -> tuple[int | None, str, bool]:

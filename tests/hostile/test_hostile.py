@@ -46,10 +46,16 @@ def _endless(_words: list[str]) -> int:
         pass
 
 
-def test_memory_beyond_what_is_stated_is_a_fault(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(children, "BESIDE", 1_000_000)
-    found: Outcome = asked(GOOD, QUESTIONS[0], SHARE)
-    assert "are stated" in found.fault
+@pytest.mark.parametrize(("taken", "fault"), [(150, False), (350, True)])
+def test_memory_beyond_what_is_stated_is_a_fault_whatever_was_held_before(
+    monkeypatch: pytest.MonkeyPatch, taken: int, fault: bool
+) -> None:
+    monkeypatch.setattr(children, "BESIDE", 250_000_000)
+    monkeypatch.setattr(children, "run", lambda _words: len(b"1" * (taken * 1_000_000)) and 0)
+    held_before = b"1" * 300_000_000
+    found: Outcome = asked(GOOD, QUESTIONS[0], 1e-3)
+    del held_before
+    assert ("are stated" in found.fault) == fault
 
 
 @pytest.mark.parametrize(
