@@ -273,7 +273,7 @@ export class Tables {
   /** What it took to come to know the route and to place dragons so far, in handles placed. */
   get work() {
     const [counts, tally] = [wholes(this.ground.counts), wholes(this.course.tally)];
-    const known = BOX_WORK * counts[CELLS.LOGGED] + PARTNER_WORK * counts[CELLS.ENTRIES];
+    const known = BOX_WORK * counts[CELLS.BORDERS] + PARTNER_WORK * counts[CELLS.ENTRIES];
     return known + tally[COURSE.CHAINS] * this.count;
   }
 
