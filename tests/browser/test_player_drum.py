@@ -47,7 +47,7 @@ def test_beats_by_rule_are_those_of_the_sound_file(pages: Pages, tmp_path: Path)
     file = tmp_path / "dance.html"
     file.write_text(page_text(plan), "utf-8")
     page = ready(pages.open(file.as_uri()))
-    expect(page.get_by_role("button", name="bow (11.00 s)")).to_be_attached()
+    expect(page.get_by_role("button", name="bow (0:11 · 11.00 s)")).to_be_attached()
     page.evaluate(f"() => {{ {CARD}; }}")
     button = page.get_by_role("button", name="drum beat")
     expect(button).to_have_attribute("aria-pressed", "false")
@@ -78,3 +78,15 @@ def test_a_dance_without_cues_has_no_drum(pages: Pages, tmp_path: Path) -> None:
     expect(page.get_by_role("button", name="drum beat")).to_have_count(0)
     page.keyboard.press("b")
     assert page.evaluate("benchdragon.drum.on") is False
+
+
+def test_the_player_tells_the_time_of_the_papers_beside_its_own(pages: Pages, tmp_path: Path) -> None:
+    plan = read_plan("spiral-in", [*SAID, CUES, "walk.start=3", 'cues.clock="18:30"'])
+    file = tmp_path / "dance.html"
+    file.write_text(page_text(plan), "utf-8")
+    page = ready(pages.open(file.as_uri()))
+    page.evaluate("benchdragon.jump(24)")
+    expect(page.locator(".clock")).to_have_text("18:30:21 · t = 24.00 s")
+    expect(page.locator(".clock")).to_have_attribute(
+        "title", "Times are times of day; the dance starts at 18:30."
+    )

@@ -98,7 +98,7 @@ def test_messages_are_the_same(dances: list[tuple[Any, Any]]) -> None:
         expected |= {
             "plan_sha256": read.sha256, "disc": read.disc.radius, "margin": read.limits.margin,
             "speed_limit": read.limits.speed, "beats": beats(read), "village": village(read),
-            "north": read.survey.north,
+            "north": read.survey.north, "papers": papers(read),
             "occasions": sorted(expected["occasions"], key=lambda one: float(one["time"])),
         }  # fmt: skip
         assert difference(loose(expected), loose(theirs)) == ""
@@ -127,6 +127,13 @@ def village(read: Plan) -> Any:
     called_all = [called(people, bench, count) for bench in (1, count)]
     between = UNITS[people.unit]
     return {"names": [*called_all, between], "before": 0 if people.count_head else 1}
+
+
+def papers(read: Plan) -> Any:
+    """How the papers of a plan tell times."""
+    if "people" not in read.data() and not read.cues.said():
+        return None
+    return {"said": read.cues.clock, "start": read.span(read.build())[0]}
 
 
 def beats(read: Plan) -> Any:

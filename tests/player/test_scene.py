@@ -249,6 +249,18 @@ def test_a_plan_with_coordinates_says_where_north_is() -> None:
     assert [checked_dance(check(one)).north for one in (plan, surveyed)] == [False, True]
 
 
+def test_a_dance_of_people_says_how_its_papers_tell_times() -> None:
+    short = ("spiral-in", "dragon.benches=4", "walk.start=2", "walk.end=5")
+    assert danced(*short).papers is None
+    for said in ("people.step=0.5", "cues.tempo=90"):
+        papers = danced(*short, said).papers
+        assert papers is not None
+        assert (papers.said, papers.start) == ("", 2.0)
+    papers = danced(*short, 'cues.clock="18:30"').papers
+    assert papers is not None
+    assert papers.said == "18:30"
+
+
 def test_only_a_village_that_counts_otherwise_sends_its_names() -> None:
     short = ("spiral-in", "dragon.benches=4", "walk.end=5")
     assert danced(*short).village is None

@@ -164,6 +164,18 @@ class Beats(Record):
     strokes: list[float]
 
 
+class Papers(Record):
+    """How papers tell times: see `clock.Clock`.
+
+    Attributes:
+        said: the time of day at which the dance starts, or "".
+        start: of the dance, s.
+    """
+
+    said: str
+    start: float
+
+
 class Village(Record):
     """What a village calls its benches: head and tail by name, {n} for the number of those between.
 
@@ -183,6 +195,7 @@ class Dance(Record):
         ground: outlines of the ground that the dance covers, m, those around holes too; of plans with a
             square alone.
         beats: of plans with cues alone.
+        papers: of plans with people or cues alone.
         village: of plans that say how benches are counted alone.
         north: whether y points north.
     """
@@ -205,5 +218,6 @@ class Dance(Record):
     ground: list[list[tuple[float, float]]]
     verdict: Verdict | None
     beats: Beats | None = None
+    papers: Papers | None = None
     village: Village | None = None
     north: bool = False

@@ -150,6 +150,7 @@ def _of_plan(
                 key=lambda occasion: occasion.time,
             ),
             "beats": _beats(plan),
+            "papers": _papers(plan),
             "village": _village(plan.people, len(dance.benches.length)),
             "north": plan.survey.north,
         }
@@ -193,6 +194,13 @@ def _beats(plan: Plan) -> messages.Beats | None:
     score = score_of(plan, *plan.span(plan.build()))
     runs = [messages.Run(**run._asdict()) for run in score.runs]
     return messages.Beats(tempo=score.tempo, runs=runs, strokes=list(score.strokes))
+
+
+def _papers(plan: Plan) -> messages.Papers | None:
+    """How the papers of a plan with people or cues tell times."""
+    if plan.people == PeopleTable() and not plan.cues.said():
+        return None
+    return messages.Papers(said=plan.cues.clock, start=plan.span(plan.build())[0])
 
 
 def _drawn(obstacle: Obstacle) -> messages.DrawnObstacle:

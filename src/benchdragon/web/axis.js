@@ -26,6 +26,11 @@ export function clock(time, digits = 1) {
   return `${decimals(time, digits)} s`;
 }
 
+/** A time after the same as the papers of the dance tell it, if it has any. @param {Scene} scene @param {number} time s @param {string} said as it is said here */
+export function toldTime({ papers }, time, said) {
+  return papers ? `${papers.tell(time)} · ${said}` : said;
+}
+
 /** @param {Occasion} occasion */
 export function occasionText(occasion) {
   return occasion.text[language()];
@@ -164,7 +169,7 @@ export class Axis {
   /** @param {(time: number, benches?: number[]) => void} jump */
   #marks(jump) {
     return this.scene.sent.occasions.map((occasion) => {
-      const name = `${occasionText(occasion)} (${clock(occasion.time, 2)})`;
+      const name = `${occasionText(occasion)} (${toldTime(this.scene, occasion.time, clock(occasion.time, 2))})`;
       const mark = make(
         "button",
         {

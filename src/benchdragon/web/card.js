@@ -1,6 +1,6 @@
 // A bench's own card: what it does now, its largest, its tightest, its neighbours.
 
-import { clock } from "./axis.js";
+import { clock, toldTime } from "./axis.js";
 import { make, signButton } from "./elements.js";
 import { _, decimals, language, shortLength } from "./words.js";
 
@@ -45,7 +45,11 @@ export class Card {
         {},
         text,
         " ",
-        make("button", { type: "button", onclick: () => this.jump(time, [bench + 1]) }, clock(time)),
+        make(
+          "button",
+          { type: "button", onclick: () => this.jump(time, [bench + 1]) },
+          toldTime(scene, time, clock(time)),
+        ),
       );
     const far = _("never within {reach}", { reach: shortLength(nearest.reach) });
     const other = nearest.other[bench];

@@ -1,6 +1,6 @@
 // What the player looks like for one dance in one language: all its elements, and their words.
 
-import { Axis, clock, FRAME, occasionText } from "./axis.js";
+import { Axis, clock, FRAME, occasionText, toldTime } from "./axis.js";
 import { Card } from "./card.js";
 import { endTexts, kindName, KINDS } from "./colours.js";
 import { choice, drawnSign, make, signButton, tick, wordButton } from "./elements.js";
@@ -44,7 +44,7 @@ export class Face {
     );
     this.legend = make("div", { class: "legend" });
     this.onPaper = make("p", { class: "on-paper" });
-    this.clock = make("p", { class: "clock" });
+    this.clock = make("p", { class: "clock", title: this.scene.papers?.legend ?? "" });
     this.tight = make("p", { class: "tight" });
     this.spoken = make("p", { class: "spoken", "aria-live": "polite" });
     this.playButton = signButton(drawnSign(PLAY), _("play"), () => player.play(!player.playing), {
@@ -200,7 +200,7 @@ export class Face {
                 this.player.jump(occasion.time, occasion.benches);
               },
             },
-            make("time", {}, clock(occasion.time, 2)),
+            make("time", {}, toldTime(this.scene, occasion.time, clock(occasion.time, 2))),
             ` ${occasionText(occasion)}`,
           ),
         ),

@@ -123,6 +123,7 @@ export interface CuesTable {
  *     ground: outlines of the ground that the dance covers, m, those around holes too; of plans with a
  *         square alone.
  *     beats: of plans with cues alone.
+ *     papers: of plans with people or cues alone.
  *     village: of plans that say how benches are counted alone.
  *     north: whether y points north.
  */
@@ -145,6 +146,7 @@ export interface Dance {
   ground: Array<Array<[number, number]>>;
   verdict: Verdict | null;
   beats?: Beats | null;
+  papers?: Papers | null;
   village?: Village | null;
   north?: boolean;
 }
@@ -478,6 +480,18 @@ export interface PaceFound {
   steady: Answer;
   seconds: number | null;
   saved: number | null;
+}
+
+/**
+ * How papers tell times: see `clock.Clock`.
+ *
+ * Attributes:
+ *     said: the time of day at which the dance starts, or "".
+ *     start: of the dance, s.
+ */
+export interface Papers {
+  said: string;
+  start: number;
 }
 
 /** Any parts, each moved to where the one before it ends. */

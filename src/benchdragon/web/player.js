@@ -1,7 +1,7 @@
 // The player: a dance on a canvas, with a time axis, keys, gestures and a card for each bench.
 
 import { chosenBefore, keepChoice } from "./address.js";
-import { clock } from "./axis.js";
+import { clock, toldTime } from "./axis.js";
 import { Camera, listen } from "./camera.js";
 import { scaleOf } from "./colours.js";
 import { Drum } from "./drum.js";
@@ -474,7 +474,7 @@ export class Player {
     face.painter.paint({ ...drawn, ...this.look, north: this.paper.on && scene.sent.north === true });
     this.#painted = this.time;
     face.axis.show(this.time, this.playing || face.story.runs);
-    face.clock.textContent = `t = ${clock(this.time, 2)}`;
+    face.clock.textContent = toldTime(this.scene, this.time, `t = ${clock(this.time, 2)}`);
     face.tight.textContent = nearnessText(this, tightest, beside);
     face.card.show(stand, boxes, chosen);
     face.showLegend(scale);
@@ -484,7 +484,7 @@ export class Player {
   /** Tell what the canvas shows to those who cannot see it. */
   #say() {
     const near = nearnessText(this, tightestOf(this), this.square.measure(this.boxes));
-    const text = `t = ${clock(this.time)}. ${near}`;
+    const text = `${toldTime(this.scene, this.time, `t = ${clock(this.time)}`)}. ${near}`;
     this.face.canvas.setAttribute("aria-label", `${_("the dragon from above")}: ${text}`);
     this.face.spoken.textContent = text;
   }

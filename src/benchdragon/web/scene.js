@@ -1,5 +1,6 @@
 // A dance unpacked: where every handle is, and how fast, at any time.
 
+import { Clock } from "./compute/clock.js";
 import { Table } from "./following.js";
 
 /** @typedef {import("./messages").Dance} Dance */
@@ -62,6 +63,8 @@ export class Scene {
    */
   constructor(sent, nodes, told, tables) {
     this.sent = sent;
+    /** How papers tell times, where there are any. */
+    this.papers = sent.papers ? new Clock(sent.papers.said, sent.papers.start) : null;
     this.tables = tables;
     const { start, step, count, quantum } = sent.frames;
     this.start = start;

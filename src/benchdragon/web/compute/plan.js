@@ -85,6 +85,12 @@ export class Plan {
     return this.#notDefault().cues ?? null;
   }
 
+  /** Whether it says anything of people or cues: then papers are made of it. */
+  get hasPapers() {
+    const { people, cues } = this.#notDefault();
+    return Boolean(people ?? cues);
+  }
+
   /**
    * Every key that has an effect, those left out as by default, as plain data: the same plan.
    * Of the people, the cues, the marks and the event only what is said.

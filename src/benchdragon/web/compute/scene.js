@@ -91,6 +91,7 @@ async function plainDance(walk, shown, progress = silent) {
     ground: [],
     verdict: null,
     beats: null,
+    papers: null,
     village: null,
     north: false,
   };
@@ -153,6 +154,7 @@ export async function danceOf(engine, plan, shown = {}, progress = silent) {
       obstacles: plan.obstacles().map(drawnObstacle),
       occasions: occasions.sort((a, b) => a.time - b.time),
       beats: beatsOf(plan, start, end),
+      papers: plan.hasPapers ? { said: tables.cues.clock, start } : null,
       village: villageOf(tables.people, walk.dragon.benches),
       north: tables.survey.crs !== null,
     };
