@@ -2,12 +2,14 @@
 
 import json
 import math
+import re
 from pathlib import Path
 
 import pytest
 from python_calamine import CalamineWorkbook
 
 from benchdragon.analysis.check import check, sentence
+from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.findings import all_findings
 from benchdragon.analysis.speed import QUANTITIES, greatest, greatest_speed
 from benchdragon.cli.answers import print_answer
@@ -328,6 +330,7 @@ def test_a_speed_that_is_kept_is_not_said_to_exceed_its_limit() -> None:
     report = check(read_plan("spiral-in", [*COIL, "limits.speed=1.24627", "walk.speed=1.246266"]))
     assert report.safe
     assert "fastest handle 1.24627 m/s of 1.24627 m/s allowed" in sentence(report)
+    assert "fastest handle 1.24627 m/s of 1.24627 m/s allowed" in sentence(report, Clock("", 0.0))
 
 
 def answer_with(lower: float, value: float, upper: float) -> Answer:
@@ -350,3 +353,20 @@ def test_readers_get_the_end_of_the_bracket_that_is_surely_true(
 def test_an_open_bracket_shows_the_value(capsys: pytest.CaptureFixture[str]) -> None:
     print_answer("size", answer_with(0.1, 0.45, math.inf), up=True, brackets=False)
     assert capsys.readouterr().out.startswith("size: 0.45 m (found)")
+
+
+def test_papers_tell_a_safe_walk_as_the_village_does() -> None:
+    """The head's bench is called so, times are minutes, and a speed is no less than it is, in cm/s."""
+    said = ("walk.start=-6", "people.unit=qiao", "people.count_head=false", "limits.speed=2")
+    report = check(read_plan("turn", ["dragon.benches=30", "walk.end=94", *said]))
+    near, fastest = report.clearance.witness, report.greatest_speed.value
+    assert near is not None
+    assert near.time is not None
+    a, b = ("the head" if bench == 1 else f"qiao {bench - 1}" for bench in near.benches)
+    told = sentence(report, Clock("", -6.0))
+    minutes, seconds = divmod(math.floor(near.time + 6.5), 60)
+    assert f" cm, {a} with {b}, at {minutes}:{seconds:02d};" in told
+    shown = float(re.search(r"fastest handle (\d\.\d\d) m/s", told)[1])  # type: ignore[index]
+    assert fastest <= shown < fastest + 0.01
+    plain = sentence(report)
+    assert f"bench {near.benches[0]} with bench {near.benches[1]}, at {near.time:.1f} s" in plain

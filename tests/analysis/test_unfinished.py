@@ -50,7 +50,7 @@ def test_an_early_end_tells_the_end_that_is_enough_and_with_it_the_tail_is_out()
         f"the dance ends before the tail is out of the turn: walk.end = {end:.1f} is enough"
     )
     with spoken_in("zh"):
-        assert f"walk.end 改成 {end:.1f} 就够" in sentence(early)
+        assert f"walk.end）改成 {end:.1f} 秒就够" in sentence(early)
     later = turn(end=end)
     walk = later.build()
     assert unfinished(later, walk, end) is None

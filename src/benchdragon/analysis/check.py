@@ -36,6 +36,7 @@ from benchdragon.errors import InputError, UnsureError, WalkError, of_kind
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import ROUNDING, Answer
 from benchdragon.model.walk import Motion, Walk
+from benchdragon.plans.people import called
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, Stages, silent
 
@@ -246,7 +247,8 @@ def peak_text(name: str) -> str:
 def sentence(report: Report, told: Clock | None = None) -> str:
     """A verdict in one sentence, in the language in use.
 
-    Of a safe walk a clock tells the time, where there is one; else it is seconds of the plan.
+    On papers, which have a clock, a safe walk is told of in their times, as the village calls its
+    benches; else in seconds of the plan, with numbers.
     """
     if report.safe:
         return _("Safe: {tightest}").format(tightest=_kept(report, told))
@@ -300,12 +302,7 @@ def _kept(report: Report, told: Clock | None) -> str:
     near, limits = report.clearance.witness, report.plan.limits
     said = [_("no two benches come near one another")]
     if near is not None and near.time is not None and len(near.benches) == 2:
-        text, time = _("tightest {gap} cm, bench {a} with bench {b}, at {t} s"), f"{near.time:z.1f}"
-        if told is not None:
-            text = _("tightest {gap} cm, bench {a} with bench {b}, at {t}")
-            time = told.tell(near.time)
-        gap = f"{100.0 * report.clearance.value:.3g}"
-        said = [text.format(gap=gap, a=near.benches[0], b=near.benches[1], t=time)]
+        said = [_tightest(report, near.time, near.benches, told)]
     if limits.margin:
         said.append(_("{margin} cm were asked for").format(margin=f"{100.0 * limits.margin:g}"))
     said += _kept_from(report)
@@ -315,7 +312,7 @@ def _kept(report: Report, told: Clock | None) -> str:
     if limits.speed is not None:
         said.append(
             _("fastest handle {speed} m/s of {limit} m/s allowed").format(
-                speed=f"{report.greatest_speed.value:.6g}", limit=f"{limits.speed:g}"
+                speed=_fastest(report, limits.speed, told), limit=f"{limits.speed:g}"
             )
         )
     for name, peak in report.peaks.items():
@@ -331,6 +328,23 @@ def _kept(report: Report, told: Clock | None) -> str:
     if report.unfinished is not None:
         said.append(report.unfinished.text)
     return _("; ").join(said)
+
+
+def _tightest(report: Report, time: float, benches: Sequence[int], told: Clock | None) -> str:
+    """The tightest moment of a safe walk."""
+    gap = f"{100.0 * report.clearance.value:.3g}"
+    if told is None:
+        text = _("tightest {gap} cm, bench {a} with bench {b}, at {t} s")
+        return text.format(gap=gap, a=benches[0], b=benches[1], t=f"{time:z.1f}")
+    a, b = (called(report.plan.people, one, len(report.walk.dragon)) for one in benches)
+    return _("tightest {gap} cm, {a} with {b}, at {t}").format(gap=gap, a=a, b=b, t=told.tell(time))
+
+
+def _fastest(report: Report, limit: float, told: Clock | None) -> str:
+    """The greatest speed of a handle; on papers the next cm/s above, where the limit allows that."""
+    value = report.greatest_speed.value
+    above = math.ceil(100.0 * value - ROUNDING) / 100.0
+    return f"{value:.6g}" if told is None or above > limit else f"{above:.2f}"
 
 
 def _kept_from(report: Report) -> list[str]:

@@ -104,8 +104,8 @@ def _room(briefing: Briefing) -> list[Block]:
 
 
 def _numbering(briefing: Briefing) -> list[Block]:
-    """How benches are numbered in the verdict, where the village counts otherwise."""
-    if briefing.plan.people.count_head:
+    """How benches are numbered in a verdict of what is wrong, where the village counts otherwise."""
+    if briefing.report.safe or briefing.plan.people.count_head:
         return []
     return [Paragraph((_("In the verdict bench 1 is the head's, bench 2 the next."),))]
 
