@@ -17,7 +17,7 @@ from pydantic import AfterValidator, BaseModel, BeforeValidator
 from pydantic.fields import FieldInfo
 
 import benchdragon
-from benchdragon.plans import toml
+from benchdragon.plans import idle, toml
 from benchdragon.plans.faults import kinds_of
 from benchdragon.plans.schema import Plan
 
@@ -136,9 +136,9 @@ def plan_keys() -> str:
             "PLAN_TABLES", tables, 'Record<string, Record<string, import("./plan_check.js").Spec>>'
         ),
         exported("PLAN_UNITS", {name: getattr(toml, name) for name in UNITS}, NUMBERS),
-        exported("TURN_KEYS", toml.FAMILIES, NAMES),
-        exported("FORMATION_SIZES", toml.FORMATION_SIZES, NAMES),
-        exported("DRAWN_KEYS", toml.DRAWN, NAMES),
+        exported("TURN_KEYS", idle.FAMILIES, NAMES),
+        exported("FORMATION_SIZES", idle.FORMATION_SIZES, NAMES),
+        exported("DRAWN_KEYS", idle.DRAWN, NAMES),
         exported("BUILT_IN_PLANS", built_in(), "Record<string, Record<string, any>>"),
     ]
     return "\n".join([HEADER, *texts])

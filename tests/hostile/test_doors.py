@@ -7,9 +7,17 @@ import pytest
 
 from benchdragon.cli.main import run
 from benchdragon.errors import InputError
-from benchdragon.plans.schema import read_plan
+from benchdragon.plans.schema import checked, read_plan
 from benchdragon.plans.source import MOST_SIGNS, Fault
-from benchdragon.plans.toml import MOST_DEPTH, MOST_DIGITS, PlanError, parsed, read_toml
+from benchdragon.plans.toml import (
+    MOST_DEPTH,
+    MOST_DIGITS,
+    MOST_KEYS,
+    PlanError,
+    lay_over,
+    parsed,
+    read_toml,
+)
 from benchdragon.rosters.roster import Roster
 from benchdragon.sheets.checked import read_record
 from benchdragon.sweeps.folder import ABOUT, read_about
@@ -18,6 +26,7 @@ from tests.hostile.children import PLAN_WRONG, asked
 
 BASE = 'schema = 1\nbase = "turn"\n'
 MANY = 1_000_000
+KEYS = "".join(f"k{n} = 1\n" for n in range(100_000))
 WRONG = {
     "digits": "[walk]\nspeed = " + "1" * MANY,
     "an exponent": "[walk]\nspeed = 1e" + "9" * MANY,
@@ -36,6 +45,11 @@ WRONG = {
     "quotes": "x = '" + "'" * MANY,
     "escaped quotes": 'x = """' + '\\"' * MANY,
     "ends of lines": "\n" * MANY + "x",
+    "unknown keys": f"[walk]\n{KEYS}",
+    "keys that mean nothing beside another": f"[dragon]\n{KEYS}[[dragon.bench]]\nlength = 2",
+    "keys that mean nothing on the route": f'[route]\nkind = "spiral-in"\n[turn]\n{KEYS}',
+    "unknown tables": "".join(f"[t{n}]\n" for n in range(100_000)),
+    "more keys than are read": "a=1\n" * (MOST_KEYS + 1),
 }
 
 
@@ -63,6 +77,24 @@ def test_a_setting_of_tables_without_end_is_refused() -> None:
     read_toml("turn", [".".join("a" * MOST_DEPTH) + "=1"])
     with pytest.raises(PlanError, match=r"^'a\.a.* is nested too deeply$"):
         read_toml("turn", [".".join("a" * (MOST_DEPTH + 1)) + "=1"])
+
+
+def test_as_many_keys_as_are_read_are_not_too_many() -> None:
+    many = "#" + "=" * (MOST_KEYS - 1)
+    assert parsed(f"{many}\na = 1", "plan") == {"a": 1}
+    with pytest.raises(
+        PlanError, match=r"^plan has too many keys for a plan: at most 1000000 are read$"
+    ):
+        parsed(f"{many}=\na = 1", "plan")
+
+
+def test_a_name_with_a_dot_that_means_nothing_is_named_whole() -> None:
+    data, _source = read_toml("turn", ["dragon.benches=3"])
+    data["turn"]["a.b"] = 1
+    lay_over(data, ["route.kind=spiral-in"])
+    assert "turn" not in data or data["turn"] == {}
+    with pytest.raises(PlanError, match=r"^plan: turn\.a\.b is not a known key"):
+        checked({**data, "turn": {"a.b": 1}}, "plan")
 
 
 def test_of_a_long_key_the_beginning_is_shown() -> None:

@@ -26,7 +26,7 @@ from benchdragon.model.formations import (
     least_radius,
 )
 from benchdragon.plans.formations import FormationTable
-from benchdragon.plans.toml import FORMATION_SIZES
+from benchdragon.plans.idle import FORMATION_SIZES
 
 NAMES = list(FORMATIONS)
 

@@ -8,6 +8,7 @@ from pydantic import Field, TypeAdapter, ValidationError
 from benchdragon.errors import InputError
 from benchdragon.kernels.curve import MOST_METRES
 from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line
+from benchdragon.plans.idle import Idle
 from benchdragon.plans.source import Fault, Source
 from benchdragon.plans.tables import (
     LEAST,
@@ -19,7 +20,7 @@ from benchdragon.plans.tables import (
     Number,
     Table,
 )
-from benchdragon.plans.toml import Idle, PlanError
+from benchdragon.plans.toml import PlanError
 from benchdragon.surveys.coordinates import Survey
 from benchdragon.surveys.lines import DrawnLine
 from benchdragon.surveys.reading import outline, read_line
@@ -125,7 +126,7 @@ def _clashes(name: str, table: dict[str, Any]) -> list[Idle]:
     """What a table says beside its file that the file says too."""
     others = ("boundary", "rectangle") if name == "venue" else ("points", "piece")
     return [
-        Idle(f"{name}.file", f"{name}.{other}", f"{name}.{other}")
+        Idle((name, "file"), f"{name}.{other}", f"{name}.{other}")
         for other in others
         if table.get(other) is not None
     ]

@@ -7,8 +7,9 @@ import tomlkit
 from tomlkit.container import Container
 from tomlkit.items import Table
 
+from benchdragon.plans.idle import drop, idle_keys
 from benchdragon.plans.schema import Plan, checked
-from benchdragon.plans.toml import drop, idle_keys, parsed, read_text, read_toml
+from benchdragon.plans.toml import parsed, read_text, read_toml
 
 
 def rewritten(plan: Plan, source: str) -> str:

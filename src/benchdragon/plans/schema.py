@@ -22,9 +22,10 @@ from benchdragon.plans.cues import END_SLACK, CuesTable, Moment, Paced
 from benchdragon.plans.drawn import SurveyTable, with_drawings
 from benchdragon.plans.event import EventTable
 from benchdragon.plans.faults import fault_of
+from benchdragon.plans.idle import drop, drop_replaced, idle_keys
 from benchdragon.plans.people import DECIDING, PeopleTable
 from benchdragon.plans.routes import AnyRoute
-from benchdragon.plans.source import Fault, Faults, Source
+from benchdragon.plans.source import MOST_FAULTS, Fault, Faults, Source
 from benchdragon.plans.square import MOST_OBSTACLES, AnObstacle, VenueTable, built_obstacles
 from benchdragon.plans.tables import (
     DiscTable,
@@ -35,15 +36,7 @@ from benchdragon.plans.tables import (
     TurnTable,
     WalkTable,
 )
-from benchdragon.plans.toml import (
-    PlanError,
-    drop,
-    drop_replaced,
-    idle_keys,
-    read_toml,
-    set_value,
-    with_base,
-)
+from benchdragon.plans.toml import PlanError, read_toml, set_value, with_base
 
 
 class Plan(Table):
@@ -359,12 +352,14 @@ def checked(data: dict[str, Any], source: Source | str) -> Plan:
     if isinstance(route, dict) and "part" in route:
         route.setdefault("kind", "parts")
     data = with_drawings(data, where)
-    faults = [Fault(idle.key, str(idle)) for idle in idle_keys(data)]
+    faults, others = [Fault(idle.key, str(idle)) for idle in idle_keys(data)], 0
     try:
         plan = Plan.model_validate(data)
     except ValidationError as error:
-        faults = [fault_of(each, data, Plan) for each in error.errors()] + faults
+        wrong = error.errors()
+        faults = [fault_of(each, data, Plan) for each in wrong[:MOST_FAULTS]] + faults
+        others = len(wrong[MOST_FAULTS:])
     if faults:
-        raise PlanError(where.sentences(faults))
+        raise PlanError(where.sentences(faults, others))
     plan._source = where
     return plan

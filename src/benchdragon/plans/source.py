@@ -2,7 +2,7 @@
 
 import re
 import tomllib
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence, Set
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeVar
@@ -80,12 +80,13 @@ class Source:
     folder: Path | None = field(default=None, compare=False)
     rounded: Sequence[tuple[str, str]] = field(default=(), compare=False)
 
-    def sentences(self, faults: Sequence[Fault]) -> str:
-        """What is wrong, a line each, with its place."""
-        lines = lines_of(self.text)
-        said = [f"{self._place(fault.key, lines)}: {fault}" for fault in faults[:MOST_FAULTS]]
-        if len(faults) > MOST_FAULTS:
-            said.append(_("and {count} more").format(count=len(faults) - MOST_FAULTS))
+    def sentences(self, faults: Sequence[Fault], others: int = 0) -> str:
+        """What is wrong, a line each, with its place; `others` are too many to be told of."""
+        told, more = faults[:MOST_FAULTS], len(faults[MOST_FAULTS:]) + others
+        lines = lines_of(self.text, {fault.key for fault in told})
+        said = [f"{self._place(fault.key, lines)}: {fault}" for fault in told]
+        if more:
+            said.append(_("and {count} more").format(count=more))
         return "\n".join(said)
 
     def beside(self, name: str) -> Path:
@@ -111,12 +112,17 @@ class Source:
         return f"{self.name}:{lines[key]}" if key else self.name
 
 
-def lines_of(text: str) -> dict[str, int]:
-    """The line on which each dotted key of a TOML text is said, counted from 1."""
+def lines_of(text: str, wanted: Set[str] | None = None) -> dict[str, int]:
+    """The line on which each dotted key of a TOML text is said, counted from 1.
+
+    Of keys that are wanted the text is read up to the last that is said.
+    """
     found: dict[str, int] = {}
     counts: dict[str, int] = {}
     table = ""
     for line, statement in _statements(text):
+        if wanted is not None and wanted <= found.keys():
+            break
         said = tomllib.loads(statement)
         if not statement.startswith("["):
             _note(said, table, line, found)

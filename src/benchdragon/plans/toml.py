@@ -9,13 +9,13 @@ import re
 import stat
 import tomllib
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from benchdragon.errors import BenchDragonError, brief, reason
 from benchdragon.i18n import N_, _
 from benchdragon.plans.digits import measured, number, rounded_numbers
+from benchdragon.plans.idle import drop_replaced
 from benchdragon.plans.signs import mistyped
 from benchdragon.plans.source import Source
 
@@ -23,6 +23,8 @@ BUILT_IN_FOLDER = Path(__file__).parent / "builtin"
 SUFFIX = ".dragon.toml"
 # Bytes: hundreds of thousands of benches of their own sizes fit; anything larger is not a plan.
 MOST_BYTES = 20_000_000
+# Signs of "=" in a text, one for each key: those of as many benches of two sizes.
+MOST_KEYS = 1_000_000
 
 # Tables within tables by dotted keys, and digits of a number to another base than 10: of more the
 # parser makes what takes minutes, or cannot be shown. They are looked for from where words begin alone,
@@ -211,144 +213,6 @@ def bench_count(data: dict[str, Any]) -> int | None:
     return count if isinstance(count, int) else None
 
 
-@dataclass(frozen=True)
-class Idle:
-    """A key that has no effect beside what a plan chooses: `because` is "KEY = VALUE" of the choice.
-
-    Or, where that is `missing`, without it.
-    """
-
-    key: str
-    beside: str
-    because: str
-    missing: bool = False
-
-    def __str__(self) -> str:
-        if self.missing:
-            return _(
-                "{key} has no effect without one of {because}: take it out, or say one of them"
-            ).format(key=self.key, because=self.because)
-        return _("{key} has no effect beside {because}: take it out").format(
-            key=self.key, because=self.because
-        )
-
-
-# Keys of [turn] that belong to some families alone.
-FAMILIES = {
-    "ratio": ("arc-arc",),
-    "radii": ("arc-line-arc", "arc-arc-arc"),
-    "curvature": ("arc-arc-arc",),
-}
-
-# Sizes of formations, which belong to some of them alone.
-FORMATION_SIZES = {
-    "coil-in": ("pitch", "outer_radius", "inner_radius", "clockwise"),
-    "coil-out": ("pitch", "inner_radius", "outer_radius", "clockwise"),
-    "figure-eight": ("radius", "rounds", "clockwise"),
-    "three-plum-blossoms": ("radius", "waist", "rounds", "clockwise"),
-    "double-door": ("pitch", "outer_radius", "inner_radius", "between", "clockwise"),
-    "straight-dragon": ("length",),
-    "tail-swing": ("swing", "radius", "swings", "run", "clockwise"),
-}
-ALL_SIZES = frozenset(size for sizes in FORMATION_SIZES.values() for size in sizes)
-# Keys of a drawn route that have no effect beside its points, pieces or file.
-DRAWN = {
-    "points": ("piece", "file", "layer", "joint_gap", "joint_kink"),
-    "piece": ("points", "file", "layer"),
-    "file": ("points", "piece"),
-}
-
-
-# Tables of which some keys have no effect beside others.
-CHOOSING = ("dragon", "route", "disc", "turn", "walk", "venue", "limits")
-
-
-def idle_keys(data: dict[str, Any], latest: Sequence[str] = ()) -> list[Idle]:
-    """The keys of a plan's tables that have no effect beside others; None counts as not said.
-
-    What a table chooses decides, not its numbers: a body's length is no error where a head and a tail
-    are all there is. Of several ways to say a drawing that under `latest` keys, just said, is chosen.
-    """
-    tables = {name: _said(data.get(name)) for name in CHOOSING}
-    route, turn = tables["route"], tables["turn"]
-    kind = "parts" if "part" in route else route.get("kind")
-    found = []
-    if kind in ("parts", "drawn", "spiral-in", "formation", "programme"):
-        idle = [f"turn.{name}" for name in turn]
-        idle += [f"disc.{name}" for name in tables["disc"]] if kind != "spiral-in" else []
-        found += [Idle(key, "route.kind", f'route.kind = "{kind}"') for key in idle]
-    if kind == "turn":
-        family = turn.get("family", "arc-arc")
-        strays = [
-            name for name, families in FAMILIES.items() if name in turn and family not in families
-        ]
-        found += [Idle(f"turn.{name}", "turn.family", f'turn.family = "{family}"') for name in strays]
-    if kind == "formation":
-        found += _idle_sizes(route, "route")
-    if kind == "programme" and isinstance(route.get("formation"), list):
-        for i, one in enumerate(route["formation"]):
-            found += _idle_sizes(_said(one), f"route.formation.{i}")
-    if kind == "drawn":
-        ways = sorted(DRAWN, key=lambda name: f"route.{name}" not in latest)
-        chosen = next((name for name in ways if name in route), "")
-        idle = [f"route.{name}" for name in DRAWN.get(chosen, ()) if name in route]
-        found += [Idle(key, f"route.{chosen}", f"route.{chosen}") for key in idle]
-    if tables["walk"].get("profile") and "speed" in tables["walk"]:
-        found.append(Idle("walk.speed", "walk.profile", "walk.profile"))
-    if tables["dragon"].get("bench"):
-        others = [f"dragon.{name}" for name in tables["dragon"] if name != "bench"]
-        found += [Idle(key, "dragon.bench", "[[dragon.bench]]") for key in others]
-    return found + _idle_on_the_square(tables["venue"], tables["limits"])
-
-
-def _idle_on_the_square(venue: dict[str, Any], limits: dict[str, Any]) -> list[Idle]:
-    """The keys about the venue's edge that have no effect beside others, or without them."""
-    found = []
-    if "boundary" in venue:
-        others = [f"venue.{name}" for name in ("rectangle", "centre", "angle") if name in venue]
-        found += [Idle(key, "venue.boundary", "venue.boundary") for key in others]
-    elif "rectangle" not in venue and "file" not in venue:
-        others = [f"venue.{name}" for name in ("centre", "angle") if name in venue]
-        others += ["venue.name"] if venue.get("name") else []
-        others += ["limits.venue_margin"] if "venue_margin" in limits else []
-        found += [
-            Idle(key, "venue", "venue.rectangle, venue.boundary, venue.file", missing=True)
-            for key in others
-        ]
-    if "layer" in venue and "file" not in venue:
-        found.append(Idle("venue.layer", "venue", "venue.file", missing=True))
-    return found
-
-
-def _idle_sizes(table: dict[str, Any], key: str) -> list[Idle]:
-    """The sizes in a formation's table that its formation does not have."""
-    own = FORMATION_SIZES.get(str(table.get("name")))
-    strays = [] if own is None else [name for name in table if name in ALL_SIZES and name not in own]
-    because = f'{key}.name = "{table.get("name")}"'
-    return [Idle(f"{key}.{name}", f"{key}.name", because) for name in strays]
-
-
-def _said(table: object) -> dict[str, Any]:
-    if not isinstance(table, dict):
-        return {}
-    return {name: value for name, value in table.items() if value is not None}
-
-
-def drop(data: dict[str, Any], idle: Sequence[Idle]) -> None:
-    """Take keys out of a plan's tables."""
-    for one in idle:
-        *folders, name = one.key.split(".")
-        table: Any = data
-        for folder in folders:
-            table = table[int(folder)] if isinstance(table, list) else table[folder]
-        del table[name]
-
-
-def drop_replaced(data: dict[str, Any], keys: Sequence[str]) -> None:
-    """Take out of a plan's tables what has no effect beside the choices under `keys`, just made."""
-    drop(data, [idle for idle in idle_keys(data, keys) if idle.beside in keys and idle.key not in keys])
-
-
 def _text(path: Path, source: str) -> str:
     try:
         about = path.stat()
@@ -394,6 +258,12 @@ def parsed(text: str, source: str) -> dict[str, Any]:
 
 def _loaded(text: str, source: str) -> dict[str, Any]:
     """TOML, or its own error, or a PlanError for what Python refuses to hold."""
+    if text.count("=") > MOST_KEYS:
+        raise PlanError(
+            _("{source} has too many keys for a plan: at most {most} are read").format(
+                source=source, most=MOST_KEYS
+            )
+        )
     if DEEP.search(text):
         raise PlanError(_("{source} is nested too deeply").format(source=source))
     if LONG.search(text):

@@ -711,6 +711,11 @@ export const PLANS_ROUTES = {
   FOLDS: 0.001,
 };
 
+export const PLANS_SOURCE = {
+  MOST_SIGNS: 200,
+  MOST_FAULTS: 20,
+};
+
 export const PLANS_SQUARE = {
   MOST_LETTERS: 80,
   MOST_OBSTACLES: 1000,
@@ -729,6 +734,7 @@ export const PLANS_TABLES = {
 
 export const PLANS_TOML = {
   MOST_BYTES: 20000000,
+  MOST_KEYS: 1000000,
   MOST_DEPTH: 30,
   MOST_DIGITS: 200,
   MOST_SIGNS: 100,

@@ -1,7 +1,7 @@
 // Everything that can go wrong, in words: twin of errors.py, and of Fault and Faults in plans/source.py.
 
 import { _ } from "../words.js";
-import { Status } from "./constants.js";
+import { PLANS_SOURCE, Status } from "./constants.js";
 import { general, pythonFloat } from "./number_format.js";
 
 export class BenchDragonError extends Error {}
@@ -94,7 +94,11 @@ export class Fault {
   }
 
   toString() {
-    return this.text.startsWith(this.key) ? this.text : `${this.key}: ${this.text}`;
+    const { key, text } = this;
+    const said = text.startsWith(key) ? text : `${key}: ${text}`;
+    const signs = Array.from(key.slice(0, 2 * PLANS_SOURCE.MOST_SIGNS + 2));
+    if (signs.length <= PLANS_SOURCE.MOST_SIGNS) return said;
+    return said.replaceAll(key, () => `${signs.slice(0, PLANS_SOURCE.MOST_SIGNS).join("")}...`);
   }
 }
 

@@ -1,7 +1,7 @@
 // A whole plan: what it says, its hash, its walk and its span. Twin of plans/schema.py.
 
 import { _, language } from "../words.js";
-import { MODEL_DRAGON, PLANS_CUES } from "./constants.js";
+import { MODEL_DRAGON, PLANS_CUES, PLANS_SOURCE } from "./constants.js";
 import { Paced, paced } from "./cues.js";
 import { Dragon, SizeError, countText } from "./dragon.js";
 import { Fault, Faults, InputError, KeyedError, PlanError, keyed } from "./errors.js";
@@ -19,8 +19,6 @@ import { Walk } from "./walk.js";
 /** @typedef {import("./obstacle.js").Obstacle} Obstacle */
 /** @typedef {Record<string, any>} Tables */
 
-// What is named at once; of more it is said how many: MOST_FAULTS of plans/source.py.
-const MOST_NAMED = 20;
 // What of a plan does not count for its hash, or only where it is said.
 const ASIDE = ["meta", "venue", "obstacle", "survey", "people", "cues", "chalk", "event", "base"];
 // What of the people's table decides whether a dance is safe.
@@ -138,7 +136,7 @@ export class Plan {
     const [table, name = ""] = key.split(/\.(.*)/s);
     const at = this.tables[table]?.[name] ?? null;
     const said = { ...this.said, [table]: { ...this.said[table], [name]: at ?? 0 } };
-    const idle = idleKeys(said).filter((one) => one.key === key);
+    const idle = idleKeys(said).filter((one) => one.path.join(".") === key);
     let because = idle.length ? idle[0].because : "";
     if (table === "route" && !(name in this.tables.route))
       because = `route.kind = "${this.tables.route.kind}"`;
@@ -283,9 +281,9 @@ export class Plan {
 
 /** What is wrong, a line each, with the plan's name. @param {Fault[]} faults @param {string} source */
 function faultSentences(faults, source) {
-  const said = faults.slice(0, MOST_NAMED).map((fault) => `${source}: ${fault}`);
-  if (faults.length > MOST_NAMED)
-    said.push(_("and {count} more", { count: faults.length - MOST_NAMED }));
+  const said = faults.slice(0, PLANS_SOURCE.MOST_FAULTS).map((fault) => `${source}: ${fault}`);
+  if (faults.length > PLANS_SOURCE.MOST_FAULTS)
+    said.push(_("and {count} more", { count: faults.length - PLANS_SOURCE.MOST_FAULTS }));
   return said.join("\n");
 }
 
@@ -349,7 +347,7 @@ export function checkedPlan(data, source = "plan") {
   const { route } = tables;
   if (typeof route === "object" && route !== null && "part" in route && !("kind" in route))
     tables.route = { ...route, kind: "parts" };
-  const idle = idleKeys(tables).map((one) => new Fault(one.key, idleText(one)));
+  const idle = idleKeys(tables).map((one) => new Fault(one.path.join("."), idleText(one)));
   const files = ["venue", "route"].filter((name) => typeof tables[name]?.file === "string");
   const outside = files.map((name) => new Fault(`${name}.file`, fileText(tables[name].file)));
   const { said, faults } = checkedTables(tables);

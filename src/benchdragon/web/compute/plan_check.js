@@ -2,7 +2,7 @@
 // models (plan_keys.js).
 
 import { _ } from "../words.js";
-import { PLANS_TOML } from "./constants.js";
+import { PLANS_SOURCE, PLANS_TOML } from "./constants.js";
 import { Fault } from "./errors.js";
 import { PLAN_TABLES, PLAN_UNITS } from "./plan_keys.js";
 import {
@@ -98,7 +98,7 @@ export function quantity(text, units) {
     // The sign of the first number is that of the whole: -1 min 30 s is 90 s before.
     pieces.every(
       ({ number, unit }, n) =>
-        unit in units && !Number.isNaN(Number(number)) && !(n && /[+-]/.test(number[0])),
+        Object.hasOwn(units, unit) && !Number.isNaN(Number(number)) && !(n && /[+-]/.test(number[0])),
     );
   if (!sound)
     throw new ValueFault(
@@ -196,7 +196,7 @@ class Check {
     if (!isTable(value)) throw new Unwanted(_("a table"), value);
     if (!("kind" in value)) throw new Unwanted(_("a table with the key kind"), value);
     const { kind } = value;
-    if (typeof kind !== "string" || !(kind in tables)) {
+    if (typeof kind !== "string" || !Object.hasOwn(tables, kind)) {
       const known = Object.keys(tables).map((name) => `'${name}'`);
       throw new Unwanted(known.join(", "), pythonText(kind), ".kind");
     }
@@ -216,12 +216,11 @@ class Check {
     /** @type {Record<string, any>} */
     const found = {};
     for (const [key, spec] of Object.entries(keys)) {
-      if (key in value) found[key] = this.value(spec, value[key], inside(key));
+      if (Object.hasOwn(value, key)) found[key] = this.value(spec, value[key], inside(key));
       else if (spec.required) this.#missing(inside(key));
     }
     for (const key of Object.keys(value))
-      if (!(key in keys))
-        this.#unknown(inside(key), inside(nearestName(key, Object.keys(keys))), inside(""));
+      if (!Object.hasOwn(keys, key)) this.#unknown(key, Object.keys(keys), inside);
     if (name === "CueTable" && this.faults.length === before) checkCue(found);
     return found;
   }
@@ -231,9 +230,12 @@ class Check {
     this.#add(where, _("{where} is missing", { where }));
   }
 
-  /** @param {string} where @param {string} name the nearest known key @param {string} none what that is if none is near */
-  #unknown(where, name, none) {
-    const hint = name === none ? "" : _("; did you mean {name}?", { name });
+  /** @param {string} key @param {string[]} known keys @param {(key: string) => string} inside */
+  #unknown(key, known, inside) {
+    const where = inside(key);
+    // Of those that are only counted, what they might mean is not looked for.
+    const near = this.faults.length < PLANS_SOURCE.MOST_FAULTS ? nearestName(key, known) : "";
+    const hint = near && _("; did you mean {name}?", { name: inside(near) });
     this.#add(where, _("{where} is not a known key", { where }) + hint);
   }
 }

@@ -11,7 +11,8 @@ import { pythonRepr, pythonText } from "./python_text.js";
 /**
  * A key that has no effect beside what a plan chooses: `because` is "KEY = VALUE" of the choice.
  * Or, where that is `missing`, without it.
- * @typedef {{ key: string, beside: string, because: string, missing?: boolean }} Idle
+ * Its `path` leads to it, table by table; a name may hold dots.
+ * @typedef {{ path: Array<string | number>, beside: string, because: string, missing?: boolean }} Idle
  */
 
 // Tables of which some keys have no effect beside others.
@@ -19,7 +20,8 @@ const CHOOSING = ["dragon", "route", "disc", "turn", "walk", "venue", "limits"];
 const ALL_SIZES = new Set(Object.values(FORMATION_SIZES).flat());
 
 /** In a sentence. @param {Idle} idle */
-export function idleText({ key, because, missing }) {
+export function idleText({ path, because, missing }) {
+  const key = path.join(".");
   if (missing)
     return _("{key} has no effect without one of {because}: take it out, or say one of them", {
       key,
@@ -59,39 +61,43 @@ export function idleKeys(data, latest = []) {
   const { walk, dragon } = tables;
   const found = [...idleBesideRoute(tables, latest)];
   if (isFull(walk.profile) && "speed" in walk)
-    found.push({ key: "walk.speed", beside: "walk.profile", because: "walk.profile" });
+    found.push({ path: ["walk", "speed"], beside: "walk.profile", because: "walk.profile" });
   if (isFull(dragon.bench))
     for (const name of Object.keys(dragon).filter((one) => one !== "bench"))
-      found.push({ key: `dragon.${name}`, beside: "dragon.bench", because: "[[dragon.bench]]" });
+      found.push({ path: ["dragon", name], beside: "dragon.bench", because: "[[dragon.bench]]" });
   return [...found, ...idleOnTheSquare(tables.venue, tables.limits)];
 }
 
 /** @param {Tables} tables @param {string[]} latest @returns {Idle[]} */
 function idleBesideRoute({ route, turn, disc }, latest) {
   const kind = "part" in route ? "parts" : route.kind;
-  /** @type {Idle[]} */
-  const found = [];
-  if (["parts", "drawn", "spiral-in", "formation", "programme"].includes(kind)) {
-    const idle = Object.keys(turn).map((name) => `turn.${name}`);
-    if (kind !== "spiral-in") idle.push(...Object.keys(disc).map((name) => `disc.${name}`));
-    const because = `route.kind = "${pythonText(kind)}"`;
-    found.push(...idle.map((key) => ({ key, beside: "route.kind", because })));
-  }
-  if (kind === "turn") {
-    const family = turn.family ?? "arc-arc";
-    const strays = Object.keys(TURN_KEYS).filter(
-      (name) => name in turn && !TURN_KEYS[name].includes(family),
-    );
-    const because = `turn.family = "${pythonText(family)}"`;
-    found.push(...strays.map((name) => ({ key: `turn.${name}`, beside: "turn.family", because })));
-  }
-  if (kind === "formation") found.push(...idleSizes(route, "route"));
-  if (kind === "programme" && Array.isArray(route.formation))
-    route.formation.forEach((/** @type {unknown} */ one, /** @type {number} */ i) =>
-      found.push(...idleSizes(saidIn(one), `route.formation.${i}`)),
-    );
-  if (kind === "drawn") found.push(...idleDrawn(route, latest));
-  return found;
+  const because = `route.kind = "${pythonText(kind)}"`;
+  if (kind === "spiral-in") return idleIn("turn", turn, because);
+  if (kind === "turn") return idleOfTurn(turn);
+  const found = ["parts", "drawn", "formation", "programme"].includes(kind)
+    ? [...idleIn("turn", turn, because), ...idleIn("disc", disc, because)]
+    : [];
+  if (kind === "formation") return [...found, ...idleSizes(route, ["route"])];
+  if (kind === "drawn") return [...found, ...idleDrawn(route, latest)];
+  if (kind !== "programme" || !Array.isArray(route.formation)) return found;
+  const sizes = route.formation.map((/** @type {unknown} */ one, /** @type {number} */ i) =>
+    idleSizes(saidIn(one), ["route", "formation", i]),
+  );
+  return [...found, ...sizes.flat()];
+}
+
+/** All keys of a table that means nothing beside the kind of a route. @param {string} name @param {Tables} table @param {string} because @returns {Idle[]} */
+function idleIn(name, table, because) {
+  return Object.keys(table).map((key) => ({ path: [name, key], beside: "route.kind", because }));
+}
+
+/** @param {Tables} turn @returns {Idle[]} */
+function idleOfTurn(turn) {
+  const family = turn.family ?? "arc-arc";
+  const because = `turn.family = "${pythonText(family)}"`;
+  return Object.keys(TURN_KEYS)
+    .filter((name) => name in turn && !TURN_KEYS[name].includes(family))
+    .map((name) => ({ path: ["turn", name], beside: "turn.family", because }));
 }
 
 /** @param {Tables} route @param {string[]} latest @returns {Idle[]} */
@@ -102,55 +108,63 @@ function idleDrawn(route, latest) {
   if (chosen === undefined) return [];
   const idle = DRAWN_KEYS[chosen].filter((name) => name in route);
   const because = `route.${chosen}`;
-  return idle.map((name) => ({ key: `route.${name}`, beside: because, because }));
+  return idle.map((name) => ({ path: ["route", name], beside: because, because }));
 }
 
 /** @param {Tables} venue @param {Tables} limits @returns {Idle[]} */
 function idleOnTheSquare(venue, limits) {
-  /** @type {Idle[]} */
-  const found = [];
-  const inVenue = (/** @type {string[]} */ names) =>
-    names.filter((name) => name in venue).map((name) => `venue.${name}`);
-  if ("boundary" in venue) {
-    const because = "venue.boundary";
-    const others = inVenue(["rectangle", "centre", "angle"]);
-    found.push(...others.map((key) => ({ key, beside: because, because })));
-  } else if (!("rectangle" in venue) && !("file" in venue)) {
-    const others = inVenue(["centre", "angle"]);
-    if (isFull(venue.name)) others.push("venue.name");
-    if ("venue_margin" in limits) others.push("limits.venue_margin");
-    const because = "venue.rectangle, venue.boundary, venue.file";
-    found.push(...others.map((key) => ({ key, beside: "venue", because, missing: true })));
-  }
+  const idle = [...idleAtTheEdge(venue, limits)];
   if ("layer" in venue && !("file" in venue))
-    found.push({ key: "venue.layer", beside: "venue", because: "venue.file", missing: true });
-  return found;
+    idle.push({ path: ["venue", "layer"], beside: "venue", because: "venue.file", missing: true });
+  return idle;
 }
 
-/** @param {Tables} table @param {string} key @returns {Idle[]} */
-function idleSizes(table, key) {
-  const own = FORMATION_SIZES[String(table.name)];
-  if (own === undefined) return [];
-  const strays = Object.keys(table).filter((name) => ALL_SIZES.has(name) && !own.includes(name));
-  const because = `${key}.name = "${pythonText(table.name)}"`;
-  return strays.map((name) => ({ key: `${key}.${name}`, beside: `${key}.name`, because }));
+/** @param {Tables} venue @param {Tables} limits @returns {Idle[]} */
+function idleAtTheEdge(venue, limits) {
+  const inVenue = (/** @type {string[]} */ names) =>
+    names.filter((name) => name in venue).map((name) => ["venue", name]);
+  if ("boundary" in venue) {
+    const because = "venue.boundary";
+    return inVenue(["rectangle", "centre", "angle"]).map((path) => ({
+      path,
+      beside: because,
+      because,
+    }));
+  }
+  if ("rectangle" in venue || "file" in venue) return [];
+  const others = inVenue(["centre", "angle"]);
+  if (isFull(venue.name)) others.push(["venue", "name"]);
+  if ("venue_margin" in limits) others.push(["limits", "venue_margin"]);
+  const because = "venue.rectangle, venue.boundary, venue.file";
+  return others.map((path) => ({ path, beside: "venue", because, missing: true }));
+}
+
+/** @param {Tables} table @param {Array<string | number>} path @returns {Idle[]} */
+function idleSizes(table, path) {
+  const name = String(table.name);
+  if (!Object.hasOwn(FORMATION_SIZES, name)) return [];
+  const own = FORMATION_SIZES[name];
+  const strays = Object.keys(table).filter((size) => ALL_SIZES.has(size) && !own.includes(size));
+  const beside = [...path, "name"].join(".");
+  const because = `${beside} = "${pythonText(table.name)}"`;
+  return strays.map((size) => ({ path: [...path, size], beside, because }));
 }
 
 /** Take keys out of a plan's tables. @param {Tables} data @param {Idle[]} idle */
 export function dropKeys(data, idle) {
-  for (const { key } of idle) {
-    const folders = key.split(".");
-    const name = /** @type {string} */ (folders.pop());
-    delete folders.reduce((table, folder) => table[folder], data)[name];
+  for (const { path } of idle) {
+    const table = path.slice(0, -1).reduce((/** @type {any} */ at, folder) => at[folder], data);
+    delete table[path[path.length - 1]];
   }
 }
 
 /** Take out what has no effect beside the choices under `keys`, just made. @param {Tables} data @param {string[]} keys */
 export function dropReplaced(data, keys) {
+  const made = new Set(keys);
   const idle = idleKeys(data, keys);
   dropKeys(
     data,
-    idle.filter(({ beside, key }) => keys.includes(beside) && !keys.includes(key)),
+    idle.filter(({ beside, path }) => made.has(beside) && !made.has(path.join("."))),
   );
 }
 
@@ -194,7 +208,7 @@ function nowhere(key) {
 export function withBase(data, source) {
   const { base, ...own } = data;
   if (!("base" in data)) return own;
-  if (typeof base !== "string" || !(base in BUILT_IN_PLANS)) {
+  if (typeof base !== "string" || !Object.hasOwn(BUILT_IN_PLANS, base)) {
     const names = Object.keys(BUILT_IN_PLANS).join(", ");
     throw new PlanError(
       _("{source}: base must be one of {names} or the name of a file beside it, not {base}", {
@@ -204,22 +218,30 @@ export function withBase(data, source) {
       }),
     );
   }
-  const merged = structuredClone(BUILT_IN_PLANS[base]);
-  const keys = [];
-  for (const [name, table] of Object.entries(own)) {
-    const before = merged[name];
-    if (name === "obstacle" && Array.isArray(table) && Array.isArray(before)) {
-      merged[name] = [...before, ...table];
-    } else if (isPlain(table) && isPlain(before) && !isAnother(name, before, table)) {
-      merged[name] = { ...before, ...table };
-      keys.push(...Object.keys(table).map((key) => `${name}.${key}`));
-    } else {
-      merged[name] = table;
-      if (isPlain(table)) keys.push(...[...Object.keys(table), "kind"].map((key) => `${name}.${key}`));
-    }
-  }
-  dropReplaced(merged, keys);
+  const below = structuredClone(BUILT_IN_PLANS[base]);
+  const laid = Object.entries(own).map(([name, table]) => laidOver(below, name, table));
+  // Not by assignment: a stranger's table may be called __proto__.
+  const merged = Object.fromEntries([
+    ...Object.entries(below),
+    ...laid.map(({ name, table }) => [name, table]),
+  ]);
+  dropReplaced(
+    merged,
+    laid.flatMap(({ keys }) => keys),
+  );
   return merged;
+}
+
+/** A plan's own table over that of its base, and the keys that it lays over it. @param {Tables} below @param {string} name @param {any} table */
+function laidOver(below, name, table) {
+  const before = Object.hasOwn(below, name) ? below[name] : undefined;
+  if (name === "obstacle" && Array.isArray(table) && Array.isArray(before))
+    return { name, table: [...before, ...table], keys: [] };
+  if (!isPlain(table)) return { name, table, keys: [] };
+  const keys = Object.keys(table).map((key) => `${name}.${key}`);
+  if (isPlain(before) && !isAnother(name, before, table))
+    return { name, table: { ...before, ...table }, keys };
+  return { name, table, keys: [...keys, `${name}.kind`] };
 }
 
 /** Whether a table replaces that of the base as a whole. @param {string} name @param {Tables} before @param {Tables} table */

@@ -5,6 +5,7 @@ import { _ } from "../words.js";
 import { withArenaAsync } from "./arena.js";
 import { briefing } from "./briefing.js";
 import { check } from "./check.js";
+import { PLANS_TOML } from "./constants.js";
 import { PlanError } from "./errors.js";
 import { judgedDance } from "./judged.js";
 import { headSpeed, limited, margins, pace, shape, turn } from "./long_questions.js";
@@ -69,6 +70,13 @@ export function openedPlan(text) {
 
 /** The tables in the text of a plan file. @param {string} text */
 function parsed(text) {
+  if (text.split("=").length - 1 > PLANS_TOML.MOST_KEYS)
+    throw new PlanError(
+      _("{source} has too many keys for a plan: at most {most} are read", {
+        source: "plan",
+        most: PLANS_TOML.MOST_KEYS,
+      }),
+    );
   try {
     return parse(text.replace(/^\ufeff/, ""));
   } catch (error) {
