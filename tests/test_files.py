@@ -30,6 +30,20 @@ def test_a_file_appears_whole(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == [path]
 
 
+def test_an_interrupt_as_soon_as_a_file_is_begun_leaves_none(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(_handle: int, *, otherwise: bool) -> bool:
+        assert otherwise
+        assert len(list(tmp_path.iterdir())) == 1
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("benchdragon.files._locked", interrupted)
+    with pytest.raises(KeyboardInterrupt), whole_file(tmp_path / "a.txt"):
+        pytest.fail("it was begun")
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_a_failure_leaves_what_was_there(tmp_path: Path) -> None:
     path = tmp_path / "a.txt"
     path.write_text("old")

@@ -122,33 +122,38 @@ def whole_file(path: Path) -> Iterator[Path]:
     Raises:
         MachineError: naming the file, if the system refuses to write it.
     """
-    temporary, handle = None, None
+    begun: list[Path] = []
+    handle = None
     try:
         clear_leftovers(path)
-        temporary, handle = _begun(path)
-        yield temporary
-        temporary.replace(path)
+        handle = _begun(path, begun)
+        yield begun[-1]
+        begun[-1].replace(path)
     except OSError as error:
         raise MachineError(
             _("{path} could not be written: {why}").format(path=path, why=reason(error))
         ) from None
     finally:
-        if temporary is not None:
+        for temporary in begun:
             temporary.unlink(missing_ok=True)
         if handle is not None:
             _let_go(handle)
 
 
-def _begun(path: Path) -> tuple[Path, int | None]:
-    """A new temporary file beside `path`, and what keeps others from clearing it, where that can be."""
+def _begun(path: Path, begun: list[Path]) -> int | None:
+    """Begin a temporary file beside `path`; what keeps others from clearing it, where that can be.
+
+    Its name is the last in `begun` before it is there: it goes even if an interrupt comes at once.
+    """
     while True:
         temporary = path.with_name(f".{path.name}.{secrets.token_hex(4)}{path.suffix}")
+        begun.append(temporary)
         handle = os.open(temporary, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o666)
         if os.name == "nt":  # what is open cannot be renamed there
             os.close(handle)
-            return temporary, None
+            return None
         if _locked(handle, otherwise=True) and temporary.exists():
-            return temporary, handle
+            return handle
         os.close(handle)  # it was taken for a leftover before it was locked
 
 

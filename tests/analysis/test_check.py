@@ -365,7 +365,8 @@ def test_papers_tell_a_safe_walk_as_the_village_does() -> None:
     a, b = ("the head" if bench == 1 else f"qiao {bench - 1}" for bench in near.benches)
     told = sentence(report, Clock("", -6.0))
     minutes, seconds = divmod(math.floor(near.time + 6.5), 60)
-    assert f" cm, {a} with {b}, at {minutes}:{seconds:02d};" in told
+    between = ", one bench between them" if near.benches[1] - near.benches[0] == 2 else ""
+    assert f" cm, {a} with {b}{between}, at {minutes}:{seconds:02d};" in told
     shown = float(re.search(r"fastest handle (\d\.\d\d) m/s", told)[1])  # type: ignore[index]
     assert fastest <= shown < fastest + 0.01
     plain = sentence(report)

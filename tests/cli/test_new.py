@@ -174,3 +174,23 @@ def test_a_radius_may_be_told_as_the_question_shows_it_and_names_are_quoted(
     assert "benchdragon view 'n $m.dragon.toml' -o 'n $m.html'" in out
     assert run(["new", "-o", "o.dragon.toml", *line[:-1], "wide", "--quiet"]) == 2
     assert "--radius: wanted a length" in capsys.readouterr().err
+
+
+def test_what_was_written_into_a_plan_by_hand_is_named_when_it_is_proposed_anew(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    line = [*SHORT_LINE.split(), "--quiet", "--lang", "en", "--force"]
+    plan = tmp_path / line[line.index("-o") + 1]
+    assert run(line) == 0
+    well = '[[obstacle]]\nkind = "circle"\nname = "well"\ncentre = [30, 30]\nradius = 0.6\n'
+    text = plan.read_text("utf-8").replace("[people]", '[people]\nroster = "names.csv"')
+    plan.write_text(f"{text}\n{well}[chalk]\nevery = 2\n", "utf-8")
+    capsys.readouterr()
+    assert run(line) == 0
+    wanted = "not in the new plan, as they were in the one it replaces: "
+    assert f"{wanted}[[obstacle]] well, [chalk], people.roster = names.csv." in capsys.readouterr().err
+    assert run(line) == 0
+    assert wanted not in capsys.readouterr().err
+    plan.write_text("no plan at all", "utf-8")
+    assert run(line) == 0

@@ -3,7 +3,7 @@
 import pytest
 
 from benchdragon.plans.schema import checked
-from benchdragon.plans.toml import PlanError, parsed
+from benchdragon.plans.toml import MOST_KEYS, PlanError, parsed
 from tests.hostile.test_doors import BASE, WRONG
 from tests.planner.twins import asked
 
@@ -13,7 +13,11 @@ FOREIGN = {
     "a constructor": "[constructor.prototype]\nforeign = 1\n",
     "a unit that all tables have": 'walk.speed = "1 constructor"\n',
     "a kind that all tables have": 'route.kind = "constructor"\n',
-    "a formation that all tables have": '[route]\nkind = "formation"\nname = "constructor"\n',
+    "a formation that all tables have": """[route]
+kind = "formation"
+name = "constructor"
+pitch = 1
+""",
     "a name that all tables have": "walk.toString = 1\n",
 }
 
@@ -38,3 +42,10 @@ def test_what_javascript_has_in_every_table_is_no_key_of_a_plan() -> None:
 def test_a_base_that_javascript_has_in_every_table_is_none() -> None:
     found, _last = asked("doors.mjs", ['schema = 1\nbase = "constructor"\n'])
     assert found["error"].startswith("plan: base must be one of ")
+
+
+def test_as_many_keys_as_python_reads_are_not_too_many() -> None:
+    many = BASE + "#" + "=" * (MOST_KEYS - BASE.count("="))
+    found, refused, _last = asked("doors.mjs", [many, f"{many}="])
+    assert found["plan"]["schema"] == 1
+    assert refused["error"] == "plan has too many keys for a plan: at most 1000000 are read"

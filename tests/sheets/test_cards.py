@@ -389,3 +389,20 @@ def test_the_overview_says_from_which_mark_to_come_in_and_at_which_it_ends(
     # The way in is the line on which the dragon stands at first.
     assert marks.s[0] == pytest.approx(ours.trail.low)
     assert marks.s[start - 1] == pytest.approx(ours.trail.start)
+
+
+def test_the_overview_names_whom_papers_cannot_print(ours: Briefing) -> None:
+    told = replace(ours, roster=Roster({1: (Person("王\U00010600"),), 2: (Person("王五"),)}))
+    (line,) = told.odd_signs
+    assert line.startswith("the head: 王\U00010600: no font here has \U00010600 (U+10600)")
+    assert line in str(overview(told, phones=False).blocks)
+    assert ours.odd_signs == ()
+
+
+def test_the_overview_says_so_where_nobody_need_stand_by(ours: Briefing) -> None:
+    alone = tuple(replace(one, tightest=None) for one in ours.benches)
+    text = str(overview(replace(ours, benches=alone), phones=False).blocks)
+    assert "No bench of another coil comes within about 1.5 m of any" in text
+    near = (replace(alone[0], tightest=Tightest(1.0, 6, "left", 0.9, 0.9)), *alone[1:])
+    text = str(overview(replace(ours, benches=near), phones=False).blocks)
+    assert "of any" not in text

@@ -45,6 +45,8 @@ from benchdragon.progress import Progress, Stages, silent
 SAMPLES = 1000
 LAST_SHARE, LAST_SAMPLES = 0.04, 300
 AFTER = 3.0
+# Benches so far apart in the line have one between them: they belong to one coil.
+AFTER_NEXT = 2
 # How wide a quick check's brackets may be: of clearances, m, and of speeds, relative.
 QUICK_CLEARANCE, QUICK_SPEED = 1e-3, 1e-4
 
@@ -336,8 +338,11 @@ def _tightest(report: Report, time: float, benches: Sequence[int], told: Clock |
     if told is None:
         text = _("tightest {gap} cm, bench {a} with bench {b}, at {t} s")
         return text.format(gap=gap, a=benches[0], b=benches[1], t=f"{time:z.1f}")
+    text = _("tightest {gap} cm, {a} with {b}, at {t}")
+    if abs(benches[0] - benches[1]) == AFTER_NEXT:
+        text = _("tightest {gap} cm, {a} with {b}, one bench between them, at {t}")
     a, b = (called(report.plan.people, one, len(report.walk.dragon)) for one in benches)
-    return _("tightest {gap} cm, {a} with {b}, at {t}").format(gap=gap, a=a, b=b, t=told.tell(time))
+    return text.format(gap=gap, a=a, b=b, t=told.tell(time))
 
 
 def _fastest(report: Report, limit: float, told: Clock | None) -> str:

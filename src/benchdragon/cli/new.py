@@ -84,6 +84,7 @@ def new(output: Path, force: bool, quiet: bool, **options: Any) -> int:
 
     check_ending("--output", output, [".toml"])
     refuse_existing([output], force)
+    before = _kept_by_hand(output)
     roster = _roster(output, options["roster"])
     said, given = _answers(options)
     from benchdragon.solve.proposal import TooSmall, benches_out_again, propose
@@ -107,8 +108,34 @@ def new(output: Path, force: bool, quiet: bool, **options: Any) -> int:
         click.echo(line)
     print_report(found.report)
     print_files([output])
+    lost = [one for one in before if one not in _kept_by_hand(output)]
+    if lost:
+        text = _("WARNING: not in the new plan, as they were in the one it replaces: {what}.")
+        click.echo(text.format(what=_(", ").join(lost)), err=True)
     _print_next(output)
     return 0
+
+
+def _kept_by_hand(path: Path) -> list[str]:
+    """What somebody wrote into a plan, by name: obstacles, cues, marks, the list of names, the event.
+
+    Nothing, where no plan can be read.
+    """
+    from benchdragon.plans.toml import PlanError, read_toml
+
+    if not path.exists():
+        return []
+    try:
+        data, _source = read_toml(str(path))
+    except PlanError:
+        return []
+    obstacles, people = data.get("obstacle"), data.get("people")
+    listed = obstacles if isinstance(obstacles, list) else []
+    names = [str(one.get("name", "")) for one in listed if isinstance(one, dict)]
+    roster = people.get("roster") if isinstance(people, dict) else None
+    found = [f"[[obstacle]] {name}".strip() for name in names]
+    found += [f"[{name}]" for name in ("cues", "chalk", "event") if name in data]
+    return found + ([f"people.roster = {roster}"] if roster else [])
 
 
 def _answers(options: Mapping[str, Any]) -> tuple[dict[str, Any], set[str]]:

@@ -20,7 +20,7 @@ Command = Callable[..., int | None]  # groups give nothing
 # Of random dances: their number, and their seed.
 MOST_DRAWS, MOST_SEED = 100_000, 2**31
 # Notes on a list of names that a screen shows.
-MOST_TOLD = 6
+MOST_TOLD = 20
 # Stands in the folder of compiled code once it was told there what compiling means.
 TOLD_HERE = "told"
 # Seconds of compiling after which a word is due.

@@ -104,6 +104,9 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
         print_report(report)
         click.echo(_("No papers were written: only a plan that is safe has any."), err=True)
         return UNSAFE if report.decided else UNDECIDED
+    if not quiet:
+        for warning in briefing.odd_signs:
+            click.echo(_("List of names: {note}").format(note=warning), err=True)
     print_files(files)
     return 0
 

@@ -40,7 +40,10 @@ def spare_fonts(text: str) -> tuple[Path, ...]:
 
 def glyph_warnings(names: Iterable[str]) -> tuple[str, ...]:
     """A sentence for each name that papers cannot print as it is written, in the language in use."""
-    text = _("{name}: no font here has {signs}, so the papers print {printed}")
+    text = _(
+        "{name}: no font here has {signs}, so the papers print {printed}: install a font that has all "
+        "signs and print again, or write them by hand"
+    )
     return tuple(
         text.format(
             name=name,

@@ -39,10 +39,10 @@ MOST_SIGNS = 100
 MOST_BASES = 8
 
 # What may stand behind a number, and what it is worth in the first unit.
-METRES = {"m": 1.0, "cm": 0.01, "mm": 0.001, "km": 1000.0, "米": 1.0, "厘米": 0.01}
+METRES = {"m": 1.0, "cm": 0.01, "mm": 0.001, "km": 1000.0, "米": 1.0, "厘米": 0.01, "公分": 0.01}
 SECONDS = {"s": 1.0, "min": 60.0, "h": 3600.0, "ms": 0.001, "秒": 1.0, "分": 60.0, "小时": 3600.0}
 DEGREES = {"deg": 1.0, "°": 1.0, "rad": 180.0 / math.pi, "turn": 360.0, "turns": 360.0, "圈": 360.0}
-SPEEDS = {"m/s": 1.0, "km/h": 1.0 / 3.6, "cm/s": 0.01, "米/秒": 1.0}
+SPEEDS = {"m/s": 1.0, "km/h": 1.0 / 3.6, "cm/s": 0.01, "米/秒": 1.0, "米每秒": 1.0}
 ACCELERATIONS = {"m/s^2": 1.0, "m/s²": 1.0, "cm/s^2": 0.01, "cm/s²": 0.01, "米/秒²": 1.0}
 ANGULAR_SPEEDS = {"deg/s": 1.0, "°/s": 1.0, "rad/s": 180.0 / math.pi, "度/秒": 1.0}
 UNITS = METRES | SECONDS | DEGREES | SPEEDS | ACCELERATIONS | ANGULAR_SPEEDS
@@ -53,7 +53,13 @@ BYTE_ORDER_MARK = "\ufeff"
 # What tomllib says, and what we say for it.
 TOML_FAULTS = (
     ("Invalid statement", N_("a line must be KEY = VALUE, [table] or a comment")),
-    ("Expected newline or end of document .*", N_("something stands behind a line that is complete")),
+    (
+        "Expected newline or end of document .*",
+        N_(
+            "something stands behind a line that is complete; a number with a unit needs quotes: "
+            '"70 cm"'
+        ),
+    ),
     ("Expected '=' after a key .*", N_("a key needs = and a value")),
     ("Expected '.*' at the end of .*", N_("a [table] is not closed by its bracket")),
     (r"Cannot declare \((.*?),?\) twice", N_("the table {what} is there twice")),

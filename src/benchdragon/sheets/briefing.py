@@ -9,6 +9,7 @@ from benchdragon.analysis.check import Report
 from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.marks import Marks, Trail, check_marks, placed_marks
+from benchdragon.figures.glyphs import glyph_warnings
 from benchdragon.i18n import _
 from benchdragon.plans.chalk import ChalkTable
 from benchdragon.plans.people import called
@@ -47,6 +48,15 @@ class Briefing:
     def foot(self) -> str:
         """What stands at the foot of every page: that it is this plan, and when it was checked."""
         return f"{self.sha256[:12]} · {self.checked_on}"
+
+    @cached_property
+    def odd_signs(self) -> tuple[str, ...]:
+        """Whose names papers cannot print as they are written, a sentence each."""
+        return tuple(
+            _("{bench}: {what}").format(bench=self.called(bench), what=warning)
+            for bench, people in sorted(self.roster.benches.items())
+            for warning in glyph_warnings(person.name for person in people)
+        )
 
     @property
     def clock(self) -> Clock:

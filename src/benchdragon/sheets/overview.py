@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from benchdragon.analysis.bench_nearness import REACH
 from benchdragon.analysis.bench_walks import BenchWalk
 from benchdragon.analysis.check import sentence
 from benchdragon.analysis.findings import shown_name
@@ -71,7 +72,10 @@ def _tightest(briefing: Briefing) -> list[Block]:
                 tightest=tightest_line(near, briefing.clock, briefing.called),
             )
             lines.append(Paragraph((said,)))
-    return [Heading(_("Tightest moments"), "tightest"), *lines] if lines else []
+    if not lines:
+        text = _("No bench of another coil comes within about {reach} m of any: nobody need stand by.")
+        lines = [say(text, reach=f"{REACH:g}")]
+    return [Heading(_("Tightest moments"), "tightest"), *lines]
 
 
 def _coming(briefing: Briefing) -> list[Block]:
@@ -112,9 +116,9 @@ def _numbering(briefing: Briefing) -> list[Block]:
 
 def _notes(briefing: Briefing) -> list[Block]:
     """What is odd about the list of names."""
-    if not briefing.roster.notes:
+    said = [Paragraph((note,)) for note in (*briefing.odd_signs, *briefing.roster.notes)]
+    if not said:
         return []
-    said = [Paragraph((note,)) for note in briefing.roster.notes]
     return [Heading(_("Notes on the list of names"), "notes"), *said]
 
 
