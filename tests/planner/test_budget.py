@@ -99,3 +99,12 @@ def test_each_random_dance_of_the_page_is_a_question_of_its_own() -> None:
     assert said["spent"] == pytest.approx(spent, rel=APART)
     (said,) = asked("solve_plans.mjs", {"asked": [one | {"most": ENOUGH | {"work": 0.9 * spent}}]})
     assert re.fullmatch(WORK, said["found"]["error"])
+
+
+def test_each_question_of_the_page_has_a_budget_of_its_own() -> None:
+    one = {"data": COIL.data(), "name": "page", "options": {"question": "limit/pitch"}}
+    (first,) = asked("solve_plans.mjs", {"asked": [one | {"most": ENOUGH}]})
+    most = ENOUGH | {"work": 1.5 * first["spent"]}
+    for said in asked("solve_plans.mjs", {"asked": [one | {"most": most}] * 2}):
+        assert "error" not in said["found"]
+        assert said["spent"] == first["spent"]
