@@ -11,7 +11,9 @@ from pathlib import Path
 
 import pytest
 
+from benchdragon.analysis.check import check
 from benchdragon.cli.main import run
+from benchdragon.cli.new import _told
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.proposal import Proposal, Wishes, propose
 
@@ -194,3 +196,15 @@ def test_what_was_written_into_a_plan_by_hand_is_named_when_it_is_proposed_anew(
     assert wanted not in capsys.readouterr().err
     plan.write_text("no plan at all", "utf-8")
     assert run(line) == 0
+
+
+@pytest.mark.parametrize(
+    ("start", "told"), [(-5.0, "in, round, and out again"), (0.0, "stands inside")]
+)
+def test_a_dance_that_begins_at_its_turn_is_not_said_to_go_in(start: float, told: str) -> None:
+    plan = read_plan("turn", ["dragon.benches=10", f"walk.start={start}", "walk.end=30"])
+    lines = list(_told(Proposal(plan, check(plan), slower=False), Wishes(10, 2.2, 0.3), 0))
+    assert [line for line in lines if told in line] == [
+        line for line in lines if "The head walks" in line
+    ]
+    assert any(told in line for line in lines)

@@ -286,6 +286,11 @@ def _told(found: "Proposal", wishes: "Wishes", again: int) -> Iterator[str]:
     text = _("  The head walks {way} m in {time}, in towards the middle; it does not come out again.")
     if course.out:
         text = _("  The head walks {way} m in {time}: in, round, and out again.")
+    if course.inside:
+        text = _(
+            "  The head walks {way} m in {time}: it stands inside at first, turns, and comes out. The "
+            "dance ends when the tail has turned; then all walk on out."
+        )
     yield text.format(way=f"{course.way:.0f}", time=_duration(course.seconds))
     if found.slower:
         text = _("  The head walks at {speed} m/s, or benches behind it would be too fast.")

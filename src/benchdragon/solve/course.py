@@ -20,12 +20,14 @@ class Course:
         way: that the head walks, m.
         seconds: that it walks.
         out: whether it comes out again.
+        inside: whether it stands coiled inside at first, the head where its turn begins or beyond.
     """
 
     rounds: float
     way: float
     seconds: float
     out: bool
+    inside: bool
 
     @property
     def short(self) -> bool:
@@ -46,4 +48,5 @@ def course_of(plan: Plan) -> Course:
     angles = np.unwrap(np.arctan2(motion.y[0] - y, motion.x[0] - x))
     rounds = float(abs(angles[-1] - angles[0])) / (2.0 * math.pi)
     way = float(motion.s[1, 0] - motion.s[0, 0])
-    return Course(rounds, way, end - start, plan.route.kind == "turn")
+    out = plan.route.kind == "turn"
+    return Course(rounds, way, end - start, out, out and start >= 0.0)
