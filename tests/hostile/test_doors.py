@@ -12,6 +12,7 @@ from benchdragon.plans.source import MOST_SIGNS, Fault
 from benchdragon.plans.toml import (
     MOST_DEPTH,
     MOST_DIGITS,
+    MOST_ENTRIES,
     MOST_KEYS,
     PlanError,
     lay_over,
@@ -79,13 +80,15 @@ def test_a_setting_of_tables_without_end_is_refused() -> None:
         read_toml("turn", [".".join("a" * (MOST_DEPTH + 1)) + "=1"])
 
 
-def test_as_many_keys_as_are_read_are_not_too_many() -> None:
-    many = "#" + "=" * (MOST_KEYS - 1)
-    assert parsed(f"{many}\na = 1", "plan") == {"a": 1}
-    with pytest.raises(
-        PlanError, match=r"^plan has too many keys for a plan: at most 1000000 are read$"
-    ):
-        parsed(f"{many}=\na = 1", "plan")
+@pytest.mark.parametrize(
+    ("sign", "most"), [(sign, MOST_KEYS) for sign in "=[{"] + [(",", MOST_ENTRIES)]
+)
+def test_as_many_keys_as_are_read_are_not_too_many(sign: str, most: int) -> None:
+    many = "#" + sign * (most - (sign == "="))
+    less = many if sign in "=," else many[:-1]
+    assert parsed(f"{less}\na = 1", "plan") == {"a": 1}
+    with pytest.raises(PlanError, match=r"^plan says too much for a plan: at most 500000 keys and 1"):
+        parsed(f"{many}{sign}\na = 1", "plan")
 
 
 def test_a_name_with_a_dot_that_means_nothing_is_named_whole() -> None:

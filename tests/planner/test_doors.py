@@ -3,7 +3,7 @@
 import pytest
 
 from benchdragon.plans.schema import checked
-from benchdragon.plans.toml import MOST_KEYS, PlanError, parsed
+from benchdragon.plans.toml import MOST_ENTRIES, MOST_KEYS, PlanError, parsed
 from tests.hostile.test_doors import BASE, WRONG
 from tests.planner.twins import asked
 
@@ -44,8 +44,10 @@ def test_a_base_that_javascript_has_in_every_table_is_none() -> None:
     assert found["error"].startswith("plan: base must be one of ")
 
 
-def test_as_many_keys_as_python_reads_are_not_too_many() -> None:
-    many = BASE + "#" + "=" * (MOST_KEYS - BASE.count("="))
-    found, refused, _last = asked("doors.mjs", [many, f"{many}="])
+@pytest.mark.parametrize(("signs", "most"), [("=[{", MOST_KEYS), (",", MOST_ENTRIES)])
+def test_as_many_keys_as_python_reads_are_not_too_many(signs: str, most: int) -> None:
+    many = f"{BASE}#" + signs * ((most - BASE.count("=")) // len(signs))
+    found, refused, _last = asked("doors.mjs", [many, many + 3 * signs])
     assert found["plan"]["schema"] == 1
-    assert refused["error"] == "plan has too many keys for a plan: at most 1000000 are read"
+    wanted = "plan says too much for a plan: at most 500000 keys and 1000000 entries are read"
+    assert refused["error"] == wanted

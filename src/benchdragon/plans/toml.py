@@ -23,8 +23,9 @@ BUILT_IN_FOLDER = Path(__file__).parent / "builtin"
 SUFFIX = ".dragon.toml"
 # Bytes: hundreds of thousands of benches of their own sizes fit; anything larger is not a plan.
 MOST_BYTES = 20_000_000
-# Signs of "=" in a text, one for each key: those of as many benches of two sizes.
-MOST_KEYS = 1_000_000
+# Keys and tables of a text, by the signs that begin them, and entries of lists: who reads them holds a
+# kilobyte of each. A hundred thousand benches of their own sizes fit.
+MOST_KEYS, MOST_ENTRIES = 500_000, 1_000_000
 
 # Tables within tables by dotted keys, and digits of a number to another base than 10: of more the
 # parser makes what takes minutes, or cannot be shown. They are looked for from where words begin alone,
@@ -264,12 +265,11 @@ def parsed(text: str, source: str) -> dict[str, Any]:
 
 def _loaded(text: str, source: str) -> dict[str, Any]:
     """TOML, or its own error, or a PlanError for what Python refuses to hold."""
-    if text.count("=") > MOST_KEYS:
-        raise PlanError(
-            _("{source} has too many keys for a plan: at most {most} are read").format(
-                source=source, most=MOST_KEYS
-            )
+    if sum(map(text.count, "=[{")) > MOST_KEYS or text.count(",") > MOST_ENTRIES:
+        wanted = _(
+            "{source} says too much for a plan: at most {keys} keys and {entries} entries are read"
         )
+        raise PlanError(wanted.format(source=source, keys=MOST_KEYS, entries=MOST_ENTRIES))
     if DEEP.search(text):
         raise PlanError(_("{source} is nested too deeply").format(source=source))
     if LONG.search(text):

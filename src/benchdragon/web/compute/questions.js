@@ -70,11 +70,13 @@ export function openedPlan(text) {
 
 /** The tables in the text of a plan file. @param {string} text */
 function parsed(text) {
-  if (text.split("=").length - 1 > PLANS_TOML.MOST_KEYS)
+  const { MOST_KEYS, MOST_ENTRIES } = PLANS_TOML;
+  if (countOf(text, /[=[{]/g) > MOST_KEYS || countOf(text, /,/g) > MOST_ENTRIES)
     throw new PlanError(
-      _("{source} has too many keys for a plan: at most {most} are read", {
+      _("{source} says too much for a plan: at most {keys} keys and {entries} entries are read", {
         source: "plan",
-        most: PLANS_TOML.MOST_KEYS,
+        keys: MOST_KEYS,
+        entries: MOST_ENTRIES,
       }),
     );
   try {
@@ -86,4 +88,11 @@ function parsed(text) {
     const fault = _("line {line}, column {column}: {fault}", values);
     throw new PlanError(_("{source} is not TOML: {fault}", { source: "plan", fault }));
   }
+}
+
+/** How often a sign stands in a text. @param {string} text @param {RegExp} sign */
+function countOf(text, sign) {
+  let count = 0;
+  for (const _found of text.matchAll(sign)) count++;
+  return count;
 }
