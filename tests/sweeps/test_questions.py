@@ -9,6 +9,7 @@ from typing import Any
 import click
 import pytest
 
+from benchdragon import budget
 from benchdragon.analysis.contact import first_contact, least_clearance
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.cli.sweep import METHODS
@@ -190,3 +191,11 @@ def test_the_command_line_knows_every_question_and_every_way_to_draw() -> None:
     assert isinstance(ask, click.Option)
     assert re.findall(r"[a-z_]+", str(ask.help).partition(":")[2]) == list(QUESTIONS)
     assert METHODS == points.METHODS
+
+
+def test_a_point_that_takes_too_much_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(budget.VARIABLE, "1e-6")
+    found = outcome(QUESTIONS["first_contact"], TO_DISC, FEW)
+    assert found.status == "undecided"
+    assert found.message is not None
+    assert re.match(r"this takes more (work|memory) than a question may", found.message)
