@@ -103,7 +103,10 @@ export class Planner {
     this.stage = make("main", { id: "player", class: "player" });
     this.grips = new Grips(this, this.stage);
     this.sheets = new Sheets(this.root, answers);
-    this.tracks = new Tracks(answers, () => this.root.ariaBusy === "true" || this.grips.drag !== null);
+    this.tracks = new Tracks(
+      answers,
+      () => this.unread !== null || this.root.ariaBusy === "true" || this.grips.drag !== null,
+    );
     onFingerTaps(this.stage, (fingers) => (fingers === 2 ? this.undo() : this.redo()));
     this.notice = make("div", { class: "unread", role: "alert", hidden: true });
     /** What the notice is about. @type {Planner["unread"]} */
@@ -304,6 +307,7 @@ export class Planner {
   refuse(says) {
     this.unread = { says };
     for (const one of [this.verdicts, this.pitches, this.sketches, this.dances]) one.drop();
+    this.tracks.show(this.plan);
     clearTimeout(this.pause);
     clearTimeout(this.rest);
     this.dialog?.close();
