@@ -40,6 +40,13 @@ def settled(page: Page) -> Page:
     return page
 
 
+def address(page: Page, *former: str) -> str:
+    """The page's address, once it holds another plan than former addresses do."""
+    held = [re.findall(r"plan=[^&]*", url) for url in ("", *former)]
+    page.wait_for_url(lambda url: re.findall(r"plan=[^&]*", url) not in held)
+    return page.url
+
+
 def on_its_way(page: Page, name: str, way: str) -> None:
     """Have questions of one name go another way: it gets `go`, which asks the Worker, and `signal`."""
     page.evaluate(

@@ -17,7 +17,7 @@ from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.size import limit
 from benchdragon.solve.tolerance import CASES, tolerance
 from tests.browser.pages import Device, Language
-from tests.browser.planners import Opened, change, number, settle, settled, verdict
+from tests.browser.planners import Opened, address, change, number, settle, settled, verdict
 from tests.browser.players import until
 
 PITCH = {"en": "spiral pitch", "zh": "螺距"}
@@ -215,12 +215,13 @@ def test_the_language_is_switched_and_remembered(opened: Opened) -> None:
 
 def test_the_plan_stands_in_the_address_and_in_the_browser_if_asked(opened: Opened, file: Path) -> None:
     page = opened()
+    first = address(page)
     page.get_by_label("keep the plan in this browser").check()
     change(page, PITCH["en"], "0.46")
-    page.wait_for_url(re.compile("plan="))
+    link = address(page, first)
     settled(page)
     other = page.context.new_page()
-    other.goto(page.url)
+    other.goto(link)
     expect(number(other, PITCH["en"])).to_have_value("0.46")
     other.goto("about:blank")
     other.goto(file.as_uri())

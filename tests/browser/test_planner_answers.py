@@ -15,6 +15,7 @@ from tests.browser.planners import (
     Held,
     Opened,
     Refused,
+    address,
     change,
     number,
     settle,
@@ -285,11 +286,11 @@ def test_a_link_that_cannot_be_read_gets_no_verdict(
     opened: Opened, pages: Pages, device: Device, language: Language
 ) -> None:
     whole = opened(device, f"#lang={language}")
-    whole.wait_for_url(re.compile("plan="))
     # As a letter may have cut it.
-    link = re.sub(r"plan=[^&]*", lambda found: found[0][:-4], whole.url)
+    link = re.sub(r"plan=[^&]*", lambda found: found[0][:-4], address(whole))
     page = pages.open("about:blank", device, language)
     page.add_init_script(ASKED)
+    page.clock.install()
     page.goto(link)
     notice = page.get_by_role("alert")
     words = {"en": "The plan in this link cannot be read.", "zh": "链接中的方案无法读取。"}
@@ -300,6 +301,8 @@ def test_a_link_that_cannot_be_read_gets_no_verdict(
     expect(page.locator(".limit")).to_be_hidden()
     expect(page.locator("canvas")).to_have_count(0)
     assert page.url == link
+    # Whatever waits for the page to be left alone has its time.
+    page.clock.run_for(10_000)
     assert page.evaluate("asked") == []
     notice.get_by_role("button").click()
     settled(page)
@@ -311,8 +314,8 @@ def test_a_link_that_cannot_be_read_gets_no_verdict(
 
 def test_a_link_that_cannot_be_read_takes_the_verdict_off_the_page(opened: Opened) -> None:
     page = opened()
-    page.wait_for_url(re.compile("plan="))
-    before, broken = page.url, page.url.split("#")[0] + "#plan=nothing!"
+    before = address(page)
+    broken = before.split("#")[0] + "#plan=nothing!"
     page.goto(broken)
     expect(page.get_by_role("alert").locator("code")).to_have_text("nothing!")
     expect(verdict(page)).to_have_class("verdict none")
@@ -332,6 +335,23 @@ def test_a_link_that_cannot_be_read_takes_the_verdict_off_the_page(opened: Opene
     settled(page)
     expect(page.get_by_role("alert")).to_have_count(0)
     expect(verdict(page)).to_have_class("verdict unsafe")
+
+
+def test_sliders_tracks_are_given_up_beside_a_link_that_cannot_be_read(opened: Opened) -> None:
+    page = opened()
+    # Whoever answers for the tracks never does, until given up.
+    page.evaluate(
+        """() => {
+          const { answers, tracks } = benchdragon;
+          const never = () => new Promise(() => {});
+          answers.aside = () => ({ ask: never, close: () => { globalThis.over = true; } });
+          tracks.show(tracks.plan);
+        }"""
+    )
+    until(page, "benchdragon.tracks.aside !== null && !globalThis.over")
+    page.goto(page.url.split("#")[0] + "#plan=nothing!")
+    expect(page.get_by_role("alert").locator("code")).to_have_text("nothing!")
+    assert page.evaluate("globalThis.over")
 
 
 @pytest.mark.parametrize("questions", [("verdict", "limit/pitch", "sketch"), ("dance",)])

@@ -6,7 +6,17 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.browser.pages import Device
-from tests.browser.planners import PITCH, Opened, change, number, settle, settled, text_of, verdict
+from tests.browser.planners import (
+    PITCH,
+    Opened,
+    address,
+    change,
+    number,
+    settle,
+    settled,
+    text_of,
+    verdict,
+)
 from tests.browser.players import until
 
 
@@ -23,13 +33,9 @@ def test_the_evidence_is_one_click_away_and_leads_to_the_moment(opened: Opened) 
     expect(page.locator(".clock")).to_have_text("t = 181.20 s")
 
 
-def linked(url: str) -> list[str]:
-    """The plan in an address."""
-    return re.findall(r"plan=[^&]*", url)
-
-
 def test_steps_go_back_and_forth_and_all_stands_in_the_address(opened: Opened) -> None:
     page = opened()
+    first = address(page)
     benches = number(page, "number of benches")
     undo, redo = (page.get_by_role("button", name=name) for name in ("undo", "redo"))
     expect(undo).to_be_disabled()
@@ -39,15 +45,12 @@ def test_steps_go_back_and_forth_and_all_stands_in_the_address(opened: Opened) -
     expect(benches).to_have_value("223")
     redo.click()
     expect(benches).to_have_value("60")
-    settled(page)
-    page.wait_for_url(re.compile("plan="))
-    before = page.url
+    before = address(page, first)
     page.reload()
     expect(number(page, "number of benches")).to_have_value("60")
     settled(page)
     change(page, "number of benches", "50")
-    settled(page)
-    page.wait_for_url(lambda url: linked(url) != linked(before))
+    address(page, before)
     page.goto(before)  # in the same window
     expect(benches).to_have_value("60")
     change(page, "number of benches", "50")
@@ -186,7 +189,7 @@ def test_with_all_limits_set_the_controls_and_the_evidence_stay_in_sight(
 def test_an_address_that_is_being_read_is_not_written_over(opened: Opened) -> None:
     """The page comes to rest while it unfolds what an address holds that was put into its window."""
     page = opened()
-    page.wait_for_url(re.compile("plan="))
+    address(page)
     other = "plan=" + text_of(b'["nosuch", {}]')
     page.evaluate(
         """(other) => {

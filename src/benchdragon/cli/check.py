@@ -28,7 +28,7 @@ from benchdragon.cli.options import (
     prove_option,
     refuse_strays,
     shared_options,
-    tell_roster,
+    tell_names,
 )
 from benchdragon.i18n import N_, _
 
@@ -83,7 +83,7 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
             write_files(report, files)
     lines = _explained(report) if options["explain"] else []
     roster = _roster(read, needed=record is not None)
-    tell_roster(roster, quiet)
+    tell_names(roster.notes, quiet)
     if record is not None:
         _record(record, report, roster)
     if options["as_json"]:

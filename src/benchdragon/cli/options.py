@@ -1,6 +1,6 @@
 """Options that several verbs take."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,7 +13,6 @@ from benchdragon.i18n import LANGUAGES, N_, _
 
 if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
-    from benchdragon.rosters.roster import Roster
 
 Command = Callable[..., int | None]  # groups give nothing
 
@@ -286,9 +285,8 @@ def plan_to_walk(plan: str, settings: tuple[str, ...], quiet: bool) -> "Plan":
     return read
 
 
-def tell_roster(roster: "Roster", quiet: bool) -> None:
-    """Say on standard error what is odd about a list of names, a sentence each; a handful at most."""
-    notes = roster.notes
+def tell_names(notes: Sequence[str], quiet: bool) -> None:
+    """Say on standard error what is odd about a list of names, a sentence each; MOST_TOLD at most."""
     if quiet or not notes:
         return
     # The last says which benches nobody carries.

@@ -18,7 +18,7 @@ from benchdragon.cli.options import (
     refuse_strays,
     scale_option,
     shared_options,
-    tell_roster,
+    tell_names,
 )
 from benchdragon.cli.parsing import PAPERS, parse_scale
 from benchdragon.i18n import N_, _
@@ -87,7 +87,7 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     path, folder = record_path(plan), options["output"]
     read = plan_to_walk(plan, settings, quiet)
     roster = roster_of(read)
-    tell_roster(roster, quiet)
+    tell_names(roster.notes, quiet)
     record = None if options["anew"] else read_record(path, read, roster, plan)
     files = planned_papers(folder, names, options["force"])
     looks = options["paper"], options["by"], options["night"], options["phones"]
@@ -104,9 +104,7 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
         print_report(report)
         click.echo(_("No papers were written: only a plan that is safe has any."), err=True)
         return UNSAFE if report.decided else UNDECIDED
-    if not quiet:
-        for warning in briefing.odd_signs:
-            click.echo(_("List of names: {note}").format(note=warning), err=True)
+    tell_names(briefing.odd_signs, quiet)
     print_files(files)
     return 0
 

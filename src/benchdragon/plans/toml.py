@@ -21,10 +21,10 @@ from benchdragon.plans.source import Source
 
 BUILT_IN_FOLDER = Path(__file__).parent / "builtin"
 SUFFIX = ".dragon.toml"
-# Bytes: hundreds of thousands of benches of their own sizes fit; anything larger is not a plan.
+# Bytes: anything larger is not a plan.
 MOST_BYTES = 20_000_000
 # Keys and tables of a text, by the signs that begin them, and entries of lists: who reads them holds a
-# kilobyte of each. A hundred thousand benches of their own sizes fit.
+# kilobyte of each. 80,000 benches fit, each of four sizes of its own.
 MOST_KEYS, MOST_ENTRIES = 500_000, 1_000_000
 
 # Tables within tables by dotted keys, and digits of a number to another base than 10: of more the

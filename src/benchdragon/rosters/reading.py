@@ -63,7 +63,7 @@ def read_roster(path: Path, numbering: Numbering, sheet: str = "") -> Roster:
     told = [one for block in found.blocks for one in entries(rows, found.first, block)]
     said = [one for one in told if isinstance(one, Entry)]
     notes = [*_of_layout(found)]
-    notes += _some(
+    notes += first_notes(
         _("row {row} was not read: {why}").format(row=one.row, why=one.why)
         for one in told
         if isinstance(one, Unread)
@@ -85,8 +85,8 @@ def read_roster(path: Path, numbering: Numbering, sheet: str = "") -> Roster:
     found_benches: dict[int, tuple[Person, ...]] = {}
     for seat in sorted(kept, key=lambda seat: seat.bench):
         found_benches[seat.bench] = (*found_benches.get(seat.bench, ()), seat.person)
-    notes += [*_some(odd), *_some(twice), *_some(_at_two(kept, numbering))]
-    notes += _some(_apart(said, numbering))
+    notes += [*first_notes(odd), *first_notes(twice), *first_notes(_at_two(kept, numbering))]
+    notes += first_notes(_apart(said, numbering))
     notes += _holes(found_benches, numbering)
     return Roster(found_benches, tuple(dict.fromkeys(notes)))
 
@@ -274,7 +274,8 @@ def _listed(words: Iterable[str]) -> str:
     return ("、" if language() == "zh" else ", ").join(shown)
 
 
-def _some(notes: Iterable[str]) -> list[str]:
+def first_notes(notes: Iterable[str]) -> list[str]:
+    """Notes on a list of names; of very many the first, and how many more there are."""
     found = list(notes)
     if len(found) <= MOST_NOTES:
         return found

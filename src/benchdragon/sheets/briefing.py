@@ -14,6 +14,7 @@ from benchdragon.i18n import _
 from benchdragon.plans.chalk import ChalkTable
 from benchdragon.plans.people import called
 from benchdragon.plans.schema import Plan
+from benchdragon.rosters.reading import first_notes
 from benchdragon.rosters.roster import Roster
 from benchdragon.sheets.checked import Record
 
@@ -52,11 +53,12 @@ class Briefing:
     @cached_property
     def odd_signs(self) -> tuple[str, ...]:
         """Whose names papers cannot print as they are written, a sentence each."""
-        return tuple(
+        odd = (
             _("{bench}: {what}").format(bench=self.called(bench), what=warning)
             for bench, people in sorted(self.roster.benches.items())
             for warning in glyph_warnings(person.name for person in people)
         )
+        return tuple(first_notes(odd))
 
     @property
     def clock(self) -> Clock:

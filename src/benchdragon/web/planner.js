@@ -103,10 +103,8 @@ export class Planner {
     this.stage = make("main", { id: "player", class: "player" });
     this.grips = new Grips(this, this.stage);
     this.sheets = new Sheets(this.root, answers);
-    this.tracks = new Tracks(
-      answers,
-      () => this.unread !== null || this.root.ariaBusy === "true" || this.grips.drag !== null,
-    );
+    const busy = () => !!this.unread || this.root.ariaBusy === "true" || this.grips.drag !== null;
+    this.tracks = new Tracks(answers, busy);
     onFingerTaps(this.stage, (fingers) => (fingers === 2 ? this.undo() : this.redo()));
     this.notice = make("div", { class: "unread", role: "alert", hidden: true });
     /** What the notice is about. @type {Planner["unread"]} */
@@ -312,11 +310,8 @@ export class Planner {
     clearTimeout(this.rest);
     this.dialog?.close();
     this.verdict = null;
-    this.lines.verdict.tell(
-      this.unread,
-      _("No verdict: the plan in this link cannot be read."),
-      "none",
-    );
+    const text = _("No verdict: the plan in this link cannot be read.");
+    this.lines.verdict.tell(this.unread, text, "none");
     this.#mark();
   }
 

@@ -9,7 +9,15 @@ import { general } from "./number_format.js";
 import { builtObstacles } from "./obstacle.js";
 import { checkedTables, filledTable, jsonOfTable, withoutDefaults } from "./plan_check.js";
 import { builtRoute, lastPosition } from "./plan_routes.js";
-import { dropKeys, dropReplaced, idleKeys, idleText, setValue, withBase } from "./plan_tables.js";
+import {
+  dropKeys,
+  dropReplaced,
+  idleKey,
+  idleKeys,
+  idleText,
+  setValue,
+  withBase,
+} from "./plan_tables.js";
 import { Profile } from "./profile.js";
 import { sha256 } from "./sha256.js";
 import { Walk } from "./walk.js";
@@ -136,7 +144,7 @@ export class Plan {
     const [table, name = ""] = key.split(/\.(.*)/s);
     const at = this.tables[table]?.[name] ?? null;
     const said = { ...this.said, [table]: { ...this.said[table], [name]: at ?? 0 } };
-    const idle = idleKeys(said).filter((one) => one.path.join(".") === key);
+    const idle = idleKeys(said).filter((one) => idleKey(one) === key);
     let because = idle.length ? idle[0].because : "";
     if (table === "route" && !(name in this.tables.route))
       because = `route.kind = "${this.tables.route.kind}"`;
@@ -347,7 +355,7 @@ export function checkedPlan(data, source = "plan") {
   const { route } = tables;
   if (typeof route === "object" && route !== null && "part" in route && !("kind" in route))
     tables.route = { ...route, kind: "parts" };
-  const idle = idleKeys(tables).map((one) => new Fault(one.path.join("."), idleText(one)));
+  const idle = idleKeys(tables).map((one) => new Fault(idleKey(one), idleText(one)));
   const files = ["venue", "route"].filter((name) => typeof tables[name]?.file === "string");
   const outside = files.map((name) => new Fault(`${name}.file`, fileText(tables[name].file)));
   const { said, faults } = checkedTables(tables);

@@ -19,9 +19,15 @@ import { pythonRepr, pythonText } from "./python_text.js";
 const CHOOSING = ["dragon", "route", "disc", "turn", "walk", "venue", "limits"];
 const ALL_SIZES = new Set(Object.values(FORMATION_SIZES).flat());
 
+/** The dotted key. @param {Idle} idle */
+export function idleKey({ path }) {
+  return path.join(".");
+}
+
 /** In a sentence. @param {Idle} idle */
-export function idleText({ path, because, missing }) {
-  const key = path.join(".");
+export function idleText(idle) {
+  const { because, missing } = idle;
+  const key = idleKey(idle);
   if (missing)
     return _("{key} has no effect without one of {because}: take it out, or say one of them", {
       key,
@@ -113,7 +119,7 @@ function idleDrawn(route, latest) {
 
 /** @param {Tables} venue @param {Tables} limits @returns {Idle[]} */
 function idleOnTheSquare(venue, limits) {
-  const idle = [...idleAtTheEdge(venue, limits)];
+  const idle = idleAtTheEdge(venue, limits);
   if ("layer" in venue && !("file" in venue))
     idle.push({ path: ["venue", "layer"], beside: "venue", because: "venue.file", missing: true });
   return idle;
@@ -164,7 +170,7 @@ export function dropReplaced(data, keys) {
   const idle = idleKeys(data, keys);
   dropKeys(
     data,
-    idle.filter(({ beside, path }) => made.has(beside) && !made.has(path.join("."))),
+    idle.filter((one) => made.has(one.beside) && !made.has(idleKey(one))),
   );
 }
 
