@@ -14,6 +14,7 @@ from benchdragon.analysis.records import untimed, verdict_of
 from benchdragon.analysis.room import with_people
 from benchdragon.errors import InputError
 from benchdragon.explain.contact import check_lines
+from benchdragon.explain.room import level_line
 from benchdragon.i18n import spoken_in
 from benchdragon.kernels.box import corner
 from benchdragon.model.dragon import Dragon
@@ -75,6 +76,12 @@ def test_a_broken_level_is_a_finding_under_its_own_code() -> None:
     bare = small("people.sway=0.2", "limits.margin=0.4")
     assert [found.code for found in bare.findings] == ["BD102"]
     assert [level.kept for level in bare.room] == [False, False]
+    lines = [
+        level_line(level)
+        for level in small("limits.margin=0.02", "people.sway=0.01", "people.beside=0.5").room
+    ]
+    assert lines[-1].endswith("; side by side they need 1.04 m between them")
+    assert "side by side" not in lines[1], "which is kept"
 
 
 def test_what_stands_still_is_kept_from_too_and_sway_counts_once() -> None:

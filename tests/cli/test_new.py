@@ -141,18 +141,23 @@ def test_how_many_benches_come_out_again_is_told_where_all_of_them_do_not(
 
 def test_what_does_not_fit_is_asked_again_alone_and_the_other_answers_stay(tmp_path: Path) -> None:
     first = ["24", "1.5m", "15cm", "2", "", "12x12", "", "beside", "", "", "", ""]
-    # Under the benches, as is proposed; beside them still, but the number that fits.
-    for again, carried, most in (("\n", "under", 24), ("1\n\n", "beside", 23)):
-        folder = tmp_path / carried
+    # Under the benches, as is proposed; the number that fits; the square, which was mistyped.
+    for n, (again, carried, most) in enumerate(
+        (("\n\n", "under", 24), ("0\nx\n13\n2\n\n", "beside", 23), ("3\n22x22\n", "beside", 24))
+    ):
+        folder = tmp_path / str(n)
         folder.mkdir()
         code, shown = asked(folder, "".join(f"{answer}\n" for answer in first) + again + END_OF_INPUT)
         assert code == 0, shown
         assert "do not fit" in shown
+        assert shown.count("wanted 1 to 12, not ") == (2 if n == 1 else 0)
+        assert shown.count("wanted a whole number such as 1, not 'x'") == (1 if n == 1 else 0)
         assert shown.count("How long is a bench") == 1
         assert "add --carry" not in shown
         text = (folder / "v.dragon.toml").read_text("utf-8")
         assert f"they walk {carried}" in text
-        assert 2 <= read_plan(str(folder / "v.dragon.toml")).value("dragon.benches") <= most
+        benches = read_plan(str(folder / "v.dragon.toml")).value("dragon.benches")
+        assert benches == most if n == 2 else 2 <= benches <= most
 
 
 def test_a_refusal_names_walking_under_the_benches_where_that_fits(

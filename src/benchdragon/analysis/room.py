@@ -69,6 +69,12 @@ class RoomLevel:
     obstacles: tuple[ObstacleAnswers, ...]
 
     @property
+    def between(self) -> float:
+        """What it asks for between the sides of two benches, m: the people of both walk within."""
+        beside = sum(one.value for one in self.asked if one.key == "beside")
+        return round(self.margin + 2.0 * beside, 9)
+
+    @property
     def first(self) -> tuple[Answer, Obstacle | None] | None:
         """What breaks it first, surely if anything does, and the obstacle, if it is one; else None."""
         known: list[tuple[Answer, Obstacle | None]] = []

@@ -2,7 +2,7 @@
 
 import shlex
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -11,7 +11,7 @@ import click
 from benchdragon.cli.answers import NO_SOLUTION
 from benchdragon.cli.check import print_report
 from benchdragon.cli.console import print_files, shown_progress
-from benchdragon.cli.new_answers import QUESTIONS, Question
+from benchdragon.cli.new_answers import QUESTIONS, Question, read_place
 from benchdragon.cli.options import (
     FILE,
     announce_compiling,
@@ -180,20 +180,21 @@ def _wishes(said: Mapping[str, Any], kind: Any, roster: str, given: set[str]) ->
 
 
 def _asked_again(said: dict[str, Any], found: "TooSmall") -> set[str]:
-    """Ask again what makes the dance fit, one question after another until one has another answer.
+    """Ask which answer is to change, what makes the dance fit first, and that question again.
 
     The other answers stay; the names of what was changed.
     """
+    usual = {"carry": "2" if found.under else "", "benches": str(found.benches or "")}
+    first = [name for name, text in usual.items() if text] + ["square"]
     named = {one.name: one for one in QUESTIONS}
-    usual = {"carry": "2" if found.under else "", "benches": str(found.benches or ""), "square": ""}
-    click.echo(_("Your other answers stay. Change one thing:"), err=True)
-    for name, text in usual.items():
-        if text or name == "square":
-            answer = _answer(named[name], text or None)
-            if answer != said[name]:
-                said[name] = answer
-                return {name}
-    return set()
+    offered = [named[name] for name in dict.fromkeys((*first, *named))]
+    click.echo(_("Your other answers stay. Which one do you change?"), err=True)
+    for n, one in enumerate(offered, 1):
+        click.echo(f"{n:4}  {_(one.label)}", err=True)
+    label = _("Its number")
+    chosen = _prompt(label, "1", lambda text: offered[read_place(label, text, len(offered))])
+    said[chosen.name] = _answer(chosen, usual.get(chosen.name) or None)
+    return {chosen.name}
 
 
 def _usual(questions: Sequence[Question], said: dict[str, Any]) -> None:
@@ -222,16 +223,21 @@ def _asked(questions: Sequence[Question], said: dict[str, Any]) -> set[str]:
 
 
 def _answer(question: Question, usual: str | None) -> Any:
-    """The answer to one question: read at once, and asked for again where it cannot be."""
+    """The answer to one question."""
+    text = _("{question} ({why})").format(question=_(question.text), why=_(question.why))
+    return _prompt(text, usual, lambda answer: question.answer(_(question.label), answer))
 
-    def read(text: str) -> Any:
+
+def _prompt(text: str, usual: str | None, read: Callable[[str], Any]) -> Any:
+    """What is typed: read at once, and asked for again where it cannot be."""
+
+    def checked(typed: str) -> Any:
         try:
-            return question.answer(_(question.label), text)
+            return read(typed)
         except InputError as error:
             raise click.UsageError(str(error)) from None
 
-    text = _("{question} ({why})").format(question=_(question.text), why=_(question.why))
-    return click.prompt(text, default=usual, value_proc=read, err=True)
+    return click.prompt(text, default=usual, value_proc=checked, err=True)
 
 
 def _roster(output: Path, path: Path | None) -> str:

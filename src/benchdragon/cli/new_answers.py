@@ -94,6 +94,18 @@ def read_count(called: str, text: str, example: str) -> int:
     return min(int(found[:9]), 10**9)
 
 
+def read_place(called: str, text: str, count: int) -> int:
+    """A place in a list of so many, told by its number; from 0."""
+    number = read_count(called, text, "1")
+    if not 1 <= number <= count:
+        raise InputError(
+            _("{option}: wanted 1 to {most}, not {text}").format(
+                option=called, most=count, text=repr(text)
+            )
+        )
+    return number - 1
+
+
 def length_to(most: float, least: float = 0.01) -> Length:
     """A reader of lengths from `least` to `most`, m: "1.5", "150cm", "一米五", "30公分"."""
 

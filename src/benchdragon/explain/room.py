@@ -22,9 +22,15 @@ def level_line(level: RoomLevel) -> str:
         text = _("{name}: first broken at t = {t} s by bench {a} at {obstacle}")
     else:
         text = _("{name}: first broken at t = {t} s by benches {a} and {b}")
+        if level.asked:
+            text = _(
+                "{name}: first broken at t = {t} s by benches {a} and {b}; side by side they need "
+                "{between} m between them"
+            )
     return text.format(
         name=name, t=f"{contact.value:z.6f}", a=benches[0] if benches else 0,
         b=benches[-1] if benches else 0, obstacle="" if obstacle is None else named(obstacle),
+        between=f"{level.between:g}",
     )  # fmt: skip
 
 

@@ -169,7 +169,7 @@ def room_table(briefing: Briefing) -> Table:
     """Room for people, level upon level."""
     words = {True: _("kept"), False: _("not kept"), None: _("undecided")}
     rows = tuple(
-        (level_name(one), _asked(one) or "–", f"{_between(one):g} m", words[one.kept])
+        (level_name(one), _asked(one) or "–", f"{one.between:g} m", words[one.kept])
         for one in briefing.report.room
     )
     names = (_("room"), _("asked for"), _("between benches side by side, at least"), _("verdict"))
@@ -185,12 +185,6 @@ def _asked(level: RoomLevel) -> str:
         )
         for one in level.asked
     )
-
-
-def _between(level: RoomLevel) -> float:
-    """What a level leaves between the sides of two benches, m: the room for people of both within."""
-    beside = sum(one.value for one in level.asked if one.key == "beside")
-    return round(level.margin + 2.0 * beside, 9)
 
 
 def speed_table(briefing: Briefing) -> Table:
