@@ -162,6 +162,7 @@ CALLS: dict[str, tuple[Any, ...]] = {
     "least_clearance": (WALK, 0.0, 2.0),
     "limit": (PLAN, "pitch"),
     "prove_contact": (WALK, 0.0, 2.0),
+    "prove_report": (bd.check(PLAN),),
     "show": (MOTION,),
     "smallest_pitch": (PLAN,),
     "three_pieces": (1.7, 4.5, 4.5, (2.0, 2.0)),

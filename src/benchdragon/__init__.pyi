@@ -20,6 +20,7 @@ from .analysis.obstacles import least_distance as least_distance
 from .analysis.offsets import Offsets as Offsets
 from .analysis.offsets import bench_offsets as bench_offsets
 from .analysis.proof import prove_contact as prove_contact
+from .analysis.proved_report import prove_report as prove_report
 from .analysis.speed import greatest_speed as greatest_speed
 from .analysis.swept import BoundingCircle as BoundingCircle
 from .analysis.swept import BoundingRectangle as BoundingRectangle

@@ -1,6 +1,7 @@
 """Greatest speeds, proved: bounds that hold, a handle that is as fast, and claims that are not so."""
 
 import json
+import math
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -10,7 +11,13 @@ import pytest
 pytest.importorskip("flint")
 
 from benchdragon.analysis.certificate import Certificate, certificate_of, verify
-from benchdragon.analysis.speed_proof import SpeedClaim, SpeedQuestion, head_speeds, prove_speed
+from benchdragon.analysis.speed_proof import (
+    SpeedClaim,
+    SpeedQuestion,
+    handle_speeds,
+    head_speeds,
+    prove_speed,
+)
 from benchdragon.errors import BenchDragonError, InputError, UnsureError
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.solve.head_speed import prove_head_speed
@@ -49,6 +56,16 @@ def test_a_head_speed_is_rounded_to_the_safe_side() -> None:
         lower, upper = head_speeds(float(limit), claim)
         assert Fraction(repr(lower)) < Fraction(limit, 7) < Fraction(repr(upper))
         assert upper - lower < 1e-15
+
+
+def test_handles_speeds_are_rounded_outwards() -> None:
+    for seventh in range(1, 60):  # products of decimals of which some round up, and some down
+        head, ratio = seventh / 7.0, 1.0 + seventh / 70.0
+        claim = SpeedClaim((0.0,), 0.0, 0.0, ratio, 0.0, 0, ratio)
+        lower, upper = handle_speeds(head, claim)
+        exact = Fraction(repr(head)) * Fraction(repr(ratio))
+        assert Fraction(repr(lower)) <= exact <= Fraction(repr(upper))
+        assert upper - lower <= 4.0 * math.ulp(upper)
 
 
 FAULTS: dict[str, tuple[dict[str, Any], str]] = {

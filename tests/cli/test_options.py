@@ -112,6 +112,7 @@ CASES: dict[str, Case] = {
     "motion --explain": Case(MOTION, ["--explain"]),
     "check --set": Case(CHECK, ["--set", "walk.end=3"]),
     "check --prove": Case(CHECK, ["--prove"]),
+    "check --prove-all": Case([*CHECK, "--prove"], ["--prove-all"]),
     "verify --json": Case(VERIFY, ["--json"], CERTIFIED),
     "verify --lang": Case(VERIFY, ["--lang", "zh"], CERTIFIED),
     "verify --quiet": Case(VERIFY, ["--quiet"], CERTIFIED),

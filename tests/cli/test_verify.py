@@ -49,6 +49,29 @@ def test_what_check_writes_is_verified_by_another_process(tmp_path: Path) -> Non
     assert told["cells"] == sum(len(claim["cells"]) - 1 for claim in kept["claims"]) > 20
 
 
+def test_speeds_are_in_the_certificate_of_all_and_what_is_not_proved_is_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    plan, folder = tmp_path / "bend.dragon.toml", tmp_path / "out"
+    plan.write_text(TEXT.format(post=list(IN_THE_WAY), margin=0.0), "utf-8")
+    line = ["check", str(plan), "--prove-all", "-o", str(folder), "--format", "svg", "--quiet"]
+    assert run([*line, "--lang", "en"]) == 1
+    told = capsys.readouterr()
+    assert told.err == ""
+    assert "(proved)" in told.out.split("greatest speed of a handle")[1]
+    kept = json.loads((folder / "certificate.json").read_text("utf-8"))
+    assert len(kept["speeds"]) == 1
+    assert run(["verify", str(folder / "certificate.json"), "--quiet", "--lang", "en"]) == 0
+    assert "no handle is ever more than" in capsys.readouterr().out
+    again = [*line, "--force", "--set", "cues.acceleration=0.3", "--lang", "en"]
+    assert run(again) == 1
+    told = capsys.readouterr()
+    assert told.err == (
+        "not proved: greatest speed: it is proved only where the head keeps one speed\n"
+    )
+    assert "(proved)" not in told.out.split("greatest speed of a handle")[1]
+
+
 def test_without_proof_no_certificate_is_written(tmp_path: Path) -> None:
     plan = tmp_path / "bend.dragon.toml"
     plan.write_text(TEXT.format(post=list(IN_THE_WAY), margin=0.0), "utf-8")

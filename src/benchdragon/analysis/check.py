@@ -30,6 +30,7 @@ from benchdragon.analysis.speed import (
     greatest,
     greatest_speed,
 )
+from benchdragon.analysis.speed_proof import SpeedClaim
 from benchdragon.analysis.stops import Stop, stops_of
 from benchdragon.analysis.unfinished import Unfinished, unfinished
 from benchdragon.errors import InputError, UnsureError, WalkError, of_kind
@@ -71,6 +72,8 @@ class Report:
         proved: whether what is said of contact was proved.
         seconds: how long the check took.
         claims: what was proved of benches alone, and of obstacles, to be shown again.
+        speeds: what was proved of speeds, likewise (see `prove_report`).
+        unproved: what was to be proved besides and could not be, and why, a sentence each.
         unfinished: what the walk lacks where it ends before the tail is out of the turn; else None.
     """
 
@@ -88,6 +91,8 @@ class Report:
     proved: bool = False
     seconds: float = 0.0
     claims: tuple[Claim, ...] = ()
+    speeds: tuple[SpeedClaim, ...] = ()
+    unproved: tuple[str, ...] = ()
     unfinished: Unfinished | None = None
 
     @property

@@ -64,6 +64,16 @@ def head_speeds(limit: float, claim: SpeedClaim) -> tuple[float, float]:
     return lower, stepped(float(allowed / least), lambda v: as_written(v) * least > allowed, math.inf)
 
 
+def handle_speeds(head: float, claim: SpeedClaim) -> tuple[float, float]:
+    """Between which speeds the fastest handle's surely lies, the head at that speed: decimals, m/s."""
+    from benchdragon.proofs.exact import stepped
+    from benchdragon.proofs.parts import as_written
+
+    least, most = (as_written(head) * as_written(value) for value in (claim.least, claim.most))
+    lower = stepped(float(least), lambda v: as_written(v) <= least, -math.inf)
+    return lower, stepped(float(most), lambda v: as_written(v) >= most, math.inf)
+
+
 class SpeedQuestion:
     """The greatest speed of a walk's handles, the head at 1 m/s; with a plan as in `proof.Question`."""
 

@@ -48,6 +48,11 @@ if TYPE_CHECKING:
 )
 @plan_options
 @prove_option
+@click.option(
+    "--prove-all",
+    is_flag=True,
+    help=N_("Prove the least clearance and the greatest speed as well; this takes longer."),
+)
 @folder_option
 @formats_option("xlsx,png", N_("What to write: xlsx, png, svg, pdf."))
 @click.option("--show-plan", is_flag=True, help=N_("Print the plan in effect too, as a plan file."))
@@ -71,16 +76,23 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     read = plan_to_walk(plan, settings, quiet)
     folder: Path | None = options["output"]
     files: list[Path] = []
+    prove = options["prove"] or options["prove_all"]
     if folder is not None:
         from benchdragon.export.check_files import planned_files, write_files
 
-        files = planned_files(folder, options["formats"].split(","), options["force"], options["prove"])
+        files = planned_files(folder, options["formats"].split(","), options["force"], prove)
     warn_of_outside(read)
     with shown_progress(quiet) as progress:
-        report = checked(read, progress, prove=options["prove"])
+        report = checked(read, progress, prove=prove)
+        if options["prove_all"]:
+            from benchdragon.analysis.proved_report import prove_report
+
+            report = prove_report(report, progress)
         if files:
             progress(1.0, _("writing"))
             write_files(report, files)
+    for text in report.unproved:
+        click.echo(_("not proved: {what}").format(what=text), err=True)
     lines = _explained(report) if options["explain"] else []
     roster = _roster(read, needed=record is not None)
     tell_names(roster.notes, quiet)

@@ -52,7 +52,7 @@ def write_files(report: Report, files: Sequence[Path]) -> None:
     }
     for path in files:
         if path.name == CERTIFICATE:
-            write_certificate(certificate_of(report.plan, report.claims), path)
+            write_certificate(certificate_of(report.plan, report.claims, report.speeds), path)
         elif path.suffix == ".xlsx":
             write_moment_xlsx(path, motion, report.obstacles)
         else:
