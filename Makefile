@@ -22,7 +22,7 @@ export PYTHONDONTWRITEBYTECODE :=
 .venv/installed: requirements.lock pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed")'
 	$(PYTHON) -m venv .venv
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --require-hashes -r requirements.lock
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
 	touch $@
 
@@ -115,7 +115,7 @@ truth: .venv/installed
 
 # Zig is 0.4 GB, and builds engine.wasm alone: the tests take the committed one.
 .venv/zig: .venv/installed requirements-wasm.lock
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-wasm.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --require-hashes -r requirements-wasm.lock
 	touch $@
 
 # The kernels for browsers, to be committed.
