@@ -53,7 +53,6 @@ from benchdragon.cli.parsing import (
     parse_times,
     spread,
 )
-from benchdragon.cli.place import place, square
 from benchdragon.cli.plan import plan, schema
 from benchdragon.cli.planner import planner
 from benchdragon.cli.sheets import sheets
@@ -215,8 +214,6 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     return _motion_table(walk, read, times, handles, options)
 
 
-for question in (place, square):
-    solve.add_command(question)
 for verb in (
     new, check, solve, margins, sweep, atlas, survey, compare, view, planner, animate, area,
     timetable, sheets, plan, formations, schema, verify,

@@ -26,7 +26,7 @@ from benchdragon.cli.options import (
     plan_to_walk,
     shared_options,
 )
-from benchdragon.cli.solve import read_to_write, write_plan
+from benchdragon.cli.solved import read_to_write, write_plan
 from benchdragon.i18n import N_, _
 from benchdragon.number_format import rounded_up
 

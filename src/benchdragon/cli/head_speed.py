@@ -1,0 +1,121 @@
+"""`solve speed`: the greatest head speed, and a pace that slows down only where it must."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from benchdragon.cli.console import print_explanation, print_files, shown_progress
+from benchdragon.cli.options import (
+    BESIDE,
+    FILE,
+    WITHOUT,
+    brackets_option,
+    explain_option,
+    json_option,
+    plan_options,
+    plan_to_walk,
+    prove_option,
+    refuse_strays,
+    shared_options,
+)
+from benchdragon.cli.solved import (
+    certificate_option,
+    check_certificate,
+    exit_code,
+    print_solved,
+    read_to_write,
+    write_kept_certificate,
+    write_plan,
+)
+from benchdragon.i18n import N_, _
+from benchdragon.model.answer import Answer
+
+if TYPE_CHECKING:
+    from benchdragon.analysis.speed_proof import SpeedClaim
+    from benchdragon.plans.schema import Plan
+    from benchdragon.solve.head_speed import Pace
+
+
+@click.command(
+    help=N_(
+        "The greatest constant head speed that keeps the plan's limits.\n\nPLAN is a *.dragon.toml "
+        "file or the name of a built-in plan: spiral-in, turn. It must limit speeds, accelerations or "
+        "turning rates: --set limits.speed=2, for example. Exit code 4: it cannot be walked; 5: "
+        "undecided."
+    )
+)
+@plan_options
+@click.option(
+    "--pace",
+    "pace_file",
+    type=FILE,
+    metavar="FILE",
+    help=N_("Write the plan walked at its own head speed, slowed down only where a limit requires it."),
+)
+@prove_option
+@certificate_option
+@json_option
+@brackets_option
+@explain_option
+@shared_options
+def speed(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
+    """Print the greatest head speed; with --pace also write a pace, as a plan of its own."""
+    path: Path | None = options["pace_file"]
+    refuse_strays(
+        ("prove", path is None, BESIDE, "--pace"), ("output", options["prove"], WITHOUT, "--prove")
+    )
+    if options["prove"]:
+        check_certificate(options)
+        return _print_speed(plan_to_walk(plan, settings, quiet), options, quiet)
+    read = read_to_write(plan, settings, quiet, "--pace", path)
+    if path is None:
+        return _print_speed(read, options, quiet)
+    return _print_pace(read, plan, path, options, quiet)
+
+
+def _print_speed(plan: "Plan", options: dict[str, Any], quiet: bool) -> int:
+    """The greatest head speed."""
+    from benchdragon.solve.head_speed import greatest_head_speed, prove_head_speed
+
+    claims: list[SpeedClaim] = []
+    with shown_progress(quiet) as progress:
+        if options["prove"]:
+            found = prove_head_speed(plan, progress=progress, claims=claims)
+        else:
+            found = greatest_head_speed(plan, progress=progress)
+    lines = _speed_lines(plan, found, None) if options["explain"] else []
+    print_solved(plan, _("greatest head speed"), found, options, lines)
+    write_kept_certificate(plan, options, [], claims)
+    return exit_code(found)
+
+
+def _print_pace(plan: "Plan", source: str, path: Path, options: dict[str, Any], quiet: bool) -> int:
+    """The greatest head speed, and a pace that slows down only where it must, written to a file."""
+    from benchdragon.files import refuse_existing
+    from benchdragon.solve.head_speed import slowed, with_pace
+
+    refuse_existing([path], options["force"])
+    with shown_progress(quiet) as progress:
+        pace = slowed(plan, progress=progress)
+    write_plan(with_pace(plan, pace), path, source)
+    more: dict[str, Any] = {"pace": {"seconds": pace.seconds, "saved": pace.saved, "file": str(path)}}
+    lines = _speed_lines(plan, pace.steady, pace) if options["explain"] else []
+    json_lines = lines if options["as_json"] else []
+    print_solved(plan, _("greatest head speed"), pace.steady, options, json_lines, **more)
+    if not options["as_json"]:
+        click.echo(
+            _("slowing down only where it must the walk takes {seconds} s, {saved} s less").format(
+                seconds=f"{pace.seconds:.2f}", saved=f"{pace.saved:.2f}"
+            )
+        )
+        print_files([path])
+        print_explanation(lines)
+    return exit_code(pace.steady)
+
+
+def _speed_lines(plan: "Plan", found: Answer, pace: "Pace | None") -> list[str]:
+    """The lines of --explain for a head speed."""
+    from benchdragon.explain.answers import speed_lines
+
+    return speed_lines(plan, found, pace)

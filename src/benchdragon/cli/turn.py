@@ -1,0 +1,187 @@
+"""`solve turn`: the best turn of a family, and how much better another may be at most."""
+
+import json
+import math
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from benchdragon.cli.answers import UNDECIDED, about, print_title
+from benchdragon.cli.console import print_explanation, print_files, shown_progress, turn_lines
+from benchdragon.cli.options import (
+    FILE,
+    WITHOUT,
+    explain_option,
+    force_option,
+    json_option,
+    plan_options,
+    plan_to_walk,
+    refuse_strays,
+    shared_options,
+)
+from benchdragon.cli.parsing import check_ending
+from benchdragon.cli.solved import write_plan
+from benchdragon.i18n import N_, _
+from benchdragon.progress import part
+
+if TYPE_CHECKING:
+    from benchdragon.plans.schema import Plan
+    from benchdragon.solve.turn import BestTurn
+    from benchdragon.solve.turn_trials import TurnGoal
+
+
+@click.command(
+    help=N_(
+        "The best turn of the plan's family.\n\nPLAN is a *.dragon.toml file or the name of a built-in "
+        "plan whose route is a turn: turn. The plan's turn.family names the family. Exit code 4: no "
+        "turn was found that keeps the limits; 5: --prove did not get as near as --within says."
+    )
+)
+@plan_options
+@click.option(
+    "--objective",
+    type=click.Choice(["way", "length", "speed", "disc", "acceleration"]),
+    default="way",
+    show_default=True,
+    help=N_(
+        "The shortest path inside the disc, the shortest turn itself, the greatest head speed, "
+        "the smallest disc, or the least peak acceleration."
+    ),
+)
+@click.option(
+    "--least-radius",
+    type=click.FloatRange(min=0.0, max=1e6),
+    default=0.0,
+    help=N_("No bend is tighter, in metres."),
+)
+@click.option(
+    "--longest",
+    type=click.FloatRange(min=0.0, min_open=True, max=1e6),
+    help=N_("The turn itself is no longer, in metres."),
+)
+@click.option(
+    "--longest-way",
+    type=click.FloatRange(min=0.0, min_open=True, max=1e6),
+    help=N_("The path inside the disc is no longer, in metres."),
+)
+@click.option(
+    "--prove",
+    is_flag=True,
+    help=N_(
+        "Prove in ball arithmetic how much better another turn of the family may be at most. "
+        "Ctrl-C ends this early, with what was shown till then."
+    ),
+)
+@click.option(
+    "--within",
+    type=click.FloatRange(min=1e-6, max=1e3),
+    default=1e-3,
+    show_default=True,
+    help=N_("With --prove: how much that is to be, in metres or metres a second."),
+)
+@click.option(
+    "--boxes",
+    type=click.IntRange(1, 1_000_000),
+    default=20_000,
+    show_default=True,
+    help=N_("With --prove: how many boxes of turns are looked at for it at most."),
+)
+@click.option(
+    "--certificate",
+    type=FILE,
+    metavar="FILE",
+    help=N_("With --prove: write what shows it, for benchdragon verify."),
+)
+@click.option(
+    "--plan-file", type=FILE, metavar="FILE", help=N_("Write the plan with the turn that was found.")
+)
+@force_option
+@json_option
+@explain_option
+@shared_options
+def turn(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
+    """Print the best turn; with --plan-file also write the plan with it."""
+    from benchdragon.files import refuse_existing
+    from benchdragon.solve.turn import best_turn
+    from benchdragon.solve.turn_trials import TurnGoal
+
+    path, certificate = options["plan_file"], options["certificate"]
+    written = [file for file in (path, certificate) if file is not None]
+    proving = (
+        (name, options["prove"], WITHOUT, "--prove") for name in ("within", "boxes", "certificate")
+    )
+    refuse_strays(*proving, ("force", bool(written), WITHOUT, "--plan-file"))
+    if path is not None:
+        check_ending("--plan-file", path, [".toml"])
+    if certificate is not None:
+        check_ending("--certificate", certificate, [".json"])
+    read = plan_to_walk(plan, settings, quiet)
+    longest, longest_way = (options[name] or math.inf for name in ("longest", "longest_way"))
+    goal = TurnGoal(options["objective"], options["least_radius"], longest, longest_way)
+    refuse_existing(written, options["force"])
+    if options["prove"]:
+        return _prove_turn(read, plan, goal, options, quiet)
+    with shown_progress(quiet) as progress:
+        best = best_turn(read, goal, progress=progress)
+    if path is not None:
+        write_plan(best.plan, path, plan)
+    _print_turn(read, best, goal.objective, options)
+    return 0
+
+
+def _prove_turn(
+    plan: "Plan", source: str, goal: "TurnGoal", options: dict[str, Any], quiet: bool
+) -> int:
+    """Print the best turn, and how much better another may be at most."""
+    from benchdragon.files import whole_file
+    from benchdragon.solve import turn_proof
+    from benchdragon.solve.turn import best_turn
+    from benchdragon.solve.turn_certificate import certificate_of
+
+    turn_proof.turns_of(plan, goal)  # what cannot be proved is told before the search
+    with shown_progress(quiet) as progress:
+        best = best_turn(plan, goal, progress=part(progress, 0.0, 0.5))
+        value, ends = best.objective.value, {"gap": options["within"], "most": options["boxes"]}
+        proof = turn_proof.proved_bound(plan, goal, value, **ends, progress=part(progress, 0.5, 1.0))
+    if options["plan_file"] is not None:
+        write_plan(best.plan, options["plan_file"], source)
+    if options["certificate"] is not None:
+        text = certificate_of(plan, goal, proof).model_dump_json()
+        with whole_file(options["certificate"]) as temporary:
+            temporary.write_text(text, encoding="utf-8")
+    shown = turn_proof.with_proof(best, proof)
+    _print_turn(plan, shown, goal.objective, options, proof=turn_proof.proof_json(proof))
+    return 0 if proof.complete else UNDECIDED
+
+
+def _print_turn(
+    plan: "Plan", best: "BestTurn", objective: str, options: dict[str, Any], **more: Any
+) -> None:
+    """The best turn of a plan, as text or JSON."""
+    lines: list[str] = []
+    if options["explain"]:
+        from benchdragon.explain import answers as explain_answers
+
+        lines = explain_answers.turn_lines(best)
+    if options["as_json"]:
+        click.echo(json.dumps({**best.as_json(), **more, **about(plan, lines)}))
+        return
+    print_title(plan)
+    _echo_turn(best, objective)
+    print_files([options[name] for name in ("plan_file", "certificate") if options[name] is not None])
+    print_explanation(lines)
+
+
+def _echo_turn(best: "BestTurn", objective: str) -> None:
+    """The best turn for readers."""
+    from benchdragon.solve.turn_trials import OBJECTIVES
+
+    click.echo(
+        _("{name}: {value} {unit}  (best found)").format(
+            name=_(OBJECTIVES[objective]),
+            value=f"{best.objective.value:.6f}",
+            unit=best.objective.unit,
+        )
+    )
+    for line in turn_lines(best):
+        click.echo(f"  {line}")
