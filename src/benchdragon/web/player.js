@@ -5,6 +5,7 @@ import { clock, toldTime } from "./axis.js";
 import { Camera, listen } from "./camera.js";
 import { scaleOf } from "./colours.js";
 import { Drum } from "./drum.js";
+import { extent, spread } from "./extent.js";
 import { Face, ticked } from "./face.js";
 import { Flight } from "./flight.js";
 import { Hold } from "./hold.js";
@@ -13,6 +14,7 @@ import { meetingOf, nearnessText, passedText, tightestOf } from "./nearby.js";
 import { Boxes } from "./nearness.js";
 import { Paper } from "./paper.js";
 import { Square } from "./square.js";
+import { elementAt, wayTo } from "./way.js";
 import { _, language, speak } from "./words.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
@@ -71,7 +73,7 @@ export class Player {
     this.#watch = new ResizeObserver(() => this.#resize());
     this.hold = new Hold(() => this.#freed());
     this.#attach();
-    this.fit(this.#times());
+    this.fit(spread(this.scene));
     document.addEventListener("keydown", (event) => pressed(this, event));
     this.#dark.addEventListener("change", () => this.#dressed());
     requestAnimationFrame((now) => this.#turn(now));
@@ -106,12 +108,13 @@ export class Player {
     this.time = Math.min(Math.max(this.time, scene.start), scene.end);
     if (this.chosen >= scene.benches) this.chosen = -1;
     this.#newFace();
-    if (!this.follows && (other || (this.#fitted.length && !this.#fits()))) this.fit(this.#times());
+    if (!this.follows && (other || (this.#fitted.length && !this.#fits())))
+      this.fit(spread(this.scene));
   }
 
   /** Whether the whole dance is in sight, and fills a good part of it. */
   #fits() {
-    const [left, bottom, right, top] = this.room(this.#times());
+    const [left, bottom, right, top] = this.room(spread(this.scene));
     const { width, height, scale } = this.camera;
     const [west, south] = this.camera.toGround(0, height);
     const [east, north] = this.camera.toGround(width, 0);
@@ -342,42 +345,13 @@ export class Player {
     this.#touch();
   }
 
-  /** Ground that the dragon takes at some times, and the disc: left, bottom, right, top. @param {number[]} times @param {number} room about all that, m @returns {[number, number, number, number]} */
+  /** Ground that the dragon takes at some times, and what stands there: left, bottom, right, top. @param {number[]} times @param {number} room about all that, m */
   room(times, room = 2 * this.boxes.half[0]) {
-    const { disc, centre } = this.scene.sent;
-    /** @type {number[]} */
-    const across = [];
-    /** @type {number[]} */
-    const up = [];
-    for (const time of times) {
-      const { x, y } = this.scene.stand(time, this.stand);
-      across.push(Math.min(...x), Math.max(...x));
-      up.push(Math.min(...y), Math.max(...y));
-    }
-    if (disc !== null) {
-      across.push(centre[0] - disc, centre[0] + disc);
-      up.push(centre[1] - disc, centre[1] + disc);
-    }
-    for (const [x, y] of this.square.corners()) {
-      across.push(x);
-      up.push(y);
-    }
-    return [
-      Math.min(...across) - room,
-      Math.min(...up) - room,
-      Math.max(...across) + room,
-      Math.max(...up) + room,
-    ];
+    return extent(this.scene, this.stand, this.square, times, room);
   }
 
   /** Times whose places the camera was fitted to, and is again when the page changes its size. @type {number[]} */
   #fitted = [];
-
-  /** Times spread over the whole dance. */
-  #times() {
-    const { start, end } = this.scene;
-    return Array.from({ length: 9 }, (_unused, n) => start + (n / 8) * (end - start));
-  }
 
   /** A gesture moved the camera: stop following. */
   #touched() {
@@ -503,18 +477,4 @@ export class Player {
 
   /** Called when the page has come to rest. @type {(() => void) | undefined} */
   onSettled;
-}
-
-/** The way from an element up to one that it is in: which child of each it is; null if it is not in it. @param {Element | null} element @param {Element} above @returns {number[] | null} */
-function wayTo(element, above) {
-  if (element === above) return [];
-  const parent = element?.parentElement;
-  const way = element && parent ? wayTo(parent, above) : null;
-  return way && [...way, [...(parent?.children ?? [])].indexOf(/** @type {Element} */ (element))];
-}
-
-/** What such a way leads to. @param {number[]} way @param {Element | undefined} above @returns {HTMLElement | null} */
-function elementAt(way, above) {
-  const found = way.reduce((element, child) => element?.children[child], above);
-  return found instanceof HTMLElement ? found : null;
 }
