@@ -14,6 +14,9 @@ from benchdragon.i18n import use_language
 if TYPE_CHECKING:
     from benchdragon.paper.results import Results
 
+# Where pages are tested, or asked what Python is asked.
+PAGES = tuple(Path(__file__).parent / name for name in ("browser", "planner"))
+
 settings.register_profile(
     "benchdragon",
     deadline=None,
@@ -36,20 +39,25 @@ def pytest_collection() -> Generator[None, object, object]:
         gc.enable()
 
 
+@pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Begin with long tests: one that comes last runs while the other processes have nothing left."""
+    """Mark tests of pages. Long ones begin: who comes last runs while others have nothing left."""
+    for item in items:
+        if item.path.parent in PAGES:
+            item.add_marker("pages")
     items.sort(key=lambda item: item.get_closest_marker("long") is None)
 
 
 @pytest.fixture(scope="session")
 def found() -> "Results":
-    """What the paper comes to; fewer turns, and fewer dances walked again, will do in a test."""
+    """What the paper comes to: in a test fewer turns will do, fewer dances, and no proofs."""
     from benchdragon.paper import results  # takes seconds, which most tests can do without
 
     told: list[tuple[float, str]] = []
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(results, "FRONT_SPEEDS", (1.3,))
         patch.setattr(results, "AGAIN", 1)
+        patch.setattr(results, "find_spec", lambda _name: None)  # tests/paper/test_proofs.py proves
         computed = results.results(lambda share, text: told.append((share, text)))
     shares = [share for share, _text in told]
     assert shares == [pytest.approx(n / results.STEPS) for n in range(results.STEPS)]

@@ -108,7 +108,7 @@ def test_contact_and_pitch_come_out_as_the_truth_has_them(folder: Path) -> None:
         assert row["y_m"] == pytest.approx(y, abs=1e-10)
         assert row["speed_m_s"] == pytest.approx(speed, abs=1e-10)
     pitch = found["pitch"]
-    assert {found["contact"]["first"]["status"], pitch["smallest"]["status"]} == {"proved"}
+    assert {found["contact"]["first"]["status"], pitch["smallest"]["status"]} == {"found"}
     assert pitch["smallest"]["value"] == pytest.approx(float(TRUTH["smallest_pitch_m"]), abs=1e-13)
     assert pitch["before_disc_m"] == pytest.approx(4.595723632, abs=2e-6)
     traversed = {

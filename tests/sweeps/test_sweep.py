@@ -254,7 +254,8 @@ def test_a_dataset_holds_the_table(whole: Sweep) -> None:
             np.testing.assert_array_equal(array.values.ravel(), whole.column(f"{name}.{field}"))
         assert data[f"{name}.status"].values.ravel().tolist() == whole.texts(f"{name}.status")
     at = {"route.pitch": 0.5, "disc.radius": 2.0}
-    number = work.VARY["route.pitch"].index(0.5) * 5 + 2
+    radii = work.VARY["disc.radius"]
+    number = work.VARY["route.pitch"].index(0.5) * len(radii) + radii.index(2.0)
     assert float(data["greatest_speed.lower"].sel(at)) == whole.column("greatest_speed.lower")[number]
     assert data["first_contact"].attrs == data["first_contact.upper"].attrs == {"units": "s"}
     assert data["greatest_speed"].attrs == {"units": "m/s"}
