@@ -17,7 +17,7 @@ from benchdragon.kernels.box import corner
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.walk import Motion
 from benchdragon.plans.schema import Plan, read_plan
-from benchdragon.solve.place import best_place
+from benchdragon.solve.place import best_place, enough_room
 from benchdragon.solve.size import feasible_sizes, limit
 from benchdragon.solve.turn import _exact_figures, best_turn
 
@@ -203,6 +203,32 @@ def test_what_would_do_for_a_dance_without_a_place_does(capsys: pytest.CaptureFi
     told = capsys.readouterr().out
     assert f"it has a place with {count} benches: write benches = {count} below [dragon]" in told
     assert f"fits on a square of {length:g} m by {width:g} m" in told
+
+
+PEOPLED = [
+    *SQUARE[1:4], "dragon.benches=12", "venue.rectangle=[15, 14]",
+    "people.beside=0.4", "people.ahead=0.3", "people.sway=0.05", "people.imprecision=0.1",
+]  # fmt: skip
+
+
+def test_a_place_has_room_for_people_as_check_asks_for_it() -> None:
+    plan = read_plan("spiral-in", PEOPLED)
+    best = best_place(plan)
+    assert best.room.status == "found"
+    levels = check(best.plan).room
+    assert [one.contact for level in levels for one in level.obstacles] == [None] * len(levels)
+    spent = 2.0 * (best.room.value + 0.02)
+    bare = read_plan("spiral-in", PEOPLED[:-4]).venue.rectangle
+    assert bare is not None
+    tight = plan.with_value("venue.rectangle", [side - spent for side in bare])
+    assert best_place(tight).room.status == "infeasible"
+    alone = tight.with_values(
+        {f"people.{name}": 0.0 for name in ("beside", "ahead", "sway", "imprecision")}
+    )
+    assert best_place(alone).room.status == "found"
+    assert len(enough_room(tight).rectangle) == 2
+    wider = tight.with_value("venue.rectangle", list(enough_room(tight).rectangle))
+    assert best_place(wider).room.status == "found"
 
 
 def test_a_place_needs_a_venue() -> None:

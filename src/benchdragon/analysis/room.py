@@ -159,6 +159,21 @@ def with_people(dragon: Dragon, people: PeopleTable) -> Dragon:
     return Dragon.of_sizes(length, width + 2.0 * people.beside, front_inset, rear_inset)
 
 
+def with_all_room(plan: Plan) -> tuple[Walk, tuple[Obstacle, ...]]:
+    """The plan's walk and obstacles with all that its people ask for: the hardest of the levels.
+
+    Benches have room for bearers, and margins to what stands still are wider by sway and imprecision.
+
+    Raises:
+        InputError: for benches that would be too long or too wide with their people.
+    """
+    walk, people = plan.build(), plan.people
+    if people.beside or people.ahead:
+        walk = replace(walk, dragon=with_people(walk.dragon, people))
+    more = people.sway + people.imprecision
+    return walk, tuple(replace(one, margin=one.margin + more) for one in plan.obstacles())
+
+
 def _asked(people: PeopleTable, name: LevelName) -> tuple[Asked, ...]:
     said = [(key, getattr(people, key), getattr(people.source, key)) for key in ASKED[name]]
     return tuple(Asked(*one) for one in said if one[1])

@@ -1,7 +1,7 @@
 """Where on the square a dance fits best: farthest from the venue's edge and from every obstacle.
 
-What the dance covers is drawn once, as a region of the plane; moving the dance moves the region. A
-global search goes by distances of the region, a last one by the exact least distances
+What the dance and its people cover is drawn once, as a region of the plane; moving the dance moves
+the region. A global search goes by distances of the region, a last one by the exact least distances
 (analysis/obstacles.py), which the answer tells.
 """
 
@@ -17,12 +17,14 @@ from shapely.geometry.base import BaseGeometry
 
 from benchdragon import budget
 from benchdragon.analysis.obstacles import ObstacleAnswers, obstacle_answers
+from benchdragon.analysis.room import with_all_room
 from benchdragon.analysis.swept import enclosing, swept_area
 from benchdragon.errors import InputError, UnsureError, WalkError, of_kind
 from benchdragon.i18n import _
 from benchdragon.model.answer import Answer
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.outline import shape_of
+from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, part, silent
@@ -33,6 +35,8 @@ from benchdragon.solve.minima import downhill_point, low_points
 ROUGH = 0.05
 # What is found is rounded to so many digits of a metre and of a degree: nobody places benches finer.
 DIGITS = 3
+# Widths of brackets of the answer's distances, m: the first that can be reached.
+TOLERANCES = (1e-12, 1e-8, 1e-5)
 # Share of the time that the global search takes.
 SEARCHED = 0.6
 
@@ -45,9 +49,9 @@ class PlacedDance:
         plan: the plan with route.at and route.turned as found.
         at: where the origin of the dance lies, m.
         turned: how far the dance is turned to the left, degrees.
-        room: how much more than its margin benches keep from each obstacle and the venue's edge, m;
-            "infeasible" where no place was found at which the dance fits, negative or 0 then.
-        obstacles: the exact answers about each, for the whole walk.
+        room: how much more than its margin benches and their people keep from each obstacle and the
+            venue's edge, m; "infeasible" where no place was found at which they do, negative or 0 then.
+        obstacles: the exact answers about each and the benches alone, for the whole walk.
     """
 
     plan: Plan
@@ -96,7 +100,7 @@ class Enough:
 
     Attributes:
         rectangle: length and width of a square on which nothing else stands, m, rounded up to
-            decimetres: the dance fits on it, the margin to its edge included.
+            decimetres: the dance fits on it, its people and the margin to the edge included.
         benches: so many of the plan's have a place on its own square, which `best_place` found; None
             where no number of them was found to have one, or where the plan says each its own size.
     """
@@ -113,9 +117,9 @@ def enough_room(plan: Plan, *, progress: Progress = silent) -> Enough:
         InputError, WalkError, UnsureError: as `best_place` and `swept_area`.
     """
     of_kind("plan", plan, Plan)
-    walk = plan.build()
+    walk, obstacles = with_all_room(plan)
     box = enclosing(walk, *plan.span(walk), error=ROUGH).rectangle
-    edge = next((one.margin for one in plan.obstacles() if one.kind == "venue"), 0.0)
+    edge = next((one.margin for one in obstacles if one.kind == "venue"), 0.0)
     sides = sorted(math.ceil(10.0 * (side + 2.0 * edge)) / 10.0 for side in (box.width, box.height))
     return Enough((sides[1], sides[0]), _benches_placed(plan, progress))
 
@@ -153,14 +157,14 @@ class Square:
     """
 
     def __init__(self, plan: Plan) -> None:
-        self.plan, self.obstacles = plan, plan.obstacles()
-        self.walk = plan.build()
+        self.plan = plan
+        self.walk, self.obstacles = with_all_room(plan)
         self.span = plan.span(self.walk)
         self.evaluations = 0
 
     @cached_property
     def region(self) -> BaseGeometry:
-        """What the dance covers at its origin, and up to ROUGH more."""
+        """What the dance and its people cover at its origin, and up to ROUGH more."""
         region = swept_area(self.walk, *self.span, error=ROUGH).polygon
         shapely.prepare(region)
         return region
@@ -204,10 +208,8 @@ class Square:
         seen = self.crowding(place)
         if seen >= ROUGH:
             return seen
-        plan = self.at(place)
-        return -min(
-            answers.distance.lower - answers.obstacle.margin for answers in self._answers(plan, (1e-6,))
-        )
+        found = self._answers(*with_all_room(self.at(place)), (1e-6,))
+        return -min(answers.distance.lower - answers.obstacle.margin for answers in found)
 
     def refined(self, place: list[float]) -> list[float]:
         """A place downhill from another, by exact least distances."""
@@ -215,17 +217,18 @@ class Square:
         near = [(x - 1.0, x + 1.0), (y - 1.0, y + 1.0), (turned - 5.0, turned + 5.0)]
         return downhill_point(self.exact_crowding, near, place, minima.LOCAL)
 
-    def _answers(self, plan: Plan, tolerances: Sequence[float]) -> list[ObstacleAnswers]:
-        walk = plan.build()
-        return [
+    def _answers(
+        self, walk: Walk, obstacles: Sequence[Obstacle], tolerances: Sequence[float]
+    ) -> tuple[ObstacleAnswers, ...]:
+        return tuple(
             obstacle_answers(walk, obstacle, *self.span, tolerances=tolerances)
-            for obstacle in self.obstacles
-        ]
+            for obstacle in obstacles
+        )
 
     def placed(self, place: Sequence[float], seconds: float) -> PlacedDance:
         """The exact answers at a place."""
         plan, (at, turned) = self.at(place), self.pose(place)
-        found = self._answers(plan, (1e-12, 1e-8, 1e-5))
+        found = self._answers(*with_all_room(plan), TOLERANCES)
         tightest = min(found, key=lambda answers: answers.distance.value - answers.obstacle.margin)
         margin, near = tightest.obstacle.margin, tightest.distance
         rooms = (near.value - margin, near.lower - margin, near.upper - margin)
@@ -235,7 +238,8 @@ class Square:
             assumptions=(*near.assumptions, _("best that was found; better positions may exist")),
             evaluations=self.evaluations, seconds=seconds,
         )  # fmt: skip
-        return PlacedDance(plan, at, turned, room, tuple(found))
+        alone = self._answers(plan.build(), plan.obstacles(), TOLERANCES)
+        return PlacedDance(plan, at, turned, room, alone)
 
 
 def _room(region: BaseGeometry, obstacle: Obstacle) -> float:
