@@ -20,7 +20,7 @@ from benchdragon.export.document import Table
 from benchdragon.i18n import spoken_in
 from benchdragon.rosters.roster import Person, Roster
 from benchdragon.sheets.briefing import Briefing
-from benchdragon.sheets.cards import BLANK, LEAST_MAP, write_benches
+from benchdragon.sheets.cards import BLANK, LEAST_MAP, MORE, Block, _fewer, write_benches
 from benchdragon.sheets.chalk import chalk_drawing, list_rows
 from benchdragon.sheets.checked import read_record, record_check
 from benchdragon.sheets.options import Options
@@ -205,6 +205,28 @@ def test_a_household_has_its_benches_on_one_sheet(tmp_path: Path, ours: Briefing
     assert all(name in found[0] for name in ("张家", "thehead", "qiao1", "王五"))
     assert "李家" in found[1]
     assert sum("赵家" in page for page in found) == 1
+
+
+def test_a_household_of_several_benches_is_told_all_of_each(tmp_path: Path, ours: Briefing) -> None:
+    family = Roster({n: (Person(f"赵{n}", household="赵家"),) for n in range(1, 9)})
+    theirs = replace(ours, roster=family)
+    write_benches(tmp_path / "b.pdf", theirs, Options(by="household"))
+    found = pages(tmp_path / "b.pdf")
+    assert len(found) == 4
+    for bench in range(1, 9):
+        page = found[(bench - 1) // 2]
+        for line in bench_text(ours.plan, ours.benches[bench - 1], theirs.named, ours.ground).lines:
+            assert bare(line) in page
+    assert not any(bare(MORE) in page for page in found)
+
+
+def test_what_gives_way_is_of_the_bench_of_which_most_is_left_and_each_says_so() -> None:
+    facts = [Block(f"{n}{k}", spare=k > 0, entry=n) for n in (0, 1) for k in range(3)]
+    fewer = facts
+    for _time in range(3):
+        fewer = _fewer(fewer, lambda block: block.spare)
+    told = [(block.text, block.entry) for block in fewer]
+    assert told == [("00", 0), ("01", 0), (MORE, 0), ("10", 1), (MORE, 1)]
 
 
 def test_the_same_sheets_are_the_same_bytes(tmp_path: Path, ours: Briefing) -> None:

@@ -1,7 +1,8 @@
 """The benches' sheets as PDF pages: A4, quarters of it to cut, cards to hang round the neck."""
 
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -30,7 +31,9 @@ FOOT = 4.0
 # Marks that tell where to cut, mm.
 CUT = 6.0
 # Benches of a household on one sheet, where sheets are large and the type is not.
-MOST_BENCHES = 3
+MOST_BENCHES = 2
+# Their map is lower, by this share, so that all that is told of them finds room.
+MAP_OF_SEVERAL = 0.75
 # People of a bench who have a line each where that leaves too little room; who are named at all then.
 MOST_LINES, MOST_NAMES = 2, 24
 # A map is as tall as that, mm, or there is none; type that is still too large shrinks by this share.
@@ -95,13 +98,15 @@ LAYOUTS = {
 class Block:
     """Words one under another: size as a share of the type's, and whether they are bold.
 
-    Of `spare` ones the last go first, where there is no room for all.
+    Of `spare` ones the last go first, where there is no room for all. `entry` is the number of the
+    sheet's bench that they are about.
     """
 
     text: str
     share: float = 1.0
     bold: bool = False
     spare: bool = False
+    entry: int = 0
 
 
 @dataclass(frozen=True)
@@ -179,7 +184,8 @@ class Cards(Typeset):
     def _laid(self, frame: Frame, sheet: Sheet) -> _Laid:
         """How a sheet finds room in a frame: words above and below a map, if there is room for one."""
         facts = [] if self._layout.backs else _all_facts(sheet)
-        head, facts, share = self._fitting(frame, _heads(sheet), facts, self._layout.map)
+        least = self._layout.map * (1.0 if len(sheet.entries) == 1 else MAP_OF_SEVERAL)
+        head, facts, share = self._fitting(frame, _heads(sheet), facts, least)
         words = self._head_height(frame, head, share) + self._height(frame.width, facts, share)
         return _Laid(head, facts, share, frame.height - FOOT - words)
 
@@ -215,8 +221,10 @@ class Cards(Typeset):
         """Heads, facts, shares of the type, and whether all beside is spared; the best first.
 
         What gives way, in this order: the size of type, a line for each of many people, facts that may
-        be spared, people but the first, what is beside, other facts, and the size of type again.
+        be spared, people but the first, what is beside (for which sheets of several benches have all else
+        back, if there is room), other facts, and the size of type again.
         """
+        whole = facts
         for head in heads[:2]:
             for share in self._shares:
                 yield head, facts, share, False
@@ -225,6 +233,8 @@ class Cards(Typeset):
             yield head, facts, share, False
         for head in heads[2:]:
             yield head, facts, share, False
+        for share in self._shares if whole and whole[-1].entry else ():
+            yield head, whole, share, True
         yield head, facts, share, True
         while any(block.text != _(MORE) for block in facts):
             facts = _fewer(facts, lambda _block: True)
@@ -306,23 +316,28 @@ def _heads(sheet: Sheet) -> list[list[Block]]:
 def _head(sheet: Sheet, most: int | None) -> list[Block]:
     """Who it is, and last what they do in a line; with a number, so many people in one block."""
     head = [Block(sheet.title, 1.3, bold=True)] if sheet.title else []
+    alone = len(sheet.entries) == 1
     for entry in sheet.entries:
         people, size = entry.people, 1.9
-        if most is not None and people:
-            people, size = (listed(people, most),), 1.3
+        if people and not (most is None and alone):
+            people, size = (listed(people, most or MOST_NAMES),), 1.3
         head += [
-            Block(entry.title, 2.6, bold=True),
+            Block(entry.title, 2.6 if alone else 1.8, bold=True),
             *(Block(person, size, bold=True) for person in people),
             *([] if people else [Block(_("Names: {blank}").format(blank=BLANK), 1.3)]),
-            Block(entry.text.quick, 1.35, bold=True),
+            Block(entry.text.quick, 1.35 if alone else 1.1, bold=True),
         ]
     return head
 
 
 def _all_facts(sheet: Sheet) -> list[Block]:
     """All else of a sheet."""
-    facts = [block for entry in sheet.entries for block in _facts(entry, len(sheet.entries))]
-    return [*facts, Block(sheet.entries[0].text.times, 0.85)]
+    facts = [
+        replace(block, entry=n)
+        for n, entry in enumerate(sheet.entries)
+        for block in _facts(entry, len(sheet.entries))
+    ]
+    return [*facts, Block(sheet.entries[0].text.times, 0.85, entry=len(sheet.entries) - 1)]
 
 
 def _facts(entry: Entry, entries: int) -> list[Block]:
@@ -342,11 +357,18 @@ def _facts(entry: Entry, entries: int) -> list[Block]:
 
 
 def _fewer(facts: list[Block], spare: Callable[[Block], bool]) -> list[Block]:
-    """The same without the last of those that may be spared, and a word that there is more."""
+    """The same without one that may be spared, and a word to its bench that there is more.
+
+    It is the last of the bench of which most are left.
+    """
     more = _(MORE)
-    kept = [block for block in facts if block.text != more]
-    last = max(n for n, block in enumerate(kept) if spare(block))
-    return [*kept[:last], Block(more), *kept[last + 1 :]]
+    sparable = [n for n, block in enumerate(facts) if block.text != more and spare(block)]
+    left = Counter(facts[n].entry for n in sparable)
+    last = max(sparable, key=lambda n: (left[facts[n].entry], n))
+    entry = facts[last].entry
+    kept = [block for block in facts[:last] if block.text != more or block.entry != entry]
+    rest = [block for block in facts[last + 1 :] if block.text != more or block.entry != entry]
+    return [*kept, Block(more, entry=entry), *rest]
 
 
 def write_benches(
