@@ -265,6 +265,10 @@ def test_the_paper_is_the_smallest_at_which_one_can_read(drawing: ChalkDrawing) 
     assert sorted((drawing.sheet(None, None).width, drawing.sheet(None, None).height)) == [297.0, 420.0]
     large = drawing.sheet(None, 50.0)
     assert sorted((large.width, large.height)) == [594.0, 841.0]
+    as_large = drawing.sheet(None, 200.0)
+    assert sorted((as_large.width, as_large.height)) == [210.0, 297.0], (
+        "A4 where it is as large on that"
+    )
 
 
 def test_tiles_put_together_are_the_drawing(folders: dict[str, Path]) -> None:

@@ -77,15 +77,20 @@ class ChalkDrawing:
     def sheet(self, paper: str | None, scale: float | None) -> Sheet:
         """The sheet on a paper at a scale; None for what suits.
 
-        The paper is the smallest from A3 on at which a readable scale, or the one asked for, fits.
+        The paper is the smallest from A3 on at which a readable scale, or the one asked for, fits; A4
+        where the scale is the same on that.
 
         Raises:
             InputError: as `sheet_for`.
         """
         bounds, wanted = self.bounds(), scale or READABLE_SCALE
         if paper is None:
-            *others, largest = list(PAPERS)[1:]
+            smallest, *others, largest = PAPERS
             paper = next((one for one in others if needed_scale(bounds, one)[0] <= wanted), largest)
+            reached = sheet_for(bounds, paper, scale, MOST_CHALK_SCALE)
+            if needed_scale(bounds, smallest)[0] > reached.scale:
+                return reached
+            paper = smallest
         return sheet_for(bounds, paper, scale, MOST_CHALK_SCALE)
 
 
