@@ -38,7 +38,7 @@ def test_every_place_is_passed_when_the_head_and_the_tail_are_there() -> None:
     names = [
         "the dance starts",
         "entrance of the venue",
-        "nearest to well",
+        "the head nearest to well",
         "hold",
         "bow",
         "joint 1",
@@ -53,14 +53,14 @@ def test_every_place_is_passed_when_the_head_and_the_tail_are_there() -> None:
             assert walk.motion([row.tail]).s[0, -1] == pytest.approx(row.s, abs=1e-6)
     by_name = {row.name: row for row in rows}
     assert by_name["entrance of the venue"].s == pytest.approx(8.0, abs=1e-5)
-    assert by_name["nearest to well"].s == pytest.approx(15.5, abs=1e-5)
+    assert by_name["the head nearest to well"].s == pytest.approx(15.5, abs=1e-5)
     assert by_name["hold"].head == pytest.approx(11.0)
     assert by_name["hold"].until == pytest.approx(16.0)
     # While the head stands the tail does: it passes the well later by the hold.
     own = plan_with().build()
     free = {row.name: row for row in timetable(plan_with(), own, *plan_with().span(own))}
-    late = by_name["nearest to well"].tail or 0.0
-    assert late - (free["nearest to well"].tail or 0.0) == pytest.approx(7.0, abs=1e-6)
+    late = by_name["the head nearest to well"].tail or 0.0
+    assert late - (free["the head nearest to well"].tail or 0.0) == pytest.approx(7.0, abs=1e-6)
 
 
 def test_head_and_tail_are_told_nearest_to_where_people_come_in() -> None:
@@ -74,8 +74,8 @@ def test_head_and_tail_are_told_nearest_to_where_people_come_in() -> None:
         if "entrance " in row.name and "of" not in row.name
     ]
     assert [(row.kind, row.name) for row in rows] == [
-        ("entrance", "nearest to entrance 1"),
-        ("entrance", "nearest to entrance 2"),
+        ("entrance", "the head nearest to entrance 1"),
+        ("entrance", "the head nearest to entrance 2"),
     ]
     for row, point in zip(rows, [(12.25, 0.0), (28.0, 8.0)], strict=True):
         np.testing.assert_allclose(row.point, point, atol=1e-5)

@@ -191,12 +191,14 @@ def test_what_was_written_into_a_plan_by_hand_is_named_when_it_is_proposed_anew(
     plan = tmp_path / line[line.index("-o") + 1]
     assert run(line) == 0
     well = '[[obstacle]]\nkind = "circle"\nname = "well"\ncentre = [30, 30]\nradius = 0.6\n'
-    text = plan.read_text("utf-8").replace("[people]", '[people]\nroster = "names.csv"')
+    counted = '[people]\nroster = "names.csv"\nunit = "qiao"\ncount_head = false'
+    text = plan.read_text("utf-8").replace("[people]", counted)
     plan.write_text(f"{text}\n{well}[chalk]\nevery = 2\n", "utf-8")
     capsys.readouterr()
     assert run(line) == 0
     wanted = "not in the new plan, as they were in the one it replaces: "
-    assert f"{wanted}[[obstacle]] well, [chalk], people.roster = names.csv." in capsys.readouterr().err
+    named = 'people.roster = "names.csv", people.unit = "qiao", people.count_head = false'
+    assert f"{wanted}[[obstacle]] well, [chalk], {named}." in capsys.readouterr().err
     assert run(line) == 0
     assert wanted not in capsys.readouterr().err
     plan.write_text("no plan at all", "utf-8")

@@ -138,10 +138,10 @@ def _beside(plan: Plan, walk: Walk, span: tuple[float, float]) -> Iterator[Passi
                 name = _("entrance of {name}").format(name=named(obstacle))
                 yield _passing(walk, span, "entrance", name, s)
         else:
-            name = _("nearest to {name}").format(name=named(obstacle))
+            name = _("the head nearest to {name}").format(name=named(obstacle))
             yield _passing(walk, span, "obstacle", name, _nearest(walk, shape_of(obstacle), looks))
     for n, (x, y) in enumerate(plan.event.entrances, start=1):
-        name = _("nearest to entrance {n}").format(n=n)
+        name = _("the head nearest to entrance {n}").format(n=n)
         yield _passing(walk, span, "entrance", name, _nearest(walk, shapely.Point(x, y), looks))
 
 

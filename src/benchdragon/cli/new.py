@@ -1,5 +1,6 @@
 """The verb `new`: a plan that can be walked, from a few questions."""
 
+import json
 import shlex
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -26,6 +27,9 @@ from benchdragon.i18n import N_, _, language
 if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
     from benchdragon.solve.proposal import Proposal, TooSmall, Wishes
+
+# Of a plan's people, what `new` does not ask for.
+BY_HAND = ("roster", "sheet", "unit", "count_head", "address")
 
 
 @click.command(
@@ -117,7 +121,7 @@ def new(output: Path, force: bool, quiet: bool, **options: Any) -> int:
 
 
 def _kept_by_hand(path: Path) -> list[str]:
-    """What somebody wrote into a plan, by name: obstacles, cues, marks, the list of names, the event.
+    """What somebody wrote into a plan: obstacles, cues, marks, the event, who dances and is counted.
 
     Nothing, where no plan can be read.
     """
@@ -132,10 +136,11 @@ def _kept_by_hand(path: Path) -> list[str]:
     obstacles, people = data.get("obstacle"), data.get("people")
     listed = obstacles if isinstance(obstacles, list) else []
     names = [str(one.get("name", "")) for one in listed if isinstance(one, dict)]
-    roster = people.get("roster") if isinstance(people, dict) else None
+    people = people if isinstance(people, dict) else {}
     found = [f"[[obstacle]] {name}".strip() for name in names]
     found += [f"[{name}]" for name in ("cues", "chalk", "event") if name in data]
-    return found + ([f"people.roster = {roster}"] if roster else [])
+    written = {name: json.dumps(people[name], ensure_ascii=False) for name in BY_HAND if name in people}
+    return found + [f"people.{name} = {value}" for name, value in written.items()]
 
 
 def _answers(options: Mapping[str, Any]) -> tuple[dict[str, Any], set[str]]:

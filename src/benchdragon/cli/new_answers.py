@@ -94,16 +94,34 @@ def read_count(called: str, text: str, example: str) -> int:
     return min(int(found[:9]), 10**9)
 
 
+def read_benches(called: str, text: str, example: str) -> int:
+    """How many benches, refused where no dance is proposed for so many."""
+    from benchdragon.solve.proposal import MOST_BENCHES
+
+    return _counted(called, text, example, 2, MOST_BENCHES)
+
+
+def read_bearers(called: str, text: str, example: str) -> int:
+    """How many carry a bench, likewise."""
+    from benchdragon.solve.proposal import MOST_BEARERS
+
+    return _counted(called, text, example, 1, MOST_BEARERS)
+
+
 def read_place(called: str, text: str, count: int) -> int:
     """A place in a list of so many, told by its number; from 0."""
-    number = read_count(called, text, "1")
-    if not 1 <= number <= count:
+    return _counted(called, text, "1", 1, count) - 1
+
+
+def _counted(called: str, text: str, example: str, least: int, most: int) -> int:
+    number = read_count(called, text, example)
+    if not least <= number <= most:
         raise InputError(
-            _("{option}: wanted 1 to {most}, not {text}").format(
-                option=called, most=count, text=repr(text)
+            _("{option}: wanted {least} to {most}, not {text}").format(
+                option=called, least=least, most=most, text=repr(text)
             )
         )
-    return number - 1
+    return number
 
 
 def length_to(most: float, least: float = 0.01) -> Length:
@@ -205,7 +223,7 @@ def _head(said: dict[str, Any]) -> str:
 QUESTIONS = (
     Question(
         "--benches", N_("Benches"), N_("How many benches, head and tail included?"),
-        N_("the whole dragon, head and tail included"), None, read_count, "120", ("dragon.benches",),
+        N_("the whole dragon, head and tail included"), None, read_benches, "120", ("dragon.benches",),
     ),
     Question(
         "--bench-length", N_("Length of a bench"),
@@ -240,7 +258,7 @@ QUESTIONS = (
     ),
     Question(
         "--bearers", N_("People at a bench"), N_("How many people carry a bench?"),
-        N_("they need room along it"), _always("2"), read_count, "2", (),
+        N_("they need room along it"), _always("2"), read_bearers, "2", (),
     ),
     Question(
         "--carry", N_("Where they walk"), N_("Do they walk beside the bench (1) or under it (2)?"),

@@ -55,7 +55,7 @@ ROUNDS: dict[Kind, tuple[float, ...]] = {
 DRAWN, CORNERS, ANGLES = 0.02, 90, 180
 # Sizes of a bench, in the order of `Dragon.sizes`.
 SIZES = ("length", "width", "front_inset", "rear_inset")
-TITLE = N_("{benches} benches on our square")
+TITLE = N_("A bench dragon on our square")
 
 
 @dataclass(frozen=True)
@@ -284,7 +284,7 @@ def _refuse(wishes: Wishes) -> None:
 
 def _data(wishes: Wishes, kind: Kind, pitch: float, disc: float) -> dict[str, Any]:
     """The plan of a dance on no square yet, as parsed TOML."""
-    title = both(lambda: _(TITLE).format(benches=wishes.benches))
+    title = both(lambda: _(TITLE))
     people: dict[str, Any] = {
         "beside": wishes.beside, "ahead": AHEAD, "sway": wishes.sway,
         "imprecision": wishes.imprecision, "most_speed": wishes.most_speed,
