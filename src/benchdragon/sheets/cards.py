@@ -221,8 +221,8 @@ class Cards(Typeset):
         """Heads, facts, shares of the type, and whether all beside is spared; the best first.
 
         What gives way, in this order: the size of type, a line for each of many people, facts that may
-        be spared, people but the first, what is beside (for which sheets of several benches have all else
-        back, if there is room), other facts, and the size of type again.
+        be spared, people but the first, what is beside, other facts, and the size of type again. Where
+        what is beside goes from a sheet of several benches, all else comes back if there is room.
         """
         whole = facts
         for head in heads[:2]:
