@@ -16,7 +16,7 @@ MAKEFLAGS += --jobs=2
 # Tests start a hundred processes: those that may keep no bytecode would each compile the package anew.
 export PYTHONDONTWRITEBYTECODE :=
 
-.PHONY: demo test main-test quick lint style mypy pages slow-test page-test proof-test manual-test numba-test docs atlas bench truth wasm wasm-test carried carried-test mutants hostile messages keys types \
+.PHONY: demo test main-test quick lint style mypy pages slow-test page-test long-test manual-test numba-test docs atlas bench truth wasm wasm-test carried carried-test mutants hostile messages keys types \
   map lock fonts clean
 
 .venv/installed: requirements.lock pyproject.toml
@@ -42,18 +42,18 @@ demo: .venv/engine
 # All but what takes minutes each, and as long together as the rest.
 test: lint pages main-test
 
-slow-test: page-test proof-test manual-test numba-test
+slow-test: page-test long-test manual-test numba-test
 
 main-test: style .venv/engine .venv/kernels-plain .venv/kernels-compiled
-	$(BIN)/python -m pytest -q -n $(WORKERS) --dist loadgroup -m 'not manual and not numba and not pages and not proofs' --ignore tests/kernels
+	$(BIN)/python -m pytest -q -n $(WORKERS) --dist loadgroup -m 'not manual and not numba and not pages and not long' --ignore tests/kernels
 
 # What pages do in a browser, and what their JavaScript answers beside Python.
 page-test: .venv/engine
 	$(BIN)/python -m pytest -q -n $(WORKERS) --dist loadgroup -m pages tests/browser tests/planner
 
-# The contest's answers in ball arithmetic.
-proof-test: .venv/engine
-	$(BIN)/python -m pytest -q -n auto -m proofs tests/paper
+# What takes seconds each: proofs, random dances, strangers' plans, sweeps that are killed.
+long-test: .venv/engine
+	$(BIN)/python -m pytest -q -n $(WORKERS) --dist loadgroup -m long --ignore tests/kernels
 
 quick: lint .venv/engine
 	$(BIN)/python -m pytest -q @tests/quick.txt

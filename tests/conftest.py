@@ -14,8 +14,11 @@ from benchdragon.i18n import use_language
 if TYPE_CHECKING:
     from benchdragon.paper.results import Results
 
+HERE = Path(__file__).parent
 # Where pages are tested, or asked what Python is asked.
-PAGES = tuple(Path(__file__).parent / name for name in ("browser", "planner"))
+PAGES = (HERE / "browser", HERE / "planner")
+# Tests that take five seconds or more by themselves.
+LONG = {*(HERE / "long.txt").read_text("utf-8").splitlines()}
 
 settings.register_profile(
     "benchdragon",
@@ -41,10 +44,13 @@ def pytest_collection() -> Generator[None, object, object]:
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Mark tests of pages. Long ones begin: who comes last runs while others have nothing left."""
+    """Mark tests of pages, and long ones. These begin: who comes last runs alone."""
     for item in items:
+        file = item.path.relative_to(HERE.parent).as_posix()
         if item.path.parent in PAGES:
             item.add_marker("pages")
+        elif LONG & {f"{file}::{item.name}", f"{file}::{item.name.split('[')[0]}"}:
+            item.add_marker("long")
     items.sort(key=lambda item: item.get_closest_marker("long") is None)
 
 

@@ -66,7 +66,6 @@ LESS = {
 }
 
 
-@pytest.mark.long
 @pytest.mark.usefixtures("short_searches")  # tests/solve/test_turn.py asks how good turns are
 def test_every_command_in_the_readme_works(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     shutil.copytree(ROOT / "examples", tmp_path / "examples")
@@ -109,7 +108,6 @@ def test_the_package_says_its_version_and_names() -> None:
     assert benchdragon.__version__ in done.stdout
 
 
-@pytest.mark.long
 @pytest.mark.parametrize("language", ["en", "zh"])
 def test_every_command_of_the_walk_through_works(
     language: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -267,6 +267,7 @@ def test_the_source_archive_holds_all_that_tests_read(tmp_path: Path) -> None:
         "hatch_build.py",
         "requirements-wasm.lock",
         "requirements.lock",
+        "tests/long.txt",
         "tests/quick.txt",
         "tsconfig.json",
     }

@@ -13,7 +13,6 @@ from benchdragon.solve.size import limit
 TRUTH = json.loads((Path(__file__).parents[1] / "truth" / "contest.json").read_text("utf-8"))
 
 
-@pytest.mark.proofs
 def test_the_contests_first_contact_and_all_before_it_are_proved() -> None:
     report = check(read_plan("spiral-in"), prove=True)
     assert report.proved
@@ -21,7 +20,6 @@ def test_the_contests_first_contact_and_all_before_it_are_proved() -> None:
     assert report.contact.lower < float(TRUTH["first_contact_s"]) < report.contact.upper
 
 
-@pytest.mark.proofs
 def test_the_contests_smallest_pitch_is_proved() -> None:
     found = limit(read_plan("spiral-in", ["disc.radius=4.5"]), "pitch", prove=True)
     assert found.status == "proved"

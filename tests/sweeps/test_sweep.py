@@ -104,7 +104,6 @@ def test_an_executor_of_the_caller_serves_and_stays_open(whole: Sweep) -> None:
         assert executor.submit(len, "abc").result() == 3
 
 
-@pytest.mark.long
 def test_a_sweep_that_is_killed_again_and_again_comes_to_the_same(tmp_path: Path, whole: Sweep) -> None:
     moments = random.Random(1)
     for _killed in range(10):
@@ -389,7 +388,7 @@ def test_every_kind_of_sweep_goes_on(name: str, tmp_path: Path) -> None:
 
 def lose_first(folder: Path, name: str) -> None:
     """Let the answer of the first point be lost, and the sweep not finished."""
-    (part,) = parts_in(folder)
+    part, *_others = parts_in(folder)  # a slow machine writes several
     table = parquet.read_table(part)
     states = ["lost", *table[f"{name}.status"].to_pylist()[1:]]
     column = table.column_names.index(f"{name}.status")
@@ -401,9 +400,10 @@ def lose_first(folder: Path, name: str) -> None:
 def test_what_was_lost_is_asked_again(tmp_path: Path) -> None:
     once = short(output=tmp_path)
     lose_first(tmp_path, "first_contact")
+    before = len(parts_in(tmp_path))
     again = short(output=tmp_path)
     assert again.numbers().equals(once.numbers())
-    assert len(parts_in(tmp_path)) == 2
+    assert len(parts_in(tmp_path)) == before + 1
 
 
 def test_what_a_refinement_rests_on_stays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
