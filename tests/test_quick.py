@@ -52,7 +52,7 @@ def test_integration_ends_with_the_tests_and_fails_where_others_do(
     tmp_path: Path, failing: str, code: int
 ) -> None:
     # With these before all others nothing is missed on this machine, and nothing installed.
-    tools = ("make", "cc", "chromium-headless-shell", "fc-list", "npm", "node")
+    tools = ("make", "cc", "chromium-headless-shell", "firefox-esr", "fc-list", "npm", "node")
     for name in tools:
         path = tmp_path / name
         path.write_text(MAKE if name == "make" else "#!/bin/sh\necho here\n", "utf-8")

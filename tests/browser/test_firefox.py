@@ -1,0 +1,50 @@
+"""The planner in Firefox: it opens from disk, and answers what Python answers."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from benchdragon.analysis.check import check
+from benchdragon.analysis.records import verdict_of
+from benchdragon.plans.schema import Plan
+from tests.browser.firefox import Firefox, firefox, firefox_path
+
+SETTLED = (
+    'document.querySelector("#planner")?.getAttribute("aria-busy") === "false"'
+    ' && document.querySelectorAll(".verdict:is(.safe, .unsafe):not([data-stale])").length === 1'
+)
+SLIDERS = 'document.querySelectorAll("input[type=range]")'
+PITCH = f'[...{SLIDERS}].find((one) => one.ariaLabel === "spiral pitch")'
+
+
+@pytest.fixture
+def fox(tmp_path: Path) -> Iterator[Firefox]:
+    path = firefox_path()
+    if path is None:
+        pytest.skip("no Firefox here to test pages in: apt-get install firefox-esr")
+    with firefox(path, tmp_path / "profile") as started:
+        yield started
+
+
+def test_a_dance_is_planned_in_firefox(fox: Firefox, file: Path) -> None:
+    fox.open(f"{file.as_uri()}#lang=en")
+    fox.until(SETTLED)
+    for value, verdict in (("0.44", "unsafe"), ("0.46", "safe")):
+        fox.evaluate(
+            f"""{{
+              const slider = {PITCH};
+              slider.value = {value};
+              slider.dispatchEvent(new Event("input", {{ bubbles: true }}));
+              slider.dispatchEvent(new Event("change", {{ bubbles: true }}));
+            }}"""
+        )
+        fox.until(f"benchdragon.plan.route.pitch === {value} && {SETTLED}")
+        plan = Plan.model_validate_json(fox.evaluate("JSON.stringify(benchdragon.plan)"))
+        fox.until(f'benchdragon.verdict.found.plan_sha256 === "{plan.sha256}"')
+        assert fox.evaluate('document.querySelector(".verdict").className') == f"verdict {verdict}"
+        sentence = verdict_of(check(plan, quick=True)).sentence.en
+        assert sentence in fox.evaluate('document.querySelector(".verdict").textContent')
+    fox.evaluate("benchdragon.player.play(true)")
+    fox.until("benchdragon.player.time > benchdragon.player.scene.start")
+    assert fox.faults == []
