@@ -211,24 +211,32 @@ PEOPLED = [
 ]  # fmt: skip
 
 
-def test_a_place_has_room_for_people_as_check_asks_for_it() -> None:
-    plan = read_plan("spiral-in", PEOPLED)
-    best = best_place(plan)
+def test_a_place_has_the_room_that_check_asks_for_people() -> None:
+    best = best_place(read_plan("spiral-in", PEOPLED))
     assert best.room.status == "found"
-    levels = check(best.plan).room
-    assert [one.contact for level in levels for one in level.obstacles] == [None] * len(levels)
-    spent = 2.0 * (best.room.value + 0.02)
-    bare = read_plan("spiral-in", PEOPLED[:-4]).venue.rectangle
-    assert bare is not None
-    tight = plan.with_value("venue.rectangle", [side - spent for side in bare])
-    assert best_place(tight).room.status == "infeasible"
-    alone = tight.with_values(
-        {f"people.{name}": 0.0 for name in ("beside", "ahead", "sway", "imprecision")}
-    )
-    assert best_place(alone).room.status == "found"
-    assert len(enough_room(tight).rectangle) == 2
-    wider = tight.with_value("venue.rectangle", list(enough_room(tight).rectangle))
-    assert best_place(wider).room.status == "found"
+    sides = best.plan.venue.rectangle
+    assert sides is not None
+
+    def kept(less: float) -> bool:
+        """Whether all levels are, on a square whose edges are so much nearer, m."""
+        smaller = [side - 2.0 * less for side in sides]
+        levels = check(best.plan.with_value("venue.rectangle", smaller)).room
+        assert len(levels) == 4
+        return all(one.contact is None for level in levels for one in level.obstacles)
+
+    assert kept(best.room.lower - 1e-6)
+    assert not kept(best.room.upper + 1e-6)
+
+
+def test_a_square_that_would_do_has_room_for_people() -> None:
+    plan = read_plan("spiral-in", [*PEOPLED, "venue.rectangle=[12.6, 11.6]"])
+    assert best_place(plan).room.status == "infeasible"
+    enough = enough_room(plan)
+    assert best_place(plan.with_value("venue.rectangle", list(enough.rectangle))).room.status == "found"
+    assert enough.benches is not None
+    fewer = plan.with_value("dragon.benches", enough.benches)
+    levels = check(best_place(fewer).plan).room
+    assert all(one.contact is None for level in levels for one in level.obstacles)
 
 
 def test_a_place_needs_a_venue() -> None:
