@@ -1,5 +1,6 @@
 """The permit annex: what stands in the PDF is what plan and answers say, number by number."""
 
+import math
 import re
 from pathlib import Path
 
@@ -19,7 +20,7 @@ from benchdragon.sheets.annex import annex_document, annex_names, write_annex
 from benchdragon.sheets.annex_facts import AnnexFacts, Chance, annex_facts, deviations_of
 from benchdragon.sheets.annex_tables import BLANK, basics, post_table, room_table
 from benchdragon.sheets.briefing import Briefing
-from tests.sheets.village import ROSTER, small
+from tests.sheets.village import PLAN, ROSTER, briefing, small, village
 
 SAID = (
     'event.place="Temple square"', 'event.place_zh="祠堂前"', 'event.date="2027-02-20"',
@@ -181,6 +182,28 @@ def test_where_handles_run_there_are_posts_but_not_again_at_the_fastest(tmp_path
     assert [len(reasons) for reasons in asked] == [1, 0, 0]
     assert 12.0 <= asked[0][0].time <= 13.0
     assert 1.8 <= asked[0][0].value <= 2.5
+
+
+def test_a_stop_of_the_head_makes_no_place_the_fastest(tmp_path: Path) -> None:
+    text = PLAN + "[venue]\nboundary = [[-20, -20], [20, -20], [20, 20], [-20, 20]]\n"
+    text += '[[cues.cue]]\nkind = "hold"\nat = 4\nhold = 3\n'
+    report = briefing(read_plan(str(village(tmp_path, text)))).report
+    assert report.walk.profile.stretches(report.start, report.end).speeds.min() == 0.0
+    swept = swept_area(report.walk, report.start, report.end, margin=2.0, error=0.05)
+    why = {reason.why for post in marshal_posts(report, swept) for reason in post.reasons}
+    assert "fastest" not in why
+
+
+def test_posts_tell_the_distances_that_the_check_found(facts: AnnexFacts) -> None:
+    reasons = {one.why: one.value for post in facts.posts for one in post.reasons}
+    report = facts.briefing.report
+    (venue,) = [one for one in report.obstacles if one.obstacle.kind == "venue"]
+    assert reasons["venue"] == venue.distance.sure(up=False)
+    said = " ".join(str(row[3]) for row in post_table(facts).rows)
+    cut = math.floor(100.0 * reasons["tightest"]) / 100.0
+    assert f"benches nearest to one another: at least {cut:.2f} m at" in said
+    cut = math.floor(100.0 * reasons["venue"]) / 100.0
+    assert f"benches nearest to the venue's edge: at least {cut:.2f} m" in said
 
 
 def test_a_line_on_which_nothing_is_wanted_has_posts_all_the_same() -> None:

@@ -26,7 +26,8 @@ from benchdragon.model.outline import shape_of
 # The farthest that two posts that follow one another are apart along the line, m; posts nearer to one
 # another along it than JOINED, m, are one.
 EVERY, JOINED = 25.0, 3.0
-# A dance in which no handle is faster than this many times the head's least speed has no fastest place.
+# A dance in which no handle is faster than this many times the head's least speed has no fastest place;
+# that the head stops, and brakes for it, counts for nothing: all do.
 FASTER = 1.02
 # Stretches where handles run that have a post: the fastest ones.
 MOST_RUNS = 5
@@ -39,7 +40,7 @@ class Reason:
     """What a post is there for.
 
     Attributes:
-        why: "venue": the ground covered comes nearest to the venue's edge; "entrance"; "tightest": two
+        why: "venue": the benches come nearest to the venue's edge; "entrance"; "tightest": two
             benches come nearest to one another; "fastest": the fastest handle; "run": the fastest of
             a stretch where handles run elsewhere; "line": no other post is near.
         value: the distance, m, or the speed, m/s; NaN where there is none.
@@ -99,7 +100,8 @@ def _places(
         if one.obstacle.kind == "venue":
             edge = shape_of(one.obstacle).boundary
             (x, y), _foot = shapely.get_coordinates(shapely.shortest_line(swept.polygon, edge))
-            yield (float(x), float(y)), Reason("venue", float(swept.polygon.distance(edge)))
+            # What the check found of the benches: the polygon is a little larger than what they cover.
+            yield (float(x), float(y)), Reason("venue", one.distance.sure(up=False))
     for place in entrances:
         yield place, Reason("entrance")
     answers: dict[Why, Answer] = {"tightest": report.clearance}
@@ -108,14 +110,15 @@ def _places(
     for why, found in answers.items():
         near = found.witness
         if near is not None and near.time is not None:
-            yield near.point, Reason(why, found.value, near.time)
+            yield near.point, Reason(why, found.sure(up=why == "fastest"), near.time)
     for run in _runs(report):
         yield run.point, Reason("run", run.speed, run.time)
 
 
 def _fastest_stands_out(report: Report) -> bool:
-    """Whether the fastest handle is faster than the head ever is at its slowest."""
-    slowest = float(report.walk.profile.stretches(report.start, report.end).speeds.min())
+    """Whether the fastest handle is faster than the head ever is at its slowest, stops left out."""
+    speeds = report.walk.profile.stretches(report.start, report.end).speeds
+    slowest = float(speeds.min(initial=math.inf, where=speeds > 0.0))
     return report.greatest_speed.value > FASTER * slowest
 
 
