@@ -1,5 +1,6 @@
 """The verb that writes all papers: its options, what is in the way, interruption."""
 
+import json
 import wave
 from io import BytesIO
 from pathlib import Path
@@ -60,6 +61,14 @@ def test_an_option_has_an_effect(here: Path, added: list[str]) -> None:
 
 def test_all_papers_are_written_unless_some_are_named(here: Path) -> None:
     assert set(come(here)) == {f"sheets/{file}" for one in papers.PAPERS.values() for file in one.files}
+
+
+def test_the_player_bears_the_number_that_all_papers_bear(here: Path) -> None:
+    made = come(here, "--only", "player,timetable")
+    number = json.loads((here / "ours.checked.json").read_text("utf-8"))["sha256"]
+    assert f'"papers_sha256": "{number}"'.encode() in made["sheets/player.html"].replace(
+        b'":"', b'": "'
+    )
 
 
 def test_the_track_of_the_drum_counts_a_bar_in(here: Path) -> None:

@@ -68,7 +68,9 @@ def _annex(briefing: Briefing, folder: Path, _options: Options, progress: Progre
 
 
 def _player(briefing: Briefing, folder: Path, _options: Options, progress: Progress) -> None:
-    write_player(folder / "player.html", checked_dance(briefing.report, progress=progress))
+    dance = checked_dance(briefing.report, progress=progress)
+    dance = dance.model_copy(update={"papers_sha256": briefing.sha256})
+    write_player(folder / "player.html", dance)
 
 
 PAPERS: dict[str, Paper] = {
