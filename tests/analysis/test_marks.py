@@ -10,6 +10,7 @@ import pytest
 from benchdragon.analysis import marks as marks_module
 from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.marks import (
+    CLOSE,
     LENGTH_STEP,
     MOST_MARKS,
     Marks,
@@ -56,7 +57,7 @@ def test_marks_are_points_of_the_route_each_step_each_joint_and_at_both_ends(
     steps = np.array([s for s, kind in kinds.items() if kind == "step"])
     counts = (steps - trail.start) / 0.7
     assert np.abs(counts - np.round(counts)).max() < 1e-9
-    assert max(b - a for a, b in pairwise(marks.s)) <= 0.7 + 1e-9
+    assert max(b - a for a, b in pairwise(marks.s)) <= 0.7 + CLOSE
 
 
 def test_lengths_and_angles_are_from_the_peg_wherever_it_stands(marks: Marks) -> None:
@@ -131,6 +132,17 @@ def test_ground_that_is_walked_again_is_marked_once() -> None:
     assert first.s[-1] - 1.0 < stopped.s[-2] <= first.s[-1]
     circle = Trail(Route((Arc(2.0, 3.0 * math.tau),)), 0.0, 0.0, 12.0 * math.pi)
     assert placed_marks(circle, 1.0, (0.0, 0.0)).s[-2] < 4.0 * math.pi
+
+
+def test_marks_a_hand_apart_are_one_but_start_and_ends_stay() -> None:
+    route = Route.joined((Line(3.15), Line(6.85)))
+    marks = placed_marks(Trail(route, 0.0, 0.0, 7.02), 1.0, (0.0, 0.0))
+    assert marks.s.tolist() == [0.0, 1.0, 2.0, 3.15, 4.0, 5.0, 6.0, 7.02], "joint and end, no step"
+    assert (marks.kinds[3], marks.kinds[-1]) == ("joint", "end")
+    short = placed_marks(Trail(route, 0.0, 0.1, 0.25), 1.0, (0.0, 0.0))
+    assert short.s.tolist() == [0.0, 0.1, 0.25]
+    fine = placed_marks(Trail(route, 0.0, 0.0, 1.0), 0.1, (0.0, 0.0))
+    assert len(fine) == 11, "marks that are wanted so near stay"
 
 
 def test_rounds_of_a_formation_are_marked_once_though_their_ends_differ_by_rounding() -> None:

@@ -30,11 +30,18 @@ MOST_MARKS = 5_000
 LENGTH_STEP, ANGLE_STEP = 0.005, 0.01
 # Marks that would be nearer than this along the route, m, are one.
 SAME_MARK = 1e-6
+# Marks farther apart than this, in usual distances, have others of an earlier round between them.
+FARTHEST = 1.5
+# Marks nearer than this along the route, m, or than this share of the usual distance, are one, but for
+# start and ends.
+CLOSE, CLOSE_SHARE = 0.2, 0.4
 # As far as that, m, the peg may be from the nearest mark.
 LONGEST_TAPE = 200.0
 Kind = Literal["step", "joint", "start", "end"]
 # Which of two marks in one place is kept.
 RANK: dict[Kind, int] = {"step": 0, "joint": 1, "end": 2, "start": 3}
+# From this rank on a mark is kept, unless another such is in the same place.
+ALWAYS = 2
 
 
 @dataclass(frozen=True)
@@ -72,11 +79,16 @@ class Trail:
         """How far apart marks usually are: 1 m, or as many decimetres more as MOST_MARKS want."""
         return max(1.0, _least_every(self.high - self.low))
 
+    def every(self, said: float | None) -> float:
+        """How far apart marks are, m: as a plan says, or as they usually are."""
+        return self.usual_every if said is None else said
+
     def marked(self, every: float) -> tuple[FloatArray, list[Kind]]:
         """Positions of the marks along the route, m, ascending, and what each is for.
 
-        From the start of the head each way, joints and ends besides. Where a closed line is walked
-        again, the marks of the first round serve again; start and ends are always marked.
+        From the start of the head each way, joints and ends besides. Of two that are CLOSE together
+        one is kept. Where a closed line is walked again, the marks of the first round serve again;
+        start and ends are always marked.
 
         Raises:
             InputError: for marks that are too near, or too many.
@@ -90,16 +102,17 @@ class Trail:
         found: dict[float, Kind] = dict.fromkeys(steps.tolist(), "step")
         found |= {s: "joint" for s in self.route.joints.tolist() if self.low < s < self.high}
         found |= {self.low: "end", self.high: "end", self.start: "start"}
-        kept: list[float] = []
         places = sorted(found)
-        for s, again in zip(places, self._again(np.array(places)), strict=True):
-            if again and found[s] in ("step", "joint"):
-                continue
-            if kept and s - kept[-1] <= SAME_MARK:
-                if RANK[found[s]] <= RANK[found[kept[-1]]]:
-                    continue
-                kept.pop()
-            kept.append(s)
+        again = self._again(np.array(places))
+        kept = _apart_enough(
+            [
+                s
+                for s, once in zip(places, again, strict=True)
+                if not (once and RANK[found[s]] < ALWAYS)
+            ],
+            {s: RANK[kind] for s, kind in found.items()},
+            min(CLOSE, CLOSE_SHARE * every),
+        )
         return np.array(kept), [found[s] for s in kept]
 
     def _again(self, s: FloatArray) -> list[bool]:
@@ -125,6 +138,20 @@ class Trail:
             later = joints[near][joints[near] > first + SAME_MARK]
             lags += [float(later.min() - first)] if later.size else []
         return tuple(np.unique(np.round(lags, 9)).tolist())
+
+
+def _apart_enough(places: list[float], ranks: dict[float, int], close: float) -> list[float]:
+    """Places along a route, m, ascending, without those too close to one of a higher rank."""
+    kept: list[float] = []
+    for s in places:
+        if kept:
+            least = min(ranks[s], ranks[kept[-1]])
+            if s - kept[-1] <= (SAME_MARK if least >= ALWAYS else close):
+                if ranks[s] <= ranks[kept[-1]]:
+                    continue
+                kept.pop()
+        kept.append(s)
+    return kept
 
 
 def _apart(route: Route, s: FloatArray, others: FloatArray) -> FloatArray:
@@ -338,6 +365,23 @@ def placed_marks(
     far = _farthest(points, ground.peg)
     reach, bases = _bases(ground, max(1, math.ceil(far)), obstacles)
     return Marks(s, points, tuple(kinds), ground, bases, reach)
+
+
+def between(marks: Marks, s: float) -> tuple[int, float] | None:
+    """The mark that a place along the route, m, is at or behind: its number, from 1, and how far, m.
+
+    None where the marks about it are not its neighbours on the ground: where a closed line is walked
+    again, it has those of the first round.
+    """
+    last = len(marks) - 1
+    n = min(max(int(np.searchsorted(marks.s, s + SAME_MARK, side="right")) - 1, 0), last)
+    past = rounded(s - float(marks.s[n]), 0.01)
+    if abs(past) < 0.01:
+        return n + 1, 0.0
+    gap = float(marks.s[n + 1] - marks.s[n]) if n < last else 0.0
+    if past < 0.0 or gap > FARTHEST * float(np.median(np.diff(marks.s))):
+        return None
+    return n + 1, past
 
 
 def nearest_mark(marks: Marks, point: Point) -> tuple[int, float]:

@@ -4,16 +4,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-import numpy as np
-
-from benchdragon.analysis.marks import SAME_MARK, Marks, rounded
+from benchdragon.analysis.marks import Marks, between
 from benchdragon.explain.bench_walk import BenchText, bench_text
 from benchdragon.i18n import _
 from benchdragon.rosters.roster import Person
 from benchdragon.sheets.briefing import Briefing
-
-# Marks farther apart than this, in usual distances, have others of an earlier round between them.
-FARTHEST = 1.5
 
 
 @dataclass(frozen=True)
@@ -85,24 +80,18 @@ def _entry(briefing: Briefing, bench: int, phones: bool, marks: str) -> Entry:
 
 
 def mark_line(marks: Marks, s: float) -> str:
-    """Where a front handle starts, m along the route, by the chalk plan's marks.
-
-    Empty where the marks about it are not its neighbours on the ground: where a closed line is walked
-    again, it has those of the first round.
-    """
-    last = len(marks) - 1
-    n = min(max(int(np.searchsorted(marks.s, s + SAME_MARK, side="right")) - 1, 0), last)
-    past = rounded(s - float(marks.s[n]), 0.01)
-    if abs(past) < 0.01:
-        return _("Your front handle starts at mark {n} of the chalk plan.").format(n=n + 1)
-    gap = float(marks.s[n + 1] - marks.s[n]) if n < last else 0.0
-    if past < 0.0 or gap > FARTHEST * float(np.median(np.diff(marks.s))):
+    """Where a front handle starts, m along the route, by the chalk plan's marks; "" as `between`."""
+    found = between(marks, s)
+    if found is None:
         return ""
+    n, past = found
+    if not past:
+        return _("Your front handle starts at mark {n} of the chalk plan.").format(n=n)
     text = _(
         "Your front handle starts between marks {n} and {next} of the chalk plan, {past} m past mark "
         "{n} along the line."
     )
-    return text.format(n=n + 1, next=n + 2, past=f"{past:.2f}")
+    return text.format(n=n, next=n + 1, past=f"{past:.2f}")
 
 
 def _people(people: Sequence[Person], phones: bool) -> tuple[str, ...]:

@@ -78,8 +78,7 @@ class Briefing:
     @property
     def every(self) -> float:
         """How far apart the chalk plan's marks are along the route, m."""
-        said = self.plan.chalk.every
-        return self.trail.usual_every if said is None else said
+        return self.trail.every(self.plan.chalk.every)
 
     @cached_property
     def marks(self) -> Marks:

@@ -571,7 +571,11 @@ export const ANALYSIS_MARKS = {
   LENGTH_STEP: 0.005,
   ANGLE_STEP: 0.01,
   SAME_MARK: 1e-6,
+  FARTHEST: 1.5,
+  CLOSE: 0.2,
+  CLOSE_SHARE: 0.4,
   LONGEST_TAPE: 200,
+  ALWAYS: 2,
 };
 
 export const ANALYSIS_OBSTACLE_SEARCH = {
@@ -819,10 +823,6 @@ export const ROSTERS_ENTRIES = {
 
 export const ROSTERS_WORDS = {
   MOST_NAME: 60,
-};
-
-export const SHEETS_BENCHES = {
-  FARTHEST: 1.5,
 };
 
 export const SHEETS_BRIEFING = {

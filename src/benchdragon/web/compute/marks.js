@@ -2,7 +2,7 @@
 // analysis/marks.py, as far as sheets of benches need it.
 
 import { _ } from "../words.js";
-import { ANALYSIS_MARKS, CURVE, ROUTE_PARTS, SHEETS_BENCHES } from "./constants.js";
+import { ANALYSIS_MARKS, CURVE, ROUTE_PARTS } from "./constants.js";
 import { InputError } from "./errors.js";
 import { decimals, general } from "./number_format.js";
 import { rint, rounded } from "./numbers.js";
@@ -12,8 +12,7 @@ import { countUpTo } from "./profile.js";
 
 /** Where a front handle starts: so far, m, past mark number `n`, from 1, and before the next. @typedef {{ n: number, past: number }} MarkPlace */
 
-const { MOST_MARKS, SAME_MARK } = ANALYSIS_MARKS;
-const { FARTHEST } = SHEETS_BENCHES;
+const { ALWAYS, CLOSE, CLOSE_SHARE, FARTHEST, MOST_MARKS, SAME_MARK } = ANALYSIS_MARKS;
 /** A mark's first reason: which of two in one place is kept. */
 const RANK = { step: 0, joint: 1, end: 2, start: 3 };
 // As near as that to a mark, m, a handle stands at it; and so finely it is told how far past it is.
@@ -34,7 +33,7 @@ export class Marks {
     this.usual = median(this.s.slice(1).map((s, n) => s - this.s[n]));
   }
 
-  /** From the start of the head each way, joints and ends besides. @param {number} every @param {number} start @param {number} high */
+  /** From the start of the head each way, joints and ends besides; of two close together one. @param {number} every @param {number} start @param {number} high */
   #marked(every, start, high) {
     const { low, route } = this;
     /** @type {Map<number, keyof RANK>} */
@@ -48,10 +47,12 @@ export class Marks {
     /** @type {number[]} */
     const kept = [];
     const rank = (/** @type {number} */ s) => RANK[/** @type {keyof RANK} */ (found.get(s))];
+    const close = Math.min(CLOSE, CLOSE_SHARE * every);
     for (const [n, s] of places.entries()) {
-      if (again[n] && rank(s) <= RANK.joint) continue;
+      if (again[n] && rank(s) < ALWAYS) continue;
       const before = kept[kept.length - 1];
-      if (kept.length && s - before <= SAME_MARK) {
+      const least = kept.length ? Math.min(rank(s), rank(before)) : 0;
+      if (kept.length && s - before <= (least >= ALWAYS ? SAME_MARK : close)) {
         if (rank(s) <= rank(before)) continue;
         kept.pop();
       }
