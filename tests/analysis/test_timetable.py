@@ -36,13 +36,13 @@ def test_every_place_is_passed_when_the_head_and_the_tail_are_there() -> None:
     start, end = plan.span(walk)
     rows = timetable(plan, walk, start, end)
     names = [
-        "the dance starts",
+        "the head sets out",
         "entrance of the venue",
         "the head nearest to well",
         "hold",
         "bow",
-        "joint 1",
-        "the dance ends",
+        "straight becomes left bend",
+        "the head at the end",
     ]
     assert [row.name for row in rows] == names
     for row in rows:
@@ -190,12 +190,16 @@ def test_a_short_hold_counts_in_as_many_beats_as_there_is_time_for() -> None:
     assert [run.beats() for run in counted] == [2]
 
 
-def test_the_joints_at_which_a_turn_begins_and_ends_say_so() -> None:
+def test_joints_are_called_by_what_happens_there() -> None:
     data = {"schema": 1, "dragon": {"benches": 9}, "route": {"kind": "turn"}, "walk": {"start": -5}}
     plan = checked(data, "turn")
     walk = plan.build()
     rows = timetable(plan, walk, *plan.span(walk))
     names = [row.name for row in rows if row.kind == "joint"]
-    assert names == ["joint 1: the turn begins", "joint 2", "joint 3: the turn ends"]
+    assert names == [
+        "the turn begins",
+        "right bend becomes left bend",
+        "the turn ends",
+    ]
     begins = next(row for row in rows if row.name == names[0])
     assert begins.head == pytest.approx(0.0, abs=1e-9), "time 0 of such a plan"

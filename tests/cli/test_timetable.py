@@ -7,6 +7,7 @@ import pytest
 
 from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.ground import Ground
+from benchdragon.analysis.marks import Trail, placed_marks
 from benchdragon.analysis.timetable import timetable
 from benchdragon.cli.main import run
 from benchdragon.i18n import spoken_in
@@ -34,7 +35,8 @@ def test_a_terminal_shows_the_rows_of_the_paper(
         assert run(LINE) == 0
         start, end = plan.span(walk)
         passings, ground = timetable(plan, walk, start, end), Ground.of(plan, walk.route)
-        rows = printed_rows(passings, Clock("18:30", start), ground)
+        trail = Trail.of(walk, start, end)
+        rows = printed_rows(passings, Clock("18:30", start), ground, placed_marks(trail, 1.0, ground))
     lines = capsys.readouterr().out.splitlines()
     shown = [tuple(cell.strip() for cell in line.split("│")[1:-1]) for line in lines if "│" in line]
     assert shown == list(rows)

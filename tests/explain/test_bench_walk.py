@@ -178,8 +178,12 @@ def test_times_are_of_day_where_the_plan_says_when_the_dance_starts() -> None:
     text = text_of(read_plan("turn", ["cues.clock=18:30"]), bench)
     assert text.stretches[0].startswith("18:30:00 to 18:32:08: run")
     assert text.tightest.startswith("Tightest at 18:31:53")
-    assert text.times == "Times are times of day; the dance starts at 18:30."
+    assert text.times == (
+        "Times are times of day; the dance starts at 18:30. They are those of your front handle."
+    )
     text = text_of(read_plan("turn"), bench)
     assert text.stretches[0].startswith("0:00 to 2:08: run")
-    assert text.times == "Times are minutes and seconds since the dance starts."
+    assert text.times == (
+        "Times are minutes and seconds since the dance starts. They are those of your front handle."
+    )
     assert text.times in text.lines

@@ -1,5 +1,6 @@
 """The timetable as papers: what stands in them is what the plan says, in both languages."""
 
+import re
 import zipfile
 from pathlib import Path
 
@@ -9,13 +10,16 @@ from python_calamine import CalamineWorkbook
 
 from benchdragon.analysis.beats import score_of
 from benchdragon.analysis.check import check
+from benchdragon.export.document import Paragraph, Table
 from benchdragon.i18n import spoken_in
+from benchdragon.plans.schema import read_plan
 from benchdragon.rosters.roster import Roster
 from benchdragon.sheets.briefing import Briefing
 from benchdragon.sheets.timetable import (
     passings_of,
     printed_rows,
     tempo_text,
+    timetable_document,
     write_timetable_pdf,
     write_timetable_xlsx,
 )
@@ -38,7 +42,7 @@ def test_a_pdf_holds_every_row(
     path = tmp_path / "timetable.pdf"
     with spoken_in(language):
         write_timetable_pdf(path, briefing)
-        rows = printed_rows(passings_of(briefing), briefing.clock, briefing.ground)
+        rows = printed_rows(passings_of(briefing), briefing.clock, briefing.ground, briefing.marks)
     text = "".join("".join(page.extract_text().split()) for page in PdfReader(path).pages)
     assert word.replace(" ", "") in text
     assert other not in text
@@ -55,12 +59,47 @@ def test_a_workbook_holds_times_in_seconds_too(briefing: Briefing, tmp_path: Pat
     path = tmp_path / "timetable.xlsx"
     write_timetable_xlsx(path, briefing)
     rows = CalamineWorkbook.from_path(path).get_sheet_by_index(0).to_python()
-    assert rows[0][5:] == [
+    assert rows[0][6:] == [
         "head (s from the start)", "goes on (s from the start)", "tail (s from the start)",
     ]  # fmt: skip
     held = next(row for row in rows if row[0] == "bow to the temple")
-    assert held[5:7] == pytest.approx([11.0, 16.0])
+    assert held[6:8] == pytest.approx([11.0, 16.0])
     assert briefing.foot in str(rows[-1][0])
+
+
+def test_places_are_told_by_the_marks_of_the_chalk_plan(briefing: Briefing) -> None:
+    passings = passings_of(briefing)
+    rows = printed_rows(passings, briefing.clock, briefing.ground, briefing.marks)
+    kinds = briefing.marks.kinds
+    for row, place in zip(rows, passings, strict=True):
+        first, *more = [int(number) for number in re.findall(r"\d+", row[2])]
+        assert briefing.marks.s[first - 1] <= place.s + 0.01
+        assert place.s <= briefing.marks.s[first] + 1e-9 if more else place.s + 0.01
+    assert rows[0][2] == str(kinds.index("start") + 1)
+    assert rows[-1][2] == str(len(kinds))
+    bare = printed_rows(passings, briefing.clock, briefing.ground, None)
+    assert {row[2] for row in bare} == {"-"}
+
+
+def test_where_the_tail_comes_nowhere_its_column_is_left_out_and_it_is_said_why(tmp_path: Path) -> None:
+    settings = "dragon.benches=40", "route.pitch=3", "route.start_turn=6", "walk.end=5"
+    report = check(read_plan("spiral-in", settings), quick=True)
+    told = Briefing(report, Roster(), (), "2026-11-23", report.plan.sha256)
+    document = timetable_document(told)
+    (table,) = [block for block in document.blocks if isinstance(block, Table)]
+    assert table.columns[-1] == "head"
+    assert all(len(row) == len(table.columns) == len(table.widths) for row in table.rows)
+    said = str([block.words for block in document.blocks if isinstance(block, Paragraph)])
+    assert "before the tail comes as far" in said
+    assert "-:" not in said
+
+
+def test_it_is_said_which_handle_head_and_tail_count(briefing: Briefing, tmp_path: Path) -> None:
+    said = str([b.words for b in timetable_document(briefing).blocks if isinstance(b, Paragraph)])
+    assert "the tail with its last handle" in said
+    write_timetable_xlsx(tmp_path / "timetable.xlsx", briefing)
+    rows = CalamineWorkbook.from_path(tmp_path / "timetable.xlsx").get_sheet_by_index(0).to_python()
+    assert any("the tail with its last handle" in str(row[0]) for row in rows)
 
 
 def test_texts_of_cues_are_no_formulas_and_no_links(tmp_path: Path) -> None:

@@ -11,9 +11,10 @@ from scipy.optimize import minimize_scalar
 from shapely.geometry.base import BaseGeometry
 
 from benchdragon import budget
+from benchdragon.analysis.bends import Bends, Turning
 from benchdragon.analysis.findings import named
 from benchdragon.errors import in_order, of_kind
-from benchdragon.i18n import _, language
+from benchdragon.i18n import N_, _, language
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.outline import shape_of
@@ -26,6 +27,16 @@ MOST_JOINTS = 60
 # The way is looked at so finely for obstacles and the venue's edge, m, but at no more places; what it
 # finds is then drawn near to this, m.
 FINE, MOST_LOOKS, NEAR = 0.1, 50_000, 1e-6
+
+# What is at a place where the route changes the side to which it bends.
+BENDS: dict[tuple[Turning, Turning], str] = {
+    ("left", "right"): N_("left bend becomes right bend"),
+    ("right", "left"): N_("right bend becomes left bend"),
+    ("straight", "left"): N_("straight becomes left bend"),
+    ("straight", "right"): N_("straight becomes right bend"),
+    ("left", "straight"): N_("left bend becomes straight"),
+    ("right", "straight"): N_("right bend becomes straight"),
+}
 
 Kind = Literal["start", "joint", "cue", "entrance", "obstacle", "end"]
 
@@ -69,25 +80,34 @@ def timetable(plan: Plan, walk: Walk, start: float, end: float) -> tuple[Passing
     of_kind("walk", walk, Walk)
     in_order(start, end)
     first, last = walk.head_position([start, end]).tolist()
-    rows = [_passing(walk, (start, end), "start", _("the dance starts"), first)]
+    rows = [_passing(walk, (start, end), "start", _("the head sets out"), first)]
     joints = [s for s in walk.route.joints[1:-1].tolist() if s < last]
     if len(joints) <= MOST_JOINTS:
-        for n, s in enumerate(joints, start=1):
-            name = _joint_name(plan, n, len(walk.route.joints) - 2)
+        names = _joint_names(plan, walk)
+        for name, s in zip(names, joints, strict=False):
             rows.append(_passing(walk, (start, end), "joint", name, s))
     rows += [_cue(walk, (start, end), one, first) for one in plan.moments()]
     rows += _beside(plan, walk, (start, end))
-    rows.append(_passing(walk, (start, end), "end", _("the dance ends"), last))
+    rows.append(_passing(walk, (start, end), "end", _("the head at the end"), last))
     rows.sort(key=lambda row: (row.s, row.kind == "end", row.head or 0.0))
     return tuple(row for row in rows if row.head is not None or row.tail is not None)
 
 
-def _joint_name(plan: Plan, n: int, count: int) -> str:
-    """What joint number n of so many between parts of the route is called; from 1."""
-    if plan.route.kind == "turn" and n in (1, count):
-        text = _("joint {n}: the turn begins") if n == 1 else _("joint {n}: the turn ends")
-        return text.format(n=n)
-    return _("joint {n}").format(n=n)
+def _joint_names(plan: Plan, walk: Walk) -> list[str]:
+    """What joints between parts of the route are called: by what happens there, else by number."""
+    bends, joints = Bends.of(walk.route), walk.route.joints[1:-1].tolist()
+    names = []
+    for n, s in enumerate(joints, start=1):
+        before, behind = (
+            bends.turnings[int(np.searchsorted(bends.at, s + aside))] for aside in (-NEAR, NEAR)
+        )
+        name = _("joint {n}").format(n=n)
+        if plan.route.kind == "turn" and n in (1, len(joints)):
+            name = _("the turn begins") if n == 1 else _("the turn ends")
+        elif before != behind:
+            name = _(BENDS[before, behind])
+        names.append(name)
+    return names
 
 
 def _passing(walk: Walk, span: tuple[float, float], kind: Kind, name: str, s: float) -> Passing:

@@ -2,14 +2,21 @@
 
 import json
 from dataclasses import asdict
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from benchdragon.cli.answers import about
 from benchdragon.cli.console import print_rows
 from benchdragon.cli.options import json_option, plan_options, plan_to_walk, shared_options
+from benchdragon.errors import InputError
 from benchdragon.i18n import N_, language
+
+if TYPE_CHECKING:
+    from benchdragon.analysis.ground import Ground
+    from benchdragon.analysis.marks import Marks
+    from benchdragon.model.walk import Walk
+    from benchdragon.plans.schema import Plan
 
 
 @click.command(
@@ -29,7 +36,7 @@ def timetable(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) 
     from benchdragon.analysis.ground import Ground
     from benchdragon.analysis.stops import stops_of, stops_sentence
     from benchdragon.analysis.timetable import timetable as passings_of
-    from benchdragon.sheets.timetable import columns, printed_rows
+    from benchdragon.sheets.timetable import columns, printed_rows, told_sentences
 
     read = plan_to_walk(plan, settings, quiet)
     walk = read.build()
@@ -42,8 +49,20 @@ def timetable(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) 
         click.echo(json.dumps({**answer, **about(read, [])}))
         return 0
     clock, ground = Clock(read.cues.clock, start), Ground.of(read, walk.route)
-    print_rows(read.title(language()), columns(), printed_rows(passings, clock, ground))
-    click.echo(clock.legend)
-    click.echo(ground.legend)
-    click.echo(stops_sentence(stops, clock))
+    marks = _marks(read, walk, (start, end), ground)
+    rows = printed_rows(passings, clock, ground, marks)
+    print_rows(read.title(language()), columns()[: len(rows[0])], rows)
+    for line in (clock.legend, ground.legend, *told_sentences(passings), stops_sentence(stops, clock)):
+        click.echo(line)
     return 0
+
+
+def _marks(plan: "Plan", walk: "Walk", span: tuple[float, float], ground: "Ground") -> "Marks | None":
+    """The chalk plan's marks; None where nobody could lay them out."""
+    from benchdragon.analysis.marks import Trail, placed_marks
+
+    trail = Trail.of(walk, *span)
+    try:
+        return placed_marks(trail, trail.every(plan.chalk.every), ground, obstacles=plan.obstacles())
+    except InputError:
+        return None

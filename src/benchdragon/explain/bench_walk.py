@@ -85,7 +85,7 @@ def bench_text(plan: Plan, found: BenchWalk, called: Callable[[int], str], groun
         _pace_lines(plan, found),
         tightest_line(found.tightest, clock, called),
         _people_lines(found, called),
-        clock.legend,
+        _("{times} They are those of your front handle.").format(times=clock.legend),
     )
 
 

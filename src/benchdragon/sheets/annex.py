@@ -38,7 +38,7 @@ from benchdragon.sheets.annex_tables import (
 )
 from benchdragon.sheets.briefing import Briefing
 from benchdragon.sheets.chalk import peg_lines
-from benchdragon.sheets.timetable import dash_line, passings_of
+from benchdragon.sheets.timetable import passings_of, told_lines
 from benchdragon.version import __version__
 
 # Blank lines under a heading that the program knows nothing of.
@@ -163,7 +163,7 @@ def _timetable(facts: AnnexFacts) -> Iterator[Block]:
     yield Heading(_("Timetable"), "timetable")
     yield Paragraph((clock.legend,))
     yield Paragraph((stops_sentence(stops_of(report.walk, report.start, report.end), clock),))
-    yield from dash_line(passings_of(facts.briefing))
+    yield from told_lines(passings_of(facts.briefing))
     yield passing_table(facts)
 
 
@@ -285,9 +285,9 @@ def _version(facts: AnnexFacts) -> Iterator[Block]:
     yield Heading(_("Version"), "version")
     yield say(
         _(
-            "Made by benchdragon {version} from the plan with the hash {plan}. The plan was checked on "
-            "{date}; papers of the same check bear {papers}. If plan, people or list of names change, "
-            "this annex no longer holds."
+            "Made by benchdragon {version}. The plan was checked on {date}; all papers of the same "
+            "check bear the number {papers}. The dance alone, as its drawings name it, is {plan}. If "
+            "plan, people or list of names change, this annex no longer holds."
         ),
         version=__version__, plan=briefing.plan.sha256[:12], date=briefing.checked_on,
         papers=briefing.sha256[:12],

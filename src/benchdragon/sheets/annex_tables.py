@@ -22,7 +22,7 @@ from benchdragon.number_format import decimals_towards, outward
 from benchdragon.plans.people import SourcesTable
 from benchdragon.sheets.annex_facts import DISTANCE, AnnexFacts
 from benchdragon.sheets.briefing import Briefing
-from benchdragon.sheets.timetable import WIDTHS, columns, passings_of, printed_rows
+from benchdragon.sheets.timetable import time_table
 
 BLANK = 28 * "_"
 STATUS = {
@@ -33,13 +33,15 @@ STATUS = {
     "unlimited": N_("unlimited"),
 }
 WHY: dict[Why, str] = {
-    "venue": N_("ground covered nearest to the venue's edge: {value} m"),
+    "venue": N_("benches nearest to the venue's edge: at least {value} m"),
     "entrance": N_("entrance"),
-    "tightest": N_("benches nearest to one another: {value} m at {time}"),
+    "tightest": N_("benches nearest to one another: at least {value} m at {time}"),
     "fastest": N_("fastest handle: {value} m/s at {time}"),
     "run": N_("handles run: up to {value} m/s at {time}"),
     "line": N_("along the line"),
 }
+# Reasons that tell a speed, which is rounded up; distances are rounded down.
+FASTEST: tuple[Why, ...] = ("fastest", "run")
 DEVIATIONS = {
     "aside": N_("handles beside the line that is walked"),
     "stray": N_("that line beside the route"),
@@ -115,9 +117,7 @@ def swept_table(facts: AnnexFacts) -> Table:
 
 def passing_table(facts: AnnexFacts) -> Table:
     """When head and tail pass places of the route: as the timetable has it."""
-    briefing = facts.briefing
-    rows = printed_rows(passings_of(briefing), briefing.clock, briefing.ground)
-    return Table("timetable", _("When head and tail pass"), columns(), WIDTHS, rows, numbers=True)
+    return time_table(facts.briefing)
 
 
 def people_table(briefing: Briefing) -> Table:
@@ -200,7 +200,8 @@ def speed_table(briefing: Briefing) -> Table:
 
 def _reason(one: Reason, clock: Clock) -> str:
     time = "" if math.isnan(one.time) else clock.tell(one.time)
-    return _(WHY[one.why]).format(value=f"{one.value:.2f}", time=time)
+    value = decimals_towards(one.value, 2, up=one.why in FASTEST)
+    return _(WHY[one.why]).format(value=value, time=time)
 
 
 def post_table(facts: AnnexFacts) -> Table:

@@ -1,11 +1,12 @@
 """The timetable of a dance: as lines of text, a PDF page and a workbook; and its drum."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from benchdragon.analysis.beats import Score, counted_in, score_of
 from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.ground import Ground
+from benchdragon.analysis.marks import Marks, between, nearest_mark
 from benchdragon.analysis.stops import stops_of, stops_sentence
 from benchdragon.analysis.timetable import Passing, timetable
 from benchdragon.export.document import Block, Document, Heading, Paragraph, Table
@@ -17,7 +18,7 @@ from benchdragon.plans.schema import Plan
 from benchdragon.sheets.briefing import Briefing
 
 # Columns: shares of the width.
-WIDTHS = (0.34, 0.14, 0.2, 0.16, 0.16)
+WIDTHS = (0.34, 0.12, 0.2, 0.18, 0.16, 0.16)
 
 
 def passings_of(briefing: Briefing) -> tuple[Passing, ...]:
@@ -28,11 +29,13 @@ def passings_of(briefing: Briefing) -> tuple[Passing, ...]:
 
 def columns() -> tuple[str, ...]:
     """What stands above the columns."""
-    return (_("place"), _("way (m)"), _("x, y from the peg (m)"), _("head"), _("tail"))
+    return (
+        _("place"), _("way (m)"), _("mark"), _("x, y from the peg (m)"), _("head"), _("tail"),
+    )  # fmt: skip
 
 
-def cells(row: Passing, clock: Clock, ground: Ground) -> tuple[str, ...]:
-    """A row of the table as text, with its place as measured on the ground."""
+def cells(row: Passing, clock: Clock, ground: Ground, marks: Marks | None) -> tuple[str, ...]:
+    """A row of the table as text, with its place by the chalk plan's marks and as measured."""
 
     def at(time: float | None) -> str:
         return "-" if time is None else clock.tell(time)
@@ -41,22 +44,46 @@ def cells(row: Passing, clock: Clock, ground: Ground) -> tuple[str, ...]:
     if row.until is not None and row.head is not None and row.until > row.head:
         head = _("{start} to {end}").format(start=head, end=at(row.until))
     x, y = ground.seen([row.point])[0].tolist()
-    place = f"{x:z.2f}, {y:z.2f}"
-    return row.name, f"{row.way:z.2f}", place, head, at(row.tail)
+    mark = "-" if marks is None else _mark(row, marks)
+    return row.name, f"{row.way:z.2f}", mark, f"{x:z.2f}, {y:z.2f}", head, at(row.tail)
+
+
+def _mark(row: Passing, marks: Marks) -> str:
+    """At which mark of the chalk plan a place is, or between which."""
+    found = between(marks, row.s)
+    if found is None:
+        return _("by {n}").format(n=nearest_mark(marks, row.point)[0])
+    n, past = found
+    return _("{n} to {next}").format(n=n, next=n + 1) if past else str(n)
 
 
 def printed_rows(
-    passings: Iterable[Passing], clock: Clock, ground: Ground
+    passings: Iterable[Passing], clock: Clock, ground: Ground, marks: Marks | None
 ) -> tuple[tuple[str, ...], ...]:
-    """All rows of the table as text."""
-    return tuple(cells(row, clock, ground) for row in passings)
+    """All rows of the table as text; without the column of the tail, if that comes to no place."""
+    told = list(passings)
+    count = len(WIDTHS) - without_tail(told)
+    return tuple(cells(row, clock, ground, marks)[:count] for row in told)
+
+
+def time_table(briefing: Briefing) -> Table:
+    """The table of a dance that was checked; as many columns as `printed_rows` has."""
+    passings = passings_of(briefing)
+    count = len(WIDTHS) - without_tail(passings)
+    rows = printed_rows(passings, briefing.clock, briefing.ground, briefing.marks)
+    name = _("When the head passes") if without_tail(passings) else _("When head and tail pass")
+    return Table("timetable", name, columns()[:count], WIDTHS[:count], rows, numbers=True)
+
+
+def without_tail(passings: Iterable[Passing]) -> bool:
+    """Whether the tail comes to none of the places while the dance lasts."""
+    return all(row.tail is None for row in passings)
 
 
 def timetable_document(briefing: Briefing) -> Document:
     """The timetable as a document of a page or a few."""
     report, plan = briefing.report, briefing.plan
     passings = passings_of(briefing)
-    rows = printed_rows(passings, briefing.clock, briefing.ground)
     stops = stops_of(report.walk, report.start, report.end)
     score = score_of(plan, report.start, report.end)
     title = plan.title(language()) or _("Timetable")
@@ -67,8 +94,8 @@ def timetable_document(briefing: Briefing) -> Document:
         Paragraph((_("Drum: {tempo}.").format(tempo=tempo_text(plan, score)),)),
         *_count_in(score, report.start),
         Paragraph((briefing.ground.legend,)),
-        *dash_line(passings),
-        Table("timetable", _("When head and tail pass"), columns(), WIDTHS, rows, numbers=True),
+        *told_lines(passings),
+        time_table(briefing),
     )
     return Document(title, language(), briefing.checked_on, blocks, briefing.foot)
 
@@ -82,11 +109,29 @@ def _count_in(score: Score, start: float) -> list[Paragraph]:
     return [Paragraph((text.format(beats=first[0].beats()),))]
 
 
-def dash_line(passings: Iterable[Passing]) -> list[Paragraph]:
-    """What a dash in the columns of times means, where there is one."""
-    if all(row.head is not None and row.tail is not None for row in passings):
-        return []
-    return [Paragraph((_("-: the head, or the tail, does not pass there while the dance lasts."),))]
+def told_lines(passings: Sequence[Passing]) -> list[Paragraph]:
+    """What the columns of times count, and what a dash in them means, where there is one."""
+    return [Paragraph((text,)) for text in told_sentences(passings)]
+
+
+def told_sentences(passings: Sequence[Passing]) -> list[str]:
+    """The same as sentences."""
+    if without_tail(passings):
+        return [
+            _(
+                "The dance ends before the tail comes as far as any of these: only the head is told "
+                "of, by its front handle."
+            )
+        ]
+    said = [
+        _(
+            "The head is there with its front handle, the tail with its last handle: then all have "
+            "passed. The tail's own sheet tells of its front handle, which is there a little earlier."
+        )
+    ]
+    if any(row.head is None or row.tail is None for row in passings):
+        said.append(_("-: the head, or the tail, does not pass there while the dance lasts."))
+    return said
 
 
 def write_timetable_pdf(path: Path, briefing: Briefing) -> None:
@@ -101,7 +146,7 @@ def write_timetable_xlsx(path: Path, briefing: Briefing) -> None:
         sheet = book.add_worksheet(_("Timetable"))
         sheet.freeze_panes(1, 1)
         sheet.set_column(0, 0, 30)
-        sheet.set_column(1, 8, 14)
+        sheet.set_column(1, 9, 14)
         names = (
             _("head (s from the start)"),
             _("goes on (s from the start)"),
@@ -109,15 +154,16 @@ def write_timetable_xlsx(path: Path, briefing: Briefing) -> None:
         )
         for column, text in enumerate((*columns(), *names)):
             sheet.write_string(0, column, text)
-        for n, row in enumerate(passings_of(briefing), start=1):
-            for column, text in enumerate(cells(row, briefing.clock, briefing.ground)):
+        passings = passings_of(briefing)
+        for n, row in enumerate(passings, start=1):
+            for column, text in enumerate(cells(row, briefing.clock, briefing.ground, briefing.marks)):
                 sheet.write_string(n, column, text)
-            for column, time in enumerate((row.head, row.until, row.tail), start=5):
+            for column, time in enumerate((row.head, row.until, row.tail), start=len(WIDTHS)):
                 if time is not None:
                     sheet.write_number(n, column, round(time - start, 6))
-        for k, text in enumerate(
-            (briefing.clock.legend, briefing.ground.legend, briefing.foot), start=2
-        ):
+        told = told_sentences(passings)
+        foot = (briefing.clock.legend, briefing.ground.legend, *told, briefing.foot)
+        for k, text in enumerate(foot, start=2):
             sheet.write_string(n + k, 0, text)
 
 

@@ -79,7 +79,7 @@ export function benchText(basis, found, landmark, called) {
     paces: paceLines(people, found),
     tightest: tightestLine(found.tightest, clock, called),
     people: peopleLines(found, called),
-    times: clock.legend,
+    times: _("{times} They are those of your front handle.", { times: clock.legend }),
   };
 }
 
