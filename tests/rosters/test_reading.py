@@ -288,6 +288,26 @@ def test_failed_formulas_are_nobody_and_names_of_one_sign_are_told(tmp_path: Pat
     ]
 
 
+def test_two_names_that_nothing_parts_are_one_person_and_told(tmp_path: Path) -> None:
+    said = ["陈国强李建华", "欧阳建国", "买买提·艾力江", "阿卜杜拉", "陈国强、李建华", "John Smithson"]
+    rows: Cells = [["桥号", "姓名"], *([bench, name] for bench, name in enumerate(said, 1))]
+    roster = read(tmp_path, rows)
+    assert names(roster)[1] == "陈国强李建华"
+    assert [note for note in roster.notes if "one person" in note] == [
+        "row 2: 陈国强李建华 is taken for one person: if they are several, part their names by 、"
+    ]
+
+
+def test_a_chinese_comma_behind_a_number_is_told(tmp_path: Path) -> None:
+    path = tmp_path / "list.csv"
+    path.write_text("桥号,姓名\n1,张三\n3，王小3张大3\n甲，赵六\n4,李四\n", "utf-8")
+    roster = read_roster(path, Numbering(4, True, str))
+    assert [note for note in roster.notes if "not read" in note] == [
+        "row 3 was not read: the comma behind 3 is a Chinese one (，): type an English one (,)",
+        "row 4 was not read: '甲，赵六' is no number of a bench: 甲，赵六",
+    ]
+
+
 def test_who_is_named_at_two_benches_is_one_person(tmp_path: Path) -> None:
     roster = read(
         tmp_path,

@@ -94,6 +94,10 @@ def _not_a_number(said: str, row: Sequence[str]) -> str:
     if MADE_A_DAY.fullmatch(said):
         text = _("the spreadsheet made a day of the bench's number ({text}): format the column as text")
         return text.format(text=said)
+    head, comma, _rest = said.partition("，")
+    if comma and places(head) and sum(map(bool, row)) == 1:
+        text = _("the comma behind {number} is a Chinese one (，): type an English one (,)")
+        return text.format(number=clean(head))
     text = _("{said} is no number of a bench: {text}")
     return text.format(said=repr(_shown([said])), text=_shown(row))
 

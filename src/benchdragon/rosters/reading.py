@@ -1,5 +1,6 @@
 """A roster from a list of names: who carries which bench, and what is odd about the list."""
 
+import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -15,6 +16,8 @@ from benchdragon.rosters.words import Place, plain
 
 # People of a list, and notes of one kind about it.
 MOST_PEOPLE, MOST_NOTES = 50_000, 100
+# Chinese signs without a dot between them of which hardly a name has so many: of two people, perhaps.
+SEVERAL = re.compile("[\u3400-\u4dbf\u4e00-\u9fff\U00020000-\U0003ffff]{5,}")
 # People at a bench, and words of a list within a note.
 MOST_A_BENCH, MOST_LISTED = 200, 30
 
@@ -145,9 +148,12 @@ def _of_entry(entry: Entry, numbering: Numbering) -> Iterator[str]:
     if not numbering.count_head and any(not place.number and not place.end for place in ends):
         yield _("row {row}: bench 0 is taken for the head").format(row=entry.row)
     text = _("row {row}: {name} is a name of one sign: part names by 、 and not by spaces")
+    long = _("row {row}: {name} is taken for one person: if they are several, part their names by 、")
     for person in entry.people:
         if len(person.name) == 1:
             yield text.format(row=entry.row, name=person.name)
+        elif SEVERAL.fullmatch(person.name):
+            yield long.format(row=entry.row, name=person.name)
 
 
 def _stranger(entry: Entry, beyond: Sequence[tuple[int, int]], numbering: Numbering) -> str:

@@ -26,6 +26,8 @@ import { plain } from "./roster_words.js";
 /** The people of each bench that has any, by its number, 1 being the head's; and what is odd about the list, in words. @typedef {{ benches: Map<number, Person[]>, notes: string[] }} Roster */
 
 const { MOST_PEOPLE, MOST_NOTES, MOST_A_BENCH, MOST_LISTED } = ROSTERS_READING;
+/** Chinese signs without a dot between them of which hardly a name has so many: of two people, perhaps. */
+const SEVERAL = /^[\u3400-\u4dbf\u4e00-\u9fff\u{20000}-\u{3ffff}]{5,}$/u;
 
 /** Who carries which bench, as the rows of a list say it; `name` is the list's. @param {string[][]} rows @param {string} name @param {Numbering} numbering @returns {Roster} */
 export function readRoster(rows, name, numbering) {
@@ -144,6 +146,13 @@ function ofEntry({ row, benches, people }, { countHead }) {
     if (Array.from(name).length === 1)
       said.push(
         _("row {row}: {name} is a name of one sign: part names by 、 and not by spaces", { row, name }),
+      );
+    else if (SEVERAL.test(name))
+      said.push(
+        _("row {row}: {name} is taken for one person: if they are several, part their names by 、", {
+          row,
+          name,
+        }),
       );
   return said;
 }

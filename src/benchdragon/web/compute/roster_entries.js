@@ -88,6 +88,11 @@ function notANumber(said, row) {
       "the spreadsheet made a day of the bench's number ({text}): format the column as text",
       { text: said },
     ); // prettier-ignore
+  const [head, ...rest] = said.split("，");
+  if (rest.length && places(head) && row.filter(Boolean).length === 1)
+    return _("the comma behind {number} is a Chinese one (，): type an English one (,)", {
+      number: clean(head),
+    });
   const values = { said: pythonRepr(shown([said])), text: shown(row) };
   return _("{said} is no number of a bench: {text}", values);
 }
