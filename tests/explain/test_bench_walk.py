@@ -10,7 +10,7 @@ from benchdragon.analysis.bench_nearness import Tightest
 from benchdragon.analysis.bench_walks import PACES, BenchWalk, Stretch, bench_walks
 from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.ground import Ground
-from benchdragon.explain.bench_walk import BenchText, bench_text, quick_line
+from benchdragon.explain.bench_walk import BenchText, bench_text, quick_line, tightest_line
 from benchdragon.i18n import spoken_in
 from benchdragon.model.base_curve import Point
 from benchdragon.plans.people import called
@@ -139,11 +139,11 @@ def test_the_tightest_moment_and_the_neighbours_have_the_names_that_the_village_
     )
     assert text.people == (
         "Before you: the head.", "Behind you: qiao 5.", "At the end on your left: the tail.",
-        "At the end on your right: qiao 2.",
+        "At the end on your right: qiao 2.", "Afterwards: follow the bench before you out.",
     )  # fmt: skip
     alone = replace(bench, tightest=None, before=None, behind=None, left=None, right=None)
     assert text_of(plan, alone).tightest == "No bench of another coil comes within about 1.5 m of you."
-    assert text_of(plan, alone).people == ()
+    assert text_of(plan, alone).people == ("Afterwards: lead all of them out.",)
     with spoken_in("zh"):
         assert re.fullmatch(
             r"1:05 最挤：另一圈的.+在你左边，只隔 27 厘米。", text_of(plan, bench).tightest
@@ -155,7 +155,7 @@ def test_thresholds_are_those_of_the_plan(told: tuple[BenchWalk, ...]) -> None:
     text = text_of(PLAN, bench)
     assert text.paces == (
         "Hurry means 1.15 m/s or more.", "Run means 1.45 m/s or more.",
-        "Wait means to stand still: less than 0.05 m/s.",
+        "Wait means to stand still.",
     )  # fmt: skip
     assert text.lines[0] == text.quick
     assert set(text.paces) <= set(text.lines)
@@ -172,18 +172,45 @@ def test_who_only_walks_and_bends_one_way_reads_no_more_than_that() -> None:
     assert quick_line(straight, Clock("", 0.0)) == "Turn right; keep walking, without a stop."
 
 
+def test_a_wait_says_what_the_head_stops_for() -> None:
+    bench = one_bench(stretch(0.0, 30.0, "left", "walk"), stretch(30.0, 45.0, "left", "wait"))
+    cue = {"kind": "hold", "at": 31.0, "hold": 9.0, "text": "bow to the temple", "text_zh": "拜庙"}
+    plan = read_plan("turn").with_value("cues.cue", [cue])
+    assert text_of(plan, bench).stretches[1] == "0:30 to 0:45: wait: bow to the temple."
+    with spoken_in("zh"):
+        assert text_of(plan, bench).stretches[1] == "0:30 到 0:45：等：拜庙。"
+    for other in ({**cue, "at": 50.0}, {**cue, "text": "", "text_zh": ""}):
+        plan = read_plan("turn").with_value("cues.cue", [other])
+        assert text_of(plan, bench).stretches[1] == "0:30 to 0:45: wait."
+
+
+def test_a_sheet_ends_with_where_to_go_when_the_dance_is_over() -> None:
+    bench = one_bench(stretch(0.0, 30.0, "left", "walk"))
+    assert text_of(read_plan("turn"), bench).people[-1].endswith("follow the bench before you out.")
+    head = replace(bench, before=None)
+    assert text_of(read_plan("turn"), head).people[-1].endswith("lead all of them out.")
+    for each in (head, bench):
+        assert "until your pin is pulled" in text_of(read_plan("spiral-in"), each).people[-1]
+
+
+def test_others_read_of_a_bench_by_its_own_sides() -> None:
+    near, clock = Tightest(75.4, 3, "rear", 0.1, 0.279), Clock("", 0.0)
+    own, others = (tightest_line(near, clock, str, its=its) for its in (False, True))
+    assert (own.endswith("27 cm, behind you."), others.endswith("27 cm, behind it.")) == (True, True)
+    assert tightest_line(None, clock, str, its=True).endswith("m of it.")
+
+
 def test_times_are_of_day_where_the_plan_says_when_the_dance_starts() -> None:
     near = Tightest(75.4, 3, "left", 0.1, 0.279)
     bench = replace(one_bench(stretch(-38.0, 90.0, "left", "run")), tightest=near)
     text = text_of(read_plan("turn", ["cues.clock=18:30"]), bench)
     assert text.stretches[0].startswith("18:30:00 to 18:32:08: run")
     assert text.tightest.startswith("Tightest at 18:31:53")
-    assert text.times == (
-        "Times are times of day; the dance starts at 18:30. They are those of your front handle."
-    )
+    assert text.times == ("Times are times of day; the dance starts at 18:30.")
     text = text_of(read_plan("turn"), bench)
     assert text.stretches[0].startswith("0:00 to 2:08: run")
-    assert text.times == (
-        "Times are minutes and seconds since the dance starts. They are those of your front handle."
-    )
+    assert text.times == ("Times are minutes and seconds since the dance starts.")
     assert text.times in text.lines
+    tail = text_of(read_plan("turn"), replace(bench, behind=None))
+    assert tail.times.startswith(text.times)
+    assert tail.times.endswith("of your front handle, in the timetable of your last handle.")

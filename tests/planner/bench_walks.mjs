@@ -14,8 +14,8 @@ const engine = await Engine.load(readFileSync(file));
 /** What stands on the sheets of all benches, in a language. */
 function sentences(told, spoken) {
   speak(spoken);
-  const { people, start, clock, ground, benches } = told;
-  const basis = { clock: new Clock(clock, start), people, ground };
+  const { people, start, clock, ground, benches, halts, coiled } = told;
+  const basis = { clock: new Clock(clock, start), people, ground, halts, coiled };
   const name = (bench) => called(people, bench, benches.length);
   return benches.map((one, k) => {
     const { apart, name: words, edge } = told.landmarks[k];

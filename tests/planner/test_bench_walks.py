@@ -56,7 +56,10 @@ SURVEYED: Tables = {
     "venue": {"rectangle": [30, 26]},
     "survey": {"crs": "EPSG:4547"},
     "people": {"count_head": False, "unit": "qiao"},
-    "cues": {"clock": "23:59:45"},
+    "cues": {
+        "clock": "23:59:45",
+        "cue": [{"kind": "hold", "at": 5, "hold": 4, "text": "bow", "text_zh": "拜庙"}],
+    },
     "chalk": {"every": 0.7, "peg": [2, -1]},
 }  # fmt: skip
 ROOT = Path(__file__).parents[2]
@@ -149,3 +152,5 @@ def test_plans_of_all_kinds_are_compared(found: list[tuple[Any, Any]]) -> None:
     for said in (" edge of ", "(north) from the peg", "at mark", "between marks"):
         assert any(said in line for line in told), said
     assert "" in told
+    waits = [line for own, _twin in found for text, _mark in own["zh"] for line in text["stretches"]]
+    assert any(line.endswith("等：拜庙。") for line in waits)

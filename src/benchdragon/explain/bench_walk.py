@@ -8,13 +8,13 @@ from itertools import groupby
 import numpy as np
 
 from benchdragon.analysis.bench_nearness import REACH
-from benchdragon.analysis.bench_walks import STILL, BenchWalk, Stretch, Tightest
+from benchdragon.analysis.bench_walks import BenchWalk, Stretch, Tightest
 from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.findings import named
 from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.marks import angles_of
 from benchdragon.analysis.obstacle_distance import nearest_boxes
-from benchdragon.i18n import N_, _
+from benchdragon.i18n import N_, _, language
 from benchdragon.kernels.box import CX, CY, UX, UY
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.obstacle import Obstacle
@@ -39,6 +39,11 @@ SIDES = {
     "left": N_("on your left"), "right": N_("on your right"),
     "front": N_("in front of you"), "rear": N_("behind you"),
 }  # fmt: skip
+# The same as others read of a bench.
+ITS_SIDES = {
+    "left": N_("on its left"), "right": N_("on its right"),
+    "front": N_("in front of it"), "rear": N_("behind it"),
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -51,7 +56,7 @@ class BenchText:
         stretches: what it does from when to when, a sentence each.
         paces: from which speeds on one hurries, runs or waits, a sentence each; of paces in it alone.
         tightest: when a bench of another coil comes nearest.
-        people: who is before, behind and beside.
+        people: who is before, behind and beside, and where to go when the dance is over.
         times: what times in it are.
     """
 
@@ -81,11 +86,11 @@ def bench_text(plan: Plan, found: BenchWalk, called: Callable[[int], str], groun
     return BenchText(
         quick_line(found, clock),
         place_lines(plan, found, ground),
-        tuple(_stretch_line(one, clock, plan.people.step) for one in found.stretches),
+        tuple(_stretch_line(one, clock, plan) for one in found.stretches),
         _pace_lines(plan, found),
         tightest_line(found.tightest, clock, called),
-        _people_lines(found, called),
-        _("{times} They are those of your front handle.").format(times=clock.legend),
+        (*_people_lines(found, called), _after_line(plan, found)),
+        _times_line(found, clock),
     )
 
 
@@ -141,7 +146,7 @@ def _pace_lines(plan: Plan, found: BenchWalk) -> tuple[str, ...]:
     means = {
         "hurry": _("Hurry means {speed} m/s or more.").format(speed=f"{plan.people.hurry_from:g}"),
         "run": _("Run means {speed} m/s or more.").format(speed=f"{plan.people.run_from:g}"),
-        "wait": _("Wait means to stand still: less than {speed} m/s.").format(speed=f"{STILL:g}"),
+        "wait": _("Wait means to stand still."),
     }
     used = {one.pace for one in found.stretches}
     return tuple(text for pace, text in means.items() if pace in used)
@@ -215,11 +220,18 @@ def _edge_name(found: BenchWalk, ground: Ground, side: FloatArray) -> str:
     return _((NORTH_EDGES if ground.north else EDGES)[int(np.argmax(ground.ways @ out))])
 
 
-def _stretch_line(one: Stretch, clock: Clock, step: float) -> str:
-    """What a bench does in one stretch."""
-    times = {"start": clock.tell(one.start), "end": clock.tell(one.end)}
+def _stretch_line(one: Stretch, clock: Clock, plan: Plan) -> str:
+    """What a bench does in one stretch, and what it waits for."""
+    times, step = {"start": clock.tell(one.start), "end": clock.tell(one.end)}, plan.people.step
     if one.pace == "wait":
-        return _("{start} to {end}: wait.").format(**times)
+        said = [
+            moment.cue.called(language())
+            for moment in plan.moments()
+            if moment.cue.kind in ("hold", "stop") and (moment.cue.text or moment.cue.text_zh)
+            if moment.time < one.end and one.start < moment.until
+        ]
+        text = _("{start} to {end}: wait: {what}.") if said else _("{start} to {end}: wait.")
+        return text.format(**times, what=_("; ").join(said))
     angle = abs(math.degrees(one.angle))
     text = _("{start} to {end}: {pace}, {turn}; {way} m, {steps} steps.")
     if one.turning != "straight" and angle >= ROUND:
@@ -232,14 +244,21 @@ def _stretch_line(one: Stretch, clock: Clock, step: float) -> str:
     )  # fmt: skip
 
 
-def tightest_line(near: Tightest | None, clock: Clock, called: Callable[[int], str]) -> str:
-    """When a bench of another coil comes nearest, which, on which side and how near."""
+def tightest_line(
+    near: Tightest | None, clock: Clock, called: Callable[[int], str], *, its: bool = False
+) -> str:
+    """When a bench of another coil comes nearest, which, on which side and how near.
+
+    To those who carry it; with `its`, to others.
+    """
     if near is None:
         text = _("No bench of another coil comes within about {reach} m of you.")
+        if its:
+            text = _("No bench of another coil comes within about {reach} m of it.")
         return text.format(reach=f"{REACH:g}")
     text = _("Tightest at {time}: {bench}, in another coil, comes as near as {gap} cm, {side}.")
     gap = math.floor(_settled(100.0 * near.upper))
-    time, side = clock.tell(near.time), _(SIDES[near.side])
+    time, side = clock.tell(near.time), _((ITS_SIDES if its else SIDES)[near.side])
     return text.format(time=time, bench=called(near.bench), gap=gap, side=side)
 
 
@@ -255,3 +274,20 @@ def _people_lines(found: BenchWalk, called: Callable[[int], str]) -> tuple[str, 
     if found.right is not None:
         said.append(_("At the end on your right: {bench}.").format(bench=called(found.right)))
     return tuple(said)
+
+
+def _times_line(found: BenchWalk, clock: Clock) -> str:
+    """What times are; on the tail's sheet also that the timetable counts its last handle."""
+    if found.behind is not None:
+        return clock.legend
+    text = _("{times} Here they are of your front handle, in the timetable of your last handle.")
+    return text.format(times=clock.legend)
+
+
+def _after_line(plan: Plan, found: BenchWalk) -> str:
+    """Where to go when the dance is over: who has coiled in cannot follow the head out."""
+    if plan.route.kind == "spiral-in":
+        return _("Afterwards: stand until your pin is pulled; the tail goes first.")
+    if found.before is None:
+        return _("Afterwards: lead all of them out.")
+    return _("Afterwards: follow the bench before you out.")

@@ -42,10 +42,10 @@ export function listed(names, most) {
 export class Sayings {
   /** @param {Briefing} briefing @param {People} people */
   constructor(briefing, people) {
-    const { clock, start, ground } = briefing;
+    const { clock, start, ground, people: village, halts, coiled } = briefing;
     this.briefing = briefing;
     this.people = people;
-    this.basis = { clock: new Clock(clock, start), people: briefing.people, ground };
+    this.basis = { clock: new Clock(clock, start), people: village, ground, halts, coiled };
   }
 
   /** What the village calls a bench (number, from 1). @param {number} bench */
@@ -109,10 +109,10 @@ export class Sayings {
     return benchText(this.basis, benches[bench - 1], landmark, name);
   }
 
-  /** The tightest moment of a bench, others without their people. @param {number} bench */
+  /** The tightest moment of a bench as the leader reads of it, others without their people. @param {number} bench */
   tightest(bench) {
     const { tightest } = this.briefing.benches[bench - 1];
-    return tightestLine(tightest, this.basis.clock, (other) => this.called(other));
+    return tightestLine(tightest, this.basis.clock, (other) => this.called(other), true);
   }
 
   /** What a bench's sheet says. @param {number} bench @param {boolean} phones @returns {Told} */

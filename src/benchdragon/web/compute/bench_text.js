@@ -1,7 +1,7 @@
 // What one bench does, in plain sentences for those who carry it. Twin of explain/bench_walk.py.
 
-import { _ } from "../words.js";
-import { ANALYSIS_BENCH_NEARNESS, ANALYSIS_BENCH_WALKS, EXPLAIN_BENCH_WALK } from "./constants.js";
+import { _, language } from "../words.js";
+import { ANALYSIS_BENCH_NEARNESS, EXPLAIN_BENCH_WALK } from "./constants.js";
 import { degrees } from "./curves.js";
 import { seenFrom, wayNames } from "./ground.js";
 import { decimals, general } from "./number_format.js";
@@ -23,6 +23,8 @@ import { rint, rounded } from "./numbers.js";
  * @property {Clock} clock
  * @property {Record<string, any>} people the table of the plan, filled
  * @property {Ground} ground from which places are told
+ * @property {import("./briefing.js").Halt[]} halts what the plan says the head stands for
+ * @property {boolean} coiled whether the dance ends inside
  */
 
 /**
@@ -33,12 +35,11 @@ import { rint, rounded } from "./numbers.js";
  * @property {string[]} stretches what it does from when to when, a sentence each
  * @property {string[]} paces from which speeds on one hurries, runs or waits; of paces in it alone
  * @property {string} tightest when a bench of another coil comes nearest
- * @property {string[]} people who is before, behind and beside
+ * @property {string[]} people who is before, behind and beside, and where to go when the dance is over
  * @property {string} times what times in it are
  */
 
 const { REACH } = ANALYSIS_BENCH_NEARNESS;
-const { STILL } = ANALYSIS_BENCH_WALKS;
 const { MOST_TURNS, MOST_PACES, LEAST_ANGLE, ROUND } = EXPLAIN_BENCH_WALK;
 
 /** @type {Record<Pace, () => string>} */
@@ -61,6 +62,13 @@ const SIDES = {
   front: () => _("in front of you"),
   rear: () => _("behind you"),
 };
+/** The same as others read of a bench. @type {Record<import("./bench_nearness.js").Side, () => string>} */
+const ITS_SIDES = {
+  left: () => _("on its left"),
+  right: () => _("on its right"),
+  front: () => _("in front of it"),
+  rear: () => _("behind it"),
+};
 
 /**
  * What one bench of a plan does; `called` says what people call the bench of a number.
@@ -75,11 +83,11 @@ export function benchText(basis, found, landmark, called) {
   return {
     quick: quickLine(found, clock),
     place: placeLines(basis, found, landmark),
-    stretches: found.stretches.map((one) => stretchLine(one, clock, people.step)),
+    stretches: found.stretches.map((one) => stretchLine(one, basis)),
     paces: paceLines(people, found),
     tightest: tightestLine(found.tightest, clock, called),
-    people: peopleLines(found, called),
-    times: _("{times} They are those of your front handle.", { times: clock.legend }),
+    people: [...peopleLines(found, called), afterLine(basis, found)],
+    times: timesLine(found, clock),
   };
 }
 
@@ -144,8 +152,7 @@ function paceLines({ hurry_from: hurry, run_from: run }, { stretches }) {
   const said = [];
   if (used.has("hurry")) said.push(_("Hurry means {speed} m/s or more.", { speed: general(hurry) }));
   if (used.has("run")) said.push(_("Run means {speed} m/s or more.", { speed: general(run) }));
-  const still = { speed: general(STILL) };
-  if (used.has("wait")) said.push(_("Wait means to stand still: less than {speed} m/s.", still));
+  if (used.has("wait")) said.push(_("Wait means to stand still."));
   return said;
 }
 
@@ -213,10 +220,16 @@ function settled(value) {
   return rounded(value, 6);
 }
 
-/** What a bench does in one stretch. @param {Stretch} one @param {Clock} clock @param {number} step */
-function stretchLine(one, clock, step) {
+/** What a bench does in one stretch, and what it waits for. @param {Stretch} one @param {Basis} basis */
+function stretchLine(one, { clock, people: { step }, halts }) {
   const times = { start: clock.tell(one.start), end: clock.tell(one.end) };
-  if (one.pace === "wait") return _("{start} to {end}: wait.", times);
+  if (one.pace === "wait") {
+    const said = halts.filter(({ start, end }) => start < one.end && one.start < end);
+    const what = said.map(({ said }) => said[language()]).join(_("; "));
+    return what
+      ? _("{start} to {end}: wait: {what}.", { ...times, what })
+      : _("{start} to {end}: wait.", times);
+  }
   const angle = Math.abs(degrees(one.angle));
   const values = {
     ...times,
@@ -234,17 +247,18 @@ function stretchLine(one, clock, step) {
   return _("{start} to {end}: {pace}, {turn}; {way} m, {steps} steps.", values);
 }
 
-/** When a bench of another coil comes nearest, which, on which side and how near. @param {Tightest | null} near @param {Clock} clock @param {(bench: number) => string} called */
-export function tightestLine(near, clock, called) {
+/** When a bench of another coil comes nearest, which, on which side and how near: to those who carry it, or with `its` to others. @param {Tightest | null} near @param {Clock} clock @param {(bench: number) => string} called */
+export function tightestLine(near, clock, called, its = false) {
+  const reach = general(REACH);
   if (!near)
-    return _("No bench of another coil comes within about {reach} m of you.", {
-      reach: general(REACH),
-    });
+    return its
+      ? _("No bench of another coil comes within about {reach} m of it.", { reach })
+      : _("No bench of another coil comes within about {reach} m of you.", { reach });
   return _("Tightest at {time}: {bench}, in another coil, comes as near as {gap} cm, {side}.", {
     time: clock.tell(near.time),
     bench: called(near.bench),
     gap: Math.floor(settled(100 * near.upper)),
-    side: SIDES[near.side](),
+    side: (its ? ITS_SIDES : SIDES)[near.side](),
   });
 }
 
@@ -256,6 +270,22 @@ function peopleLines({ before, behind, left, right }, called) {
   if (left !== null) said.push(_("At the end on your left: {bench}.", { bench: called(left) }));
   if (right !== null) said.push(_("At the end on your right: {bench}.", { bench: called(right) }));
   return said;
+}
+
+/** What times are; on the tail's sheet also that the timetable counts its last handle. @param {BenchWalk} found @param {Clock} clock */
+function timesLine({ behind }, { legend: times }) {
+  if (behind !== null) return times;
+  return _("{times} Here they are of your front handle, in the timetable of your last handle.", {
+    times,
+  });
+}
+
+/** Where to go when the dance is over: who has coiled in cannot follow the head out. @param {Basis} basis @param {BenchWalk} found */
+function afterLine({ coiled }, { before }) {
+  if (coiled)
+    return _("Afterwards: stand until your pin is pulled; the tail goes first.");
+  if (before === null) return _("Afterwards: lead all of them out.");
+  return _("Afterwards: follow the bench before you out.");
 }
 
 /** Where a front handle starts by the chalk plan's marks: `mark_line` of sheets/benches.py. @param {import("./marks.js").MarkPlace | null} place */

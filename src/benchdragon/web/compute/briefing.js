@@ -5,6 +5,7 @@ import { _, both } from "../words.js";
 import { withArenaAsync } from "./arena.js";
 import { benchWalks } from "./bench_walks.js";
 import { check } from "./check.js";
+import { cueName } from "./cues.js";
 import { BOX } from "./constants.js";
 import { InputError } from "./errors.js";
 import { named, shownName } from "./findings.js";
@@ -27,6 +28,8 @@ import { sentence } from "./verdict_text.js";
 /** @typedef {[number, number]} Point */
 
 /** A landmark, and how far a bench is from it, m, null: the peg; of the venue which edge: see `Landmark` of bench_text.js. @typedef {{ apart: number, name: Words | null, edge: number | null }} Near */
+
+/** A time, s, in which the head stands, and what the plan says it stands for. @typedef {{ start: number, end: number, said: Words }} Halt */
 
 /**
  * The dance as maps show it.
@@ -51,6 +54,8 @@ import { sentence } from "./verdict_text.js";
  * @property {number} start of the dance, s
  * @property {string} clock the time of day then; ""
  * @property {Record<string, any>} people the table of the plan, filled
+ * @property {Halt[]} halts
+ * @property {boolean} coiled whether the dance ends inside
  * @property {Ways} ways
  * @property {Float64Array} points
  */
@@ -101,9 +106,21 @@ export async function briefed(arena, plan, walk, span, progress) {
     start: span[0],
     clock: String(cues.clock),
     people,
+    halts: haltsOf(plan),
+    coiled: route.kind === "spiral-in",
     points,
     ways: { low, high, s, ends, obstacles: obstacles.map(shown) },
   };
+}
+
+/** @param {Plan} plan @returns {Halt[]} */
+function haltsOf(plan) {
+  return plan
+    .moments()
+    .filter(({ cue: { kind, text, text_zh: chinese } }) => {
+      return (kind === "hold" || kind === "stop") && (text || chinese);
+    })
+    .map(({ cue, time, until }) => ({ start: time, end: until, said: both(() => cueName(cue)) }));
 }
 
 /** The centre of the route's first spiral, else where the plan puts the route's origin, m. @param {Walk} walk @param {Point | null} at @returns {Point} */
