@@ -1,5 +1,6 @@
 """The benches' sheets and the overview: what they say is what the plan and the list say."""
 
+import math
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -16,7 +17,7 @@ from pypdf import PdfReader
 from benchdragon.analysis.bench_nearness import Tightest
 from benchdragon.errors import InputError
 from benchdragon.explain.bench_walk import bench_text, tightest_line
-from benchdragon.export.document import Table
+from benchdragon.export.document import Paragraph, Table
 from benchdragon.i18n import spoken_in
 from benchdragon.rosters.roster import Person, Roster
 from benchdragon.sheets.briefing import Briefing
@@ -245,8 +246,8 @@ def test_the_overview_has_every_bench_its_people_and_the_notes(
         whole = "".join(found)
         for bench in range(1, 9):
             x, y = ours.ground.seen([ours.benches[bench - 1].place])[0]
-            text = bench_text(ours.plan, ours.benches[bench - 1], ours.called, ours.ground)
-            said = [ours.called(bench), f"{x:z.2f}, {y:z.2f}", text.tightest]
+            near = tightest_line(ours.benches[bench - 1].tightest, ours.clock, ours.called, its=True)
+            said = [ours.called(bench), f"{x:z.2f}, {y:z.2f}", near]
             said += [person.name for person in ours.roster.people(bench)]
             assert all(bare(one) in whole for one in said)
         assert bare(ours.roster.notes[0]) in whole
@@ -281,9 +282,9 @@ def test_the_overview_lists_the_tightest_three_of_different_benches_first(
         at = next(n for n, one in enumerate(blocks) if getattr(one, "anchor", "") == "tightest")
         lines = [str(one) for one in blocks[at + 1 : at + 4]]
         for line, bench in zip(lines, (3, 4, 2), strict=True):
-            assert tightest_line(told[bench], given.clock, given.called) in line
+            assert tightest_line(told[bench], given.clock, given.called, its=True) in line
             assert given.called(bench) in line
-        assert tightest_line(told[5], given.clock, given.called) not in str(blocks[at + 4])
+        assert tightest_line(told[5], given.clock, given.called, its=True) not in str(blocks[at + 4])
 
 
 def test_a_bench_that_nobody_carries_has_a_line_for_names(tmp_path: Path, ours: Briefing) -> None:
@@ -417,8 +418,28 @@ def test_the_overview_names_whom_papers_cannot_print(ours: Briefing) -> None:
     told = replace(ours, roster=Roster({1: (Person("王\U00010600"),), 2: (Person("王五"),)}))
     (line,) = told.odd_signs
     assert line.startswith("the head: 王\U00010600: no font here has \U00010600 (U+10600)")
-    assert line in str(overview(told, phones=False).blocks)
+    said = str(overview(told, phones=False).blocks)
+    (printed,) = told.missing_signs
+    assert printed in said
+    notes = said[said.index("Notes on the list") : said.index("Where each bench starts")]
+    assert notes.count("U+10600") == 1
     assert ours.odd_signs == ()
+
+
+def test_the_overview_speaks_to_the_leader_without_keys_of_the_plan(tmp_path: Path) -> None:
+    told = small(tmp_path, "people.sway=0.05", 'people.source.sway="measured"', "people.beside=0.01")
+    said = str(overview(told, phones=False).blocks)
+    assert "people." not in said
+    assert "5 cm to each side, measured" in said
+    assert "1 cm on each side of a bench, assumption" in said
+    assert " your " not in said
+    assert "behind you" not in said
+
+
+def test_the_verdict_on_papers_cuts_centimetres_off_as_the_tightest_moments_do(ours: Briefing) -> None:
+    least = math.floor(100.0 * ours.report.clearance.value)
+    first, *_others = [b for b in overview(ours, phones=False).blocks if isinstance(b, Paragraph)]
+    assert f"tightest {least} cm" in str(first.words)
 
 
 def test_the_overview_says_so_where_nobody_need_stand_by(ours: Briefing) -> None:

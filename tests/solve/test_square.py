@@ -169,13 +169,13 @@ def test_a_dance_that_fits_nowhere_is_told_so(capsys: pytest.CaptureFixture[str]
     settings = [word for text in SQUARE[:4] for word in ("--set", text)]
     words = ["solve", "place", "spiral-in", *settings, "--set", "venue.rectangle=[9, 9]", "--quiet"]
     assert run(words) == 4
-    assert "missing of the margin" not in capsys.readouterr().out, "no margin is asked for"
+    assert "missing where" not in capsys.readouterr().out, "no margin is asked for"
     assert run([*words, "--set", "limits.venue_margin=0.1"]) == 4
     out = capsys.readouterr().out
     assert "no place was found where the dance fits on this square" in out
     assert "least distance from the edge of the venue: 0.0 m" in out
     assert "it has a place with" not in out, "the head alone is too far out"
-    assert "missing of the margin where it is tightest: 0.1 m or more" in out
+    assert "missing where it is tightest: 0.1 m or more" in out
 
 
 def test_what_would_do_for_a_dance_without_a_place_does(capsys: pytest.CaptureFixture[str]) -> None:

@@ -339,13 +339,14 @@ def _kept(report: Report, told: Clock | None) -> str:
 
 def _tightest(report: Report, time: float, benches: Sequence[int], told: Clock | None) -> str:
     """The tightest moment of a safe walk."""
-    gap = f"{100.0 * report.clearance.value:.3g}"
     if told is None:
+        gap = f"{100.0 * report.clearance.value:.3g}"
         text = _("tightest {gap} cm, bench {a} with bench {b}, at {t} s")
         return text.format(gap=gap, a=benches[0], b=benches[1], t=f"{time:z.1f}")
     text = _("tightest {gap} cm, {a} with {b}, at {t}")
     if abs(benches[0] - benches[1]) == AFTER_NEXT:
         text = _("tightest {gap} cm, {a} with {b}, one bench between them, at {t}")
+    gap = math.floor(round(100.0 * report.clearance.value, 6))
     a, b = (called(report.plan.people, one, len(report.walk.dragon)) for one in benches)
     return text.format(gap=gap, a=a, b=b, t=told.tell(time))
 

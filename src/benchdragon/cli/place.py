@@ -92,7 +92,7 @@ def _print_place(plan: "Plan", best: "PlacedDance", options: dict[str, Any]) -> 
     if best.room.status != "infeasible":
         print_answer(_("room beyond the margins"), best.room, up=False, brackets=options["brackets"])
     elif best.room.value < 0.0:  # a distance is 0 however far benches are outside
-        text = _("missing of the margin where it is tightest: {missing} m or more")
+        text = _("missing where it is tightest: {missing} m or more")
         click.echo(text.format(missing=f"{-best.room.value:.2g}"))
     for answers in best.obstacles:
         print_distance(answers, brackets=options["brackets"])

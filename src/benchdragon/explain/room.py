@@ -1,17 +1,27 @@
 """How room for people was looked for: level upon level, with what each asks for."""
 
+from collections.abc import Callable
+
 from benchdragon.analysis.check import Report
 from benchdragon.analysis.findings import named
 from benchdragon.analysis.room import RoomLevel, asked_text, shown_name
 from benchdragon.explain.text import number, tiny
-from benchdragon.i18n import _
+from benchdragon.i18n import N_, _
+
+# What a level asks for, as papers say it, cm.
+PLAIN = {
+    "sway": N_("{value} cm to each side"),
+    "imprecision": N_("{value} cm to each side"),
+    "beside": N_("{value} cm on each side of a bench"),
+    "ahead": N_("{value} cm before the head"),
+}
 
 
-def level_line(level: RoomLevel) -> str:
+def level_line(level: RoomLevel, asked: Callable[[RoomLevel], str] = asked_text) -> str:
     """A level, what it asks for, and whether it is kept or when it is first broken."""
     name = shown_name(level)
     if level.asked:
-        name = _("{name}: {asked}").format(name=name, asked=asked_text(level))
+        name = _("{name}: {asked}").format(name=name, asked=asked(level))
     if level.first is None:
         return _("{name}: kept").format(name=name)
     contact, obstacle = level.first
@@ -32,6 +42,18 @@ def level_line(level: RoomLevel) -> str:
         b=benches[-1] if benches else 0, obstacle="" if obstacle is None else named(obstacle),
         between=f"{level.between:g}",
     )  # fmt: skip
+
+
+def plain_asked(level: RoomLevel) -> str:
+    """What a level asks for and where that comes from, without keys of the plan: for papers."""
+    said = []
+    for one in level.asked:
+        text = _("{what}, assumption")
+        if one.source:
+            text = _("{what}, {source}")
+        what = _(PLAIN[one.key]).format(value=f"{round(100.0 * one.value, 6):g}")
+        said.append(text.format(what=what, source=one.source))
+    return _("; ").join(said)
 
 
 def room_lines(report: Report) -> list[str]:

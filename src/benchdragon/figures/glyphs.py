@@ -55,6 +55,13 @@ def glyph_warnings(names: Iterable[str]) -> tuple[str, ...]:
     )
 
 
+def printed_warnings(names: Iterable[str]) -> tuple[str, ...]:
+    """The same as papers say it, on which the names stand as they are printed."""
+    text = _("{name}: a sign is missing in the fonts here: write it by hand")
+    lacking = (name for name in dict.fromkeys(names) if unprintable(name))
+    return tuple(text.format(name=printable(name)) for name in lacking)
+
+
 def _printed(sign: str) -> str:
     if _lacking(sign) and _spare(sign) is None:
         return f"〔U+{ord(sign):04X}〕"

@@ -1,6 +1,6 @@
 """What all papers are made from: the plan as it was checked, its people, what each bench does."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -9,7 +9,7 @@ from benchdragon.analysis.check import Report
 from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.marks import Marks, Trail, check_marks, placed_marks
-from benchdragon.figures.glyphs import glyph_warnings
+from benchdragon.figures.glyphs import glyph_warnings, printed_warnings
 from benchdragon.i18n import _
 from benchdragon.plans.chalk import ChalkTable
 from benchdragon.plans.people import called
@@ -53,10 +53,19 @@ class Briefing:
     @cached_property
     def odd_signs(self) -> tuple[str, ...]:
         """Whose names papers cannot print as they are written, a sentence each."""
+        return self._of_names(glyph_warnings)
+
+    @property
+    def missing_signs(self) -> tuple[str, ...]:
+        """The same as papers say it."""
+        return self._of_names(printed_warnings)
+
+    def _of_names(self, told: Callable[[Iterable[str]], Sequence[str]]) -> tuple[str, ...]:
+        """What is told of the names at each bench."""
         odd = (
             _("{bench}: {what}").format(bench=self.called(bench), what=warning)
             for bench, people in sorted(self.roster.benches.items())
-            for warning in glyph_warnings(person.name for person in people)
+            for warning in told(person.name for person in people)
         )
         return tuple(first_notes(odd))
 

@@ -10,7 +10,7 @@ from benchdragon.analysis.check import sentence
 from benchdragon.analysis.findings import shown_name
 from benchdragon.analysis.marks import nearest_mark
 from benchdragon.explain.bench_walk import BenchText, bench_text, tightest_line
-from benchdragon.explain.room import level_line
+from benchdragon.explain.room import level_line, plain_asked
 from benchdragon.export.document import Block, Document, Heading, Paragraph, Picture, Table, say
 from benchdragon.export.pages import write_pdf
 from benchdragon.export.typeset import Typeset
@@ -69,7 +69,7 @@ def _tightest(briefing: Briefing) -> list[Block]:
             said = _("{bench}, at mark {mark} then: {tightest}").format(
                 bench=briefing.called(bench),
                 mark=mark,
-                tightest=tightest_line(near, briefing.clock, briefing.called),
+                tightest=tightest_line(near, briefing.clock, briefing.called, its=True),
             )
             lines.append(Paragraph((said,)))
     if not lines:
@@ -103,7 +103,7 @@ def _room(briefing: Briefing) -> list[Block]:
     """The levels of room for people, where the plan asks for any."""
     if not briefing.report.room:
         return []
-    lines = [Paragraph((level_line(level),)) for level in briefing.report.room]
+    lines = [Paragraph((level_line(level, plain_asked),)) for level in briefing.report.room]
     return [Heading(_("Room for people"), "room"), *lines]
 
 
@@ -116,7 +116,7 @@ def _numbering(briefing: Briefing) -> list[Block]:
 
 def _notes(briefing: Briefing) -> list[Block]:
     """What is odd about the list of names."""
-    said = [Paragraph((note,)) for note in (*briefing.odd_signs, *briefing.roster.notes)]
+    said = [Paragraph((note,)) for note in (*briefing.missing_signs, *briefing.roster.notes)]
     if not said:
         return []
     return [Heading(_("Notes on the list of names"), "notes"), *said]
@@ -155,7 +155,8 @@ def _rows(
     """The row of a bench, and more below it where its people are too many for one."""
     people = _people(briefing.roster.people(found.bench), phones) or [_("(nobody)")]
     x, y = briefing.ground.seen([found.place])[0].tolist()
-    told = f"{x:z.2f}, {y:z.2f}", text.quick, text.tightest
+    tightest = tightest_line(found.tightest, briefing.clock, briefing.called, its=True)
+    told = f"{x:z.2f}, {y:z.2f}", text.quick, tightest
     size = max(1, MOST_SIGNS // max(map(len, people)))
     yield briefing.called(found.bench), _(", ").join(people[:size]), *told
     for n in range(size, len(people), size):
