@@ -84,6 +84,26 @@ def test_a_broken_level_is_a_finding_under_its_own_code() -> None:
     assert "side by side" not in lines[1], "which is kept"
 
 
+def test_a_broken_level_tells_what_is_wanted_what_is_there_and_what_is_missing() -> None:
+    for key, each in (("imprecision", 2.0), ("sway", 2.0), ("beside", 2.0)):
+        report = small(f"people.{key}=0.2", "limits.margin=0.05")
+        (found,) = report.findings
+        there = math.floor(1000.0 * report.clearance.sure(up=False)) / 1000.0
+        wanted = 0.05 + each * 0.2
+        assert there < wanted
+        assert found.text.endswith(
+            f"{wanted:g} m are wanted, {there:g} m are there at the nearest: "
+            f"{round(wanted - there, 3):g} m are missing"
+        )
+    apart = small(POST).obstacles[0].distance.lower
+    report = small(POST, "limits.margin=0", f"people.sway={apart + 0.1}")
+    text = next(found.text for found in report.findings if found.obstacle)
+    assert f"{math.floor(1000.0 * apart) / 1000.0:g} m are there" in text
+    # It is the room before the head that is missing, of which no distance of boards tells.
+    ahead = small("people.ahead=3")
+    assert "besides their own are asked for" in ahead.findings[0].text
+
+
 def test_what_stands_still_is_kept_from_too_and_sway_counts_once() -> None:
     apart = small(POST).obstacles[0].distance
     near, far = apart.lower - 1e-6, apart.upper + 1e-6

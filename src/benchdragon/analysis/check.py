@@ -152,7 +152,9 @@ def check(
     contacts += [one and one[0] for one in (level.first for level in room)]
     return Report(
         plan, walk, start, end, contact, clearance, speed, peaks,
-        findings=all_findings(plan, walk, span, contact, obstacles, {"speed": speed, **peaks}, room),
+        findings=all_findings(
+            plan, walk, span, contact, obstacles, {"speed": speed, **peaks}, room, clearance
+        ),
         obstacles=obstacles,
         room=room,
         proved=prove and all(one is None or one.status == "proved" for one in contacts),

@@ -1,5 +1,6 @@
 """What a walk does that its plan forbids, in words, under codes that do not change."""
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -104,11 +105,13 @@ def all_findings(
     contact: Answer | None,
     obstacles: Sequence[ObstacleAnswers],
     peaks: Mapping[str, Answer],
-    room: Sequence[RoomLevel] = (),
+    room: Sequence[RoomLevel],
+    clearance: Answer,
 ) -> tuple[Finding, ...]:
     """What a walk does that its plan forbids, from the first time of the span, s, to the second.
 
-    `peaks` are the greatest speed and what else is limited, `room` the levels of room for people.
+    `peaks` are the greatest speed and what else is limited, `room` the levels of room for people,
+    `clearance` the least that benches alone keep.
     """
     limits = given_limits(plan)
     return (
@@ -117,7 +120,7 @@ def all_findings(
         *_head_findings(walk, span, plan.limits.head_acceleration),
         *(found for name in limits for found in _limit_findings(name, peaks[name], limits[name])),
         *_carrying_findings(plan, peaks["speed"]),
-        *_room_findings(room),
+        *_room_findings(room, clearance, obstacles),
     )
 
 
@@ -183,31 +186,56 @@ def _obstacle_finding(answers: ObstacleAnswers, contact: Answer | None, margin: 
 
 # What a level of room that is not kept is in words: between benches, and towards what stands still.
 ROOM_SENTENCES = {
-    "sway": N_("benches {a} and {b} have no room to sway at t = {t} s: {margin} m are asked for"),
-    "imprecision": N_(
-        "benches {a} and {b} have no room for imprecision at t = {t} s: {margin} m are asked for"
-    ),
-    "people": N_(
-        "the people of benches {a} and {b} have no room at t = {t} s: {margin} m are asked for"
-    ),
-    "sway at": N_("bench {a} has no room to sway at {name} at t = {t} s: {margin} m are asked for"),
-    "imprecision at": N_(
-        "bench {a} has no room for imprecision at {name} at t = {t} s: {margin} m are asked for"
-    ),
-    "people at": N_(
-        "the people of bench {a} have no room at {name} at t = {t} s: {margin} m are asked for"
-    ),
+    "sway": N_("benches {a} and {b} have no room to sway at t = {t} s: {asked}"),
+    "imprecision": N_("benches {a} and {b} have no room for imprecision at t = {t} s: {asked}"),
+    "people": N_("the people of benches {a} and {b} have no room at t = {t} s: {asked}"),
+    "sway at": N_("bench {a} has no room to sway at {name} at t = {t} s: {asked}"),
+    "imprecision at": N_("bench {a} has no room for imprecision at {name} at t = {t} s: {asked}"),
+    "people at": N_("the people of bench {a} have no room at {name} at t = {t} s: {asked}"),
+}
+# What is asked for: where it is known how much of it is there, how much is missing.
+SHORT = N_("{wanted} m are wanted, {there} m are there at the nearest: {missing} m are missing")
+ASKED_FOR = {
+    "sway": N_("{margin} m are asked for"),
+    "imprecision": N_("{margin} m are asked for"),
+    "people": N_("{margin} m besides their own are asked for"),
 }
 
 
-def _room_findings(room: Sequence[RoomLevel]) -> list[Finding]:
-    """Which levels of room are not kept, where benches alone keep theirs."""
+def _room_findings(
+    room: Sequence[RoomLevel], clearance: Answer, obstacles: Sequence[ObstacleAnswers]
+) -> list[Finding]:
+    """Which levels of room are not kept, where benches alone keep theirs.
+
+    `clearance`, and the distances of `obstacles`, are what benches alone keep.
+    """
     if not room or room[0].first is not None:
         return []
-    return [found for level in room[1:] for found in _room_finding(level)]
+    least = {one.obstacle.name: one.distance for one in obstacles}
+    return [
+        found
+        for level in room[1:] if level.first is not None
+        for name in ["" if level.first[1] is None else level.first[1].name]
+        for found in _room_finding(level, least.get(name, clearance))
+    ]  # fmt: skip
 
 
-def _room_finding(level: RoomLevel) -> list[Finding]:
+def _missing(level: RoomLevel, least: Answer) -> dict[str, str]:
+    """What is wanted between boards side by side, what is there at least, what is missing, m.
+
+    Empty where that is not known, or where it is not boards side by side that have too little.
+    """
+    obstacle = None if level.first is None else level.first[1]
+    beside = sum(one.value for one in level.asked if one.key == "beside")
+    wanted = round(level.between if obstacle is None else obstacle.margin + beside, 9)
+    there = least.sure(up=False)
+    if not math.isfinite(there) or there >= wanted:
+        return {}
+    kept = math.floor(round(1000.0 * there, 6)) / 1000.0
+    return {"wanted": f"{wanted:g}", "there": f"{kept:g}", "missing": f"{round(wanted - kept, 6):g}"}
+
+
+def _room_finding(level: RoomLevel, least: Answer) -> list[Finding]:
     """What a level of room that is not kept comes to, and from what first."""
     if level.first is None or level.first[0].witness is None:
         return []
@@ -222,6 +250,8 @@ def _room_finding(level: RoomLevel) -> list[Finding]:
     words = {"a": str(near.benches[0]), "b": str(near.benches[-1])}
     words |= {"t": f"{contact.value:z.6f}", "margin": f"{margin:g}"}
     words |= {} if obstacle is None else name_words(obstacle)
+    short = _missing(level, least) if decided else {}
+    words |= short | {"asked": SHORT if short else ASKED_FOR[level.name]}
     gap, name = max(near.gap, 0.0), "" if obstacle is None else obstacle.name
     return [
         Finding(level.name, contact.value, near.benches, gap, margin, sentence, words, decided, name)

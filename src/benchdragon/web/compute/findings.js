@@ -2,8 +2,9 @@
 // analysis/findings.py.
 
 import { _ } from "../words.js";
-import { keeps, mostOf } from "./answer.js";
+import { keeps, mostOf, sure } from "./answer.js";
 import { decimals, general } from "./number_format.js";
+import { rounded } from "./numbers.js";
 import { handlePlace } from "./numbering.js";
 import { QUANTITIES, givenLimits } from "./quantities.js";
 
@@ -76,10 +77,10 @@ export function shownName(obstacle) {
  * @param {CheckedPlan} plan
  * @param {Walk} walk
  * @param {[number, number]} span
- * @param {{ contact: Answer | null, obstacles: ObstacleAnswers[], room: RoomLevel[],
+ * @param {{ contact: Answer | null, clearance: Answer, obstacles: ObstacleAnswers[], room: RoomLevel[],
  *   peaks: Partial<Record<QuantityName, Answer>> }} found
  */
-export function allFindings(plan, walk, span, { contact, obstacles, peaks, room }) {
+export function allFindings(plan, walk, span, { contact, clearance, obstacles, peaks, room }) {
   const limits = givenLimits(plan.tables.limits);
   const names = /** @type {QuantityName[]} */ (Object.keys(limits));
   return [
@@ -90,7 +91,7 @@ export function allFindings(plan, walk, span, { contact, obstacles, peaks, room 
       limitFindings(name, /** @type {Answer} */ (peaks[name]), Number(limits[name])),
     ),
     ...carryingFindings(plan.tables.people.most_speed, /** @type {Answer} */ (peaks.speed)),
-    ...roomFindings(room),
+    ...roomFindings(room, clearance, obstacles),
   ];
 }
 
@@ -172,14 +173,19 @@ function obstacleText(kind, decided, first, words) {
   }
 }
 
-/** Which levels of room are not kept, where benches alone keep theirs. @param {RoomLevel[]} room */
-function roomFindings(room) {
+/** Which levels of room are not kept, where benches alone keep theirs: of one another `clearance`. @param {RoomLevel[]} room @param {Answer} clearance @param {ObstacleAnswers[]} obstacles */
+function roomFindings(room, clearance, obstacles) {
   if (!room.length || room[0].first !== null) return [];
-  return room.slice(1).flatMap(roomFinding);
+  const least = new Map(obstacles.map(({ obstacle, distance }) => [obstacle.name, distance]));
+  return room.slice(1).flatMap((level) => {
+    const name = level.first?.obstacle?.name ?? "";
+    return roomFinding(level, least.get(name) ?? clearance);
+  });
 }
 
-/** What a level of room that is not kept comes to, and from what first. @param {RoomLevel} level @returns {Finding[]} */
-function roomFinding({ name: kind, first, margin }) {
+/** What a level of room that is not kept comes to, and from what first. @param {RoomLevel} level @param {Answer} least what benches alone keep of it @returns {Finding[]} */
+function roomFinding(level, least) {
+  const { name: kind, first, margin } = level;
   if (first === null || first.contact.witness === null || kind === "benches") return [];
   const { contact, obstacle } = first;
   const near = contact.witness;
@@ -194,32 +200,49 @@ function roomFinding({ name: kind, first, margin }) {
         "whether the margin of {margin} m at bench {a} is kept at t = {t} s is too close to tell",
         words,
       );
+    const asked = askedFor(kind, words.margin, missingOf(level, least));
     return obstacle === null
-      ? roomText(kind, words)
-      : roomTextAt(kind, { ...words, name: named(obstacle) });
+      ? roomText(kind, { ...words, asked })
+      : roomTextAt(kind, { ...words, asked, name: named(obstacle) });
   };
   const value = Math.max(near.gap, 0);
   return [{ kind, time: contact.value, benches: near.benches, value, limit, text, decided, obstacle }];
+}
+
+/** What is wanted between boards side by side, what is there at least, what is missing, m; null where that is not known, or where it is not boards side by side that have too little. @param {RoomLevel} level @param {Answer} least */
+function missingOf({ asked, margin, first }, least) {
+  const obstacle = first?.obstacle ?? null;
+  const beside = asked.reduce((sum, { key, value }) => (key === "beside" ? sum + value : sum), 0);
+  const between = obstacle === null ? margin + 2 * beside : obstacle.margin + beside;
+  const wanted = rounded(between, 9);
+  const there = sure(least, false);
+  if (!Number.isFinite(there) || there >= wanted) return null;
+  const kept = Math.floor(rounded(1000 * there, 6)) / 1000;
+  const missing = general(rounded(wanted - kept, 6));
+  return { wanted: general(wanted), there: general(kept), missing };
+}
+
+/** What is asked for: where it is known how much of it is there, how much is missing. @param {"sway" | "imprecision" | "people"} kind @param {string} margin @param {ReturnType<typeof missingOf>} short */
+function askedFor(kind, margin, short) {
+  if (short)
+    return _(
+      "{wanted} m are wanted, {there} m are there at the nearest: {missing} m are missing",
+      short,
+    );
+  return kind === "people"
+    ? _("{margin} m besides their own are asked for", { margin })
+    : _("{margin} m are asked for", { margin });
 }
 
 /** @param {"sway" | "imprecision" | "people"} kind @param {Record<string, string | number>} words */
 function roomText(kind, words) {
   switch (kind) {
     case "sway":
-      return _(
-        "benches {a} and {b} have no room to sway at t = {t} s: {margin} m are asked for",
-        words,
-      );
+      return _("benches {a} and {b} have no room to sway at t = {t} s: {asked}", words);
     case "imprecision":
-      return _(
-        "benches {a} and {b} have no room for imprecision at t = {t} s: {margin} m are asked for",
-        words,
-      );
+      return _("benches {a} and {b} have no room for imprecision at t = {t} s: {asked}", words);
     default:
-      return _(
-        "the people of benches {a} and {b} have no room at t = {t} s: {margin} m are asked for",
-        words,
-      );
+      return _("the people of benches {a} and {b} have no room at t = {t} s: {asked}", words);
   }
 }
 
@@ -227,17 +250,11 @@ function roomText(kind, words) {
 function roomTextAt(kind, words) {
   switch (kind) {
     case "sway":
-      return _("bench {a} has no room to sway at {name} at t = {t} s: {margin} m are asked for", words);
+      return _("bench {a} has no room to sway at {name} at t = {t} s: {asked}", words);
     case "imprecision":
-      return _(
-        "bench {a} has no room for imprecision at {name} at t = {t} s: {margin} m are asked for",
-        words,
-      );
+      return _("bench {a} has no room for imprecision at {name} at t = {t} s: {asked}", words);
     default:
-      return _(
-        "the people of bench {a} have no room at {name} at t = {t} s: {margin} m are asked for",
-        words,
-      );
+      return _("the people of bench {a} have no room at {name} at t = {t} s: {asked}", words);
   }
 }
 
