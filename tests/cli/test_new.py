@@ -52,6 +52,11 @@ def test_questions_are_asked_until_they_are_answered_and_the_plan_is_written(tmp
     code, shown = asked(tmp_path, "".join(f"{answer}\n" for answer in ANSWERS))
     assert code == 0, shown
     assert "not 'a lot'" in shown
+    assert "Ctrl-C leaves" in shown
+    summary = shown[shown.index("Your answers:") : shown.index("Proposed:")]
+    assert "Benches: 4" in summary
+    assert "The square: 25 m by 20 m" in summary
+    assert "Where they walk: under" in summary
     assert shown.count("How long is a bench") == 2
     plan = read_plan(str(tmp_path / "v.dragon.toml"))
     assert plan.value("dragon.benches") == 4
@@ -153,6 +158,9 @@ def test_what_does_not_fit_is_asked_again_alone_and_the_other_answers_stay(tmp_p
         assert shown.count("wanted 1 to 12, not ") == (2 if n == 1 else 0)
         assert shown.count("wanted a whole number such as 1, not 'x'") == (1 if n == 1 else 0)
         assert shown.count("How long is a bench") == 1
+        menu = shown[shown.index("Which one do you change?") :]
+        assert re.search(r"\d  The square: 12 m by 12 m", menu)
+        assert re.search(r"\d  Benches: 24", menu)
         assert "add --carry" not in shown
         text = (folder / "v.dragon.toml").read_text("utf-8")
         assert f"they walk {carried}" in text

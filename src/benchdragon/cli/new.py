@@ -195,11 +195,17 @@ def _asked_again(said: dict[str, Any], found: "TooSmall") -> set[str]:
     offered = [named[name] for name in dict.fromkeys((*first, *named))]
     click.echo(_("Your other answers stay. Which one do you change?"), err=True)
     for n, one in enumerate(offered, 1):
-        click.echo(f"{n:4}  {_(one.label)}", err=True)
+        click.echo(f"{n:4}  {_told_answer(one, said)}", err=True)
     label = _("Its number")
     chosen = _prompt(label, "1", lambda text: offered[read_place(label, text, len(offered))])
     said[chosen.name] = _answer(chosen, usual.get(chosen.name) or None)
     return {chosen.name}
+
+
+def _told_answer(question: Question, said: Mapping[str, Any]) -> str:
+    """A question and what was answered to it."""
+    text = _("{label}: {value}")
+    return text.format(label=_(question.label), value=question.shown(said[question.name]))
 
 
 def _usual(questions: Sequence[Question], said: dict[str, Any]) -> None:
@@ -217,13 +223,20 @@ def _usual(questions: Sequence[Question], said: dict[str, Any]) -> None:
 def _asked(questions: Sequence[Question], said: dict[str, Any]) -> set[str]:
     """Add what is answered to what was said; the names of what was not just the value shown."""
     if questions:
-        click.echo(_("Press Enter to take the value shown."), err=True)
+        click.echo(
+            _("Press Enter to take the value shown. Ctrl-C leaves, to begin again."),
+            err=True,
+        )
     given = set()
     for one in questions:
         usual = None if one.usual is None else one.usual(said)
         said[one.name] = _answer(one, usual)
         if usual is None or said[one.name] != one.answer(one.option, usual):
             given.add(one.name)
+    if questions:
+        click.echo(_("Your answers:"), err=True)
+        for one in QUESTIONS:
+            click.echo(f"  {_told_answer(one, said)}", err=True)
     return given
 
 

@@ -27,6 +27,13 @@ NUMBER = re.compile(rf"[{NUMERALS}]+")
 METRES_AND = re.compile(r"(\d+)(?:米|m)(\d{1,2})(?:公分|厘米|cm)?$")
 UNITS = {"公分": "厘米", "公尺": "米", "毫米": "mm"}
 PER_SECOND = re.compile(r"(?:m/s|米/秒|米每秒|每秒|metres a second)")
+# A number partly in digits and partly in words, which is read otherwise than it is meant: "100二十".
+MIXED = re.compile(rf"[0-9]+[{NUMERALS}]+|[{NUMERALS}]+[0-9]+")
+# What people remark behind an answer, and words by which they mean that it is not exact.
+REMARK = re.compile(r"\([^()]*\)$")
+ABOUT = re.compile(r"^(?:大约|大概|差不多|约|about)|(?:左右|上下)$")
+# Spaces between two numbers, where nothing else parts length and width.
+SPACED = re.compile(rf"(?<=[0-9{NUMERALS}米m])\s+(?=[0-9{NUMERALS}])")
 BARE = re.compile(r"\d+(?:\.\d+)?")
 
 Length = Callable[[str, str, str], float]
@@ -68,12 +75,33 @@ class Question:
         Raises:
             InputError: for one that cannot be read, beginning with what it is called.
         """
+        mixed = MIXED.search(unicodedata.normalize("NFKC", text))
+        if mixed:
+            hint = _("{option}: {mixed} is partly in digits and partly in words: write {example}")
+            raise InputError(hint.format(option=called, mixed=repr(mixed[0]), example=self.example))
         return self.read(called, text, self.example)
+
+    def shown(self, value: Any) -> str:
+        """An answer that was read, in the language in use."""
+        if isinstance(value, tuple):
+            return _("{length} m by {width} m").format(length=f"{value[0]:g}", width=f"{value[1]:g}")
+        if isinstance(value, str):
+            return _(CARRIES[value])
+        if isinstance(value, int):
+            return str(value)
+        text = _("{value} m/s") if self.read is read_speed else _("{value} m")
+        if self.read is read_square:
+            text = _("radius {value} m")
+        return text.format(value=f"{value:g}")
 
 
 def plainly(text: str) -> str:
-    """An answer in half-width signs and Arabic digits, without spaces: "一米八" is "1米8"."""
+    """An answer in half-width signs and Arabic digits, without spaces: "一米八" is "1米8".
+
+    Without what is remarked in brackets behind it, and without "about".
+    """
     typed = "".join(unicodedata.normalize("NFKC", text).split()).lower().rstrip("。.,")
+    typed = ABOUT.sub("", REMARK.sub("", typed) or typed)
 
     def digits(found: re.Match[str]) -> str:
         number = numeral(found[0])
@@ -177,8 +205,10 @@ def read_speed(called: str, text: str, example: str) -> float:
 
 
 def read_square(called: str, text: str, example: str) -> tuple[float, float] | float:
-    """Length and width of a square, "30x20", "30米乘20米"; or "r12", the radius of a round one."""
-    plain, read = plainly(text), length_to(MOST_SQUARE)
+    """Length and width of a square, "30x20", "30米乘20米", "30 20"; or "r12", of a round one."""
+    typed = unicodedata.normalize("NFKC", text).strip()
+    spaced = SPACED.sub("x", typed)
+    plain, read = plainly(spaced if len(SPACED.findall(typed)) == 1 else typed), length_to(MOST_SQUARE)
     for mark in ROUND:
         if plain.startswith(mark):
             return read(called, plain.removeprefix(mark), "r12")
