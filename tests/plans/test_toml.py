@@ -87,6 +87,16 @@ def test_wrong_toml_is_told_with_its_place_in_both_languages(text: str, language
         assert not re.search(r"[a-z]{2,} [a-z]{2,}", said)
 
 
+def test_a_table_that_is_there_twice_says_what_to_do_about_it() -> None:
+    for name in ("people", "people.source"):
+        with pytest.raises(PlanError) as caught:
+            parsed(f'[{name}]\nunit = "qiao"\n[dragon]\nbenches = 3\n[{name}]\n', "x.toml")
+        assert f"line 5, column {len(name) + 2}: [{name}] is there twice: delete this line" in str(
+            caught.value
+        )
+        assert f"below the first [{name}]" in str(caught.value)
+
+
 def test_what_another_reader_of_toml_might_say_is_no_error() -> None:
     unknown = tomllib.TOMLDecodeError("Something new (at line 3, column 4)")
     assert toml_fault(unknown) == "line 3, column 4: this cannot be read"

@@ -51,6 +51,9 @@ UNITS = METRES | SECONDS | DEGREES | SPEEDS | ACCELERATIONS | ANGULAR_SPEEDS
 MOST_BITS = 1023
 # What some editors put before the text; it says nothing.
 BYTE_ORDER_MARK = "\ufeff"
+TWICE = N_(
+    "[{what}] is there twice: delete this line, and move what stands under it below the first [{what}]"
+)
 # What tomllib says, and what we say for it.
 TOML_FAULTS = (
     ("Invalid statement", N_("a line must be KEY = VALUE, [table] or a comment")),
@@ -63,7 +66,7 @@ TOML_FAULTS = (
     ),
     ("Expected '=' after a key .*", N_("a key needs = and a value")),
     ("Expected '.*' at the end of .*", N_("a [table] is not closed by its bracket")),
-    (r"Cannot declare \((.*?),?\) twice", N_("the table {what} is there twice")),
+    (r"Cannot declare \((.*?),?\) twice", TWICE),
     ("Cannot overwrite a value|Duplicate inline table key .*", N_("a key is there twice")),
     ("Cannot (?:mutate immutable|redefine) namespace .*", N_("this table is complete already")),
     ("Invalid initial character for a key part", N_("a key is wanted here")),
@@ -292,7 +295,10 @@ def toml_fault(error: tomllib.TOMLDecodeError, text: str = "") -> str:
     said, _at, place = str(error).removesuffix(")").rpartition(" (at ")
     found = ((match, told) for pattern, told in TOML_FAULTS if (match := re.fullmatch(pattern, said)))
     match, told = next(found, (None, N_("this cannot be read")))
-    fault = _(told).format(what=match[1] if match and match.re.groups else "")
+    what = match[1] if match and match.re.groups else ""
+    if told == TWICE:  # Python's tuple of the parts of its name
+        what = ".".join(re.findall(r"'(.*?)'", what))
+    fault = _(told).format(what=what)
     numbers, lines = [int(number) for number in re.findall(r"\d+", place)], text.split("\n")
     for line in numbers[:1] or range(1, len(lines) + 1):
         typed = mistyped(lines[line - 1]) if line <= len(lines) else None

@@ -83,11 +83,21 @@ function parsed(text) {
     return parse(text.replace(/^\ufeff/, ""));
   } catch (error) {
     if (!(error instanceof TomlError)) throw error;
-    const unread = _("this cannot be read");
-    const values = { line: error.line, column: error.column, fault: unread };
+    const values = { line: error.line, column: error.column, fault: whyUnread(error, text) };
     const fault = _("line {line}, column {column}: {fault}", values);
     throw new PlanError(_("{source} is not TOML: {fault}", { source: "plan", fault }));
   }
+}
+
+/** Why a text is not TOML: that a table is there twice is what befalls those who add lines to a plan. @param {TomlError} error @param {string} text */
+function whyUnread(error, text) {
+  const table = /^\s*\[([^[\]]+)\]/.exec(text.split("\n")[error.line - 1] ?? "");
+  if (!table || !/redefine/.test(error.message)) return _("this cannot be read");
+  const what = table[1].replaceAll(/["'\s]/g, "");
+  return _(
+    "[{what}] is there twice: delete this line, and move what stands under it below the first [{what}]",
+    { what },
+  );
 }
 
 /** How often a sign stands in a text. @param {string} text @param {RegExp} sign */
