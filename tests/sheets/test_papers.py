@@ -132,7 +132,9 @@ def test_an_unknown_paper_is_named(here: Path, capfd: pytest.CaptureFixture[str]
     assert not (here / "sheets").exists()
 
 
-def test_an_interruption_leaves_whole_papers_alone(here: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_interruption_leaves_whole_papers_alone_and_names_them(
+    here: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
     def interrupted(_briefing: Briefing, _folder: Path, _options: Options, _told: Progress) -> None:
         raise KeyboardInterrupt
 
@@ -144,3 +146,9 @@ def test_an_interruption_leaves_whole_papers_alone(here: Path, monkeypatch: pyte
     assert run(["sheets", "ours.dragon.toml"]) == 130
     assert [path.name for path in (here / "sheets").iterdir()] == ["overview.pdf"]
     assert (here / "sheets" / "overview.pdf").read_bytes().rstrip().endswith(b"%%EOF")
+    said = capfd.readouterr().err
+    assert f"were not made: {Path('sheets/overview.pdf')}\n" in said
+    assert "player.html" not in said
+    monkeypatch.setattr(papers, "PAPERS", {"player": stopped["player"]})
+    assert run(["sheets", "ours.dragon.toml"]) == 130
+    assert "whole, and" not in capfd.readouterr().err

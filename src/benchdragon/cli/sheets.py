@@ -1,6 +1,7 @@
 """The verb `sheets`: all papers of a dance that was checked."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -94,7 +95,7 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     wanted = Options(*looks, _chalk_options(options))
     if "benches" in names and not read.people.address and not quiet:
         click.echo(_("No QR codes: the plan does not say people.address."), err=True)
-    with shown_progress(quiet) as progress:
+    with _whole_told(files), shown_progress(quiet) as progress:
         report = check(read, part(progress, 0.0, 0.2))
         if report.safe:
             record = record or record_check(path, report, roster)
@@ -107,6 +108,26 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     tell_names(briefing.odd_signs, quiet)
     print_files(files)
     return 0
+
+
+@contextmanager
+def _whole_told(files: Sequence[Path]) -> Iterator[None]:
+    """Where the work is interrupted, say which files it has made by then: each of them is whole."""
+    before = {path: _made_at(path) for path in files}
+    try:
+        yield
+    except (KeyboardInterrupt, click.Abort):
+        made = [path for path in files if _made_at(path) != before[path]]
+        if made:
+            text = _("These papers are whole, and those not named were not made: {files}")
+            with suppress(OSError):  # nobody is left to be told
+                click.echo(text.format(files=_(", ").join(map(str, made))), err=True)
+        raise
+
+
+def _made_at(path: Path) -> int:
+    """When a file was made, ns; 0 where there is none."""
+    return path.stat().st_mtime_ns if path.exists() else 0
 
 
 def _refuse_strays(names: Sequence[str]) -> None:
