@@ -18,6 +18,7 @@ from benchdragon.analysis.bench_nearness import Tightest
 from benchdragon.errors import InputError
 from benchdragon.explain.bench_walk import bench_text, tightest_line
 from benchdragon.export.document import Paragraph, Table
+from benchdragon.export.typeset import Typeset
 from benchdragon.i18n import spoken_in
 from benchdragon.rosters.roster import Person, Roster
 from benchdragon.sheets.briefing import Briefing
@@ -307,6 +308,55 @@ def test_maps_of_all_sheets_are_of_one_size(
     write_benches(tmp_path / "b.pdf", ours, Options(paper="quarter"))
     assert len(drawn) == 8
     assert len(set(drawn)) == 1
+
+
+def test_no_name_or_number_on_a_map_lies_on_the_edge_of_the_venue(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    square = "venue.rectangle=[40, 30]", "venue.name=yard"
+    stage = 'obstacle=[{kind="rectangle", name="stage", centre=[-12, 13.6], size=[6, 2.8], margin=0.1}]'
+    well = 'obstacle=[{kind="circle", name="the well", centre=[19.2, 0], radius=0.5, margin=0.1}]'
+    said: dict[str, tuple[float, float, float, float]] = {}
+
+    def watched(pdf: FPDF, x: float, y: float, text: str = "") -> None:
+        said[text] = (x, y - 0.36 * pdf.font_size_pt, x + pdf.get_string_width(text), y)
+
+    monkeypatch.setattr(FPDF, "text", watched)
+    for thing, name in ((stage, "stage"), (well, "the well")):
+        told = small(tmp_path, *square, thing)
+        pdf = Typeset(told.checked_on, "")
+        pdf.add_page()
+        pdf.set_font("Noto", "", 8)
+        frame = Frame(10.0, 10.0, 90.0, 60.0)
+        SmallMap(told).draw(pdf, frame, [1], ["x"])
+        place = SmallMap(told)._scaled(frame)
+        (venue,) = [one for one in told.plan.obstacles() if one.kind == "venue"]
+        corners = np.array(place(venue.outline))
+        (left, top), (right, bottom) = corners.min(axis=0), corners.max(axis=0)
+        low_x, low_y, high_x, high_y = said[name]
+        assert left < low_x
+        assert high_x < right
+        assert top < low_y
+        assert high_y < bottom
+
+
+def test_ways_that_lie_on_one_another_are_all_seen(
+    tmp_path: Path, ours: Briefing, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    widths: list[float] = []
+    draw = SmallMap._line
+
+    def watched(pdf: FPDF, *more: Any) -> None:
+        widths.append(pdf.line_width)
+        draw(pdf, *more)
+
+    monkeypatch.setattr(SmallMap, "_line", staticmethod(watched))
+    pdf = Typeset(ours.checked_on, "")
+    pdf.add_page()
+    pdf.set_font("Noto", "", 8)
+    SmallMap(ours).draw(pdf, Frame(10.0, 10.0, 90.0, 60.0), [1, 2, 3], ["a", "b", "c"])
+    _route, *ways = widths
+    assert ways[0] > ways[1] > ways[2]
 
 
 def test_remarks_are_for_the_leader_alone(tmp_path: Path, ours: Briefing) -> None:

@@ -337,7 +337,7 @@ def _all_facts(sheet: Sheet) -> list[Block]:
         for n, entry in enumerate(sheet.entries)
         for block in _facts(entry, len(sheet.entries))
     ]
-    return [*facts, Block(sheet.entries[0].text.times, 0.85, entry=len(sheet.entries) - 1)]
+    return [*facts, Block(sheet.entries[-1].text.times, 0.85, entry=len(sheet.entries) - 1)]
 
 
 def _facts(entry: Entry, entries: int) -> list[Block]:

@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 from fpdf import FPDF
-from shapely.geometry import LineString
+from shapely.geometry import LinearRing, LineString, box
 
 from benchdragon.analysis.findings import shown_name
 from benchdragon.export.typeset import BREAK, breakable
@@ -29,6 +29,10 @@ LEGEND, ARROW, AROUND = 6.5, 12.0, 2.5
 NAMES, MOST_SIGNS, CROSS = 7.0, 16, 1.4
 # A map beside whose arrow it stands is as tall as that, mm.
 LEAST = 25.0
+# Height of signs above their line, mm, for each point of their size.
+TALL = 0.36
+# By this share of the width of the last way each before it on a map is broader.
+BROADER = 0.9
 # Every so manyth bench is numbered, where numbers are so far apart, mm.
 NUMBERED, NUMBER_ROOM = (1, 2, 5, 10, 20, 50, 100, 200, 500), 5.0
 GREY, STONE = (150, 150, 150), (205, 205, 205)
@@ -94,9 +98,11 @@ class SmallMap:
         with pdf.local_context():
             self._square(pdf, place)
             for n, bench in enumerate(benches):
+                # Ways lie on one another: the first are the broadest, so that all are seen.
+                bold = 1.0 + BROADER * (len(benches) - 1 - n)
                 pdf.set_draw_color(*TRACKS[n % len(TRACKS)])
                 pdf.set_fill_color(*TRACKS[n % len(TRACKS)])
-                self._track(pdf, place, bench, names[n] if len(benches) > 1 else "")
+                self._track(pdf, place, bench, names[n] if len(benches) > 1 else "", bold)
             self._names(pdf, place)
             self._arrow(pdf, frame)
         self._legend(pdf, frame, moves=any(self._last[n - 1] > self._first[n - 1] for n in benches))
@@ -117,10 +123,11 @@ class SmallMap:
         pdf.set_font("Noto", "B", 7)
         for bench, (x, y) in enumerate(dots, start=1):
             number = bench if self._counted else bench - 1
+            said = str(number) if number % each == 0 else ""
             if bench in (1, len(dots)) and not self._counted:
-                pdf.text(x + 0.9, y - 0.6, self._called(bench))
-            elif number % each == 0:
-                pdf.text(x + 0.9, y - 0.6, str(number))
+                said = self._called(bench)
+            left = x - 0.9 - pdf.get_string_width(said)
+            pdf.text(*self._beside_edge(pdf, place, said, [(x + 0.9, y - 0.6), (left, y - 0.6)]), said)
 
     def as_tall_as_needed(self, frame: Frame) -> Frame:
         """The same frame, no taller than its width lets the map be."""
@@ -144,21 +151,44 @@ class SmallMap:
         ((x, y),) = place(np.array([self._ground.peg]))
         pdf.set_line_width(EDGE)
         _cross(pdf, x, y)
-        self._name(pdf, place, _("peg"), x, y - CROSS - 0.6)
+        self._name(pdf, place, _("peg"), x, (y - CROSS - 0.6, y + CROSS + 0.6 + TALL * NAMES))
         for one in self._obstacles:
             if one.kind != "venue":
                 points = place(one.outline)
-                top = min(v for _u, v in points) - one.radius * place.scale
+                heights, wide = [v for _u, v in points], one.radius * place.scale
                 middle = sum(u for u, _v in points) / len(points)
-                self._name(pdf, place, shown_name(one)[:MOST_SIGNS], middle, top - 0.8)
+                ends = min(heights) - wide - 0.8, max(heights) + wide + 0.8 + TALL * NAMES
+                self._name(pdf, place, shown_name(one)[:MOST_SIGNS], middle, ends)
 
-    @staticmethod
-    def _name(pdf: FPDF, place: _Scale, name: str, x: float, y: float) -> None:
-        """A name above a place, moved so that it stays on the map."""
+    def _name(
+        self, pdf: FPDF, place: _Scale, name: str, x: float, heights: tuple[float, float]
+    ) -> None:
+        """A name above a place, moved so that it stays on the map; below it, if the edge is above."""
         said = breakable(name).replace(BREAK, "")
         wide, frame = pdf.get_string_width(said), place.frame
         left = min(max(x - 0.5 * wide, frame.x), max(frame.x + frame.width - wide, frame.x))
-        pdf.text(left, max(y, frame.y + 0.35 * NAMES), said)
+        venue = [place(one.outline) for one in self._obstacles if one.kind == "venue"]
+        for points in venue:  # a name over the edge at its side moves in
+            low, high = min(u for u, _v in points) + 0.6, max(u for u, _v in points) - 0.6 - wide
+            left = min(max(left, low), high) if low <= high else left
+        above, below = heights
+        wanted = [(left, max(above, frame.y + 0.35 * NAMES)), (left, below)]
+        pdf.text(*self._beside_edge(pdf, place, said, wanted), said)
+
+    def _beside_edge(
+        self, pdf: FPDF, place: _Scale, said: str, wanted: Sequence[tuple[float, float]]
+    ) -> tuple[float, float]:
+        """The first of places for a text at which the venue's edge does not run through it."""
+        wide, tall = pdf.get_string_width(said), TALL * pdf.font_size_pt
+        edges = [LinearRing(place(one.outline)) for one in self._obstacles if one.kind == "venue"]
+        return next(
+            (
+                (x, y)
+                for x, y in wanted
+                if not any(edge.intersects(box(x, y - tall, x + wide, y + 0.4)) for edge in edges)
+            ),
+            wanted[0],
+        )
 
     def _scaled(self, frame: Frame) -> _Scale:
         low, high = self.bounds
@@ -188,13 +218,13 @@ class SmallMap:
         else:
             pdf.polygon(points, style="D" if obstacle.kind == "venue" else "DF")
 
-    def _track(self, pdf: FPDF, place: _Scale, bench: int, name: str) -> None:
+    def _track(self, pdf: FPDF, place: _Scale, bench: int, name: str, bold: float) -> None:
         """The way of a bench's front handle: a disc where it starts, an arrow's head where it ends."""
         s, points = self._way
         first, last = self._first[bench - 1], self._last[bench - 1]
         ends = self._walk.route.point([first, last])
         own = np.concatenate([ends[:1], points[(s > first) & (s < last)], ends[1:]])
-        pdf.set_line_width(BOLD * self._share(place))
+        pdf.set_line_width(bold * BOLD * self._share(place))
         self._line(pdf, place, own)
         (x, y), (u, v) = place(ends)
         heading = float(self._walk.route.heading([last])[0])
