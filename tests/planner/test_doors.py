@@ -29,6 +29,15 @@ def test_texts_without_end_are_refused_in_a_sentence() -> None:
     assert last == {"foreign": None}
 
 
+def test_a_table_that_is_there_twice_is_refused_in_pythons_words() -> None:
+    text = f'{BASE}[people]\nunit = "qiao"\n[people]\nroster = "names.csv"\n'
+    found, _last = asked("doors.mjs", [text])
+    assert found["error"].endswith(
+        "[people] is there twice: delete this line, and move what stands under it below the first "
+        "[people]"
+    )
+
+
 def test_what_javascript_has_in_every_table_is_no_key_of_a_plan() -> None:
     *found, last = asked("doors.mjs", [BASE + text for text in FOREIGN.values()])
     assert [one.get("kind") for one in found] == ["PlanError"] * len(FOREIGN)

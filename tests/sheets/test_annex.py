@@ -105,6 +105,22 @@ def test_numbers_are_those_of_the_plan_and_its_check(
         assert f"{bound:.3f}" in text
 
 
+def test_the_ground_within_the_line_is_told_before_the_strips_that_boards_pass_over(
+    facts: AnnexFacts, tmp_path: Path, texts: dict[str, str]
+) -> None:
+    tables = {b.name: b for b in document(facts, "en", tmp_path).blocks if isinstance(b, Table)}
+    (line, within), (strips, area), *_others = tables["swept"].rows
+    assert (line, strips) == (
+        "ground within the spectators' line, all of it",
+        "of it, what boards pass over: strips along the route",
+    )
+    assert float(str(within).split()[0]) == pytest.approx(facts.within_line, abs=0.5)
+    assert facts.within_line > facts.swept.area
+    assert area == f"{facts.swept.area:.1f} m²"
+    assert "t=0s" not in texts["en"], "the drawing tells times as all else does"
+    assert "from18:30:00to18:30:12" in texts["en"]
+
+
 def test_each_language_has_its_own_words_alone(texts: dict[str, str]) -> None:
     assert "Templesquare" in texts["en"]
     assert "祠堂前" in texts["zh"]

@@ -335,16 +335,16 @@ def _kept(report: Report, told: Clock | None) -> str:
             )
         )
     if report.unfinished is not None:
-        said.append(report.unfinished.text)
+        said.append(report.unfinished.text if told is None else report.unfinished.told)
     return _("; ").join(said)
 
 
 def _tightest(report: Report, time: float, benches: Sequence[int], told: Clock | None) -> str:
     """The tightest moment of a safe walk."""
     if told is None:
-        gap = f"{100.0 * report.clearance.value:.3g}"
+        exact = f"{100.0 * report.clearance.value:.3g}"
         text = _("tightest {gap} cm, bench {a} with bench {b}, at {t} s")
-        return text.format(gap=gap, a=benches[0], b=benches[1], t=f"{time:z.1f}")
+        return text.format(gap=exact, a=benches[0], b=benches[1], t=f"{time:z.1f}")
     text = _("tightest {gap} cm, {a} with {b}, at {t}")
     if abs(benches[0] - benches[1]) == AFTER_NEXT:
         text = _("tightest {gap} cm, {a} with {b}, one bench between them, at {t}")

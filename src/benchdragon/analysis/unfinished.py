@@ -34,6 +34,11 @@ class Unfinished:
         text = _("the dance ends before the tail is out of the turn: walk.end = {end} is enough")
         return text.format(end=f"{self.end:.1f}")
 
+    @property
+    def told(self) -> str:
+        """The same for papers, whose readers know nothing of the plan's keys."""
+        return _("the dance ends before the tail is out of the turn")
+
 
 def unfinished(plan: Plan, walk: Walk, end: float) -> Unfinished | None:
     """What a plan's walk in and out again lacks when it ends at a time, s.

@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
+from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.ground import Ground
 from benchdragon.analysis.swept import Shape, SweptArea
 from benchdragon.errors import InputError
@@ -50,12 +51,14 @@ class AreaDrawing:
         swept: the ground, and the spectators' line.
         obstacles: the venue's edge and what stands in it.
         ground: the peg from which papers measure, and the ways x and y point; a page shows the peg.
+        clock: by which a paper tells times; without one they are seconds of the plan.
     """
 
     title: str
     swept: SweptArea
     obstacles: tuple[Obstacle, ...] = ()
     ground: Ground = field(default_factory=lambda: Ground((0.0, 0.0)))
+    clock: Clock | None = None
 
     def route(self) -> FloatArray:
         """Points of the route under the benches, m, (n, 2)."""
@@ -158,10 +161,14 @@ def _draw_spots(axes: Axes, sheet: Sheet, spots: Sequence[Point]) -> None:
 def _write_names(axes: Axes, sheet: Sheet, drawing: AreaDrawing, paper: str) -> None:
     """Title, what the numbers are, and the legend."""
     swept = drawing.swept
-    text = _("{area} m² within {error} m, from t = {start} s to t = {end} s; {paper}").format(
-        area=f"{swept.area:.1f}", error=f"{swept.error:.2g}", start=f"{swept.start:g}",
-        end=f"{swept.end:.6g}", paper=paper,
-    )  # fmt: skip
+    text = _("{area} m² within {error} m, from t = {start} s to t = {end} s; {paper}")
+    start, end = f"{swept.start:g}", f"{swept.end:.6g}"
+    if drawing.clock is not None:
+        text = _("what boards pass over: {area} m² within {error} m, from {start} to {end}; {paper}")
+        start, end = drawing.clock.tell(swept.start), drawing.clock.tell(swept.end)
+    text = text.format(
+        area=f"{swept.area:.1f}", error=f"{swept.error:.2g}", start=start, end=end, paper=paper
+    )
     axes.text(EDGE, EDGE + 7.0, drawable(drawing.title), fontsize=9, va="bottom")
     axes.text(EDGE, EDGE + 1.0, text, fontsize=8, va="bottom")
     legend = axes.legend(

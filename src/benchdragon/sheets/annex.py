@@ -137,7 +137,7 @@ def _dance(facts: AnnexFacts) -> Iterator[Block]:
 
 def _ground(facts: AnnexFacts, folder: Path) -> Iterator[Block]:
     plan, swept = facts.briefing.plan, facts.swept
-    drawing = drawing_of(plan, swept, facts.briefing.ground)
+    drawing = drawing_of(plan, swept, facts.briefing.ground, facts.briefing.clock)
     figure, scale = page_picture(drawing, [post.point for post in facts.posts])
     write_picture(figure, folder / "ground.pdf", drawing.title, plan.sha256)
     yield Heading(_("Route and ground, to scale"), "ground")

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from shapely.geometry import Polygon
+
 from benchdragon.analysis.posts import Post, marshal_posts
 from benchdragon.analysis.swept import SweptArea, swept_area
 from benchdragon.errors import BenchDragonError
@@ -52,6 +54,11 @@ class AnnexFacts:
     swept: SweptArea
     posts: tuple[Post, ...]
     chance: Chance
+
+    @property
+    def within_line(self) -> float:
+        """The area that spectators' lines go round, holes included, m²."""
+        return sum(float(Polygon(ring).area) for ring in self.swept.lines.outer)
 
     @property
     def leaves_venue(self) -> bool:

@@ -105,8 +105,9 @@ def swept_table(facts: AnnexFacts) -> Table:
     swept = facts.swept
     box = swept.enclosing.rectangle
     rows = (
-        (_("area of this ground"), f"{swept.area:.1f} m²"),
-        (_("smallest rectangle that holds it"), f"{box.width:.2f} m × {box.height:.2f} m"),
+        (_("ground within the spectators' line, all of it"), f"{facts.within_line:.0f} m²"),
+        (_("of it, what boards pass over: strips along the route"), f"{swept.area:.1f} m²"),
+        (_("smallest rectangle that holds these strips"), f"{box.width:.2f} m × {box.height:.2f} m"),
         (
             _("length of the spectators' line round the outside"),
             metres(sum(LinearRing(ring).length for ring in swept.lines.outer)),
