@@ -329,6 +329,7 @@ def test_no_name_or_number_on_a_map_lies_on_the_edge_of_the_venue(
         pdf.set_font("Noto", "", 8)
         frame = Frame(10.0, 10.0, 90.0, 60.0)
         SmallMap(told).draw(pdf, frame, [1], ["x"])
+        pdf.output()  # which closes its fonts
         place = SmallMap(told)._scaled(frame)
         (venue,) = [one for one in told.plan.obstacles() if one.kind == "venue"]
         corners = np.array(place(venue.outline))
@@ -355,6 +356,7 @@ def test_ways_that_lie_on_one_another_are_all_seen(
     pdf.add_page()
     pdf.set_font("Noto", "", 8)
     SmallMap(ours).draw(pdf, Frame(10.0, 10.0, 90.0, 60.0), [1, 2, 3], ["a", "b", "c"])
+    pdf.output()  # which closes its fonts
     _route, *ways = widths
     assert ways[0] > ways[1] > ways[2]
 

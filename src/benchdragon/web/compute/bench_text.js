@@ -282,8 +282,7 @@ function timesLine({ behind }, { legend: times }) {
 
 /** Where to go when the dance is over: who has coiled in cannot follow the head out. @param {Basis} basis @param {BenchWalk} found */
 function afterLine({ coiled }, { before }) {
-  if (coiled)
-    return _("Afterwards: stand until your pin is pulled; the tail goes first.");
+  if (coiled) return _("Afterwards: stand until your pin is pulled; the tail goes first.");
   if (before === null) return _("Afterwards: lead all of them out.");
   return _("Afterwards: follow the bench before you out.");
 }
