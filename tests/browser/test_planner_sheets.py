@@ -12,6 +12,7 @@ import pytest
 import zxingcpp
 from playwright.sync_api import Locator, Page, expect
 
+from benchdragon.explain.bench_walk import tightest_line
 from benchdragon.i18n import spoken_in
 from benchdragon.planner.page import planner_page
 from benchdragon.plans.roster import roster_of
@@ -138,8 +139,12 @@ def test_the_overview_is_printed_and_saved(
     with page.expect_download() as found:
         sheets(page).get_by_role("button", name=SAVE).click()
     saved = Path(found.value.path()).read_text("utf-8-sig")
+    whole = briefing(read_plan(str(plan)), Roster())
     for entry in told(plan, language, Roster()):
-        for line in (entry.title, entry.text.quick, entry.text.tightest):
+        near = whole.benches[entry.bench - 1].tightest
+        with spoken_in(language):
+            tightest = tightest_line(near, whole.clock, whole.called, its=True)
+        for line in (entry.title, entry.text.quick, tightest):
             assert "".join(line.split()) in text
             assert line in saved
     assert len(saved.splitlines()) == 9
