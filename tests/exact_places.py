@@ -88,3 +88,32 @@ def corner_errors(walk: Walk, s: float) -> Errors:
             off = math.hypot(float(arb(x) - exact_x), float(arb(y) - exact_y))
             found[i] = max(found[i], off)
     return Errors(found, said)
+
+
+def exact_depth(walk: Walk, s: arb, near: float, i: int, j: int) -> arb:
+    """How deep a corner of one of two benches lies in the other, m, the head at s near `near`, m."""
+    row, u = walk.placement(near).state(0)
+    route = BallRoute.stored(walk.route.rows)
+    chain = enclosed_chain(route, exact_links(walk.dragon), s, (row.tolist(), u), (0.0, 0.0))
+    deepest = arb(-math.inf)
+    for mine, other in ((i, j), (j, i)):
+        front_left, rear_left, rear_right, _front_right = exact_corners(walk, chain, other)
+        x, y = (0.5 * (front_left[n] + rear_right[n]) for n in (0, 1))
+        length, width = (float(size) for size in walk.dragon.sizes[:2, other])
+        ux, uy = ((front_left[n] - rear_left[n]) / length for n in (0, 1))
+        for px, py in exact_corners(walk, chain, mine):
+            along, across = (px - x) * ux + (py - y) * uy, (py - y) * ux - (px - x) * uy
+            inside = (length / 2 - abs(along)).min(width / 2 - abs(across))
+            deepest = deepest.max(inside)
+    return deepest
+
+
+def exact_contact(walk: Walk, near: float, i: int, j: int) -> arb:
+    """The head's route position, m, at which two benches that touch near one first do, to 1e-15 m."""
+    low, high = arb(near) - 1e-7, arb(near) + 1e-7
+    assert exact_depth(walk, low, near, i, j) < 0 < exact_depth(walk, high, near, i, j)
+    while high - low > 1e-15:
+        middle = ((low + high) / 2).mid()
+        touches = exact_depth(walk, middle, near, i, j) > 0
+        low, high = (low, middle) if touches else (middle, high)
+    return high
