@@ -28,6 +28,7 @@ from benchdragon.analysis.contact_search import ContactSearch
 from benchdragon.kernels import cells, step_bounds
 from benchdragon.kernels import search as kernel
 from benchdragon.kernels.box import BOX_COLUMNS
+from benchdragon.kernels.rounding import seams_of
 from benchdragon.plans.schema import read_plan
 from benchdragon.progress import silent
 
@@ -37,7 +38,15 @@ def looks_for(walk: Walk, slack: float, smooth: bool) -> int:
     search = kernel.room(10, 2, 1)
     dragon, note = walk.dragon, np.zeros(kernel.NOTES)
     members, nothing = np.array([0, 8]), np.empty((0, BOX_COLUMNS))
-    chain = kernel.Chain(walk.route.rows, dragon.links[:9], np.empty(0), dragon.sizes, members, nothing)
+    chain = kernel.Chain(
+        walk.route.rows,
+        dragon.links[:9],
+        np.empty(0),
+        dragon.sizes,
+        members,
+        nothing,
+        seams_of(walk.route.rows),
+    )
     pairs = kernel.Pairs(np.array([0]), np.array([1]))
     limits = kernel.Limits(0.0, slack, slack, 1_000_000)
     if smooth:

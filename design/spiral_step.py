@@ -16,8 +16,8 @@ F'/2 = h + 2 sigma a sin^2(h/2) + a b sin h.
 
 **One step is enough.** F grows like h^2 near the root, and Halley's step e leaves e^3 / (4 h^2). The
 guess, the previous h times a / b and times the ratio of links, is off by 1e-5 rad at r = 4 m of the
-contest's spiral and less outside, so one pass leaves below 2e-15 rad; where the law says it might not,
-the pass is repeated.
+contest's spiral and less outside, so one pass leaves less than a quarter of h's rounding; where the law
+says it might not, the pass is repeated.
 
 **Angles are sums of two doubles**, because a million roundings of theta add up.
 """

@@ -22,14 +22,15 @@ import benchdragon
 KERNELS = (
     "band", "beginning", "bench_cells", "box", "cells", "course", "curve", "doubts", "drive",
     "every_pair", "family", "grid", "low_points", "meetings", "near_cells", "pacing", "peak",
-    "perturbed", "regions", "route", "route_parts", "search", "size_bracket", "size_search", "spiral",
-    "standing", "status", "step_bounds", "turn_families", "walk_search",
+    "perturbed", "regions", "rounding", "route", "route_parts", "search", "size_bracket", "size_search",
+    "spiral", "standing", "status", "step_bounds", "turn_families", "walk_search",
 )  # fmt: skip
 # Modules with twins in the page: add those whose numbers you need.
 TWINS = (
     "analysis.bench_nearness", "analysis.bench_walks", "analysis.bends", "analysis.check",
     "analysis.clock", "analysis.contact", "analysis.contact_search", "analysis.crossings",
-    "analysis.distance", "analysis.ground", "analysis.marks", "analysis.obstacle_search",
+    "analysis.distance", "analysis.ground", "analysis.marks", "analysis.nearby",
+    "analysis.obstacle_search",
     "analysis.room", "analysis.speed", "analysis.tables", "analysis.unfinished", "budget",
     "explain.bench_walk",
     "model.answer", "model.base_curve", "model.connections", "model.curves", "model.dragon",

@@ -199,7 +199,8 @@ def test_what_starts_and_stops_ask_for_is_what_sampling_sees(name: str, quantity
     walk, start, end = starting_and_stopping(name)
     found = greatest(walk, quantity, start, end, tolerance=1e-5)
     seen = most_sampled(walk, quantity.name, start, end)
-    assert found.lower == found.value <= found.upper <= found.value * (1.0 + 1.1e-5)
+    assert found.value * (1.0 - 1e-11) <= found.lower <= found.value
+    assert found.value <= found.upper <= found.value * (1.0 + 1.1e-5)
     assert seen <= found.upper * (1.0 + 1e-9)
     assert found.value <= seen * (1.0 + 1e-4)
     assert found.unit == quantity.unit

@@ -86,7 +86,9 @@ def test_pairs_left_out_keep_farther_apart_all_through_the_step(name: str) -> No
     route, start, end = ROUTES[name]
     dragon, aside = dancers(5, 0.2)
     room = search.room(COUNT + 1, COUNT, 1)
-    chain = search.Chain(route.rows, dragon.links, aside, dragon.sizes, np.arange(COUNT), NOTHING)
+    chain = search.Chain(
+        route.rows, dragon.links, aside, dragon.sizes, np.arange(COUNT), NOTHING, NOTHING
+    )
     circles = circles_of(dragon.sizes)
     first, second = np.empty(COUNT * COUNT, dtype=np.int64), np.empty(COUNT * COUNT, dtype=np.int64)
     handles, left_out = np.empty((COUNT + 1, step_bounds.HANDLE_COLUMNS)), 0

@@ -77,9 +77,9 @@ def seek(
     made = cut(route) if by_cells else cells.empty_cells(0, 1)
     heap, counted = waiting(driven, by_cells, room)
     heap.marks[:by_chains, peak.BY_CELLS] = 0
-    notes, counts = np.array([-1.0, 0.0, 0.0]), np.array(counted)
+    notes, counts = np.array([-1.0, 0.0, 0.0, 0.0]), np.array(counted)
     aim = peak.Aim(quantity, tolerance, limit, 0.9, 0.11)
-    batch, chains = peak.empty_batch(), peak.chains_for(len(DRAGON) + 1)
+    batch, chains = peak.empty_batch(), peak.chains_for(len(DRAGON) + 1, route.rows)
     ends: list[Ended] = []
     while not ends or ends[-1] in (Ended.MORE, Ended.ROOM):
         ends.append(

@@ -29,6 +29,7 @@ from benchdragon.errors import WalkError
 from benchdragon.kernels import cells, course, search
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, distances_along, set_box
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.rounding import seams_of
 from benchdragon.kernels.route import IntArray
 from benchdragon.model.placement import Placement
 from benchdragon.progress import silent
@@ -121,8 +122,9 @@ def search_chain(walk: Walk, members: IntArray) -> search.Chain:
     """The benches up to the last of the members, on the walk's route."""
     dragon, links = walk.dragon, walk.dragon.links[: members[-1] + 1]
     return search.Chain(
-        walk.route.rows, links, np.empty(0), dragon.sizes, members, np.empty((0, BOX_COLUMNS))
-    )
+        walk.route.rows, links, np.empty(0), dragon.sizes, members, np.empty((0, BOX_COLUMNS)),
+        seams_of(walk.route.rows),
+    )  # fmt: skip
 
 
 def test_too_few_looks_leave_a_search_stuck() -> None:
@@ -138,6 +140,30 @@ def test_too_few_looks_leave_a_search_stuck() -> None:
             step.start, step.start + 4.0, search.Limits(0.0, 1e-13, 1e-13, 2), note,
         )  # fmt: skip
         assert ending == (search.STUCK if goal == search.FIRST_TOUCH else search.GRAZE)
+
+
+def test_a_bound_on_rounding_widens_a_bracket() -> None:
+    plain = spiral_walk(0.78)
+    known = first_contact(plain, 0.0, 15.0)
+    assert known is not None
+    assert known.witness is not None
+    at, members = known.witness.s, np.array(known.witness.benches) - 1
+    walk = Walk(plain.dragon, Route((Spiral(0.8, 18.0, 7.0, (1e5, 1e5)),)))
+    bounded, notes = search_chain(walk, members), []
+    for chain in (bounded, bounded._replace(seams=np.empty((0, 2)))):
+        room, note = search.room(17, 2, 1), np.zeros(search.NOTES)
+        ending = search_step(
+            room, search.FIRST_TOUCH, chain, search.Pairs(np.array([0]), np.array([1])), at - 0.05,
+            at + 0.05, search.Limits(0.0, 1e-13, 1e-13, 1000), note,
+        )  # fmt: skip
+        assert ending == search.FOUND
+        notes.append(note)
+    sure, blind = notes
+    assert 1e-10 < sure[search.OFF] < 1e-9
+    assert blind[search.OFF] == 1e-13
+    # Nothing counts as clear, or as touched, that rounding may have made so.
+    assert sure[search.LOWER] < blind[search.LOWER] - 1e-11
+    assert sure[search.UPPER] > blind[search.LOWER] + 1e-11
 
 
 def test_the_greatest_speed_is_above_every_sample() -> None:
@@ -296,8 +322,9 @@ def test_the_end_of_a_step_is_looked_at() -> None:
     walk, ends = spiral_walk(0.3), (10.0 - 9e-14, 10.0)
     falls = [pair_distances(walk.placement(ends), 0, j).tolist() for j in range(2, 16)]
     j, (_before, at) = next((j, pair) for j, pair in enumerate(falls, 2) if pair[0] > pair[1] + 9e-15)
-    contact_search = ContactSearch(walk, 9.0, 10.0, at + 2e-15, silent)
-    contact_search.slack = 1e-15
+    # Nearer by as much as these distances may be off by, and no more.
+    off = ContactSearch(walk, 9.0, 10.0, 0.0, silent, slack=1e-15).off_at(10.0, 0, j)
+    contact_search = ContactSearch(walk, 9.0, 10.0, at + off + 2e-15, silent, slack=1e-15)
     note = np.zeros(search.NOTES)
     step = Step(*ends, np.array([0]), np.array([j]))
     assert search_one(contact_search, search.FIRST_TOUCH, step, note) == search.FOUND

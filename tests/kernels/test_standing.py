@@ -12,6 +12,8 @@ from benchdragon.kernels import search as steps
 from benchdragon.kernels import standing as kernel
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, corner, place_box
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.regions import EDGE
+from benchdragon.kernels.rounding import seams_of
 from benchdragon.kernels.search import CLEAR, FIRST_TOUCH, FOUND, GRAZE, LEAST, STUCK
 from benchdragon.kernels.standing import Bench, Standing
 from benchdragon.kernels.step_bounds import TRAVEL
@@ -27,7 +29,7 @@ SIZES = np.array([[2.0], [0.5], [0.25], [0.25]])
 
 
 def bench_on(route: Route) -> Bench:
-    return Bench(route.rows, np.array([1.5]), SIZES)
+    return Bench(route.rows, np.array([1.5]), SIZES, seams_of(route.rows))
 
 
 def wall(x: float, low: float = -1.0, high: float = 1.0) -> FloatArray:
@@ -117,7 +119,7 @@ def test_a_box_at_the_very_reach_of_a_step_is_gathered() -> None:
     search.at[0], search.at[1] = 6.0, 6.5
     assert kernel.walks_step(bench_on(EAST), search)
     assert kernel.gather_near(bench_on(EAST), standing, search, 0.3) == 0
-    reach = math.hypot(1.0, 0.25) + search.sweeps[0, TRAVEL] + 0.3
+    reach = math.hypot(1.0, 0.25) + search.sweeps[0, TRAVEL] + 0.3 + EDGE
     assert search.sweeps[0, TRAVEL] >= 0.5
     for off, count in ((-1e-9, 1), (1e-9, 0)):
         standing.boxes.flags.writeable = True
@@ -130,7 +132,9 @@ def test_what_stands_still_is_boxed_alike_at_all_places_and_does_not_move() -> N
     search.at[:2] = 6.0, 6.4
     bench = bench_on(EAST)
     assert kernel.walks_step(bench, search)
-    chain = steps.Chain(bench.rows, bench.link, np.empty(0), SIZES, np.zeros(1, dtype=np.int64), boxes)
+    chain = steps.Chain(
+        bench.rows, bench.link, np.empty(0), SIZES, np.zeros(1, dtype=np.int64), boxes, bench.seams
+    )
     assert steps.member_count(chain) == 4
     search.sweeps[:] = math.nan
     for slot in (0, 1):

@@ -373,7 +373,7 @@ def faced(gap: float, travel: float, pull: float) -> tuple[search.Search, FloatA
     room.boxes[:4, 2] = 1.0
     room.boxes[:4, [4, 5]] = 0.5
     room.boxes[[1, 3], 0] = 1.0 + gap
-    room.sweeps[:] = 0.0
+    room.sweeps[:] = room.off[:] = 0.0
     room.sweeps[:, step_bounds.TRAVEL], room.sweeps[:, step_bounds.POINT_ACCELERATION] = travel, pull
     return room, np.zeros(search.NOTES)
 
@@ -391,7 +391,7 @@ def test_a_contact_lasts_only_if_travel_or_faces_say_so(
 
 
 def test_the_least_bound_of_a_part_is_that_of_any_pair() -> None:
-    room, _note = faced(2.0, 0.1, math.inf)
+    room, note = faced(2.0, 0.1, math.inf)
     room.boxes[[0, 2], 1] = 1.0
     room = room._replace(
         alive=np.array([[0, 0], [0, 1]]), boxes=np.concatenate([room.boxes, room.boxes])
@@ -403,7 +403,7 @@ def test_the_least_bound_of_a_part_is_that_of_any_pair() -> None:
         room.kept[1] = 2
         room.alive[1] = 0, 1
         pairs = search.Pairs(np.array([0, 0]), np.array(second))
-        assert search.keep_near(room, 1, 3, pairs, 9.0) == pytest.approx(1.9)
+        assert search.keep_near(room, 1, 3, pairs, 9.0, 0.0, note) == pytest.approx(1.9)
         assert room.kept[1] == 2
 
 

@@ -16,8 +16,8 @@ TRUTH = json.loads((Path(__file__).parents[1] / "truth" / "contest.json").read_t
 def test_the_contests_first_contact_and_all_before_it_are_proved() -> None:
     report = check(read_plan("spiral-in"), prove=True)
     assert report.proved
-    assert report.contact is not None
-    assert report.contact.lower < float(TRUTH["first_contact_s"]) < report.contact.upper
+    assert report.first_contact is not None
+    assert report.first_contact.lower < float(TRUTH["first_contact_s"]) < report.first_contact.upper
 
 
 def test_the_contests_smallest_pitch_is_proved() -> None:

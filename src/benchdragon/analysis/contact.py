@@ -148,10 +148,14 @@ def _widened(window: Window, graze: Answer) -> Window:
 def _touching_at_start(search: ContactSearch) -> Answer | None:
     """The contact in which a walk starts, if it does."""
     tightest = tightest_pairs(search.placement(search.start))
-    if not tightest or tightest[0].distance > search.margin - search.slack:
+    if not tightest:
         return None
-    i, j = tightest[0].benches
-    return search.answer_at(search.start, search.start, "found", i - 1, j - 1)
+    i, j = (number - 1 for number in tightest[0].benches)
+    off = search.off_at(search.start, i, j)
+    if tightest[0].distance > search.margin - off:
+        return None
+    search.note_off(off)
+    return search.answer_at(search.start, search.start, "found", i, j)
 
 
 @budget.question()
@@ -320,8 +324,10 @@ def _lowered(search: ContactSearch, best: Best, reach: float, tolerance: float) 
 
 def _clearance_answer(search: ContactSearch, best: Best) -> Answer:
     seconds = clock.perf_counter() - search.began
-    lower = max(best.floor - search.slack, 0.0)
-    upper = best.distance + search.slack if best.distance else 0.0
+    search.note_off(search.off_at(best.where, *best.pair))
+    off = search.off
+    lower = max(best.floor - off, 0.0)
+    upper = best.distance + off if best.distance else 0.0
     witness = search.witness(best.where, *best.pair)
     return Answer(
         best.distance,

@@ -16,6 +16,7 @@ import numpy.typing as npt
 from benchdragon import budget
 from benchdragon.analysis.distance import boxes, nearness
 from benchdragon.analysis.head_times import HeadTimes
+from benchdragon.analysis.nearby import at_most, checked_off, errors_at, origin_of, seen_from
 from benchdragon.analysis.tables import Tables, walk_tables
 from benchdragon.errors import UnsureError, in_order, not_negative, of_kind
 from benchdragon.i18n import _
@@ -26,14 +27,14 @@ from benchdragon.kernels.family import UNKNOWN
 from benchdragon.kernels.route import END_SLACK, IntArray
 from benchdragon.kernels.walk_search import ASTRAY, CROWDED, MORE, SEEK, search_walk
 from benchdragon.model.answer import Answer, Status, Witness
+from benchdragon.model.base_curve import Point
 from benchdragon.model.placement import Placement
 from benchdragon.model.walk import Walk
 from benchdragon.progress import Progress
 
-# What computed distances may be off by, m: a few dozen roundings of coordinates of 50 m; farther out
-# it grows with them. A smaller one could call a graze clear, a larger one widens brackets.
+# What computed distances count as off by at least, m, so that grazes end; where the bound on their
+# rounding is larger (kernels/rounding.py) that counts. A larger one widens brackets.
 SLACK = 1e-13
-SLACK_REACH = 50.0
 # Parts of a step narrower than this, m, are not halved: contact times get no sharper.
 WIDTH = 1e-13
 # Chains marched in one step of a search; a graze takes some hundred.
@@ -47,15 +48,10 @@ CALL, SEARCHED = 1_000, 8
 SAMPLES_AHEAD = 65
 
 
-def slack_at(extent: float) -> float:
-    """What computed distances may be off by, m, of a dragon so far out, m, at the start."""
-    return SLACK * max(1.0, extent / SLACK_REACH)
-
-
-def assumed_within(slack: float) -> tuple[str, ...]:
-    """What answers rest on whose distances may be off by `slack`, m."""
+def assumed_within(off: float) -> tuple[str, ...]:
+    """What answers rest on whose distances may be off by so much, m."""
     text = _("computed distances are within {slack} m of the exact ones")
-    return (text.format(slack=f"{slack:.1e}"),)
+    return (text.format(slack=at_most(off)),)
 
 
 def most_evaluations(handles: int) -> int:
@@ -104,7 +100,14 @@ class Step:
 
 @dataclass
 class ContactSearch:
-    """A search along a walk from one head position to another."""
+    """A search along a walk from one head position to another.
+
+    Attributes:
+        walk: as given, but with coordinates counted from `origin`.
+        origin: near the dance, m.
+        slack: what computed distances count as off by at least, m.
+        off: what those that mattered so far may be off by, m.
+    """
 
     walk: Walk
     start: float  # head positions, m
@@ -112,14 +115,16 @@ class ContactSearch:
     margin: float
     progress: Progress
     since: float = -math.inf  # the time at which it begins, s
-    slack: float = field(init=False)
+    origin: Point = field(init=False)
+    slack: float = field(default_factory=lambda: SLACK)
+    off: float = 0.0
     evaluations: int = 0
     began: float = field(default_factory=clock.perf_counter)
 
     def __post_init__(self) -> None:
         placed = self.placement(self.start)
-        extent = float(np.abs([placed.x, placed.y]).max())
-        self.slack = slack_at(extent)
+        self.origin = origin_of(placed.x, placed.y)
+        self.walk = seen_from(self.walk, self.origin)
         self._tail = float(placed.s[0, -2])
         self._tables: Tables | None = None
 
@@ -180,6 +185,7 @@ class ContactSearch:
         most = MOST_LEAST_EVALUATIONS if tolerance else MOST_EVALUATIONS
         limits = self.margin, tolerance or self.slack, WIDTH, most
         ending = run_search(self.tables, goal, limits, note, self._tell)
+        self.note_off(float(note[kernel.OFF]))
         if ending == ASTRAY:
             raise self._astray()
         if ending == kernel.CLEAR and self.end > self.walk.route.length + END_SLACK:
@@ -220,8 +226,22 @@ class ContactSearch:
         """How benches i and j (rows, from 0) stand with the head at s."""
         near = nearness(boxes(self.placement(s), 0), i, j)
         owner = near.features[0][0]
-        point = near.points[near.benches.index(owner)]
+        x, y = near.points[near.benches.index(owner)]
+        point = x + self.origin[0], y + self.origin[1]
         return Witness(self.times.at(s), s, near.benches, point, near.gap, near.features)
+
+    def note_off(self, off: float) -> None:
+        """Take note of what a distance that matters may be off by, m.
+
+        Raises:
+            UnsureError: if that is too much for a search to see all pairs.
+        """
+        self.off = max(self.off, off if off <= self.slack else checked_off(off))
+
+    def off_at(self, s: float, i: int, j: int) -> float:
+        """What the distance of benches i and j (rows, from 0) may be off by with the head at s, m."""
+        _errors, off = errors_at(self.walk, s)
+        return max(self.slack, float(off[i] + off[j]))
 
     def pair(self, note: FloatArray) -> tuple[int, int]:
         """The benches (rows, from 0) of a kernel's note."""
@@ -239,7 +259,7 @@ class ContactSearch:
 
     def assumed(self) -> tuple[str, ...]:
         """What answers rest on."""
-        return assumed_within(self.slack)
+        return assumed_within(max(self.off, self.slack))
 
     @property
     def times(self) -> HeadTimes:

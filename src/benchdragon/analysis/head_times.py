@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass
 from fractions import Fraction
 
+from benchdragon.kernels.drift import head_drift
 from benchdragon.model.walk import Walk
 
 
@@ -28,29 +29,38 @@ class HeadTimes:
     def bracketed(self, lower: float, upper: float) -> tuple[float, float, float]:
         """About when the head is between two positions, m, and a time before and one after that, s.
 
-        At the second it has surely come no farther than `lower`, at the third at least to `upper`.
+        At the second it has surely come no farther than where the kernels place it for `lower`, at the
+        third at least to where they do for `upper`: see `head_drift`.
         """
-        early, late = self.not_after(lower), self.not_before(upper)
+        early = self.not_after(lower, min(self._drift(lower, -1.0), 0.0))
+        late = self.not_before(upper, max(self._drift(upper, 1.0), 0.0))
         return min(max(self.at(0.5 * (lower + upper)), early), late), early, late
 
-    def not_after(self, s: float) -> float:
-        """A time at which the head has come no farther than s; not before the search begins."""
+    def _drift(self, s: float, side: float) -> float:
+        """How far ahead of s, m, the kernels place the head for it: at most (side 1), at least (-1)."""
+        if not math.isfinite(s):
+            return 0.0
+        drift, doubt = head_drift(self.walk.route.rows, s)
+        return drift + side * doubt
+
+    def not_after(self, s: float, shift: float = 0.0) -> float:
+        """A time at which the head has come no farther than s + shift; not before the search begins."""
         t = self.at(s)
         step = math.ulp(t) if math.isfinite(t) else 0.0
-        while t > self.since and self._lead(t, s) > 0:
+        while t > self.since and self._lead(t, s, shift) > 0:
             t, step = t - step, 2.0 * step
         return max(t, self.since)
 
-    def not_before(self, s: float) -> float:
-        """A time at which the head has come at least as far as s."""
+    def not_before(self, s: float, shift: float = 0.0) -> float:
+        """A time at which the head has come at least as far as s + shift."""
         t = self.at(s)
         step = math.ulp(t) if math.isfinite(t) else 0.0
-        while s > self.start and t < math.inf and self._lead(t, s) < 0:
+        while s > self.start and t < math.inf and self._lead(t, s, shift) < 0:
             t, step = t + step, 2.0 * step
         return t
 
-    def _lead(self, t: float, s: float) -> float | Fraction:
-        """How far past s the head stands at time t, m; not rounded, so that brackets are sure."""
+    def _lead(self, t: float, s: float, shift: float) -> float | Fraction:
+        """How far past s + shift the head stands at t, m; not rounded, so that brackets are sure."""
         if math.isinf(t):
             return self.walk.start + float(self.walk.profile.distance(t)) - s
-        return self.walk.exact_head_position(t) - Fraction(s)
+        return self.walk.exact_head_position(t) - Fraction(s) - Fraction(shift)

@@ -8,7 +8,7 @@ follows another of its size comes to nothing new beyond where that one stood at 
 
 import time as clock
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -17,12 +17,13 @@ from benchdragon import budget
 from benchdragon.analysis.contact_search import (
     MOST_EVALUATIONS,
     MOST_LEAST_EVALUATIONS,
+    SLACK,
     WIDTH,
     assumed_within,
-    slack_at,
 )
 from benchdragon.analysis.distance import CORNERS, boxes, nearness
 from benchdragon.analysis.head_times import HeadTimes
+from benchdragon.analysis.nearby import NOWHERE, checked_off, errors_at, origin_of, seen_from
 from benchdragon.analysis.obstacle_distance import box_distances, nearest_boxes
 from benchdragon.analysis.tables import kinds_of
 from benchdragon.errors import UnsureError, in_order, of_kind
@@ -30,8 +31,11 @@ from benchdragon.i18n import _
 from benchdragon.kernels import search as steps
 from benchdragon.kernels import standing as kernel
 from benchdragon.kernels.box import CX, CY, corner
-from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.curve import KIND, SPIRAL, U_END, U_START, FloatArray, P
 from benchdragon.kernels.doubts import UNIT
+from benchdragon.kernels.drift import head_drift
+from benchdragon.kernels.links import link_of
+from benchdragon.kernels.rounding import HALF_UNIT, seams_of, still_error
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import FALLEN, FOUND
 from benchdragon.kernels.walk_search import ASTRAY
@@ -52,6 +56,8 @@ SAMPLES = 65
 MOST_GRAZES = 1_000
 # Brackets of touches that are wider than this, s, began with a graze.
 NARROW = 1e-6
+# Roundings of a route position, of the lengths that it is counted by.
+COUNTED = 24.0
 # Newton steps for the head position at which a handle comes to a place; about five are needed.
 MOST_STEPS = 100
 
@@ -71,13 +77,22 @@ class ObstacleSearch:
     """A search of a walk from one time to another for what comes near one obstacle.
 
     The dragon must be able to stand at both.
+
+    Attributes:
+        walk: as given, but with coordinates counted from `origin`.
+        obstacle: likewise.
+        origin: near the dance, m.
+        slack: what computed distances count as off by at least, m.
+        off: what those that mattered so far may be off by, m.
     """
 
     walk: Walk
     obstacle: Obstacle
     start: float
     end: float
-    slack: float = field(init=False)
+    origin: Point = field(init=False)
+    slack: float = field(default_factory=lambda: SLACK)
+    off: float = 0.0
     evaluations: int = 0
     began: float = field(default_factory=clock.perf_counter)
 
@@ -87,10 +102,14 @@ class ObstacleSearch:
         in_order(self.start, self.end)
         self.heads = self.walk.head_position([self.start, self.end])
         self.placed = self.walk.placement(self.heads)  # raises where the dragon cannot stand
-        extent = float(np.abs(self.obstacle.outline).max()) + self.obstacle.radius
-        far = max(float(np.abs([self.placed.x, self.placed.y]).max()), extent)
-        self.slack = slack_at(far)
+        self.origin = origin_of(self.placed.x[0], self.placed.y[0])
+        if self.origin != NOWHERE:
+            self.walk = seen_from(self.walk, self.origin)
+            outline = self.obstacle.outline - np.array(self.origin)
+            self.obstacle = replace(self.obstacle, outline=outline)
+            self.placed = self.walk.placement(self.heads)
         self.kind, self.kinds = kinds_of(self.walk.dragon.sizes)
+        self._seams = seams_of(self.walk.route.rows)
         self._standing = kernel.scratch_for(self.obstacle.boxes)
         count = len(self.obstacle.boxes) + 1
         self._search = steps.room(2, count, count)
@@ -110,6 +129,14 @@ class ObstacleSearch:
         out, which = box_distances(self.placed, 0, self.obstacle)
         bench = int(np.argmin(out))
         return float(out[bench]), bench, int(which[bench])
+
+    @cached_property
+    def off_at_start(self) -> float:
+        """What the least of these distances may be off by, m."""
+        _errors, off = errors_at(self.walk, float(self.heads[0]), 0)
+        boxes_here = self.obstacle.boxes
+        still = max(still_error(boxes_here, n) for n in range(len(boxes_here)))
+        return max(self.slack, float(off.max()) + still)
 
     def stretches(self) -> Iterator[tuple[int, IntArray, FloatArray]]:
         """For each size of bench: its number, its benches, and the span of route of each, m, (n, 2).
@@ -144,6 +171,7 @@ class ObstacleSearch:
             ending = kernel.search_spans(
                 bench, self._standing, self._search, goal, some, *limits, note, found
             )
+            self.note_off(float(note[steps.OFF]))
             made = int(note[steps.EVALUATIONS] - before)
             self.evaluations += made
             budget.spend(BENCH * (made + len(some)) * len(self.obstacle.boxes))
@@ -154,13 +182,22 @@ class ObstacleSearch:
                 break
         return np.concatenate(told) if told else np.empty((0, kernel.SPAN_COLUMNS))
 
+    def note_off(self, off: float) -> None:
+        """Take note of what a distance that matters may be off by, m.
+
+        Raises:
+            UnsureError: if that is too much for a search to see all that is near.
+        """
+        self.off = max(self.off, off if off <= self.slack else checked_off(off))
+
     def look(self, k: int, spans: FloatArray, note: FloatArray) -> None:
         """Lower the least distance that is known by what is seen at the ends of spans."""
         kernel.look_along(self._bench(k), self._standing, self._search, spans, note)
 
     def _bench(self, k: int) -> kernel.Bench:
         sizes = np.ascontiguousarray(self.kinds.sizes[:, k : k + 1])
-        return kernel.Bench(self.walk.route.rows, sizes[0] - sizes[2] - sizes[3], sizes)
+        link, rows = np.array([link_of(sizes, 0)]), self.walk.route.rows
+        return kernel.Bench(rows, link, sizes, self._seams)
 
     def _stopped(self, note: FloatArray) -> Exception:
         """Why a bench could not be followed past the end of what its search had shown."""
@@ -173,10 +210,27 @@ class ObstacleSearch:
         """Head positions, m, between which a bench's front handle surely goes from lower to upper."""
         if bench == 0:
             return max(lower, float(self.heads[0])), min(upper, float(self.heads[1]))
-        line = self.walk.dragon.first(bench)
-        before, _at = self._bracket(line, lower - self.slack)
-        _at, after = self._bracket(line, upper + self.slack)
+        line, ends = self.walk.dragon.first(bench), self.heads.tolist()
+        for _pass in range(2):  # by what errors are at the ends, then by what they are there
+            off = [self._handle_off(line, head) for head in ends]
+            before, _at = self._bracket(line, lower - off[0])
+            _at, after = self._bracket(line, upper + off[1])
+            ends = [before, after]
         return before, after
+
+    def _handle_off(self, line: Dragon, head: float) -> float:
+        """What the last handle of some benches may be off by along the route, m, as positions tell it.
+
+        The head's own place, the way of errors through the chain, and the lengths that positions are
+        counted by.
+        """
+        rows = self.walk.route.rows
+        errors, _off = errors_at(replace(self.walk, dragon=line), head)
+        drift, doubt = head_drift(rows, head)
+        spirals = rows[rows[:, KIND] == SPIRAL]
+        outmost = np.hypot(1.0, np.abs(spirals[:, [U_START, U_END]]).max(axis=1, initial=0.0))
+        counted = abs(head) + float((spirals[:, P] * outmost * outmost).sum())
+        return self.slack + float(errors[-1]) + abs(drift) + doubt + COUNTED * HALF_UNIT * counted
 
     def _bracket(self, line: Dragon, s: float) -> tuple[float, float]:
         """Head positions, m, between which the last handle of the first benches comes to s."""
@@ -205,8 +259,8 @@ class ObstacleSearch:
         seconds = clock.perf_counter() - self.began
         witness = self.witness(upper, bench)
         return Answer(
-            value, early, late, "s", status, witness, assumed_within(self.slack), self.evaluations,
-            seconds,
+            value, early, late, "s", status, witness, assumed_within(max(self.off, self.slack)),
+            self.evaluations, seconds,
         )  # fmt: skip
 
     def witness(self, s: float, bench: int) -> Witness:
@@ -227,6 +281,7 @@ class ObstacleSearch:
         if out_there is not None:
             point, gap, feature = out_there
         time, name = self._times.at(s), self.obstacle.name
+        point = point[0] + self.origin[0], point[1] + self.origin[1]
         return Witness(time, s, (bench + 1,), point, gap, ((bench + 1, feature),), None, name)
 
     def _farthest_out(self, table: FloatArray) -> tuple[Point, float, str] | None:

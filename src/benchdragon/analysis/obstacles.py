@@ -34,16 +34,17 @@ def touching(search: ObstacleSearch) -> list[Answer]:
     """
     apart, bench, _box = search.at_start
     head = float(search.heads[0])
-    if apart <= search.reach - search.slack:
+    if apart <= search.reach - search.off_at_start:
+        search.note_off(search.off_at_start)
         return [search.answer(head, head, "found", bench)]
-    if apart <= search.reach + search.slack and search.heads[0] == search.heads[1]:
+    if apart <= search.reach + search.off_at_start and search.heads[0] == search.heads[1]:
         return [search.answer(head, head, "undecided", bench)]
     grazes, sure = list[Come](), list[Come]()
     for touch in search.touches():
         soonest = min((come[1] for come in sure), default=math.inf)
         if soonest < math.inf:
             there = float(search.walk.placement(soonest, throw=False).s[0, touch.bench])
-            if touch.lower > there + search.slack:
+            if touch.lower > there + max(search.off, search.slack):
                 continue
         come = (*search.head_at(touch.bench, touch.lower, touch.upper), touch.bench)
         (sure if touch.sure else grazes).append(come)
@@ -195,16 +196,17 @@ def _lowered(
 
 
 def _distance_answer(search: ObstacleSearch, best: Nearest, floor: float) -> Answer:
-    radius, slack = search.obstacle.radius, search.slack
+    search.note_off(search.off_at_start)
+    radius, off = search.obstacle.radius, search.off
     bench, head = int(best.s), float(search.heads[0])
     if best.k >= 0:
         bench = search.bench_at(best.k, best.s)
         head = search.head_at(bench, best.s, best.s)[1]
     value = max(best.distance - radius, 0.0)
-    lower = max(min(floor, best.distance) - radius - slack, 0.0)
-    upper = value + slack if value else 0.0
+    lower = max(min(floor, best.distance) - radius - off, 0.0)
+    upper = value + off if value else 0.0
     seconds = clock.perf_counter() - search.began
     return Answer(
-        value, lower, upper, "m", "found", search.witness(head, bench), assumed_within(slack),
+        value, lower, upper, "m", "found", search.witness(head, bench), assumed_within(off),
         search.evaluations, seconds,
     )  # fmt: skip

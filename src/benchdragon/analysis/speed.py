@@ -82,7 +82,7 @@ QUANTITIES = {
 
 @dataclass(frozen=True)
 class Peak:
-    """The greatest of a quantity: never more than `upper`.
+    """The greatest of a quantity: never more than `upper`, and surely as much as `least`.
 
     It was seen at `time`, s, with the head at s, m, on handle or bench `row` (from 0).
     """
@@ -93,6 +93,7 @@ class Peak:
     s: float
     row: int
     evaluations: int
+    least: float = 0.0
 
 
 def greatest_speed(
@@ -145,7 +146,7 @@ def greatest(
     found = _Search(walk, quantity, tolerance, limit).over(stretches, progress)
     witness = replace(witness_of(walk, quantity, found), time=found.time)
     return Answer(
-        found.value, found.value, found.upper, quantity.unit, "found", witness, (), found.evaluations,
+        found.value, found.least, found.upper, quantity.unit, "found", witness, (), found.evaluations,
         clock.perf_counter() - began,
     )  # fmt: skip
 
@@ -239,7 +240,8 @@ class _Search:
         shortest = float(walk.dragon.links.min())
         self.walk, self.step = walk, STEP * shortest
         self._aim = peak.Aim(quantity.kind, tolerance, limit, COARSE_STEP * shortest, self.step)
-        self._batch, self._chains = peak.empty_batch(), peak.chains_for(len(walk.dragon) + 1)
+        self._batch = peak.empty_batch()
+        self._chains = peak.chains_for(len(walk.dragon) + 1, walk.route.rows)
         self._notes, self._counts = np.zeros(peak.NOTES), np.zeros(peak.COUNTS, dtype=np.int64)
         self._notes[peak.SEEN] = -1.0
 
@@ -251,10 +253,10 @@ class _Search:
         for n, (low, high) in enumerate(pairwise(borders)):
             told = part(progress, n / (len(borders) - 1), (n + 1) / (len(borders) - 1), "")
             self._through(low, high, drives, told)
-        seen, where, upper = self._notes.tolist()
+        seen, where, upper, sure = self._notes.tolist()
         _open, row, stretch, evaluations = self._counts.tolist()
         time = stretches.time(stretch, where)
-        return Peak(seen, max(upper, seen), time, where, row, evaluations)
+        return Peak(seen, max(upper, seen), time, where, row, evaluations, sure)
 
     def _windows(self, first: float, last: float) -> list[float]:
         """Borders of parts of the way, m, whose cells fit the memory; one part if cells do not pay."""

@@ -14,6 +14,7 @@ from benchdragon.errors import BenchDragonError, InputError, UnsureError
 from benchdragon.i18n import _
 from benchdragon.kernels.band import strays
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.links import link_of
 from benchdragon.kernels.route import IntArray, positions
 from benchdragon.kernels.step_bounds import Placements, empty_placements, place_chain
 from benchdragon.model.walk import Walk
@@ -105,7 +106,7 @@ class _Cutter:
         self, k: int, sizes: FloatArray, spans: FloatArray, times: tuple[float, float]
     ) -> Iterator[Columns]:
         """The steps of benches of kind k, in batches, as columns of `Steps`."""
-        link = float(sizes[0, k] - sizes[2, k] - sizes[3, k])
+        link = link_of(sizes, k)
         counts = np.ceil((spans[:, 1] - spans[:, 0]) / (FIRST_STEP * link)).astype(np.int64)
         self._allow(int(np.maximum(counts, 1).sum()))
         waiting = np.concatenate(
@@ -166,7 +167,7 @@ def placed_steps(walk: Walk, sizes: FloatArray, k: int, ends: FloatArray) -> Col
     is (1 - t) a + t b of points a, b of the two, and (1 - t)^2 a + t (1 - t) (a' + b') + t^2 b,
     where a' and b' are what a and b are at the other end, is covered.
     """
-    link = np.array([sizes[0, k] - sizes[2, k] - sizes[3, k]])
+    link = np.array([link_of(sizes, k)])
     places, stray = empty_placements(2, ends.size), np.empty(len(ends))
     place_chain(walk.route.rows, link, np.ascontiguousarray(ends).ravel(), 0, ends.size, places)
     strays(walk.route.rows, link, np.ascontiguousarray(sizes), k, places, stray)

@@ -18,6 +18,7 @@ from benchdragon.kernels.course import Benches, Block, Course, Crowd, Meeting, R
 from benchdragon.kernels.curve import LENGTH, S_START, FloatArray
 from benchdragon.kernels.grid import empty_grid
 from benchdragon.kernels.kinds import find_kinds
+from benchdragon.kernels.rounding import SEAM_COLUMNS
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.step_bounds import empty_placements
@@ -151,6 +152,7 @@ class Tables:
             np.empty(boxes, dtype=np.int64),
             np.empty((self._pairs, 2), dtype=np.int64),
             np.empty((self._doubts, 2), dtype=np.int64),
+            np.empty((rows, SEAM_COLUMNS)),
         )
         whole = groups * self._cells
         self.grids = Grids(

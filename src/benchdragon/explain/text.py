@@ -323,7 +323,9 @@ def _link_line(walk: Walk) -> str:
         "back by what the distance still lacks to d; that is never too far, as no path is "
         "shorter than a straight line."
     )
-    link = f"{number(length)} - {number(front)} - {number(rear)} = {number(length - front - rear)}"
+    link = (
+        f"{number(length)} - {number(front)} - {number(rear)} = {number(float(walk.dragon.links[0]))}"
+    )
     return text.format(link=link)
 
 

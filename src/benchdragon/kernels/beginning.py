@@ -38,7 +38,9 @@ from benchdragon.kernels.course import (
 from benchdragon.kernels.curve import LENGTH, S_START, FloatArray
 from benchdragon.kernels.jit import entry, kernel
 from benchdragon.kernels.kinds import least_ways
+from benchdragon.kernels.links import link_of
 from benchdragon.kernels.regions import EDGE
+from benchdragon.kernels.rounding import find_seams
 from benchdragon.kernels.spiral_bound import clear_spans, shape_of
 
 # Cells are this share of the shortest link: shorter ones cost more boxes, longer ones looser boxes.
@@ -102,10 +104,11 @@ def begin_walk(walk: Walk, room: Room, start: float, end: float, reach: float) -
     ground, block, course = room.ground, room.block, room.course
     counts, groups, shortest = ground.counts, ground.groups.shape[0], math.inf
     for k in range(kinds.group.shape[0]):
-        shortest = min(shortest, kinds.sizes[0, k] - kinds.sizes[2, k] - kinds.sizes[3, k])
+        shortest = min(shortest, link_of(kinds.sizes, k))
     cell = CELL_SHARE * shortest
     ground.measures[REACH], ground.measures[CELL] = reach + EDGE, cell
     begin_course(rows, ground, course, start, end)
+    find_seams(rows, ground.seams)
     block.at[0] = start
     if not place_block(rows, benches.links, block, course.tally, 1):
         return False

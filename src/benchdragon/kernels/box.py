@@ -11,6 +11,7 @@ import numpy as np
 from benchdragon.kernels.arrays import IntTable, IntVector, Table, Vector
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.jit import allocates, entry, kernel
+from benchdragon.kernels.links import link_of
 from benchdragon.kernels.route import IntArray
 
 CX = 0  # centre, m
@@ -36,7 +37,7 @@ def place_box(
 
     `sizes` has four rows: length, width, front inset, rear inset, m.
     """
-    link = sizes[0, n] - sizes[2, n] - sizes[3, n]
+    link = link_of(sizes, n)
     ux, uy = (x[i, t] - x[i + 1, t]) / link, (y[i, t] - y[i + 1, t]) / link
     ahead = sizes[2, n] - 0.5 * sizes[0, n]
     out[k, CX], out[k, CY] = x[i, t] + ahead * ux, y[i, t] + ahead * uy

@@ -83,6 +83,7 @@ class Ground(NamedTuple):
     todo: IntVector  # rows to be boxed, (rows,)
     near: IntTable  # pairs of rows, (pairs, 2)
     doubts: IntTable  # kind and cell, (most, 2)
+    seams: Table  # of `rounding.find_seams`, (rows, SEAM_COLUMNS)
 
 
 class Grids(NamedTuple):

@@ -19,6 +19,7 @@ from benchdragon.kernels.course import (
 )
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.jit import allocates, kernel
+from benchdragon.kernels.links import link_of
 from benchdragon.kernels.near_cells import Sweeper, count_borders
 from benchdragon.kernels.regions import walks_on
 from benchdragon.kernels.step_bounds import HANDLE_COLUMNS, place_chain
@@ -65,7 +66,7 @@ def follows_until(
     """
     at, step, handles = start, (end - start) / CAREFUL_PARTS, np.empty((2, HANDLE_COLUMNS))
     rows, sizes = walk.rows, walk.kinds.sizes
-    sweeper.link[0] = sizes[0, k] - sizes[2, k] - sizes[3, k]
+    sweeper.link[0] = link_of(sizes, k)
     while at < end:
         ahead = min(end, at + step)
         sweeper.at[0], sweeper.at[1] = at, ahead

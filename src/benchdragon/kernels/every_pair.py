@@ -162,7 +162,7 @@ def search_all_pairs(
     members, circles = np.empty(sizes.shape[1], dtype=np.int64), circles_of(sizes)
     for i in range(members.shape[0]):
         members[i] = i
-    chain = Chain(rows, links, aside, sizes, members, search.boxes[:0])
+    chain = Chain(rows, links, aside, sizes, members, search.boxes[:0], search.boxes[:0])
     limits = Limits(margin, slack, width, most)
     worst = CLEAR
     search.at[0] = at[0]

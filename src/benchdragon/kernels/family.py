@@ -20,6 +20,7 @@ from benchdragon.kernels.curve import (
     spiral_length,
 )
 from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.links import link_of
 from benchdragon.kernels.low_points import head_where_tail
 from benchdragon.kernels.route import END_SLACK
 from benchdragon.kernels.route_parts import (
@@ -121,7 +122,7 @@ def size_benches(family: Family, benches: Benches, kinds: Kinds, size: float) ->
             sizes[n, i] = family.sizes[n, i]
         if family.share[i] > 0.0:
             sizes[1 if what == WIDTH else 0, i] = size
-        link = sizes[0, i] - sizes[2, i] - sizes[3, i]
+        link = link_of(sizes, i)
         sound = sound and link >= SHORTEST_LINK and max(sizes[0, i], sizes[1, i]) <= LONGEST_BENCH
         benches.links[i], benches.ahead[i] = link, ahead
         ahead += link

@@ -50,6 +50,7 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.exposure import add_cell, expose_behind, expose_new, may_meet
 from benchdragon.kernels.grid import Grid, gather, put
 from benchdragon.kernels.jit import allocates, kernel
+from benchdragon.kernels.links import link_of
 from benchdragon.kernels.regions import sweep_cells
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.spiral import LANES
@@ -84,7 +85,7 @@ def sweep_batch(
 ) -> None:
     """Widen boxes by benches of kind k, whose front handles are at the sweeper's borders."""
     at, places, link, sound = sweeper.at, sweeper.places, sweeper.link, sweeper.sound
-    link[0] = kinds.sizes[0, k] - kinds.sizes[2, k] - kinds.sizes[3, k]
+    link[0] = link_of(kinds.sizes, k)
     place_chain(rows, link, at, 0, slots, places)
     count_borders(ground, places, slots)
     some, targets = sweeper.slots[:boxes], sweeper.targets[:boxes]

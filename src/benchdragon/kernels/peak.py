@@ -28,6 +28,7 @@ from benchdragon.kernels.drive import (
     scratch_for,
 )
 from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.rounding import mark_lanes, ratio_errors, seams_of
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.status import Ended
 from benchdragon.kernels.step_bounds import Placements, empty_placements, place_chain
@@ -45,7 +46,8 @@ SLOT, PIECES = 0, 1
 SEEN = 0  # the greatest value at any chain; -1 before the first
 WHERE = 1  # the head's position there, m
 UPPER = 2  # at most what was put aside
-NOTES = 3
+SURE = 3  # a value that is exactly reached or exceeded
+NOTES = 4
 # And a row of integers.
 OPEN = 0  # parts that wait
 ROW = 1  # the handle or bench that was seen
@@ -109,6 +111,10 @@ class Chains(NamedTuple):
     change: Table  # of `chain.rates`
     turn: Table
     scratch: Scratch
+    seams: Table  # of `rounding.find_seams`
+    lanes: Vector  # scratch of these, (handles,) either
+    errors: Vector
+    off: Table  # what speed ratios may be off by, as shares, (handles, SLOTS)
 
 
 def empty_heap(room: int) -> Heap:
@@ -127,10 +133,12 @@ def empty_batch() -> Batch:
     )
 
 
-def chains_for(handles: int) -> Chains:
-    """Room for a batch's chains of so many handles."""
-    rates = np.zeros((2, handles, SLOTS))
-    return Chains(empty_placements(handles, SLOTS), rates[0], rates[1], scratch_for(handles))
+def chains_for(handles: int, rows: FloatArray) -> Chains:
+    """Room for a batch's chains of so many handles, on a route of these rows."""
+    rates = np.zeros((3, handles, SLOTS))
+    places, (lanes, errors) = empty_placements(handles, SLOTS), np.empty((2, handles))
+    scratch = scratch_for(handles)
+    return Chains(places, rates[0], rates[1], scratch, seams_of(rows), lanes, errors, rates[2])
 
 
 @kernel
@@ -289,6 +297,10 @@ def place_batch(
     places = chains.places
     if not place_chain(rows, links, at, 0, slots, places):
         return False
+    if quantity == SPEEDS:
+        mark_lanes(rows, links, places, 0, slots, chains.lanes)
+        for t in range(slots):
+            ratio_errors(rows, links, chains.seams, places, chains.lanes, t, chains.errors, chains.off)
     if quantity not in (SPEEDS, ACROSS):
         for t in range(slots):
             rates_in_slot(
@@ -306,21 +318,24 @@ def keep(
     n: int,
     t: int,
     most: FloatArray,
+    off: FloatArray,
     notes: FloatArray,
     counts: IntArray,
 ) -> None:
     """Let the piece of the batch's part n that begins in slot t wait, if it may exceed what is seen.
 
-    `most` bounds its handles.
+    `most` bounds its handles as they were computed; exactly they may be more by the shares `off`, which
+    no looking closer takes away.
     """
     wanted = enough(notes[SEEN], aim.tolerance, aim.limit)
     bound, settled, links = 0.0, 0.0, -1
     for i in range(batch.marks[n, LINKS] + 1):
-        bound = max(bound, most[i])
+        exactly = most[i] * (1.0 + max(off[i, t], off[i, t + 1]))
+        bound = max(bound, exactly)
         if most[i] > wanted:
             links = i
         else:
-            settled = max(settled, most[i])
+            settled = max(settled, exactly)
     notes[UPPER] = max(notes[UPPER], settled)
     a, b, bound = batch.at[t], batch.at[t + 1], min(bound, batch.parts[n, BOUND])
     if links >= 0 and ends_apart(a, b):
@@ -350,6 +365,7 @@ def see(
             rows, chains.places, chains.change, chains.turn, t, links,
             drive[FROM] if t < last else drive[TO], drive[RATE], quantity,
         )  # fmt: skip
+        notes[SURE] = max(notes[SURE], value * (1.0 - chains.off[row, t]))
         if value > notes[SEEN]:
             notes[SEEN], notes[WHERE] = value, batch.at[t]
             counts[ROW], counts[WHEN] = row, stretch
@@ -373,7 +389,7 @@ def look_by_chains(
     for t in range(first, first + batch.slots[n, PIECES]):
         set_drive(drives, stretch, batch.at[t], batch.at[t + 1], drive)
         bound_step(rows, links, chains.places, t, t + 1, drive, aim.quantity, chains.scratch)
-        keep(aim, heap, batch, n, t, chains.scratch.most, notes, counts)
+        keep(aim, heap, batch, n, t, chains.scratch.most, chains.off, notes, counts)
 
 
 @entry

@@ -206,6 +206,21 @@ def end_pose(rows: Table, j: int) -> Pose:
 
 
 @entry
+def settle_rows(rows: Table, x: float, y: float) -> None:
+    """Let (x, y) be the origin of a route's rows, and each row begin where the one before it ends.
+
+    Far from the origin rounding leaves gaps between rows; here they are closed.
+    """
+    rows[0, X] -= x
+    rows[0, Y] -= y
+    for j in range(1, rows.shape[0]):
+        end_x, end_y, _, _ = place(rows, j - 1, rows[j - 1, U_END])
+        rows[j, X] = rows[j, Y] = 0.0
+        start_x, start_y, _, _ = place(rows, j, rows[j, U_START])
+        rows[j, X], rows[j, Y] = end_x - start_x, end_y - start_y
+
+
+@entry
 def misfits(rows: Table, out: Table) -> None:
     """Fill out[i] with the gap, m, and the kink, rad, between parts i and i + 1."""
     for j in range(1, rows.shape[0]):

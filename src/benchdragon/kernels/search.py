@@ -16,6 +16,7 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.pair_bounds import apart_bound, gap_ceiling
 from benchdragon.kernels.perturbed import bound_beside, place_beside
+from benchdragon.kernels.rounding import bench_error, handle_errors, mark_lanes, still_error
 from benchdragon.kernels.step_bounds import (
     BENCH_COLUMNS,
     HANDLE_COLUMNS,
@@ -50,7 +51,8 @@ EVALUATIONS = 3  # chains marched
 NEAREST = 4  # LEAST: the least distance seen, m
 LOWEST = 5  # LEAST: no pair alive comes nearer in the part at hand, m
 FLOOR = 6  # LEAST: no pair comes nearer in the parts that were given up, m
-NOTES = 7
+OFF = 7  # what computed distances that mattered may be off by, m, at most
+NOTES = 8
 
 # Halvings that may be open at once; 2^-60 of any step is below rounding.
 DEPTH = 60
@@ -61,6 +63,7 @@ class Chain(NamedTuple):
 
     Handle i walks aside[i] metres to the left of the route; all on it if `aside` is empty. Links are
     those of the benches up to the last member. What stands still counts as members after these.
+    `seams` are those of `rounding.find_seams`; without any, computed places count as exact.
     """
 
     rows: Table
@@ -69,6 +72,7 @@ class Chain(NamedTuple):
     sizes: Table
     members: IntVector  # benches that are looked at, from 0, ascending
     standing: Table  # boxes that stand still, (obstacles, BOX_COLUMNS)
+    seams: Table
 
 
 class Pairs(NamedTuple):
@@ -81,8 +85,9 @@ class Pairs(NamedTuple):
 class Limits(NamedTuple):
     """How near is near, and when to stop.
 
-    `slack` is what distances may be off by, m; for LEAST it is how far below the least distance seen
-    the bound may lie. Parts of at most `width` metres are not halved; `most` evaluations are made.
+    `slack`, m, is the least that distances count as off by, however small the bound on their rounding
+    is, so that grazes end; for LEAST it is how far below the least distance seen the bound may lie.
+    Parts of at most `width` metres are not halved; `most` evaluations are made.
     """
 
     margin: float
@@ -99,6 +104,9 @@ class Search(NamedTuple):
     handles: Table  # scratch, (handles, HANDLE_COLUMNS)
     sweeps: Table  # (members, BENCH_COLUMNS)
     boxes: Table  # (DEPTH * members, BOX_COLUMNS), slot by slot
+    off: Vector  # what any point of these may be off by, m, (DEPTH * members,)
+    lanes: Vector  # scratch of these, (handles,) either
+    errors: Vector
     alive: IntTable  # pairs not yet shown to keep apart in the part up to a slot, (DEPTH, pairs)
     kept: IntVector  # how many, (DEPTH,)
 
@@ -111,6 +119,9 @@ def room(handles: int, members: int, pairs: int) -> Search:
         np.empty((handles, HANDLE_COLUMNS)),
         np.empty((members, BENCH_COLUMNS)),
         np.empty((DEPTH * members, BOX_COLUMNS)),
+        np.empty(DEPTH * members),
+        np.empty(handles),
+        np.empty(handles),
         np.empty((DEPTH, pairs), dtype=np.int64),
         np.empty(DEPTH, dtype=np.int64),
     )
@@ -187,6 +198,36 @@ def box_slot(chain: Chain, search: Search, slot: int) -> None:
     for n in range(chain.standing.shape[0]):
         for k in range(BOX_COLUMNS):
             boxes[row + n, k] = chain.standing[n, k]
+    weigh_slot(chain, search, slot)
+
+
+@kernel
+def weigh_slot(chain: Chain, search: Search, slot: int) -> None:
+    """Bound what the members' places at a slot may be off by.
+
+    Seen from the row of the head, or where something stands still from the route's first.
+    """
+    rows, seams, sizes, places, still = (
+        chain.rows,
+        chain.seams,
+        chain.sizes,
+        search.places,
+        chain.standing,
+    )
+    row, errors = slot * member_count(chain), search.errors
+    exact = seams.shape[0] == 0
+    if not exact:
+        mark_lanes(rows, chain.links, places, slot, slot + 1, search.lanes)
+        handle_errors(rows, chain.links, seams, places, search.lanes, slot, errors)
+    seen = 0 if still.shape[0] else places.row[0, slot]
+    for m in range(chain.members.shape[0]):
+        i = chain.members[m]
+        search.off[row + m] = (
+            0.0 if exact else bench_error(rows, seams, places, sizes, i, slot, seen, errors)
+        )
+    row += chain.members.shape[0]
+    for n in range(still.shape[0]):
+        search.off[row + n] = still_error(still, n)
 
 
 @kernel
@@ -218,6 +259,7 @@ def close_left(search: Search, top: int, handles: int, members: int) -> None:
     for m in range(members):
         for k in range(BOX_COLUMNS):
             boxes[m, k] = boxes[top * members + m, k]
+        search.off[m] = search.off[top * members + m]
 
 
 @kernel
@@ -238,14 +280,31 @@ def end_distance(search: Search, slot: int, members: int, i: int, j: int) -> flo
 
 
 @kernel
-def keep_near(search: Search, top: int, count: int, pairs: Pairs, wanted: float) -> float:
-    """Leave alive the pairs that may come as near as `wanted` in the part; the least bound of them."""
+def doubt(search: Search, top: int, count: int, i: int, j: int, slack: float) -> float:
+    """What the distance of members i and j may be off by at the part's ends, m; not below slack."""
+    off, end = search.off, top * count
+    return max(slack, off[i] + off[j], off[end + i] + off[end + j])
+
+
+@kernel
+def keep_near(
+    search: Search, top: int, count: int, pairs: Pairs, wanted: float, slack: float, note: FloatArray
+) -> float:
+    """Leave alive the pairs that may come as near as `wanted` in the part; the least bound of them.
+
+    With a slack they are left alive that may exactly come so near, whatever rounding has made of them.
+    """
     h, kept, lowest = search.handles[0, PATH], 0, math.inf
     for n in range(search.kept[top]):
         p = search.alive[top, n]
         i, j = pairs.first[p], pairs.second[p]
-        bound = apart_bound(search.boxes, search.sweeps, top * count, i, j, h, wanted)
-        if not bound > wanted:
+        unsure = doubt(search, top, count, i, j, slack)
+        most = wanted + unsure
+        bound = apart_bound(search.boxes, search.sweeps, top * count, i, j, h, most)
+        if bound > most:
+            continue
+        note[OFF] = max(note[OFF], unsure)
+        if slack > 0.0 or not bound > wanted:
             search.alive[top, kept] = p
             kept += 1
             lowest = min(lowest, bound)
@@ -258,27 +317,30 @@ def judge_touch(
     search: Search, top: int, count: int, pairs: Pairs, limits: Limits, note: FloatArray
 ) -> int:
     """How the part up to slot `top` stands for FIRST_TOUCH."""
-    margin, slack = limits.margin, limits.slack
-    nearest = math.inf
+    margin, past = limits.margin, math.inf
     for n in range(search.kept[top]):
         p = search.alive[top, n]
-        apart = end_distance(search, 0, count, pairs.first[p], pairs.second[p])
-        nearest = min(nearest, apart)
-        if apart <= margin - slack:
+        i, j = pairs.first[p], pairs.second[p]
+        apart = end_distance(search, 0, count, i, j)
+        unsure = doubt(search, top, count, i, j, limits.slack)
+        past = min(past, apart - 3.0 * unsure)
+        if apart <= margin - unsure:
             note[UPPER], note[PAIR] = search.at[0], p
+            note[OFF] = max(note[OFF], unsure)
             return FOUND
-    least = keep_near(search, top, count, pairs, margin + slack)
+    least = keep_near(search, top, count, pairs, margin, limits.slack, note)
     if search.kept[top] == 0:
         # A graze is over when it is left well behind: rounding makes distances flicker.
         note[UPPER] = search.at[0]
-        over = note[LOWER] < math.inf and nearest > margin + 3.0 * slack
-        return GRAZE if over else CLEAR
+        return GRAZE if note[LOWER] < math.inf and past > margin else CLEAR
     for n in range(search.kept[top]):
         p = search.alive[top, n]
         note[PAIR] = p
-        a = end_distance(search, 0, count, pairs.first[p], pairs.second[p])
-        b = end_distance(search, top, count, pairs.first[p], pairs.second[p])
-        if b <= margin - slack or max(a, b) > margin + 2.0 * slack or min(a, b) - least > 0.5 * slack:
+        i, j = pairs.first[p], pairs.second[p]
+        a, b = end_distance(search, 0, count, i, j), end_distance(search, top, count, i, j)
+        unsure = doubt(search, top, count, i, j, limits.slack)
+        far = max(a, b) > margin + 2.0 * unsure or min(a, b) - least > 0.5 * unsure
+        if far or b <= margin - unsure:
             return SPLIT
     return UNSURE
 
@@ -288,22 +350,24 @@ def judge_end(
     search: Search, top: int, count: int, pairs: Pairs, limits: Limits, note: FloatArray
 ) -> int:
     """How the part stands for TOUCH_END: one pair must stay near, by its travel or by its faces."""
-    margin, slack = limits.margin, limits.slack
+    margin, freed = limits.margin, math.inf
     nearest, held, rounding = math.inf, False, False
     for p in range(pairs.first.shape[0]):
         i, j = pairs.first[p], pairs.second[p]
         a, b = end_distance(search, 0, count, i, j), end_distance(search, top, count, i, j)
+        unsure = doubt(search, top, count, i, j, limits.slack)
+        note[OFF], freed = max(note[OFF], unsure), min(freed, a - unsure)
         spent = search.sweeps[i, TRAVEL] + search.sweeps[j, TRAVEL]
-        held = held or 0.5 * (a + b + spent) < margin - slack
+        held = held or 0.5 * (a + b + spent) < margin - unsure
         ceiling = math.inf
-        if not held and max(a, b) < margin + 2.0 * slack:
+        if not held and max(a, b) < margin + 2.0 * unsure:
             h = search.handles[0, PATH]
             ceiling = gap_ceiling(search.boxes, search.sweeps, top * count, i, j, h)
-            held = ceiling < min(margin - slack, 0.0)
+            held = ceiling < min(margin - unsure, 0.0)
         if a < nearest:
             nearest, note[PAIR] = a, p
-            rounding = min(a, b) >= margin - 4.0 * slack and ceiling - max(a, b) <= 0.5 * slack
-    if nearest > margin + slack:
+            rounding = min(a, b) >= margin - 4.0 * unsure and ceiling - max(a, b) <= 0.5 * unsure
+    if freed > margin:
         note[UPPER] = search.at[0]
         return FOUND
     if held:
@@ -325,7 +389,7 @@ def judge_least(
                 note[NEAREST], note[UPPER], note[PAIR] = apart, search.at[slot], p
     if note[NEAREST] <= 0.0:
         return FOUND
-    note[LOWEST] = keep_near(search, top, count, pairs, note[NEAREST] - limits.slack)
+    note[LOWEST] = keep_near(search, top, count, pairs, note[NEAREST] - limits.slack, 0.0, note)
     return CLEAR if search.kept[top] == 0 else SPLIT
 
 
@@ -393,10 +457,11 @@ def close(search: Search, goal: int, count: int, pairs: Pairs, limits: Limits, n
     """How a search ended that came to the end of its step, which is the left end now."""
     if goal == FIRST_TOUCH:
         for p in range(pairs.first.shape[0]):
-            apart = end_distance(search, 0, count, pairs.first[p], pairs.second[p])
-            if apart <= limits.margin - limits.slack:
+            i, j = pairs.first[p], pairs.second[p]
+            unsure = doubt(search, 0, count, i, j, limits.slack)
+            if end_distance(search, 0, count, i, j) <= limits.margin - unsure:
                 note[LOWER], note[UPPER] = min(note[LOWER], search.at[0]), search.at[0]
-                note[PAIR] = p
+                note[PAIR], note[OFF] = p, max(note[OFF], unsure)
                 return FOUND
     if note[LOWER] < math.inf:
         if goal != LEAST:

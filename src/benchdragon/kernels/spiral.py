@@ -37,8 +37,8 @@ MOST_LINK_OUTWARD = 0.9
 STEP_INWARD = 1.12
 STEP_OUTWARD = 1.30
 # Near the root F grows like h^2, so a Halley step e leaves an error of e^3 / (4 h^2). A step with
-# e^3 > this * h^2 might leave more than 2e-15 rad, and is repeated.
-LARGE_STEP = 8e-15
+# e^3 > this * h^3 might leave more than h / 4 half-units in the last place, and is repeated.
+LARGE_STEP = 1.1e-16
 # From any guess under the limits above 8 passes are the most ever seen.
 MAX_PASSES = 30
 
@@ -136,7 +136,7 @@ def halley_pass(
         t = start + lane
         a = u[i, t]
         h, change, s, c = halley_step(a, state[GUESS + lane] * scale, sigma, d2)
-        large += 1 if abs(change * change * change) > LARGE_STEP * h * h else 0
+        large += 1 if abs(change * change * change) > LARGE_STEP * h * h * h else 0
         shift = sigma * h + state[REST + lane]
         b = a + shift
         tail = shift - (b - a)

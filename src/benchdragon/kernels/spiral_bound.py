@@ -24,6 +24,7 @@ from benchdragon.kernels.curve import (
     length_at,
 )
 from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.links import link_of
 from benchdragon.kernels.regions import SQUARE
 from benchdragon.kernels.route import IntArray
 
@@ -58,7 +59,7 @@ def shape_of(sizes: FloatArray, group: IntArray, g: int, room: float) -> Shape:
 def widened(shape: Shape, sizes: FloatArray, k: int, room: float) -> Shape:
     """Bounds that hold for a bench of the sizes in column k as well."""
     front, rear = sizes[2, k], sizes[3, k]
-    length = sizes[0, k] - front - rear
+    length = link_of(sizes, k)
     return Shape(
         min(shape.shortest, length),
         max(shape.link, length),

@@ -25,7 +25,7 @@ from benchdragon.kernels.box import (
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.doubts import UNIT, finest
 from benchdragon.kernels.jit import entry, kernel
-from benchdragon.kernels.regions import walks_on
+from benchdragon.kernels.regions import EDGE, walks_on
 from benchdragon.kernels.search import (
     CLEAR,
     EVALUATIONS,
@@ -64,6 +64,7 @@ class Bench(NamedTuple):
     rows: Table
     link: Vector  # (1,)
     sizes: Table  # (4, 1): length, width, front inset, rear inset, m
+    seams: Table  # of `rounding.find_seams`
 
 
 class Standing(NamedTuple):
@@ -94,12 +95,15 @@ def centre_distance(boxes: FloatArray, n: int, x: float, y: float) -> float:
 
 @kernel
 def gather_near(bench: Bench, standing: Standing, search: Search, wanted: float) -> int:
-    """Put what the bench may come as near to as `wanted`, m, in the step into `near`; how many."""
+    """Put what the bench may come as near to as `wanted`, m, in the step into `near`; how many.
+
+    What rounding may have moved is less than EDGE.
+    """
     bound_bench(search.handles, 0, bench.sizes, 0, search.sweeps[0])
     place_box(bench.sizes, 0, 0, search.places.x, search.places.y, 0, search.boxes, 0)
     x, y = search.boxes[0, CX], search.boxes[0, CY]
     reach = math.hypot(search.boxes[0, HALF_LENGTH], search.boxes[0, HALF_WIDTH])
-    reach += search.sweeps[0, TRAVEL] + wanted
+    reach += search.sweeps[0, TRAVEL] + wanted + EDGE
     count = 0
     for n in range(standing.boxes.shape[0]):
         if not centre_distance(standing.boxes, n, x, y) > reach:
@@ -123,7 +127,7 @@ def search_step(
         note[LOWER] = end
         return CLEAR
     near, members = standing.near[:count], standing.members
-    chain = Chain(bench.rows, bench.link, note[:0], bench.sizes, members, near)
+    chain = Chain(bench.rows, bench.link, note[:0], bench.sizes, members, near, bench.seams)
     box_slot(chain, search, 0)
     box_slot(chain, search, 1)
     top = open_step(search, count, start, end)

@@ -24,6 +24,7 @@ from benchdragon.kernels.curve import (
     turning_bound,
 )
 from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.links import link_of
 from benchdragon.kernels.route import FOLD_COSINE
 from benchdragon.kernels.status import Status
 
@@ -337,7 +338,7 @@ def reach(front: float, rear: float, sizes: FloatArray, i: int) -> float:
     A point (1 - l) front handle + l rear handle, h beside the link, is linear in both handles; the
     bound is convex in the point, so that the corners suffice. For paths, speeds and accelerations.
     """
-    link = sizes[0, i] - sizes[2, i] - sizes[3, i]
+    link = link_of(sizes, i)
     nose, tail = sizes[2, i] / link, sizes[3, i] / link
     at_nose = (1.0 + nose) * front + nose * rear
     at_tail = tail * front + (1.0 + tail) * rear
@@ -347,7 +348,7 @@ def reach(front: float, rear: float, sizes: FloatArray, i: int) -> float:
 @kernel
 def bound_bench(handles: FloatArray, i: int, sizes: FloatArray, k: int, out: FloatArray) -> None:
     """Fill out, one row of BENCH_COLUMNS, for bench i of the chain, with the sizes in column k."""
-    link = sizes[0, k] - sizes[2, k] - sizes[3, k]
+    link = link_of(sizes, k)
     out[TRAVEL] = ROUNDED_UP * reach(handles[i, PATH], handles[i + 1, PATH], sizes, k)
     out[POINT_SPEED] = ROUNDED_UP * reach(handles[i, SPEED], handles[i + 1, SPEED], sizes, k)
     out[POINT_ACCELERATION] = ROUNDED_UP * reach(

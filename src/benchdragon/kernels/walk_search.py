@@ -5,7 +5,6 @@ clear to its end, when more room is wanted, or to let others work: it is then ca
 """
 
 from benchdragon.kernels.arrays import Vector
-from benchdragon.kernels.box import set_box
 from benchdragon.kernels.course import (
     PAIRS,
     PLACED,
@@ -39,6 +38,7 @@ from benchdragon.kernels.search import (
     Pairs,
     Search,
     bisect,
+    box_slot,
     number_members,
     open_step,
 )
@@ -61,8 +61,7 @@ def left_end_is_placed(search: Search, course: Course, chain: Chain) -> bool:
     start = course.way[STEP_START]
     if course.tally[PLACED] < chain.links.shape[0] + 1 or search.at[0] != start:
         return False
-    for m in range(chain.members.shape[0]):
-        set_box(chain.sizes, chain.members[m], search.places.x, search.places.y, 0, search.boxes, m)
+    box_slot(chain, search, 0)
     return True
 
 
@@ -86,8 +85,8 @@ def search_open_step(walk: Walk, room: Room, goal: int, limits: Limits, note: Fl
         tally[PLACED] = 0
         return CROWDED
     benches, aside, links = walk.benches, note[:0], walk.benches.links[: handles - 1]
-    standing = search.boxes[:0]
-    chain = Chain(walk.rows, links, aside, benches.sizes, members[:found], standing)
+    seams, still = room.ground.seams, search.boxes[:0]
+    chain = Chain(walk.rows, links, aside, benches.sizes, members[:found], still, seams)
     ready = 1 if left_end_is_placed(search, course, chain) else 0
     top = open_step(search, count, start, way[STEP_END])
     before, note[PAIR] = note[PAIR], -1.0

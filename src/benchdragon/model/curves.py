@@ -17,7 +17,7 @@ from benchdragon.errors import InputError, brief, finite, not_negative
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.route_parts import PART_ANGLE, PART_X, PART_Y, misfits
+from benchdragon.kernels.route_parts import PART_ANGLE, PART_X, PART_Y, misfits, settle_rows
 from benchdragon.model.arrays import as_numbers
 from benchdragon.model.base_curve import (
     Curve,
@@ -360,6 +360,18 @@ class Route(Curve):
         parts[:, PART_X], parts[:, PART_Y] = c * x - s * y + by[0], s * x + c * y + by[1]
         parts[:, PART_ANGLE] += turned
         return Route(tuple(curve_of(part) for part in parts.tolist()), self.kinks)
+
+    def seen_from(self, origin: Point) -> "Route":
+        """The same route, the numbers that kernels see counted from an origin, m, near the dance.
+
+        Its curves keep their coordinates. Far out, what rounding left open at joints is closed.
+        """
+        rows = self.rows.copy()
+        settle_rows(rows, *origin)
+        rows.flags.writeable = False
+        near = Route(self.curves, self.kinks)
+        near.__dict__["rows"] = rows
+        return near
 
     @property
     def parts(self) -> FloatArray:

@@ -13,6 +13,7 @@ from benchdragon.errors import InputError, as_number, brief, not_negative, of_ki
 from benchdragon.i18n import _
 from benchdragon.kernels.box import LONGEST_BENCH, SHORTEST_LINK
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.links import link_length, links_of
 from benchdragon.model.arrays import as_numbers
 
 MOST_BENCHES = 1_000_000
@@ -43,7 +44,7 @@ class Bench:
     @property
     def link(self) -> float:
         """Distance between the two holes, m."""
-        return self.length - self.front_inset - self.rear_inset
+        return link_length(self.length, self.front_inset, self.rear_inset)
 
 
 class SizeError(InputError):
@@ -223,7 +224,8 @@ class Dragon:
     @cached_property
     def links(self) -> FloatArray:
         """Distance between each bench's two holes, m, (benches,)."""
-        links = self.length - self.front_inset - self.rear_inset
+        links = np.empty(len(self))
+        links_of(self.sizes, links)
         links.flags.writeable = False
         return links
 

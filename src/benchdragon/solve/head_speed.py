@@ -147,7 +147,7 @@ class _Bracket:
     def narrow(self, quantity: Quantity, allowed: float, peak: Peak) -> None:
         """Take in a limit that is exceeded at the lower end: its peak with the head at 1 m/s."""
         self.lower = _head_speed(quantity, allowed, peak.upper)
-        most = _head_speed(quantity, allowed, peak.value / (1.0 + ROUNDING))
+        most = _head_speed(quantity, allowed, peak.least / (1.0 + ROUNDING))
         if most < self.upper or self.decisive is None:
             self.upper, self.decisive = most, (quantity, allowed, peak)
 

@@ -5,7 +5,8 @@ import math
 import numpy as np
 
 from benchdragon.analysis import distance
-from benchdragon.analysis.contact_search import MOST_EVALUATIONS, SLACK, WIDTH, run_search, slack_at
+from benchdragon.analysis.contact_search import MOST_EVALUATIONS, SLACK, WIDTH, run_search
+from benchdragon.analysis.nearby import NOWHERE, checked_off, origin_of
 from benchdragon.analysis.obstacle_search import ObstacleSearch
 from benchdragon.analysis.obstacles import touching
 from benchdragon.analysis.tables import PLACES, Tables
@@ -19,7 +20,9 @@ from benchdragon.kernels.course import AT, SOUND
 from benchdragon.kernels.curve import COLUMNS, LENGTH, S_START, FloatArray
 from benchdragon.kernels.family import falls_soon, set_walk
 from benchdragon.kernels.low_points import SHRINKS, low_pair, low_point
+from benchdragon.kernels.rounding import bench_errors, seams_of
 from benchdragon.kernels.route import END_SLACK
+from benchdragon.kernels.route_parts import settle_rows
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.step_bounds import empty_placements, place_chain
 from benchdragon.kernels.walk_search import ASTRAY
@@ -59,6 +62,8 @@ class SizeSearch:
         walk, start, end = family.walk(family.first)
         first, last = walk.head_position([start, end]).tolist()
         self._ends = first, max(first, last)
+        placed = walk.placement(first, throw=False)
+        self._origin = origin_of(placed.x, placed.y)
         self._family, self._walk = kernel_family(family, walk)
         self._tables = self._made_tables()
         self.state = np.zeros(bracket.STATE)
@@ -131,6 +136,8 @@ class SizeSearch:
             self._walk = self._walk._replace(rows=np.zeros((-rows, COLUMNS)))
             self._tables = self._made_tables()
             return self._walk_of(size)
+        if self._origin != NOWHERE and rows:
+            settle_rows(self._walk.rows[:rows], *self._origin)
         return self._walk.rows[:rows], first, last
 
     def _low_pair(self, size: float) -> float:
@@ -218,35 +225,39 @@ class SizeSearch:
         at[0] = first
         if not place_chain(rows, self._walk.benches.links, at, 0, 1, places):
             return self._failed_alone()
-        extent = float(np.abs([places.x[:, 0], places.y[:, 0]]).max())
-        slack = slack_at(extent)
         if first == last:
-            return self._standing(first, slack)
-        tables.aim(self._walk._replace(rows=rows), first, last, self._margin + slack)
+            return self._standing(rows, first)
+        tables.aim(self._walk._replace(rows=rows), first, last, self._margin + SLACK)
         tables.begin()
-        return self._searched(last, slack)
+        return self._searched(last)
 
     def _failed_alone(self) -> int:
         """That a walk fails in which no two benches met."""
         self._meetings[kernel.FAILED, kernel.MEET_FRONT] = kernel.NOBODY
         return bracket.FAILS
 
-    def _standing(self, s: float, slack: float) -> int:
+    def _standing(self, rows: FloatArray, s: float) -> int:
         """How a dragon that stands still passes, which is placed in the first slot."""
         places = self._scratch[1]
         x, y = (np.ascontiguousarray(column[:, :1]) for column in (places.x, places.y))
-        apart, _time, i, j = nearest_pair(self._walk.benches.sizes, x, y)
-        if apart > self._margin - slack:
+        benches = self._walk.benches
+        apart, _time, i, j = nearest_pair(benches.sizes, x, y)
+        (lanes, off), errors = np.empty((2, len(benches.kind))), np.empty(len(places.x))
+        seams = seams_of(rows)
+        bench_errors(rows, benches.links, benches.sizes, seams, places, 0, -1, lanes, errors, off)
+        if apart > self._margin - max(SLACK, float(off[i] + off[j])):
             return bracket.PASSES
         self._meetings[kernel.FAILED] = s, 0.0, i, j
         return bracket.FAILS
 
-    def _searched(self, last: float, slack: float) -> int:
+    def _searched(self, last: float) -> int:
         """How the walk goes for which the tables are made."""
         note, tables = np.zeros(steps.NOTES), self._tables
         ending = run_search(
-            tables, steps.FIRST_TOUCH, (self._margin, slack, WIDTH, MOST_EVALUATIONS), note
+            tables, steps.FIRST_TOUCH, (self._margin, SLACK, WIDTH, MOST_EVALUATIONS), note
         )
+        off = checked_off(float(note[steps.OFF]))
+        self.state[bracket.SLACK] = max(float(self.state[bracket.SLACK]), off)
         self.evaluations += int(note[steps.EVALUATIONS])
         if ending == steps.CLEAR:
             rows = tables.walk.rows

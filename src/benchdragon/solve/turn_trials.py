@@ -13,6 +13,8 @@ from benchdragon.i18n import N_, _
 from benchdragon.kernels import step_bounds
 from benchdragon.kernels.box import least_distance
 from benchdragon.kernels.curve import S_START, FloatArray
+from benchdragon.kernels.links import link_length
+from benchdragon.kernels.rounding import seams_of
 from benchdragon.kernels.route import evaluate
 from benchdragon.kernels.search import NEAREST, NOTES, Search, room
 from benchdragon.kernels.standing import Bench, look_along, scratch_for
@@ -190,7 +192,8 @@ class TurnEvaluator:
                 return -1.0
             standing = scratch_for(obstacle.boxes)
             for sizes in np.unique(self.few.sizes, axis=1).T:
-                bench = Bench(rows, sizes[:1] - sizes[2] - sizes[3], sizes[:, np.newaxis].copy())
+                link = np.array([link_length(sizes[0], sizes[2], sizes[3])])
+                bench = Bench(rows, link, sizes[:, np.newaxis].copy(), seams_of(rows))
                 note = np.zeros(NOTES)
                 note[NEAREST] = math.inf
                 look_along(bench, standing, self._search, spans, note)

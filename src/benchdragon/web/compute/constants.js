@@ -238,7 +238,8 @@ export const PEAK = {
   SEEN: 0,
   WHERE: 1,
   UPPER: 2,
-  NOTES: 3,
+  SURE: 3,
+  NOTES: 4,
   OPEN: 0,
   ROW: 1,
   WHEN: 2,
@@ -268,6 +269,27 @@ export const REGIONS = {
   SHORT: 0.99999999,
   MOST_PIECES: 200,
   EDGE: 1e-7,
+};
+
+export const ROUNDING = {
+  HALF_UNIT: 1.1102230246251565e-16,
+  LANE_UNITS: 10,
+  CHORD_UNITS: 6,
+  LINE_CHORD: 1,
+  LINE_UNITS: 3,
+  SPIRAL_UNITS: 7,
+  PIECE_UNITS: 8,
+  ARC_UNITS: 1,
+  WAY_UNITS: 12,
+  TANGENT_UNITS: 5,
+  TURN_UNITS: 4,
+  RATIO_UNITS: 16,
+  COSINE_UNITS: 4,
+  KINK: 1e-9,
+  GAP: 0,
+  TILT: 1,
+  SEAM_COLUMNS: 2,
+  ABOUT: 1.000000001,
 };
 
 export const ROUTE = {
@@ -309,7 +331,8 @@ export const SEARCH = {
   NEAREST: 4,
   LOWEST: 5,
   FLOOR: 6,
-  NOTES: 7,
+  OFF: 7,
+  NOTES: 8,
   DEPTH: 60,
 };
 
@@ -396,7 +419,7 @@ export const SPIRAL = {
   MOST_LINK_OUTWARD: 0.9,
   STEP_INWARD: 1.12,
   STEP_OUTWARD: 1.3,
-  LARGE_STEP: 8e-15,
+  LARGE_STEP: 1.1e-16,
   MAX_PASSES: 30,
   LANES: 64,
   REST: 0,
@@ -541,7 +564,6 @@ export const ANALYSIS_CONTACT = {
 
 export const ANALYSIS_CONTACT_SEARCH = {
   SLACK: 1e-13,
-  SLACK_REACH: 50,
   WIDTH: 1e-13,
   MOST_EVALUATIONS: 200000,
   MOST_LEAST_EVALUATIONS: 2000,
@@ -578,12 +600,20 @@ export const ANALYSIS_MARKS = {
   ALWAYS: 2,
 };
 
+export const ANALYSIS_NEARBY = {
+  FAR: 100,
+  SPREADS: 4,
+  MOST_OFF: 2.5e-8,
+  NOWHERE: [0, 0],
+};
+
 export const ANALYSIS_OBSTACLE_SEARCH = {
   SPANS: 2000,
   BENCH: 16,
   SAMPLES: 65,
   MOST_GRAZES: 1000,
   NARROW: 1e-6,
+  COUNTED: 24,
   MOST_STEPS: 100,
 };
 

@@ -84,9 +84,12 @@ function widened({ opens, closes }, { upper }) {
 /** The contact in which a walk starts, if it does. @param {ContactSearch} search */
 function touchingAtStart(search) {
   const [near] = tightestAt(search);
-  if (!near || near.distance > search.margin - search.slack) return null;
-  const [i, j] = near.benches;
-  return search.answerAt(search.start, search.start, "found", i - 1, j - 1);
+  if (!near) return null;
+  const [i, j] = near.benches.map((number) => number - 1);
+  const off = search.offAt(search.start, i, j);
+  if (near.distance > search.margin - off) return null;
+  search.noteOff(off);
+  return search.answerAt(search.start, search.start, "found", i, j);
 }
 
 /** The tightest pair at the start, if there is one. @param {ContactSearch} search */
@@ -263,8 +266,9 @@ async function lowered(search, best, reach, tolerance) {
 
 /** @param {ContactSearch} search @param {Best} best */
 function clearanceAnswer(search, { distance, where, pair, floor }) {
-  const lower = Math.max(floor - search.slack, 0);
-  const upper = distance ? distance + search.slack : 0;
+  search.noteOff(search.offAt(where, ...pair));
+  const lower = Math.max(floor - search.off, 0);
+  const upper = distance ? distance + search.off : 0;
   const witness = search.witness(where, ...pair);
   return answered(distance, lower, upper, "m", { witness, ...search.told() });
 }

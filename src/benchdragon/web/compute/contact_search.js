@@ -17,7 +17,8 @@ import {
 import { boxes, nearness } from "./distance.js";
 import { InputError, UnsureError, finite, notNegative } from "./errors.js";
 import { HeadTimes } from "./head_times.js";
-import { general, powered } from "./number_format.js";
+import { atMost, checkedOff, errorsAt, originOf, seenFrom } from "./nearby.js";
+import { general } from "./number_format.js";
 import { Tables, walkTables, wholeAt } from "./tables.js";
 import { tick } from "./tick.js";
 
@@ -29,19 +30,14 @@ import { tick } from "./tick.js";
 /** @typedef {import("./walk.js").Walk} Walk */
 /** @typedef {[number, number, number, number]} Limits margin, slack, width, m; most evaluations a step */
 
-const { SLACK, SLACK_REACH, WIDTH, MOST_EVALUATIONS, MOST_LEAST_EVALUATIONS, SAMPLES_AHEAD } =
+const { SLACK, WIDTH, MOST_EVALUATIONS, MOST_LEAST_EVALUATIONS, SAMPLES_AHEAD } =
   ANALYSIS_CONTACT_SEARCH;
 const { CALL, SEARCHED } = ANALYSIS_CONTACT_SEARCH;
 const { UNKNOWN } = FAMILY;
 
-/** What computed distances may be off by, m, of a dragon so far out, m, at the start. @param {number} extent */
-export function slackAt(extent) {
-  return SLACK * Math.max(1, extent / SLACK_REACH);
-}
-
-/** What answers rest on whose distances may be off by `slack`, m. @param {number} slack */
-export function assumedWithin(slack) {
-  const values = { slack: powered(slack, 1) };
+/** What answers rest on whose distances may be off by so much, m. @param {number} off */
+export function assumedWithin(off) {
+  const values = { slack: atMost(off) };
   return [_("computed distances are within {slack} m of the exact ones", values)];
 }
 
@@ -50,12 +46,6 @@ export function inOrder(start, end) {
   if (finite("end", end, "s") >= finite("start", start, "s")) return;
   const values = { end: general(end), start: general(start) };
   throw new InputError(_("the end ({end} s) must not come before the start ({start} s)", values));
-}
-
-/** The greatest size of coordinates of a placement. @param {import("./walk.js").Placement} placed */
-export function extentOf({ x, y }) {
-  const most = (/** @type {number} */ a, /** @type {number} */ b) => Math.max(a, Math.abs(b));
-  return Math.max(doubles(x).reduce(most, 0), doubles(y).reduce(most, 0));
 }
 
 /** So many numbers that rise by even factors from one to another. @param {number} low @param {number} high @param {number} count */
@@ -112,32 +102,36 @@ export class ContactSearch {
    */
   constructor(arena, walk, start, end, margin, progress, since = -Infinity) {
     this.arena = arena;
-    this.walk = walk;
     this.start = start;
     this.end = end;
     this.margin = margin;
     this.progress = progress;
     this.evaluations = 0;
     this.began = now();
-    /** When the head comes to positions of the search. */
-    this.times = new HeadTimes(walk, start, since);
-    const [extent, tail] = withArena(walk.engine, (scratch) => {
+    const [origin, tail] = withArena(walk.engine, (scratch) => {
       const placed = walk.placement(scratch, [start], { throws: false });
       const s = doubles(placed.s);
-      return [extentOf(placed), s[s.length - 2]];
+      return [originOf(placed), s[s.length - 2]];
     });
-    this.slack = slackAt(extent);
+    /** Near the dance, m. */
+    this.origin = origin;
+    /** As given, but with coordinates counted from `origin`. */
+    this.walk = seenFrom(arena, walk, origin);
+    /** When the head comes to positions of the search. */
+    this.times = new HeadTimes(this.walk, start, since);
+    /** What computed distances may be off by that mattered so far, m. */
+    this.off = SLACK;
     this.tail = tail;
     /** @type {Tables | null} */
     this.made = null;
-    this.walkTables = walkTables(arena, walk);
+    this.walkTables = walkTables(arena, this.walk);
   }
 
   /** Look for all pairs that come within reach, m, from the start on. @param {number} reach */
   begin(reach) {
     this.made?.free();
     const { engine } = this.walk;
-    const near = reach + this.slack;
+    const near = reach + SLACK;
     this.made = new Tables(engine, this.walkTables, this.start, this.end, near, this.tail);
     this.made.begin();
   }
@@ -191,12 +185,13 @@ export class ContactSearch {
     const most = tolerance ? MOST_LEAST_EVALUATIONS : MOST_EVALUATIONS;
     const { tables } = this;
     const ending = await runSearch(
-      tables, goal, [this.margin, tolerance || this.slack, WIDTH, most], note,
+      tables, goal, [this.margin, tolerance || SLACK, WIDTH, most], note,
       (told) => {
         const gone = told === WALK_SEARCH.MORE ? tables.way(COURSE.AT) - this.start : -1;
         if (gone >= 0) this.progress(gone / (this.end - this.start), "");
       },
     ); // prettier-ignore
+    this.noteOff(doubles(note)[SEARCH.OFF]);
     if (ending === WALK_SEARCH.ASTRAY) throw this.#astray();
     const { length } = this.walk.route;
     if (ending === SEARCH.CLEAR && this.end > length + ROUTE.END_SLACK)
@@ -235,10 +230,23 @@ export class ContactSearch {
       const table = boxes(arena, this.walk.placement(arena, [s], { throws: false }));
       const near = nearness(arena.engine, table, i, j);
       const [[owner]] = near.features;
-      const point = near.points[near.benches.indexOf(owner)];
+      const [x, y] = near.points[near.benches.indexOf(owner)];
+      /** @type {[number, number]} */
+      const point = [x + this.origin[0], y + this.origin[1]];
       const { benches, gap, features } = near;
       return { time: this.times.at(s), s, benches, point, gap, features, handle: null, obstacle: null };
     });
+  }
+
+  /** Take note of what a distance that matters may be off by, m. @param {number} off */
+  noteOff(off) {
+    this.off = Math.max(this.off, checkedOff(off));
+  }
+
+  /** What the distance of benches i and j (rows, from 0) may be off by with the head at s, m. @param {number} s @param {number} i @param {number} j */
+  offAt(s, i, j) {
+    const { off } = errorsAt(this.walk, s);
+    return Math.max(SLACK, off[i] + off[j]);
   }
 
   /** The benches (rows, from 0) of a kernel's note. @param {Float64Array} note @returns {[number, number]} */
@@ -262,8 +270,8 @@ export class ContactSearch {
 
   /** What answers rest on, and what they took. */
   told() {
-    const { slack, evaluations, began } = this;
-    return { assumptions: assumedWithin(slack), evaluations, seconds: now() - began };
+    const { off, evaluations, began } = this;
+    return { assumptions: assumedWithin(off), evaluations, seconds: now() - began };
   }
 }
 

@@ -309,6 +309,21 @@ export class Route {
     return new Route(arena, parts);
   }
 
+  /**
+   * The same, the numbers that kernels see counted from an origin, m, near the dance.
+   * @param {Arena} arena
+   * @param {Point} origin
+   */
+  seenFrom(arena, origin) {
+    const rows = arena.array("d", ...this.rows.shape);
+    doubles(rows).set(doubles(this.rows));
+    arena.engine.call("bd_route_parts_settle_rows", rows, ...origin);
+    /** @type {Route} */
+    const near = Object.create(this);
+    near.rows = rows;
+    return near;
+  }
+
   /** Centre of the first spiral, else the origin, m. @returns {Point} */
   get centre() {
     const spiral = this.parts.find(([kind]) => kind === CURVE.SPIRAL);

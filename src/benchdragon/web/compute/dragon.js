@@ -4,6 +4,7 @@ import { _ } from "../words.js";
 import { BOX, MODEL_DRAGON } from "./constants.js";
 import { InputError, notNegative, positive } from "./errors.js";
 import { general } from "./number_format.js";
+import { linkLength } from "./numbers.js";
 
 /** @typedef {import("./arena.js").Arena} Arena */
 /** @typedef {import("../engine.js").Numbers} Numbers */
@@ -38,7 +39,7 @@ export class Dragon {
     if (this.benches < 1 || this.benches > MODEL_DRAGON.MOST_BENCHES)
       throw new InputError(countText(this.benches));
     /** Between the holes of each bench, m. */
-    this.link = length.map((whole, i) => whole - front_inset[i] - rear_inset[i]);
+    this.link = length.map((whole, i) => linkLength(whole, front_inset[i], rear_inset[i]));
     this.#check();
     /** The same for kernels, (benches,). @type {Numbers} */
     this.links = arena.vector(this.link);

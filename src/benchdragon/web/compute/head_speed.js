@@ -115,7 +115,7 @@ class Bracket {
   /** Take in a limit that is exceeded at the lower end. @param {Decisive} limited */
   narrow({ quantity, allowed, peak }) {
     this.lower = headSpeed(quantity, allowed, peak.upper);
-    const most = headSpeed(quantity, allowed, peak.value / (1 + ROUNDING));
+    const most = headSpeed(quantity, allowed, peak.least / (1 + ROUNDING));
     if (most >= this.upper && this.decisive !== null) return;
     this.upper = most;
     this.decisive = { quantity, allowed, peak };

@@ -50,35 +50,46 @@ export class HeadTimes {
   /**
    * About when the head is between two positions, m, and a time before and one after that, s.
    *
-   * At the second it has surely come no farther than `lower`, at the third at least to `upper`.
+   * At the second it has surely come no farther than where the kernels place it for `lower`, at the third
+   * at least to where they do for `upper`: see `drift.head_drift`.
    * @param {number} lower @param {number} upper @returns {[number, number, number]}
    */
   bracketed(lower, upper) {
-    const [early, late] = [this.notAfter(lower), this.notBefore(upper)];
+    const early = this.notAfter(lower, Math.min(this.#drift(lower, -1), 0));
+    const late = this.notBefore(upper, Math.max(this.#drift(upper, 1), 0));
     return [Math.min(Math.max(this.at(0.5 * (lower + upper)), early), late), early, late];
   }
 
-  /** A time at which the head has come no farther than s; not before the search begins. @param {number} s */
-  notAfter(s) {
+  /** How far ahead of s, m, the kernels place the head for it: at most (side 1), at least (-1). @param {number} s @param {number} side */
+  #drift(s, side) {
+    if (!Number.isFinite(s)) return 0;
+    const { engine, route } = this.walk;
+    const [drift, doubt] = engine.call("bd_drift_head_drift", route.rows, s);
+    return drift + side * doubt;
+  }
+
+  /** A time at which the head has come no farther than s + shift; not before the search begins. @param {number} s @param {number} [shift] */
+  notAfter(s, shift = 0) {
     let t = this.at(s);
     let step = Number.isFinite(t) ? ulp(t) : 0;
-    while (t > this.since && this.#lead(t, s) > 0) [t, step] = [t - step, 2 * step];
+    while (t > this.since && this.#lead(t, s, shift) > 0) [t, step] = [t - step, 2 * step];
     return Math.max(t, this.since);
   }
 
-  /** A time at which the head has come at least as far as s. @param {number} s */
-  notBefore(s) {
+  /** A time at which the head has come at least as far as s + shift. @param {number} s @param {number} [shift] */
+  notBefore(s, shift = 0) {
     let t = this.at(s);
     let step = Number.isFinite(t) ? ulp(t) : 0;
-    while (s > this.start && t < Infinity && this.#lead(t, s) < 0) [t, step] = [t + step, 2 * step];
+    while (s > this.start && t < Infinity && this.#lead(t, s, shift) < 0)
+      [t, step] = [t + step, 2 * step];
     return t;
   }
 
-  /** Whether the head stands past s at time t (1), before (-1) or there (0): not rounded. @param {number} t @param {number} s */
-  #lead(t, s) {
+  /** Whether the head stands past s + shift at time t (1), before (-1) or there (0): not rounded. @param {number} t @param {number} s @param {number} shift */
+  #lead(t, s, shift) {
     const { profile, start } = this.walk;
     if (!Number.isFinite(t)) return Math.sign(this.walk.headPosition(t) - s);
     const walked = exactFromFirst(profile, t).minus(exactFromFirst(profile, 0));
-    return Exact.of(start).plus(walked).minus(Exact.of(s)).sign;
+    return Exact.of(start).plus(walked).minus(Exact.of(s)).minus(Exact.of(shift)).sign;
   }
 }

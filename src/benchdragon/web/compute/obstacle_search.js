@@ -11,17 +11,21 @@ import {
   ANALYSIS_CONTACT_SEARCH,
   ANALYSIS_OBSTACLE_SEARCH,
   BOX,
+  CURVE,
   DOUBTS,
+  ROUNDING,
   SEARCH,
   STANDING,
   WALK_SEARCH,
 } from "./constants.js";
-import { assumedWithin, extentOf, inOrder, slackAt } from "./contact_search.js";
+import { assumedWithin, inOrder } from "./contact_search.js";
 import { CORNERS, boxes, nearness } from "./distance.js";
 import { UnsureError } from "./errors.js";
 import { HeadTimes } from "./head_times.js";
 import { evenly } from "./lists.js";
+import { checkedOff, errorsAt, isNowhere, originOf, seamsOf, seenFrom } from "./nearby.js";
 import { general } from "./number_format.js";
+import { linkLength } from "./numbers.js";
 import { boxDistances, nearestBoxes } from "./obstacle_distance.js";
 import { fillWhole, kindsOf, searchRoom } from "./tables.js";
 import { tick } from "./tick.js";
@@ -50,7 +54,7 @@ import { Placement } from "./walk.js";
 /** How the search of a span ended, and between which positions, m. @typedef {[number, number, number]} Told */
 
 const { BENCH, SPANS, SAMPLES, MOST_GRAZES, NARROW, MOST_STEPS } = ANALYSIS_OBSTACLE_SEARCH;
-const { MOST_EVALUATIONS, MOST_LEAST_EVALUATIONS, WIDTH } = ANALYSIS_CONTACT_SEARCH;
+const { MOST_EVALUATIONS, MOST_LEAST_EVALUATIONS, SLACK, WIDTH } = ANALYSIS_CONTACT_SEARCH;
 
 /** Boxes that stand, with scratch for as many: `standing.scratch_for`. @param {Arena} arena @param {Numbers} standing */
 export function standingScratch(arena, standing) {
@@ -74,23 +78,32 @@ export class ObstacleSearch {
     inOrder(start, end);
     this.arena = arena;
     this.progress = progress;
-    this.walk = walk;
-    this.obstacle = obstacle;
     this.evaluations = 0;
     this.began = now();
     /** Head positions, m. @type {[number, number]} */
     this.heads = [walk.headPosition(start), walk.headPosition(end)];
-    this.placed = walk.placement(arena, this.heads); // throws where the dragon cannot stand
-    const outline = obstacle.outline.flat().reduce((most, at) => Math.max(most, Math.abs(at)), 0);
-    this.slack = slackAt(Math.max(extentOf(this.placed), outline + obstacle.radius));
+    const placed = walk.placement(arena, this.heads); // throws where the dragon cannot stand
+    /** Near the dance, m. */
+    this.origin = originOf(placed);
+    const [x, y] = this.origin;
+    const still = isNowhere(this.origin);
+    /** As given, but with coordinates counted from `origin`. */
+    this.walk = seenFrom(arena, walk, this.origin);
+    /** Likewise. */
+    this.obstacle = still ? obstacle : obstacle.moved(0, [-x, -y]);
+    this.placed = still ? placed : this.walk.placement(arena, this.heads);
+    /** What computed distances may be off by that mattered so far, m. */
+    this.off = SLACK;
+    /** Of the route. */
+    this.seams = seamsOf(arena, this.walk.route.rows);
     const { kind, kinds } = kindsOf(arena, walk.dragon);
     this.kind = Array.from(kind.view, Number);
     this.kinds = kinds;
-    this.boxes = obstacle.boxes(arena);
+    this.boxes = this.obstacle.boxes(arena);
     this.standing = standingScratch(arena, this.boxes);
     const count = this.boxes.shape[0] + 1;
     this.search = searchRoom(arena, 2, count, count);
-    this.times = new HeadTimes(walk, this.heads[0], start);
+    this.times = new HeadTimes(this.walk, this.heads[0], start);
     /** Distance from the obstacle's boxes at which a bench is as near as it may be, m. */
     this.reach = obstacle.margin + obstacle.radius;
     this.stretches = this.#stretches();
@@ -106,6 +119,17 @@ export class ObstacleSearch {
       const bench = apart.reduce((least, one, i) => (one < apart[least] ? i : least), 0);
       return { apart: apart[bench], bench };
     });
+  }
+
+  /** What the least of these distances may be off by, m. */
+  get offAtStart() {
+    const { engine } = this.walk;
+    const { off } = errorsAt(this.walk, this.heads[0], 0);
+    const count = this.boxes.shape[0];
+    let still = 0;
+    for (let n = 0; n < count; n++)
+      still = Math.max(still, engine.call("bd_rounding_still_error", this.boxes, n)[0]);
+    return Math.max(SLACK, off.reduce((a, b) => Math.max(a, b), 0) + still);
   }
 
   /** What each size of bench walks, followed to where the one of its size before it stood at the start. */
@@ -149,10 +173,11 @@ export class ObstacleSearch {
         const out = arena.array("d", some.shape[0], STANDING.SPAN_COLUMNS);
         const [ended] = arena.engine.call(
           "bd_standing_search_spans", this.#bench(arena, k), this.standing, this.search, goal, some,
-          this.reach, tolerance || this.slack, WIDTH, most, note, out,
+          this.reach, tolerance || SLACK, WIDTH, most, note, out,
         ); // prettier-ignore
         return [ended, doubles(out).slice()];
       });
+      this.noteOff(doubles(note)[SEARCH.OFF]);
       const made = doubles(note)[SEARCH.EVALUATIONS] - before;
       this.evaluations += made;
       spend(BENCH * (made + Math.min(SPANS, spans.length - first)) * this.standing.boxes.shape[0]);
@@ -171,6 +196,11 @@ export class ObstacleSearch {
     return told;
   }
 
+  /** Take note of what a distance that matters may be off by, m. @param {number} off */
+  noteOff(off) {
+    this.off = Math.max(this.off, checkedOff(off));
+  }
+
   /** Lower the least distance that is known by what is seen at the ends of spans. @param {number} k @param {Span[]} spans @param {Numbers} note */
   look(k, spans, note) {
     withArena(this.walk.engine, (arena) =>
@@ -185,8 +215,9 @@ export class ObstacleSearch {
   #bench(arena, k) {
     const { view, shape } = this.kinds.sizes;
     const sizes = [0, 1, 2, 3].map((n) => Number(view[n * shape[1] + k]));
-    const link = arena.vector([sizes[0] - sizes[2] - sizes[3]]);
-    return { rows: this.walk.route.rows, link, sizes: arena.table(sizes.map((size) => [size]), 1) }; // prettier-ignore
+    const link = arena.vector([linkLength(sizes[0], sizes[2], sizes[3])]);
+    const { rows } = this.walk.route;
+    return { rows, link, sizes: arena.table(sizes.map((size) => [size]), 1), seams: this.seams }; // prettier-ignore
   }
 
   /** Why a bench could not be followed past the end of what its search had shown, m. @param {number} sound */
@@ -207,10 +238,31 @@ export class ObstacleSearch {
     if (bench === 0) return [Math.max(lower, low), Math.min(upper, high)];
     return withArena(this.walk.engine, (arena) => {
       const line = this.walk.dragon.first(arena, bench);
-      const [before] = this.#bracket(line, lower - this.slack);
-      const [, after] = this.#bracket(line, upper + this.slack);
-      return [before, after];
+      /** @type {[number, number]} */
+      let ends = [low, high];
+      // By what errors are at the ends, then by what they are there.
+      for (let pass = 0; pass < 2; pass++) {
+        const off = ends.map((head) => this.#handleOff(bench, head));
+        ends = [this.#bracket(line, lower - off[0])[0], this.#bracket(line, upper + off[1])[1]];
+      }
+      return ends;
     });
+  }
+
+  /** What the last handle of some benches may be off by along the route, m, as positions tell it. @param {number} benches @param {number} head */
+  #handleOff(benches, head) {
+    const { engine, route } = this.walk;
+    const { errors } = errorsAt(this.walk, head);
+    const [drift, doubt] = engine.call("bd_drift_head_drift", route.rows, head);
+    const view = doubles(route.rows);
+    let counted = Math.abs(head);
+    for (let n = 0; n < view.length; n += CURVE.COLUMNS) {
+      if (view[n + CURVE.KIND] !== CURVE.SPIRAL) continue;
+      const outmost = Math.max(Math.abs(view[n + CURVE.U_START]), Math.abs(view[n + CURVE.U_END]));
+      counted += view[n + CURVE.P] * (1 + outmost * outmost);
+    }
+    const off = SLACK + errors[benches] + Math.abs(drift) + doubt;
+    return off + ANALYSIS_OBSTACLE_SEARCH.COUNTED * ROUNDING.HALF_UNIT * counted;
   }
 
   /** Head positions, m, between which the last handle of the first benches comes to s. @param {Dragon} line @param {number} s */
@@ -253,8 +305,8 @@ export class ObstacleSearch {
 
   /** What answers rest on, and what they took. */
   told() {
-    const { slack, evaluations, began } = this;
-    return { assumptions: assumedWithin(slack), evaluations, seconds: now() - began };
+    const { off, evaluations, began } = this;
+    return { assumptions: assumedWithin(off), evaluations, seconds: now() - began };
   }
 
   /**
@@ -278,14 +330,14 @@ export class ObstacleSearch {
       const near = nearness(arena.engine, table, 0, 1 + which);
       let gap = (near.distance <= 0 ? near.gap : near.distance) - obstacle.radius;
       if (gap > 0 && obstacle.forbids([box[BOX.CX], box[BOX.CY]])) gap = -gap;
-      const [point] = near.points;
       const [, feature] = near.features.find(([owner]) => owner === 1) ?? [1, ""];
       const out = obstacle.kind === "venue" ? farthestOut(arena, table, obstacle) : null;
+      const [x, y] = out?.point ?? near.points[0];
       return {
         time: this.times.at(s),
         s,
         benches: [bench + 1],
-        point: out?.point ?? point,
+        point: [x + this.origin[0], y + this.origin[1]],
         gap: out?.gap ?? gap,
         features: [[bench + 1, out?.feature ?? feature]],
         handle: null,

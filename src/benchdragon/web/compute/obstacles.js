@@ -43,8 +43,12 @@ import { silent } from "./tick.js";
 export async function touching(search) {
   const { apart, bench } = search.atStart;
   const [head, last] = search.heads;
-  if (apart <= search.reach - search.slack) return [search.answer(head, head, "found", bench)];
-  if (apart <= search.reach + search.slack && head === last)
+  const off = search.offAtStart;
+  if (apart <= search.reach - off) {
+    search.noteOff(off);
+    return [search.answer(head, head, "found", bench)];
+  }
+  if (apart <= search.reach + off && head === last)
     return [search.answer(head, head, "undecided", bench)];
   const { grazes, sure } = await comes(search);
   const clear = sure.reduce((least, { lower }) => Math.min(least, lower), Infinity);
@@ -66,7 +70,7 @@ async function comes(search) {
   const sure = [];
   for (const touch of await search.touches()) {
     const soonest = sure.reduce((least, { upper }) => Math.min(least, upper), Infinity);
-    if (soonest < Infinity && touch.lower > frontOf(search, soonest, touch.bench) + search.slack)
+    if (soonest < Infinity && touch.lower > frontOf(search, soonest, touch.bench) + search.off)
       continue;
     const [lower, upper] = search.headAt(touch.bench, touch.lower, touch.upper);
     (touch.sure ? sure : grazes).push({ lower, upper, bench: touch.bench });
@@ -139,7 +143,8 @@ async function lowered(search, stretches, best, tolerance) {
 
 /** @param {ObstacleSearch} search @param {Nearest} best @param {number} floor */
 function distanceAnswer(search, best, floor) {
-  const { slack } = search;
+  search.noteOff(search.offAtStart);
+  const { off } = search;
   const { radius } = search.obstacle;
   let [bench, [head]] = [best.s, search.heads];
   if (best.k >= 0) {
@@ -147,9 +152,9 @@ function distanceAnswer(search, best, floor) {
     [, head] = search.headAt(bench, best.s, best.s);
   }
   const value = Math.max(best.distance - radius, 0);
-  const lower = Math.max(Math.min(floor, best.distance) - radius - slack, 0);
+  const lower = Math.max(Math.min(floor, best.distance) - radius - off, 0);
   const witness = search.witness(head, bench);
-  return answered(value, lower, value ? value + slack : 0, "m", { witness, ...search.told() });
+  return answered(value, lower, value ? value + off : 0, "m", { witness, ...search.told() });
 }
 
 /**

@@ -19,10 +19,11 @@ import {
   SPIRAL,
   WALK_SEARCH,
 } from "./constants.js";
-import { runSearch, slackAt } from "./contact_search.js";
+import { runSearch } from "./contact_search.js";
 import { pairwiseSum } from "./dragon.js";
 import { InputError, PlanError, UnsureError, WalkError } from "./errors.js";
 import { firstRows } from "./lists.js";
+import { checkedOff, isNowhere, originOf, seamsOf } from "./nearby.js";
 import { general } from "./number_format.js";
 import { ObstacleSearch } from "./obstacle_search.js";
 import { touching } from "./obstacles.js";
@@ -67,6 +68,9 @@ export class SizeSearch {
     const [first, last] = [walk.headPosition(start), walk.headPosition(end)];
     /** @type {[number, number]} */
     this.ends = [first, Math.max(first, last)];
+    this.origin = withArena(this.engine, (arena) =>
+      originOf(walk.placement(arena, [first], { throws: false })),
+    );
     this.arena = new Arena(this.engine);
     const made = kernelFamily(this.arena, family, walk);
     this.family = made.family;
@@ -185,7 +189,12 @@ export class SizeSearch {
     const [count, first, last] = this.engine.call(
       "bd_family_set_walk", this.family, this.walk, this.at, this.places, size,
     ); // prettier-ignore
-    if (count >= 0) return { rows: firstRows(this.walk.rows, count), first, last };
+    if (count >= 0) {
+      const rows = firstRows(this.walk.rows, count);
+      if (!isNowhere(this.origin) && count)
+        this.engine.call("bd_route_parts_settle_rows", rows, ...this.origin);
+      return { rows, first, last };
+    }
     this.arena.drop(this.walk.rows);
     this.walk = { ...this.walk, rows: this.arena.full([-count, CURVE.COLUMNS], 0) };
     this.tables.free();
@@ -284,22 +293,10 @@ export class SizeSearch {
       "bd_step_bounds_place_chain", rows, links, this.at, 0, 1, this.places,
     ); // prettier-ignore
     if (!stands) return this.#failedAlone();
-    const slack = slackAt(this.#extent());
-    if (first === last) return this.#standing(first, slack);
-    this.tables.aim({ ...this.walk, rows }, first, last, this.margin + slack);
+    if (first === last) return this.#standing(rows, first);
+    this.tables.aim({ ...this.walk, rows }, first, last, this.margin + SLACK);
     this.tables.begin();
-    return this.#searched(last, slack);
-  }
-
-  /** The greatest size of coordinates of the dragon in the first slot, m. */
-  #extent() {
-    const [, slots] = this.places.x.shape;
-    let most = 0;
-    for (const table of [this.places.x, this.places.y]) {
-      const view = doubles(table);
-      for (let n = 0; n < view.length; n += slots) most = Math.max(most, Math.abs(view[n]));
-    }
-    return most;
+    return this.#searched(last);
   }
 
   /** That a walk fails in which no two benches met. */
@@ -308,8 +305,8 @@ export class SizeSearch {
     return FAILS;
   }
 
-  /** How a dragon that stands still passes, which is placed in the first slot. @param {number} s @param {number} slack */
-  #standing(s, slack) {
+  /** How a dragon that stands still passes, which is placed in the first slot. @param {Numbers} rows @param {number} s */
+  #standing(rows, s) {
     return withArena(this.engine, (arena) => {
       const [x, y] = [this.places.x, this.places.y].map((table) => {
         const [handles, slots] = table.shape;
@@ -318,24 +315,32 @@ export class SizeSearch {
         for (let n = 0; n < handles; n++) to[n] = from[n * slots];
         return column;
       });
-      const { sizes } = this.walk.benches;
+      const { links, sizes } = this.walk.benches;
       const [apart, , i, j] = this.engine.call("bd_box_nearest_pair", sizes, x, y);
-      if (apart > this.margin - slack) return PASSES;
+      const [errors, lanes] = [links.size + 1, links.size].map((size) => arena.array("d", size));
+      const off = arena.array("d", links.size);
+      this.engine.call(
+        "bd_rounding_bench_errors", rows, links, sizes, seamsOf(arena, rows), this.places, 0, -1, lanes,
+        errors, off,
+      ); // prettier-ignore
+      if (apart > this.margin - Math.max(SLACK, doubles(off)[i] + doubles(off)[j])) return PASSES;
       this.#meet(SIZE_SEARCH.FAILED, s, 0, i, j);
       return FAILS;
     });
   }
 
-  /** How the walk goes for which the tables are made. @param {number} last m @param {number} slack m */
-  async #searched(last, slack) {
+  /** How the walk goes for which the tables are made. @param {number} last m */
+  async #searched(last) {
     return withArenaAsync(this.engine, async (arena) => {
       const { tables } = this;
       const noted = arena.full([SEARCH.NOTES], 0);
       /** @type {import("./contact_search.js").Limits} */
-      const limits = [this.margin, slack, WIDTH, MOST_EVALUATIONS];
+      const limits = [this.margin, SLACK, WIDTH, MOST_EVALUATIONS];
       const tell = () => {};
       const ending = await runSearch(tables, SEARCH.FIRST_TOUCH, limits, noted, tell);
       const note = doubles(noted);
+      const state = doubles(this.state);
+      state[SIZE_BRACKET.SLACK] = Math.max(state[SIZE_BRACKET.SLACK], checkedOff(note[SEARCH.OFF]));
       this.evaluations += note[SEARCH.EVALUATIONS];
       if (ending === SEARCH.CLEAR) {
         const length = endOf(tables.walk.rows);

@@ -23,6 +23,7 @@ import { InputError, UnsureError } from "./errors.js";
 import { evenly, firstRows, grown, least } from "./lists.js";
 import { general, pythonFloat } from "./number_format.js";
 import { countBelow, timeOnStretch } from "./profile.js";
+import { seamsOf } from "./nearby.js";
 import { fillWhole, setWhole, wholeAt } from "./tables.js";
 import { silent, tick } from "./tick.js";
 
@@ -36,9 +37,10 @@ import { silent, tick } from "./tick.js";
 /** @typedef {{ tolerance?: number, limit?: number, progress?: Progress }} PeakOptions */
 
 /**
- * The greatest of a quantity: never more than `upper`; seen at `time`, s, with the head at s, m, on handle
+ * The greatest of a quantity: never more than `upper`, surely `least`; seen at `time`, s, with the head at s, m, on handle
  * or bench `row` (from 0).
- * @typedef {{ value: number, upper: number, time: number, s: number, row: number, evaluations: number }} Peak
+ * @typedef {{ value: number, upper: number, time: number, s: number, row: number, evaluations: number,
+ *   least: number }} Peak
  */
 
 /** Cells of a route, and the kind of each bench there. @typedef {{ group: Numbers, cells: Cells }} MadeCells */
@@ -67,8 +69,8 @@ export async function greatest(walk, quantity, start, end, options = {}) {
   const stretches = walk.profile.stretches(start, end).map((one) => moved(one, walk.start));
   const found = await peakOver(walk, quantity, stretches, options);
   const witness = { ...witnessOf(walk, quantity, found), time: found.time };
-  const { value, upper, evaluations } = found;
-  return answered(value, value, upper, quantity.unit, {
+  const { value, least: sure, upper, evaluations } = found;
+  return answered(value, sure, upper, quantity.unit, {
     witness,
     evaluations,
     seconds: now() - began,
@@ -180,7 +182,7 @@ class PeakSearch {
       at: arena.array("d", PEAK.SLOTS),
       drive: arena.array("d", DRIVE.DRIVE_COLUMNS),
     };
-    this.chains = chainsFor(arena, walk.dragon.benches + 1);
+    this.chains = chainsFor(arena, walk.dragon.benches + 1, walk.route.rows);
     this.notes = arena.full([PEAK.NOTES], 0);
     doubles(this.notes)[PEAK.SEEN] = -1;
     this.counts = fillWhole(arena.array("q", PEAK.COUNTS), 0n);
@@ -193,12 +195,13 @@ class PeakSearch {
     const count = borders.length - 1;
     for (let n = 0; n < count; n++)
       await this.#through(borders[n], borders[n + 1], (share) => progress((n + share) / count, ""));
-    const [seen, where, upper] = doubles(this.notes);
+    const [seen, where, upper, sure] = doubles(this.notes);
     const [row, when, evaluations] = [PEAK.ROW, PEAK.WHEN, PEAK.EVALUATIONS].map((column) =>
       wholeAt(this.counts, column),
     );
     const time = timeOnStretch(stretches[when], where);
-    return { value: seen, upper: Math.max(upper, seen), time, s: where, row, evaluations };
+    const most = Math.max(upper, seen);
+    return { value: seen, upper: most, time, s: where, row, evaluations, least: sure };
   }
 
   /** Borders of parts of the way, m, whose cells fit the memory; one part if cells do not pay. @param {number} first @param {number} last */
@@ -362,14 +365,18 @@ class PeakSearch {
   }
 }
 
-/** Room for a batch's chains of so many handles. @param {Arena} arena @param {number} handles */
-function chainsFor(arena, handles) {
+/** Room for a batch's chains of so many handles, on a route. @param {Arena} arena @param {number} handles @param {Numbers} rows */
+function chainsFor(arena, handles, rows) {
   const { SLOTS } = PEAK;
   return {
     places: arena.placements(handles, SLOTS),
     change: arena.full([handles, SLOTS], 0),
     turn: arena.full([handles, SLOTS], 0),
     scratch: scratchFor(arena, handles),
+    seams: seamsOf(arena, rows),
+    lanes: arena.array("d", handles),
+    errors: arena.array("d", handles),
+    off: arena.full([handles, SLOTS], 0),
   };
 }
 

@@ -10,6 +10,7 @@ import {
   CELLS,
   COURSE,
   CURVE,
+  ROUNDING,
   SEARCH,
   SPIRAL,
   STEP_BOUNDS,
@@ -122,6 +123,9 @@ export function searchRoom(arena, handles, members, pairs) {
     handles: arena.array("d", handles, STEP_BOUNDS.HANDLE_COLUMNS),
     sweeps: arena.array("d", members, STEP_BOUNDS.BENCH_COLUMNS),
     boxes: arena.array("d", DEPTH * members, CELLS.RADIUS),
+    off: arena.array("d", DEPTH * members),
+    lanes: arena.array("d", handles),
+    errors: arena.array("d", handles),
     alive: arena.array("q", DEPTH, pairs),
     kept: arena.array("q", DEPTH),
   };
@@ -216,6 +220,7 @@ export class Tables {
       todo: arena.array("q", boxes),
       near: arena.array("q", pairs, 2),
       doubts: arena.array("q", doubts, 2),
+      seams: arena.array("d", rows.shape[0], ROUNDING.SEAM_COLUMNS),
     };
   }
 

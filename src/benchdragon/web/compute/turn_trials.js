@@ -9,6 +9,8 @@ import { radians } from "./curves.js";
 import { greatest } from "./dragon.js";
 import { InputError, finite, positive } from "./errors.js";
 import { evenly } from "./lists.js";
+import { seamsOf } from "./nearby.js";
+import { linkLength } from "./numbers.js";
 import { Obstacle } from "./obstacle.js";
 import { standingScratch } from "./obstacle_search.js";
 import { builtDragon } from "./plan.js";
@@ -213,8 +215,9 @@ export class TurnEvaluator {
     for (const [n, obstacle] of this.obstacles.entries()) {
       if (at.some((_s, t) => obstacle.forbids([places[4 * t], places[4 * t + 1]]))) return -1;
       for (const sizes of differentSizes(this.few)) {
-        const link = arena.vector([sizes[0] - sizes[2] - sizes[3]]);
-        const bench = { rows, link, sizes: arena.table(sizes.map((size) => [size]), 1) }; // prettier-ignore
+        const link = arena.vector([linkLength(sizes[0], sizes[2], sizes[3])]);
+        const seams = seamsOf(arena, rows);
+        const bench = { rows, link, sizes: arena.table(sizes.map((size) => [size]), 1), seams }; // prettier-ignore
         const note = arena.full([SEARCH.NOTES], 0);
         doubles(note)[SEARCH.NEAREST] = Infinity;
         this.engine.call(

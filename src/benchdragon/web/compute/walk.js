@@ -169,6 +169,11 @@ export class Walk {
     return new Walk(this.dragon, this.route, profile, start);
   }
 
+  /** The same dragon and head on another route, as long: see `Route.seenFrom`. @param {Route} route */
+  on(route) {
+    return new Walk(this.dragon, route, this.profile, this.start);
+  }
+
   /** Route position of the head's handle at a time, m. @param {number} t */
   headPosition(t) {
     return this.start + this.profile.distance(t);

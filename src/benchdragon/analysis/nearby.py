@@ -1,0 +1,79 @@
+"""Searches near the dance, whatever its coordinates, and what rounding leaves unsure there."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from benchdragon import budget
+from benchdragon.errors import UnsureError
+from benchdragon.i18n import _
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.regions import EDGE
+from benchdragon.kernels.rounding import bench_errors, seams_of
+from benchdragon.kernels.step_bounds import empty_placements, place_chain
+from benchdragon.model.base_curve import Point
+from benchdragon.model.walk import Walk
+
+# A dance is searched from an origin of its own where it is farther than this from that of the route, m,
+# and by more than so many times its own extent.
+FAR, SPREADS = 100.0, 4.0
+# More than this no distance may be off by, m: cells of the route leave out what is farther apart than
+# is asked for by EDGE.
+MOST_OFF = 0.25 * EDGE
+NOWHERE = (0.0, 0.0)
+
+
+def origin_of(x: FloatArray, y: FloatArray) -> Point:
+    """From where a dragon whose handles stand at these coordinates, m, is searched: whole metres."""
+    x, y = x[np.isfinite(x)], y[np.isfinite(y)]
+    if not x.size:
+        return NOWHERE
+    far = float(max(np.abs(x).max(), np.abs(y).max()))
+    if far <= max(FAR, SPREADS * float(max(np.ptp(x), np.ptp(y)))):
+        return NOWHERE
+    return float(np.rint(x.flat[0])), float(np.rint(y.flat[0]))
+
+
+def seen_from(walk: Walk, origin: Point) -> Walk:
+    """The same walk with its coordinates counted from an origin, m."""
+    return walk if origin == NOWHERE else replace(walk, route=walk.route.seen_from(origin))
+
+
+def errors_at(walk: Walk, s: float, seen: int = -1) -> tuple[FloatArray, FloatArray]:
+    """What the dragon's places may be off by with the head at s, m.
+
+    Handles along the route, (N + 1,), and any point of benches, (N,), seen from row `seen` of the route
+    or from that of the head; zeros where the dragon does not stand.
+    """
+    rows, dragon = walk.route.rows, walk.dragon
+    errors, off = np.zeros(len(dragon) + 1), np.zeros(len(dragon))
+    places = empty_placements(len(dragon) + 1, 1)
+    budget.spend(len(errors))
+    if place_chain(rows, dragon.links, np.array([s]), 0, 1, places):
+        lanes, seams = np.empty(len(dragon)), seams_of(rows)
+        bench_errors(rows, dragon.links, dragon.sizes, seams, places, 0, seen, lanes, errors, off)
+    return errors, off
+
+
+def at_most(off: float) -> str:
+    """A bound, m, with two digits, rounded up."""
+    text = f"{off:.1e}"
+    if float(text) >= off:
+        return text
+    digit, power = text.split("e")
+    return f"{float(f'{float(digit) + 0.1:.1f}e{power}'):.1e}"
+
+
+def checked_off(off: float) -> float:
+    """What distances may be off by, m.
+
+    Raises:
+        UnsureError: if that is too much for a search to see all pairs.
+    """
+    if off > MOST_OFF:
+        raise UnsureError(
+            _("rounding may hide {off} m of distances; a search allows for {most} m").format(
+                off=at_most(off), most=at_most(MOST_OFF)
+            )
+        )
+    return off

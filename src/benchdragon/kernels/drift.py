@@ -1,0 +1,104 @@
+"""How far from where it is said to be a computed head stands, along the route: to far below rounding.
+
+The kernels find the head's parameter from its route position s by double arithmetic. Where that exactly
+lies differs from s by some units in the last place of s and of the lengths it is found from. A sum of
+two doubles tells it: searches shift their brackets by it instead of taking it for an error.
+
+Numbers that are split have factors so short that their products are exact; whether a compiler contracts
+these into fused operations makes no difference.
+"""
+
+import math
+
+from benchdragon.kernels.arrays import Table
+from benchdragon.kernels.curve import KIND, S_START, SPIRAL, U_END, U_START, FloatArray, P, walks_up
+from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.links import difference
+from benchdragon.kernels.rounding import HALF_UNIT
+from benchdragon.kernels.route import locate
+
+SPLITTER = 134217729.0  # 2^27 + 1
+# What is left, in half-units of the term with the logarithm, and as a share of the lengths.
+LOG_UNITS, LEFT = 4.0, 2.0**-70
+
+# A sum of two doubles, the second below rounding of the first.
+Double = tuple[float, float]
+
+
+@kernel
+def split(x: float) -> Double:
+    """x as a sum of two numbers of half as many digits."""
+    grown = SPLITTER * x
+    high = grown - (grown - x)
+    return high, x - high
+
+
+@kernel
+def added(a: Double, b: Double) -> Double:
+    """The sum of two sums."""
+    whole, lost = difference(a[0], -b[0])
+    return difference(whole, -(lost + (a[1] + b[1])))
+
+
+@kernel
+def multiplied(a: Double, b: float) -> Double:
+    """The product of a sum and a number."""
+    high, low = split(a[0])
+    left, right = split(b)
+    whole, lost = difference(high * left, -(high * right + low * left))
+    return difference(whole, -(lost + (low * right + a[1] * b)))
+
+
+@kernel
+def root_of(a: Double) -> Double:
+    """The square root of a sum: one step of Newton's method from that of its first number."""
+    root = math.sqrt(a[0])
+    square = multiplied((root, 0.0), root)
+    rest = added(a, (-square[0], -square[1]))
+    return difference(root, -0.5 * (rest[0] + rest[1]) / root)
+
+
+@kernel
+def spiral_way(k: float, theta: float) -> Double:
+    """Arc length of r = k theta from the centre, m: k / 2 (theta sqrt(1 + theta^2) + asinh theta)."""
+    square = multiplied((theta, 0.0), theta)
+    root = root_of(added(square, (1.0, 0.0)))
+    way = added(multiplied(root, theta), (math.asinh(theta), 0.0))
+    return multiplied(way, 0.5 * k)
+
+
+@kernel
+def way_to(rows: FloatArray, j: int, u: float) -> Double:
+    """Arc length from the start of row j to parameter u, m; negative on an extension."""
+    if rows[j, KIND] != SPIRAL:
+        return u, 0.0
+    start, end = spiral_way(rows[j, P], rows[j, U_START]), spiral_way(rows[j, P], u)
+    ahead = added(end, (-start[0], -start[1]))
+    sign = walks_up(rows, j)
+    return sign * ahead[0], sign * ahead[1]
+
+
+@kernel
+def way_doubt(rows: FloatArray, j: int, u: float) -> float:
+    """What `way_to` may be wrong by, m."""
+    if rows[j, KIND] != SPIRAL:
+        return 0.0
+    theta = max(u, rows[j, U_START], rows[j, U_END])
+    k = rows[j, P]
+    return LOG_UNITS * HALF_UNIT * k * math.asinh(theta) + LEFT * k * (1.0 + theta) * (1.0 + theta)
+
+
+@entry
+def head_drift(rows: Table, s: float) -> tuple[float, float]:
+    """How far ahead of route position s, m, the place stands that is computed for it; how surely, m.
+
+    Exactly, a route position is counted from the start of the first row along all rows.
+    """
+    last, u, _status = locate(rows, s)
+    at, doubt = (-s, 0.0), way_doubt(rows, last, u)
+    at = added((rows[0, S_START], 0.0), at)
+    for j in range(last):
+        at = added(at, way_to(rows, j, rows[j, U_END]))
+        doubt += way_doubt(rows, j, rows[j, U_END])
+    at = added(at, way_to(rows, last, u))
+    return at[0] + at[1], doubt + LEFT * abs(s)

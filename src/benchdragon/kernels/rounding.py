@@ -1,0 +1,321 @@
+"""How far rounding may have moved the handles of a placed chain, and with them all points of benches.
+
+A computed chain is the exact one of a head a little way off (kernels/drift.py), but for what each link
+adds: its solver leaves the chord wrong by a few units of what it is made from. Along the route that is
+the error over the cosine at the rear handle, and from there it travels as speeds do, by the ratio of
+cosines at each link. Places add their own rounding, once each, and the joints of the route theirs.
+
+Errors below are bounds to first order; what is left out is smaller by 1e-9 or more.
+"""
+
+import numpy as np
+
+from benchdragon.kernels.arrays import Table, Vector
+from benchdragon.kernels.box import CX, CY, HALF_LENGTH, HALF_WIDTH
+from benchdragon.kernels.curve import (
+    ARC,
+    AXIS_X,
+    AXIS_Y,
+    KIND,
+    LINE,
+    LOG_SPIRAL,
+    S_START,
+    SPIRAL,
+    U_END,
+    U_START,
+    FloatArray,
+    P,
+    X,
+    Y,
+    curvature,
+    log_spiral_turn,
+    place,
+    stretch,
+)
+from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.route import on_bend
+from benchdragon.kernels.spiral import takes_link
+from benchdragon.kernels.step_bounds import Placements, bench_angles, reach
+
+# Half a unit in the last place of 1: what one rounding may change a number by, as a share.
+HALF_UNIT = 2.0**-53
+# Roundings of the chord that the lanes of a spiral solve for (kernels/spiral.py): D^2 has 3, half of
+# which counts; the terms of F have 8, half; the step taken, the angle behind and what Halley's last
+# step leaves have one each at most; the link itself has one.
+LANE_UNITS = 10.0
+# Those of a chord as the other solvers compare it with the link, and of the closed form on an arc; on a
+# line it is the link's own alone.
+CHORD_UNITS, LINE_CHORD = 6.0, 1.0
+# Those of a place, of what the row adds to its start, as shares of that: on a line, on a spiral, on
+# another piece; and of the way along an arc, or along what turns otherwise, for its angles.
+LINE_UNITS, SPIRAL_UNITS, PIECE_UNITS, ARC_UNITS, WAY_UNITS = 3.0, 7.0, 8.0, 1.0, 12.0
+# Those of a tangent, rad, and of the angle that it has turned by.
+TANGENT_UNITS, TURN_UNITS = 5.0, 4.0
+# Those of a speed ratio at each link: of its formula in the lanes, and of each cosine.
+RATIO_UNITS, COSINE_UNITS = 16.0, 4.0
+# Tangents that differ by more at a joint, rad, make a kink: nobody took it for rounding.
+KINK = 1e-9
+# Columns of a table of seams, one row a row of the route: what joints up to its start may be off by.
+GAP, TILT = 0, 1  # m, rad
+SEAM_COLUMNS = 2
+# What errors to first order are widened by.
+ABOUT = 1.0 + 1e-9
+
+
+@kernel
+def place_error(rows: FloatArray, j: int, u: float, x: float, y: float) -> float:
+    """How far the place (x, y) of parameter u on row j may be from the exact one, m."""
+    kind, off = rows[j, KIND], abs(x) + abs(y)
+    if kind == SPIRAL:
+        return HALF_UNIT * (off + SPIRAL_UNITS * rows[j, P] * u)
+    far = abs(x - rows[j, X]) + abs(y - rows[j, Y])
+    if kind == LINE:  # along an axis nothing is rounded but the sum
+        along = rows[j, AXIS_X] == 0.0 or rows[j, AXIS_Y] == 0.0
+        return HALF_UNIT * (off if along else off + LINE_UNITS * far)
+    off += PIECE_UNITS * far + (ARC_UNITS if kind == ARC else WAY_UNITS) * abs(u)
+    if kind == LOG_SPIRAL and rows[j, P] != 0.0:
+        turn, _share = log_spiral_turn(rows, j, u)
+        off += TURN_UNITS * abs(turn / curvature(rows, j, u))
+    return HALF_UNIT * off
+
+
+@kernel
+def tilt_error(rows: FloatArray, j: int, u: float) -> float:
+    """How far the computed heading at u of row j may be off, rad."""
+    kind, turn = rows[j, KIND], 0.0
+    if kind == LOG_SPIRAL:
+        turn, _share = log_spiral_turn(rows, j, u)
+    elif kind != SPIRAL and kind != LINE:
+        turn = u * max(abs(rows[j, P]), abs(curvature(rows, j, u)))
+    return HALF_UNIT * (TANGENT_UNITS + TURN_UNITS * abs(turn))
+
+
+@entry
+def find_seams(rows: Table, out: Table) -> None:
+    """Fill out, (rows, SEAM_COLUMNS), with what rounding opened at the joints up to each row.
+
+    Exactly, each row begins where the one before it ends, in its direction unless it makes a kink.
+    """
+    out[0, GAP], out[0, TILT] = 0.0, 0.0
+    for j in range(1, rows.shape[0]):
+        end, start = rows[j - 1, U_END], rows[j, U_START]
+        x, y, tx, ty = place(rows, j - 1, end)
+        next_x, next_y, next_tx, next_ty = place(rows, j, start)
+        gap = abs(next_x - x) + abs(next_y - y)
+        gap += place_error(rows, j - 1, end, x, y) + place_error(rows, j, start, next_x, next_y)
+        swing = abs(tx * next_ty - ty * next_tx)
+        tilt = tilt_error(rows, j - 1, end) + tilt_error(rows, j, start)
+        if swing <= KINK and tx * next_tx + ty * next_ty > 0.0:
+            tilt += swing
+        out[j, GAP], out[j, TILT] = out[j - 1, GAP] + gap, out[j - 1, TILT] + tilt
+
+
+@kernel
+def seam_error(rows: FloatArray, seams: FloatArray, seen: int, j: int, x: float, y: float) -> float:
+    """How far the place (x, y) on row j may be off, m, seen from row `seen`: by the joints between.
+
+    A joint that tilts what is beyond moves a place by its distance from the joint, which is no more
+    than that from the last joint and the way along the rows between.
+    """
+    if j == seen:
+        return 0.0
+    a, b = min(j, seen), max(j, seen)
+    start_x, start_y, _, _ = place(rows, b, rows[b, U_START])
+    far = abs(x - start_x) + abs(y - start_y) + rows[b, S_START] - rows[a + 1, S_START]
+    return seams[b, GAP] - seams[a, GAP] + (seams[b, TILT] - seams[a, TILT]) * far
+
+
+@kernel
+def mark_lanes(
+    rows: FloatArray, links: FloatArray, places: Placements, first: int, last: int, lanes: FloatArray
+) -> None:
+    """Fill lanes[i] with 1 where link i was taken by the lanes of a spiral, else 0.
+
+    For chains that were marched together in slots first..last-1: by all of them abreast.
+    """
+    for i in range(links.shape[0]):
+        j, least, most = places.row[i, first], places.u[i, first], places.u[i, first]
+        same = True
+        for t in range(first, last):
+            same = same and places.row[i, t] == j and places.row[i + 1, t] == j
+            least, most = min(least, places.u[i, t]), max(most, places.u[i, t])
+        lanes[i] = 1.0 if same and takes_link(rows, j, least, most, links[i]) else 0.0
+
+
+@kernel
+def link_error(
+    rows: FloatArray,
+    links: FloatArray,
+    seams: FloatArray,
+    places: Placements,
+    lanes: FloatArray,
+    i: int,
+    t: int,
+) -> tuple[float, float]:
+    """What the link behind handle i may leave its chord wrong by, m; and what its rear place, along."""
+    link, j, k = links[i], places.row[i, t], places.row[i + 1, t]
+    u, v = places.u[i, t], places.u[i + 1, t]
+    if lanes[i] > 0.0:
+        # Where lanes begin anew they take the front's angle as it was rounded.
+        kept = 0.0 if i == 0 or lanes[i - 1] > 0.0 else HALF_UNIT * abs(u) * stretch(rows, j, u)
+        return LANE_UNITS * HALF_UNIT * link + kept, 0.0
+    along = HALF_UNIT * abs(v) * stretch(rows, k, v)
+    x, y, back_x, back_y = places.x[i, t], places.y[i, t], places.x[i + 1, t], places.y[i + 1, t]
+    off = CHORD_UNITS * HALF_UNIT * link
+    if j == k and on_bend(rows, j, u, link) == v:
+        return LINE_CHORD * HALF_UNIT * link if rows[j, KIND] == LINE else off, along
+    off += place_error(rows, j, u, x, y) + place_error(rows, k, v, back_x, back_y)
+    off += seam_error(rows, seams, j, k, back_x, back_y)
+    if rows[j, KIND] == SPIRAL:
+        off += HALF_UNIT * abs(u) * stretch(rows, j, u)
+    return off, along
+
+
+@kernel
+def handle_errors(
+    rows: FloatArray,
+    links: FloatArray,
+    seams: FloatArray,
+    places: Placements,
+    lanes: FloatArray,
+    t: int,
+    out: FloatArray,
+) -> None:
+    """Fill out[i] with how far along the route handle i may be from where it exactly is, m.
+
+    Of the chain of these links in slot t, whose head is where it is said to be; `lanes` are those of
+    `mark_lanes`.
+    """
+    out[0] = 0.0
+    for i in range(links.shape[0]):
+        dx, dy = places.x[i, t] - places.x[i + 1, t], places.y[i, t] - places.y[i + 1, t]
+        ahead = abs(dx * places.tx[i, t] + dy * places.ty[i, t])
+        behind = dx * places.tx[i + 1, t] + dy * places.ty[i + 1, t]
+        chord, along = link_error(rows, links, seams, places, lanes, i, t)
+        out[i + 1] = ABOUT * ((out[i] * ahead + chord * links[i]) / behind + along)
+
+
+@kernel
+def angle_error(
+    rows: FloatArray, places: Placements, i: int, t: int, link: float, errors: FloatArray
+) -> tuple[float, float]:
+    """What the angle from bench i to the route may be off by at its two handles, rad."""
+    sine, _, rear_sine, _ = bench_angles(places, i, t, link)
+    turned, front, rear = 0.0, 0.0, 0.0
+    for n in range(2):
+        j, u, x, y = places.row[i + n, t], places.u[i + n, t], places.x[i + n, t], places.y[i + n, t]
+        aside = abs(rear_sine if n else sine) * errors[i + n]
+        turned += (aside + place_error(rows, j, u, x, y)) / link
+        front = rear
+        rear = abs(curvature(rows, j, u)) * errors[i + n] + tilt_error(rows, j, u)
+    return turned + front, turned + rear
+
+
+@kernel
+def ratio_errors(
+    rows: FloatArray,
+    links: FloatArray,
+    seams: FloatArray,
+    places: Placements,
+    lanes: FloatArray,
+    t: int,
+    errors: FloatArray,
+    out: FloatArray,
+) -> None:
+    """Fill out[i, t] with what the speed ratio of handle i may be off by in slot t, as a share.
+
+    At each link a ratio changes by that of two cosines, whose angles are off by what their handles and
+    tangents are. `errors` receives those of `handle_errors`.
+    """
+    handle_errors(rows, links, seams, places, lanes, t, errors)
+    out[0, t] = 0.0
+    for i in range(links.shape[0]):
+        sine, cosine, rear_sine, rear_cosine = bench_angles(places, i, t, links[i])
+        front, rear = angle_error(rows, places, i, t, links[i], errors)
+        j, k = places.row[i, t], places.row[i + 1, t]
+        if j != k:
+            tilt = abs(seams[j, TILT] - seams[k, TILT])
+            tilt += abs(seams[j, GAP] - seams[k, GAP]) / links[i]
+            front, rear = front + tilt, rear + tilt
+        off = (abs(sine) * front + COSINE_UNITS * HALF_UNIT) / cosine
+        off += (abs(rear_sine) * rear + COSINE_UNITS * HALF_UNIT) / rear_cosine
+        off += RATIO_UNITS * HALF_UNIT * lanes[i]
+        out[i + 1, t] = ABOUT * (out[i, t] + off)
+
+
+@entry
+def ratio_error(
+    rows: Table,
+    links: Vector,
+    seams: Table,
+    places: Placements,
+    lanes: Vector,
+    errors: Vector,
+    out: Table,
+) -> None:
+    """Fill out, (handles, 1), with what speed ratios may be off by in slot 0: see `ratio_errors`."""
+    mark_lanes(rows, links, places, 0, 1, lanes)
+    ratio_errors(rows, links, seams, places, lanes, 0, errors, out)
+
+
+@kernel
+def bench_error(
+    rows: FloatArray,
+    seams: FloatArray,
+    places: Placements,
+    sizes: FloatArray,
+    i: int,
+    t: int,
+    seen: int,
+    errors: FloatArray,
+) -> float:
+    """How far any point of bench i may be off in slot t, m, seen from row `seen` of the route.
+
+    `errors` are those of `handle_errors`; sizes are (4, benches).
+    """
+    off, rear = 0.0, 0.0
+    for n in range(2):
+        j, u, x, y = places.row[i + n, t], places.u[i + n, t], places.x[i + n, t], places.y[i + n, t]
+        off = rear
+        rear = errors[i + n] + place_error(rows, j, u, x, y) + seam_error(rows, seams, seen, j, x, y)
+    around = sizes[0, i] + sizes[1, i] + abs(places.x[i, t]) + abs(places.y[i, t])
+    return reach(off, rear, sizes, i) + 4.0 * HALF_UNIT * around
+
+
+@entry
+def still_error(boxes: Table, n: int) -> float:
+    """How far any point of box n, which stands still, may be off, m: by rounding of its corners."""
+    around = boxes[n, HALF_LENGTH] + boxes[n, HALF_WIDTH] + abs(boxes[n, CX]) + abs(boxes[n, CY])
+    return 4.0 * HALF_UNIT * around
+
+
+@entry
+def bench_errors(
+    rows: Table,
+    links: Vector,
+    sizes: Table,
+    seams: Table,
+    places: Placements,
+    t: int,
+    seen: int,
+    lanes: Vector,
+    errors: Vector,
+    out: Vector,
+) -> None:
+    """Fill out[i] with how far any point of bench i may be off in slot t: see `bench_error`.
+
+    Seen from row `seen`, or if that is negative from the row of the head. `errors` receives those of
+    handles; `lanes` is scratch, one for each link.
+    """
+    mark_lanes(rows, links, places, t, t + 1, lanes)
+    handle_errors(rows, links, seams, places, lanes, t, errors)
+    seen = seen if seen >= 0 else places.row[0, t]
+    for i in range(links.shape[0]):
+        out[i] = bench_error(rows, seams, places, sizes, i, t, seen, errors)
+
+
+def seams_of(rows: FloatArray) -> FloatArray:
+    """The seams of a route of these rows, (rows, SEAM_COLUMNS)."""
+    seams = np.empty((len(rows), SEAM_COLUMNS))
+    find_seams(rows, seams)
+    return seams

@@ -1,0 +1,95 @@
+// Searches near the dance, whatever its coordinates, and what rounding leaves unsure there: the twin of
+// analysis/nearby.py.
+
+import { _ } from "../words.js";
+import { doubles, withArena } from "./arena.js";
+import { spend } from "./budget.js";
+import { ANALYSIS_NEARBY, ROUNDING } from "./constants.js";
+import { UnsureError } from "./errors.js";
+import { powered } from "./number_format.js";
+import { rint } from "./numbers.js";
+
+/** @typedef {import("../engine.js").Numbers} Numbers */
+/** @typedef {import("./arena.js").Arena} Arena */
+/** @typedef {import("./walk.js").Placement} Placement */
+/** @typedef {import("./walk.js").Walk} Walk */
+/** @typedef {[number, number]} Point m */
+
+const { FAR, SPREADS, MOST_OFF } = ANALYSIS_NEARBY;
+
+/** @type {Point} */
+const NOWHERE = [0, 0];
+
+/** Whether a point is the origin. @param {Point} point */
+export function isNowhere([x, y]) {
+  return x === NOWHERE[0] && y === NOWHERE[1];
+}
+
+/**
+ * From where a dragon is searched, in whole metres: of its placements the first says it.
+ * @param {Placement} placed
+ * @returns {Point}
+ */
+export function originOf({ x, y, count }) {
+  const [xs, ys] = [x, y].map((table) =>
+    Array.from(doubles(table).filter((at, n) => n % count === 0 && Number.isFinite(at))),
+  );
+  if (!xs.length) return NOWHERE;
+  const most = (/** @type {number[]} */ list) => list.reduce((a, b) => Math.max(a, b));
+  const least = (/** @type {number[]} */ list) => list.reduce((a, b) => Math.min(a, b));
+  const far = Math.max(most(xs), most(ys), -least(xs), -least(ys));
+  const spread = Math.max(most(xs) - least(xs), most(ys) - least(ys));
+  return far <= Math.max(FAR, SPREADS * spread) ? NOWHERE : [rint(xs[0]), rint(ys[0])];
+}
+
+/** The same walk with its coordinates counted from an origin, m. @param {Arena} arena @param {Walk} walk @param {Point} origin */
+export function seenFrom(arena, walk, origin) {
+  return isNowhere(origin) ? walk : walk.on(walk.route.seenFrom(arena, origin));
+}
+
+/** The seams of a route of these rows, (rows, SEAM_COLUMNS). @param {Arena} arena @param {Numbers} rows */
+export function seamsOf(arena, rows) {
+  const seams = arena.array("d", rows.shape[0], ROUNDING.SEAM_COLUMNS);
+  arena.engine.call("bd_rounding_find_seams", rows, seams);
+  return seams;
+}
+
+/**
+ * What the dragon's places may be off by with the head at s, m: handles along the route, and any point of
+ * benches, seen from row `seen` of the route or from that of the head.
+ * @param {Walk} walk
+ * @param {number} s m
+ * @param {number} [seen]
+ */
+export function errorsAt({ engine, dragon, route }, s, seen = -1) {
+  return withArena(engine, (arena) => {
+    const handles = dragon.benches + 1;
+    const [errors, off] = [arena.full([handles], 0), arena.full([dragon.benches], 0)];
+    const [at, places] = [arena.vector([s]), arena.placements(handles, 1)];
+    const { links, sizes } = dragon;
+    spend(handles);
+    if (engine.call("bd_step_bounds_place_chain", route.rows, links, at, 0, 1, places)[0])
+      engine.call(
+        "bd_rounding_bench_errors", route.rows, links, sizes, seamsOf(arena, route.rows), places, 0,
+        seen, arena.array("d", dragon.benches), errors, off,
+      ); // prettier-ignore
+    return { errors: doubles(errors).slice(), off: doubles(off).slice() };
+  });
+}
+
+/** A bound, m, with two digits, rounded up. @param {number} off */
+export function atMost(off) {
+  const text = powered(off, 1);
+  if (Number(text) >= off) return text;
+  const [digit, power] = text.split("e");
+  return powered(Number(`${(Number(digit) + 0.1).toFixed(1)}e${power}`), 1);
+}
+
+/** What distances may be off by, m; throws if that is too much for a search to see all pairs. @param {number} off */
+export function checkedOff(off) {
+  if (!(off > MOST_OFF)) return off;
+  const values = { off: atMost(off), most: atMost(MOST_OFF) };
+  throw new UnsureError(
+    _("rounding may hide {off} m of distances; a search allows for {most} m", values),
+  );
+}
