@@ -501,3 +501,22 @@ def test_the_overview_says_so_where_nobody_need_stand_by(ours: Briefing) -> None
     near = (replace(alone[0], tightest=Tightest(1.0, 6, "left", 0.9, 0.9)), *alone[1:])
     text = str(overview(replace(ours, benches=near), phones=False).blocks)
     assert "of any" not in text
+
+
+def test_names_of_benches_on_a_map_do_not_lie_on_one_another(
+    tmp_path: Path, ours: Briefing, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    white: list[tuple[float, float, float, float]] = []
+    fill = FPDF.rect
+
+    def watched(pdf: FPDF, x: float, y: float, w: float, h: float, *more: Any, **named: Any) -> None:
+        if h > 2.0:  # QR codes are of lower ones
+            white.append((x, y, x + w, y + h))
+        fill(pdf, x, y, w, h, *more, **named)
+
+    monkeypatch.setattr(FPDF, "rect", watched)
+    family = Roster({n: (Person(f"赵{n}", household="赵家"),) for n in range(1, 9)})
+    write_benches(tmp_path / "b.pdf", replace(ours, roster=family), Options(by="household"))
+    assert len(white) == 8
+    for a, b in zip(white[::2], white[1::2], strict=True):
+        assert a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]

@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 from fpdf import FPDF
-from shapely.geometry import LinearRing, LineString, box
+from shapely.geometry import LinearRing, LineString, Polygon, box
 
 from benchdragon.analysis.findings import shown_name
 from benchdragon.export.typeset import BREAK, breakable
@@ -102,7 +102,9 @@ class SmallMap:
                 bold = 1.0 + BROADER * (len(benches) - 1 - n)
                 pdf.set_draw_color(*TRACKS[n % len(TRACKS)])
                 pdf.set_fill_color(*TRACKS[n % len(TRACKS)])
-                self._track(pdf, place, bench, names[n] if len(benches) > 1 else "", bold)
+                self._track(pdf, place, bench, bold)
+            if len(benches) > 1:
+                self._call(pdf, place, benches, names)
             self._names(pdf, place)
             self._arrow(pdf, frame)
         self._legend(pdf, frame, moves=any(self._last[n - 1] > self._first[n - 1] for n in benches))
@@ -218,7 +220,7 @@ class SmallMap:
         else:
             pdf.polygon(points, style="D" if obstacle.kind == "venue" else "DF")
 
-    def _track(self, pdf: FPDF, place: _Scale, bench: int, name: str, bold: float) -> None:
+    def _track(self, pdf: FPDF, place: _Scale, bench: int, bold: float) -> None:
         """The way of a bench's front handle: a disc where it starts, an arrow's head where it ends."""
         s, points = self._way
         first, last = self._first[bench - 1], self._last[bench - 1]
@@ -231,8 +233,26 @@ class SmallMap:
         pdf.set_line_width(THIN)
         pdf.circle(x, y, MARK * self._share(place), style="F")
         _arrow_head(pdf, u, v, heading, self._share(place))
-        if name:
-            pdf.text(x + MARK + 0.5, y, name)
+
+    def _call(self, pdf: FPDF, place: _Scale, benches: Sequence[int], names: Sequence[str]) -> None:
+        """What benches are called, on white beside where each starts, and beside one another."""
+        tall, taken = TALL * pdf.font_size_pt, list[Polygon]()
+        starts = place(self._walk.route.point(self._first[np.array(benches) - 1]))
+        pdf.set_fill_color(255)
+        for (x, y), name in zip(starts, names, strict=True):
+            wide, off = pdf.get_string_width(name), MARK + 0.5
+            spots = [
+                (x + aside, y + up * tall) for up in (0.3, -1.0, 1.6) for aside in (off, -wide - off)
+            ]
+            areas = [box(left - 0.3, up - tall, left + wide + 0.3, up + 0.5) for left, up in spots]
+            n = next((n for n, one in enumerate(areas) if not any(map(one.intersects, taken))), 0)
+            taken.append(areas[n])
+            left, top, right, bottom = areas[n].bounds
+            pdf.rect(left, top, right - left, bottom - top, style="F")
+            pdf.text(*spots[n], name)
+        for n, (x, y) in enumerate(starts):  # that no white lies on them
+            pdf.set_fill_color(*TRACKS[n % len(TRACKS)])
+            pdf.circle(x, y, MARK * self._share(place), style="F")
 
     @staticmethod
     def _share(place: _Scale) -> float:
