@@ -85,3 +85,26 @@ def test_the_best_place_is_written_beside_its_comments(source: Path) -> None:
     for comment in ("(assumed)", "# inwards", "# m (proposed)", "# ours", "# m: measured"):
         assert comment in text
     assert read_plan(str(found)).route.at != (1.0, 2.0)
+
+
+def test_what_was_added_to_a_placed_plan_is_named_when_it_is_placed_anew(
+    source: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    source.write_text(TEXT + "[venue]\nrectangle = [40, 30]\n", "utf-8")
+    found = source.with_name("found.dragon.toml")
+    line = [
+        "solve",
+        "place",
+        str(source),
+        "--plan-file",
+        str(found),
+        "--quiet",
+        "--lang",
+        "en",
+        "--force",
+    ]
+    assert run(line) == 0
+    assert "WARNING" not in capsys.readouterr().err
+    found.write_text(found.read_text("utf-8") + "[chalk]\nevery = 2\n", "utf-8")
+    assert run(line) == 0
+    assert "as they were in the one it replaces: [chalk]." in capsys.readouterr().err

@@ -237,6 +237,12 @@ def test_a_bench_in_rows_that_are_apart_is_told_and_in_rows_one_after_the_other_
     assert not any("bench 1 is in rows" in note for note in notes)
 
 
+def test_a_bench_that_two_rows_name_by_other_words_is_told(tmp_path: Path) -> None:
+    rows: Cells = [["桥号", "姓名"], [1, "张三"], [9, "李四"], ["龙尾", "王五"]]
+    notes = read(tmp_path, rows, HEADED).notes
+    assert "qiao 9 is in rows 3, 4: all of their people are taken for it" in notes
+
+
 def test_one_name_in_many_households_is_work_in_proportion_to_them() -> None:
     def work(count: int) -> tuple[int, int]:
         people = [Person("张三", f"{n} 家", "") for n in range(count)]

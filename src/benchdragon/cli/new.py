@@ -1,6 +1,5 @@
 """The verb `new`: a plan that can be walked, from a few questions."""
 
-import json
 import shlex
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -10,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon.cli.answers import NO_SOLUTION
+from benchdragon.cli.by_hand import kept_by_hand, warn_of_lost
 from benchdragon.cli.check import print_report
 from benchdragon.cli.console import print_files, shown_progress
 from benchdragon.cli.new_answers import QUESTIONS, Question, read_place
@@ -27,9 +27,6 @@ from benchdragon.i18n import N_, _, language
 if TYPE_CHECKING:
     from benchdragon.plans.schema import Plan
     from benchdragon.solve.proposal import Proposal, TooSmall, Wishes
-
-# Of a plan's people, what `new` does not ask for.
-BY_HAND = ("roster", "sheet", "unit", "count_head", "address")
 
 
 @click.command(
@@ -88,7 +85,7 @@ def new(output: Path, force: bool, quiet: bool, **options: Any) -> int:
 
     check_ending("--output", output, [".toml"])
     refuse_existing([output], force)
-    before = _kept_by_hand(output)
+    before = kept_by_hand(output)
     roster = _roster(output, options["roster"])
     said, given = _answers(options)
     from benchdragon.solve.proposal import TooSmall, benches_out_again, propose
@@ -112,35 +109,9 @@ def new(output: Path, force: bool, quiet: bool, **options: Any) -> int:
         click.echo(line)
     print_report(found.report)
     print_files([output])
-    lost = [one for one in before if one not in _kept_by_hand(output)]
-    if lost:
-        text = _("WARNING: not in the new plan, as they were in the one it replaces: {what}.")
-        click.echo(text.format(what=_(", ").join(lost)), err=True)
+    warn_of_lost(before, output)
     _print_next(output)
     return 0
-
-
-def _kept_by_hand(path: Path) -> list[str]:
-    """What somebody wrote into a plan: obstacles, cues, marks, the event, who dances and is counted.
-
-    Nothing, where no plan can be read.
-    """
-    from benchdragon.plans.toml import PlanError, read_toml
-
-    if not path.exists():
-        return []
-    try:
-        data, _source = read_toml(str(path))
-    except PlanError:
-        return []
-    obstacles, people = data.get("obstacle"), data.get("people")
-    listed = obstacles if isinstance(obstacles, list) else []
-    names = [str(one.get("name", "")) for one in listed if isinstance(one, dict)]
-    people = people if isinstance(people, dict) else {}
-    found = [f"[[obstacle]] {name}".strip() for name in names]
-    found += [f"[{name}]" for name in ("cues", "chalk", "event") if name in data]
-    written = {name: json.dumps(people[name], ensure_ascii=False) for name in BY_HAND if name in people}
-    return found + [f"people.{name} = {value}" for name, value in written.items()]
 
 
 def _answers(options: Mapping[str, Any]) -> tuple[dict[str, Any], set[str]]:

@@ -80,6 +80,8 @@ def place(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
 
 def _print_place(plan: "Plan", best: "PlacedDance", options: dict[str, Any]) -> None:
     """The best place for readers."""
+    from benchdragon.analysis.room import levels_asked
+
     print_title(plan)
     if best.room.status == "infeasible":
         click.echo(_("no place was found where the dance fits on this square; the nearest to it:"))
@@ -90,7 +92,10 @@ def _print_place(plan: "Plan", best: "PlacedDance", options: dict[str, Any]) -> 
         )
     )
     if best.room.status != "infeasible":
-        print_answer(_("room beyond the margins"), best.room, up=False, brackets=options["brackets"])
+        name = _("room beyond the margins")
+        if levels_asked(plan.people):
+            name = _("room beyond the margins and what people take")
+        print_answer(name, best.room, up=False, brackets=options["brackets"])
     elif best.room.value < 0.0:  # a distance is 0 however far benches are outside
         text = _("missing where it is tightest: {missing} m or more")
         click.echo(text.format(missing=f"{-best.room.value:.2g}"))

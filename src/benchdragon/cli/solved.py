@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon.cli.answers import NO_SOLUTION, UNDECIDED, about, print_answer, print_title
+from benchdragon.cli.by_hand import kept_by_hand, warn_of_lost
 from benchdragon.cli.console import print_explanation, print_files
 from benchdragon.cli.options import (
     WITHOUT,
@@ -70,13 +71,17 @@ def read_to_write(
 
 
 def write_plan(plan: "Plan", path: Path, source: str) -> None:
-    """The plan as a whole file, with the comments of the file that it was made from."""
+    """The plan as a whole file, with the comments of the file that it was made from.
+
+    What somebody wrote into the file that it replaces, and is not in it, is told.
+    """
     from benchdragon.files import whole_file
     from benchdragon.plans.rewriting import rewritten
 
-    text = rewritten(plan, source)
+    text, before = rewritten(plan, source), kept_by_hand(path)
     with whole_file(path) as temporary:
         temporary.write_text(text, encoding="utf-8")
+    warn_of_lost(before, path)
 
 
 def exit_code(found: Answer) -> int:

@@ -221,16 +221,20 @@ def _at_two(seats: Sequence[_Seat], numbering: Numbering) -> Iterator[str]:
 
 
 def _apart(said: Sequence[Entry], numbering: Numbering) -> Iterator[str]:
-    """Benches that rows name by themselves which do not follow one another."""
-    rows: dict[int, list[int]] = {}
+    """Benches that rows name by themselves which do not follow one another, or by another word."""
+    rows: dict[int, list[Entry]] = {}
     for entry in said:
         benches, _beyond = _benches(entry.benches, numbering)
         if len(benches) == 1:
-            rows.setdefault(benches[0], []).append(entry.row)
+            rows.setdefault(benches[0], []).append(entry)
     text = _("{bench} is in rows {rows}: all of their people are taken for it")
     for bench, found in sorted(rows.items()):
-        if any(after - before > 1 for before, after in pairwise(found)):
-            yield text.format(bench=numbering.called(bench), rows=_listed(map(str, found)))
+        if any(
+            after.row - before.row > 1 or after.benches != before.benches
+            for before, after in pairwise(found)
+        ):
+            listed = _listed(str(entry.row) for entry in found)
+            yield text.format(bench=numbering.called(bench), rows=listed)
 
 
 def _alike(seats: Sequence[_Seat]) -> list[list[_Seat]]:

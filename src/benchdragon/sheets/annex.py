@@ -286,7 +286,7 @@ def _version(facts: AnnexFacts) -> Iterator[Block]:
     yield say(
         _(
             "Made by benchdragon {version}. The plan was checked on {date}; all papers of the same "
-            "check bear the number {papers}. The dance alone, as its drawings name it, is {plan}. If "
+            "check bear the number {papers}. The plan alone, without the list of names, is {plan}. If "
             "plan, people or list of names change, this annex no longer holds."
         ),
         version=__version__, plan=briefing.plan.sha256[:12], date=briefing.checked_on,

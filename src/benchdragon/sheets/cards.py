@@ -315,7 +315,8 @@ def _heads(sheet: Sheet) -> list[list[Block]]:
 
 def _head(sheet: Sheet, most: int | None) -> list[Block]:
     """Who it is, and last what they do in a line; with a number, so many people in one block."""
-    head = [Block(sheet.title, 1.3, bold=True)] if sheet.title else []
+    title = _("household: {name}").format(name=sheet.title)
+    head = [Block(title, 1.3, bold=True)] if sheet.title else []
     alone = len(sheet.entries) == 1
     for entry in sheet.entries:
         people, size = entry.people, 1.9

@@ -140,9 +140,12 @@ def _benches(briefing: Briefing, phones: bool) -> Iterator[Block]:
         for row in _rows(briefing, found, text, phones)
     ]
     kept = [n for n in range(len(columns)) if not (alike and n == WHAT)]
+    title = _("All benches: who carries them, where they start, what they do")
+    if alike:
+        title = _("All benches: who carries them, where they start, how near others come")
     yield Table(
         "all",
-        _("All benches: who carries them, where they start, what they do"),
+        title,
         tuple(columns[n] for n in kept),
         tuple(widths[n] for n in kept),
         tuple(tuple(row[n] for n in kept) for row in rows),

@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 from fpdf import FPDF
-from shapely.geometry import LinearRing, LineString, Polygon, box
+from shapely.geometry import LinearRing, LineString, box
 
 from benchdragon.analysis.findings import shown_name
 from benchdragon.export.typeset import BREAK, breakable
@@ -236,23 +236,27 @@ class SmallMap:
 
     def _call(self, pdf: FPDF, place: _Scale, benches: Sequence[int], names: Sequence[str]) -> None:
         """What benches are called, on white beside where each starts, and beside one another."""
-        tall, taken = TALL * pdf.font_size_pt, list[Polygon]()
+        tall, size = TALL * pdf.font_size_pt, MARK * self._share(place)
         starts = place(self._walk.route.point(self._first[np.array(benches) - 1]))
-        pdf.set_fill_color(255)
-        for (x, y), name in zip(starts, names, strict=True):
+        taken = [box(x - size, y - size, x + size, y + size) for x, y in starts]
+        for n, ((x, y), name) in enumerate(zip(starts, names, strict=True)):
             wide, off = pdf.get_string_width(name), MARK + 0.5
             spots = [
                 (x + aside, y + up * tall) for up in (0.3, -1.0, 1.6) for aside in (off, -wide - off)
             ]
             areas = [box(left - 0.3, up - tall, left + wide + 0.3, up + 0.5) for left, up in spots]
-            n = next((n for n, one in enumerate(areas) if not any(map(one.intersects, taken))), 0)
-            taken.append(areas[n])
-            left, top, right, bottom = areas[n].bounds
+            free = (k for k, one in enumerate(areas) if not any(map(one.intersects, taken)))
+            k = next(free, 0)
+            taken.append(areas[k])
+            left, top, right, bottom = areas[k].bounds
+            pdf.set_fill_color(255)
             pdf.rect(left, top, right - left, bottom - top, style="F")
-            pdf.text(*spots[n], name)
+            pdf.set_text_color(*TRACKS[n % len(TRACKS)])
+            pdf.text(*spots[k], name)
+        pdf.set_text_color(0)
         for n, (x, y) in enumerate(starts):  # that no white lies on them
             pdf.set_fill_color(*TRACKS[n % len(TRACKS)])
-            pdf.circle(x, y, MARK * self._share(place), style="F")
+            pdf.circle(x, y, size, style="F")
 
     @staticmethod
     def _share(place: _Scale) -> float:

@@ -247,15 +247,18 @@ function alikeGroups(seats) {
 
 /** Benches that rows name by themselves which do not follow one another. @param {Entry[]} said @param {Numbering} numbering */
 function apart(said, numbering) {
-  /** @type {Map<number, number[]>} */
+  /** @type {Map<number, typeof said>} */
   const rows = new Map();
   for (const entry of said) {
     const { benches } = benchesOf(entry, numbering);
-    if (benches.length === 1) rows.set(benches[0], [...(rows.get(benches[0]) ?? []), entry.row]);
+    if (benches.length === 1) rows.set(benches[0], [...(rows.get(benches[0]) ?? []), entry]);
   }
+  const word = (/** @type {typeof said[number]} */ entry) => JSON.stringify(entry.benches);
   return [...rows].sort(([a], [b]) => a - b).flatMap(([bench, found]) => {
-    if (!found.some((row, n) => n > 0 && row - found[n - 1] > 1)) return [];
-    const values = { bench: numbering.called(bench), rows: listed(found.map(String)) };
+    const apart = (/** @type {typeof said[number]} */ one, /** @type {number} */ n) =>
+      n > 0 && (one.row - found[n - 1].row > 1 || word(one) !== word(found[n - 1]));
+    if (!found.some(apart)) return [];
+    const values = { bench: numbering.called(bench), rows: listed(found.map(({ row }) => String(row))) };
     return [_("{bench} is in rows {rows}: all of their people are taken for it", values)];
   }); // prettier-ignore
 }
