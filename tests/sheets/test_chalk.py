@@ -330,5 +330,5 @@ def test_how_long_the_marks_take_is_told_by_their_number() -> None:
     for minutes, hours in ((fast, least), (slow, most)):
         assert 0.0 <= hours - len(drawing.marks) * minutes / 60.0 < 0.5
     assert 1.0 < least < most
-    assert "write every = 0.5 under [chalk]" in text
+    assert "write every = 0.5 below [chalk]" in text
     assert f"take {math.ceil(len(drawing.marks) / 10)} times as long" in text

@@ -13,7 +13,7 @@ from benchdragon.rosters.roster import Person, Roster
 from benchdragon.sheets.checked import foundation, read_record, record_check, record_path
 from tests.sheets.village import PLAN, ROSTER, village
 
-ADVICE = "run benchdragon check {plan} --record"
+ADVICE = "run benchdragon check {plan} --record, or sheets with --check"
 
 
 def papers(path: Path, *options: str) -> list[str]:

@@ -162,8 +162,8 @@ def _about(drawing: ChalkDrawing, sheet: Sheet) -> Iterator[Paragraph]:
     )  # fmt: skip
     yield say(
         _(
-            "Fewer marks: write every = {twice} under [chalk] in the plan, and print all papers anew, "
-            "for all marks have other numbers then."
+            "Fewer marks: write every = {twice} below [chalk] at the end of the plan, where [chalk] is a "
+            "line of its own, and print all papers anew, for all marks have other numbers then."
         ),
         twice=f"{2.0 * drawing.every:g}",
     )

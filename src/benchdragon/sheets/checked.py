@@ -95,7 +95,7 @@ def read_record(path: Path, plan: Plan, roster: Roster, name: str) -> Record:
     Raises:
         InputError: if there is none, and if the plan or its list of names has changed since.
     """
-    advice = _("run benchdragon check {plan} --record").format(plan=name)
+    advice = _("run benchdragon check {plan} --record, or sheets with --check").format(plan=name)
     none = _("{path} is no record of a check: {advice}").format(path=path, advice=advice)
     try:
         if not stat.S_ISREG(path.stat().st_mode):  # a device has no end, a pipe may have no beginning
