@@ -5,7 +5,8 @@ import json
 import re
 import shutil
 import subprocess
-from collections.abc import Iterator
+from collections.abc import Callable, Coroutine, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from itertools import count
 from pathlib import Path
@@ -26,6 +27,7 @@ SETTINGS = {
     "browser.shell.checkDefaultBrowser": False,
     "datareporting.policy.dataSubmissionEnabled": False,
 }
+Run = Callable[[Coroutine[Any, Any, Any]], Any]
 LISTENS = re.compile(r"WebDriver BiDi listening on (ws://127\.0\.0\.1:\d+)")
 
 
@@ -41,9 +43,9 @@ class Firefox:
         faults: errors on the console, and uncaught ones.
     """
 
-    def __init__(self, loop: asyncio.Runner, socket: WebSocketClientConnection) -> None:
+    def __init__(self, run: Run, socket: WebSocketClientConnection) -> None:
         self.faults: list[str] = []
-        self._loop, self._socket, self._numbers = loop, socket, count(1)
+        self._run, self._socket, self._numbers = run, socket, count(1)
         self._send("session.new", capabilities={})
         self._send("session.subscribe", events=["log.entryAdded"])
         self._page = self._send("browsingContext.getTree")["contexts"][0]["context"]
@@ -80,7 +82,8 @@ class Firefox:
         )
 
     def _send(self, method: str, **params: Any) -> dict[str, Any]:
-        return self._loop.run(self._answered(method, params))
+        answer: dict[str, Any] = self._run(self._answered(method, params))
+        return answer
 
     async def _answered(self, method: str, params: dict[str, Any]) -> dict[str, Any]:
         """The answer to a command; what is told meanwhile is kept."""
@@ -119,14 +122,23 @@ def firefox(path: str, profile: Path) -> Iterator[Firefox]:
         assert process.stderr is not None
         try:
             listens = next(filter(None, map(LISTENS.search, process.stderr)))
-            with asyncio.Runner() as loop:
-                socket = loop.run(_connected(f"{listens[1]}/session"))
+            with _loop() as run:
+                socket = run(_connected(f"{listens[1]}/session"))
                 try:
-                    yield Firefox(loop, socket)
+                    yield Firefox(run, socket)
                 finally:
-                    loop.run(_closed(socket))
+                    run(_closed(socket))
         finally:
             process.kill()
+
+
+@contextmanager
+def _loop() -> Iterator[Run]:
+    """What runs coroutines, in a thread of its own: Playwright has a loop in this one."""
+    with ThreadPoolExecutor(1) as thread:
+        loop = thread.submit(asyncio.Runner).result()
+        yield lambda asked: thread.submit(loop.run, asked).result()
+        thread.submit(loop.close).result()
 
 
 async def _connected(address: str) -> WebSocketClientConnection:

@@ -115,7 +115,10 @@ def test_what_has_no_end_is_no_plan_no_record_and_no_sweep(tmp_path: Path, made:
     made(path)  # type: ignore[operator]
     assert run(["check", str(path), "--quiet"]) == PLAN_WRONG
     plan = read_plan("turn")
-    with pytest.raises(InputError, match=r"is no record of a check: run benchdragon check p --record, or sheets with --check$"):
+    with pytest.raises(
+        InputError,
+        match=r"is no record of a check: run benchdragon check p --record, or sheets with --check$",
+    ):
         read_record(path, plan, Roster({}, ()), "p")
     with pytest.raises(InputError, match=r"holds no sweep$"):
         read_about(tmp_path)
