@@ -25,10 +25,10 @@ import numpy as np
 
 from benchdragon import Walk, clearances, contact_windows
 from benchdragon.analysis.contact_search import ContactSearch
+from benchdragon.analysis.nearby import seams_of
 from benchdragon.kernels import cells, step_bounds
 from benchdragon.kernels import search as kernel
 from benchdragon.kernels.box import BOX_COLUMNS
-from benchdragon.kernels.rounding import seams_of
 from benchdragon.plans.schema import read_plan
 from benchdragon.progress import silent
 

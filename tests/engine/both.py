@@ -6,6 +6,7 @@ their size or 1, of integers infinity where any differ.
 """
 
 import ctypes
+import dataclasses
 import json
 import math
 import sys
@@ -113,6 +114,8 @@ def questions() -> None:
     slowed(turn)
     walk = few.build()
     least_clearance(walk, 0.0, 99.0)
+    away = walk.route.moved(0.0, (1e5, 0.0))
+    least_clearance(dataclasses.replace(walk, route=away), 0.0, 9.0)
     greatest_speed(read_plan("turn").build(), -50.0, 50.0)
     read_plan("turn", ["turn.family=arc-arc-arc", "turn.curvature=0.2", "turn.ease=0.3"]).build()
     places = empty_placements(len(walk.dragon) + 1, 2)

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from benchdragon import Arc, Clothoid, Dragon, Line, Route
+from benchdragon.analysis.nearby import seams_of
 from benchdragon.kernels import bench_cells as cells
 from benchdragon.kernels import drive, peak
 from benchdragon.kernels.curve import FloatArray
@@ -79,7 +80,7 @@ def seek(
     heap.marks[:by_chains, peak.BY_CELLS] = 0
     notes, counts = np.array([-1.0, 0.0, 0.0, 0.0]), np.array(counted)
     aim = peak.Aim(quantity, tolerance, limit, 0.9, 0.11)
-    batch, chains = peak.empty_batch(), peak.chains_for(len(DRAGON) + 1, route.rows)
+    batch, chains = peak.empty_batch(), peak.chains_for(len(DRAGON) + 1, seams_of(route.rows))
     ends: list[Ended] = []
     while not ends or ends[-1] in (Ended.MORE, Ended.ROOM):
         ends.append(
@@ -232,3 +233,21 @@ def test_a_long_way_is_cut_and_goes_on_waiting_whole() -> None:
     assert (parts[0, peak.START], parts[-1, peak.END]) == (1.0, 101.0)
     np.testing.assert_array_equal(parts[1:, peak.START], parts[:-1, peak.END])
     assert (heap.marks[: len(parts)] == (5, 2, 1)).all()
+
+
+def test_what_rounding_may_add_is_bounded_too() -> None:
+    aim, heap, batch = (
+        peak.Aim(drive.SPEEDS, 1e-3, math.inf, 0.9, 0.11),
+        peak.empty_heap(4),
+        peak.empty_batch(),
+    )
+    batch.parts[0], batch.marks[0], batch.at[:2] = (math.inf, 0.0, 1.0), (0, 1, 0), (0.0, 1.0)
+    notes, counts = np.array([1.0, 0.0, 0.0, 1.0]), np.zeros(peak.COUNTS, dtype=np.int64)
+    most, off = np.array([1.0, 0.5]), np.full((2, peak.SLOTS), 0.125)
+    off[0, 1] = 0.25
+    peak.keep(aim, heap, batch, 0, 0, most, off, notes, counts)
+    assert notes[peak.UPPER] == 1.25  # not looked at again, though it is more than is seen
+    assert counts[peak.OPEN] == 0
+    peak.keep(aim, heap, batch, 0, 0, 2.0 * most, off, notes, counts)
+    assert heap.parts[0, peak.BOUND] == 2.5
+    assert counts[peak.OPEN] == 1

@@ -23,13 +23,13 @@ from benchdragon import (
 )
 from benchdragon.analysis.contact_search import ContactSearch, Step, contact_search
 from benchdragon.analysis.distance import pair_distances
+from benchdragon.analysis.nearby import seams_of
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.analysis.tables import Tables
 from benchdragon.errors import WalkError
 from benchdragon.kernels import cells, course, search
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, distances_along, set_box
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.rounding import seams_of
 from benchdragon.kernels.route import IntArray
 from benchdragon.model.placement import Placement
 from benchdragon.progress import silent

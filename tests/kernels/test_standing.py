@@ -8,12 +8,12 @@ import pytest
 import shapely
 
 from benchdragon import Arc, Line, Route
+from benchdragon.analysis.nearby import seams_of
 from benchdragon.kernels import search as steps
 from benchdragon.kernels import standing as kernel
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, corner, place_box
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.regions import EDGE
-from benchdragon.kernels.rounding import seams_of
 from benchdragon.kernels.search import CLEAR, FIRST_TOUCH, FOUND, GRAZE, LEAST, STUCK
 from benchdragon.kernels.standing import Bench, Standing
 from benchdragon.kernels.step_bounds import TRAVEL

@@ -119,7 +119,8 @@ def test_sampling_agrees_about_contact_on_a_logarithmic_spiral(
     if found is None:
         assert (nearest(walk, np.linspace(0.0, 88.0, SAMPLES)) > 0.0).all()
         return
-    assert 0.0 < found.lower <= found.value <= found.upper <= found.lower + 1e-9
+    # Benches may close by a millimetre a second, and distances are known to 2e-12 m.
+    assert 0.0 < found.lower <= found.value <= found.upper <= found.lower + 5e-9
     before = found.lower - np.geomspace(1e-9, found.lower, SAMPLES)
     assert (nearest(walk, before) >= margin - 1e-9).all()
     assert nearest(walk, np.array([found.upper]))[0] <= max(margin, 1e-12)
@@ -158,7 +159,7 @@ def test_no_sample_is_above_the_greatest_speed(seed: int, monkeypatch: pytest.Mo
     monkeypatch.setattr(speed, "coarse_bound_pays", lambda _walk, _way: True)
     walk, start, end, _margin = random_walk(seed)
     found = greatest_speed(walk, start, end, tolerance=1e-4)
-    assert found.lower == found.value <= found.upper
+    assert found.value * (1.0 - 1e-11) <= found.lower <= found.value <= found.upper
     sampled = walk.motion(np.linspace(start, end, 20 * SAMPLES), throw=False).speed
     assert np.nanmax(sampled) <= found.upper
     assert found.witness is not None

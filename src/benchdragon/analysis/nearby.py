@@ -9,7 +9,7 @@ from benchdragon.errors import UnsureError
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.regions import EDGE
-from benchdragon.kernels.rounding import bench_errors, seams_of
+from benchdragon.kernels.rounding import SEAM_COLUMNS, bench_errors, find_seams
 from benchdragon.kernels.step_bounds import empty_placements, place_chain
 from benchdragon.model.base_curve import Point
 from benchdragon.model.walk import Walk
@@ -37,6 +37,13 @@ def origin_of(x: FloatArray, y: FloatArray) -> Point:
 def seen_from(walk: Walk, origin: Point) -> Walk:
     """The same walk with its coordinates counted from an origin, m."""
     return walk if origin == NOWHERE else replace(walk, route=walk.route.seen_from(origin))
+
+
+def seams_of(rows: FloatArray) -> FloatArray:
+    """The seams of a route of these rows, (rows, SEAM_COLUMNS): see kernels/rounding.py."""
+    seams = np.empty((len(rows), SEAM_COLUMNS))
+    find_seams(rows, seams)
+    return seams
 
 
 def errors_at(walk: Walk, s: float, seen: int = -1) -> tuple[FloatArray, FloatArray]:

@@ -23,7 +23,7 @@ from benchdragon.analysis.contact_search import (
 )
 from benchdragon.analysis.distance import CORNERS, boxes, nearness
 from benchdragon.analysis.head_times import HeadTimes
-from benchdragon.analysis.nearby import NOWHERE, checked_off, errors_at, origin_of, seen_from
+from benchdragon.analysis.nearby import NOWHERE, checked_off, errors_at, origin_of, seams_of, seen_from
 from benchdragon.analysis.obstacle_distance import box_distances, nearest_boxes
 from benchdragon.analysis.tables import kinds_of
 from benchdragon.errors import UnsureError, in_order, of_kind
@@ -35,7 +35,7 @@ from benchdragon.kernels.curve import KIND, SPIRAL, U_END, U_START, FloatArray, 
 from benchdragon.kernels.doubts import UNIT
 from benchdragon.kernels.drift import head_drift
 from benchdragon.kernels.links import link_of
-from benchdragon.kernels.rounding import HALF_UNIT, seams_of, still_error
+from benchdragon.kernels.rounding import HALF_UNIT, still_error
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import FALLEN, FOUND
 from benchdragon.kernels.walk_search import ASTRAY

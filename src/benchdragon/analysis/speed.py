@@ -12,6 +12,7 @@ from itertools import pairwise
 import numpy as np
 
 from benchdragon import budget
+from benchdragon.analysis.nearby import seams_of
 from benchdragon.analysis.tables import PLACES
 from benchdragon.errors import InputError, UnsureError, in_order, of_kind
 from benchdragon.i18n import N_, _
@@ -241,7 +242,7 @@ class _Search:
         self.walk, self.step = walk, STEP * shortest
         self._aim = peak.Aim(quantity.kind, tolerance, limit, COARSE_STEP * shortest, self.step)
         self._batch = peak.empty_batch()
-        self._chains = peak.chains_for(len(walk.dragon) + 1, walk.route.rows)
+        self._chains = peak.chains_for(len(walk.dragon) + 1, seams_of(walk.route.rows))
         self._notes, self._counts = np.zeros(peak.NOTES), np.zeros(peak.COUNTS, dtype=np.int64)
         self._notes[peak.SEEN] = -1.0
 

@@ -28,7 +28,7 @@ from benchdragon.kernels.drive import (
     scratch_for,
 )
 from benchdragon.kernels.jit import entry, kernel
-from benchdragon.kernels.rounding import mark_lanes, ratio_errors, seams_of
+from benchdragon.kernels.rounding import mark_lanes, ratio_errors
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.status import Ended
 from benchdragon.kernels.step_bounds import Placements, empty_placements, place_chain
@@ -133,12 +133,12 @@ def empty_batch() -> Batch:
     )
 
 
-def chains_for(handles: int, rows: FloatArray) -> Chains:
-    """Room for a batch's chains of so many handles, on a route of these rows."""
+def chains_for(handles: int, seams: FloatArray) -> Chains:
+    """Room for a batch's chains of so many handles, on a route with these seams."""
     rates = np.zeros((3, handles, SLOTS))
     places, (lanes, errors) = empty_placements(handles, SLOTS), np.empty((2, handles))
     scratch = scratch_for(handles)
-    return Chains(places, rates[0], rates[1], scratch, seams_of(rows), lanes, errors, rates[2])
+    return Chains(places, rates[0], rates[1], scratch, seams, lanes, errors, rates[2])
 
 
 @kernel

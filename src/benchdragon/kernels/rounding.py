@@ -8,17 +8,16 @@ cosines at each link. Places add their own rounding, once each, and the joints o
 Errors below are bounds to first order; what is left out is smaller by 1e-9 or more.
 """
 
-import numpy as np
-
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.box import CX, CY, HALF_LENGTH, HALF_WIDTH
 from benchdragon.kernels.curve import (
+    ANGLE,
     ARC,
     AXIS_X,
     AXIS_Y,
+    CLOTHOID_TURN,
     KIND,
     LINE,
-    LOG_SPIRAL,
     S_START,
     SPIRAL,
     U_END,
@@ -28,7 +27,7 @@ from benchdragon.kernels.curve import (
     X,
     Y,
     curvature,
-    log_spiral_turn,
+    heading,
     place,
     stretch,
 )
@@ -73,8 +72,8 @@ def place_error(rows: FloatArray, j: int, u: float, x: float, y: float) -> float
         along = rows[j, AXIS_X] == 0.0 or rows[j, AXIS_Y] == 0.0
         return HALF_UNIT * (off if along else off + LINE_UNITS * far)
     off += PIECE_UNITS * far + (ARC_UNITS if kind == ARC else WAY_UNITS) * abs(u)
-    if kind == LOG_SPIRAL and rows[j, P] != 0.0:
-        turn, _share = log_spiral_turn(rows, j, u)
+    turn = heading(rows, j, u) - rows[j, ANGLE]
+    if kind != ARC and abs(turn) > CLOTHOID_TURN:  # it winds on: its angle counts by its radius
         off += TURN_UNITS * abs(turn / curvature(rows, j, u))
     return HALF_UNIT * off
 
@@ -83,11 +82,11 @@ def place_error(rows: FloatArray, j: int, u: float, x: float, y: float) -> float
 def tilt_error(rows: FloatArray, j: int, u: float) -> float:
     """How far the computed heading at u of row j may be off, rad."""
     kind, turn = rows[j, KIND], 0.0
-    if kind == LOG_SPIRAL:
-        turn, _share = log_spiral_turn(rows, j, u)
-    elif kind != SPIRAL and kind != LINE:
-        turn = u * max(abs(rows[j, P]), abs(curvature(rows, j, u)))
-    return HALF_UNIT * (TANGENT_UNITS + TURN_UNITS * abs(turn))
+    if kind != SPIRAL:
+        turn = abs(heading(rows, j, u) - rows[j, ANGLE])
+    if kind not in (LINE, ARC, SPIRAL):  # bends either way may cancel, their rounding does not
+        turn = max(turn, CLOTHOID_TURN)
+    return HALF_UNIT * (TANGENT_UNITS + TURN_UNITS * turn)
 
 
 @entry
@@ -243,21 +242,6 @@ def ratio_errors(
         out[i + 1, t] = ABOUT * (out[i, t] + off)
 
 
-@entry
-def ratio_error(
-    rows: Table,
-    links: Vector,
-    seams: Table,
-    places: Placements,
-    lanes: Vector,
-    errors: Vector,
-    out: Table,
-) -> None:
-    """Fill out, (handles, 1), with what speed ratios may be off by in slot 0: see `ratio_errors`."""
-    mark_lanes(rows, links, places, 0, 1, lanes)
-    ratio_errors(rows, links, seams, places, lanes, 0, errors, out)
-
-
 @kernel
 def bench_error(
     rows: FloatArray,
@@ -312,10 +296,3 @@ def bench_errors(
     seen = seen if seen >= 0 else places.row[0, t]
     for i in range(links.shape[0]):
         out[i] = bench_error(rows, seams, places, sizes, i, t, seen, errors)
-
-
-def seams_of(rows: FloatArray) -> FloatArray:
-    """The seams of a route of these rows, (rows, SEAM_COLUMNS)."""
-    seams = np.empty((len(rows), SEAM_COLUMNS))
-    find_seams(rows, seams)
-    return seams

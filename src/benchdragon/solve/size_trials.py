@@ -6,7 +6,7 @@ import numpy as np
 
 from benchdragon.analysis import distance
 from benchdragon.analysis.contact_search import MOST_EVALUATIONS, SLACK, WIDTH, run_search
-from benchdragon.analysis.nearby import NOWHERE, checked_off, origin_of
+from benchdragon.analysis.nearby import NOWHERE, checked_off, origin_of, seams_of
 from benchdragon.analysis.obstacle_search import ObstacleSearch
 from benchdragon.analysis.obstacles import touching
 from benchdragon.analysis.tables import PLACES, Tables
@@ -20,7 +20,7 @@ from benchdragon.kernels.course import AT, SOUND
 from benchdragon.kernels.curve import COLUMNS, LENGTH, S_START, FloatArray
 from benchdragon.kernels.family import falls_soon, set_walk
 from benchdragon.kernels.low_points import SHRINKS, low_pair, low_point
-from benchdragon.kernels.rounding import bench_errors, seams_of
+from benchdragon.kernels.rounding import bench_errors
 from benchdragon.kernels.route import END_SLACK
 from benchdragon.kernels.route_parts import settle_rows
 from benchdragon.kernels.spiral import LANES

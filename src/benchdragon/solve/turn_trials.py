@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from benchdragon import budget
+from benchdragon.analysis.nearby import seams_of
 from benchdragon.analysis.speed import QUANTITIES, given_limits, greatest_at
 from benchdragon.errors import InputError, finite, positive
 from benchdragon.i18n import N_, _
@@ -14,7 +15,6 @@ from benchdragon.kernels import step_bounds
 from benchdragon.kernels.box import least_distance
 from benchdragon.kernels.curve import S_START, FloatArray
 from benchdragon.kernels.links import link_length
-from benchdragon.kernels.rounding import seams_of
 from benchdragon.kernels.route import evaluate
 from benchdragon.kernels.search import NEAREST, NOTES, Search, room
 from benchdragon.kernels.standing import Bench, look_along, scratch_for
