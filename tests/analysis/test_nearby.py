@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -20,7 +21,9 @@ from benchdragon import (
     least_clearance,
 )
 from benchdragon.analysis.check import check
+from benchdragon.analysis.head_times import HeadTimes
 from benchdragon.analysis.nearby import MOST_OFF, NOWHERE, checked_off, errors_at, origin_of, seen_from
+from benchdragon.kernels.drift import head_drift
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.plans.schema import checked
 from benchdragon.plans.toml import parsed
@@ -166,6 +169,20 @@ def test_a_route_seen_from_elsewhere_has_no_gaps() -> None:
     s = np.linspace(0.0, home.length, 50)
     np.testing.assert_allclose(near.point(s), home.point(s), rtol=0.0, atol=1e-13)
     assert far.rows[0, 7] == 1e7  # as it was
+
+
+def test_times_are_told_of_where_heads_exactly_stand() -> None:
+    walk, drifts = Walk(TWENTY, Route((Spiral(1.7, TURN * 700.0, TURN * 20.0),))), []
+    times = HeadTimes(walk, 0.0, 0.0)
+    for s in np.linspace(1e5, 0.9 * walk.route.length, 20).tolist():
+        drift, doubt = head_drift(walk.route.rows, s)
+        _about, early, late = times.bracketed(s, s)
+        # The head walks at 1 m/s.
+        assert Fraction(early) <= Fraction(s) + Fraction(drift) - Fraction(doubt)
+        assert Fraction(late) >= Fraction(s) + Fraction(drift) + Fraction(doubt)
+        assert late - early <= 2.0 * abs(drift) + 4.0 * math.ulp(s)
+        drifts.append(drift)
+    assert max(drifts) > 5e-10  # what the length of 5000 km is rounded to
 
 
 def test_what_rounding_hides_is_never_passed_over() -> None:

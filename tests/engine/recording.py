@@ -38,6 +38,7 @@ CALLS, BYTES = 12, 4_000_000
 ANSWERS = {
     "bd_walk_search_search_walk": {"note": [search.LOWER, search.NEAREST]},
     "bd_standing_search_spans": {"note": [search.LOWER, search.NEAREST]},
+    "bd_standing_look_along": {"note": [search.NEAREST]},
     "bd_peak_seek_peak": {"notes": [peak.SEEN, peak.UPPER], "counts": [peak.OPEN]},
     "bd_low_points_low_point": {},
     "bd_low_points_low_pair": {},
