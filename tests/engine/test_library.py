@@ -30,6 +30,7 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.numba
+@pytest.mark.timeout(2400)  # it compiles each kernel, on a busy machine too
 def test_every_entry_gives_what_numba_gives(library: Path) -> None:
     done = subprocess.run(
         [sys.executable, "-m", "tests.engine.both", str(library)],
