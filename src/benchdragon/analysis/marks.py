@@ -237,7 +237,7 @@ class Marks:
         return way
 
     @cached_property
-    def off(self) -> FloatArray:
+    def offsets(self) -> FloatArray:
         """From the peg along the base line and to its left, m, (M, 2)."""
         return self.ground.seen(self.points)
 
@@ -249,12 +249,12 @@ class Marks:
     @cached_property
     def radius(self) -> FloatArray:
         """From the peg, m, (M,)."""
-        return as_lengths(self.off)
+        return as_lengths(self.offsets)
 
     @cached_property
     def angle(self) -> FloatArray:
         """As `angles_of`, at the peg, (M,)."""
-        return angles_of(self.off, north=self.north)
+        return angles_of(self.offsets, north=self.north)
 
     @cached_property
     def before(self) -> FloatArray:
@@ -275,7 +275,7 @@ class Marks:
         To first order: two lengths that are off by e each, at right angles, mislead by √2 e, and the
         more the more nearly they run alike.
         """
-        to_peg, to_base = -self.off[:, None], self.arms - self.off[:, None]
+        to_peg, to_base = -self.offsets[:, None], self.arms - self.offsets[:, None]
         long = as_lengths(to_peg) * self.from_base
         cross = to_peg[..., 0] * to_base[..., 1] - to_peg[..., 1] * to_base[..., 0]
         dot = (to_peg * to_base).sum(axis=-1)
@@ -301,7 +301,9 @@ class Marks:
     def on_left(self) -> list[bool]:
         """Whether each mark is on the left of who looks from the peg to its base point, (M,)."""
         arms = self.arms[self.base]
-        left: list[bool] = (arms[:, 0] * self.off[:, 1] - arms[:, 1] * self.off[:, 0] > 0.0).tolist()
+        left: list[bool] = (
+            arms[:, 0] * self.offsets[:, 1] - arms[:, 1] * self.offsets[:, 0] > 0.0
+        ).tolist()
         return left
 
     @property

@@ -100,7 +100,7 @@ def _columns(marks: Marks) -> tuple[str, ...]:
 def list_rows(marks: Marks) -> Iterator[tuple[Cell, ...]]:
     """What the list says of each mark, as `_columns`: lengths in m and angles in degrees, rounded."""
     for n in range(len(marks)):
-        lengths = marks.way[n], *marks.off[n], marks.radius[n], marks.cross[n], marks.before[n]
+        lengths = marks.way[n], *marks.offsets[n], marks.radius[n], marks.cross[n], marks.before[n]
         way, x, y, radius, cross, before = (rounded(float(one), LENGTH_STEP) for one in lengths)
         angle = rounded(float(marks.angle[n]), ANGLE_STEP) % 360.0
         side = _("left") if marks.on_left[n] else _("right")
@@ -162,8 +162,8 @@ def _about(drawing: ChalkDrawing, sheet: Sheet) -> Iterator[Paragraph]:
     )  # fmt: skip
     yield say(
         _(
-            "Fewer marks: write every = {twice} below [chalk] at the end of the plan, where [chalk] is a "
-            "line of its own, and print all papers anew, for all marks have other numbers then."
+            "Fewer marks: write every = {twice} below [chalk] at the end of the plan, where [chalk] is "
+            "a line of its own, and print all papers anew, for all marks have other numbers then."
         ),
         twice=f"{2.0 * drawing.every:g}",
     )
