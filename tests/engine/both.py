@@ -37,6 +37,11 @@ from benchdragon.solve.tolerance import CASES, Draw, random_dance
 # Its plain functions call its entries, which no compiled function does.
 MIXED = "benchdragon.kernels.grid"
 FOUND: dict[str, list[float]] = {}
+# Where a distance is least is known to half its digits only: of these only the other results count.
+RESULTS = {
+    "benchdragon.kernels.low_points.low_point": [0],
+    "benchdragon.kernels.low_points.low_pair": [0, 2, 3],
+}
 
 
 def arrays(value: Any) -> Iterator[npt.NDArray[Any]]:
@@ -77,7 +82,10 @@ def both(name: str, compiled: Any, built: Any) -> Callable[..., Any]:
     def call(*arguments: Any) -> Any:
         again = copied(arguments)
         result, other = compiled(*arguments), built(*again)
-        pairs = zip(arrays((arguments, result)), arrays((again, other)), strict=True)
+        one, two = (arguments, result), (again, other)
+        if name in RESULTS:
+            one, two = (tuple(found[n] for n in RESULTS[name]) for found in (result, other))
+        pairs = zip(arrays(one), arrays(two), strict=True)
         note = FOUND.setdefault(name, [0, 0.0])
         note[0], note[1] = note[0] + 1, max(note[1], *(apart(a, b) for a, b in pairs))
         return result
