@@ -48,7 +48,7 @@ main-test: style .venv/engine .venv/kernels-plain .venv/kernels-compiled
 	$(BIN)/python -m pytest -q -n $(WORKERS) --dist loadgroup -m 'not manual and not numba and not pages and not long' --ignore tests/kernels
 
 # What pages do in a browser, and what their JavaScript answers beside Python.
-page-test: .venv/engine
+page-test: .venv/engine $(if $(NPM),node_modules/installed)
 	$(BIN)/python -m pytest -q -n $(WORKERS) --dist loadgroup -m pages tests/browser tests/planner
 
 # What takes seconds each: proofs, random dances, strangers' plans, sweeps that are killed.

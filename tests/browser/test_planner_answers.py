@@ -108,6 +108,7 @@ def test_a_limit_that_comes_in_late_is_marked_as_an_earlier_plans(opened: Opened
 def test_a_dance_that_comes_in_late_is_marked_as_an_earlier_plans(opened: Opened) -> None:
     page = opened()
     place = page.locator(".player").bounding_box()
+    Held(page, "sketch")
     held = in_late(page, "dance")
     assert page.locator(".player").bounding_box() == place
     root, note = page.locator("#planner"), page.get_by_text(OLD_PICTURE)
@@ -124,6 +125,22 @@ def test_a_dance_that_comes_in_late_is_marked_as_an_earlier_plans(opened: Opened
     expect(note).to_be_hidden()
     expect(root).to_have_attribute("data-picture", "this")
     expect(root).to_have_attribute("aria-busy", "false")
+
+
+def test_a_dance_that_comes_in_late_takes_no_newer_pictures_place(opened: Opened) -> None:
+    page = opened()
+    held = Held(page, "dance")
+    change(page, PITCH, "0.46")
+    held.wait(1)
+    change(page, PITCH, "0.44")
+    until(page, "benchdragon.dances.wanted?.route.pitch === 0.44")
+    until(page, "benchdragon.pictured.route.pitch === 0.44")  # the rough picture
+    held.let_go(0)
+    held.wait(2)  # the second is asked once the first came in
+    assert page.evaluate("benchdragon.pictured.route.pitch") == 0.44
+    expect(page.get_by_text(OLD_PICTURE)).to_be_hidden()
+    held.let_go(1)
+    settled(page)
 
 
 def test_no_limit_is_shown_of_a_plan_that_has_none(opened: Opened) -> None:

@@ -418,12 +418,13 @@ export class Planner {
     dialog.showModal();
   }
 
-  /** @param {Scene} scene @param {Plan} plan */
+  /** The dance, shown unless a picture of a newer plan is. @param {Scene} scene @param {Plan} plan */
   #danced(scene, plan) {
     this.lines.dance.tell(plan, "");
     this.#mark();
     this.#whenFree(() => {
-      this.#picture(scene, plan);
+      const { subject } = this;
+      if (samePlan(plan, subject) || !this.#pictures(subject)) this.#picture(scene, plan);
       if (this.awaited?.plan === plan) this.#await(true);
     });
   }
