@@ -3,6 +3,7 @@
 import math
 import re
 import zipfile
+from dataclasses import replace
 from itertools import combinations, pairwise
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,7 @@ import pypdf
 import pypdfium2
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.text import Text
 from python_calamine import CalamineWorkbook
 
 from benchdragon.analysis.check import check
@@ -19,7 +21,16 @@ from benchdragon.analysis.ground import own_peg
 from benchdragon.analysis.marks import ANGLE_STEP, LENGTH_STEP
 from benchdragon.errors import InputError
 from benchdragon.export.tiles import BORDER, Tiling
-from benchdragon.figures.chalk import ChalkDrawing, chalk_picture
+from benchdragon.figures.chalk import (
+    AROUND,
+    DIGIT_HEIGHT,
+    POINT,
+    ChalkDrawing,
+    chalk_picture,
+    number_box,
+)
+from benchdragon.figures.scale import Sheet
+from benchdragon.figures.style import LEAST_TEXT
 from benchdragon.i18n import spoken_in
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.plans.schema import Plan, checked
@@ -204,28 +215,98 @@ def test_the_drawing_is_to_scale(folders: dict[str, Path], drawing: ChalkDrawing
     assert any(np.allclose(size, [50.0, 2.0], atol=0.01) for size in sizes)  # the bar of 5 m
 
 
-@pytest.mark.parametrize(("every", "all_shown"), [(1.0, True), (0.1, False)])
-def test_no_number_overlaps_another_number_a_name_or_a_mark(every: float, all_shown: bool) -> None:
-    drawing = chalk_drawing(briefed(village(chalk={"every": every})))
-    sheet = drawing.sheet("A3", 100.0)
+def shown_texts(drawing: ChalkDrawing, sheet: Sheet) -> list[tuple[Text, FloatArray]]:
+    """The texts of a drawing, with left, bottom, right and top of each on the sheet, points."""
     figure = chalk_picture(drawing, sheet)
     figure.set_dpi(72.0)
     canvas: Any = FigureCanvasAgg(figure)
     canvas.draw()
     renderer = canvas.get_renderer()
-    axes = figure.axes[0]
-    texts = [text for text in axes.texts if text.get_text().isdigit() and text.get_fontsize() == 7.0]
-    assert (len(texts) == len(drawing.marks)) == all_shown
-    assert len(texts) > 20
-    boxes = [text.get_window_extent(renderer) for text in texts]
     # Agg's boxes are whole dots, and reach below the digits: the middle of each counts.
-    small = [(box.x0 + 1.0, box.y0 + 1.0, box.x1 - 1.0, box.y1 - 1.0) for box in boxes]
-    for a, b in combinations(small, 2):
+    return [
+        (text, np.array(text.get_window_extent(renderer).padded(-1.0).extents))
+        for text in figure.axes[0].texts
+    ]
+
+
+def is_number(text: Text) -> bool:
+    return text.get_text().isdigit() and text.get_fontsize() == 7.0
+
+
+def dots_of(drawing: ChalkDrawing, sheet: Sheet) -> FloatArray:
+    """Where the marks lie on the sheet, points."""
+    dots: FloatArray = sheet.place(drawing.marks.points) / MM
+    return dots
+
+
+def under(box: FloatArray, dots: FloatArray) -> bool:
+    """Whether a box lies on any dot."""
+    return bool(((dots > box[:2]) & (dots < box[2:])).all(axis=1).any())
+
+
+@pytest.mark.parametrize(("every", "all_shown"), [(1.0, True), (0.1, False)])
+def test_no_number_overlaps_another_number_a_name_or_a_mark(every: float, all_shown: bool) -> None:
+    drawing = chalk_drawing(briefed(village(chalk={"every": every})))
+    sheet = drawing.sheet("A3", 100.0)
+    boxes = [box for text, box in shown_texts(drawing, sheet) if is_number(text)]
+    assert (len(boxes) == len(drawing.marks)) == all_shown
+    assert len(boxes) > 20
+    for a, b in combinations(boxes, 2):
         assert a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
-    dots = sheet.place(drawing.marks.points) / MM
-    for left, bottom, right, top in small:
-        inside = (dots > [left, bottom]) & (dots < [right, top])
-        assert not inside.all(axis=1).any()
+    dots = dots_of(drawing, sheet)
+    assert not any(under(box, dots) for box in boxes)
+
+
+def coiled() -> ChalkDrawing:
+    """A dance whose coils are a fifth of a centimetre apart on a small sheet."""
+    route = {"kind": "spiral-in", "pitch": 0.9, "start_turn": 5}
+    around = {"rectangle": [16, 16], "centre": [0, 0]}
+    given = village(route=route, disc={"radius": 2.0}, walk={}, obstacle=[], venue=around)
+    return chalk_drawing(briefed(given))
+
+
+def test_a_number_is_nearest_to_its_own_mark() -> None:
+    drawing = coiled()
+    sheet = drawing.sheet("A4", 200.0)
+    dots, shown = sheet.place(drawing.marks.points), 0
+    for text, _box in shown_texts(drawing, sheet):
+        if is_number(text):
+            (x, low), own = text.get_position(), int(text.get_text()) - 1
+            padded = number_box(text.get_text(), x, low + 0.5 * POINT * DIGIT_HEIGHT * LEAST_TEXT)
+            box = padded + np.array([AROUND, AROUND, -AROUND, -AROUND])
+            apart = np.hypot(*np.maximum(np.maximum(box[:2] - dots, dots - box[2:]), 0.0).T)
+            assert int(np.argmin(apart)) == own
+            of_other_coils = np.delete(apart, np.s_[max(own - 1, 0) : own + 2])
+            assert of_other_coils.min() > 1.4 * apart[own]
+            shown += 1
+    assert 20 < shown < len(dots)
+
+
+def with_peg(drawing: ChalkDrawing, x: float, y: float) -> ChalkDrawing:
+    """The same with the peg elsewhere, m."""
+    marks = drawing.marks
+    return replace(drawing, marks=replace(marks, ground=replace(marks.ground, peg=(x, y))))
+
+
+def test_names_of_peg_and_base_points_hide_no_mark_and_no_number_hides_them() -> None:
+    drawing = coiled()
+    x, y = drawing.marks.points[len(drawing.marks) // 2].tolist()
+    moved = with_peg(drawing, x - 0.5, y - 0.3)
+    sheet = moved.sheet("A4", 200.0)
+    shown, dots = shown_texts(moved, sheet), dots_of(moved, sheet)
+    names = [box for text, box in shown if text.get_text() in ("peg", "B", "C")]
+    assert len(names) == 3
+    assert not any(under(box, dots) for box in names)
+    # Where a number would stand without the peg.
+    number = next(text for text, _box in shown if is_number(text))
+    n = int(number.get_text()) - 1
+    (left, low), (u, v) = number.get_position(), sheet.place(moved.marks.points[[n]])[0].tolist()
+    x, y = moved.marks.points[n].tolist()
+    there = with_peg(drawing, x + 0.2 * (left - u), y + 0.2 * (low + 0.9 - v))
+    spots = there.sheet("A4", 200.0).place(np.array([there.marks.peg])) / MM
+    numbers = [box for text, box in shown_texts(there, sheet) if is_number(text)]
+    assert len(numbers) > 20
+    assert not any(under(box, spots) for box in numbers)
 
 
 def test_the_peg_is_the_centre_of_the_route_where_it_is_danced() -> None:

@@ -5,6 +5,7 @@ from typing import Any
 
 import matplotlib
 import numpy as np
+import numpy.typing as npt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
@@ -40,6 +41,8 @@ POINT, DIGIT_HEIGHT, AROUND = 25.4 / 72.0, 0.74, 0.35
 MARK = 0.5
 # Marks with round numbers keep theirs first where there is no room for all.
 ROUND = (100, 50, 20, 10, 5, 2)
+# A mark of another coil is farther from a number than the number's own by this factor.
+CLEARER = 1.5
 # What base points are called.
 BASES = ("B", "C")
 
@@ -132,9 +135,32 @@ def _draw_peg(axes: Axes, sheet: Sheet, marks: Marks) -> FloatArray:
               label=_("peg"))  # fmt: skip
     axes.plot(*spots[1:].T, ls="", marker="X", ms=6.0, color="black", mec="white", mew=0.5, zorder=7,
               label=_("base points B and C"))  # fmt: skip
-    for name, (x, y) in zip((_("peg"), *BASES), spots.tolist(), strict=True):
-        axes.text(x + 1.5, y + 1.0, name, fontsize=9, weight="bold", va="bottom", zorder=8)
+    dots = np.concatenate([sheet.place(marks.points), spots])
+    for name, spot in zip((_("peg"), *BASES), spots, strict=True):
+        text = axes.text(0.0, 0.0, name, fontsize=9, weight="bold", va="bottom", zorder=8)
+        _put_beside(text, spot, dots)
     return spots
+
+
+def _put_beside(text: Text, spot: FloatArray, dots: FloatArray) -> None:
+    """Put a name to that side of a spot where the fewest dots lie under it."""
+    wide, tall = text_box(text)[2:] - text_box(text)[:2]
+    right, left, above, below = 1.5, -1.5 - wide, 0.0, -tall
+    boxes = [
+        np.array([x, y, x + wide, y + tall])
+        for up in (above, below)
+        for aside in (right, left)
+        for x, y in [spot + np.array([aside, up])]
+    ]
+    best = boxes[int(np.argmin([_under(box, dots).sum() for box in boxes]))]
+    # text_box keeps 1 mm free below the text.
+    text.set_position((float(best[0]), float(best[1]) + 1.0))
+
+
+def _under(box: FloatArray, dots: FloatArray) -> npt.NDArray[np.bool_]:
+    """Which dots a box lies on, (n,)."""
+    near = (dots > box[:2] - MARK) & (dots < box[2:] + MARK)
+    return np.asarray(near.all(axis=1))
 
 
 def number_box(text: str, x: float, y: float) -> FloatArray:
@@ -158,15 +184,13 @@ def text_box(text: Text) -> FloatArray:
 def _write_numbers(axes: Axes, drawing: ChalkDrawing, places: FloatArray, spots: FloatArray) -> int:
     """Numbers beside their marks where none overlaps a mark, another number or a name; how many."""
     marks = drawing.marks
-    taken = np.full((len(marks) + len(axes.texts), 4), np.inf)
-    count = len(axes.texts)
-    for n, text in enumerate(axes.texts):
-        taken[n] = text_box(text)
-    ways, dots = _ways(drawing), np.concatenate([places, spots])
-    shown = 0
+    known = [*(text_box(text) for text in axes.texts), *np.hstack([spots - MARK, spots + MARK])]
+    taken = np.full((len(known) + len(marks), 4), np.inf)
+    taken[: len(known)] = known
+    ways, count, shown = _ways(drawing), len(known), 0
     for n in sorted(range(len(marks)), key=lambda n: _rank(marks.kinds[n], n + 1)):
         for box in _candidates(str(n + 1), places[n], ways[n]):
-            if _free(box, taken[:count], dots):
+            if _free(box, taken[:count]) and _is_told(box, places, n):
                 taken[count] = box
                 count, shown = count + 1, shown + 1
                 x, y = 0.5 * (box[:2] + box[2:])
@@ -202,12 +226,18 @@ def _candidates(text: str, place: FloatArray, way: FloatArray) -> list[FloatArra
     return found
 
 
-def _free(box: FloatArray, taken: FloatArray, dots: FloatArray) -> bool:
+def _free(box: FloatArray, taken: FloatArray) -> bool:
     over = (box[:2] < taken[:, 2:]) & (taken[:, :2] < box[2:])
-    if over.all(axis=1).any():
-        return False
-    near = (dots > box[:2] - MARK) & (dots < box[2:] + MARK)
-    return not near.all(axis=1).any()
+    return not over.all(axis=1).any()
+
+
+def _is_told(box: FloatArray, places: FloatArray, n: int) -> bool:
+    """Whether a number tells of mark n: that is nearest, and clearly so but for the next on the way."""
+    off = np.maximum(np.maximum(box[:2] + AROUND - places, places - box[2:] + AROUND), 0.0)
+    apart = np.hypot(off[:, 0], off[:, 1])
+    further = np.abs(np.arange(len(places)) - n) > 1
+    needed = np.where(further, CLEARER, 1.0) * apart[n]
+    return bool((apart >= needed).all())
 
 
 def _write_names(axes: Axes, sheet: Sheet, drawing: ChalkDrawing, shown: int) -> None:
