@@ -129,7 +129,7 @@ def test_places_are_told_along_the_edges_of_a_venue_that_is_turned() -> None:
 
 def test_the_tightest_moment_and_the_neighbours_have_the_names_that_the_village_gives() -> None:
     plan = read_plan("turn", ["people.unit=qiao", "people.count_head=false"])
-    near = Tightest(75.4, 3, "left", 0.1, 0.279)
+    near = Tightest(75.4, 3, "left", 0.1, 0.279, (0.0, 0.0))
     bench = replace(
         one_bench(stretch(10.0, 90.0, "left", "walk")), tightest=near, before=1, left=9, right=3
     )
@@ -194,14 +194,14 @@ def test_a_sheet_ends_with_where_to_go_when_the_dance_is_over() -> None:
 
 
 def test_others_read_of_a_bench_by_its_own_sides() -> None:
-    near, clock = Tightest(75.4, 3, "rear", 0.1, 0.279), Clock("", 0.0)
+    near, clock = Tightest(75.4, 3, "rear", 0.1, 0.279, (0.0, 0.0)), Clock("", 0.0)
     own, others = (tightest_line(near, clock, str, its=its) for its in (False, True))
     assert (own.endswith("27 cm, behind you."), others.endswith("27 cm, behind it.")) == (True, True)
     assert tightest_line(None, clock, str, its=True).endswith("m of it.")
 
 
 def test_times_are_of_day_where_the_plan_says_when_the_dance_starts() -> None:
-    near = Tightest(75.4, 3, "left", 0.1, 0.279)
+    near = Tightest(75.4, 3, "left", 0.1, 0.279, (0.0, 0.0))
     bench = replace(one_bench(stretch(-38.0, 90.0, "left", "run")), tightest=near)
     text = text_of(read_plan("turn", ["cues.clock=18:30"]), bench)
     assert text.stretches[0].startswith("18:30:00 to 18:32:08: run")

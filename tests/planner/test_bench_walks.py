@@ -121,7 +121,7 @@ def fault(own: Any, twin: Any) -> str:
         if near is None or its is None:
             continue
         if abs(near["time"] - its["time"]) <= MOMENT:
-            its["time"] = near["time"]
+            its["time"], its["place"] = near["time"], near["place"]
         if near["upper"] <= TOUCHING and near["side"] != its["side"]:
             its["side"] = near["side"]
             for spoken in LANGUAGES:

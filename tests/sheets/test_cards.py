@@ -275,7 +275,10 @@ def test_the_overview_lists_the_tightest_three_of_different_benches_first(
     ours: Briefing, language: str
 ) -> None:
     gaps = {2: (0.9, 6), 6: (0.9, 2), 3: (0.7, 7), 4: (0.8, 8), 5: (0.95, 1)}
-    told = {n: Tightest(float(n), other, "left", gap, gap) for n, (gap, other) in gaps.items()}
+    told = {
+        n: Tightest(float(n), other, "left", gap, gap, (10.0 * n, 0.0))
+        for n, (gap, other) in gaps.items()
+    }
     benches = tuple(replace(one, tightest=told.get(one.bench)) for one in ours.benches)
     with spoken_in(language):
         given = replace(ours, benches=benches)
@@ -286,6 +289,12 @@ def test_the_overview_lists_the_tightest_three_of_different_benches_first(
             assert tightest_line(told[bench], given.clock, given.called, its=True) in line
             assert given.called(bench) in line
         assert tightest_line(told[5], given.clock, given.called, its=True) not in str(blocks[at + 4])
+        told[4] = replace(told[4], place=(32.0, 0.0))  # 2 m from the tightest: one place to look at
+        benches = tuple(replace(one, tightest=told.get(one.bench)) for one in ours.benches)
+        said = str(overview(replace(given, benches=benches), phones=False).blocks[at + 1 : at + 4])
+        for bench, listed in {3: True, 4: False, 2: True, 5: True}.items():
+            line = tightest_line(told[bench], given.clock, given.called, its=True)
+            assert (line in said) == listed
 
 
 def test_a_bench_that_nobody_carries_has_a_line_for_names(tmp_path: Path, ours: Briefing) -> None:
@@ -498,7 +507,7 @@ def test_the_overview_says_so_where_nobody_need_stand_by(ours: Briefing) -> None
     alone = tuple(replace(one, tightest=None) for one in ours.benches)
     text = str(overview(replace(ours, benches=alone), phones=False).blocks)
     assert "No bench of another coil comes within about 1.5 m of any" in text
-    near = (replace(alone[0], tightest=Tightest(1.0, 6, "left", 0.9, 0.9)), *alone[1:])
+    near = (replace(alone[0], tightest=Tightest(1.0, 6, "left", 0.9, 0.9, (0.0, 0.0))), *alone[1:])
     text = str(overview(replace(ours, benches=near), phones=False).blocks)
     assert "of any" not in text
 

@@ -38,6 +38,7 @@ class Tightest:
         side: on which side of this bench it then is.
         lower: no such bench comes nearer than this at any time, m.
         upper: so near that one is then, m.
+        place: where this bench's front handle then is, m.
     """
 
     time: float
@@ -45,6 +46,7 @@ class Tightest:
     side: Side
     lower: float
     upper: float
+    place: tuple[float, float]
 
 
 class TightestSearch:
@@ -101,14 +103,16 @@ class TightestSearch:
             low_point(self.walk, i, j, low, high, SHRINKS) if low < high else (math.inf, head)
         )
         head = where if least < self._least[k] - LEVEL else head
-        table = boxes(self.walk.placement([head]), 0)
+        placed = self.walk.placement([head])
+        table, place = boxes(placed, 0), (float(placed.x[0, k]), float(placed.y[0, k]))
         near = nearness(table, k, other)
         upper = max(near.distance, 0.0)
         lower = min(max(float(self._floor[k]), self.apart, 0.0), upper)
         first, last = self._when[k].tolist()
         # Where the head stops for good, rounding may put its place beyond all that it comes to.
         time = min(max(self.walk.time_at(head), first), last)
-        return Tightest(time, other + 1, side_of(table, k, near.points[other > k]), lower, upper)
+        side = side_of(table, k, near.points[other > k])
+        return Tightest(time, other + 1, side, lower, upper, place)
 
 
 def side_of(table: FloatArray, k: int, point: tuple[float, float]) -> Side:

@@ -1,5 +1,6 @@
 """The leader's overview: the verdict, the map with all benches, who they are and what they do."""
 
+import math
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -22,8 +23,8 @@ from benchdragon.sheets.small_map import Frame, SmallMap
 
 # Signs of people's names in a row, which must not be taller than a page.
 MOST_SIGNS = 500
-# Tightest moments that are listed, of different benches.
-MOST_TIGHT = 3
+# Tightest moments that are listed, of different benches, and how far apart they are at least, m.
+MOST_TIGHT, TIGHT_APART = 3, 3.0
 # The column of what a bench does.
 WHAT = 3
 # Size of the map at most, mm.
@@ -57,18 +58,18 @@ def overview(briefing: Briefing, phones: bool) -> Document:
 
 
 def _tightest(briefing: Briefing) -> list[Block]:
-    """The tightest moments, each told of one bench: where marshals stand."""
+    """The tightest moments, each told of one bench, and where on the ground to look at it."""
     found = [(one.tightest.upper, one.bench, one.tightest) for one in briefing.benches if one.tightest]
     lines: list[Block] = []
-    told: set[int] = set()
+    told, places = set[int](), list[tuple[float, float]]()
     for _gap, bench, near in sorted(found, key=lambda one: one[:2]):
-        if len(lines) < MOST_TIGHT and told.isdisjoint((bench, near.bench)):
+        elsewhere = all(math.dist(near.place, place) >= TIGHT_APART for place in places)
+        if len(lines) < MOST_TIGHT and elsewhere and told.isdisjoint((bench, near.bench)):
             told |= {bench, near.bench}
-            s = briefing.report.walk.motion([near.time]).s[0, [bench - 1]]
-            mark, _away = nearest_mark(briefing.marks, briefing.trail.route.point(s)[0])
+            places.append(near.place)
             said = _("{bench}, at mark {mark} then: {tightest}").format(
                 bench=briefing.called(bench),
-                mark=mark,
+                mark=nearest_mark(briefing.marks, near.place)[0],
                 tightest=tightest_line(near, briefing.clock, briefing.called, its=True),
             )
             lines.append(Paragraph((said,)))

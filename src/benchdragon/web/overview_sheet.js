@@ -8,8 +8,9 @@ import { _, language } from "./words.js";
 /** @typedef {import("./bench_sheet.js").Sayings} Sayings */
 /** @typedef {import("./sheet_map.js").SheetMaps} SheetMaps */
 
-// Tightest moments that are listed, of different benches: MOST_TIGHT of sheets/overview.py.
-const MOST_TIGHT = 3;
+// Tightest moments that are listed, of different benches, and how far apart they are at least, m:
+// MOST_TIGHT and TIGHT_APART of sheets/overview.py.
+const [MOST_TIGHT, TIGHT_APART] = [3, 3];
 // The column of what a bench does.
 const WHAT = 3;
 // What a spreadsheet takes for a formula.
@@ -39,16 +40,20 @@ function rowsOf(said, phones) {
   }));
 }
 
-/** The tightest moments, each told of one bench: where marshals stand. @param {Sayings} said */
+/** The tightest moments, each told of one bench. @param {Sayings} said */
 function tightestLines(said) {
   const found = said.briefing.benches.flatMap(({ bench, tightest }) =>
-    tightest ? [{ bench, other: tightest.bench, upper: tightest.upper }] : [],
+    tightest ? [{ ...tightest, bench, other: tightest.bench }] : [],
   );
   found.sort((a, b) => a.upper - b.upper || a.bench - b.bench);
   const told = new Set();
-  return found.flatMap(({ bench, other }) => {
-    if (told.size >= 2 * MOST_TIGHT || told.has(bench) || told.has(other)) return [];
+  /** @type {Array<[number, number]>} */
+  const places = [];
+  return found.flatMap(({ bench, other, place: [x, y] }) => {
+    if (places.length >= MOST_TIGHT || told.has(bench) || told.has(other)) return [];
+    if (places.some((one) => Math.hypot(x - one[0], y - one[1]) < TIGHT_APART)) return [];
     told.add(bench).add(other);
+    places.push([x, y]);
     return [_("{bench}: {tightest}", { bench: said.called(bench), tightest: said.tightest(bench) })];
   });
 }

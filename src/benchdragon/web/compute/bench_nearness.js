@@ -21,6 +21,7 @@ import { nearestEach } from "./nearness.js";
  * @property {Side} side on which side of this bench it then is
  * @property {number} lower no such bench comes nearer than this at any time, m
  * @property {number} upper so near that one is then, m
+ * @property {[number, number]} place where this bench's front handle then is, m
  */
 
 /** How near the nearest benches are at some times, m, and their numbers: (times, benches). @typedef {{ distance: Float64Array, partner: Int32Array, headS: number[], times: number[] }} Looks */
@@ -105,7 +106,8 @@ export class TightestSearch {
     const [least, where] = low < high ? lowPoint(walk, i, j, low, high) : [Infinity, level];
     const head = least < this.least[k] - LEVEL ? where : level;
     return withArena(walk.engine, (arena) => {
-      const table = boxes(arena, walk.placement(arena, [head]));
+      const placed = walk.placement(arena, [head]);
+      const table = boxes(arena, placed);
       const near = nearness(walk.engine, table, k, other);
       const upper = Math.max(near.distance, 0);
       const lower = Math.min(Math.max(this.floor[k], this.apart, 0), upper);
@@ -113,7 +115,8 @@ export class TightestSearch {
       const [first, last] = this.when[k];
       // Where the head stops for good, rounding may put its place beyond all that it comes to.
       const time = Math.min(Math.max(walk.timeAt(head), first), last);
-      return { time, bench: other + 1, side, lower, upper };
+      const [x, y] = [placed.x, placed.y].map((row) => doubles(row)[k]);
+      return { time, bench: other + 1, side, lower, upper, place: [x, y] };
     });
   }
 }

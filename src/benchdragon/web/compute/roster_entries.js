@@ -127,7 +127,7 @@ function peopleOf(row, block, above) {
   }
   const others = [...block.households, ...block.phones, ...block.remarks];
   if (!people.length && !odd.length && cellsOf(row, others).some(Boolean))
-    return { people, odd: [_("no name: {text}", { text: shown(row) })] };
+    return { people, odd: [_("no name, only {text}", { text: shown(row) })] };
   return { people, odd };
 }
 
