@@ -49,6 +49,11 @@ class Frame:
     width: float
     height: float
 
+    @property
+    def corners(self) -> tuple[float, float, float, float]:
+        """Left, top, right and bottom, mm."""
+        return self.x, self.y, self.x + self.width, self.y + self.height
+
 
 @dataclass(frozen=True)
 class _Scale:
@@ -182,7 +187,7 @@ class SmallMap:
     ) -> tuple[float, float]:
         """The first of places for a text at which the venue's edge does not run through it."""
         wide, tall = pdf.get_string_width(said), TALL * pdf.font_size_pt
-        edges = [LinearRing(place(one.outline)) for one in self._obstacles if one.kind == "venue"]
+        edges = self._edges(place)
         return next(
             (
                 (x, y)
@@ -191,6 +196,10 @@ class SmallMap:
             ),
             wanted[0],
         )
+
+    def _edges(self, place: _Scale) -> list[LinearRing]:
+        """The venue's edge on the page, if there is one."""
+        return [LinearRing(place(one.outline)) for one in self._obstacles if one.kind == "venue"]
 
     def _scaled(self, frame: Frame) -> _Scale:
         low, high = self.bounds
@@ -239,14 +248,17 @@ class SmallMap:
         tall, size = TALL * pdf.font_size_pt, MARK * self._share(place)
         starts = place(self._walk.route.point(self._first[np.array(benches) - 1]))
         taken = [box(x - size, y - size, x + size, y + size) for x, y in starts]
+        edges = self._edges(place)
+        room = box(*place.frame.corners).buffer(AROUND)
         for n, ((x, y), name) in enumerate(zip(starts, names, strict=True)):
             wide, off = pdf.get_string_width(name), MARK + 0.5
             spots = [
                 (x + aside, y + up * tall) for up in (0.3, -1.0, 1.6) for aside in (off, -wide - off)
             ]
             areas = [box(left - 0.3, up - tall, left + wide + 0.3, up + 0.5) for left, up in spots]
-            free = (k for k, one in enumerate(areas) if not any(map(one.intersects, taken)))
-            k = next(free, 0)
+            inside = [not any(map(one.intersects, edges)) and room.contains(one) for one in areas]
+            free = [not any(map(one.intersects, taken)) for one in areas]
+            k = max(range(len(areas)), key=lambda k: (free[k], inside[k], -k))
             taken.append(areas[k])
             left, top, right, bottom = areas[k].bounds
             pdf.set_fill_color(255)
