@@ -104,7 +104,7 @@ def test_what_is_odd_is_named_by_its_row(tmp_path: Path) -> None:
         "columns that are not read: 序号, 年龄",
         "row 6 was not read: '甲' is no number of a bench: 5 甲 吴十 31",
         "row 7 was not read: *** is no name",
-        "row 8 was not read: no name: 7 9",
+        "row 8 was not read: no name, only 7 9",
         "row 9 was not read: the spreadsheet made a day of the bench's number (2026-03-05): "
         "format the column as text",
         "row 10 was not read: the spreadsheet rounded a phone number: format the column as text",

@@ -153,20 +153,10 @@ class _Frames(Typeset):
             self._named(one)
 
     def _key_page(self) -> None:
-        columns, rows = self._tiling.shape
         self.add_page(format=self._tiling.page)
         self.set_xy(BORDER, BORDER)
         self._say(self._title, 14.0, "B")
-        text = _(
-            "{count} pages in {columns} columns, A to {last}, and {rows} rows. Print at 100 % (actual "
-            "size), on one side. Adjacent pages overlap by {overlap} mm: cut two edges of each page, "
-            "the right and the lower one, along the crop marks, and glue the pages upon one another "
-            "from the lower right to the upper left, so that the lines go on."
-        ).format(
-            count=self._tiling.count, columns=columns, last=LETTERS[columns - 1], rows=rows,
-            overlap=f"{OVERLAP:g}",
-        )  # fmt: skip
-        self._say(text, 10.0)
+        self._say(self._how(), 10.0)
         self._say(_("This line is {length} mm long on paper:").format(length=f"{RULER:g}"), 10.0)
         y = self.get_y() + 3.0
         self.set_line_width(0.3)
@@ -177,6 +167,34 @@ class _Frames(Typeset):
         self._top = y + 8.0
         self._grid()
         self._low()
+
+    def _how(self) -> str:
+        """How the pages are printed, and put together where they are several."""
+        columns, rows = self._tiling.shape
+        text = _(
+            "The drawing follows on {count} pages, in {columns} columns, A to {last}, and {rows} rows. "
+            "Print at 100 % (actual size), on one side."
+        ).format(count=self._tiling.count, columns=columns, last=LETTERS[columns - 1], rows=rows)
+        if self._tiling.count == 1:
+            return text
+        gluing = _(
+            "Adjacent pages overlap by {overlap} mm: cut the right and the lower edge of each page "
+            "along the crop marks, and glue the pages upon one another from the lower right to the "
+            "upper left, so that the lines go on."
+        )
+        if columns == 1:
+            gluing = _(
+                "Adjacent pages overlap by {overlap} mm: cut the lower edge of each page along the "
+                "crop marks, and glue the pages upon one another from the lowest up, so that the "
+                "lines go on."
+            )
+        elif rows == 1:
+            gluing = _(
+                "Adjacent pages overlap by {overlap} mm: cut the right edge of each page along the "
+                "crop marks, and glue the pages upon one another from the right to the left, so that "
+                "the lines go on."
+            )
+        return f"{text} {gluing.format(overlap=f'{OVERLAP:g}')}"
 
     def _grid(self) -> None:
         """The windows over the drawing, and their names."""

@@ -130,7 +130,7 @@ def _people(row: Sequence[str], block: Columns, household: str) -> tuple[tuple[P
             for told in zip(names, [household] * len(names), each, [remarks] * len(names), strict=True)
         ]
     if not people and not odd and any(_cells(row, [*block.households, *block.phones, *block.remarks])):
-        odd = [_("no name: {text}").format(text=_shown(row))]
+        odd = [_("no name, only {text}").format(text=_shown(row))]
     return tuple(people), odd
 
 

@@ -225,6 +225,19 @@ def _posts(facts: AnnexFacts) -> Iterator[Block]:
         ),
         run=f"{facts.briefing.plan.people.run_from:g}", apart=metres(APART), most=MOST_RUNS,
     )  # fmt: skip
+    yield say(
+        _(
+            "Each post stands on the line, and the table tells the mark of the chalk plan that is "
+            "nearest to it: the place that it looks at lies inside."
+        )
+    )
+    if facts.swept.lines.holes:
+        yield say(
+            _(
+                "Where benches go round ground that they leave free, such as the middle of a coil, the "
+                "drawing has a line there too: it is no place for spectators, and has no posts."
+            )
+        )
     if facts.leaves_venue:
         yield say(
             _(

@@ -169,7 +169,9 @@ def _about(drawing: ChalkDrawing, sheet: Sheet) -> Iterator[Paragraph]:
     )
     sides = sorted((sheet.width, sheet.height))
     paper = next(name for name, size in PAPERS.items() if sorted(size) == sides)
-    if paper != "A4":
+    if paper == "A4":
+        yield say(_("chalk-drawing.pdf is A4 already: chalk-tiles.pdf need not be printed."))
+    else:
         yield say(
             _(
                 "chalk-drawing.pdf is {paper}. On A4 print chalk-tiles.pdf instead, or write the "
