@@ -37,7 +37,8 @@ from benchdragon.solve.tolerance import CASES, Draw, random_dance
 # Its plain functions call its entries, which no compiled function does.
 MIXED = "benchdragon.kernels.grid"
 FOUND: dict[str, list[float]] = {}
-# Where a distance is least is known to half its digits only: of these only the other results count.
+# Where a distance is least is known to half its digits only, and is a hint: of these the distance
+# itself counts, by which either place is as low as the other, and the pair.
 RESULTS = {
     "benchdragon.kernels.low_points.low_point": [0],
     "benchdragon.kernels.low_points.low_pair": [0, 2, 3],

@@ -78,13 +78,15 @@ def hairpin(radius: float, sweep: float) -> Walk:
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_no_corner_is_off_by_more_than_is_said(kind: Callable[[Draw], Route]) -> None:
-    rng = np.random.default_rng(7)
+    rng, shares = np.random.default_rng(7), []
     for _dance in range(6):
         walk = Walk(Dragon.of_sizes(rng.uniform(1.0, 3.4, 14)), kind(rng))
         low = 0.0 if walk.route.extension and kind is spiral_in else 45.0
         errors = corner_errors(walk, float(rng.uniform(low, walk.route.length)))
-        assert errors.share <= 1.0
-        assert errors.said.max() < 1e-11  # it says something
+        assert errors.said.max() < 1e-11
+        shares.append(errors.share)
+    # No error exceeds its bound, and bounds say something: they are no wider than they need be by far.
+    assert 0.05 < max(shares) <= 1.0
 
 
 def test_handles_keep_within_their_errors_along_the_route() -> None:

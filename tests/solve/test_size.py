@@ -58,7 +58,7 @@ def test_a_walk_passes_just_on_the_safe_side_of_each_limit(
     disc: Plan, name: str, keys: tuple[str, ...], safe: float
 ) -> None:
     found = limit(disc, name)
-    assert found.upper - found.lower <= 2.5e-12
+    assert found.upper - found.lower <= 2e-12
     for side, clear in ((safe, True), (-safe, False)):
         plan = disc
         for key in keys:
