@@ -34,10 +34,8 @@ def in_late(page: Page, name: str) -> Held:
     change(page, PITCH, "0.46")
     held.wait(1)
     change(page, PITCH, "0.44")
-    if name == "dance":  # which is asked for once a change has come to rest
-        until(page, "benchdragon.dances.wanted?.route.pitch === 0.44")
     held.let_go(0)
-    held.wait(2)  # the second is asked once the first was shown
+    held.wait(2)  # the second is asked once the first was shown, or was given up
     return held
 
 
@@ -89,9 +87,12 @@ def test_a_verdict_that_comes_in_late_is_marked_as_an_earlier_plans(opened: Open
     expect(page.get_by_role("dialog")).to_contain_text("Not safe")
 
 
-def test_a_limit_that_comes_in_late_is_marked_as_an_earlier_plans(opened: Opened) -> None:
+def test_the_limit_of_an_earlier_plan_is_given_up_and_the_last_one_is_marked_as_its(
+    opened: Opened,
+) -> None:
     page = opened()
     held = in_late(page, "limit/pitch")
+    assert page.evaluate("benchdragon.pitches.times.length") == 1  # that of the plan before both
     line = page.locator(".limit")
     expect(line).to_have_text(re.compile("^earlier plan: smallest pitch: 0.4503"))
     expect(line).to_have_attribute("data-stale", "")
@@ -105,7 +106,7 @@ def test_a_limit_that_comes_in_late_is_marked_as_an_earlier_plans(opened: Opened
     expect(line).not_to_have_attribute("data-stale", "")
 
 
-def test_a_dance_that_comes_in_late_is_marked_as_an_earlier_plans(opened: Opened) -> None:
+def test_a_picture_is_marked_as_an_earlier_plans_until_the_next_comes(opened: Opened) -> None:
     page = opened()
     place = page.locator(".player").bounding_box()
     Held(page, "sketch")
@@ -127,17 +128,14 @@ def test_a_dance_that_comes_in_late_is_marked_as_an_earlier_plans(opened: Opened
     expect(root).to_have_attribute("aria-busy", "false")
 
 
-def test_a_dance_that_comes_in_late_takes_no_newer_pictures_place(opened: Opened) -> None:
+def test_the_dance_of_an_earlier_plan_is_given_up_and_takes_no_newer_pictures_place(
+    opened: Opened,
+) -> None:
     page = opened()
-    held = Held(page, "dance")
-    change(page, PITCH, "0.46")
-    held.wait(1)
-    change(page, PITCH, "0.44")
-    until(page, "benchdragon.dances.wanted?.route.pitch === 0.44")
+    known = page.evaluate("benchdragon.dances.times.length")
+    held = in_late(page, "dance")
     until(page, "benchdragon.pictured.route.pitch === 0.44")  # the rough picture
-    held.let_go(0)
-    held.wait(2)  # the second is asked once the first came in
-    assert page.evaluate("benchdragon.pictured.route.pitch") == 0.44
+    assert page.evaluate("benchdragon.dances.times.length") == known
     expect(page.get_by_text(OLD_PICTURE)).to_be_hidden()
     held.let_go(1)
     settled(page)
@@ -437,6 +435,21 @@ def test_a_story_of_the_page_waits_for_the_dance_that_waits_for_a_hand(opened: O
     page.mouse.up()
     until(page, "globalThis.danced === true")
     expect(page.locator("#planner")).to_have_attribute("data-picture", "this")
+
+
+def test_a_picture_that_waited_for_a_hand_is_marked_as_an_earlier_plans(opened: Opened) -> None:
+    page = opened()
+    page.locator("canvas").hover(position={"x": 40, "y": 200})
+    page.mouse.down()
+    other = "{ ...benchdragon.plan, route: { ...benchdragon.plan.route, pitch: %s } }"
+    page.evaluate(f"benchdragon.change({other % 0.46}, true)")
+    expect(page.locator("#planner")).to_have_attribute("aria-busy", "false")
+    Held(page, "sketch")
+    Held(page, "dance")
+    page.evaluate(f"benchdragon.change({other % 0.44}, true)")
+    page.mouse.up()
+    until(page, "benchdragon.pictured.route.pitch === 0.46")
+    expect(page.locator("#planner")).to_have_attribute("data-picture", "old")
 
 
 @pytest.mark.parametrize("name", ["time", "nearer"])

@@ -10,6 +10,8 @@ const { small, large: huge } = JSON.parse(readFileSync(file, "utf8"));
 const PAGE = 65_536;
 const engines = [];
 let empty = false;
+let calls = 0;
+let called = () => {};
 const instantiate = WebAssembly.instantiate;
 WebAssembly.instantiate = async (module) => {
   const { exports } = await instantiate(module);
@@ -18,7 +20,9 @@ WebAssembly.instantiate = async (module) => {
   const mine = engines.at(-1);
   const counted = Object.entries(exports).map(([name, value]) => [
     name,
-    typeof value === "function" ? (...values) => (mine.calls++, value(...values)) : value,
+    typeof value === "function"
+      ? (...values) => (mine.calls++, calls++, called(), value(...values))
+      : value,
   ]);
   return { exports: { ...Object.fromEntries(counted), malloc } };
 };
@@ -48,13 +52,26 @@ async function begun() {
     port.onmessage({ data: { id: ++id, question, language: "en", plan } });
     return said;
   };
-  return { heard, ask };
+  /** Ask, and give up after so many calls of kernels; how many there were. */
+  const giveUp = async (question, plan, after) => {
+    const before = calls;
+    const asked = ++id;
+    called = () => {
+      if (calls - before < after) return;
+      called = () => {};
+      port.onmessage({ data: { cancel: asked } });
+    };
+    port.onmessage({ data: { id: asked, question, language: "en", plan } });
+    await rest();
+    return calls - before;
+  };
+  return { heard, ask, giveUp };
 }
 
 await begun();
 await rest();
 const warmed = engines.pop().calls;
-const { heard, ask } = await begun();
+const { heard, ask, giveUp } = await begun();
 const asked = await ask(); // while it warms up
 engines[0].exports.memory.grow(Math.ceil(MOST_HELD / PAGE));
 const large = await ask();
@@ -66,7 +83,11 @@ empty = false;
 const again = await ask();
 const over = await ask("limit/length", huge);
 const last = await ask();
+const started = calls;
+await ask("dance", small);
+const dance = calls - started;
+const given = await giveUp("dance", small, 0.2 * dance);
 process.stdout.write(
-  JSON.stringify({ warmed, asked, large, after, without, again, over, last, heard }),
+  JSON.stringify({ warmed, asked, large, after, without, again, over, last, heard, dance, given }),
 );
 process.exit();

@@ -29,6 +29,8 @@ import { _, language } from "./words.js";
 const MOST_STEPS_BACK = 200;
 /** Once a plan has not changed for so long, ms, the picture is to follow. */
 const PAUSE = 60;
+/** Once it has not for so long, ms, its smallest pitch is asked for, which takes time from verdicts. */
+const HALT = 150;
 const QUESTIONS = /** @type {const} */ (["turn", "speed", "pace", "margins"]);
 
 /** A plan's smallest pitch says something: its spiral ends at a disc. @param {Plan} plan */
@@ -72,6 +74,7 @@ export class Planner {
     this.dialog = null;
     this.rest = 0;
     this.pause = 0;
+    this.halt = 0;
     this.jobs = new JobList(answers, (found) => this.change(found, true));
     this.files = new Files(this, answers);
     this.stories = new Stories(this);
@@ -306,8 +309,7 @@ export class Planner {
     this.unread = { says };
     for (const one of [this.verdicts, this.pitches, this.sketches, this.dances]) one.drop();
     this.tracks.show(this.plan);
-    clearTimeout(this.pause);
-    clearTimeout(this.rest);
+    for (const timer of [this.pause, this.halt, this.rest]) clearTimeout(timer);
     this.dialog?.close();
     this.verdict = null;
     const text = _("No verdict: the plan in this link cannot be read.");
@@ -340,13 +342,16 @@ export class Planner {
     this.dialog?.close();
     this.#mark();
     if (this.answers.has("verdict")) this.verdicts.renew(this.plan);
-    if (this.#limitable) this.pitches.renew(this.plan);
-    else this.pitches.drop();
     const draws = () => this.answers.has("dance") && !this.grips.drag;
     clearTimeout(this.pause);
     this.pause = setTimeout(() => {
       if (draws()) this.sketches.renew(this.plan);
     }, PAUSE);
+    // What takes longer than a verdict is given up at once, so that verdict and rough picture come soon.
+    this.pitches.drop();
+    this.dances.drop();
+    clearTimeout(this.halt);
+    if (this.#limitable) this.halt = setTimeout(() => this.pitches.renew(this.plan), HALT);
     clearTimeout(this.rest);
     this.rest = setTimeout(() => {
       this.#remember();
@@ -418,13 +423,12 @@ export class Planner {
     dialog.showModal();
   }
 
-  /** The dance, shown unless a picture of a newer plan is. @param {Scene} scene @param {Plan} plan */
+  /** @param {Scene} scene @param {Plan} plan */
   #danced(scene, plan) {
     this.lines.dance.tell(plan, "");
     this.#mark();
     this.#whenFree(() => {
-      const { subject } = this;
-      if (samePlan(plan, subject) || !this.#pictures(subject)) this.#picture(scene, plan);
+      this.#picture(scene, plan);
       if (this.awaited?.plan === plan) this.#await(true);
     });
   }

@@ -14,8 +14,21 @@ const port = /** @type {any} */ (channel.port1);
 // Node ends where nothing but this port is left.
 port.unref?.();
 
+/** What is done at each tick: it throws where nobody waits any more for the question under way. */
+let heed = () => {};
+
+/** @param {() => void} check what is done at each tick from now on */
+export function heedAtTicks(check) {
+  heed = check;
+}
+
 /** Go on as soon as all that waits to be heard was heard; timers would cost 4 ms each. */
-export function tick() {
+export async function tick() {
+  await heard();
+  heed();
+}
+
+function heard() {
   return new Promise((resolve) => {
     port.ref?.();
     waiting.push(() => {

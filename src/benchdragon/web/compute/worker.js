@@ -5,6 +5,7 @@ import { _, speak, useWords } from "../words.js";
 import { BenchDragonError } from "./errors.js";
 import { checkedPlan } from "./plan.js";
 import { QUESTIONS, openedPlan } from "./questions.js";
+import { heedAtTicks } from "./tick.js";
 
 /**
  * A question: about a plan, or "open" about the text of a plan file.
@@ -64,6 +65,12 @@ class Desk {
     /** The question that is being answered. @type {number | null} */
     this.busy = null;
     this.cancelled = false;
+    heedAtTicks(() => this.#heed());
+  }
+
+  /** Give up the question under way if nobody waits for it. */
+  #heed() {
+    if (this.cancelled) throw new CancelledError();
   }
 
   /** @param {Question | { cancel: number }} message */
@@ -110,7 +117,7 @@ class Desk {
     speak(language);
     let hash = "";
     const progress = (/** @type {number} */ share, /** @type {string} */ told) => {
-      if (this.cancelled) throw new CancelledError();
+      this.#heed();
       this.port.postMessage({ id, progress: [share, told] }, []);
     };
     try {
