@@ -189,6 +189,12 @@ def _clearances(facts: AnnexFacts) -> Iterator[Block]:
     if briefing.report.room:
         yield say(_("Room for people, one thing after another, each with all before it:"))
         yield room_table(briefing)
+        yield say(
+            _(
+                "Room is asked for at the sides of benches. Benches one behind another in the line, "
+                "such as the next but one, may be nearer: see the least distances above."
+            )
+        )
     else:
         yield say(
             _(
@@ -238,6 +244,13 @@ def _posts(facts: AnnexFacts) -> Iterator[Block]:
                 "drawing has a line there too: it is no place for spectators, and has no posts."
             )
         )
+    yield say(
+        _(
+            "The line is drawn closed. The organiser leaves it open where the dragon comes in, at mark "
+            "{first} of the chalk plan, and where it goes out."
+        ),
+        first=1,
+    )
     if facts.leaves_venue:
         yield say(
             _(
@@ -264,7 +277,7 @@ def _chance(facts: AnnexFacts) -> Iterator[Block]:
             "People are not exact. {draws} dances were drawn at random, with the deviations below. In "
             "{hits} of them benches came nearer to one another than the {margin} asked for, or could "
             "not follow: a share of {share}. The chance of that lies between {low} and {high}, with a "
-            "confidence of 95 %."
+            "confidence of 95 %; the more dances are drawn, the narrower this is."
         ),
         draws=found.draws, hits=found.hits, margin=metres(facts.briefing.plan.limits.margin),
         share=f"{share:.3f}", low=f"{low:.3f}", high=f"{high:.3f}",

@@ -74,7 +74,10 @@ def _tightest(briefing: Briefing) -> list[Block]:
             )
             lines.append(Paragraph((said,)))
     if not lines:
-        text = _("No bench of another coil comes within about {reach} m of any: nobody need stand by.")
+        text = _(
+            "No bench of another coil comes within about {reach} m of any: for that nobody need stand "
+            "by. Posts of the permit annex are there for other reasons too."
+        )
         lines = [say(text, reach=f"{REACH:g}")]
     return [Heading(_("Tightest moments"), "tightest"), *lines]
 
