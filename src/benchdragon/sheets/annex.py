@@ -192,7 +192,7 @@ def _clearances(facts: AnnexFacts) -> Iterator[Block]:
         yield say(
             _(
                 "Room is asked for at the sides of benches. Benches one behind another in the line, "
-                "such as the next but one, may be nearer: see the least distances above."
+                "such as the next but one, may be nearer: see the least clearances above."
             )
         )
     else:
@@ -234,7 +234,7 @@ def _posts(facts: AnnexFacts) -> Iterator[Block]:
     yield say(
         _(
             "Each post stands on the line, and the table tells the mark of the chalk plan that is "
-            "nearest to it: the place that it looks at lies inside."
+            "nearest to it: the place that it watches lies inside."
         )
     )
     if facts.swept.lines.holes:
