@@ -91,6 +91,7 @@ def test_the_limit_of_an_earlier_plan_is_given_up_and_the_last_one_is_marked_as_
     opened: Opened,
 ) -> None:
     page = opened()
+    expect(page.locator(".limit")).to_have_text(re.compile("^smallest pitch"))
     held = in_late(page, "limit/pitch")
     assert page.evaluate("benchdragon.pitches.times.length") == 1  # that of the plan before both
     line = page.locator(".limit")
@@ -139,6 +140,18 @@ def test_the_dance_of_an_earlier_plan_is_given_up_and_takes_no_newer_pictures_pl
     expect(page.get_by_text(OLD_PICTURE)).to_be_hidden()
     held.let_go(1)
     settled(page)
+
+
+def test_a_rough_picture_comes_of_a_plan_that_was_left_and_is_taken_up_again(opened: Opened) -> None:
+    page = opened()
+    change(page, PITCH, "0.44")
+    settled(page)
+    Held(page, "dance")
+    change(page, PITCH, "0.46")
+    until(page, "benchdragon.pictured.route.pitch === 0.46")
+    page.get_by_role("button", name="undo").click()
+    until(page, "benchdragon.pictured.route.pitch === 0.44")
+    expect(page.locator("#planner")).to_have_attribute("aria-busy", "true")
 
 
 def test_no_limit_is_shown_of_a_plan_that_has_none(opened: Opened) -> None:

@@ -1,6 +1,7 @@
 """compute/bench_walks.js: what each bench does is what analysis/bench_walks.py says."""
 
 import json
+import math
 from collections.abc import Sequence
 from dataclasses import asdict
 from functools import partial
@@ -121,7 +122,9 @@ def fault(own: Any, twin: Any) -> str:
         if near is None or its is None:
             continue
         if abs(near["time"] - its["time"]) <= MOMENT:
-            its["time"], its["place"] = near["time"], near["place"]
+            its["time"] = near["time"]
+        if math.dist(near["place"], its["place"]) <= 10.0 * MOMENT:
+            its["place"] = near["place"]
         if near["upper"] <= TOUCHING and near["side"] != its["side"]:
             its["side"] = near["side"]
             for spoken in LANGUAGES:

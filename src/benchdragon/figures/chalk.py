@@ -12,7 +12,7 @@ from matplotlib.font_manager import FontProperties
 from matplotlib.text import Text
 from matplotlib.textpath import text_to_path
 
-from benchdragon.analysis.marks import Marks, Trail
+from benchdragon.analysis.marks import Kind, Marks, Trail
 from benchdragon.figures.framing import route_positions
 from benchdragon.figures.scale import (
     EDGE,
@@ -190,7 +190,7 @@ def _write_numbers(axes: Axes, drawing: ChalkDrawing, places: FloatArray, spots:
     ways, count, shown = _ways(drawing), len(known), 0
     for n in sorted(range(len(marks)), key=lambda n: _rank(marks.kinds[n], n + 1)):
         for box in _candidates(str(n + 1), places[n], ways[n]):
-            if _free(box, taken[:count]) and _is_told(box, places, n):
+            if _free(box, taken[:count]) and _is_told(box, places, n, marks.kinds[n]):
                 taken[count] = box
                 count, shown = count + 1, shown + 1
                 x, y = 0.5 * (box[:2] + box[2:])
@@ -231,8 +231,13 @@ def _free(box: FloatArray, taken: FloatArray) -> bool:
     return not over.all(axis=1).any()
 
 
-def _is_told(box: FloatArray, places: FloatArray, n: int) -> bool:
-    """Whether a number tells of mark n: that is nearest, and clearly so but for the next on the way."""
+def _is_told(box: FloatArray, places: FloatArray, n: int, kind: Kind) -> bool:
+    """Whether a number tells of mark n: that is nearest, and clearly so but for the next on the way.
+
+    Of the marks that have a look of their own it is enough that it hides none.
+    """
+    if kind != "step":
+        return not bool(_under(box, places).any())
     off = np.maximum(np.maximum(box[:2] + AROUND - places, places - box[2:] + AROUND), 0.0)
     apart = np.hypot(off[:, 0], off[:, 1])
     further = np.abs(np.arange(len(places)) - n) > 1

@@ -234,7 +234,7 @@ def _posts(facts: AnnexFacts) -> Iterator[Block]:
     yield say(
         _(
             "Each post stands on the line, and the table tells the mark of the chalk plan that is "
-            "nearest to it: the place that it watches lies inside."
+            "nearest to it. What it watches lies inside the line, and at an entrance outside."
         )
     )
     if facts.swept.lines.holes:
@@ -246,10 +246,9 @@ def _posts(facts: AnnexFacts) -> Iterator[Block]:
         )
     yield say(
         _(
-            "The line is drawn closed. The organiser leaves it open where the dragon comes in, at mark "
-            "{first} of the chalk plan, and where it goes out."
-        ),
-        first=1,
+            "The line is drawn closed. The organiser leaves it open where the dragon comes in and "
+            "where it goes out."
+        )
     )
     if facts.leaves_venue:
         yield say(

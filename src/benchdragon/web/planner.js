@@ -340,6 +340,8 @@ export class Planner {
   /** Ask all that follows from the plan; the dance once a change has come to rest. */
   #ask() {
     this.dialog?.close();
+    // A dance that was told, and whose picture another took the place of, comes anew.
+    if (!this.#pictures(this.subject)) this.lines.dance.forget();
     this.#mark();
     if (this.answers.has("verdict")) this.verdicts.renew(this.plan);
     const draws = () => this.answers.has("dance") && !this.grips.drag;

@@ -31,6 +31,11 @@ export class Line {
     this.told = { plan, text, state, why };
   }
 
+  /** Tell nothing any more. */
+  forget() {
+    this.told = null;
+  }
+
   /** Whether what is told is about this plan. @param {Plan} plan */
   about(plan) {
     return this.told !== null && samePlan(this.told.plan, plan);
