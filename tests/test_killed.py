@@ -18,13 +18,15 @@ pytestmark = pytest.mark.skipif(os.name == "nt", reason="no such signals here")
 # The command line, which waits to be killed when a file is written and about to take its name: the
 # first, or another.
 HELD = """
-import pathlib, sys
+import pathlib, select, sys
 replace, left = pathlib.Path.replace, [int(sys.argv.pop(1))]
 def held(self, target):
     left[0] -= 1
     if left[0] == 0:
         print("written", flush=True)
-        sys.stdin.read()
+        # Not one long read: a signal that comes just before it would be heard after it alone.
+        while not select.select([sys.stdin], [], [], 0.05)[0]:
+            pass
     return replace(self, target)
 pathlib.Path.replace = held
 from benchdragon.__main__ import main
