@@ -74,7 +74,7 @@ def test_a_slack_below_rounding_gives_way_to_the_bound_on_that(
     doubt = pair_off(contest, found.witness, 1e-14) / closing_rate(contest, found.witness)
     assert found.lower < FIRST_CONTACT < found.upper
     units = 8.0 * math.ulp(FIRST_CONTACT)  # times are rounded outward
-    assert 1e-12 < 2.0 * doubt <= found.upper - found.lower <= min(3.0 * doubt + units, 7e-12)
+    assert 2e-12 < 2.0 * doubt <= found.upper - found.lower <= min(3.0 * doubt + units, 7e-12)
     assert found.value == pytest.approx(FIRST_CONTACT, abs=2e-12)
 
 

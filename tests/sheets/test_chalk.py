@@ -258,7 +258,7 @@ def test_no_number_overlaps_another_number_a_name_or_a_mark(every: float, all_sh
 
 
 def coiled() -> ChalkDrawing:
-    """A dance whose coils are a fifth of a centimetre apart on a small sheet."""
+    """A dance whose coils are 4.5 mm apart on a small sheet."""
     route = {"kind": "spiral-in", "pitch": 0.9, "start_turn": 5}
     around = {"rectangle": [16, 16], "centre": [0, 0]}
     given = village(route=route, disc={"radius": 2.0}, walk={}, obstacle=[], venue=around)
