@@ -12,7 +12,7 @@ import pytest
 import zxingcpp
 from playwright.sync_api import Locator, Page, expect
 
-from benchdragon.explain.bench_walk import tightest_line
+from benchdragon.explain.bench_text import tightest_line
 from benchdragon.i18n import spoken_in
 from benchdragon.planner.page import planner_page
 from benchdragon.plans.roster import roster_of

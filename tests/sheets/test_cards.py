@@ -16,7 +16,7 @@ from pypdf import PdfReader
 
 from benchdragon.analysis.bench_nearness import Tightest
 from benchdragon.errors import InputError
-from benchdragon.explain.bench_walk import bench_text, tightest_line
+from benchdragon.explain.bench_text import bench_text, tightest_line
 from benchdragon.export.document import Paragraph, Table
 from benchdragon.export.typeset import Typeset
 from benchdragon.i18n import spoken_in

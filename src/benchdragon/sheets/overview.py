@@ -10,7 +10,7 @@ from benchdragon.analysis.bench_walks import BenchWalk
 from benchdragon.analysis.check import sentence
 from benchdragon.analysis.findings import shown_name
 from benchdragon.analysis.marks import nearest_mark
-from benchdragon.explain.bench_walk import BenchText, bench_text, tightest_line
+from benchdragon.explain.bench_text import BenchText, bench_text, tightest_line
 from benchdragon.explain.room import level_line, plain_asked
 from benchdragon.export.document import Block, Document, Heading, Paragraph, Picture, Table, say
 from benchdragon.export.pages import write_pdf

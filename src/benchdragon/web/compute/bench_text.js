@@ -1,7 +1,7 @@
-// What one bench does, in plain sentences for those who carry it. Twin of explain/bench_walk.py.
+// What one bench does, in plain sentences for those who carry it. Twin of explain/bench_text.py.
 
 import { _, language } from "../words.js";
-import { ANALYSIS_BENCH_NEARNESS, EXPLAIN_BENCH_WALK } from "./constants.js";
+import { ANALYSIS_BENCH_NEARNESS, EXPLAIN_BENCH_TEXT } from "./constants.js";
 import { degrees } from "./curves.js";
 import { seenFrom, wayNames } from "./ground.js";
 import { decimals, general } from "./number_format.js";
@@ -40,7 +40,7 @@ import { rint, rounded } from "./numbers.js";
  */
 
 const { REACH } = ANALYSIS_BENCH_NEARNESS;
-const { MOST_TURNS, MOST_PACES, LEAST_ANGLE, ROUND } = EXPLAIN_BENCH_WALK;
+const { MOST_TURNS, MOST_PACES, LEAST_ANGLE, ROUND } = EXPLAIN_BENCH_TEXT;
 
 /** @type {Record<Pace, () => string>} */
 const PACES = {

@@ -136,7 +136,7 @@ function marksOf(walk, [start, end], starts, every) {
   return starts.slice(0, -1).map((s) => marks.place(s));
 }
 
-/** What is nearest to each bench when the dance starts: see `_steps_line` of explain/bench_walk.py. @param {Arena} arena @param {Obstacle[]} obstacles @param {BenchWalk[]} benches @param {Ground} ground @returns {Near[]} */
+/** What is nearest to each bench when the dance starts: see `_steps_line` of explain/bench_text.py. @param {Arena} arena @param {Obstacle[]} obstacles @param {BenchWalk[]} benches @param {Ground} ground @returns {Near[]} */
 function landmarksOf(arena, obstacles, benches, ground) {
   const [x, y] = ground.peg;
   /** @type {Near[]} */

@@ -666,7 +666,7 @@ export const BUDGET = {
   MEMORY: 600000000,
 };
 
-export const EXPLAIN_BENCH_WALK = {
+export const EXPLAIN_BENCH_TEXT = {
   MOST_TURNS: 3,
   MOST_PACES: 4,
   LEAST_ANGLE: 5,
