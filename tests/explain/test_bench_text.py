@@ -1,5 +1,6 @@
 """What one bench does, in plain sentences: read as the one who carries it reads them."""
 
+import math
 import re
 from dataclasses import replace
 from functools import partial
@@ -78,6 +79,22 @@ def test_stretches_say_clock_turn_way_and_steps(told: tuple[BenchWalk, ...]) -> 
                 assert f"turn {one.turning}" in line
     rounds = one_bench(stretch(0.0, 60.0, "right", "walk", -15.707963))
     assert ", turn right, 2.5 times round; 60 m, 100 steps." in text_of(PLAN, rounds).stretches[0]
+
+
+@pytest.mark.parametrize(
+    ("degrees", "said"),
+    [
+        (4.0, "turn left; 9 m"), (6.0, "turn left, a little; 9 m"), (44.0, "a little"),
+        (46.0, "a quarter round"), (134.0, "a quarter round"), (171.0, "half round"),
+        (226.0, "three quarters round"), (314.0, "three quarters round"), (316.0, "0.9 times round"),
+        (360.0, "1.0 times round"),
+    ],
+)  # fmt: skip
+def test_how_far_one_turns_is_told_in_quarters_of_a_round(degrees: float, said: str) -> None:
+    bench = one_bench(stretch(0.0, 9.0, "left", "walk", math.radians(degrees)))
+    (line,) = text_of(PLAN, bench).stretches
+    assert said in line
+    assert "°" not in line
 
 
 def test_the_place_is_told_from_the_peg_and_from_the_nearest_landmark() -> None:

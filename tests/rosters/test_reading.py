@@ -54,7 +54,7 @@ def test_a_list_as_people_type_it(tmp_path: Path) -> None:
     assert roster.people(8) == ()
     assert roster.notes == (
         "row 13 was not read: taken for a sum: 合计 17人",
-        "row 9: 郑一, 冯二, 陈三, 褚四 are dealt to bench 5 to bench 6 in order",
+        "row 9: 郑一, 冯二, 陈三, 褚四 are dealt to bench 5, bench 6 in order",
         "nobody is named for bench 8",
     )
 
@@ -111,9 +111,9 @@ def test_what_is_odd_is_named_by_its_row(tmp_path: Path) -> None:
         "row 11 was not read: taken for a sum: 合计 12",
         "row 12 was not read: no number of a bench: 10 无桥",
         "row 5: the dragon of 10 benches has no bench 130: 周九",
-        "row 10: 王家人 stands at each of bench 3 to bench 4",
+        "row 10: 王家人 stands at each of bench 3, bench 4",
         "李四 is named twice at bench 2: in rows 3 and 4",
-        "张三 is named at bench 1 to bench 2: in rows 2, 3",
+        "张三 is named at bench 1, bench 2: in rows 2, 3",
         "nobody is named for bench 5 to bench 10",
     )
     assert not any("138" in note or "139" in note for note in roster.notes)
@@ -231,10 +231,47 @@ def test_a_list_without_numbers_is_refused_in_a_sentence(tmp_path: Path) -> None
 def test_a_bench_in_rows_that_are_apart_is_told_and_in_rows_one_after_the_other_is_not(
     tmp_path: Path,
 ) -> None:
-    rows: Cells = [["桥号", "姓名"], [1, "张三"], [1, "李四"], [2, "王五"], [3, "赵六"], [2, "钱七"]]
+    rows: Cells = [
+        ["桥号", "姓名"], [1, "张三"], [1, "李四"], [2, "王五"], [3, "赵六"], [3, "孙八"], [2, "钱七"]
+    ]  # fmt: skip
     notes = read(tmp_path, rows).notes
-    assert "bench 2 is in rows 4, 6: all of their people are taken for it" in notes
+    assert "bench 2 is in rows 4, 7: all of their people are taken for it" in notes
     assert not any("bench 1 is in rows" in note for note in notes)
+
+
+def test_a_number_that_stands_twice_where_hardly_any_does_may_be_a_slip(tmp_path: Path) -> None:
+    rows: Cells = [["桥号", "姓名"], [1, "张三"], [2, "李四"], [2, "王五"], [4, "赵六"], [5, "孙八"]]
+    notes = read(tmp_path, rows).notes
+    assert "bench 2 is in rows 3, 4: all of their people are taken for it" in notes
+    # A row without a number goes on about the bench above: that is none.
+    rows[3][0] = ""
+    assert not any("in rows" in note for note in read(tmp_path, rows).notes)
+
+
+def test_a_householder_carries_where_a_row_names_nobody(tmp_path: Path) -> None:
+    roster = read(tmp_path, [
+        ["桥号", "姓名", "户主", "电话", "备注"],
+        [1, "张三", "张家", "", ""], [2, "", "李四", "13800000002", "左手"],
+        [3, "待定", "王五", "", ""], [4, "", "***", "", ""],
+    ])  # fmt: skip
+    assert roster.people(2) == (Person("李四", "李四", "13800000002", "左手"),)
+    assert roster.people(3) == roster.people(4) == ()
+    assert roster.notes[:3] == (
+        "row 4 was not read: no name, only 3 待定 王五",
+        "row 5 was not read: no name, only 4 ***",
+        "row 3: no name: the householder, 李四, is read as who carries",
+    )
+
+
+def test_a_table_that_chinese_commas_part_is_one(tmp_path: Path) -> None:
+    rows = ["桥号，姓名，户主，备注", "1，张三、李四，张家，左手", "2，王五，王家，"]
+    for mark in "，；":
+        path = tmp_path / "list.csv"
+        path.write_text("\n".join(rows).replace("，", mark), "utf-8")
+        roster = read_roster(path, Numbering(2, True, str))
+        assert names(roster) == {1: "张三 李四", 2: "王五"}
+        assert roster.people(1)[1] == Person("李四", "张家", "", "左手")
+        assert roster.notes == ()
 
 
 def test_a_bench_that_two_rows_name_by_other_words_is_told(tmp_path: Path) -> None:

@@ -20,6 +20,7 @@ from benchdragon.explain.bench_text import bench_text, tightest_line
 from benchdragon.export.document import Paragraph, Table
 from benchdragon.export.typeset import Typeset
 from benchdragon.i18n import spoken_in
+from benchdragon.plans.schema import read_plan
 from benchdragon.rosters.roster import Person, Roster
 from benchdragon.sheets.briefing import Briefing
 from benchdragon.sheets.cards import BLANK, LEAST_MAP, MORE, Block, _fewer, write_benches
@@ -28,7 +29,7 @@ from benchdragon.sheets.checked import read_record, record_check
 from benchdragon.sheets.options import Options
 from benchdragon.sheets.overview import overview, write_overview
 from benchdragon.sheets.small_map import Frame, SmallMap
-from tests.sheets.village import small
+from tests.sheets.village import PLAN, briefing, small, village
 
 Written = Callable[..., list[str]]
 
@@ -226,7 +227,7 @@ def test_what_gives_way_is_of_the_bench_of_which_most_is_left_and_each_says_so()
     facts = [Block(f"{n}{k}", spare=k > 0, entry=n) for n in (0, 1) for k in range(3)]
     fewer = facts
     for _time in range(2):
-        fewer = _fewer(fewer, lambda block: block.spare)
+        fewer = _fewer(fewer, MORE, lambda block: block.spare)
     told = [(block.text, block.entry) for block in fewer]
     assert told == [("00", 0), ("01", 0), (MORE, 0), ("10", 1), ("11", 1), (MORE, 1)]
 
@@ -247,8 +248,9 @@ def test_the_overview_has_every_bench_its_people_and_the_notes(
         whole = "".join(found)
         for bench in range(1, 9):
             x, y = ours.ground.seen([ours.benches[bench - 1].place])[0]
-            near = tightest_line(ours.benches[bench - 1].tightest, ours.clock, ours.called, its=True)
-            said = [ours.called(bench), f"{x:z.2f}, {y:z.2f}", near]
+            said = [ours.called(bench), f"{x:z.2f}, {y:z.2f}"]
+            near = ours.benches[bench - 1].tightest
+            said += [tightest_line(near, ours.clock, ours.called, its=True)] if near else []
             said += [person.name for person in ours.roster.people(bench)]
             assert all(bare(one) in whole for one in said)
         assert bare(ours.roster.notes[0]) in whole
@@ -443,7 +445,7 @@ def test_the_overview_says_once_what_all_benches_do_alike(ours: Briefing) -> Non
         ours, benches=tuple(replace(one, stretches=ours.benches[0].stretches) for one in ours.benches)
     )
     table = next(one for one in overview(alike, phones=False).blocks if isinstance(one, Table))
-    assert len(table.columns) == 4
+    assert len(table.columns) == 3, "nor who comes nearest, for nobody does"
     assert quick in str(overview(alike, phones=False).blocks)
     assert all(quick not in row for row in table.rows)
 
@@ -510,6 +512,91 @@ def test_the_overview_says_so_where_nobody_need_stand_by(ours: Briefing) -> None
     near = (replace(alone[0], tightest=Tightest(1.0, 6, "left", 0.9, 0.9, (0.0, 0.0))), *alone[1:])
     text = str(overview(replace(ours, benches=near), phones=False).blocks)
     assert "of any" not in text
+
+
+def test_who_has_nobody_near_has_a_dash_that_is_explained_once(ours: Briefing) -> None:
+    def cells(near: list[Tightest | None]) -> tuple[str, Table]:
+        benches = tuple(
+            replace(one, tightest=near[n % len(near)]) for n, one in enumerate(ours.benches)
+        )
+        blocks = overview(replace(ours, benches=benches), phones=False).blocks
+        return str(blocks), next(one for one in blocks if isinstance(one, Table))
+
+    some = Tightest(1.0, 6, "left", 0.9, 0.9, (0.0, 0.0))
+    text, table = cells([some, None])
+    assert text.count("-: no bench of another coil comes within about 1.5 m of it.") == 1
+    assert [row[-1] == "-" for row in table.rows] == [n % 2 == 1 for n in range(len(table.rows))]
+    text, table = cells([some])
+    assert "-: no bench" not in text
+    assert "tightest" in table.columns
+    text, table = cells([None])
+    assert "-: no bench" not in text
+    assert "tightest" not in table.columns
+
+
+@pytest.mark.parametrize(
+    ("settings", "said"),
+    [
+        ((), r"The nearest edge to the tail is then the (.*) of the venue: ([0-9.]+) m away"),
+        (
+            ("turn",),
+            r"The head then faces the (.*) of the venue, ([0-9.]+) m straight ahead",
+        ),
+    ],
+)
+def test_the_overview_says_which_edge_is_on_the_way_out(
+    tmp_path: Path, settings: tuple[str, ...], said: str
+) -> None:
+    square = ("venue.rectangle=[80, 60]",)
+    text = PLAN if not settings else PLAN.replace("spiral-in", "turn").split("[dragon]")[0]
+    folder = tmp_path / "plan"
+    folder.mkdir()
+    plan = read_plan(str(village(folder, text)), [*square, "event.entrances=[[39, 0], [-39, 29]]"])
+    told = briefing(plan, Roster())
+    found = re.search(said, str(overview(told, phones=False).blocks))
+    assert found is not None
+    walk, end = told.report.walk, told.report.end
+    motion = walk.motion([end])
+    if settings:
+        x, y = motion.x[0, 0], motion.y[0, 0]
+        heading = float(walk.route.heading([motion.s[0, 0]])[0])
+        ways = [(math.cos(heading), math.sin(heading))]
+    else:
+        x, y = motion.x[-1, 0], motion.y[-1, 0]
+        ways = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)]
+    sides = (
+        ("right edge", 40.0, 1, 0),
+        ("far edge", 30.0, 0, 1),
+        ("left edge", 40.0, -1, 0),
+        ("near edge", 30.0, 0, -1),
+    )
+    far, name = min(
+        ((to - (a * x + b * y)) / (u * a + v * b), side)
+        for u, v in ways
+        for side, to, a, b in sides
+        if u * a + v * b > 1e-9
+    )
+    assert found[1] == name
+    assert float(found[2]) == pytest.approx(far, abs=0.051)
+    away = [math.dist((x, y), one) for one in ((39, 0), (-39, 29))]
+    assert f"Entrance {1 + away.index(min(away))} of the plan is then nearest" in str(
+        overview(told, phones=False).blocks
+    )
+
+
+def test_at_night_without_a_code_the_map_gives_way_before_what_one_does(tmp_path: Path) -> None:
+    (tmp_path / "plan").mkdir()
+    text = PLAN.replace("8", "40", 1)
+    assert text != PLAN
+    coded = briefing(read_plan(str(village(tmp_path / "plan", text))), Roster())
+    bare = briefing(coded.plan.with_value("people.address", ""), Roster())
+    words = []
+    for n, one in enumerate((coded, bare)):
+        write_benches(tmp_path / f"{n}.pdf", one, Options("quarter", night=True))
+        words.append("".join(page.extract_text() for page in PdfReader(tmp_path / f"{n}.pdf").pages))
+    assert words[0].count("walking, turn right") < words[1].count("walking, turn right") == 40
+    assert "the rest is in the player" in words[0]
+    assert "the rest is in the player" not in words[1]
 
 
 def test_names_of_benches_on_a_map_do_not_lie_on_one_another(

@@ -60,10 +60,15 @@ def test_a_workbook_holds_times_in_seconds_too(briefing: Briefing, tmp_path: Pat
     write_timetable_xlsx(path, briefing)
     rows = CalamineWorkbook.from_path(path).get_sheet_by_index(0).to_python()
     assert rows[0][6:] == [
-        "head (s from the start)", "goes on (s from the start)", "tail (s from the start)",
+        "head (s from the start)", "sets out again after a stop (s from the start)",
+        "tail (s from the start)",
     ]  # fmt: skip
     held = next(row for row in rows if row[0] == "bow to the temple")
     assert held[6:8] == pytest.approx([11.0, 16.0])
+    assert all(row[7] == "" for row in rows[1:] if row[6] != "" and row is not held)
+    times = [cell for row in rows[1:] for cell in row[6:] if cell != ""]
+    assert len(times) > 3
+    assert all(round(float(time), 1) == time for time in times)
     assert briefing.foot in str(rows[-1][0])
 
 

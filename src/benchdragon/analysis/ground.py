@@ -10,6 +10,8 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
+import shapely
+from shapely.geometry import LinearRing, LineString, Polygon
 
 from benchdragon.i18n import N_, _
 from benchdragon.kernels.curve import FloatArray
@@ -23,6 +25,9 @@ LEAST_EDGE, UNTURNED = 0.15, 1e-9
 # The ways x and y point and against them, by what tells them on the ground.
 NORTH = (N_("due east"), N_("due north"), N_("due west"), N_("due south"))
 VENUE = (N_("to the right"), N_("forward"), N_("to the left"), N_("back"))
+# Edges of the venue by the way out over them, as `NORTH` and `VENUE`.
+NORTH_EDGES = (N_("eastern edge"), N_("northern edge"), N_("western edge"), N_("southern edge"))
+EDGES = (N_("right edge"), N_("far edge"), N_("left edge"), N_("near edge"))
 AXES = (N_("the way x points"), N_("the way y points"), N_("against x"), N_("against y"))
 
 
@@ -63,6 +68,10 @@ class Ground:
         x, y, against_x, against_y = NORTH if self.north else VENUE if self.venue else AXES
         return _(x), _(y), _(against_x), _(against_y)
 
+    def edge_name(self, out: FloatArray) -> str:
+        """What the venue's edge is called over which a way, (2,), leads out."""
+        return _((NORTH_EDGES if self.north else EDGES)[int(np.argmax(self.ways @ out))])
+
     @property
     def y_name(self) -> str:
         """What an arrow along y is called."""
@@ -93,6 +102,29 @@ class Ground:
         off = np.asarray(points, dtype=float) - np.array(self.peg)
         found: FloatArray = off @ self.ways[:2].T
         return found
+
+
+def way_out(outline: FloatArray, place: Point, way: FloatArray) -> tuple[float, FloatArray] | None:
+    """How far a venue's edge is from a place within it, going one way; None from a place outside.
+
+    Args:
+        outline: of the venue, m, (n, 2).
+        place: m.
+        way: a unit vector, (2,).
+
+    Returns:
+        The distance, m, and the unit vector out over the side that is met, at a right angle to it.
+    """
+    start, sides = np.array(place), np.roll(outline, -1, axis=0) - outline
+    if not Polygon(outline).contains(shapely.Point(place)):
+        return None
+    ray = LineString([start, start + LinearRing(outline).length * way])  # longer than any way out
+    met = shapely.Point(place).distance(ray.intersection(LinearRing(outline)))
+    lines = [LineString([corner, corner + side]) for corner, side in zip(outline, sides, strict=True)]
+    there = shapely.Point(start + met * way)
+    along = sides[int(np.argmin([there.distance(line) for line in lines]))]
+    out = np.array([along[1], -along[0]]) / math.hypot(*along)
+    return met, out if out @ way > 0.0 else -out
 
 
 def own_peg(plan: Plan, route: Route) -> Point:

@@ -88,7 +88,6 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     path, folder = record_path(plan), options["output"]
     read = plan_to_walk(plan, settings, quiet)
     roster = roster_of(read)
-    tell_names(roster.notes, quiet)
     record = None if options["anew"] else read_record(path, read, roster, plan)
     files = planned_papers(folder, names, options["force"])
     looks = options["paper"], options["by"], options["night"], options["phones"]
@@ -105,7 +104,7 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
         print_report(report)
         click.echo(_("No papers were written: only a plan that is safe has any."), err=True)
         return UNSAFE if report.decided else UNDECIDED
-    tell_names(briefing.odd_signs, quiet)
+    tell_names((*roster.notes, *briefing.odd_signs), quiet)
     print_files(files)
     return 0
 

@@ -22,19 +22,18 @@ from benchdragon.plans.schema import Plan
 
 # Turns and paces that the first line names one by one; of more it tells how many there are.
 MOST_TURNS, MOST_PACES = 3, 4
-# A stretch that turns by less than this, degrees, turns hardly at all; from a whole turn on, rounds
-# are told.
-LEAST_ANGLE, ROUND = 5.0, 360.0
+# A stretch that turns by less than this, degrees, turns hardly at all. Nobody on the ground reads an
+# angle: turnings are told to the nearest quarter of a round, and by rounds where that is a whole one.
+LEAST_ANGLE, ROUND, QUARTERS = 5.0, 360.0, 4
 
 WALKING = N_("keep walking")
 PACES = {
     "wait": N_("wait"), "walk": WALKING, "hurry": N_("hurry"), "run": N_("run"),
 }  # fmt: skip
 TURNS = {"left": N_("turn left"), "right": N_("turn right"), "straight": N_("straight on")}
+# How far it turns, by quarters of a round.
+FAR = (N_("a little"), N_("a quarter round"), N_("half round"), N_("three quarters round"))
 ALL_THE_WAY = {"left": N_("bend left all the way"), "right": N_("bend right all the way")}
-# Edges of the venue by the way that they lie: to the right, forward, to the left, back.
-EDGES = (N_("right edge"), N_("far edge"), N_("left edge"), N_("near edge"))
-NORTH_EDGES = (N_("eastern edge"), N_("northern edge"), N_("western edge"), N_("southern edge"))
 SIDES = {
     "left": N_("on your left"), "right": N_("on your right"),
     "front": N_("in front of you"), "rear": N_("behind you"),
@@ -217,7 +216,7 @@ def _edge_name(found: BenchWalk, ground: Ground, side: FloatArray) -> str:
     out = np.array([side[UY], -side[UX]])
     if out @ (side[[CX, CY]] - np.array(found.box)[[CX, CY]]) < 0.0:
         out = -out
-    return _((NORTH_EDGES if ground.north else EDGES)[int(np.argmax(ground.ways @ out))])
+    return ground.edge_name(out)
 
 
 def _stretch_line(one: Stretch, clock: Clock, plan: Plan) -> str:
@@ -233,13 +232,14 @@ def _stretch_line(one: Stretch, clock: Clock, plan: Plan) -> str:
         text = _("{start} to {end}: wait: {what}.") if said else _("{start} to {end}: wait.")
         return text.format(**times, what=_("; ").join(said))
     angle = abs(math.degrees(one.angle))
+    quarters = round(_settled(angle * QUARTERS / ROUND))
     text = _("{start} to {end}: {pace}, {turn}; {way} m, {steps} steps.")
-    if one.turning != "straight" and angle >= ROUND:
+    if one.turning != "straight" and quarters >= QUARTERS:
         text = _("{start} to {end}: {pace}, {turn}, {rounds} times round; {way} m, {steps} steps.")
     elif one.turning != "straight" and angle >= LEAST_ANGLE:
-        text = _("{start} to {end}: {pace}, {turn} by {angle}°; {way} m, {steps} steps.")
+        text = _("{start} to {end}: {pace}, {turn}, {far}; {way} m, {steps} steps.")
     return text.format(
-        **times, pace=_(PACES[one.pace]), turn=_(TURNS[one.turning]), angle=f"{_settled(angle):.0f}",
+        **times, pace=_(PACES[one.pace]), turn=_(TURNS[one.turning]), far=_(FAR[quarters % QUARTERS]),
         rounds=f"{angle / ROUND:.1f}", way=f"{_settled(one.way):.0f}", steps=_steps(one.way, step),
     )  # fmt: skip
 

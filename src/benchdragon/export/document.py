@@ -94,6 +94,7 @@ class Document:
         date: of the day on which it was made, YYYY-MM-DD.
         blocks: from the first to the last; the contents stand before the first heading.
         foot: what stands at the foot of each page before its number.
+        dated: what stands below the title; the date if it is "".
     """
 
     title: str
@@ -101,6 +102,7 @@ class Document:
     date: str
     blocks: tuple[Block, ...]
     foot: str = ""
+    dated: str = ""
 
     @property
     def headings(self) -> list[Heading]:

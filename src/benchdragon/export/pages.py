@@ -109,7 +109,7 @@ class Pages(Typeset):
         """Set the title, the contents and all blocks."""
         self.add_page()
         self._spoken(self._document.title, HEAD_SIZES[1] + 4.0, bold=True)
-        self._spoken(self._document.date, TEXT_SIZE)
+        self._spoken(self._document.dated or self._document.date, TEXT_SIZE)
         self.ln(3.0)
         opening = True
         for block in self._document.blocks:

@@ -5,10 +5,19 @@ from dataclasses import dataclass, field
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
-from benchdragon.rosters.words import Kind, heading, is_name, names_of, places, plain, without_phones
+from benchdragon.rosters.words import (
+    MOST_TITLES,
+    Kind,
+    heading,
+    is_name,
+    names_of,
+    places,
+    plain,
+    without_phones,
+)
 
-# Rows above the headings, and rows that are looked at where there are none.
-MOST_TITLES, MOST_LOOKED_AT = 30, 50
+# Rows that are looked at where there are no headings.
+MOST_LOOKED_AT = 50
 
 
 @dataclass

@@ -27,11 +27,21 @@ MOST_SHOWN = 40
 
 @dataclass(frozen=True)
 class Entry:
-    """A row with people: its number in the file, from 1, and the benches as it names them."""
+    """A row with people.
+
+    Attributes:
+        row: its number in the file, from 1.
+        benches: as it names them, or as the row above it does.
+        people: who carries them.
+        numbered: whether it names the benches itself.
+        householder: whether it has no names, so that its householder is taken for who carries.
+    """
 
     row: int
     benches: Ranges
     people: tuple[Person, ...]
+    numbered: bool
+    householder: bool
 
 
 @dataclass(frozen=True)
@@ -70,10 +80,15 @@ def entries(rows: Sequence[Sequence[str]], first: int, block: Columns) -> Iterat
             yield Unread(number, _("no number of a bench: {text}").format(text=_shown(row)))
             continue
         people, odd = _people(row, block, household)
+        owner = () if people or odd else _householder(row, block)
+        others = [*block.households, *block.phones, *block.remarks]
+        if not (people or odd or owner) and any(_cells(row, others)):
+            odd = [_("no name, only {text}").format(text=_shown(row))]
+        people = people or owner
         yield from (Unread(number, text) for text in odd)
         household = next((one.household for one in people), household)
         if people:
-            yield Entry(number, benches, people)
+            yield Entry(number, benches, people, bool(said), bool(owner))
 
 
 def _all(block: Columns) -> list[int]:
@@ -129,9 +144,19 @@ def _people(row: Sequence[str], block: Columns, household: str) -> tuple[tuple[P
             Person(*told)
             for told in zip(names, [household] * len(names), each, [remarks] * len(names), strict=True)
         ]
-    if not people and not odd and any(_cells(row, [*block.households, *block.phones, *block.remarks])):
-        odd = [_("no name, only {text}").format(text=_shown(row))]
     return tuple(people), odd
+
+
+def _householder(row: Sequence[str], block: Columns) -> tuple[Person, ...]:
+    """Who carries where a row leaves the names blank, but says whose household it is."""
+    if any(_cells(row, block.names)):
+        return ()
+    household, hidden = _open(_cells(row, block.households))
+    remarks, more = _open(_cells(row, block.remarks))
+    phone = " ".join(dict.fromkeys([*filter(None, _cells(row, block.phones)), *hidden, *more]))
+    return tuple(
+        Person(name, household, phone, remarks) for name in names_of(household) if is_name(name)
+    )
 
 
 def _open(cells: Sequence[str]) -> tuple[str, tuple[str, ...]]:

@@ -3,7 +3,7 @@
 import csv
 import io
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from datetime import date, datetime
 from pathlib import Path
 
@@ -29,6 +29,7 @@ from benchdragon.rosters.extent import (
     too_large,
     torn,
 )
+from benchdragon.rosters.words import MOST_TITLES, heading
 
 # Bytes of a file.
 MOST_BYTES = 20_000_000
@@ -38,6 +39,8 @@ ZIP, OLE = b"PK\x03\x04", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
 MOST_NAMES = 10
 # What parts the columns of a table of text, and what ends the number where nothing does.
 MARKS = "\t,;"
+# Chinese marks part names too: they part columns only below a row of headings that they part.
+CHINESE_MARKS = "，；"
 NUMBER_END = re.compile(r"(?<=\S)[\s:：，]+")
 # Signs of texts that no text has.
 NO_TEXT = re.compile("[\0-\x08\x0e-\x19\x1b-\x1f]")
@@ -158,11 +161,25 @@ def _text_rows(data: bytes, name: str) -> Rows:
     first = [next((sign for sign in line if sign in MARKS), "") for line in text.splitlines()]
     mark = max(MARKS, key=first.count)
     if mark not in first:
+        mark = _chinese_mark(text.splitlines()[:MOST_TITLES])
+    if not mark:
         return list(_within((NUMBER_END.split(line, maxsplit=1) for line in text.splitlines()), name))
     try:
         return list(_within(csv.reader(io.StringIO(text, newline=""), delimiter=mark), name))
     except csv.Error:
         raise InputError(_("{file} is no table of text").format(file=name)) from None
+
+
+def _chinese_mark(lines: Sequence[str]) -> str:
+    """The Chinese comma or semicolon that parts a row of headings; "" if none does."""
+    return next(
+        (
+            mark
+            for mark in CHINESE_MARKS
+            if any(sum(heading(cell) is not None for cell in line.split(mark)) > 1 for line in lines)
+        ),
+        "",
+    )
 
 
 def _within(rows: Iterable[list[str]], name: str) -> Iterable[list[str]]:

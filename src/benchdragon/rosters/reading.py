@@ -144,6 +144,9 @@ def _shared(entry: Entry, benches: Sequence[int], numbering: Numbering) -> str:
 
 def _of_entry(entry: Entry, numbering: Numbering) -> Iterator[str]:
     """What of a row was read otherwise than it may have been meant."""
+    if entry.householder:
+        told = _("row {row}: no name: the householder, {names}, is read as who carries")
+        yield told.format(row=entry.row, names=_names(entry.people))
     ends = (place for pair in entry.benches for place in pair)
     if not numbering.count_head and any(not place.number and not place.end for place in ends):
         yield _("row {row}: bench 0 is taken for the head").format(row=entry.row)
@@ -221,16 +224,21 @@ def _at_two(seats: Sequence[_Seat], numbering: Numbering) -> Iterator[str]:
 
 
 def _apart(said: Sequence[Entry], numbering: Numbering) -> Iterator[str]:
-    """Benches that rows name by themselves which do not follow one another, or by another word."""
+    """Benches that several rows name by themselves, where that may be a slip.
+
+    It may be one where the rows do not follow one another or say it by another word, and where most
+    benches have one row alone.
+    """
     rows: dict[int, list[Entry]] = {}
     for entry in said:
         benches, _beyond = _benches(entry.benches, numbering)
         if len(benches) == 1:
             rows.setdefault(benches[0], []).append(entry)
     text = _("{bench} is in rows {rows}: all of their people are taken for it")
+    seldom = 2 * sum(len(found) > 1 for found in rows.values()) < len(rows)
     for bench, found in sorted(rows.items()):
         if any(
-            after.row - before.row > 1 or after.benches != before.benches
+            after.row - before.row > 1 or after.benches != before.benches or (seldom and after.numbered)
             for before, after in pairwise(found)
         ):
             listed = _listed(str(entry.row) for entry in found)
@@ -262,7 +270,13 @@ def _called(benches: Sequence[int], numbering: Numbering) -> str:
             spans[-1][1] = bench
         else:
             spans.append([bench, bench])
-    return _listed(_span(low, high, numbering) for low, high in spans)
+    told: list[str] = []
+    for low, high in spans:
+        pair = high - low == 1
+        told += (
+            [numbering.called(low), numbering.called(high)] if pair else [_span(low, high, numbering)]
+        )
+    return _listed(told)
 
 
 def _span(low: int, high: int, numbering: Numbering) -> str:

@@ -60,8 +60,8 @@ MADE_A_DAY = re.compile(r"[0-9]{4}-[0-9]{2}-[0-9]{2}|[0-9]{1,2}月[0-9]{1,2}日"
 ROUNDED = re.compile(r"[0-9.]+e\+[0-9]+", re.IGNORECASE)
 # What tables of text add to a phone that was a number.
 DECIMALS = re.compile(r"(?<=[0-9])\.0+$")
-# Signs of a name.
-MOST_NAME = 60
+# Signs of a name, and rows above the headings of a list.
+MOST_NAME, MOST_TITLES = 60, 30
 
 
 @dataclass(frozen=True)

@@ -36,7 +36,7 @@ from benchdragon.sheets.annex_tables import (
     speed_table,
     swept_table,
 )
-from benchdragon.sheets.briefing import Briefing
+from benchdragon.sheets.briefing import Briefing, dated
 from benchdragon.sheets.chalk import peg_lines
 from benchdragon.sheets.timetable import passings_of, told_lines
 from benchdragon.version import __version__
@@ -91,7 +91,9 @@ def annex_document(facts: AnnexFacts, folder: Path) -> Document:
         *_clearances(facts), *_speeds(facts), *_posts(facts), *_chance(facts), *_by_hand(),
         *_limits(facts), *_version(facts),
     )  # fmt: skip
-    return Document(title, language(), briefing.checked_on, blocks, briefing.foot)
+    return Document(
+        title, language(), briefing.checked_on, blocks, briefing.foot, dated(briefing.checked_on)
+    )
 
 
 def _basics(facts: AnnexFacts) -> Iterator[Block]:

@@ -130,6 +130,11 @@ class Briefing:
         return text.format(bench=self.called(bench), people=listed(people, MOST_NAMED))
 
 
+def dated(checked_on: str) -> str:
+    """When a plan was checked, as it stands below titles."""
+    return _("Checked on {date}").format(date=checked_on)
+
+
 def listed(names: Sequence[str], most: int) -> str:
     """So many names at most one after another, and how many more there are."""
     text = _(", ").join(names[:most])

@@ -40,7 +40,7 @@ MOST_LINES, MOST_NAMES = 2, 24
 LEAST_MAP, SMALLER = 25.0, 0.9
 # Where names are written by hand.
 BLANK = 22 * "_"
-MORE = N_("And so on: the rest is in the player.")
+MORE, CROWDED = N_("And so on: the rest is in the player."), N_("There is no room here for the rest.")
 
 
 @dataclass(frozen=True)
@@ -136,6 +136,7 @@ class Cards(Typeset):
         self._night = night
         self._map = SmallMap(briefing)
         self._address = briefing.plan.people.address
+        self._more = _(MORE if self._address else CROWDED)
         self._heights: dict[tuple[float, Block, float], float] = {}
         self.set_auto_page_break(False)
         self.set_margin(0.0)
@@ -220,24 +221,28 @@ class Cards(Typeset):
     ) -> Iterator[tuple[list[Block], list[Block], float, bool]]:
         """Heads, facts, shares of the type, and whether all beside is spared; the best first.
 
-        What gives way, in this order: the size of type, a line for each of many people, facts that may
-        be spared, people but the first, what is beside, other facts, and the size of type again. Where
-        what is beside goes from a sheet of several benches, all else comes back if there is room.
+        What gives way, in this order: the size of type, a line for each of many people, without a code
+        what is beside, facts that may be spared, people but the first, what is beside, other facts, and
+        the size of type again. Where what is beside goes from a sheet of several benches, all else
+        comes back if there is room.
         """
         whole = facts
         for head in heads[:2]:
             for share in self._shares:
                 yield head, facts, share, False
+        # Who has no code to see the times by needs them more than the map.
+        for share in () if self._address else self._shares:
+            yield head, facts, share, True
         while any(block.spare for block in facts):
-            facts = _fewer(facts, lambda block: block.spare)
-            yield head, facts, share, False
+            facts = _fewer(facts, self._more, lambda block: block.spare)
+            yield head, facts, share, not self._address
         for head in heads[2:]:
             yield head, facts, share, False
         for share in self._shares if whole and whole[-1].entry else ():
             yield head, whole, share, True
         yield head, facts, share, True
-        while any(block.text != _(MORE) for block in facts):
-            facts = _fewer(facts, lambda _block: True)
+        while any(block.text != self._more for block in facts):
+            facts = _fewer(facts, self._more, lambda _block: True)
             yield head, facts, share, True
         while True:
             share *= SMALLER
@@ -357,12 +362,11 @@ def _facts(entry: Entry, entries: int) -> list[Block]:
     ]
 
 
-def _fewer(facts: list[Block], spare: Callable[[Block], bool]) -> list[Block]:
+def _fewer(facts: list[Block], more: str, spare: Callable[[Block], bool]) -> list[Block]:
     """The same without one that may be spared, and a word to its bench that there is more.
 
     It is the last of the bench of which most are left.
     """
-    more = _(MORE)
     sparable = [n for n, block in enumerate(facts) if block.text != more and spare(block)]
     left = Counter(facts[n].entry for n in sparable)
     last = max(sparable, key=lambda n: (left[facts[n].entry], n))

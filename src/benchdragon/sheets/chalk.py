@@ -6,9 +6,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
-from shapely.geometry import LineString, Point, Polygon
 
-from benchdragon.analysis.ground import Ground
+from benchdragon.analysis.ground import Ground, way_out
 from benchdragon.analysis.marks import (
     ANGLE_STEP,
     LENGTH_STEP,
@@ -27,7 +26,7 @@ from benchdragon.figures.style import write_picture
 from benchdragon.files import whole_bytes
 from benchdragon.i18n import _, language
 from benchdragon.model.obstacle import Obstacle
-from benchdragon.sheets.briefing import Briefing
+from benchdragon.sheets.briefing import Briefing, dated
 from benchdragon.sheets.options import ChalkOptions
 
 # Assumed of two people with a tape: minutes that a mark takes, when they have the knack and before.
@@ -110,7 +109,12 @@ def list_rows(marks: Marks) -> Iterator[tuple[Cell, ...]]:
 
 def kind_name(kind: Kind) -> str:
     """What a mark is besides one of many, in the language in use."""
-    return {"step": "", "joint": _("joint"), "start": _("the head's start"), "end": _("end")}[kind]
+    return {
+        "step": "",
+        "joint": _("two parts of the route meet"),
+        "start": _("the head's start"),
+        "end": _("end"),
+    }[kind]
 
 
 def _printed(value: Cell, column: int) -> str:
@@ -133,7 +137,7 @@ def chalk_document(drawing: ChalkDrawing, title: str, date: str, sheet: Sheet) -
         *_exactness(marks),
         table,
     )
-    return Document(title, language(), date, blocks, drawing.foot)
+    return Document(title, language(), date, blocks, drawing.foot, dated(date))
 
 
 def _hours(marks: Marks, minutes: float) -> str:
@@ -223,14 +227,10 @@ def edge_lengths(ground: Ground, obstacles: Sequence[Obstacle]) -> list[float] |
     None if there is no venue, or the peg stands outside it.
     """
     venue = next((one for one in obstacles if one.kind == "venue"), None)
-    peg = Point(ground.peg)
-    if venue is None or not Polygon(venue.outline).contains(peg):
+    if venue is None:
         return None
-    edge, start = Polygon(venue.outline).exterior, np.array(ground.peg)
-    # Longer than any way to the edge.
-    far = edge.length
-    rays = (LineString([start, start + far * way]) for way in ground.ways)
-    return [float(peg.distance(ray.intersection(edge))) for ray in rays]
+    found = [way_out(venue.outline, ground.peg, way) for way in ground.ways]
+    return [one[0] for one in found if one is not None] or None
 
 
 def _steps(marks: Marks) -> Iterator[Paragraph]:

@@ -5,10 +5,13 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+import numpy as np
+
 from benchdragon.analysis.bench_nearness import REACH
 from benchdragon.analysis.bench_walks import BenchWalk
 from benchdragon.analysis.check import sentence
-from benchdragon.analysis.findings import shown_name
+from benchdragon.analysis.findings import named, shown_name
+from benchdragon.analysis.ground import way_out
 from benchdragon.analysis.marks import nearest_mark
 from benchdragon.explain.bench_text import BenchText, bench_text, tightest_line
 from benchdragon.explain.room import level_line, plain_asked
@@ -18,15 +21,15 @@ from benchdragon.export.typeset import Typeset
 from benchdragon.files import whole_bytes
 from benchdragon.i18n import _, language
 from benchdragon.rosters.roster import Person
-from benchdragon.sheets.briefing import Briefing
+from benchdragon.sheets.briefing import Briefing, dated
 from benchdragon.sheets.small_map import Frame, SmallMap
 
 # Signs of people's names in a row, which must not be taller than a page.
 MOST_SIGNS = 500
 # Tightest moments that are listed, of different benches, and how far apart they are at least, m.
 MOST_TIGHT, TIGHT_APART = 3, 3.0
-# The column of what a bench does.
-WHAT = 3
+# The columns of what a bench does and of who comes nearest, and what stands there for nobody.
+WHAT, TIGHTEST, NONE = 3, 4, "-"
 # Size of the map at most, mm.
 MAP = Frame(0.0, 0.0, 178.0, 150.0)
 
@@ -54,7 +57,9 @@ def overview(briefing: Briefing, phones: bool) -> Document:
         *_benches(briefing, phones),
     ]  # fmt: skip
     title = briefing.plan.title(language()) or _("Overview")
-    return Document(title, language(), briefing.checked_on, tuple(blocks), briefing.foot)
+    return Document(
+        title, language(), briefing.checked_on, tuple(blocks), briefing.foot, dated(briefing.checked_on)
+    )
 
 
 def _tightest(briefing: Briefing) -> list[Block]:
@@ -100,7 +105,39 @@ def _coming(briefing: Briefing) -> list[Block]:
         Heading(_("Coming and leaving"), "coming"),
         say(coming, first=1, start=kinds.index("start") + 1),
         say(leaving, last=len(kinds)),
+        *_way_out(briefing),
     ]
+
+
+def _way_out(briefing: Briefing) -> Iterator[Block]:
+    """Where edge and entrances are from the one who leads out: the tail of a coil, else the head."""
+    plan, report, ground = briefing.plan, briefing.report, briefing.ground
+    venue = next((one for one in plan.obstacles() if one.kind == "venue"), None)
+    coiled = plan.route.kind == "spiral-in"
+    ends = report.walk.motion([report.end])
+    leader = -1 if coiled else 0
+    place = float(ends.x[leader, 0]), float(ends.y[leader, 0])
+    heading = float(report.walk.route.heading([ends.s[leader, 0]])[0])
+    ways = ground.ways if coiled else np.array([(math.cos(heading), math.sin(heading))])
+    found = [] if venue is None else [way_out(venue.outline, place, way) for way in ways]
+    met = [one for one in found if one is not None]
+    if venue is not None and met:
+        far, out = min(met, key=lambda one: one[0])
+        text = _(
+            "The head then faces the {edge} of {venue}, {far} m straight ahead. The plan says nothing "
+            "of the way from there: open the edge there, or bend before it no more sharply than in the "
+            "dance."
+        )
+        if coiled:
+            text = _("The nearest edge to the tail is then the {edge} of {venue}: {far} m away.")
+        yield say(text, edge=ground.edge_name(out), venue=named(venue), far=f"{far:.1f}")
+    entrances = plan.event.entrances
+    if entrances:
+        away, n = min((math.dist(place, one), n) for n, one in enumerate(entrances, start=1))
+        text = _("Entrance {n} of the plan is then nearest to the head: {far} m away.")
+        if coiled:
+            text = _("Entrance {n} of the plan is then nearest to the tail: {far} m away.")
+        yield say(text, n=n, far=f"{away:.1f}")
 
 
 def _room(briefing: Briefing) -> list[Block]:
@@ -134,6 +171,10 @@ def _benches(briefing: Briefing, phones: bool) -> Iterator[Block]:
     alike = len(texts) > 1 and len({text.quick for text in texts}) == 1
     if alike:
         yield say(_("All benches: {what}"), what=texts[0].quick)
+    near = [found.tightest is not None for found in briefing.benches]
+    if any(near) and not all(near):
+        text = _("{dash}: no bench of another coil comes within about {reach} m of it.")
+        yield say(text, dash=NONE, reach=f"{REACH:g}")
     columns = (
         _("bench"), _("people"), _("starts from the peg: x, y (m)"), _("what it does"), _("tightest"),
     )  # fmt: skip
@@ -143,10 +184,14 @@ def _benches(briefing: Briefing, phones: bool) -> Iterator[Block]:
         for found, text in zip(briefing.benches, texts, strict=True)
         for row in _rows(briefing, found, text, phones)
     ]
-    kept = [n for n in range(len(columns)) if not (alike and n == WHAT)]
+    kept = [
+        n for n in range(len(columns)) if not (alike and n == WHAT) and (any(near) or n != TIGHTEST)
+    ]
     title = _("All benches: who carries them, where they start, what they do")
     if alike:
         title = _("All benches: who carries them, where they start, how near others come")
+    if alike and not any(near):
+        title = _("All benches: who carries them, where they start")
     yield Table(
         "all",
         title,
@@ -162,7 +207,9 @@ def _rows(
     """The row of a bench, and more below it where its people are too many for one."""
     people = _people(briefing.roster.people(found.bench), phones) or [_("(nobody)")]
     x, y = briefing.ground.seen([found.place])[0].tolist()
-    tightest = tightest_line(found.tightest, briefing.clock, briefing.called, its=True)
+    tightest = NONE
+    if found.tightest is not None:
+        tightest = tightest_line(found.tightest, briefing.clock, briefing.called, its=True)
     told = f"{x:z.2f}, {y:z.2f}", text.quick, tightest
     size = max(1, MOST_SIGNS // max(map(len, people)))
     yield briefing.called(found.bench), _(", ").join(people[:size]), *told

@@ -15,7 +15,7 @@ from benchdragon.export.tables import workbook
 from benchdragon.files import whole_bytes
 from benchdragon.i18n import _, language
 from benchdragon.plans.schema import Plan
-from benchdragon.sheets.briefing import Briefing
+from benchdragon.sheets.briefing import Briefing, dated
 
 # Columns: shares of the width.
 WIDTHS = (0.34, 0.12, 0.2, 0.18, 0.16, 0.16)
@@ -97,7 +97,9 @@ def timetable_document(briefing: Briefing) -> Document:
         *told_lines(passings),
         time_table(briefing),
     )
-    return Document(title, language(), briefing.checked_on, blocks, briefing.foot)
+    return Document(
+        title, language(), briefing.checked_on, blocks, briefing.foot, dated(briefing.checked_on)
+    )
 
 
 def _count_in(score: Score, start: float) -> list[Paragraph]:
@@ -144,12 +146,13 @@ def write_timetable_xlsx(path: Path, briefing: Briefing) -> None:
     start = briefing.report.start
     with whole_bytes(path) as made, workbook(made) as book:
         sheet = book.add_worksheet(_("Timetable"))
+        tenths = book.add_format({"num_format": "0.0"})
         sheet.freeze_panes(1, 1)
         sheet.set_column(0, 0, 30)
         sheet.set_column(1, 9, 14)
         names = (
             _("head (s from the start)"),
-            _("goes on (s from the start)"),
+            _("sets out again after a stop (s from the start)"),
             _("tail (s from the start)"),
         )
         for column, text in enumerate((*columns(), *names)):
@@ -158,9 +161,10 @@ def write_timetable_xlsx(path: Path, briefing: Briefing) -> None:
         for n, row in enumerate(passings, start=1):
             for column, text in enumerate(cells(row, briefing.clock, briefing.ground, briefing.marks)):
                 sheet.write_string(n, column, text)
-            for column, time in enumerate((row.head, row.until, row.tail), start=len(WIDTHS)):
+            held = row.until if row.until is not None and row.until > (row.head or 0.0) else None
+            for column, time in enumerate((row.head, held, row.tail), start=len(WIDTHS)):
                 if time is not None:
-                    sheet.write_number(n, column, round(time - start, 6))
+                    sheet.write_number(n, column, round(time - start, 1), tenths)
         told = told_sentences(passings)
         foot = (briefing.clock.legend, briefing.ground.legend, *told, briefing.foot)
         for k, text in enumerate(foot, start=2):

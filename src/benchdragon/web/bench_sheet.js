@@ -147,6 +147,7 @@ export class BenchSheet {
     const { text, people, marks, kin, address } = told;
     this.names = people;
     this.map = map;
+    this.coded = Boolean(address);
     const blank = make("p", { class: "few" }, _("Names: {blank}", { blank: BLANK }));
     const carriers = people.map((name) => make("p", {}, name));
     this.people = make("div", { class: "people" }, ...(people.length ? carriers : [blank]));
@@ -190,7 +191,7 @@ export class BenchSheet {
     return this.element.scrollHeight <= this.element.clientHeight + 1;
   }
 
-  /** What gives way, step by step: type, what may be spared, people but the first, the map, other facts, and type again. */
+  /** What gives way, step by step: type, without a code the map, what may be spared, people but the first, the map, other facts, and type again. */
   *#versions() {
     const size = (/** @type {number} */ share) =>
       this.element.style.setProperty("--share", String(share));
@@ -198,7 +199,18 @@ export class BenchSheet {
       size(share);
       yield;
     }
-    const more = make("p", {}, _("And so on: the rest is in the player."));
+    if (!this.coded) {
+      // Who has no code to see the times by needs them more than the map.
+      this.map.remove();
+      for (const share of this.shares) {
+        size(share);
+        yield;
+      }
+    }
+    const rest = this.coded
+      ? _("And so on: the rest is in the player.")
+      : _("There is no room here for the rest.");
+    const more = make("p", {}, rest);
     for (const line of this.spare.reverse()) {
       line.replaceWith(more);
       yield;

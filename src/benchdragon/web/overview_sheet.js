@@ -1,8 +1,9 @@
 // The leader's table: who carries each bench, where it starts, what comes nearest; on paper and as a file.
 
 import { make } from "./elements.js";
+import { ANALYSIS_BENCH_NEARNESS } from "./compute/constants.js";
 import { groundLegend, seenFrom } from "./compute/ground.js";
-import { decimals } from "./compute/number_format.js";
+import { decimals, general } from "./compute/number_format.js";
 import { _, language } from "./words.js";
 
 /** @typedef {import("./bench_sheet.js").Sayings} Sayings */
@@ -11,8 +12,9 @@ import { _, language } from "./words.js";
 // Tightest moments that are listed, of different benches, and how far apart they are at least, m:
 // MOST_TIGHT and TIGHT_APART of sheets/overview.py.
 const [MOST_TIGHT, TIGHT_APART] = [3, 3];
-// The column of what a bench does.
-const WHAT = 3;
+// The columns of what a bench does and of who comes nearest, and what stands there for nobody.
+const [WHAT, TIGHTEST, NONE] = [3, 4, "-"];
+const { REACH } = ANALYSIS_BENCH_NEARNESS;
 // What a spreadsheet takes for a formula.
 const FORMULA = /^[=+\-@\t\r]/;
 const NUMBER = /^-?\d+(\.\d+)?$/;
@@ -31,12 +33,12 @@ function headings() {
 /** A row for each bench. @param {Sayings} said @param {boolean} phones */
 function rowsOf(said, phones) {
   const { ground, benches } = said.briefing;
-  return benches.map(({ bench, place }) => ({
+  return benches.map(({ bench, place, tightest }) => ({
     bench: said.called(bench),
     people: said.remarked(bench, phones),
     place: seenFrom(ground, place).map((far) => decimals(far, 2)),
     quick: said.text(bench, (other) => said.called(other)).quick,
-    tightest: said.tightest(bench),
+    tightest: tightest ? said.tightest(bench) : NONE,
   }));
 }
 
@@ -81,14 +83,27 @@ export function overviewSheet(said, maps, phones, notes, date, foot) {
     maps.starts((bench) => said.called(bench)),
     make("h3", {}, _("Benches")),
     ...(alike ? [make("p", {}, _("All benches: {what}", { what: rows[0].quick }))] : []),
+    ...dashLine(rows),
     tableOf(rows, alike),
     make("footer", {}, foot),
   );
 }
 
+/** What a dash in the last column means, where only some benches have one. @param {ReturnType<typeof rowsOf>} rows */
+function dashLine(rows) {
+  const near = rows.filter(({ tightest }) => tightest !== NONE);
+  if (!near.length || near.length === rows.length) return [];
+  const values = { dash: NONE, reach: general(REACH) };
+  return [
+    make("p", {}, _("{dash}: no bench of another coil comes within about {reach} m of it.", values)),
+  ];
+}
+
 /** The table; what all benches do alike stands above it. @param {ReturnType<typeof rowsOf>} rows @param {boolean} alike */
 function tableOf(rows, alike) {
-  const kept = (/** @type {string[]} */ cells) => cells.filter((_cell, n) => !(alike && n === WHAT));
+  const near = rows.some(({ tightest }) => tightest !== NONE);
+  const kept = (/** @type {string[]} */ cells) =>
+    cells.filter((_cell, n) => !(alike && n === WHAT) && (near || n !== TIGHTEST));
   const body = rows.map(({ bench, people, place, quick, tightest }) => {
     const names = people.join(_(", ")) || _("(nobody)");
     const [head, ...cells] = kept([bench, names, place.join(", "), quick, tightest]);

@@ -40,7 +40,7 @@ import { rint, rounded } from "./numbers.js";
  */
 
 const { REACH } = ANALYSIS_BENCH_NEARNESS;
-const { MOST_TURNS, MOST_PACES, LEAST_ANGLE, ROUND } = EXPLAIN_BENCH_TEXT;
+const { MOST_TURNS, MOST_PACES, LEAST_ANGLE, ROUND, QUARTERS } = EXPLAIN_BENCH_TEXT;
 
 /** @type {Record<Pace, () => string>} */
 const PACES = {
@@ -55,6 +55,13 @@ const TURNS = {
   right: () => _("turn right"),
   straight: () => _("straight on"),
 };
+/** How far it turns, by quarters of a round. */
+const FAR = [
+  () => _("a little"),
+  () => _("a quarter round"),
+  () => _("half round"),
+  () => _("three quarters round"),
+];
 /** @type {Record<import("./bench_nearness.js").Side, () => string>} */
 const SIDES = {
   left: () => _("on your left"),
@@ -231,19 +238,20 @@ function stretchLine(one, { clock, people: { step }, halts }) {
       : _("{start} to {end}: wait.", times);
   }
   const angle = Math.abs(degrees(one.angle));
+  const quarters = rint(settled((angle * QUARTERS) / ROUND));
   const values = {
     ...times,
     pace: PACES[one.pace](),
     turn: TURNS[one.turning](),
-    angle: decimals(settled(angle), 0),
+    far: FAR[quarters % QUARTERS](),
     rounds: decimals(angle / ROUND, 1),
     way: decimals(settled(one.way), 0),
     steps: stepsOf(one.way, step),
   };
-  if (one.turning !== "straight" && angle >= ROUND)
+  if (one.turning !== "straight" && quarters >= QUARTERS)
     return _("{start} to {end}: {pace}, {turn}, {rounds} times round; {way} m, {steps} steps.", values);
   if (one.turning !== "straight" && angle >= LEAST_ANGLE)
-    return _("{start} to {end}: {pace}, {turn} by {angle}°; {way} m, {steps} steps.", values);
+    return _("{start} to {end}: {pace}, {turn}, {far}; {way} m, {steps} steps.", values);
   return _("{start} to {end}: {pace}, {turn}; {way} m, {steps} steps.", values);
 }
 

@@ -671,6 +671,7 @@ export const EXPLAIN_BENCH_TEXT = {
   MOST_PACES: 4,
   LEAST_ANGLE: 5,
   ROUND: 360,
+  QUARTERS: 4,
 };
 
 export const MODEL_ANSWER = {
@@ -843,7 +844,6 @@ export const ROSTERS_READING = {
 };
 
 export const ROSTERS_COLUMNS = {
-  MOST_TITLES: 30,
   MOST_LOOKED_AT: 50,
 };
 
@@ -853,6 +853,7 @@ export const ROSTERS_ENTRIES = {
 
 export const ROSTERS_WORDS = {
   MOST_NAME: 60,
+  MOST_TITLES: 30,
 };
 
 export const SHEETS_BRIEFING = {

@@ -138,8 +138,15 @@ function shared(entry, benches, numbering) {
 }
 
 /** What of a row was read otherwise than it may have been meant. @param {Entry} entry @param {Numbering} numbering */
-function ofEntry({ row, benches, people }, { countHead }) {
+function ofEntry({ row, benches, people, householder }, { countHead }) {
   const said = [];
+  if (householder)
+    said.push(
+      _("row {row}: no name: the householder, {names}, is read as who carries", {
+        row,
+        names: names(people),
+      }),
+    );
   if (!countHead && benches.flat().some(({ number, end }) => !number && !end))
     said.push(_("row {row}: bench 0 is taken for the head", { row }));
   for (const { name } of people)
@@ -245,7 +252,7 @@ function alikeGroups(seats) {
   return [...groups.keys()].sort().map((mark) => groups.get(mark) ?? []);
 }
 
-/** Benches that rows name by themselves which do not follow one another. @param {Entry[]} said @param {Numbering} numbering */
+/** Benches that several rows name by themselves, where that may be a slip: see `_apart` of rosters/reading.py. @param {Entry[]} said @param {Numbering} numbering */
 function apart(said, numbering) {
   /** @type {Map<number, typeof said>} */
   const rows = new Map();
@@ -254,9 +261,13 @@ function apart(said, numbering) {
     if (benches.length === 1) rows.set(benches[0], [...(rows.get(benches[0]) ?? []), entry]);
   }
   const word = (/** @type {typeof said[number]} */ entry) => JSON.stringify(entry.benches);
+  const seldom = 2 * [...rows.values()].filter((found) => found.length > 1).length < rows.size;
   return [...rows].sort(([a], [b]) => a - b).flatMap(([bench, found]) => {
     const apart = (/** @type {typeof said[number]} */ one, /** @type {number} */ n) =>
-      n > 0 && (one.row - found[n - 1].row > 1 || word(one) !== word(found[n - 1]));
+      n > 0 &&
+      (one.row - found[n - 1].row > 1 ||
+        word(one) !== word(found[n - 1]) ||
+        (seldom && one.numbered));
     if (!found.some(apart)) return [];
     const values = { bench: numbering.called(bench), rows: listed(found.map(({ row }) => String(row))) };
     return [_("{bench} is in rows {rows}: all of their people are taken for it", values)];
@@ -280,7 +291,10 @@ function calledAll(benches, numbering) {
     if (last && bench === last[1] + 1) last[1] = bench;
     else spans.push([bench, bench]);
   }
-  return listed(spans.map(([low, high]) => span(low, high, numbering)));
+  const told = spans.flatMap(([low, high]) =>
+    high - low === 1 ? [numbering.called(low), numbering.called(high)] : [span(low, high, numbering)],
+  );
+  return listed(told);
 }
 
 /** @param {number} low @param {number} high @param {Numbering} numbering */

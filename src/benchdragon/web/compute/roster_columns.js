@@ -2,7 +2,7 @@
 // rosters/columns.py.
 
 import { _ } from "../words.js";
-import { ROSTERS_COLUMNS } from "./constants.js";
+import { ROSTERS_COLUMNS, ROSTERS_WORDS } from "./constants.js";
 import { InputError } from "./errors.js";
 import { heading, isName, namesOf, places, plain, withoutPhones } from "./roster_words.js";
 
@@ -18,7 +18,8 @@ import { heading, isName, namesOf, places, plain, withoutPhones } from "./roster
  * @property {boolean} householders whether there is no column of names, so that householders are the bearers
  */
 
-const { MOST_TITLES, MOST_LOOKED_AT } = ROSTERS_COLUMNS;
+const { MOST_LOOKED_AT } = ROSTERS_COLUMNS;
+const { MOST_TITLES } = ROSTERS_WORDS;
 const LISTS = /** @type {const} */ ({
   name: "names",
   household: "households",

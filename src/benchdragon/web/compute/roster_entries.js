@@ -10,7 +10,7 @@ import { namesOf, places, plain, withoutPhones } from "./roster_words.js";
 /** @typedef {import("./roster_columns.js").Columns} Columns */
 /** @typedef {import("./roster_words.js").Place} Place */
 /** Somebody who carries a bench; what is not known is "". @typedef {{ name: string, household: string, phone: string, remarks: string }} Person */
-/** A row with people: its number, from 1, and the benches as it names them. @typedef {{ row: number, benches: Array<[Place, Place]>, people: Person[] }} Entry */
+/** A row with people: its number, from 1; the benches as it, or the row above, names them; whether it does; and whether its householder is taken for who carries. @typedef {{ row: number, benches: Array<[Place, Place]>, people: Person[], numbered: boolean, householder: boolean }} Entry */
 /** A row, or a part of it, that was not read, and why, in words. @typedef {{ row: number, why: string }} Unread */
 
 const { MOST_SHOWN } = ROSTERS_ENTRIES;
@@ -51,10 +51,16 @@ export function entries(rows, first, block) {
       found.push({ row: number, why: _("no number of a bench: {text}", { text: shown(row) }) });
       continue;
     }
-    const { people, odd } = peopleOf(row, block, household);
+    const { people: named, odd } = peopleOf(row, block, household);
+    const owner = named.length || odd.length ? [] : householderOf(row, block);
+    const people = named.length ? named : owner;
+    const others = [...block.households, ...block.phones, ...block.remarks];
+    if (!people.length && !odd.length && cellsOf(row, others).some(Boolean))
+      odd.push(_("no name, only {text}", { text: shown(row) }));
     found.push(...odd.map((why) => ({ row: number, why })));
     household = people.find((one) => one.household)?.household ?? household;
-    if (people.length) found.push({ row: number, benches, people });
+    const [numbered, householder] = [Boolean(said), owner.length > 0];
+    if (people.length) found.push({ row: number, benches, people, numbered, householder });
   }
   return found;
 }
@@ -125,10 +131,19 @@ function peopleOf(row, block, above) {
       people.push({ name, household, phone, remarks });
     }
   }
-  const others = [...block.households, ...block.phones, ...block.remarks];
-  if (!people.length && !odd.length && cellsOf(row, others).some(Boolean))
-    return { people, odd: [_("no name, only {text}", { text: shown(row) })] };
   return { people, odd };
+}
+
+/** Who carries where a row leaves the names blank, but says whose household it is. @param {string[]} row @param {Columns} block @returns {Person[]} */
+function householderOf(row, block) {
+  if (cellsOf(row, block.names).some(Boolean)) return [];
+  const [household, hidden] = opened(cellsOf(row, block.households));
+  const [remarks, more] = opened(cellsOf(row, block.remarks));
+  const phones = [...cellsOf(row, block.phones).filter(Boolean), ...hidden, ...more];
+  const phone = [...new Set(phones)].join(" ");
+  return namesOf(household)
+    .filter(isName)
+    .map((name) => ({ name, household, phone, remarks }));
 }
 
 /** The texts of cells without the phones in them, and these. @param {string[]} cells @returns {[string, string[]]} */

@@ -2,9 +2,9 @@
 // workbooks, which roster_book.js reads.
 
 import { _ } from "../words.js";
-import { ROSTERS_EXTENT, ROSTERS_GRID } from "./constants.js";
+import { ROSTERS_EXTENT, ROSTERS_GRID, ROSTERS_WORDS } from "./constants.js";
 import { InputError } from "./errors.js";
-import { stripped } from "./roster_words.js";
+import { heading, stripped } from "./roster_words.js";
 
 const { MOST_ROWS, MOST_COLUMNS, MOST_CELLS, MOST_SIGNS } = ROSTERS_EXTENT;
 // What files start with: of zip (XLSX, ODS), and of old and of locked workbooks.
@@ -15,6 +15,8 @@ const WORKBOOKS = [
 const ENDINGS = /\.(csv|tsv|txt|xlsx|xlsm|ods|xls)$/i;
 // What parts the columns of a table of text, and what ends the number where nothing does.
 const MARKS = ["\t", ",", ";"];
+// Chinese marks part names too: they part columns only below a row of headings that they part.
+const CHINESE_MARKS = ["，", "；"];
 const NUMBER_END = /(?<=\S)[\s:：，]+/u;
 const LINE_END = /\r\n|[\n\r\v\f\x1c-\x1e\x85\u2028\u2029]/u;
 // Signs of texts that no text has.
@@ -105,11 +107,21 @@ export function rowsOf(text, name) {
   const first = lines.map((line) => Array.from(line).find((sign) => MARKS.includes(sign)) ?? "");
   const counts = MARKS.map((mark) => first.filter((sign) => sign === mark).length);
   const most = Math.max(...counts);
-  const rows = most ? tableRows(text, MARKS[counts.indexOf(most)]) : lines.map((line) => parted(line));
+  const mark = most
+    ? MARKS[counts.indexOf(most)]
+    : chineseMark(lines.slice(0, ROSTERS_WORDS.MOST_TITLES));
+  const rows = mark ? tableRows(text, mark) : lines.map((line) => parted(line));
   return limited(
     rows.map((row) => row.map(stripped)),
     name,
   );
+}
+
+/** The Chinese comma or semicolon that parts a row of headings; "" if none does. @param {string[]} lines */
+function chineseMark(lines) {
+  const headings = (/** @type {string} */ line, /** @type {string} */ mark) =>
+    line.split(mark).filter((cell) => heading(cell)).length;
+  return CHINESE_MARKS.find((mark) => lines.some((line) => headings(line, mark) > 1)) ?? "";
 }
 
 /** A line as a number and what is behind it. @param {string} line */
