@@ -153,9 +153,14 @@ def _draw_spots(axes: Axes, sheet: Sheet, spots: Sequence[Point]) -> None:
     axes.text(x + 1.5, y + 1.0, _("peg"), fontsize=7, fontweight="bold", zorder=9)
     if posts:
         label = _("post for a marshal")
-        axes.plot(*np.array(posts).T, marker="o", ms=3.5, gid="posts", label=label, **look)
+        axes.plot(
+            *np.array(posts).T, marker="o", ms=9.5, mfc="white", mew=0.8, gid="posts", label=label,
+            **look,
+        )  # fmt: skip
     for n, (u, v) in enumerate(posts, start=1):
-        axes.text(u + 1.2, v + 0.8, f"{n}", fontsize=7, fontweight="bold", zorder=9)
+        axes.text(
+            u, v, f"{n}", fontsize=6.5, fontweight="bold", ha="center", va="center_baseline", zorder=9
+        )
 
 
 def _write_names(axes: Axes, sheet: Sheet, drawing: AreaDrawing, paper: str) -> None:
