@@ -12,13 +12,14 @@ import pytest
 import zxingcpp
 from playwright.sync_api import Locator, Page, expect
 
-from benchdragon.explain.bench_text import tightest_line
+from benchdragon.export.document import Paragraph
 from benchdragon.i18n import spoken_in
 from benchdragon.planner.page import planner_page
 from benchdragon.plans.roster import roster_of
 from benchdragon.plans.schema import read_plan
 from benchdragon.rosters.roster import Roster
 from benchdragon.sheets.benches import Entry, bench_sheets
+from benchdragon.sheets.overview import _tightest
 from benchdragon.sheets.qr import bench_address
 from tests.browser.axe import needs_axe, violations
 from tests.browser.pages import Device, Language, Pages
@@ -140,14 +141,40 @@ def test_the_overview_is_printed_and_saved(
         sheets(page).get_by_role("button", name=SAVE).click()
     saved = Path(found.value.path()).read_text("utf-8-sig")
     whole = briefing(read_plan(str(plan)), Roster())
+    assert all(one.tightest is None for one in whole.benches)
     for entry in told(plan, language, Roster()):
-        near = whole.benches[entry.bench - 1].tightest
-        with spoken_in(language):
-            tightest = tightest_line(near, whole.clock, whole.called, its=True)
-        for line in (entry.title, entry.text.quick, tightest):
+        for line in (entry.title, entry.text.quick):
             assert "".join(line.split()) in text
             assert line in saved
-    assert len(saved.splitlines()) == 9
+    heads, *rows = saved.splitlines()
+    assert [row.split(",")[-1] for row in rows] == ['""'] * 8
+    assert heads.count(",") == 5
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_the_overviews_tightest_moments_are_pythons(
+    pages: Pages, tmp_path: Path, language: Language
+) -> None:
+    long = read_plan(str(village(tmp_path, PLAN.replace("benches = 8", "benches = 30"))))
+    file = tmp_path / "planner.html"
+    file.write_text(planner_page(long, "en"), "utf-8")
+    page = pages.open(f"{file.as_uri()}#lang={language}")
+    settled(page).get_by_role("button", name=NAMES[language], exact=True).click()
+    expect(sheets(page).locator(".paper")).to_have_count(30)
+    sheets(page).get_by_role("combobox").first.select_option("overview")
+    shown = page.locator("#sheets .overview")
+    with spoken_in(language):
+        whole = briefing(long, Roster())
+        blocks = [block for block in _tightest(whole) if isinstance(block, Paragraph)]
+    place = re.compile(r", at mark \d+ then|（这时在 \d+ 号标点旁边）")
+    wanted = [place.sub("", str(block.words[0])) for block in blocks]
+    assert 1 < len(wanted) <= 3
+    word = {"en": "Tightest at", "zh": "最挤"}[language]
+    told_here = shown.locator(":scope > p").all_inner_texts()
+    assert [line for line in told_here if word in line] == wanted
+    dashes = sum(one.tightest is None for one in whole.benches)
+    assert 0 < dashes < 30
+    assert shown.locator("td", has_text=re.compile(r"^-$")).count() == dashes
 
 
 def test_codes_open_the_player_at_ones_own_bench(opened_sheets: Opened, plan: Path) -> None:

@@ -562,7 +562,7 @@ def test_the_overview_says_which_edge_is_on_the_way_out(
         heading = float(walk.route.heading([motion.s[0, 0]])[0])
         ways = [(math.cos(heading), math.sin(heading))]
     else:
-        x, y = motion.x[-1, 0], motion.y[-1, 0]
+        x, y = motion.x[0, -1], motion.y[0, -1]
         ways = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)]
     sides = (
         ("right edge", 40.0, 1, 0),

@@ -116,8 +116,8 @@ def _way_out(briefing: Briefing) -> Iterator[Block]:
     coiled = plan.route.kind == "spiral-in"
     ends = report.walk.motion([report.end])
     leader = -1 if coiled else 0
-    place = float(ends.x[leader, 0]), float(ends.y[leader, 0])
-    heading = float(report.walk.route.heading([ends.s[leader, 0]])[0])
+    place = float(ends.x[0, leader]), float(ends.y[0, leader])
+    heading = float(report.walk.route.heading([ends.s[0, leader]])[0])
     ways = ground.ways if coiled else np.array([(math.cos(heading), math.sin(heading))])
     found = [] if venue is None else [way_out(venue.outline, place, way) for way in ways]
     met = [one for one in found if one is not None]

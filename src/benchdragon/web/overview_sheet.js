@@ -144,7 +144,7 @@ function listOf(name, lines) {
 export function overviewTable(said, phones) {
   const [bench, names, , does, tightest] = headings();
   const rows = rowsOf(said, phones).map((row) => [
-    row.bench, row.people.join(_(", ")), ...row.place, row.quick, row.tightest,
+    row.bench, row.people.join(_(", ")), ...row.place, row.quick, row.tightest === NONE ? "" : row.tightest,
   ]); // prettier-ignore
   const whole = [[bench, names, "x (m)", "y (m)", does, tightest], ...rows];
   return `\ufeff${whole.map((row) => `${row.map(cell).join(",")}\r\n`).join("")}`;
