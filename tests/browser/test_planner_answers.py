@@ -465,6 +465,35 @@ def test_a_picture_that_waited_for_a_hand_is_marked_as_an_earlier_plans(opened: 
     expect(page.locator("#planner")).to_have_attribute("data-picture", "old")
 
 
+def test_a_dance_that_waited_for_a_hand_does_not_replace_the_right_picture(opened: Opened) -> None:
+    page = opened()
+    page.locator("canvas").hover(position={"x": 40, "y": 200})
+    page.mouse.down()
+    first = page.evaluate("benchdragon.plan.route.pitch")
+    other = "{ ...benchdragon.plan, route: { ...benchdragon.plan.route, pitch: 0.46 } }"
+    page.evaluate(f"benchdragon.change({other}, true)")
+    expect(page.locator("#planner")).to_have_attribute("aria-busy", "false")
+    Held(page, "sketch")
+    Held(page, "dance")
+    page.evaluate("benchdragon.undo()")
+    page.mouse.up()
+    until(page, "!benchdragon.player.hold.on")
+    page.evaluate("new Promise((done) => setTimeout(done))")  # who let go has been heard
+    assert page.evaluate("benchdragon.pictured.route.pitch") == first
+    expect(page.locator("#planner")).to_have_attribute("data-picture", "this")
+
+
+def test_a_dance_is_asked_for_though_a_grip_was_held_when_the_plan_came_to_rest(opened: Opened) -> None:
+    page = opened()
+    other = "{ ...benchdragon.plan, route: { ...benchdragon.plan.route, pitch: 0.46 } }"
+    page.evaluate(
+        f"() => {{ benchdragon.grips.drag = {{}}; benchdragon.change({other}, true);"
+        " benchdragon.rest.drop(); benchdragon.rest.act(); benchdragon.grips.drag = null; }"
+    )
+    settled(page)
+    expect(page.locator("#planner")).to_have_attribute("data-picture", "this")
+
+
 @pytest.mark.parametrize("name", ["time", "nearer"])
 def test_the_focus_stays_where_it_is_when_another_dance_comes(opened: Opened, name: str) -> None:
     page = opened()

@@ -52,8 +52,8 @@ async function begun() {
     port.onmessage({ data: { id: ++id, question, language: "en", plan } });
     return said;
   };
-  /** Ask, and give up after so many calls of kernels; how many there were. */
-  const giveUp = async (question, plan, after) => {
+  /** Ask, and give up after so many calls of kernels; how many there were until the next was answered, which takes `next` calls. */
+  const giveUp = async (question, plan, after, next) => {
     const before = calls;
     const asked = ++id;
     called = () => {
@@ -62,8 +62,8 @@ async function begun() {
       port.onmessage({ data: { cancel: asked } });
     };
     port.onmessage({ data: { id: asked, question, language: "en", plan } });
-    await rest();
-    return calls - before;
+    await ask();
+    return calls - before - next;
   };
   return { heard, ask, giveUp };
 }
@@ -83,10 +83,13 @@ empty = false;
 const again = await ask();
 const over = await ask("limit/length", huge);
 const last = await ask();
-const started = calls;
-await ask("dance", small);
-const dance = calls - started;
-const given = await giveUp("dance", small, 0.2 * dance);
+const counted = async (question) => {
+  const started = calls;
+  await ask(question);
+  return calls - started;
+};
+const dance = await counted("dance");
+const given = await giveUp("dance", small, 0.2 * dance, await counted("verdict"));
 process.stdout.write(
   JSON.stringify({ warmed, asked, large, after, without, again, over, last, heard, dance, given }),
 );

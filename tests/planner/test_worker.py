@@ -40,7 +40,7 @@ def test_a_worker_of_whom_nothing_is_asked_has_kernels_compiled(life: dict[str, 
 def test_a_question_that_comes_while_the_worker_warms_up_is_answered(life: dict[str, Any]) -> None:
     assert life["asked"]["id"] == 1
     assert life["asked"]["answer"]["plan_sha256"] == life["again"]["answer"]["plan_sha256"]
-    assert life["heard"] == [None, 1, 2, 3, 4, 5, 6, 7]  # ready, and nothing of the warming
+    assert life["heard"] == [None, 1, 2, 3, 4, 5, 6, 7, 8, 10]  # ready, and nothing of the warming
 
 
 def test_an_engine_that_grew_large_gives_way_to_a_new_one(life: dict[str, Any]) -> None:
@@ -64,4 +64,4 @@ def test_a_question_that_takes_too_much_is_refused_in_a_sentence_and_the_next_is
 
 def test_a_dance_that_nobody_waits_for_is_given_up_between_slices(life: dict[str, Any]) -> None:
     assert life["dance"] > 50  # calls of kernels
-    assert life["given"] < 0.4 * life["dance"]
+    assert 0.2 * life["dance"] <= life["given"] < 0.4 * life["dance"]

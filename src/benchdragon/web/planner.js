@@ -1,6 +1,6 @@
 // A plan as controls, its verdict as it changes, the player, long questions, files.
 
-import { addressed, keptPlan, obey, remember } from "./address.js";
+import { addressed, obey, remember } from "./address.js";
 import { make } from "./elements.js";
 import { answerText, evidenceDialog } from "./evidence.js";
 import { Files } from "./files.js";
@@ -8,12 +8,12 @@ import { onFingerTaps } from "./fingers.js";
 import { Grips } from "./grips.js";
 import { JobList, questionText } from "./jobs.js";
 import { linkText, readLink } from "./link.js";
-import { planText, PlanForm, textPlan } from "./plan_form.js";
+import { planText, PlanForm } from "./plan_form.js";
 import { Player, REST } from "./player.js";
 import { showShare } from "./share.js";
 import { Sheets } from "./sheets.js";
 import { Span } from "./span.js";
-import { Standing, samePlan } from "./standing.js";
+import { Delayed, Standing, samePlan } from "./standing.js";
 import { Stories } from "./stories.js";
 import { Line } from "./telling.js";
 import { Tracks } from "./tracks.js";
@@ -72,9 +72,9 @@ export class Planner {
     this.pictured = null;
     /** @type {HTMLDialogElement | null} */
     this.dialog = null;
-    this.rest = 0;
-    this.pause = 0;
-    this.halt = 0;
+    this.pause = new Delayed(PAUSE, () => this.#draws && this.sketches.renew(this.plan));
+    this.halt = new Delayed(HALT, () => this.pitches.renew(this.plan));
+    this.rest = new Delayed(REST, () => this.#rested());
     this.jobs = new JobList(answers, (found) => this.change(found, true));
     this.files = new Files(this, answers);
     this.stories = new Stories(this);
@@ -309,7 +309,7 @@ export class Planner {
     this.unread = { says };
     for (const one of [this.verdicts, this.pitches, this.sketches, this.dances]) one.drop();
     this.tracks.show(this.plan);
-    for (const timer of [this.pause, this.halt, this.rest]) clearTimeout(timer);
+    for (const one of [this.pause, this.halt, this.rest]) one.drop();
     this.dialog?.close();
     this.verdict = null;
     const text = _("No verdict: the plan in this link cannot be read.");
@@ -344,22 +344,26 @@ export class Planner {
     if (!this.#pictures(this.subject)) this.lines.dance.forget();
     this.#mark();
     if (this.answers.has("verdict")) this.verdicts.renew(this.plan);
-    const draws = () => this.answers.has("dance") && !this.grips.drag;
-    clearTimeout(this.pause);
-    this.pause = setTimeout(() => {
-      if (draws()) this.sketches.renew(this.plan);
-    }, PAUSE);
     // What takes longer than a verdict is given up at once, so that verdict and rough picture come soon.
     this.pitches.drop();
     this.dances.drop();
-    clearTimeout(this.halt);
-    if (this.#limitable) this.halt = setTimeout(() => this.pitches.renew(this.plan), HALT);
-    clearTimeout(this.rest);
-    this.rest = setTimeout(() => {
-      this.#remember();
-      this.files.keep(this.plan);
-      if (draws()) this.dances.renew(this.plan);
-    }, REST);
+    this.pause.renew();
+    if (this.#limitable) this.halt.renew();
+    else this.halt.drop();
+    this.rest.renew();
+  }
+
+  /** A change has come to rest. */
+  #rested() {
+    this.#remember();
+    this.files.keep(this.plan);
+    if (this.#draws) this.dances.renew(this.plan);
+    else if (this.grips.drag) this.rest.renew(); // a grip held without a move asks nothing when it is let go
+  }
+
+  /** Whether pictures are asked for now. */
+  get #draws() {
+    return this.answers.has("dance") && !this.grips.drag;
   }
 
   /** Whether a smallest pitch is asked for. */
@@ -446,8 +450,9 @@ export class Planner {
     else show();
   }
 
-  /** Show a dance. @param {Scene} scene @param {Plan} plan */
+  /** Show a dance, unless a newer one came while a hand held the picture. @param {Scene} scene @param {Plan} plan */
   #picture(scene, plan) {
+    if (this.#pictures(this.subject) && !samePlan(plan, this.subject)) return;
     this.pictured = plan;
     this.#mark();
     this.span?.dance(scene, plan);
@@ -486,21 +491,4 @@ export class Planner {
     if (key === "y" || event.shiftKey) this.redo();
     else this.undo();
   }
-}
-
-/**
- * The page on which a dance is planned: with the plan of the address, else with the one given, else with
- * the one that the browser keeps, else with the first preset.
- * @param {Answers} answers
- * @param {Preset[]} presets
- * @param {Plan | null} plan
- */
-export async function opened(answers, presets, plan) {
-  const text = addressed().get("plan");
-  const told = text ? await readLink(text, presets) : null;
-  const kept = textPlan(keptPlan() ?? "");
-  const planner = new Planner(answers, presets, told?.plan ?? plan ?? kept ?? presets[0].plan);
-  if (told && !told.plan) planner.refuse(told.says);
-  else planner.show(planner.plan);
-  Object.assign(globalThis, { benchdragon: planner }); // for the browser's console
 }

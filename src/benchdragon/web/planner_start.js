@@ -1,16 +1,39 @@
 // The planner's page: reads what the page holds, and starts what computes.
 
-import { chosenBefore } from "./address.js";
+import { addressed, chosenBefore, keptPlan } from "./address.js";
 import { held } from "./elements.js";
-import { opened } from "./planner.js";
+import { readLink } from "./link.js";
+import { textPlan } from "./plan_form.js";
+import { Planner } from "./planner.js";
 import { WorkerAnswers } from "./working.js";
 import { _, speak, useWords } from "./words.js";
+
+/** @typedef {import("./messages").Preset} Preset */
+/** @typedef {import("./plan_form.js").Plan} Plan */
+/** @typedef {import("./standing.js").Answers} Answers */
 
 /** Bytes that were deflated, in base64. @param {string} packed @returns {Promise<ArrayBuffer>} */
 function inflated(packed) {
   const squeezed = Uint8Array.from(atob(packed), (sign) => sign.charCodeAt(0));
   const stream = new Blob([squeezed]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
   return new Response(stream).arrayBuffer();
+}
+
+/**
+ * The page on which a dance is planned: with the plan of the address, else with the one given, else with
+ * the one that the browser keeps, else with the first preset.
+ * @param {Answers} answers
+ * @param {Preset[]} presets
+ * @param {Plan | null} plan
+ */
+async function opened(answers, presets, plan) {
+  const text = addressed().get("plan");
+  const told = text ? await readLink(text, presets) : null;
+  const kept = textPlan(keptPlan() ?? "");
+  const planner = new Planner(answers, presets, told?.plan ?? plan ?? kept ?? presets[0].plan);
+  if (told && !told.plan) planner.refuse(told.says);
+  else planner.show(planner.plan);
+  Object.assign(globalThis, { benchdragon: planner }); // for the browser's console
 }
 
 /** Begin the page. */

@@ -55,6 +55,28 @@ export class Refusal extends Error {}
 /** There is no answer, and the page is to blame. */
 export class PageFault extends Refusal {}
 
+/** What is done once nothing has put it off for so long. */
+export class Delayed {
+  #timer = 0;
+
+  /** @param {number} delay ms @param {() => void} act */
+  constructor(delay, act) {
+    this.delay = delay;
+    this.act = act;
+  }
+
+  /** Put it off, from now on. */
+  renew() {
+    this.drop();
+    this.#timer = setTimeout(this.act, this.delay);
+  }
+
+  /** Do it not. */
+  drop() {
+    clearTimeout(this.#timer);
+  }
+}
+
 /** How long a question may be on its way before a newer one takes its place, ms: so long, or twice as
  * long as the last answer took, and twice as long again after each that was given up. */
 const PATIENCE = 250;

@@ -40,7 +40,7 @@ import { heedAtTicks } from "./tick.js";
 class CancelledError extends Error {}
 
 /** An engine that holds more bytes than this after a question gives way to a new one. */
-export const MOST_HELD = 500e6;
+export const MOST_HELD = 200e6;
 
 /** A dance that is checked at once, and calls most of what checks call. */
 const SMALL = {
