@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from flint import arb
 
 # How much more than what was seen is shown, relative: the least that the work allows.
-WIDTHS = tuple(10.0**power for power in range(-12, -1))
+WIDTHS = (5e-13, *(10.0**power for power in range(-12, -1)))
 # What a bound on a speed is wrong by in a cell, a square metre; cells are no longer, m; and the work
 # that is taken on: handles times cells. All this decides nothing but how narrow a bracket is tried.
 WRONG, LONGEST, MOST_WORK = 20.0, 0.2, 1_500_000
