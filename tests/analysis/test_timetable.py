@@ -132,7 +132,7 @@ def test_the_stops_of_the_head_are_counted_where_cues_are_said(
     assert [one.s for one in stops] == pytest.approx([16.0, 26.0])
     for one in stops:
         assert not walk.motion([one.start, one.end]).speed.any()
-    assert stops_text(stops[:1]) == "stops of the head: 1, 5 s in all (11-16 s)"
+    assert stops_text(stops[:1]) == "stops of the head: 1, 5 s in all (11 s to 16 s)"
     clock = Clock("18:30", -38.0)
     assert stops_sentence(stops[:1], clock) == (
         "Stops of the head: 1, 5 s in all (18:30:49 to 18:30:54)."
@@ -147,7 +147,7 @@ def test_the_stops_of_the_head_are_counted_where_cues_are_said(
     assert run(["check", "spiral-in", "--set", "disc.radius=4.6", "--set", "dragon.benches=4", "--set",
                 "cues.cue=[{kind='hold', head=9, hold=3}]", "--explain"]) == 0  # fmt: skip
     out = capsys.readouterr().out
-    assert "stops of the head: 1, 3 s in all (10-13 s)\n" in out
+    assert "stops of the head: 1, 3 s in all (10 s to 13 s)\n" in out
     assert "every handle stands when the head does" in out
     assert run(["check", "spiral-in", "--set", "disc.radius=4.6", "--set", "dragon.benches=4",
                 "--json"]) == 0  # fmt: skip

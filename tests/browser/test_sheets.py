@@ -54,3 +54,23 @@ def test_a_card_calls_each_bench_as_its_sheet_does(
         with spoken_in(language):
             name = ours.called(bench)
         assert page.locator("aside.card h2").inner_text() == name + plan.format(n=bench)
+        buttons = page.locator("aside.card nav button").all_inner_texts()
+        with spoken_in(language):
+            beside = [ours.called(n) for n in (bench - 1, bench + 1) if 1 <= n <= 8]
+        assert [text.strip("\u2190\u2192 ") for text in buttons] == beside
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_a_card_calls_the_nearest_bench_as_the_village_does(
+    language: Language, pages: Pages, tmp_path: Path
+) -> None:
+    player = tmp_path / "player.html"
+    ours = small(tmp_path, "dragon.benches=30")
+    player.write_text(player_page(checked_dance(ours.report), language), "utf-8")
+    page = ready(pages.open(player.as_uri(), "phone", language, "light"))
+    page.evaluate("benchdragon.choose(2)")
+    other = page.evaluate("benchdragon.scene.sent.nearest.other[2]")
+    assert other > 0
+    with spoken_in(language):
+        name = ours.called(other)
+    assert name in page.locator("aside.card dd").nth(5).inner_text()

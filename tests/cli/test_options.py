@@ -129,6 +129,7 @@ CASES: dict[str, Case] = {
     "survey --set": Case(SURVEY, ["--set", "route.smooth=G1"]),
     "survey --json": Case(SURVEY, ["--json"]),
     "plan --set": Case(["plan", "turn"], ["--set", "route.pitch=1.8"]),
+    "plan --head-speed": Case(["plan", "turn", "-o", "mine.toml"], ["--head-speed", "0.6 m/s"]),
     "plan --output": Case(["plan", "turn"], ["-o", "mine.toml"]),
     "plan --force": Case(
         ["plan", "turn", "-o", "mine.toml"], ["--force"], ["plan", "turn", "-o", "mine.toml"]

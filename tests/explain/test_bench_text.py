@@ -100,7 +100,7 @@ def test_how_far_one_turns_is_told_in_quarters_of_a_round(degrees: float, said: 
 def test_the_place_is_told_from_the_peg_and_from_the_nearest_landmark() -> None:
     bench = one_bench(stretch(0.0, 9.0, "left", "walk"))
     peg = text_of(PLAN, bench).place
-    assert peg == (
+    assert peg[:2] == (
         "Your front handle starts at x = 3.00 m, y = 4.00 m from the peg: 5.00 m from it at 53° "
         "from the x axis.",
         "At the start your front handle is 8 steps from the peg.",
@@ -121,12 +121,12 @@ def test_the_place_is_told_from_the_peg_and_from_the_nearest_landmark() -> None:
     said.append("venue.rectangle=[7.2, 60]")
     plan = read_plan("turn", [*said, "people.step=0.3"])
     # The bench's front end is 0.4 m from it, its front handle 0.6 m.
-    assert text_of(plan, bench).place == (
+    assert text_of(plan, bench).place[:2] == (
         "Your front handle starts 3.00 m to the right and 4.00 m forward from the peg: 5.00 m from it.",
         "At the start your bench is 1 steps from the right edge of the venue.",
     )
     with spoken_in("zh"):
-        assert text_of(plan, bench, (4.0, 4.5)).place == (
+        assert text_of(plan, bench, (4.0, 4.5)).place[:2] == (
             "你的前把手从木桩往左 1.00 米、往后 0.50 米起步：离木桩 1.12 米。",
             "起步时你这条板凳离场地的右边线 1 步。",
         )
@@ -138,7 +138,7 @@ def test_places_are_told_along_the_edges_of_a_venue_that_is_turned() -> None:
     bench = one_bench(stretch(0.0, 9.0, "left", "walk"))
     plan = read_plan("turn", ["venue.rectangle=[20, 9.6]", "venue.angle=30"])
     # (3, 4) along and across axes turned by 30 degrees; the nearest corner is 1.81 m from the edge.
-    assert text_of(plan, bench).place == (
+    assert text_of(plan, bench).place[:2] == (
         "Your front handle starts 4.60 m to the right and 1.96 m forward from the peg: 5.00 m from it.",
         "At the start your bench is 3 steps from the far edge of the venue.",
     )
@@ -160,7 +160,7 @@ def test_the_tightest_moment_and_the_neighbours_have_the_names_that_the_village_
     )  # fmt: skip
     alone = replace(bench, tightest=None, before=None, behind=None, left=None, right=None)
     assert text_of(plan, alone).tightest == "No bench of another coil comes within about 1.5 m of you."
-    assert text_of(plan, alone).people == ("Afterwards: lead all of them out.",)
+    assert text_of(plan, alone).people == ("Afterwards: lead all of them out where the leader says.",)
     with spoken_in("zh"):
         assert re.fullmatch(
             r"1:05 最挤：另一圈的.+在你左边，只隔 27 厘米。", text_of(plan, bench).tightest
@@ -194,8 +194,10 @@ def test_a_wait_says_what_the_head_stops_for() -> None:
     cue = {"kind": "hold", "at": 31.0, "hold": 9.0, "text": "bow to the temple", "text_zh": "拜庙"}
     plan = read_plan("turn").with_value("cues.cue", [cue])
     assert text_of(plan, bench).stretches[1] == "0:30 to 0:45: wait: bow to the temple."
+    assert "wait from 0:30 to 0:45: bow to the temple." in text_of(plan, bench).quick
     with spoken_in("zh"):
         assert text_of(plan, bench).stretches[1] == "0:30 到 0:45：等：拜庙。"
+        assert "0:30 到 0:45 等（拜庙）" in text_of(plan, bench).quick
     for other in ({**cue, "at": 50.0}, {**cue, "text": "", "text_zh": ""}):
         plan = read_plan("turn").with_value("cues.cue", [other])
         assert text_of(plan, bench).stretches[1] == "0:30 to 0:45: wait."
@@ -205,7 +207,11 @@ def test_a_sheet_ends_with_where_to_go_when_the_dance_is_over() -> None:
     bench = one_bench(stretch(0.0, 30.0, "left", "walk"))
     assert text_of(read_plan("turn"), bench).people[-1].endswith("follow the bench before you out.")
     head = replace(bench, before=None)
-    assert text_of(read_plan("turn"), head).people[-1].endswith("lead all of them out.")
+    assert (
+        text_of(read_plan("turn"), head)
+        .people[-1]
+        .endswith("lead all of them out where the leader says.")
+    )
     for each in (head, bench):
         assert "until your pin is pulled" in text_of(read_plan("spiral-in"), each).people[-1]
 
@@ -215,6 +221,14 @@ def test_others_read_of_a_bench_by_its_own_sides() -> None:
     own, others = (tightest_line(near, clock, str, its=its) for its in (False, True))
     assert (own.endswith("27 cm, behind you."), others.endswith("27 cm, behind it.")) == (True, True)
     assert tightest_line(None, clock, str, its=True).endswith("m of it.")
+
+
+def test_the_head_leads_all_in_and_the_others_follow() -> None:
+    bench = one_bench(stretch(0.0, 9.0, "left", "walk"))
+    assert text_of(PLAN, bench).place[2] == (
+        "Coming in: follow the bench before you along the chalk line."
+    )
+    assert "lead all of them" in text_of(PLAN, replace(bench, before=None)).place[2]
 
 
 def test_times_are_of_day_where_the_plan_says_when_the_dance_starts() -> None:

@@ -42,7 +42,7 @@ def test_the_people_of_a_plan_by_what_its_village_calls_the_benches(plan: Path) 
     assert [roster.people(n)[0].name for n in (1, 2)] == ["张三", "李四"]
     assert roster.notes == (
         "row 4: the dragon of 4 benches has no qiao 7: 王五",
-        "nobody is named for qiao 2 to the tail",
+        "nobody is named for qiao 2, the tail",
     )
 
 

@@ -55,6 +55,7 @@ def test_a_list_as_people_type_it(tmp_path: Path) -> None:
     assert roster.notes == (
         "row 13 was not read: taken for a sum: 合计 17人",
         "row 9: 郑一, 冯二, 陈三, 褚四 are dealt to bench 5, bench 6 in order",
+        "bench 2 is in rows 5, 6: all of their people are taken for it",
         "nobody is named for bench 8",
     )
 
@@ -243,9 +244,14 @@ def test_a_number_that_stands_twice_where_hardly_any_does_may_be_a_slip(tmp_path
     rows: Cells = [["桥号", "姓名"], [1, "张三"], [2, "李四"], [2, "王五"], [4, "赵六"], [5, "孙八"]]
     notes = read(tmp_path, rows).notes
     assert "bench 2 is in rows 3, 4: all of their people are taken for it" in notes
-    # A row without a number goes on about the bench above: that is none.
-    rows[3][0] = ""
-    assert not any("in rows" in note for note in read(tmp_path, rows).notes)
+    # So may a row without a number, which goes on about the bench above.
+    without: Cells = [*rows[:3], ["", "王五"], *rows[4:]]
+    assert (
+        "bench 2 is in rows 3, 4: all of their people are taken for it" in read(tmp_path, without).notes
+    )
+    # In a list with a row for each of two bearers nothing is odd about it.
+    pairs: Cells = [["桥号", "姓名"], *([n, f"张{n}{k}"] for n in (1, 2, 3) for k in "ab"), [4, "赵六"]]
+    assert not any("in rows" in note for note in read(tmp_path, pairs).notes)
 
 
 def test_a_householder_carries_where_a_row_names_nobody(tmp_path: Path) -> None:

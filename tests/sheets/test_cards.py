@@ -15,6 +15,7 @@ from fpdf import FPDF
 from pypdf import PdfReader
 
 from benchdragon.analysis.bench_nearness import Tightest
+from benchdragon.analysis.clock import minutes
 from benchdragon.errors import InputError
 from benchdragon.explain.bench_text import bench_text, tightest_line
 from benchdragon.export.document import Paragraph, Table
@@ -445,7 +446,7 @@ def test_the_overview_says_once_what_all_benches_do_alike(ours: Briefing) -> Non
         ours, benches=tuple(replace(one, stretches=ours.benches[0].stretches) for one in ours.benches)
     )
     table = next(one for one in overview(alike, phones=False).blocks if isinstance(one, Table))
-    assert len(table.columns) == 3, "nor who comes nearest, for nobody does"
+    assert len(table.columns) == 4, "nor who comes nearest, for nobody does"
     assert quick in str(overview(alike, phones=False).blocks)
     assert all(quick not in row for row in table.rows)
 
@@ -472,6 +473,14 @@ def test_the_overview_says_from_which_mark_to_come_in_and_at_which_it_ends(
         f"comes in at mark 1 of the chalk plan and walks slowly along the line to mark {start};" in said
     )
     assert f"the head stands inside, at mark {len(marks)}:" in said
+    table = next(one for one in overview(ours, phones=False).blocks if isinstance(one, Table))
+    assert table.rows[0][2] == str(start), "where the head starts there is a mark"
+    for row, found in zip(table.rows, ours.benches, strict=True):
+        place = ours.report.walk.motion([ours.report.start]).s[0, found.bench - 1]
+        numbers = [int(n) for n in re.findall(r"\d+", str(row[2]))]
+        assert (
+            marks.s[numbers[0] - 1] <= place + 0.01 <= marks.s[min(numbers[-1], len(marks) - 1)] + 0.02
+        )
     # The way in is the line on which the dragon stands at first.
     assert marks.s[0] == pytest.approx(ours.trail.low)
     assert marks.s[start - 1] == pytest.approx(ours.trail.start)
@@ -579,9 +588,22 @@ def test_the_overview_says_which_edge_is_on_the_way_out(
     assert found[1] == name
     assert float(found[2]) == pytest.approx(far, abs=0.051)
     away = [math.dist((x, y), one) for one in ((39, 0), (-39, 29))]
-    assert f"Entrance {1 + away.index(min(away))} of the plan is then nearest" in str(
-        overview(told, phones=False).blocks
-    )
+    told_of = str(overview(told, phones=False).blocks)
+    n = away.index(min(away))
+    to = ((39, 0), (-39, 29))[n]
+    assert f"Entrance {n + 1} of the plan is then nearest" in told_of
+    assert f": {abs(to[0] - x):.1f} m to the " in told_of
+    assert f" and {abs(to[1] - y):.1f} m " in told_of
+    # The way in: from the first mark to where the head starts.
+    first = told.marks.points[0]
+    way = told.trail.start - told.trail.low
+    assert f"the head walks {way:.0f} m: {minutes(way / told.plan.walk.speed)} at" in told_of
+    away = [math.dist(first, one) for one in ((39, 0), (-39, 29))]
+    assert f"Entrance {1 + away.index(min(away))} of the plan is nearest to mark 1" in told_of
+    write_overview(tmp_path / "o.pdf", told, phones=False)
+    words = "".join(pages(tmp_path / "o.pdf"))
+    assert "entrance1" in words
+    assert "entrance2" in words
 
 
 def test_at_night_without_a_code_the_map_gives_way_before_what_one_does(tmp_path: Path) -> None:

@@ -68,7 +68,7 @@ def test_a_workbook_holds_times_in_seconds_too(briefing: Briefing, tmp_path: Pat
     assert all(row[7] == "" for row in rows[1:] if row[6] != "" and row is not held)
     times = [cell for row in rows[1:] for cell in row[6:] if cell != ""]
     assert len(times) > 3
-    assert all(round(float(time), 1) == time for time in times)
+    assert all(round(float(str(time)), 1) == time for time in times)
     assert briefing.foot in str(rows[-1][0])
 
 

@@ -16,11 +16,13 @@ from benchdragon import (
     greatest_speed,
 )
 from benchdragon.analysis.check import check
+from benchdragon.analysis.marks import Trail
 from benchdragon.analysis.speed import QUANTITIES, Peak, greatest_of, hulls
+from benchdragon.analysis.stops import stops_of
 from benchdragon.kernels import pacing
 from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.solve import head_speed as module
-from benchdragon.solve.head_speed import greatest_head_speed, slowed, with_pace
+from benchdragon.solve.head_speed import greatest_head_speed, slowed, with_head_speed, with_pace
 
 # model.md's and tests/truth/contest.json's figures, from two programs with 40 digits.
 RATIO, TIME, HEAD_SPEED = 1.604793378966638, 14.4799695977, 1.246266358157487
@@ -281,3 +283,46 @@ def test_a_head_that_stands_before_its_walk_is_not_taken_for_one_that_runs() -> 
 def test_a_walk_of_no_length_has_no_pace() -> None:
     with pytest.raises(InputError, match="the walk has no length"):
         slowed(read_plan("turn", ["walk.start=5", "walk.end=5"]))
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [
+        ["walk.start=-96", "walk.end=157", "walk.speed=0.8"],
+        ["walk.speed=0.8", 'cues.cue=[{kind="hold", head=174, hold=20}]', "walk.end=350"],
+        ["walk.speed=1.3"],
+    ],
+)
+@pytest.mark.parametrize("speed", [0.6, 1.1])
+def test_the_same_dance_at_another_speed_has_its_marks_where_they_were(
+    settings: list[str], speed: float
+) -> None:
+    plan = read_plan("turn", settings)
+    other = with_head_speed(plan, speed)
+    assert other.walk.speed == speed
+    marks, seconds = [], []
+    for one in (plan, other):
+        walk = one.build()
+        span = one.span(walk)
+        trail = Trail.of(walk, *span)
+        marks.append(trail.marked(1.0))
+        held = sum(stop.end - stop.start for stop in stops_of(walk, *span))
+        seconds.append((trail.high - trail.start, span[1] - span[0], held))
+    (s, kinds), (other_s, other_kinds) = marks
+    assert kinds == other_kinds
+    assert other_s == pytest.approx(s, abs=1e-9)
+    (way, _lasts, held), (other_way, lasts, other_held) = seconds
+    assert other_way == pytest.approx(way, abs=1e-9)
+    assert other_held == pytest.approx(held, abs=1e-9)
+    braking = 2.0 * speed / plan.limits.head_acceleration if held else 0.0
+    assert lasts == pytest.approx(way / speed + held + 0.5 * braking, abs=1e-6)
+
+
+def test_what_cannot_be_walked_at_another_speed_is_refused() -> None:
+    plan = read_plan("turn", ['cues.cue=[{kind="beat", at=5}]'])
+    with pytest.raises(InputError, match="write head instead"):
+        with_head_speed(plan, 0.5)
+    with pytest.raises(InputError, match="profile of its own"):
+        with_head_speed(read_plan("turn", ["walk.profile=[[0, 1], [9, 2]]"]), 0.5)
+    with pytest.raises(InputError, match="speed must be"):
+        with_head_speed(read_plan("turn"), 0.0)

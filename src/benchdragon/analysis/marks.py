@@ -32,6 +32,8 @@ LENGTH_STEP, ANGLE_STEP = 0.005, 0.01
 SAME_MARK = 1e-6
 # Marks farther apart than this, in usual distances, have others of an earlier round between them.
 FARTHEST = 1.5
+# A place nearer to a mark along the line, m, is at it.
+AT_MARK = 0.01
 # Marks nearer than this along the route, m, or than this share of the usual distance, are one, but for
 # start and ends.
 CLOSE, CLOSE_SHARE = 0.2, 0.4
@@ -146,7 +148,8 @@ def _apart_enough(places: list[float], ranks: dict[float, int], close: float) ->
     for s in places:
         if kept:
             least = min(ranks[s], ranks[kept[-1]])
-            if s - kept[-1] <= (SAME_MARK if least >= ALWAYS else close):
+            # Round numbers of a plan put marks CLOSE together to the digit: rounding must not choose.
+            if s - kept[-1] <= SAME_MARK + (0.0 if least >= ALWAYS else close):
                 if ranks[s] <= ranks[kept[-1]]:
                     continue
                 kept.pop()
@@ -378,9 +381,11 @@ def between(marks: Marks, s: float) -> tuple[int, float] | None:
     last = len(marks) - 1
     n = min(max(int(np.searchsorted(marks.s, s + SAME_MARK, side="right")) - 1, 0), last)
     past = rounded(s - float(marks.s[n]), 0.01)
-    if abs(past) < 0.01:
+    if abs(past) < AT_MARK:
         return n + 1, 0.0
     gap = float(marks.s[n + 1] - marks.s[n]) if n < last else 0.0
+    if 0.0 <= gap - past < AT_MARK:
+        return n + 2, 0.0
     if past < 0.0 or gap > FARTHEST * float(np.median(np.diff(marks.s))):
         return None
     return n + 1, past

@@ -36,12 +36,12 @@ def stops_text(stops: tuple[Stop, ...], clock: Clock | None = None) -> str:
     """
     if not stops:
         return _("the head does not stop")
-    times = ", ".join(f"{one.start:.6g}-{one.end:.6g} s" for one in stops)
-    if clock is not None:
-        ends = _("{start} to {end}")
-        times = _(", ").join(
-            ends.format(start=clock.tell(one.start), end=clock.tell(one.end)) for one in stops
-        )
+
+    def tell(time: float) -> str:
+        return f"{time:.6g} s" if clock is None else clock.tell(time)
+
+    ends = _("{start} to {end}")
+    times = _(", ").join(ends.format(start=tell(one.start), end=tell(one.end)) for one in stops)
     seconds = sum(one.end - one.start for one in stops)
     text = _("stops of the head: {count}, {seconds} s in all ({times})")
     return text.format(count=len(stops), seconds=f"{seconds:.6g}", times=times)

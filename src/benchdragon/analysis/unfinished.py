@@ -29,15 +29,15 @@ class Unfinished:
     def text(self) -> str:
         """The same in words, in the language in use."""
         if self.end is None:
-            text = _("the dance ends before the tail is out of the turn: the head lacks {way} m")
-            return text.format(way=f"{self.way:.1f}")
+            return self.told
         text = _("the dance ends before the tail is out of the turn: walk.end = {end} is enough")
         return text.format(end=f"{self.end:.1f}")
 
     @property
     def told(self) -> str:
         """The same for papers, whose readers know nothing of the plan's keys."""
-        return _("the dance ends before the tail is out of the turn")
+        text = _("the dance ends before the tail is out of the turn: the head lacks {way} m")
+        return text.format(way=f"{self.way:.1f}")
 
 
 def unfinished(plan: Plan, walk: Walk, end: float) -> Unfinished | None:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
-from benchdragon.plans.toml import METRES, SECONDS, quantity
+from benchdragon.plans.toml import METRES, SECONDS, SPEEDS, quantity
 
 if TYPE_CHECKING:
     import numpy as np
@@ -85,6 +85,22 @@ def parse_length(option: str, text: str) -> float:
     if found is None:
         raise InputError(
             _("{option}: wanted a length in metres (0.5) or with a unit (50 cm), not {text}").format(
+                option=option, text=repr(text)
+            )
+        )
+    return found
+
+
+def parse_speed(option: str, text: str) -> float:
+    """One speed in "0.6" or "0.6 m/s", m/s; more than 0.
+
+    Raises:
+        InputError: naming the option, for anything else.
+    """
+    found = _quantity(text.strip(), SPEEDS)
+    if found is None or found <= 0.0:
+        raise InputError(
+            _("{option}: wanted a speed in m/s (0.6) or with a unit (2 km/h), not {text}").format(
                 option=option, text=repr(text)
             )
         )

@@ -3,6 +3,7 @@
 import json
 import sys
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -15,6 +16,8 @@ from benchdragon.cli.options import (
     settings_option,
     shared_options,
 )
+from benchdragon.cli.parsing import parse_speed
+from benchdragon.cli.solved import read_to_write, write_plan
 from benchdragon.i18n import N_, _, language
 from benchdragon.plans.source import Source
 from benchdragon.plans.toml import BUILT_IN_FOLDER, SUFFIX, built_in_names, lay_over
@@ -40,19 +43,27 @@ STATUSES = {
 @settings_option
 @output_option(N_("The file to write, for example my.dragon.toml."), required=False)
 @force_option
+@click.option(
+    "--head-speed",
+    metavar="SPEED",
+    help=N_(
+        "The same dance with its head at this speed, for example 0.6: start and end change with it, so "
+        "that all marks on the ground stay. With -o."
+    ),
+)
 @shared_options
-def plan(
-    plan: str | None, settings: tuple[str, ...], output: Path | None, force: bool, quiet: bool
-) -> int:
+def plan(plan: str | None, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Print or write a plan, or list those that are there."""
-    del quiet
+    output: Path | None = options["output"]
     refuse_strays(
-        ("force", output is not None, WITHOUT, "-o"),
+        *((name, output is not None, WITHOUT, "-o") for name in ("force", "head_speed")),
         *((name, plan is not None, WITHOUT, "PLAN") for name in ("settings", "output")),
     )
     if plan is None:
         return _list()
-    text = _text(plan, settings)
+    if output is not None and options["head_speed"] is not None:
+        return _write_slower(plan, settings, quiet, output, options)
+    text, force = _text(plan, settings), options["force"]
     if output is None:
         click.echo(text, nl=False)
         return 0
@@ -61,6 +72,21 @@ def plan(
     refuse_existing([output], force)
     with whole_file(output) as temporary:
         temporary.write_text(text, encoding="utf-8")
+    print_files([output])
+    return 0
+
+
+def _write_slower(
+    source: str, settings: tuple[str, ...], quiet: bool, output: Path, options: dict[str, Any]
+) -> int:
+    """Write the same dance with its head at another speed."""
+    from benchdragon.files import refuse_existing
+    from benchdragon.solve.head_speed import with_head_speed
+
+    speed = parse_speed("--head-speed", options["head_speed"])
+    read = read_to_write(source, settings, quiet, "-o", output)
+    refuse_existing([output], options["force"])
+    write_plan(with_head_speed(read, speed), output, source)
     print_files([output])
     return 0
 

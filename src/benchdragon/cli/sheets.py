@@ -49,7 +49,7 @@ SPEAK_OF = {
 )
 @click.option(
     "--paper",
-    type=click.Choice(["a4", "quarter", "lanyard"]),
+    type=click.Choice(["a4", "quarter", "lanyard"], case_sensitive=False),
     default="a4",
     show_default=True,
     help=N_("Size of the benches' sheets: A4, four on an A4 page, cards to hang round the neck."),
@@ -68,7 +68,7 @@ SPEAK_OF = {
 @scale_option(N_("Of the chalk plan: 1:50 to 1:500. Default: the largest usual one that fits."))
 @click.option(
     "--paper-size",
-    type=click.Choice(PAPERS),
+    type=click.Choice(PAPERS, case_sensitive=False),
     help=N_("Of the chalk plan, which comes as A4 pages too. Default: one that suits."),
 )
 @click.option("--check", "anew", is_flag=True, help=N_("Check the plan and record it, then go on."))

@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import groupby
+from typing import NamedTuple
 
 import numpy as np
 
@@ -45,13 +46,21 @@ ITS_SIDES = {
 }  # fmt: skip
 
 
+class Halt(NamedTuple):
+    """A time, s, in which the head stands, and what for."""
+
+    start: float
+    end: float
+    what: str
+
+
 @dataclass(frozen=True)
 class BenchText:
     """What one bench does, in the language in which it was asked for.
 
     Attributes:
         quick: all of it in a dozen words.
-        place: where it starts, a sentence each: chalk coordinates, then steps from a landmark.
+        place: where it starts, a sentence each: chalk coordinates, steps from a landmark, the way.
         stretches: what it does from when to when, a sentence each.
         paces: from which speeds on one hurries, runs or waits, a sentence each; of paces in it alone.
         tightest: when a bench of another coil comes nearest.
@@ -83,8 +92,8 @@ def bench_text(plan: Plan, found: BenchWalk, called: Callable[[int], str], groun
     """
     clock = Clock(plan.cues.clock, found.stretches[0].start)
     return BenchText(
-        quick_line(found, clock),
-        place_lines(plan, found, ground),
+        quick_line(found, clock, halts_of(plan)),
+        (*place_lines(plan, found, ground), _coming_line(found)),
         tuple(_stretch_line(one, clock, plan) for one in found.stretches),
         _pace_lines(plan, found),
         tightest_line(found.tightest, clock, called),
@@ -93,9 +102,18 @@ def bench_text(plan: Plan, found: BenchWalk, called: Callable[[int], str], groun
     )
 
 
-def quick_line(found: BenchWalk, clock: Clock) -> str:
-    """What a bench does in a dozen words."""
-    said = [*_quick_turns(found.stretches), *_quick_paces(found.stretches, clock)]
+def halts_of(plan: Plan) -> tuple[Halt, ...]:
+    """What the plan says the head stands for, in the language in use."""
+    return tuple(
+        Halt(moment.time, moment.until, moment.cue.called(language()))
+        for moment in plan.moments()
+        if moment.cue.kind in ("hold", "stop") and (moment.cue.text or moment.cue.text_zh)
+    )
+
+
+def quick_line(found: BenchWalk, clock: Clock, halts: Sequence[Halt] = ()) -> str:
+    """What a bench does in a dozen words, and what it waits for."""
+    said = [*_quick_turns(found.stretches), *_quick_paces(found.stretches, clock, halts)]
     text = _("{all}.").format(all=_("; ").join(said))
     return text[:1].upper() + text[1:]
 
@@ -114,20 +132,19 @@ def _quick_turns(stretches: Sequence[Stretch]) -> list[str]:
     return [text.format(left=sides.count("left"), right=sides.count("right"))]
 
 
-def _quick_paces(stretches: Sequence[Stretch], clock: Clock) -> list[str]:
+def _waited_for(start: float, end: float, halts: Sequence[Halt]) -> str:
+    """What the head stands for between two times, s; "" if the plan does not say."""
+    return _("; ").join(one.what for one in halts if one.start < end and start < one.end)
+
+
+def _quick_paces(stretches: Sequence[Stretch], clock: Clock, halts: Sequence[Halt]) -> list[str]:
     """At what paces it goes: one after another with their times, or how often."""
     runs = [(pace, list(some)) for pace, some in groupby(stretches, lambda one: one.pace)]
     if len(runs) == 1 and runs[0][0] == "walk":
         return [_("keep walking, without a stop")]
     if len(runs) == 1:
         return [_("{pace} all the time").format(pace=_(PACES[runs[0][0]]))]
-    timed = [
-        _("{pace} from {start} to {end}").format(
-            pace=_(PACES[pace]), start=clock.tell(some[0].start), end=clock.tell(some[-1].end)
-        )
-        for pace, some in runs
-        if pace != "walk"
-    ]
+    timed = [_quick_pace(pace, some, clock, halts) for pace, some in runs if pace != "walk"]
     if len(timed) <= MOST_PACES:
         first = [_(WALKING)] if runs[0][0] == "walk" else []
         last = [_("then {pace}").format(pace=_(WALKING))] if runs[-1][0] == "walk" else []
@@ -138,6 +155,14 @@ def _quick_paces(stretches: Sequence[Stretch], clock: Clock) -> list[str]:
         _(WALKING),
         *(text.format(pace=_(PACES[name]), count=count) for name, count in counts.items() if count),
     ]
+
+
+def _quick_pace(pace: str, some: Sequence[Stretch], clock: Clock, halts: Sequence[Halt]) -> str:
+    """A pace with its times, and what is waited for."""
+    start, end = some[0].start, some[-1].end
+    what = _waited_for(start, end, halts) if pace == "wait" else ""
+    text = _("{pace} from {start} to {end}: {what}") if what else _("{pace} from {start} to {end}")
+    return text.format(pace=_(PACES[pace]), start=clock.tell(start), end=clock.tell(end), what=what)
 
 
 def _pace_lines(plan: Plan, found: BenchWalk) -> tuple[str, ...]:
@@ -223,14 +248,9 @@ def _stretch_line(one: Stretch, clock: Clock, plan: Plan) -> str:
     """What a bench does in one stretch, and what it waits for."""
     times, step = {"start": clock.tell(one.start), "end": clock.tell(one.end)}, plan.people.step
     if one.pace == "wait":
-        said = [
-            moment.cue.called(language())
-            for moment in plan.moments()
-            if moment.cue.kind in ("hold", "stop") and (moment.cue.text or moment.cue.text_zh)
-            if moment.time < one.end and one.start < moment.until
-        ]
-        text = _("{start} to {end}: wait: {what}.") if said else _("{start} to {end}: wait.")
-        return text.format(**times, what=_("; ").join(said))
+        what = _waited_for(one.start, one.end, halts_of(plan))
+        text = _("{start} to {end}: wait: {what}.") if what else _("{start} to {end}: wait.")
+        return text.format(**times, what=what)
     angle = abs(math.degrees(one.angle))
     quarters = round(_settled(angle * QUARTERS / ROUND))
     text = _("{start} to {end}: {pace}, {turn}; {way} m, {steps} steps.")
@@ -284,10 +304,17 @@ def _times_line(found: BenchWalk, clock: Clock) -> str:
     return text.format(times=clock.legend)
 
 
+def _coming_line(found: BenchWalk) -> str:
+    """How to come to where one starts."""
+    if found.before is None:
+        return _("Coming in: lead all of them along the chalk line, slowly.")
+    return _("Coming in: follow the bench before you along the chalk line.")
+
+
 def _after_line(plan: Plan, found: BenchWalk) -> str:
     """Where to go when the dance is over: who has coiled in cannot follow the head out."""
     if plan.route.kind == "spiral-in":
         return _("Afterwards: stand until your pin is pulled; the tail goes first.")
     if found.before is None:
-        return _("Afterwards: lead all of them out.")
+        return _("Afterwards: lead all of them out where the leader says.")
     return _("Afterwards: follow the bench before you out.")

@@ -154,8 +154,8 @@ def _draw_spots(axes: Axes, sheet: Sheet, spots: Sequence[Point]) -> None:
     if posts:
         label = _("post for a marshal")
         axes.plot(
-            *np.array(posts).T, marker="o", ms=9.5, mfc="white", mew=0.8, gid="posts", label=label,
-            **look,
+            *np.array(posts).T, marker="o", ms=9.5, mfc=(1.0, 1.0, 1.0, 0.7), mew=0.8, gid="posts",
+            label=label, **look,
         )  # fmt: skip
     for n, (u, v) in enumerate(posts, start=1):
         axes.text(

@@ -118,7 +118,10 @@ def _draw_marks(axes: Axes, marks: Marks, places: FloatArray) -> None:
     kinds = np.array(marks.kinds)
     looks: dict[str, tuple[str, dict[str, Any]]] = {
         "step": (_("mark"), {"marker": "o", "ms": 2.0 * MARK / POINT, "color": "black"}),
-        "joint": (_("mark at a joint of parts"), {"marker": "D", "ms": 3.4, "color": DISC}),
+        "joint": (
+            _("mark where two parts of the route meet"),
+            {"marker": "D", "ms": 3.4, "color": DISC},
+        ),
         "start": (_("the head's start"), {"marker": "^", "ms": 5.0, "color": HEAD}),
         "end": (_("first and last mark"), {"marker": "s", "ms": 3.8, "color": HEAD}),
     }

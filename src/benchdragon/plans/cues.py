@@ -58,6 +58,7 @@ TIME_OF_DAY = re.compile(r"([01]?\d|2[0-3]):([0-5]\d)(?::([0-5]\d))?", re.ASCII)
 
 
 def _time_of_day(text: str) -> str:
+    text = text.replace("：", ":")
     if text and not TIME_OF_DAY.fullmatch(text):
         raise ValueError(_("wanted a time of day such as 18:30, not {text}").format(text=brief(text)))
     return text

@@ -211,20 +211,24 @@ class Plan(Table):
         if not math.isfinite(end):
             text = _("the head never comes to the end of its walk: set walk.end")
             raise PlanError(self._source.sentences([Fault("walk", text)]))
-        self._refuse_outside(start, end)
+        outside = [one for one in self.moments() if not start <= one.time <= end + END_SLACK]
+        if outside:
+            low, high = walk.head_position([start, end]).tolist()
+            raise PlanError(self._outside(outside, start, end, high - low))
         return start, end
 
-    def _refuse_outside(self, start: float, end: float) -> None:
-        """Refuse cues that are not in the dance."""
-        text = _("that is not within the dance, which lasts from {start} s to {end} s")
-        text = text.format(start=f"{start:g}", end=f"{end:.6g}")
-        faults = [
-            Fault(f"cues.cue.{one.number}", text)
-            for one in self.moments()
-            if not start <= one.time <= end + END_SLACK
-        ]
-        if faults:
-            raise PlanError(self._source.sentences(faults))
+    def _outside(self, outside: Sequence[Moment], start: float, end: float, way: float) -> str:
+        """What is said of cues that are not in the dance, in which the head walks so far, m."""
+        by_time = _("that is not within the dance, which lasts from {start} s to {end} s")
+        by_time = by_time.format(start=f"{start:g}", end=f"{end:.6g}")
+        by_place = _("that is not within the dance, in which the head walks {way} m")
+        by_place = by_place.format(way=f"{way:.6g}")
+        return self._source.sentences(
+            [
+                Fault(f"cues.cue.{one.number}", by_time if one.cue.head is None else by_place)
+                for one in outside
+            ]
+        )
 
     @property
     def _start(self) -> float:

@@ -33,14 +33,12 @@ class Entry:
         row: its number in the file, from 1.
         benches: as it names them, or as the row above it does.
         people: who carries them.
-        numbered: whether it names the benches itself.
         householder: whether it has no names, so that its householder is taken for who carries.
     """
 
     row: int
     benches: Ranges
     people: tuple[Person, ...]
-    numbered: bool
     householder: bool
 
 
@@ -88,7 +86,7 @@ def entries(rows: Sequence[Sequence[str]], first: int, block: Columns) -> Iterat
         yield from (Unread(number, text) for text in odd)
         household = next((one.household for one in people), household)
         if people:
-            yield Entry(number, benches, people, bool(said), bool(owner))
+            yield Entry(number, benches, people, bool(owner))
 
 
 def _all(block: Columns) -> list[int]:

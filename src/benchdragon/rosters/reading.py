@@ -238,7 +238,7 @@ def _apart(said: Sequence[Entry], numbering: Numbering) -> Iterator[str]:
     seldom = 2 * sum(len(found) > 1 for found in rows.values()) < len(rows)
     for bench, found in sorted(rows.items()):
         if any(
-            after.row - before.row > 1 or after.benches != before.benches or (seldom and after.numbered)
+            after.row - before.row > 1 or after.benches != before.benches or seldom
             for before, after in pairwise(found)
         ):
             listed = _listed(str(entry.row) for entry in found)

@@ -149,7 +149,10 @@ class Cards(Typeset):
         frames, front = len(self._layout.frames), self._inner(self._layout.frames[0])
         self.add_page()
         laid = [self._laid(front, sheet) for sheet in sheets]
-        usual = min((one.tall for one in laid if one.tall >= self._layout.map), default=0.0)
+        usual = min(
+            (one.tall for one in laid if one.tall >= self._layout.map),
+            default=min((one.tall for one in laid if one.tall >= LEAST_MAP), default=0.0),
+        )
         for n, (sheet, one) in enumerate(zip(sheets, laid, strict=True)):
             if n % frames == 0:
                 if n:

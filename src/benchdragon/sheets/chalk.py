@@ -149,7 +149,7 @@ def _about(drawing: ChalkDrawing, sheet: Sheet) -> Iterator[Paragraph]:
     marks, (fast, slow) = drawing.marks, MINUTES
     yield say(
         _(
-            "{count} marks, one each {every} m along the route and one at each joint of its parts, on "
+            "{count} marks, one each {every} m along the route and one where two of its parts meet, on "
             "{way} m of route. The drawing is to scale 1:{scale}. Plan {foot}."
         ),
         count=len(marks), every=f"{drawing.every:g}",
@@ -171,6 +171,13 @@ def _about(drawing: ChalkDrawing, sheet: Sheet) -> Iterator[Paragraph]:
         ),
         twice=f"{2.0 * drawing.every:g}",
     )
+    if "joint" in drawing.marks.kinds:
+        yield say(
+            _(
+                "Where two parts of the route meet nothing stands on the ground: from that mark on the "
+                "line bends otherwise."
+            )
+        )
     sides = sorted((sheet.width, sheet.height))
     paper = next(name for name, size in PAPERS.items() if sorted(size) == sides)
     if paper == "A4":
@@ -253,6 +260,7 @@ def _steps(marks: Marks) -> Iterator[Paragraph]:
             "fingers, find the mistake before you go on."
         ),
         _("5. Join the marks by eye with chalk, in the order of their numbers."),
+        _("6. Pull the peg out, and whatever marks B and C, before anybody dances."),
     )
     for text in texts:
         yield say(text, reach=reach, across=across, first=direction[0], second=direction[1])

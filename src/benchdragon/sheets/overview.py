@@ -10,6 +10,7 @@ import numpy as np
 from benchdragon.analysis.bench_nearness import REACH
 from benchdragon.analysis.bench_walks import BenchWalk
 from benchdragon.analysis.check import sentence
+from benchdragon.analysis.clock import minutes
 from benchdragon.analysis.findings import named, shown_name
 from benchdragon.analysis.ground import way_out
 from benchdragon.analysis.marks import nearest_mark
@@ -20,16 +21,18 @@ from benchdragon.export.pages import write_pdf
 from benchdragon.export.typeset import Typeset
 from benchdragon.files import whole_bytes
 from benchdragon.i18n import _, language
+from benchdragon.model.base_curve import Point
 from benchdragon.rosters.roster import Person
 from benchdragon.sheets.briefing import Briefing, dated
 from benchdragon.sheets.small_map import Frame, SmallMap
+from benchdragon.sheets.timetable import mark_name
 
 # Signs of people's names in a row, which must not be taller than a page.
 MOST_SIGNS = 500
 # Tightest moments that are listed, of different benches, and how far apart they are at least, m.
 MOST_TIGHT, TIGHT_APART = 3, 3.0
 # The columns of what a bench does and of who comes nearest, and what stands there for nobody.
-WHAT, TIGHTEST, NONE = 3, 4, "-"
+WHAT, TIGHTEST, NONE = 4, 5, "-"
 # Size of the map at most, mm.
 MAP = Frame(0.0, 0.0, 178.0, 150.0)
 
@@ -84,7 +87,7 @@ def _tightest(briefing: Briefing) -> list[Block]:
             "by. Posts of the permit annex are there for other reasons too."
         )
         lines = [say(text, reach=f"{REACH:g}")]
-    return [Heading(_("Tightest moments"), "tightest"), *lines]
+    return [Heading(_("Tightest moments between coils"), "tightest"), *lines]
 
 
 def _coming(briefing: Briefing) -> list[Block]:
@@ -104,9 +107,45 @@ def _coming(briefing: Briefing) -> list[Block]:
     return [
         Heading(_("Coming and leaving"), "coming"),
         say(coming, first=1, start=kinds.index("start") + 1),
+        *_way_in(briefing),
         say(leaving, last=len(kinds)),
         *_way_out(briefing),
     ]
+
+
+def _way_in(briefing: Briefing) -> Iterator[Block]:
+    """Where the first mark is, how far the head walks from there before the dance, and how long."""
+    plan, trail = briefing.plan, briefing.trail
+    first = float(briefing.marks.points[0, 0]), float(briefing.marks.points[0, 1])
+    way = trail.start - trail.low
+    text = _(
+        "Mark 1 is {far} from the peg. From there to where the dance starts the head walks {way} m: "
+        "{time} at the speed of the dance. Have all in line before that, in good time."
+    )
+    yield say(
+        text, far=_offset(briefing, briefing.ground.peg, first), way=f"{way:.0f}",
+        time=minutes(way / plan.walk.speed),
+    )  # fmt: skip
+    for n, place in _nearest_entrance(briefing, first):
+        text = _("Entrance {n} of the plan is nearest to mark 1, which is {far} from it.")
+        yield say(text, n=n, far=_offset(briefing, place, first))
+
+
+def _nearest_entrance(briefing: Briefing, place: Point) -> Iterator[tuple[int, Point]]:
+    """The plan's entrance that is nearest to a place, m, with its number from 1, if it has any."""
+    entrances = enumerate(briefing.plan.event.entrances, start=1)
+    yield from sorted(entrances, key=lambda one: math.dist(one[1], place))[:1]
+
+
+def _offset(briefing: Briefing, start: Point, end: Point) -> str:
+    """Where a place lies from another, m, as one measures it on the ground."""
+    ground = briefing.ground
+    (x, y), (to_x, to_y) = ground.seen([start, end]).tolist()
+    right, forward, left, back = ground.way_names
+    return _("{x} m {way_x} and {y} m {way_y}").format(
+        x=f"{abs(to_x - x):.1f}", way_x=right if to_x >= x else left,
+        y=f"{abs(to_y - y):.1f}", way_y=forward if to_y >= y else back,
+    )  # fmt: skip
 
 
 def _way_out(briefing: Briefing) -> Iterator[Block]:
@@ -131,13 +170,11 @@ def _way_out(briefing: Briefing) -> Iterator[Block]:
         if coiled:
             text = _("The nearest edge to the tail is then the {edge} of {venue}: {far} m away.")
         yield say(text, edge=ground.edge_name(out), venue=named(venue), far=f"{far:.1f}")
-    entrances = plan.event.entrances
-    if entrances:
-        away, n = min((math.dist(place, one), n) for n, one in enumerate(entrances, start=1))
-        text = _("Entrance {n} of the plan is then nearest to the head: {far} m away.")
+    for n, entrance in _nearest_entrance(briefing, place):
+        text = _("Entrance {n} of the plan is then nearest to the head: {far} from it.")
         if coiled:
-            text = _("Entrance {n} of the plan is then nearest to the tail: {far} m away.")
-        yield say(text, n=n, far=f"{away:.1f}")
+            text = _("Entrance {n} of the plan is then nearest to the tail: {far} from it.")
+        yield say(text, n=n, far=_offset(briefing, place, entrance))
 
 
 def _room(briefing: Briefing) -> list[Block]:
@@ -176,9 +213,10 @@ def _benches(briefing: Briefing, phones: bool) -> Iterator[Block]:
         text = _("{dash}: no bench of another coil comes within about {reach} m of it.")
         yield say(text, dash=NONE, reach=f"{REACH:g}")
     columns = (
-        _("bench"), _("people"), _("starts from the peg: x, y (m)"), _("what it does"), _("tightest"),
+        _("bench"), _("people"), _("mark"), _("starts from the peg: x, y (m)"), _("what it does"),
+        _("tightest"),
     )  # fmt: skip
-    widths = (12.0, 26.0, 14.0, 30.0, 34.0)
+    widths = (12.0, 26.0, 9.0, 14.0, 28.0, 32.0)
     rows = [
         row
         for found, text in zip(briefing.benches, texts, strict=True)
@@ -210,11 +248,13 @@ def _rows(
     tightest = NONE
     if found.tightest is not None:
         tightest = tightest_line(found.tightest, briefing.clock, briefing.called, its=True)
-    told = f"{x:z.2f}, {y:z.2f}", text.quick, tightest
+    start = float(briefing.report.walk.motion([briefing.report.start]).s[0, found.bench - 1])
+    mark = mark_name(briefing.marks, start, found.place)
+    told = mark, f"{x:z.2f}, {y:z.2f}", text.quick, tightest
     size = max(1, MOST_SIGNS // max(map(len, people)))
     yield briefing.called(found.bench), _(", ").join(people[:size]), *told
     for n in range(size, len(people), size):
-        yield briefing.called(found.bench), _(", ").join(people[n : n + size]), "", "", ""
+        yield briefing.called(found.bench), _(", ").join(people[n : n + size]), "", "", "", ""
 
 
 def _people(people: Sequence[Person], phones: bool) -> list[str]:

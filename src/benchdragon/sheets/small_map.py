@@ -75,6 +75,7 @@ class SmallMap:
     def __init__(self, briefing: Briefing) -> None:
         report = briefing.report
         self._obstacles = report.plan.obstacles()
+        self._entrances = report.plan.event.entrances
         self._ground = briefing.ground
         self._walk = report.walk
         self._called = briefing.called
@@ -94,7 +95,8 @@ class SmallMap:
     def bounds(self) -> tuple[FloatArray, FloatArray]:
         """The lower left and the upper right corner of all that is shown, m."""
         peg = np.array([self._ground.peg])
-        points = np.concatenate([self._way[1], peg, *map(corners_of, self._obstacles)])
+        doors = np.array(self._entrances, dtype=float).reshape(-1, 2)
+        points = np.concatenate([self._way[1], peg, doors, *map(corners_of, self._obstacles)])
         return points.min(axis=0), points.max(axis=0)
 
     def draw(self, pdf: FPDF, frame: Frame, benches: Sequence[int], names: Sequence[str]) -> None:
@@ -151,7 +153,7 @@ class SmallMap:
         self._line(pdf, place, self._way[1])
 
     def _names(self, pdf: FPDF, place: _Scale) -> None:
-        """The peg, and what obstacles are called, within the map."""
+        """The peg, entrances, and what obstacles are called, within the map."""
         pdf.set_draw_color(0)
         pdf.set_fill_color(0)
         pdf.set_font("Noto", "", NAMES)
@@ -159,6 +161,12 @@ class SmallMap:
         pdf.set_line_width(EDGE)
         _cross(pdf, x, y)
         self._name(pdf, place, _("peg"), x, (y - CROSS - 0.6, y + CROSS + 0.6 + TALL * NAMES))
+        for n, (x, y) in enumerate(
+            place(np.array(self._entrances)) if self._entrances else [], start=1
+        ):
+            pdf.circle(x, y, CROSS, style="D")
+            ends = y - CROSS - 0.6, y + CROSS + 0.6 + TALL * NAMES
+            self._name(pdf, place, _("entrance {n}").format(n=n), x, ends)
         for one in self._obstacles:
             if one.kind != "venue":
                 points = place(one.outline)

@@ -14,6 +14,7 @@ from benchdragon.export.pages import write_pdf
 from benchdragon.export.tables import workbook
 from benchdragon.files import whole_bytes
 from benchdragon.i18n import _, language
+from benchdragon.model.base_curve import Point
 from benchdragon.plans.schema import Plan
 from benchdragon.sheets.briefing import Briefing, dated
 
@@ -44,15 +45,15 @@ def cells(row: Passing, clock: Clock, ground: Ground, marks: Marks | None) -> tu
     if row.until is not None and row.head is not None and row.until > row.head:
         head = _("{start} to {end}").format(start=head, end=at(row.until))
     x, y = ground.seen([row.point])[0].tolist()
-    mark = "-" if marks is None else _mark(row, marks)
+    mark = "-" if marks is None else mark_name(marks, row.s, row.point)
     return row.name, f"{row.way:z.2f}", mark, f"{x:z.2f}, {y:z.2f}", head, at(row.tail)
 
 
-def _mark(row: Passing, marks: Marks) -> str:
-    """At which mark of the chalk plan a place is, or between which."""
-    found = between(marks, row.s)
+def mark_name(marks: Marks, s: float, point: Point) -> str:
+    """At which mark of the chalk plan a place along the route, m, is, or between which."""
+    found = between(marks, s)
     if found is None:
-        return _("by {n}").format(n=nearest_mark(marks, row.point)[0])
+        return _("by {n}").format(n=nearest_mark(marks, point)[0])
     n, past = found
     return _("{n} to {next}").format(n=n, next=n + 1) if past else str(n)
 

@@ -21,7 +21,7 @@ from benchdragon.analysis.speed import (
     witness_of,
 )
 from benchdragon.analysis.speed_proof import SpeedClaim, head_speeds, prove_speed
-from benchdragon.errors import InputError, UnsureError, of_kind
+from benchdragon.errors import InputError, UnsureError, of_kind, positive
 from benchdragon.i18n import _
 from benchdragon.kernels import pacing
 from benchdragon.kernels.curve import FloatArray
@@ -37,6 +37,8 @@ PRUDENCE = 1e-9
 MOST_KNOTS = 5000
 # Parts of a step between two knots of a pace over which bounds are made.
 FINER = 8
+# Digits of a start, s, behind the point: what rounding leaves behind them is none of the plan's.
+DIGITS = 12
 # Rounding of a speed that was seen, relative: some 1e-14 after 200 benches, room for ten times as much.
 ROUNDING = 1e-13
 
@@ -244,3 +246,32 @@ def with_pace(plan: Plan, pace: Pace) -> Plan:
     if plan.walk.end is not None:
         times["end"] = knots[0][0] + pace.seconds
     return plan.with_table("walk", profile=knots, **times)
+
+
+def with_head_speed(plan: Plan, speed: float) -> Plan:
+    """The same dance with its head at another constant speed, m/s.
+
+    The head begins and ends where it did, so that all marks on the ground stay; what it stands for
+    lasts as long as before.
+
+    Raises:
+        InputError: for a speed that cannot be, a plan with a profile of its own, or with cues that
+            are told by their times.
+        WalkError: if the dragon cannot walk on.
+    """
+    if plan.walk.profile:
+        raise InputError(_("the plan has a speed profile of its own: take walk.profile out"))
+    positive("speed", speed, "m/s")
+    if any(cue.at is not None for cue in plan.cues.cue):
+        text = _("cues by time (at) would come elsewhere: write head instead, how far the head is then")
+        raise InputError(text)
+    walk = plan.build()
+    start, end = plan.span(walk)
+    last = float(walk.head_position([end])[0])
+    begun = round(start * plan.walk.speed / speed, DIGITS)
+    moved = plan.with_table(
+        "walk", speed=speed, start=None if plan.walk.start is None else begun, end=None
+    )
+    if plan.walk.end is None:
+        return moved
+    return moved.with_table("walk", end=moved.build().time_at(last))

@@ -8,14 +8,19 @@ import { _, decimals, language, shortLength } from "./words.js";
 /** @typedef {import("./scene.js").Stand} Stand */
 /** @typedef {import("./nearness.js").Boxes} Boxes */
 
-/** What a bench is called: by its village too, where the plan says how that counts. @param {Scene} scene @param {number} bench number from 1 */
-function benchName({ benches, sent: { village } }, bench) {
-  if (village) {
-    const { head, between, tail, before } = village;
-    const said = bench === 1 ? head : bench === benches ? tail : between;
-    const name = said[language()].replace("{n}", String(bench - before));
-    return _("{name} (bench {bench} of the plan)", { name, bench });
-  }
+/** What its village calls a bench; "" where the plan does not say how that counts. @param {Scene} scene @param {number} bench number from 1 */
+function villageName({ benches, sent: { village } }, bench) {
+  if (!village) return "";
+  const { head, between, tail, before } = village;
+  const said = bench === 1 ? head : bench === benches ? tail : between;
+  return said[language()].replace("{n}", String(bench - before));
+}
+
+/** What a bench is called: by its village too. @param {Scene} scene @param {number} bench number from 1 */
+function benchName(scene, bench) {
+  const name = villageName(scene, bench);
+  if (name) return _("{name} (bench {bench} of the plan)", { name, bench });
+  const { benches } = scene;
   if (bench === 1) return _("Bench 1 (head)");
   return bench === benches ? _("Bench {bench} (tail)", { bench }) : _("Bench {bench}", { bench });
 }
@@ -28,6 +33,8 @@ export class Card {
   constructor(choose, jump) {
     this.choose = choose;
     this.jump = jump;
+    /** @type {Scene | null} */
+    this.scene = null;
     this.element = make("aside", { class: "card", hidden: true, "aria-label": _("bench") });
     /** @type {Record<string, HTMLElement>} */
     this.cells = {};
@@ -36,6 +43,7 @@ export class Card {
   /** @param {Scene} scene @param {number} bench from 0, or -1 */
   open(scene, bench) {
     this.element.hidden = bench < 0;
+    this.scene = scene;
     if (bench < 0) return;
     const { nearest, benches } = scene.sent;
     const now = (/** @type {string} */ name) => (this.cells[name] = make("dd"));
@@ -74,7 +82,9 @@ export class Card {
         make("dt", {}, _("nearest")),
         now("nearest"),
         make("dt", {}, _("its tightest moment")),
-        other ? at(nearText(nearest.distance[bench], other), nearest.time[bench]) : make("dd", {}, far),
+        other
+          ? at(nearText(scene, nearest.distance[bench], other), nearest.time[bench])
+          : make("dd", {}, far),
         make("dt", {}, _("size")),
         make(
           "dd",
@@ -91,21 +101,22 @@ export class Card {
     const found = [];
     const button = (/** @type {number} */ other, /** @type {string} */ text) =>
       make("button", { type: "button", onclick: () => this.choose(other) }, text);
-    if (bench > 0) found.push(button(bench - 1, _("\u2190 Bench {bench}", { bench })));
-    if (bench + 1 < scene.benches)
-      found.push(button(bench + 1, _("Bench {bench} \u2192", { bench: bench + 2 })));
+    const name = (/** @type {number} */ other) =>
+      villageName(scene, other) || _("Bench {bench}", { bench: other });
+    if (bench > 0) found.push(button(bench - 1, `\u2190 ${name(bench)}`));
+    if (bench + 1 < scene.benches) found.push(button(bench + 1, `${name(bench + 2)} \u2192`));
     return found;
   }
 
   /** What changes from instant to instant. @param {Stand} stand @param {Boxes} boxes @param {number} bench */
   show(stand, boxes, bench) {
-    if (bench < 0) return;
+    if (bench < 0 || !this.scene) return;
     this.cells.front.textContent = speedText(stand.v[bench]);
     this.cells.rear.textContent = speedText(stand.v[bench + 1]);
     this.cells.change.textContent = `${decimals(stand.a[bench], 3)} m/s\u00b2`;
     const other = boxes.other[bench] + 1;
     this.cells.nearest.textContent = other
-      ? nearText(boxes.nearest[bench], other, boxes.touch)
+      ? nearText(this.scene, boxes.nearest[bench], other, boxes.touch)
       : "\u2013";
   }
 }
@@ -115,9 +126,10 @@ function speedText(speed) {
   return `${decimals(speed, 3)} m/s`;
 }
 
-/** @param {number} gap m @param {number} other number of the other bench @param {number} [touch] m */
-function nearText(gap, other, touch = 0) {
+/** @param {Scene} scene @param {number} gap m @param {number} other number of the other bench @param {number} [touch] m */
+function nearText(scene, gap, other, touch = 0) {
+  const name = villageName(scene, other) || _("bench {bench}", { bench: other });
   return gap > touch
-    ? _("{gap} to bench {other}", { gap: shortLength(gap), other })
-    : _("touches bench {other}", { other });
+    ? _("{gap} to {name}", { gap: shortLength(gap), name })
+    : _("touches {name}", { name });
 }

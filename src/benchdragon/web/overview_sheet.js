@@ -76,7 +76,7 @@ export function overviewSheet(said, maps, phones, notes, date, foot) {
     ...(people.count_head
       ? []
       : [make("p", {}, _("In the verdict bench 1 is the head's, bench 2 the next."))]),
-    ...listOf(_("Tightest moments"), tight),
+    ...listOf(_("Tightest moments between coils"), tight),
     ...listOf(_("Notes on the list of names"), notes),
     make("h3", {}, _("Where each bench starts")),
     make("p", {}, groundLegend(said.briefing.ground)),

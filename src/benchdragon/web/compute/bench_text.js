@@ -14,6 +14,7 @@ import { rint, rounded } from "./numbers.js";
 /** @typedef {import("./bends.js").Turning} Turning */
 /** @typedef {import("./clock.js").Clock} Clock */
 /** @typedef {import("./ground.js").Ground} Ground */
+/** @typedef {import("./briefing.js").Halt} Halt */
 
 /** What is nearest to a bench when the dance starts, and how far, m; without a name it is the peg. Of the venue the edge there: of those to the right, forward, to the left, back. @typedef {{ apart: number, name: string, edge: number | null }} Landmark */
 
@@ -23,7 +24,7 @@ import { rint, rounded } from "./numbers.js";
  * @property {Clock} clock
  * @property {Record<string, any>} people the table of the plan, filled
  * @property {Ground} ground from which places are told
- * @property {import("./briefing.js").Halt[]} halts what the plan says the head stands for
+ * @property {Halt[]} halts what the plan says the head stands for
  * @property {boolean} coiled whether the dance ends inside
  */
 
@@ -31,7 +32,7 @@ import { rint, rounded } from "./numbers.js";
  * What one bench does, in the language in use.
  * @typedef {object} BenchText
  * @property {string} quick all of it in a dozen words
- * @property {string[]} place where it starts: chalk coordinates, then steps from a landmark
+ * @property {string[]} place where it starts: chalk coordinates, steps from a landmark, the way there
  * @property {string[]} stretches what it does from when to when, a sentence each
  * @property {string[]} paces from which speeds on one hurries, runs or waits; of paces in it alone
  * @property {string} tightest when a bench of another coil comes nearest
@@ -88,8 +89,8 @@ const ITS_SIDES = {
 export function benchText(basis, found, landmark, called) {
   const { clock, people } = basis;
   return {
-    quick: quickLine(found, clock),
-    place: placeLines(basis, found, landmark),
+    quick: quickLine(found, clock, basis.halts),
+    place: [...placeLines(basis, found, landmark), comingLine(found)],
     stretches: found.stretches.map((one) => stretchLine(one, basis)),
     paces: paceLines(people, found),
     tightest: tightestLine(found.tightest, clock, called),
@@ -98,9 +99,9 @@ export function benchText(basis, found, landmark, called) {
   };
 }
 
-/** What a bench does in a dozen words. @param {BenchWalk} found @param {Clock} clock */
-function quickLine({ stretches }, clock) {
-  const said = [...quickTurns(stretches), ...quickPaces(stretches, clock)];
+/** What a bench does in a dozen words, and what it waits for. @param {BenchWalk} found @param {Clock} clock @param {Halt[]} halts */
+function quickLine({ stretches }, clock, halts) {
+  const said = [...quickTurns(stretches), ...quickPaces(stretches, clock, halts)];
   const all = said.join(_("; "));
   const text = _("{all}.", { all });
   return text.slice(0, 1).toUpperCase() + text.slice(1);
@@ -120,8 +121,23 @@ function quickTurns(stretches) {
   ];
 }
 
-/** At what paces it goes: one after another with their times, or how often. @param {Stretch[]} stretches @param {Clock} clock */
-function quickPaces(stretches, clock) {
+/** What the head stands for between two times, s; "" if the plan does not say. @param {number} start @param {number} end @param {Halt[]} halts */
+function waitedFor(start, end, halts) {
+  const met = halts.filter((one) => one.start < end && start < one.end);
+  return met.map(({ said }) => said[language()]).join(_("; "));
+}
+
+/** A pace with its times, and what is waited for. @param {{ pace: Pace, start: number, end: number }} run @param {Clock} clock @param {Halt[]} halts */
+function quickPace({ pace, start, end }, clock, halts) {
+  const what = pace === "wait" ? waitedFor(start, end, halts) : "";
+  const values = { pace: PACES[pace](), start: clock.tell(start), end: clock.tell(end), what };
+  return what
+    ? _("{pace} from {start} to {end}: {what}", values)
+    : _("{pace} from {start} to {end}", values);
+}
+
+/** At what paces it goes: one after another with their times, or how often. @param {Stretch[]} stretches @param {Clock} clock @param {Halt[]} halts */
+function quickPaces(stretches, clock, halts) {
   /** @type {Array<{ pace: Pace, start: number, end: number }>} */
   const runs = [];
   for (const { pace, start, end } of stretches) {
@@ -133,13 +149,7 @@ function quickPaces(stretches, clock) {
   if (runs.length === 1) return [_("{pace} all the time", { pace: PACES[runs[0].pace]() })];
   const timed = runs.filter(({ pace }) => pace !== "walk");
   if (timed.length <= MOST_PACES) {
-    const told = timed.map(({ pace, start, end }) =>
-      _("{pace} from {start} to {end}", {
-        pace: PACES[pace](),
-        start: clock.tell(start),
-        end: clock.tell(end),
-      }),
-    );
+    const told = timed.map((run) => quickPace(run, clock, halts));
     const first = runs[0].pace === "walk" ? [PACES.walk()] : [];
     const last = runs[runs.length - 1].pace === "walk" ? [PACES.walk()] : [];
     return [...first, ...told, ...last.map((pace) => _("then {pace}", { pace }))];
@@ -231,8 +241,7 @@ function settled(value) {
 function stretchLine(one, { clock, people: { step }, halts }) {
   const times = { start: clock.tell(one.start), end: clock.tell(one.end) };
   if (one.pace === "wait") {
-    const said = halts.filter(({ start, end }) => start < one.end && one.start < end);
-    const what = said.map(({ said }) => said[language()]).join(_("; "));
+    const what = waitedFor(one.start, one.end, halts);
     return what
       ? _("{start} to {end}: wait: {what}.", { ...times, what })
       : _("{start} to {end}: wait.", times);
@@ -288,10 +297,16 @@ function timesLine({ behind }, { legend: times }) {
   });
 }
 
+/** How to come to where one starts. @param {BenchWalk} found */
+function comingLine({ before }) {
+  if (before === null) return _("Coming in: lead all of them along the chalk line, slowly.");
+  return _("Coming in: follow the bench before you along the chalk line.");
+}
+
 /** Where to go when the dance is over: who has coiled in cannot follow the head out. @param {Basis} basis @param {BenchWalk} found */
 function afterLine({ coiled }, { before }) {
   if (coiled) return _("Afterwards: stand until your pin is pulled; the tail goes first.");
-  if (before === null) return _("Afterwards: lead all of them out.");
+  if (before === null) return _("Afterwards: lead all of them out where the leader says.");
   return _("Afterwards: follow the bench before you out.");
 }
 

@@ -594,6 +594,7 @@ export const ANALYSIS_MARKS = {
   ANGLE_STEP: 0.01,
   SAME_MARK: 1e-6,
   FARTHEST: 1.5,
+  AT_MARK: 0.01,
   CLOSE: 0.2,
   CLOSE_SHARE: 0.4,
   LONGEST_TAPE: 200,
@@ -880,6 +881,7 @@ export const SOLVE_HEAD_SPEED = {
   PRUDENCE: 1e-9,
   MOST_KNOTS: 5000,
   FINER: 8,
+  DIGITS: 12,
   ROUNDING: 1e-13,
 };
 

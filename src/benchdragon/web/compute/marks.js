@@ -12,10 +12,10 @@ import { countUpTo } from "./profile.js";
 
 /** Where a front handle starts: so far, m, past mark number `n`, from 1, and before the next. @typedef {{ n: number, past: number }} MarkPlace */
 
-const { ALWAYS, CLOSE, CLOSE_SHARE, FARTHEST, MOST_MARKS, SAME_MARK } = ANALYSIS_MARKS;
+const { ALWAYS, AT_MARK, CLOSE, CLOSE_SHARE, FARTHEST, MOST_MARKS, SAME_MARK } = ANALYSIS_MARKS;
 /** A mark's first reason: which of two in one place is kept. */
 const RANK = { step: 0, joint: 1, end: 2, start: 3 };
-// As near as that to a mark, m, a handle stands at it; and so finely it is told how far past it is.
+// So finely, m, it is told how far a handle is past a mark.
 const FINE = 0.01;
 
 /** Marks so far apart, or as usual: 1 m, or as many decimetres more as MOST_MARKS want. */
@@ -52,7 +52,7 @@ export class Marks {
       if (again[n] && rank(s) < ALWAYS) continue;
       const before = kept[kept.length - 1];
       const least = kept.length ? Math.min(rank(s), rank(before)) : 0;
-      if (kept.length && s - before <= (least >= ALWAYS ? SAME_MARK : close)) {
+      if (kept.length && s - before <= SAME_MARK + (least >= ALWAYS ? 0 : close)) {
         if (rank(s) <= rank(before)) continue;
         kept.pop();
       }
@@ -84,8 +84,9 @@ export class Marks {
     const last = this.s.length - 1;
     const n = Math.min(Math.max(countUpTo(this.s, s + SAME_MARK) - 1, 0), last);
     const past = rint((s - this.s[n]) / FINE) * FINE;
-    if (Math.abs(past) < FINE) return { n: n + 1, past: 0 };
+    if (Math.abs(past) < AT_MARK) return { n: n + 1, past: 0 };
     const gap = n < last ? this.s[n + 1] - this.s[n] : 0;
+    if (gap - past >= 0 && gap - past < AT_MARK) return { n: n + 2, past: 0 };
     return past < 0 || gap > FARTHEST * this.usual ? null : { n: n + 1, past };
   }
 }

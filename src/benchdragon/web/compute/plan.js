@@ -269,15 +269,10 @@ export class Plan {
       const text = _("the head never comes to the end of its walk: set walk.end");
       throw this.#wrong([new Fault("walk", text)]);
     }
-    const text = _("that is not within the dance, which lasts from {start} s to {end} s", {
-      start: general(start),
-      end: general(end),
-    });
     const outside = this.moments().filter(
       ({ time }) => !(start <= time && time <= end + PLANS_CUES.END_SLACK),
     );
-    if (outside.length)
-      throw this.#wrong(outside.map(({ number }) => new Fault(`cues.cue.${number}`, text)));
+    if (outside.length) throw this.#wrong(outsideFaults(outside, walk, start, end));
     return [start, end];
   }
 
@@ -369,4 +364,17 @@ function fileText(name) {
   return _("this page does not read files that plans name, such as {name}: the command line does", {
     name,
   });
+}
+
+/** What is wrong with cues that are not in a dance from start to end, s. @param {import("./cues.js").Moment[]} outside @param {import("./walk.js").Walk} walk @param {number} start @param {number} end */
+function outsideFaults(outside, walk, start, end) {
+  const way = general(walk.headPosition(end) - walk.headPosition(start));
+  const byTime = _("that is not within the dance, which lasts from {start} s to {end} s", {
+    start: general(start),
+    end: general(end),
+  });
+  const byPlace = _("that is not within the dance, in which the head walks {way} m", { way });
+  return outside.map(
+    ({ number, cue: { head } }) => new Fault(`cues.cue.${number}`, head === null ? byTime : byPlace),
+  );
 }

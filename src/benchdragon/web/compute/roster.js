@@ -267,7 +267,7 @@ function apart(said, numbering) {
       n > 0 &&
       (one.row - found[n - 1].row > 1 ||
         word(one) !== word(found[n - 1]) ||
-        (seldom && one.numbered));
+        seldom);
     if (!found.some(apart)) return [];
     const values = { bench: numbering.called(bench), rows: listed(found.map(({ row }) => String(row))) };
     return [_("{bench} is in rows {rows}: all of their people are taken for it", values)];

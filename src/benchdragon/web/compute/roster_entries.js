@@ -10,7 +10,7 @@ import { namesOf, places, plain, withoutPhones } from "./roster_words.js";
 /** @typedef {import("./roster_columns.js").Columns} Columns */
 /** @typedef {import("./roster_words.js").Place} Place */
 /** Somebody who carries a bench; what is not known is "". @typedef {{ name: string, household: string, phone: string, remarks: string }} Person */
-/** A row with people: its number, from 1; the benches as it, or the row above, names them; whether it does; and whether its householder is taken for who carries. @typedef {{ row: number, benches: Array<[Place, Place]>, people: Person[], numbered: boolean, householder: boolean }} Entry */
+/** A row with people: its number, from 1; the benches as it, or the row above, names them; and whether its householder is taken for who carries. @typedef {{ row: number, benches: Array<[Place, Place]>, people: Person[], householder: boolean }} Entry */
 /** A row, or a part of it, that was not read, and why, in words. @typedef {{ row: number, why: string }} Unread */
 
 const { MOST_SHOWN } = ROSTERS_ENTRIES;
@@ -59,8 +59,8 @@ export function entries(rows, first, block) {
       odd.push(_("no name, only {text}", { text: shown(row) }));
     found.push(...odd.map((why) => ({ row: number, why })));
     household = people.find((one) => one.household)?.household ?? household;
-    const [numbered, householder] = [Boolean(said), owner.length > 0];
-    if (people.length) found.push({ row: number, benches, people, numbered, householder });
+    const householder = owner.length > 0;
+    if (people.length) found.push({ row: number, benches, people, householder });
   }
   return found;
 }
