@@ -15,7 +15,6 @@ from fpdf import FPDF
 from pypdf import PdfReader
 
 from benchdragon.analysis.bench_nearness import Tightest
-from benchdragon.analysis.clock import minutes
 from benchdragon.errors import InputError
 from benchdragon.explain.bench_text import bench_text, tightest_line
 from benchdragon.export.document import Paragraph, Table
@@ -597,7 +596,9 @@ def test_the_overview_says_which_edge_is_on_the_way_out(
     # The way in: from the first mark to where the head starts.
     first = told.marks.points[0]
     way = told.trail.start - told.trail.low
-    assert f"the head walks {way:.0f} m: {minutes(way / told.plan.walk.speed)} at" in told_of
+    assert (
+        f"the head walks {way:.0f} m: {math.ceil(way / 60.0 / told.plan.walk.speed)} minutes" in told_of
+    )
     away = [math.dist(first, one) for one in ((39, 0), (-39, 29))]
     assert f"Entrance {1 + away.index(min(away))} of the plan is nearest to mark 1" in told_of
     write_overview(tmp_path / "o.pdf", told, phones=False)

@@ -10,7 +10,6 @@ import numpy as np
 from benchdragon.analysis.bench_nearness import REACH
 from benchdragon.analysis.bench_walks import BenchWalk
 from benchdragon.analysis.check import sentence
-from benchdragon.analysis.clock import minutes
 from benchdragon.analysis.findings import named, shown_name
 from benchdragon.analysis.ground import way_out
 from benchdragon.analysis.marks import nearest_mark
@@ -120,11 +119,11 @@ def _way_in(briefing: Briefing) -> Iterator[Block]:
     way = trail.start - trail.low
     text = _(
         "Mark 1 is {far} from the peg. From there to where the dance starts the head walks {way} m: "
-        "{time} at the speed of the dance. Have all in line before that, in good time."
+        "{minutes} minutes at the speed of the dance. Have all in line before it starts."
     )
     yield say(
         text, far=_offset(briefing, briefing.ground.peg, first), way=f"{way:.0f}",
-        time=minutes(way / plan.walk.speed),
+        minutes=math.ceil(way / plan.walk.speed / 60.0),
     )  # fmt: skip
     for n, place in _nearest_entrance(briefing, first):
         text = _("Entrance {n} of the plan is nearest to mark 1, which is {far} from it.")
@@ -216,7 +215,7 @@ def _benches(briefing: Briefing, phones: bool) -> Iterator[Block]:
         _("bench"), _("people"), _("mark"), _("starts from the peg: x, y (m)"), _("what it does"),
         _("tightest"),
     )  # fmt: skip
-    widths = (12.0, 26.0, 9.0, 14.0, 28.0, 32.0)
+    widths = (11.0, 23.0, 13.0, 13.0, 27.0, 34.0)
     rows = [
         row
         for found, text in zip(briefing.benches, texts, strict=True)
