@@ -177,6 +177,21 @@ def test_the_overviews_tightest_moments_are_pythons(
     assert shown.locator("td", has_text=re.compile(r"^-$")).count() == dashes
 
 
+def test_maps_show_the_entrances_that_the_plan_names(pages: Pages, tmp_path: Path) -> None:
+    named = read_plan(str(village(tmp_path, PLAN)), ["event.entrances=[[9, 0], [-9, 30]]"])
+    file = tmp_path / "planner.html"
+    file.write_text(planner_page(named, "en"), "utf-8")
+    page = pages.open(file.as_uri())
+    settled(page).get_by_role("button", name=NAMES["en"], exact=True).click()
+    sheet = sheets(page).locator(".paper").first
+    for n, (x, y) in enumerate([(9.0, 0.0), (-9.0, 30.0)]):
+        expect(sheet.locator("svg text", has_text=f"entrance {n + 1}")).to_have_count(1)
+        mark = sheet.locator("svg circle.peg").nth(n)
+        assert (float(mark.get_attribute("cx") or ""), float(mark.get_attribute("cy") or "")) == (x, -y)
+    box = [float(one) for one in (sheet.locator("svg.map, .map svg").first.get_attribute("viewBox") or "").split()]
+    assert box[1] < -30.0 < box[1] + box[3]
+
+
 def test_codes_open_the_player_at_ones_own_bench(opened_sheets: Opened, plan: Path) -> None:
     page = opened_sheets("en")
     address = read_plan(str(plan)).people.address

@@ -46,11 +46,11 @@ export class SheetMaps {
 
   /** The lower left and the upper right corner of all that is shown, m. @returns {Point[]} */
   #bounds() {
-    const { obstacles } = this.briefing.ways;
-    const corners = obstacles.flatMap(({ points, radius }) =>
+    const corners = this.briefing.ways.obstacles.flatMap(({ points, radius }) =>
       points.flatMap(([x, y]) => /** @type {Point[]} */ ([[x - radius, y - radius], [x + radius, y + radius]])),
     ); // prettier-ignore
-    const all = [...this.way, this.briefing.ground.peg, ...corners];
+    const { ground, ways } = this.briefing;
+    const all = [...this.way, ground.peg, ...ways.entrances, ...corners];
     return [Math.min, Math.max].map(
       (most) =>
         /** @type {Point} */ (
@@ -91,7 +91,7 @@ export class SheetMaps {
     );
   }
 
-  /** The peg, and what obstacles are called. */
+  /** The peg, entrances, and what obstacles are called. */
   #names() {
     const { unit } = this;
     const { ground, ways } = this.briefing;
@@ -100,6 +100,11 @@ export class SheetMaps {
     const d = `M${x - arm} ${y}h${2 * arm}M${x} ${y - arm}v${2 * arm}`;
     const cross = draw("path", { class: "peg", d, "stroke-width": String(EDGE * unit) });
     const found = [cross, this.#name(_("peg"), x, y - arm - 0.6 * unit)];
+    for (const [n, [u, v]] of ways.entrances.entries()) {
+      const at = { cx: u.toFixed(3), cy: (-v).toFixed(3), r: String(arm) };
+      found.push(draw("circle", { ...at, class: "peg", "stroke-width": String(EDGE * unit) }));
+      found.push(this.#name(_("entrance {n}", { n: n + 1 }), u, -v - arm - 0.6 * unit));
+    }
     for (const { kind, points, radius, shown } of ways.obstacles) {
       if (kind === "venue") continue;
       const top = points.reduce((most, point) => Math.max(most, point[1]), -Infinity) + radius;

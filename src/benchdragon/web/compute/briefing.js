@@ -39,6 +39,7 @@ import { sentence } from "./verdict_text.js";
  * @property {number[][]} s where along the route each front handle is at the start, and at the end, m
  * @property {number[][]} ends x and y there, m, and the heading, rad: one after another at the start, and at the end
  * @property {Array<{ kind: import("./obstacle.js").ObstacleKind, points: Point[], radius: number, shown: Words }>} obstacles
+ * @property {Point[]} entrances where people come in, m
  */
 
 /**
@@ -91,7 +92,7 @@ export function briefing({ engine, plan, progress }) {
  */
 export async function briefed(arena, plan, walk, span, progress) {
   const { benches, s } = await benchWalks(plan, walk, span, progress);
-  const { people, cues, chalk, route, survey } = plan.tables;
+  const { people, cues, chalk, route, survey, event } = plan.tables;
   const { points, low, high } = wayOf(walk, s);
   const obstacles = plan.obstacles();
   const ground = groundOf(chalk.peg ?? ownPeg(walk, route.at), survey.crs !== null, obstacles);
@@ -109,7 +110,7 @@ export async function briefed(arena, plan, walk, span, progress) {
     halts: haltsOf(plan),
     coiled: route.kind === "spiral-in",
     points,
-    ways: { low, high, s, ends, obstacles: obstacles.map(shown) },
+    ways: { low, high, s, ends, obstacles: obstacles.map(shown), entrances: event.entrances },
   };
 }
 
