@@ -118,6 +118,17 @@ def test_a_cell_in_which_a_bench_may_stand_square_does_not_hold() -> None:
         assert holds(dance, a, b) is wanted
 
 
+def test_a_cell_in_which_a_handle_goes_as_far_as_its_link_does_not_hold() -> None:
+    # On a line nothing else is in doubt: the angle between bench and route alone is not bounded.
+    walk = Walk(Dragon.of_sizes([1.6], 0.2, 0.1, 0.1), Route.joined([Line(20.0)]), start=5.0)
+    dance, guess = stored_dance(walk, None), guess_of(walk)
+    a = chain_at(dance, guess, 5.0)
+    for long, wanted in ((0.69, True), (0.71, False)):
+        b = chain_at(dance, guess, 5.0 + long)
+        assert nearest(a, b, dance.route, dance.sizes.numbers[0], moves(a, b))
+        assert holds(dance, a, b) is wanted
+
+
 def test_a_handle_that_is_not_the_nearest_does_not_hold() -> None:
     # On the way out of the hairpin there are places one link behind on both of its sides.
     route = Route.joined([Line(10.0), Arc(0.6, np.pi), Line(10.0)])
