@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from benchdragon.analysis.ground import Ground, base_angle
+from benchdragon.analysis.ground import Ground, base_angle, way_out
 from benchdragon.analysis.marks import Trail, placed_marks
 from benchdragon.i18n import spoken_in
 from benchdragon.model.obstacle import rectangle_outline
@@ -67,3 +67,45 @@ def test_base_points_stand_along_the_edges_and_the_marks_lie_where_their_lengths
         arm = base - np.array(ground.peg)
         off = marks.points[n] - np.array(ground.peg)
         assert marks.on_left[n] == bool(arm[0] * off[1] - arm[1] * off[0] > 0.0)
+
+
+OCTAGON = [
+    (-9.0, -3.0),
+    (-3.0, -9.0),
+    (3.0, -9.0),
+    (9.0, -3.0),
+    (9.0, 3.0),
+    (3.0, 9.0),
+    (-3.0, 9.0),
+    (-9.0, 3.0),
+]
+L_SHAPE = [(0.0, 0.0), (20.0, 0.0), (20.0, 10.0), (10.0, 10.0), (10.0, 20.0), (0.0, 20.0)]
+
+
+@pytest.mark.parametrize(
+    ("outline", "place", "way", "far", "out"),
+    [
+        (L_SHAPE, (5.0, 5.0), (1.0, 0.0), 15.0, (1.0, 0.0)),
+        (L_SHAPE, (5.0, 15.0), (1.0, 0.0), 5.0, (1.0, 0.0)),
+        (L_SHAPE, (5.0, 10.0), (1.0, 0.0), 5.0, (1.0, 0.0)),  # along an edge from its corner on
+        (L_SHAPE, (4.0, 4.0), (0.6, -0.8), 5.0, (0.0, -1.0)),
+        (L_SHAPE, (9.0, 4.0), None, 4.0, (0.0, -1.0)),
+        (OCTAGON, (5.0, 5.0), None, 2.0**0.5, (0.5**0.5, 0.5**0.5)),
+        (OCTAGON, (5.0, 5.0), (1.0, 0.0), 2.0, (0.5**0.5, 0.5**0.5)),
+    ],
+)
+@pytest.mark.parametrize("turned_round", [False, True])
+def test_the_way_out_of_a_venue_is_over_the_side_that_is_met(
+    outline: list[tuple[float, float]],
+    place: tuple[float, float],
+    way: tuple[float, float] | None,
+    far: float,
+    out: tuple[float, float],
+    turned_round: bool,
+) -> None:
+    corners = np.array(outline[::-1] if turned_round else outline)
+    found = way_out(corners, place, None if way is None else np.array(way))
+    assert found is not None
+    assert found[0] == pytest.approx(far)
+    assert found[1] == pytest.approx(out)
+    assert way_out(corners, (40.0, 0.0)) is None

@@ -188,7 +188,10 @@ def test_maps_show_the_entrances_that_the_plan_names(pages: Pages, tmp_path: Pat
         expect(sheet.locator("svg text", has_text=f"entrance {n + 1}")).to_have_count(1)
         mark = sheet.locator("svg circle.peg").nth(n)
         assert (float(mark.get_attribute("cx") or ""), float(mark.get_attribute("cy") or "")) == (x, -y)
-    box = [float(one) for one in (sheet.locator("svg.map, .map svg").first.get_attribute("viewBox") or "").split()]
+    box = [
+        float(one)
+        for one in (sheet.locator("svg.map, .map svg").first.get_attribute("viewBox") or "").split()
+    ]
     assert box[1] < -30.0 < box[1] + box[3]
 
 

@@ -58,7 +58,7 @@ SURVEYED: Tables = {
     "survey": {"crs": "EPSG:4547"},
     "people": {"count_head": False, "unit": "qiao"},
     "cues": {
-        "clock": "23:59:45",
+        "clock": "23：59：45",
         "cue": [{"kind": "hold", "at": 5, "hold": 4, "text": "bow", "text_zh": "拜庙"}],
     },
     "chalk": {"every": 0.7, "peg": [2, -1]},

@@ -357,6 +357,27 @@ def test_a_chinese_comma_behind_a_number_is_told(tmp_path: Path) -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    ("text", "wanted", "unread"),
+    [
+        ("桥号，姓名\n1，张三，李四\n2，王五\n", {1: "张三 李四", 2: "王五"}, []),
+        ("桥号，姓名，备注\n1，张三，左手\n2，李四，右手,慢\n", {1: "张三", 2: "李四"}, []),
+        (
+            "桥号，姓名，备注\n1，张三，左手，钱七\n2，王五，\n", {1: "张三", 2: "王五"},
+            ["columns that are not read: D (row 2)"],
+        ),
+        ("桥号,姓名\n1,张三，李四\n2,王五\n", {1: "张三 李四", 2: "王五"}, []),
+    ],
+)  # fmt: skip
+def test_chinese_commas_part_columns_or_names_and_nothing_is_lost_in_silence(
+    tmp_path: Path, text: str, wanted: dict[int, str], unread: list[str]
+) -> None:
+    (tmp_path / "list.csv").write_text(text, "utf-8")
+    roster = read_roster(tmp_path / "list.csv", Numbering(2, True, str))
+    assert names(roster) == wanted
+    assert [note for note in roster.notes if "not read" in note] == unread
+
+
 def test_who_is_named_at_two_benches_is_one_person(tmp_path: Path) -> None:
     roster = read(
         tmp_path,

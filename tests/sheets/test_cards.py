@@ -597,7 +597,7 @@ def test_the_overview_says_which_edge_is_on_the_way_out(
     first = told.marks.points[0]
     way = told.trail.start - told.trail.low
     assert (
-        f"the head walks {way:.0f} m: {math.ceil(way / 60.0 / told.plan.walk.speed)} minutes" in told_of
+        f"the head walks {way:.0f} m: {math.ceil(way / 60.0 / told.plan.walk.speed)} min at" in told_of
     )
     away = [math.dist(first, one) for one in ((39, 0), (-39, 29))]
     assert f"Entrance {1 + away.index(min(away))} of the plan is nearest to mark 1" in told_of

@@ -318,6 +318,22 @@ def test_the_same_dance_at_another_speed_has_its_marks_where_they_were(
     assert lasts == pytest.approx(way / speed + held + 0.5 * braking, abs=1e-6)
 
 
+@pytest.mark.parametrize("speed", [0.3, 0.6, 1.1])
+@pytest.mark.parametrize(
+    ("kind", "end", "stands"), [('"hold", hold=20', 25.0, 14.0), ('"stop"', 60.0, 49.0)]
+)
+def test_a_head_that_stands_when_the_dance_ends_stands_as_long_at_another_speed(
+    speed: float, kind: str, end: float, stands: float
+) -> None:
+    cue = f"cues.cue=[{{kind={kind}, head=30}}]"
+    plan = read_plan("turn", ["walk.start=-20", cue, f"walk.end={end}"])
+    for one in (plan, with_head_speed(plan, speed)):
+        walk = one.build()
+        (stop,) = stops_of(walk, *one.span(walk))
+        assert stop.end - stop.start == pytest.approx(stands, abs=0.1 if one is plan else 1e-6)
+        stands = stop.end - stop.start
+
+
 def test_what_cannot_be_walked_at_another_speed_is_refused() -> None:
     plan = read_plan("turn", ['cues.cue=[{kind="beat", at=5}]'])
     with pytest.raises(InputError, match="write head instead"):
@@ -326,3 +342,5 @@ def test_what_cannot_be_walked_at_another_speed_is_refused() -> None:
         with_head_speed(read_plan("turn", ["walk.profile=[[0, 1], [9, 2]]"]), 0.5)
     with pytest.raises(InputError, match="speed must be"):
         with_head_speed(read_plan("turn"), 0.0)
+    with pytest.raises(InputError, match="at most 100 m/s"):
+        with_head_speed(read_plan("turn"), 101.0)

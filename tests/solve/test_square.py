@@ -26,10 +26,12 @@ WELL = 'obstacle=[{kind="circle", name="well", centre=[0, 0], radius=3.9}]'
 
 
 def blocked(plan: Plan) -> bool:
-    """Whether a bench comes nearer to an obstacle than it may, by the search over the whole walk."""
+    """Whether a bench surely comes nearer to an obstacle than it may, over the whole walk."""
     walk = plan.build()
     span = plan.span(walk)
-    return any(first_touch(walk, obstacle, *span) for obstacle in plan.obstacles())
+    touches = [first_touch(walk, obstacle, *span) for obstacle in plan.obstacles()]
+    assert not any(touch and touch.status == "undecided" for touch in touches)
+    return any(touch is not None for touch in touches)
 
 
 @pytest.mark.parametrize(

@@ -22,6 +22,8 @@ from benchdragon.plans.schema import Plan
 # An edge shorter than this share of the way round the venue is one of many of a bent edge, and a base
 # line turned by less than this, rad, is not turned.
 LEAST_EDGE, UNTURNED = 0.15, 1e-9
+# A place nearer than this to two edges, m, is at their corner.
+CORNER = 1e-6
 # The ways x and y point and against them, by what tells them on the ground.
 NORTH = (N_("due east"), N_("due north"), N_("due west"), N_("due south"))
 VENUE = (N_("to the right"), N_("forward"), N_("to the left"), N_("back"))
@@ -104,8 +106,10 @@ class Ground:
         return found
 
 
-def way_out(outline: FloatArray, place: Point, way: FloatArray) -> tuple[float, FloatArray] | None:
-    """How far a venue's edge is from a place within it, going one way; None from a place outside.
+def way_out(
+    outline: FloatArray, place: Point, way: FloatArray | None = None
+) -> tuple[float, FloatArray] | None:
+    """How far a venue's edge is from a place within it: going one way, else the nearest of it.
 
     Args:
         outline: of the venue, m, (n, 2).
@@ -113,18 +117,31 @@ def way_out(outline: FloatArray, place: Point, way: FloatArray) -> tuple[float, 
         way: a unit vector, (2,).
 
     Returns:
-        The distance, m, and the unit vector out over the side that is met, at a right angle to it.
+        The distance, m, and the unit vector out over the side that is met, at a right angle to it; None
+        from a place outside.
     """
-    start, sides = np.array(place), np.roll(outline, -1, axis=0) - outline
-    if not Polygon(outline).contains(shapely.Point(place)):
+    start, here, edge = np.array(place), shapely.Point(place), LinearRing(outline)
+    if not Polygon(outline).contains(here):
         return None
-    ray = LineString([start, start + LinearRing(outline).length * way])  # longer than any way out
-    met = shapely.Point(place).distance(ray.intersection(LinearRing(outline)))
+    if way is None:
+        met = here.distance(edge)
+    else:
+        ray = LineString([start, start + edge.length * way])  # longer than any way out
+        met = here.distance(ray.intersection(edge))
+    sides = np.roll(outline, -1, axis=0) - outline
     lines = [LineString([corner, corner + side]) for corner, side in zip(outline, sides, strict=True)]
+    outs = np.array([sides[:, 1], -sides[:, 0]]).T / np.hypot(sides[:, 0], sides[:, 1])[:, np.newaxis]
+    if not edge.is_ccw:
+        outs = -outs
+    if way is None:
+        return met, outs[int(np.argmin([here.distance(line) for line in lines]))]
     there = shapely.Point(start + met * way)
-    along = sides[int(np.argmin([there.distance(line) for line in lines]))]
-    out = np.array([along[1], -along[0]]) / math.hypot(*along)
-    return met, out if out @ way > 0.0 else -out
+    # At a corner, or along an edge, it is left over the side that it crosses most squarely.
+    crossed = [
+        float(out @ way) if there.distance(line) <= CORNER else -1.0
+        for out, line in zip(outs, lines, strict=True)
+    ]
+    return met, outs[int(np.argmax(crossed))]
 
 
 def own_peg(plan: Plan, route: Route) -> Point:

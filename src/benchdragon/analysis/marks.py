@@ -384,7 +384,7 @@ def between(marks: Marks, s: float) -> tuple[int, float] | None:
     if abs(past) < AT_MARK:
         return n + 1, 0.0
     gap = float(marks.s[n + 1] - marks.s[n]) if n < last else 0.0
-    if 0.0 <= gap - past < AT_MARK:
+    if n < last and float(marks.s[n + 1]) - s < AT_MARK:
         return n + 2, 0.0
     if past < 0.0 or gap > FARTHEST * float(np.median(np.diff(marks.s))):
         return None

@@ -12,12 +12,13 @@ from benchdragon.cli.options import (
     WITHOUT,
     force_option,
     output_option,
+    plan_to_walk,
     refuse_strays,
     settings_option,
     shared_options,
 )
-from benchdragon.cli.parsing import parse_speed
-from benchdragon.cli.solved import read_to_write, write_plan
+from benchdragon.cli.parsing import check_ending, parse_speed
+from benchdragon.cli.solved import write_plan
 from benchdragon.i18n import N_, _, language
 from benchdragon.plans.source import Source
 from benchdragon.plans.toml import BUILT_IN_FOLDER, SUFFIX, built_in_names, lay_over
@@ -80,13 +81,20 @@ def _write_slower(
     source: str, settings: tuple[str, ...], quiet: bool, output: Path, options: dict[str, Any]
 ) -> int:
     """Write the same dance with its head at another speed."""
-    from benchdragon.files import refuse_existing
+    from benchdragon.files import refuse_existing, whole_file
+    from benchdragon.plans.schema import checked
+    from benchdragon.plans.toml import parsed
     from benchdragon.solve.head_speed import with_head_speed
 
     speed = parse_speed("--head-speed", options["head_speed"])
-    read = read_to_write(source, settings, quiet, "-o", output)
+    check_ending("-o", output, [".toml"])
     refuse_existing([output], options["force"])
-    write_plan(with_head_speed(read, speed), output, source)
+    if Path(source).is_file():
+        write_plan(with_head_speed(plan_to_walk(source, settings, quiet), speed), output, source)
+    else:
+        made = checked(parsed(_text(source, settings), source), Source(source))
+        with whole_file(output) as temporary:
+            temporary.write_text(with_head_speed(made, speed).toml(), encoding="utf-8")
     print_files([output])
     return 0
 

@@ -101,10 +101,11 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
             briefing = briefing_of(report, roster, record)
             write_papers(briefing, folder, names, wanted, part(progress, 0.2, 1.0))
     if not report.safe:
+        tell_names(roster.notes, quiet)
         print_report(report)
         click.echo(_("No papers were written: only a plan that is safe has any."), err=True)
         return UNSAFE if report.decided else UNDECIDED
-    tell_names((*roster.notes, *briefing.odd_signs), quiet)
+    tell_names((*briefing.odd_signs, *roster.notes), quiet)
     print_files(files)
     return 0
 

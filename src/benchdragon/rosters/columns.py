@@ -1,6 +1,7 @@
 """Which columns of a list hold what: by their headings, else by what stands in them."""
 
-from collections.abc import Callable, Sequence
+import itertools
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from benchdragon.errors import InputError
@@ -60,7 +61,10 @@ def layout(rows: Sequence[Sequence[str]], name: str) -> Layout:
         blocks, unread = _blocks(row)
         if blocks:
             nameless = [n for n in range(_width(rows[number:])) if not (n < len(row) and row[n])]
-            others = map(letters, _filled(rows[number + 1 :], nameless))
+            others = (
+                _("{column} (row {row})").format(column=letters(n), row=row_of)
+                for n, row_of in _first_rows(rows, number + 1, nameless)
+            )
             householders = any(block.names == block.households for block in blocks)
             return Layout(
                 number + 1, tuple(blocks), (*(row[n] for n in unread), *others), False, householders
@@ -81,6 +85,16 @@ def _width(rows: Sequence[Sequence[str]]) -> int:
 
 def _filled(rows: Sequence[Sequence[str]], columns: Sequence[int]) -> list[int]:
     return [n for n in columns if any(n < len(row) and row[n] for row in rows)]
+
+
+def _first_rows(
+    rows: Sequence[Sequence[str]], first: int, columns: Sequence[int]
+) -> Iterator[tuple[int, int]]:
+    """Columns, from 0, in which something stands from a row on, and the first such row, from 1."""
+    for column in columns:
+        found = (n for n in range(first, len(rows)) if column < len(rows[n]) and rows[n][column])
+        for n in itertools.islice(found, 1):
+            yield column, n + 1
 
 
 def _blocks(row: Sequence[str]) -> tuple[list[Columns], list[int]]:

@@ -159,27 +159,28 @@ def _text_rows(data: bytes, name: str) -> Rows:
     """Rows of a table of text; where no sign parts its columns, a line is a number and names."""
     text = _decoded(data, name)
     first = [next((sign for sign in line if sign in MARKS), "") for line in text.splitlines()]
-    mark = max(MARKS, key=first.count)
-    if mark not in first:
-        mark = _chinese_mark(text.splitlines()[:MOST_TITLES])
+    mark, columns = _chinese_mark(text.splitlines()[:MOST_TITLES])
     if not mark:
+        mark = max(MARKS, key=first.count)
+    if mark not in first and not columns:
         return list(_within((NUMBER_END.split(line, maxsplit=1) for line in text.splitlines()), name))
     try:
-        return list(_within(csv.reader(io.StringIO(text, newline=""), delimiter=mark), name))
+        rows = list(_within(csv.reader(io.StringIO(text, newline=""), delimiter=mark), name))
+        # Of a number and names alone all that follows is names.
+        return [[row[0], mark.join(row[1:])] if columns == 2 and row else row for row in rows]
     except csv.Error:
         raise InputError(_("{file} is no table of text").format(file=name)) from None
 
 
-def _chinese_mark(lines: Sequence[str]) -> str:
-    """The Chinese comma or semicolon that parts a row of headings; "" if none does."""
-    return next(
-        (
-            mark
-            for mark in CHINESE_MARKS
-            if any(sum(heading(cell) is not None for cell in line.split(mark)) > 1 for line in lines)
-        ),
-        "",
-    )
+def _chinese_mark(lines: Sequence[str]) -> tuple[str, int]:
+    """The Chinese comma or semicolon that alone parts a row of headings, and into how many; else ""."""
+    for mark in CHINESE_MARKS:
+        for line in lines:
+            cells = line.split(mark)
+            known = sum(heading(cell) is not None for cell in cells)
+            if known > 1 and not any(sign in line for sign in MARKS):
+                return mark, len(cells)
+    return "", 0
 
 
 def _within(rows: Iterable[list[str]], name: str) -> Iterable[list[str]]:

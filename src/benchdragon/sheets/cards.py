@@ -240,7 +240,7 @@ class Cards(Typeset):
             facts = _fewer(facts, self._more, lambda block: block.spare)
             yield head, facts, share, not self._address
         for head in heads[2:]:
-            yield head, facts, share, False
+            yield head, facts, share, not self._address
         for share in self._shares if whole and whole[-1].entry else ():
             yield head, whole, share, True
         yield head, facts, share, True

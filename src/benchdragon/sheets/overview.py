@@ -119,8 +119,13 @@ def _way_in(briefing: Briefing) -> Iterator[Block]:
     way = trail.start - trail.low
     text = _(
         "Mark 1 is {far} from the peg. From there to where the dance starts the head walks {way} m: "
-        "{minutes} minutes at the speed of the dance. Have all in line before it starts."
+        "{minutes} min at the speed of the dance. Have all in line before it starts."
     )
+    if plan.walk.profile:
+        text = _(
+            "Mark 1 is {far} from the peg. From there to where the dance starts the head walks {way} "
+            "m. Have all in line before it starts."
+        )
     yield say(
         text, far=_offset(briefing, briefing.ground.peg, first), way=f"{way:.0f}",
         minutes=math.ceil(way / plan.walk.speed / 60.0),
@@ -156,11 +161,10 @@ def _way_out(briefing: Briefing) -> Iterator[Block]:
     leader = -1 if coiled else 0
     place = float(ends.x[0, leader]), float(ends.y[0, leader])
     heading = float(report.walk.route.heading([ends.s[0, leader]])[0])
-    ways = ground.ways if coiled else np.array([(math.cos(heading), math.sin(heading))])
-    found = [] if venue is None else [way_out(venue.outline, place, way) for way in ways]
-    met = [one for one in found if one is not None]
-    if venue is not None and met:
-        far, out = min(met, key=lambda one: one[0])
+    ahead = None if coiled else np.array([math.cos(heading), math.sin(heading)])
+    found = None if venue is None else way_out(venue.outline, place, ahead)
+    if venue is not None and found is not None:
+        far, out = found
         text = _(
             "The head then faces the {edge} of {venue}, {far} m straight ahead. The plan says nothing "
             "of the way from there: open the edge there, or bend before it no more sharply than in the "
@@ -216,10 +220,11 @@ def _benches(briefing: Briefing, phones: bool) -> Iterator[Block]:
         _("tightest"),
     )  # fmt: skip
     widths = (11.0, 23.0, 13.0, 13.0, 27.0, 34.0)
+    starts = briefing.report.walk.motion([briefing.report.start]).s[0, :-1].tolist()
     rows = [
         row
-        for found, text in zip(briefing.benches, texts, strict=True)
-        for row in _rows(briefing, found, text, phones)
+        for found, start, text in zip(briefing.benches, starts, texts, strict=True)
+        for row in _rows(briefing, found, start, text, phones)
     ]
     kept = [
         n for n in range(len(columns)) if not (alike and n == WHAT) and (any(near) or n != TIGHTEST)
@@ -239,15 +244,14 @@ def _benches(briefing: Briefing, phones: bool) -> Iterator[Block]:
 
 
 def _rows(
-    briefing: Briefing, found: BenchWalk, text: BenchText, phones: bool
+    briefing: Briefing, found: BenchWalk, start: float, text: BenchText, phones: bool
 ) -> Iterator[tuple[str, ...]]:
-    """The row of a bench, and more below it where its people are too many for one."""
+    """The row of a bench, whose front handle starts at `start`, m; more below where people are many."""
     people = _people(briefing.roster.people(found.bench), phones) or [_("(nobody)")]
     x, y = briefing.ground.seen([found.place])[0].tolist()
     tightest = NONE
     if found.tightest is not None:
         tightest = tightest_line(found.tightest, briefing.clock, briefing.called, its=True)
-    start = float(briefing.report.walk.motion([briefing.report.start]).s[0, found.bench - 1])
     mark = mark_name(briefing.marks, start, found.place)
     told = mark, f"{x:z.2f}, {y:z.2f}", text.quick, tightest
     size = max(1, MOST_SIGNS // max(map(len, people)))

@@ -162,7 +162,7 @@ def write_timetable_xlsx(path: Path, briefing: Briefing) -> None:
         for n, row in enumerate(passings, start=1):
             for column, text in enumerate(cells(row, briefing.clock, briefing.ground, briefing.marks)):
                 sheet.write_string(n, column, text)
-            held = row.until if row.until is not None and row.until > (row.head or 0.0) else None
+            held = row.until if row.head is not None and _goes_on(row, briefing.report.end) else None
             for column, time in enumerate((row.head, held, row.tail), start=len(WIDTHS)):
                 if time is not None:
                     sheet.write_number(n, column, round(time - start, 1), tenths)
@@ -170,6 +170,11 @@ def write_timetable_xlsx(path: Path, briefing: Briefing) -> None:
         foot = (briefing.clock.legend, briefing.ground.legend, *told, briefing.foot)
         for k, text in enumerate(foot, start=2):
             sheet.write_string(n + k, 0, text)
+
+
+def _goes_on(row: Passing, end: float) -> bool:
+    """Whether the head stands at a place and goes on before the dance ends, s."""
+    return row.head is not None and row.until is not None and row.head < row.until < end
 
 
 def tempo_text(plan: Plan, score: Score) -> str:

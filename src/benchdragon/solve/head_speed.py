@@ -265,6 +265,9 @@ def with_head_speed(plan: Plan, speed: float) -> Plan:
     if any(cue.at is not None for cue in plan.cues.cue):
         text = _("cues by time (at) would come elsewhere: write head instead, how far the head is then")
         raise InputError(text)
+    if speed > MOST_SPEED:
+        text = _("at most {most} m/s can be walked, not {speed} m/s")
+        raise InputError(text.format(most=f"{MOST_SPEED:g}", speed=f"{speed:g}"))
     walk = plan.build()
     start, end = plan.span(walk)
     last = float(walk.head_position([end])[0])
@@ -274,4 +277,11 @@ def with_head_speed(plan: Plan, speed: float) -> Plan:
     )
     if plan.walk.end is None:
         return moved
-    return moved.with_table("walk", end=moved.build().time_at(last))
+    stands = [one for one in plan.moments() if one.cue.kind in ("hold", "stop") and one.time <= end]
+    held = next((one for one in stands if end <= one.until), None)
+    if held is None:
+        later = moved.build().time_at(last)
+    else:  # it stands there for as long as before
+        (there,) = [one for one in moved.moments() if one.number == held.number]
+        later = there.time + end - held.time
+    return moved.with_table("walk", end=round(later, DIGITS))

@@ -586,6 +586,7 @@ export const ANALYSIS_DISTANCE = {
 export const ANALYSIS_GROUND = {
   LEAST_EDGE: 0.15,
   UNTURNED: 1e-9,
+  CORNER: 1e-6,
 };
 
 export const ANALYSIS_MARKS = {

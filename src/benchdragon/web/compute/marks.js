@@ -86,7 +86,7 @@ export class Marks {
     const past = rint((s - this.s[n]) / FINE) * FINE;
     if (Math.abs(past) < AT_MARK) return { n: n + 1, past: 0 };
     const gap = n < last ? this.s[n + 1] - this.s[n] : 0;
-    if (gap - past >= 0 && gap - past < AT_MARK) return { n: n + 2, past: 0 };
+    if (n < last && this.s[n + 1] - s < AT_MARK) return { n: n + 2, past: 0 };
     return past < 0 || gap > FARTHEST * this.usual ? null : { n: n + 1, past };
   }
 }

@@ -299,8 +299,9 @@ function truthOf(value) {
 
 /** @param {Spec} spec @param {unknown} value */
 function textOf(spec, value) {
-  const text = spec.day && value instanceof Date ? value.toISOString() : value;
-  if (typeof text !== "string") throw new Unwanted(_("text"), value);
+  const said = spec.day && value instanceof Date ? value.toISOString() : value;
+  if (typeof said !== "string") throw new Unwanted(_("text"), value);
+  const text = spec.check === "time_of_day" ? said.replaceAll("：", ":") : said;
   if (spec.most !== undefined && Array.from(text).length > spec.most)
     throw new ValueFault(`String should have at most ${spec.most} characters`);
   const blank = text && (!text.trim() || !isPrintable(text));

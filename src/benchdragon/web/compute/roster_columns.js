@@ -38,7 +38,11 @@ export function layout(rows, name) {
     const { blocks, unread } = blocksOf(row);
     if (!blocks.length) continue;
     const nameless = counted(width(rows.slice(number))).filter((n) => !row[n]);
-    const others = filled(rows.slice(number + 1), nameless).map(letters);
+    const others = nameless.flatMap((n) => {
+      const first = rows.findIndex((one, at) => at > number && one[n]);
+      const values = { column: letters(n), row: first + 1 };
+      return first < 0 ? [] : [_("{column} (row {row})", values)];
+    });
     const householders = blocks.some(({ names, households }) => names.join() === households.join());
     const told = [...unread.map((n) => row[n]), ...others];
     return { first: number + 1, blocks, unread: told, guessed: false, householders };

@@ -107,21 +107,28 @@ export function rowsOf(text, name) {
   const first = lines.map((line) => Array.from(line).find((sign) => MARKS.includes(sign)) ?? "");
   const counts = MARKS.map((mark) => first.filter((sign) => sign === mark).length);
   const most = Math.max(...counts);
-  const mark = most
-    ? MARKS[counts.indexOf(most)]
-    : chineseMark(lines.slice(0, ROSTERS_WORDS.MOST_TITLES));
+  const chinese = chineseMark(lines.slice(0, ROSTERS_WORDS.MOST_TITLES));
+  const mark = chinese.mark || (most ? MARKS[counts.indexOf(most)] : "");
   const rows = mark ? tableRows(text, mark) : lines.map((line) => parted(line));
+  // Of a number and names alone all that follows is names.
+  if (chinese.columns === 2)
+    for (const row of rows) if (row.length) row.splice(1, row.length, row.slice(1).join(mark));
   return limited(
     rows.map((row) => row.map(stripped)),
     name,
   );
 }
 
-/** The Chinese comma or semicolon that parts a row of headings; "" if none does. @param {string[]} lines */
+/** The Chinese comma or semicolon that alone parts a row of headings, and into how many; else "". @param {string[]} lines */
 function chineseMark(lines) {
-  const headings = (/** @type {string} */ line, /** @type {string} */ mark) =>
-    line.split(mark).filter((cell) => heading(cell)).length;
-  return CHINESE_MARKS.find((mark) => lines.some((line) => headings(line, mark) > 1)) ?? "";
+  for (const mark of CHINESE_MARKS)
+    for (const line of lines) {
+      const cells = line.split(mark);
+      const known = cells.filter((cell) => heading(cell)).length;
+      if (known > 1 && !MARKS.some((sign) => line.includes(sign)))
+        return { mark, columns: cells.length };
+    }
+  return { mark: "", columns: 0 };
 }
 
 /** A line as a number and what is behind it. @param {string} line */
