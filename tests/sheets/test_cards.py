@@ -607,6 +607,34 @@ def test_the_overview_says_which_edge_is_on_the_way_out(
     assert "entrance2" in words
 
 
+def test_the_overview_says_what_stands_in_the_way_in_and_out(tmp_path: Path) -> None:
+    (tmp_path / "plan").mkdir()
+    text = PLAN.replace("spiral-in", "turn").split("[dragon]")[0]
+    file = str(village(tmp_path / "plan", text))
+    square = "venue.rectangle=[80, 60]"
+    free = briefing(read_plan(file, [square]), Roster())
+    said = str(overview(free, phones=False).blocks)
+    assert "The head then faces the" in said
+    assert "Straight behind mark 1 is the" in said
+    assert "in the way" not in said
+    walk, end = free.report.walk, free.report.end
+    head = walk.motion([end])
+    ends = (
+        (float(head.x[0, 0]), float(head.y[0, 0]), float(walk.route.heading([head.s[0, 0]])[0])),
+        (*map(float, free.marks.points[0]), float(walk.route.heading([free.trail.low])[0]) + math.pi),
+    )
+    wide = float(walk.dragon.width.max())
+    for (x, y, heading), words in zip(
+        ends, ("Straight on from there", "Straight behind mark 1"), strict=True
+    ):
+        for aside, met in ((0.0, True), (0.5 * wide + 0.29, True), (0.5 * wide + 0.31, False)):
+            u, v = math.cos(heading), math.sin(heading)
+            at = [x + 6.0 * u - (1.0 + aside) * v, y + 6.0 * v + (1.0 + aside) * u]
+            well = f'{{kind="circle", name="well", centre={at}, radius=1.0, margin=0.3}}'
+            told = briefing(read_plan(file, [square, f"obstacle=[{well}]"]), Roster())
+            assert (f"{words} well is in the way" in str(overview(told, phones=False).blocks)) is met
+
+
 def test_at_night_without_a_code_the_map_gives_way_before_what_one_does(tmp_path: Path) -> None:
     (tmp_path / "plan").mkdir()
     text = PLAN.replace("8", "40", 1)

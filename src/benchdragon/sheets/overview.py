@@ -6,6 +6,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
+import shapely
+from shapely.geometry import LineString
 
 from benchdragon.analysis.bench_nearness import REACH
 from benchdragon.analysis.bench_walks import BenchWalk
@@ -20,7 +22,9 @@ from benchdragon.export.pages import write_pdf
 from benchdragon.export.typeset import Typeset
 from benchdragon.files import whole_bytes
 from benchdragon.i18n import _, language
+from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.base_curve import Point
+from benchdragon.model.outline import shape_of
 from benchdragon.rosters.roster import Person
 from benchdragon.sheets.briefing import Briefing, dated
 from benchdragon.sheets.small_map import Frame, SmallMap
@@ -32,6 +36,8 @@ MOST_SIGNS = 500
 MOST_TIGHT, TIGHT_APART = 3, 3.0
 # The columns of what a bench does and of who comes nearest, and what stands there for nobody.
 WHAT, TIGHTEST, NONE = 4, 5, "-"
+# How far ahead one looks where there is no venue, m.
+FAR = 20.0
 # Size of the map at most, mm.
 MAP = Frame(0.0, 0.0, 178.0, 150.0)
 
@@ -130,9 +136,50 @@ def _way_in(briefing: Briefing) -> Iterator[Block]:
         text, far=_offset(briefing, briefing.ground.peg, first), way=f"{way:.0f}",
         minutes=math.ceil(way / plan.walk.speed / 60.0),
     )  # fmt: skip
+    yield from _behind_the_first(briefing, first)
     for n, place in _nearest_entrance(briefing, first):
         text = _("Entrance {n} of the plan is nearest to mark 1, which is {far} from it.")
         yield say(text, n=n, far=_offset(briefing, place, first))
+
+
+def _behind_the_first(briefing: Briefing, first: Point) -> Iterator[Block]:
+    """From where one comes to the first mark along the line of the route, and what stands there."""
+    venue = next((one for one in briefing.plan.obstacles() if one.kind == "venue"), None)
+    heading = float(briefing.report.walk.route.heading([briefing.trail.low])[0])
+    back = -np.array([math.cos(heading), math.sin(heading)])
+    found = None if venue is None else way_out(venue.outline, first, back)
+    blocked = _in_the_way(briefing, first, back, found)
+    if blocked is not None:
+        text = _(
+            "Straight behind mark 1 {name} is in the way, {far} m from it: come to the line from the "
+            "side."
+        )
+        yield say(text, name=blocked[1], far=f"{blocked[0]:.1f}")
+    elif venue is not None and found is not None:
+        text = _("Straight behind mark 1 is the {edge} of {venue}, {far} m from it.")
+        edge = briefing.ground.edge_name(found[1])
+        yield say(text, edge=edge, venue=named(venue), far=f"{found[0]:.1f}")
+
+
+def _in_the_way(
+    briefing: Briefing, place: Point, way: FloatArray, edge: tuple[float, FloatArray] | None
+) -> tuple[float, str] | None:
+    """What stands in the way of a bench that goes straight on from a place, m, up to the venue's edge.
+
+    How far ahead, m, and its name; with its margin and the room that people ask for.
+    """
+    plan, people = briefing.plan, briefing.plan.people
+    start = np.array(place)
+    far = FAR if edge is None else edge[0]
+    line = LineString([start, start + far * way])
+    aside = 0.5 * float(briefing.report.walk.dragon.width.max())
+    aside += people.beside + people.sway + people.imprecision
+    found = []
+    for one in plan.obstacles():
+        room = shape_of(one).buffer(one.radius + one.margin + aside)
+        if one.kind != "venue" and line.intersects(room):
+            found.append((shapely.Point(start).distance(line.intersection(room)), named(one)))
+    return min(found, default=None)
 
 
 def _nearest_entrance(briefing: Briefing, place: Point) -> Iterator[tuple[int, Point]]:
@@ -163,7 +210,14 @@ def _way_out(briefing: Briefing) -> Iterator[Block]:
     heading = float(report.walk.route.heading([ends.s[0, leader]])[0])
     ahead = None if coiled else np.array([math.cos(heading), math.sin(heading)])
     found = None if venue is None else way_out(venue.outline, place, ahead)
-    if venue is not None and found is not None:
+    blocked = None if ahead is None else _in_the_way(briefing, place, ahead, found)
+    if blocked is not None:
+        text = _(
+            "Straight on from there {name} is in the way, {far} m ahead: bend away before it, no more "
+            "sharply than in the dance. The plan says nothing of that way."
+        )
+        yield say(text, name=blocked[1], far=f"{blocked[0]:.1f}")
+    elif venue is not None and found is not None:
         far, out = found
         text = _(
             "The head then faces the {edge} of {venue}, {far} m straight ahead. The plan says nothing "
