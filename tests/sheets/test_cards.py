@@ -545,10 +545,13 @@ def test_who_has_nobody_near_has_a_dash_that_is_explained_once(ours: Briefing) -
 @pytest.mark.parametrize(
     ("settings", "said"),
     [
-        ((), r"The nearest edge to the tail is then the (.*) of the venue: ([0-9.]+) m away"),
+        (
+            (),
+            r"edge to the tail is then the (?P<edge>[a-z ]*) of the venue: (?P<far>[0-9.]+) m away",
+        ),
         (
             ("turn",),
-            r"The head then faces the (.*) of the venue, ([0-9.]+) m straight ahead",
+            r"it is (?P<far>[0-9.]+) m to the (?P<edge>[a-z ]*) of the venue, which is met",
         ),
     ],
 )
@@ -584,8 +587,8 @@ def test_the_overview_says_which_edge_is_on_the_way_out(
         for side, to, a, b in sides
         if u * a + v * b > 1e-9
     )
-    assert found[1] == name
-    assert float(found[2]) == pytest.approx(far, abs=0.051)
+    assert found["edge"] == name
+    assert float(found["far"]) == pytest.approx(far, abs=0.051)
     away = [math.dist((x, y), one) for one in ((39, 0), (-39, 29))]
     told_of = str(overview(told, phones=False).blocks)
     n = away.index(min(away))
@@ -614,8 +617,8 @@ def test_the_overview_says_what_stands_in_the_way_in_and_out(tmp_path: Path) -> 
     square = "venue.rectangle=[80, 60]"
     free = briefing(read_plan(file, [square]), Roster())
     said = str(overview(free, phones=False).blocks)
-    assert "The head then faces the" in said
-    assert "Straight behind mark 1 is the" in said
+    assert "Straight on from there it is" in said
+    assert "Back along the line from mark 1 it is" in said
     assert "in the way" not in said
     walk, end = free.report.walk, free.report.end
     head = walk.motion([end])
@@ -625,7 +628,7 @@ def test_the_overview_says_what_stands_in_the_way_in_and_out(tmp_path: Path) -> 
     )
     wide = float(walk.dragon.width.max())
     for (x, y, heading), words in zip(
-        ends, ("Straight on from there", "Straight behind mark 1"), strict=True
+        ends, ("Straight on from there", "Back along the line from mark 1,"), strict=True
     ):
         for aside, met in ((0.0, True), (0.5 * wide + 0.29, True), (0.5 * wide + 0.31, False)):
             u, v = math.cos(heading), math.sin(heading)

@@ -151,12 +151,12 @@ def _behind_the_first(briefing: Briefing, first: Point) -> Iterator[Block]:
     blocked = _in_the_way(briefing, first, back, found)
     if blocked is not None:
         text = _(
-            "Straight behind mark 1 {name} is in the way, {far} m from it: come to the line from the "
-            "side."
+            "Back along the line from mark 1, {name} is in the way after {far} m: come to the line "
+            "from the side."
         )
         yield say(text, name=blocked[1], far=f"{blocked[0]:.1f}")
     elif venue is not None and found is not None:
-        text = _("Straight behind mark 1 is the {edge} of {venue}, {far} m from it.")
+        text = _("Back along the line from mark 1 it is {far} m to the {edge} of {venue}.")
         edge = briefing.ground.edge_name(found[1])
         yield say(text, edge=edge, venue=named(venue), far=f"{found[0]:.1f}")
 
@@ -220,13 +220,17 @@ def _way_out(briefing: Briefing) -> Iterator[Block]:
     elif venue is not None and found is not None:
         far, out = found
         text = _(
-            "The head then faces the {edge} of {venue}, {far} m straight ahead. The plan says nothing "
-            "of the way from there: open the edge there, or bend before it no more sharply than in the "
-            "dance."
+            "Straight on from there it is {far} m to the {edge} of {venue}, which is met {place} from "
+            "the peg. The plan says nothing of that way: open the edge there, or bend before it no "
+            "more sharply than in the dance."
         )
         if coiled:
             text = _("The nearest edge to the tail is then the {edge} of {venue}: {far} m away.")
-        yield say(text, edge=ground.edge_name(out), venue=named(venue), far=f"{far:.1f}")
+        met = (0.0, 0.0) if ahead is None else (np.array(place) + far * ahead).tolist()
+        yield say(
+            text, edge=ground.edge_name(out), venue=named(venue), far=f"{far:.1f}",
+            place=_offset(briefing, ground.peg, (met[0], met[1])),
+        )  # fmt: skip
     for n, entrance in _nearest_entrance(briefing, place):
         text = _("Entrance {n} of the plan is then nearest to the head: {far} from it.")
         if coiled:
