@@ -175,10 +175,10 @@ def _write_names(axes: Axes, sheet: Sheet, drawing: AreaDrawing, paper: str) -> 
         area=f"{swept.area:.1f}", error=f"{swept.error:.2g}", start=start, end=end, paper=paper
     )
     axes.text(EDGE, EDGE + 7.0, drawable(drawing.title), fontsize=9, va="bottom")
-    axes.text(EDGE, EDGE + 1.0, text, fontsize=8, va="bottom")
+    axes.text(EDGE, EDGE + 1.0, text, fontsize=7.5, va="bottom")
     legend = axes.legend(
         loc="lower right", bbox_to_anchor=(1.0 - 30.0 / sheet.width, EDGE / sheet.height),
-        ncols=1, frameon=False, fontsize=7.5, borderaxespad=0.0, labelspacing=0.25,
+        ncols=1, frameon=False, fontsize=7.5, markerscale=0.7, borderaxespad=0.0, labelspacing=0.25,
     )  # fmt: skip
     legend.set_zorder(7)
     draw_frame(axes, sheet)
