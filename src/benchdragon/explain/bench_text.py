@@ -90,11 +90,11 @@ def bench_text(plan: Plan, found: BenchWalk, called: Callable[[int], str], groun
 
     Places are told as the chalk plan measures them on the ground.
     """
-    clock = Clock(plan.cues.clock, found.stretches[0].start)
+    clock, halts = Clock(plan.cues.clock, found.stretches[0].start), halts_of(plan)
     return BenchText(
-        quick_line(found, clock, halts_of(plan)),
+        quick_line(found, clock, halts),
         (*place_lines(plan, found, ground), _coming_line(found)),
-        tuple(_stretch_line(one, clock, plan) for one in found.stretches),
+        tuple(_stretch_line(one, clock, halts, plan.people.step) for one in found.stretches),
         _pace_lines(plan, found),
         tightest_line(found.tightest, clock, called),
         (*_people_lines(found, called), _after_line(plan, found)),
@@ -244,11 +244,11 @@ def _edge_name(found: BenchWalk, ground: Ground, side: FloatArray) -> str:
     return ground.edge_name(out)
 
 
-def _stretch_line(one: Stretch, clock: Clock, plan: Plan) -> str:
+def _stretch_line(one: Stretch, clock: Clock, halts: Sequence[Halt], step: float) -> str:
     """What a bench does in one stretch, and what it waits for."""
-    times, step = {"start": clock.tell(one.start), "end": clock.tell(one.end)}, plan.people.step
+    times = {"start": clock.tell(one.start), "end": clock.tell(one.end)}
     if one.pace == "wait":
-        what = _waited_for(one.start, one.end, halts_of(plan))
+        what = _waited_for(one.start, one.end, halts)
         text = _("{start} to {end}: wait: {what}.") if what else _("{start} to {end}: wait.")
         return text.format(**times, what=what)
     angle = abs(math.degrees(one.angle))

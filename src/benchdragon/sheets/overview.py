@@ -24,6 +24,7 @@ from benchdragon.files import whole_bytes
 from benchdragon.i18n import _, language
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.base_curve import Point
+from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.outline import shape_of
 from benchdragon.rosters.roster import Person
 from benchdragon.sheets.briefing import Briefing, dated
@@ -144,38 +145,56 @@ def _way_in(briefing: Briefing) -> Iterator[Block]:
 
 def _behind_the_first(briefing: Briefing, first: Point) -> Iterator[Block]:
     """From where one comes to the first mark along the line of the route, and what stands there."""
-    venue = next((one for one in briefing.plan.obstacles() if one.kind == "venue"), None)
-    heading = float(briefing.report.walk.route.heading([briefing.trail.low])[0])
-    back = -np.array([math.cos(heading), math.sin(heading)])
-    found = None if venue is None else way_out(venue.outline, first, back)
-    blocked = _in_the_way(briefing, first, back, found)
-    if blocked is not None:
-        text = _(
-            "Back along the line from mark 1, {name} is in the way after {far} m: come to the line "
-            "from the side."
-        )
-        yield say(text, name=blocked[1], far=f"{blocked[0]:.1f}")
+    blocked = _(
+        "Back along the line from mark 1, {name} is in the way after {far} m: come to the line from "
+        "the side."
+    )
+    free = _("Back along the line from mark 1 it is {far} m to the {edge} of {venue}.")
+    yield from _straight_on(briefing, first, -_ahead(briefing, briefing.trail.low), blocked, free)
+
+
+def _ahead(briefing: Briefing, s: float) -> FloatArray:
+    """The unit vector along the route at a position, m, (2,)."""
+    heading = float(briefing.report.walk.route.heading([s])[0])
+    return np.array([math.cos(heading), math.sin(heading)])
+
+
+def _venue(briefing: Briefing) -> Obstacle | None:
+    """The venue, if the plan has one."""
+    return next((one for one in briefing.plan.obstacles() if one.kind == "venue"), None)
+
+
+def _straight_on(
+    briefing: Briefing, start: Point, way: FloatArray, blocked: str, free: str
+) -> Iterator[Block]:
+    """What one meets who goes straight on from a place, m: an obstacle, else the venue's edge."""
+    venue = _venue(briefing)
+    found = None if venue is None else way_out(venue.outline, start, way)
+    met = _in_the_way(briefing, start, way, FAR if found is None else found[0])
+    if met is not None:
+        yield say(blocked, name=met[1], far=f"{met[0]:.1f}")
     elif venue is not None and found is not None:
-        text = _("Back along the line from mark 1 it is {far} m to the {edge} of {venue}.")
-        edge = briefing.ground.edge_name(found[1])
-        yield say(text, edge=edge, venue=named(venue), far=f"{found[0]:.1f}")
+        far, out = found
+        x, y = (np.array(start) + far * way).tolist()
+        yield say(
+            free, edge=briefing.ground.edge_name(out), venue=named(venue), far=f"{far:.1f}",
+            place=_offset(briefing, briefing.ground.peg, (x, y)),
+        )  # fmt: skip
 
 
 def _in_the_way(
-    briefing: Briefing, place: Point, way: FloatArray, edge: tuple[float, FloatArray] | None
+    briefing: Briefing, place: Point, way: FloatArray, far: float
 ) -> tuple[float, str] | None:
-    """What stands in the way of a bench that goes straight on from a place, m, up to the venue's edge.
+    """What stands in the way of a bench that goes so far straight on from a place, m.
 
     How far ahead, m, and its name; with its margin and the room that people ask for.
     """
-    plan, people = briefing.plan, briefing.plan.people
-    start = np.array(place)
-    far = FAR if edge is None else edge[0]
+    people, start = briefing.plan.people, np.array(place)
     line = LineString([start, start + far * way])
     aside = 0.5 * float(briefing.report.walk.dragon.width.max())
     aside += people.beside + people.sway + people.imprecision
     found = []
-    for one in plan.obstacles():
+    for one in briefing.plan.obstacles():
         room = shape_of(one).buffer(one.radius + one.margin + aside)
         if one.kind != "venue" and line.intersects(room):
             found.append((shapely.Point(start).distance(line.intersection(room)), named(one)))
@@ -201,41 +220,39 @@ def _offset(briefing: Briefing, start: Point, end: Point) -> str:
 
 def _way_out(briefing: Briefing) -> Iterator[Block]:
     """Where edge and entrances are from the one who leads out: the tail of a coil, else the head."""
-    plan, report, ground = briefing.plan, briefing.report, briefing.ground
-    venue = next((one for one in plan.obstacles() if one.kind == "venue"), None)
-    coiled = plan.route.kind == "spiral-in"
-    ends = report.walk.motion([report.end])
+    coiled = briefing.plan.route.kind == "spiral-in"
+    ends = briefing.report.walk.motion([briefing.report.end])
     leader = -1 if coiled else 0
     place = float(ends.x[0, leader]), float(ends.y[0, leader])
-    heading = float(report.walk.route.heading([ends.s[0, leader]])[0])
-    ahead = None if coiled else np.array([math.cos(heading), math.sin(heading)])
-    found = None if venue is None else way_out(venue.outline, place, ahead)
-    blocked = None if ahead is None else _in_the_way(briefing, place, ahead, found)
-    if blocked is not None:
-        text = _(
+    if coiled:
+        yield from _nearest_edge(briefing, place)
+    else:
+        blocked = _(
             "Straight on from there {name} is in the way, {far} m ahead: bend away before it, no more "
             "sharply than in the dance. The plan says nothing of that way."
         )
-        yield say(text, name=blocked[1], far=f"{blocked[0]:.1f}")
-    elif venue is not None and found is not None:
-        far, out = found
-        text = _(
+        free = _(
             "Straight on from there it is {far} m to the {edge} of {venue}, which is met {place} from "
             "the peg. The plan says nothing of that way: open the edge there, or bend before it no "
             "more sharply than in the dance."
         )
-        if coiled:
-            text = _("The nearest edge to the tail is then the {edge} of {venue}: {far} m away.")
-        met = (0.0, 0.0) if ahead is None else (np.array(place) + far * ahead).tolist()
-        yield say(
-            text, edge=ground.edge_name(out), venue=named(venue), far=f"{far:.1f}",
-            place=_offset(briefing, ground.peg, (met[0], met[1])),
-        )  # fmt: skip
+        ahead = _ahead(briefing, float(ends.s[0, leader]))
+        yield from _straight_on(briefing, place, ahead, blocked, free)
     for n, entrance in _nearest_entrance(briefing, place):
         text = _("Entrance {n} of the plan is then nearest to the head: {far} from it.")
         if coiled:
             text = _("Entrance {n} of the plan is then nearest to the tail: {far} from it.")
         yield say(text, n=n, far=_offset(briefing, place, entrance))
+
+
+def _nearest_edge(briefing: Briefing, tail: Point) -> Iterator[Block]:
+    """Which edge of the venue is nearest to the tail of a coil, where it stands, m."""
+    venue = _venue(briefing)
+    found = None if venue is None else way_out(venue.outline, tail)
+    if venue is not None and found is not None:
+        text = _("The nearest edge to the tail is then the {edge} of {venue}: {far} m away.")
+        edge = briefing.ground.edge_name(found[1])
+        yield say(text, edge=edge, venue=named(venue), far=f"{found[0]:.1f}")
 
 
 def _room(briefing: Briefing) -> list[Block]:
