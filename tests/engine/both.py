@@ -121,8 +121,8 @@ def questions() -> None:
     check(read_plan("spiral-in", ["dragon.benches=12", "venue.rectangle=[30, 30]", f"obstacle={well}"]))
     assert swept_area(few.build(), 0.0, 20.0, error=0.1).widest.width.value > 0.3
     slowed(turn)
+    least_clearance(turn.build(), -20.0, 20.0)
     walk = few.build()
-    least_clearance(walk, 0.0, 99.0)
     away = walk.route.moved(0.0, (1e5, 0.0))
     least_clearance(dataclasses.replace(walk, route=away), 0.0, 9.0)
     greatest_speed(read_plan("turn").build(), -50.0, 50.0)

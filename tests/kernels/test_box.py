@@ -15,6 +15,7 @@ from benchdragon.kernels.box import (
     corner_distance,
     nearest_corner,
     nearest_each,
+    nearest_pair,
     pair_distances,
 )
 from benchdragon.kernels.curve import FloatArray
@@ -140,3 +141,33 @@ def test_nearest_each_leaves_out_those_that_are_near_in_a_straight_line_too() ->
         nearest_each(sizes, x, y, 0, 1.0, straight, distance, partner)
         assert np.flatnonzero(partner[0] >= 0).tolist() == benches
         assert np.flatnonzero(np.isfinite(distance[0])).tolist() == benches
+
+
+def wandering(seed: int, benches: int, times: int) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Sizes of benches, some of them long, and handles of chains that bend at random, one cut short."""
+    rng = np.random.default_rng(seed)
+    length = np.where(rng.random(benches) < 0.1, 4.0, rng.uniform(0.8, 1.6, benches))
+    sizes = np.array([length, rng.uniform(0.1, 0.4, benches), *rng.uniform(0.05, 0.2, (2, benches))])
+    heading = np.cumsum(rng.normal(rng.uniform(-0.3, 0.3), 0.4, (benches, times)), axis=0)
+    links = (sizes[0] - sizes[2] - sizes[3])[:, np.newaxis]
+    x, y = (
+        np.concatenate([np.zeros((1, times)), np.cumsum(-links * turn(heading), axis=0)])
+        for turn in (np.cos, np.sin)
+    )
+    x[benches // 2 :, 0] = y[benches // 2 :, 0] = np.nan
+    return sizes, x, y
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("seed", range(8))
+def test_the_nearest_pair_of_all_is_found_however_far_the_others_are(seed: int) -> None:
+    sizes, x, y = wandering(seed, 60, 5)
+    found, table_ = [], np.empty((60, BOX_COLUMNS))
+    for t in range(5):
+        boxes_at(sizes, x, y, t, table_)
+        for j in range(2, 60):
+            found += [(box_distance(table_, j, i), t, i, j) for i in range(j - 1)]
+    least = min(one for one in found if not math.isnan(one[0]))
+    assert nearest_pair(sizes, x, y) == least
+    apart, t, i, j = least
+    assert nearest_pair(sizes, x[:, [t]].copy(), y[:, [t]].copy()) == (apart, 0, i, j)

@@ -12,7 +12,7 @@ from benchdragon import Arc, Bench, Dragon, Line, Route, Spiral, Walk
 from benchdragon.analysis.contact_search import ContactSearch
 from benchdragon.analysis.distance import boxes
 from benchdragon.analysis.tables import kinds_of
-from benchdragon.kernels import cells, meetings, near_cells, search
+from benchdragon.kernels import cells, course, meetings, near_cells, search
 from benchdragon.kernels.box import HALF_LENGTH, HALF_WIDTH, box_distance, corner, offset
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray
@@ -113,6 +113,7 @@ def partnered(
     tree[rows:, cells.NUMBER] = np.tile(np.arange(parts), groups)
     ground = tables.ground._replace(
         tree=tree,
+        groups=np.full((groups, cells.WAYS + groups), math.inf),
         middles=np.empty((whole, 2)),
         partners=np.empty((int(wanted.sum()), 2), dtype=np.int64),
         near=np.empty((1, 2), dtype=np.int64),
@@ -206,6 +207,22 @@ def test_no_pair_comes_near_but_in_the_steps_that_name_it(name: str) -> None:
                 near += 1
                 assert (i, j) in named[n]
     assert 20 < near < sum(map(len, named))
+
+
+@pytest.mark.parametrize("longest", ["head", "last"])
+def test_no_dragon_is_placed_where_only_a_head_could_meet_others_that_has_passed(longest: str) -> None:
+    route = Route.joined([Line(20.0), Arc(1.2, 2.8), Line(60.0)])
+    wide, narrow = Bench(1.7, 3.0, 0.2, 0.3), [Bench(1.1, 0.2, 0.1, 0.1)] * 10
+    sizes = Dragon([wide, *narrow] if longest == "head" else [*narrow, wide])
+    found = ContactSearch(Walk(sizes, route), 14.0, 80.0, 0.0, silent)
+    found.begin(0.3)
+    steps = list(found.steps())
+    assert 20.0 < steps[0].start < steps[-1].end < 37.0
+    step, chains = steps[0].end - steps[0].start, int(found.tables.course.tally[course.CHAINS])
+    if longest == "head":
+        assert chains * step < 10.0  # of 66 m
+    else:  # where the last one stands is not known without
+        assert chains * step > 40.0
 
 
 def test_pairs_are_numbered_by_the_benches_that_are_in_any() -> None:

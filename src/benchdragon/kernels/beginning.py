@@ -9,11 +9,13 @@ from benchdragon.kernels.cells import (
     COUNTS,
     END,
     FIRST,
+    FOREMOST,
     GROUPS,
     HIND,
     LOW,
     REACH,
     REAR,
+    REARMOST,
     ROWS,
     WAYS,
     WIDEST,
@@ -54,6 +56,7 @@ def begin_group(benches: Benches, kinds: Kinds, ground: Ground, s: FloatArray, g
     """Fill the row of group g, of the benches whose handles stand at s[:, 0]; least_ways is there."""
     groups, counts = ground.groups, ground.counts
     arm, hind, alone = 0.0, math.inf, 1.0
+    foremost, rearmost = math.inf, 0.0
     for k in range(kinds.group.shape[0]):
         if kinds.group[k] == g:
             length, width, front = kinds.sizes[0, k], kinds.sizes[1, k], kinds.sizes[2, k]
@@ -61,11 +64,13 @@ def begin_group(benches: Benches, kinds: Kinds, ground: Ground, s: FloatArray, g
     for i in range(benches.kind.shape[0]):
         if kinds.group[benches.kind[i]] == g:
             hind = min(hind, s[i, 0])
+            foremost, rearmost = min(foremost, benches.ahead[i]), benches.ahead[i]
     for b in range(counts[GROUPS]):
         if groups[g, WAYS + b] < math.inf or groups[b, WAYS + g] < math.inf:
             alone = 0.0
     groups[g, ARM], groups[g, HIND] = arm + ground.measures[CELL], hind
     groups[g, WIDEST], groups[g, ALONE] = 0.0, alone
+    groups[g, FOREMOST], groups[g, REARMOST], groups[g, FIRST] = foremost, rearmost, math.inf
 
 
 @kernel
@@ -116,7 +121,7 @@ def begin_walk(walk: Walk, room: Room, start: float, end: float, reach: float) -
         counts[n] = 0
     counts[GROUPS], counts[ROWS] = groups, groups * ground.middles.shape[0]
     counts[LOW] = math.floor(block.s[benches.kind.shape[0] - 1, 0] / cell)
-    counts[FIRST] = counts[REAR] = NOWHERE
+    counts[REAR] = NOWHERE
     least_ways(benches.links, benches.kind, kinds.group, groups, ground.groups, WAYS)
     for g in range(groups):
         begin_group(benches, kinds, ground, block.s, g)

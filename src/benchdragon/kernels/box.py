@@ -100,9 +100,9 @@ def corner_distance(boxes: FloatArray, i: int, k: int, j: int) -> float:
     x, y = corner(boxes, i, k)
     along, across = offset(boxes, j, x, y)
     ahead, aside = abs(along) - boxes[j, HALF_LENGTH], abs(across) - boxes[j, HALF_WIDTH]
-    if ahead <= 0.0 and aside <= 0.0:
+    if ahead <= 0.0 or aside <= 0.0:
         return max(ahead, aside)
-    return math.hypot(max(ahead, 0.0), max(aside, 0.0))
+    return math.hypot(ahead, aside)
 
 
 @entry
@@ -160,6 +160,13 @@ def distances_along(sizes: Table, x: Table, y: Table, i: int, j: int, out: Vecto
 
 
 @kernel
+def half_diagonal(boxes: FloatArray, i: int) -> float:
+    """The radius of the circle around box i, m."""
+    a, b = boxes[i, HALF_LENGTH], boxes[i, HALF_WIDTH]
+    return math.sqrt(a * a + b * b)
+
+
+@kernel
 def radii(sizes: FloatArray, out: FloatArray) -> float:
     """Fill out with the radius of the circle around each bench, m; the greatest of them."""
     greatest = 0.0
@@ -196,19 +203,20 @@ def nearest_pair(sizes: Table, x: Table, y: Table) -> tuple[float, int, int, int
     """
     count = sizes.shape[1]
     boxes = np.empty((count, BOX_COLUMNS))
-    cx, cy, apart, radius = np.empty(count), np.empty(count), np.empty(count), np.empty(count)
-    radii(sizes, radius)
+    cx, cy, radius = np.empty(count), np.empty(count), np.empty(count)
+    widest = radii(sizes, radius)
     least, when, first, second = math.inf, 0, 0, 0
     for t in range(x.shape[1]):
         boxes_at(sizes, x, y, t, boxes)
         centres(boxes, cx, cy)
         for i in range(2, count):
-            for j in range(i - 1):  # without a branch, so that it becomes SIMD
-                apart[j] = (cx[j] - cx[i]) ** 2 + (cy[j] - cy[i]) ** 2
+            far = (radius[i] + widest + least) ** 2
             for j in range(i - 1):
-                near = radius[i] + radius[j] + least
-                if apart[j] < near * near and near > 0.0:
-                    if box_gap(boxes, i, j) < least:
+                dx, dy = cx[j] - cx[i], cy[j] - cy[i]
+                apart = dx * dx + dy * dy
+                if apart < far:  # of most pairs no more is looked at
+                    near = radius[i] + radius[j] + least
+                    if apart < near * near and near > 0.0 and box_gap(boxes, i, j) < least:
                         distance = box_distance(boxes, i, j)
                         if distance < least:
                             least, when, first, second = distance, t, j, i

@@ -42,10 +42,9 @@ TODO = 5  # boxes to be made
 NEAR = 6  # pairs that are near
 DOUBTS = 7  # kinds and cells through which it is not sure that such benches can walk
 MIXED = 8  # 1 once cells lie in different clear spans
-FIRST = 9  # least number of a part that has partners, in cells times PARTS
-REAR = 10  # least number of a partner
-BORDERS = 11  # benches placed at borders of cells
-COUNTS = 12
+REAR = 9  # least number of a partner, in cells times PARTS
+BORDERS = 10  # benches placed at borders of cells
+COUNTS = 11
 # What is measured, a row of floats, m.
 REACH = 0  # nearer than this is near
 CELL = 1  # length of a cell
@@ -56,7 +55,10 @@ ARM = 0  # how far its benches reach from the middle of a cell that their front 
 HIND = 1  # route position of its rearmost bench at first, m: none ever comes behind that
 WIDEST = 2  # greatest radius of its boxes, m
 ALONE = 3  # 1 if its benches can meet no other: they must follow too, and no span spares their cells
-WAYS = 4  # and on: at most the way back to a bench of each group, m
+FOREMOST = 4  # the links before its first bench, m
+REARMOST = 5  # those before its last: none, if only the head is of it
+FIRST = 6  # route position of the first of its parts that have partners, m
+WAYS = 7  # and on: at most the way back to a bench of each group, m
 
 
 class Kinds(NamedTuple):

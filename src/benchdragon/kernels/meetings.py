@@ -8,13 +8,13 @@ their travel.
 
 import math
 
-from benchdragon.kernels.box import CX, CY, HALF_LENGTH, HALF_WIDTH, set_box
+from benchdragon.kernels.box import CX, CY, half_diagonal, set_box
 from benchdragon.kernels.cells import (
     CELL,
     CELLS,
     CHILD,
-    ENTRIES,
     FIRST,
+    FOREMOST,
     GROUP,
     GROUPS,
     LOW,
@@ -26,6 +26,7 @@ from benchdragon.kernels.cells import (
     RADIUS,
     REACH,
     REAR,
+    REARMOST,
     ROW,
     WAYS,
     Ground,
@@ -206,7 +207,7 @@ def crowd_pairs(benches: Benches, room: Room, t: int) -> int:
         crowd.grid.heads[b] = 0
     for i in range(count):
         set_box(benches.sizes, i, block.places.x, block.places.y, t, hulls, i)
-        hulls[i, RADIUS] = math.hypot(hulls[i, HALF_LENGTH], hulls[i, HALF_WIDTH])
+        hulls[i, RADIUS] = half_diagonal(hulls, i)
         widest = max(widest, hulls[i, RADIUS])
     for j in range(2, count):
         put(crowd.grid, j - 2, hulls[j - 2, CX], hulls[j - 2, CY])
@@ -263,11 +264,31 @@ def next_step(walk: Walk, room: Room, stride: float) -> int:
 
 
 @kernel
+def partners_ahead(ground: Ground, g: int, s: float) -> float:
+    """Where the first part of group g that has partners begins, m, that ends past s; infinite: none."""
+    tree, cells, low = ground.tree, ground.middles.shape[0], ground.counts[LOW] * PARTS
+    size, most = ground.measures[CELL] / PARTS, ground.counts[CELLS] * PARTS
+    c = max(math.floor(s / size) - low, 0)
+    while c < most:
+        child = tree[g * cells + c // PARTS, CHILD]
+        if child and tree[child + c % PARTS, PARTNER]:
+            return (c + low) * size
+        c = c + 1 if child else (c // PARTS + 1) * PARTS
+    return math.inf
+
+
+@kernel
 def skip_to_partners(ground: Ground, way: FloatArray) -> bool:
-    """Pass over what no bench can meet another in, up to KNOWN; whether that is all."""
-    begin, size = way[KNOWN], ground.measures[CELL] / PARTS
-    if ground.counts[ENTRIES]:
-        begin = (ground.counts[FIRST] + ground.counts[LOW] * PARTS - 1) * size
-    if begin > way[AT]:
-        way[AT] = min(begin, way[KNOWN])
+    """Pass over what no bench can meet another in, up to KNOWN; whether that is all.
+
+    Where the head is was said. Other benches are no farther on than the links before them let them be,
+    and where the last of them is is not known here.
+    """
+    begin, groups, edge = math.inf, ground.groups, 2.0 * EDGE
+    for g in range(ground.counts[GROUPS]):
+        if groups[g, REARMOST] == 0.0:
+            begin = min(begin, partners_ahead(ground, g, way[AT] - edge))
+        else:
+            begin = min(begin, groups[g, FIRST] + groups[g, FOREMOST])
+    way[AT] = max(way[AT], min(begin - edge, way[KNOWN]))
     return way[AT] >= way[KNOWN]

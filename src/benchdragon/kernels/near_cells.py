@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from benchdragon.kernels.box import CX, CY, HALF_LENGTH, HALF_WIDTH, box_distance, box_gap
+from benchdragon.kernels.box import CX, CY, box_distance, box_gap, half_diagonal
 from benchdragon.kernels.cells import (
     BORDERS,
     BOXED,
@@ -137,7 +137,7 @@ def make_boxes(rows: FloatArray, kinds: Kinds, ground: Ground, sweeper: Sweeper,
     for n in range(ground.counts[TODO]):
         row = ground.todo[n]
         tree[row, STATE] = BOXED
-        hulls[row, RADIUS] = math.hypot(hulls[row, HALF_LENGTH], hulls[row, HALF_WIDTH])
+        hulls[row, RADIUS] = half_diagonal(hulls, row)
         if tree[row, LEVEL] == 1 and not math.isnan(hulls[row, CX]):
             g = tree[row, GROUP]
             ground.groups[g, WIDEST] = max(ground.groups[g, WIDEST], hulls[row, RADIUS])
@@ -219,10 +219,11 @@ def near_parts(ground: Ground, i: int, j: int, every: bool) -> bool:
 @kernel
 def add_partners(ground: Ground, i: int, j: int) -> None:
     """Make part j a partner of part i."""
-    counts, tree = ground.counts, ground.tree
-    n = counts[ENTRIES]
+    counts, tree, groups = ground.counts, ground.tree, ground.groups
+    n, g, size = counts[ENTRIES], tree[i, GROUP], ground.measures[CELL] / PARTS
     counts[ENTRIES] = n + 1
-    counts[FIRST] = min(counts[FIRST], tree[i, NUMBER])
+    begin = (tree[i, NUMBER] + counts[LOW] * PARTS) * size
+    groups[g, FIRST] = min(groups[g, FIRST], begin)
     counts[REAR] = min(counts[REAR], tree[j, NUMBER])
     if n < ground.partners.shape[0]:
         ground.partners[n, ROW], ground.partners[n, NEXT] = j, tree[i, PARTNER]

@@ -15,6 +15,7 @@ from benchdragon.kernels.box import (
     UY,
     box_distance,
     corner,
+    half_diagonal,
     nearest_corner,
     offset,
 )
@@ -51,7 +52,7 @@ def face_loss(boxes: FloatArray, sweeps: FloatArray, i: int, j: int, h: float) -
     ahead = max(abs(along) - boxes[j, HALF_LENGTH], 0.0)
     aside = max(abs(across) - boxes[j, HALF_WIDTH], 0.0)
     pace = sweeps[i, POINT_SPEED] + sweeps[j, POINT_SPEED]
-    far = math.hypot(ahead, aside) + math.hypot(boxes[i, HALF_LENGTH], boxes[i, HALF_WIDTH])
+    far = math.hypot(ahead, aside) + half_diagonal(boxes, i)
     turn = sweeps[j, TURN]
     second = sweeps[i, POINT_ACCELERATION] + sweeps[j, POINT_ACCELERATION] + 2.0 * pace * turn
     second += (far + pace * h) * (sweeps[j, ANGULAR_ACCELERATION] + turn * turn)

@@ -19,6 +19,7 @@ from benchdragon.kernels.box import (
     HALF_LENGTH,
     HALF_WIDTH,
     box_distance,
+    half_diagonal,
     offset,
     place_box,
 )
@@ -102,7 +103,7 @@ def gather_near(bench: Bench, standing: Standing, search: Search, wanted: float)
     bound_bench(search.handles, 0, bench.sizes, 0, search.sweeps[0])
     place_box(bench.sizes, 0, 0, search.places.x, search.places.y, 0, search.boxes, 0)
     x, y = search.boxes[0, CX], search.boxes[0, CY]
-    reach = math.hypot(search.boxes[0, HALF_LENGTH], search.boxes[0, HALF_WIDTH])
+    reach = half_diagonal(search.boxes, 0)
     reach += search.sweeps[0, TRAVEL] + wanted + EDGE
     count = 0
     for n in range(standing.boxes.shape[0]):
@@ -218,7 +219,7 @@ def look_along(bench: Bench, standing: Standing, search: Search, spans: Table, n
         place_box(bench.sizes, 0, 0, search.places.x, search.places.y, 0, standing.near, 0)
         near = standing.near
         x, y = near[0, CX], near[0, CY]
-        around = math.hypot(near[0, HALF_LENGTH], near[0, HALF_WIDTH])
+        around = half_diagonal(near, 0)
         for n in range(standing.boxes.shape[0]):
             if centre_distance(standing.boxes, n, x, y) - around < note[NEAREST]:
                 for k in range(BOX_COLUMNS):
@@ -238,7 +239,7 @@ def distances_to(boxes: Table, standing: Table, near: Table, out: Vector, which:
         out[i], which[i] = math.inf, -1
         for k in range(BOX_COLUMNS):
             near[0, k] = boxes[i, k]
-        around = math.hypot(boxes[i, HALF_LENGTH], boxes[i, HALF_WIDTH])
+        around = half_diagonal(boxes, i)
         for n in range(standing.shape[0]):
             if centre_distance(standing, n, boxes[i, CX], boxes[i, CY]) - around < out[i]:
                 for k in range(BOX_COLUMNS):

@@ -289,7 +289,8 @@ def bound_next(
     bend = magnitude(bounds[i + 1, RIGHT], bounds[i + 1, LEFT])
     speed = bounds[i + 1, SPEED]
     along = speed * magnitude(bounds[i + 1, GROWTH_LOW], bounds[i + 1, GROWTH_HIGH])
-    bounds[i + 1, ACCELERATION] = math.hypot(along, speed * speed * bend)
+    across = speed * speed * bend
+    bounds[i + 1, ACCELERATION] = math.sqrt(along * along + across * across)
 
 
 @kernel

@@ -60,10 +60,9 @@ export const CELLS = {
   NEAR: 6,
   DOUBTS: 7,
   MIXED: 8,
-  FIRST: 9,
-  REAR: 10,
-  BORDERS: 11,
-  COUNTS: 12,
+  REAR: 9,
+  BORDERS: 10,
+  COUNTS: 11,
   REACH: 0,
   CELL: 1,
   END: 2,
@@ -72,7 +71,10 @@ export const CELLS = {
   HIND: 1,
   WIDEST: 2,
   ALONE: 3,
-  WAYS: 4,
+  FOREMOST: 4,
+  REARMOST: 5,
+  FIRST: 6,
+  WAYS: 7,
 };
 
 export const COURSE = {
