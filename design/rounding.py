@@ -14,17 +14,21 @@ carries a bound on its error along the route (kernels/rounding.py):
    on by the links' ratios of cosines.
 3. Places add their rounding once, the route's joints theirs.
 
+Turning rates and accelerations are made of angles, ratios and curvatures, which are off by what the
+places are; along the chain their errors travel as accelerations do (kernels/rate_rounding.py).
+
 A dance far from the origin is searched from an origin of its own (analysis/nearby.py).
 
 Below: of random dances on each kind of curve the greatest error of a bench's corner against balls of
 128 bits, what was said of it, and the greatest share of the one in the other; then past folds; then
-the same dance at 10^0 .. 10^7 m from the origin; then the tail of long dragons.
+the same dance at 10^0 .. 10^7 m from the origin; then the tail of long dragons; then rates.
 """
 
 import math
 
 import numpy as np
 from tests.exact_places import corner_errors, exact_chain
+from tests.kernels.test_rate_rounding import dances
 from tests.kernels.test_rounding import KINDS, hairpin
 
 from benchdragon import Arc, Dragon, Line, Route, Spiral, Walk, first_contact
@@ -96,8 +100,24 @@ def show_tails() -> None:
         print(f"{benches:7}   {off:8.1e}   {errors[-1]:8.1e}")
 
 
+def show_rates() -> None:
+    """Greatest shares of errors of accelerations along the route and of turning rates in their bounds."""
+    print("\ncurves        accelerations   turning rates   greatest bounds, 1/m and rad/m")
+    for kind in KINDS:
+        found = dances(kind, DANCES)
+        change, turn, _bend = np.array([chain.shares(exact) for chain, exact in found]).max(axis=0)
+        bounds = [
+            max(float(table.max()) for table in one)
+            for one in zip(
+                *((chain.errors.change, chain.errors.turn) for chain, _exact in found), strict=True
+            )
+        ]
+        print(f"{kind.__name__:12}  {change:13.3f}   {turn:13.3f}   {bounds[0]:8.1e} {bounds[1]:8.1e}")
+
+
 if __name__ == "__main__":
     show_kinds()
     show_folds()
     show_far()
     show_tails()
+    show_rates()

@@ -39,16 +39,66 @@ def exact_chain(walk: Walk, s: float) -> Chain:
     return enclosed_chain(route, exact_links(walk.dragon), head, (row.tolist(), u), (0.0, 0.0))
 
 
-def exact_ratios(walk: Walk, s: float) -> list[float]:
+def ratios_of(chain: Chain) -> list[arb]:
     """Speed of each handle over the head's, from cosines in balls."""
-    handles, ratio = exact_chain(walk, s).handles, arb(1)
-    out = [1.0]
-    for front, rear in pairwise(handles):
+    out = [arb(1)]
+    for front, rear in pairwise(chain.handles):
         dx, dy = front.pose[0] - rear.pose[0], front.pose[1] - rear.pose[1]
-        ratio = ratio * (dx * front.pose[2] + dy * front.pose[3])
-        ratio = ratio / (dx * rear.pose[2] + dy * rear.pose[3])
-        out.append(float(ratio))
+        ahead = dx * front.pose[2] + dy * front.pose[3]
+        out.append(out[-1] * ahead / (dx * rear.pose[2] + dy * rear.pose[3]))
     return out
+
+
+def exact_ratios(walk: Walk, s: float) -> list[float]:
+    """Speed of each handle over the head's."""
+    return [float(ratio) for ratio in ratios_of(exact_chain(walk, s))]
+
+
+@dataclass(frozen=True)
+class Motion:
+    """What benches exactly do with the head at 1 m/s: see `chain.rates`."""
+
+    ratio: list[arb]
+    change: list[arb]  # 1/m
+    turn: list[arb]  # of each bench, rad/m
+    bend: list[arb]  # the route's curvature at each handle, 1/m
+
+
+def exact_motion(walk: Walk, s: float) -> Motion:
+    """What benches exactly do, by the formulas of `chain.rates` in balls."""
+    chain, links = exact_chain(walk, s), exact_links(walk.dragon)
+    ratio, change, turn = ratios_of(chain), [arb(0)], []
+    rows = BallRoute.stored(walk.route.rows).rows
+    bend = [rows[handle.j].bend(handle.u) for handle in chain.handles]
+    for i, (front, rear) in enumerate(pairwise(chain.handles)):
+        dx, dy = ((front.pose[n] - rear.pose[n]) / links[i] for n in (0, 1))
+        sine, rear_sine = (dx * end.pose[3] - dy * end.pose[2] for end in (front, rear))
+        cosine, rear_cosine = (dx * end.pose[2] + dy * end.pose[3] for end in (front, rear))
+        turn.append((ratio[i] * sine - ratio[i + 1] * rear_sine) / links[i])
+        pulled = (ratio[n] * ratio[n] * bend[n] for n in (i, i + 1))
+        along = change[i] * cosine - next(pulled) * sine + next(pulled) * rear_sine
+        change.append((along + links[i] * turn[i] * turn[i]) / rear_cosine)
+    return Motion(ratio, change, turn, bend)
+
+
+def motion_by_differences(walk: Walk, s: float) -> tuple[list[float], list[float]]:
+    """Accelerations along the route and turning rates of exact chains, by differences over 2e-9 m."""
+    row, u = walk.placement(s).state(0)
+    route, links, step = BallRoute.stored(walk.route.rows), exact_links(walk.dragon), arb("1e-9")
+    head = route.rows[int(row[0])].position(arb(float(u[0])))
+    before, after = (
+        enclosed_chain(route, links, head + side * step, (row.tolist(), u), (0.0, 0.0))
+        for side in (-1, 1)
+    )
+    both = zip(ratios_of(before), ratios_of(after), strict=True)
+    change = [float((late - early) / (2 * step)) for early, late in both]
+    turn = []
+    for one, other, link in zip(pairwise(before.handles), pairwise(after.handles), links, strict=True):
+        (ax, ay), (bx, by) = (
+            [(front.pose[n] - rear.pose[n]) / link for n in (0, 1)] for front, rear in (one, other)
+        )
+        turn.append(float((ax * by - ay * bx) / (2 * step)))
+    return change, turn
 
 
 def exact_corners(walk: Walk, chain: Chain, i: int) -> list[Pair]:

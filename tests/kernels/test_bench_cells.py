@@ -6,10 +6,15 @@ import numpy as np
 import pytest
 
 from benchdragon import Arc, Bench, Dragon, Line, Route, Spiral
+from benchdragon.analysis.nearby import seams_of
 from benchdragon.kernels import bench_cells as cells
-from benchdragon.kernels import drive
+from benchdragon.kernels import drive, step_bounds
+from benchdragon.kernels.chain import rates
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.rate_rounding import errors_for, rate_errors
+from benchdragon.kernels.rounding import ratio_errors
 from benchdragon.kernels.status import Ended
+from benchdragon.kernels.step_bounds import empty_placements, place_chain
 from benchdragon.model.placement import Placement
 from tests.kernels.quantities import QUANTITIES, size_of
 
@@ -28,7 +33,10 @@ def cut(
 ) -> cells.Cells:
     """The cells of a way, m, for benches that come all along; made in calls of so many cells."""
     kinds = cells.Kinds(LINKS[:, np.newaxis].copy(), np.tile([low, high], (len(LINKS), 1)))
-    shop, made = cells.workshop_for(len(LINKS)), cells.empty_cells(room, len(LINKS))
+    shop, made = (
+        cells.workshop_for(len(LINKS), seams_of(route.rows)),
+        cells.empty_cells(room, len(LINKS)),
+    )
     cuts = cells.Cuts(high, LONGEST, SHORTEST, loss)
     reached, done = np.array([low, LONGEST]), np.zeros(2, dtype=np.int64)
     while True:
@@ -110,7 +118,7 @@ def test_cells_made_a_few_at_a_time_are_the_same() -> None:
 def test_kinds_that_never_come_are_left_open() -> None:
     route, high = ROUTES["joints"], 15.0
     kinds = cells.Kinds(LINKS[:, np.newaxis].copy(), np.array([[9.0, high], [13.0, 14.0]]))
-    shop, made = cells.workshop_for(2), cells.empty_cells(400, 2)
+    shop, made = cells.workshop_for(2, seams_of(route.rows)), cells.empty_cells(400, 2)
     reached, done = np.array([9.0, LONGEST]), np.zeros(2, dtype=np.int64)
     cuts = cells.Cuts(high, LONGEST, SHORTEST, 1e-2)
     cells.cut_cells(route.rows, kinds, shop, cuts, made, reached, done, 400)
@@ -188,3 +196,53 @@ def test_where_all_cells_slow_benches_down_no_handle_behind_need_be_looked_at() 
     assert (bound, last) == (settled, -1)
     assert bound == pytest.approx(1.0)
     assert math.isnan(told[1][0]) or told[1][2] > 0
+
+
+def test_cells_say_what_rounding_may_have_hidden() -> None:
+    route = ROUTES["joints"]
+    made, rows = cut(route, 9.0, 15.0), route.rows
+    places, bounds = empty_placements(2, 2), np.empty((2, step_bounds.HANDLE_COLUMNS))
+    greatest, most = 0.0, dict.fromkeys((cells.SWAY, cells.GROW, cells.FADE), 0.0)
+    for c in range(len(made.borders) - 1):
+        for g in range(len(LINKS)):
+            link, told = LINKS[g : g + 1], made.benches[c, g]
+            errors, (change, turn) = errors_for(2, 2, seams_of(rows)), np.zeros((2, 2, 2))
+            assert place_chain(rows, link, made.borders[c : c + 2].copy(), 0, 2, places)
+            rates(rows, link, *places[:5], change, turn[:1])
+            for t in (0, 1):
+                ratio_errors(
+                    rows, link, *errors[:1], places, errors.lanes, t, errors.along, errors.ratio
+                )
+                rate_errors(rows, link, places, change, turn, t, errors)
+            step_bounds.bound_handles(rows, link, places, 0, 1, bounds)
+            greatest = max(greatest, errors.ratio[1].max())
+            growth = (errors.change[1] + np.abs(change[1]) * errors.ratio[1]) / places.ratio[1]
+            for column, bound, off in (
+                (cells.SWAY, bounds[1, step_bounds.TURNING_RATE], errors.turn[0].max()),
+                (cells.GROW, bounds[1, step_bounds.GROWTH_HIGH], growth.max()),
+                (cells.FADE, bounds[1, step_bounds.GROWTH_LOW], -growth.max()),
+            ):
+                assert told[column] - bound == pytest.approx(off, rel=0.1, abs=2e-15)
+                most[column] = max(most[column], abs(off))
+        assert made.off[c] == pytest.approx(greatest, rel=0.1)
+    assert 1e-15 < greatest < 1e-13
+    assert min(most.values()) > 1e-14
+
+
+@pytest.mark.parametrize(("quantity", "times"), [("speed", 1.0), ("along", 1.0), ("across", 2.0)])
+def test_rounding_adds_to_what_cells_say_link_by_link(quantity: str, times: float) -> None:
+    made, driven = cut(ROUTES["joints"], 1.5, 16.0), np.array([0.5, 0.9, 0.3])
+    asked = made, GROUP, len(DRAGON), 13.0, 13.2, driven, QUANTITIES[quantity]
+    made.off[:] = 0.0
+    bound, _none, last = cells.bound_by_cells(*asked, -1.0)
+    assert last == len(DRAGON)
+    made.off[:-1] = 0.1
+    more, _none, _last = cells.bound_by_cells(*asked, -1.0)
+    settled = cells.bound_by_cells(*asked, math.inf)[1]
+    assert settled == more
+    assert bound < more <= bound * (1.0 + 0.1 * times * len(DRAGON)) * (1.0 + 1e-12)
+    if quantity == "speed":  # where all is calm the last handle may be the one
+        made.fastest[:] = 1.0
+        assert cells.bound_by_cells(*asked, 2.0)[0] == pytest.approx(
+            math.sqrt(0.9) * (1.0 + 0.1 * len(DRAGON))
+        )

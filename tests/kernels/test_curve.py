@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from scipy.integrate import quad
 
 from benchdragon.kernels import curve as kernel
+from benchdragon.kernels.route import locate
 from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line, LogSpiral, Route, Spiral
 from tests.kernels.reference import points
 
@@ -71,6 +72,14 @@ def test_the_curvature_is_the_rate_of_the_heading(curve: AnyCurve) -> None:
     np.testing.assert_allclose(
         curve.curvature(s), derivative(curve.heading(around(s, h)), h), rtol=0.0, atol=2e-9
     )
+
+
+@each_curve
+def test_the_slope_is_the_rate_of_the_curvature(curve: AnyCurve) -> None:
+    s, h, rows = inner(curve), 2e-3, Route((curve,)).rows
+    slopes = [kernel.bend_slope(rows, *locate(rows, one)[:2]) for one in s.tolist()]
+    rates = np.abs(derivative(curve.curvature(around(s, h)), h))
+    np.testing.assert_allclose(slopes, rates, rtol=1e-8, atol=1e-11)
 
 
 @each_curve

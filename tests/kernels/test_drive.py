@@ -126,7 +126,7 @@ def test_more_jumps_at_once_than_are_told_apart_are_bounded_together() -> None:
     at, row = np.array([9.0, 9.6]), np.empty((len(DRAGON) + 1, step_bounds.HANDLE_COLUMNS))
     places = placed(route, at)
     step_bounds.bound_handles(route.rows, DRAGON.links, places, 0, 1, row)
-    crossing, sides = np.empty(drive.MOST_JUMPS, dtype=np.int64), np.empty((drive.MOST_JUMPS, 4))
+    crossing, sides = np.empty(drive.MOST_JUMPS, dtype=np.int64), np.empty((drive.MOST_JUMPS + 1, 4))
     jumps = drive.find_jumps(route.rows, places, 0, 1, len(DRAGON), row, crossing, sides)
     assert jumps == drive.MOST_JUMPS
     drives = np.array([[0.5, 0.9, 0.4]])

@@ -45,7 +45,7 @@ MOST_OPEN, OPEN = 5_000_000, 1_024
 COARSE_STEP, COARSE_CELL, FINEST_CELL, CELL_COST = 0.8, 0.4, 0.0125, 24.0
 # What it may lose, as a share: in a cell, where no handle is faster than the head at any of so many
 # places, as then the least loss hides that all along; elsewhere from the head to the tail.
-LEAST_LOSS, MOST_LOSS, SAMPLES = 1e-9, 0.2, 4
+LEAST_LOSS, MOST_LOSS, SAMPLES = 1e-9, 0.1, 4
 # Cells times links that are made at a time: 24 MB. The way is searched in windows of so many.
 MOST_CELLS = 500_000
 # Handles placed, or cells made, between two looks at the clock: some 20 ms.
@@ -350,7 +350,7 @@ class _Search:
         cuts = cells.Cuts(end, longest, least, loss)
         reached, done = np.array([start, longest]), np.zeros(2, dtype=np.int64)
         made = cells.empty_cells(2 * math.ceil((end - start) / longest), count)
-        shop = cells.workshop_for(count)
+        shop = cells.workshop_for(count, self._chains.errors.seams)
         while True:
             ended = cells.cut_cells(
                 self.walk.route.rows, kinds, shop, cuts, made, reached, done, BUDGET

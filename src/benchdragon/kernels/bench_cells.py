@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from benchdragon.kernels.arrays import IntVector, Stack, Table, Vector
-from benchdragon.kernels.chain import place_head, place_next
+from benchdragon.kernels.chain import place_head, place_next, rates_in_slot
 from benchdragon.kernels.curve import S_START, FloatArray, length_at, place
 from benchdragon.kernels.drive import (
     ACROSS,
@@ -23,7 +23,9 @@ from benchdragon.kernels.drive import (
     most_of_handle,
 )
 from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.rate_rounding import Errors, errors_for, rate_errors
 from benchdragon.kernels.regions import EDGE
+from benchdragon.kernels.rounding import ratio_errors
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.status import Ended, Status
 from benchdragon.kernels.step_bounds import (
@@ -50,6 +52,7 @@ FADE = 3  # least d log(ratio) per metre of the front handle's way, 1/m
 GROW = 4  # greatest
 SWAY = 5  # greatest turning rate, rad/m
 CELL_COLUMNS = 6
+# Of these, ratios are as they were computed: exactly they may be more by the share `off` of the cells.
 
 # After so many cells of one length the next are tried at twice that.
 STEADY = 8
@@ -65,6 +68,7 @@ class Cells(NamedTuple):
     borders: Vector  # route positions, m, ascending, (cells + 1,)
     bends: Vector  # greatest size of the route's curvature, 1/m, (cells + 1,): the last has none
     fastest: Vector  # greatest ratio of benches that come there, in this cell or any before
+    off: Vector  # what such a ratio may be off by, as a share, in this cell or any before
     benches: Stack  # what benches of each kind do there, (cells + 1, kinds, CELL_COLUMNS)
 
 
@@ -85,6 +89,9 @@ class Workshop(NamedTuple):
     bounds: Table  # (2, HANDLE_COLUMNS)
     rears: Vector  # route positions of the rear handles in all slots, m; NaN where one cannot stand
     held: IntVector  # whether benches of each kind come through the cell
+    change: Table  # of `chain.rates`, (2, slots) either
+    turn: Table
+    errors: Errors
 
 
 class Cuts(NamedTuple):
@@ -103,17 +110,22 @@ class Cuts(NamedTuple):
 def empty_cells(count: int, kinds: int) -> Cells:
     """Room for so many cells."""
     rows = count + 1
-    return Cells(np.empty(rows), np.empty(rows), np.empty(rows), np.empty((rows, kinds, CELL_COLUMNS)))
+    borders, bends, fastest, off = np.empty((4, rows))
+    return Cells(borders, bends, fastest, off, np.empty((rows, kinds, CELL_COLUMNS)))
 
 
-def workshop_for(kinds: int) -> Workshop:
-    """A workshop for so many links."""
+def workshop_for(kinds: int, seams: FloatArray) -> Workshop:
+    """A workshop for so many links, on a route with these seams."""
     slots = 2 * (kinds + 1)
+    change, turn = np.zeros((2, 2, slots))
     return Workshop(
         empty_placements(2, slots),
         np.empty((2, HANDLE_COLUMNS)),
         np.empty(slots),
         np.zeros(kinds, dtype=np.int64),
+        change,
+        turn,
+        errors_for(2, slots, seams),
     )
 
 
@@ -126,19 +138,30 @@ def place_front(rows: FloatArray, s: float, t: int, places: Placements) -> None:
 
 
 @kernel
-def place_bench(
-    rows: FloatArray, link: float, front: int, t: int, places: Placements, rears: FloatArray
-) -> None:
-    """Place a bench in slot t whose front handle is in slot `front`."""
+def place_bench(rows: FloatArray, link: FloatArray, front: int, t: int, shop: Workshop) -> None:
+    """Place a bench, whose link is (1,), in slot t, its front handle being in slot `front`."""
+    places, rears = shop.places, shop.rears
     row, u, x, y, ratio = places.row, places.u, places.x, places.y, places.ratio
     row[0, t], u[0, t], x[0, t], y[0, t] = row[0, front], u[0, front], x[0, front], y[0, front]
     ratio[0, t], places.tx[0, t], places.ty[0, t] = 1.0, places.tx[0, front], places.ty[0, front]
     places.failed[0, t], rears[t] = places.failed[0, front], math.nan
     if places.failed[0, t] == Status.OK:
-        places.failed[0, t] = place_next(rows, link, 0, t, row, u, x, y, ratio)
+        places.failed[0, t] = place_next(rows, link[0], 0, t, row, u, x, y, ratio)
     if places.failed[0, t] == Status.OK:
         _, _, places.tx[1, t], places.ty[1, t] = place(rows, row[1, t], u[1, t])
         rears[t] = rows[row[1, t], S_START] + length_at(rows, row[1, t], u[1, t])
+        weigh_bench(rows, link, t, shop)
+
+
+@kernel
+def weigh_bench(rows: FloatArray, link: FloatArray, t: int, shop: Workshop) -> None:
+    """Bound what rounding may have moved in slot t, where a bench stands."""
+    places, errors = shop.places, shop.errors
+    ratio_errors(rows, link, errors.seams, places, errors.lanes, t, errors.along, errors.ratio)
+    rates_in_slot(
+        rows, link, t, places.row, places.u, places.x, places.y, places.ratio, shop.change, shop.turn
+    )
+    rate_errors(rows, link, places, shop.change, shop.turn, t, errors)
 
 
 @kernel
@@ -149,13 +172,13 @@ def place_border(rows: FloatArray, links: FloatArray, shop: Workshop, s: float, 
     place_front(rows, s, first + kinds, shop.places)
     for g in range(kinds):
         if shop.held[g] > 0:
-            place_bench(rows, links[g, 0], first + kinds, first + g, shop.places, shop.rears)
+            place_bench(rows, links[g], first + kinds, first + g, shop)
 
 
 @kernel
 def move_on(shop: Workshop, kinds: int) -> None:
     """Make the cell's end the start of the next."""
-    places = shop.places
+    places, errors = shop.places, shop.errors
     for g in range(kinds + 1):
         t = g + kinds + 1
         for i in range(2):
@@ -164,6 +187,8 @@ def move_on(shop: Workshop, kinds: int) -> None:
             places.tx[i, g], places.ty[i, g] = places.tx[i, t], places.ty[i, t]
             places.ratio[i, g] = places.ratio[i, t]
         places.failed[0, g], shop.rears[g] = places.failed[0, t], shop.rears[t]
+        errors.ratio[1, g], errors.turn[0, g] = errors.ratio[1, t], errors.turn[0, t]
+        errors.change[1, g], shop.change[1, g] = errors.change[1, t], shop.change[1, t]
 
 
 @kernel
@@ -174,17 +199,19 @@ def leave_open(benches: FloatArray, c: int, g: int) -> None:
 
 
 @kernel
+def growth_error(shop: Workshop, t: int) -> float:
+    """What d log(ratio) of the bench in slot t may be off by, 1/m."""
+    change, errors = abs(shop.change[1, t]), shop.errors
+    return (errors.change[1, t] + change * errors.ratio[1, t]) / shop.places.ratio[1, t]
+
+
+@kernel
 def bound_kind(
-    rows: FloatArray,
-    links: FloatArray,
-    shop: Workshop,
-    loss: float,
-    benches: FloatArray,
-    c: int,
-    g: int,
+    rows: FloatArray, links: FloatArray, shop: Workshop, loss: float, cells: Cells, c: int, g: int
 ) -> bool:
     """Fill cell c with what benches of kind g do in it; whether a shorter one says more."""
-    places, bounds, rears = shop.places, shop.bounds, shop.rears
+    places, bounds, rears, benches = shop.places, shop.bounds, shop.rears, cells.benches
+    errors = shop.errors
     a, b = g, g + links.shape[0] + 1
     benches[c, g, REAR], benches[c + 1, g, REAR] = rears[a], rears[b]
     if places.failed[0, a] != Status.OK or places.failed[0, b] != Status.OK:
@@ -192,8 +219,10 @@ def bound_kind(
     bound_handles(rows, links[g], places, a, b, bounds)
     fast = bounds[1, SPEED]
     benches[c, g, SLOW], benches[c, g, FAST] = bounds[1, SLOWEST], fast
-    benches[c, g, FADE], benches[c, g, GROW] = bounds[1, GROWTH_LOW], bounds[1, GROWTH_HIGH]
-    benches[c, g, SWAY] = bounds[1, TURNING_RATE]
+    off = max(growth_error(shop, a), growth_error(shop, b))
+    benches[c, g, FADE], benches[c, g, GROW] = bounds[1, GROWTH_LOW] - off, bounds[1, GROWTH_HIGH] + off
+    benches[c, g, SWAY] = bounds[1, TURNING_RATE] + max(errors.turn[0, a], errors.turn[0, b])
+    cells.off[c] = max(cells.off[c], errors.ratio[1, a], errors.ratio[1, b])
     return fast > max(1.0, max(places.ratio[1, a], places.ratio[1, b]) * (1.0 + loss))
 
 
@@ -208,11 +237,13 @@ def bound_cell(
         rows, places.row[0, a], places.u[0, a], places.row[0, b], places.u[0, b]
     )
     cells.bends[c] = magnitude(low, high)
-    cells.fastest[c] = cells.fastest[c - 1] if c > 0 else 0.0
+    cells.fastest[c], cells.off[c] = 0.0, 0.0
+    if c > 0:
+        cells.fastest[c], cells.off[c] = cells.fastest[c - 1], cells.off[c - 1]
     for g in range(kinds):
         leave_open(cells.benches, c, g)
         if shop.held[g] > 0:
-            finer = bound_kind(rows, links, shop, loss, cells.benches, c, g) or finer
+            finer = bound_kind(rows, links, shop, loss, cells, c, g) or finer
             cells.fastest[c] = max(cells.fastest[c], cells.benches[c, g, FAST])
     return finer
 
@@ -224,7 +255,7 @@ def hold(rows: FloatArray, kinds: Kinds, shop: Workshop, s: float, longest: floa
     for g in range(count):
         wanted = kinds.spans[g, 0] <= s + longest and kinds.spans[g, 1] >= s
         if wanted and shop.held[g] == 0:
-            place_bench(rows, kinds.links[g, 0], count, g, shop.places, shop.rears)
+            place_bench(rows, kinds.links[g], count, g, shop)
         shop.held[g] = 1 if wanted else 0
 
 
@@ -363,16 +394,19 @@ def bound_by_cells(
     ca, cb = cell_of(borders, low), cell_of(borders, high)
     slowest, fastest, fade, grow = 1.0, 1.0, 0.0, 0.0
     most, settled, last, swayed = 0.0, 0.0, -1, 0.0
+    # What each link may add by rounding, as a share: its ratio, or of accelerations across its square.
+    off = cells.off[cb] * (2.0 if quantity in (ACROSS, TOTAL) else 1.0)
     for i in range(links + 1):
         bend = greatest_bend(cells.bends, ca, cb) if quantity in (ACROSS, TOTAL) else 0.0
         size = swayed if quantity == TURNING else fastest
         bound = ROUNDED_UP * most_of_handle(size, fade, grow, bend, drive, quantity)
-        most = max(most, bound)
+        calm = quantity == SPEEDS and bound <= enough and cells.fastest[cb] <= 1.0
+        exactly = bound * (1.0 + off * (links if calm else i))
+        most = max(most, exactly)
         if bound > enough:
             last = i
         else:
-            settled = max(settled, bound)
-        calm = quantity == SPEEDS and bound <= enough and cells.fastest[cb] <= 1.0
+            settled = max(settled, exactly)
         if i == links or calm:  # where all is calm, no handle is faster than the one before
             break
         slow, least, greatest, sway = 0.0, 0.0, 0.0, 0.0

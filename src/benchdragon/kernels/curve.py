@@ -196,6 +196,18 @@ def curvature(rows: Table, j: int, u: float) -> float:
 
 
 @kernel
+def bend_slope(rows: FloatArray, j: int, u: float) -> float:
+    """How fast the curvature changes along row j at parameter u, in size, 1/m^2."""
+    if rows[j, KIND] == SPIRAL:
+        z = 1.0 + u * u
+        return abs(u) * (z + 3.0) / (rows[j, P] * rows[j, P] * z * z * z)
+    if rows[j, KIND] == LOG_SPIRAL:
+        gained = 1.0 + rows[j, Q] * u
+        return abs(rows[j, P] * rows[j, Q]) / (gained * gained)
+    return abs(rows[j, Q])
+
+
+@kernel
 def stretch(rows: Table, j: int, u: float) -> float:
     """Metres of arc per unit of parameter; on a spiral it grows with u."""
     if rows[j, KIND] == SPIRAL:

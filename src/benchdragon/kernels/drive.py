@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from benchdragon.kernels.arrays import IntVector, Table, Vector
-from benchdragon.kernels.curve import U_END, U_START, FloatArray, curvature
+from benchdragon.kernels.curve import S_START, U_END, U_START, FloatArray, curvature, stretch
 from benchdragon.kernels.jit import entry, kernel
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.step_bounds import (
@@ -58,6 +58,8 @@ DRIVE_COLUMNS = 3
 
 # Curvatures that differ by more at a joint jump there, 1/m.
 JUMP = 1e-9
+# So near a joint, as a share of the route position, rounding hides on which side a handle stands.
+BESIDE = 2.0**-44
 # Handles that cross jumps in one step and are told apart; what more of them do is bounded at once.
 MOST_JUMPS = 3
 
@@ -149,6 +151,61 @@ def jump_row(rows: FloatArray, first: int, last: int) -> int:
 
 
 @kernel
+def jump_beside(rows: FloatArray, j: int, u: float, near: float) -> int:
+    """The row before the joint beside u of row j at which the curvature jumps; -1 without one.
+
+    Within `near` metres, and what rounding makes of the route position there.
+    """
+    metres = stretch(rows, j, u)
+    near = near / metres + BESIDE * (abs(rows[j, S_START]) / metres + abs(u))
+    if j + 1 < rows.shape[0] and abs(rows[j, U_END] - u) <= near and jump_row(rows, j, j + 1) == j:
+        return j
+    if j > 0 and abs(u - rows[j, U_START]) <= near and jump_row(rows, j - 1, j) == j - 1:
+        return j - 1
+    return -1
+
+
+@kernel
+def handles_at_jumps(rows: FloatArray, places: Placements, t: int, links: int) -> int:
+    """How many of the first `links` + 1 handles stand at a jump of the curvature in slot t."""
+    count = 0
+    for i in range(links + 1):
+        if jump_beside(rows, places.row[i, t], places.u[i, t], 0.0) >= 0:
+            count += 1
+    return count
+
+
+@kernel
+def crossed_jump(
+    rows: FloatArray, places: Placements, i: int, a: int, b: int, at_start: bool, at_end: bool
+) -> int:
+    """The row before the jump that handle i crosses from slot a to slot b; -1 without one.
+
+    Or beside which it stands at the start or at the end, where that is to count.
+    """
+    ja, jb = places.row[i, a], places.row[i, b]
+    j = jump_row(rows, ja, jb)
+    if j < 0 and at_start:
+        j = jump_beside(rows, ja, places.u[i, a], 0.0)
+    if j < 0 and at_end:
+        j = jump_beside(rows, jb, places.u[i, b], 0.0)
+    return j
+
+
+@kernel
+def bends_beside(
+    rows: FloatArray, places: Placements, i: int, a: int, b: int, j: int, side: FloatArray
+) -> None:
+    """Fill side with least and greatest curvature of handle i up to the end of row j, and from it."""
+    end, start = rows[j, U_END], rows[j + 1, U_START]
+    first, last = min(places.row[i, a], j), max(places.row[i, b], j + 1)
+    u = places.u[i, a] if places.row[i, a] <= j else end
+    v = places.u[i, b] if places.row[i, b] > j else start
+    side[0], side[1] = curvature_range(rows, first, u, j, end)
+    side[2], side[3] = curvature_range(rows, j + 1, start, last, v)
+
+
+@kernel
 def find_jumps(
     rows: FloatArray,
     places: Placements,
@@ -162,21 +219,26 @@ def find_jumps(
     """How many handles cross a jump from slot a to slot b without a kink; at most MOST_JUMPS.
 
     Of the first `links` + 1. Fills crossing with them and sides, (jumps, 4), with least and greatest
-    curvature before it and after it.
+    curvature before it and after it. Where two handles or more stand beside jumps at once, rounding
+    hides which of them crosses first: there all of them count as crossing.
     """
+    at_start = handles_at_jumps(rows, places, a, links) > 1
+    at_end = handles_at_jumps(rows, places, b, links) > 1
     count = 0
     for i in range(links + 1):
-        ja, jb = places.row[i, a], places.row[i, b]
-        if ja == jb or count == MOST_JUMPS or not table[i, LEFT] - table[i, RIGHT] < math.inf:
+        if not table[i, LEFT] - table[i, RIGHT] < math.inf:
             continue
-        j = jump_row(rows, ja, jb)
+        j = crossed_jump(rows, places, i, a, b, at_start, at_end)
         if j < 0:
             continue
-        end, start = rows[j, U_END], rows[j + 1, U_START]
-        crossing[count] = i
-        sides[count, 0], sides[count, 1] = curvature_range(rows, ja, places.u[i, a], j, end)
-        sides[count, 2], sides[count, 3] = curvature_range(rows, j + 1, start, jb, places.u[i, b])
-        count += 1
+        side = sides[min(count, MOST_JUMPS)]
+        bends_beside(rows, places, i, a, b, j, side)
+        if count < MOST_JUMPS:
+            crossing[count] = i
+            count += 1
+        else:
+            table[i, RIGHT] = min(table[i, RIGHT], side[0], side[2])
+            table[i, LEFT] = max(table[i, LEFT], side[1], side[3])
     return count
 
 
@@ -233,7 +295,7 @@ class Scratch(NamedTuple):
     bend: Table  # least and greatest curvature at each handle, 1/m, (handles, 2)
     rates: Table  # of `side_rates`, (handles, 2)
     crossing: IntVector  # of `find_jumps`
-    sides: Table
+    sides: Table  # and one row of scratch
     most: Vector  # of `bound_step`, (handles,)
 
 
@@ -244,7 +306,7 @@ def scratch_for(handles: int) -> Scratch:
         np.empty((handles, 2)),
         np.empty((handles, 2)),
         np.empty(MOST_JUMPS, dtype=np.int64),
-        np.empty((MOST_JUMPS, 4)),
+        np.empty((MOST_JUMPS + 1, 4)),
         np.empty(handles),
     )
 

@@ -16,18 +16,19 @@ from benchdragon.kernels.bench_cells import Cells, bound_by_cells
 from benchdragon.kernels.chain import rates_in_slot
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.drive import (
-    ACROSS,
     DRIVE_COLUMNS,
     FROM,
     RATE,
     SPEEDS,
     TO,
+    TURNING,
     Scratch,
     bound_step,
     greatest_in_slot,
     scratch_for,
 )
 from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.rate_rounding import Errors, errors_for, rate_errors, weigh_values
 from benchdragon.kernels.rounding import mark_lanes, ratio_errors
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.status import Ended
@@ -111,10 +112,7 @@ class Chains(NamedTuple):
     change: Table  # of `chain.rates`
     turn: Table
     scratch: Scratch
-    seams: Table  # of `rounding.find_seams`
-    lanes: Vector  # scratch of these, (handles,) either
-    errors: Vector
-    off: Table  # what speed ratios may be off by, as shares, (handles, SLOTS)
+    errors: Errors
 
 
 def empty_heap(room: int) -> Heap:
@@ -135,10 +133,9 @@ def empty_batch() -> Batch:
 
 def chains_for(handles: int, seams: FloatArray) -> Chains:
     """Room for a batch's chains of so many handles, on a route with these seams."""
-    rates = np.zeros((3, handles, SLOTS))
-    places, (lanes, errors) = empty_placements(handles, SLOTS), np.empty((2, handles))
-    scratch = scratch_for(handles)
-    return Chains(places, rates[0], rates[1], scratch, seams, lanes, errors, rates[2])
+    change, turn = np.zeros((2, handles, SLOTS))
+    errors = errors_for(handles, SLOTS, seams)
+    return Chains(empty_placements(handles, SLOTS), change, turn, scratch_for(handles), errors)
 
 
 @kernel
@@ -294,19 +291,18 @@ def place_batch(
     rows: FloatArray, links: FloatArray, at: FloatArray, slots: int, chains: Chains, quantity: int
 ) -> bool:
     """Place the chain in so many slots; whether it can stand in all of them."""
-    places = chains.places
+    places, errors = chains.places, chains.errors
     if not place_chain(rows, links, at, 0, slots, places):
         return False
-    if quantity == SPEEDS:
-        mark_lanes(rows, links, places, 0, slots, chains.lanes)
-        for t in range(slots):
-            ratio_errors(rows, links, chains.seams, places, chains.lanes, t, chains.errors, chains.off)
-    if quantity not in (SPEEDS, ACROSS):
-        for t in range(slots):
+    mark_lanes(rows, links, places, 0, slots, errors.lanes)
+    for t in range(slots):
+        ratio_errors(rows, links, errors.seams, places, errors.lanes, t, errors.along, errors.ratio)
+        if quantity != SPEEDS:
             rates_in_slot(
                 rows, links, t, places.row, places.u, places.x, places.y, places.ratio,
                 chains.change, chains.turn,
             )  # fmt: skip
+            rate_errors(rows, links, places, chains.change, chains.turn, t, errors)
     return True
 
 
@@ -324,13 +320,13 @@ def keep(
 ) -> None:
     """Let the piece of the batch's part n that begins in slot t wait, if it may exceed what is seen.
 
-    `most` bounds its handles as they were computed; exactly they may be more by the shares `off`, which
-    no looking closer takes away.
+    `most` bounds its handles as they were computed; exactly they may do more by what `off` says of its
+    two ends, which no looking closer takes away.
     """
     wanted = enough(notes[SEEN], aim.tolerance, aim.limit)
     bound, settled, links = 0.0, 0.0, -1
     for i in range(batch.marks[n, LINKS] + 1):
-        exactly = most[i] * (1.0 + max(off[i, t], off[i, t + 1]))
+        exactly = most[i] + max(off[i, t], off[i, t + 1])
         bound = max(bound, exactly)
         if most[i] > wanted:
             links = i
@@ -356,16 +352,25 @@ def see(
     notes: FloatArray,
     counts: IntArray,
 ) -> None:
-    """Keep the greatest value at the ends of the pieces of the batch's part n."""
+    """Keep the greatest value at the ends of the pieces of the batch's part n.
+
+    What is seen of handles at a jump of the curvature may belong to its other side: it is not sure.
+    """
     first, stretch, drive = batch.slots[n, SLOT], batch.marks[n, STRETCH], batch.drive
     last = first + batch.slots[n, PIECES]
     for t in range(first, last + 1):
         set_drive(drives, stretch, batch.at[min(t, last - 1)], batch.at[min(t, last - 1) + 1], drive)
+        square = drive[FROM] if t < last else drive[TO]
         value, row = greatest_in_slot(
             rows, chains.places, chains.change, chains.turn, t, links,
-            drive[FROM] if t < last else drive[TO], drive[RATE], quantity,
+            square, drive[RATE], quantity,
         )  # fmt: skip
-        notes[SURE] = max(notes[SURE], value * (1.0 - chains.off[row, t]))
+        weigh_values(
+            rows, chains.places, chains.change, t, links, square, drive[RATE], quantity, chains.errors
+        )
+        own = row + 1 if quantity == TURNING else row
+        if quantity in (SPEEDS, TURNING) or chains.errors.sided[t] > 0.0:
+            notes[SURE] = max(notes[SURE], value - chains.errors.sought[own, t])
         if value > notes[SEEN]:
             notes[SEEN], notes[WHERE] = value, batch.at[t]
             counts[ROW], counts[WHEN] = row, stretch
@@ -389,7 +394,7 @@ def look_by_chains(
     for t in range(first, first + batch.slots[n, PIECES]):
         set_drive(drives, stretch, batch.at[t], batch.at[t + 1], drive)
         bound_step(rows, links, chains.places, t, t + 1, drive, aim.quantity, chains.scratch)
-        keep(aim, heap, batch, n, t, chains.scratch.most, chains.off, notes, counts)
+        keep(aim, heap, batch, n, t, chains.scratch.most, chains.errors.sought, notes, counts)
 
 
 @entry

@@ -196,9 +196,18 @@ def handle_errors(
 
 @kernel
 def angle_error(
-    rows: FloatArray, places: Placements, i: int, t: int, link: float, errors: FloatArray
+    rows: FloatArray,
+    seams: FloatArray,
+    places: Placements,
+    i: int,
+    t: int,
+    link: float,
+    errors: FloatArray,
 ) -> tuple[float, float]:
-    """What the angle from bench i to the route may be off by at its two handles, rad."""
+    """What the angle from bench i to the route may be off by at its two handles, rad.
+
+    By what its handles are off along the route, `errors`, by tangents, and by joints between the two.
+    """
     sine, _, rear_sine, _ = bench_angles(places, i, t, link)
     turned, front, rear = 0.0, 0.0, 0.0
     for n in range(2):
@@ -207,6 +216,9 @@ def angle_error(
         turned += (aside + place_error(rows, j, u, x, y)) / link
         front = rear
         rear = abs(curvature(rows, j, u)) * errors[i + n] + tilt_error(rows, j, u)
+    j, k = places.row[i, t], places.row[i + 1, t]
+    if j != k:
+        turned += abs(seams[j, TILT] - seams[k, TILT]) + abs(seams[j, GAP] - seams[k, GAP]) / link
     return turned + front, turned + rear
 
 
@@ -230,12 +242,7 @@ def ratio_errors(
     out[0, t] = 0.0
     for i in range(links.shape[0]):
         sine, cosine, rear_sine, rear_cosine = bench_angles(places, i, t, links[i])
-        front, rear = angle_error(rows, places, i, t, links[i], errors)
-        j, k = places.row[i, t], places.row[i + 1, t]
-        if j != k:
-            tilt = abs(seams[j, TILT] - seams[k, TILT])
-            tilt += abs(seams[j, GAP] - seams[k, GAP]) / links[i]
-            front, rear = front + tilt, rear + tilt
+        front, rear = angle_error(rows, seams, places, i, t, links[i], errors)
         off = (abs(sine) * front + COSINE_UNITS * HALF_UNIT) / cosine
         off += (abs(rear_sine) * rear + COSINE_UNITS * HALF_UNIT) / rear_cosine
         off += RATIO_UNITS * HALF_UNIT * lanes[i]

@@ -44,7 +44,7 @@ import { silent, tick } from "./tick.js";
  */
 
 /** Cells of a route, and the kind of each bench there. @typedef {{ group: Numbers, cells: Cells }} MadeCells */
-/** @typedef {Record<"borders" | "bends" | "fastest" | "benches", Numbers>} Cells */
+/** @typedef {Record<"borders" | "bends" | "fastest" | "off" | "benches", Numbers>} Cells */
 /** @typedef {{ parts: Numbers, marks: Numbers }} Heap */
 
 const { TOLERANCE, LEAST_TOLERANCE, STEP, MOST_OPEN, OPEN, COARSE_STEP, COARSE_CELL } = ANALYSIS_SPEED;
@@ -350,7 +350,7 @@ class PeakSearch {
     const reached = arena.vector([start, longest]);
     const done = fillWhole(arena.array("q", 2), 0n);
     let made = emptyCells(arena, 2 * Math.ceil((end - start) / longest), count);
-    const shop = workshopFor(arena, count);
+    const shop = workshopFor(arena, count, this.chains.errors.seams);
     for (;;) {
       const [ended] = this.engine.call(
         "bd_bench_cells_cut_cells", this.walk.route.rows, kinds, shop, cuts, made, reached, done, BUDGET,
@@ -373,10 +373,22 @@ function chainsFor(arena, handles, rows) {
     change: arena.full([handles, SLOTS], 0),
     turn: arena.full([handles, SLOTS], 0),
     scratch: scratchFor(arena, handles),
-    seams: seamsOf(arena, rows),
-    lanes: arena.array("d", handles),
-    errors: arena.array("d", handles),
-    off: arena.full([handles, SLOTS], 0),
+    errors: errorsFor(arena, handles, SLOTS, seamsOf(arena, rows)),
+  };
+}
+
+/** What rounding may have moved: `rate_rounding.errors_for`. @param {Arena} arena @param {number} handles @param {number} slots @param {Numbers} seams */
+function errorsFor(arena, handles, slots, seams) {
+  return {
+    seams,
+    lanes: arena.full([handles], 0),
+    along: arena.full([handles], 0),
+    ratio: arena.full([handles, slots], 0),
+    change: arena.full([handles, slots], 0),
+    turn: arena.full([handles, slots], 0),
+    bend: arena.full([handles, slots], 0),
+    sought: arena.full([handles, slots], 0),
+    sided: arena.full([slots], 1),
   };
 }
 
@@ -387,7 +399,7 @@ export function scratchFor(arena, handles) {
     bend: arena.array("d", handles, 2),
     rates: arena.array("d", handles, 2),
     crossing: arena.array("q", DRIVE.MOST_JUMPS),
-    sides: arena.array("d", DRIVE.MOST_JUMPS, 4),
+    sides: arena.array("d", DRIVE.MOST_JUMPS + 1, 4),
     most: arena.array("d", handles),
   };
 }
@@ -399,18 +411,22 @@ function emptyCells(arena, count, kinds) {
     borders: arena.array("d", rows),
     bends: arena.array("d", rows),
     fastest: arena.array("d", rows),
+    off: arena.array("d", rows),
     benches: arena.array("d", rows, kinds, BENCH_CELLS.CELL_COLUMNS),
   };
 }
 
-/** A workshop for so many links. @param {Arena} arena @param {number} kinds */
-function workshopFor(arena, kinds) {
+/** A workshop for so many links. @param {Arena} arena @param {number} kinds @param {Numbers} seams */
+function workshopFor(arena, kinds, seams) {
   const slots = 2 * (kinds + 1);
   return {
     places: arena.placements(2, slots),
     bounds: arena.array("d", 2, STEP_BOUNDS.HANDLE_COLUMNS),
     rears: arena.array("d", slots),
     held: fillWhole(arena.array("q", kinds), 0n),
+    change: arena.full([2, slots], 0),
+    turn: arena.full([2, slots], 0),
+    errors: errorsFor(arena, 2, slots, seams),
   };
 }
 
@@ -420,9 +436,9 @@ function noCells(arena, benches) {
 }
 
 /** @param {Cells} cells @param {(table: Numbers) => Numbers} make @returns {Cells} */
-function eachOf({ borders, bends, fastest, benches }, make) {
-  const made = [borders, bends, fastest, benches].map(make);
-  return { borders: made[0], bends: made[1], fastest: made[2], benches: made[3] };
+function eachOf({ borders, bends, fastest, off, benches }, make) {
+  const made = [borders, bends, fastest, off, benches].map(make);
+  return { borders: made[0], bends: made[1], fastest: made[2], off: made[3], benches: made[4] };
 }
 
 /** Why a dragon does not stand with its head somewhere in low..high, m. @param {Walk} walk @param {number} low @param {number} high */

@@ -1,0 +1,193 @@
+"""What rounding may have moved turning rates and accelerations by: bounds that hold in balls."""
+
+import math
+from collections.abc import Callable, Sequence
+
+import numpy as np
+import pytest
+
+from benchdragon import Arc, Dragon, Line, Route, Walk
+from benchdragon.analysis.nearby import seams_of
+from benchdragon.analysis.speed import QUANTITIES, greatest_of
+from benchdragon.kernels import drive
+from benchdragon.kernels.chain import rates
+from benchdragon.kernels.curve import curvature
+from benchdragon.kernels.rate_rounding import errors_for, rate_errors, weigh_values
+from benchdragon.kernels.rounding import mark_lanes, ratio_errors
+from benchdragon.kernels.step_bounds import empty_placements, place_chain
+
+pytest.importorskip("flint")
+from flint import arb
+
+from tests.exact_places import Motion, exact_motion, motion_by_differences
+from tests.kernels.test_rounding import KINDS, Draw, hairpin, spiral_in
+
+# The head's speed, its square and its acceleration, where these count.
+SPEED, RATE = 1.3, -0.3
+SQUARE = SPEED * SPEED
+HAIRPINS = [
+    (3.0, 2.0),
+    (0.899698121027938, 2.0341416176355445),
+    (0.913344008, 2.046460796),
+    (1.2348659279706358, 2.4313350408491337),
+]
+
+
+class Weighed:
+    """A chain at one head position, in slot 0, and what is said of its rounding."""
+
+    def __init__(self, walk: Walk, s: float) -> None:
+        self.rows, links, handles = walk.route.rows, walk.dragon.links, len(walk.dragon) + 1
+        self.places, self.errors = (
+            empty_placements(handles, 1),
+            errors_for(handles, 1, seams_of(self.rows)),
+        )
+        self.change, self.turn = np.zeros((2, handles, 1))
+        assert place_chain(self.rows, links, np.array([s]), 0, 1, self.places)
+        seams, lanes, along, ratio = self.errors[:4]
+        mark_lanes(self.rows, links, self.places, 0, 1, lanes)
+        ratio_errors(self.rows, links, seams, self.places, lanes, 0, along, ratio)
+        rates(self.rows, links, *self.places[:5], self.change, self.turn[:-1])
+        rate_errors(self.rows, links, self.places, self.change, self.turn, 0, self.errors)
+
+    @property
+    def bends(self) -> list[float]:
+        """The computed curvature at each handle, 1/m."""
+        places = zip(self.places.row[:, 0].tolist(), self.places.u[:, 0].tolist(), strict=True)
+        return [curvature(self.rows, j, u) for j, u in places]
+
+    def shares(self, exact: Motion) -> list[float]:
+        """How far changes, turns and bends are off, as shares of what is said of each, at most."""
+        said = (errors[:, 0].tolist() for errors in self.errors[4:7])
+        computed = self.change[:, 0].tolist(), self.turn[:-1, 0].tolist(), self.bends
+        exactly = exact.change, exact.turn, exact.bend
+        return [greatest_share(*three) for three in zip(computed, exactly, said, strict=True)]
+
+    def share_of(self, exact: Motion, quantity: int) -> float:
+        """The same of a quantity with the head at SPEED and RATE."""
+        links, ratio = len(exact.turn), self.places.ratio[:, 0].tolist()
+        weigh_values(self.rows, self.places, self.change, 0, links, SQUARE, RATE, quantity, self.errors)
+        said = self.errors.sought[:, 0].tolist()
+        computed, exactly = [], []
+        for i in range(links + 1):
+            # Of a bench what is said stands at its rear handle.
+            own, turn = (i - 1, self.turn[i - 1, 0]) if quantity == drive.TURNING and i else (i, 0.0)
+            change, bend = self.change[i, 0], self.bends[i]
+            computed.append(drive.value_at(ratio[i], change, turn, bend, SQUARE, RATE, quantity))
+            exactly.append(exact_value(exact, i, exact.turn[own] if turn else arb(0), quantity))
+        return greatest_share(computed, exactly, said)
+
+
+def exact_value(exact: Motion, i: int, turn: arb, quantity: int) -> arb:
+    """A quantity's exact size at handle i: see `drive.value_at`."""
+    square, rate = arb(SPEED) * arb(SPEED), arb(RATE)
+    if quantity == drive.SPEEDS:
+        return exact.ratio[i] * arb(SPEED)
+    if quantity == drive.TURNING:
+        return abs(turn) * arb(SPEED)
+    along = exact.ratio[i] * rate + exact.change[i] * square
+    across = exact.ratio[i] * exact.ratio[i] * square * exact.bend[i]
+    if quantity == drive.TOTAL:
+        return (along * along + across * across).sqrt()
+    return abs(along if quantity == drive.ALONG else across)
+
+
+def greatest_share(computed: Sequence[float], exact: Sequence[arb], said: Sequence[float]) -> float:
+    """How far numbers are from the exact ones, as shares of what is said of each, at most."""
+    greatest = 0.0
+    for one, true, most in zip(computed, exact, said, strict=False):
+        off = abs(float(arb(one) - true))
+        greatest = max(greatest, off / most if off > 0.0 else 0.0)
+    return greatest
+
+
+def dances(kind: Callable[[Draw], Route], count: int) -> list[tuple[Weighed, Motion]]:
+    """Dragons somewhere on routes of a kind."""
+    rng, found = np.random.default_rng(5), []
+    for _dance in range(count):
+        walk = Walk(Dragon.of_sizes(rng.uniform(1.0, 3.4, 14)), kind(rng))
+        low = 0.0 if walk.route.extension and kind is spiral_in else 45.0
+        s = float(rng.uniform(low, walk.route.length))
+        found.append((Weighed(walk, s), exact_motion(walk, s)))
+    return found
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_rates_are_those_of_chains_that_move(kind: Callable[[Draw], Route]) -> None:
+    walk = Walk(Dragon.uniform(14), kind(np.random.default_rng(6)))
+    exact, (change, turn) = exact_motion(walk, 50.0), motion_by_differences(walk, 50.0)
+    np.testing.assert_allclose([float(one) for one in exact.change], change, rtol=0.0, atol=1e-13)
+    np.testing.assert_allclose([float(one) for one in exact.turn], turn, rtol=0.0, atol=1e-13)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_rates_are_off_by_no_more_than_is_said(kind: Callable[[Draw], Route]) -> None:
+    found = dances(kind, 6)
+    change, turn, bend = np.array([chain.shares(exact) for chain, exact in found]).max(axis=0)
+    # No error exceeds its bound, and bounds say something: they are no wider than they need be by far.
+    assert 4e-3 < change <= 1.0
+    assert 4e-3 < turn <= 1.0
+    assert bend <= 1.0
+    for quantity in QUANTITIES.values():
+        assert 1e-3 < max(chain.share_of(exact, quantity.kind) for chain, exact in found) <= 1.0
+
+
+@pytest.mark.parametrize(("radius", "sweep"), HAIRPINS)
+def test_rates_past_a_hairpin_are_off_by_no_more_than_is_said(radius: float, sweep: float) -> None:
+    walk, shares = hairpin(radius, sweep), []
+    at = np.linspace(20.5, 20.0 + radius * sweep + 3.5, 60)
+    for _closer in range(4):
+        best = int(np.nanargmax(walk.placement(at, throw=False).speed_ratio[:, 1]))
+        peak = at[max(best - 1, 0)], at[min(best + 1, len(at) - 1)]
+        at = np.sort(np.concatenate([at, np.linspace(*peak, 30)]))
+    for s in at.tolist():
+        chain, exact = Weighed(walk, s), exact_motion(walk, s)
+        shares.append([*chain.shares(exact), *(chain.share_of(exact, n) for n in range(5))])
+    assert np.max(shares) <= 1.0
+    assert np.max(shares, axis=0)[:2].min() > 0.01
+
+
+@pytest.mark.parametrize("name", ["acceleration", "total_acceleration", "turning_rate"])
+@pytest.mark.parametrize(("radius", "sweep"), HAIRPINS[1:3])
+def test_nothing_past_a_hairpin_exceeds_its_bracket(radius: float, sweep: float, name: str) -> None:
+    walk, quantity = hairpin(radius, sweep), QUANTITIES[name]
+    found = greatest_of(walk, quantity, 20.0, 20.0 + radius * sweep + 3.5, tolerance=1e-11)
+
+    def exactly(s: float) -> float:
+        exact = exact_motion(walk, s)
+        along, across = exact.change[1], exact.ratio[1] * exact.ratio[1] * exact.bend[1]
+        total = (along * along + across * across).sqrt()
+        values = {drive.ALONG: abs(along), drive.TOTAL: total, drive.TURNING: abs(exact.turn[0])}
+        return float(values[quantity.kind])
+
+    low, high = found.s - 1e-7, found.s + 1e-7
+    for _closer in range(25):
+        one, other = low + 0.382 * (high - low), low + 0.618 * (high - low)
+        low, high = (low, other) if exactly(one) > exactly(other) else (one, high)
+    most = max(exactly(low), exactly(found.s))
+    assert found.least <= most <= found.upper
+    assert found.upper - found.least < 1e-5 * found.value
+
+
+def test_nobody_knows_on_which_side_of_a_joint_a_handle_at_it_stands() -> None:
+    walk = Walk(Dragon.uniform(2), Route.joined([Line(20.0), Arc(3.0, 2.0), Line(20.0)]))
+    for ahead, sided in ((0.0, 0.0), (1e-9, 1.0), (-1e-9, 1.0)):
+        assert Weighed(walk, 20.0 + ahead).errors.sided[0] == sided
+    found = greatest_of(walk, QUANTITIES["lateral_acceleration"], 20.0, 20.0)
+    assert found.value == pytest.approx(1.0 / 3.0)  # as just past the joint
+    assert found.least == 0.0
+    assert found.value <= found.upper < 0.34
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("off", [0.0, 4e-16, -4e-16, 1e-6, -1e-6])
+def test_handles_that_cross_joints_at_once_may_do_so_in_either_order(off: float) -> None:
+    # The link is the arc's chord but for `off`: with both ends on lines it is pulled twice as hard.
+    dragon, radius = Dragon.uniform(1), 2.0
+    sweep = 2.0 * math.asin(0.5 * float(dragon.links[0]) / radius) + off
+    walk = Walk(dragon, Route.joined([Line(20.0), Arc(radius, sweep), Line(20.0)]))
+    at = float(walk.route.joints[2])
+    once = float(Weighed(walk, at - 1e-5).change[1, 0])
+    found = greatest_of(walk, QUANTITIES["acceleration"], at - 0.5, at + 0.5, tolerance=1e-6)
+    assert (found.least < 1.01 * once) == (off > -1e-9)
+    assert (found.upper > 1.99 * once) == (off < 1e-9)
