@@ -101,7 +101,7 @@ def show_tails() -> None:
 
 
 def show_rates() -> None:
-    """Greatest shares of errors of accelerations along the route and of turning rates in their bounds."""
+    """Greatest shares of errors of accelerations along the route and of turning rates in bounds."""
     print("\ncurves        accelerations   turning rates   greatest bounds, 1/m and rad/m")
     for kind in KINDS:
         found = dances(kind, DANCES)

@@ -123,12 +123,10 @@ def test_who_stands_asks_for_nothing_and_a_kink_for_everything() -> None:
 def test_more_jumps_at_once_than_are_told_apart_are_bounded_together() -> None:
     bends = [Arc(2.0, 0.05 if n % 2 else -0.05) for n in range(60)]
     route = Route.joined([Line(6.0), *bends])
-    at, row = np.array([9.0, 9.6]), np.empty((len(DRAGON) + 1, step_bounds.HANDLE_COLUMNS))
+    at, scratch = np.array([9.0, 9.6]), drive.scratch_for(len(DRAGON) + 1)
     places = placed(route, at)
-    step_bounds.bound_handles(route.rows, DRAGON.links, places, 0, 1, row)
-    crossing, sides = np.empty(drive.MOST_JUMPS, dtype=np.int64), np.empty((drive.MOST_JUMPS + 1, 4))
-    jumps = drive.find_jumps(route.rows, places, 0, 1, len(DRAGON), row, crossing, sides)
-    assert jumps == drive.MOST_JUMPS
+    step_bounds.bound_handles(route.rows, DRAGON.links, places, 0, 1, scratch.table)
+    assert drive.find_jumps(route.rows, places, 0, 1, len(DRAGON), scratch) == drive.MOST_JUMPS
     drives = np.array([[0.5, 0.9, 0.4]])
     share = np.linspace(0.0, 1.0, 200)
     for name in ("along", "total"):

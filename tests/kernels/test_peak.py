@@ -78,7 +78,7 @@ def seek(
     made = cut(route) if by_cells else cells.empty_cells(0, 1)
     heap, counted = waiting(driven, by_cells, room)
     heap.marks[:by_chains, peak.BY_CELLS] = 0
-    notes, counts = np.array([-1.0, 0.0, 0.0, 0.0]), np.array(counted)
+    notes, counts = np.array([-1.0, 0.0, 0.0, 0.0, 0.0]), np.array(counted)
     aim = peak.Aim(quantity, tolerance, limit, 0.9, 0.11)
     batch, chains = peak.empty_batch(), peak.chains_for(len(DRAGON) + 1, seams_of(route.rows))
     ends: list[Ended] = []
@@ -242,7 +242,7 @@ def test_what_rounding_may_add_is_bounded_too() -> None:
         peak.empty_batch(),
     )
     batch.parts[0], batch.marks[0], batch.at[:2] = (math.inf, 0.0, 1.0), (0, 1, 0), (0.0, 1.0)
-    notes, counts = np.array([1.0, 0.0, 0.0, 1.0]), np.zeros(peak.COUNTS, dtype=np.int64)
+    notes, counts = np.array([1.0, 0.0, 0.0, 1.0, 1.0]), np.zeros(peak.COUNTS, dtype=np.int64)
     most, off = np.array([1.0, 0.5]), np.full((2, peak.SLOTS), 0.125)
     off[0, 1] = 0.25
     peak.keep(aim, heap, batch, 0, 0, most, off, notes, counts)

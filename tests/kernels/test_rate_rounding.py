@@ -6,14 +6,14 @@ from collections.abc import Callable, Sequence
 import numpy as np
 import pytest
 
-from benchdragon import Arc, Dragon, Line, Route, Walk
+from benchdragon import Arc, Clothoid, Dragon, Line, Route, Walk
 from benchdragon.analysis.nearby import seams_of
 from benchdragon.analysis.speed import QUANTITIES, greatest_of
 from benchdragon.kernels import drive
 from benchdragon.kernels.chain import rates
 from benchdragon.kernels.curve import curvature
-from benchdragon.kernels.rate_rounding import errors_for, rate_errors, weigh_values
-from benchdragon.kernels.rounding import mark_lanes, ratio_errors
+from benchdragon.kernels.rate_rounding import bend_errors, errors_for, rate_errors, weigh_values
+from benchdragon.kernels.rounding import angle_error, mark_lanes, ratio_errors
 from benchdragon.kernels.step_bounds import empty_placements, place_chain
 
 pytest.importorskip("flint")
@@ -48,6 +48,7 @@ class Weighed:
         mark_lanes(self.rows, links, self.places, 0, 1, lanes)
         ratio_errors(self.rows, links, seams, self.places, lanes, 0, along, ratio)
         rates(self.rows, links, *self.places[:5], self.change, self.turn[:-1])
+        bend_errors(self.rows, self.places, 0, len(links), self.errors)
         rate_errors(self.rows, links, self.places, self.change, self.turn, 0, self.errors)
 
     @property
@@ -71,10 +72,10 @@ class Weighed:
         computed, exactly = [], []
         for i in range(links + 1):
             # Of a bench what is said stands at its rear handle.
-            own, turn = (i - 1, self.turn[i - 1, 0]) if quantity == drive.TURNING and i else (i, 0.0)
+            turn, exact_turn = (self.turn[i - 1, 0], exact.turn[i - 1]) if i else (0.0, arb(0))
             change, bend = self.change[i, 0], self.bends[i]
             computed.append(drive.value_at(ratio[i], change, turn, bend, SQUARE, RATE, quantity))
-            exactly.append(exact_value(exact, i, exact.turn[own] if turn else arb(0), quantity))
+            exactly.append(exact_value(exact, i, exact_turn, quantity))
         return greatest_share(computed, exactly, said)
 
 
@@ -97,6 +98,7 @@ def greatest_share(computed: Sequence[float], exact: Sequence[arb], said: Sequen
     greatest = 0.0
     for one, true, most in zip(computed, exact, said, strict=False):
         off = abs(float(arb(one) - true))
+        assert math.isfinite(off)
         greatest = max(greatest, off / most if off > 0.0 else 0.0)
     return greatest
 
@@ -147,11 +149,28 @@ def test_rates_past_a_hairpin_are_off_by_no_more_than_is_said(radius: float, swe
     assert np.max(shares, axis=0)[:2].min() > 0.01
 
 
+@pytest.mark.parametrize("straight", [100.0, 1e3, 1e5])
+def test_rates_past_a_sharp_bend_after_a_long_straight_are_off_by_no_more_than_is_said(
+    straight: float,
+) -> None:
+    shares = []
+    for radius in (0.02, 0.1, 0.3):
+        for sweep in (1.5, 1.55, 1.565):
+            route = Route.joined([Line(straight, (-straight, 0.0)), Arc(radius, sweep), Line(5.0)])
+            for ahead in np.linspace(0.01, 0.4, 7).tolist():
+                s = straight + radius * sweep + ahead
+                walk = Walk(Dragon.uniform(1), route)
+                chain, exact = Weighed(walk, s), exact_motion(walk, s)
+                shares.append([*chain.shares(exact), *(chain.share_of(exact, n) for n in range(5))])
+    assert 0.05 < np.max(shares) <= 1.0
+
+
 @pytest.mark.parametrize("name", ["acceleration", "total_acceleration", "turning_rate"])
 @pytest.mark.parametrize(("radius", "sweep"), HAIRPINS[1:3])
 def test_nothing_past_a_hairpin_exceeds_its_bracket(radius: float, sweep: float, name: str) -> None:
     walk, quantity = hairpin(radius, sweep), QUANTITIES[name]
-    found = greatest_of(walk, quantity, 20.0, 20.0 + radius * sweep + 3.5, tolerance=1e-11)
+    with np.errstate(invalid="ignore"):  # what is unbounded, times nothing
+        found = greatest_of(walk, quantity, 20.0, 20.0 + radius * sweep + 3.5, tolerance=1e-11)
 
     def exactly(s: float) -> float:
         exact = exact_motion(walk, s)
@@ -177,6 +196,33 @@ def test_nobody_knows_on_which_side_of_a_joint_a_handle_at_it_stands() -> None:
     assert found.value == pytest.approx(1.0 / 3.0)  # as just past the joint
     assert found.least == 0.0
     assert found.value <= found.upper < 0.34
+
+
+@pytest.mark.parametrize("last", [20.6, 21.5])
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-6])
+def test_a_peak_that_stands_at_a_jump_is_seen_beside_it(last: float, tolerance: float) -> None:
+    route = Route.joined([Line(20.0), Clothoid(3.0, 1.0 / 1.5, 0.0), Line(20.0)])
+    walk, quantity = Walk(Dragon.uniform(2), route), QUANTITIES["lateral_acceleration"]
+    for first in (19.0, 20.0):
+        found = greatest_of(walk, quantity, first, last, tolerance=tolerance)
+        assert found.value == pytest.approx(1.0 / 1.5, rel=tolerance)
+        assert found.least >= found.value * (1.0 - 1.01 * tolerance)
+        assert 1.0 / 1.5 <= found.upper * (1.0 + 1e-14)
+
+
+def test_the_side_of_a_joint_that_the_rear_handle_stands_at_counts_in_its_angle() -> None:
+    route = Route.joined([Line(30.0), Arc(1.5, 2.0), Line(9.0)])
+    rows, dragon = route.rows, Dragon.uniform(1)
+    walk = Walk(dragon, route)
+    at = walk.head_where_tail(float(route.joints[2]))
+    chains = [Weighed(walk, at + ahead) for ahead in (-1e-6, 1e-6)]
+    on_arc, on_line = (
+        angle_error(
+            rows, chain.errors.seams, chain.places, 0, 0, float(dragon.links[0]), np.array([0.0, 1e-5])
+        )[1]
+        for chain in chains
+    )
+    assert min(on_arc, on_line) >= 1e-5 / 1.5  # either allows for the arc
 
 
 @pytest.mark.compiled

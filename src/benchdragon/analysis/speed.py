@@ -132,9 +132,9 @@ def greatest(
     Where the head's acceleration or a curvature jumps, what is just before and just after counts. The
     bracket is `tolerance` times the answer wide (wider where the greatest value lasts, infinite across
     a kink of the route): its lower end was seen, its upper end is exceeded by nobody, by a bound on how
-    the quantity changes (kernels/drive.py). Given a `limit`, a value that surely keeps to it has a
-    bracket of 1 % of the value or of the limit. The witness names the first handle that reaches it, or
-    the bench, and its place.
+    the quantity changes (kernels/drive.py). Both have room for rounding (kernels/rate_rounding.py).
+    Given a `limit`, a value that surely keeps to it has a bracket of 1 % of the value or of the limit.
+    The witness names the first handle that reaches it, or the bench, and its place.
 
     Raises:
         InputError: for an end before the start, or a tolerance that is not between 1e-12 and 1.
@@ -254,7 +254,7 @@ class _Search:
         for n, (low, high) in enumerate(pairwise(borders)):
             told = part(progress, n / (len(borders) - 1), (n + 1) / (len(borders) - 1), "")
             self._through(low, high, drives, told)
-        seen, where, upper, sure = self._notes.tolist()
+        seen, where, upper, sure, _sided = self._notes.tolist()
         _open, row, stretch, evaluations = self._counts.tolist()
         time = stretches.time(stretch, where)
         return Peak(seen, max(upper, seen), time, where, row, evaluations, sure)

@@ -23,7 +23,7 @@ from benchdragon.kernels.drive import (
     most_of_handle,
 )
 from benchdragon.kernels.jit import entry, kernel
-from benchdragon.kernels.rate_rounding import Errors, errors_for, rate_errors
+from benchdragon.kernels.rate_rounding import Errors, bend_errors, errors_for, rate_errors
 from benchdragon.kernels.regions import EDGE
 from benchdragon.kernels.rounding import ratio_errors
 from benchdragon.kernels.route import IntArray
@@ -161,6 +161,7 @@ def weigh_bench(rows: FloatArray, link: FloatArray, t: int, shop: Workshop) -> N
     rates_in_slot(
         rows, link, t, places.row, places.u, places.x, places.y, places.ratio, shop.change, shop.turn
     )
+    bend_errors(rows, places, t, 1, errors)
     rate_errors(rows, link, places, shop.change, shop.turn, t, errors)
 
 
@@ -394,14 +395,17 @@ def bound_by_cells(
     ca, cb = cell_of(borders, low), cell_of(borders, high)
     slowest, fastest, fade, grow = 1.0, 1.0, 0.0, 0.0
     most, settled, last, swayed = 0.0, 0.0, -1, 0.0
-    # What each link may add by rounding, as a share: its ratio, or of accelerations across its square.
-    off = cells.off[cb] * (2.0 if quantity in (ACROSS, TOTAL) else 1.0)
+    # By what share rounding may have hidden more of each ratio; of what may cancel each is widened.
+    off = cells.off[cb]
+    wider = 0.0 if quantity == SPEEDS else off
     for i in range(links + 1):
         bend = greatest_bend(cells.bends, ca, cb) if quantity in (ACROSS, TOTAL) else 0.0
         size = swayed if quantity == TURNING else fastest
         bound = ROUNDED_UP * most_of_handle(size, fade, grow, bend, drive, quantity)
         calm = quantity == SPEEDS and bound <= enough and cells.fastest[cb] <= 1.0
-        exactly = bound * (1.0 + off * (links if calm else i))
+        exactly = bound
+        if quantity == SPEEDS:
+            exactly *= 1.0 + off * (links if calm else i)
         most = max(most, exactly)
         if bound > enough:
             last = i
@@ -420,5 +424,5 @@ def bound_by_cells(
         ca, cb = cell_at(borders, low, ca), cell_at(borders, high, cb)
         least, greatest = scaled(slowest, fastest, least, greatest)
         fade, grow, swayed = fade + least, grow + greatest, fastest * sway
-        slowest, fastest = slowest * slow, fastest * fast
+        slowest, fastest = slowest * slow * (1.0 - wider), fastest * fast * (1.0 + wider)
     return most, settled, last

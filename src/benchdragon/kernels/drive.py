@@ -17,7 +17,6 @@ import numpy as np
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.curve import S_START, U_END, U_START, FloatArray, curvature, stretch
 from benchdragon.kernels.jit import entry, kernel
-from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.step_bounds import (
     FRONT_HIGH,
     FRONT_LOW,
@@ -140,6 +139,31 @@ def greatest_in_slots(
         )
 
 
+class Scratch(NamedTuple):
+    """What bounds over a step are worked out in."""
+
+    table: Table  # of `step_bounds.bound_handles`
+    bend: Table  # least and greatest curvature at each handle, 1/m, (handles, 2)
+    rates: Table  # of `side_rates`, (handles, 2)
+    crossing: IntVector  # of `find_jumps`
+    sides: Table  # and one row of scratch
+    most: Vector  # of `bound_step`, (handles,)
+    beside: Vector  # how near a jump, m, rounding may hide a handle's side: at the step's ends, (2,)
+
+
+def scratch_for(handles: int) -> Scratch:
+    """Scratch for a chain of so many handles."""
+    return Scratch(
+        np.empty((handles, HANDLE_COLUMNS)),
+        np.empty((handles, 2)),
+        np.empty((handles, 2)),
+        np.empty(MOST_JUMPS, dtype=np.int64),
+        np.empty((MOST_JUMPS + 1, 4)),
+        np.empty(handles),
+        np.zeros(2),
+    )
+
+
 @kernel
 def jump_row(rows: FloatArray, first: int, last: int) -> int:
     """The first row from first on, before last, at whose end the curvature jumps; -1 without one."""
@@ -166,29 +190,29 @@ def jump_beside(rows: FloatArray, j: int, u: float, near: float) -> int:
 
 
 @kernel
-def handles_at_jumps(rows: FloatArray, places: Placements, t: int, links: int) -> int:
-    """How many of the first `links` + 1 handles stand at a jump of the curvature in slot t."""
+def handles_at_jumps(rows: FloatArray, places: Placements, t: int, links: int, near: float) -> int:
+    """How many of the first `links` + 1 handles stand within `near` metres of a jump in slot t."""
     count = 0
     for i in range(links + 1):
-        if jump_beside(rows, places.row[i, t], places.u[i, t], 0.0) >= 0:
+        if jump_beside(rows, places.row[i, t], places.u[i, t], near) >= 0:
             count += 1
     return count
 
 
 @kernel
 def crossed_jump(
-    rows: FloatArray, places: Placements, i: int, a: int, b: int, at_start: bool, at_end: bool
+    rows: FloatArray, places: Placements, i: int, a: int, b: int, start: float, end: float
 ) -> int:
     """The row before the jump that handle i crosses from slot a to slot b; -1 without one.
 
-    Or beside which it stands at the start or at the end, where that is to count.
+    Or which it stands within so many metres of at the start or at the end; not if they are negative.
     """
     ja, jb = places.row[i, a], places.row[i, b]
     j = jump_row(rows, ja, jb)
-    if j < 0 and at_start:
-        j = jump_beside(rows, ja, places.u[i, a], 0.0)
-    if j < 0 and at_end:
-        j = jump_beside(rows, jb, places.u[i, b], 0.0)
+    if j < 0 and start >= 0.0:
+        j = jump_beside(rows, ja, places.u[i, a], start)
+    if j < 0 and end >= 0.0:
+        j = jump_beside(rows, jb, places.u[i, b], end)
     return j
 
 
@@ -212,23 +236,22 @@ def find_jumps(
     a: int,
     b: int,
     links: int,
-    table: FloatArray,
-    crossing: IntArray,
-    sides: FloatArray,
+    scratch: Scratch,
 ) -> int:
     """How many handles cross a jump from slot a to slot b without a kink; at most MOST_JUMPS.
 
-    Of the first `links` + 1. Fills crossing with them and sides, (jumps, 4), with least and greatest
+    Of the first `links` + 1. Fills scratch.crossing with them and scratch.sides with least and greatest
     curvature before it and after it. Where two handles or more stand beside jumps at once, rounding
     hides which of them crosses first: there all of them count as crossing.
     """
-    at_start = handles_at_jumps(rows, places, a, links) > 1
-    at_end = handles_at_jumps(rows, places, b, links) > 1
-    count = 0
+    table, crossing, sides, count = scratch.table, scratch.crossing, scratch.sides, 0
+    start, end = scratch.beside[0], scratch.beside[1]
+    start = start if handles_at_jumps(rows, places, a, links, start) > 1 else -1.0
+    end = end if handles_at_jumps(rows, places, b, links, end) > 1 else -1.0
     for i in range(links + 1):
         if not table[i, LEFT] - table[i, RIGHT] < math.inf:
             continue
-        j = crossed_jump(rows, places, i, a, b, at_start, at_end)
+        j = crossed_jump(rows, places, i, a, b, start, end)
         if j < 0:
             continue
         side = sides[min(count, MOST_JUMPS)]
@@ -288,29 +311,6 @@ def most_of_handle(
     return value if value < math.inf else math.inf  # an infinite rate and no speed make no number
 
 
-class Scratch(NamedTuple):
-    """What bounds over a step are worked out in."""
-
-    table: Table  # of `step_bounds.bound_handles`
-    bend: Table  # least and greatest curvature at each handle, 1/m, (handles, 2)
-    rates: Table  # of `side_rates`, (handles, 2)
-    crossing: IntVector  # of `find_jumps`
-    sides: Table  # and one row of scratch
-    most: Vector  # of `bound_step`, (handles,)
-
-
-def scratch_for(handles: int) -> Scratch:
-    """Scratch for a chain of so many handles."""
-    return Scratch(
-        np.empty((handles, HANDLE_COLUMNS)),
-        np.empty((handles, 2)),
-        np.empty((handles, 2)),
-        np.empty(MOST_JUMPS, dtype=np.int64),
-        np.empty((MOST_JUMPS + 1, 4)),
-        np.empty(handles),
-    )
-
-
 @kernel
 def bound_side(links: int, drive: FloatArray, quantity: int, scratch: Scratch) -> None:
     """Raise scratch.most to what handles do while every handle's curvature lies within bend[i].
@@ -341,7 +341,7 @@ def bound_sides(
 ) -> None:
     """Fill scratch.most for an acceleration: over all sides of the jumps that are crossed."""
     table, bend, crossing, sides = scratch.table, scratch.bend, scratch.crossing, scratch.sides
-    jumps = find_jumps(rows, places, a, b, links, table, crossing, sides)
+    jumps = find_jumps(rows, places, a, b, links, scratch)
     for i in range(links + 1):
         bend[i, 0], bend[i, 1] = table[i, RIGHT], table[i, LEFT]
         table[i, GROWTH_LOW], table[i, GROWTH_HIGH] = math.inf, -math.inf

@@ -16,6 +16,7 @@ from benchdragon.kernels.bench_cells import Cells, bound_by_cells
 from benchdragon.kernels.chain import rates_in_slot
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.drive import (
+    ACROSS,
     DRIVE_COLUMNS,
     FROM,
     RATE,
@@ -28,7 +29,7 @@ from benchdragon.kernels.drive import (
     scratch_for,
 )
 from benchdragon.kernels.jit import entry, kernel
-from benchdragon.kernels.rate_rounding import Errors, errors_for, rate_errors, weigh_values
+from benchdragon.kernels.rate_rounding import Errors, bend_errors, errors_for, rate_errors, weigh_values
 from benchdragon.kernels.rounding import mark_lanes, ratio_errors
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.status import Ended
@@ -48,7 +49,8 @@ SEEN = 0  # the greatest value at any chain; -1 before the first
 WHERE = 1  # the head's position there, m
 UPPER = 2  # at most what was put aside
 SURE = 3  # a value that is exactly reached or exceeded
-NOTES = 4
+SIDED = 4  # the greatest value where it is sure on which side of jumps all handles stand
+NOTES = 5
 # And a row of integers.
 OPEN = 0  # parts that wait
 ROW = 1  # the handle or bench that was seen
@@ -62,8 +64,8 @@ SLOTS, SHARES = 16, 2
 MOST_PIECES, CELL_SHARES = SLOTS - 1, 4
 # What rounding may add to the length of a step, as a share.
 ABOUT = 1.0 + 1e-9
-# What is never greater than this, in SI units, counts as nothing.
-NOTHING = 1e-9
+# What is never greater than this, in SI units, counts as nothing: with what rounding adds 1e-9.
+NOTHING = 0.999e-9
 # The bracket's width where a limit is kept, as a share of the value, and of the limit at most.
 ROUGHLY, LITTLE = 1e-2, 1e-2
 # What a bound on a handle by cells costs, in handles placed.
@@ -136,6 +138,12 @@ def chains_for(handles: int, seams: FloatArray) -> Chains:
     change, turn = np.zeros((2, handles, SLOTS))
     errors = errors_for(handles, SLOTS, seams)
     return Chains(empty_placements(handles, SLOTS), change, turn, scratch_for(handles), errors)
+
+
+@kernel
+def believed(notes: FloatArray) -> float:
+    """The greatest value seen but at jumps, where it may be the other side's; -1 before the first."""
+    return notes[SIDED] if notes[SEEN] >= 0.0 else -1.0
 
 
 @kernel
@@ -242,7 +250,7 @@ def look_by_cells(
 ) -> None:
     """Bound steps of the batch's first part by cells, and let wait what they leave open."""
     a, b, stretch = batch.parts[0, START], batch.parts[0, END], batch.marks[0, STRETCH]
-    wanted = enough(notes[SEEN], aim.tolerance, aim.limit)
+    wanted = enough(believed(notes), aim.tolerance, aim.limit)
     pieces = int(min(max(math.ceil((b - a) / aim.cell_step), CELL_SHARES), MOST_PIECES))
     for k in range(pieces):
         p, q = a + (b - a) * (k / pieces), b if k + 1 == pieces else a + (b - a) * ((k + 1) / pieces)
@@ -298,6 +306,8 @@ def place_batch(
     for t in range(slots):
         ratio_errors(rows, links, errors.seams, places, errors.lanes, t, errors.along, errors.ratio)
         if quantity != SPEEDS:
+            bend_errors(rows, places, t, links.shape[0], errors)
+        if quantity not in (SPEEDS, ACROSS):
             rates_in_slot(
                 rows, links, t, places.row, places.u, places.x, places.y, places.ratio,
                 chains.change, chains.turn,
@@ -323,7 +333,7 @@ def keep(
     `most` bounds its handles as they were computed; exactly they may do more by what `off` says of its
     two ends, which no looking closer takes away.
     """
-    wanted = enough(notes[SEEN], aim.tolerance, aim.limit)
+    wanted = enough(believed(notes), aim.tolerance, aim.limit)
     bound, settled, links = 0.0, 0.0, -1
     for i in range(batch.marks[n, LINKS] + 1):
         exactly = most[i] + max(off[i, t], off[i, t + 1])
@@ -371,6 +381,7 @@ def see(
         own = row + 1 if quantity == TURNING else row
         if quantity in (SPEEDS, TURNING) or chains.errors.sided[t] > 0.0:
             notes[SURE] = max(notes[SURE], value - chains.errors.sought[own, t])
+            notes[SIDED] = max(notes[SIDED], value)
         if value > notes[SEEN]:
             notes[SEEN], notes[WHERE] = value, batch.at[t]
             counts[ROW], counts[WHEN] = row, stretch
@@ -391,10 +402,12 @@ def look_by_chains(
 ) -> None:
     """Bound the pieces of the batch's part n, whose chains are placed, and let wait what is open."""
     first, stretch, drive = batch.slots[n, SLOT], batch.marks[n, STRETCH], batch.drive
+    scratch = chains.scratch
     for t in range(first, first + batch.slots[n, PIECES]):
         set_drive(drives, stretch, batch.at[t], batch.at[t + 1], drive)
-        bound_step(rows, links, chains.places, t, t + 1, drive, aim.quantity, chains.scratch)
-        keep(aim, heap, batch, n, t, chains.scratch.most, chains.errors.sought, notes, counts)
+        scratch.beside[0], scratch.beside[1] = chains.errors.most[t], chains.errors.most[t + 1]
+        bound_step(rows, links, chains.places, t, t + 1, drive, aim.quantity, scratch)
+        keep(aim, heap, batch, n, t, scratch.most, chains.errors.sought, notes, counts)
 
 
 @entry
@@ -419,7 +432,7 @@ def seek_peak(
     stand at one of the batch's positions.
     """
     spent = 0.0
-    wanted = enough(notes[SEEN], aim.tolerance, aim.limit)
+    wanted = enough(believed(notes), aim.tolerance, aim.limit)
     while counts[OPEN] > 0 and heap.parts[0, BOUND] > wanted:
         if counts[OPEN] + SLOTS > heap.parts.shape[0]:
             return Ended.ROOM
@@ -445,7 +458,7 @@ def seek_peak(
                 see(rows, most, aim.quantity, drives, batch, n, chains, notes, counts)
             for n in range(count):
                 look_by_chains(rows, few, aim, drives, heap, batch, n, chains, notes, counts)
-        wanted = enough(notes[SEEN], aim.tolerance, aim.limit)
+        wanted = enough(believed(notes), aim.tolerance, aim.limit)
     if counts[OPEN] > 0:
         notes[UPPER] = max(notes[UPPER], heap.parts[0, BOUND])
     return Ended.DONE

@@ -23,8 +23,8 @@ from benchdragon.kernels.curve import (
     stretch,
 )
 from benchdragon.kernels.drive import ACROSS, ALONG, SPEEDS, TURNING, jump_beside
-from benchdragon.kernels.jit import entry, kernel
-from benchdragon.kernels.rounding import ABOUT, HALF_UNIT, angle_error
+from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.rounding import ABOUT, HALF_UNIT, angle_error, link_error, place_error
 from benchdragon.kernels.step_bounds import Placements, bench_angles
 
 # Roundings of a curvature, of a sine or cosine made of two products, of a sum of products as shares of
@@ -44,13 +44,15 @@ class Errors(NamedTuple):
     bend: Table  # of the curvature at each handle, 1/m
     sought: Table  # of what is sought, at the handle or at a bench's rear one; see `weigh_values`
     sided: Vector  # whether it is sure on which side of jumps of the curvature all stand, (slots,)
+    most: Vector  # the greatest of `along`, m, (slots,)
 
 
 def errors_for(handles: int, slots: int, seams: FloatArray) -> Errors:
     """Room for so many handles in so many slots, on a route with these seams."""
     lanes, along = np.zeros((2, handles))
     ratio, change, turn, bend, sought = np.zeros((5, handles, slots))
-    return Errors(seams, lanes, along, ratio, change, turn, bend, sought, np.ones(slots))
+    sided, most = np.ones(slots), np.zeros(slots)
+    return Errors(seams, lanes, along, ratio, change, turn, bend, sought, sided, most)
 
 
 @kernel
@@ -70,6 +72,18 @@ def is_sided(rows: FloatArray, places: Placements, i: int, t: int, along: float)
 
 
 @kernel
+def chord_share(
+    rows: FloatArray, links: FloatArray, places: Placements, i: int, t: int, errors: Errors
+) -> float:
+    """By what share the computed places of bench i's handles may be farther apart than its link."""
+    chord, along = link_error(rows, links, errors.seams, places, errors.lanes, i, t)
+    for n in range(2):
+        j, u = places.row[i + n, t], places.u[i + n, t]
+        chord += place_error(rows, j, u, places.x[i + n, t], places.y[i + n, t])
+    return (chord + along) / links[i]
+
+
+@kernel
 def turn_error(
     places: Placements,
     turn: FloatArray,
@@ -77,15 +91,19 @@ def turn_error(
     t: int,
     link: float,
     angles: tuple[float, float],
+    chord: float,
     errors: Errors,
 ) -> float:
-    """What the turning rate of bench i may be off by in slot t, rad/m, its angles by these, rad."""
+    """What the turning rate of bench i may be off by in slot t, rad/m.
+
+    The angles to the route at its handles are off by `angles`, rad, their distance by a share `chord`.
+    """
     sine, cosine, rear_sine, rear_cosine = bench_angles(places, i, t, link)
     w, v = places.ratio[i, t], places.ratio[i + 1, t]
     moved = w * (abs(sine) * errors.ratio[i, t] + abs(cosine) * angles[0])
     moved += v * (abs(rear_sine) * errors.ratio[i + 1, t] + abs(rear_cosine) * angles[1])
     moved += SINE_UNITS * HALF_UNIT * (w + v)
-    return ABOUT * moved / link + SUM_UNITS * HALF_UNIT * abs(turn[i, t])
+    return ABOUT * moved / link + (chord + SUM_UNITS * HALF_UNIT) * abs(turn[i, t])
 
 
 @kernel
@@ -118,24 +136,40 @@ def change_error(
     return ABOUT * (off + SUM_UNITS * HALF_UNIT * (sizes + swing)) / rear_cosine
 
 
-@entry
-def rate_errors(
-    rows: Table, links: Vector, places: Placements, change: Table, turn: Table, t: int, errors: Errors
-) -> None:
-    """Fill errors.change, turn, bend and sided in slot t; change and turn are `chain.rates`'.
+@kernel
+def bend_errors(rows: FloatArray, places: Placements, t: int, links: int, errors: Errors) -> None:
+    """Fill errors.bend, sided and most in slot t, up to so many links.
 
     After `rounding.ratio_errors` of the same slot.
     """
-    errors.change[0, t], errors.sided[t] = 0.0, 1.0
-    for i in range(links.shape[0] + 1):
+    errors.sided[t], errors.most[t] = 1.0, 0.0
+    for i in range(links + 1):
         along = errors.along[i]
+        errors.most[t] = max(errors.most[t], along)
         errors.bend[i, t] = bend_error(rows, places.row[i, t], places.u[i, t], along)
         if not is_sided(rows, places, i, t, along):
             errors.sided[t] = 0.0
+
+
+@kernel
+def rate_errors(
+    rows: FloatArray,
+    links: FloatArray,
+    places: Placements,
+    change: FloatArray,
+    turn: FloatArray,
+    t: int,
+    errors: Errors,
+) -> None:
+    """Fill errors.change and turn in slot t; change and turn are `chain.rates`'.
+
+    After `bend_errors` of the same slot.
+    """
+    errors.change[0, t] = 0.0
     for i in range(links.shape[0]):
-        link = links[i]
+        link, chord = links[i], chord_share(rows, links, places, i, t, errors)
         angles = angle_error(rows, errors.seams, places, i, t, link, errors.along)
-        errors.turn[i, t] = turn_error(places, turn, i, t, link, angles, errors)
+        errors.turn[i, t] = turn_error(places, turn, i, t, link, angles, chord, errors)
         errors.change[i + 1, t] = change_error(rows, places, change, turn, i, t, link, angles, errors)
 
 

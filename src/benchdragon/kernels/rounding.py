@@ -8,6 +8,8 @@ cosines at each link. Places add their own rounding, once each, and the joints o
 Errors below are bounds to first order; what is left out is smaller by 1e-9 or more.
 """
 
+import math
+
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.box import CX, CY, HALF_LENGTH, HALF_WIDTH
 from benchdragon.kernels.curve import (
@@ -31,6 +33,7 @@ from benchdragon.kernels.curve import (
     place,
     stretch,
 )
+from benchdragon.kernels.drive import jump_beside
 from benchdragon.kernels.jit import entry, kernel
 from benchdragon.kernels.route import on_bend
 from benchdragon.kernels.spiral import takes_link
@@ -67,6 +70,8 @@ def place_error(rows: FloatArray, j: int, u: float, x: float, y: float) -> float
     kind, off = rows[j, KIND], abs(x) + abs(y)
     if kind == SPIRAL:
         return HALF_UNIT * (off + SPIRAL_UNITS * rows[j, P] * u)
+    if u == 0.0:  # the start of a row is as it is stored
+        return 0.0
     far = abs(x - rows[j, X]) + abs(y - rows[j, Y])
     if kind == LINE:  # along an axis nothing is rounded but the sum
         along = rows[j, AXIS_X] == 0.0 or rows[j, AXIS_Y] == 0.0
@@ -120,7 +125,7 @@ def seam_error(rows: FloatArray, seams: FloatArray, seen: int, j: int, x: float,
         return 0.0
     a, b = min(j, seen), max(j, seen)
     start_x, start_y, _, _ = place(rows, b, rows[b, U_START])
-    far = abs(x - start_x) + abs(y - start_y) + rows[b, S_START] - rows[a + 1, S_START]
+    far = math.sqrt((x - start_x) ** 2 + (y - start_y) ** 2) + rows[b, S_START] - rows[a + 1, S_START]
     return seams[b, GAP] - seams[a, GAP] + (seams[b, TILT] - seams[a, TILT]) * far
 
 
@@ -195,6 +200,15 @@ def handle_errors(
 
 
 @kernel
+def bend_beyond(rows: FloatArray, j: int, u: float, along: float) -> float:
+    """What the curvature jumps by at a joint within `along` metres of u of row j, 1/m, else 0."""
+    k = jump_beside(rows, j, u, along)
+    if k < 0:
+        return 0.0
+    return abs(curvature(rows, k + 1, rows[k + 1, U_START]) - curvature(rows, k, rows[k, U_END]))
+
+
+@kernel
 def angle_error(
     rows: FloatArray,
     seams: FloatArray,
@@ -206,20 +220,24 @@ def angle_error(
 ) -> tuple[float, float]:
     """What the angle from bench i to the route may be off by at its two handles, rad.
 
-    By what its handles are off along the route, `errors`, by tangents, and by joints between the two.
+    What the front handle is off along the route, `errors`, moves the whole bench on as it walks; what
+    the link adds moves its rear handle alone. Places, tangents and joints between the two add theirs.
     """
-    sine, _, rear_sine, _ = bench_angles(places, i, t, link)
-    turned, front, rear = 0.0, 0.0, 0.0
-    for n in range(2):
-        j, u, x, y = places.row[i + n, t], places.u[i + n, t], places.x[i + n, t], places.y[i + n, t]
-        aside = abs(rear_sine if n else sine) * errors[i + n]
-        turned += (aside + place_error(rows, j, u, x, y)) / link
-        front = rear
-        rear = abs(curvature(rows, j, u)) * errors[i + n] + tilt_error(rows, j, u)
-    j, k = places.row[i, t], places.row[i + 1, t]
+    sine, cosine, rear_sine, rear_cosine = bench_angles(places, i, t, link)
+    j, u, k, v = places.row[i, t], places.u[i, t], places.row[i + 1, t], places.u[i + 1, t]
+    bend, rear_bend, follows = curvature(rows, j, u), curvature(rows, k, v), cosine / rear_cosine
+    turn, moved = (sine - follows * rear_sine) / link, errors[i]
+    added = max(errors[i + 1] - follows * moved, 0.0)
+    turned = place_error(rows, j, u, places.x[i, t], places.y[i, t])
+    turned += place_error(rows, k, v, places.x[i + 1, t], places.y[i + 1, t])
+    turned = (turned + abs(rear_sine) * added) / link
     if j != k:
         turned += abs(seams[j, TILT] - seams[k, TILT]) + abs(seams[j, GAP] - seams[k, GAP]) / link
-    return turned + front, turned + rear
+    beyond = bend_beyond(rows, k, v, errors[i + 1])
+    front = (abs(bend - turn) + bend_beyond(rows, j, u, moved)) * moved
+    rear = (abs(follows * rear_bend - turn) + follows * beyond) * moved
+    rear += (abs(rear_bend) + beyond) * added
+    return turned + front + tilt_error(rows, j, u), turned + rear + tilt_error(rows, k, v)
 
 
 @kernel

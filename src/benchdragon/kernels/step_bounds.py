@@ -290,7 +290,8 @@ def bound_next(
     speed = bounds[i + 1, SPEED]
     along = speed * magnitude(bounds[i + 1, GROWTH_LOW], bounds[i + 1, GROWTH_HIGH])
     across = speed * speed * bend
-    bounds[i + 1, ACCELERATION] = math.sqrt(along * along + across * across)
+    pull = math.sqrt(along * along + across * across)
+    bounds[i + 1, ACCELERATION] = pull if pull < math.inf else math.inf  # no number is no bound
 
 
 @kernel

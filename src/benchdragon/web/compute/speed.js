@@ -389,6 +389,7 @@ function errorsFor(arena, handles, slots, seams) {
     bend: arena.full([handles, slots], 0),
     sought: arena.full([handles, slots], 0),
     sided: arena.full([slots], 1),
+    most: arena.full([slots], 0),
   };
 }
 
@@ -401,6 +402,7 @@ export function scratchFor(arena, handles) {
     crossing: arena.array("q", DRIVE.MOST_JUMPS),
     sides: arena.array("d", DRIVE.MOST_JUMPS + 1, 4),
     most: arena.array("d", handles),
+    beside: arena.full([2], 0),
   };
 }
 
