@@ -201,6 +201,9 @@ def test_where_all_cells_slow_benches_down_no_handle_behind_need_be_looked_at() 
 def test_cells_say_what_rounding_may_have_hidden() -> None:
     route = ROUTES["joints"]
     made, rows = cut(route, 9.0, 15.0), route.rows
+    longer = cut(route, 9.0, 20.0).off[:-1]
+    assert (np.diff(longer) >= 0.0).all()  # that of any cell before
+    assert (np.diff(longer) == 0.0)[-5:].all()
     places, bounds = empty_placements(2, 2), np.empty((2, step_bounds.HANDLE_COLUMNS))
     greatest, most = 0.0, dict.fromkeys((cells.SWAY, cells.GROW, cells.FADE), 0.0)
     for c in range(len(made.borders) - 1):

@@ -1,6 +1,7 @@
 """Point, tangent, heading and curvature of one piece, each against another method."""
 
 import math
+from fractions import Fraction
 
 import mpmath as mp
 import numpy as np
@@ -92,6 +93,14 @@ def test_the_tangent_is_a_unit_vector_along_the_heading(curve: AnyCurve) -> None
             assert math.hypot(tx, ty) == pytest.approx(1.0, rel=0.0, abs=4e-16)
             assert tx == pytest.approx(math.cos(heading), rel=0.0, abs=4e-14)
             assert ty == pytest.approx(math.sin(heading), rel=0.0, abs=4e-14)
+
+
+@each_curve
+def test_the_tangent_is_as_long_as_1_but_for_its_own_rounding(curve: AnyCurve) -> None:
+    for j, row in enumerate(curve.rows):
+        for u in np.linspace(row[kernel.U_START], row[kernel.U_END], 301).tolist():
+            _x, _y, tx, ty = kernel.place(curve.rows, j, u)
+            assert abs(Fraction(tx) ** 2 + Fraction(ty) ** 2 - 1) <= 5e-16
 
 
 @each_curve

@@ -120,6 +120,21 @@ def test_who_stands_asks_for_nothing_and_a_kink_for_everything() -> None:
     assert jolt == pytest.approx(2.0)
 
 
+def test_handles_beside_jumps_count_as_crossing_where_two_stand_so() -> None:
+    route = Route.joined([Line(8.0), Arc(1.6, 1.0), Line(0.2), Arc(2.0, -1.5), Line(9.0)])
+    scratch, links = drive.scratch_for(len(DRAGON) + 1), len(DRAGON)
+    head = float(route.joints[4]) - 5e-7
+    places = placed(route, np.array([head - 0.01, head]))
+    step_bounds.bound_handles(route.rows, DRAGON.links, places, 0, 1, scratch.table)
+    joint = places.row[0, 1]
+    assert drive.jump_beside(route.rows, joint, places.u[0, 1], 1e-6) == joint
+    assert drive.jump_beside(route.rows, joint, places.u[0, 1], 1e-7) == -1
+    for near, count in ((1e-6, 1), (1e-7, 0)):
+        assert drive.handles_at_jumps(route.rows, places, 1, links, near) == count
+    for near, crossed in ((1e-6, joint), (1e-7, -1), (-1.0, -1)):
+        assert drive.crossed_jump(route.rows, places, 0, 0, 1, -1.0, near) == crossed
+
+
 def test_more_jumps_at_once_than_are_told_apart_are_bounded_together() -> None:
     bends = [Arc(2.0, 0.05 if n % 2 else -0.05) for n in range(60)]
     route = Route.joined([Line(6.0), *bends])

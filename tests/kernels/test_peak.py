@@ -251,3 +251,15 @@ def test_what_rounding_may_add_is_bounded_too() -> None:
     peak.keep(aim, heap, batch, 0, 0, 2.0 * most, off, notes, counts)
     assert heap.parts[0, peak.BOUND] == 2.25
     assert counts[peak.OPEN] == 1
+
+
+def test_steps_are_told_how_near_jumps_rounding_may_hide_sides() -> None:
+    chains, batch = peak.chains_for(len(DRAGON) + 1, seams_of(ROUTE.rows)), peak.empty_batch()
+    batch.at[:3], batch.slots[0] = (10.0, 10.05, 10.1), (0, 2)
+    batch.parts[0], batch.marks[0] = (math.inf, 10.0, 10.1), (0, len(DRAGON), 0)
+    aim, heap = peak.Aim(drive.ALONG, 1e-3, math.inf, 0.9, 0.11), peak.empty_heap(9)
+    notes, counts = np.array([-1.0, 0.0, 0.0, 0.0, 0.0]), np.zeros(peak.COUNTS, dtype=np.int64)
+    assert peak.place_batch(ROUTE.rows, DRAGON.links, batch.at, 3, chains, drive.ALONG)
+    peak.look_by_chains(ROUTE.rows, DRAGON.links, aim, drives(), heap, batch, 0, chains, notes, counts)
+    assert (chains.errors.most[:3] > 0.0).all()
+    assert chains.scratch.beside.tolist() == chains.errors.most[1:3].tolist()

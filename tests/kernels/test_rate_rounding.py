@@ -12,9 +12,15 @@ from benchdragon.analysis.speed import QUANTITIES, greatest_of
 from benchdragon.kernels import drive
 from benchdragon.kernels.chain import rates
 from benchdragon.kernels.curve import curvature
-from benchdragon.kernels.rate_rounding import bend_errors, errors_for, rate_errors, weigh_values
+from benchdragon.kernels.rate_rounding import (
+    bend_errors,
+    errors_for,
+    rate_errors,
+    turn_error,
+    weigh_values,
+)
 from benchdragon.kernels.rounding import angle_error, mark_lanes, ratio_errors
-from benchdragon.kernels.step_bounds import empty_placements, place_chain
+from benchdragon.kernels.step_bounds import bench_angles, empty_placements, place_chain
 
 pytest.importorskip("flint")
 from flint import arb
@@ -225,6 +231,45 @@ def test_the_side_of_a_joint_that_the_rear_handle_stands_at_counts_in_its_angle(
     assert min(on_arc, on_line) >= 1e-5 / 1.5  # either allows for the arc
 
 
+def moved_pose(seed: int) -> tuple[Weighed, Weighed, float]:
+    """One bench on arcs, and the same a little further on; how far, m."""
+    rng, ahead = np.random.default_rng(seed), 1e-5
+    radius, other = rng.uniform(2.0, 6.0, 2)
+    route = Route.joined([Line(9.0), Arc(float(radius), 2.0), Arc(float(other), -2.0), Line(9.0)])
+    s = 9.0 + 2.0 * radius + rng.uniform(0.2, 2.5)
+    walk = Walk(Dragon.uniform(1), route)
+    return Weighed(walk, s), Weighed(walk, s + ahead), ahead
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_bench_that_is_moved_on_turns_as_its_angle_error_says(seed: int) -> None:
+    chain, other, ahead = moved_pose(seed)
+    link = 2.86
+    assert chain.places.row[1, 0] != chain.places.row[0, 0]
+    follows = chain.places.ratio[1, 0]
+    for rear in (0.0, 3.0 * ahead):  # what the link adds turns it, too
+        off = np.array([ahead, follows * ahead + rear])
+        said = angle_error(chain.rows, chain.errors.seams, chain.places, 0, 0, link, off)
+        exact = np.arcsin(bench_angles(other.places, 0, 0, link)[::2]) - np.arcsin(
+            bench_angles(chain.places, 0, 0, link)[::2]
+        )
+        if rear == 0.0:
+            np.testing.assert_allclose(said, np.abs(exact), rtol=1e-3, atol=1e-9)
+        else:
+            assert (np.array(said) > np.abs(exact) + 1e-7).any()
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_turning_rate_is_off_by_what_its_angles_are(seed: int) -> None:
+    chain, _other, _ahead = moved_pose(seed)
+    link, ratio = 2.86, chain.places.ratio[:, 0]
+    _sine, cosine, _rear_sine, rear_cosine = bench_angles(chain.places, 0, 0, link)
+    for angles in ((1e-5, 0.0), (0.0, 1e-5)):
+        said = turn_error(chain.places, chain.turn, 0, 0, link, angles, 0.0, chain.errors)
+        exact = (ratio[0] * cosine * angles[0] + ratio[1] * rear_cosine * angles[1]) / link
+        assert said == pytest.approx(exact, rel=1e-6)
+
+
 @pytest.mark.compiled
 @pytest.mark.parametrize("off", [0.0, 4e-16, -4e-16, 1e-6, -1e-6])
 def test_handles_that_cross_joints_at_once_may_do_so_in_either_order(off: float) -> None:
@@ -237,3 +282,7 @@ def test_handles_that_cross_joints_at_once_may_do_so_in_either_order(off: float)
     found = greatest_of(walk, QUANTITIES["acceleration"], at - 0.5, at + 0.5, tolerance=1e-6)
     assert (found.least < 1.01 * once) == (off > -1e-9)
     assert (found.upper > 1.99 * once) == (off < 1e-9)
+    if abs(off) < 1e-9:  # where a walk ends or begins there, too
+        for first, last in ((at - 0.5, at), (at - 0.5, at - 1e-13), (at, at + 0.5)):
+            part = greatest_of(walk, QUANTITIES["acceleration"], first, last, tolerance=1e-6)
+            assert part.upper > 1.99 * once
