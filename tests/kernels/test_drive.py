@@ -120,19 +120,23 @@ def test_who_stands_asks_for_nothing_and_a_kink_for_everything() -> None:
     assert jolt == pytest.approx(2.0)
 
 
-def test_handles_beside_jumps_count_as_crossing_where_two_stand_so() -> None:
-    route = Route.joined([Line(8.0), Arc(1.6, 1.0), Line(0.2), Arc(2.0, -1.5), Line(9.0)])
-    scratch, links = drive.scratch_for(len(DRAGON) + 1), len(DRAGON)
-    head = float(route.joints[4]) - 5e-7
-    places = placed(route, np.array([head - 0.01, head]))
-    step_bounds.bound_handles(route.rows, DRAGON.links, places, 0, 1, scratch.table)
-    joint = places.row[0, 1]
-    assert drive.jump_beside(route.rows, joint, places.u[0, 1], 1e-6) == joint
-    assert drive.jump_beside(route.rows, joint, places.u[0, 1], 1e-7) == -1
-    for near, count in ((1e-6, 1), (1e-7, 0)):
-        assert drive.handles_at_jumps(route.rows, places, 1, links, near) == count
-    for near, crossed in ((1e-6, joint), (1e-7, -1), (-1.0, -1)):
-        assert drive.crossed_jump(route.rows, places, 0, 0, 1, -1.0, near) == crossed
+@pytest.mark.parametrize("side", [-5e-7, 5e-7])
+def test_handles_beside_jumps_count_as_crossing(side: float) -> None:
+    route = Route.joined([Line(8.0), Arc(1.6, 1.0), Line(9.0)])
+    scratch, links, joint = drive.scratch_for(len(DRAGON) + 1), len(DRAGON), 1
+    head = float(route.joints[2]) + side
+    for heads, slot in (([head - 0.01, head], 1), ([head, head + 0.01], 0)):
+        places = placed(route, np.array(heads))
+        step_bounds.bound_handles(route.rows, DRAGON.links, places, 0, 1, scratch.table)
+        here = route.rows, int(places.row[0, slot]), float(places.u[0, slot])
+        assert drive.jump_beside(*here, 1e-6) == joint
+        assert drive.jump_beside(*here, 1e-7) == -1
+        scratch.beside[:] = 0.0
+        crosses = (side > 0.0) == (slot == 1)
+        assert drive.find_jumps(route.rows, places, 0, 1, links, scratch) == crosses
+        scratch.beside[slot] = 1e-6
+        assert drive.find_jumps(route.rows, places, 0, 1, links, scratch) == 1
+        assert scratch.sides[0].tolist() == pytest.approx([1.0 / 1.6] * 2 + [0.0] * 2)
 
 
 def test_more_jumps_at_once_than_are_told_apart_are_bounded_together() -> None:

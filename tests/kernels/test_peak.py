@@ -263,3 +263,15 @@ def test_steps_are_told_how_near_jumps_rounding_may_hide_sides() -> None:
     peak.look_by_chains(ROUTE.rows, DRAGON.links, aim, drives(), heap, batch, 0, chains, notes, counts)
     assert (chains.errors.most[:3] > 0.0).all()
     assert chains.scratch.beside.tolist() == chains.errors.most[1:3].tolist()
+
+
+def test_a_stretch_ends_at_the_speed_that_is_said() -> None:
+    squares = np.square([[0.8018982346265828, 1.7398972300773403]])
+    start, end = squares[0]
+    assert start + 1.0 * (end - start) != end
+    ways = np.array([[0.0, 5.0]])
+    driven, drive_ = peak.Drives(ways, squares, np.array([0.2])), np.empty(drive.DRIVE_COLUMNS)
+    peak.set_drive(driven, 0, 0.0, 5.0, drive_)
+    assert drive_[: drive.RATE].tolist() == [start, end]
+    peak.set_drive(driven, 0, 2.5, 5.0, drive_)
+    assert drive_[drive.FROM] == pytest.approx(0.5 * (start + end))

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
 import pytest
@@ -140,6 +141,32 @@ def test_rates_are_off_by_no_more_than_is_said(kind: Callable[[Draw], Route]) ->
         assert 1e-3 < max(chain.share_of(exact, quantity.kind) for chain, exact in found) <= 1.0
 
 
+def test_the_head_is_as_fast_as_is_said_and_others_but_for_rounding() -> None:
+    chain = Weighed(Walk(Dragon.uniform(3), Route((Line(20.0),))), 15.0)
+    for rate in (0.0, 0.2):
+        weigh_values(
+            chain.rows, chain.places, chain.change, 0, 3, 1.7, rate, drive.SPEEDS, chain.errors
+        )
+        head, *others = chain.errors.sought[:, 0].tolist()
+        assert (head > 0.0) == (rate > 0.0)
+        assert min(others) > 2e-16
+
+
+@pytest.mark.parametrize("sweep", np.linspace(0.4, 0.5, 12).tolist())
+def test_who_stands_at_a_joint_where_a_walk_ends_may_have_passed_it(sweep: float) -> None:
+    walk = Walk(Dragon.uniform(1), Route.joined([Line(20.0), Arc(1.5, sweep), Line(20.0)]))
+    low, high = 20.0, 24.0
+    while (
+        low < 0.5 * (low + high) < high
+    ):  # the last place of the head at which the tail is on the line
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if walk.placement([middle]).s[0, 1] <= 20.0 else (low, middle)
+    most = float(walk.placement([low + 1e-9]).speed_ratio[0, 1]) ** 2 / 1.5
+    for last in (low, high):
+        found = greatest_of(walk, QUANTITIES["lateral_acceleration"], last - 0.01, last)
+        assert found.upper >= 0.999999 * most
+
+
 @pytest.mark.parametrize(("radius", "sweep"), HAIRPINS)
 def test_rates_past_a_hairpin_are_off_by_no_more_than_is_said(radius: float, sweep: float) -> None:
     walk, shares = hairpin(radius, sweep), []
@@ -216,19 +243,20 @@ def test_a_peak_that_stands_at_a_jump_is_seen_beside_it(last: float, tolerance: 
         assert 1.0 / 1.5 <= found.upper * (1.0 + 1e-14)
 
 
-def test_the_side_of_a_joint_that_the_rear_handle_stands_at_counts_in_its_angle() -> None:
+@pytest.mark.parametrize("end", [0, 1])
+def test_both_sides_of_a_joint_that_a_handle_stands_at_count_in_its_angle(end: int) -> None:
     route = Route.joined([Line(30.0), Arc(1.5, 2.0), Line(9.0)])
-    rows, dragon = route.rows, Dragon.uniform(1)
-    walk = Walk(dragon, route)
-    at = walk.head_where_tail(float(route.joints[2]))
-    chains = [Weighed(walk, at + ahead) for ahead in (-1e-6, 1e-6)]
-    on_arc, on_line = (
-        angle_error(
-            rows, chain.errors.seams, chain.places, 0, 0, float(dragon.links[0]), np.array([0.0, 1e-5])
-        )[1]
-        for chain in chains
-    )
-    assert min(on_arc, on_line) >= 1e-5 / 1.5  # either allows for the arc
+    dragon, joint, off = Dragon.uniform(1), float(route.joints[2]), 1e-5
+    walk, link = Walk(dragon, route), float(dragon.links[0])
+    at = walk.head_where_tail(joint) if end else joint
+    for ahead in (-1e-6, 1e-6):
+        chain = Weighed(walk, at + ahead)
+        follows, turn = float(chain.places.ratio[1, 0]), float(chain.turn[0, 0])
+        said = partial(angle_error, route.rows, chain.errors.seams, chain.places, 0, 0, link)
+        for bend in (0.0, 1.0 / 1.5):  # of the line or the arc, whichever it exactly is
+            rate = (follows if end else 1.0) * bend - turn
+            assert said(np.array([off, follows * off]))[end] >= 0.999 * abs(rate) * off
+            assert said(np.array([0.0, off]))[end] >= 0.999 * end * bend * off
 
 
 def moved_pose(seed: int) -> tuple[Weighed, Weighed, float]:
@@ -247,16 +275,11 @@ def test_a_bench_that_is_moved_on_turns_as_its_angle_error_says(seed: int) -> No
     link = 2.86
     assert chain.places.row[1, 0] != chain.places.row[0, 0]
     follows = chain.places.ratio[1, 0]
-    for rear in (0.0, 3.0 * ahead):  # what the link adds turns it, too
-        off = np.array([ahead, follows * ahead + rear])
-        said = angle_error(chain.rows, chain.errors.seams, chain.places, 0, 0, link, off)
-        exact = np.arcsin(bench_angles(other.places, 0, 0, link)[::2]) - np.arcsin(
-            bench_angles(chain.places, 0, 0, link)[::2]
-        )
-        if rear == 0.0:
-            np.testing.assert_allclose(said, np.abs(exact), rtol=1e-3, atol=1e-9)
-        else:
-            assert (np.array(said) > np.abs(exact) + 1e-7).any()
+    off = np.array([ahead, follows * ahead])
+    said = angle_error(chain.rows, chain.errors.seams, chain.places, 0, 0, link, off)
+    exact = np.arcsin(bench_angles(other.places, 0, 0, link)[::2])
+    exact -= np.arcsin(bench_angles(chain.places, 0, 0, link)[::2])
+    np.testing.assert_allclose(said, np.abs(exact), rtol=1e-3, atol=1e-9)
 
 
 @pytest.mark.parametrize("seed", range(8))

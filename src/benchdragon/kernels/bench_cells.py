@@ -395,7 +395,8 @@ def bound_by_cells(
     ca, cb = cell_of(borders, low), cell_of(borders, high)
     slowest, fastest, fade, grow = 1.0, 1.0, 0.0, 0.0
     most, settled, last, swayed = 0.0, 0.0, -1, 0.0
-    # By what share rounding may have hidden more of each ratio; of what may cancel each is widened.
+    # By what share rounding may have hidden more of each ratio. Speeds are compared as computed and
+    # widened afterwards; for the rest each ratio is widened at once.
     off = cells.off[cb]
     wider = 0.0 if quantity == SPEEDS else off
     for i in range(links + 1):

@@ -57,7 +57,8 @@ DRIVE_COLUMNS = 3
 
 # Curvatures that differ by more at a joint jump there, 1/m.
 JUMP = 1e-9
-# So near a joint, as a share of the route position, rounding hides on which side a handle stands.
+# So near a joint, as a share of the route position, rounding hides on which side a handle stands: 512
+# roundings of it.
 BESIDE = 2.0**-44
 # Handles that cross jumps in one step and are told apart; what more of them do is bounded at once.
 MOST_JUMPS = 3
@@ -190,72 +191,45 @@ def jump_beside(rows: FloatArray, j: int, u: float, near: float) -> int:
 
 
 @kernel
-def handles_at_jumps(rows: FloatArray, places: Placements, t: int, links: int, near: float) -> int:
-    """How many of the first `links` + 1 handles stand within `near` metres of a jump in slot t."""
-    count = 0
-    for i in range(links + 1):
-        if jump_beside(rows, places.row[i, t], places.u[i, t], near) >= 0:
-            count += 1
-    return count
+def way_of(
+    rows: FloatArray, places: Placements, i: int, a: int, b: int, beside: FloatArray
+) -> tuple[int, float, int, float]:
+    """From where to where handle i may walk from slot a to slot b: row and parameter, twice.
 
-
-@kernel
-def crossed_jump(
-    rows: FloatArray, places: Placements, i: int, a: int, b: int, start: float, end: float
-) -> int:
-    """The row before the jump that handle i crosses from slot a to slot b; -1 without one.
-
-    Or which it stands within so many metres of at the start or at the end; not if they are negative.
+    Where it stands within `beside`, m, of a jump of the curvature at either end, it may exactly stand
+    on the other side.
     """
-    ja, jb = places.row[i, a], places.row[i, b]
-    j = jump_row(rows, ja, jb)
-    if j < 0 and start >= 0.0:
-        j = jump_beside(rows, ja, places.u[i, a], start)
-    if j < 0 and end >= 0.0:
-        j = jump_beside(rows, jb, places.u[i, b], end)
-    return j
-
-
-@kernel
-def bends_beside(
-    rows: FloatArray, places: Placements, i: int, a: int, b: int, j: int, side: FloatArray
-) -> None:
-    """Fill side with least and greatest curvature of handle i up to the end of row j, and from it."""
-    end, start = rows[j, U_END], rows[j + 1, U_START]
-    first, last = min(places.row[i, a], j), max(places.row[i, b], j + 1)
-    u = places.u[i, a] if places.row[i, a] <= j else end
-    v = places.u[i, b] if places.row[i, b] > j else start
-    side[0], side[1] = curvature_range(rows, first, u, j, end)
-    side[2], side[3] = curvature_range(rows, j + 1, start, last, v)
+    first, u, last, v = places.row[i, a], places.u[i, a], places.row[i, b], places.u[i, b]
+    for n in range(2):
+        slot = b if n else a
+        k = jump_beside(rows, places.row[i, slot], places.u[i, slot], beside[n])
+        if 0 <= k < first:
+            first, u = k, rows[k, U_END]
+        if k >= last:
+            last, v = k + 1, rows[k + 1, U_START]
+    return first, u, last, v
 
 
 @kernel
 def find_jumps(
-    rows: FloatArray,
-    places: Placements,
-    a: int,
-    b: int,
-    links: int,
-    scratch: Scratch,
+    rows: FloatArray, places: Placements, a: int, b: int, links: int, scratch: Scratch
 ) -> int:
     """How many handles cross a jump from slot a to slot b without a kink; at most MOST_JUMPS.
 
     Of the first `links` + 1. Fills scratch.crossing with them and scratch.sides with least and greatest
-    curvature before it and after it. Where two handles or more stand beside jumps at once, rounding
-    hides which of them crosses first: there all of them count as crossing.
+    curvature before it and after it. Who stands so near a jump that rounding hides its side crosses it,
+    too: so all orders count in which handles may cross jumps at once.
     """
     table, crossing, sides, count = scratch.table, scratch.crossing, scratch.sides, 0
-    start, end = scratch.beside[0], scratch.beside[1]
-    start = start if handles_at_jumps(rows, places, a, links, start) > 1 else -1.0
-    end = end if handles_at_jumps(rows, places, b, links, end) > 1 else -1.0
     for i in range(links + 1):
         if not table[i, LEFT] - table[i, RIGHT] < math.inf:
             continue
-        j = crossed_jump(rows, places, i, a, b, start, end)
+        first, u, last, v = way_of(rows, places, i, a, b, scratch.beside)
+        j, side = jump_row(rows, first, last), sides[min(count, MOST_JUMPS)]
         if j < 0:
             continue
-        side = sides[min(count, MOST_JUMPS)]
-        bends_beside(rows, places, i, a, b, j, side)
+        side[0], side[1] = curvature_range(rows, first, u, j, rows[j, U_END])
+        side[2], side[3] = curvature_range(rows, j + 1, rows[j + 1, U_START], last, v)
         if count < MOST_JUMPS:
             crossing[count] = i
             count += 1

@@ -49,7 +49,7 @@ SEEN = 0  # the greatest value at any chain; -1 before the first
 WHERE = 1  # the head's position there, m
 UPPER = 2  # at most what was put aside
 SURE = 3  # a value that is exactly reached or exceeded
-SIDED = 4  # the greatest value where it is sure on which side of jumps all handles stand
+SIDED = 4  # the greatest value seen where rounding hides no handle's side of a jump, if sides matter
 NOTES = 5
 # And a row of integers.
 OPEN = 0  # parts that wait
@@ -208,6 +208,14 @@ def take(heap: Heap, counts: IntArray, batch: Batch, n: int) -> None:
 
 
 @kernel
+def square_at(squares: FloatArray, n: int, share: float) -> float:
+    """The square of the head's speed at so great a share of stretch n, at its ends as it is said."""
+    if share == 1.0:
+        return squares[n, 1]
+    return squares[n, 0] + share * (squares[n, 1] - squares[n, 0])
+
+
+@kernel
 def set_drive(drives: Drives, n: int, a: float, b: float, drive: FloatArray) -> None:
     """Fill in the head's drive from a to b, m, on stretch n."""
     start, length = drives.ways[n, 0], drives.ways[n, 1] - drives.ways[n, 0]
@@ -215,8 +223,8 @@ def set_drive(drives: Drives, n: int, a: float, b: float, drive: FloatArray) -> 
     if length > 0.0:
         from_share = min(max((a - start) / length, 0.0), 1.0)
         to_share = min(max((b - start) / length, 0.0), 1.0)
-    square, more = drives.squares[n, 0], drives.squares[n, 1] - drives.squares[n, 0]
-    drive[FROM], drive[TO] = square + from_share * more, square + to_share * more
+    drive[FROM] = square_at(drives.squares, n, from_share)
+    drive[TO] = square_at(drives.squares, n, to_share)
     drive[RATE] = drives.rates[n]
 
 

@@ -1,8 +1,9 @@
 """How far rounding may have moved turning rates and accelerations in placed chains.
 
 Both are made of angles between benches and route, of speed ratios and of curvatures, whose errors are
-those of kernels/rounding.py. From bench to bench the errors of accelerations travel as accelerations do
-(`chain.rates`): whatever moves one term of that sum moves all behind it, by the ratio of cosines.
+those of kernels/rounding.py. What the head's speed is where counts as it was rounded. From bench to
+bench the errors of accelerations travel as accelerations do (`chain.rates`): whatever moves one term of
+that sum moves all behind it, by the ratio of cosines.
 
 Errors below are bounds to first order; what is left out is smaller by 1e-9 or more.
 """
@@ -33,11 +34,11 @@ BEND_UNITS, SINE_UNITS, SUM_UNITS, SPEED_UNITS = 8.0, 4.0, 8.0, 4.0
 
 
 class Errors(NamedTuple):
-    """What rounding may have moved in slots, each table (handles, slots); the vectors are scratch."""
+    """What rounding may have moved in slots; tables but the first are (handles, slots)."""
 
     seams: Table  # of `rounding.find_seams`
-    lanes: Vector  # of `rounding.mark_lanes`, (handles,)
-    along: Vector  # of `rounding.handle_errors`, (handles,)
+    lanes: Vector  # scratch, of `rounding.mark_lanes`, (handles,)
+    along: Vector  # scratch, of `rounding.handle_errors`, (handles,)
     ratio: Table  # of `rounding.ratio_errors`, as shares
     change: Table  # of accelerations along the route, d2 s_i / d sigma^2, 1/m
     turn: Table  # of turning rates of the benches behind, rad/m
@@ -190,8 +191,9 @@ def value_error(
     See `drive.value_at`.
     """
     ratio, off, speed = places.ratio[i, t], errors.ratio[i, t], math.sqrt(square)
-    if quantity == SPEEDS:  # a speed that was squared comes back as it was said, or rounded
-        return ratio * speed * (off if speed * speed == square else off + SPEED_UNITS * HALF_UNIT)
+    if quantity == SPEEDS:  # the root of the square of what was said is that
+        steady = i == 0 and rate == 0.0
+        return ratio * speed * (off if steady else off + SPEED_UNITS * HALF_UNIT)
     if quantity == TURNING:
         return errors.turn[i - 1, t] * speed if i > 0 else 0.0
     moved = ratio * abs(rate) * (off + SUM_UNITS * HALF_UNIT)
