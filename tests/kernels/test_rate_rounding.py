@@ -27,17 +27,11 @@ pytest.importorskip("flint")
 from flint import arb
 
 from tests.exact_places import Motion, exact_motion, motion_by_differences
-from tests.kernels.test_rounding import KINDS, Draw, hairpin, spiral_in
+from tests.kernels.test_rounding import HAIRPINS, KINDS, Draw, hairpin, spiral_in, towards_peak
 
 # The head's speed, its square and its acceleration, where these count.
 SPEED, RATE = 1.3, -0.3
 SQUARE = SPEED * SPEED
-HAIRPINS = [
-    (3.0, 2.0),
-    (0.899698121027938, 2.0341416176355445),
-    (0.913344008, 2.046460796),
-    (1.2348659279706358, 2.4313350408491337),
-]
 
 
 class Weighed:
@@ -156,9 +150,8 @@ def test_the_head_is_as_fast_as_is_said_and_others_but_for_rounding() -> None:
 def test_who_stands_at_a_joint_where_a_walk_ends_may_have_passed_it(sweep: float) -> None:
     walk = Walk(Dragon.uniform(1), Route.joined([Line(20.0), Arc(1.5, sweep), Line(20.0)]))
     low, high = 20.0, 24.0
-    while (
-        low < 0.5 * (low + high) < high
-    ):  # the last place of the head at which the tail is on the line
+    # The last place of the head at which the tail is on the line, and the next number.
+    while low < 0.5 * (low + high) < high:
         middle = 0.5 * (low + high)
         low, high = (middle, high) if walk.placement([middle]).s[0, 1] <= 20.0 else (low, middle)
     most = float(walk.placement([low + 1e-9]).speed_ratio[0, 1]) ** 2 / 1.5
@@ -170,12 +163,7 @@ def test_who_stands_at_a_joint_where_a_walk_ends_may_have_passed_it(sweep: float
 @pytest.mark.parametrize(("radius", "sweep"), HAIRPINS)
 def test_rates_past_a_hairpin_are_off_by_no_more_than_is_said(radius: float, sweep: float) -> None:
     walk, shares = hairpin(radius, sweep), []
-    at = np.linspace(20.5, 20.0 + radius * sweep + 3.5, 60)
-    for _closer in range(4):
-        best = int(np.nanargmax(walk.placement(at, throw=False).speed_ratio[:, 1]))
-        peak = at[max(best - 1, 0)], at[min(best + 1, len(at) - 1)]
-        at = np.sort(np.concatenate([at, np.linspace(*peak, 30)]))
-    for s in at.tolist():
+    for s in towards_peak(walk, 20.0 + radius * sweep + 3.5):
         chain, exact = Weighed(walk, s), exact_motion(walk, s)
         shares.append([*chain.shares(exact), *(chain.share_of(exact, n) for n in range(5))])
     assert np.max(shares) <= 1.0

@@ -66,6 +66,13 @@ def turns(rng: Draw) -> Route:
     )
 
 
+# Ratios to about 1, 96, 102 and 449: see `hairpin`.
+HAIRPINS = [
+    (3.0, 2.0),
+    (0.899698121027938, 2.0341416176355445),
+    (0.913344008, 2.046460796),
+    (1.2348659279706358, 2.4313350408491337),
+]
 KINDS = spiral_in, spiral_out, bends, clothoids, log_spirals, turns
 
 
@@ -74,6 +81,16 @@ def hairpin(radius: float, sweep: float) -> Walk:
     return Walk(
         Dragon.uniform(1), Route.joined([Line(20.0), Arc(radius, sweep), Line(20.0)]), start=19.9
     )
+
+
+def towards_peak(walk: Walk, end: float) -> list[float]:
+    """Head positions up to one, m, ever closer about that with the greatest ratio of a bench alone."""
+    at = np.linspace(20.5, end, 60)
+    for _closer in range(4):
+        best = int(np.nanargmax(walk.placement(at, throw=False).speed_ratio[:, 1]))
+        peak = at[max(best - 1, 0)], at[min(best + 1, len(at) - 1)]
+        at = np.sort(np.concatenate([at, np.linspace(*peak, 60)]))
+    return [float(s) for s in at]
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -102,26 +119,12 @@ def test_handles_keep_within_their_errors_along_the_route() -> None:
     assert 0.0 == errors[0] < errors[1] < errors[200] < errors[400] < 2e-12
 
 
-# Ratios to about 1, 96, 102 and 449: see `hairpin`.
-@pytest.mark.parametrize(
-    ("radius", "sweep"),
-    [
-        (3.0, 2.0),
-        (0.899698121027938, 2.0341416176355445),
-        (0.913344008, 2.046460796),
-        (1.2348659279706358, 2.4313350408491337),
-    ],
-)
+@pytest.mark.parametrize(("radius", "sweep"), HAIRPINS)
 def test_speed_ratios_are_off_by_no_more_than_is_said(radius: float, sweep: float) -> None:
     walk = hairpin(radius, sweep)
     rows, places = walk.route.rows, empty_placements(2, 1)
     (lanes, errors), out = np.empty((2, 2)), np.empty((2, 1))
-    at = np.linspace(20.5, 20.0 + radius * sweep + 3.5, 60)
-    for _closer in range(4):
-        best = int(np.nanargmax(walk.placement(at, throw=False).speed_ratio[:, 1]))
-        peak = at[max(best - 1, 0)], at[min(best + 1, len(at) - 1)]
-        at = np.sort(np.concatenate([at, np.linspace(*peak, 60)]))
-    for s in at.tolist():
+    for s in towards_peak(walk, 20.0 + radius * sweep + 3.5):
         place_chain(rows, walk.dragon.links, np.array([s]), 0, 1, places)
         mark_lanes(rows, walk.dragon.links, places, 0, 1, lanes)
         ratio_errors(rows, walk.dragon.links, seams_of(rows), places, lanes, 0, errors, out)
@@ -129,14 +132,7 @@ def test_speed_ratios_are_off_by_no_more_than_is_said(radius: float, sweep: floa
         assert abs(places.ratio[1, 0] - exact) <= out[1, 0] * exact
 
 
-@pytest.mark.parametrize(
-    ("radius", "sweep"),
-    [
-        (0.899698121027938, 2.0341416176355445),
-        (0.913344008, 2.046460796),
-        (1.2348659279706358, 2.4313350408491337),
-    ],
-)
+@pytest.mark.parametrize(("radius", "sweep"), HAIRPINS[1:])
 def test_no_handle_is_faster_past_a_hairpin_than_the_bracket_says(radius: float, sweep: float) -> None:
     walk = hairpin(radius, sweep)
     found = greatest_speed(walk, 0.0, radius * sweep + 3.5, tolerance=1e-12)
