@@ -71,7 +71,7 @@ def test_an_unsafe_check_names_what_comes_first() -> None:
     assert first is not report.findings[0]
     text = f"Not safe: bench {first.benches[0]} comes nearer than 250 cm to obstacle 2 at"
     assert sentence(report).startswith(text)
-    assert sentence(report).endswith("; findings besides: 3")
+    assert sentence(report).endswith(" (one of 4 findings)")
     kinds = [(found.obstacle, found.kind) for found in report.findings]
     assert kinds == [
         (name, kind) for name in ("well", "obstacle 2") for kind in ("obstacle_margin", "obstacle")

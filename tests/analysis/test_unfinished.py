@@ -47,10 +47,10 @@ def test_an_early_end_tells_the_end_that_is_enough_and_with_it_the_tail_is_out()
     assert end is not None
     assert needed <= end < needed + 0.1
     assert sentence(early).endswith(
-        f"the dance ends before the tail is out of the turn: walk.end = {end:.1f} is enough"
+        f"the dance ends before the tail is out of the turn: let the walk end at {end:.1f} s or later"
     )
     with spoken_in("zh"):
-        assert f"walk.end）改成 {end:.1f} 秒就够" in sentence(early)
+        assert f"最早改到 {end:.1f} 秒" in sentence(early)
     later = turn(end=end)
     walk = later.build()
     assert unfinished(later, walk, end) is None

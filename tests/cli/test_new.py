@@ -120,7 +120,7 @@ def test_a_dance_that_ends_before_its_tail_is_out_is_printed_with_a_warning(
     text = 'schema = 1\n[dragon]\nbenches = 5\n[route]\nkind = "turn"\n[walk]\nstart = -5\nend = 9\n'
     Path("v.dragon.toml").write_text(text, "utf-8")
     assert run(["check", "v.dragon.toml", "--quiet", "--lang", "en"]) == 0
-    told = re.search(r"WARNING: the dance ends .*: walk.end = (\S+) is", capsys.readouterr().out)
+    told = re.search(r"WARNING: the dance ends .* let the walk end at (\S+) s", capsys.readouterr().out)
     assert told is not None
     again = ["check", "v.dragon.toml", "--set", f"walk.end={told[1]}", "--quiet", "--lang", "en"]
     assert run(again) == 0

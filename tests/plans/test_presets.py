@@ -1,5 +1,7 @@
 """Presets: the same name means the same plan everywhere."""
 
+import re
+
 from benchdragon.plans.presets import presets
 from benchdragon.plans.schema import read_plan
 from benchdragon.plans.toml import built_in_names
@@ -26,3 +28,7 @@ def test_the_first_preset_says_what_was_added_to_the_built_in_plan() -> None:
     assert first.title.en == first.plan.title("en") == "Coiling in to the disc"
     assert "with a turning disc of 4.5 m added" in first.source.en
     assert "加了半径 4.5 m 的调头空间" in first.source.zh
+
+
+def test_a_presets_chinese_title_is_chinese() -> None:
+    assert [one.title.zh for one in presets() if re.search("[A-Za-z]", one.title.zh)] == []

@@ -262,9 +262,9 @@ def sentence(report: Report, told: Clock | None = None) -> str:
     if report.safe:
         return _("Safe: {tightest}").format(tightest=_kept(report, told))
     text = _briefly(min(report.findings, key=_soonest))
-    more = len(report.findings) - 1
-    if more:
-        text = _("{finding}; findings besides: {count}").format(finding=text, count=more)
+    count = len(report.findings)
+    if count > 1:
+        text = _("{finding} (one of {count} findings)").format(finding=text, count=count)
     if not report.decided:
         return _("Undecided: {finding}").format(finding=text)
     return _("Not safe: {finding}").format(finding=text)

@@ -30,7 +30,9 @@ class Unfinished:
         """The same in words, in the language in use."""
         if self.end is None:
             return self.told
-        text = _("the dance ends before the tail is out of the turn: walk.end = {end} is enough")
+        text = _(
+            "the dance ends before the tail is out of the turn: let the walk end at {end} s or later"
+        )
         return text.format(end=f"{self.end:.1f}")
 
     @property

@@ -33,7 +33,7 @@ export function unfinishedText({ way, end }) {
     return _("the dance ends before the tail is out of the turn: the head lacks {way} m", {
       way: decimals(way, 1),
     });
-  return _("the dance ends before the tail is out of the turn: walk.end = {end} is enough", {
+  return _("the dance ends before the tail is out of the turn: let the walk end at {end} s or later", {
     end: decimals(end, 1),
   });
 }

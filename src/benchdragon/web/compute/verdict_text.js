@@ -24,8 +24,8 @@ export function sentence(report) {
   const { findings } = report;
   if (!findings.length) return _("Safe: {tightest}", { tightest: keptText(report) });
   let finding = briefly(soonest(findings));
-  const count = findings.length - 1;
-  if (count) finding = _("{finding}; findings besides: {count}", { finding, count });
+  const count = findings.length;
+  if (count > 1) finding = _("{finding} (one of {count} findings)", { finding, count });
   if (!isDecided(report)) return _("Undecided: {finding}", { finding });
   return _("Not safe: {finding}", { finding });
 }
