@@ -32,7 +32,7 @@ TWINS = (
     "analysis.distance", "analysis.ground", "analysis.marks", "analysis.nearby",
     "analysis.obstacle_search",
     "analysis.room", "analysis.speed", "analysis.tables", "analysis.unfinished", "budget",
-    "explain.bench_text",
+    "errors", "explain.bench_text",
     "model.answer", "model.base_curve", "model.connections", "model.curves", "model.dragon",
     "model.formations", "model.holds", "model.obstacle", "model.placement", "model.profile",
     "model.walk",

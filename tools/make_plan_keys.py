@@ -30,7 +30,7 @@ UNITS = ("METRES", "SECONDS", "DEGREES", "SPEEDS", "ACCELERATIONS", "ANGULAR_SPE
 TYPES = {float: "float", int: "int", bool: "bool", str: "text"}
 NUMBERS, NAMES = "Record<string, Record<string, number>>", "Record<string, string[]>"
 # Functions that check or change a value, which have twins by these names.
-CHECKS = ("one_line", "_time_of_day")
+CHECKS = ("one_line", "web_address", "_time_of_day")
 LIMITS = {"le": min, "ge": max, "gt": max, "least": max, "most": min}
 
 Spec = dict[str, Any]

@@ -12,6 +12,7 @@ from benchdragon.plans.toml import BUILT_IN_FOLDER
 from tests.engine.recording import node
 from tests.planner.random_plans import plan
 from tests.planner.twins import answered, asked, difference
+from tests.plans.test_roster import ADDRESSES, NO_ADDRESSES, addressed
 from tests.scripts import script
 
 ROOT = Path(__file__).parents[2]
@@ -94,6 +95,11 @@ def test_what_is_wrong_is_said_in_the_same_words() -> None:
 
 def test_special_plans_are_the_same() -> None:
     assert compared({name: spiral(**tables) for name, tables in SPECIAL.items()}) == {}
+
+
+def test_the_page_opens_the_same_addresses() -> None:
+    long = "https://example.org/ " + 300 * "x"
+    assert compared({text: addressed(text) for text in (*ADDRESSES, *NO_ADDRESSES, long[:250])}) == {}
 
 
 def test_presets_and_examples_are_the_same() -> None:

@@ -74,3 +74,39 @@ def test_nothing_lies_beside_a_plan_that_was_not_read_from_a_file(plan: Path) ->
     data = read_plan(str(plan)).data()
     with pytest.raises(PlanError, match="nothing lies beside it"):
         roster_of(checked(data, "plan"))
+
+
+# What is no web address and no relative file, whatever a phone may make of it.
+NO_ADDRESSES = (
+    "javascript:alert(1)", "JavaScript:alert(1)", " javascript:alert(1)", "java\tscript:alert(1)",
+    "java\nscript:x", "\u0001javascript:x", "javascript\u200b:x", "data:text/html,x", "file:///etc/x",
+    "vbscript:x", "tel:110", "sms:+861380000", "mailto:a@b", "intent://x#Intent;end", "blob:https://a/b",
+    "WIFI:T:WPA;S:x;;", "C:\\x.html", "//evil.example/x", "/\\evil.example", "\\\\evil\\x", "/x.html",
+    "http:/a", "https:a.html", "https://", "https:///x", "https:\\\\a", "http://?x", "http://:80/x",
+    "http\u017f://a", "https://good.example@evil.example/", "https://a b/", "https://a.example/ x",
+    "ftp://a/x", "a b.html", "#bench=1", "?x", "x:y/z", "./a:b", "view-source:https://a",
+    "feed:https://a", "http://good.example\\@evil.example",
+)  # fmt: skip
+ADDRESSES = (
+    "", "https://example.org/dance.html", "HTTPS://example.org", "http://localhost:8080/a?b=c:d#e",
+    "https://[2001:db8::1]/x.html", "https://板凳龙.中国/夜.html", "dance.html", "夜/dance.html#t=2",
+    "../dance.html?x=https://a/b", "./dance.html", "a@b.html",
+)  # fmt: skip
+
+
+def addressed(address: str) -> dict[str, object]:
+    """A plan whose players are at an address."""
+    return {"schema": 1, "route": {"kind": "spiral-in"}, "people": {"address": address}}
+
+
+@pytest.mark.parametrize("address", NO_ADDRESSES)
+def test_what_papers_would_have_a_phone_open_is_a_web_address_or_a_relative_file(address: str) -> None:
+    with pytest.raises(PlanError, match=r"people\.address: wanted ") as told:
+        checked(addressed(address), "plan")
+    assert repr(address)[:80] in str(told.value)
+    assert "\n" not in str(told.value)
+
+
+def test_addresses_of_the_web_and_relative_files_are_taken_as_they_are() -> None:
+    for address in ADDRESSES:
+        assert checked(addressed(address), "plan").people.address == address

@@ -1,14 +1,35 @@
 """The table of a plan file about the people: who carries, what room and what speeds they need."""
 
+import re
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import AfterValidator, Field
 
+from benchdragon.errors import brief
 from benchdragon.i18n import N_, _
-from benchdragon.plans.tables import Length, LengthOrZero, OneLine, Speed, Table
+from benchdragon.plans.tables import Length, LengthOrZero, OneLine, Speed, Table, one_line
 
 # What a bench is called in a line of them, after its number.
 UNITS = {"bench": N_("bench {n}"), "qiao": N_("qiao {n}"), "jie": N_("jie {n}")}
+
+# What phones may open from paper: an address of the web without a user's name, which would look like
+# another host, or a relative file, whose path has neither scheme nor host.
+ADDRESS = re.compile(
+    r"[Hh][Tt][Tt][Pp][Ss]?://[^ /?#@:\\][^ /?#@\\]*(?:[/?#][^ \\]*)?|[^ \\/:?#][^ \\:?#]*(?:[?#][^ \\]*)?"
+)
+
+
+def web_address(text: str) -> str:
+    """Refuses what is neither an address of the web nor a relative file: a phone would do what it says."""
+    if one_line(text) and not ADDRESS.fullmatch(text):
+        said = _(
+            "wanted a web address (http:// or https://) or a relative file name, without spaces, not {text}"
+        )
+        raise ValueError(said.format(text=brief(text)))
+    return text
+
+
+Address = Annotated[str, Field(max_length=255), AfterValidator(web_address)]
 
 
 class SourcesTable(Table):
@@ -39,7 +60,7 @@ class PeopleTable(Table):
         hurry_from: speed from which walking is called hurrying, m/s.
         run_from: speed from which it is called running, m/s.
         most_speed: the greatest at which a bench can be carried, m/s.
-        address: where the player of the dance will be on the web.
+        address: where the player of the dance will be: http, https, or a relative file.
     """
 
     roster: OneLine = ""
@@ -54,7 +75,7 @@ class PeopleTable(Table):
     hurry_from: Annotated[Speed, Field(gt=0.0)] = 1.2
     run_from: Annotated[Speed, Field(gt=0.0)] = 1.8
     most_speed: Annotated[Speed, Field(gt=0.0)] | None = None
-    address: OneLine = ""
+    address: Address = ""
     source: SourcesTable = SourcesTable()
 
 

@@ -672,6 +672,10 @@ export const BUDGET = {
   MEMORY: 600000000,
 };
 
+export const ERRORS = {
+  MOST_SHOWN: 80,
+};
+
 export const EXPLAIN_BENCH_TEXT = {
   MOST_TURNS: 3,
   MOST_PACES: 4,

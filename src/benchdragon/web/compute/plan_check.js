@@ -2,7 +2,7 @@
 // models (plan_keys.js).
 
 import { _ } from "../words.js";
-import { PLANS_SOURCE, PLANS_TOML } from "./constants.js";
+import { ERRORS, PLANS_SOURCE, PLANS_TOML } from "./constants.js";
 import { Fault } from "./errors.js";
 import { PLAN_TABLES, PLAN_UNITS } from "./plan_keys.js";
 import {
@@ -35,6 +35,9 @@ import { pythonFloat } from "./number_format.js";
 
 const QUANTITY = /([-+]?[0-9.]+(?:e[-+]?\d+)?)\s*([^\s\d.+^-]+(?:\^\d)?)/gi;
 const NUMBER_TEXT = /^\s*[-+]?(?:\d[\d_]*\.?\d*|\.\d+)(?:e[-+]?\d+)?\s*$/i;
+// Twin of ADDRESS of plans/people.py.
+const ADDRESS =
+  /^(?:[Hh][Tt][Tt][Pp][Ss]?:\/\/[^ /?#@:\\][^ /?#@\\]*(?:[/?#][^ \\]*)?|[^ \\/:?#][^ \\:?#]*(?:[?#][^ \\]*)?)$/u;
 const TIME_OF_DAY = /^([01]?\d|2[0-3]):([0-5]\d)(?::([0-5]\d))?$/;
 const [TRUTHS, UNTRUTHS] = [
   ["1", "on", "t", "true", "y", "yes"],
@@ -305,15 +308,27 @@ function textOf(spec, value) {
   if (spec.most !== undefined && Array.from(text).length > spec.most)
     throw new ValueFault(`String should have at most ${spec.most} characters`);
   const blank = text && (!text.trim() || !isPrintable(text));
-  if (spec.check === "one_line" && blank)
+  if (["one_line", "web_address"].includes(spec.check ?? "") && blank)
     throw new ValueFault(
-      _("wanted text that can be printed on one line, not {text}", { text: pythonRepr(text) }),
+      _("wanted text that can be printed on one line, not {text}", { text: brief(text) }),
+    );
+  if (spec.check === "web_address" && text && !ADDRESS.test(text))
+    throw new ValueFault(
+      _(
+        "wanted a web address (http:// or https://) or a relative file name, without spaces, not {text}",
+        { text: brief(text) },
+      ),
     );
   if (spec.check === "time_of_day" && text && !TIME_OF_DAY.test(text))
     throw new ValueFault(
       _("wanted a time of day such as 18:30, not {text}", { text: pythonRepr(text) }),
     );
   return text;
+}
+
+/** A text as Python writes it, cut short: `brief` of errors.py. @param {string} text */
+function brief(text) {
+  return Array.from(pythonRepr(text)).slice(0, ERRORS.MOST_SHOWN).join("");
 }
 
 /** @param {Spec} spec @param {unknown} value */
