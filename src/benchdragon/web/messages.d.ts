@@ -521,7 +521,7 @@ export interface PartsRoute {
  *     hurry_from: speed from which walking is called hurrying, m/s.
  *     run_from: speed from which it is called running, m/s.
  *     most_speed: the greatest at which a bench can be carried, m/s.
- *     address: where the player of the dance will be on the web.
+ *     address: where the player of the dance will be: http, https, or a relative file.
  */
 export interface PeopleTable {
   roster?: string;
