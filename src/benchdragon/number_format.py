@@ -34,6 +34,15 @@ def figures(value: float, *, up: bool) -> str:
     return f"{decimal.Context(prec=5, rounding=rounding).create_decimal(repr(value)):f}"
 
 
+def at_most(value: float) -> str:
+    """Two digits and a power of ten, rounded up."""
+    text = f"{value:.1e}"
+    if float(text) >= value:
+        return text
+    digit, power = text.split("e")
+    return f"{float(f'{float(digit) + 0.1:.1f}e{power}'):.1e}"
+
+
 def finite_or_none(value: float) -> float | None:
     """A number for JSON, which knows no infinity."""
     return value if math.isfinite(value) else None

@@ -3,6 +3,7 @@
 import json
 import math
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -10,9 +11,11 @@ from python_calamine import CalamineWorkbook
 
 from benchdragon.analysis.check import check, sentence
 from benchdragon.analysis.clock import Clock
+from benchdragon.analysis.contact import least_clearance
 from benchdragon.analysis.findings import all_findings
 from benchdragon.analysis.speed import QUANTITIES, greatest, greatest_speed
 from benchdragon.cli.answers import print_answer
+from benchdragon.cli.check import print_report
 from benchdragon.cli.main import run
 from benchdragon.i18n import use_language
 from benchdragon.model.answer import Answer, Witness
@@ -371,3 +374,44 @@ def test_papers_tell_a_safe_walk_as_the_village_does() -> None:
     assert fastest <= shown < fastest + 0.01
     plain = sentence(report)
     assert f"bench {near.benches[0]} with bench {near.benches[1]}, at {near.time:.1f} s" in plain
+
+
+# The least gap of this coil is 1.47e-17 m: benches 1 and 20, 216.338 s.
+HAIR = ("disc.radius=4.5", "route.pitch=0.4503373930271955", "dragon.benches=30")
+
+
+@pytest.mark.parametrize("wall", [(), ('obstacle=[{kind="line", points=[[-90, -90], [90, -90]]}]',)])
+def test_a_gap_that_rounding_hides_keeps_an_upper_end_and_is_never_told_as_0(
+    capsys: pytest.CaptureFixture[str], wall: tuple[str, ...]
+) -> None:
+    plan = read_plan("spiral-in", [*HAIR, *wall])
+    found = least_clearance(plan.build(), 0.0, plan.span(plan.build())[1])
+    assert found.lower == 0.0 <= found.value < 1.47e-17 < found.upper < 2e-13
+    open_still = check(plan)
+    assert open_still.clearance.upper > 0.0
+    hidden = replace(found, unit="m")
+    square = tuple(replace(one, distance=hidden) for one in open_still.obstacles)
+    shown = replace(
+        open_still, first_contact=None, clearance=hidden, findings=(), obstacles=square, proved=True
+    )
+    print_report(shown)
+    told = capsys.readouterr().out
+    assert re.search(r"least clearance: less than 1\.\de-13 m \(found\)", told)
+    gaps = re.findall(r"less than 1\.\de-13 m", sentence(shown))
+    assert len(gaps) == 1 + len(wall)
+    assert "tightest less than 1 cm, bench 1 with bench 20, at" in sentence(shown, Clock("", 0.0))
+    assert not re.search(r"(?<![\d.])0(\.0)? c?m\b", told + sentence(shown))
+
+
+def test_what_surely_touches_has_no_clearance() -> None:
+    found = check(read_plan("spiral-in", [*HAIR[::2], "route.pitch=0.45"]))
+    assert (found.clearance.lower, found.clearance.upper) == (0.0, 0.0)
+
+
+def test_a_graze_that_a_walk_ends_in_has_an_upper_end_of_its_clearance() -> None:
+    report = check(read_plan("spiral-in", [*HAIR, "walk.end=216.33821411036504"]))
+    assert not report.decided
+    assert report.first_contact is not None
+    assert report.first_contact.witness is not None
+    assert report.first_contact.witness.gap <= 0.0
+    assert report.clearance.lower == 0.0 < report.clearance.upper < 1e-12

@@ -192,6 +192,7 @@ def test_a_kerb_along_the_route_is_undecided_only_within_rounding(margin: float,
     assert told.distance.value == pytest.approx(margin + max(off, 0.0), abs=2e-11)
     assert told.distance.lower <= max(margin + off, 0.0) + 1e-15
     assert told.distance.upper >= margin + off - 1e-15
+    assert (told.distance.upper > 0.0) is (margin + off >= 0.0)
 
 
 def test_a_touch_behind_a_graze_is_found() -> None:

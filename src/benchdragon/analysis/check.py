@@ -37,6 +37,7 @@ from benchdragon.errors import InputError, UnsureError, WalkError, of_kind
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import ROUNDING, Answer
 from benchdragon.model.walk import Motion, Walk
+from benchdragon.number_format import at_most
 from benchdragon.plans.people import called
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, Stages, silent
@@ -195,8 +196,10 @@ def _clear_throughout(plan: Plan, walk: Walk, span: tuple[float, float]) -> Answ
 
 
 def _no_clearance(contact: Answer | None) -> Answer | None:
-    """The least clearance where benches touch: none; None where they do not."""
+    """The least clearance where benches surely touch: none; None where they do not."""
     if contact is None or contact.witness is None or contact.witness.gap > 0.0:
+        return None
+    if contact.status == "undecided":
         return None
     return replace(contact, value=0.0, lower=0.0, upper=0.0, unit="m")
 
@@ -341,16 +344,28 @@ def _kept(report: Report, told: Clock | None) -> str:
 
 def _tightest(report: Report, time: float, benches: Sequence[int], told: Clock | None) -> str:
     """The tightest moment of a safe walk."""
+    clearance = report.clearance
     if told is None:
-        exact = f"{100.0 * report.clearance.value:.3g}"
-        text = _("tightest {gap} cm, bench {a} with bench {b}, at {t} s")
-        return text.format(gap=exact, a=benches[0], b=benches[1], t=f"{time:z.1f}")
-    text = _("tightest {gap} cm, {a} with {b}, at {t}")
-    if abs(benches[0] - benches[1]) == AFTER_NEXT:
-        text = _("tightest {gap} cm, {a} with {b}, one bench between them, at {t}")
-    gap = math.floor(round(100.0 * report.clearance.value, 6))
+        gap, text = (
+            f"{100.0 * clearance.value:.3g}",
+            _("tightest {gap} cm, bench {a} with bench {b}, at {t} s"),
+        )
+        if clearance.vanishing:
+            gap = at_most(clearance.upper)
+            text = _("tightest less than {gap} m, bench {a} with bench {b}, at {t} s")
+        return text.format(gap=gap, a=benches[0], b=benches[1], t=f"{time:z.1f}")
+    whole = math.floor(round(100.0 * clearance.value, 6))
+    apart = abs(benches[0] - benches[1]) == AFTER_NEXT
+    if whole:
+        text = _("tightest {gap} cm, {a} with {b}, at {t}")
+        if apart:
+            text = _("tightest {gap} cm, {a} with {b}, one bench between them, at {t}")
+    else:
+        text = _("tightest less than 1 cm, {a} with {b}, at {t}")
+        if apart:
+            text = _("tightest less than 1 cm, {a} with {b}, one bench between them, at {t}")
     a, b = (called(report.plan.people, one, len(report.walk.dragon)) for one in benches)
-    return text.format(gap=gap, a=a, b=b, t=told.tell(time))
+    return text.format(gap=whole, a=a, b=b, t=told.tell(time))
 
 
 def _fastest(report: Report, limit: float, told: Clock | None) -> str:
@@ -375,7 +390,12 @@ def _kept_from(report: Report) -> list[str]:
             text = _("at least {gap} cm from the edge of {name}")
         elif len(stands) > 1:
             text = _("at least {gap} cm from {name}, the tightest of {count} obstacles")
-        kept = text.format(gap=_kept_cm(one), name=named(one.obstacle), count=len(stands))
+        gap = _kept_cm(one)
+        if one.distance.vanishing:
+            gap, text = at_most(one.distance.upper), _("less than {gap} m from {name}")
+            if one in venue:
+                text = _("less than {gap} m from the edge of {name}")
+        kept = text.format(gap=gap, name=named(one.obstacle), count=len(stands))
         if one.obstacle.margin:
             asked = f"{100.0 * one.obstacle.margin:g}"
             kept = _("{kept} ({margin} cm asked for)").format(kept=kept, margin=asked)

@@ -327,8 +327,8 @@ def _clearance_answer(search: ContactSearch, best: Best) -> Answer:
     search.note_off(search.off_at(best.where, *best.pair))
     off = search.off
     lower = max(best.floor - off, 0.0)
-    upper = best.distance + off if best.distance else 0.0
     witness = search.witness(best.where, *best.pair)
+    upper = upper_end(best.distance or witness.gap, off)
     return Answer(
         best.distance,
         lower,
@@ -340,6 +340,14 @@ def _clearance_answer(search: ContactSearch, best: Best) -> Answer:
         search.evaluations,
         seconds,
     )
+
+
+def upper_end(gap: float, off: float) -> float:
+    """The most that bodies are apart whose distance, or minus their depth, may be off by `off`; all m.
+
+    A gap by the separating axis theorem, as a depth is, may be less than their distance: by sqrt(2).
+    """
+    return gap + off if gap > 0.0 else max(gap + math.sqrt(2.0) * off, 0.0)
 
 
 @budget.question()

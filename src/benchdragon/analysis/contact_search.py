@@ -16,7 +16,7 @@ import numpy.typing as npt
 from benchdragon import budget
 from benchdragon.analysis.distance import boxes, nearness
 from benchdragon.analysis.head_times import HeadTimes
-from benchdragon.analysis.nearby import at_most, checked_off, errors_at, origin_of, seen_from
+from benchdragon.analysis.nearby import checked_off, errors_at, origin_of, seen_from
 from benchdragon.analysis.tables import Tables, walk_tables
 from benchdragon.errors import UnsureError, in_order, not_negative, of_kind
 from benchdragon.i18n import _
@@ -30,6 +30,7 @@ from benchdragon.model.answer import Answer, Status, Witness
 from benchdragon.model.base_curve import Point
 from benchdragon.model.placement import Placement
 from benchdragon.model.walk import Walk
+from benchdragon.number_format import at_most
 from benchdragon.progress import Progress
 
 # What computed distances count as off by at least, m, so that grazes end; where the bound on their

@@ -13,6 +13,7 @@ from benchdragon.kernels.rounding import SEAM_COLUMNS, bench_errors, find_seams
 from benchdragon.kernels.step_bounds import empty_placements, place_chain
 from benchdragon.model.base_curve import Point
 from benchdragon.model.walk import Walk
+from benchdragon.number_format import at_most
 
 # A dance is searched from an origin of its own where it is farther than this from that of the route, m,
 # and by more than so many times its own extent.
@@ -60,15 +61,6 @@ def errors_at(walk: Walk, s: float, seen: int = -1) -> tuple[FloatArray, FloatAr
         lanes, seams = np.empty(len(dragon)), seams_of(rows)
         bench_errors(rows, dragon.links, dragon.sizes, seams, places, 0, seen, lanes, errors, off)
     return errors, off
-
-
-def at_most(off: float) -> str:
-    """A bound, m, with two digits, rounded up."""
-    text = f"{off:.1e}"
-    if float(text) >= off:
-        return text
-    digit, power = text.split("e")
-    return f"{float(f'{float(digit) + 0.1:.1f}e{power}'):.1e}"
 
 
 def checked_off(off: float) -> float:

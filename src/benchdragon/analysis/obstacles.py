@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from benchdragon import budget
-from benchdragon.analysis.contact import TOLERANCES
+from benchdragon.analysis.contact import TOLERANCES, upper_end
 from benchdragon.analysis.contact_search import assumed_within
 from benchdragon.analysis.obstacle_search import ObstacleSearch
 from benchdragon.kernels import search as steps
@@ -202,11 +202,10 @@ def _distance_answer(search: ObstacleSearch, best: Nearest, floor: float) -> Ans
     if best.k >= 0:
         bench = search.bench_at(best.k, best.s)
         head = search.head_at(bench, best.s, best.s)[1]
-    value = max(best.distance - radius, 0.0)
+    gap = best.distance - radius
     lower = max(min(floor, best.distance) - radius - off, 0.0)
-    upper = value + off if value else 0.0
     seconds = clock.perf_counter() - search.began
     return Answer(
-        value, lower, upper, "m", "found", search.witness(head, bench), assumed_within(off),
-        search.evaluations, seconds,
+        max(gap, 0.0), lower, upper_end(gap, off), "m", "found", search.witness(head, bench),
+        assumed_within(off), search.evaluations, seconds,
     )  # fmt: skip

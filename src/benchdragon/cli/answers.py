@@ -9,7 +9,7 @@ import click
 from benchdragon.i18n import _, language
 from benchdragon.model.answer import Answer, Witness
 from benchdragon.model.numbering import handle_text
-from benchdragon.number_format import decimals, figures
+from benchdragon.number_format import at_most, decimals, figures
 from benchdragon.version import __version__
 
 if TYPE_CHECKING:
@@ -67,6 +67,8 @@ def print_answer(name: str, answer: Answer, *, up: bool, brackets: bool) -> None
     text = _("{name}: {value} {unit} ({status})")
     if brackets:
         text = _("{name}: {value} {unit} ({status}; between {lower} and {upper})")
+    elif answer.unit == "m" and answer.vanishing:
+        text, value = _("{name}: less than {value} {unit} ({status})"), at_most(answer.upper)
     click.echo(
         text.format(
             name=name, value=value, unit=answer.unit, status=words[answer.status],

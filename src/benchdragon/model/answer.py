@@ -70,6 +70,11 @@ class Answer:
         """The same under another status."""
         return replace(self, status=status)
 
+    @property
+    def vanishing(self) -> bool:
+        """Whether rounding hides all of a distance that may be more than 0: its upper end is told."""
+        return self.lower <= 0.0 <= self.value <= self.upper - self.value and self.upper > 0.0
+
     def sure(self, *, up: bool) -> float:
         """The upper or lower end of the bracket; the value where rounding alone lies between them."""
         end = self.upper if up else self.lower

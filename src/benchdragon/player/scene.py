@@ -23,6 +23,7 @@ from benchdragon.model.dragon import Dragon
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.outline import margin_rings
 from benchdragon.model.walk import Walk
+from benchdragon.number_format import at_most
 from benchdragon.plans.cues import CueTable
 from benchdragon.plans.people import UNITS, PeopleTable, called
 from benchdragon.plans.schema import Plan
@@ -375,8 +376,11 @@ def _answers(report: Report) -> list[messages.Occasion]:
         name = both(lambda: _("margin not kept") if apart else _("first contact"))
         found.append(_occasion("contact", contact.value, name, contact.witness.benches))
     elif near is not None and near.time is not None:
-        gap = f"{100.0 * report.clearance.value:.3g}"
-        name = both(lambda: _("tightest moment: {gap} cm").format(gap=gap))
+        clearance = report.clearance
+        gap, says = f"{100.0 * clearance.value:.3g}", N_("tightest moment: {gap} cm")
+        if clearance.vanishing:
+            gap, says = at_most(clearance.upper), N_("tightest moment: less than {gap} m")
+        name = both(lambda: _(says).format(gap=gap))
         found.append(_occasion("tightest", near.time, name, near.benches))
     if (
         speed.witness is not None
@@ -404,6 +408,10 @@ def _on_the_square(report: Report) -> list[messages.Occasion]:
         if answers.obstacle.kind == "venue":
             says = N_("nearest to the edge of {name}: {gap} cm")
         gap = f"{100.0 * answers.distance.value:.4g}"
+        if answers.distance.vanishing:
+            gap, says = at_most(answers.distance.upper), N_("nearest to {name}: less than {gap} m")
+            if answers.obstacle.kind == "venue":
+                says = N_("nearest to the edge of {name}: less than {gap} m")
         text = both(partial(_near_text, says, answers.obstacle, gap))
         found += _at_obstacle(answers.distance, answers.obstacle, n, text)
     return found

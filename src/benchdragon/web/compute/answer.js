@@ -53,6 +53,11 @@ export function now() {
   return performance.now() / 1000;
 }
 
+/** Whether rounding hides all of a distance that may be more than 0: its upper end is told. @param {Pick<Answer, "value" | "lower" | "upper">} answer */
+export function vanishing({ value, lower, upper }) {
+  return lower <= 0 && 0 <= value && value <= upper - value && upper > 0;
+}
+
 /** The upper or lower end of the bracket; the value where rounding alone lies between them. @param {Answer} answer @param {boolean} up */
 export function sure({ value, lower, upper }, up) {
   const end = up ? upper : lower;

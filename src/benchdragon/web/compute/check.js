@@ -127,7 +127,7 @@ async function nearnessOf(plan, walk, [start, end], stage, alive, quick) {
   const progress = stage(_("searching for contact"));
   const contact = await firstSureContact(walk, start, end, { margin, progress });
   const near = contact?.witness ?? null;
-  if (contact !== null && near !== null && !(near.gap > 0))
+  if (contact !== null && contact.status !== "undecided" && near !== null && !(near.gap > 0))
     return { contact, clearance: { ...contact, value: 0, lower: 0, upper: 0, unit: "m" } };
   const until = contact === null || near === null ? end : contact.upper;
   const tolerances = quick ? [QUICK_CLEARANCE] : TOLERANCES;

@@ -268,7 +268,12 @@ async function lowered(search, best, reach, tolerance) {
 function clearanceAnswer(search, { distance, where, pair, floor }) {
   search.noteOff(search.offAt(where, ...pair));
   const lower = Math.max(floor - search.off, 0);
-  const upper = distance ? distance + search.off : 0;
   const witness = search.witness(where, ...pair);
+  const upper = upperEnd(distance || witness.gap, search.off);
   return answered(distance, lower, upper, "m", { witness, ...search.told() });
+}
+
+/** The most, m, that bodies are apart at a distance, or at minus a depth, m, that may be off by `off`. @param {number} gap @param {number} off */
+export function upperEnd(gap, off) {
+  return gap > 0 ? gap + off : Math.max(gap + Math.SQRT2 * off, 0);
 }

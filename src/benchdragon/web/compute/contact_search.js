@@ -17,8 +17,8 @@ import {
 import { boxes, nearness } from "./distance.js";
 import { InputError, UnsureError, finite, notNegative } from "./errors.js";
 import { HeadTimes } from "./head_times.js";
-import { atMost, checkedOff, errorsAt, originOf, seenFrom } from "./nearby.js";
-import { general } from "./number_format.js";
+import { checkedOff, errorsAt, originOf, seenFrom } from "./nearby.js";
+import { atMost, general } from "./number_format.js";
 import { Tables, walkTables, wholeAt } from "./tables.js";
 import { tick } from "./tick.js";
 

@@ -2,8 +2,9 @@
 // check's record, so that nobody checks a plan twice.
 
 import { _ } from "../words.js";
+import { vanishing } from "./answer.js";
 import { named } from "./findings.js";
-import { general } from "./number_format.js";
+import { atMost, general } from "./number_format.js";
 import { rounded } from "./numbers.js";
 import { occasion } from "./scene.js";
 
@@ -65,10 +66,12 @@ function answersOf({ first_contact: contact, clearance, greatest_speed: speed },
     const say = () => (apart ? _("margin not kept") : _("first contact"));
     found.push(occasion("contact", numberOf(contact.value), say, contact.witness.benches));
   } else if (clearance && near && near.time !== null) {
-    const gap = general(100 * numberOf(clearance.value), 3);
-    found.push(
-      occasion("tightest", near.time, () => _("tightest moment: {gap} cm", { gap }), near.benches),
-    );
+    const bracket = bracketOf(clearance);
+    const say = () =>
+      vanishing(bracket)
+        ? _("tightest moment: less than {gap} m", { gap: atMost(bracket.upper) })
+        : _("tightest moment: {gap} cm", { gap: general(100 * bracket.value, 3) });
+    found.push(occasion("tightest", near.time, say, near.benches));
   }
   if (speed && fast && fast.time !== null) {
     const most = general(numberOf(speed.value), 4);
@@ -85,6 +88,11 @@ function numberOf(value) {
 
 /** What was found about one of the plan's obstacles, and its number. @typedef {{ record: ObstacleRecord, obstacle: Obstacle, n: number }} Found */
 
+/** The bracket of a record's answer. @param {Answer} answer */
+function bracketOf({ value, lower, upper }) {
+  return { value: numberOf(value), lower: numberOf(lower), upper: numberOf(upper) };
+}
+
 /** When benches come too near to obstacles, and touch; the moment nearest to one that is clear. @param {Found[]} all */
 function onTheSquare(all) {
   const found = all.flatMap((one) => (one.record.contact ? tooNear(one, one.record.contact) : []));
@@ -94,9 +102,15 @@ function onTheSquare(all) {
     .sort((a, b) => a.room - b.room || a.n - b.n);
   for (const one of clear.slice(0, 1)) {
     const { record, obstacle } = one;
-    const gap = general(100 * numberOf(record.distance.value), 4);
+    const bracket = bracketOf(record.distance);
     const say = () => {
-      const values = { name: named(obstacle), gap };
+      const values = { name: named(obstacle), gap: general(100 * bracket.value, 4) };
+      if (vanishing(bracket)) {
+        values.gap = atMost(bracket.upper);
+        return obstacle.kind === "venue"
+          ? _("nearest to the edge of {name}: less than {gap} m", values)
+          : _("nearest to {name}: less than {gap} m", values);
+      }
       return obstacle.kind === "venue"
         ? _("nearest to the edge of {name}: {gap} cm", values)
         : _("nearest to {name}: {gap} cm", values);

@@ -6,7 +6,7 @@ import { doubles, withArena } from "./arena.js";
 import { spend } from "./budget.js";
 import { ANALYSIS_NEARBY, ROUNDING } from "./constants.js";
 import { UnsureError } from "./errors.js";
-import { powered } from "./number_format.js";
+import { atMost } from "./number_format.js";
 import { rint } from "./numbers.js";
 
 /** @typedef {import("../engine.js").Numbers} Numbers */
@@ -75,14 +75,6 @@ export function errorsAt({ engine, dragon, route }, s, seen = -1) {
       ); // prettier-ignore
     return { errors: doubles(errors).slice(), off: doubles(off).slice() };
   });
-}
-
-/** A bound, m, with two digits, rounded up. @param {number} off */
-export function atMost(off) {
-  const text = powered(off, 1);
-  if (Number(text) >= off) return text;
-  const [digit, power] = text.split("e");
-  return powered(Number(`${(Number(digit) + 0.1).toFixed(1)}e${power}`), 1);
 }
 
 /** What distances may be off by, m; throws if that is too much for a search to see all pairs. @param {number} off */

@@ -44,6 +44,14 @@ export function powered(value, count) {
   return (value < 0 || Object.is(value, -0) ? "-" : "") + raised(digits, power);
 }
 
+/** Two digits and a power of ten, rounded up. @param {number} value */
+export function atMost(value) {
+  const text = powered(value, 1);
+  if (Number(text) >= value) return text;
+  const [digit, power] = text.split("e");
+  return powered(Number(`${(Number(digit) + 0.1).toFixed(1)}e${power}`), 1);
+}
+
 /** So many digits at most, and a power of ten where that is shorter: ".6g". @param {number} value @param {number} count */
 export function general(value, count = 6) {
   const none = unlimited(value);

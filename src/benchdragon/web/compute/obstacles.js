@@ -4,7 +4,7 @@
 import { answered } from "./answer.js";
 import { doubles, withArena, withArenaAsync } from "./arena.js";
 import { SEARCH } from "./constants.js";
-import { TOLERANCES } from "./contact.js";
+import { TOLERANCES, upperEnd } from "./contact.js";
 import { Obstacle } from "./obstacle.js";
 import { ObstacleSearch } from "./obstacle_search.js";
 import { silent } from "./tick.js";
@@ -151,10 +151,11 @@ function distanceAnswer(search, best, floor) {
     bench = search.benchAt(best.k, best.s);
     [, head] = search.headAt(bench, best.s, best.s);
   }
-  const value = Math.max(best.distance - radius, 0);
+  const gap = best.distance - radius;
   const lower = Math.max(Math.min(floor, best.distance) - radius - off, 0);
   const witness = search.witness(head, bench);
-  return answered(value, lower, value ? value + off : 0, "m", { witness, ...search.told() });
+  const upper = upperEnd(gap, off);
+  return answered(Math.max(gap, 0), lower, upper, "m", { witness, ...search.told() });
 }
 
 /**

@@ -1,10 +1,10 @@
 // A verdict in one sentence. Twin of what analysis/check.py says of a report.
 
 import { _ } from "../words.js";
-import { sure } from "./answer.js";
+import { sure, vanishing } from "./answer.js";
 import { isDecided } from "./check.js";
 import { named } from "./findings.js";
-import { decimals, general } from "./number_format.js";
+import { atMost, decimals, general } from "./number_format.js";
 import { QUANTITIES, givenLimits } from "./quantities.js";
 import { levelName } from "./room.js";
 import { unfinishedText } from "./unfinished.js";
@@ -122,17 +122,18 @@ function keptText(report) {
 }
 
 /** @param {Report} report */
-function tightestText({ clearance: { witness, value } }) {
+function tightestText({ clearance }) {
+  const { witness, value } = clearance;
   if (witness === null || witness.time === null || witness.benches.length !== 2)
     return _("no two benches come near one another");
   const [a, b] = witness.benches;
+  const words = { a, b, t: decimals(witness.time, 1) };
+  if (vanishing(clearance)) {
+    const gap = atMost(clearance.upper);
+    return _("tightest less than {gap} m, bench {a} with bench {b}, at {t} s", { gap, ...words });
+  }
   const gap = general(100 * value, 3);
-  return _("tightest {gap} cm, bench {a} with bench {b}, at {t} s", {
-    gap,
-    a,
-    b,
-    t: decimals(witness.time, 1),
-  });
+  return _("tightest {gap} cm, bench {a} with bench {b}, at {t} s", { gap, ...words });
 }
 
 /** The least distance from the venue's edge, and from the obstacle that leaves the least room. @param {Report} report */
@@ -154,6 +155,11 @@ function keptFrom({ obstacles }) {
 function fromText({ obstacle, distance }, count) {
   const gap = general(Math.floor(1000 * sure(distance, false)) / 10, 10);
   const words = { gap, name: named(obstacle), count };
+  if (vanishing(distance)) {
+    words.gap = atMost(distance.upper);
+    if (obstacle.kind === "venue") return _("less than {gap} m from the edge of {name}", words);
+    return _("less than {gap} m from {name}", words);
+  }
   if (obstacle.kind === "venue") return _("at least {gap} cm from the edge of {name}", words);
   if (count > 1) return _("at least {gap} cm from {name}, the tightest of {count} obstacles", words);
   return _("at least {gap} cm from {name}", words);
