@@ -226,7 +226,7 @@ def test_what_is_not_decided_is_said_and_not_taken_for_kept() -> None:
     for lower, upper, decided in ((1.9, 2.1, False), (2.1, 2.2, True), (1.8, 1.9, None)):
         open_ = Answer(lower, lower, upper, "", "found", near)
         peaks = {"speed": open_, "acceleration": open_}
-        found = all_findings(plan, walk, (0.0, 9.0), None, (), peaks, (), open_)
+        found = all_findings(plan, walk, (0.0, 9.0), None, (), peaks, ())
         told = [] if decided is None else [(name, decided) for name in peaks]
         assert [(finding.kind, finding.decided) for finding in found] == told
 

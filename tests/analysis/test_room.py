@@ -1,6 +1,7 @@
 """Room for people, level upon level: against dense sampling with shapely, and in what is told of it."""
 
 import math
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -9,7 +10,7 @@ from shapely import Polygon
 
 from benchdragon.analysis.check import Report, check, sentence
 from benchdragon.analysis.contact import first_contact
-from benchdragon.analysis.distance import boxes
+from benchdragon.analysis.distance import boxes, nearness
 from benchdragon.analysis.records import untimed, verdict_of
 from benchdragon.analysis.room import with_people
 from benchdragon.errors import InputError
@@ -23,6 +24,7 @@ from benchdragon.plans.schema import Plan, checked, read_plan
 
 SMALL = ["dragon.benches=20", "walk.start=0", "walk.end=40"]
 NEEDS = ["people.sway=0.05", "people.imprecision=0.1", "people.beside=0.3", "people.ahead=0.4"]
+VILLAGE = Path(__file__).parents[1] / "cases" / "village"
 POST = 'obstacle=[{kind="circle", name="post", centre=[4.5, 0], radius=0.3}]'
 # Dances that are looked at, samples of each, and how near to its bracket a sampled time has to come, s.
 DANCES, SAMPLES = 50, 120
@@ -84,24 +86,47 @@ def test_a_broken_level_is_a_finding_under_its_own_code() -> None:
     assert "side by side" not in lines[1], "which is kept"
 
 
-def test_a_broken_level_tells_what_is_wanted_what_is_there_and_what_is_missing() -> None:
-    for key, each in (("imprecision", 2.0), ("sway", 2.0), ("beside", 2.0)):
+def test_a_broken_level_tells_what_its_own_pair_lacks_and_when() -> None:
+    for key in ("imprecision", "sway", "beside"):
         report = small(f"people.{key}=0.2", "limits.margin=0.05")
         (found,) = report.findings
-        there = math.floor(1000.0 * report.clearance.sure(up=False)) / 1000.0
-        wanted = 0.05 + each * 0.2
-        assert there < wanted
+        short = report.room[-1].short
+        assert short is not None
+        assert (short.key, short.wanted) == (key, 0.2)
+        table = boxes(report.walk.motion([short.time]), 0)
+        near = nearness(table, found.benches[0] - 1, found.benches[1] - 1)
+        assert short.apart == pytest.approx(near.distance)
+        if key != "beside":
+            assert short.there == pytest.approx(0.5 * (short.apart - 0.05))
         assert found.text.endswith(
-            f"{wanted:g} m are wanted, {there:g} m are there at the nearest: "
-            f"{round(wanted - there, 3):g} m are missing"
+            f": people.{key} asks for 0.2 m; at t = {short.time:.6f} s, when these two are "
+            f"{math.floor(1000 * short.apart) / 1000:g} m apart, there is room for "
+            f"{math.floor(1000 * short.there) / 1000:g} m"
         )
     apart = small(POST).obstacles[0].distance.lower
     report = small(POST, "limits.margin=0", f"people.sway={apart + 0.1}")
-    text = next(found.text for found in report.findings if found.obstacle)
-    assert f"{math.floor(1000.0 * apart) / 1000.0:g} m are there" in text
-    # It is the room before the head that is missing, of which no distance of boards tells.
-    ahead = small("people.ahead=3")
-    assert "besides their own are asked for" in ahead.findings[0].text
+    short = report.room[-1].short
+    assert short is not None
+    assert report.room[-1].obstacles[0].contact is not None
+    assert short.there == pytest.approx(short.apart)
+    assert apart <= short.apart < apart + 0.1
+
+
+def test_what_lacks_is_the_room_ahead_where_the_sides_have_theirs() -> None:
+    """The benches that come nearest, 1 and 3, have all their room: 1 and 21 lack it."""
+    plan = read_plan(str(VILLAGE / "ahead_false_pair.dragon.toml"), [])
+    report = check(plan, quick=True)
+    (found,) = report.findings
+    assert (found.benches, report.clearance.witness and report.clearance.witness.benches) == (
+        (1, 21),
+        (1, 3),
+    )
+    level = report.room[-1]
+    assert level.short is not None
+    assert level.short.key == "ahead"
+    assert ": people.ahead asks for 0.5 m; at t = " in found.text
+    assert "what lacks is the room before the head's bench" in level_line(level)
+    assert "1.164" not in found.text
 
 
 def test_what_stands_still_is_kept_from_too_and_sway_counts_once() -> None:

@@ -154,7 +154,7 @@ def check(
     return Report(
         plan, walk, start, end, contact, clearance, speed, peaks,
         findings=all_findings(
-            plan, walk, span, contact, obstacles, {"speed": speed, **peaks}, room, clearance
+            plan, walk, span, contact, obstacles, {"speed": speed, **peaks}, room
         ),
         obstacles=obstacles,
         room=room,

@@ -229,7 +229,7 @@ class ContactSearch:
         owner = near.features[0][0]
         x, y = near.points[near.benches.index(owner)]
         point = x + self.origin[0], y + self.origin[1]
-        return Witness(self.times.at(s), s, near.benches, point, near.gap, near.features)
+        return Witness(self.times.at(s), s, near.benches, point, near.distance, near.features)
 
     def note_off(self, off: float) -> None:
         """Take note of what a distance that matters may be off by, m.

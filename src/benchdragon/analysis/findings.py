@@ -9,6 +9,7 @@ import numpy as np
 
 from benchdragon.analysis.obstacles import ObstacleAnswers
 from benchdragon.analysis.room import RoomLevel
+from benchdragon.analysis.shortage import Shortage
 from benchdragon.analysis.speed import QUANTITIES, given_limits
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import ROUNDING, Answer
@@ -106,12 +107,10 @@ def all_findings(
     obstacles: Sequence[ObstacleAnswers],
     peaks: Mapping[str, Answer],
     room: Sequence[RoomLevel],
-    clearance: Answer,
 ) -> tuple[Finding, ...]:
     """What a walk does that its plan forbids, from the first time of the span, s, to the second.
 
-    `peaks` are the greatest speed and what else is limited, `room` the levels of room for people,
-    `clearance` the least that benches alone keep.
+    `peaks` are the greatest speed and what else is limited, `room` the levels of room for people.
     """
     limits = given_limits(plan)
     return (
@@ -120,7 +119,7 @@ def all_findings(
         *_head_findings(walk, span, plan.limits.head_acceleration),
         *(found for name in limits for found in _limit_findings(name, peaks[name], limits[name])),
         *_carrying_findings(plan, peaks["speed"]),
-        *_room_findings(room, clearance, obstacles),
+        *_room_findings(room),
     )
 
 
@@ -193,49 +192,31 @@ ROOM_SENTENCES = {
     "imprecision at": N_("bench {a} has no room for imprecision at {name} at t = {t} s: {asked}"),
     "people at": N_("the people of bench {a} have no room at {name} at t = {t} s: {asked}"),
 }
-# What is asked for: where it is known how much of it is there, how much is missing.
-SHORT = N_("{wanted} m are wanted, {there} m are there at the nearest: {missing} m are missing")
-ASKED_FOR = {
-    "sway": N_("{margin} m are asked for"),
-    "imprecision": N_("{margin} m are asked for"),
-    "people": N_("{margin} m besides their own are asked for"),
-}
+# What is asked for, and how much of it is there for the pair that is named, at a time of its own.
+ASKED_FOR = N_("{margin} m are asked for")
+SHORT = N_(
+    "{key} asks for {wanted} m; at t = {when} s, when these two are {apart} m apart, there is room for "
+    "{there} m"
+)
 
 
-def _room_findings(
-    room: Sequence[RoomLevel], clearance: Answer, obstacles: Sequence[ObstacleAnswers]
-) -> list[Finding]:
-    """Which levels of room are not kept, where benches alone keep theirs.
-
-    `clearance`, and the distances of `obstacles`, are what benches alone keep.
-    """
+def _room_findings(room: Sequence[RoomLevel]) -> list[Finding]:
+    """Which levels of room are not kept, where benches alone keep theirs."""
     if not room or room[0].first is not None:
         return []
-    least = {one.obstacle.name: one.distance for one in obstacles}
-    return [
-        found
-        for level in room[1:] if level.first is not None
-        for name in ["" if level.first[1] is None else level.first[1].name]
-        for found in _room_finding(level, least.get(name, clearance))
-    ]  # fmt: skip
+    return [found for level in room[1:] for found in _room_finding(level)]
 
 
-def _missing(level: RoomLevel, least: Answer) -> dict[str, str]:
-    """What is wanted between boards side by side, what is there at least, what is missing, m.
-
-    Empty where that is not known, or where it is not boards side by side that have too little.
-    """
-    obstacle = None if level.first is None else level.first[1]
-    beside = sum(one.value for one in level.asked if one.key == "beside")
-    wanted = round(level.between if obstacle is None else obstacle.margin + beside, 9)
-    there = least.sure(up=False)
-    if not math.isfinite(there) or there >= wanted:
-        return {}
-    kept = math.floor(round(1000.0 * there, 6)) / 1000.0
-    return {"wanted": f"{wanted:g}", "there": f"{kept:g}", "missing": f"{round(wanted - kept, 6):g}"}
+def _short_words(short: Shortage) -> dict[str, str]:
+    """What is missing, cut off at millimetres; the distance, too."""
+    cut = {name: math.floor(round(1000.0 * getattr(short, name), 6)) for name in ("apart", "there")}
+    return {
+        "key": f"people.{short.key}", "wanted": f"{short.wanted:g}", "when": f"{short.time:z.6f}",
+        **{name: f"{value / 1000.0:g}" for name, value in cut.items()},
+    }  # fmt: skip
 
 
-def _room_finding(level: RoomLevel, least: Answer) -> list[Finding]:
+def _room_finding(level: RoomLevel) -> list[Finding]:
     """What a level of room that is not kept comes to, and from what first."""
     if level.first is None or level.first[0].witness is None:
         return []
@@ -250,8 +231,9 @@ def _room_finding(level: RoomLevel, least: Answer) -> list[Finding]:
     words = {"a": str(near.benches[0]), "b": str(near.benches[-1])}
     words |= {"t": f"{contact.value:z.6f}", "margin": f"{margin:g}"}
     words |= {} if obstacle is None else name_words(obstacle)
-    short = _missing(level, least) if decided else {}
-    words |= short | {"asked": SHORT if short else ASKED_FOR[level.name]}
+    words |= (
+        {"asked": ASKED_FOR} if level.short is None else {"asked": SHORT, **_short_words(level.short)}
+    )
     gap, name = max(near.gap, 0.0), "" if obstacle is None else obstacle.name
     return [
         Finding(level.name, contact.value, near.benches, gap, margin, sentence, words, decided, name)

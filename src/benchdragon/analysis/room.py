@@ -11,6 +11,7 @@ from typing import Literal
 from benchdragon.analysis.contact import first_sure_contact
 from benchdragon.analysis.obstacles import ObstacleAnswers, obstacle_answers
 from benchdragon.analysis.proof import prove_contact, prove_obstacle
+from benchdragon.analysis.shortage import Shortage, shortage
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import Answer
 from benchdragon.model.dragon import Dragon
@@ -60,6 +61,7 @@ class RoomLevel:
         margin: that two benches that are not neighbours must keep, m.
         contact: when two of them first come nearer than that; None if none do.
         obstacles: what comes nearer to an obstacle or the venue's edge than it may, and what does not.
+        short: of what the pair that breaks it first has how much too little, where that is known.
     """
 
     name: LevelName
@@ -67,6 +69,7 @@ class RoomLevel:
     margin: float
     contact: Answer | None
     obstacles: tuple[ObstacleAnswers, ...]
+    short: Shortage | None = None
 
     @property
     def between(self) -> float:
@@ -129,9 +132,8 @@ def room_levels(
         margin = plan.limits.margin + 2.0 * each
         found = first_sure_contact(line, *until, margin=margin, search=prove_contact if prove else None)
         stands = [replace(one, margin=one.margin + each) for one in plan.obstacles()]
-        levels.append(
-            RoomLevel(name, asked, margin, found, _obstacles(line, stands, until, prove=prove))
-        )
+        level = RoomLevel(name, asked, margin, found, _obstacles(line, stands, until, prove=prove))
+        levels.append(_measured(level, walk, _until(levels[0], span)[1]))
     return tuple(levels) if names else ()
 
 
@@ -177,6 +179,14 @@ def with_all_room(plan: Plan) -> tuple[Walk, tuple[Obstacle, ...]]:
 def _asked(people: PeopleTable, name: LevelName) -> tuple[Asked, ...]:
     said = [(key, getattr(people, key), getattr(people.source, key)) for key in ASKED[name]]
     return tuple(Asked(*one) for one in said if one[1])
+
+
+def _measured(level: RoomLevel, walk: Walk, end: float) -> RoomLevel:
+    """The level with what is missing where it is surely broken, looked at until the end, s."""
+    if level.first is None or level.kept is None:
+        return level
+    asked = {one.key: one.value for one in level.asked}
+    return replace(level, short=shortage(walk, level.first, level.margin, asked, end))
 
 
 def _until(level: RoomLevel, span: tuple[float, float]) -> tuple[float, float]:

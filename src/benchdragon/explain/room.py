@@ -37,6 +37,11 @@ def level_line(level: RoomLevel, asked: Callable[[RoomLevel], str] = asked_text)
                 "{name}: first broken at t = {t} s by benches {a} and {b}; side by side they need "
                 "{between} m between them"
             )
+        if level.short is not None and level.short.key == "ahead":
+            text = _(
+                "{name}: first broken at t = {t} s by benches {a} and {b}; what lacks is the room "
+                "before the head's bench"
+            )
     return text.format(
         name=name, t=f"{contact.value:z.6f}", a=benches[0] if benches else 0,
         b=benches[-1] if benches else 0, obstacle="" if obstacle is None else named(obstacle),

@@ -21,7 +21,7 @@ class Witness:
         s: route position of the head's handle then, m.
         benches: the two benches, or the one, 1..N.
         point: where they meet or are nearest (the corner's side), m.
-        gap: their signed gap by the separating axis theorem, m; NaN for one bench.
+        gap: how far they then are apart, m; minus a depth where they overlap; NaN for one bench.
         features: what meets: the corner of one bench, and the side or corner of the other.
         handle: of an answer about a handle its number, 0..N: the first of those that come to the same;
             the bench is the one that it leads, the last bench for handle N.

@@ -14,7 +14,7 @@ const { ROUNDING } = MODEL_ANSWER;
  * @property {number} s route position of the head's handle then, m
  * @property {number[]} benches the two benches, or the one, 1..N
  * @property {[number, number]} point where they meet or are nearest (the corner's side), m
- * @property {number} gap their signed gap by the separating axis theorem, m; NaN for one bench
+ * @property {number} gap how far they then are apart, m; minus a depth where they overlap; NaN for one bench
  * @property {Array<[number, string]>} features what meets: the corner of one bench, and the side or
  *   corner of the other
  * @property {number | null} handle of an answer about a handle its number, 0..N: the first of those that

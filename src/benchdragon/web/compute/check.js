@@ -100,7 +100,7 @@ async function checked(plan, walk, [start, end], { quick = false, progress = sil
   const room = asked
     ? await roomLevels(plan, walk, [start, end], bare, stage(_("room for people")), alive)
     : [];
-  const known = { contact, clearance, obstacles, room, peaks: { speed, ...peaks } };
+  const known = { contact, obstacles, room, peaks: { speed, ...peaks } };
   const findings = allFindings(plan, walk, span, known);
   const stops = plan.tables.cues.cue.length ? stopsOf(walk, start, end) : null;
   const seconds = now() - began;

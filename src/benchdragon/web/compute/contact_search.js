@@ -233,7 +233,7 @@ export class ContactSearch {
       const [x, y] = near.points[near.benches.indexOf(owner)];
       /** @type {[number, number]} */
       const point = [x + this.origin[0], y + this.origin[1]];
-      const { benches, gap, features } = near;
+      const { benches, distance: gap, features } = near;
       return { time: this.times.at(s), s, benches, point, gap, features, handle: null, obstacle: null };
     });
   }

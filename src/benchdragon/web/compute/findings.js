@@ -2,7 +2,7 @@
 // analysis/findings.py.
 
 import { _ } from "../words.js";
-import { keeps, mostOf, sure } from "./answer.js";
+import { keeps, mostOf } from "./answer.js";
 import { decimals, general } from "./number_format.js";
 import { rounded } from "./numbers.js";
 import { handlePlace } from "./numbering.js";
@@ -77,10 +77,10 @@ export function shownName(obstacle) {
  * @param {CheckedPlan} plan
  * @param {Walk} walk
  * @param {[number, number]} span
- * @param {{ contact: Answer | null, clearance: Answer, obstacles: ObstacleAnswers[], room: RoomLevel[],
+ * @param {{ contact: Answer | null, obstacles: ObstacleAnswers[], room: RoomLevel[],
  *   peaks: Partial<Record<QuantityName, Answer>> }} found
  */
-export function allFindings(plan, walk, span, { contact, clearance, obstacles, peaks, room }) {
+export function allFindings(plan, walk, span, { contact, obstacles, peaks, room }) {
   const limits = givenLimits(plan.tables.limits);
   const names = /** @type {QuantityName[]} */ (Object.keys(limits));
   return [
@@ -91,7 +91,7 @@ export function allFindings(plan, walk, span, { contact, clearance, obstacles, p
       limitFindings(name, /** @type {Answer} */ (peaks[name]), Number(limits[name])),
     ),
     ...carryingFindings(plan.tables.people.most_speed, /** @type {Answer} */ (peaks.speed)),
-    ...roomFindings(room, clearance, obstacles),
+    ...roomFindings(room),
   ];
 }
 
@@ -173,19 +173,13 @@ function obstacleText(kind, decided, first, words) {
   }
 }
 
-/** Which levels of room are not kept, where benches alone keep theirs: of one another `clearance`. @param {RoomLevel[]} room @param {Answer} clearance @param {ObstacleAnswers[]} obstacles */
-function roomFindings(room, clearance, obstacles) {
-  if (!room.length || room[0].first !== null) return [];
-  const least = new Map(obstacles.map(({ obstacle, distance }) => [obstacle.name, distance]));
-  return room.slice(1).flatMap((level) => {
-    const name = level.first?.obstacle?.name ?? "";
-    return roomFinding(level, least.get(name) ?? clearance);
-  });
+/** Which levels of room are not kept, where benches alone keep theirs. @param {RoomLevel[]} room */
+function roomFindings(room) {
+  return room.length && room[0].first === null ? room.slice(1).flatMap(roomFinding) : [];
 }
 
-/** What a level of room that is not kept comes to, and from what first. @param {RoomLevel} level @param {Answer} least what benches alone keep of it @returns {Finding[]} */
-function roomFinding(level, least) {
-  const { name: kind, first, margin } = level;
+/** What a level of room that is not kept comes to, and from what first. @param {RoomLevel} level @returns {Finding[]} */
+function roomFinding({ name: kind, first, margin, short }) {
   if (first === null || first.contact.witness === null || kind === "benches") return [];
   const { contact, obstacle } = first;
   const near = contact.witness;
@@ -200,7 +194,7 @@ function roomFinding(level, least) {
         "whether the margin of {margin} m at bench {a} is kept at t = {t} s is too close to tell",
         words,
       );
-    const asked = askedFor(kind, words.margin, missingOf(level, least));
+    const asked = askedFor(words.margin, short);
     return obstacle === null
       ? roomText(kind, { ...words, asked })
       : roomTextAt(kind, { ...words, asked, name: named(obstacle) });
@@ -209,29 +203,20 @@ function roomFinding(level, least) {
   return [{ kind, time: contact.value, benches: near.benches, value, limit, text, decided, obstacle }];
 }
 
-/** What is wanted between boards side by side, what is there at least, what is missing, m; null where that is not known, or where it is not boards side by side that have too little. @param {RoomLevel} level @param {Answer} least */
-function missingOf({ asked, margin, first }, least) {
-  const obstacle = first?.obstacle ?? null;
-  const beside = asked.reduce((sum, { key, value }) => (key === "beside" ? sum + value : sum), 0);
-  const between = obstacle === null ? margin + 2 * beside : obstacle.margin + beside;
-  const wanted = rounded(between, 9);
-  const there = sure(least, false);
-  if (!Number.isFinite(there) || there >= wanted) return null;
-  const kept = Math.floor(rounded(1000 * there, 6)) / 1000;
-  const missing = general(rounded(wanted - kept, 6));
-  return { wanted: general(wanted), there: general(kept), missing };
-}
-
-/** What is asked for: where it is known how much of it is there, how much is missing. @param {"sway" | "imprecision" | "people"} kind @param {string} margin @param {ReturnType<typeof missingOf>} short */
-function askedFor(kind, margin, short) {
-  if (short)
-    return _(
-      "{wanted} m are wanted, {there} m are there at the nearest: {missing} m are missing",
-      short,
-    );
-  return kind === "people"
-    ? _("{margin} m besides their own are asked for", { margin })
-    : _("{margin} m are asked for", { margin });
+/** What is asked for, and how much of it is there for the pair that is named, at a time of its own: cut off at millimetres. @param {string} margin @param {import("./shortage.js").Shortage | null} short */
+function askedFor(margin, short) {
+  if (short === null) return _("{margin} m are asked for", { margin });
+  const cut = (/** @type {number} */ value) => general(Math.floor(rounded(1000 * value, 6)) / 1000);
+  return _(
+    "{key} asks for {wanted} m; at t = {when} s, when these two are {apart} m apart, there is room for {there} m",
+    {
+      key: `people.${short.key}`,
+      wanted: general(short.wanted),
+      when: decimals(short.time),
+      apart: cut(short.apart),
+      there: cut(short.there),
+    },
+  );
 }
 
 /** @param {"sway" | "imprecision" | "people"} kind @param {Record<string, string | number>} words */

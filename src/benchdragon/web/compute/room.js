@@ -9,6 +9,7 @@ import { ANALYSIS_ROOM } from "./constants.js";
 import { firstSureContact } from "./contact.js";
 import { Dragon } from "./dragon.js";
 import { obstacleAnswers, withMargin } from "./obstacles.js";
+import { shortage } from "./shortage.js";
 import { Walk } from "./walk.js";
 
 /** @typedef {import("./answer.js").Answer} Answer */
@@ -34,6 +35,7 @@ import { Walk } from "./walk.js";
  * @property {ObstacleAnswers[]} obstacles
  * @property {Known | null} first what breaks it first, surely if anything does
  * @property {boolean | null} kept null where rounding leaves that open
+ * @property {import("./shortage.js").Shortage | null} short of what the pair that breaks it first has too little
  */
 
 /** @type {Record<LevelName, Need[]>} */
@@ -91,7 +93,8 @@ export function roomLevels(plan, walk, span, bare, progress, alive) {
       const options = { tolerances: ANALYSIS_ROOM.TOLERANCES, progress: alive };
       const obstacles = [];
       for (const one of stands) obstacles.push(await obstacleAnswers(line, one, ...until, options));
-      levels.push(levelOf(name, asked, margin, { contact, obstacles }));
+      const level = levelOf(name, asked, margin, { contact, obstacles });
+      levels.push(measured(level, walk, untilBroken(levels[0], span)[1]));
     }
     return names.length ? levels : [];
   });
@@ -117,7 +120,15 @@ function levelOf(name, asked, margin, { contact, obstacles }) {
   }
   const broken = known.some((one) => !undecided(one));
   const kept = broken ? false : known.length ? null : true;
-  return { name, asked, margin, contact, obstacles, first, kept };
+  return { name, asked, margin, contact, obstacles, first, kept, short: null };
+}
+
+/** The level with what is missing where it is surely broken, looked at until the end, s. @param {RoomLevel} level @param {Walk} walk @param {number} end @returns {RoomLevel} */
+function measured(level, walk, end) {
+  const { first, kept, margin } = level;
+  if (first === null || kept === null) return level;
+  const asked = Object.fromEntries(level.asked.map(({ key, value }) => [key, value]));
+  return { ...level, short: shortage(walk, first, margin, asked, end) };
 }
 
 /** What breaks a level: contacts of benches, then those with what stands. @param {Answer | null} contact @param {ObstacleAnswers[]} obstacles */

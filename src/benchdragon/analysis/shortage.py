@@ -1,0 +1,156 @@
+"""How much room is missing where people have too little: of the pair that lacks it first, and when.
+
+A level of room is broken at one time by one pair: what is told of it is measured between these two.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from benchdragon.analysis.distance import boxes
+from benchdragon.analysis.obstacle_distance import nearest_boxes
+from benchdragon.kernels import box as kernel
+from benchdragon.kernels.curve import FloatArray
+from benchdragon.model.answer import Answer
+from benchdragon.model.obstacle import Obstacle
+from benchdragon.model.walk import Walk
+
+# Times at which a pair is looked at from its first contact on, closer together near that, and again
+# about the tightest of them; decimals of the time that is told, s.
+SAMPLES, CLOSER, DECIMALS = 200, 50, 2
+# Room within this of the least, m, counts as the least: rounding must not choose the moment.
+LEVEL = 1e-6
+HALVINGS = 50
+
+
+@dataclass(frozen=True)
+class Shortage:
+    """Of what a pair has too little when its room is tightest.
+
+    Attributes:
+        key: of the plan's people: sway, imprecision, beside or ahead.
+        wanted: its value, m.
+        time: s; the tightest of the times that were looked at.
+        apart: what the boards, or a board and what stands still, then are from one another, m.
+        there: the greatest value of the key with which the pair would then keep its room, m; 0 if none.
+    """
+
+    key: str
+    wanted: float
+    time: float
+    apart: float
+    there: float
+
+
+@dataclass(frozen=True)
+class _Need:
+    """What a pair must keep, m, as a function of one of the values asked for."""
+
+    key: str
+    wanted: float
+    margin: float
+    counted: float
+    beside: float
+
+    def slack(self, seen: "_Seen", value: float) -> FloatArray:
+        """How much more than it must the pair keeps at each time, m; negative where it does not."""
+        if self.key == "beside":
+            return seen.apart(value, 0.0) - self.margin
+        if self.key == "ahead":
+            return seen.apart(self.beside, value) - self.margin
+        return seen.apart(0.0, 0.0) - self.margin + self.counted * (self.wanted - value)
+
+
+class _Seen:
+    """A pair of benches (rows), or one and an obstacle, at some times, s."""
+
+    def __init__(
+        self, walk: Walk, times: FloatArray, rows: Sequence[int], obstacle: Obstacle | None
+    ) -> None:
+        motion = walk.motion(times)
+        self.times, self.obstacle, self.headed = times, obstacle, rows[0] == 0
+        self.boards = np.array([boxes(motion, t)[list(rows)] for t in range(len(times))])
+
+    def apart(self, beside: float, ahead: float) -> FloatArray:
+        """How far the two are apart at each time with so much room on both sides and ahead, m."""
+        table = self.boards.copy()
+        table[:, :, kernel.HALF_WIDTH] += beside
+        if self.headed:
+            table[:, 0, kernel.HALF_LENGTH] += 0.5 * ahead
+            table[:, 0, kernel.CX] += 0.5 * ahead * table[:, 0, kernel.UX]
+            table[:, 0, kernel.CY] += 0.5 * ahead * table[:, 0, kernel.UY]
+        count, flat = len(table), table.reshape(-1, kernel.BOX_COLUMNS)
+        if self.obstacle is not None:
+            out = nearest_boxes(flat, self.obstacle)[0] - self.obstacle.radius
+            out[self.obstacle.forbids(flat[:, [kernel.CX, kernel.CY]])] = -np.inf
+            return out
+        gap, out = np.empty(count), np.empty(count)
+        first = np.arange(0, 2 * count, 2)
+        kernel.pair_distances(flat, first, first + 1, gap, out)
+        return out
+
+
+def shortage(
+    walk: Walk,
+    broken: tuple[Answer, Obstacle | None],
+    margin: float,
+    asked: Mapping[str, float],
+    end: float,
+) -> Shortage | None:
+    """What the pair that breaks a level of room first has too little of, until the end, s.
+
+    None where too little is missing to be told. The walk is that of the boards alone.
+
+    Args:
+        walk: what is looked at.
+        broken: when the level is first broken, and the obstacle, if it is one.
+        margin: that two benches must keep, m; an obstacle has its own.
+        asked: what the level asks for, by key, m.
+        end: of what is looked at, s; the walk stands until then.
+    """
+    contact, obstacle = broken
+    if contact.witness is None:
+        return None
+    start, rows = contact.value, [bench - 1 for bench in contact.witness.benches]
+    kept = margin if obstacle is None else obstacle.margin
+    key = _lacking(_Seen(walk, np.array([start]), rows, obstacle), kept, asked)
+    counted = 2.0 if obstacle is None else 1.0
+    need = _Need(key, asked[key], kept, counted, asked.get("beside", 0.0))
+    times = start + (end - start) * np.linspace(0.0, 1.0, SAMPLES) ** 2
+    _room, at = _least(need, _Seen(walk, times, rows, obstacle))
+    about = np.linspace(times[max(at - 1, 0)], times[min(at + 1, SAMPLES - 1)], CLOSER)
+    _room, at = _least(need, _Seen(walk, about, rows, obstacle))
+    when = min(max(round(float(about[at]), DECIMALS), start), end)
+    tightest = _Seen(walk, np.array([when]), rows, obstacle)
+    there, _at = _least(need, tightest)
+    if there >= need.wanted:
+        return None
+    return Shortage(key, need.wanted, when, float(tightest.apart(0.0, 0.0)[0]), there)
+
+
+def _lacking(seen: _Seen, margin: float, asked: Mapping[str, float]) -> str:
+    """Which of the keys asked for lacks at the one time that is seen."""
+    keys = list(asked)
+    if "ahead" not in keys:
+        return keys[0]
+    aside = seen.apart(asked.get("beside", 0.0), 0.0)[0] - margin
+    return "ahead" if "beside" not in keys or (seen.headed and aside > LEVEL) else "beside"
+
+
+def _least(need: _Need, seen: _Seen) -> tuple[float, int]:
+    """The greatest value with which the pair always keeps its room, and when it is the tightest."""
+    kept, broken = 0.0, need.wanted
+    if (need.slack(seen, broken) > 0.0).all():
+        kept = broken
+    elif not (need.slack(seen, kept) > 0.0).all():
+        broken = kept
+    else:
+        for _halving in range(HALVINGS):
+            middle = 0.5 * (kept + broken)
+            if (need.slack(seen, middle) > 0.0).all():
+                kept = middle
+            else:
+                broken = middle
+    slack = need.slack(seen, broken)
+    return kept, int(np.argmax(slack <= slack.min() + LEVEL))
