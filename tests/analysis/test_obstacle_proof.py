@@ -1,7 +1,10 @@
 """Touches of what stands still, proved, or refused."""
 
 import math
+import tomllib
 from dataclasses import replace
+from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -9,10 +12,14 @@ pytest.importorskip("flint")
 
 from benchdragon import Answer, Arc, Dragon, Line, Route, UnsureError, Walk
 from benchdragon.analysis import proof
+from benchdragon.analysis.check import Report, check
 from benchdragon.analysis.obstacles import first_touch, obstacle_answers
 from benchdragon.analysis.proof import Claim, Question, prove_obstacle
 from benchdragon.model.obstacle import Obstacle
+from benchdragon.plans.schema import checked
 from tests.analysis.straights import ONE, east, kerb, wall
+
+CASES = Path(__file__).parents[1] / "cases" / "check"
 
 
 @pytest.fixture(scope="module")
@@ -92,3 +99,53 @@ def test_what_the_search_overlooks_is_no_proof(bend: Walk, monkeypatch: pytest.M
     monkeypatch.setattr(proof, "touching", lambda _search: [])
     with pytest.raises(UnsureError, match="could not be shown"):
         prove_obstacle(bend, answers, 0.0, 9.0)
+
+
+# What stands along a bench's side, or just where a walk ends: it is touched, or it is not.
+
+FLUSH = [
+    {"kind": "rectangle", "centre": [15, 0.65], "size": [2, 1]},
+    {"kind": "polygon", "points": [[14, 0.15], [16, 0.15], [16, 1.15], [14, 1.15]]},
+    {"kind": "circle", "centre": [15, 1.15], "radius": 1},
+    {"kind": "line", "points": [[14, 0.15], [16, 0.15]]},
+    {"kind": "venue", "rectangle": [60, 0.3]},
+]
+
+
+def _walked(stands: dict[str, Any], **walk: float) -> Report:
+    data = tomllib.loads((CASES / "end_touch.dragon.toml").read_text("utf-8"))
+    data["walk"] |= walk
+    kind = stands["kind"]
+    rest = {key: value for key, value in stands.items() if key != "kind"}
+    data |= {"obstacle": [], "venue": rest} if kind == "venue" else {"obstacle": [stands]}
+    return check(checked(data, kind), prove=True)
+
+
+@pytest.mark.parametrize("stands", FLUSH, ids=lambda stands: str(stands["kind"]))
+def test_what_lies_along_a_benchs_side_is_left_open_with_a_whole_report(stands: dict[str, Any]) -> None:
+    report = _walked(stands)
+    assert not report.decided
+    assert [finding.decided for finding in report.findings] == [False]
+    assert not report.proved
+
+
+@pytest.mark.parametrize("stands", [FLUSH[0], FLUSH[1]], ids=lambda stands: str(stands["kind"]))
+def test_a_bench_level_with_a_side_is_shown_to_stand_outside(stands: dict[str, Any]) -> None:
+    assert _walked(stands, end=13.5).safe
+
+
+WALL = {"kind": "line", "points": [[15.25, -3], [15.25, 3]]}
+
+
+@pytest.mark.parametrize("late", [-1e-9, 0.0, 1e-9])
+def test_a_touch_is_proved_within_the_walk_alone(late: float) -> None:
+    report = _walked(WALL, end=15.0 + late)
+    if late < 0.0:
+        assert report.safe
+        return
+    assert report.decided is (late > 0.0)
+    (answers,) = report.obstacles
+    assert answers.contact is not None
+    assert answers.contact.upper <= report.end
+    assert answers.contact.status == ("proved" if late else "undecided")
+    assert all(claim.contact is None or claim.contact <= report.end for claim in report.claims)

@@ -133,8 +133,12 @@ def test_a_limit_is_proved_at_both_ends(
 
 
 def test_an_overlap_is_proved_and_a_gap_is_not(walk: Walk) -> None:
-    assert prove_nearer(walk, FIRST_CONTACT + 1e-12, 0, 8, 0.0)
-    assert not prove_nearer(walk, FIRST_CONTACT - 1e-12, 0, 8, 0.0)
+    assert prove_nearer(walk, (400.0, 420.0), FIRST_CONTACT + 1e-12, (0, 8), 0.0)
+    assert not prove_nearer(walk, (400.0, 420.0), FIRST_CONTACT - 1e-12, (0, 8), 0.0)
+    early = prove_nearer(walk, (FIRST_CONTACT + 1e-9, 420.0), FIRST_CONTACT - 1.0, (0, 8), 0.0)
+    assert early is not None
+    assert early.start == FIRST_CONTACT + 1e-9
+    assert not prove_nearer(walk, (400.0, FIRST_CONTACT - 1e-9), FIRST_CONTACT + 1e-9, (0, 8), 0.0)
 
 
 def test_a_verdict_is_proved_only_if_its_contact_is() -> None:

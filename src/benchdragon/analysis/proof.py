@@ -137,14 +137,20 @@ def prove_obstacle(
 
 
 def prove_nearer(
-    walk: Walk, s: float, i: int, j: int, margin: float, plan: Plan | None = None
+    walk: Walk,
+    span: tuple[float, float],
+    s: float,
+    benches: tuple[int, int],
+    margin: float,
+    plan: Plan | None = None,
 ) -> Claim | None:
-    """That benches i < j (rows, from 0) are nearer than `margin`, the head at s, both m; None if not.
+    """That two benches (rows, from 0) are nearer than `margin` in a span of time, s; None if not.
 
-    `plan` as for `prove_contact`. The claim shows nothing of any time before.
+    With the head at s, m, or where the span begins or ends, if that is nearer. `plan` as for
+    `prove_contact`. The claim shows nothing of any time before.
     """
     require_flint()
-    return Question(walk, margin, None, plan).nearer_at(s, (i, j))
+    return Question(walk, margin, None, plan).nearer_in(span, s, benches)
 
 
 @budget.question()
@@ -184,7 +190,7 @@ def prove_clearance(
         raise UnsureError(_("there is no clearance that could be proved"))
     lower, upper = max(found.value - 0.5 * width, 0.0), found.value + 0.5 * width
     i, j = sorted(number - 1 for number in near.benches)
-    nearest = prove_nearer(walk, near.s, i, j, upper, plan)
+    nearest = prove_nearer(walk, (start, end), near.s, (i, j), upper, plan)
     if nearest is None:
         raise UnsureError(_("that benches come so near could not be shown in ball arithmetic"))
     shown: list[Claim] = []
@@ -255,9 +261,10 @@ class Question:
         open_still = [one for one in found if self._may_be(one, at[-1])]
         for one in open_still:
             benches = _rows(one)
-            s = self._meeting(max(at[-1], self._numbers.at_least(span[0])), benches)
+            s = self._meeting(max(at[-1], self._numbers.at_least(span[0])), span[1], benches)
             if s is not None:
-                lower, upper = self._numbers.before(at[-1]), self._numbers.after(s)
+                lower = max(self._numbers.before(at[-1]), span[0])
+                upper = min(self._numbers.after(s), span[1])
                 claims.append(Claim(self._about, tuple(at), span[0], lower, upper, s, benches))
                 value = min(max(one.value, lower), upper)
                 return replace(
@@ -267,7 +274,8 @@ class Question:
         if graze is None:
             text = _("what was found could not be shown in ball arithmetic beyond {s} m of the route")
             raise UnsureError(text.format(s=f"{at[-1]:.12g}"))
-        return replace(graze, assumptions=told)
+        value, upper = (min(time, span[1]) for time in (graze.value, graze.upper))
+        return replace(graze, value=value, upper=upper, assumptions=told)
 
     @property
     def _about(self) -> str:
@@ -343,21 +351,23 @@ class Question:
         except UnprovedError:
             return None
 
-    def _meeting(self, s: float, benches: Sequence[int]) -> float | None:
-        """Where the head is, from s on, m, when the two surely meet; None if not soon."""
-        at, behind = s, FIRST_BEHIND * max(1.0, abs(s))
-        while not self.meet(at, benches):
-            if behind > MOST_BEHIND:
+    def _meeting(self, s: float, end: float, benches: Sequence[int]) -> float | None:
+        """Where the head is, m, from s on, when both surely meet; None if not soon, and by an end."""
+        at, behind, last = s, FIRST_BEHIND * max(1.0, abs(s)), self._numbers.at_most(end)
+        while at <= last and not self.meet(at, benches):
+            if behind > MOST_BEHIND or at == last:
                 return None
-            at, behind = s + behind, 4.0 * behind
-        return at
+            at, behind = min(s + behind, last), 4.0 * behind
+        return at if at <= last else None
 
-    def nearer_at(self, s: float, benches: tuple[int, ...]) -> Claim | None:
-        """That two benches are nearer than the margin with the head at s, m; None if not surely."""
+    def nearer_in(self, span: tuple[float, float], s: float, benches: tuple[int, ...]) -> Claim | None:
+        """That two benches are nearer than the margin in a span of time, s: see `prove_nearer`."""
+        numbers = self._numbers
+        s = min(max(s, numbers.at_least(span[0])), numbers.at_most(span[1]))
         if not self.meet(s, benches):
             return None
-        early, by = self._numbers.before(s), self._numbers.after(s)
-        return Claim(self._about, (self._numbers.at_most(early),), early, early, by, s, benches)
+        early, by = max(numbers.before(s), span[0]), min(numbers.after(s), span[1])
+        return Claim(self._about, (numbers.at_most(early),), early, early, by, s, benches)
 
     def meet(self, s: float, benches: Sequence[int]) -> bool:
         """Whether two benches, or one and the obstacle, are surely nearer than they may be."""

@@ -58,8 +58,10 @@ def belongs(chain: Chain, sizes: Sizes, i: int, standing: Standing) -> bool | No
     """Whether bench number i is on the right side of what stands still; None where that is open."""
     if standing.inside is None:
         return True
-    corner = Moving(i).place(chain, sizes).corners[0]
-    found = lies_inside(corner, standing.sides)
+    corners = Moving(i).place(chain, sizes).corners
+    (ax, ay), (bx, by) = corners[0], corners[2]
+    points = [*corners, ((ax + bx) / 2, (ay + by) / 2)]  # one may lie level with a corner, or on a side
+    found = next((one for p in points if (one := lies_inside(p, standing.sides)) is not None), None)
     return None if found is None else found is standing.inside
 
 

@@ -104,7 +104,10 @@ def _proved(
         progress(0.0, _("proving at {size} m").format(size=f"{good:.16g}"))
         walk, _start, end = family.walk(good)
         _below, meeting = family.low_point(bad, meeting_of(walk, end, near))
-        nearer = prove_nearer(family.walk(bad)[0], meeting.s, i, j, family.margin, family.sized(bad))
+        worse, *span = family.walk(bad)
+        nearer = prove_nearer(
+            worse, (span[0], span[1]), meeting.s, (i, j), family.margin, family.sized(bad)
+        )
         shown = [] if nearer is None else _clear(family, good, progress)
         if nearer is not None and shown:
             claims += [*shown, family.said(nearer, bad)]
