@@ -120,7 +120,7 @@ def drawn_route(dice: random.Random) -> Tables:
     if dice.random() < 0.3:
         table["closed"] = True
     if dice.random() < 0.2:
-        table |= {"drawn_within": "1 cm", "least_radius": length(dice, 0.5, 2.0)}
+        table |= {"drawn_within": "１ ｃｍ", "least_radius": length(dice, 0.5, 2.0)}
     return table
 
 
@@ -168,7 +168,7 @@ def walk(dice: random.Random) -> Tables:
         table["profile"] = [[time, dice.choice([0, 0.5, dice.uniform(0.2, 2.0)])] for time in times]
         table["profile"][-1][1] = 1
     elif dice.random() < 0.6:
-        table["speed"] = dice.choice(["2 km/h", 1, dice.uniform(0.3, 2.0)])
+        table["speed"] = dice.choice(["30 m/min", 1, dice.uniform(0.3, 2.0)])
     if dice.random() < 0.3:
         table["start"] = dice.choice([0, "-1 min 5 s", dice.uniform(-50, 5)])
     if dice.random() < 0.3:
@@ -213,7 +213,7 @@ def cues(dice: random.Random) -> Tables:
     if dice.random() < 0.3:
         table["tempo"] = dice.uniform(60, 120)
     if dice.random() < 0.3:
-        table |= {"bar": dice.choice([3, 4]), "clock": "18:30"}
+        table |= {"bar": dice.choice([3, 4]), "clock": "２４:００"}
     if dice.random() < 0.3:
         table["acceleration"] = dice.uniform(0.2, 0.5)
     return table

@@ -10,6 +10,7 @@ from benchdragon.analysis.check import check
 from benchdragon.errors import InputError
 from benchdragon.model.holds import Hold, HoldError, with_holds
 from benchdragon.model.profile import SpeedProfile
+from benchdragon.plans.cues import CuesTable
 from benchdragon.plans.schema import Plan, checked
 from benchdragon.plans.toml import PlanError
 from benchdragon.solve.head_speed import slowed
@@ -207,3 +208,17 @@ def test_a_pace_is_sought_without_holds() -> None:
     plan = plan_with({**HOLD, "head": 9.0}).with_value("limits.speed", 1.5)
     with pytest.raises(InputError, match="cues hold the head"):
         slowed(plan)
+
+
+@pytest.mark.parametrize(
+    ("said", "clock"),
+    [
+        ("24:00", "0:00"),
+        ("24:00:00", "0:00"),
+        ("２４：００", "0:00"),
+        ("１８：３０", "18:30"),
+        ("9:05", "9:05"),
+    ],
+)
+def test_a_clock_is_read_as_people_write_it(said: str, clock: str) -> None:
+    assert CuesTable(clock=said).clock == clock

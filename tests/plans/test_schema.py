@@ -13,6 +13,7 @@ from benchdragon.plans.toml import (
     DEGREES,
     METRES,
     SECONDS,
+    SPEEDS,
     PlanError,
     bench_count,
     built_in_names,
@@ -49,6 +50,11 @@ def test_built_in_plans_are_the_papers_two_parts() -> None:
         ("20 deg/s", ANGULAR_SPEEDS, 20.0),
         ("90°/s", ANGULAR_SPEEDS, 90.0),
         ("1 rad/s", ANGULAR_SPEEDS, 180.0 / math.pi),
+        ("60 公尺", METRES, 60.0),
+        ("６０　ｍ", METRES, 60.0),
+        ("－５．５厘米", METRES, -0.055),
+        ("48 m/min", SPEEDS, 0.8),
+        ("48米/分", SPEEDS, 0.8),
     ],
 )
 def test_a_quantity_may_carry_a_unit(text: str, units: dict[str, float], value: float) -> None:

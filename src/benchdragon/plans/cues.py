@@ -11,6 +11,7 @@ from benchdragon.errors import brief
 from benchdragon.i18n import N_, _
 from benchdragon.model.holds import SAME_PLACE, Hold, HoldError, Standing, Trouble, with_holds
 from benchdragon.model.profile import SpeedProfile
+from benchdragon.plans.signs import narrow
 from benchdragon.plans.source import Fault, KeyedError
 from benchdragon.plans.tables import (
     Acceleration,
@@ -55,10 +56,13 @@ TROUBLE: dict[Trouble, str] = {
 }
 
 TIME_OF_DAY = re.compile(r"([01]?\d|2[0-3]):([0-5]\d)(?::([0-5]\d))?", re.ASCII)
+MIDNIGHT = re.compile(r"24:00(?::00)?", re.ASCII)
 
 
 def _time_of_day(text: str) -> str:
-    text = text.replace("：", ":")
+    text = narrow(text)
+    if MIDNIGHT.fullmatch(text):  # of the day before: the clock shows 0:00
+        return "0:00"
     if text and not TIME_OF_DAY.fullmatch(text):
         raise ValueError(_("wanted a time of day such as 18:30, not {text}").format(text=brief(text)))
     return text

@@ -11,6 +11,8 @@ from decimal import Decimal, InvalidOperation
 from fractions import Fraction
 from typing import Any
 
+from benchdragon.plans.signs import narrow
+
 # Decimals with this many signs, point and sign included, have a double of their own.
 SHORT = 15
 # One with more signs is taken to name no double, and a text is refused where it is checked: a million
@@ -19,7 +21,7 @@ LONG = 1100
 # In these tables of a plan texts are numbers with units; elsewhere they are words.
 MEASURED = ("dragon", "route", "disc", "turn", "walk", "limits", "venue", "obstacle", "cues")
 # What a unit is worth, where no decimal says it; 0: nor any fraction.
-FRACTIONS = {1.0 / 3.6: Fraction(5, 18), 180.0 / math.pi: Fraction(0)}
+FRACTIONS = {1.0 / 3.6: Fraction(5, 18), 1.0 / 60.0: Fraction(1, 60), 180.0 / math.pi: Fraction(0)}
 # Units that move the point: text with them is as exact as without.
 POINTS = {0.01: -2, 0.001: -3, 1000.0: 3}
 
@@ -72,8 +74,10 @@ def rounded_numbers(
     for value in _leaves([data[name] for name in MEASURED if name in data]):
         if isinstance(value, Rounded):
             found.append((value.text, repr(float(value))))
-        elif isinstance(value, str) and len(value) <= LONG and not pattern.sub("", value).strip():
-            pieces = pattern.findall(value)
+        elif (
+            isinstance(value, str) and len(value) <= LONG and not pattern.sub("", narrow(value)).strip()
+        ):
+            pieces = pattern.findall(narrow(value))
             if pieces and all(unit in units for _number, unit in pieces):
                 found += _rounded_quantity(value, pieces, units)
     return list(dict.fromkeys(found))

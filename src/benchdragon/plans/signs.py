@@ -34,6 +34,11 @@ def mistyped(line: str) -> tuple[int, str, str] | None:
     return last if opened else None
 
 
+def narrow(text: str) -> str:
+    """A text with plain signs and digits in place of full-width ones; all others stay as they are."""
+    return "".join(_narrow(sign) or (" " if sign == "\u3000" else sign) for sign in text)
+
+
 def _narrow(sign: str) -> str:
     """The plain form of a full-width sign; "" of any other."""
     return unicodedata.normalize("NFKC", sign) if "\uff01" <= sign <= "\uff5e" else ""

@@ -16,7 +16,7 @@ from benchdragon.errors import BenchDragonError, brief, reason
 from benchdragon.i18n import N_, _
 from benchdragon.plans.digits import measured, number, rounded_numbers
 from benchdragon.plans.idle import drop_replaced
-from benchdragon.plans.signs import mistyped
+from benchdragon.plans.signs import mistyped, narrow
 from benchdragon.plans.source import Source
 
 BUILT_IN_FOLDER = Path(__file__).parent / "builtin"
@@ -40,10 +40,25 @@ MOST_SIGNS = 100
 MOST_BASES = 8
 
 # What may stand behind a number, and what it is worth in the first unit.
-METRES = {"m": 1.0, "cm": 0.01, "mm": 0.001, "km": 1000.0, "米": 1.0, "厘米": 0.01, "公分": 0.01}
-SECONDS = {"s": 1.0, "min": 60.0, "h": 3600.0, "ms": 0.001, "秒": 1.0, "分": 60.0, "小时": 3600.0}
+METRES = {
+    "m": 1.0, "cm": 0.01, "mm": 0.001, "km": 1000.0, "米": 1.0, "公尺": 1.0, "厘米": 0.01, "公分": 0.01,
+    "毫米": 0.001,
+}  # fmt: skip
+SECONDS = {
+    "s": 1.0,
+    "min": 60.0,
+    "h": 3600.0,
+    "ms": 0.001,
+    "秒": 1.0,
+    "分": 60.0,
+    "分钟": 60.0,
+    "小时": 3600.0,
+}
 DEGREES = {"deg": 1.0, "°": 1.0, "rad": 180.0 / math.pi, "turn": 360.0, "turns": 360.0, "圈": 360.0}
-SPEEDS = {"m/s": 1.0, "km/h": 1.0 / 3.6, "cm/s": 0.01, "米/秒": 1.0, "米每秒": 1.0}
+SPEEDS = {
+    "m/s": 1.0, "km/h": 1.0 / 3.6, "cm/s": 0.01, "m/min": 1.0 / 60.0, "米/秒": 1.0, "米每秒": 1.0,
+    "米/分": 1.0 / 60.0, "米/分钟": 1.0 / 60.0, "米每分钟": 1.0 / 60.0,
+}  # fmt: skip
 ACCELERATIONS = {"m/s^2": 1.0, "m/s²": 1.0, "cm/s^2": 0.01, "cm/s²": 0.01, "米/秒²": 1.0}
 ANGULAR_SPEEDS = {"deg/s": 1.0, "°/s": 1.0, "rad/s": 180.0 / math.pi, "度/秒": 1.0}
 UNITS = METRES | SECONDS | DEGREES | SPEEDS | ACCELERATIONS | ANGULAR_SPEEDS
@@ -382,9 +397,10 @@ def quantity(text: object, units: dict[str, float]) -> object:
                 most=MOST_SIGNS, count=len(text)
             )
         )
-    pieces = QUANTITY.findall(text)
+    plain = narrow(text)
+    pieces = QUANTITY.findall(plain)
     try:
-        if QUANTITY.sub("", text).strip() or not pieces:
+        if QUANTITY.sub("", plain).strip() or not pieces:
             raise ValueError
         # The sign of the first number is that of the whole: -1 min 30 s is 90 s before.
         if any(number[0] in "+-" for number, _unit in pieces[1:]):

@@ -39,6 +39,7 @@ const NUMBER_TEXT = /^\s*[-+]?(?:\d[\d_]*\.?\d*|\.\d+)(?:e[-+]?\d+)?\s*$/i;
 const ADDRESS =
   /^(?:[Hh][Tt][Tt][Pp][Ss]?:\/\/[^ /?#@:\\][^ /?#@\\]*(?:[/?#][^ \\]*)?|[^ \\/:?#][^ \\:?#]*(?:[?#][^ \\]*)?)$/u;
 const TIME_OF_DAY = /^([01]?\d|2[0-3]):([0-5]\d)(?::([0-5]\d))?$/;
+const MIDNIGHT = /^24:00(?::00)?$/;
 const [TRUTHS, UNTRUTHS] = [
   ["1", "on", "t", "true", "y", "yes"],
   ["0", "off", "f", "false", "n", "no"],
@@ -77,6 +78,12 @@ function measured(number, worth) {
   return Math.abs(Number(`${digits}e${Number(power ?? 0) + point}`));
 }
 
+/** A text with plain signs and digits in place of full-width ones. @param {string} text */
+function narrow(text) {
+  const plain = (/** @type {string} */ sign) => String.fromCharCode(sign.charCodeAt(0) - 0xfee0);
+  return text.replace(/[\uff01-\uff5e]/g, plain).replaceAll("\u3000", " ");
+}
+
 /**
  * A number in the first of `units` from text such as "3 min 12 s"; other things unchanged.
  * @param {unknown} text
@@ -94,10 +101,11 @@ export function quantity(text, units) {
         count: [...text].length,
       }),
     );
-  const pieces = [...text.matchAll(QUANTITY)].map(([, number, unit]) => ({ number, unit }));
+  const plain = narrow(text);
+  const pieces = [...plain.matchAll(QUANTITY)].map(([, number, unit]) => ({ number, unit }));
   const sound =
     pieces.length &&
-    !text.replace(QUANTITY, "").trim() &&
+    !plain.replace(QUANTITY, "").trim() &&
     // The sign of the first number is that of the whole: -1 min 30 s is 90 s before.
     pieces.every(
       ({ number, unit }, n) =>
@@ -304,7 +312,8 @@ function truthOf(value) {
 function textOf(spec, value) {
   const said = spec.day && value instanceof Date ? value.toISOString() : value;
   if (typeof said !== "string") throw new Unwanted(_("text"), value);
-  const text = spec.check === "time_of_day" ? said.replaceAll("：", ":") : said;
+  const hour = spec.check === "time_of_day" ? narrow(said).replace(MIDNIGHT, "0:00") : null;
+  const text = hour ?? said;
   if (spec.most !== undefined && Array.from(text).length > spec.most)
     throw new ValueFault(`String should have at most ${spec.most} characters`);
   const blank = text && (!text.trim() || !isPrintable(text));
