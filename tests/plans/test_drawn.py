@@ -107,7 +107,7 @@ def test_a_square_from_dxf_and_from_geojson_gives_the_same_verdict(tmp_path: Pat
         ('points = [[0, 0], [1, 1]]\nlayer = "a"', "route.layer has no effect beside route.points"),
         ('points = [[0, 0], [9, 9]]\n[survey]\ncrs = 3', "survey.crs: wanted text, not 3"),
         ('file = "walk.csv"\n[survey]\nunit = "ell"', "survey.unit must be one of m, cm, mm"),
-        ('file = "walk.csv"\n[survey]\ncrs = "mars"', "survey.crs must be wgs84, gcj02 or a code like"),
+        ('file = "walk.csv"\n[survey]\ncrs = "mars"', "survey.crs must be wgs84, gcj02, bd09 or a"),
         ('layer = "a"', "a drawn route needs points, or a file beside the plan"),
         ("points = [[0, 0]]", "a drawn line needs 2 different points at least, not 1"),
         ("points = [[0, 0], [9, 0], [0, 0]]", "at (9, 0) m the drawing doubles straight back"),

@@ -13,7 +13,7 @@ from benchdragon.surveys.coordinates import (
     gcj02_of_wgs84,
     local_metres,
     taken_near,
-    wgs84_of_gcj02,
+    unshifted,
 )
 from benchdragon.surveys.reading import outline, read_line
 from tests.surveys.drawings import ORIGIN, SQUARE, degrees, geojson_square
@@ -34,7 +34,7 @@ def test_gcj02_is_undone_and_shifts_by_some_hundred_metres_in_china_alone() -> N
     rng = np.random.default_rng(1)
     places = np.column_stack([rng.uniform(73.0, 135.0, 2000), rng.uniform(4.0, 53.0, 2000)])
     shown = gcj02_of_wgs84(places)
-    assert np.abs(wgs84_of_gcj02(shown) - places).max() < 1e-9
+    assert np.abs(unshifted(shown, gcj02_of_wgs84) - places).max() < 1e-9
     metres = (
         (shown - places)
         * 111_000.0
@@ -102,9 +102,9 @@ def test_a_code_says_its_unit_and_whether_it_is_of_degrees(tmp_path: Path) -> No
     )
     assert points.tolist() == [[10.0, 10.0]]
     feet, _survey = taken_near(
-        [(100.0, 200.0)], Survey("EPSG:2263", origin=(0.0, 0.0)), "x", False, None
+        [(980_100.0, 200_200.0)], Survey("EPSG:2263", origin=(0.0, 0.0)), "x", False, None
     )
-    assert np.allclose(feet, [[100 * 1200 / 3937, 200 * 1200 / 3937]], rtol=1e-15)
+    assert np.allclose(feet, [[980_100 * 1200 / 3937, 200_200 * 1200 / 3937]], rtol=1e-15)
     square, _survey = taken_near(degrees(SQUARE), Survey("EPSG:4490", origin=ORIGIN), "x", True, None)  # type: ignore[arg-type]
     assert np.allclose(square, SQUARE, atol=1e-5)  # its ellipsoid is hardly another
 
@@ -134,7 +134,9 @@ def test_what_is_missing_or_wrong_is_said(
 @pytest.mark.parametrize("crs", ["", "EPSG:", "epsg:12x", "EPSG:99999999999", "+proj=merc", "世界"])
 def test_a_system_is_one_of_three_kinds(crs: str, tmp_path: Path) -> None:
     (tmp_path / "a.csv").write_text("x,y\n0,0\n1,1\n", "utf-8")
-    with pytest.raises(InputError, match=r"survey\.crs must be wgs84, gcj02 or a code like EPSG:4549"):
+    with pytest.raises(
+        InputError, match=r"survey\.crs must be wgs84, gcj02, bd09 or a code like EPSG:4549"
+    ):
         read_line(tmp_path / "a.csv", Survey(crs))
 
 

@@ -129,7 +129,7 @@ def test_points_are_met_and_clothoids_are_those_of_an_independent_solver() -> No
         assert abs(math.remainder(heading - end[2], 2.0 * math.pi)) < 1e-12 * max(1.0, curve.length)
         other = pyclothoids.Clothoid.G1Hermite(*start, *end)
         assert math.isclose(curve.length, other.length, rel_tol=1e-9)
-        assert math.isclose(curve.start_curvature, other.KappaStart, rel_tol=1e-6, abs_tol=1e-7)
+        assert math.isclose(curve.curvature(0.0), other.KappaStart, rel_tol=1e-6, abs_tol=1e-7)
     fit = fitted(polyline(points), "none", 100.0)
     assert np.allclose(fit.route.point(fit.route.joints), points, atol=1e-9)
 

@@ -281,6 +281,9 @@ def plan_to_walk(plan: str, settings: tuple[str, ...], quiet: bool) -> "Plan":
     from benchdragon.plans.schema import read_plan
 
     read = read_plan(plan, settings)
+    if not quiet:
+        for note in read.source.passed:
+            click.echo(_("Drawing: {note}").format(note=note), err=True)
     announce_compiling(quiet)
     return read
 

@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon.cli.answers import about, print_title
-from benchdragon.cli.options import json_option, plan_options, plan_to_walk, shared_options
+from benchdragon.cli.options import announce_compiling, json_option, plan_options, shared_options
 from benchdragon.i18n import N_, _
 from benchdragon.number_format import finite_or_none
 from benchdragon.plans.toml import PlanError
+from benchdragon.surveys.coordinates import system_of
 
 if TYPE_CHECKING:
     from benchdragon.model.curves import Route
@@ -31,8 +32,10 @@ if TYPE_CHECKING:
 def survey(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) -> int:
     """Print what is known of the route along a drawing, as text or JSON."""
     from benchdragon.plans.routes import DrawnRoute
+    from benchdragon.plans.schema import read_plan
 
-    read = plan_to_walk(plan, settings, quiet)
+    read = read_plan(plan, settings)  # what is said of its files is in the answer
+    announce_compiling(quiet)
     if not isinstance(read.route, DrawnRoute):
         raise PlanError(
             _('{plan}: survey speaks of drawn routes, not of route.kind = "{kind}"').format(
@@ -82,6 +85,7 @@ def record_of(plan: "Plan", fit: "Fit") -> dict[str, Any]:
         "shift": told.shift,
         "crs": plan.survey.crs,
         "origin": _origin(plan),
+        "passed_over": list(plan.source.passed),
     }
 
 
@@ -118,5 +122,7 @@ def lines_of(plan: "Plan", fit: "Fit") -> list[str]:
         x, y = origin
         name = plan.survey.crs or _("metres")
         text = _("(0, 0) of the plan lies at ({x}, {y}) of the files ({crs})")
+        if plan.survey.crs is not None and system_of(plan.survey.crs).angular:
+            text = _("(0, 0) of the plan lies at longitude {x}, latitude {y} of the files ({crs})")
         lines.append(text.format(x=f"{x:.12g}", y=f"{y:.12g}", crs=name))
-    return lines
+    return lines + list(plan.source.passed)

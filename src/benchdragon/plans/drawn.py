@@ -77,8 +77,8 @@ def piece_of(curve: AnyCurve) -> dict[str, Any]:
     return table | ({"start_curvature": first, "end_curvature": last} if first or last else {})
 
 
-def with_drawings(data: dict[str, Any], source: Source) -> dict[str, Any]:
-    """A plan's tables with what its files hold in place of their names.
+def with_drawings(data: dict[str, Any], source: Source) -> tuple[dict[str, Any], tuple[str, ...]]:
+    """A plan's tables with what its files hold in place of their names, and what was passed over there.
 
     `file` of [route] and [venue] is a file beside the plan. One origin serves all; where [survey] does
     not say it, it is that of the first file, and said from then on.
@@ -91,25 +91,25 @@ def with_drawings(data: dict[str, Any], source: Source) -> dict[str, Any]:
     try:
         survey = SurveyTable.model_validate(data.get("survey", {})).build() if named else Survey()
     except ValidationError:
-        return data  # the plan's own check says what is wrong
+        return data, ()  # the plan's own check says what is wrong
     except InputError as error:
         raise PlanError(source.sentences([Fault("survey", str(error))])) from None
     clashes = [str(clash) for name in named for clash in _clashes(name, data[name])]
     if clashes:
         raise PlanError(source.sentences([Fault("", text) for text in clashes]))
-    found = dict(data)
+    found, told = dict(data), list[str]()
     for name in named:
         table = {key: value for key, value in data[name].items() if key not in ("file", "layer")}
         layer = data[name].get("layer")
         try:
             path = source.beside(data[name]["file"])
             if name == "venue":
-                corners, survey = outline(path, survey, layer)
+                corners, survey = outline(path, survey, layer, told.append)
                 table["boundary"] = corners.tolist()
             else:
-                line, survey = read_line(path, survey, layer)
-                told = _drawn(line, table.get("drawn_within"))
-                table = {**table, **told, **{k: table[k] for k in ("closed",) if k in table}}
+                line, survey = read_line(path, survey, layer, told.append)
+                keys = _drawn(line, table.get("drawn_within"))
+                table = {**table, **keys, **{k: table[k] for k in ("closed",) if k in table}}
         except InputError as error:
             raise PlanError(source.sentences([Fault(f"{name}.file", str(error))])) from None
         found[name] = table
@@ -119,7 +119,7 @@ def with_drawings(data: dict[str, Any], source: Source) -> dict[str, Any]:
             for key, value in {"crs": survey.crs, "origin": survey.origin}.items()
             if value is not None
         }
-    return found
+    return found, tuple(told)
 
 
 def _clashes(name: str, table: dict[str, Any]) -> list[Idle]:

@@ -4,6 +4,7 @@ import hashlib
 import json
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 from typing import Annotated, Any, Literal
 
@@ -355,7 +356,8 @@ def checked(data: dict[str, Any], source: Source | str) -> Plan:
     route = data.get("route")
     if isinstance(route, dict) and "part" in route:
         route.setdefault("kind", "parts")
-    data = with_drawings(data, where)
+    data, passed = with_drawings(data, where)
+    where = replace(where, passed=(*where.passed, *passed))
     faults, others = [Fault(idle.key, str(idle)) for idle in idle_keys(data)], 0
     try:
         plan = Plan.model_validate(data)

@@ -244,7 +244,7 @@ SECTIONS = (
         SurveyTable,
         {
             "crs": Key(
-                N_("wgs84, gcj02 or a code such as EPSG:4549, and y points north; else plain metres"),
+                N_("wgs84, gcj02, bd09 or a code such as EPSG:4549; y points north; else plain metres"),
                 "gcj02",
             ),
             "unit": Key(N_("of files that do not say it: m, cm, mm, km, in, ft or us-ft"), "mm"),

@@ -72,6 +72,7 @@ class Source:
         settings: keys that were set on the command line.
         folder: of the file, in which others that the plan names lie; None: nothing lies beside it.
         rounded: numbers that the plan holds rounded: as written, and as held.
+        passed: what was passed over in drawings that the plan names, a sentence each.
     """
 
     name: str = field(default="plan", compare=False)
@@ -79,6 +80,7 @@ class Source:
     settings: tuple[str, ...] = field(default=(), compare=False)
     folder: Path | None = field(default=None, compare=False)
     rounded: Sequence[tuple[str, str]] = field(default=(), compare=False)
+    passed: Sequence[str] = field(default=(), compare=False)
 
     def sentences(self, faults: Sequence[Fault], others: int = 0) -> str:
         """What is wrong, a line each, with its place; `others` are too many to be told of."""

@@ -7,12 +7,14 @@ import numpy as np
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.model.curves import AnyCurve, Clothoid
+from benchdragon.model.curves import AnyCurve, Clothoid, Line
 
 # Newton's method for the shape of a clothoid: 4 steps are usual; half steps where it would overshoot.
 MOST_STEPS = 60
 # What is left of the ordinate of the end, as a share of the chord.
 CLOSE = 1e-14
+# Headings that are off their chord by less, rad, are those of a line.
+STRAIGHT = 1e-12
 # Nodes of the quadrature over one clothoid, which turns by some 10 rad at most.
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(40)
 NODES = 0.5 * (1.0 + _NODES)
@@ -28,8 +30,10 @@ def folded(angle: FloatArray) -> FloatArray:
     return angle - 2.0 * np.pi * np.round(angle / (2.0 * np.pi))
 
 
-def g1_clothoids(poses: FloatArray) -> tuple[Clothoid, ...]:
+def g1_clothoids(poses: FloatArray) -> tuple[AnyCurve, ...]:
     """A clothoid from each pose (x, y, heading) to the next, of poses (P, 3) in metres and radians.
+
+    One that is straight is a line.
 
     Of the many that meet both poses it is the one that winds least (Bertolazzi and Frego, G1 fitting
     with clothoids, 2015): with phi0 and phi1 the headings from the chord, the heading along it is
@@ -55,7 +59,11 @@ def g1_clothoids(poses: FloatArray) -> tuple[Clothoid, ...]:
     length = chord / share
     first, last = (change - bend) / length, (change + bend) / length
     rows = np.column_stack([length, first, last, start])
-    return tuple(Clothoid(n, a, b, (x, y), angle) for n, a, b, x, y, angle in rows.tolist())
+    straight = (np.maximum(np.abs(phi0), np.abs(phi1)) <= STRAIGHT).tolist()
+    return tuple(
+        Line(n, (x, y), angle) if plain else Clothoid(n, a, b, (x, y), angle)
+        for plain, (n, a, b, x, y, angle) in zip(straight, rows.tolist(), strict=True)
+    )
 
 
 def _shape(phi0: FloatArray, phi1: FloatArray) -> FloatArray:

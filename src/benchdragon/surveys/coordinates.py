@@ -5,7 +5,8 @@ are metres already, from which the origin is taken as the decimals say it.
 """
 
 import math
-from collections.abc import Sequence
+import re
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from typing import Any
@@ -25,15 +26,29 @@ UNITS = {
     "in": Decimal("0.0254"),
     "ft": Decimal("0.3048"),
     "us-ft": Decimal(1200) / Decimal(3937),
+    "dm": Decimal("0.1"),
+    "dam": Decimal(10),
+    "hm": Decimal(100),
+    "um": Decimal("0.000001"),
+    "mil": Decimal("0.0000254"),
+    "yd": Decimal("0.9144"),
+    "mi": Decimal("1609.344"),
+    "us-in": Decimal(100) / Decimal(3937),
+    "us-yd": Decimal(3600) / Decimal(3937),
+    "us-mi": Decimal(6336000) / Decimal(3937),
 }
-# The systems that need no library.
-WGS84, GCJ02 = "wgs84", "gcj02"
+# The systems that need no library, and how codes of the others are written.
+WGS84, GCJ02, BD09 = "wgs84", "gcj02", "bd09"
+CODE = re.compile(r"(?:urn:ogc:def:crs:)?epsg:?(?:[0-9.]*:)?0*([0-9]{1,6})", re.ASCII)
 # Semi-major axis, m, and flattening of WGS 84.
 WGS84_SIZES = (6378137.0, 1.0 / 298.257223563)
 # Semi-major axis, m, and squared eccentricity by which GCJ-02 scales its shifts: Krasovsky 1940.
 GCJ_AXIS, GCJ_ECCENTRICITY = 6378245.0, 0.00669342162296594323
 # GCJ-02 shifts places within these longitudes and latitudes alone.
 GCJ_LONGITUDES, GCJ_LATITUDES = (72.004, 137.8347), (0.8293, 55.8271)
+# BD-09 shows places of GCJ-02 so far to the east and north, degrees, and turned and stretched by waves
+# of so many a degree.
+BD_SHIFT, BD_WAVES, BD_STRETCH, BD_TURN = (0.0065, 0.006), 3000.0, 2e-5, 3e-6
 # How near a place must come back that is shifted and unshifted, degrees.
 GCJ_CLOSE = 1e-11
 MOST_ITERATIONS = 50
@@ -41,6 +56,8 @@ MOST_ITERATIONS = 50
 NEAR = 1e4
 # Longitudes and latitudes of one survey may lie so far from its origin, degrees.
 MOST_DEGREES = 1.0
+# Maps are used so far beyond the edge of where their system is meant for, degrees.
+AREA_SLACK = 1.5
 
 
 @dataclass(frozen=True)
@@ -48,7 +65,7 @@ class Survey:
     """What coordinates of files mean; one for all files of a plan.
 
     Attributes:
-        crs: "wgs84", "gcj02" or "EPSG:nnnn"; None for plain metres.
+        crs: "wgs84", "gcj02", "bd09" or "EPSG:nnnn"; None for plain metres.
         unit: of plane coordinates, a key of UNITS; None where the file says it.
         origin: what is (0, 0) in the plan, in the file's system: metres, or longitude and latitude;
             None to choose it from the first file.
@@ -77,15 +94,19 @@ class System:
         angular: whether its coordinates are longitude and latitude, degrees.
         axis: semi-major axis of its ellipsoid, m.
         flattening: of its ellipsoid.
-        shifted: whether they are GCJ-02's.
+        shifted: how a map of China shows places of WGS 84; None where it shows them where they are.
         unit: what one unit is worth, m, of plane coordinates.
+        area: where it is meant for: degrees west, south, east and north.
+        code: of EPSG, of a map's system.
     """
 
     angular: bool
     axis: float = WGS84_SIZES[0]
     flattening: float = WGS84_SIZES[1]
-    shifted: bool = False
+    shifted: Callable[[FloatArray], FloatArray] | None = None
     unit: Decimal | None = None
+    area: tuple[float, float, float, float] | None = None
+    code: int = 0
 
 
 def system_of(crs: str) -> System:
@@ -95,30 +116,45 @@ def system_of(crs: str) -> System:
         InputError: if there is none such.
         MissingExtraError: for one that needs pyproj, where it is not installed.
     """
-    name = crs.strip().lower()
-    if name in (WGS84, GCJ02):
-        return System(True, shifted=name == GCJ02)
-    known = _("survey.crs must be {wgs84}, {gcj02} or a code like EPSG:4549, not {crs}")
-    if not (name.startswith("epsg:") and name[5:].isascii() and name[5:].isdigit() and len(name) < 12):
-        raise InputError(known.format(wgs84=WGS84, gcj02=GCJ02, crs=repr(crs)[:40]))
+    plain = re.sub(r"[\s_-]", "", crs.lower())
+    if plain == WGS84:
+        return System(True)
+    if plain in (GCJ02, BD09):
+        (west, east), (south, north) = GCJ_LONGITUDES, GCJ_LATITUDES
+        shown = gcj02_of_wgs84 if plain == GCJ02 else bd09_of_wgs84
+        return System(True, shifted=shown, area=(west, south, east, north))
+    if (code := code_of(crs)) is None:
+        raise InputError(
+            _("survey.crs must be {names} or a code like EPSG:4549, not {crs}").format(
+                names=", ".join((WGS84, GCJ02, BD09)), crs=repr(crs)[:40]
+            )
+        )
     try:
         from pyproj import CRS
         from pyproj.exceptions import CRSError
     except ImportError:
         raise MissingExtraError("survey") from None
     try:
-        found: Any = CRS.from_epsg(int(name[5:]))
+        found: Any = CRS.from_epsg(code)
     except CRSError:
         raise InputError(_("there is no coordinate system {crs}").format(crs=crs)) from None
+    area = found.area_of_use and found.area_of_use.bounds
     if found.is_geographic and found.ellipsoid is not None:
         axes = found.ellipsoid
         inverse = axes.inverse_flattening
-        return System(True, axes.semi_major_metre, 1.0 / inverse if inverse else 0.0)
+        return System(True, axes.semi_major_metre, 1.0 / inverse if inverse else 0.0, area=area)
     if not found.is_projected:
         raise InputError(
             _("{crs} is neither a map's system nor one of longitudes and latitudes").format(crs=crs)
         )
-    return System(False, unit=Decimal(repr(found.axis_info[0].unit_conversion_factor)))
+    worth = Decimal(repr(found.axis_info[0].unit_conversion_factor))
+    return System(False, unit=worth, area=area, code=code)
+
+
+def code_of(crs: str) -> int | None:
+    """The number in a code of EPSG, however it is written; None of anything else."""
+    found = CODE.fullmatch(re.sub(r"[\s_-]", "", crs.lower()))
+    return int(found[1]) if found else None
 
 
 def taken_near(
@@ -140,8 +176,8 @@ def taken_near(
         raise InputError(
             _(
                 "{file} holds longitudes and latitudes: set survey.crs to {wgs84} (GPS), {gcj02} (maps "
-                "of China) or a code like EPSG:4490"
-            ).format(file=name, wgs84=f'"{WGS84}"', gcj02=f'"{GCJ02}"')
+                "of China), {bd09} (Baidu) or a code like EPSG:4490"
+            ).format(file=name, wgs84=f'"{WGS84}"', gcj02=f'"{GCJ02}"', bd09=f'"{BD09}"')
         )
     system = System(False) if survey.crs is None else system_of(survey.crs)
     if system.angular:
@@ -160,7 +196,63 @@ def taken_near(
                 file=name, units=", ".join(UNITS)
             )
         )
+    if system.code:
+        _check_map(points, survey, system, name)
     return _subtracted(points, survey, UNITS[unit] if factor is None and unit else factor, name)
+
+
+def _check_map(
+    points: Sequence[tuple[float, float]], survey: Survey, system: System, name: str
+) -> None:
+    """Refuse coordinates that a map's system has far from where it is meant for."""
+    _check_finite(points, name)
+    given = np.asarray(points, np.float64)
+    if survey.unit is not None:
+        given = given * float(UNITS[survey.unit] / (system.unit or 1))
+    lie, crossed = _in_area(_degrees(given, system), system), False
+    if not lie:
+        crossed = _in_area(_degrees(given[:, ::-1], system), system)
+    if crossed:
+        raise InputError(
+            _(
+                "{file}: with x to the east and y to the north its points do not lie where {crs} is "
+                "meant for, and with both exchanged they do: name the columns east and north, or "
+                "exchange x and y in the file"
+            ).format(file=name, crs=survey.crs)
+        )
+    if not lie:
+        raise InputError(_outside(survey, system, name))
+
+
+def _outside(survey: Survey, system: System, name: str) -> str:
+    west, south, east, north = (f"{value:g}" for value in system.area or ())
+    return _(
+        "{file}: its points do not lie where {crs} is meant for, longitudes {west} to {east} and "
+        "latitudes {south} to {north}: is survey.crs right, and x or the longitude first?"
+    ).format(file=name, crs=survey.crs, west=west, east=east, south=south, north=north)
+
+
+def _degrees(given: FloatArray, system: System) -> FloatArray:
+    """Longitudes and latitudes of map coordinates, in the units of their system."""
+    from pyproj import CRS, Transformer
+
+    whole = CRS.from_epsg(system.code)
+    turned = Transformer.from_crs(whole, whole.geodetic_crs, always_xy=True)
+    return np.column_stack(turned.transform(given[:, 0], given[:, 1]))
+
+
+def _in_area(degrees: FloatArray, system: System) -> bool:
+    """Whether longitudes and latitudes lie in or near the area that a system is meant for."""
+    if system.area is None:
+        return True
+    west, south, east, north = system.area
+    if not np.isfinite(degrees).all():
+        return False
+    across = (degrees[:, 0] - west + AREA_SLACK) % 360.0 <= (east - west) % 360.0 + 2.0 * AREA_SLACK
+    if east - west >= 360.0 - 2.0 * AREA_SLACK:
+        across[:] = True
+    up = (degrees[:, 1] >= south - AREA_SLACK) & (degrees[:, 1] <= north + AREA_SLACK)
+    return bool((across & up).all())
 
 
 def _subtracted(
@@ -210,6 +302,8 @@ def _projected(
                 "first: is survey.crs right?"
             ).format(file=name)
         )
+    if not _in_area(given, system):
+        raise InputError(_outside(survey, system, name))
     origin = survey.origin
     if origin is None:
         origin = (round(float(given[0, 0]), 4), round(float(given[0, 1]), 4))
@@ -220,8 +314,8 @@ def _projected(
             )
         )
     centre = np.array([origin])
-    if system.shifted:
-        given, centre = wgs84_of_gcj02(given), wgs84_of_gcj02(centre)
+    if system.shifted is not None:
+        given, centre = unshifted(given, system.shifted), unshifted(centre, system.shifted)
     found = local_metres(given, (float(centre[0, 0]), float(centre[0, 1])), system)
     return found, replace(survey, origin=(float(origin[0]), float(origin[1])))
 
@@ -283,15 +377,24 @@ def gcj02_of_wgs84(degrees: FloatArray) -> FloatArray:
     return np.where(inside[:, None], degrees + shift, degrees)
 
 
-def wgs84_of_gcj02(degrees: FloatArray) -> FloatArray:
-    """The other way: the places that are shown there, found by iteration.
+def bd09_of_wgs84(degrees: FloatArray) -> FloatArray:
+    """Longitudes and latitudes (P, 2) of WGS 84 as Baidu's maps show them: those of GCJ-02 shifted."""
+    longitude, latitude = gcj02_of_wgs84(degrees).T
+    waves = math.radians(BD_WAVES)
+    far = np.hypot(longitude, latitude) + BD_STRETCH * np.sin(waves * latitude)
+    angle = np.arctan2(latitude, longitude) + BD_TURN * np.cos(waves * longitude)
+    return np.column_stack([far * np.cos(angle), far * np.sin(angle)]) + BD_SHIFT
+
+
+def unshifted(degrees: FloatArray, shown: Callable[[FloatArray], FloatArray]) -> FloatArray:
+    """The places of WGS 84 that a map shows there, by iteration; `shown` says where it shows a place.
 
     Raises:
         InputError: where none is found: at the edge of what is shifted.
     """
     found = degrees.copy()
     for _step in range(MOST_ITERATIONS):
-        off = degrees - gcj02_of_wgs84(found)
+        off = degrees - shown(found)
         if np.abs(off).max(initial=0.0) <= GCJ_CLOSE:
             return found
         found = found + off

@@ -1,93 +1,35 @@
-"""Lines of DXF and SVG files, as the file says them; both need the extra `survey`."""
+"""Lines of DXF files, as the file says them; they need the extra `survey`."""
 
 import io
+import logging
 import math
 import re
-from collections.abc import Callable, Iterator
+from dataclasses import replace
 from typing import Any
-from xml.etree.ElementTree import Element, tostring
 
 import numpy as np
 
 from benchdragon.errors import InputError, MissingExtraError
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.surveys.lines import MOST_CORNERS
-from benchdragon.surveys.raw import RawFile, RawLine
-from benchdragon.surveys.xml_formats import xml_tree
+from benchdragon.surveys.flattening import Fineness, Tally, bezier_points, ellipse_points, pairs
+from benchdragon.surveys.raw import RawFile, RawLine, passed_over, place_text
+from benchdragon.surveys.text_formats import text_of
 
-# $INSUNITS of DXF, as coordinates.UNITS calls them; others say nothing.
-DXF_UNITS = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m", 7: "km", 21: "us-ft"}
-# Elements of SVG that are drawn; links to others, which may multiply, are left out.
-SVG_DRAWN = {"svg", "g", "path", "polyline", "polygon", "line", "rect", "circle", "ellipse"}
-# What one unit of a width in SVG is worth, mm.
-SVG_MILLIMETRES = {"mm": 1.0, "cm": 10.0, "in": 25.4, "pt": 25.4 / 72.0, "pc": 25.4 / 6.0}
-
-Points = list[tuple[float, ...]]
-# Of a file's own unit, None where it says none: how near chords keep to curves, in that unit.
-Fineness = Callable[[str | None], float]
-
-
-class Tally:
-    """Counts the points that a file's curves become, so that no more are made than are read."""
-
-    def __init__(self, name: str, within: float) -> None:
-        """Args: `name` of the file; `within`: how near chords keep to curves, in its unit."""
-        self.name, self.within = name, within
-        self.points = 0
-
-    def counted(self, points: FloatArray) -> FloatArray:
-        """The points.
-
-        Raises:
-            InputError: if these are too many.
-        """
-        self.points += len(points)
-        if self.points > MOST_CORNERS:
-            raise InputError(
-                _("{file}: its curves need more than the {most} points that are read at most").format(
-                    file=self.name, most=MOST_CORNERS
-                )
-            )
-        return points
-
-
-def bezier_points(control: FloatArray, within: float) -> tuple[FloatArray, float]:
-    """Points whose chords keep `within` of a Bezier curve of control points (n + 1, 2), and how near.
-
-    Its second derivative is at most n (n - 1) times the largest second difference of its control
-    points; over a span h of the parameter it keeps within an eighth of that times h^2 of the chord.
-    """
-    degree = len(control) - 1
-    second = np.diff(control, 2, axis=0)
-    most = degree * (degree - 1) * float(np.hypot(second[:, 0], second[:, 1]).max(initial=0.0))
-    count = _count(most, within)
-    t = np.linspace(0.0, 1.0, count + 1)[:, None]
-    weights = [math.comb(degree, k) * t**k * (1.0 - t) ** (degree - k) for k in range(degree + 1)]
-    points = sum((w * p for w, p in zip(weights, control, strict=True)), np.zeros((count + 1, 2)))
-    return points, 0.125 * most / count**2
-
-
-def ellipse_points(
-    centre: FloatArray,
-    one: FloatArray,
-    other: FloatArray,
-    start: float,
-    sweep: float,
-    within: float,
-) -> tuple[FloatArray, float]:
-    """The same of centre + cos t one + sin t other, for t from `start` over `sweep`, rad."""
-    most = math.hypot(*one, *other) * sweep * sweep
-    count = max(8, _count(most, within))
-    t = (start + np.linspace(0.0, sweep, count + 1))[:, None]
-    return centre + np.cos(t) * one + np.sin(t) * other, 0.125 * most / count**2
-
-
-def _count(most: float, within: float) -> int:
-    """Into how many chords a curve is cut; MOST_CORNERS are one too many for what is read."""
-    if not math.isfinite(most):
-        return 1
-    return max(1, math.ceil(min(MOST_CORNERS, math.sqrt(0.125 * most / within))))
+# $INSUNITS of DXF, as coordinates.UNITS calls them; nobody dances in others.
+DXF_UNITS = {
+    1: "in", 2: "ft", 3: "mi", 4: "mm", 5: "cm", 6: "m", 7: "km", 9: "mil", 10: "yd", 13: "um",
+    14: "dm", 15: "dam", 16: "hm", 21: "us-ft", 22: "us-in", 23: "us-yd", 24: "us-mi",
+}  # fmt: skip
+DXF_READ = ("LINE", "ARC", "CIRCLE", "ELLIPSE", "LWPOLYLINE", "POLYLINE", "SPLINE")
+# What files begin with that are drawings of CAD programs, and not DXF as text.
+BINARY, DWG = b"AutoCAD Binary DXF", b"AC1"
+# Spaces behind a line of DXF, and its end as Windows and old Macs write it.
+LINE_END = re.compile(r"(?<![ \t])[ \t]*+(?:\r\n|\r|\n)")
+# A vertex of a fitted polyline that belongs to the frame of its spline, and is not on it.
+FRAME = 16
+# Arcs lack less than this of a whole circle, degrees, by rounding alone.
+LEAST_OPEN = 1e-6
 
 
 def dxf_file(data: bytes, name: str, fineness: Fineness) -> RawFile:
@@ -99,64 +41,132 @@ def dxf_file(data: bytes, name: str, fineness: Fineness) -> RawFile:
         InputError: for what is no DXF, for curves that cannot be read, and for too many points.
         MissingExtraError: without ezdxf.
     """
-    try:
-        from ezdxf.filemanagement import dxf_stream_info, read
-        from ezdxf.lldxf.const import DXFError
-    except ImportError:
-        raise MissingExtraError("survey") from None
-    try:
-        # Its head is ASCII and says how the rest is written.
-        told = dxf_stream_info(io.StringIO(data.decode("latin-1")))
-        document = read(io.StringIO(data.decode(told.encoding, "surrogateescape")))
-        entities = list(document.modelspace())
-        # Of a file that does not say it, ezdxf tells a unit of its own choice.
-        said = document.header.get("$INSUNITS", 0) if b"$INSUNITS" in data else 0
-    except (DXFError, OSError, ValueError, LookupError, TypeError, AttributeError, StopIteration):
-        raise InputError(_("{file} is not DXF").format(file=name)) from None
-    unit = DXF_UNITS.get(said)
-    lines, tally = [], Tally(name, fineness(unit))
-    for entity in entities:
+    document, says_unit = _document(data, name)
+    # Of a file that does not say it, ezdxf tells a unit of its own choice.
+    unit = DXF_UNITS.get(document.header.get("$INSUNITS", 0)) if says_unit else None
+    lines, passed, tally = [], list[str](), Tally(name, fineness(unit))
+    for number, entity in enumerate(document.modelspace(), start=1):
         try:
             line = _entity(entity, tally)
-        except (DXFError, ArithmeticError, LookupError, TypeError, AttributeError):
+        except InputError:
+            raise
+        except Exception:  # whatever a library makes of what strangers send
             raise InputError(
-                _("{file}: {what} of layer {layer} cannot be read").format(
-                    file=name, what=entity.dxftype(), layer=_layer(entity)
+                _("{file}: part {number} ({what} of layer {layer}) cannot be read").format(
+                    file=name, number=number, what=entity.dxftype(), layer=_layer(entity)
                 )
             ) from None
-        if line is not None:
-            lines.append(line)
-    return RawFile(lines, False, unit)
+        if line is None:
+            passed.append(_not_read(entity))
+            continue
+        if _deep(entity):
+            passed.append(
+                _("{what} that is not level (read as seen from above)").format(what=entity.dxftype())
+            )
+        lines.append(replace(line, hidden=_hidden(entity, document)))
+    return RawFile(lines, False, unit, passed_over(passed))
+
+
+def _document(data: bytes, name: str) -> tuple[Any, bool]:
+    """What ezdxf makes of a file, whatever its line ends and its encoding, and if it says its unit."""
+    try:
+        from ezdxf.filemanagement import dxf_stream_info, read
+    except ImportError:
+        raise MissingExtraError("survey") from None
+    if data.startswith((BINARY, DWG)):
+        raise InputError(
+            _("{file} is a binary drawing: save it as DXF in text (ASCII)").format(file=name)
+        )
+    try:
+        # Its head is ASCII and says how the rest is written.
+        told = dxf_stream_info(io.StringIO(LINE_END.sub("\n", text_of(data, name, "latin-1"))))
+        try:
+            text = text_of(data, name, told.encoding)
+        except InputError:
+            text = data.decode(told.encoding, "backslashreplace")
+        text = LINE_END.sub("\n", text)
+        if not text.rstrip().endswith("EOF"):
+            raise InputError(_("{file} is cut off: it does not end with EOF").format(file=name))
+        logging.getLogger("ezdxf").addHandler(logging.NullHandler())
+        return read(io.StringIO(text)), "$INSUNITS" in text
+    except InputError:
+        raise
+    except Exception:  # whatever a library makes of what strangers send
+        raise InputError(_("{file} is not DXF").format(file=name)) from None
+
+
+def _not_read(entity: Any) -> str:
+    """What is said of an entity that is passed over."""
+    if entity.dxftype() == "INSERT":
+        return _("INSERT (blocks are not read: explode them in the drawing)")
+    return str(entity.dxftype())
+
+
+def _deep(entity: Any) -> bool:
+    """Whether something was left out of a line as it was read flat."""
+    if entity.dxftype() == "LINE":
+        return bool(entity.dxf.start.z != entity.dxf.end.z)
+    return entity.dxftype() == "POLYLINE" and bool(entity.is_3d_polyline)
+
+
+def _hidden(entity: Any, document: Any) -> bool:
+    """Whether it does not show: by itself, or since its layer is off or frozen."""
+    if entity.dxf.get("invisible", 0) or not document.layers.has_entry(_layer(entity)):
+        return bool(entity.dxf.get("invisible", 0))
+    layer = document.layers.get(_layer(entity))
+    return bool(layer.is_off() or layer.is_frozen())
 
 
 def _entity(entity: Any, tally: Tally) -> RawLine | None:
     kind, layer = entity.dxftype(), _layer(entity)
     if kind == "LINE":
         return RawLine(layer, [tuple(entity.dxf.start)[:2], tuple(entity.dxf.end)[:2]])
-    if kind not in ("ARC", "CIRCLE", "LWPOLYLINE", "POLYLINE", "ELLIPSE", "SPLINE"):
+    if kind not in DXF_READ:
         return None
     if kind == "ELLIPSE":
         return _ellipse(entity, layer, tally)
     if kind == "SPLINE":
         return _spline(entity, layer, tally)
+    if kind == "POLYLINE":
+        return _polyline(entity, layer, tally.name)
     hand = _hand(entity, tally.name)
     if kind == "LWPOLYLINE":
         corners = [(hand * x, y, hand * b) for x, y, b in entity.get_points("xyb")]
         return RawLine(layer, corners, bool(entity.closed))
-    if kind == "POLYLINE":
-        corners = [
-            (hand * v.dxf.location.x, v.dxf.location.y, hand * v.dxf.get("bulge", 0.0))
-            for v in entity.vertices
-        ]
-        return RawLine(layer, corners, bool(entity.is_closed)) if entity.is_2d_polyline else None
     x, y, r = entity.dxf.center.x, entity.dxf.center.y, entity.dxf.radius
+    if not r >= 0.0:
+        raise ValueError
     if kind == "CIRCLE":
         return RawLine(layer, [(hand * (x + r), y, hand), (hand * (x - r), y, hand)], True)
-    start = math.radians(entity.dxf.start_angle)
-    sweep = math.radians((entity.dxf.end_angle - entity.dxf.start_angle) % 360.0 or 360.0)
-    ends = [(x + r * math.cos(a), y + r * math.sin(a)) for a in (start, start + sweep)]
+    start, open_by = entity.dxf.start_angle, (entity.dxf.start_angle - entity.dxf.end_angle) % 360.0
+    if not LEAST_OPEN < open_by:
+        raise InputError(
+            _(
+                "{file}: an ARC of layer {layer} about {place} ends where it starts, so that it is a "
+                "whole circle or nothing: draw a CIRCLE, or delete it"
+            ).format(file=tally.name, layer=layer, place=place_text((hand * x, y)))
+        )
+    first, sweep = math.radians(start), math.radians(360.0 - open_by)
+    ends = [(x + r * math.cos(a), y + r * math.sin(a)) for a in (first, first + sweep)]
     (x0, y0), (x1, y1) = ends
     return RawLine(layer, [(hand * x0, y0, hand * math.tan(0.25 * sweep)), (hand * x1, y1, 0.0)])
+
+
+def _polyline(entity: Any, layer: str, name: str) -> RawLine | None:
+    """One of two dimensions, or of three as seen from above; None for a mesh.
+
+    Of one that was fitted the corners of its frame are left out.
+    """
+    if not (entity.is_2d_polyline or entity.is_3d_polyline):
+        return None
+    hand = _hand(entity, name) if entity.is_2d_polyline else 1.0
+    vertices = [v for v in entity.vertices if not v.dxf.get("flags", 0) & FRAME]
+    corners = [
+        (hand * v.dxf.location.x, v.dxf.location.y, hand * v.dxf.get("bulge", 0.0)) for v in vertices
+    ]
+    if not corners and len(entity.vertices):
+        raise ValueError
+    return RawLine(layer, corners, bool(entity.is_closed))
 
 
 def _layer(entity: Any) -> str:
@@ -182,7 +192,7 @@ def _ellipse(entity: Any, layer: str, tally: Tally) -> RawLine:
     points, off = ellipse_points(centre, one, other, tool.start_param, sweep, tally.within)
     tally.counted(points)
     whole = sweep > 2.0 * math.pi - 1e-9
-    return RawLine(layer, _pairs(points[:-1] if whole else points), whole, off=off)
+    return RawLine(layer, pairs(points[:-1] if whole else points), whole, off=off)
 
 
 def _spline(entity: Any, layer: str, tally: Tally) -> RawLine:
@@ -199,101 +209,4 @@ def _spline(entity: Any, layer: str, tally: Tally) -> RawLine:
         points, away = bezier_points(np.array([(v.x, v.y) for v in control]), tally.within)
         found.append(tally.counted(points))
         off = max(off, away)
-    return RawLine(layer, _pairs(np.concatenate(found)), bool(entity.closed), off=off)
-
-
-def _pairs(points: FloatArray) -> Points:
-    return [(x, y) for x, y in points.tolist()]
-
-
-def svg_file(data: bytes, name: str, fineness: Fineness, physical: bool) -> RawFile:
-    """The paths of an SVG file, y turned up, (0, 0) its upper left corner; each is called by its id.
-
-    Args:
-        data: the file.
-        name: of it.
-        fineness: how near chords keep to curves.
-        physical: whether its width in mm or the like and its viewBox tell the unit.
-
-    Raises:
-        InputError: for what is no SVG, and for too many points.
-        MissingExtraError: without svgelements.
-    """
-    try:
-        from svgelements import SVG, Path, Shape
-    except ImportError:
-        raise MissingExtraError("survey") from None
-    root = xml_tree(data, name)
-    if root.tag != "svg":
-        raise InputError(_("{file} is not SVG").format(file=name))
-    scale = _millimetres(root) if physical else None
-    for key in ("width", "height", "viewBox", "preserveAspectRatio"):
-        root.attrib.pop(key, None)
-    _keep_drawn(root)
-    root.set("xmlns", "http://www.w3.org/2000/svg")
-    unit = None if scale is None else "mm"
-    lines: list[RawLine] = []
-    tally = Tally(name, fineness(unit) / (scale or 1.0))
-    try:
-        for shape in SVG.parse(io.BytesIO(tostring(root)), reify=True).elements():
-            if isinstance(shape, Shape):
-                lines += _subpaths(Path(shape), shape.id or "", scale or 1.0, tally)
-    except InputError:
-        raise
-    except (ValueError, LookupError, TypeError, AttributeError, ArithmeticError, RecursionError):
-        raise InputError(_("{file}: a path cannot be read").format(file=name)) from None
-    return RawFile(lines, False, unit)
-
-
-def _keep_drawn(element: Element) -> None:
-    for inner in list(element):
-        if inner.tag in SVG_DRAWN:
-            _keep_drawn(inner)
-        else:
-            element.remove(inner)
-
-
-def _millimetres(root: Element) -> float | None:
-    """What one unit of the drawing is worth, mm, where its width and its viewBox say it."""
-    width = re.fullmatch(r"\s*([0-9.]+(?:[eE][-+]?\d+)?)\s*([a-z]+)\s*", root.get("width", ""))
-    box = root.get("viewBox", "").replace(",", " ").split()
-    try:
-        if width is None or len(box) != 4:
-            return None
-        scale = float(width[1]) * SVG_MILLIMETRES[width[2]] / float(box[2])
-    except (ValueError, KeyError, ZeroDivisionError):
-        return None
-    return scale if math.isfinite(scale) and scale > 0.0 else None
-
-
-def _subpaths(path: Any, name: str, scale: float, tally: Tally) -> Iterator[RawLine]:
-    for sub in path.as_subpaths():
-        points: list[FloatArray] = []
-        off, closed = 0.0, False
-        for segment in sub:
-            more, away = _segment(segment, tally.within)
-            points.append(tally.counted(more))
-            off, closed = max(off, away), closed or type(segment).__name__ == "Close"
-        whole = np.concatenate(points) * (scale, -scale) if points else np.zeros((0, 2))
-        if len(whole):
-            yield RawLine(name, _pairs(whole), closed, off=off * scale)
-
-
-def _segment(segment: Any, within: float) -> tuple[FloatArray, float]:
-    """Points of a segment of a path, (P, 2), and how far it lies from their chords."""
-    kind = type(segment).__name__
-    if kind in ("Move", "Line", "Close"):
-        return np.zeros((0, 2)) if segment.end is None else _xy(segment.end), 0.0
-    if kind == "Arc":
-        centre = _xy(segment.center)
-        return ellipse_points(
-            centre[0], (_xy(segment.prx) - centre)[0], (_xy(segment.pry) - centre)[0],
-            segment.get_start_t(), float(segment.sweep), within,
-        )  # fmt: skip
-    controls = [segment.start, segment.control if kind == "QuadraticBezier" else segment.control1]
-    controls += [] if kind == "QuadraticBezier" else [segment.control2]
-    return bezier_points(np.concatenate([_xy(point) for point in (*controls, segment.end)]), within)
-
-
-def _xy(point: Any) -> FloatArray:
-    return np.array([[float(point.x), float(point.y)]])
+    return RawLine(layer, pairs(np.concatenate(found)), bool(entity.closed), off=off)

@@ -22,6 +22,8 @@ MOST_CURVES = 10_000
 FLATTENED = 1e-3
 # Corners nearer to one another than this are one corner, m.
 SAME = 1e-9
+# Lines whose corners agree to so many decimals of a metre are one line drawn twice.
+ROUNDED = 6
 # tan(sweep / 4) of what counts as straight.
 STRAIGHT = 1e-12
 
@@ -38,6 +40,7 @@ class DrawnLine:
         curves: as surveyed, in order, with gaps and kinks as they are.
         closed: whether it ends where it starts; the last corner leads back to the first.
         off: how far what is here may lie from what the file says, m.
+        hidden: whether its layer is off.
     """
 
     name: str
@@ -45,6 +48,7 @@ class DrawnLine:
     curves: tuple[AnyCurve, ...] = ()
     closed: bool = False
     off: float = 0.0
+    hidden: bool = False
 
     @property
     def bent(self) -> bool:
@@ -141,6 +145,27 @@ def most_bend(curve: AnyCurve) -> float:
     return float(np.abs(curve.curvature([0.0, curve.length])).max())
 
 
+def once(lines: Sequence[DrawnLine]) -> list[DrawnLine]:
+    """Lines without those that lie on another of their layer just like them, either way round."""
+    found: dict[object, DrawnLine] = {}
+    for line in lines:
+        there = line.corners.round(ROUNDED)
+        back = turned_round(there)
+        if line.closed:
+            back[-1:, 2] = -there[-1:, 2]
+            there, back = _from_least(there), _from_least(back)
+        else:
+            there[-1:, 2] = 0.0
+        key = min((way + 0.0).tobytes() for way in (there, back))  # of -0.0, too
+        found.setdefault((line.name, line.closed, line.curves, key), line)
+    return list(found.values())
+
+
+def _from_least(ring: FloatArray) -> FloatArray:
+    """Corners of a closed line, beginning with that farthest to the left, and of these the lowest."""
+    return np.roll(ring, -int(np.lexsort((ring[:, 1], ring[:, 0]))[0]), axis=0)
+
+
 def chained(lines: Sequence[DrawnLine], gap: float) -> list[DrawnLine]:
     """Lines whose ends meet within `gap`, m, joined end to end, turned round where they must be.
 
@@ -204,7 +229,7 @@ def turned_round(corners: FloatArray) -> FloatArray:
     """The corners of an open line, (P, 3), from its end to its start."""
     back = corners[::-1].copy()
     back[:-1, 2] = -corners[::-1][1:, 2]
-    back[-1, 2] = 0.0
+    back[-1:, 2] = 0.0
     return back
 
 

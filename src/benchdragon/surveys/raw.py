@@ -1,5 +1,6 @@
 """What readers hand on: lines in the units of their file."""
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -14,7 +15,7 @@ class RawCurve:
         end: of its end.
         third: of an arc's centre, or of the point where a clothoid's end tangents meet; None if unsaid.
         left: whether it turns left.
-        length: of a clothoid, in the file's unit.
+        length: in the file's unit; None where it does not say one.
         radii: of a clothoid at its start and end, infinite where it is straight.
     """
 
@@ -23,7 +24,7 @@ class RawCurve:
     end: tuple[float, float]
     third: tuple[float, float] | None = None
     left: bool = True
-    length: float = 0.0
+    length: float | None = None
     radii: tuple[float, float] = (float("inf"), float("inf"))
 
 
@@ -37,6 +38,7 @@ class RawLine:
         closed: whether the last point leads to the first.
         curves: in place of points, as surveyed.
         off: how far the points may lie from what the file says, in its unit.
+        hidden: whether it is drawn on a layer that is off.
     """
 
     name: str
@@ -44,6 +46,7 @@ class RawLine:
     closed: bool = False
     curves: Sequence[RawCurve] = ()
     off: float = 0.0
+    hidden: bool = False
 
 
 @dataclass(frozen=True)
@@ -54,8 +57,22 @@ class RawFile:
         lines: all of them.
         angular: whether its coordinates are longitudes and latitudes.
         unit: of plane coordinates, a key of coordinates.UNITS; None where the file does not say it.
+        passed: what of the file was passed over, or read otherwise than it stands there.
+        crs: the code of the system that the file says its coordinates are of, like "EPSG:4549".
     """
 
     lines: list[RawLine] = field(default_factory=list)
     angular: bool = False
     unit: str | None = None
+    passed: list[str] = field(default_factory=list)
+    crs: str | None = None
+
+
+def passed_over(kinds: Sequence[str]) -> list[str]:
+    """How many of each kind there are, as in "2 TEXT"."""
+    return [f"{count} {kind}" for kind, count in Counter(kinds).items()]
+
+
+def place_text(place: Sequence[float]) -> str:
+    """Coordinates as a file has them, x or longitude first."""
+    return f"({place[0]:.12g}, {place[1]:.12g})"

@@ -13,8 +13,8 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.curves import AnyCurve, Arc, Clothoid, Line
 from benchdragon.model.obstacle import MOST_CORNERS as MOST_EDGES
 from benchdragon.surveys.alignment import GAP
-from benchdragon.surveys.cad_formats import dxf_file, svg_file
-from benchdragon.surveys.coordinates import UNITS, Survey, system_of, taken_near
+from benchdragon.surveys.coordinates import UNITS, Survey, code_of, system_of, taken_near
+from benchdragon.surveys.dxf_format import dxf_file
 from benchdragon.surveys.lines import (
     FLATTENED,
     MOST_BYTES,
@@ -23,10 +23,12 @@ from benchdragon.surveys.lines import (
     DrawnLine,
     chained,
     corners_of,
+    once,
 )
-from benchdragon.surveys.raw import RawCurve, RawFile, RawLine
+from benchdragon.surveys.raw import RawCurve, RawFile, RawLine, place_text
+from benchdragon.surveys.svg_format import svg_file
 from benchdragon.surveys.text_formats import csv_file, geojson_file
-from benchdragon.surveys.xml_formats import kml_file, landxml_file, xml_tree
+from benchdragon.surveys.xml_formats import gpx_file, kml_file, kmz_file, landxml_file, xml_tree
 
 Reader = Callable[[bytes, str], RawFile]
 # By the ending of a file.
@@ -35,58 +37,100 @@ READERS: dict[str, Reader] = {
     ".geojson": geojson_file,
     ".json": geojson_file,
     ".kml": kml_file,
+    ".kmz": kmz_file,
+    ".gpx": gpx_file,
     ".xml": landxml_file,
     ".landxml": landxml_file,
 }
 ENDINGS = (*READERS, ".dxf", ".svg")
+# What is told of a file while it is read, a sentence at a time.
+Tell = Callable[[str], object]
 # A degree of latitude or longitude is at most so long, m, where it is shown in GCJ-02 too.
 METRES_A_DEGREE = 112_000.0
 # What is bent more tightly is a slip of the pen, m.
 LEAST_RADIUS = 1e-6
+# Ends of an arc that is no whole circle lie farther apart than rounding alone would have them, m.
+LEAST_CHORD = 1e-3
+# A surveyed part keeps so near, m and as a share, to the length and the end that the file says of it.
+MISFIT, MISFIT_SHARE = 0.05, 0.01
 # Lines of a file that are named in an error.
 MOST_NAMES = 10
 
 
-def read_lines(path: Path, survey: Survey) -> tuple[list[DrawnLine], Survey]:
+def _untold(_sentence: str) -> None:
+    """For who does not ask what was passed over."""
+
+
+def read_lines(path: Path, survey: Survey, tell: Tell = _untold) -> tuple[list[DrawnLine], Survey]:
     """The lines of a file, in metres near the dance, and the survey with its origin.
+
+    `tell` hears, a sentence at a time, what of the file was passed over.
 
     Raises:
         InputError: for a file that cannot be read, and for a unit or a system that is missing.
         MissingExtraError: for a format or a system that needs the extra `survey`.
     """
     raw = _raw(path, survey)
-    if not raw.lines:
-        raise InputError(_("{file} holds no line").format(file=path.name))
+    over = ", ".join(raw.passed)
+    points = [point for line in raw.lines for point in _places(line)]
+    if not points:
+        raise InputError(
+            _("{file} holds no line; passed over: {over}").format(file=path.name, over=over)
+            if over
+            else _("{file} holds no line").format(file=path.name)
+        )
+    if over:
+        tell(_("{file}: passed over: {over}").format(file=path.name, over=over))
     if len(raw.lines) > MOST_LINES:
         raise InputError(
             _("{file} holds {count} lines, and {most} are read at most").format(
                 file=path.name, count=len(raw.lines), most=MOST_LINES
             )
         )
-    points = [point for line in raw.lines for point in _places(line)]
     if len(points) > MOST_CORNERS:
         raise InputError(
             _("{file} holds {count} points, and {most} are read at most").format(
                 file=path.name, count=len(points), most=MOST_CORNERS
             )
         )
-    if not points:
-        raise InputError(_("{file} holds no line").format(file=path.name))
+    _check_told(raw, survey, path.name, tell)
     near, known = taken_near(points, survey, path.name, raw.angular, raw.unit)
     scale = _scale(survey, raw.unit)
+    angular = survey.crs is not None and system_of(survey.crs).angular
     found, first = [], 0
     for line in raw.lines:
         count = len(_places(line))
         try:
-            found.append(_drawn(line, near[first : first + count], scale))
+            found.append(_drawn(line, near[first : first + count], scale, angular, tell))
         except InputError as error:
             raise InputError(f"{path.name}: {error}") from None
         first += count
     return found, known
 
 
+def _check_told(raw: RawFile, survey: Survey, name: str, tell: Tell) -> None:
+    """Hold what a file says of its coordinates against what the plan says of them.
+
+    Raises:
+        InputError: for another system.
+    """
+    if raw.crs is not None and (survey.crs is None or code_of(survey.crs) != code_of(raw.crs)):
+        raise InputError(
+            _(
+                '{file} says that its coordinates are those of {said}: set survey.crs to "{said}"'
+            ).format(file=name, said=raw.crs)
+        )
+    if raw.unit and survey.unit and raw.unit != survey.unit:
+        text = _("{file} says that its unit is {said}, and survey.unit says {unit}, which was taken")
+        tell(text.format(file=name, said=raw.unit, unit=survey.unit))
+
+
 def _raw(path: Path, survey: Survey) -> RawFile:
     ending = path.suffix.lower()
+    if ending == ".dwg":
+        raise InputError(
+            _("{file} is a binary drawing: save it as DXF in text (ASCII)").format(file=path.name)
+        )
     if ending not in ENDINGS:
         raise InputError(
             _("{file}: drawings are read from {endings} files").format(
@@ -102,8 +146,8 @@ def _raw(path: Path, survey: Survey) -> RawFile:
         return dxf_file(data, path.name, fineness)
     if ending == ".svg":
         return svg_file(data, path.name, fineness, physical=survey.unit is None)
-    if ending == ".xml" and xml_tree(data, path.name).tag == "kml":
-        return kml_file(data, path.name)
+    if ending == ".xml" and (kind := xml_tree(data, path.name).tag) in ("kml", "gpx"):
+        return READERS[f".{kind}"](data, path.name)
     return READERS[ending](data, path.name)
 
 
@@ -143,27 +187,69 @@ def _scale(survey: Survey, said: str | None) -> float:
     return float(UNITS[unit]) if unit else 1.0
 
 
-def _drawn(line: RawLine, near: FloatArray, scale: float) -> DrawnLine:
+def _drawn(line: RawLine, near: FloatArray, scale: float, angular: bool, tell: Tell) -> DrawnLine:
     if line.curves:
-        curves = [_curve(curve, near[3 * n : 3 * n + 3], scale) for n, curve in enumerate(line.curves)]
+        if angular:
+            raise InputError(_("alignments are read in metres, not in longitudes and latitudes"))
+        curves = []
+        for n, curve in enumerate(line.curves):
+            named = _("part {number} of {line}, at {place}").format(
+                number=n + 1, line=repr(line.name)[:60], place=place_text(curve.start)
+            )
+            made = _curve(curve, near[3 * n : 3 * n + 3], scale)
+            if made is None:
+                tell(_("{part} has no length and was passed over").format(part=named))
+            else:
+                _check_curve(curve, made, near[3 * n + 1], scale, named)
+                curves.append(made)
         return DrawnLine(line.name, np.zeros((0, 3)), tuple(curves))
     bulges = np.array([point[2] if len(point) > 2 else 0.0 for point in line.points])
+    if angular and bulges.any():
+        raise InputError(
+            _("arcs are read in metres, not in longitudes and latitudes: save them as polylines")
+        )
     corners = corners_of(np.column_stack([near, bulges]), line.closed)
-    return DrawnLine(line.name, corners, (), line.closed, line.off * scale)
+    return DrawnLine(line.name, corners, (), line.closed, line.off * scale, line.hidden)
 
 
-def _curve(curve: RawCurve, places: FloatArray, scale: float) -> AnyCurve:
-    """A surveyed curve from where it starts, at the heading that its other points say."""
+def _check_curve(curve: RawCurve, made: AnyCurve, end: FloatArray, scale: float, named: str) -> None:
+    """Refuse a surveyed part of which the file says two things."""
+    said = made.length if curve.length is None else curve.length * scale
+    if abs(made.length - said) > MISFIT + MISFIT_SHARE * said:
+        raise InputError(
+            _(
+                "{part}: the file says that it is {said} m long, and its points make it {length} m"
+            ).format(part=named, said=f"{said:.6g}", length=f"{made.length:.6g}")
+        )
+    if (off := math.dist(made.end_pose[0], end)) > MISFIT:
+        raise InputError(
+            _("{part}: it ends {off} m beside its End").format(part=named, off=f"{off:.4g}")
+        )
+
+
+def _curve(curve: RawCurve, places: FloatArray, scale: float) -> AnyCurve | None:
+    """A surveyed curve from where it starts, at the heading that its other points say.
+
+    None for one without a length.
+    """
     start, end, third = places
     at = float(start[0]), float(start[1])
     side = 1.0 if curve.left else -1.0
+    chord, said = math.dist(start, end), curve.length
     if curve.kind == "line":
-        return Line(math.dist(start, end), at, _direction(start, end))
+        return Line(chord, at, _direction(start, end)) if chord > 0.0 else None
     if curve.kind == "arc":
+        radius = math.dist(start, third)
         out, back = _direction(third, start), _direction(third, end)
         sweep = (side * (back - out)) % (2.0 * math.pi)
-        return Arc(math.dist(start, third), side * sweep, at, out + side * 0.5 * math.pi)
-    length = curve.length * scale
+        if chord <= LEAST_CHORD:  # a step, or all of the circle but a step: angles tell by rounding
+            if radius <= LEAST_CHORD or said is None or said * scale < math.pi * radius:
+                return None
+            sweep = sweep if sweep > math.pi else 2.0 * math.pi + sweep
+        return Arc(radius, side * sweep, at, out + side * 0.5 * math.pi)
+    if not said:
+        return None
+    length = said * scale
     first, last = (side * _bend(radius, scale) for radius in curve.radii)
     if curve.third is not None and math.dist(start, third) > 0.0:
         return Clothoid(length, first, last, at, _direction(start, third))
@@ -185,15 +271,18 @@ def _direction(start: FloatArray, end: FloatArray) -> float:
     return math.atan2(end[1] - start[1], end[0] - start[0])
 
 
-def read_line(path: Path, survey: Survey, layer: str | None = None) -> tuple[DrawnLine, Survey]:
+def read_line(
+    path: Path, survey: Survey, layer: str | None = None, tell: Tell = _untold
+) -> tuple[DrawnLine, Survey]:
     """The one line of a file, or of a layer of it, and the survey with its origin.
 
-    Lines of one layer whose ends meet are joined.
+    Lines of one layer whose ends meet are joined. Lines without a length, doubled ones and, where no
+    layer is asked for, those of layers that are off are passed over, as `tell` hears.
 
     Raises:
         InputError: as `read_lines`, and where there is no such line or more than one.
     """
-    lines, known = read_lines(path, survey)
+    lines, known = read_lines(path, survey, tell)
     names = sorted({line.name for line in lines})
     if layer is not None:
         lines = [line for line in lines if line.name == layer]
@@ -203,7 +292,27 @@ def read_line(path: Path, survey: Survey, layer: str | None = None) -> tuple[Dra
                     file=path.name, layer=repr(layer)[:60], names=_listed(names)
                 )
             )
-    lines = [line for line in _joined(lines) if line.curves or len(line.corners) > 1]
+    elif hidden := [line for line in lines if line.hidden]:
+        lines = [line for line in lines if not line.hidden]
+        text = _("{file}: lines on layers that are off, passed over: {count}, on {names}")
+        off = _listed(sorted({line.name for line in hidden}))
+        tell(text.format(file=path.name, count=len(hidden), names=off))
+        if not lines:
+            raise InputError(
+                _(
+                    "{file}: all of its lines are on layers that are off: choose one by the key layer"
+                ).format(file=path.name)
+            )
+        names = sorted({line.name for line in lines})
+    whole = [line for line in lines if line.curves or len(line.corners) > 1]
+    if short := len(lines) - len(whole):
+        text = _("{file}: lines without a length, passed over: {count}")
+        tell(text.format(file=path.name, count=short))
+    single = once(whole)
+    if doubled := len(whole) - len(single):
+        text = _("{file}: lines drawn twice, passed over once: {count}")
+        tell(text.format(file=path.name, count=doubled))
+    lines = _joined(single)
     if len(lines) == 1:
         return lines[0], known
     if not lines:
@@ -234,7 +343,9 @@ def _listed(names: Sequence[str]) -> str:
     return shown + (", ..." if len(names) > MOST_NAMES else "")
 
 
-def outline(path: Path, survey: Survey, layer: str | None = None) -> tuple[FloatArray, Survey]:
+def outline(
+    path: Path, survey: Survey, layer: str | None = None, tell: Tell = _untold
+) -> tuple[FloatArray, Survey]:
     """Corners (P, 2) of the closed line of a file, m, and the survey with its origin.
 
     Arcs, ellipses and splines become chords within lines.FLATTENED of them. Where pieces meet with
@@ -243,7 +354,7 @@ def outline(path: Path, survey: Survey, layer: str | None = None) -> tuple[Float
     Raises:
         InputError: as `read_line`, for a line that is open, and for more than MOST_EDGES.
     """
-    line, known = read_line(path, survey, layer)
+    line, known = read_line(path, survey, layer, tell)
     points, _off = line.points()
     if not line.closed and len(points) and math.dist(points[0], points[-1]) <= GAP:
         points, line = points[:-1], replace(line, closed=True)

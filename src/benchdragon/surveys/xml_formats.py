@@ -1,12 +1,17 @@
-"""Lines of KML and LandXML files, as the file says them; and XML as strangers may send it."""
+"""Lines of KML, GPX and LandXML files, as the file says them; and XML as strangers may send it."""
 
+import io
 import math
+import re
+import zipfile
+import zlib
 from xml.etree.ElementTree import Element, TreeBuilder
 from xml.parsers import expat
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
-from benchdragon.surveys.raw import RawCurve, RawFile, RawLine
+from benchdragon.surveys.lines import MOST_BYTES
+from benchdragon.surveys.raw import RawCurve, RawFile, RawLine, passed_over, place_text
 
 # Elements within elements.
 MOST_DEPTH = 200
@@ -15,47 +20,66 @@ LANDXML_UNITS = {
     "meter": "m",
     "millimeter": "mm",
     "centimeter": "cm",
+    "decimeter": "dm",
     "kilometer": "km",
     "foot": "ft",
     "inch": "in",
+    "mile": "mi",
     "ussurveyfoot": "us-ft",
 }
+# Encodings that the XML parser leaves to others, and an entity that XML does not know by itself.
+CHINESE = re.compile(
+    rb"""\s*<\?xml[^>]*encoding\s*=\s*["'](gb2312|gbk|gb18030|big5)["']""", re.IGNORECASE
+)
+ENTITY = re.compile(rb"&(?!(?:amp|lt|gt|quot|apos|#))")
 
 
 def xml_tree(data: bytes, name: str) -> Element:
-    """The root of an XML text, names without their namespaces.
+    """The root of an XML text, names without their namespaces and attributes of others left out.
 
-    No document type, hence no entity, is read, and nothing is fetched.
+    No entity is read, and nothing is fetched.
 
     Raises:
-        InputError: for what is no XML, declares a document type, or is nested too deeply.
+        InputError: for what is no XML, declares or wants entities, or is nested too deeply.
     """
     builder = TreeBuilder()
     parser = expat.ParserCreate(namespace_separator="}")
     depth = 0
 
     def refuse(*_declared: object) -> None:
-        raise InputError(_("{file} declares a document type, which is not read").format(file=name))
+        raise InputError(
+            _(
+                "{file} declares entities, which are not read: save it without them (as plain SVG, not "
+                "to be edited on by Illustrator)"
+            ).format(file=name)
+        )
+
+    def declared(*_told: object) -> None:
+        if ENTITY.search(data):
+            refuse()
 
     def start(tag: str, attributes: dict[str, str]) -> None:
         nonlocal depth
         depth += 1
         if depth > MOST_DEPTH:
             raise InputError(_("{file} is nested too deeply").format(file=name))
-        builder.start(tag.rpartition("}")[2], attributes)
+        own = {key: value for key, value in attributes.items() if "}" not in key}
+        builder.start(tag.rpartition("}")[2], own)
 
     def end(tag: str) -> None:
         nonlocal depth
         depth -= 1
         builder.end(tag.rpartition("}")[2])
 
-    parser.StartDoctypeDeclHandler = refuse
+    parser.StartDoctypeDeclHandler = declared
+    parser.EntityDeclHandler = refuse
     parser.StartElementHandler = start
     parser.EndElementHandler = end
     parser.CharacterDataHandler = builder.data
     parser.buffer_text = True
     try:
-        parser.Parse(data, True)
+        told = CHINESE.match(data)
+        parser.Parse(data.decode(told[1].decode("ascii")) if told else data, True)
     except expat.ExpatError as error:
         raise InputError(
             _("{file} is not XML: line {line}, column {column}").format(
@@ -69,18 +93,41 @@ def xml_tree(data: bytes, name: str) -> Element:
     return builder.close()
 
 
+def kmz_file(data: bytes, name: str) -> RawFile:
+    """The lines of the first KML file in a KMZ archive.
+
+    Raises:
+        InputError: for what is no such archive, and for a file in it that is too large.
+    """
+    try:
+        with zipfile.ZipFile(io.BytesIO(data)) as archive:
+            inner = next(one for one in archive.namelist() if one.lower().endswith(".kml"))
+            with archive.open(inner) as packed:
+                found = packed.read(MOST_BYTES + 1)
+    except (zipfile.BadZipFile, zlib.error, StopIteration, RuntimeError, OSError, EOFError, ValueError):
+        raise InputError(
+            _("{file} is no KMZ archive with a KML file in it that can be unpacked").format(file=name)
+        ) from None
+    if len(found) > MOST_BYTES:
+        raise InputError(
+            _("{file}: what it holds is too large: at most {most} MB are read").format(
+                file=name, most=MOST_BYTES // 1_000_000
+            )
+        )
+    return kml_file(found, name)
+
+
 def kml_file(data: bytes, name: str) -> RawFile:
-    """The lines and the outer edges of polygons of a KML file: longitudes and latitudes.
+    """The lines, tracks and outer edges of polygons of a KML file: longitudes and latitudes.
 
     Raises:
         InputError: for what is no KML.
     """
     root = xml_tree(data, name)
-    places = list(root.iter("Placemark"))
     if root.tag != "kml":
         raise InputError(_("{file} is not KML").format(file=name))
-    lines = []
-    for place in places:
+    lines, passed = [], ["NetworkLink" for _link in root.iter("NetworkLink")]
+    for place in root.iter("Placemark"):
         called = (place.findtext("name") or "").strip()
         for line in place.iter("LineString"):
             points = _positions(line.findtext("coordinates") or "", name)
@@ -88,15 +135,48 @@ def kml_file(data: bytes, name: str) -> RawFile:
         for polygon in place.iter("Polygon"):
             ring = polygon.findtext("outerBoundaryIs/LinearRing/coordinates") or ""
             lines.append(RawLine(called, _positions(ring, name), True))
-    return RawFile(lines, True, "m")
+            passed += [_("inner edge")] * len(polygon.findall("innerBoundaryIs"))
+        for track in place.iter("Track"):
+            words = (",".join((coord.text or "").split()) for coord in track.iter("coord"))
+            lines.append(RawLine(called, _positions(" ".join(words), name)))
+        passed += ["Point" for _point in place.iter("Point")]
+    return RawFile(lines, True, "m", passed_over(passed))
+
+
+def gpx_file(data: bytes, name: str) -> RawFile:
+    """The tracks and routes of a GPX file, each segment by itself: longitudes and latitudes.
+
+    Raises:
+        InputError: for what is no GPX, and for a point without a place.
+    """
+    root = xml_tree(data, name)
+    if root.tag != "gpx":
+        raise InputError(_("{file} is not GPX").format(file=name))
+    lines = []
+    for walk in (*root.iter("trk"), *root.iter("rte")):
+        called = (walk.findtext("name") or "").strip()
+        for run in [walk] if walk.tag == "rte" else walk.iter("trkseg"):
+            points = [
+                _numbers(f"{point.get('lon', '')} {point.get('lat', '')}", name)
+                for point in (*run.iter("trkpt"), *run.iter("rtept"))
+            ]
+            lines.append(RawLine(called, [(x, y) for x, y in points]))
+    return RawFile(lines, True, "m", passed_over([point.tag for point in root.iter("wpt")]))
 
 
 def _positions(text: str, name: str) -> list[tuple[float, ...]]:
     """Longitude and latitude of each of the tuples in a text."""
     found: list[tuple[float, ...]] = []
-    for word in text.split():
-        longitude, latitude = _numbers(word.replace(",", " "), name)[:2]
-        found.append((longitude, latitude))
+    for number, word in enumerate(text.split(), start=1):
+        sizes = _numbers(word.replace(",", " "), name)
+        if len(sizes) > 3 or len(sizes) != word.strip(",").count(",") + 1:
+            raise InputError(
+                _(
+                    "{file}: place {number} of a line must be longitude, latitude and maybe a height, "
+                    "then a space before the next, not {text}"
+                ).format(file=name, number=number, text=repr(word)[:60])
+            )
+        found.append((sizes[0], sizes[1]))
     return found
 
 
@@ -155,21 +235,44 @@ def _curve(element: Element, points: dict[str, str], name: str) -> RawCurve:
         )
     start, end = (_place(element, tag, points, name) for tag in ("Start", "End"))
     third = _place(element, "Center" if element.tag == "Curve" else "PI", points, name)
-    left = element.get("rot", "cw").lower() == "ccw"
     if start is None or end is None or (element.tag == "Curve" and third is None):
         raise InputError(
             _("{file}: each {what} of an alignment needs Start, End, and an arc its Center").format(
                 file=name, what=element.tag
             )
         )
-    if element.tag != "Spiral":
-        return RawCurve(kinds[element.tag], start, end, third, left)
-    sizes = [_size(element, key, name) for key in ("length", "radiusStart", "radiusEnd")]
-    return RawCurve("clothoid", start, end, third, left, sizes[0], (sizes[1], sizes[2]))
+    turns = element.get("rot", "").lower()
+    if element.tag != "Line" and turns not in ("cw", "ccw"):
+        raise InputError(
+            _("{file}: the {what} at {place} does not say by rot whether it bends cw or ccw").format(
+                file=name, what=element.tag, place=place_text(start)
+            )
+        )
+    radii = (_size(element, key, name) for key in ("radiusStart", "radiusEnd"))
+    return RawCurve(
+        kinds[element.tag], start, end, third, turns == "ccw", _length(element, name),
+        (next(radii), next(radii)) if element.tag == "Spiral" else (math.inf, math.inf),
+    )  # fmt: skip
+
+
+def _length(element: Element, name: str) -> float | None:
+    """The length that a part says; None for a line or an arc that says none.
+
+    A part whose length is said to be 0 has none.
+    """
+    text = element.get("length", "")
+    if not text and element.tag != "Spiral":
+        return None
+    try:
+        if float(text) == 0.0:
+            return 0.0
+    except ValueError:
+        pass
+    return _size(element, "length", name)
 
 
 def _size(element: Element, key: str, name: str) -> float:
-    """A length or radius of a spiral; INF is infinite."""
+    """A length of a part, or a radius of a spiral; INF is infinite."""
     text = element.get(key, "")
     try:
         value = abs(float(text))
@@ -177,8 +280,8 @@ def _size(element: Element, key: str, name: str) -> float:
         value = math.nan
     if math.isnan(value) or (key == "length" and not 0.0 < value < math.inf) or value == 0.0:
         raise InputError(
-            _("{file}: {key} of a spiral must be a positive number, not {value}").format(
-                file=name, key=key, value=repr(text)[:40]
+            _("{file}: {key} of a {what} must be a positive number, not {value}").format(
+                file=name, key=key, what=element.tag, value=repr(text)[:40]
             )
         )
     return value

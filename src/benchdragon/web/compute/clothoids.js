@@ -3,7 +3,7 @@
 import { _ } from "../words.js";
 import { withArena } from "./arena.js";
 import { SURVEYS_CLOTHOIDS } from "./constants.js";
-import { Route, clothoidPart } from "./curves.js";
+import { Route, clothoidPart, linePart } from "./curves.js";
 import { InputError } from "./errors.js";
 import { linspace, rint } from "./numbers.js";
 
@@ -12,7 +12,7 @@ import { linspace, rint } from "./numbers.js";
 /** @typedef {[number, number]} Point */
 /** @typedef {[number, number, number]} PoseRow x, y, heading */
 
-const { MOST_STEPS, CLOSE, ROUNDING, STEPS } = SURVEYS_CLOTHOIDS;
+const { MOST_STEPS, CLOSE, ROUNDING, STEPS, STRAIGHT } = SURVEYS_CLOTHOIDS;
 
 /** Nodes and weights of Gauss and Legendre on 0..1. @param {number} count */
 function gaussLegendre(count) {
@@ -51,7 +51,7 @@ function integral(a, change, phi0, of) {
 }
 
 /**
- * A clothoid from each pose to the next, the one that winds least.
+ * A clothoid from each pose to the next, the one that winds least; one that is straight is a line.
  * @param {PoseRow[]} poses m and rad
  * @returns {Part[]}
  */
@@ -73,6 +73,7 @@ export function g1Clothoids(poses) {
         ),
       );
     const length = chord / integral(bend, change, phi0, (at) => Math.cos(at));
+    if (Math.max(Math.abs(phi0), Math.abs(phi1)) <= STRAIGHT) return linePart(length, [x, y], heading);
     return clothoidPart(length, (change - bend) / length, (change + bend) / length, [x, y], heading);
   });
 }

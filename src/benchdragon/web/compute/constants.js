@@ -1001,6 +1001,7 @@ export const SOLVE_TURN_TRIALS = {
 export const SURVEYS_CLOTHOIDS = {
   MOST_STEPS: 60,
   CLOSE: 1e-14,
+  STRAIGHT: 1e-12,
   ROUNDING: 1e-13,
   STEPS: 64,
 };
@@ -1028,5 +1029,6 @@ export const SURVEYS_LINES = {
   MOST_CURVES: 10000,
   FLATTENED: 0.001,
   SAME: 1e-9,
+  ROUNDED: 6,
   STRAIGHT: 1e-12,
 };
