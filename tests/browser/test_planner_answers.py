@@ -373,6 +373,7 @@ def test_sliders_tracks_are_given_up_beside_a_link_that_cannot_be_read(opened: O
           const { answers, tracks } = benchdragon;
           const never = () => new Promise(() => {});
           answers.aside = () => ({ ask: never, close: () => { globalThis.over = true; } });
+          tracks.near = "route.pitch";
           tracks.show(tracks.plan);
         }"""
     )

@@ -91,6 +91,7 @@ export class Face {
       this.story.element,
       this.axis.element,
       this.#controls(),
+      make("div", { class: "told-by" }, this.storyButtons),
       this.#footer(),
       this.spoken,
     ];
@@ -128,7 +129,6 @@ export class Face {
       );
     }
     header.append(
-      this.storyButtons,
       make(
         "div",
         { class: "tools" },
@@ -156,12 +156,12 @@ export class Face {
     return make(
       "div",
       { class: "controls", role: "group", "aria-label": _("playing") },
+      this.playButton,
       signButton(drawnSign(BEFORE), _("to the previous event"), () => this.player.event(-1), {
         class: "wide",
       }),
       wordButton("\u22121 s", _("one second back"), () => this.player.step(-1)),
       signButton("\u2039", _("one frame back"), () => this.player.step(-FRAME)),
-      this.playButton,
       signButton("\u203a", _("one frame on"), () => this.player.step(FRAME)),
       wordButton("+1 s", _("one second on"), () => this.player.step(1)),
       signButton(drawnSign(NEXT), _("to the next event"), () => this.player.event(1), {

@@ -1,6 +1,5 @@
 // Grips on the picture: what of the plan can be dragged, or moved by arrow keys.
 
-import { Camera } from "./camera.js";
 import { draw, make } from "./elements.js";
 import { gripsOf, sketchOf } from "./grip_kinds.js";
 import { _ } from "./words.js";
@@ -31,7 +30,7 @@ const ARROWS = {
   ArrowDown: [0, -1],
 };
 
-/** A grip that is being moved. @typedef {{ grip: Grip, began: Plan, camera: Camera, from: [number, number] }} Drag */
+/** A grip that is being moved, held so far from its middle, m. @typedef {{ grip: Grip, began: Plan, from: [number, number] }} Drag */
 
 export class Grips {
   /** @param {Host} host @param {HTMLElement} stage where the player is */
@@ -60,6 +59,8 @@ export class Grips {
     });
     addEventListener("keydown", (event) => event.key === "Escape" && this.#restore(event), true);
     this.element.addEventListener("focusin", () => this.follow());
+    addEventListener("scroll", () => this.follow(), { capture: true, passive: true });
+    addEventListener("resize", () => this.follow());
   }
 
   #leaving = 0;
@@ -85,17 +86,9 @@ export class Grips {
     return this.element.matches(".seen, :focus-within");
   }
 
-  #following = false;
-
-  /** Keep the grips where they belong in the picture, as long as they are seen. */
+  /** Have the grips where they belong in the picture, the first time and while they are seen: it may have moved. */
   follow() {
-    if (this.#following) return;
-    const turn = () => {
-      this.#following = this.#seen;
-      this.#place();
-      if (this.#following) requestAnimationFrame(turn);
-    };
-    turn();
+    if (this.#seen || !this.#placed) this.#place();
   }
 
   /** Where the picture was when grips were placed. */
@@ -138,7 +131,7 @@ export class Grips {
     this.lines.setAttribute("d", this.drag ? sketchOf(plan).map(chain).join("") : "");
   }
 
-  /** @param {Grip} grip @param {Camera} camera */
+  /** @param {Grip} grip @param {Player["camera"]} camera */
   #update(grip, camera) {
     const entry = this.shown.get(grip.id) ?? this.#made(grip);
     entry.grip = grip;
@@ -174,9 +167,9 @@ export class Grips {
     return entry;
   }
 
-  /** Where a pointer is on the ground, as the picture was when the drag began. @param {PointerEvent} event @param {Camera} camera */
-  #ground({ clientX, clientY }, camera) {
-    const box = this.element.getBoundingClientRect();
+  /** Where a pointer is on the ground: by the place and the camera that the picture has now, both. @param {PointerEvent} event @param {Player} player */
+  #ground({ clientX, clientY }, { face, camera }) {
+    const box = face.canvas.getBoundingClientRect();
     return camera.toGround(clientX - box.left, clientY - box.top);
   }
 
@@ -188,17 +181,17 @@ export class Grips {
     const element = /** @type {HTMLElement} */ (event.currentTarget);
     element.focus({ preventScroll: true });
     element.setPointerCapture(event.pointerId);
-    const camera = Object.assign(new Camera(), player.camera);
-    const [x, y] = this.#ground(event, camera);
-    this.drag = { grip, began: plan, camera, from: [x - grip.at[0], y - grip.at[1]] };
+    const [x, y] = this.#ground(event, player);
+    this.drag = { grip, began: plan, from: [x - grip.at[0], y - grip.at[1]] };
     element.classList.add("held");
   }
 
   /** @param {PointerEvent} event */
   #moved(event) {
-    if (!this.drag) return;
-    const { grip, camera, from } = this.drag;
-    const [x, y] = this.#ground(event, camera);
+    const { player } = this.host;
+    if (!this.drag || !player) return;
+    const { grip, from } = this.drag;
+    const [x, y] = this.#ground(event, player);
     this.#change(grip.moved([x - from[0], y - from[1]], event.altKey));
   }
 

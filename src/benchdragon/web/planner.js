@@ -16,6 +16,7 @@ import { Span } from "./span.js";
 import { Delayed, Standing, samePlan } from "./standing.js";
 import { Stories } from "./stories.js";
 import { Line } from "./telling.js";
+import { ToldAbove } from "./told_above.js";
 import { Tracks } from "./tracks.js";
 import { _, language } from "./words.js";
 
@@ -113,6 +114,10 @@ export class Planner {
     /** What the notice is about. @type {Planner["unread"]} */
     this.noticed = null;
     this.lines = this.#lines();
+    this.above = new ToldAbove((height) => {
+      this.root.style.setProperty("--told", `${height}px`); // a phone's picture stays below it
+      this.grips.follow();
+    });
     this.#build();
     addEventListener("keydown", (event) => this.#key(event));
     addEventListener("hashchange", () => this.#obey());
@@ -168,24 +173,16 @@ export class Planner {
     );
     const { verdict, limit, dance } = this.lines;
     const lines = [verdict, limit, dance].map(({ element }) => element);
-    const header = make("header", { class: "verdicts" }, this.notice, ...lines);
-    this.#below.disconnect();
-    this.#below.observe(header);
+    this.above.element.replaceChildren(this.notice, ...lines);
     this.root.replaceChildren(
-      header,
-      panel,
+      this.above.element,
       make("aside", { class: "old" }, make("span", {}, _("the picture is of an earlier plan"))),
       this.stage,
       this.grips.element,
+      panel,
     );
     this.#shown();
   }
-
-  /** Lets a phone's picture stay below what is told. */
-  #below = new ResizeObserver(([{ target }]) => {
-    const { height } = target.getBoundingClientRect();
-    this.root.style.setProperty("--told", `${height}px`);
-  });
 
   /** Long questions, those that are answered here. */
   #long() {
@@ -385,9 +382,10 @@ export class Planner {
     this.root.dataset.picture = !this.pictured ? "none" : this.#pictures(subject) ? "this" : "old";
     this.jobs.show(subject);
     this.notice.hidden = unread === null;
-    if (unread === this.noticed) return;
+    if (unread !== this.noticed)
+      this.notice.replaceChildren(...(unread ? this.#unreadWords(unread.says) : []));
     this.noticed = unread;
-    this.notice.replaceChildren(...(unread ? this.#unreadWords(unread.says) : []));
+    this.above.fit();
   }
 
   /** Whether the player shows the dance of this plan. @param {Plan} plan */
@@ -460,7 +458,7 @@ export class Planner {
     const player = new Player(this.stage, scene);
     this.player = player;
     player.more = helpRows;
-    this.grips.follow();
+    player.onDrawn = () => this.grips.follow();
     obey(player);
     player.onSettled = () => this.#remember();
     player.onTranslated = () => this.#translated();

@@ -10,6 +10,7 @@ import { Face, ticked } from "./face.js";
 import { Flight } from "./flight.js";
 import { Hold } from "./hold.js";
 import { pressed } from "./keys.js";
+import { Loop } from "./loop.js";
 import { meetingOf, nearnessText, passedText, tightestOf } from "./nearby.js";
 import { Boxes } from "./nearness.js";
 import { Paper } from "./paper.js";
@@ -21,8 +22,6 @@ import { _, language, speak } from "./words.js";
 /** @typedef {import("./colours.js").Kind} Kind */
 /** @typedef {import("./nearness.js").Pair} Pair */
 
-/** One turn of the loop lasts at most, s. */
-const LONGEST_TURN = 0.1;
 const THEMES = /** @type {const} */ (["auto", "light", "dark"]);
 /** What stays for so long is at rest, ms: browsers refuse to write an address a hundred times in a row. */
 export const REST = 180;
@@ -76,7 +75,6 @@ export class Player {
     this.fit(spread(this.scene));
     document.addEventListener("keydown", (event) => pressed(this, event));
     this.#dark.addEventListener("change", () => this.#dressed());
-    requestAnimationFrame((now) => this.#turn(now));
   }
 
   /** @type {ResizeObserver} */
@@ -375,27 +373,41 @@ export class Player {
   /** Something changed: draw at the next turn of the loop. */
   #touch() {
     this.#painted = NaN;
+    this.wake();
+  }
+
+  #loop = new Loop((passed, now) => this.#turn(passed, now));
+
+  /** Turn the loop until nothing moves any more. */
+  wake() {
+    this.#loop.wake();
+  }
+
+  /** Whether the canvas is out of date, or not painted to its end. */
+  get #stale() {
+    return this.#painted !== this.time || this.face.painter.unfinished;
+  }
+
+  /** Whether something moves by itself, or is still to be drawn. */
+  get #moves() {
+    return this.playing || this.face.story.runs || this.#flight !== null || this.#stale;
   }
 
   /** Time that is on the canvas; NaN, which is no time, where that is out of date. */
   #painted = NaN;
-  #before = 0;
-
-  /** One turn of the loop. @param {number} now ms */
-  #turn(now) {
-    const passed = Math.min((now - this.#before) / 1000, LONGEST_TURN);
+  /** One turn of the loop; whether it goes on. @param {number} passed s @param {number} now ms */
+  #turn(passed, now) {
     if (this.playing) this.#advance(passed, now);
     this.face.story.turn(passed);
     this.#fly(passed);
     this.drum.play(this.scene.sent.beats, this.time, this.playing, this.speed, this.still.matches);
-    if (this.#painted !== this.time || this.playing || this.face.painter.unfinished) {
+    if (this.#stale) {
       const began = performance.now();
       this.#draw();
       this.frameTimes.push(performance.now() - began);
       if (this.frameTimes.length > TIMES_KEPT) this.frameTimes.shift();
     }
-    this.#before = now;
-    requestAnimationFrame((next) => this.#turn(next));
+    return this.#moves;
   }
 
   /** @param {number} passed s */
@@ -453,7 +465,11 @@ export class Player {
     face.card.show(stand, boxes, chosen);
     face.showLegend(scale);
     this.root.dataset.time = this.time.toFixed(3);
+    this.onDrawn?.();
   }
+
+  /** Called when the picture was drawn. @type {(() => void) | undefined} */
+  onDrawn;
 
   /** Tell what the canvas shows to those who cannot see it. */
   #say() {

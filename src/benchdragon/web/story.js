@@ -145,6 +145,7 @@ export class Story {
   pause(paused = !this.paused) {
     if (!paused && this.#ended() && this.elapsed) return this.go(0);
     this.paused = paused;
+    this.player.wake();
     const name = paused ? _("go on with the story") : _("pause the story");
     this.pauseButton.replaceChildren(drawnSign(paused ? PLAYING : PAUSED));
     this.pauseButton.title = name;

@@ -1,4 +1,5 @@
-// Sliders' tracks marked where the dance can be walked: found out while nothing else is asked.
+// Sliders' tracks marked where the dance can be walked: found out of the one that somebody comes near, while
+// nothing else is asked. All of them would keep a processor busy for a quarter of a minute after each change.
 
 import { make } from "./elements.js";
 import { valueOf, withValue } from "./plan_form.js";
@@ -50,42 +51,31 @@ export class Tracks {
     this.tracks = [];
     /** @type {Map<string, Found>} */
     this.found = new Map();
-    /** Tracks that are in sight. @type {Set<Track>} */
-    this.sight = new Set();
-    /** The slider that was used last. */
-    this.last = "";
+    /** The slider that somebody came near last. */
+    this.near = "";
     /** @type {Plan} */
     this.plan = {};
     /** Who answers now. @type {Aside | null} */
     this.aside = null;
     this.later = 0;
-    this.watch = new IntersectionObserver((seen) => this.#watched(seen));
   }
 
   /** Mark the sliders of a form. @param {PlanForm} form */
   attach(form) {
-    this.watch.disconnect();
-    this.sight.clear();
     this.tracks = form.controls.flat().map((control) => {
       const bar = make("div", { class: "track", "aria-hidden": "true" });
       const text = make("span", { class: "walkable", id: `walkable-${control.field.key}` });
       control.element.append(bar, text);
       control.slider.setAttribute("aria-describedby", text.id);
-      control.slider.addEventListener("input", () => {
-        this.last = control.field.key;
-      });
+      for (const sign of ["pointerenter", "focusin"])
+        control.element.addEventListener(sign, () => this.#come(control.field.key));
       return { control, bar, text };
     });
-    for (const { control } of this.tracks) this.watch.observe(control.element);
   }
 
-  /** @param {IntersectionObserverEntry[]} seen */
-  #watched(seen) {
-    for (const { target, isIntersecting } of seen) {
-      const track = this.tracks.find(({ control }) => control.element === target);
-      if (track && isIntersecting) this.sight.add(track);
-      else if (track) this.sight.delete(track);
-    }
+  /** Somebody came near a slider. @param {string} key */
+  #come(key) {
+    this.near = key;
     if (!this.aside) this.#wait();
   }
 
@@ -118,18 +108,11 @@ export class Tracks {
     return found && found.base === baseOf(this.plan, control) ? found.pieces : null;
   }
 
-  /** The next slider to look into: the one used last, then those of which most is known. */
+  /** The slider to look into, if there is one. */
   #next() {
-    const open = this.tracks.filter(
-      (track) =>
-        this.sight.has(track) &&
-        !track.control.element.hidden &&
-        !track.control.slider.disabled &&
-        !this.#known(track.control),
-    );
-    const rank = (/** @type {Track} */ { control: { field } }) =>
-      field.key === this.last ? 0 : field.key in LIMITS ? 1 : 2;
-    return open.sort((one, other) => rank(one) - rank(other))[0];
+    const track = this.tracks.find(({ control }) => control.field.key === this.near);
+    if (!track || track.control.element.hidden || track.control.slider.disabled) return null;
+    return this.#known(track.control) ? null : track;
   }
 
   async #work() {

@@ -1,0 +1,147 @@
+"""The planner's picture stays where it is whatever is told above it; a page at rest does nothing."""
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from benchdragon.planner.page import planner_page
+from benchdragon.plans.schema import read_plan
+from tests.browser.pages import Device, Pages
+from tests.browser.planners import Opened, number, settle, settled, verdict
+from tests.browser.players import EXAMPLES, Scene, until
+from tests.browser.players import opened as player_of
+
+VILLAGE = str(EXAMPLES / "12_village.dragon.toml")
+LONG = "Safe: tightest 12.3 cm, bench 1 with bench 22, at 300.5 s; " + "; ".join(
+    f"at least 103.7 cm from the edge of obstacle {n} (50 cm asked for)" for n in range(3)
+)
+
+
+@pytest.fixture
+def village(pages: Pages, tmp_path_factory: pytest.TempPathFactory) -> Opened:
+    """Opens the planner of a village, and waits for its dance."""
+
+    def open_page(device: Device = "desktop", where: str = "") -> Page:
+        file = tmp_path_factory.mktemp("village") / "planner.html"
+        file.write_text(planner_page(read_plan(VILLAGE), "en"), "utf-8")
+        return settled(pages.open(file.as_uri() + where, device))
+
+    return open_page
+
+
+def off(page: Page, name: str, x: float, y: float) -> float:
+    """How far a grip lies from a place of the page, CSS pixels."""
+    box = page.locator(f'[data-grip="{name}"]').bounding_box()
+    assert box is not None
+    return max(abs(box["x"] + 0.5 * box["width"] - x), abs(box["y"] + 0.5 * box["height"] - y))
+
+
+@pytest.mark.parametrize("device", ["desktop", "phone"])
+def test_what_is_dragged_stays_under_the_finger_when_the_verdict_changes_its_lines(
+    village: Opened, device: Device
+) -> None:
+    page = village(device)
+    page.locator("canvas").scroll_into_view_if_needed()
+    page.evaluate("benchdragon.grips.element.classList.add('seen'); benchdragon.grips.follow()")
+    box = page.locator('[data-grip="obstacle.0"]').bounding_box()
+    assert box is not None
+    x, y = box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"]
+    top = page.locator("canvas").bounding_box()
+    page.mouse.move(x, y)
+    page.mouse.down()
+    lines = set()
+    place = "benchdragon.plan.obstacle[0].centre"
+    snap = float(page.evaluate("0.1 * benchdragon.player.camera.scale")) + 2
+    # Sideways into the coil and out again, and still: the verdict is short there, and long here.
+    for step in (-10, -60, -110, -110, -150, -60, 0, 0):
+        page.mouse.move(x + step, y)
+        settled_verdict(page)
+        lines.add(int(page.evaluate("benchdragon.lines.verdict.element.textContent.length / 60")))
+        assert off(page, "obstacle.0", x + step, y) <= snap
+        before = page.evaluate(place)
+        page.mouse.move(x + step, y + 0.1)
+        assert page.evaluate(place) == before
+        assert page.locator("canvas").bounding_box() == top
+    assert len(lines) > 1
+    page.mouse.up()
+
+
+def settled_verdict(page: Page) -> None:
+    """Wait until the verdict is about the plan on the page."""
+    expect(page.locator(".verdict:not([data-stale])")).to_have_count(1)
+    page.wait_for_timeout(50)
+    expect(page.locator(".verdict:not([data-stale])")).to_have_count(1)
+
+
+@pytest.mark.parametrize("device", ["desktop", "phone"])
+def test_a_verdict_has_its_room_and_is_not_cut(opened: Opened, device: Device) -> None:
+    page = opened(device)
+    page.evaluate("scrollTo(0, 0)")
+    header, canvas = page.locator(".verdicts"), page.locator("canvas")
+    places = [header.bounding_box(), canvas.bounding_box()]
+    for text in ("Safe", LONG):
+        page.evaluate(
+            "(text) => { const { lines, plan } = benchdragon; lines.verdict.tell(plan, text, 'safe');"
+            " lines.limit.tell(plan, 'smallest pitch: 0.450338 m (found)');"
+            " benchdragon.tellFile(plan, ''); }",
+            text,
+        )
+        expect(verdict(page)).to_have_text(f"\u2713 {text}")
+        cut = "({ scrollHeight, clientHeight }) => scrollHeight > clientHeight"
+        assert not verdict(page).evaluate(cut)
+        assert not header.evaluate(cut)
+        assert [header.bounding_box(), canvas.bounding_box()] == places
+        assert (
+            float(verdict(page).evaluate("(one) => parseFloat(getComputedStyle(one).fontSize)")) >= 12
+        )
+
+
+DRAWS = """new Promise((done) => {
+  const ask = globalThis.requestAnimationFrame;
+  let count = 0;
+  globalThis.requestAnimationFrame = (turn) => (count++, ask(turn));
+  setTimeout(() => { globalThis.requestAnimationFrame = ask; done(count); }, 1000);
+})"""
+
+
+def test_a_planner_at_rest_sleeps_and_wakes(opened: Opened) -> None:
+    page = opened()
+    page.locator("canvas").hover(position={"x": 60, "y": 200})
+    expect(page.locator(".grips.seen")).to_have_count(1)
+    page.wait_for_timeout(1500)
+    assert page.evaluate(DRAWS) == 0
+    assert page.evaluate("benchdragon.tracks.aside") is None
+    before = page.evaluate("benchdragon.player.frameTimes.length")
+    page.get_by_role("button", name="one second on").click()
+    until(page, f"benchdragon.player.frameTimes.length > {before}")
+    assert page.evaluate("benchdragon.player.root.dataset.time") == "1.000"
+    number(page, "spiral pitch").fill("0.4")
+    number(page, "spiral pitch").press("Enter")
+    settle(page, "Not safe")
+
+
+def test_a_player_at_rest_sleeps_and_plays_on_without_a_leap(pages: Pages, turn: Scene) -> None:
+    page = player_of(pages, turn)
+    page.wait_for_timeout(500)
+    assert page.evaluate(DRAWS) == 0
+    start = page.evaluate("benchdragon.time")
+    first = page.evaluate(
+        "new Promise((done) => { benchdragon.onDrawn = () => done(benchdragon.time);"
+        " benchdragon.play(true); })"
+    )
+    assert first == pytest.approx(start, abs=0.05)
+    until(page, f"benchdragon.time > {start} + 0.3")
+    page.evaluate("benchdragon.play(false)")
+    page.wait_for_timeout(300)
+    assert page.evaluate(DRAWS) == 0
+    page.evaluate("benchdragon.face.tell()")
+    until(page, "benchdragon.face.story.elapsed > 0.2")
+
+
+@pytest.mark.parametrize("device", ["desktop", "phone"])
+def test_play_is_reached_in_ten_stops(opened: Opened, device: Device) -> None:
+    page = opened(device)
+    for _stop in range(10):
+        page.keyboard.press("Tab")
+        if page.evaluate("document.activeElement.classList.contains('play')"):
+            return
+    raise AssertionError(page.evaluate("document.activeElement.outerHTML"))
