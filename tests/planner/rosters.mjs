@@ -4,12 +4,10 @@ import { pathToFileURL } from "node:url";
 
 const [modules, , questions] = process.argv.slice(2);
 const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
-const [{ readRoster }, { checkFile, rowsOf, textOf }, { called }, { speak, useWords }, roster] =
-  await Promise.all(
-    ["compute/roster", "compute/roster_grid", "compute/people", "words", "compute/roster_words"].map(
-      load,
-    ),
-  );
+const names = ["roster", "roster_grid", "people", "roster_words", "roster_names"];
+const [{ readRoster }, { checkFile, rowsOf, textOf }, { called }, roster, { likeTwo }] =
+  await Promise.all(names.map((name) => load(`compute/${name}`)));
+const { speak, useWords } = await load("words");
 
 /** What a list of names says, or why it says nothing. */
 function read({ data, name, count, people, language }) {
@@ -31,7 +29,9 @@ function read({ data, name, count, people, language }) {
 
 /** What a cell means in all ways in which it may be read. */
 function meant(text) {
-  const { heading, isName, isSum, namesOf, places, withoutPhones } = roster;
+  const { heading, isDoubtful, isName, isOther, isSum } = roster;
+  const { namesOf, places, withPlaces, withoutPhones } = roster;
+  const halved = new Set(withPlaces("4-1、6-1"));
   const found = heading(text);
   const ranges = places(text)?.map((ends) => ends.map(({ number, end }) => [number, end])) ?? null;
   return [
@@ -41,6 +41,11 @@ function meant(text) {
     withoutPhones(text),
     isSum(text),
     isName(text),
+    isOther(text),
+    [...new Set(withPlaces(text))].sort((a, b) => a - b),
+    isDoubtful(text, halved),
+    places(text, halved)?.map((ends) => ends.map(({ number }) => number)) ?? null,
+    likeTwo(text),
   ];
 }
 

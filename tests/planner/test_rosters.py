@@ -15,15 +15,28 @@ import pytest
 from benchdragon.errors import InputError
 from benchdragon.i18n import LANGUAGES, spoken_in
 from benchdragon.plans.people import PeopleTable, called
+from benchdragon.rosters import names as roster_names
 from benchdragon.rosters import words as roster_words
+from benchdragon.rosters.names import like_two
 from benchdragon.rosters.reading import Numbering, read_roster
 from benchdragon.rosters.roster import Roster
-from benchdragon.rosters.words import heading, is_name, is_sum, names_of, places, without_phones
+from benchdragon.rosters.words import (
+    doubtful,
+    heading,
+    is_name,
+    is_other,
+    is_sum,
+    names_of,
+    places,
+    with_places,
+    without_phones,
+)
 from tests.engine.recording import node
 from tests.planner.twins import asked
 from tests.planner.verdicts import words
-from tests.rosters import test_reading, test_words
+from tests.rosters import test_field, test_reading, test_words
 from tests.rosters.lists import csv_bytes
+from tests.rosters.test_field import BEARERS
 
 pytestmark = pytest.mark.skipif(node() is None, reason="no Node here to run the page's modules in")
 
@@ -33,12 +46,14 @@ WORKBOOK = b"PK\x03\x04"
 SEEDS = 60
 NUMBERS = (
     "1", "2", "第3桥", "四", "5-6", "7、8", "９", "10.0", "龙头", "龙尾", "12", "", "", "合计", "总计",
-    "甲", "2026-03-05", "一百二", "0", "bench 4", "head-2", "3月5日",
+    "甲", "2026-03-05", "一百二", "0", "bench 4", "head-2", "3月5日", "1#", "桥5", "4-1", "4-2", "5左",
+    "同上", "1-2", "6（右）", "#7", "第8橋",
 )  # fmt: skip
 NAMES = (
     "张三", "李四、王五", "王 五 赵六", "欧阳 修", "John Smith", "无", "", "#REF!", "钱七13800000001",
     "孙", "1.周一 2.吴二", "郑，冯；陈", "王喆\n李娜", 'a"b', "张三（锣）", "—", "陈国强李建华",
-    ": 赵一 : 13700000009 :", "x" * 70, "37", "张\u200b三",
+    ": 赵一 : 13700000009 :", "x" * 70, "37", "张\u200b三", "同上", "〃", '"', "本人", "初一", "XXX",
+    "张三和李四", "张和平 与 王五", "张三李四", "同左", "某某", "3月5日", "龍王五",
 )  # fmt: skip
 HOUSES = ("张家", "李家", "", "", "王家 13900000002")
 PHONES = ("13800000001", "138-0000-0002", "1.38E+10", "", "", "0579-12345678", "13800000003.0", "没有")
@@ -66,12 +81,13 @@ def harvest(tmp_path_factory: pytest.TempPathFactory) -> list[Asked]:
         return read_roster(path, numbering, sheet)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(test_reading, "read_roster", kept)
-        for name, test in inspect.getmembers(test_reading, inspect.isfunction):
-            wanted: list[str] = list(inspect.signature(test).parameters)
-            if name.startswith("test_") and wanted == ["tmp_path"]:
-                call: Callable[..., None] = test
-                call(tmp_path_factory.mktemp("list"))
+        for module in (test_reading, test_field):
+            patch.setattr(module, "read_roster", kept)
+            for name, test in inspect.getmembers(module, inspect.isfunction):
+                wanted: list[str] = list(inspect.signature(test).parameters)
+                if name.startswith("test_") and wanted == ["tmp_path"]:
+                    call: Callable[..., None] = test
+                    call(tmp_path_factory.mktemp("list"))
     found.append(Asked(VILLAGE.read_bytes(), VILLAGE.name, 120, True))
     return found
 
@@ -117,15 +133,25 @@ def meant(text: str) -> list[Any]:
     """What a cell means in all ways in which Python may read it."""
     found = places(text)
     ranges = None if found is None else [[(one.number, one.end) for one in ends] for ends in found]
-    return [heading(text), ranges, names_of(text), without_phones(text), is_sum(text), is_name(text)]
+    halved = with_places("4-1、6-1")
+    again = places(text, halved)
+    return [
+        heading(text), ranges, names_of(text), without_phones(text), is_sum(text), is_name(text),
+        is_other(text), sorted(with_places(text)), doubtful(text, halved),
+        again and [[one.number for one in ends] for ends in again], like_two(text),
+    ]  # fmt: skip
 
 
 def cells() -> list[str]:
     """Words of all kinds: those of the tests, and all that the module itself knows."""
     spelled = [word for line in roster_words.SPELLINGS.values() for word in line.split()]
-    known = [*roster_words.NOBODY, *roster_words.HEADS, *roster_words.TAILS, *roster_words.TWO_SIGNS]
-    family = [f"{two} 修" for two in roster_words.TWO_SIGNS]
+    known = [*roster_words.OTHERS, *roster_names.STANDING_IN, *roster_names.ABOVE, *BEARERS]
+    known += [*roster_words.NOBODY, *roster_words.HEADS, *roster_words.TAILS, *roster_names.TWO_SIGNS]
+    family = [f"{two} 修" for two in roster_names.TWO_SIGNS]
+    family += [f"{one}建国和{one}三" for one in sorted(roster_names.ONE_SIGN)]
     digits = [f"第{sign}桥" for sign in roster_words.NUMERALS]
+    digits += [f"正月{sign}" for sign in roster_words.NUMERALS]
+    digits += [chr(old) for old in roster_words.SIMPLE]
     random_ones = [*NUMBERS, *NAMES, *HOUSES, *PHONES, *REMARKS]
     sums = ["合计", "总计：240人", "Total", "共 240 人", "Summer", "共同"]
     phones = [mark for test in (test_words.test_phones_are_told_apart_from_words,)

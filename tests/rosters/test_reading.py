@@ -53,9 +53,9 @@ def test_a_list_as_people_type_it(tmp_path: Path) -> None:
     assert roster.people(1)[1].phone == "13800000001"
     assert roster.people(8) == ()
     assert roster.notes == (
-        "row 13 was not read: taken for a sum: 合计 17人",
         "row 9: 郑一, 冯二, 陈三, 褚四 are dealt to bench 5, bench 6 in order",
         "bench 2 is in rows 5, 6: all of their people are taken for it",
+        "row 13 was not read: taken for a sum: 合计 17人",
         "nobody is named for bench 8",
     )
 
@@ -102,19 +102,19 @@ def test_what_is_odd_is_named_by_its_row(tmp_path: Path) -> None:
     assert names(roster) == {1: "张三", 2: "张三 李四", 3: "王家人", 4: "王家人"}
     assert roster.people(2)[1].phone == "13800000003"
     assert roster.notes == (
-        "columns that are not read: 序号, 年龄",
         "row 6 was not read: '甲' is no number of a bench: 5 甲 吴十 31",
         "row 7 was not read: *** is no name",
         "row 8 was not read: no name, only 7 9",
         "row 9 was not read: the spreadsheet made a day of the bench's number (2026-03-05): "
         "format the column as text",
         "row 10 was not read: the spreadsheet rounded a phone number: format the column as text",
-        "row 11 was not read: taken for a sum: 合计 12",
         "row 12 was not read: no number of a bench: 10 无桥",
         "row 5: the dragon of 10 benches has no bench 130: 周九",
         "row 10: 王家人 stands at each of bench 3, bench 4",
         "李四 is named twice at bench 2: in rows 3 and 4",
         "张三 is named at bench 1, bench 2: in rows 2, 3",
+        "columns that are not read: 序号, 年龄",
+        "row 11 was not read: taken for a sum: 合计 12",
         "nobody is named for bench 5 to bench 10",
     )
     assert not any("138" in note or "139" in note for note in roster.notes)
@@ -299,14 +299,14 @@ def test_one_name_in_many_households_is_work_in_proportion_to_them() -> None:
 
 
 def test_of_one_name_a_household_or_else_a_phone_tells_who_is_who() -> None:
-    said = [
+    said: list[tuple[int, str, str, str]] = [
         (1, "A", "x", ""),
         (2, "A", "x", "5"),
         (3, "A", "y", "x"),
         (4, "A", "", "5"),
         (5, "B", "", ""),
     ]
-    seats = [_Seat(bench, Person(*told), bench) for bench, *told in said]
+    seats = [_Seat(bench, Person(name, home, phone), bench) for bench, name, home, phone in said]
     assert list(_at_two(seats, TEN)) == [
         "A is named at bench 2, bench 4: in rows 2, 4",
         "A is named at bench 1 to bench 3: in rows 1, 2, 3",

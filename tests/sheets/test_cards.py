@@ -387,10 +387,10 @@ def test_what_a_row_of_the_list_says_of_several_is_printed_once(tmp_path: Path, 
     write_overview(tmp_path / "o.pdf", told, phones=True)
     write_benches(tmp_path / "b.pdf", told, Options(phones=True))
     text = "".join(pages(tmp_path / "o.pdf"))
-    assert "王五,赵六139-7(wetpaint)" in text
+    assert "王五,赵六(wetpaint),phoneofthehousehold:139-7" in text
     assert "钱七139-8(lame),孙八(tall)" in text
     sheet = pages(tmp_path / "b.pdf")[1]
-    assert "王五赵六,phone139-7" in sheet
+    assert "王五赵六phoneofthehousehold:139-7" in sheet
     assert sheet.count("139-7") == 1
 
 

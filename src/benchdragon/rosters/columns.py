@@ -6,19 +6,23 @@ from dataclasses import dataclass, field
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
+from benchdragon.rosters.names import like_person
 from benchdragon.rosters.words import (
     MOST_TITLES,
     Kind,
     heading,
     is_name,
+    is_other,
     names_of,
     places,
     plain,
     without_phones,
 )
 
-# Rows that are looked at where there are no headings.
-MOST_LOOKED_AT = 50
+# Rows that are looked at where there are no headings, and names that make a column one of people.
+MOST_LOOKED_AT, LEAST_NAMES = 50, 2
+# Signs of a heading that is repeated.
+MOST_HEADING = 40
 
 
 @dataclass
@@ -55,20 +59,23 @@ def layout(rows: Sequence[Sequence[str]], name: str) -> Layout:
     """How the rows of a list are set.
 
     Raises:
-        InputError: where no numbers with names are found.
+        InputError: where no numbers with names are found, and where names stand in a column whose
+            heading does not say whether those carry: that is asked for and never guessed.
     """
     for number, row in enumerate(rows[:MOST_TITLES]):
         blocks, unread = _blocks(row)
-        if blocks:
-            nameless = [n for n in range(_width(rows[number:])) if not (n < len(row) and row[n])]
-            others = (
-                _("{column} (row {row})").format(column=letters(n), row=row_of)
-                for n, row_of in _first_rows(rows, number + 1, nameless)
-            )
-            householders = any(block.names == block.households for block in blocks)
-            return Layout(
-                number + 1, tuple(blocks), (*(row[n] for n in unread), *others), False, householders
-            )
+        if not blocks:
+            continue
+        nameless = [n for n in range(_width(rows[number:])) if not (n < len(row) and row[n])]
+        householders = any(block.names == block.households for block in blocks)
+        _refuse_names(rows, number + 1, [*unread, *nameless], householders, name)
+        others = (
+            _("{column} (row {row})").format(column=letters(n), row=row_of)
+            for n, row_of in _first_rows(rows, number + 1, nameless)
+        )
+        told = (*(row[n] for n in unread), *others)
+        return Layout(number + 1, tuple(blocks), told, False, householders)
+    _refuse_half(rows, name)
     found = _guessed(rows)
     if found is None:
         text = _(
@@ -76,7 +83,70 @@ def layout(rows: Sequence[Sequence[str]], name: str) -> Layout:
             "as: 桥号, 姓名, 户主, 电话, 备注 (bench, name, household, phone, remarks)"
         )
         raise InputError(text.format(file=name))
+    (block,) = found.blocks
+    taken = (block.number, *block.names, *block.phones)
+    left = [n for n in range(_width(rows)) if n not in taken]
+    _refuse_names(rows, found.first, left, False, name)
     return found
+
+
+def _refuse_half(rows: Sequence[Sequence[str]], name: str) -> None:
+    """Refuse headings that do not say which column holds the numbers, or which those who carry.
+
+    Raises:
+        InputError: for the first row of such.
+    """
+    for number, row in enumerate(rows[:MOST_TITLES], start=1):
+        filled = [cell for cell in row if cell]
+        kinds = {kind[0] for cell in filled if (kind := heading(cell))}
+        if len(filled) < LEAST_NAMES or any(map(places, filled)):
+            continue
+        text = ""
+        if "number" in kinds:
+            text = _(
+                "{file}: row {row} has headings, but none that is known for those who carry ({said}): "
+                "write 姓名 (name) over their column"
+            )
+        elif kinds & {"name", "household"}:
+            text = _(
+                "{file}: row {row} has headings, but none that is known for the numbers of benches "
+                "({said}): write 桥号 (bench) over their column"
+            )
+        if text:
+            raise InputError(text.format(file=name, row=number, said=", ".join(filled)[:MOST_HEADING]))
+
+
+def _refuse_names(
+    rows: Sequence[Sequence[str]], first: int, columns: Sequence[int], all_words: bool, name: str
+) -> None:
+    """Refuse people in columns that are not read: whether they carry is not for us to guess.
+
+    Where householders would be the bearers, any words there may be the names of others (`all_words`).
+
+    Raises:
+        InputError: for the first such column.
+    """
+    head = rows[first - 1] if first else ()
+    for n in columns:
+        said = head[n] if n < len(head) else ""
+        cells = [row[n] for row in rows[first:] if n < len(row) and row[n]]
+        if is_other(said) or (heading(said) if said else None):
+            continue
+        people = sum(any(map(like_person, names_of(cell))) for cell in cells)
+        words = all_words and said and _mostly(cells, _holds_names)
+        if not words and (people < (1 if said else LEAST_NAMES) or 2 * people <= len(cells)):
+            continue
+        text = _(
+            "{file}: names stand in column {column}, which has no heading: write over it 姓名 (name) "
+            "if those carry, 户主 (household) if the benches are theirs, 备注 (remarks) if neither"
+        )
+        if said:
+            text = _(
+                "{file}: names stand in column {column}, whose heading, {heading}, is not known: write "
+                "姓名 (name) in its place if those carry, 户主 (household) if the benches are theirs, "
+                "备注 (remarks) if neither"
+            )
+        raise InputError(text.format(file=name, column=letters(n), heading=said[:MOST_HEADING]))
 
 
 def _width(rows: Sequence[Sequence[str]]) -> int:

@@ -5,18 +5,23 @@ from dataclasses import dataclass
 
 from benchdragon.i18n import _
 from benchdragon.rosters.columns import Columns
+from benchdragon.rosters.names import ABOVE, LEFT
 from benchdragon.rosters.roster import Person
 from benchdragon.rosters.words import (
+    DASH,
     DECIMALS,
     MADE_A_DAY,
     ROUNDED,
     Place,
     clean,
+    doubtful,
     is_name,
     is_sum,
     names_of,
     places,
     plain,
+    simple,
+    with_places,
     without_phones,
 )
 
@@ -44,10 +49,11 @@ class Entry:
 
 @dataclass(frozen=True)
 class Unread:
-    """A row, or a part of it, that was not read, and why, in words."""
+    """A row, or a part of it, that was not read, and why, in words; a sum is none of people."""
 
     row: int
     why: str
+    is_sum: bool = False
 
 
 def entries(rows: Sequence[Sequence[str]], first: int, block: Columns) -> Iterator[Entry | Unread]:
@@ -58,18 +64,20 @@ def entries(rows: Sequence[Sequence[str]], first: int, block: Columns) -> Iterat
     head = [plain(cell) for cell in rows[first - 1]] if first else []
     benches: Ranges = ()
     household = ""
-    for number, row in enumerate(rows[first:], start=first + 1):
+    numbers = [_cells(row, [block.number])[0] for row in rows[first:]]
+    halved = frozenset(bench for cell in numbers for bench in with_places(cell))
+    for number, row in _repeated(rows, first, block):
         if not any(row) or [plain(cell) for cell in row] == head:
             continue
         if is_sum(next(cell for cell in row if cell)):
             benches = ()
-            yield Unread(number, _("taken for a sum: {text}").format(text=_shown(row)))
+            yield Unread(number, _("taken for a sum: {text}").format(text=_shown(row)), is_sum=True)
             continue
         if not any(_cells(row, _all(block))):
             continue
         (said,) = _cells(row, [block.number])
         if said:
-            found = places(said)
+            found = None if doubtful(said, halved) else places(said, halved)
             benches, household = tuple(found or ()), ""
             if found is None:
                 yield Unread(number, _not_a_number(said, row))
@@ -87,6 +95,28 @@ def entries(rows: Sequence[Sequence[str]], first: int, block: Columns) -> Iterat
         household = next((one.household for one in people), household)
         if people:
             yield Entry(number, benches, people, bool(owner))
+
+
+def _repeated(
+    rows: Sequence[Sequence[str]], first: int, block: Columns
+) -> Iterator[tuple[int, Sequence[str]]]:
+    """The rows from `first` on, by their numbers from 1; 同上 and 同左 are what they say again."""
+    above: dict[int, str] = {}
+    for number, row in enumerate(rows[first:], start=first + 1):
+        said = list(row)
+        named = any(simple(cell) in ABOVE for cell in _cells(row, block.names))
+        for n in _all(block):
+            word = simple(said[n]) if n < len(said) else ""
+            whose = named and not word and n in (*block.households, *block.phones)
+            if word in ABOVE or whose:
+                said += [""] * (n + 1 - len(said))
+                told = said[n] if n in block.names else ""
+                said[n] = "" if n == block.number else above.get(n, "") or told
+            elif word in LEFT and n:
+                said[n] = said[n - 1]
+        if any(_cells(said, _all(block))):
+            above = dict(zip(_all(block), _cells(said, _all(block)), strict=True))
+        yield number, said
 
 
 def _all(block: Columns) -> list[int]:
@@ -107,6 +137,11 @@ def _not_a_number(said: str, row: Sequence[str]) -> str:
     if MADE_A_DAY.fullmatch(said):
         text = _("the spreadsheet made a day of the bench's number ({text}): format the column as text")
         return text.format(text=said)
+    if places(said):
+        text = _(
+            "{said} may be several benches, or a place at one: write {benches}, or the bench alone"
+        )
+        return text.format(said=said, benches=DASH.sub("至", said))
     head, comma, _rest = said.partition("，")
     if comma and places(head) and sum(map(bool, row)) == 1:
         text = _("the comma behind {number} is a Chinese one (，): type an English one (,)")
@@ -120,29 +155,45 @@ def _people(row: Sequence[str], block: Columns, household: str) -> tuple[tuple[P
     remarks, hidden = _open(_cells(row, block.remarks))
     said, more = _open(_cells(row, block.households))
     household = said or household
-    columns = _cells(row, block.phones)
-    paired = len(block.phones) == len(block.names)
+    columns, homes = _phone_columns(block)
+    home = [phone for cell in _cells(row, homes) for phone in _phones(cell)] + list(more)
     people: list[Person] = []
     odd = [
         _("the spreadsheet rounded a phone number: format the column as text")
-        for cell in columns if ROUNDED.fullmatch(cell)
+        for cell in _cells(row, block.phones) if ROUNDED.fullmatch(cell)
     ]  # fmt: skip
-    for n, cell in enumerate(_cells(row, block.names)):
+    for n, (cell, beside) in enumerate(zip(_cells(row, block.names), columns, strict=True)):
         rest, phones = without_phones(cell)
-        own = [*_phones(columns[n] if paired else "" if n else " ".join(columns)), *phones]
+        own = [phone for one in _cells(row, beside) for phone in _phones(one)]
+        own += [*phones, *(hidden if n == 0 else ())]
         names = names_of(rest)
-        if n == 0:
-            own += [*hidden, *more]
         odd += [
             _("{text} is no name").format(text=_shown([name])) for name in names if not is_name(name)
         ]
-        names = tuple(filter(is_name, names))
         each = own if len(own) == len(names) else [" ".join(own)] * len(names)
+        shared = bool(home) and not own
         people += [
-            Person(*told)
-            for told in zip(names, [household] * len(names), each, [remarks] * len(names), strict=True)
+            Person(name, household, " ".join(filter(None, [phone, *home])), remarks, shared)
+            for name, phone in zip(names, each, strict=True)
+            if is_name(name)
         ]
     return tuple(people), odd
+
+
+def _phone_columns(block: Columns) -> tuple[list[list[int]], list[int]]:
+    """The columns of phones of each column of names, and those of the household or of all together."""
+    if len(block.phones) == len(block.names) > 1:
+        return [[n] for n in block.phones], []
+    own: list[list[int]] = [[] for _column in block.names]
+    home: list[int] = []
+    for phone in block.phones:
+        before = sum(n < phone for n in block.names)
+        headed = len(block.names) > 1 or any(n < phone for n in block.households)
+        if before > 1 or (not before and headed):
+            home.append(phone)
+        else:
+            own[0].append(phone)
+    return own, home
 
 
 def _householder(row: Sequence[str], block: Columns) -> tuple[Person, ...]:

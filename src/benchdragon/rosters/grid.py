@@ -3,8 +3,9 @@
 import csv
 import io
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from datetime import date, datetime
+from functools import partial
 from pathlib import Path
 
 from python_calamine import (
@@ -42,6 +43,15 @@ MARKS = "\t,;"
 # Chinese marks part names too: they part columns only below a row of headings that they part.
 CHINESE_MARKS = "，；"
 NUMBER_END = re.compile(r"(?<=\S)[\s:：，]+")
+# A cell between quotation marks, which may be left open, and such a mark alone: what stands above.
+QUOTED = r'(?:^|(?<=[{mark}\r\n]))"(?:(?=[ \t]*(?:[{mark}\r\n]|\Z))|[^"]*(?:""[^"]*)*(?:"|\Z))'
+ABOVE = "\u3003"
+# Two or four bytes of a sign, in GB18030 or Big5, and those of their common signs.
+PAIRS = re.compile(rb"[\x81-\xfe](?:[0-9][\x81-\xfe][0-9]|[\x40-\xfe])")
+GB_COMMON = re.compile(rb"[\xa1-\xa3\xb0-\xf7][\xa1-\xfe]")
+BIG5_COMMON = re.compile(rb"[\xa1-\xa3\xa4-\xc6][\x40-\x7e\xa1-\xfe]")
+# Of the signs of a text in Big5 so many in 10 are common, and of what is all but UTF-8 in 5.
+COMMON, ALL_BUT = 9, 4
 # Signs of texts that no text has.
 NO_TEXT = re.compile("[\0-\x08\x0e-\x19\x1b-\x1f]")
 
@@ -164,12 +174,27 @@ def _text_rows(data: bytes, name: str) -> Rows:
         mark = max(MARKS, key=first.count)
     if mark not in first and not columns:
         return list(_within((NUMBER_END.split(line, maxsplit=1) for line in text.splitlines()), name))
+    text = re.sub(QUOTED.format(mark=mark), partial(_closed, text=text, name=name), text)
     try:
         rows = list(_within(csv.reader(io.StringIO(text, newline=""), delimiter=mark), name))
         # Of a number and names alone all that follows is names.
         return [[row[0], mark.join(row[1:])] if columns == 2 and row else row for row in rows]
     except csv.Error:
         raise InputError(_("{file} is no table of text").format(file=name)) from None
+
+
+def _closed(found: re.Match[str], text: str, name: str) -> str:
+    """A cell between quotation marks as it is, and the sign for 同上 where one stands alone.
+
+    Raises:
+        InputError: for a mark that is left open: it would swallow all rows below it.
+    """
+    if found[0] == '"':
+        return ABOVE
+    if len(found[0]) == 1 or not found[0].endswith('"') or found[0].count('"') % 2:
+        said = _("{file} is no table of text: the quotation mark in line {line} is never closed")
+        raise InputError(said.format(file=name, line=text.count("\n", 0, found.start()) + 1))
+    return found[0]
 
 
 def _chinese_mark(lines: Sequence[str]) -> tuple[str, int]:
@@ -191,9 +216,9 @@ def _within(rows: Iterable[list[str]], name: str) -> Iterable[list[str]]:
 
 
 def _decoded(data: bytes, name: str) -> str:
-    """Text in UTF-8, UTF-16 with its mark, or GB18030."""
+    """Text in UTF-8, UTF-16 with its mark, GB18030 or Big5."""
     marked = data.startswith((b"\xff\xfe", b"\xfe\xff"))
-    for encoding in ("utf-16",) if marked else ("utf-8-sig", "gb18030"):
+    for encoding in ("utf-16",) if marked else _encodings(data, name):
         try:
             text = data.decode(encoding)
         except UnicodeDecodeError:
@@ -207,7 +232,30 @@ def _decoded(data: bytes, name: str) -> str:
             sign = f"U+{ord(found[0]):04X}"
             raise InputError(said.format(file=name, line=line, sign=sign))
     raise InputError(
-        _("{file} is no table of text in UTF-8 or GB18030: save it as XLSX, or as CSV in UTF-8").format(
-            file=name
-        )
+        _(
+            "{file} is no table of text in UTF-8, GB18030 or Big5: save it as XLSX, or as CSV in UTF-8"
+        ).format(file=name)
     )
+
+
+def _encodings(data: bytes, name: str) -> Iterator[str]:
+    """UTF-8; if bytes are not that, GB18030, and Big5 before it where its common signs are more.
+
+    Raises:
+        InputError: for what is UTF-8 but for a few bytes: any other reading of it is none.
+    """
+    yield "utf-8-sig"
+    whole = data.decode("utf-8", "replace")
+    torn, sound = whole.count("\ufffd"), sum(sign > "\x7f" for sign in whole)
+    if torn and sound - torn > ALL_BUT * torn:
+        said = _(
+            "{file}: line {line} is torn: what stands there is no UTF-8, as the rest is; save it anew"
+        )
+        line = whole.count("\n", 0, whole.index("\ufffd")) + 1
+        raise InputError(said.format(file=name, line=line))
+    pairs = PAIRS.findall(data)
+    big5 = sum(BIG5_COMMON.fullmatch(one) is not None for one in pairs)
+    gb = sum(GB_COMMON.fullmatch(one) is not None for one in pairs)
+    if big5 > gb and 10 * big5 >= COMMON * len(pairs):
+        yield "big5hkscs"
+    yield "gb18030"

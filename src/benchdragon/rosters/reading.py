@@ -11,6 +11,7 @@ from benchdragon.i18n import _, language
 from benchdragon.rosters.columns import Layout, layout, letters
 from benchdragon.rosters.entries import MOST_SHOWN, Entry, Ranges, Unread, entries
 from benchdragon.rosters.grid import read_rows
+from benchdragon.rosters.names import like_two
 from benchdragon.rosters.roster import Person, Roster
 from benchdragon.rosters.words import Place, plain
 
@@ -65,16 +66,13 @@ def read_roster(path: Path, numbering: Numbering, sheet: str = "") -> Roster:
     found = layout(rows, path.name)
     told = [one for block in found.blocks for one in entries(rows, found.first, block)]
     said = [one for one in told if isinstance(one, Entry)]
-    notes = [*_of_layout(found)]
-    notes += first_notes(
-        _("row {row} was not read: {why}").format(row=one.row, why=one.why)
-        for one in told
-        if isinstance(one, Unread)
-    )
+    unread = [one for one in told if isinstance(one, Unread)]
     seats: list[_Seat] = []
+    taken: list[str] = []
     odd: list[str] = []
     for entry in said:
         benches, beyond = _benches(entry.benches, numbering)
+        taken += _householders(entry)
         odd += _of_entry(entry, numbering)
         if beyond:
             odd.append(_stranger(entry, beyond, numbering))
@@ -88,13 +86,16 @@ def read_roster(path: Path, numbering: Numbering, sheet: str = "") -> Roster:
     found_benches: dict[int, tuple[Person, ...]] = {}
     for seat in sorted(kept, key=lambda seat: seat.bench):
         found_benches[seat.bench] = (*found_benches.get(seat.bench, ()), seat.person)
+    # First what decides who is printed where; last, which are told in any case, benches of nobody.
+    notes = [*_who(found), *first_notes(_unread(unread, sums=False)), *first_notes(taken)]
     notes += [*first_notes(odd), *first_notes(twice), *first_notes(_at_two(kept, numbering))]
-    notes += first_notes(_apart(said, numbering))
-    notes += _holes(found_benches, numbering)
+    notes += [*first_notes(_apart(said, numbering)), *_columns(found)]
+    notes += [*first_notes(_unread(unread, sums=True)), *_holes(found_benches, numbering)]
     return Roster(found_benches, tuple(dict.fromkeys(notes)))
 
 
-def _of_layout(found: Layout) -> Iterator[str]:
+def _who(found: Layout) -> Iterator[str]:
+    """What of a list's columns decides who carries."""
     if found.guessed:
         block = found.blocks[0]
         number = letters(block.number)
@@ -102,9 +103,17 @@ def _of_layout(found: Layout) -> Iterator[str]:
         yield text.format(number=number, names=_listed(map(letters, block.names)))
     if found.householders:
         yield _("there is no column of names: householders are read as those who carry")
+
+
+def _columns(found: Layout) -> Iterator[str]:
     if found.unread:
         text = _("columns that are not read: {columns}")
         yield text.format(columns=_listed(name[:MOST_SHOWN] for name in found.unread))
+
+
+def _unread(found: Sequence[Unread], sums: bool) -> Iterator[str]:
+    text = _("row {row} was not read: {why}")
+    return (text.format(row=one.row, why=one.why) for one in found if one.is_sum == sums)
 
 
 def _benches(said: Ranges, numbering: Numbering) -> tuple[list[int], list[tuple[int, int]]]:
@@ -142,11 +151,14 @@ def _shared(entry: Entry, benches: Sequence[int], numbering: Numbering) -> str:
     return text.format(row=entry.row, names=_names(entry.people), benches=_called(benches, numbering))
 
 
-def _of_entry(entry: Entry, numbering: Numbering) -> Iterator[str]:
-    """What of a row was read otherwise than it may have been meant."""
+def _householders(entry: Entry) -> Iterator[str]:
     if entry.householder:
         told = _("row {row}: no name: the householder, {names}, is read as who carries")
         yield told.format(row=entry.row, names=_names(entry.people))
+
+
+def _of_entry(entry: Entry, numbering: Numbering) -> Iterator[str]:
+    """What of a row was read otherwise than it may have been meant."""
     ends = (place for pair in entry.benches for place in pair)
     if not numbering.count_head and any(not place.number and not place.end for place in ends):
         yield _("row {row}: bench 0 is taken for the head").format(row=entry.row)
@@ -155,7 +167,7 @@ def _of_entry(entry: Entry, numbering: Numbering) -> Iterator[str]:
     for person in entry.people:
         if len(person.name) == 1:
             yield text.format(row=entry.row, name=person.name)
-        elif SEVERAL.fullmatch(person.name):
+        elif SEVERAL.fullmatch(person.name) or like_two(person.name):
             yield long.format(row=entry.row, name=person.name)
 
 
@@ -203,7 +215,8 @@ def _same(one: Person, other: Person) -> bool:
 def _fuller(one: Person, other: Person) -> Person:
     """What two entries about one person say."""
     remarks = one.remarks if other.remarks in one.remarks else f"{one.remarks} {other.remarks}".strip()
-    return Person(one.name, one.household or other.household, one.phone or other.phone, remarks)
+    phoned = one if one.phone else other
+    return Person(one.name, one.household or other.household, phoned.phone, remarks, phoned.shared)
 
 
 def _at_two(seats: Sequence[_Seat], numbering: Numbering) -> Iterator[str]:

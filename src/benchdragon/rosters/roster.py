@@ -1,5 +1,6 @@
 """Who carries which bench."""
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -14,6 +15,7 @@ class Person:
         name: as the list has it.
         household: whose bench it is.
         phone: never shown unless asked for.
+        shared: whether it is the household's, or of several people, rather than this person's own.
         remarks: anything else that the list says.
     """
 
@@ -21,6 +23,16 @@ class Person:
     household: str = ""
     phone: str = field(default="", repr=False)
     remarks: str = ""
+    shared: bool = False
+
+
+def phones_of(people: Sequence[Person]) -> tuple[list[str], list[str]]:
+    """The phone of each of the people of a bench, "" for none of their own; and those of households."""
+    counted = Counter(one.phone for one in people)
+    shared = [bool(one.phone) and (one.shared or counted[one.phone] > 1) for one in people]
+    pairs = list(zip(people, shared, strict=True))
+    own = ["" if among else one.phone for one, among in pairs]
+    return own, list(dict.fromkeys(one.phone for one, among in pairs if among))
 
 
 @dataclass(frozen=True)

@@ -2,29 +2,61 @@
 
 import re
 import unicodedata
+from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Literal
 
+from benchdragon.rosters.names import TWO_SIGNS, parted, stands_in
+
 Kind = Literal["number", "name", "household", "phone", "remarks"]
 
-# What columns are called, in lower case and without spaces; of two columns of numbers the one holds
-# whose heading stands first here.
+# What columns are called, in lower case, without spaces and in simplified signs; of two columns of
+# numbers the one holds whose heading stands first here.
 SPELLINGS: dict[Kind, str] = {
     "number": """
         板凳号 板凳编号 凳号 桥号 节号 第几桥 第几节 桥次 节次 板号 龙身号 桥 节 板凳 凳 号 bench
-        benchno benchnumber qiao jie section number no nr # 编号 号码 序号
+        benchno benchnumber qiao jie section number no nr # 编号 号码 序号 桥编号 凳编号 桥序 凳序
+        桥位 凳位 灯号 灯编号 灯序 灯次 灯位 板次 板序 第几凳 第几板 第几灯
     """,
     "name": """
         姓名 名字 名单 人名 人员 队员 成员 人员姓名 队员姓名 抬龙人 扛龙人 舞龙人 迎龙人 抬凳人 扛凳人
         参加人 参与人 name names fullname bearer bearers person people carrier carriers carriedby
+        抬手 抬工 抬夫 抬者 抬人 抬的人 扛的人 谁抬 扛手 扛夫 后生 relief reliefs reserve reserves
+        substitute substitutes
     """,
-    "household": "户 户主 户名 户主姓名 家庭 家庭户 人家 household householder family house home",
+    "household": """
+        户 户主 户名 户主姓名 家庭 家庭户 人家 household householder family house home 户长
+        桥主 凳主 灯主
+    """,
     "phone": """
         电话 手机 联系电话 联系方式 手机号 手机号码 电话号码 联系手机 phone phonenumber phoneno mobile
         mobilephone tel telephone cell contact
     """,
     "remarks": "备注 说明 附注 注 其他 remarks remark notes note comments comment",
 }
+# What other columns are called: those of no bearers, with which nothing is done.
+OTHER_HEADINGS = """
+    性别 男女 年龄 岁数 生日 出生日期 村 村名 自然村 村组 村民小组 组 小组 组别 班 班组 班次 队 队别
+    生产队 地址 住址 家庭住址 门牌 门牌号 职务 岗位 分工 身份证 身份证号 证件号 单位 日期 时间 颜色 签名
+    签字 签到 衣服 服装 尺码 身高 体重 微信 微信号 联系人 紧急联系人 登记人 填表人 经办人 金额 捐款 人数
+    age sex gender village address group team role shift date time size wechat signature
+"""
+OTHERS = frozenset(OTHER_HEADINGS.split())
+# Who carries, and who takes turns with them, in the words of each village.
+CARRY = "[抬扛掌舞迎擎举执挑背驮托拿提撑]"
+THINGS = "(?:板凳龙|板凳|龙灯|灯笼|花灯|龙|灯|桥|凳|板|节|杠)"
+BEARERS = re.compile(
+    f"{CARRY}{THINGS}的?(?:人员|队员|人|手|者|员|夫|名单|姓名)?|{THINGS}(?:手|丁|夫)"
+    "|(?:换班|换手|换肩|换抬|换桥|换灯|替换|替班|替补|替手|轮换|轮班|接班|接替|接手|候补|后备|备用|预备)"
+    "抬?的?(?:人员|队员|人|手|者|员|名单|姓名)?"
+)
+# Traditional signs of headings and numbers.
+SIMPLE = str.maketrans(
+    "板橋號節龍燈戶電話機聯繫係備註說員隊與參編碼單換輪後補預時間齡職務組證"
+    "點總計數塊條張兩貳陸頭東館區櫈無沒農曆陽舊陰",
+    "板桥号节龙灯户电话机联系系备注说员队与参编码单换轮后补预时间龄职务组证"
+    "点总计数块条张两贰陆头东馆区凳无没农历阳旧阴",
+)
 HEADINGS = {kind: tuple(words.split()) for kind, words in SPELLINGS.items()}
 SUMS = re.compile(
     r"(合计|总计|共计|小计|总数|总人数|合共|(total|sum|subtotal)(?![a-z])|共.{0,4}[0-9]+.{0,3}$)"
@@ -39,22 +71,27 @@ DIGITS = {sign: n for n, sign in enumerate("零一二三四五六七八九")} | 
 } | {"两": 2}  # fmt: skip
 TENS = {"十": 10, "百": 100, "千": 1000, "拾": 10, "佰": 100, "仟": 1000}
 NUMERALS = "".join([*DIGITS, *TENS, "廿卅"])
+# Where somebody stands at a bench, which the number of it may say too.
+SIDES = "(?:[左右前后中上下甲乙丙丁]|[abcd](?![a-z]))[边面侧手杠端]?"
 ITEM = re.compile(
-    r"(?:第|bench|benches|qiao|jie|section|number|no\.?|nr\.?|#)*"
-    rf"([0-9]{{1,9}}(?:\.0+)?|[{NUMERALS}]{{1,9}})号?(?:板凳|桥|节|凳|块|条|张)?号?"
+    r"[左右前后]?(?:第|bench|benches|qiao|jie|section|number|no[.:]?|nr[.:]?|#|板凳|桥|节|凳|板|灯|编?号)*"
+    rf"([0-9]{{1,9}}(?:\.0+)?|[{NUMERALS}]{{1,9}})[号#]{{0,2}}(?:板凳|桥|节|凳|块|条|张|板|灯)?[号#]{{0,2}}"
+    rf"(?:\(?(?:{SIDES})+)?"
 )
+SIDE_APART = re.compile(rf"(?<=[0-9号#桥节凳板灯])\s*-?\s*(?={SIDES}\)?(?:\s|$|[、,;/&+]))")
 # 一百二 may be 102 or 120.
 SHORTENED = re.compile("[百千佰仟][一二三四五六七八九]$")
-TO, AND = re.compile(r"[-~–—‒−]+|至|到|to"), re.compile(r"[、,;/&+\s]|和|及|与|and")
+DASH, TO = re.compile(r"\s*[-–—‒−]+\s*"), re.compile(r"\s*(?:~+|至|到|to)\s*")
+AND = re.compile(r"[、,;/&+\s]|和|及|与|and")
+# A list that names so many places at a bench says bench 4, place 1 by 4-1.
+MOST_PLACES = 4
 PHONE = re.compile(
     r"(?<![0-9])(?:(?:\+?86[- ]?)?1[0-9]{2}[- ]?[0-9]{4}[- ]?[0-9]{4}"
     r"|0[0-9]{2,3}[- ]?[0-9]{7,8}|\+?[0-9](?:[-() ]{0,2}[0-9]){6,14})(?![0-9])"
 )
-PARTS = re.compile(r"[、，,;；/／|\\\n\r\t+＋&＆]+")
-# Family names of two signs, after which one sign is a given name.
-TWO_SIGNS = frozenset(
-    re.findall("..", "欧阳司马上官诸葛东方皇甫尉迟公孙慕容令狐夏侯司徒司空端木南宫长孙宇文轩辕百里独孤")
-)
+PARTS = re.compile(r"[、，,;；。/／|\\\n\r\t+＋&＆]+")
+# Words that join names where spaces part them.
+BETWEEN = re.compile(r"(?<=\S)\s+(?:以及|和|与|與|及|跟|同|并|and)\s+(?=\S)", re.IGNORECASE)
 ORDINAL = re.compile(r"(?<![0-9])[0-9]{1,3}[)）.、:：]\s*(?=[^0-9\s])")
 MADE_A_DAY = re.compile(r"[0-9]{4}-[0-9]{2}-[0-9]{2}|[0-9]{1,2}月[0-9]{1,2}日")
 ROUNDED = re.compile(r"[0-9.]+e\+[0-9]+", re.IGNORECASE)
@@ -77,6 +114,11 @@ def plain(text: str) -> str:
     return re.sub(r"\s+", "", unicodedata.normalize("NFKC", text)).lower()
 
 
+def simple(text: str) -> str:
+    """`text` plainly and in simplified signs: as headings and numbers are compared."""
+    return plain(text).translate(SIMPLE)
+
+
 def clean(text: str) -> str:
     """`text` on one line, without signs that show nothing."""
     seen = "".join(
@@ -88,30 +130,72 @@ def clean(text: str) -> str:
 
 def heading(text: str) -> tuple[Kind, int] | None:
     """What a column of this heading holds, and its rank among those that hold the same."""
-    word = re.sub(r"\(.*?\)|\[.*?\]|[:.。_*'\"/-]", "", plain(text)) or plain(text)
+    whole = simple(text)
+    word = re.sub(r"\(.*?\)|\[.*?\]|[:.。_*'\"/-]", "", whole) or whole
+    short = re.sub(r"(?<=.)[0-9一二三四五六甲乙丙丁左右前后]$", "", word)
     for kind, words in HEADINGS.items():
-        for each in (word, re.sub(r"(?<=.)[0-9一二三四五六甲乙]$", "", word)):
+        for each in (word, short):
             if each in words:
                 return kind, words.index(each)
-    return None
+    known = any(BEARERS.fullmatch(each) for each in (word, short))
+    return ("name", len(HEADINGS["name"])) if known else None
 
 
-def places(text: str) -> list[tuple[Place, Place]] | None:
-    """The benches of a cell, as ranges of which both ends count; None where it is no number."""
-    whole = unicodedata.normalize("NFKC", text).strip().lower()
+def is_other(text: str) -> bool:
+    """Whether a heading is known to be of something else than people and their benches."""
+    return re.sub(r"\(.*?\)|[:：]", "", simple(text)) in OTHERS
+
+
+def places(text: str, halved: Collection[int] = ()) -> list[tuple[Place, Place]] | None:
+    """The benches of a cell, as ranges of which both ends count; None where it is no number.
+
+    4-1 is a place at bench 4, as is each a-b of a bench a that is `halved`: see `with_places`.
+    """
+    found = _ranges(text)
+    if found is None:
+        return None
+    return [(low, low if dash and _is_place(low, high, halved) else high) for dash, low, high in found]
+
+
+def with_places(text: str) -> set[int]:
+    """The benches whose first place a cell names: 4 of 4-1."""
+    found = [(low, high) for dash, low, high in _ranges(text) or () if dash]
+    return {low.number for low, high in found if low.number and high == Place(1)}
+
+
+def doubtful(text: str, halved: Collection[int]) -> bool:
+    """Whether a cell may name benches or a place: 1-2, where other benches are halved, and 1 is not."""
+    found = [(low, high) for dash, low, high in _ranges(text) or () if dash and halved]
+    return any(
+        not (low.end or high.end or low.number in halved) and low.number < high.number <= MOST_PLACES
+        for low, high in found
+    )
+
+
+def _is_place(low: Place, high: Place, halved: Collection[int]) -> bool:
+    if low.end or high.end or not high.number:
+        return False
+    return low.number in halved or high.number <= min(low.number - 1, MOST_PLACES)
+
+
+def _ranges(text: str) -> list[tuple[bool, Place, Place]] | None:
+    """The ranges of a cell, and whether a dash stands between their ends."""
+    whole = unicodedata.normalize("NFKC", text).strip().lower().translate(SIMPLE)
+    joined = TO.sub("~", DASH.sub("-", SIDE_APART.sub("", whole)))
     found = []
-    for part in filter(None, AND.split(TO.sub("-", re.sub(r"\s*(-|~|–|—|至|到)\s*", r"\1", whole)))):
-        ends = [place for end in part.split("-") if (place := _place(end)) is not None]
-        if len(ends) != part.count("-") + 1 or len(ends) > 2:
+    for part in filter(None, AND.split(joined)):
+        said = re.split("[-~]", part)
+        ends = [place for end in said if (place := _place(end)) is not None]
+        if len(ends) != len(said) or len(ends) > 2:
             return _with_spaces(whole)
-        found.append((ends[0], ends[-1]))
+        found.append(("-" in part, ends[0], ends[-1]))
     return found or None
 
 
-def _with_spaces(whole: str) -> list[tuple[Place, Place]] | None:
+def _with_spaces(whole: str) -> list[tuple[bool, Place, Place]] | None:
     """A number whose words are apart: "bench 37", "第 37 桥"."""
     joined = "".join(whole.split())
-    return places(joined) if joined != whole else None
+    return _ranges(joined) if joined != whole else None
 
 
 def _place(text: str) -> Place | None:
@@ -144,27 +228,29 @@ def numeral(text: str) -> int | None:
 
 def is_sum(text: str) -> bool:
     """Whether a cell begins what was added up."""
-    return SUMS.match(plain(text)) is not None
+    return SUMS.match(simple(text)) is not None
 
 
 def names_of(text: str) -> tuple[str, ...]:
     """The names of a cell. Spaces part Chinese names, but not the signs of one ("张　三")."""
-    if plain(text) in NOBODY:
+    if simple(text) in NOBODY:
         return ()
     found = []
-    for part in PARTS.split(ORDINAL.sub("、", text)):
+    for part in PARTS.split(BETWEEN.sub("、", ORDINAL.sub("、", text))):
         words = part.split()
         if words and all(_chinese(word) for word in words):
-            found += _joined(words)
+            found += [name for word in _joined(words) for name in parted(word)]
         else:
-            found.append(" ".join(words))
+            found += parted(" ".join(words))
     names = [clean(name) for name in found]
-    return tuple(name for name in names if name and plain(name) not in NOBODY)
+    return tuple(name for name in names if name and simple(name) not in NOBODY)
 
 
 def is_name(text: str) -> bool:
     """Whether it may be what somebody is called."""
-    return len(text) <= MOST_NAME and any(sign.isalpha() for sign in text)
+    return (
+        len(text) <= MOST_NAME and any(sign.isalpha() for sign in text) and not stands_in(simple(text))
+    )
 
 
 def without_phones(text: str) -> tuple[str, tuple[str, ...]]:

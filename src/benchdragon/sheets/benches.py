@@ -7,7 +7,7 @@ from typing import Literal
 from benchdragon.analysis.marks import Marks, between
 from benchdragon.explain.bench_text import BenchText, bench_text
 from benchdragon.i18n import _
-from benchdragon.rosters.roster import Person
+from benchdragon.rosters.roster import Person, phones_of
 from benchdragon.sheets.briefing import Briefing
 
 
@@ -95,10 +95,13 @@ def mark_line(marks: Marks, s: float) -> str:
 
 
 def _people(people: Sequence[Person], phones: bool) -> tuple[str, ...]:
-    """People, a line each; a phone that several have one after another is behind the last of them."""
-    text, told = _("{name}, phone {phone}"), []
-    for n, one in enumerate(people):
-        shared = n + 1 < len(people) and people[n + 1].phone == one.phone
-        known = phones and one.phone and not shared
-        told.append(text.format(name=one.name, phone=one.phone) if known else one.name)
-    return tuple(told)
+    """People, a line each, and then the phones that are their household's."""
+    if not phones:
+        return tuple(one.name for one in people)
+    own, home = phones_of(people)
+    text, of_home = _("{name}, phone {phone}"), _("phone of the household: {phone}")
+    told = [
+        text.format(name=one.name, phone=phone) if phone else one.name
+        for one, phone in zip(people, own, strict=True)
+    ]
+    return (*told, *(of_home.format(phone=phone) for phone in home))

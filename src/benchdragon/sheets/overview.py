@@ -26,7 +26,7 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.base_curve import Point
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.outline import shape_of
-from benchdragon.rosters.roster import Person
+from benchdragon.rosters.roster import Person, phones_of
 from benchdragon.sheets.briefing import Briefing, dated
 from benchdragon.sheets.small_map import Frame, SmallMap
 from benchdragon.sheets.timetable import mark_name
@@ -338,17 +338,18 @@ def _rows(
 def _people(people: Sequence[Person], phones: bool) -> list[str]:
     """People as the leader reads of them: phones if asked for, and what the list remarks.
 
-    What a row of the list says of several at once is said once, behind the last of them.
+    What a row of the list remarks of several at once is said once, behind the last of them.
     """
+    own, home = phones_of(people)
     told = []
-    for n, one in enumerate(people):
+    for n, (one, phone) in enumerate(zip(people, own, strict=True)):
         after = people[n + 1] if n + 1 < len(people) else None
-        name = one.name
-        if phones and one.phone and not (after and after.phone == one.phone):
-            name = f"{name} {one.phone}"
+        name = f"{one.name} {phone}" if phones and phone else one.name
         if one.remarks and not (after and after.remarks == one.remarks):
             name = _("{name} ({remarks})").format(name=name, remarks=one.remarks)
         told.append(name)
+    if phones:
+        told += [_("phone of the household: {phone}").format(phone=phone) for phone in home]
     return told
 
 

@@ -12,7 +12,7 @@ import { _, language } from "./words.js";
 /** @typedef {import("./compute/briefing.js").Briefing} Briefing */
 /** @typedef {import("./sheet_map.js").SheetMaps} SheetMaps */
 
-/** Somebody who carries a bench. @typedef {{ name: string, household: string, phone: string, remarks: string }} Person */
+/** Somebody who carries a bench. @typedef {{ name: string, household: string, phone: string, remarks: string, shared: boolean }} Person */
 /** Who carries each bench (number, from 1). @typedef {Map<number, Person[]>} People */
 /** How sheets are wanted: "a4" or "quarter", in large type, with phones. @typedef {{ paper: string, night: boolean, phones: boolean }} Looks */
 
@@ -81,24 +81,27 @@ export class Sayings {
     return names.length ? _("Of your household too: {benches}.", { benches }) : "";
   }
 
-  /** Who carries a bench, a line each; what several have one after another is behind the last of them. @param {number} bench @param {boolean} phones */
+  /** Who carries a bench, a line each, and then the phones that are their household's. @param {number} bench @param {boolean} phones */
   carriers(bench, phones) {
     const people = this.people.get(bench) ?? [];
-    return people.map(({ name, phone }, n) => {
-      const known = phones && phone && people[n + 1]?.phone !== phone;
-      return known ? _("{name}, phone {phone}", { name, phone }) : name;
+    const { own, home } = phonesOf(people, phones);
+    const told = people.map(({ name }, n) => {
+      const phone = own[n];
+      return phone ? _("{name}, phone {phone}", { name, phone }) : name;
     });
+    return [...told, ...home];
   }
 
   /** The same as the leader reads of them: with what the list remarks. @param {number} bench @param {boolean} phones */
   remarked(bench, phones) {
     const people = this.people.get(bench) ?? [];
-    return people.map(({ name, phone, remarks }, n) => {
-      const known = phones && phone && people[n + 1]?.phone !== phone;
-      const told = known ? `${name} ${phone}` : name;
+    const { own, home } = phonesOf(people, phones);
+    const told = people.map(({ name, remarks }, n) => {
       const said = remarks && people[n + 1]?.remarks !== remarks;
-      return said ? _("{name} ({remarks})", { name: told, remarks }) : told;
+      const named = own[n] ? `${name} ${own[n]}` : name;
+      return said ? _("{name} ({remarks})", { name: named, remarks }) : named;
     });
+    return [...told, ...home];
   }
 
   /** What a bench does; others in it as `name` calls them. @param {number} bench @param {(bench: number) => string} name */
@@ -132,6 +135,20 @@ export class Sayings {
     const { address } = this.briefing.people;
     return address ? `${address}${address.includes("#") ? "&" : "#"}bench=${bench}` : "";
   }
+}
+
+/** The phone of each of the people of a bench, "" for none of their own; and those of households, in words. @param {Person[]} people @param {boolean} asked whether phones are wanted */
+function phonesOf(people, asked) {
+  const among = people.map(
+    ({ phone, shared }) =>
+      phone !== "" && (shared || people.filter((one) => one.phone === phone).length > 1),
+  );
+  if (!asked) return { own: people.map(() => ""), home: [] };
+  const home = new Set(people.flatMap(({ phone }, n) => (among[n] ? [phone] : [])));
+  return {
+    own: people.map(({ phone }, n) => (among[n] ? "" : phone)),
+    home: [...home].map((phone) => _("phone of the household: {phone}", { phone })),
+  };
 }
 
 /** The code of an address; itself where it is too long for one. @param {string} address */

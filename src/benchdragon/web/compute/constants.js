@@ -852,6 +852,8 @@ export const ROSTERS_EXTENT = {
 export const ROSTERS_GRID = {
   MOST_BYTES: 20000000,
   MOST_NAMES: 10,
+  COMMON: 9,
+  ALL_BUT: 4,
 };
 
 export const ROSTERS_READING = {
@@ -863,13 +865,21 @@ export const ROSTERS_READING = {
 
 export const ROSTERS_COLUMNS = {
   MOST_LOOKED_AT: 50,
+  LEAST_NAMES: 2,
+  MOST_HEADING: 40,
 };
 
 export const ROSTERS_ENTRIES = {
   MOST_SHOWN: 40,
 };
 
+export const ROSTERS_NAMES = {
+  MOST_SIGNS: 4,
+  MOST_JOINED: 200,
+};
+
 export const ROSTERS_WORDS = {
+  MOST_PLACES: 4,
   MOST_NAME: 60,
   MOST_TITLES: 30,
 };

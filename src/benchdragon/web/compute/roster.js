@@ -6,11 +6,13 @@ import { ROSTERS_ENTRIES, ROSTERS_READING } from "./constants.js";
 import { InputError } from "./errors.js";
 import { layout, letters } from "./roster_columns.js";
 import { entries } from "./roster_entries.js";
+import { likeTwo } from "./roster_names.js";
 import { plain } from "./roster_words.js";
 
 /** @typedef {import("./roster_columns.js").Layout} Layout */
 /** @typedef {import("./roster_entries.js").Entry} Entry */
 /** @typedef {import("./roster_entries.js").Person} Person */
+/** @typedef {import("./roster_entries.js").Unread} Unread */
 /** @typedef {import("./roster_words.js").Place} Place */
 
 /**
@@ -35,7 +37,7 @@ export function readRoster(rows, name, numbering) {
   const told = found.blocks.flatMap((block) => entries(rows, found.first, block));
   const said = told.flatMap((one) => ("people" in one ? [one] : []));
   const unread = told.flatMap((one) => ("why" in one ? [one] : []));
-  const { seats, odd } = seated(said, numbering, name);
+  const { seats, odd, taken } = seated(said, numbering, name);
   const { kept, notes: twice } = once(seats, numbering, name);
   /** @type {Map<number, Person[]>} */
   const benches = new Map();
@@ -44,20 +46,24 @@ export function readRoster(rows, name, numbering) {
     if (there) there.push(person);
     else benches.set(bench, [person]);
   }
+  // First what decides who is printed where; last benches of nobody.
   const notes = [
-    ...ofLayout(found),
-    ...some(unread.map((one) => _("row {row} was not read: {why}", { row: one.row, why: one.why }))),
+    ...who(found),
+    ...some(ofUnread(unread, false)),
+    ...some(taken),
     ...some(odd),
     ...some(twice),
     ...some(atTwo(kept, numbering)),
     ...some(apart(said, numbering)),
+    ...ofColumns(found),
+    ...some(ofUnread(unread, true)),
     ...holes(benches, numbering),
   ];
   return { benches, notes: [...new Set(notes)] };
 }
 
-/** @param {Layout} found */
-function ofLayout({ guessed, householders, unread, blocks: [block] }) {
+/** What of a list's columns decides who carries. @param {Layout} found */
+function who({ guessed, householders, blocks: [block] }) {
   const said = [];
   if (guessed)
     said.push(
@@ -68,10 +74,21 @@ function ofLayout({ guessed, householders, unread, blocks: [block] }) {
     );
   if (householders)
     said.push(_("there is no column of names: householders are read as those who carry"));
+  return said;
+}
+
+/** @param {Layout} found */
+function ofColumns({ unread }) {
   const { MOST_SHOWN } = ROSTERS_ENTRIES;
   const columns = listed(unread.map((name) => Array.from(name).slice(0, MOST_SHOWN).join("")));
-  if (unread.length) said.push(_("columns that are not read: {columns}", { columns }));
-  return said;
+  return unread.length ? [_("columns that are not read: {columns}", { columns })] : [];
+}
+
+/** @param {Unread[]} unread @param {boolean} sums */
+function ofUnread(unread, sums) {
+  return unread
+    .filter(({ isSum = false }) => isSum === sums)
+    .map(({ row, why }) => _("row {row} was not read: {why}", { row, why }));
 }
 
 /** Who sits where as rows say it, and what of them is odd. @param {Entry[]} said @param {Numbering} numbering @param {string} name */
@@ -79,8 +96,10 @@ function seated(said, numbering, name) {
   /** @type {Seat[]} */
   const seats = [];
   const odd = [];
+  const taken = [];
   for (const entry of said) {
     const { benches, beyond } = benchesOf(entry, numbering);
+    taken.push(...householderOf(entry));
     odd.push(...ofEntry(entry, numbering));
     if (beyond.length) odd.push(stranger(entry, beyond, numbering));
     if (seats.length + benches.length * entry.people.length > MOST_PEOPLE) {
@@ -90,7 +109,7 @@ function seated(said, numbering, name) {
     if (benches.length > 1) odd.push(shared(entry, benches, numbering));
     seats.push(...seatsOf(entry, benches));
   }
-  return { seats, odd };
+  return { seats, odd, taken };
 }
 
 /** The number, from 1, of the bench at a place of the list; it may be beyond the dragon. @param {Place} place @param {Numbering} numbering */
@@ -137,16 +156,16 @@ function shared(entry, benches, numbering) {
   return _("row {row}: {names} stand at each of {benches}", values);
 }
 
+/** @param {Entry} entry */
+function householderOf({ row, people, householder }) {
+  if (!householder) return [];
+  const values = { row, names: names(people) };
+  return [_("row {row}: no name: the householder, {names}, is read as who carries", values)];
+}
+
 /** What of a row was read otherwise than it may have been meant. @param {Entry} entry @param {Numbering} numbering */
-function ofEntry({ row, benches, people, householder }, { countHead }) {
+function ofEntry({ row, benches, people }, { countHead }) {
   const said = [];
-  if (householder)
-    said.push(
-      _("row {row}: no name: the householder, {names}, is read as who carries", {
-        row,
-        names: names(people),
-      }),
-    );
   if (!countHead && benches.flat().some(({ number, end }) => !number && !end))
     said.push(_("row {row}: bench 0 is taken for the head", { row }));
   for (const { name } of people)
@@ -154,7 +173,7 @@ function ofEntry({ row, benches, people, householder }, { countHead }) {
       said.push(
         _("row {row}: {name} is a name of one sign: part names by 、 and not by spaces", { row, name }),
       );
-    else if (SEVERAL.test(name))
+    else if (SEVERAL.test(name) || likeTwo(name))
       said.push(
         _("row {row}: {name} is taken for one person: if they are several, part their names by 、", {
           row,
@@ -216,6 +235,7 @@ function fuller(one, other) {
     name: one.name,
     household: one.household || other.household,
     phone: one.phone || other.phone,
+    shared: (one.phone ? one : other).shared,
     remarks: told ? one.remarks : `${one.remarks} ${other.remarks}`.trim(),
   };
 }

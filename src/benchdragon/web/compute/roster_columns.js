@@ -4,7 +4,8 @@
 import { _ } from "../words.js";
 import { ROSTERS_COLUMNS, ROSTERS_WORDS } from "./constants.js";
 import { InputError } from "./errors.js";
-import { heading, isName, namesOf, places, plain, withoutPhones } from "./roster_words.js";
+import { likePerson } from "./roster_names.js";
+import { heading, isName, isOther, namesOf, places, plain, withoutPhones } from "./roster_words.js";
 
 /** The columns of one block of a list, counted from 0; lists may stand side by side in blocks. @typedef {{ number: number, names: number[], households: number[], phones: number[], remarks: number[] }} Columns */
 
@@ -18,7 +19,7 @@ import { heading, isName, namesOf, places, plain, withoutPhones } from "./roster
  * @property {boolean} householders whether there is no column of names, so that householders are the bearers
  */
 
-const { MOST_LOOKED_AT } = ROSTERS_COLUMNS;
+const { MOST_LOOKED_AT, LEAST_NAMES, MOST_HEADING } = ROSTERS_COLUMNS;
 const { MOST_TITLES } = ROSTERS_WORDS;
 const LISTS = /** @type {const} */ ({
   name: "names",
@@ -38,23 +39,85 @@ export function layout(rows, name) {
     const { blocks, unread } = blocksOf(row);
     if (!blocks.length) continue;
     const nameless = counted(width(rows.slice(number))).filter((n) => !row[n]);
+    const householders = blocks.some(({ names, households }) => names.join() === households.join());
+    refuseNames(rows, number + 1, [...unread, ...nameless], householders, name);
     const others = nameless.flatMap((n) => {
       const first = rows.findIndex((one, at) => at > number && one[n]);
       const values = { column: letters(n), row: first + 1 };
       return first < 0 ? [] : [_("{column} (row {row})", values)];
     });
-    const householders = blocks.some(({ names, households }) => names.join() === households.join());
     const told = [...unread.map((n) => row[n]), ...others];
     return { first: number + 1, blocks, unread: told, guessed: false, householders };
   }
+  refuseHalf(rows, name);
   const found = guessed(rows);
-  if (found) return found;
+  if (found) {
+    const [{ number, names, phones }] = found.blocks;
+    const left = counted(width(rows)).filter((n) => ![number, ...names, ...phones].includes(n));
+    refuseNames(rows, found.first, left, false, name);
+    return found;
+  }
   throw new InputError(
     _(
       "{file}: no column of bench numbers with names beside it was found; write a first row such as: 桥号, 姓名, 户主, 电话, 备注 (bench, name, household, phone, remarks)",
       { file: name },
     ),
   );
+}
+
+/** Refuse headings that do not say which column holds the numbers, or which those who carry. @param {string[][]} rows @param {string} name */
+function refuseHalf(rows, name) {
+  for (const [n, row] of rows.slice(0, MOST_TITLES).entries()) {
+    const filled = row.filter(Boolean);
+    const kinds = filled.flatMap((cell) => heading(cell)?.kind ?? []);
+    if (filled.length < LEAST_NAMES || filled.some((cell) => places(cell))) continue;
+    const said = cut(filled.join(", "));
+    const values = { file: name, row: n + 1, said };
+    if (kinds.includes("number"))
+      throw new InputError(
+        _(
+          "{file}: row {row} has headings, but none that is known for those who carry ({said}): write 姓名 (name) over their column",
+          values,
+        ),
+      );
+    if (kinds.includes("name") || kinds.includes("household"))
+      throw new InputError(
+        _(
+          "{file}: row {row} has headings, but none that is known for the numbers of benches ({said}): write 桥号 (bench) over their column",
+          values,
+        ),
+      );
+  }
+}
+
+/** Refuse people in columns that are not read: whether they carry is not for us to guess. Where householders would be the bearers, any words there may be the names of others (`allWords`). @param {string[][]} rows @param {number} first @param {number[]} columns @param {boolean} allWords @param {string} name */
+function refuseNames(rows, first, columns, allWords, name) {
+  const head = first ? rows[first - 1] : [];
+  for (const n of columns) {
+    const said = head[n] ?? "";
+    if (isOther(said) || (said && heading(said))) continue;
+    const cells = rows.slice(first).flatMap((row) => row[n] || []);
+    const people = cells.filter((cell) => namesOf(cell).some(likePerson)).length;
+    const words = allWords && said && mostly(cells, holdsNames);
+    if (!words && (people < (said ? 1 : LEAST_NAMES) || 2 * people <= cells.length)) continue;
+    const values = { file: name, column: letters(n), heading: cut(said) };
+    throw new InputError(
+      said
+        ? _(
+            "{file}: names stand in column {column}, whose heading, {heading}, is not known: write 姓名 (name) in its place if those carry, 户主 (household) if the benches are theirs, 备注 (remarks) if neither",
+            values,
+          )
+        : _(
+            "{file}: names stand in column {column}, which has no heading: write over it 姓名 (name) if those carry, 户主 (household) if the benches are theirs, 备注 (remarks) if neither",
+            values,
+          ),
+    );
+  }
+}
+
+/** @param {string} text */
+function cut(text) {
+  return Array.from(text).slice(0, MOST_HEADING).join("");
 }
 
 /** The numbers from 0 on. @param {number} count */

@@ -4,14 +4,23 @@
 import { _ } from "../words.js";
 import { ROSTERS_ENTRIES } from "./constants.js";
 import { pythonRepr } from "./python_text.js";
-import { DECIMALS, MADE_A_DAY, ROUNDED, clean, isName, isSum } from "./roster_words.js";
-import { namesOf, places, plain, withoutPhones } from "./roster_words.js";
+import { ABOVE, LEFT } from "./roster_names.js";
+import { DECIMALS, MADE_A_DAY, ROUNDED, clean, isDoubtful, isName, isSum } from "./roster_words.js";
+import {
+  namesOf,
+  places,
+  plain,
+  simple,
+  withPlaces,
+  withoutDashes,
+  withoutPhones,
+} from "./roster_words.js";
 
 /** @typedef {import("./roster_columns.js").Columns} Columns */
 /** @typedef {import("./roster_words.js").Place} Place */
-/** Somebody who carries a bench; what is not known is "". @typedef {{ name: string, household: string, phone: string, remarks: string }} Person */
+/** Somebody who carries a bench; what is not known is "". A phone that is `shared` is of the household, or of several. @typedef {{ name: string, household: string, phone: string, remarks: string, shared: boolean }} Person */
 /** A row with people: its number, from 1; the benches as it, or the row above, names them; and whether its householder is taken for who carries. @typedef {{ row: number, benches: Array<[Place, Place]>, people: Person[], householder: boolean }} Entry */
-/** A row, or a part of it, that was not read, and why, in words. @typedef {{ row: number, why: string }} Unread */
+/** A row, or a part of it, that was not read, and why, in words; a sum is none of people. @typedef {{ row: number, why: string, isSum?: boolean }} Unread */
 
 const { MOST_SHOWN } = ROSTERS_ENTRIES;
 
@@ -30,18 +39,20 @@ export function entries(rows, first, block) {
   /** @type {Array<[Place, Place]>} */
   let benches = [];
   let household = "";
-  for (let number = first + 1; number <= rows.length; number++) {
-    const row = rows[number - 1];
+  const numbers = rows.slice(first).flatMap((row) => cellsOf(row, [block.number]));
+  const halved = new Set(numbers.flatMap(withPlaces));
+  for (const [n, row] of repeated(rows, first, block).entries()) {
+    const number = first + n + 1;
     if (!row.some(Boolean) || plainly(row) === head) continue;
     if (isSum(/** @type {string} */ (row.find(Boolean)))) {
       benches = [];
-      found.push({ row: number, why: _("taken for a sum: {text}", { text: shown(row) }) });
+      found.push({ row: number, why: _("taken for a sum: {text}", { text: shown(row) }), isSum: true });
       continue;
     }
     if (!cellsOf(row, allOf(block)).some(Boolean)) continue;
     const [said] = cellsOf(row, [block.number]);
     if (said) {
-      const told = places(said);
+      const told = isDoubtful(said, halved) ? null : places(said, halved);
       [benches, household] = [told ?? [], ""];
       if (!told) {
         found.push({ row: number, why: notANumber(said, row) });
@@ -63,6 +74,28 @@ export function entries(rows, first, block) {
     if (people.length) found.push({ row: number, benches, people, householder });
   }
   return found;
+}
+
+/** The rows from `first` on; 同上 and 同左 are what they say again. @param {string[][]} rows @param {number} first @param {Columns} block */
+function repeated(rows, first, block) {
+  const all = allOf(block);
+  /** @type {Map<number, string>} */
+  let above = new Map();
+  return rows.slice(first).map((row) => {
+    const said = [...row];
+    const named = cellsOf(row, block.names).some((cell) => ABOVE.has(simple(cell)));
+    for (const n of all) {
+      const word = simple(said[n] ?? "");
+      const whose = named && !word && [...block.households, ...block.phones].includes(n);
+      if (ABOVE.has(word) || whose) {
+        while (said.length <= n) said.push("");
+        const told = block.names.includes(n) ? said[n] : "";
+        said[n] = n === block.number ? "" : above.get(n) || told;
+      } else if (LEFT.has(word) && n) said[n] = said[n - 1];
+    }
+    if (cellsOf(said, all).some(Boolean)) above = new Map(all.map((n) => [n, said[n] ?? ""]));
+    return said;
+  });
 }
 
 /** What rows that say the same have in common. @param {string[]} row */
@@ -94,6 +127,11 @@ function notANumber(said, row) {
       "the spreadsheet made a day of the bench's number ({text}): format the column as text",
       { text: said },
     ); // prettier-ignore
+  if (places(said))
+    return _(
+      "{said} may be several benches, or a place at one: write {benches}, or the bench alone",
+      { said, benches: withoutDashes(said) },
+    ); // prettier-ignore
   const [head, ...rest] = said.split("，");
   if (rest.length && places(head) && row.filter(Boolean).length === 1)
     return _("the comma behind {number} is a Chinese one (，): type an English one (,)", {
@@ -108,30 +146,46 @@ function peopleOf(row, block, above) {
   const [remarks, hidden] = opened(cellsOf(row, block.remarks));
   const [said, more] = opened(cellsOf(row, block.households));
   const household = said || above;
-  const columns = cellsOf(row, block.phones);
-  const paired = block.phones.length === block.names.length;
+  const { own: columns, home: homes } = phoneColumns(block);
+  const home = [...cellsOf(row, homes).flatMap(phonesOf), ...more];
   /** @type {Person[]} */
   const people = [];
-  const odd = columns
+  const odd = cellsOf(row, block.phones)
     .filter((cell) => ROUNDED.test(cell))
     .map(() => _("the spreadsheet rounded a phone number: format the column as text"));
   for (const [n, cell] of cellsOf(row, block.names).entries()) {
     const [rest, phones] = withoutPhones(cell);
-    const beside = paired ? columns[n] : n ? "" : columns.join(" ");
-    const own = [...phonesOf(beside), ...phones, ...(n ? [] : [...hidden, ...more])];
-    const all = namesOf(rest);
+    const own = [...cellsOf(row, columns[n]).flatMap(phonesOf), ...phones, ...(n ? [] : hidden)];
+    const names = namesOf(rest);
     odd.push(
-      ...all
+      ...names
         .filter((name) => !isName(name))
         .map((name) => _("{text} is no name", { text: shown([name]) })),
     );
-    const names = all.filter(isName);
+    const shared = home.length > 0 && !own.length;
     for (const [k, name] of names.entries()) {
-      const phone = own.length === names.length ? own[k] : own.join(" ");
-      people.push({ name, household, phone, remarks });
+      const each = own.length === names.length ? own[k] : own.join(" ");
+      const phone = [each, ...home].filter(Boolean).join(" ");
+      if (isName(name)) people.push({ name, household, phone, remarks, shared });
     }
   }
   return { people, odd };
+}
+
+/** The columns of phones of each column of names, and those of the household or of all together. @param {Columns} block */
+function phoneColumns({ names, households, phones }) {
+  /** @type {number[][]} */
+  const own = names.map(() => []);
+  /** @type {number[]} */
+  const home = [];
+  if (phones.length === names.length && names.length > 1) return { own: phones.map((n) => [n]), home };
+  for (const phone of phones) {
+    const before = names.filter((n) => n < phone).length;
+    const headed = names.length > 1 || households.some((n) => n < phone);
+    if (before > 1 || (!before && headed)) home.push(phone);
+    else own[0].push(phone);
+  }
+  return { own, home };
 }
 
 /** Who carries where a row leaves the names blank, but says whose household it is. @param {string[]} row @param {Columns} block @returns {Person[]} */
@@ -143,7 +197,7 @@ function householderOf(row, block) {
   const phone = [...new Set(phones)].join(" ");
   return namesOf(household)
     .filter(isName)
-    .map((name) => ({ name, household, phone, remarks }));
+    .map((name) => ({ name, household, phone, remarks, shared: false }));
 }
 
 /** The texts of cells without the phones in them, and these. @param {string[]} cells @returns {[string, string[]]} */

@@ -19,6 +19,15 @@ const MARKS = ["\t", ",", ";"];
 const CHINESE_MARKS = ["，", "；"];
 const NUMBER_END = /(?<=\S)[\s:：，]+/u;
 const LINE_END = /\r\n|[\n\r\v\f\x1c-\x1e\x85\u2028\u2029]/u;
+// A cell between quotation marks, which may be left open, and such a mark alone: what stands above.
+const quoted = (/** @type {string} */ mark) =>
+  new RegExp(
+    `(?:^|(?<=[${mark}\\r\\n]))"(?:(?=[ \\t]*(?:[${mark}\\r\\n]|$))|[^"]*(?:""[^"]*)*(?:"|$))`,
+    "gu",
+  );
+const ABOVE = "\u3003";
+// Bytes of a sign of two, after those of four, in GB18030 or Big5.
+const [DIGIT_0, DIGIT_9, FIRST, LAST] = [0x30, 0x39, 0x81, 0xfe];
 // Signs of texts that no text has.
 const NO_TEXT = /[\0-\x08\x0e-\x19\x1b-\x1f]/u;
 
@@ -46,15 +55,61 @@ export function textOf(bytes, name) {
     );
   const marked = (bytes[0] === 0xff && bytes[1] === 0xfe) || (bytes[0] === 0xfe && bytes[1] === 0xff);
   const wide = bytes[0] === 0xff ? "utf-16le" : "utf-16be";
-  for (const encoding of marked ? [wide] : ["utf-8", "gb18030"]) {
+  const read = marked ? null : decoded(bytes, "utf-8");
+  if (read !== null && isText(read, name)) return read;
+  for (const encoding of marked ? [wide] : double(bytes, name)) {
     const text = decoded(bytes, encoding);
     if (text !== null && isText(text, name)) return text;
   }
   throw new InputError(
-    _("{file} is no table of text in UTF-8 or GB18030: save it as XLSX, or as CSV in UTF-8", {
+    _("{file} is no table of text in UTF-8, GB18030 or Big5: save it as XLSX, or as CSV in UTF-8", {
       file: name,
     }),
   );
+}
+
+/** Encodings that bytes may have which are not sound UTF-8: Big5 where its common signs are more. @param {Uint8Array} bytes @param {string} name */
+function double(bytes, name) {
+  const { COMMON, ALL_BUT } = ROSTERS_GRID;
+  const whole = new TextDecoder("utf-8").decode(bytes);
+  const torn = whole.split("\ufffd").length - 1;
+  const sound = Array.from(whole).filter((sign) => sign > "\x7f").length;
+  if (torn && sound - torn > ALL_BUT * torn) {
+    const line = whole.slice(0, whole.indexOf("\ufffd")).split("\n").length;
+    throw new InputError(
+      _("{file}: line {line} is torn: what stands there is no UTF-8, as the rest is; save it anew", {
+        file: name,
+        line,
+      }),
+    );
+  }
+  const { pairs, gb, big5 } = commonSigns(bytes);
+  return big5 > gb && 10 * big5 >= COMMON * pairs ? ["big5", "gb18030"] : ["gb18030"];
+}
+
+/** How many signs of more than a byte there are, and how many are common ones of GB18030 and of Big5. @param {Uint8Array} bytes */
+function commonSigns(bytes) {
+  const within = (/** @type {number} */ byte, low = FIRST, high = LAST) => low <= byte && byte <= high;
+  let [pairs, gb, big5] = [0, 0, 0];
+  for (let n = 0; n < bytes.length; n++) {
+    const [lead, trail] = [bytes[n], bytes[n + 1]];
+    if (!within(lead)) continue;
+    if (
+      within(trail, DIGIT_0, DIGIT_9) &&
+      within(bytes[n + 2]) &&
+      within(bytes[n + 3], DIGIT_0, DIGIT_9)
+    ) {
+      pairs++;
+      n += 3;
+    } else if (within(trail, 0x40)) {
+      pairs++;
+      n++;
+      const high = within(trail, 0xa1);
+      if (high && (within(lead, 0xa1, 0xa3) || within(lead, 0xb0, 0xf7))) gb++;
+      if ((high || within(trail, 0x40, 0x7e)) && within(lead, 0xa1, 0xc6)) big5++;
+    }
+  }
+  return { pairs, gb, big5 };
 }
 
 /** @param {Uint8Array} bytes @param {string} encoding */
@@ -109,7 +164,7 @@ export function rowsOf(text, name) {
   const most = Math.max(...counts);
   const chinese = chineseMark(lines.slice(0, ROSTERS_WORDS.MOST_TITLES));
   const mark = chinese.mark || (most ? MARKS[counts.indexOf(most)] : "");
-  const rows = mark ? tableRows(text, mark) : lines.map((line) => parted(line));
+  const rows = mark ? tableRows(closed(text, mark, name), mark) : lines.map((line) => parted(line));
   // Of a number and names alone all that follows is names.
   if (chinese.columns === 2)
     for (const row of rows) if (row.length) row.splice(1, row.length, row.slice(1).join(mark));
@@ -117,6 +172,22 @@ export function rowsOf(text, name) {
     rows.map((row) => row.map(stripped)),
     name,
   );
+}
+
+/** A table with the sign for 同上 where a quotation mark stands alone; one that is left open would swallow all rows below it. @param {string} text @param {string} mark @param {string} name */
+function closed(text, mark, name) {
+  return text.replace(quoted(mark), (found, /** @type {number} */ at) => {
+    if (found === '"') return ABOVE;
+    const marks = found.split('"').length - 1;
+    if (found.endsWith('"') && marks % 2 === 0) return found;
+    const line = text.slice(0, at).split("\n").length;
+    throw new InputError(
+      _("{file} is no table of text: the quotation mark in line {line} is never closed", {
+        file: name,
+        line,
+      }),
+    );
+  });
 }
 
 /** The Chinese comma or semicolon that alone parts a row of headings, and into how many; else "". @param {string[]} lines */
