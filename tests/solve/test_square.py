@@ -2,6 +2,7 @@
 
 import json
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -150,6 +151,7 @@ def test_no_place_that_is_tried_has_more_room_than_the_best() -> None:
     assert best.room.lower <= room(best.plan) <= best.room.upper
     assert best.plan.route.at == best.at
     said = json.loads(json.dumps(best.as_json()))
+    assert said["check"]["safe"] is best.passes is True
     assert (said["at"], said["turned"], set(said["distances"])) == (
         list(best.at),
         best.turned,
@@ -207,8 +209,10 @@ def test_what_would_do_for_a_dance_without_a_place_does(capsys: pytest.CaptureFi
     assert f"fits on a square of {length:g} m by {width:g} m" in told
 
 
+VILLAGE = Path(__file__).parents[1] / "cases" / "village" / "ahead_false_pair.dragon.toml"
 PEOPLED = [
-    *SQUARE[1:4], "dragon.benches=12", "venue.rectangle=[15, 14]",
+    "disc.radius=2.9", "route.pitch=1.7", "route.start_turn=4",
+    "dragon.benches=12", "venue.rectangle=[19, 19]",
     "people.beside=0.4", "people.ahead=0.3", "people.sway=0.05", "people.imprecision=0.1",
 ]  # fmt: skip
 
@@ -231,14 +235,50 @@ def test_a_place_has_the_room_that_check_asks_for_people() -> None:
 
 
 def test_a_square_that_would_do_has_room_for_people() -> None:
-    plan = read_plan("spiral-in", [*PEOPLED, "venue.rectangle=[12.6, 11.6]"])
-    assert best_place(plan).room.status == "infeasible"
+    plan = read_plan("spiral-in", [*PEOPLED, "venue.rectangle=[15, 14]"])
+    assert best_place(plan).report is None
     enough = enough_room(plan)
-    assert best_place(plan.with_value("venue.rectangle", list(enough.rectangle))).room.status == "found"
+    assert enough.rectangle is not None
+    larger = best_place(plan.with_value("venue.rectangle", list(enough.rectangle)))
+    assert larger.passes
     assert enough.benches is not None
-    fewer = plan.with_value("dragon.benches", enough.benches)
-    levels = check(best_place(fewer).plan).room
-    assert all(one.contact is None for level in levels for one in level.obstacles)
+    fewer = best_place(plan.with_value("dragon.benches", enough.benches))
+    for best in (larger, fewer):
+        report = check(best.plan)
+        assert report.safe
+        assert [level.kept for level in report.room] == 4 * [True]
+
+
+@pytest.mark.parametrize("pitch", [1.7, 1.55, 1.2])
+@pytest.mark.parametrize("sides", ["[19, 19]", "[22, 17]", "[40, 30]"])
+def test_a_place_is_told_to_pass_just_where_check_finds_it_safe(pitch: float, sides: str) -> None:
+    plan = read_plan("spiral-in", [*PEOPLED, f"route.pitch={pitch}", f"venue.rectangle={sides}"])
+    best = best_place(plan)
+    assert best.report is not None, "there is room on the square"
+    report = check(best.plan)
+    assert best.passes == report.safe == (pitch > 1.5)
+    assert best.passes == all(level.kept for level in report.room)
+
+
+def test_a_place_at_which_check_refuses_the_dance_is_not_written(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The square has room, but what lacks is between benches: no place mends that."""
+    found = tmp_path / "found.dragon.toml"
+    words = ["solve", "place", str(VILLAGE), "--quiet", "--lang", "en"]
+    assert run([*words, "--plan-file", str(found)]) == 1
+    out = capsys.readouterr().out
+    assert "room beyond the margins and what people take: 0.1" in out
+    refused = (
+        "but the dance does not pass the check there, and no plan is written: Not safe: the people of"
+    )
+    assert refused in out
+    assert not found.exists()
+    assert run([*words, "--set", "venue.rectangle=[9, 9]", "--json"]) == 4
+    said = json.loads(capsys.readouterr().out)
+    assert said["check"] is None
+    assert said["enough"]["rectangle"] is None
+    assert said["enough"]["check"]["sentence"]["en"].startswith("Not safe: the people of benches 1 and")
 
 
 def test_a_place_needs_a_venue() -> None:

@@ -2,7 +2,6 @@
 
 import json
 import math
-from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -10,6 +9,8 @@ import click
 
 from benchdragon.cli.answers import (
     NO_SOLUTION,
+    UNDECIDED,
+    UNSAFE,
     about,
     print_answer,
     print_distance,
@@ -39,8 +40,9 @@ if TYPE_CHECKING:
 @click.command(
     help=N_(
         "The place on the square where the dance fits best.\n\nIt has the most room to the venue's "
-        "edge and to every obstacle. PLAN is a *.dragon.toml file with a [venue]. Exit code 4: no "
-        "place was found."
+        "edge and to every obstacle, and is judged as `check` judges: where that finds the dance not "
+        "safe there, no plan is written, and the exit code is that of `check`. PLAN is a *.dragon.toml "
+        "file with a [venue]. Exit code 4: no place was found."
     )
 )
 @plan_options
@@ -62,24 +64,26 @@ def place(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
     warn_of_outside(read)
     with shown_progress(quiet) as progress:
         best = best_place(read, progress=progress)
-        fits = best.room.status != "infeasible"
-        enough = None if fits else enough_room(read, progress=progress)
-    if path is not None and fits:
+        enough = None if best.report is not None else enough_room(read, progress=progress)
+    if path is not None and best.passes:
         write_plan(best.plan, path, plan)
     if options["as_json"]:
-        wanted = {} if enough is None else {"enough": asdict(enough)}
+        wanted = {} if enough is None else {"enough": enough.as_json()}
         click.echo(json.dumps({**best.as_json(), **wanted, **about(read, [])}))
     else:
         _print_place(read, best, options)
         if enough is not None:
             _print_enough(enough)
-        if path is not None and fits:
+        if path is not None and best.passes:
             print_files([path])
-    return 0 if fits else NO_SOLUTION
+    if best.report is None:
+        return NO_SOLUTION
+    return 0 if best.passes else UNSAFE if best.report.decided else UNDECIDED
 
 
 def _print_place(plan: "Plan", best: "PlacedDance", options: dict[str, Any]) -> None:
     """The best place for readers."""
+    from benchdragon.analysis.check import sentence
     from benchdragon.analysis.room import levels_asked
 
     print_title(plan)
@@ -101,13 +105,22 @@ def _print_place(plan: "Plan", best: "PlacedDance", options: dict[str, Any]) -> 
         click.echo(text.format(missing=f"{-best.room.value:.2g}"))
     for answers in best.obstacles:
         print_distance(answers, brackets=options["brackets"])
+    if best.report is not None and not best.passes:
+        text = _("but the dance does not pass the check there, and no plan is written: {verdict}")
+        click.echo(text.format(verdict=sentence(best.report)))
 
 
 def _print_enough(enough: "Enough") -> None:
     """What would do where there is no place."""
-    length, width = (f"{side:g}" for side in enough.rectangle)
-    text = _("This dance fits on a square of {length} m by {width} m on which nothing else stands.")
-    click.echo(text.format(length=length, width=width))
+    from benchdragon.analysis.check import sentence
+
+    if enough.rectangle is None:
+        text = _("Nor does it pass the check where it has all the room it wants: {verdict}")
+        click.echo(text.format(verdict=sentence(enough.alone)))
+    else:
+        length, width = (f"{side:g}" for side in enough.rectangle)
+        text = _("This dance fits on a square of {length} m by {width} m on which nothing else stands.")
+        click.echo(text.format(length=length, width=width))
     if enough.benches is not None:
         text = _("Here it has a place with {count} benches: write benches = {count} below [dragon].")
         click.echo(text.format(count=enough.benches))

@@ -2,7 +2,7 @@
 
 What the dance and its people cover is drawn once, as a region of the plane; moving the dance moves
 the region. A global search goes by distances of the region, a last one by the exact least distances
-(analysis/obstacles.py), which the answer tells.
+(analysis/obstacles.py), which the answer tells. What is found is judged by the check, as any plan is.
 """
 
 import math
@@ -16,11 +16,12 @@ import shapely
 from shapely.geometry.base import BaseGeometry
 
 from benchdragon import budget
+from benchdragon.analysis.check import Report, check, sentence
 from benchdragon.analysis.obstacles import ObstacleAnswers, obstacle_answers
 from benchdragon.analysis.room import with_all_room
 from benchdragon.analysis.swept import enclosing, swept_area
 from benchdragon.errors import InputError, UnsureError, WalkError, of_kind
-from benchdragon.i18n import _
+from benchdragon.i18n import _, both
 from benchdragon.model.answer import Answer
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.outline import shape_of
@@ -52,6 +53,7 @@ class PlacedDance:
         room: how much more than its margin benches and their people keep from each obstacle and the
             venue's edge, m; "infeasible" where no place was found at which they do, negative or 0 then.
         obstacles: the exact answers about each and the benches alone, for the whole walk.
+        report: what a quick check says of the plan there; None where no place was found.
     """
 
     plan: Plan
@@ -59,12 +61,27 @@ class PlacedDance:
     turned: float
     room: Answer
     obstacles: tuple[ObstacleAnswers, ...]
+    report: Report | None
+
+    @property
+    def passes(self) -> bool:
+        """Whether a place was found at which the plan passes the check."""
+        return self.report is not None and self.report.safe
 
     def as_json(self) -> dict[str, Any]:
-        """Everything as plain data: the room, where, and the least distance from each obstacle."""
+        """Everything as plain data: the room, where, least distances, and what the check says."""
         distances = {answers.obstacle.name: answers.distance.as_json() for answers in self.obstacles}
         where = {"at": list(self.at), "turned": self.turned}
-        return {**self.room.as_json(), **where, "distances": distances}
+        judged = None if self.report is None else verdict_json(self.report)
+        return {**self.room.as_json(), **where, "distances": distances, "check": judged}
+
+
+def verdict_json(report: Report) -> dict[str, Any]:
+    """What a check says, in short, as plain data."""
+    said = both(lambda: sentence(report))
+    return {
+        "safe": report.safe, "decided": report.decided, "sentence": {"en": said.en, "zh": said.zh},
+    }  # fmt: skip
 
 
 @budget.question()
@@ -100,13 +117,22 @@ class Enough:
 
     Attributes:
         rectangle: length and width of a square on which nothing else stands, m, rounded up to
-            decimetres: the dance fits on it, its people and the margin to the edge included.
-        benches: so many of the plan's have a place on its own square, which `best_place` found; None
-            where no number of them was found to have one, or where the plan says each its own size.
+            decimetres: the dance fits on it, its people and the margin to the edge included; None where
+            the check refuses the dance without any square, too.
+        benches: so many of the plan's have a place on its own square, which `best_place` found, and
+            pass the check there; None where no number of them was found to, or where the plan says each
+            its own size.
+        alone: what a quick check says of the dance without its square.
     """
 
-    rectangle: tuple[float, float]
+    rectangle: tuple[float, float] | None
     benches: int | None
+    alone: Report
+
+    def as_json(self) -> dict[str, Any]:
+        """Everything as plain data."""
+        sides = None if self.rectangle is None else list(self.rectangle)
+        return {"rectangle": sides, "benches": self.benches, "check": verdict_json(self.alone)}
 
 
 @budget.question()
@@ -117,11 +143,18 @@ def enough_room(plan: Plan, *, progress: Progress = silent) -> Enough:
         InputError, WalkError, UnsureError: as `best_place` and `swept_area`.
     """
     of_kind("plan", plan, Plan)
+    alone = check(plan.without_square(), quick=True)
+    rectangle = _rectangle(plan) if alone.safe else None
+    return Enough(rectangle, _benches_placed(plan, progress), alone)
+
+
+def _rectangle(plan: Plan) -> tuple[float, float]:
+    """Length and width of a square on which a plan's dance fits where nothing else stands, m."""
     walk, obstacles = with_all_room(plan)
     box = enclosing(walk, *plan.span(walk), error=ROUGH).rectangle
     edge = next((one.margin for one in obstacles if one.kind == "venue"), 0.0)
     sides = sorted(math.ceil(10.0 * (side + 2.0 * edge)) / 10.0 for side in (box.width, box.height))
-    return Enough((sides[1], sides[0]), _benches_placed(plan, progress))
+    return sides[1], sides[0]
 
 
 def _benches_placed(plan: Plan, progress: Progress) -> int | None:
@@ -140,9 +173,9 @@ def _benches_placed(plan: Plan, progress: Progress) -> int | None:
 
 
 def _has_place(plan: Plan) -> bool:
-    """Whether a place is found for a plan's dance; not where its benches cannot walk."""
+    """Whether a plan's dance has a place and passes the check there; not where it cannot walk."""
     try:
-        return best_place(plan).room.status != "infeasible"
+        return best_place(plan).passes
     except (PlanError, WalkError, UnsureError):
         return False
 
@@ -239,7 +272,8 @@ class Square:
             evaluations=self.evaluations, seconds=seconds,
         )  # fmt: skip
         alone = self._answers(plan.build(), plan.obstacles(), TOLERANCES)
-        return PlacedDance(plan, at, turned, room, alone)
+        report = None if room.status == "infeasible" else check(plan, quick=True)
+        return PlacedDance(plan, at, turned, room, alone, report)
 
 
 def _room(region: BaseGeometry, obstacle: Obstacle) -> float:
