@@ -13,7 +13,7 @@ from python_calamine import CalamineWorkbook
 from benchdragon.cli.main import run
 from benchdragon.explain.text import number
 from benchdragon.export.film_scene import clock_text
-from benchdragon.number_format import decimals, decimals_or_dash, decimals_towards, outward
+from benchdragon.number_format import decimals, decimals_or_dash, decimals_towards, known, outward
 from tests.test_docs import LANGUAGES, blocks, source
 
 SIGNED_ZERO = re.compile(r"(?<![\w.)])[-\N{MINUS SIGN}]0(?:\.0*)?(?![\d.eE])")
@@ -93,3 +93,44 @@ def test_tables_of_positions_in_the_manual_drop_the_sign(name: str, language: st
     tables = [cell for cell in blocks(source(language, name), "{code-cell}") if "12.6f" in cell]
     assert tables
     assert all("z12.6f" in cell for cell in tables)
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "unit", "up", "shown"),
+    [
+        (1.165743, 1.165743, "m", False, "1.165"),
+        (1.165743, 1.165743, "m", True, "1.166"),
+        (0.44, 0.44, "m", False, "0.440"),
+        (0.44 - 1e-13, 0.44 + 1e-13, "m", False, "0.440"),
+        (0.2785, 0.2794, "m", False, "0.278"),
+        (0.2784, 0.2796, "m", False, "0.27"),
+        (0.2784, 1.5, "m", False, "0"),
+        (0.000127, 0.000127, "m", False, "0.00012"),
+        (0.0, 1e-13, "m", False, "0.000"),
+        (0.0, 0.0, "m", False, "0"),
+        (412.4738376, 412.4738376, "s", False, "412.47"),
+        (-0.001, -0.001, "s", False, "-0.01"),
+        (2.0, 2.0 + 1e-12, "m/s", True, "2.000"),
+        (1.0, math.inf, "m/s", True, "-"),
+    ],
+)
+def test_what_is_known_is_told_to_the_safe_side_and_no_more(
+    low: float, high: float, unit: str, up: bool, shown: str
+) -> None:
+    assert known(low, high, unit, up=up) == shown
+
+
+@pytest.mark.parametrize(
+    ("value", "limit", "up", "shown"),
+    [
+        (1.60479, 1.6048, True, "1.6048"),
+        (1.6049, 1.6048, True, "1.605"),
+        (0.0503, 0.0502, False, "0.0503"),
+        (0.0501, 0.0502, False, "0.050"),
+        (2.0 + 1e-12, 2.0, True, "2.000"),
+    ],
+)
+def test_a_text_lies_on_the_side_of_a_limit_on_which_the_number_does(
+    value: float, limit: float, up: bool, shown: str
+) -> None:
+    assert known(value, value, "m", up=up, limit=limit) == shown

@@ -35,7 +35,7 @@ TWINS = (
     "budget", "errors", "explain.bench_text",
     "model.answer", "model.base_curve", "model.connections", "model.curves", "model.dragon",
     "model.formations", "model.holds", "model.obstacle", "model.placement", "model.profile",
-    "model.walk",
+    "model.walk", "number_format",
     "plans.cues", "plans.drawn", "plans.routes", "plans.source", "plans.square", "plans.tables",
     "plans.toml",
     "player.following", "player.frames", "player.scene", "rosters.extent", "rosters.grid",

@@ -206,7 +206,7 @@ def test_a_head_that_changes_its_speed_too_fast_is_found(capsys: pytest.CaptureF
     (found,) = json.loads(out)["findings"]
     assert (code, found["kind"]) == (1, "head_acceleration")
     assert (found["value"], found["limit"], found["time"]) == (pytest.approx(10.0), 0.01, 0.0)
-    assert "10 m/s^2 from t = 0.000000 s on, the limit being 0.01 m/s^2" in found["text"]["en"]
+    assert "10.000 m/s^2 from t = 0 s on, the limit being 0.01 m/s^2" in found["text"]["en"]
     assert spoken(capsys, "check", "spiral-in", *jolt)[0] == 1  # 0.5 m/s^2 where the plan does not say
     assert spoken(capsys, "check", "spiral-in", *jolt, "--set", "limits.head_acceleration=10")[0] == 0
     assert spoken(capsys, "check", "spiral-in", *jolt, *limit, "--set", "walk.start=0.1")[0] == 0
@@ -270,7 +270,9 @@ def test_limits_are_told_of_where_they_are_kept(capsys: pytest.CaptureFixture[st
     assert 0.19 < peak["lower"] <= peak["upper"] < 0.21
     assert "greatest lateral acceleration of a handle: 0.2" in spoken(capsys, *words)[1]
     report = check(read_plan("spiral-in", [*COIL, "limits.lateral_acceleration=0.5"]))
-    assert "lateral acceleration of a handle at most 0.2 m/s^2 of 0.5 m/s^2 allowed" in sentence(report)
+    assert "lateral acceleration of a handle at most 0.201 m/s^2 of 0.5 m/s^2 allowed" in sentence(
+        report
+    )
 
 
 def test_the_greatest_head_speed_is_on_the_command_line(
@@ -359,7 +361,7 @@ def test_an_open_bracket_shows_the_value(capsys: pytest.CaptureFixture[str]) -> 
 
 
 def test_papers_tell_a_safe_walk_as_the_village_does() -> None:
-    """The head's bench is called so, times are minutes, and a speed is no less than it is, in cm/s."""
+    """The head's bench is called so, times are minutes, and a speed is no less than it is, in mm/s."""
     said = ("walk.start=-6", "people.unit=qiao", "people.count_head=false", "limits.speed=2")
     report = check(read_plan("turn", ["dragon.benches=30", "walk.end=94", *said]))
     near, fastest = report.clearance.witness, report.greatest_speed.value
@@ -368,12 +370,11 @@ def test_papers_tell_a_safe_walk_as_the_village_does() -> None:
     a, b = ("the head" if bench == 1 else f"qiao {bench - 1}" for bench in near.benches)
     told = sentence(report, Clock("", -6.0))
     minutes, seconds = divmod(math.floor(near.time + 6.5), 60)
-    between = ", one bench between them" if near.benches[1] - near.benches[0] == 2 else ""
-    assert f" cm, {a} with {b}{between}, at {minutes}:{seconds:02d};" in told
-    shown = float(re.search(r"fastest handle (\d\.\d\d) m/s", told)[1])  # type: ignore[index]
-    assert fastest <= shown < fastest + 0.01
-    plain = sentence(report)
-    assert f"bench {near.benches[0]} with bench {near.benches[1]}, at {near.time:.1f} s" in plain
+    assert f" m, {a} with {b}, at {minutes}:{seconds:02d};" in told
+    shown = float(re.search(r"fastest handle (\d\.\d{3}) m/s", told)[1])  # type: ignore[index]
+    assert fastest <= shown < fastest + 0.001
+    plain, cut = sentence(report), math.floor(100.0 * near.time) / 100.0
+    assert f"bench {near.benches[0]} with bench {near.benches[1]}, at {cut:.2f} s" in plain
 
 
 # The least gap of this coil is 1.47e-17 m: benches 1 and 20, 216.338 s.
@@ -399,7 +400,7 @@ def test_a_gap_that_rounding_hides_keeps_an_upper_end_and_is_never_told_as_0(
     assert re.search(r"least clearance: less than 1\.\de-13 m \(found\)", told)
     gaps = re.findall(r"less than 1\.\de-13 m", sentence(shown))
     assert len(gaps) == 1 + len(wall)
-    assert "tightest less than 1 cm, bench 1 with bench 20, at" in sentence(shown, Clock("", 0.0))
+    assert "m, bench 1 with bench 20, at" in sentence(shown, Clock("", 0.0))
     assert not re.search(r"(?<![\d.])0(\.0)? c?m\b", told + sentence(shown))
 
 

@@ -53,12 +53,13 @@ def test_a_safe_check_names_the_obstacle_with_the_least_room() -> None:
     edge, well, tree = (answers.distance.lower for answers in report.obstacles)
     assert well < tree < well + 2.2
     said = sentence(report)
-    assert f"at least {int(1000 * edge) / 10:g} cm from the edge of the venue (50 cm asked for)" in said
-    least = f"at least {int(1000 * tree) / 10:g} cm from obstacle 2, the tightest of 2 obstacles"
-    assert f"{least} (250 cm asked for)" in said
+    kept, least = int(1000 * edge) / 1000, int(1000 * tree) / 1000
+    assert f"at least {kept:.3f} m from the edge of the venue (0.5 m asked for)" in said
+    text = f"at least {least:.3f} m from obstacle 2, the narrowest of 2 obstacles (2.5 m asked for)"
+    assert text in said
     assert "well" not in said
     with spoken_in("zh"):
-        assert "2 个障碍物中障碍物 2处最紧" in sentence(report)
+        assert "2 个障碍物中障碍物 2处最窄" in sentence(report)
 
 
 def test_an_unsafe_check_names_what_comes_first() -> None:
@@ -69,7 +70,7 @@ def test_an_unsafe_check_names_what_comes_first() -> None:
     assert set(times) == {"well", "obstacle 2"}
     first = min(report.findings, key=lambda found: found.time or 0.0)
     assert first is not report.findings[0]
-    text = f"Not safe: bench {first.benches[0]} comes nearer than 250 cm to obstacle 2 at"
+    text = f"Not safe: bench {first.benches[0]} comes nearer than 2.5 m to obstacle 2 at"
     assert sentence(report).startswith(text)
     assert sentence(report).endswith(" (one of 4 findings)")
     kinds = [(found.obstacle, found.kind) for found in report.findings]

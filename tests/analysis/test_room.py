@@ -19,6 +19,7 @@ from benchdragon.explain.room import level_line
 from benchdragon.i18n import spoken_in
 from benchdragon.kernels.box import corner
 from benchdragon.model.dragon import Dragon
+from benchdragon.number_format import seconds
 from benchdragon.plans.people import PeopleTable
 from benchdragon.plans.schema import Plan, checked, read_plan
 
@@ -99,7 +100,7 @@ def test_a_broken_level_tells_what_its_own_pair_lacks_and_when() -> None:
         if key != "beside":
             assert short.there == pytest.approx(0.5 * (short.apart - 0.05))
         assert found.text.endswith(
-            f": people.{key} asks for 0.2 m; at t = {short.time:.6f} s, when these two are "
+            f": people.{key} asks for 0.2 m; at t = {seconds(short.time)} s, when these two are "
             f"{math.floor(1000 * short.apart) / 1000:g} m apart, there is room for "
             f"{math.floor(1000 * short.there) / 1000:g} m"
         )

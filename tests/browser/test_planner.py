@@ -285,7 +285,7 @@ def test_the_player_marks_what_the_check_found(
 
 def test_the_smallest_pitch_is_that_of_the_plan_shown(opened: Opened) -> None:
     page = opened()
-    expect(page.locator(".limit")).to_have_text("smallest pitch: 0.450337 m (found)")
+    expect(page.locator(".limit")).to_have_text("smallest pitch: 0.45034 m (found)")
     change(page, "radius of the turning disc", "6")
     settled(page)
     wanted = limit(shown_plan(page), "pitch", tolerance=1e-5)

@@ -69,19 +69,19 @@ def test_a_wrong_plan_is_told_in_one_sentence_and_loses_nothing(opened: Opened) 
     page.locator("h1").click()
     page.keyboard.press("Control+z")
     settle(page, "Safe")
-    expect(page.locator(".limit")).to_have_text("smallest pitch: 0.450337 m (found)")
+    expect(page.locator(".limit")).to_have_text("smallest pitch: 0.45034 m (found)")
 
 
 def test_another_kind_of_turn_takes_along_what_belonged_to_the_former(opened: Opened) -> None:
     page = opened()
     page.get_by_label("begin with").select_option("turn")
-    settle(page, "Safe: tightest 27.9 cm")
+    settle(page, "Safe: tightest 0.279 m")
     page.get_by_label("kind of turn").select_option("arc-line-arc")
-    settle(page, "Safe: tightest (?!27.9)")
+    settle(page, "Safe: tightest (?!0.279)")
     page.get_by_label("kind of turn").select_option("arc-arc-arc")
     expect(number(page, "curvature of the middle arc")).to_have_value("0")
     page.get_by_label("kind of turn").select_option("arc-arc")
-    settle(page, "Safe: tightest 27.9 cm")
+    settle(page, "Safe: tightest 0.279 m")
     expect(number(page, "ratio of the radii")).to_have_value("2")
     expect(number(page, "ratio of the radii")).to_be_enabled()
 

@@ -100,7 +100,7 @@ def test_the_event_of_two_benches_near_by_the_chain_shows_them(
     drawn(page)
     pair = state(page, "ringed")
     assert (pair["i"] + 1, pair["j"] + 1) == tuple(tightest.benches) == (1, 3)
-    assert page.locator(".tight").inner_text() == "tightest 85.0 cm: benches 1 and 3"
+    assert page.locator(".tight").inner_text() == "now nearest 85.0 cm: benches 1 and 3"
     page.keyboard.press(".")
     drawn(page)
     assert state(page, "ringed") is None

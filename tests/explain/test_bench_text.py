@@ -152,7 +152,7 @@ def test_the_tightest_moment_and_the_neighbours_have_the_names_that_the_village_
     )
     text = text_of(plan, bench)
     assert text.tightest == (
-        "Tightest at 1:05: qiao 2, in another coil, comes as near as 27 cm, on your left."
+        "Tightest at 1:05: qiao 2, in another coil, comes as near as 0.279 m, on your left."
     )
     assert text.people == (
         "Before you: the head.", "Behind you: qiao 5.", "At the end on your left: the tail.",
@@ -163,7 +163,7 @@ def test_the_tightest_moment_and_the_neighbours_have_the_names_that_the_village_
     assert text_of(plan, alone).people == ("Afterwards: lead all of them out where the leader says.",)
     with spoken_in("zh"):
         assert re.fullmatch(
-            r"1:05 最挤：另一圈的.+在你左边，只隔 27 厘米。", text_of(plan, bench).tightest
+            r"1:05 最挤：另一圈的.+在你左边，只隔 0\.279 米。", text_of(plan, bench).tightest
         )
 
 
@@ -219,7 +219,10 @@ def test_a_sheet_ends_with_where_to_go_when_the_dance_is_over() -> None:
 def test_others_read_of_a_bench_by_its_own_sides() -> None:
     near, clock = Tightest(75.4, 3, "rear", 0.1, 0.279, (0.0, 0.0)), Clock("", 0.0)
     own, others = (tightest_line(near, clock, str, its=its) for its in (False, True))
-    assert (own.endswith("27 cm, behind you."), others.endswith("27 cm, behind it.")) == (True, True)
+    assert (own.endswith("0.279 m, behind you."), others.endswith("0.279 m, behind it.")) == (
+        True,
+        True,
+    )
     assert tightest_line(None, clock, str, its=True).endswith("m of it.")
 
 

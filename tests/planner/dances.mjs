@@ -13,11 +13,11 @@ const [{ withArenaAsync }, { check }, { judgedDance }, { verdictOf }] = await Pr
 const engine = await Engine.load(readFileSync(file));
 const { memory } = engine.exports;
 
-/** The dance with what a quick check of its plan found. */
+/** The dance with what a check of its plan found. */
 function judged(plan, dance) {
   return withArenaAsync(engine, async (arena) => {
     const walk = plan.build(arena);
-    const report = await check(plan, walk, plan.span(walk), { quick: true });
+    const report = await check(plan, walk, plan.span(walk), { quick: false });
     return judgedDance(dance, verdictOf(report, ""), plan.obstacles());
   });
 }

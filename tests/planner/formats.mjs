@@ -5,7 +5,7 @@ import { pathToFileURL } from "node:url";
 const [modules, , file] = process.argv.slice(2);
 const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
 const { ulp } = await load("compute/exact");
-const { decimals, general, powered } = await load("compute/number_format");
+const { decimals, figures, general, known, powered } = await load("compute/number_format");
 
 const numbers = JSON.parse(readFileSync(file, "utf8"));
 const said = numbers.map((text) => {
@@ -17,6 +17,10 @@ const said = numbers.map((text) => {
     general(value),
     general(value, 17),
     powered(value, 1),
+    figures(value, true),
+    figures(value, false),
+    known(value, value + 7e-4, "m/s", true, 1.25),
+    known(value, value, "m", false, value + 1e-4),
     step,
   ];
 });

@@ -10,6 +10,7 @@ from benchdragon.analysis.check import check
 from benchdragon.analysis.records import verdict_of
 from benchdragon.figures.walk import bench_corners
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.number_format import seconds
 from benchdragon.planner.first_look import SIDE, first_look
 from benchdragon.planner.page import planner_page
 from benchdragon.plans.presets import presets
@@ -28,7 +29,7 @@ def shown(page: str) -> str:
 def test_who_has_no_javascript_reads_the_dance_and_its_verdict(spoken: str) -> None:
     plan = read_plan("spiral-in", SMALL)
     text = shown(planner_page(plan, spoken))
-    sentence = verdict_of(check(plan, quick=True)).sentence
+    sentence = verdict_of(check(plan)).sentence
     read = [
         f'<div lang="{code}">\n<h1>{title}</h1>\n<p><strong>{said}</strong></p>'
         for code, title, said in (
@@ -46,11 +47,11 @@ def test_the_picture_shows_each_bench_where_it_is_when_two_are_nearest() -> None
     plan = read_plan("spiral-in", SMALL)
     look = first_look(plan)
     assert look is not None
-    report = check(plan, quick=True)
+    report = check(plan)
     near = report.clearance.witness
     assert near is not None
     assert near.time is not None
-    assert f"{near.time:.2f}" in look.moment.en
+    assert seconds(near.time) in look.moment.en
     corners = bench_corners(report.walk.motion([near.time]), 0)
     drawn = np.array([chain(path) for path in re.findall("M[^M]*", look.head + look.benches)])
     length, told = look.bar

@@ -23,7 +23,7 @@ from benchdragon.analysis.head_times import HeadTimes
 from benchdragon.analysis.obstacles import obstacle_answers
 from benchdragon.analysis.speed import QUANTITIES, greatest
 from benchdragon.model.obstacle import Obstacle
-from benchdragon.number_format import decimals
+from benchdragon.number_format import decimals, figures, known
 from benchdragon.plans.schema import read_plan
 from tests.engine.recording import node
 from tests.laws.hard_dances import dance
@@ -201,5 +201,9 @@ def test_numbers_are_written_as_python_writes_them() -> None:
     said = asked("formats.mjs", [repr(value) for value in values])
     for value, (*texts, step) in zip(values, said, strict=True):
         formats = f"{value:z.1f}", f"{value:g}", f"{value:.17g}", f"{value:.1e}"
-        assert texts == [decimals(value), *formats]
+        assert texts[:5] == [decimals(value), *formats]
+        assert texts[5:7] == [figures(value, up=up) for up in (True, False)]
+        if abs(value) < 1e9:
+            most = known(value, value + 7e-4, "m/s", up=True, limit=1.25)
+            assert texts[7:] == [most, known(value, value, "m", up=False, limit=value + 1e-4)]
         assert float(step) == math.ulp(value)

@@ -10,7 +10,7 @@ import pytest
 import shapely
 
 from benchdragon import Dragon, InputError, Line, Route, Walk, WalkError
-from benchdragon.analysis.check import Report, check, sentence
+from benchdragon.analysis.check import Report, check, clearance_text, sentence, speed_text
 from benchdragon.analysis.distance import boxes
 from benchdragon.i18n import Words, _, both, spoken_in
 from benchdragon.kernels.box import corner
@@ -83,8 +83,8 @@ def test_a_safe_walk_has_a_tightest_and_a_fastest_moment() -> None:
     for occasion, answer in ((tightest, report.clearance), (fastest, report.greatest_speed)):
         assert answer.witness is not None
         assert (occasion.time, tuple(occasion.benches)) == (answer.witness.time, answer.witness.benches)
-    assert f"{100.0 * report.clearance.value:.3g} cm" in tightest.text.en
-    assert f"{report.greatest_speed.value:.4g} m/s" in fastest.text.zh
+    assert tightest.text.en == f"tightest moment: {clearance_text(report)} m"
+    assert f"{speed_text(report)} m/s" in fastest.text.zh
     assert occasions(dance, "contact") == occasions(dance, "end") == []
     assert (dance.disc, dance.margin, dance.speed_limit) == (4.5, 0.0, 2.0)
 

@@ -15,6 +15,7 @@ from fpdf import FPDF
 from pypdf import PdfReader
 
 from benchdragon.analysis.bench_nearness import Tightest
+from benchdragon.analysis.check import clearance_text, sentence
 from benchdragon.errors import InputError
 from benchdragon.explain.bench_text import bench_text, tightest_line
 from benchdragon.export.document import Paragraph, Table
@@ -269,7 +270,9 @@ def test_sheets_and_overview_tell_times_by_one_clock(tmp_path: Path, clock: str)
     witness = paced.report.clearance.witness
     assert witness is not None
     assert witness.time is not None
-    assert re.search(rf"Safe:[^.]*,at{paced.clock.tell(witness.time)}\D", overview)
+    near = replace(paced.report.clearance, witness=replace(witness, benches=(1, 9)))
+    told = sentence(replace(paced.report, clearance=near), paced.clock)
+    assert re.search(rf", at {paced.clock.tell(witness.time)}(\D|$)", told)
 
 
 @pytest.mark.parametrize("language", ["en", "zh"])
@@ -507,10 +510,9 @@ def test_the_overview_speaks_to_the_leader_without_keys_of_the_plan(tmp_path: Pa
     assert "behind you" not in said
 
 
-def test_the_verdict_on_papers_cuts_centimetres_off_as_the_tightest_moments_do(ours: Briefing) -> None:
-    least = math.floor(100.0 * ours.report.clearance.value)
+def test_the_verdict_on_papers_tells_the_clearance_as_the_check_does(ours: Briefing) -> None:
     first, *_others = [b for b in overview(ours, phones=False).blocks if isinstance(b, Paragraph)]
-    assert f"tightest {least} cm" in str(first.words)
+    assert f" keep {clearance_text(ours.report)} m" in str(first.words)
 
 
 def test_the_overview_says_so_where_nobody_need_stand_by(ours: Briefing) -> None:

@@ -37,7 +37,7 @@ from benchdragon.errors import InputError, UnsureError, WalkError, of_kind
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import ROUNDING, Answer
 from benchdragon.model.walk import Motion, Walk
-from benchdragon.number_format import at_most
+from benchdragon.number_format import seconds
 from benchdragon.plans.people import called
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, Stages, silent
@@ -276,11 +276,11 @@ def sentence(report: Report, told: Clock | None = None) -> str:
 # What is found of benches and obstacles, in the fewest words.
 BRIEF = {
     "contact": N_("benches {a} and {b} touch at {t} s"),
-    "margin": N_("benches {a} and {b} come nearer than the {margin} cm asked for at {t} s"),
+    "margin": N_("benches {a} and {b} come nearer than the {margin} m asked for at {t} s"),
     "obstacle": N_("bench {a} touches {name} at {t} s"),
-    "obstacle_margin": N_("bench {a} comes nearer than {margin} cm to {name} at {t} s"),
+    "obstacle_margin": N_("bench {a} comes nearer than {margin} m to {name} at {t} s"),
     "venue": N_("bench {a} leaves {name} at {t} s"),
-    "venue_margin": N_("bench {a} comes nearer than {margin} cm to the edge of {name} at {t} s"),
+    "venue_margin": N_("bench {a} comes nearer than {margin} m to the edge of {name} at {t} s"),
     "sway": N_("benches {a} and {b} have no room to sway at {t} s"),
     "imprecision": N_("benches {a} and {b} have no room for imprecision at {t} s"),
     "people": N_("the people of benches {a} and {b} have no room at {t} s"),
@@ -303,8 +303,8 @@ def _briefly(found: Finding) -> str:
     return _(BRIEF[found.kind]).format(
         a=found.benches[0],
         b=found.benches[-1],
-        t=f"{found.time:z.1f}",
-        margin=f"{100.0 * found.limit:g}",
+        t=seconds(found.time),
+        margin=f"{found.limit:g}",
         name=found.said("name") if "name" in found.words else "",
     )
 
@@ -316,7 +316,7 @@ def _kept(report: Report, told: Clock | None) -> str:
     if near is not None and near.time is not None and len(near.benches) == 2:
         said = [_tightest(report, near.time, near.benches, told)]
     if limits.margin:
-        said.append(_("{margin} cm were asked for").format(margin=f"{100.0 * limits.margin:g}"))
+        said.append(_("{margin} m were asked for").format(margin=f"{limits.margin:g}"))
     said += _kept_from(report)
     if report.room:
         text = _("room is kept {levels}")
@@ -324,16 +324,16 @@ def _kept(report: Report, told: Clock | None) -> str:
     if limits.speed is not None:
         said.append(
             _("fastest handle {speed} m/s of {limit} m/s allowed").format(
-                speed=_fastest(report, limits.speed, told), limit=f"{limits.speed:g}"
+                speed=speed_text(report), limit=f"{limits.speed:g}"
             )
         )
-    for name, peak in report.peaks.items():
+    for name in report.peaks:
         quantity = QUANTITIES[name]
         said.append(
             _("{what} at most {most} {unit} of {limit} {unit} allowed").format(
                 what=_(quantity.text),
-                most=f"{peak.upper:.3g}",
-                limit=f"{given_limits(report.plan)[name]:.3g}",
+                most=peak_shown(report, name),
+                limit=f"{given_limits(report.plan)[name]:g}",
                 unit=quantity.unit,
             )
         )
@@ -342,37 +342,45 @@ def _kept(report: Report, told: Clock | None) -> str:
     return _("; ").join(said)
 
 
-def _tightest(report: Report, time: float, benches: Sequence[int], told: Clock | None) -> str:
-    """The tightest moment of a safe walk."""
-    clearance = report.clearance
+def _tightest(report: Report, time: float, benches: tuple[int, ...], told: Clock | None) -> str:
+    """The tightest moment of a safe walk.
+
+    Benches of one coil come as near as the bends want, any of them and at any time there.
+    """
+    (a, b), gap, hidden = benches, clearance_text(report), report.clearance.vanishing
+    if in_one_coil(benches) and not hidden:
+        text = _("none come nearer than two with one between them, which keep {gap} m in the bends")
+        return text.format(gap=gap)
     if told is None:
-        gap, text = (
-            f"{100.0 * clearance.value:.3g}",
-            _("tightest {gap} cm, bench {a} with bench {b}, at {t} s"),
-        )
-        if clearance.vanishing:
-            gap = at_most(clearance.upper)
+        text = _("tightest {gap} m, bench {a} with bench {b}, at {t} s")
+        if hidden:
             text = _("tightest less than {gap} m, bench {a} with bench {b}, at {t} s")
-        return text.format(gap=gap, a=benches[0], b=benches[1], t=f"{time:z.1f}")
-    whole = math.floor(round(100.0 * clearance.value, 6))
-    apart = abs(benches[0] - benches[1]) == AFTER_NEXT
-    if whole:
-        text = _("tightest {gap} cm, {a} with {b}, at {t}")
-        if apart:
-            text = _("tightest {gap} cm, {a} with {b}, one bench between them, at {t}")
-    else:
-        text = _("tightest less than 1 cm, {a} with {b}, at {t}")
-        if apart:
-            text = _("tightest less than 1 cm, {a} with {b}, one bench between them, at {t}")
-    a, b = (called(report.plan.people, one, len(report.walk.dragon)) for one in benches)
-    return text.format(gap=whole, a=a, b=b, t=told.tell(time))
+        return text.format(gap=gap, a=a, b=b, t=seconds(time))
+    text = _("tightest {gap} m, {a} with {b}, at {t}")
+    if hidden:
+        text = _("tightest less than {gap} m, {a} with {b}, at {t}")
+    names = [called(report.plan.people, one, len(report.walk.dragon)) for one in benches]
+    return text.format(gap=gap, a=names[0], b=names[1], t=told.tell(time))
 
 
-def _fastest(report: Report, limit: float, told: Clock | None) -> str:
-    """The greatest speed of a handle; on papers the next cm/s above, where the limit allows that."""
-    value = report.greatest_speed.value
-    above = math.ceil(100.0 * value - ROUNDING) / 100.0
-    return f"{value:.6g}" if told is None or above > limit else f"{above:.2f}"
+def in_one_coil(benches: tuple[int, ...]) -> bool:
+    """Whether two benches have one between them: no plan but that of the benches keeps them apart."""
+    return len(benches) == 2 and abs(benches[0] - benches[1]) == AFTER_NEXT
+
+
+def clearance_text(report: Report) -> str:
+    """The least that benches keep, m, as all texts tell it."""
+    return report.clearance.shown(up=False, limit=report.plan.limits.margin)
+
+
+def speed_text(report: Report) -> str:
+    """The greatest speed of a handle, m/s, as all texts tell it."""
+    return report.greatest_speed.shown(up=True, limit=report.plan.limits.speed)
+
+
+def peak_shown(report: Report, name: str) -> str:
+    """The greatest of a limited quantity, in its SI unit, as all texts tell it."""
+    return report.peaks[name].shown(up=True, limit=given_limits(report.plan)[name])
 
 
 def _kept_from(report: Report) -> list[str]:
@@ -385,27 +393,21 @@ def _kept_from(report: Report) -> list[str]:
     near = sorted(stands, key=lambda one: one.distance.sure(up=False) - one.obstacle.margin)[:1]
     said = []
     for one in (*venue, *near):
-        text = _("at least {gap} cm from {name}")
+        text = _("at least {gap} m from {name}")
         if one in venue:
-            text = _("at least {gap} cm from the edge of {name}")
+            text = _("at least {gap} m from the edge of {name}")
         elif len(stands) > 1:
-            text = _("at least {gap} cm from {name}, the tightest of {count} obstacles")
-        gap = _kept_cm(one)
+            text = _("at least {gap} m from {name}, the narrowest of {count} obstacles")
         if one.distance.vanishing:
-            gap, text = at_most(one.distance.upper), _("less than {gap} m from {name}")
+            text = _("less than {gap} m from {name}")
             if one in venue:
                 text = _("less than {gap} m from the edge of {name}")
-        kept = text.format(gap=gap, name=named(one.obstacle), count=len(stands))
+        kept = text.format(gap=one.distance_text, name=named(one.obstacle), count=len(stands))
         if one.obstacle.margin:
-            asked = f"{100.0 * one.obstacle.margin:g}"
-            kept = _("{kept} ({margin} cm asked for)").format(kept=kept, margin=asked)
+            asked = f"{one.obstacle.margin:g}"
+            kept = _("{kept} ({margin} m asked for)").format(kept=kept, margin=asked)
         said.append(kept)
     return said
-
-
-def _kept_cm(answers: ObstacleAnswers) -> str:
-    """A distance that is surely kept, cm, cut off behind a tenth."""
-    return f"{math.floor(1000.0 * answers.distance.sure(up=False)) / 10.0:.10g}"
 
 
 def moment(report: Report) -> tuple[Motion, Answer]:

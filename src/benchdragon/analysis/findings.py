@@ -16,6 +16,7 @@ from benchdragon.model.answer import ROUNDING, Answer
 from benchdragon.model.numbering import handle_words
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
+from benchdragon.number_format import known, seconds
 from benchdragon.plans.schema import Plan
 
 # What obstacles, and the venue, are called to which a plan gives no name.
@@ -139,7 +140,7 @@ def _contact_findings(contact: Answer | None, margin: float) -> list[Finding]:
             "on which side"
         )
     a, b = near.benches
-    words = {"a": str(a), "b": str(b), "t": f"{contact.value:z.6f}", "margin": f"{margin:g}"}
+    words = {"a": str(a), "b": str(b), "t": seconds(contact.value), "margin": f"{margin:g}"}
     gap = max(near.gap, 0.0)
     return [Finding(kind, contact.value, near.benches, gap, margin, sentence, words, decided)]
 
@@ -177,7 +178,7 @@ def _obstacle_finding(answers: ObstacleAnswers, contact: Answer | None, margin: 
     if decided and contact.lower == contact.upper == contact.value and near.gap <= 0.0:
         sentence = OBSTACLE_SENTENCES[f"{kind} at first"]
     (bench,) = near.benches
-    words = {"bench": str(bench), "t": f"{contact.value:z.6f}", "margin": f"{margin:g}"}
+    words = {"bench": str(bench), "t": seconds(contact.value), "margin": f"{margin:g}"}
     words |= name_words(answers.obstacle)
     gap, name = max(near.gap, 0.0), answers.obstacle.name
     return [Finding(kind, contact.value, near.benches, gap, margin, sentence, words, decided, name)]
@@ -211,7 +212,7 @@ def _short_words(short: Shortage) -> dict[str, str]:
     """What is missing, cut off at millimetres; the distance, too."""
     cut = {name: math.floor(round(1000.0 * getattr(short, name), 6)) for name in ("apart", "there")}
     return {
-        "key": f"people.{short.key}", "wanted": f"{short.wanted:g}", "when": f"{short.time:z.6f}",
+        "key": f"people.{short.key}", "wanted": f"{short.wanted:g}", "when": seconds(short.time),
         **{name: f"{value / 1000.0:g}" for name, value in cut.items()},
     }  # fmt: skip
 
@@ -229,7 +230,7 @@ def _room_finding(level: RoomLevel) -> list[Finding]:
             "whether the margin of {margin} m at bench {a} is kept at t = {t} s is too close to tell"
         )
     words = {"a": str(near.benches[0]), "b": str(near.benches[-1])}
-    words |= {"t": f"{contact.value:z.6f}", "margin": f"{margin:g}"}
+    words |= {"t": seconds(contact.value), "margin": f"{margin:g}"}
     words |= {} if obstacle is None else name_words(obstacle)
     words |= (
         {"asked": ASKED_FOR} if level.short is None else {"asked": SHORT, **_short_words(level.short)}
@@ -296,7 +297,8 @@ def _head_findings(walk: Walk, span: tuple[float, float], limit: float) -> list[
     sentence = N_(
         "the head changes its speed by {value} m/s^2 from t = {t} s on, the limit being {limit} m/s^2"
     )
-    words = {"t": f"{time:z.6f}", **_told_apart(value, limit)}
+    words = {"t": seconds(time)}
+    words |= {"value": known(value, value, "m/s^2", up=True, limit=limit), "limit": f"{limit:g}"}
     return [Finding("head_acceleration", time, (1,), value, limit, sentence, words)]
 
 
@@ -329,7 +331,9 @@ def _limit_findings(name: str, peak: Answer, limit: float) -> list[Finding]:
     words = {
         "what": quantity.text, "unit": quantity.unit,
         **handle_words(near.handle or 0, near.benches[0]),
-        "t": f"{near.time:z.6f}", **_told_apart(peak.value, limit),
+        "t": seconds(near.time or 0.0), **_told_apart(peak.value, limit),
     }  # fmt: skip
+    if kept is False:
+        words |= {"value": peak.shown(up=True, limit=limit), "limit": f"{limit:g}"}
     decided = kept is not None
     return [Finding(name, near.time, near.benches, peak.value, limit, sentence, words, decided)]

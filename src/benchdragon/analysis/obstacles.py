@@ -133,6 +133,11 @@ class ObstacleAnswers:
     distance: Answer
     touch: Answer | None = None
 
+    @property
+    def distance_text(self) -> str:
+        """The least distance, m, as all texts tell it."""
+        return self.distance.shown(up=False, limit=self.obstacle.margin)
+
 
 @budget.question()
 def obstacle_answers(

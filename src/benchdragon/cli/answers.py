@@ -9,7 +9,7 @@ import click
 from benchdragon.i18n import _, language
 from benchdragon.model.answer import Answer, Witness
 from benchdragon.model.numbering import handle_text
-from benchdragon.number_format import at_most, decimals, figures
+from benchdragon.number_format import at_most, decimals, figures, seconds
 from benchdragon.version import __version__
 
 if TYPE_CHECKING:
@@ -45,11 +45,13 @@ def print_title(plan: "Plan") -> None:
         click.echo(title)
 
 
-def print_answer(name: str, answer: Answer, *, up: bool, brackets: bool) -> None:
+def print_answer(
+    name: str, answer: Answer, *, up: bool, brackets: bool, shown: str | None = None
+) -> None:
     """An answer for readers: value, how it was established, where.
 
-    What is shown is the end of the bracket that is surely true, rounded `up` or down; with `brackets`
-    it is the value with all of its digits, and the bracket.
+    What is shown is the end of the bracket that is surely true, rounded `up` or down, or `shown` in
+    place of it; with `brackets` it is the value with all of its digits, and the bracket.
     """
     words = {
         "proved": _("proved"), "found": _("found"),
@@ -59,7 +61,7 @@ def print_answer(name: str, answer: Answer, *, up: bool, brackets: bool) -> None
         text = _("no pair counts") if answer.status == "found" else words[answer.status]
         click.echo(f"{name}: {text}")
         return
-    value = repr(answer.value) if brackets else figures(answer.sure(up=up), up=up)
+    value = repr(answer.value) if brackets else shown or figures(answer.sure(up=up), up=up)
     if answer.status == "unlimited":
         text = _("{name}: unlimited up to {value} {unit}")
         click.echo(text.format(name=name, value=value, unit=answer.unit))
@@ -75,7 +77,7 @@ def print_answer(name: str, answer: Answer, *, up: bool, brackets: bool) -> None
             lower=repr(answer.lower), upper=repr(answer.upper),
         )
     )  # fmt: skip
-    _print_witness(answer.witness, 6 if brackets else 2)
+    _print_witness(answer.witness, brackets)
 
 
 def print_distance(answers: "ObstacleAnswers", *, brackets: bool) -> None:
@@ -86,11 +88,14 @@ def print_distance(answers: "ObstacleAnswers", *, brackets: bool) -> None:
     if answers.obstacle.kind == "venue":
         text = _("least distance from the edge of {name}")
     name = text.format(name=named(answers.obstacle))
-    print_answer(name, answers.distance, up=False, brackets=brackets)
+    print_answer(name, answers.distance, up=False, brackets=brackets, shown=answers.distance_text)
 
 
-def _print_witness(near: Witness | None, count: int) -> None:
-    """Where and when an answer comes about, with so many decimals."""
+def _print_witness(near: Witness | None, brackets: bool) -> None:
+    """Where and when an answer comes about; with `brackets` in more digits."""
+    count = 6 if brackets else 2
+    time = math.inf if near is None or near.time is None else near.time
+    when = decimals(time, count) if brackets and math.isfinite(time) else seconds(time)
     if near is not None and len(near.benches) == 1:
         bench = near.benches[0]
         who = _("bench {bench}").format(bench=bench)
@@ -99,7 +104,7 @@ def _print_witness(near: Witness | None, count: int) -> None:
         click.echo(
             _("  {who} at t = {t} s, head at {s} m of the route, at ({x}, {y}) m").format(
                 who=who,
-                t="-" if near.time is None or math.isinf(near.time) else decimals(near.time, count),
+                t=when,
                 s=decimals(near.s, count),
                 x=decimals(near.point[0], count),
                 y=decimals(near.point[1], count),
@@ -114,7 +119,7 @@ def _print_witness(near: Witness | None, count: int) -> None:
             _("  benches {a} and {b} at t = {t} s, at ({x}, {y}) m; {features}").format(
                 a=near.benches[0],
                 b=near.benches[1],
-                t="-" if near.time is None else decimals(near.time, count),
+                t=when,
                 x=decimals(near.point[0], count),
                 y=decimals(near.point[1], count),
                 features=features,

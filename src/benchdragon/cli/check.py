@@ -165,6 +165,9 @@ def _explained(report: "Report") -> list[str]:
 
 def print_report(report: "Report", brackets: bool = False) -> None:
     """A report for readers."""
+    from benchdragon.analysis.check import clearance_text, speed_text
+    from benchdragon.number_format import seconds
+
     print_title(report.plan)
     if report.safe:
         text = _("SAFE from t = {start} s to t = {end} s")
@@ -175,7 +178,7 @@ def print_report(report: "Report", brackets: bool = False) -> None:
                     "SAFE from t = {start} s to t = {end} s: proved that no benches come too near to "
                     "one another, to an obstacle or to the venue's edge"
                 )
-        click.echo(text.format(start=f"{report.start:g}", end=f"{report.end:.6g}"))
+        click.echo(text.format(start=seconds(report.start), end=seconds(report.end)))
     elif report.decided:
         click.echo(_("NOT SAFE"))
     else:
@@ -189,23 +192,27 @@ def print_report(report: "Report", brackets: bool = False) -> None:
         name = _("first contact")
         if near is not None and near.gap > 0.0:
             name = _("first nearer than {margin} m").format(margin=f"{margin:g}")
-        print_answer(name, report.first_contact, up=False, brackets=brackets)
+        when = report.first_contact.shown(up=False)
+        print_answer(name, report.first_contact, up=False, brackets=brackets, shown=when)
         click.echo(_("until then:"))
-    print_answer(_("least clearance"), report.clearance, up=False, brackets=brackets)
+    gap, most = clearance_text(report), speed_text(report)
+    print_answer(_("least clearance"), report.clearance, up=False, brackets=brackets, shown=gap)
     for answers in report.obstacles:
         print_distance(answers, brackets=brackets)
     _print_room(report)
-    print_answer(_("greatest speed of a handle"), report.greatest_speed, up=True, brackets=brackets)
+    name = _("greatest speed of a handle")
+    print_answer(name, report.greatest_speed, up=True, brackets=brackets, shown=most)
     _print_rest(report, brackets)
 
 
 def _print_rest(report: "Report", brackets: bool) -> None:
     """Peaks of what is limited, and the stops of the head."""
-    from benchdragon.analysis.check import peak_text
+    from benchdragon.analysis.check import peak_shown, peak_text
     from benchdragon.analysis.stops import stops_text
 
     for name, peak in report.peaks.items():
-        print_answer(peak_text(name), peak, up=True, brackets=brackets)
+        shown = peak_shown(report, name)
+        print_answer(peak_text(name), peak, up=True, brackets=brackets, shown=shown)
     if report.stops is not None:
         click.echo(stops_text(report.stops))
 

@@ -51,7 +51,7 @@ def view(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> i
     span = scene.Span(start if first is None else first, end if last is None else last)
     with shown_progress(quiet) as progress:
         told = part(progress, 0.0, 0.5)
-        judge = partial(check, progress=told, quick=scene.is_long(walk, span))
+        judge = partial(check, progress=told)
         shown = scene.judged_dance(read, judge, span, part(progress, 0.5, 1.0))
         write_player(path, shown)
     print_files([path])

@@ -19,6 +19,7 @@ from benchdragon.i18n import N_, _, language
 from benchdragon.kernels.box import CX, CY, UX, UY
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.obstacle import Obstacle
+from benchdragon.number_format import known
 from benchdragon.plans.schema import Plan
 
 # Turns and paces that the first line names one by one; of more it tells how many there are.
@@ -276,8 +277,8 @@ def tightest_line(
         if its:
             text = _("No bench of another coil comes within about {reach} m of it.")
         return text.format(reach=f"{REACH:g}")
-    text = _("Tightest at {time}: {bench}, in another coil, comes as near as {gap} cm, {side}.")
-    gap = math.floor(_settled(100.0 * near.upper))
+    text = _("Tightest at {time}: {bench}, in another coil, comes as near as {gap} m, {side}.")
+    gap = known(near.upper, near.upper, "m", up=False)
     time, side = clock.tell(near.time), _((ITS_SIDES if its else SIDES)[near.side])
     return text.format(time=time, bench=called(near.bench), gap=gap, side=side)
 

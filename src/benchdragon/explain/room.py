@@ -7,6 +7,7 @@ from benchdragon.analysis.findings import named
 from benchdragon.analysis.room import RoomLevel, asked_text, shown_name
 from benchdragon.explain.text import number, tiny
 from benchdragon.i18n import N_, _
+from benchdragon.number_format import seconds
 
 # What a level asks for, as papers say it, cm.
 PLAIN = {
@@ -43,7 +44,7 @@ def level_line(level: RoomLevel, asked: Callable[[RoomLevel], str] = asked_text)
                 "before the head's bench"
             )
     return text.format(
-        name=name, t=f"{contact.value:z.6f}", a=benches[0] if benches else 0,
+        name=name, t=seconds(contact.value), a=benches[0] if benches else 0,
         b=benches[-1] if benches else 0, obstacle="" if obstacle is None else named(obstacle),
         between=f"{level.between:g}",
     )  # fmt: skip

@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass, replace
 from typing import Any, Literal, Self
 
-from benchdragon.number_format import finite_or_none
+from benchdragon.number_format import at_most, finite_or_none, known
 
 # What exceeds a limit by less than this share keeps to it: bounds leave a tenth of it for rounding.
 ROUNDING = 1e-11
@@ -80,6 +80,15 @@ class Answer:
         end = self.upper if up else self.lower
         near = abs(end - self.value) <= ROUNDING * abs(self.value)
         return self.value if near or not math.isfinite(end) else end
+
+    def shown(self, *, up: bool, limit: float | None = None) -> str:
+        """What is surely true of it, in the digits that are known: see `number_format.known`.
+
+        Of a distance that is `vanishing` it is what it is less than.
+        """
+        if not up and self.unit == "m" and self.vanishing:
+            return at_most(self.upper)
+        return known(self.sure(up=False), self.sure(up=True), self.unit, up=up, limit=limit)
 
     def keeps(self, limit: float) -> bool | None:
         """Whether the number is at most a limit, but for rounding; None where that is open."""

@@ -18,7 +18,7 @@ from benchdragon.i18n import Words, _, both
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Motion
-from benchdragon.number_format import decimals
+from benchdragon.number_format import seconds
 from benchdragon.plans.schema import Plan
 
 # Units of the longer side, those that a line may be off, and those of the room about what is shown.
@@ -68,7 +68,7 @@ class FirstLook:
 def first_look(plan: Plan) -> FirstLook | None:
     """The first look at a plan's dance; None where it cannot be walked or judged."""
     try:
-        report = check(plan, quick=True)
+        report = check(plan)
         return _look(report)
     except BenchDragonError:
         return None
@@ -106,7 +106,7 @@ def _look(report: Report) -> FirstLook:
 
 def _moment(report: Report, time: float) -> str:
     """Which moment is drawn."""
-    at = decimals(time, 2)
+    at = seconds(time)
     if report.first_contact is not None:
         return _("The picture shows t = {time} s, when benches first touch.").format(time=at)
     if report.clearance.witness is None:

@@ -9,7 +9,7 @@ import numpy as np
 
 from benchdragon import budget
 from benchdragon.analysis.beats import score_of
-from benchdragon.analysis.check import Report
+from benchdragon.analysis.check import Report, clearance_text, in_one_coil, speed_text
 from benchdragon.analysis.distance import nearest_each
 from benchdragon.analysis.findings import named, shown_name, touch_text
 from benchdragon.analysis.obstacles import ObstacleAnswers
@@ -23,7 +23,6 @@ from benchdragon.model.dragon import Dragon
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.outline import margin_rings
 from benchdragon.model.walk import Walk
-from benchdragon.number_format import at_most
 from benchdragon.plans.cues import CueTable
 from benchdragon.plans.people import UNITS, PeopleTable, called
 from benchdragon.plans.schema import Plan
@@ -376,19 +375,19 @@ def _answers(report: Report) -> list[messages.Occasion]:
         name = both(lambda: _("margin not kept") if apart else _("first contact"))
         found.append(_occasion("contact", contact.value, name, contact.witness.benches))
     elif near is not None and near.time is not None:
-        clearance = report.clearance
-        gap, says = f"{100.0 * clearance.value:.3g}", N_("tightest moment: {gap} cm")
-        if clearance.vanishing:
-            gap, says = at_most(clearance.upper), N_("tightest moment: less than {gap} m")
-        name = both(lambda: _(says).format(gap=gap))
+        says = N_("tightest moment: {gap} m")
+        if report.clearance.vanishing:
+            says = N_("tightest moment: less than {gap} m")
+        elif in_one_coil(near.benches):
+            says = N_("nearest with one bench between: {gap} m")
+        name = both(lambda: _(says).format(gap=clearance_text(report)))
         found.append(_occasion("tightest", near.time, name, near.benches))
     if (
         speed.witness is not None
         and speed.witness.time is not None
         and math.isfinite(speed.witness.time)
     ):
-        fast = f"{speed.value:.4g}"
-        name = both(lambda: _("fastest moment: {speed} m/s").format(speed=fast))
+        name = both(lambda: _("fastest moment: {speed} m/s").format(speed=speed_text(report)))
         found.append(_occasion("fastest", speed.witness.time, name, speed.witness.benches))
     return [*found, *_on_the_square(report)]
 
@@ -404,15 +403,14 @@ def _on_the_square(report: Report) -> list[messages.Occasion]:
             found += _too_near(answers, answers.contact, n)
     for _room, n in sorted(clear)[:1]:
         answers = report.obstacles[n]
-        says = N_("nearest to {name}: {gap} cm")
+        says = N_("nearest to {name}: {gap} m")
         if answers.obstacle.kind == "venue":
-            says = N_("nearest to the edge of {name}: {gap} cm")
-        gap = f"{100.0 * answers.distance.value:.4g}"
+            says = N_("nearest to the edge of {name}: {gap} m")
         if answers.distance.vanishing:
-            gap, says = at_most(answers.distance.upper), N_("nearest to {name}: less than {gap} m")
+            says = N_("nearest to {name}: less than {gap} m")
             if answers.obstacle.kind == "venue":
                 says = N_("nearest to the edge of {name}: less than {gap} m")
-        text = both(partial(_near_text, says, answers.obstacle, gap))
+        text = both(partial(_near_text, says, answers.obstacle, answers.distance_text))
         found += _at_obstacle(answers.distance, answers.obstacle, n, text)
     return found
 

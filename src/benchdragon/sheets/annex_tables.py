@@ -13,12 +13,12 @@ from benchdragon.analysis.marks import nearest_mark
 from benchdragon.analysis.posts import Reason, Why
 from benchdragon.analysis.room import RoomLevel
 from benchdragon.analysis.room import shown_name as level_name
-from benchdragon.analysis.speed import QUANTITIES, given_limits
+from benchdragon.analysis.speed import given_limits
 from benchdragon.export.document import Table
 from benchdragon.i18n import N_, _, language
 from benchdragon.model.answer import Answer
 from benchdragon.model.base_curve import Point
-from benchdragon.number_format import decimals_towards, outward
+from benchdragon.number_format import decimals_towards, known, outward
 from benchdragon.plans.people import SourcesTable
 from benchdragon.sheets.annex_facts import DISTANCE, AnnexFacts
 from benchdragon.sheets.briefing import Briefing
@@ -136,12 +136,13 @@ def people_table(briefing: Briefing) -> Table:
     return Table("people", _("numbers of people"), (_("item"), _("value")), (3.0, 1.0), rows)
 
 
-def _answer_row(name: str, found: Answer, asked: str, unit: str, *, up: bool) -> tuple[str, ...]:
+def _answer_row(name: str, found: Answer, limit: float | None, *, up: bool) -> tuple[str, ...]:
     """What is surely true of an answer, its bracket, how it was established, what was asked for."""
+    asked = "–" if limit is None else f"{limit:g} {found.unit}"
     if not math.isfinite(found.value):
         return (name, _("no pair counts"), "–", _(STATUS[found.status]), asked)
-    sure = decimals_towards(found.sure(up=up), 4, up=up)
-    return (name, f"{sure} {unit}", outward(found.lower, found.upper), _(STATUS[found.status]), asked)
+    sure = f"{found.shown(up=up, limit=limit)} {found.unit}"
+    return (name, sure, outward(found.lower, found.upper), _(STATUS[found.status]), asked)
 
 
 ANSWER_NAMES = (N_("what"), N_("value"), N_("bracket"), N_("how"), N_("asked for"))
@@ -155,14 +156,14 @@ def _answers(name: str, caption: str, rows: list[tuple[str, ...]]) -> Table:
 def clearance_table(briefing: Briefing) -> Table:
     """What benches keep from one another, from the venue's edge and from obstacles."""
     report = briefing.report
-    margin = f"{report.plan.limits.margin:g} m"
-    rows = [_answer_row(_("benches from one another"), report.clearance, margin, "m", up=False)]
+    margin = report.plan.limits.margin
+    rows = [_answer_row(_("benches from one another"), report.clearance, margin, up=False)]
     for one in report.obstacles:
         text = _("benches from {name}")
         if one.obstacle.kind == "venue":
             text = _("benches from the edge of {name}")
         name = text.format(name=shown_name(one.obstacle))
-        rows.append(_answer_row(name, one.distance, f"{one.obstacle.margin:g} m", "m", up=False))
+        rows.append(_answer_row(name, one.distance, one.obstacle.margin, up=False))
     return _answers("clearances", _("least distances over the whole dance"), rows)
 
 
@@ -191,17 +192,15 @@ def _asked(level: RoomLevel) -> str:
 def speed_table(briefing: Briefing) -> Table:
     """The greatest speed, and what else the plan limits."""
     report, limits = briefing.report, given_limits(briefing.plan)
-    asked = f"{limits['speed']:g} m/s" if "speed" in limits else "–"
-    rows = [_answer_row(_("fastest handle"), report.greatest_speed, asked, "m/s", up=True)]
+    rows = [_answer_row(_("fastest handle"), report.greatest_speed, limits.get("speed"), up=True)]
     for name, peak in report.peaks.items():
-        unit = QUANTITIES[name].unit
-        rows.append(_answer_row(peak_text(name), peak, f"{limits[name]:.4g} {unit}", unit, up=True))
+        rows.append(_answer_row(peak_text(name), peak, limits[name], up=True))
     return _answers("speeds", _("greatest values over the whole dance"), rows)
 
 
 def _reason(one: Reason, clock: Clock) -> str:
     time = "" if math.isnan(one.time) else clock.tell(one.time)
-    value = decimals_towards(one.value, 2, up=one.why in FASTEST)
+    value = known(one.value, one.value, "m", up=one.why in FASTEST)
     return _(WHY[one.why]).format(value=value, time=time)
 
 

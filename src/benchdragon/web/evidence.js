@@ -1,7 +1,9 @@
 // The evidence of a verdict: each answer with its bracket, how it was established, and where.
 
+import { bracketed, shown, sure } from "./compute/answer.js";
+import { figures, seconds } from "./compute/number_format.js";
 import { make } from "./elements.js";
-import { _, language, decimals } from "./words.js";
+import { _, language } from "./words.js";
 
 /** @typedef {import("./messages").Answer} Answer */
 /** @typedef {import("./messages").ObstacleRecord} ObstacleRecord */
@@ -18,25 +20,22 @@ function statusText(status) {
   }[status];
 }
 
-/** An answer's value, as far as its bracket says. @param {Answer} answer */
-export function valueText(answer) {
+/** A size that was found, as the command line tells it: what is surely at most, or at least, so much. @param {Answer} answer @param {boolean} up */
+export function sizeText(answer, up) {
+  if (answer.value === null) return statusText(answer.status);
+  return `${figures(sure(bracketed(answer), up), up)} ${answer.unit}`;
+}
+
+/** What a check found, as all texts tell it. @param {Answer} answer @param {boolean} up @param {number | null} limit */
+function valueText(answer, up, limit) {
   if (answer.value === null)
     return answer.status === "found" ? _("no pair counts") : statusText(answer.status);
-  const width = answer.lower === null || answer.upper === null ? 0 : answer.upper - answer.lower;
-  let digits = width > 0 ? Math.min(Math.max(Math.ceil(-Math.log10(width)), 2), 9) : 6;
-  // Rounding must not carry a value out of its own bracket.
-  while (width > 0 && digits < 9 && !within(answer, Number(answer.value.toFixed(digits)))) digits++;
-  return `${decimals(answer.value, digits)} ${answer.unit}`;
+  return `${shown(bracketed(answer), up, limit)} ${answer.unit}`;
 }
 
-/** @param {Answer} answer @param {number} value */
-function within({ lower, upper }, value) {
-  return lower !== null && upper !== null && lower <= value && value <= upper;
-}
-
-/** An answer's value and how it was established. @param {Answer} answer */
-export function answerText(answer) {
-  const value = valueText(answer);
+/** A size and how it was established. @param {Answer} answer @param {boolean} up */
+export function answerText(answer, up) {
+  const value = sizeText(answer, up);
   if (answer.value === null) return value;
   return _("{value} ({how})", { value, how: statusText(answer.status) });
 }
@@ -53,7 +52,7 @@ function handleText(handle, bench) {
 function whereText({ witness }) {
   if (!witness) return "";
   const [a, b] = witness.benches;
-  const time = witness.time === null ? "\u2013" : decimals(witness.time, 3);
+  const time = witness.time === null ? "\u2013" : seconds(witness.time);
   if (witness.handle !== null)
     return _("{handle}, t = {time} s", { handle: handleText(witness.handle, a), time });
   return b
@@ -61,8 +60,8 @@ function whereText({ witness }) {
     : _("bench {a}, t = {time} s", { a, time });
 }
 
-/** @param {string} name @param {Answer | null} answer @param {((time: number) => void) | null} jump */
-function row(name, answer, jump) {
+/** @param {string} name @param {Answer | null} answer @param {string} value @param {((time: number) => void) | null} jump */
+function row(name, answer, value, jump) {
   if (!answer)
     return make(
       "tr",
@@ -84,31 +83,31 @@ function row(name, answer, jump) {
     "tr",
     {},
     make("th", { scope: "row" }, name),
-    ...[valueText(answer), bracket, statusText(answer.status), where].map((cell) =>
-      make("td", {}, cell),
-    ),
+    ...[value, bracket, statusText(answer.status), where].map((cell) => make("td", {}, cell)),
   );
 }
 
 /** Rows of an obstacle: the least distance from it, and when a bench first comes too near. @param {ObstacleRecord} one @param {((time: number) => void) | null} go */
-function obstacleRows({ shown, kind, contact, distance }, go) {
-  const name = shown[language()];
+function obstacleRows({ shown: called, kind, margin, contact, distance }, go) {
+  const name = called[language()];
   const least =
     kind === "venue"
       ? _("least distance from the edge of {name}", { name })
       : _("least distance from {name}", { name });
-  const rows = [row(least, distance, go)];
-  if (contact) rows.unshift(row(_("margin from {name} not kept", { name }), contact, go));
+  const rows = [row(least, distance, valueText(distance, false, margin), go)];
+  const near = _("margin from {name} not kept", { name });
+  if (contact) rows.unshift(row(near, contact, valueText(contact, false, null), go));
   return rows;
 }
 
 /**
  * A dialog with the evidence.
  * @param {Verdict} verdict
+ * @param {Record<string, any>} limits those of its plan
  * @param {Answer | null} pitch
  * @param {((time: number) => void) | null} jump null where the player shows another dance
  */
-export function evidenceDialog(verdict, pitch, jump) {
+export function evidenceDialog(verdict, limits, pitch, jump) {
   const go =
     jump &&
     ((/** @type {number} */ time) => {
@@ -116,14 +115,19 @@ export function evidenceDialog(verdict, pitch, jump) {
       jump(time);
     });
   const heads = [_("answer"), _("value"), _("bracket"), _("how established"), _("where and when")];
+  const told = (/** @type {Answer | null} */ answer, up = false, limit = null) =>
+    answer ? valueText(answer, up, typeof limit === "number" ? limit : null) : "";
+  const { first_contact: contact, clearance, greatest_speed: speed } = verdict;
   const rows = [
-    row(_("first contact"), verdict.first_contact, go),
-    row(_("least clearance"), verdict.clearance, go),
-    row(_("greatest speed of a handle"), verdict.greatest_speed, go),
+    row(_("first contact"), contact, told(contact), go),
+    row(_("least clearance"), clearance, told(clearance, false, limits.margin), go),
+    row(_("greatest speed of a handle"), speed, told(speed, true, limits.speed), go),
     ...verdict.obstacles.flatMap((one) => obstacleRows(one, go)),
-    ...verdict.peaks.map(({ text, peak }) => row(text[language()], peak, go)),
+    ...verdict.peaks.map(({ name, text, peak }) =>
+      row(text[language()], peak, told(peak, true, limits[name]), go),
+    ),
     ...(pitch && pitch.plan_sha256 === verdict.plan_sha256
-      ? [row(_("smallest pitch"), pitch, go)]
+      ? [row(_("smallest pitch"), pitch, sizeText(pitch, true), go)]
       : []),
   ];
   const dialog = make(
@@ -147,8 +151,8 @@ export function evidenceDialog(verdict, pitch, jump) {
       _(
         "Found: every bracket rests on bounds that allow for rounding; nothing is sampled. Proved: shown again in ball arithmetic, without the search. Walk from {start} s to {end} s; plan {hash}, benchdragon {version}.",
         {
-          start: decimals(verdict.start ?? 0, 1),
-          end: decimals(verdict.end ?? 0, 1),
+          start: seconds(verdict.start ?? 0),
+          end: seconds(verdict.end ?? 0),
           hash: verdict.plan_sha256.slice(0, 12),
           version: verdict.version,
         },

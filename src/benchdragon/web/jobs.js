@@ -1,7 +1,8 @@
 // Long questions: started, followed, cancelled.
 
+import { bracketed, shown } from "./compute/answer.js";
 import { make, signButton } from "./elements.js";
-import { answerText, valueText } from "./evidence.js";
+import { answerText, sizeText } from "./evidence.js";
 import { samePlan } from "./standing.js";
 import { _, decimals } from "./words.js";
 
@@ -31,11 +32,11 @@ function turnText(found) {
   const lengths = {
     way: decimals(way, 3),
     before: decimals(before, 3),
-    gap: decimals(100 * (found.clearance.lower ?? 0), 1),
+    gap: shown(bracketed(found.clearance), false),
   };
   if (before - way < EQUAL)
     return _("no turn of this kind with a shorter path than {before} m was found", lengths);
-  return _("path inside the disc {way} m, {before} m before; benches at least {gap} cm apart", lengths);
+  return _("path inside the disc {way} m, {before} m before; benches at least {gap} m apart", lengths);
 }
 
 /** The plan that was found, if it is any better. @param {JobState["result"]} result */
@@ -50,7 +51,7 @@ function resultText(result) {
   if ("objective" in result) return turnText(result);
   if ("steady" in result)
     return _("steady {speed}; slowing down only where it must saves {saved} s", {
-      speed: valueText(result.steady),
+      speed: sizeText(result.steady, false),
       saved: decimals(result.saved ?? 0, 1),
     });
   if ("draws" in result)
@@ -66,7 +67,7 @@ function resultText(result) {
         }),
       ),
     ].join("; ");
-  return answerText(result);
+  return answerText(result, false);
 }
 
 /** A long question on the page.

@@ -54,5 +54,5 @@ function tightestText(pair, { count, reach, touch }) {
   if (!pair) return _("no other coil within {reach}", { reach: shortLength(reach) });
   const benches = { a: pair.i + 1, b: pair.j + 1 };
   if (pair.distance <= touch) return _("benches {a} and {b} touch", benches);
-  return _("tightest {gap}: benches {a} and {b}", { gap: shortLength(pair.distance), ...benches });
+  return _("now nearest {gap}: benches {a} and {b}", { gap: shortLength(pair.distance), ...benches });
 }

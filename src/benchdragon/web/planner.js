@@ -412,16 +412,17 @@ export class Planner {
   /** @param {Answer | null} found @param {Plan} plan @param {string} [error] */
   #limited(found, plan, error = "") {
     this.pitch = found;
-    const text = found ? _("smallest pitch: {answer}", { answer: answerText(found) }) : error;
+    const text = found ? _("smallest pitch: {answer}", { answer: answerText(found, true) }) : error;
     this.lines.limit.tell(plan, text, "", error);
     this.#mark();
   }
 
   #evidence() {
     if (!this.verdict || !samePlan(this.verdict.plan, this.subject)) return;
+    const { found, plan } = this.verdict;
     const jump = (/** @type {number} */ time) => this.player?.jump(time);
     const seen = this.#pictures(this.subject);
-    const dialog = evidenceDialog(this.verdict.found, this.pitch, seen ? jump : null);
+    const dialog = evidenceDialog(found, plan.limits ?? {}, this.pitch, seen ? jump : null);
     this.dialog = dialog;
     this.root.append(dialog);
     dialog.showModal();

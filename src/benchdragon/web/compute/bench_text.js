@@ -4,7 +4,7 @@ import { _, language } from "../words.js";
 import { ANALYSIS_BENCH_NEARNESS, EXPLAIN_BENCH_TEXT } from "./constants.js";
 import { degrees } from "./curves.js";
 import { seenFrom, wayNames } from "./ground.js";
-import { decimals, general } from "./number_format.js";
+import { decimals, general, known } from "./number_format.js";
 import { rint, rounded } from "./numbers.js";
 
 /** @typedef {import("./bench_walks.js").BenchWalk} BenchWalk */
@@ -271,10 +271,10 @@ export function tightestLine(near, clock, called, its = false) {
     return its
       ? _("No bench of another coil comes within about {reach} m of it.", { reach })
       : _("No bench of another coil comes within about {reach} m of you.", { reach });
-  return _("Tightest at {time}: {bench}, in another coil, comes as near as {gap} cm, {side}.", {
+  return _("Tightest at {time}: {bench}, in another coil, comes as near as {gap} m, {side}.", {
     time: clock.tell(near.time),
     bench: called(near.bench),
-    gap: Math.floor(settled(100 * near.upper)),
+    gap: known(near.upper, near.upper, "m", false),
     side: (its ? ITS_SIDES : SIDES)[near.side](),
   });
 }

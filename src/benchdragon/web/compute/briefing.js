@@ -71,7 +71,7 @@ export function briefing({ engine, plan, progress }) {
     const walk = plan.build(arena);
     const span = plan.span(walk);
     const own = /** @type {any} */ (plan);
-    const report = await check(own, walk, span, { quick: true, progress: part(progress, 0, 0.3) });
+    const report = await check(own, walk, span, { progress: part(progress, 0, 0.3) });
     if (report.findings.length)
       throw new InputError(
         _("Sheets are made of a plan that is safe alone. {verdict}", { verdict: sentence(report) }),

@@ -744,6 +744,17 @@ export const MODEL_WALK = {
   FAILURE_TOLERANCE: 1e-9,
 };
 
+export const NUMBER_FORMAT = {
+  DIGITS: 340,
+  FIGURES: 5,
+  TIME_DECIMALS: 2,
+  DECIMALS: 3,
+  SMALL_DECIMALS: 6,
+  MOST_DECIMALS: 15,
+  DUST: 1e-6,
+  BESIDE: 1e-9,
+};
+
 export const PLANS_CUES = {
   MOST_CUES: 200,
   LEAST_TEMPO: 20,

@@ -2,8 +2,8 @@
 // analysis/findings.py.
 
 import { _ } from "../words.js";
-import { keeps, mostOf } from "./answer.js";
-import { decimals, general } from "./number_format.js";
+import { keeps, mostOf, shown } from "./answer.js";
+import { general, known, seconds } from "./number_format.js";
 import { rounded } from "./numbers.js";
 import { handlePlace } from "./numbering.js";
 import { QUANTITIES, givenLimits } from "./quantities.js";
@@ -102,7 +102,7 @@ function contactFindings(contact, margin) {
   const decided = status !== "undecided";
   const kind = near.gap > 0 || (margin && !decided) ? "margin" : "contact";
   const [a, b] = near.benches;
-  const words = { a, b, t: decimals(time), margin: general(margin) };
+  const words = { a, b, t: seconds(time), margin: general(margin) };
   const text = () => {
     if (!decided)
       return _(
@@ -139,7 +139,7 @@ function obstacleFinding(obstacle, contact, margin) {
   const kind = near.gap > 0 || (margin && !decided) ? /** @type {const} */ (`${thing}_margin`) : thing;
   const first = decided && lower === upper && upper === time && near.gap <= 0;
   const [bench] = near.benches;
-  const words = { bench, t: decimals(time), margin: general(margin) };
+  const words = { bench, t: seconds(time), margin: general(margin) };
   const text = () => obstacleText(kind, decided, first, { ...words, name: named(obstacle) });
   const value = Math.max(near.gap, 0);
   return [{ kind, time, benches: near.benches, value, limit: margin, text, decided, obstacle }];
@@ -187,7 +187,7 @@ function roomFinding({ name: kind, first, margin, short }) {
   const decided = contact.status !== "undecided";
   const limit = obstacle === null ? margin : obstacle.margin;
   const [a, b] = [near.benches[0], near.benches[near.benches.length - 1]];
-  const words = { a, b, t: decimals(contact.value), margin: general(limit) };
+  const words = { a, b, t: seconds(contact.value), margin: general(limit) };
   const text = () => {
     if (!decided)
       return _(
@@ -212,7 +212,7 @@ function askedFor(margin, short) {
     {
       key: `people.${short.key}`,
       wanted: general(short.wanted),
-      when: decimals(short.time),
+      when: seconds(short.time),
       apart: cut(short.apart),
       there: cut(short.there),
     },
@@ -250,7 +250,8 @@ function headFindings(walk, [start, end], limit) {
   if (value <= mostOf(limit)) return [];
   const steepest = stretches.find(({ rate }) => Math.abs(rate) === value);
   const time = steepest ? steepest.times[0] : start;
-  const words = { t: decimals(time), ...toldApart(value, limit) };
+  const said = known(value, value, "m/s^2", true, limit);
+  const words = { t: seconds(time), value: said, limit: general(limit) };
   const text = () =>
     _(
       "the head changes its speed by {value} m/s^2 from t = {t} s on, the limit being {limit} m/s^2",
@@ -282,7 +283,11 @@ function limitFindings(name, peak, limit) {
 
 /** @param {QuantityName} name @param {Answer} peak @param {number} limit @param {boolean} exceeded */
 function limitText(name, peak, limit, exceeded) {
-  const words = { ...peakWords(peak, limit), what: QUANTITIES[name].text(), unit: peak.unit };
+  const words = {
+    ...peakWords(peak, limit, exceeded),
+    what: QUANTITIES[name].text(),
+    unit: peak.unit,
+  };
   if (!exceeded)
     return _("whether the {what} keeps to {limit} {unit} is undecided: {value} {unit} was seen", words);
   if (name === "speed")
@@ -301,12 +306,16 @@ function limitText(name, peak, limit, exceeded) {
   );
 }
 
-/** Where, when and how great a peak is. @param {Answer} peak @param {number} limit */
-function peakWords({ witness, value }, limit) {
+/** Where, when and how great a peak is. @param {Answer} peak @param {number} limit @param {boolean} exceeded */
+function peakWords(peak, limit, exceeded) {
+  const { witness, value } = peak;
   const [handle, bench] = [witness?.handle ?? 0, witness?.benches[0] ?? 0];
   const where = handlePlace(handle, bench);
-  const t = decimals(witness?.time ?? NaN);
-  return { handle, bench, where, t, ...toldApart(value, limit) };
+  const t = seconds(witness?.time ?? NaN);
+  const told = exceeded
+    ? { value: shown(peak, true, limit), limit: general(limit) }
+    : toldApart(value, limit);
+  return { handle, bench, where, t, ...told };
 }
 
 /** Whether a handle is faster than people can carry a bench, or may be. @param {number | null} most @param {Answer} peak @returns {Finding[]} */
@@ -315,7 +324,7 @@ function carryingFindings(most, peak) {
   const carried = () =>
     _(
       "handle {handle} ({where}) moves at {value} m/s at t = {t} s; a bench can be carried at {limit} m/s at most",
-      peakWords(peak, most),
+      peakWords(peak, most, true),
     );
   return limitFindings("speed", peak, most).map((one) => ({
     ...one,

@@ -2,11 +2,11 @@
 // check's record, so that nobody checks a plan twice.
 
 import { _ } from "../words.js";
-import { vanishing } from "./answer.js";
+import { bracketed, shown, vanishing } from "./answer.js";
 import { named } from "./findings.js";
-import { atMost, general } from "./number_format.js";
 import { rounded } from "./numbers.js";
 import { occasion } from "./scene.js";
+import { inOneCoil } from "./verdict_text.js";
 
 /** @typedef {import("./obstacle.js").Obstacle} Obstacle */
 /** @typedef {import("./scene.js").Unpacked} Unpacked */
@@ -25,10 +25,10 @@ import { occasion } from "./scene.js";
  * @returns {Unpacked}
  */
 export function judgedDance(dance, verdict, obstacles) {
-  const { frames, occasions, nearest, margin } = dance.sent;
+  const { frames, occasions, nearest } = dance.sent;
   const last = frames.start + frames.step * (frames.count - 1);
   const found = [
-    ...answersOf(verdict, margin > 0),
+    ...answersOf(verdict, dance.sent),
     ...onTheSquare(verdict.obstacles.map((record, n) => ({ record, n, obstacle: obstacles[n] }))),
   ].filter(({ time }) => frames.start <= time && time <= last);
   const sent = {
@@ -56,25 +56,29 @@ function withTightest(nearest, clearance, [start, end]) {
   return found;
 }
 
-/** First contact, tightest moment and fastest moment of a check. @param {Verdict} verdict @param {boolean} keeps whether the plan asks for a margin */
-function answersOf({ first_contact: contact, clearance, greatest_speed: speed }, keeps) {
+/** First contact, tightest moment and fastest moment of a check. @param {Verdict} verdict @param {Unpacked["sent"]} sent what the plan asks for */
+function answersOf({ first_contact: contact, clearance, greatest_speed: speed }, sent) {
+  const { margin, speed_limit: limit } = sent;
   const [near, fast] = [clearance?.witness, speed?.witness];
   /** @type {Occasion[]} */
   const found = [];
   if (contact?.witness) {
-    const apart = numberOf(contact.witness.gap) > 0 && keeps;
+    const apart = numberOf(contact.witness.gap) > 0 && margin > 0;
     const say = () => (apart ? _("margin not kept") : _("first contact"));
     found.push(occasion("contact", numberOf(contact.value), say, contact.witness.benches));
   } else if (clearance && near && near.time !== null) {
-    const bracket = bracketOf(clearance);
-    const say = () =>
-      vanishing(bracket)
-        ? _("tightest moment: less than {gap} m", { gap: atMost(bracket.upper) })
-        : _("tightest moment: {gap} cm", { gap: general(100 * bracket.value, 3) });
+    const bracket = bracketed(clearance);
+    const gap = { gap: shown(bracket, false, margin) };
+    const say = () => {
+      if (vanishing(bracket)) return _("tightest moment: less than {gap} m", gap);
+      return inOneCoil(near.benches)
+        ? _("nearest with one bench between: {gap} m", gap)
+        : _("tightest moment: {gap} m", gap);
+    };
     found.push(occasion("tightest", near.time, say, near.benches));
   }
   if (speed && fast && fast.time !== null) {
-    const most = general(numberOf(speed.value), 4);
+    const most = shown(bracketed(speed), true, limit);
     const say = () => _("fastest moment: {speed} m/s", { speed: most });
     found.push(occasion("fastest", fast.time, say, fast.benches));
   }
@@ -88,11 +92,6 @@ function numberOf(value) {
 
 /** What was found about one of the plan's obstacles, and its number. @typedef {{ record: ObstacleRecord, obstacle: Obstacle, n: number }} Found */
 
-/** The bracket of a record's answer. @param {Answer} answer */
-function bracketOf({ value, lower, upper }) {
-  return { value: numberOf(value), lower: numberOf(lower), upper: numberOf(upper) };
-}
-
 /** When benches come too near to obstacles, and touch; the moment nearest to one that is clear. @param {Found[]} all */
 function onTheSquare(all) {
   const found = all.flatMap((one) => (one.record.contact ? tooNear(one, one.record.contact) : []));
@@ -102,18 +101,17 @@ function onTheSquare(all) {
     .sort((a, b) => a.room - b.room || a.n - b.n);
   for (const one of clear.slice(0, 1)) {
     const { record, obstacle } = one;
-    const bracket = bracketOf(record.distance);
+    const bracket = bracketed(record.distance);
+    const gap = shown(bracket, false, obstacle.margin);
     const say = () => {
-      const values = { name: named(obstacle), gap: general(100 * bracket.value, 4) };
-      if (vanishing(bracket)) {
-        values.gap = atMost(bracket.upper);
+      const values = { name: named(obstacle), gap };
+      if (vanishing(bracket))
         return obstacle.kind === "venue"
           ? _("nearest to the edge of {name}: less than {gap} m", values)
           : _("nearest to {name}: less than {gap} m", values);
-      }
       return obstacle.kind === "venue"
-        ? _("nearest to the edge of {name}: {gap} cm", values)
-        : _("nearest to {name}: {gap} cm", values);
+        ? _("nearest to the edge of {name}: {gap} m", values)
+        : _("nearest to {name}: {gap} m", values);
     };
     found.push(...atObstacle(record.distance, one, say));
   }

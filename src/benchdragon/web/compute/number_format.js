@@ -1,7 +1,10 @@
 // Numbers as sentences hold them: the twin of number_format.py and of Python's formats, half of the last
 // digit rounded to even as there.
 
+import { NUMBER_FORMAT } from "./constants.js";
 import { wholeOf } from "./exact.js";
+
+const { FIGURES, TIME_DECIMALS, DECIMALS, SMALL_DECIMALS, MOST_DECIMALS, DUST, BESIDE } = NUMBER_FORMAT;
 
 /** @param {number} value @returns {string | null} what is said of a number that is not finite */
 function unlimited(value) {
@@ -63,6 +66,55 @@ export function general(value, count = 6) {
   if (power < 0) return `${sign}0.${"0".repeat(-power - 1)}${shown}`;
   const whole = shown.slice(0, power + 1).padEnd(power + 1, "0");
   return shown.length > power + 1 ? `${sign}${whole}.${shown.slice(power + 1)}` : sign + whole;
+}
+
+/**
+ * What is surely true of a number in a bracket, in the digits that are known: see `known` there.
+ * @param {number} low @param {number} high @param {string} unit
+ * @param {boolean} up @param {number | null} [limit]
+ */
+export function known(low, high, unit, up, limit = null) {
+  const value = up ? high : low;
+  if (!Number.isFinite(value)) return "-";
+  if (low === 0 && high === 0) return "0";
+  let count = unit === "s" ? TIME_DECIMALS : DECIMALS;
+  while (count && high - low > 10 ** -count) count--;
+  let least = 10 ** (1 - count);
+  while (
+    unit !== "s" && 0 < value && value < least && high - low <= 0.1 * least && count < SMALL_DECIMALS
+  ) [count, least] = [count + 1, 0.1 * least]; // prettier-ignore
+  let text = cut(value, count, up);
+  if (limit === null || Math.abs(value - limit) <= BESIDE) return text;
+  while (count < MOST_DECIMALS && (Number(text) - limit) * (value - limit) < 0)
+    text = cut(value, ++count, up);
+  return text;
+}
+
+/** So many decimals, rounded up or down, but for DUST. @param {number} value @param {number} count @param {boolean} up */
+function cut(value, count, up) {
+  const scale = 10 ** count;
+  const whole = up ? Math.ceil(value * scale - DUST) : Math.floor(value * scale + DUST);
+  return decimals(whole / scale, count);
+}
+
+/** A time in the walk, s, as all texts tell it. @param {number} time */
+export function seconds(time) {
+  return known(time, time, "s", false);
+}
+
+/** Five significant figures, rounded up or down: to the side on which what is said stays true. @param {number} value @param {boolean} up */
+export function figures(value, up) {
+  const [shortest, exponent] = Math.abs(value).toExponential().split("e");
+  const digits = shortest.replace(".", "");
+  const sign = value < 0 ? "-" : "";
+  const own = pythonFloat(value);
+  const few = own.split("e")[0].replace(/^-?[0.]*|\./g, "").length <= FIGURES;
+  if (few) return own.includes("e") ? spelled(sign + shortest, Number(exponent)) : own;
+  const more = digits.length > FIGURES && up === value > 0 ? 1 : 0;
+  const kept = Number(digits.padEnd(FIGURES, "0").slice(0, FIGURES)) + more;
+  const power = Number(exponent) + (kept < 10 ** FIGURES ? 0 : 1);
+  const whole = String(kept).slice(0, FIGURES);
+  return spelled(`${sign}${whole[0]}.${whole.slice(1)}`, power);
 }
 
 /** A number for JSON, which knows no infinity. @param {number} value */

@@ -52,7 +52,7 @@ function judged({ engine, version, plan, progress }) {
   return withArenaAsync(engine, async (arena) => {
     const walk = plan.build(arena);
     const own = /** @type {any} */ (plan);
-    return verdictOf(await check(own, walk, plan.span(walk), { quick: true, progress }), version);
+    return verdictOf(await check(own, walk, plan.span(walk), { progress }), version);
   });
 }
 

@@ -1,10 +1,11 @@
 // A verdict in one sentence. Twin of what analysis/check.py says of a report.
 
 import { _ } from "../words.js";
-import { sure, vanishing } from "./answer.js";
+import { shown, sure, vanishing } from "./answer.js";
 import { isDecided } from "./check.js";
+import { ANALYSIS_CHECK } from "./constants.js";
 import { named } from "./findings.js";
-import { atMost, decimals, general } from "./number_format.js";
+import { general, seconds } from "./number_format.js";
 import { QUANTITIES, givenLimits } from "./quantities.js";
 import { levelName } from "./room.js";
 import { unfinishedText } from "./unfinished.js";
@@ -53,15 +54,15 @@ function briefText(kind, words) {
     case "contact":
       return _("benches {a} and {b} touch at {t} s", words);
     case "margin":
-      return _("benches {a} and {b} come nearer than the {margin} cm asked for at {t} s", words);
+      return _("benches {a} and {b} come nearer than the {margin} m asked for at {t} s", words);
     case "obstacle":
       return _("bench {a} touches {name} at {t} s", words);
     case "obstacle_margin":
-      return _("bench {a} comes nearer than {margin} cm to {name} at {t} s", words);
+      return _("bench {a} comes nearer than {margin} m to {name} at {t} s", words);
     case "venue":
       return _("bench {a} leaves {name} at {t} s", words);
     case "venue_margin":
-      return _("bench {a} comes nearer than {margin} cm to the edge of {name} at {t} s", words);
+      return _("bench {a} comes nearer than {margin} m to the edge of {name} at {t} s", words);
     case "sway":
       return _("benches {a} and {b} have no room to sway at {t} s", words);
     case "imprecision":
@@ -80,8 +81,8 @@ function briefly({ kind, decided, time, obstacle, benches, limit, text }) {
   const words = {
     a: benches[0],
     b: benches[benches.length - 1],
-    t: decimals(time, 1),
-    margin: general(100 * limit),
+    t: seconds(time),
+    margin: general(limit),
     name: obstacle ? named(obstacle) : "",
   };
   return briefText(kind, words) ?? text();
@@ -91,8 +92,7 @@ function briefly({ kind, decided, time, obstacle, benches, limit, text }) {
 function keptText(report) {
   const { limits } = report.plan.tables;
   const said = [tightestText(report)];
-  if (limits.margin)
-    said.push(_("{margin} cm were asked for", { margin: general(100 * limits.margin) }));
+  if (limits.margin) said.push(_("{margin} m were asked for", { margin: general(limits.margin) }));
   said.push(...keptFrom(report));
   if (report.room.length) {
     const levels = report.room.slice(1).map(({ name }) => levelName(name)).join(_(", ")); // prettier-ignore
@@ -101,19 +101,20 @@ function keptText(report) {
   if (limits.speed !== null)
     said.push(
       _("fastest handle {speed} m/s of {limit} m/s allowed", {
-        speed: general(report.speed.value),
+        speed: shown(report.speed, true, limits.speed),
         limit: general(limits.speed),
       }),
     );
   const given = givenLimits(limits);
-  for (const [name, { upper, unit }] of Object.entries(report.peaks)) {
+  for (const [name, peak] of Object.entries(report.peaks)) {
     const quantity = /** @type {QuantityName} */ (name);
+    const limit = Number(given[quantity]);
     said.push(
       _("{what} at most {most} {unit} of {limit} {unit} allowed", {
         what: QUANTITIES[quantity].text(),
-        most: general(upper, 3),
-        limit: general(Number(given[quantity]), 3),
-        unit,
+        most: shown(peak, true, limit),
+        limit: general(limit),
+        unit: peak.unit,
       }),
     );
   }
@@ -121,19 +122,24 @@ function keptText(report) {
   return said.join(_("; "));
 }
 
-/** @param {Report} report */
-function tightestText({ clearance }) {
-  const { witness, value } = clearance;
+/** The tightest moment of a safe walk; benches of one coil come as near as the bends want. @param {Report} report */
+function tightestText({ clearance, plan }) {
+  const { witness } = clearance;
   if (witness === null || witness.time === null || witness.benches.length !== 2)
     return _("no two benches come near one another");
   const [a, b] = witness.benches;
-  const words = { a, b, t: decimals(witness.time, 1) };
-  if (vanishing(clearance)) {
-    const gap = atMost(clearance.upper);
-    return _("tightest less than {gap} m, bench {a} with bench {b}, at {t} s", { gap, ...words });
-  }
-  const gap = general(100 * value, 3);
-  return _("tightest {gap} cm, bench {a} with bench {b}, at {t} s", { gap, ...words });
+  const gap = shown(clearance, false, plan.tables.limits.margin);
+  const words = { gap, a, b, t: seconds(witness.time) };
+  if (vanishing(clearance))
+    return _("tightest less than {gap} m, bench {a} with bench {b}, at {t} s", words);
+  return inOneCoil(witness.benches)
+    ? _("none come nearer than two with one between them, which keep {gap} m in the bends", words)
+    : _("tightest {gap} m, bench {a} with bench {b}, at {t} s", words);
+}
+
+/** Whether two benches have one between them: no plan but that of the benches keeps them apart. @param {number[]} benches */
+export function inOneCoil([a, b]) {
+  return Math.abs(a - b) === ANALYSIS_CHECK.AFTER_NEXT;
 }
 
 /** The least distance from the venue's edge, and from the obstacle that leaves the least room. @param {Report} report */
@@ -147,20 +153,19 @@ function keptFrom({ obstacles }) {
     const { margin } = one.obstacle;
     const kept = fromText(one, stands.length);
     if (!margin) return kept;
-    return _("{kept} ({margin} cm asked for)", { kept, margin: general(100 * margin) });
+    return _("{kept} ({margin} m asked for)", { kept, margin: general(margin) });
   });
 }
 
 /** @param {ObstacleAnswers} answers @param {number} count of obstacles */
 function fromText({ obstacle, distance }, count) {
-  const gap = general(Math.floor(1000 * sure(distance, false)) / 10, 10);
+  const gap = shown(distance, false, obstacle.margin);
   const words = { gap, name: named(obstacle), count };
-  if (vanishing(distance)) {
-    words.gap = atMost(distance.upper);
-    if (obstacle.kind === "venue") return _("less than {gap} m from the edge of {name}", words);
-    return _("less than {gap} m from {name}", words);
-  }
-  if (obstacle.kind === "venue") return _("at least {gap} cm from the edge of {name}", words);
-  if (count > 1) return _("at least {gap} cm from {name}, the tightest of {count} obstacles", words);
-  return _("at least {gap} cm from {name}", words);
+  if (vanishing(distance))
+    return obstacle.kind === "venue"
+      ? _("less than {gap} m from the edge of {name}", words)
+      : _("less than {gap} m from {name}", words);
+  if (obstacle.kind === "venue") return _("at least {gap} m from the edge of {name}", words);
+  if (count > 1) return _("at least {gap} m from {name}, the narrowest of {count} obstacles", words);
+  return _("at least {gap} m from {name}", words);
 }
