@@ -107,7 +107,7 @@ radius = -1
 [disc]
 radius = 3
 """
-    units = "m, cm, mm, km, 米, 厘米, 公分"
+    units = "m, cm, mm, km, 米, 公尺, 厘米, 公分, 毫米"
     assert refused(tmp_path / "x.toml", text) == [
         f"x.toml:5: dragon.width: wanted a number, or text with a unit of {units}, not 'x'",
         "x.toml:4: dragon.benchs is not a known key; did you mean dragon.benches?",
