@@ -43,6 +43,7 @@ def corners(path: Path, survey: Survey = METRES, layer: str | None = None) -> li
         ('<path transform="matrix(0 1 -1 0 5 7)" d="M1 0 2 3"/>', [[5, 8], [2, 9]]),
         ('<path transform="rotate(90 1 1)" d="M1 0 2 3"/>', [[2, 1], [-1, 2]]),
         ('<a><path d="M1 0 2 3"/></a>', [[1, 0], [2, 3]]),
+        ('<path d="M5 5z"/><path d="M1 0 2 3"/>', [[1, 0], [2, 3]]),
         ('<svg x="10" y="20" width="50" height="20" viewBox="0 0 9 9"><path d="M0 0 9 9"/></svg>',
          [[25, 20], [45, 40]]),
         ('<svg x="10%" y="20" width="50" height="20" viewBox="0 0 100 100" preserveAspectRatio="none">'
@@ -118,6 +119,9 @@ def _arc(
         ('<polyline points="0,0 9,9 5"/>', "<polyline>  cannot be read: '0,0 9,9 5'"),
         ('<path d="M0 0 9 9" transform="translate(1 2) turn(3)"/>', "cannot be read: 'translate(1"),
         ('<path d="M0 0 9 9" transform="rotate(1 2)"/>', "cannot be read: 'rotate(1 2)'"),
+        ('<path d="M0 0 9 9" transform="rotate(9)" transform-origin="1"/>', "be read: 'rotate(9)'"),
+        # What is drawn on after a z is another line, which begins where the first did.
+        ('<path d="M0 0 9 0 9 9zL-5 5"/>', "holds 2 lines that do not meet"),
         ('<line x1="10%" x2="20"/>', "<line>  cannot be read: '10%'"),
         ("<use/><text>x</text>", "holds no line; passed over: 1 <use>, 1 <text>"),
         ('<path d="M0 0 9 9" style="display : none"/>', "holds no line; passed over: 1 hidden line"),
@@ -187,6 +191,41 @@ def test_dxf_from_below_closed_and_with_bulges_is_as_drawn(tmp_path: Path) -> No
         assert told[-1] == "a.dxf: lines drawn twice, passed over once: 1"
     assert "1 LINE that is not level (read as seen from above)" in told[0]
     assert corners(tmp_path / "a.dxf", Survey(), "steep")[1] == [0.3, 0.4]
+
+
+def test_a_whole_circle_may_be_said_as_an_arc_and_a_whole_ellipse_rounded(tmp_path: Path) -> None:
+    ezdxf = pytest.importorskip("ezdxf")
+    document = ezdxf.new("R2010", units=6)
+    space = document.modelspace()
+    space.add_arc((3, 4), 5, 0, 360, dxfattribs={"layer": "arc"})
+    space.add_arc((3, 4), 5, 350, 10, dxfattribs={"layer": "part"})
+    for end in (6.28319, 6.283185, 2.0 * math.pi):
+        space.add_ellipse((0, 0), (9, 0), 0.5, 0.0, end, dxfattribs={"layer": f"{end}"})
+    space.add_ellipse((0, 0), (9, 0), 0.5, 5.0, 1.0, dxfattribs={"layer": "across"})
+    document.saveas(tmp_path / "a.dxf")
+    for layer in ("6.28319", "6.283185", str(2.0 * math.pi)):
+        ring, _survey = outline(tmp_path / "a.dxf", Survey(), layer)
+        assert np.ptp(ring, axis=0).tolist() == pytest.approx([18.0, 9.0], abs=0.01)
+    circle, half = read_line(tmp_path / "a.dxf", Survey(), "arc")[0].pieces()
+    assert math.isclose(circle.length + half.length, 10.0 * math.pi)
+    (arc,) = read_line(tmp_path / "a.dxf", Survey(), "part")[0].pieces()
+    assert math.isclose(arc.length, 5.0 * math.pi / 9.0)
+    across = np.array(corners(tmp_path / "a.dxf", Survey(), "across"))
+    assert across[:, 0].max() == pytest.approx(9.0, abs=0.01)
+    assert not read_line(tmp_path / "a.dxf", Survey(), "across")[0].closed
+
+
+def test_a_unit_that_the_plan_says_otherwise_is_told(tmp_path: Path) -> None:
+    ezdxf = pytest.importorskip("ezdxf")
+    document = ezdxf.new("R2010", units=4)
+    document.modelspace().add_line((0, 0), (3, 4))
+    document.saveas(tmp_path / "a.dxf")
+    told: list[str] = []
+    read_line(tmp_path / "a.dxf", METRES, None, told.append)
+    assert told == ["a.dxf says that its unit is mm, and survey.unit says m, which was taken"]
+    told.clear()
+    read_line(written(tmp_path, "a.csv", "x,y\n0,0\n9,9\n"), Survey(unit="cm"), None, told.append)
+    assert told == []
 
 
 def test_an_arc_of_dxf_that_ends_where_it_starts_is_asked_about(tmp_path: Path) -> None:
@@ -259,6 +298,10 @@ NORTHWARDS = PARTS.format("<Line><Start>30 120</Start><End>30 120.001</End></Lin
         ("a.csv", "lon,lat\n2.35,48.85\n2.36,48.85\n", Survey("BD-09"), "where BD-09 is meant for"),
         ("a.csv", "x,y\n500000,3350000\n500020,3350000\n", Survey("EPSG:4528"), "where EPSG:4528 is"),
         ("a.csv", "x,y\n3350000,500000\n3350020,500000\n", Survey("epsg 4549"), "with both exchanged"),
+        ("a.csv", "x,y\n3380000,40456000\n3380000,40456020\n", Survey(), "do x = 3380000 and y = 404"),
+        ("a.csv", "x,y\n3380000,456000\n3380000,456020\n", Survey(unit="m"), "or set survey.crs"),
+        ("a.csv", "x,y\n500000,3350000\n500020,3350000\n", Survey("EPSG:4549", None, (335e4, 5e5)),
+         "points must lie within 200000 m of survey.origin"),
         ("a.csv", "X坐标,Y坐标\n1,2\n3,4\n", Survey(), "which of X坐标, Y坐标 points north?"),
         ("a.csv", "x;y\n1;2\n3;1,234.5\n", Survey(), "line 3: wanted two numbers"),
         ("a.csv", "x\ty\n1\t2\n3\t1,234\n", Survey(), "line 3: wanted two numbers"),
@@ -268,8 +311,10 @@ NORTHWARDS = PARTS.format("<Line><Start>30 120</Start><End>30 120.001</End></Lin
         ("a.geojson", GRID % "EPSG:4549", Survey("EPSG:4550"), "says that its coordinates are"),
         ("a.dxf", ROUND, GPS, "arcs are read in metres"),
         ("a.xml", NORTHWARDS, GPS, "alignments are read in metres"),
+        ("a.svg", '<!DOCTYPE svg [<!ENTITY m "1">]><svg><path d="M0 0 &m; 9"/></svg>'.encode("utf-16"),
+         METRES, "a.svg uses entities, which are not read"),
         ("a.svg", '<!DOCTYPE svg PUBLIC "x" "y"><svg><path d="M0 0&more; 9 9"/></svg>', METRES,
-         "a.svg declares entities, which are not read"),
+         "a.svg uses entities, which are not read"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_taken_as_drawn_is_refused(

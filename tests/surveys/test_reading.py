@@ -237,7 +237,7 @@ BAD: dict[str, tuple[str, str | bytes, str]] = {
     "huge number": ("a.json", GEOJSON % f"[[1{'0' * 400}, 2], [3, 4]]", "is not GeoJSON"),
     "nested": ("a.json", NESTED * 30 + "]}" * 30, "is not GeoJSON"),
     "no xml": ("a.kml", "<kml><", "a.kml is not XML: line 1, column 6"),
-    "entities": ("a.kml", BOMB, "a.kml declares entities, which are not read: save it without them"),
+    "entities": ("a.kml", BOMB, "a.kml uses entities, which are not read: save it without them"),
     "deep xml": ("a.kml", "<kml>" * 300, "a.kml is nested too deeply"),
     "other xml": ("a.kml", "<gpx/>", "a.kml is not KML"),
     "no coordinates": ("a.kml", KML.format("1,x 2,3"), "wanted numbers, not '1 x'"),

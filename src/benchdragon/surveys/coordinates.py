@@ -56,6 +56,8 @@ MOST_ITERATIONS = 50
 NEAR = 1e4
 # Longitudes and latitudes of one survey may lie so far from its origin, degrees.
 MOST_DEGREES = 1.0
+# And those of a map so far, m.
+MOST_AWAY = 2e5
 # Maps are used so far beyond the edge of where their system is meant for, degrees.
 AREA_SLACK = 1.5
 
@@ -198,7 +200,8 @@ def taken_near(
         )
     if system.code:
         _check_map(points, survey, system, name)
-    return _subtracted(points, survey, UNITS[unit] if factor is None and unit else factor, name)
+    worth = UNITS[unit] if factor is None and unit else factor
+    return _subtracted(points, survey, worth, name, MOST_AWAY if system.code else MOST_METRES)
 
 
 def _check_map(
@@ -256,7 +259,11 @@ def _in_area(degrees: FloatArray, system: System) -> bool:
 
 
 def _subtracted(
-    points: Sequence[tuple[float, float]], survey: Survey, factor: Decimal | None, name: str
+    points: Sequence[tuple[float, float]],
+    survey: Survey,
+    factor: Decimal | None,
+    name: str,
+    most: float,
 ) -> tuple[FloatArray, Survey]:
     """Plane points less the origin: subtracted as decimals, so that no digit is lost."""
     assert factor is not None
@@ -270,7 +277,12 @@ def _subtracted(
     found = np.array(
         [(float(_decimal(x) * factor - x0), float(_decimal(y) * factor - y0)) for x, y in points]
     )
-    _check_size(found, name)
+    if np.abs(found).max(initial=0.0) > most:
+        raise InputError(
+            _("{file}: points must lie within {most} m of survey.origin").format(
+                file=name, most=f"{most:g}".replace("+0", "")
+            )
+        )
     return found, replace(survey, origin=(float(origin[0]), float(origin[1])))
 
 
@@ -282,11 +294,6 @@ def _decimal(value: float) -> Decimal:
 def _check_finite(points: Sequence[tuple[float, float]], name: str) -> None:
     if not np.isfinite(np.asarray(points, np.float64)).all():
         raise InputError(_("{file}: every coordinate must be a finite number").format(file=name))
-
-
-def _check_size(points: FloatArray, name: str) -> None:
-    if np.abs(points).max(initial=0.0) > MOST_METRES:
-        raise InputError(_("{file}: points must lie within 1e8 m of survey.origin").format(file=name))
 
 
 def _projected(

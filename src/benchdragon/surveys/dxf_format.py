@@ -30,6 +30,8 @@ LINE_END = re.compile(r"(?<![ \t])[ \t]*+(?:\r\n|\r|\n)")
 FRAME = 16
 # Arcs lack less than this of a whole circle, degrees, by rounding alone.
 LEAST_OPEN = 1e-6
+# The same of ellipses, rad: programs write 6.28319.
+LEAST_RADIANS = 1e-5
 
 
 def dxf_file(data: bytes, name: str, fineness: Fineness) -> RawFile:
@@ -64,7 +66,7 @@ def dxf_file(data: bytes, name: str, fineness: Fineness) -> RawFile:
                 _("{what} that is not level (read as seen from above)").format(what=entity.dxftype())
             )
         lines.append(replace(line, hidden=_hidden(entity, document)))
-    return RawFile(lines, False, unit, passed_over(passed))
+    return RawFile(lines, False, unit, passed_over(passed), says_unit=True)
 
 
 def _document(data: bytes, name: str) -> tuple[Any, bool]:
@@ -136,9 +138,10 @@ def _entity(entity: Any, tally: Tally) -> RawLine | None:
     x, y, r = entity.dxf.center.x, entity.dxf.center.y, entity.dxf.radius
     if not r >= 0.0:
         raise ValueError
-    if kind == "CIRCLE":
+    start, end = (entity.dxf.start_angle, entity.dxf.end_angle) if kind == "ARC" else (0.0, 360.0)
+    if end - start >= 360.0 - LEAST_OPEN:
         return RawLine(layer, [(hand * (x + r), y, hand), (hand * (x - r), y, hand)], True)
-    start, open_by = entity.dxf.start_angle, (entity.dxf.start_angle - entity.dxf.end_angle) % 360.0
+    open_by = (start - end) % 360.0
     if not LEAST_OPEN < open_by:
         raise InputError(
             _(
@@ -188,10 +191,11 @@ def _hand(entity: Any, name: str) -> float:
 def _ellipse(entity: Any, layer: str, tally: Tally) -> RawLine:
     tool = entity.construction_tool()
     centre, one, other = (np.array([v.x, v.y]) for v in (tool.center, tool.major_axis, tool.minor_axis))
-    sweep = (tool.end_param - tool.start_param) % (2.0 * math.pi) or 2.0 * math.pi
+    sweep = tool.end_param - tool.start_param
+    whole = sweep >= 2.0 * math.pi - LEAST_RADIANS
+    sweep = 2.0 * math.pi if whole else sweep % (2.0 * math.pi)
     points, off = ellipse_points(centre, one, other, tool.start_param, sweep, tally.within)
     tally.counted(points)
-    whole = sweep > 2.0 * math.pi - 1e-9
     return RawLine(layer, pairs(points[:-1] if whole else points), whole, off=off)
 
 

@@ -58,6 +58,8 @@ class RawFile:
         angular: whether its coordinates are longitudes and latitudes.
         unit: of plane coordinates, a key of coordinates.UNITS; None where the file does not say it.
         passed: what of the file was passed over, or read otherwise than it stands there.
+        says_unit: whether that unit stands in the file, and is not only what such files are in.
+        unclear: whether its columns are called x and y, of which either may point north.
         crs: the code of the system that the file says its coordinates are of, like "EPSG:4549".
     """
 
@@ -65,6 +67,8 @@ class RawFile:
     angular: bool = False
     unit: str | None = None
     passed: list[str] = field(default_factory=list)
+    says_unit: bool = False
+    unclear: bool = False
     crs: str | None = None
 
 

@@ -53,6 +53,8 @@ LEAST_RADIUS = 1e-6
 LEAST_CHORD = 1e-3
 # A surveyed part keeps so near, m and as a share, to the length and the end that the file says of it.
 MISFIT, MISFIT_SHARE = 0.05, 0.01
+# Northings of China, and its eastings, with the number of a zone before them and without, m.
+NORTHINGS, EASTINGS = (1.5e6, 6.5e6), ((1.3e7, 4.6e7), (1e5, 9e5))
 # Lines of a file that are named in an error.
 MOST_NAMES = 10
 
@@ -120,7 +122,19 @@ def _check_told(raw: RawFile, survey: Survey, name: str, tell: Tell) -> None:
                 '{file} says that its coordinates are those of {said}: set survey.crs to "{said}"'
             ).format(file=name, said=raw.crs)
         )
-    if raw.unit and survey.unit and raw.unit != survey.unit:
+    points = np.array([point for line in raw.lines for point in _places(line)])
+    low, high = points.min(axis=0), points.max(axis=0)
+    if raw.unclear and survey.crs is None and survey.unit in (None, "m") and any(
+        NORTHINGS[0] <= low[0] <= high[0] <= NORTHINGS[1] and west <= low[1] <= high[1] <= east
+        for west, east in EASTINGS
+    ):  # fmt: skip
+        raise InputError(
+            _(
+                "{file}: do x = {x} and y = {y} say north and east, as surveyors in China write them? "
+                "Name the columns east and north, or set survey.crs"
+            ).format(file=name, x=f"{points[0, 0]:.12g}", y=f"{points[0, 1]:.12g}")
+        )
+    if raw.says_unit and raw.unit and survey.unit and raw.unit != survey.unit:
         text = _("{file} says that its unit is {said}, and survey.unit says {unit}, which was taken")
         tell(text.format(file=name, said=raw.unit, unit=survey.unit))
 
@@ -283,27 +297,8 @@ def read_line(
         InputError: as `read_lines`, and where there is no such line or more than one.
     """
     lines, known = read_lines(path, survey, tell)
+    lines = _asked_for(lines, path.name, layer, tell)
     names = sorted({line.name for line in lines})
-    if layer is not None:
-        lines = [line for line in lines if line.name == layer]
-        if not lines:
-            raise InputError(
-                _("{file} has no line called {layer}; it has {names}").format(
-                    file=path.name, layer=repr(layer)[:60], names=_listed(names)
-                )
-            )
-    elif hidden := [line for line in lines if line.hidden]:
-        lines = [line for line in lines if not line.hidden]
-        text = _("{file}: lines on layers that are off, passed over: {count}, on {names}")
-        off = _listed(sorted({line.name for line in hidden}))
-        tell(text.format(file=path.name, count=len(hidden), names=off))
-        if not lines:
-            raise InputError(
-                _(
-                    "{file}: all of its lines are on layers that are off: choose one by the key layer"
-                ).format(file=path.name)
-            )
-        names = sorted({line.name for line in lines})
     whole = [line for line in lines if line.curves or len(line.corners) > 1]
     if short := len(lines) - len(whole):
         text = _("{file}: lines without a length, passed over: {count}")
@@ -328,6 +323,33 @@ def read_line(
             file=path.name, count=len(lines), gap=f"{GAP:g}"
         )
     )
+
+
+def _asked_for(lines: list[DrawnLine], name: str, layer: str | None, tell: Tell) -> list[DrawnLine]:
+    """The lines of a layer; where none is asked for, those of layers that are not off."""
+    names = sorted({line.name for line in lines})
+    if layer is not None:
+        found = [line for line in lines if line.name == layer]
+        if not found:
+            raise InputError(
+                _("{file} has no line called {layer}; it has {names}").format(
+                    file=name, layer=repr(layer)[:60], names=_listed(names)
+                )
+            )
+        return found
+    hidden = [line for line in lines if line.hidden]
+    if not hidden:
+        return lines
+    if len(hidden) == len(lines):
+        raise InputError(
+            _(
+                "{file}: all of its lines are on layers that are off: choose one by the key layer"
+            ).format(file=name)
+        )
+    text = _("{file}: lines on layers that are off, passed over: {count}, on {names}")
+    off = _listed(sorted({line.name for line in hidden}))
+    tell(text.format(file=name, count=len(hidden), names=off))
+    return [line for line in lines if not line.hidden]
 
 
 def _joined(lines: Sequence[DrawnLine]) -> list[DrawnLine]:

@@ -117,7 +117,8 @@ def _check_element(element: Element, name: str, sized: bool) -> None:
     for step in SVG_STEP.finditer(steps):
         count = len(re.findall(SVG_NUMBER, step[2]))
         asked = asked if count in SVG_STEPS.get(step[1], (1,)) else step[0]
-    if SVG_STEP.sub("", steps).strip():
+    about = "transform-origin" in f"{list(element.attrib)}{element.get('style', '')}"
+    if SVG_STEP.sub("", steps).strip() or (about and steps):
         asked = steps
     path = element.get("d", "") if element.tag == "path" else ""
     points = element.get("points", "") if element.tag in ("polyline", "polygon") else ""
@@ -209,6 +210,8 @@ def _subpaths(
         points: list[FloatArray] = []
         off, closed = 0.0, False
         for segment in sub:
+            if not points and type(segment).__name__ != "Move":  # it goes on where a z went back to
+                points.append(_placed(matrix, segment.start))
             more, away = _segment(segment, matrix, tally.within)
             points.append(tally.counted(more))
             off, closed = max(off, away), closed or type(segment).__name__ == "Close"

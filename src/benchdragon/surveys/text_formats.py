@@ -65,7 +65,7 @@ def csv_file(data: bytes, name: str) -> RawFile:
     except csv.Error as error:
         raise InputError(_("{file} is no table: {fault}").format(file=name, fault=error)) from None
     found = [RawLine(key, points, _closed(points)) for key, points in lines.items()]
-    return RawFile(found, EAST[header[east]], "m")
+    return RawFile(found, EAST[header[east]], "m", unclear=header[east] == "x")
 
 
 def _mark(text: str) -> str:
@@ -163,7 +163,7 @@ def geojson_file(data: bytes, name: str) -> RawFile:
         said = whole.get("crs")
         crs = code_of(said["properties"]["name"]) if said else None
         code = f"EPSG:{crs}" if crs not in (None, 4326) else None
-        return RawFile(lines, True, "m", passed_over(passed), code)
+        return RawFile(lines, True, "m", passed_over(passed), crs=code)
     except (TypeError, ValueError, KeyError, IndexError, AttributeError, OverflowError):
         raise InputError(_("{file} is not GeoJSON as RFC 7946 has it").format(file=name)) from None
 

@@ -31,7 +31,7 @@ LANDXML_UNITS = {
 CHINESE = re.compile(
     rb"""\s*<\?xml[^>]*encoding\s*=\s*["'](gb2312|gbk|gb18030|big5)["']""", re.IGNORECASE
 )
-ENTITY = re.compile(rb"&(?!(?:amp|lt|gt|quot|apos|#))")
+ENTITY = re.compile(rb"&(?!(?:amp|lt|gt|quot|apos);|#)[^\s;&<]++;")
 
 
 def xml_tree(data: bytes, name: str) -> Element:
@@ -40,23 +40,20 @@ def xml_tree(data: bytes, name: str) -> Element:
     No entity is read, and nothing is fetched.
 
     Raises:
-        InputError: for what is no XML, declares or wants entities, or is nested too deeply.
+        InputError: for what is no XML, uses entities, or is nested too deeply.
     """
     builder = TreeBuilder()
     parser = expat.ParserCreate(namespace_separator="}")
     depth = 0
 
-    def refuse(*_declared: object) -> None:
-        raise InputError(
-            _(
-                "{file} declares entities, which are not read: save it without them (as plain SVG, not "
-                "to be edited on by Illustrator)"
-            ).format(file=name)
-        )
-
-    def declared(*_told: object) -> None:
-        if ENTITY.search(data):
-            refuse()
+    def declared(*_doctype: object) -> None:
+        if ENTITY.search(data.replace(b"\0", b"")):  # of UTF-16, too
+            raise InputError(
+                _(
+                    "{file} uses entities, which are not read: save it without them (as plain SVG, not "
+                    "to be edited on by Illustrator)"
+                ).format(file=name)
+            )
 
     def start(tag: str, attributes: dict[str, str]) -> None:
         nonlocal depth
@@ -72,7 +69,6 @@ def xml_tree(data: bytes, name: str) -> Element:
         builder.end(tag.rpartition("}")[2])
 
     parser.StartDoctypeDeclHandler = declared
-    parser.EntityDeclHandler = refuse
     parser.StartElementHandler = start
     parser.EndElementHandler = end
     parser.CharacterDataHandler = builder.data
@@ -211,7 +207,7 @@ def landxml_file(data: bytes, name: str) -> RawFile:
         if geometry is not None:
             curves = [_curve(element, points, name) for element in geometry if element.tag != "Feature"]
             lines.append(RawLine(alignment.get("name", ""), curves=curves))
-    return RawFile(lines, False, unit)
+    return RawFile(lines, False, unit, says_unit=True)
 
 
 def _place(element: Element, tag: str, points: dict[str, str], name: str) -> tuple[float, float] | None:
