@@ -26,6 +26,7 @@ from tests.proofs.dances import coil
 
 Written = dict[str, Any]
 BENCHES, POST = 0, 1  # claims of a certificate, in order
+ASIDE_POST = 'the circle "post" of radius 0.1 m about (16.2, 1) m'
 # Benches 1 and 3 are never so far apart, m.
 NEVER_KEPT = 1.3
 
@@ -48,7 +49,7 @@ Shown = Callable[[Written], list[str]]
 def test_a_clear_walk_is_verified(shown: Shown) -> None:
     assert shown(written()) == [
         "proved: no two non-adjacent benches nearer than 0 m from t = 10.0 s to t = 18.0 s",
-        "proved: free of contact with post from t = 10.0 s to t = 18.0 s",
+        f"proved: no bench nearer than 0.05 m to {ASIDE_POST} from t = 10.0 s to t = 18.0 s",
     ]
 
 
@@ -59,7 +60,9 @@ def test_a_contact_of_benches_is_verified(shown: Shown) -> None:
         "proved: no two non-adjacent benches nearer than 1.19 m from t = 10.0 s to t = 14.5506"
     )
     assert re.fullmatch(r".* s; nearer by t = 14\.5506\d* s: 1 3", first)
-    assert second.startswith("proved: free of contact with post from t = 10.0 s to t = 14.5506")
+    assert second.startswith(
+        f"proved: no bench nearer than 0.05 m to {ASIDE_POST} from t = 10.0 s to t = 14.5506"
+    )
     found = check(bend(margin=TOO_MUCH)).first_contact
     assert found is not None
     claim = plan["claims"][BENCHES]
@@ -72,9 +75,8 @@ def test_a_contact_with_an_obstacle_is_verified(shown: Shown) -> None:
     assert (
         benches == "proved: no two non-adjacent benches nearer than 0 m from t = 10.0 s to t = 18.0 s"
     )
-    assert re.fullmatch(
-        r"proved: free of contact with post .* to t = 15\.65985\d* s; nearer by t = .* s: 1", post
-    )
+    told = r".* the circle \"post\" of radius 0.1 m .* to t = 15\.65985\d* s; nearer by t = .* s: 1"
+    assert re.fullmatch(told, post)
 
 
 def test_a_coils_contact_is_verified_with_the_plan_alone(
@@ -101,7 +103,7 @@ def test_what_was_not_proved_gives_no_certificate() -> None:
         certificate_of(bend(), check(bend()).claims)
 
 
-@pytest.mark.parametrize(("claim", "name"), [(BENCHES, "benches"), (POST, "post")])
+@pytest.mark.parametrize(("claim", "name"), [(BENCHES, "benches"), (POST, ASIDE_POST)])
 def test_what_is_left_out_is_told(shown: Shown, claim: int, name: str) -> None:
     what = written()
     del what["claims"][claim]
@@ -155,7 +157,7 @@ def both(*changes: Callable[[Written], None]) -> Callable[[Written], None]:
 CLEAR: dict[str, tuple[Callable[[Written], None], type[BenchDragonError], str]] = {
     "the plan": (moved_plan, InputError, "the plan in the certificate is not the one that it was"),
     "the hash": (lambda what: what.update(plan_sha256="0" * 64), InputError, "is not the one that"),
-    "a post in the way": (with_its_hash(IN_THE_WAY, 0.0), UnsureError, "^post: .* does not hold"),
+    "a post in the way": (with_its_hash(IN_THE_WAY, 0.0), UnsureError, '^"post": .* does not hold'),
     "a margin": (with_its_hash(ASIDE, TOO_MUCH), UnsureError, "^benches: .* does not hold"),
     "no plan": (lambda what: what.update(plan={}), PlanError, "the certificate: schema is missing"),
     "a plan's key": (lambda what: what["plan"].update(rout=1), PlanError, "rout is not a known key"),
@@ -170,25 +172,32 @@ CLEAR: dict[str, tuple[Callable[[Written], None], type[BenchDragonError], str]] 
     "cells in between left out": (
         with_cells(lambda at: [*at[:8], *at[38:]], POST),
         UnsureError,
-        "^post: .*cell 8,.* does not hold",
+        '^"post": .*cell 8,.* does not hold',
     ),
     "cells out of order": (
         with_cells(lambda at: [at[0], *at[2:0:-1], *at[3:]]),
         UnsureError,
         "cell 2 does not go on",
     ),
-    "the same cell twice": (with_cells(lambda at: [at[0], *at]), UnsureError, "cell 1 does not go on"),
+    "the same cell twice": (with_cells(lambda at: [*at[:3], *at[2:]]), UnsureError, "3 does not go on"),
+    "a cell before the start": (with_cells(lambda at: [9.5, *at]), UnsureError, "which nothing rests"),
+    "a cell behind the end": (with_cells(lambda at: [*at, 18.1]), UnsureError, "which nothing rests"),
     "cells beyond the route": (
-        both(with_cells(lambda at: [*at, 1e300]), in_claim("clear", 1e200)),
+        with_cells(lambda at: [*at[:-1], 1e300]),
         WalkError,
         "past the end of the route",
     ),
     "a start before the route": (
         both(with_cells(lambda at: [-5.0, *at]), in_claim("start", -5.0)),
         UnsureError,
-        "cell 1,.* does not hold",
+        r"other times than those of the walk, 10\.0 s to 18\.0 s",
     ),
-    "an end before the start": (in_claim("clear", 9.0), UnsureError, "it ends before it starts"),
+    "an end before the start": (
+        both(in_claim("start", 12.0), in_claim("clear", 11.0)),
+        UnsureError,
+        "it ends before it starts",
+    ),
+    "an end behind the walk's": (in_claim("clear", 18.1), UnsureError, "other times than those of"),
     "an instant at which benches are too near": (
         both(with_its_hash(ASIDE, NEVER_KEPT), with_cells(lambda at: at[:1]), in_claim("clear", 10.0)),
         UnsureError,
@@ -201,7 +210,7 @@ CLEAR: dict[str, tuple[Callable[[Written], None], type[BenchDragonError], str]] 
             in_claim("clear", 10.0, POST),
         ),
         UnsureError,
-        "post: .* nothing is shown at 10.0 m",
+        '"post": .* nothing is shown at 10.0 m',
     ),
     "another obstacle": (in_claim("about", "wall", POST), InputError, "plan has no obstacle 'wall'"),
     "an obstacle as benches": (
@@ -366,15 +375,16 @@ def test_an_obstacle_about_all_benches_is_no_clear_start(shown: Shown, shape: st
     inside = checked(data, "inside")
     what["plan"], what["plan_sha256"] = inside.data(), inside.sha256
     del what["claims"][BENCHES]
-    with pytest.raises(UnsureError, match="post: a bench may stand at the start where none may"):
+    with pytest.raises(UnsureError, match='"post": a bench may stand at the start where none may'):
         shown(what)
 
 
 def test_a_contact_at_the_start_shows_no_time_before(shown: Shown) -> None:
     benches, post = shown(written(margin=NEVER_KEPT))
     assert benches == "proved: benches nearer than 1.3 m by t = 10.0 s: 1 3"
-    assert post == "proved: free of contact with post from t = 10.0 s to t = 10.0 s"
-    assert shown(written(ON_A_BENCH))[POST] == "proved: too near to post by t = 10.0 s: 1"
+    assert post.endswith(f" nearer than 0.05 m to {ASIDE_POST} from t = 10.0 s to t = 10.0 s")
+    near = shown(written(ON_A_BENCH))[POST]
+    assert re.fullmatch(r"proved: nearer than 0\.05 m to the .*\"post\" .* by t = 10\.0 s: 1", near)
 
 
 def test_a_walk_that_stands_is_shown_too() -> None:
@@ -446,7 +456,7 @@ def test_a_clearance_is_verified_with_margins_of_its_own(shown: Shown) -> None:
         "t = 18.0 s"
     )
     assert near.startswith(f"proved: benches nearer than {answer.upper!r} m by t = ")
-    assert left == ["not in the certificate: benches", "not in the certificate: post"]
+    assert left == ["not in the certificate: benches", f"not in the certificate: {ASIDE_POST}"]
     for claim, margin in ((0, answer.lower + 2e-6), (1, answer.lower - 1e-6)):
         with pytest.raises(UnsureError):
             shown(with_margin(what, claim, margin))
@@ -468,9 +478,9 @@ def test_a_claim_about_other_sizes_says_so(shown: Shown) -> None:
     wider(what)
     (benches, post, *left) = shown(what)
     assert benches.startswith("with dragon.width = 0.25: proved: no two non-adjacent benches nearer")
-    assert post.startswith("proved: free of contact with post")
+    assert post.startswith(f"proved: no bench nearer than 0.05 m to {ASIDE_POST}")
     assert left == [
-        "with dragon.width = 0.25: not in the certificate: post",
+        f"with dragon.width = 0.25: not in the certificate: {ASIDE_POST}",
         "not in the certificate: benches",
     ]
     in_claim("values", {"dragon.width": 1.3})(what)

@@ -99,8 +99,8 @@ def test_a_certificate_of_speeds_says_what_is_proved(plan: Plan, claim: SpeedCla
     told, left = verify(Certificate.model_validate_json(json.dumps(what)))
     assert told.startswith(
         f"proved: from t = 10.0 s to t = 16.0 s no handle is ever more than {claim.most!r} times as "
-        f"fast as the head; handle {claim.handle} is at least {claim.least!r} times as fast; so the "
-        "head may go at 1.24626635815"
+        f"fast as the head; handle {claim.handle} is at least {claim.least!r} times as fast; so on "
+        "this way no handle exceeds 2.0 m/s with the head at 1.24626635815"
     )
     assert left == "not in the certificate: benches"
     what["speeds"][0]["handle"] = 9

@@ -3,7 +3,9 @@
 import json
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -11,11 +13,14 @@ pytest.importorskip("flint")
 
 from benchdragon.cli.main import run
 from benchdragon.i18n import spoken_in
+from benchdragon.plans.schema import checked
+from benchdragon.version import __version__
 from tests.proofs.certificates import IN_THE_WAY, TEXT, TOO_MUCH, bend, written
 
 CLEAR = [
     "proved: no two non-adjacent benches nearer than 0 m from t = 10.0 s to t = 18.0 s",
-    "proved: free of contact with post from t = 10.0 s to t = 18.0 s",
+    'proved: no bench nearer than 0.05 m to the circle "post" of radius 0.1 m about (16.2, 1) m from '
+    "t = 10.0 s to t = 18.0 s",
 ]
 
 
@@ -42,7 +47,8 @@ def test_what_check_writes_is_verified_by_another_process(tmp_path: Path) -> Non
     told = json.loads(done.stdout)
     assert told["verified"][0] == CLEAR[0]
     assert told["verified"][1].startswith(
-        "proved: free of contact with post from t = 10.0 s to t = 15.6598"
+        'proved: no bench nearer than 0.05 m to the circle "post" of radius 0.1 m about (14.6, 1) m '
+        "from t = 10.0 s to t = 15.6598"
     )
     assert told["plan_sha256"] == bend(IN_THE_WAY).sha256
     kept = json.loads((folder / "certificate.json").read_text("utf-8"))
@@ -115,7 +121,7 @@ def test_what_does_not_hold_ends_with_5_and_a_sentence(
     assert run(["verify", certificate.name, "--quiet"]) == 5
     out, err = capsys.readouterr()
     assert out == ""
-    assert err.startswith("Error: post: it could not be shown: cell 1, from 10.0 to 18.0")
+    assert err.startswith('Error: "post": it could not be shown: cell 1, from 10.0 to 18.0')
     assert len(err.splitlines()) == 1
 
 
@@ -136,3 +142,87 @@ def test_other_plans_and_files_are_refused_with_what_is_wrong(
         assert "Traceback" not in err
     assert run(["verify", "none.json"]) == 2
     assert capsys.readouterr().err == "Error: none.json: there is no such file or folder\n"
+
+
+# Files that say more than they show; each stands for its kind.
+CASES = Path(__file__).parents[1] / "cases" / "certificates"
+
+
+def told(capsys: pytest.CaptureFixture[str], path: Path) -> dict[str, Any]:
+    assert run(["verify", str(path), "--quiet", "--json", "--lang", "en"]) == 0
+    found: dict[str, Any] = json.loads(capsys.readouterr().out)
+    return found
+
+
+def test_a_margin_is_told_that_was_shown_and_not_the_plans(capsys: pytest.CaptureFixture[str]) -> None:
+    found = told(capsys, CASES / "FALSE_margin5.json")
+    (sentence,) = found["verified"]
+    assert sentence.startswith("with limits.margin = 0.05: proved: no two non-adjacent benches nearer")
+    assert "nearer than 0.05 m from" in sentence
+    assert found["statements"][0]["margin"] == 0.05
+
+
+def test_a_name_cannot_end_its_quotes_or_hide_what_stands_there(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    found = told(capsys, CASES / "inject_name.json")
+    name = "the stage from t = 0.0 s to t = 999.0 s; proved: free of contact with well"
+    assert (
+        f'to the circle "{name}" of radius 0.5 m about (30, 30) m from t = 0.0' in found["verified"][1]
+    )
+    assert found["statements"][1]["obstacle"]["outline"] == [[30.0, 30.0]]
+    what = written()
+    what["plan"]["obstacle"][0]["name"] = what["claims"][1]["about"] = 'a" \u201d\uff02\\z'
+    what["plan_sha256"] = checked(what["plan"], "").sha256
+    (tmp_path / "odd.json").write_text(json.dumps(what), "utf-8")
+    sentence = told(capsys, tmp_path / "odd.json")["verified"][1]
+    assert r'"a\u{0022} \u{201d}\u{ff02}\u{005c}z" of radius' in sentence
+
+
+def test_limits_that_no_turn_keeps_are_told_and_no_bound(capsys: pytest.CaptureFixture[str]) -> None:
+    found = told(capsys, CASES / "turn_VACUOUS_way.json")
+    (sentence,) = found["verified"]
+    assert "1000" not in sentence
+    assert sentence.endswith(
+        "keeps the limits: handles at most 2.0 m/s with the head at 1.3 m/s, arcs of radius 1.43143 m "
+        "or more, a path inside the disc of at most 0.001 m"
+    )
+    (one,) = found["statements"]
+    assert (one["bound"], one["family"], one["objective"]) == (None, "arc-line-arc", "way")
+    assert one["limits"] == {
+        "speed_limit": 2.0, "head_speed": 1.3, "least_radius": 1.43143, "longest": None,
+        "longest_way": 0.001,
+    }  # fmt: skip
+
+
+REFUSED: dict[str, tuple[Callable[[str], str], int, str]] = {
+    "a key twice": (lambda text: text.replace('"start": 10.0', '"start": 9.0, "start": 10.0', 1), 2,
+        "the certificate says 'start' twice"),
+    "a key twice in the plan": (lambda text: text.replace('"width": 0.2', '"width": 9, "width": 0.2'),
+        2, "the certificate says 'width' twice"),
+    "another version": (lambda text: text.replace(f'"version": "{__version__}"', '"version": "9.9"'), 2,
+        "the certificate is of version '9.9', which is unknown here"),
+    "a whole number that no double is": (
+        lambda text: text.replace('"clear": 18.0', f'"clear": {2**60 + 1}', 1), 2,
+        "the certificate says 1152921504606846977, of which"),
+    "a margin of a post": (lambda text: '"margin": 0.0'.join(text.rsplit('"margin": null', 1)), 2,
+        "the certificate says margin, on which nothing rests"),
+    "a value that is the plan's": (
+        lambda text: text.replace('"values": {}', '"values": {"dragon.width": 0.2}', 1), 2,
+        "the certificate says dragon.width, on which nothing rests"),
+    "a value of what is not looked at": (
+        lambda text: text.replace('"values": {}', '"values": {"limits.speed": 3.0}', 1), 2,
+        "the certificate says limits.speed, on which nothing rests"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", list(REFUSED))
+def test_what_nothing_rests_on_is_refused(
+    certificate: Path, capsys: pytest.CaptureFixture[str], name: str
+) -> None:
+    change, code, text = REFUSED[name]
+    before = certificate.read_text("utf-8")
+    certificate.write_text(change(before), "utf-8")
+    assert certificate.read_text("utf-8") != before
+    assert run(["verify", certificate.name, "--quiet", "--lang", "en"]) == code
+    assert capsys.readouterr().err.startswith(f"Error: {text}")

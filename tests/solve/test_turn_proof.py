@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -26,7 +27,8 @@ from benchdragon.solve.turn_certificate import (
     is_turn_certificate,
     verify,
 )
-from benchdragon.solve.turn_proof import Node, TurnProof, proof_text, proved_bound, turns_of, with_proof
+from benchdragon.solve.turn_proof import Node, TurnProof, proved_bound, turns_of, with_proof
+from benchdragon.solve.turn_statement import TurnStatement
 from benchdragon.solve.turn_trials import TurnGoal
 from tests.proofs.turns import turn_of
 
@@ -191,18 +193,23 @@ def test_limits_hold_for_all_turns_that_a_search_takes() -> None:
 
 
 def test_bounds_are_told_on_the_side_that_is_true() -> None:
-    turns, low, high = turns_of(plan(*JOINTS), GOAL)
-    assert "shorter than 11.123456 m" in proof_text(turns, low, high, 11.1234569)
-    faster = proof_text(replace(turns, objective="speed"), low, high, 1.2345671)
+    _turns, low, high = turns_of(plan(*JOINTS), GOAL)
+    said = TurnStatement(plan(*JOINTS), GOAL, low, high, 11.1234569)
+    assert "shorter than 11.123456 m" in said.sentence()
+    faster = replace(said, goal=replace(GOAL, objective="speed"), bound=1.2345671).sentence()
     assert "faster than 1.234568 m/s" in faster
     assert "entry radius 4.5, exit radius 4.5, first radius 1.5027 to 3.375" in faster
     assert "family arc-line-arc" in faster
 
 
 def test_ratios_are_told_as_ratios() -> None:
-    turns, low, high = turns_of(plan(family="arc-arc"), TurnGoal("length"))
-    text = proof_text(turns, low, high, 9.0)
-    assert "ratio r1 : r2 0.2 to 5) that keeps these limits is shorter than 9.000000 m" in text
+    wish = TurnGoal("length", longest=20.0, longest_way=30.0)
+    _turns, low, high = turns_of(plan(family="arc-arc"), wish)
+    text = TurnStatement(plan(family="arc-arc"), wish, low, high, 9.0).sentence()
+    kept = "handles at most 2.0 m/s with the head at 1.3 m/s, arcs of radius 1.43143 m or more, "
+    kept += "a turn of at most 20.0 m, a path inside the disc of at most 30.0 m"
+    assert re.search(r"ratio r1 : r2 0\.2\d* to (4\.9|5\.)\d+\) that keeps " + kept, text)
+    assert f"{kept} is shorter than 9.000000 m" in text
 
 
 @pytest.mark.usefixtures("short_searches")
@@ -215,7 +222,9 @@ def test_nothing_bounds_what_a_search_finds() -> None:
     assert faster.objective.lower <= faster.objective.value < faster.objective.upper == math.inf
     shown = with_proof(found, proof()).objective
     assert (shown.lower, shown.upper) == (proof().bound, answer.value)
-    assert shown.assumptions[0].startswith("proved: no turn of the family arc-line-arc")
+    assert shown.assumptions[0].startswith(
+        "proved: for 223 benches, spirals of pitch 1.7 m and a disc of radius 4.5 m, no turn"
+    )
     assert not any("better ones may exist" in text for text in shown.assumptions)
     for gap, said in ((0.0201, "0.021"), (9.91e-4, "0.001"), (0.0, "0")):
         told = with_proof(found, replace(proof(), gap=gap)).objective.assumptions
@@ -235,7 +244,7 @@ def written() -> dict[str, Any]:
 def test_a_certificate_is_shown_again_from_its_plan() -> None:
     shares: list[float] = []
     lines = verify(tampered(), lambda share, _text: shares.append(share))
-    assert lines == [proof_text(*turns_of(plan(*JOINTS), GOAL), proof().bound)]
+    assert lines == [proof().statement(proof().bound).sentence()]
     assert len(shares) == len(list(proof().root.leaves()))
     assert shares[-1] == 1.0
 
@@ -325,7 +334,9 @@ def test_the_command_line_proves_and_verifies(
     assert read_certificate(path, TurnCertificate).bound == found["lower"]
     assert run(["verify", str(path), "--quiet", "--json"]) == 0
     told = json.loads(capsys.readouterr().out)
-    assert told["verified"][0].startswith("proved: no turn of the family arc-line-arc")
+    assert told["verified"][0].startswith(
+        "proved: for 223 benches, spirals of pitch 1.7 m and a disc of radius 4.5 m, no turn"
+    )
     assert told["boxes"] > 10
     assert run([*words, "--boxes", "5", "--explain"]) == 5
     out = capsys.readouterr().out

@@ -17,10 +17,12 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_valida
 
 from benchdragon import budget
 from benchdragon.analysis.proof import Claim, Question, require_flint
-from benchdragon.analysis.speed_proof import SpeedClaim, SpeedQuestion, head_speeds
+from benchdragon.analysis.speed_proof import SpeedClaim, SpeedQuestion
+from benchdragon.analysis.statements import Apart, Paces, Verified, place_of, quoted
 from benchdragon.errors import InputError, UnsureError, not_negative, reason
 from benchdragon.files import whole_file
 from benchdragon.i18n import _
+from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
 from benchdragon.plans.digits import Rounded, number
 from benchdragon.plans.schema import Plan, checked
@@ -28,8 +30,15 @@ from benchdragon.progress import Progress, silent
 from benchdragon.proofs import MOST_CELLS
 from benchdragon.version import __version__
 
+# Versions whose certificates say what is read here.
+VERSIONS = ("0.1.0",)
+# Tables of a plan on which no contact rests, but for margins; obstacles are looked at by themselves.
+ASIDE = ("meta", "people", "limits", "venue", "obstacle")
 # A file that is larger is none of ours, bytes: cells of 20 characters each.
 MOST_BYTES = 64_000_000
+
+# Whole numbers of fewer signs have a double of their own.
+EXACT = 16
 
 Number = Annotated[float, Field(allow_inf_nan=False)]
 
@@ -152,7 +161,7 @@ def read_certificate(path: Path, kind: type[BaseModel] = Certificate) -> BaseMod
             )
         text = path.read_bytes()
         found = kind.model_validate_json(text)
-        _refuse_rounded(text)
+        _refuse_odd(text)
         return found
     except OSError as error:
         raise InputError(f"{name}: {reason(error)}") from None
@@ -168,8 +177,8 @@ def read_certificate(path: Path, kind: type[BaseModel] = Certificate) -> BaseMod
         ) from None
 
 
-def _refuse_rounded(text: bytes) -> None:
-    """Refuse a number that is not the decimal that names its double: another is what is shown.
+def _refuse_odd(text: bytes) -> None:
+    """Refuse what might be read otherwise: a key twice, or a number that is not its double's decimal.
 
     Raises:
         InputError: naming it.
@@ -185,64 +194,153 @@ def _refuse_rounded(text: bytes) -> None:
             )
         return value
 
-    json.loads(text, parse_float=held)
+    def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        found = dict(pairs)
+        if len(found) < len(pairs):
+            names = [name for name, _value in pairs]
+            twice = next(name for name in names if names.count(name) > 1)
+            raise InputError(_("the certificate says {name} twice").format(name=repr(twice[:80])))
+        return found
+
+    def whole(written: str) -> float:
+        return int(written) if len(written) < EXACT else held(written)
+
+    def never(written: str) -> float:
+        raise InputError(_("the certificate says {name}").format(name=written))
+
+    json.loads(text, parse_float=held, parse_int=whole, parse_constant=never, object_pairs_hook=once)
+
+
+def verify(certificate: Certificate, progress: Progress = silent) -> list[str]:
+    """Show every claim of a certificate again; sentences about what then is proved: see `shown`."""
+    return shown(certificate, progress).sentences
 
 
 @budget.question()
-def verify(certificate: Certificate, progress: Progress = silent) -> list[str]:
-    """Show every claim of a certificate again; sentences about what then is proved.
+def shown(certificate: Certificate, progress: Progress = silent) -> Verified:
+    """What a certificate shows, every claim of it being shown again.
 
     Raises:
-        InputError, PlanError: for a plan that is none, or another than its hash says.
+        InputError, PlanError: for a plan that is none, or another than its hash says; for an unknown
+            version, or a field on which nothing rests that is shown.
         MissingExtraError: without python-flint.
         UnsureError: naming the claim that does not hold, and why.
         WalkError: if the dragon cannot stand where a cell ends.
     """
     require_flint()
-    plan = checked(certificate.plan, _("the certificate"))
-    if plan.sha256 != certificate.plan_sha256:
+    plan = plan_in(certificate.version, certificate.plan, certificate.plan_sha256)
+    apart = [_shown(plan, record.claim(), progress) for record in certificate.claims]
+    paces = [_paces(plan, speed.claim(), progress) for speed in certificate.speeds]
+    return Verified((*apart, *paces), tuple(_all_left_out(plan, apart)))
+
+
+def plan_in(version: str, data: dict[str, Any], sha256: str) -> Plan:
+    """The plan of a certificate of a version.
+
+    Raises:
+        InputError, PlanError: for one that is unknown, or a plan that is none or has another hash.
+    """
+    if version not in VERSIONS:
+        raise InputError(
+            _("the certificate is of version {version}, which is unknown here; known: {known}").format(
+                version=repr(version), known=", ".join(VERSIONS)
+            )
+        )
+    plan = checked(data, _("the certificate"))
+    if plan.sha256 != sha256:
         raise InputError(_("the plan in the certificate is not the one that it was written for"))
-    for record in certificate.claims:
-        claim = record.claim()
-        try:
-            shown = _with(plan, claim)
-            _question(shown, shown.build(), claim).verify(claim, progress)
-        except UnsureError as error:
-            about = claim.about or _("benches")
-            raise UnsureError(_("{about}: {error}").format(about=about, error=error)) from None
-    for speed in certificate.speeds:
-        _verify_speed(plan, speed.claim(), progress)
-    told = [_sentence(plan, record) for record in certificate.claims]
-    told += [_speed_sentence(plan, record) for record in certificate.speeds]
-    return told + _all_left_out(plan, certificate)
+    return plan
 
 
-def _with(plan: Plan, claim: Claim) -> Plan:
+def _shown(plan: Plan, claim: Claim, progress: Progress) -> Apart:
+    """What a claim shows."""
+    other = _with(plan, claim.values)
+    walk, obstacle = other.build(), _obstacle(other, claim)
+    _check_benches(claim, len(walk.dragon), 2 if obstacle is None else 1)
+    _refuse_unused(plan, claim)
+    margin = _margin(other, claim) if obstacle is None else obstacle.margin
+    not_negative("margin", margin, "m")
+    times = [time for time in (claim.start, claim.clear, claim.contact) if time is not None]
+    try:
+        _check_times(other, walk, times)
+        kept = margin if obstacle is None else None
+        Question(walk, kept, obstacle, other).verify(claim, progress)
+    except UnsureError as error:
+        about = _("benches") if obstacle is None else f'"{quoted(obstacle.name)}"'
+        raise UnsureError(_("{about}: {error}").format(about=about, error=error)) from None
+    benches = tuple(n + 1 for n in claim.benches)
+    return Apart(claim.values, obstacle, margin, claim.start, claim.clear, claim.contact, benches)
+
+
+def _with(plan: Plan, values: Sequence[tuple[str, float]]) -> Plan:
     """The plan that a claim is about."""
-    return plan.with_values(dict(claim.values)) if claim.values else plan
+    return plan.with_values(dict(values)) if values else plan
 
 
-def _verify_speed(plan: Plan, claim: SpeedClaim, progress: Progress) -> None:
+def _obstacle(plan: Plan, claim: Claim) -> Obstacle | None:
+    """What a claim is about; None: benches among themselves.
+
+    Raises:
+        InputError: if nothing goes by that name.
+    """
+    if not claim.about:
+        return None
+    for obstacle in plan.obstacles():
+        if obstacle.name == claim.about:
+            return obstacle
+    raise InputError(_("the plan has no obstacle {name}").format(name=repr(claim.about)))
+
+
+def _margin(plan: Plan, claim: Claim) -> float:
+    return plan.limits.margin if claim.margin is None else claim.margin
+
+
+def _refuse_unused(plan: Plan, claim: Claim) -> None:
+    """Refuse a margin, or a value, on which what a claim shows does not rest.
+
+    Raises:
+        InputError: naming it.
+    """
+    unused = ["margin"] if claim.about and claim.margin is not None else []
+    wanted = _rests_on(_with(plan, claim.values), claim)
+    for key, _value in claim.values:
+        rest = _with(plan, [one for one in claim.values if one[0] != key])
+        unused += [key] if _rests_on(rest, claim) == wanted else []
+    if unused:
+        text = _("the certificate says {name}, on which nothing rests that it shows")
+        raise InputError(text.format(name=unused[0]))
+
+
+def _rests_on(plan: Plan, claim: Claim) -> tuple[Any, ...]:
+    """The part of a plan that what a claim shows is read from."""
+    walked = {name: data for name, data in plan.data().items() if name not in ASIDE}
+    found = [obstacle for obstacle in plan.obstacles() if obstacle.name == claim.about]
+    return walked, found, None if claim.about else _margin(plan, claim)
+
+
+def _check_times(plan: Plan, walk: Walk, times: Sequence[float]) -> None:
+    """Refuse times at which nobody walks.
+
+    Raises:
+        UnsureError: saying when somebody does.
+    """
+    start, end = plan.span(walk)
+    if not all(start <= time <= end for time in times):
+        text = _("it speaks of other times than those of the walk, {start} s to {end} s")
+        raise UnsureError(text.format(start=repr(start), end=repr(end)))
+
+
+def _paces(plan: Plan, claim: SpeedClaim, progress: Progress) -> Paces:
+    """What a claim about speeds shows."""
     walk = plan.build()
     if claim.handle > len(walk.dragon):
         raise InputError(_("a speed in the certificate is of no handle of this dragon"))
     try:
+        _check_times(plan, walk, (claim.start, claim.clear))
         SpeedQuestion(walk, plan).verify(claim, progress)
     except UnsureError as error:
         raise UnsureError(_("{about}: {error}").format(about=_("speed"), error=error)) from None
-
-
-def _question(plan: Plan, walk: Walk, claim: Claim) -> Question:
-    if not claim.about:
-        _check_benches(claim, len(walk.dragon), 2)
-        margin = plan.limits.margin if claim.margin is None else claim.margin
-        not_negative("margin", margin, "m")
-        return Question(walk, margin, None, plan)
-    _check_benches(claim, len(walk.dragon), 1)
-    for obstacle in plan.obstacles():
-        if obstacle.name == claim.about:
-            return Question(walk, None, obstacle, plan)
-    raise InputError(_("the plan has no obstacle {name}").format(name=repr(claim.about)))
+    return Paces(claim, plan.limits.speed)
 
 
 def _check_benches(claim: Claim, count: int, wanted: int) -> None:
@@ -257,105 +355,43 @@ def _check_benches(claim: Claim, count: int, wanted: int) -> None:
         raise InputError(_("a contact in the certificate names benches that are joined"))
 
 
-def _sentence(plan: Plan, claim: ClaimRecord) -> str:
-    """What a claim says, once it is shown; its times with all digits, as none may be rounded."""
-    span = {"start": repr(claim.start), "clear": repr(claim.clear)}
-    kept = plan.limits.margin if claim.margin is None else claim.margin
-    margin = repr(kept).removesuffix(".0")  # with all digits, as the times
-    return _of_values(claim, _said_of(claim, margin, span))
-
-
-def _of_values(claim: ClaimRecord, text: str) -> str:
-    """The same of a walk that differs from the plan's."""
-    if not claim.values:
-        return text
-    values = ", ".join(f"{key} = {value!r}" for key, value in claim.values.items())
-    return _("with {values}: {text}").format(values=values, text=text)
-
-
-def _said_of(claim: ClaimRecord, margin: str, span: dict[str, str]) -> str:
-    if claim.contact is not None and claim.clear <= claim.start:
-        return _at_start(claim, margin)
-    if claim.about:
-        text = _("proved: free of contact with {about} from t = {start} s to t = {clear} s").format(
-            about=claim.about, **span
-        )
-    else:
-        text = _(
-            "proved: no two non-adjacent benches nearer than {margin} m from t = {start} s to "
-            "t = {clear} s"
-        ).format(margin=margin, **span)
-    if claim.contact is None:
-        return text
-    return text + _("; nearer by t = {contact} s: {benches}").format(
-        contact=repr(claim.contact), benches=_numbers(claim)
-    )
-
-
-def _at_start(claim: ClaimRecord, margin: str) -> str:
-    """What a claim says that shows nothing but a contact at its start."""
-    named = {"contact": repr(claim.contact), "benches": _numbers(claim)}
-    if claim.about:
-        text = _("proved: too near to {about} by t = {contact} s: {benches}")
-        return text.format(about=claim.about, **named)
-    text = _("proved: benches nearer than {margin} m by t = {contact} s: {benches}")
-    return text.format(margin=margin, **named)
-
-
-def _numbers(claim: ClaimRecord) -> str:
-    return " ".join(str(n + 1) for n in claim.benches)
-
-
-def _speed_sentence(plan: Plan, claim: SpeedRecord) -> str:
-    """What a claim says of speeds, and of the head's, if the plan limits speeds."""
-    text = _(
-        "proved: from t = {start} s to t = {clear} s no handle is ever more than {most} times as fast "
-        "as the head; handle {handle} is at least {least} times as fast"
-    )
-    numbers = {name: repr(getattr(claim, name)) for name in ("start", "clear", "most", "least")}
-    told = text.format(handle=claim.handle, **numbers)
-    if plan.limits.speed is None:
-        return told
-    lower, upper = head_speeds(plan.limits.speed, claim.claim())
-    more = _("; so the head may go at {lower} m/s, and not at {upper} m/s, if {limit} m/s is the limit")
-    return told + more.format(lower=repr(lower), upper=repr(upper), limit=repr(plan.limits.speed))
-
-
-def _all_left_out(plan: Plan, certificate: Certificate) -> list[str]:
+def _all_left_out(plan: Plan, shown: Sequence[Apart]) -> list[str]:
     """What the certificate says nothing about; where it is about sizes, of those that are to be safe.
 
-    What it says with margins of its own is said besides.
+    What it says with other margins than those of the plan is said besides.
     """
-    plain = [claim for claim in certificate.claims if claim.margin is None or claim.values]
-    groups: dict[tuple[tuple[str, float], ...], list[ClaimRecord]] = {}
-    for claim in plain:
-        groups.setdefault(tuple(claim.values.items()), []).append(claim)
+    groups: dict[tuple[tuple[str, float], ...], list[Apart]] = {}
+    for one in shown:
+        if one.obstacle is not None or one.margin == _with(plan, one.values).limits.margin:
+            groups.setdefault(one.values, []).append(one)
     found: list[str] = []
-    for values, claims in (groups or {(): []}).items():
-        shown = plan.with_values(dict(values)) if values else plan
-        if not values or any(claim.contact is None for claim in claims):
-            left = _left_out(shown, shown.build(), claims)
-            found += [_of_values(claims[0], text) for text in left] if claims else left
+    for values, said in (groups or {(): []}).items():
+        other = _with(plan, values)
+        if not values or any(one.contact is None for one in said):
+            left = _left_out(other, other.build(), said)
+            found += [said[0].of_values(text) for text in left] if said else left
     return found
 
 
-def _left_out(plan: Plan, walk: Walk, claims: Sequence[ClaimRecord]) -> list[str]:
-    """What claims say nothing about: benches, obstacles, or a part of the dance.
+def _left_out(plan: Plan, walk: Walk, shown: Sequence[Apart]) -> list[str]:
+    """What nothing is said about: benches, obstacles, or a part of the dance.
 
     A dance is over where something is proved to come too near.
     """
-    about = {claim.about for claim in claims}
-    known = ["", *(obstacle.name for obstacle in plan.obstacles())]
+    about = {one.obstacle for one in shown}
     text = _("not in the certificate: {about}")
-    found = [text.format(about=name or _("benches")) for name in known if name not in about]
+    known = (None, *plan.obstacles())
+    found = [text.format(about=_named(one)) for one in known if one not in about]
     start, end = plan.span(walk)
-    met = [claim.contact is not None and claim.contact >= start for claim in claims]
-    contacts = (claim.contact for claim in claims if claim.contact is not None)
-    end = min([end, *(t for t in contacts if t >= start)])
-    for claim, over in zip(claims, met, strict=True):
-        for low, high in ((start, claim.start), (max(claim.clear, start), end)):
-            if low < high and (not over or high == claim.start):
+    contacts = [one.contact for one in shown if one.contact is not None]
+    end = min([end, *contacts])
+    for one in shown:
+        for low, high in ((start, one.start), (one.clear, end)):
+            if low < high and (one.contact is None or high == one.start):
                 text = _("not in the certificate: {about} from t = {low} s to t = {high} s")
-                name = claim.about or _("benches")
-                found.append(text.format(about=name, low=repr(low), high=repr(high)))
+                found.append(text.format(about=_named(one.obstacle), low=repr(low), high=repr(high)))
     return found
+
+
+def _named(obstacle: Obstacle | None) -> str:
+    return _("benches") if obstacle is None else place_of(obstacle)

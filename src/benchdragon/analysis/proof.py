@@ -263,7 +263,7 @@ class Question:
             benches = _rows(one)
             s = self._meeting(max(at[-1], self._numbers.at_least(span[0])), span[1], benches)
             if s is not None:
-                lower = max(self._numbers.before(at[-1]), span[0])
+                lower = max(self._numbers.before(at[-1]) if len(at) > 1 else span[0], span[0])
                 upper = min(self._numbers.after(s), span[1])
                 claims.append(Claim(self._about, tuple(at), span[0], lower, upper, s, benches))
                 value = min(max(one.value, lower), upper)
@@ -295,16 +295,11 @@ class Question:
         from benchdragon.proofs.chain import UnprovedError
         from benchdragon.proofs.cover import covered
 
-        position, at = self._numbers.position, claim.cells
-        if len(at) == 1 and claim.contact is not None and claim.clear <= claim.start:
+        at = claim.cells
+        self._check_cells(claim)
+        if len(at) == 1 and claim.contact is not None and claim.clear == claim.start:
             self._verify_contact(claim)
             return
-        if not (at and position(claim.start) >= at[0]):
-            raise UnsureError(_("the cells begin after the start"))
-        if not position(claim.clear) <= at[-1]:
-            raise UnsureError(_("the cells end before what they are to show"))
-        if claim.contact is None and claim.clear < claim.start:
-            raise UnsureError(_("it ends before it starts"))
         if not self._all_belong(at[0]):
             raise UnsureError(_("a bench may stand at the start where none may"))
         try:
@@ -313,6 +308,24 @@ class Question:
             raise UnsureError(_("it could not be shown: {error}").format(error=error)) from None
         if claim.contact is not None:
             self._verify_contact(claim)
+
+    def _check_cells(self, claim: Claim) -> None:
+        """Refuse cells that do not reach from the start to what is clear, or on which nothing rests."""
+        position, at = self._numbers.position, claim.cells
+        unused = _("it has cells on which nothing rests")
+        if claim.clear < claim.start:
+            raise UnsureError(_("it ends before it starts"))
+        if len(at) == 1 and claim.contact is not None and claim.clear == claim.start:
+            if at[0] != self._numbers.at_most(claim.start):
+                raise UnsureError(unused)
+            return
+        if not (at and position(claim.start) >= at[0]):
+            raise UnsureError(_("the cells begin after the start"))
+        if not position(claim.clear) <= at[-1]:
+            raise UnsureError(_("the cells end before what they are to show"))
+        late = claim.contact is None and len(at) > 1 and position(claim.clear) <= at[-2]
+        if late or (len(at) > 1 and position(claim.start) >= at[1]):
+            raise UnsureError(unused)
 
     def _verify_contact(self, claim: Claim) -> None:
         """Show again that something has come nearer by a time."""

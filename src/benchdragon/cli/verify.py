@@ -23,25 +23,27 @@ from benchdragon.i18n import N_
 @shared_options
 def verify(file: str, quiet: bool, as_json: bool) -> int:
     """Print what is proved, as sentences or as JSON."""
-    from benchdragon.analysis.certificate import read_certificate
-    from benchdragon.analysis.certificate import verify as verified
+    from benchdragon.analysis.certificate import read_certificate, shown
     from benchdragon.solve import turn_certificate
 
     if turn_certificate.is_turn_certificate(Path(file)):
         turns = read_certificate(Path(file), turn_certificate.TurnCertificate)
         with shown_progress(quiet) as progress:
-            lines = turn_certificate.verify(turns, progress)
+            one = turn_certificate.shown(turns, progress)
+        lines, statements = [one.sentence()], [one.as_json()]
         size, plan_sha256 = {"boxes": len(turns.witnesses)}, turns.plan_sha256
     else:
         certificate = read_certificate(Path(file))
         announce_compiling(quiet)
         with shown_progress(quiet) as progress:
-            lines = verified(certificate, progress)
+            found = shown(certificate, progress)
+        lines, statements = found.sentences, [said.as_json() for said in found.statements]
         ends = [claim.cells for claim in certificate.claims]
         ends += [claim.cells for claim in certificate.speeds]
         size, plan_sha256 = {"cells": sum(len(at) - 1 for at in ends)}, certificate.plan_sha256
     if as_json:
-        click.echo(json.dumps({"verified": lines, **size, "plan_sha256": plan_sha256}))
+        about = {"verified": lines, "statements": statements, **size, "plan_sha256": plan_sha256}
+        click.echo(json.dumps(about))
     else:
         for line in lines:
             click.echo(line)

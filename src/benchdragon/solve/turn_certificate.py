@@ -12,11 +12,14 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 from benchdragon import budget
+from benchdragon.analysis.certificate import plan_in
+from benchdragon.analysis.proof import require_flint
 from benchdragon.errors import InputError, UnsureError
 from benchdragon.i18n import _
-from benchdragon.plans.schema import Plan, checked
+from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, silent
-from benchdragon.solve.turn_proof import Node, TurnProof, proof_text, turns_of
+from benchdragon.solve.turn_proof import Node, TurnProof, turns_of
+from benchdragon.solve.turn_statement import TurnStatement
 from benchdragon.solve.turn_trials import TurnGoal
 from benchdragon.version import __version__
 
@@ -108,32 +111,40 @@ def _in_order(root: Node) -> Iterator[Node]:
             waiting += reversed(node.halves)
 
 
-@budget.question()
 def verify(certificate: TurnCertificate, progress: Progress = silent) -> list[str]:
-    """Show again that no turn is better than a certificate says; sentences about what then is proved.
+    """Show again that no turn is better than a certificate says; sentences: see `shown`."""
+    return [shown(certificate, progress).sentence()]
+
+
+@budget.question()
+def shown(certificate: TurnCertificate, progress: Progress = silent) -> TurnStatement:
+    """What a certificate shows, every box of turns being shown again.
 
     Raises:
-        InputError, PlanError: for a plan that is none, or another than its hash says, or boxes that do
-            not fit together.
+        InputError, PlanError: for a plan that is none, or another than its hash says, an unknown
+            version, or boxes that do not fit together.
         MissingExtraError: without python-flint.
         UnsureError: if a box may hold a better turn.
     """
-    plan = checked(certificate.plan, _("the certificate"))
-    if plan.sha256 != certificate.plan_sha256:
-        raise InputError(_("the plan in the certificate is not the one that it was written for"))
+    require_flint()
+    plan = plan_in(certificate.version, certificate.plan, certificate.plan_sha256)
     from benchdragon.proofs.turn_boxes import Witness
 
-    turns, low, high = turns_of(plan, certificate.goal)
-    wanted = -certificate.bound if certificate.objective == "speed" else certificate.bound
+    goal = certificate.goal
+    turns, low, high = turns_of(plan, goal)
+    wanted = -certificate.bound if goal.objective == "speed" else certificate.bound
     leaves = list(_leaves(certificate, Node(low, high, -math.inf)))
     if len(leaves) != len(certificate.witnesses):
         raise InputError(_("the boxes of turns in the certificate do not fit together"))
+    there = False
     for n, (leaf, said) in enumerate(zip(leaves, certificate.witnesses, strict=True)):
         witness = None if said is None else Witness(*said)
-        if not turns.bound(leaf.low, leaf.high, witness).least >= wanted:
+        least = turns.bound(leaf.low, leaf.high, witness).least
+        if not least >= wanted:
             raise UnsureError(_("box {n} of the turns may hold a better one").format(n=n + 1))
+        there = there or least < math.inf
         progress((n + 1) / len(leaves), "")
-    return [proof_text(turns, low, high, certificate.bound)]
+    return TurnStatement(plan, goal, low, high, certificate.bound if there else None)
 
 
 def _leaves(certificate: TurnCertificate, root: Node) -> Iterator[Node]:

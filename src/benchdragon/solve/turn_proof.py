@@ -17,13 +17,14 @@ import numpy as np
 from benchdragon import budget
 from benchdragon.analysis.proof import require_flint
 from benchdragon.errors import InputError, positive
-from benchdragon.i18n import N_, _
+from benchdragon.i18n import _
 from benchdragon.kernels import step_bounds
 from benchdragon.kernels.curve import S_START, FloatArray
 from benchdragon.number_format import finite_or_none
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, silent
 from benchdragon.solve.turn import BestTurn
+from benchdragon.solve.turn_statement import Ends, TurnStatement, ranges_of
 from benchdragon.solve.turn_trials import EXCEEDED, PLACED, TurnEvaluator, TurnGoal
 
 if TYPE_CHECKING:
@@ -38,8 +39,6 @@ KEPT = 2.0 * EXCEEDED
 SAMPLES, CLOSER = 400, 41
 # Peaks of which witnesses are taken, and the share of a peak's excess that an earlier handle must have.
 PEAKS, ENOUGH = 2, 0.7
-
-Ends = tuple[float, ...]
 
 
 @dataclass
@@ -85,6 +84,8 @@ class TurnProof:
     """What no turn of a family is better than.
 
     Attributes:
+        plan: of whose turns.
+        goal: what was sought.
         turns: which turns, and what they must keep.
         root: the box of all of them, halved as was needed.
         bound: no turn is shorter, m, or lets the head walk faster, m/s.
@@ -93,12 +94,18 @@ class TurnProof:
         complete: whether the gap is as small as was wanted.
     """
 
+    plan: Plan
+    goal: TurnGoal
     turns: "Turns"
     root: Node
     bound: float
     gap: float
     boxes: int
     complete: bool
+
+    def statement(self, bound: float) -> TurnStatement:
+        """That no turn is better than a bound, m or m/s."""
+        return TurnStatement(self.plan, self.goal, self.root.low, self.root.high, bound)
 
 
 def turns_of(plan: Plan, goal: TurnGoal) -> "tuple[Turns, Ends, Ends]":
@@ -169,7 +176,9 @@ def proved_bound(
             raise
     least = min(sign * value, *(node.bound for node in root.leaves()))
     complete = least >= search.wanted
-    return TurnProof(turns, root, sign * least, abs(value - sign * least), search.boxes, complete)
+    return TurnProof(
+        plan, goal, turns, root, sign * least, abs(value - sign * least), search.boxes, complete
+    )
 
 
 @dataclass
@@ -277,53 +286,6 @@ def _ratios(rows: FloatArray, links: FloatArray, at: FloatArray) -> FloatArray |
     return places.ratio if stands else None
 
 
-# What the numbers of each family are, for readers.
-NAMES = {
-    "arc-arc": (N_("entry radius"), N_("exit radius"), N_("ratio r1 : r2")),
-    "arc-line-arc": (N_("entry radius"), N_("exit radius"), N_("first radius"), N_("last radius")),
-}
-
-
-def ranges_of(turns: "Turns", low: Ends, high: Ends) -> dict[str, Ends]:
-    """The ranges of a family's numbers by their names, m; the ratio by its own value."""
-    found = {name: ends for name, *ends in zip(NAMES[turns.family], low, high, strict=True)}
-    if turns.family == "arc-arc":
-        name = NAMES["arc-arc"][2]
-        found[name] = [math.exp(end) for end in found[name]]
-    return {name: tuple(ends) for name, ends in found.items()}
-
-
-def proof_text(turns: "Turns", low: Ends, high: Ends, bound: float) -> str:
-    """What is proved, for readers, rounded to the side that stays true."""
-    ranges = []
-    for name, (least, most) in ranges_of(turns, low, high).items():
-        text = _("{name} {low}") if least == most else _("{name} {low} to {high}")
-        ranges.append(text.format(name=_(name), low=f"{least:.6g}", high=f"{most:.6g}"))
-    named = {"family": turns.family, "ranges": ", ".join(ranges), "bound": _rounded(turns, bound)}
-    if turns.objective == "speed":
-        text = _(
-            "proved: no turn of the family {family} ({ranges}) that keeps these limits lets the head "
-            "walk faster than {bound} m/s"
-        )
-    elif turns.objective == "length":
-        text = _(
-            "proved: no turn of the family {family} ({ranges}) that keeps these limits is shorter than "
-            "{bound} m"
-        )
-    else:
-        text = _(
-            "proved: no turn of the family {family} ({ranges}) that keeps these limits has a path "
-            "inside the disc shorter than {bound} m"
-        )
-    return text.format(**named)
-
-
-def _rounded(turns: "Turns", bound: float) -> str:
-    """A bound with six decimals, up if it is of speeds, else down."""
-    whole = math.ceil(bound * 1e6) if turns.objective == "speed" else math.floor(bound * 1e6)
-    return f"{whole / 1e6:.6f}"
-
-
 def _rounded_up(gap: float) -> str:
     """A distance with two figures, no smaller than it is."""
     if not gap > 0.0:
@@ -340,7 +302,7 @@ def with_proof(best: BestTurn, proof: TurnProof) -> BestTurn:
         return replace(best, objective=replace(answer, assumptions=told))
     text = _("{boxes} boxes of turns were looked at; the best found is within {gap} {unit} of that")
     told = (
-        proof_text(proof.turns, proof.root.low, proof.root.high, bound),
+        proof.statement(bound).sentence(),
         text.format(boxes=proof.boxes, gap=_rounded_up(proof.gap), unit=answer.unit),
     )
     if not proof.complete:
@@ -354,7 +316,7 @@ def with_proof(best: BestTurn, proof: TurnProof) -> BestTurn:
 
 def proof_json(proof: TurnProof) -> dict[str, Any]:
     """A proof as plain data; lengths in m, speeds in m/s."""
-    ranges = ranges_of(proof.turns, proof.root.low, proof.root.high)
+    ranges = ranges_of(proof.turns.family, proof.root.low, proof.root.high)
     return {
         "family": proof.turns.family,
         "ranges": {name: list(ends) for name, ends in ranges.items()},
