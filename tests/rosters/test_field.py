@@ -15,6 +15,7 @@ EIGHT = "张三 李四 王五 赵六 钱七 孙八 周九 吴十"
 TEN = Numbering(10, True, lambda bench: f"bench {bench}")
 WORDS = """
     抬灯人 迎灯人 扛灯人 掌灯 掌灯人 灯手 抬桥人 扛桥人 换班人 换班 替换人员 抬灯人员 抬桥者 灯夫
+    抬灯人姓名 抬灯人、换班人 抬桥的人
     后备人员 抬灯人1 抬灯人（左） 抬灯人甲 抬燈人 換班人 抬橋人 Bearers relief
 """
 BEARERS = WORDS.split()
@@ -77,6 +78,8 @@ def test_who_carries_is_known_by_each_villages_word_and_no_householder_is(
         ([[1, "张三", "李四"], [2, "王五", "赵六"]], "C, which has no heading"),
         ([["桥号", "负责"], [1, "张三"]], "none that is known for those who carry (桥号, 负责)"),
         ([["次", "户主", "姓名"], [1, "张三", "李四"]], "none that is known for the numbers of"),
+        ([["桥号", "户主", "Helper"], [1, "张三", "Bo Li"]], "C, whose heading, Helper, is not known"),
+        ([["桥号", "姓名", "Helper"], [1, "张三", "Bo Li"]], "C, whose heading, Helper, is not known"),
         ([["", "户主", "姓名"], [1, "张三", "李四"]], "none that is known for the numbers of"),
     ],
 )  # fmt: skip
@@ -137,7 +140,7 @@ def test_a_quotation_mark_alone_is_what_stands_above_and_swallows_no_row(tmp_pat
 
 NOBODYS = """
     本人 XXX xx ××× 张×× 某某 张某 王某某 初一 十五 廿三 替补 候补 正月十五 3月5日 十月初三晚上 元宵
-    星期六 二十 同上 户主 自己 外请 戶主
+    星期六 二十 同上 户主 自己 外请 戶主 2人 缺三人 大年初一 元宵晚上 正月半 人员待定 亲戚 待落实
 """
 
 
@@ -212,6 +215,8 @@ def test_places_at_a_bench(tmp_path: Path) -> None:
     assert names(read(tmp_path, [["桥号", "姓名"], ["1-2", "张三、李四"], ["3-5", "王五"]])) == {
         1: "张三", 2: "李四", 3: "王五", 4: "王五", 5: "王五",
     }  # fmt: skip
+    strokes = [["桥号", "姓名"], ["1/1", "张三"], ["1/2", "李四"], ["4/1", "王五"], ["7/8", "赵六"]]
+    assert names(read(tmp_path, strokes)) == {1: "张三 李四", 4: "王五", 7: "赵六", 8: "赵六"}
     # Nobody counts benches backwards to so small a number as that of a place.
     assert names(read(tmp_path, [["桥号", "姓名"], ["4-2", "张三"], ["9-7", "李四"]])) == {
         4: "张三", 7: "李四", 8: "李四", 9: "李四",
@@ -234,6 +239,23 @@ def test_the_phone_of_a_household_is_not_its_second_names(tmp_path: Path) -> Non
     )
     assert phones_of(roster.people(1)) == (["", ""], ["13800000001"])
     assert phones_of(roster.people(2)) == ([""], ["13800000002"])
+    said = read(
+        tmp_path,
+        [
+            ["桥号", "户主", "户主电话", "抬灯人", "抬灯人电话"],
+            [1, "张三", "1380000001", "李四", "1380000002"],
+        ],
+    )
+    assert phones_of(said.people(1)) == (["1380000002"], ["1380000001"])
+    self = read(
+        tmp_path,
+        [
+            ["桥号", "户主", "电话", "抬灯人"],
+            [1, "张三", "13800000001", "同左"],
+            [2, "李四", "13800000002", "李四"],
+        ],
+    )
+    assert phones_of(self.people(2)) == (["13800000002"], [])
     two = read(
         tmp_path,
         [

@@ -144,7 +144,7 @@ def test_phones_among_names_remarks_and_households_are_never_shown(tmp_path: Pat
     )
     (person,) = roster.people(1)
     assert (person.name, person.household, person.remarks) == ("张三", "张家", "找")
-    assert person.phone == "13800000001 13900000002 0579-1234567"
+    assert (person.phone, person.home_phone) == ("13800000001 13900000002", "0579-1234567")
     assert "138" not in repr(roster)
 
 

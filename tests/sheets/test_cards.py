@@ -395,6 +395,9 @@ def test_what_a_row_of_the_list_says_of_several_is_printed_once(tmp_path: Path, 
     sheet = pages(tmp_path / "b.pdf")[1]
     assert "王五赵六phoneofthehousehold:139-7" in sheet
     assert sheet.count("139-7") == 1
+    home = replace(two[0], phone="", home_phone="139-9")
+    write_benches(tmp_path / "h.pdf", replace(ours, roster=Roster({2: (home,)})), Options(phones=True))
+    assert "王五phoneofthehousehold:139-9" in pages(tmp_path / "h.pdf")[1]
 
 
 def test_the_sheets_of_head_and_tail_say_so_where_benches_are_counted_through(

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
-from benchdragon.rosters.names import like_person
+from benchdragon.rosters.names import like_people
 from benchdragon.rosters.words import (
     MOST_TITLES,
     Kind,
@@ -132,7 +132,7 @@ def _refuse_names(
         cells = [row[n] for row in rows[first:] if n < len(row) and row[n]]
         if is_other(said) or (heading(said) if said else None):
             continue
-        people = sum(any(map(like_person, names_of(cell))) for cell in cells)
+        people = sum(any(map(like_people, names_of(cell))) for cell in cells)
         words = all_words and said and _mostly(cells, _holds_names)
         if not words and (people < (1 if said else LEAST_NAMES) or 2 * people <= len(cells)):
             continue

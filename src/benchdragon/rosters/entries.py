@@ -8,7 +8,6 @@ from benchdragon.rosters.columns import Columns
 from benchdragon.rosters.names import ABOVE, LEFT
 from benchdragon.rosters.roster import Person
 from benchdragon.rosters.words import (
-    DASH,
     DECIMALS,
     MADE_A_DAY,
     ROUNDED,
@@ -22,6 +21,7 @@ from benchdragon.rosters.words import (
     plain,
     simple,
     with_places,
+    without_dashes,
     without_phones,
 )
 
@@ -141,7 +141,7 @@ def _not_a_number(said: str, row: Sequence[str]) -> str:
         text = _(
             "{said} may be several benches, or a place at one: write {benches}, or the bench alone"
         )
-        return text.format(said=said, benches=DASH.sub("至", said))
+        return text.format(said=said, benches=without_dashes(said))
     head, comma, _rest = said.partition("，")
     if comma and places(head) and sum(map(bool, row)) == 1:
         text = _("the comma behind {number} is a Chinese one (，): type an English one (,)")
@@ -156,7 +156,8 @@ def _people(row: Sequence[str], block: Columns, household: str) -> tuple[tuple[P
     said, more = _open(_cells(row, block.households))
     household = said or household
     columns, homes = _phone_columns(block)
-    home = [phone for cell in _cells(row, homes) for phone in _phones(cell)] + list(more)
+    at_home = [phone for cell in _cells(row, homes) for phone in _phones(cell)]
+    home = " ".join([*at_home, *more])
     people: list[Person] = []
     odd = [
         _("the spreadsheet rounded a phone number: format the column as text")
@@ -171,9 +172,8 @@ def _people(row: Sequence[str], block: Columns, household: str) -> tuple[tuple[P
             _("{text} is no name").format(text=_shown([name])) for name in names if not is_name(name)
         ]
         each = own if len(own) == len(names) else [" ".join(own)] * len(names)
-        shared = bool(home) and not own
         people += [
-            Person(name, household, " ".join(filter(None, [phone, *home])), remarks, shared)
+            Person(name, household, phone or (home if name == household else ""), remarks, home)
             for name, phone in zip(names, each, strict=True)
             if is_name(name)
         ]

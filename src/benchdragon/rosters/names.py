@@ -22,6 +22,7 @@ ONE_SIGN = frozenset(
 # Signs of a Chinese name, at most, and of several that are joined; what joins two of them.
 MOST_SIGNS, MOST_JOINED = 4, 200
 JOINERS = re.compile(r"以及|[和与與及跟同并\-—–~]")
+LATIN = re.compile("[A-Z][a-z]+(?: [A-Z][a-z]+){1,2}")
 CHINESE = re.compile("[\u3400-\u4dbf\u4e00-\u9fff\U00020000-\U0003ffff]+")
 
 # What stands for a name that is not known or not said, as `stands_in` wants it.
@@ -29,17 +30,22 @@ WORDS = """
     本人 自己 户主 户主本人 本户 本家 家人 家属 全家 同户 同户主 替补 候补 备用 后备 预备 机动 轮换 轮流
     换班 换人 待补 待通知 待安排 待确认 未知 不详 不清楚 不知道 保密 另定 另行通知 抽签 外请 请人 雇人
     有人 没人 缺人 空位 测试 某人 无名 姓名 名字 unknown someone somebody reserve substitute relief
-    除夕 春节 元旦 元宵 元宵节 上元 清明 端午 中秋 重阳 冬至 正月 腊月 十五夜 今天 明天 后天 今晚 明晚
+    亲戚 朋友 亲友 邻居 民工 小工 工人 学生 年轻人 小伙子 村干部 儿子 侄子 女婿 外甥 弟弟 哥哥 兄弟 父亲
+    今天 明天 后天 今晚 明晚 若干 若干人 多人 几人 数人
 """
 STANDING_IN = frozenset(WORDS.split())
 # 某某, 张某, XXX, 李×, ***.
-BLANKS = re.compile("[\u4e00-\u9fff]{0,2}(?:某+人?|[x×*○□■_]+)")
+BLANKS = re.compile(
+    "[\u4e00-\u9fff]{0,2}(?:某+人?|[x×*○□■_]+)"
+    "|(?:人员?|名单)?[待未暂](?:定|补|缺|安排|通知|确认|落实)(?:中|者|人员?)?"
+)
 NUMERAL = "[0-9〇零一二两三四五六七八九十百千廿卅]"
 HOUR = "(?:[早晚]上?|上午|中午|下午|夜里?|凌晨|早晨)?"
 DAYS = re.compile(
     rf"(?:农历|阴历|公历|阳历|旧历|今年|明年|{NUMERAL}{{2,4}}年)?"
     rf"(?:(?:[正冬腊闰]|{NUMERAL}{{1,3}})月)?(?:初?{NUMERAL}{{1,9}}[日号]?)?{HOUR}"
-    rf"|(?:星期|礼拜)[一二三四五六日天]{HOUR}"
+    rf"|(?:大?年)?(?:初{NUMERAL}{{1,3}}|三十){HOUR}|[正七]月半{HOUR}|(?:空?缺)?{NUMERAL}{{1,4}}个?人"
+    rf"|(?:除夕|春节|元旦|元宵节?|上元节?|清明|端午|中秋|重阳|冬至|正月|腊月|星期[一二三四五六日天]){HOUR}夜?"
 )
 # What says again what stands above, or at the left.
 DITTO = "同上 同前 上同 仝 仝上 〃 \" '' ” “ ′′ 々 ditto do. do same sameasabove"
@@ -60,6 +66,11 @@ def like_person(name: str) -> bool:
     if not CHINESE.fullmatch(name) or len(name) > MOST_SIGNS:
         return False
     return len(name) > 2 if name[:2] in TWO_SIGNS else len(name) in (2, 3) and name[0] in ONE_SIGN
+
+
+def like_people(name: str) -> bool:
+    """Whether it looks like a name in any script: two or three words in Latin letters, too."""
+    return like_person(name) or LATIN.fullmatch(name) is not None
 
 
 def like_two(name: str) -> bool:

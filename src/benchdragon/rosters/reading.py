@@ -215,8 +215,9 @@ def _same(one: Person, other: Person) -> bool:
 def _fuller(one: Person, other: Person) -> Person:
     """What two entries about one person say."""
     remarks = one.remarks if other.remarks in one.remarks else f"{one.remarks} {other.remarks}".strip()
-    phoned = one if one.phone else other
-    return Person(one.name, one.household or other.household, phoned.phone, remarks, phoned.shared)
+    pairs = ((one.household, other.household), (one.phone, other.phone))
+    household, phone = (a or b for a, b in pairs)
+    return Person(one.name, household, phone, remarks, one.home_phone or other.home_phone)
 
 
 def _at_two(seats: Sequence[_Seat], numbering: Numbering) -> Iterator[str]:

@@ -15,7 +15,7 @@ class Person:
         name: as the list has it.
         household: whose bench it is.
         phone: never shown unless asked for.
-        shared: whether it is the household's, or of several people, rather than this person's own.
+        home_phone: the household's, or that of all people of a row; no more shown than theirs.
         remarks: anything else that the list says.
     """
 
@@ -23,16 +23,18 @@ class Person:
     household: str = ""
     phone: str = field(default="", repr=False)
     remarks: str = ""
-    shared: bool = False
+    home_phone: str = field(default="", repr=False)
 
 
 def phones_of(people: Sequence[Person]) -> tuple[list[str], list[str]]:
-    """The phone of each of the people of a bench, "" for none of their own; and those of households."""
+    """The phone of each of the people of a bench, "" for none of their own; and those of households.
+
+    What several have is no one's own.
+    """
     counted = Counter(one.phone for one in people)
-    shared = [bool(one.phone) and (one.shared or counted[one.phone] > 1) for one in people]
-    pairs = list(zip(people, shared, strict=True))
-    own = ["" if among else one.phone for one, among in pairs]
-    return own, list(dict.fromkeys(one.phone for one, among in pairs if among))
+    own = [one.phone if counted[one.phone] == 1 else "" for one in people]
+    home = (phone for one in people for phone in (one.phone, one.home_phone))
+    return own, [phone for phone in dict.fromkeys(home) if phone and phone not in own]
 
 
 @dataclass(frozen=True)

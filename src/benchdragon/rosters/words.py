@@ -45,10 +45,14 @@ OTHERS = frozenset(OTHER_HEADINGS.split())
 # Who carries, and who takes turns with them, in the words of each village.
 CARRY = "[抬扛掌舞迎擎举执挑背驮托拿提撑]"
 THINGS = "(?:板凳龙|板凳|龙灯|灯笼|花灯|龙|灯|桥|凳|板|节|杠)"
-BEARERS = re.compile(
-    f"{CARRY}{THINGS}的?(?:人员|队员|人|手|者|员|夫|名单|姓名)?|{THINGS}(?:手|丁|夫)"
-    "|(?:换班|换手|换肩|换抬|换桥|换灯|替换|替班|替补|替手|轮换|轮班|接班|接替|接手|候补|后备|备用|预备)"
-    "抬?的?(?:人员|队员|人|手|者|员|名单|姓名)?"
+TURNS = (
+    "(?:换班|换手|换肩|换抬|换桥|换灯|替换|替班|替补|替手|轮换|轮班|接班|接替|接手|候补|后备|备用|预备)"
+)
+WHO = "(?:人员|队员|人|手|者|员|夫|名单|姓名)"
+EACH = f"(?:{CARRY}{THINGS}的?{WHO}?(?:姓名)?|{THINGS}(?:手|丁|夫)|{TURNS}抬?的?{WHO}?(?:姓名)?)"
+BEARERS = re.compile(f"{EACH}(?:[和及与或、,&+]*{EACH})*")
+PHONE_HEADING = re.compile(
+    "(.*?)的?(?:联系)?(?:电话号码|电话|手机号码|手机号|手机|联系方式|phone|mobile|tel)"
 )
 # Traditional signs of headings and numbers.
 SIMPLE = str.maketrans(
@@ -83,6 +87,7 @@ SIDE_APART = re.compile(rf"(?<=[0-9号#桥节凳板灯])\s*-?\s*(?={SIDES}\)?(?:
 SHORTENED = re.compile("[百千佰仟][一二三四五六七八九]$")
 DASH, TO = re.compile(r"\s*[-–—‒−]+\s*"), re.compile(r"\s*(?:~+|至|到|to)\s*")
 AND = re.compile(r"[、,;/&+\s]|和|及|与|and")
+SLASH = re.compile(r"([0-9]{1,9})\s*/\s*([0-9]{1,9})")
 # A list that names so many places at a bench says bench 4, place 1 by 4-1.
 MOST_PLACES = 4
 PHONE = re.compile(
@@ -137,8 +142,11 @@ def heading(text: str) -> tuple[Kind, int] | None:
         for each in (word, short):
             if each in words:
                 return kind, words.index(each)
-    known = any(BEARERS.fullmatch(each) for each in (word, short))
-    return ("name", len(HEADINGS["name"])) if known else None
+    if any(BEARERS.fullmatch(each) for each in (word, short)):
+        return "name", len(HEADINGS["name"])
+    phone = PHONE_HEADING.fullmatch(short)
+    whose = heading(phone[1]) if phone and phone[1] else None
+    return ("phone", len(HEADINGS["phone"])) if whose and whose[0] in ("name", "household") else None
 
 
 def is_other(text: str) -> bool:
@@ -151,7 +159,7 @@ def places(text: str, halved: Collection[int] = ()) -> list[tuple[Place, Place]]
 
     4-1 is a place at bench 4, as is each a-b of a bench a that is `halved`: see `with_places`.
     """
-    found = _ranges(text)
+    found = _ranges(text, halved)
     if found is None:
         return None
     return [(low, low if dash and _is_place(low, high, halved) else high) for dash, low, high in found]
@@ -165,7 +173,8 @@ def with_places(text: str) -> set[int]:
 
 def doubtful(text: str, halved: Collection[int]) -> bool:
     """Whether a cell may name benches or a place: 1-2, where other benches are halved, and 1 is not."""
-    found = [(low, high) for dash, low, high in _ranges(text) or () if dash and halved]
+    dashed = SLASH.sub(r"\1-\2", unicodedata.normalize("NFKC", text))
+    found = [(low, high) for dash, low, high in _ranges(dashed) or () if dash and halved]
     return any(
         not (low.end or high.end or low.number in halved) and low.number < high.number <= MOST_PLACES
         for low, high in found
@@ -178,9 +187,17 @@ def _is_place(low: Place, high: Place, halved: Collection[int]) -> bool:
     return low.number in halved or high.number <= min(low.number - 1, MOST_PLACES)
 
 
-def _ranges(text: str) -> list[tuple[bool, Place, Place]] | None:
-    """The ranges of a cell, and whether a dash stands between their ends."""
+def without_dashes(text: str) -> str:
+    """A cell of a number with 至 in place of dashes."""
+    return DASH.sub("至", text.replace("/", "-"))
+
+
+def _ranges(text: str, halved: Collection[int] = ()) -> list[tuple[bool, Place, Place]] | None:
+    """The ranges of a cell, and whether a dash, or the stroke of 4/1, stands between their ends."""
     whole = unicodedata.normalize("NFKC", text).strip().lower().translate(SIMPLE)
+    slash = SLASH.fullmatch(whole)
+    if slash and (int(slash[1]) in halved or int(slash[2]) <= int(slash[1])):
+        whole = f"{slash[1]}-{slash[2]}"
     joined = TO.sub("~", DASH.sub("-", SIDE_APART.sub("", whole)))
     found = []
     for part in filter(None, AND.split(joined)):

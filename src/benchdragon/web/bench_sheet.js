@@ -12,7 +12,7 @@ import { _, language } from "./words.js";
 /** @typedef {import("./compute/briefing.js").Briefing} Briefing */
 /** @typedef {import("./sheet_map.js").SheetMaps} SheetMaps */
 
-/** Somebody who carries a bench. @typedef {{ name: string, household: string, phone: string, remarks: string, shared: boolean }} Person */
+/** Somebody who carries a bench. @typedef {{ name: string, household: string, phone: string, remarks: string, home_phone: string }} Person */
 /** Who carries each bench (number, from 1). @typedef {Map<number, Person[]>} People */
 /** How sheets are wanted: "a4" or "quarter", in large type, with phones. @typedef {{ paper: string, night: boolean, phones: boolean }} Looks */
 
@@ -137,18 +137,14 @@ export class Sayings {
   }
 }
 
-/** The phone of each of the people of a bench, "" for none of their own; and those of households, in words. @param {Person[]} people @param {boolean} asked whether phones are wanted */
+/** The phone of each of the people of a bench, "" for none of their own, as is what several have; and those of households, in words. @param {Person[]} people @param {boolean} asked whether phones are wanted */
 function phonesOf(people, asked) {
-  const among = people.map(
-    ({ phone, shared }) =>
-      phone !== "" && (shared || people.filter((one) => one.phone === phone).length > 1),
-  );
   if (!asked) return { own: people.map(() => ""), home: [] };
-  const home = new Set(people.flatMap(({ phone }, n) => (among[n] ? [phone] : [])));
-  return {
-    own: people.map(({ phone }, n) => (among[n] ? "" : phone)),
-    home: [...home].map((phone) => _("phone of the household: {phone}", { phone })),
-  };
+  const counted = (/** @type {string} */ phone) => people.filter((one) => one.phone === phone).length;
+  const own = people.map(({ phone }) => (counted(phone) === 1 ? phone : ""));
+  const all = new Set(people.flatMap(({ phone, home_phone }) => [phone, home_phone]));
+  const home = [...all].filter((phone) => phone && !own.includes(phone));
+  return { own, home: home.map((phone) => _("phone of the household: {phone}", { phone })) };
 }
 
 /** The code of an address; itself where it is too long for one. @param {string} address */

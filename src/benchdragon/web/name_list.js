@@ -33,7 +33,7 @@ export class NameList {
 
   /** Whether the list has phones. */
   get phones() {
-    return [...this.people.values()].flat().some(({ phone }) => phone);
+    return [...this.people.values()].flat().some(({ phone, home_phone }) => phone || home_phone);
   }
 
   /** Read the list for a dragon, in the language in use. @param {Numbering} numbering */

@@ -235,7 +235,7 @@ function fuller(one, other) {
     name: one.name,
     household: one.household || other.household,
     phone: one.phone || other.phone,
-    shared: (one.phone ? one : other).shared,
+    home_phone: one.home_phone || other.home_phone,
     remarks: told ? one.remarks : `${one.remarks} ${other.remarks}`.trim(),
   };
 }

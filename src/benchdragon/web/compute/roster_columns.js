@@ -4,7 +4,7 @@
 import { _ } from "../words.js";
 import { ROSTERS_COLUMNS, ROSTERS_WORDS } from "./constants.js";
 import { InputError } from "./errors.js";
-import { likePerson } from "./roster_names.js";
+import { likePeople } from "./roster_names.js";
 import { heading, isName, isOther, namesOf, places, plain, withoutPhones } from "./roster_words.js";
 
 /** The columns of one block of a list, counted from 0; lists may stand side by side in blocks. @typedef {{ number: number, names: number[], households: number[], phones: number[], remarks: number[] }} Columns */
@@ -97,7 +97,7 @@ function refuseNames(rows, first, columns, allWords, name) {
     const said = head[n] ?? "";
     if (isOther(said) || (said && heading(said))) continue;
     const cells = rows.slice(first).flatMap((row) => row[n] || []);
-    const people = cells.filter((cell) => namesOf(cell).some(likePerson)).length;
+    const people = cells.filter((cell) => namesOf(cell).some(likePeople)).length;
     const words = allWords && said && mostly(cells, holdsNames);
     if (!words && (people < (said ? 1 : LEAST_NAMES) || 2 * people <= cells.length)) continue;
     const values = { file: name, column: letters(n), heading: cut(said) };

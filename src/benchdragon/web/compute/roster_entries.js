@@ -18,7 +18,7 @@ import {
 
 /** @typedef {import("./roster_columns.js").Columns} Columns */
 /** @typedef {import("./roster_words.js").Place} Place */
-/** Somebody who carries a bench; what is not known is "". A phone that is `shared` is of the household, or of several. @typedef {{ name: string, household: string, phone: string, remarks: string, shared: boolean }} Person */
+/** Somebody who carries a bench; what is not known is "".  @typedef {{ name: string, household: string, phone: string, remarks: string, home_phone: string }} Person */
 /** A row with people: its number, from 1; the benches as it, or the row above, names them; and whether its householder is taken for who carries. @typedef {{ row: number, benches: Array<[Place, Place]>, people: Person[], householder: boolean }} Entry */
 /** A row, or a part of it, that was not read, and why, in words; a sum is none of people. @typedef {{ row: number, why: string, isSum?: boolean }} Unread */
 
@@ -147,7 +147,7 @@ function peopleOf(row, block, above) {
   const [said, more] = opened(cellsOf(row, block.households));
   const household = said || above;
   const { own: columns, home: homes } = phoneColumns(block);
-  const home = [...cellsOf(row, homes).flatMap(phonesOf), ...more];
+  const home = [...cellsOf(row, homes).flatMap(phonesOf), ...more].join(" ");
   /** @type {Person[]} */
   const people = [];
   const odd = cellsOf(row, block.phones)
@@ -162,11 +162,10 @@ function peopleOf(row, block, above) {
         .filter((name) => !isName(name))
         .map((name) => _("{text} is no name", { text: shown([name]) })),
     );
-    const shared = home.length > 0 && !own.length;
     for (const [k, name] of names.entries()) {
-      const each = own.length === names.length ? own[k] : own.join(" ");
-      const phone = [each, ...home].filter(Boolean).join(" ");
-      if (isName(name)) people.push({ name, household, phone, remarks, shared });
+      const told = own.length === names.length ? own[k] : own.join(" ");
+      const phone = told || (name === household ? home : "");
+      if (isName(name)) people.push({ name, household, phone, remarks, home_phone: home });
     }
   }
   return { people, odd };
@@ -197,7 +196,7 @@ function householderOf(row, block) {
   const phone = [...new Set(phones)].join(" ");
   return namesOf(household)
     .filter(isName)
-    .map((name) => ({ name, household, phone, remarks, shared: false }));
+    .map((name) => ({ name, household, phone, remarks, home_phone: "" }));
 }
 
 /** The texts of cells without the phones in them, and these. @param {string[]} cells @returns {[string, string[]]} */

@@ -15,21 +15,24 @@ const ONE_SIGN = new Set(
   "赵钱孙李周吴郑王冯陈褚卫蒋沈韩杨朱秦尤许何吕施张孔曹严华金魏陶姜戚谢邹喻柏窦章苏潘葛奚范彭郎鲁韦昌马苗凤方俞任袁柳鲍史唐费廉岑薛雷贺倪汤滕殷罗毕郝邬安常于傅卞齐康伍余元卜顾孟黄穆萧尹姚邵湛汪祁毛狄臧计成戴谈宋庞熊纪舒屈项祝董梁杜阮蓝闵席季麻贾路娄江童颜郭梅盛林刁钟徐邱骆高夏蔡田樊胡凌霍虞万支柯昝管卢莫房裘缪干应宗丁宣邓郁单杭洪包诸左石崔吉龚程嵇邢裴陆荣翁荀惠甄曲封储靳段巫焦巴牧车侯班仇甘厉祖武符刘景詹龙叶幸司韶黎薄白怀蒲卓蔺屠池乔胥闻莘党翟谭贡姬申扶冉宰郦桑桂濮牛寿边燕浦尚温庄晏柴瞿阎充慕连茹习艾鱼容易慎戈廖耿匡文寇欧殳沃隆巩聂晁敖冷辛阚那简饶曾沙鞠巢关蒯荆游竺楼肖斯佘付覃邝佟代闫苟衣苑阳鄢粟区黃趙錢孫鄭馮陳衛蔣韓楊許呂張嚴華謝鄒竇蘇範魯韋馬鳳賀湯羅畢鄔齊顧蕭談龐紀項藍閔賈婁顏鐘鍾駱萬盧繆鄧單諸龔榮陸儲車厲劉龍葉喬聞黨譚貢酈邊溫莊閻連習魚歐聶饒關遊樓吳",
 );
 const JOINERS = /以及|[和与與及跟同并\-—–~]/gu;
+const LATIN = /^[A-Z][a-z]+(?: [A-Z][a-z]+){1,2}$/u;
 const CHINESE = /^[\u3400-\u4dbf\u4e00-\u9fff\u{20000}-\u{3ffff}]+$/u;
 // What stands for a name that is not known or not said, as `standsIn` wants it.
 const STANDING_IN = new Set(
-  "本人 自己 户主 户主本人 本户 本家 家人 家属 全家 同户 同户主 替补 候补 备用 后备 预备 机动 轮换 轮流 换班 换人 待补 待通知 待安排 待确认 未知 不详 不清楚 不知道 保密 另定 另行通知 抽签 外请 请人 雇人 有人 没人 缺人 空位 测试 某人 无名 姓名 名字 unknown someone somebody reserve substitute relief 除夕 春节 元旦 元宵 元宵节 上元 清明 端午 中秋 重阳 冬至 正月 腊月 十五夜 今天 明天 后天 今晚 明晚".split(
+  "本人 自己 户主 户主本人 本户 本家 家人 家属 全家 同户 同户主 替补 候补 备用 后备 预备 机动 轮换 轮流 换班 换人 待补 待通知 待安排 待确认 未知 不详 不清楚 不知道 保密 另定 另行通知 抽签 外请 请人 雇人 有人 没人 缺人 空位 测试 某人 无名 姓名 名字 unknown someone somebody reserve substitute relief 亲戚 朋友 亲友 邻居 民工 小工 工人 学生 年轻人 小伙子 村干部 儿子 侄子 女婿 外甥 弟弟 哥哥 兄弟 父亲 今天 明天 后天 今晚 明晚 若干 若干人 多人 几人 数人".split(
     " ",
   ),
 );
 // 某某, 张某, XXX, 李×, ***.
-const BLANKS = /^[\u4e00-\u9fff]{0,2}(?:某+人?|[x×*○□■_]+)$/u;
+const BLANKS =
+  /^(?:[\u4e00-\u9fff]{0,2}(?:某+人?|[x×*○□■_]+)|(?:人员?|名单)?[待未暂](?:定|补|缺|安排|通知|确认|落实)(?:中|者|人员?)?)$/u;
 const NUMERAL = "[0-9〇零一二两三四五六七八九十百千廿卅]";
 const HOUR = "(?:[早晚]上?|上午|中午|下午|夜里?|凌晨|早晨)?";
 const DAYS = new RegExp(
   `^(?:(?:农历|阴历|公历|阳历|旧历|今年|明年|${NUMERAL}{2,4}年)?` +
     `(?:(?:[正冬腊闰]|${NUMERAL}{1,3})月)?(?:初?${NUMERAL}{1,9}[日号]?)?${HOUR}` +
-    `|(?:星期|礼拜)[一二三四五六日天]${HOUR})$`,
+    `|(?:大?年)?(?:初${NUMERAL}{1,3}|三十)${HOUR}|[正七]月半${HOUR}|(?:空?缺)?${NUMERAL}{1,4}个?人` +
+    `|(?:除夕|春节|元旦|元宵节?|上元节?|清明|端午|中秋|重阳|冬至|正月|腊月|星期[一二三四五六日天])${HOUR}夜?)$`,
   "u",
 );
 /** What says again what stands above. */
@@ -53,6 +56,11 @@ export function likePerson(name) {
   if (!CHINESE.test(name) || signs.length > MOST_SIGNS) return false;
   if (TWO_SIGNS.has(signs.slice(0, 2).join(""))) return signs.length > 2;
   return [2, 3].includes(signs.length) && ONE_SIGN.has(signs[0]);
+}
+
+/** Whether it looks like a name in any script: two or three words in Latin letters, too. @param {string} name */
+export function likePeople(name) {
+  return likePerson(name) || LATIN.test(name);
 }
 
 /** Whether two names may stand in it with nothing between them: 张三李四. @param {string} name */

@@ -35,12 +35,13 @@ const OTHERS = new Set(
 // Who carries, and who takes turns with them, in the words of each village.
 const CARRY = "[抬扛掌舞迎擎举执挑背驮托拿提撑]";
 const THINGS = "(?:板凳龙|板凳|龙灯|灯笼|花灯|龙|灯|桥|凳|板|节|杠)";
-const BEARERS = new RegExp(
-  `^(?:${CARRY}${THINGS}的?(?:人员|队员|人|手|者|员|夫|名单|姓名)?|${THINGS}(?:手|丁|夫)` +
-    "|(?:换班|换手|换肩|换抬|换桥|换灯|替换|替班|替补|替手|轮换|轮班|接班|接替|接手|候补|后备|备用|预备)" +
-    "抬?的?(?:人员|队员|人|手|者|员|名单|姓名)?)$",
-  "u",
-);
+const TURNS =
+  "(?:换班|换手|换肩|换抬|换桥|换灯|替换|替班|替补|替手|轮换|轮班|接班|接替|接手|候补|后备|备用|预备)";
+const WHO = "(?:人员|队员|人|手|者|员|夫|名单|姓名)";
+const EACH = `(?:${CARRY}${THINGS}的?${WHO}?(?:姓名)?|${THINGS}(?:手|丁|夫)|${TURNS}抬?的?${WHO}?(?:姓名)?)`;
+const BEARERS = new RegExp(`^${EACH}(?:[和及与或、,&+]*${EACH})*$`, "u");
+const PHONE_HEADING =
+  /^(.*?)的?(?:联系)?(?:电话号码|电话|手机号码|手机号|手机|联系方式|phone|mobile|tel)$/u;
 // Traditional signs of headings and numbers, and the simplified ones.
 const TRADITIONAL = Array.from(
   "板橋號節龍燈戶電話機聯繫係備註說員隊與參編碼單換輪後補預時間齡職務組證點總計數塊條張兩貳陸頭東館區櫈無沒農曆陽舊陰",
@@ -81,6 +82,8 @@ const SHORTENED = /[百千佰仟][一二三四五六七八九]$/u;
 const DASH = new RegExp(`[${WHITE}]*[-–—‒−]+[${WHITE}]*`, "gu");
 const TO = new RegExp(`[${WHITE}]*(?:~+|至|到|to)[${WHITE}]*`, "gu");
 const AND = new RegExp(`[、,;/&+${WHITE}]|和|及|与|and`, "u");
+const STROKE = `([0-9]{1,9})[${WHITE}]*/[${WHITE}]*([0-9]{1,9})`;
+const [SLASH, SLASHES] = [new RegExp(`^${STROKE}$`, "u"), new RegExp(STROKE, "gu")];
 const PHONE =
   /(?<![0-9])(?:(?:\+?86[- ]?)?1[0-9]{2}[- ]?[0-9]{4}[- ]?[0-9]{4}|0[0-9]{2,3}[- ]?[0-9]{7,8}|\+?[0-9](?:[-() ]{0,2}[0-9]){6,14})(?![0-9])/gu;
 const EMPTY = new RegExp(`\\([电话:]*[${WHITE}]*\\)`, "gu");
@@ -139,8 +142,11 @@ export function heading(text) {
   for (const [n, words] of HEADINGS.entries())
     for (const each of [word, short])
       if (words.includes(each)) return { kind: KINDS[n], rank: words.indexOf(each) };
-  const known = BEARERS.test(word) || BEARERS.test(short);
-  return known ? { kind: "name", rank: HEADINGS[KINDS.indexOf("name")].length } : null;
+  const last = (/** @type {Kind} */ kind) => ({ kind, rank: HEADINGS[KINDS.indexOf(kind)].length });
+  if (BEARERS.test(word) || BEARERS.test(short)) return last("name");
+  const [, before] = PHONE_HEADING.exec(short) ?? [];
+  const whose = before ? heading(before) : null;
+  return whose && ["name", "household"].includes(whose.kind) ? last("phone") : null;
 }
 
 /** Whether a heading is known to be of something else than people and their benches. @param {string} text */
@@ -150,7 +156,7 @@ export function isOther(text) {
 
 /** The benches of a cell, as ranges of which both ends count; null where it is no number. 4-1 is a place at bench 4, as is each a-b of a bench a that is `halved`: see `withPlaces`. @param {string} text @param {Set<number>} [halved] @returns {Array<[Place, Place]> | null} */
 export function places(text, halved = new Set()) {
-  const found = rangesOf(text);
+  const found = rangesOf(text, halved);
   if (!found) return null;
   return found.map(({ dash, low, high }) => [low, dash && isPlace(low, high, halved) ? low : high]);
 }
@@ -163,7 +169,8 @@ export function withPlaces(text) {
 
 /** Whether a cell may name benches or a place: 1-2, where other benches are halved, and 1 is not. @param {string} text @param {Set<number>} halved */
 export function isDoubtful(text, halved) {
-  const found = (rangesOf(text) ?? []).filter(({ dash }) => dash && halved.size);
+  const dashed = text.normalize("NFKC").replace(SLASHES, "$1-$2");
+  const found = (rangesOf(dashed) ?? []).filter(({ dash }) => dash && halved.size);
   return found.some(
     ({ low, high }) =>
       !(low.end || high.end || halved.has(low.number)) &&
@@ -174,7 +181,7 @@ export function isDoubtful(text, halved) {
 
 /** A cell of a number with 至 in place of dashes. @param {string} text */
 export function withoutDashes(text) {
-  return text.replace(DASH, "至");
+  return text.replaceAll("/", "-").replace(DASH, "至");
 }
 
 /** @param {Place} low @param {Place} high @param {Set<number>} halved */
@@ -183,9 +190,11 @@ function isPlace(low, high, halved) {
   return halved.has(low.number) || high.number <= Math.min(low.number - 1, ROSTERS_WORDS.MOST_PLACES);
 }
 
-/** The ranges of a cell, and whether a dash stands between their ends. @param {string} text @returns {Array<{ dash: boolean, low: Place, high: Place }> | null} */
-function rangesOf(text) {
-  const whole = simplified(stripped(text.normalize("NFKC")).toLowerCase());
+/** The ranges of a cell, and whether a dash, or the stroke of 4/1, stands between their ends. @param {string} text @param {Set<number>} [halved] @returns {Array<{ dash: boolean, low: Place, high: Place }> | null} */
+function rangesOf(text, halved = new Set()) {
+  let whole = simplified(stripped(text.normalize("NFKC")).toLowerCase());
+  const [, low, high] = SLASH.exec(whole) ?? [];
+  if (low && (halved.has(Number(low)) || Number(high) <= Number(low))) whole = `${low}-${high}`;
   const joined = whole.replace(SIDE_APART, "").replace(DASH, "-").replace(TO, "~");
   const found = [];
   for (const part of joined.split(AND).filter(Boolean)) {
