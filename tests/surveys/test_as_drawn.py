@@ -282,6 +282,8 @@ LINE = "<kml><Placemark><LineString><coordinates>{}</coordinates></LineString></
 GRID = '{"type":"LineString","coordinates":[[5e5,3e6],[500020,3e6]],"crs":{"properties":{"name":"%s"}}}'
 ROUND = dxf_text((0, "SECTION"), (2, "ENTITIES"), (0, "CIRCLE"), (8, "w"), (10, 120.1), (20, 30.2),
                  (40, 0.001), (0, "ENDSEC"), (0, "EOF"))  # fmt: skip
+FAR = dxf_text((0, "SECTION"), (2, "ENTITIES"), (0, "LINE"), (8, "w"), (10, 338e4), (20, 456000),
+               (11, 338e4), (21, 456009), (0, "ENDSEC"), (0, "EOF"))  # fmt: skip
 NORTHWARDS = PARTS.format("<Line><Start>30 120</Start><End>30 120.001</End></Line>")
 
 
@@ -299,6 +301,9 @@ NORTHWARDS = PARTS.format("<Line><Start>30 120</Start><End>30 120.001</End></Lin
         ("a.csv", "x,y\n500000,3350000\n500020,3350000\n", Survey("EPSG:4528"), "where EPSG:4528 is"),
         ("a.csv", "x,y\n3350000,500000\n3350020,500000\n", Survey("epsg 4549"), "with both exchanged"),
         ("a.csv", "x,y\n3380000,40456000\n3380000,40456020\n", Survey(), "do x = 3380000 and y = 404"),
+        ("a.dxf", FAR, METRES, "do x = 3380000 and y = 456000 say north and east"),
+        ("a.xml", PARTS.format("<Line><Start>456000 3380000</Start><End>456009 3380000</End></Line>"),
+         Survey(), "do x = 3380000 and y = 456000 say north"),
         ("a.csv", "x,y\n3380000,456000\n3380000,456020\n", Survey(unit="m"), "or set survey.crs"),
         ("a.csv", "x,y\n500000,3350000\n500020,3350000\n", Survey("EPSG:4549", None, (335e4, 5e5)),
          "points must lie within 200000 m of survey.origin"),

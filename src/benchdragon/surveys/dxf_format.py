@@ -66,7 +66,7 @@ def dxf_file(data: bytes, name: str, fineness: Fineness) -> RawFile:
                 _("{what} that is not level (read as seen from above)").format(what=entity.dxftype())
             )
         lines.append(replace(line, hidden=_hidden(entity, document)))
-    return RawFile(lines, False, unit, passed_over(passed), says_unit=True)
+    return RawFile(lines, False, unit, passed_over(passed), says_unit=True, unclear=True)
 
 
 def _document(data: bytes, name: str) -> tuple[Any, bool]:

@@ -59,7 +59,7 @@ class RawFile:
         unit: of plane coordinates, a key of coordinates.UNITS; None where the file does not say it.
         passed: what of the file was passed over, or read otherwise than it stands there.
         says_unit: whether that unit stands in the file, and is not only what such files are in.
-        unclear: whether its columns are called x and y, of which either may point north.
+        unclear: whether its x may point north, as surveyors have it.
         crs: the code of the system that the file says its coordinates are of, like "EPSG:4549".
     """
 

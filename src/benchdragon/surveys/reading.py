@@ -124,14 +124,14 @@ def _check_told(raw: RawFile, survey: Survey, name: str, tell: Tell) -> None:
         )
     points = np.array([point for line in raw.lines for point in _places(line)])
     low, high = points.min(axis=0), points.max(axis=0)
-    if raw.unclear and survey.crs is None and survey.unit in (None, "m") and any(
-        NORTHINGS[0] <= low[0] <= high[0] <= NORTHINGS[1] and west <= low[1] <= high[1] <= east
-        for west, east in EASTINGS
-    ):  # fmt: skip
+    metres = (survey.unit or raw.unit) == "m" and survey.crs is None
+    northwards = NORTHINGS[0] <= low[0] <= high[0] <= NORTHINGS[1]
+    eastwards = any(west <= low[1] <= high[1] <= east for west, east in EASTINGS)
+    if raw.unclear and metres and northwards and eastwards:
         raise InputError(
             _(
                 "{file}: do x = {x} and y = {y} say north and east, as surveyors in China write them? "
-                "Name the columns east and north, or set survey.crs"
+                "Name the columns east and north, exchange x and y in the file, or set survey.crs"
             ).format(file=name, x=f"{points[0, 0]:.12g}", y=f"{points[0, 1]:.12g}")
         )
     if raw.says_unit and raw.unit and survey.unit and raw.unit != survey.unit:

@@ -129,6 +129,7 @@ def text_of(data: bytes, name: str, told: str = "gb18030") -> str:
     Raises:
         InputError: for what is none of these.
     """
+    data = data.rstrip(b"\x1a")  # with which DOS ends a text
     wide = data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
     try:
         text = data.decode("utf-16" if wide else "utf-8-sig")

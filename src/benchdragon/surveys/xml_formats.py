@@ -207,7 +207,7 @@ def landxml_file(data: bytes, name: str) -> RawFile:
         if geometry is not None:
             curves = [_curve(element, points, name) for element in geometry if element.tag != "Feature"]
             lines.append(RawLine(alignment.get("name", ""), curves=curves))
-    return RawFile(lines, False, unit, says_unit=True)
+    return RawFile(lines, False, unit, says_unit=True, unclear=True)
 
 
 def _place(element: Element, tag: str, points: dict[str, str], name: str) -> tuple[float, float] | None:
