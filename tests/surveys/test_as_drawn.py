@@ -308,6 +308,7 @@ NORTHWARDS = PARTS.format("<Line><Start>30 120</Start><End>30 120.001</End></Lin
         ("a.csv", "x,y\n500000,3350000\n500020,3350000\n", Survey("EPSG:4549", None, (335e4, 5e5)),
          "points must lie within 200000 m of survey.origin"),
         ("a.csv", "X坐标,Y坐标\n1,2\n3,4\n", Survey(), "which of X坐标, Y坐标 points north?"),
+        ("a.csv", "0,0\nx,y\n9,0\n9,9\n", METRES, "the first row must name the columns x and y"),
         ("a.csv", "x;y\n1;2\n3;1,234.5\n", Survey(), "line 3: wanted two numbers"),
         ("a.csv", "x\ty\n1\t2\n3\t1,234\n", Survey(), "line 3: wanted two numbers"),
         ("a.kmz", b"PK", GPS, "a.kmz is no KMZ archive with a KML file in it"),

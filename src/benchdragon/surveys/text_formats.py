@@ -29,6 +29,7 @@ METRES_BEHIND = re.compile(r"(?:_m|[(\[/](?:m|米)[)\]]?)$")
 MARKS = ",;\t，；"
 # Rows above the one that names the columns: titles.
 MOST_TITLES = 10
+NUMERIC = re.compile(r"[-+]?[\d.]+(?:e[-+]?\d+)?")
 # The first sign that takes three bytes in UTF-8, as Chinese ones do: bytes in GB18030 never look so.
 THREE_BYTES = "\u0800"
 # GeoJSON: collections within collections.
@@ -90,6 +91,8 @@ def _columns(rows: Iterator[list[str]], name: str) -> tuple[list[str], int, int]
         north = [i for i, cell in enumerate(header) if cell in NORTH]
         if len(east) == len(north) == 1 and EAST[header[east[0]]] == NORTH[header[north[0]]]:
             return header, east[0], north[0]
+        if sum(NUMERIC.fullmatch(cell) is not None for cell in header) > 1:
+            break  # a row of the line itself is no title, to be left out
     if unclear:
         raise InputError(
             _(
