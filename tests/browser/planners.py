@@ -18,7 +18,7 @@ def verdict(page: Page) -> Locator:
 
 
 def number(page: Page, name: str) -> Locator:
-    return page.get_by_role("spinbutton", name=name, exact=True)
+    return page.get_by_role("textbox", name=name, exact=True)
 
 
 def change(page: Page, name: str, value: str) -> None:

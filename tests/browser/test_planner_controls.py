@@ -1,6 +1,7 @@
 """The planner's controls: evidence, steps back, sizes, kinds of turns, keys, long questions' words."""
 
 import re
+from pathlib import Path
 
 import pytest
 from playwright.sync_api import expect
@@ -235,3 +236,49 @@ def test_nothing_lies_over_the_picture_but_what_changes_it(
     assert over == []
     sides = page.evaluate("(({ width, height }) => [width, height])(benchdragon.player.camera)")
     assert min(sides) >= 200
+
+
+@pytest.mark.parametrize(
+    ("typed", "length"), [("150cm", 1.5), ("1\u7c735", 1.5), ("\u4e00\u7c73\u516b", 1.8), ("1.7", 1.7)]
+)
+def test_a_length_is_typed_as_it_is_spoken(opened: Opened, typed: str, length: float) -> None:
+    page = opened()
+    change(page, "length of a bench", typed)
+    assert page.evaluate("benchdragon.plan.dragon.body_length") == pytest.approx(length)
+    expect(number(page, "length of a bench")).to_have_value(f"{length:g}")
+
+
+@pytest.mark.parametrize("typed", ["1,5", "abc", "150", "5 ft", "1 5"])
+def test_a_length_that_may_be_another_is_asked_back(opened: Opened, typed: str) -> None:
+    page = opened()
+    before = page.evaluate("JSON.stringify(benchdragon.plan)")
+    change(page, "length of a bench", typed)
+    box = number(page, "length of a bench")
+    asked = page.locator(".field", has=box).get_by_role("alert")
+    expect(asked).to_contain_text("2.2 m" if typed != "150" else "150 cm")
+    expect(box).to_have_value(typed)
+    assert page.evaluate("JSON.stringify(benchdragon.plan)") == before
+    change(page, "length of a bench", "2 m")
+    expect(asked).to_have_count(0)
+    assert page.evaluate("benchdragon.plan.dragon.body_length") == 2
+
+
+def test_the_moment_of_the_smallest_pitch_is_no_moment_of_this_plan(opened: Opened) -> None:
+    page = opened()
+    verdict(page).click()
+    row = page.get_by_role("row", name="smallest pitch")
+    expect(row).to_contain_text("in the dance of that size: benches")
+    expect(row.get_by_role("button")).to_have_count(0)
+
+
+@pytest.mark.parametrize("device", ["desktop", "phone"])
+def test_a_wrong_file_says_so_in_sight(opened: Opened, tmp_path: Path, device: Device) -> None:
+    page = opened(device)
+    wrong = tmp_path / "list.toml"
+    wrong.write_text("a,b\n1,2\n", "utf-8")
+    page.locator("input[type=file]").set_input_files(wrong)
+    told = page.locator(".told.none")
+    expect(told).to_be_in_viewport(ratio=1)
+    expect(told).to_contain_text("line 1")
+    page.keyboard.press("Escape")
+    expect(told).to_have_count(0)

@@ -60,8 +60,8 @@ function whereText({ witness }) {
     : _("bench {a}, t = {time} s", { a, time });
 }
 
-/** @param {string} name @param {Answer | null} answer @param {string} value @param {((time: number) => void) | null} jump */
-function row(name, answer, value, jump) {
+/** @param {string} name @param {Answer | null} answer @param {string} value @param {((time: number) => void) | null} jump @param {string} [place] where and when, in words */
+function row(name, answer, value, jump, place = answer ? whereText(answer) : "") {
   if (!answer)
     return make(
       "tr",
@@ -77,13 +77,25 @@ function row(name, answer, value, jump) {
   const time = answer.witness?.time ?? null;
   const where =
     time === null || jump === null
-      ? whereText(answer)
-      : make("button", { type: "button", onclick: () => jump(time) }, whereText(answer));
+      ? place
+      : make("button", { type: "button", onclick: () => jump(time) }, place);
   return make(
     "tr",
     {},
     make("th", { scope: "row" }, name),
     ...[value, bracket, statusText(answer.status), where].map((cell) => make("td", {}, cell)),
+  );
+}
+
+/** The row of a size that was sought: its moment is of the dance with that size, which the player does not show. @param {string} name @param {Answer} answer */
+function limitRow(name, answer) {
+  const where = whereText(answer);
+  return row(
+    name,
+    answer,
+    sizeText(answer, true),
+    null,
+    where && _("in the dance of that size: {where}", { where }),
   );
 }
 
@@ -127,7 +139,7 @@ export function evidenceDialog(verdict, limits, pitch, jump) {
       row(text[language()], peak, told(peak, true, limits[name]), go),
     ),
     ...(pitch && pitch.plan_sha256 === verdict.plan_sha256
-      ? [row(_("smallest pitch"), pitch, sizeText(pitch, true), go)]
+      ? [limitRow(_("smallest pitch"), pitch)]
       : []),
   ];
   const dialog = make(

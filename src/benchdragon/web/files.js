@@ -16,7 +16,7 @@ import { _ } from "./words.js";
  * @property {Plan} plan
  * @property {object} subject what it is about: the plan, or what stands in the address instead
  * @property {(plan: Plan, final: boolean) => void} change
- * @property {(plan: object, text: string) => void} tellFile how it went, and with which plan
+ * @property {(plan: object, text: string, failed?: boolean) => void} tellFile how it went, and with which plan
  */
 
 /** A page reads smaller files than the program: what is opened stays in memory several times. */
@@ -123,7 +123,7 @@ export class Files {
       this.host.tellFile(plan, name);
     } catch (error) {
       if (!(error instanceof Error)) throw error;
-      this.host.tellFile(before, error.message);
+      this.host.tellFile(before, error.message, true);
     }
   }
 }

@@ -1,6 +1,7 @@
 // The plan as controls: a slider and a number for each size.
 
 import { choice, make } from "./elements.js";
+import { NumberControl } from "./number_control.js";
 import { _, language } from "./words.js";
 
 /** @typedef {import("./messages").Preset} Preset */
@@ -9,19 +10,7 @@ import { _, language } from "./words.js";
  * @typedef {Record<string, any>} Plan
  */
 
-/**
- * A number of the plan.
- * @typedef {object} Field
- * @property {string} key
- * @property {() => string} text
- * @property {string} unit
- * @property {number} low of the slider; the number may lie beyond
- * @property {number} high
- * @property {number} step
- * @property {number} [begin] what it begins with where the plan leaves it open; without it, it may not
- * @property {number} [usual] what it is where it says something and nothing was said
- * @property {(plan: Plan) => boolean} [when] whether it says anything
- */
+/** @typedef {import("./number_control.js").Field} Field */
 
 /** @param {Plan} plan */
 const sized = (plan) => !plan.dragon.bench?.length;
@@ -51,6 +40,7 @@ const GROUPS = [
         low: 2,
         high: 400,
         step: 1,
+        whole: true,
         when: sized,
       },
       {
@@ -60,6 +50,7 @@ const GROUPS = [
         low: 0.8,
         high: 5,
         step: 0.01,
+        most: 20,
         when: sized,
       },
       {
@@ -69,6 +60,7 @@ const GROUPS = [
         low: 0.8,
         high: 4,
         step: 0.01,
+        most: 20,
         when: sized,
       },
       {
@@ -78,6 +70,7 @@ const GROUPS = [
         low: 0.1,
         high: 0.8,
         step: 0.01,
+        most: 2,
         when: sized,
       },
     ],
@@ -299,11 +292,6 @@ export function textPlan(text) {
   }
 }
 
-/** What a key stands for in a plan; undefined where it does not say. @param {Plan} plan @param {string} key */
-export function valueOf(plan, key) {
-  return key.split(".").reduce((/** @type {any} */ at, name) => at?.[name], plan);
-}
-
 /** The plan with another value under a key. @param {Plan} plan @param {string} key @param {unknown} value @returns {Plan} */
 export function withValue(plan, key, value) {
   const copy = structuredClone(plan);
@@ -335,61 +323,6 @@ function fitting(plan) {
     else if (usual !== undefined) copy[table][name] ??= usual;
   }
   return copy;
-}
-
-/** One number: a slider, a box, and where the plan may leave it open a tick. */
-export class NumberControl {
-  /** @param {Field} field @param {(key: string, value: number | null, final: boolean) => void} changed */
-  constructor(field, changed) {
-    this.field = field;
-    /** @type {Plan} */
-    this.plan = {};
-    const name = field.text();
-    const told = (/** @type {boolean} */ final) => (/** @type {Event} */ event) => {
-      const input = /** @type {HTMLInputElement} */ (event.target);
-      if (!Number.isFinite(input.valueAsNumber)) return this.show(this.plan);
-      changed(field.key, input.valueAsNumber, final);
-    };
-    const limits = { min: String(field.low), max: String(field.high), step: String(field.step) };
-    this.slider = make("input", {
-      type: "range",
-      ...limits,
-      "aria-label": name,
-      oninput: told(false),
-      onchange: told(true),
-    });
-    this.box = make("input", { type: "number", step: "any", "aria-label": name, onchange: told(true) });
-    this.open =
-      field.begin !== undefined &&
-      make("input", {
-        type: "checkbox",
-        "aria-label": _("set {name}", { name }),
-        onchange: () =>
-          changed(field.key, this.open && this.open.checked ? (field.begin ?? 0) : null, true),
-      });
-    const label = make("span", { class: "name" }, ...(this.open ? [this.open] : []), name);
-    this.element = make(
-      "div",
-      { class: "field" },
-      label,
-      this.slider,
-      make("span", { class: "box" }, this.box, make("span", { class: "unit" }, field.unit)),
-    );
-  }
-
-  /** @param {Plan} plan */
-  show(plan) {
-    this.plan = plan;
-    const value = valueOf(plan, this.field.key);
-    const given = typeof value === "number";
-    this.element.hidden = this.field.when ? !this.field.when(plan) : false;
-    if (this.open) this.open.checked = given;
-    for (const input of [this.slider, this.box]) {
-      input.disabled = !given;
-      if (given && input.valueAsNumber !== value) input.value = String(Number(value.toFixed(9)));
-      if (!given && input === this.box) input.value = "";
-    }
-  }
 }
 
 export class PlanForm {

@@ -141,7 +141,7 @@ export class Planner {
       verdict: new Line(verdict, _("computing ...")),
       limit: new Line(make("output", { class: "limit" })),
       dance: new Line(make("output")),
-      file: new Line(make("output", { class: "told" })),
+      file: new Line(make("output", { class: "told", onclick: () => this.#putAway() })),
     };
   }
 
@@ -215,10 +215,16 @@ export class Planner {
     showShare(this.root, text, () => this.answers.saved(plan));
   }
 
-  /** How it went with a file. @param {object} plan what it is about @param {string} text */
-  tellFile(plan, text) {
-    this.lines.file.tell(plan, text);
+  /** How it went with a file; where it did not go, that lies over the page until it is put away. @param {object} plan what it is about @param {string} text @param {boolean} [failed] */
+  tellFile(plan, text, failed = false) {
+    this.lines.file.tell(plan, text, failed ? "none" : "");
     this.#mark();
+  }
+
+  /** Put away what lies over the page. */
+  #putAway() {
+    const { told } = this.lines.file;
+    if (told?.state) this.tellFile(told.plan, told.text);
   }
 
   /** Another plan. @param {Plan} plan @param {boolean} final whether it is a step of its own */
@@ -484,6 +490,7 @@ export class Planner {
 
   /** @param {KeyboardEvent} event */
   #key(event) {
+    if (event.key === "Escape") this.#putAway();
     const key = event.key.toLowerCase();
     if (!(event.ctrlKey || event.metaKey) || !["y", "z"].includes(key)) return;
     event.preventDefault();

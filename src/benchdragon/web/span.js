@@ -1,10 +1,11 @@
 // The time span of the walk as controls: from when to when it is danced, and judged.
 
 import { make } from "./elements.js";
-import { NumberControl, withValue } from "./plan_form.js";
+import { NumberControl } from "./number_control.js";
+import { withValue } from "./plan_form.js";
 import { _ } from "./words.js";
 
-/** @typedef {import("./plan_form.js").Field} Field */
+/** @typedef {import("./number_control.js").Field} Field */
 /** @typedef {import("./plan_form.js").Plan} Plan */
 /** @typedef {import("./scene.js").Scene} Scene */
 

@@ -2,13 +2,14 @@
 // nothing else is asked. All of them would keep a processor busy for a quarter of a minute after each change.
 
 import { make } from "./elements.js";
-import { valueOf, withValue } from "./plan_form.js";
+import { valueOf } from "./number_control.js";
+import { withValue } from "./plan_form.js";
 import { PageFault, Refusal } from "./standing.js";
 import { spansOf, walkable } from "./walkable.js";
 import { _, language } from "./words.js";
 
 /** @typedef {import("./messages").Verdict} Verdict */
-/** @typedef {import("./plan_form.js").NumberControl} NumberControl */
+/** @typedef {import("./number_control.js").NumberControl} NumberControl */
 /** @typedef {import("./plan_form.js").Plan} Plan */
 /** @typedef {import("./plan_form.js").PlanForm} PlanForm */
 /** @typedef {import("./standing.js").Aside} Aside */
@@ -196,7 +197,7 @@ function numberText(value) {
   return String(Number(value.toFixed(4))).replace("-", "\u2212");
 }
 
-/** Where a dance can be walked, in words. @param {Piece[]} pieces @param {import("./plan_form.js").Field} field */
+/** Where a dance can be walked, in words. @param {Piece[]} pieces @param {import("./number_control.js").Field} field */
 function spansText(pieces, { low, high, unit }) {
   const [first, last] = [pieces[0].from, pieces[pieces.length - 1].to];
   const told = (/** @type {number} */ from, /** @type {number} */ to) => ({

@@ -64,7 +64,7 @@ for (const digits of ["零一二三四五六七八九", "〇壹贰叁肆伍陆�
   Array.from(digits).forEach((sign, n) => (DIGITS[sign] = n));
 /** @type {Record<string, number>} */
 const TENS = { 十: 10, 百: 100, 千: 1000, 拾: 10, 佰: 100, 仟: 1000 };
-const NUMERALS = [...Object.keys(DIGITS), ...Object.keys(TENS), "廿卅"].join("");
+export const NUMERALS = [...Object.keys(DIGITS), ...Object.keys(TENS), "廿卅"].join("");
 // Where somebody stands at a bench, which the number of it may say too.
 const SIDES = "(?:[左右前后中上下甲乙丙丁]|[abcd](?![a-z]))[边面侧手杠端]?";
 const ITEM = new RegExp(
@@ -223,7 +223,7 @@ function placeOf(text) {
 }
 
 /** A number in digits, or as Chinese write it: 三十七, 一百零五, 一二〇. @param {string} text */
-function numeral(text) {
+export function numeral(text) {
   if (/^[0-9]/u.test(text)) return Math.trunc(Number(text));
   const signs = Array.from(text);
   if (signs.every((sign) => sign in DIGITS)) return Number(signs.map((sign) => DIGITS[sign]).join(""));
