@@ -13,13 +13,14 @@ from benchdragon import BenchDragonError, InputError
 from benchdragon.cli.main import run
 from benchdragon.errors import NoSolutionError
 from benchdragon.figures.walk import bench_corners
+from benchdragon.model.answer import Answer
 from benchdragon.model.turns import TwoArcTurn
 from benchdragon.model.walk import Motion
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.solve import minima, turn
 from benchdragon.solve.head_speed import greatest_head_speed
-from benchdragon.solve.turn import BestTurn, pareto_front
+from benchdragon.solve.turn import BestTurn, pareto_front, undominated
 from benchdragon.solve.turn import best_turn as sought
 from benchdragon.solve.turn_trials import TurnEvaluator, TurnGoal
 
@@ -95,6 +96,48 @@ def test_the_front_is_as_short_as_any_turn_known_where_it_bends() -> None:
     assert fast < 12.75
     assert front[1].head_speed is not None
     assert front[1].head_speed.lower >= 1.683 * (1.0 - 1e-6)
+
+
+def of_front(speed: float, way: float, allowed: float, *active: str) -> BestTurn:
+    """A turn found for a head speed, with the length and the greatest head speed that it has."""
+    objective = Answer(way, -math.inf, way, "m", "found")
+    greatest = Answer(allowed, allowed, allowed, "m/s", "found")
+    found = plan(f"walk.speed={speed}")
+    turn_ = found.turn.build(1.7, 4.5)
+    return BestTurn(found, turn_, objective, way, way, greatest, greatest, active)
+
+
+def test_no_turn_of_a_front_is_longer_and_slower_than_another() -> None:
+    """1.5415 m/s with 11.9914 m beside 1.5418 m/s with 11.9862 m: the second stands for both speeds."""
+    front = undominated([
+        of_front(1.48, 11.60, 1.4801, "speed", "clearance"),
+        of_front(1.50, 11.80, 1.56, "clearance"),
+        of_front(1.52, 11.9862, 1.5418, "speed"),
+        of_front(1.54, 11.9914, 1.5415, "speed", "radius"),
+        of_front(1.60, 12.20, 1.60, "speed"),
+    ])  # fmt: skip
+    assert [best.plan.walk.speed for best in front] == [1.48, 1.50, 1.52, 1.54, 1.60]
+    assert [best.way for best in front] == [11.60, 11.80, 11.80, 11.80, 12.20]
+    assert [best.active for best in front[:4]] == [("speed", "clearance"), *3 * [("clearance",)]]
+    front = undominated([of_front(1.52, 11.9862, 1.5418, "speed"), of_front(1.54, 11.9914, 1.5415)])
+    assert [best.way for best in front] == [11.9862, 11.9862]
+    assert [best.active for best in front] == [("speed",), ("speed",)]
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_fronts_rise_whatever_was_found(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    speeds = np.sort(rng.uniform(1.2, 1.8, 8))
+    found = [of_front(v, rng.uniform(11.0, 13.0), v + rng.uniform(0.0, 0.4)) for v in speeds]
+    front = undominated(found)
+    for best, own in zip(front, found, strict=True):
+        assert best.plan.walk.speed == own.plan.walk.speed <= best.head_speed.lower  # type: ignore[union-attr]
+        assert best.way <= own.way
+    for one in front:
+        assert not any(
+            other.way < one.way and other.head_speed.lower > one.head_speed.lower  # type: ignore[union-attr]
+            for other in front
+        )
 
 
 def test_clothoids_bound_accelerations_and_cost_length() -> None:

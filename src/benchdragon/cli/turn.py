@@ -32,8 +32,9 @@ if TYPE_CHECKING:
 
 @click.command(
     help=N_(
-        "The best turn of the plan's family.\n\nPLAN is a *.dragon.toml file or the name of a built-in "
-        "plan whose route is a turn: turn. The plan's turn.family names the family. Exit code 4: no "
+        "A search for the best turn of the plan's family.\n\nPLAN is a *.dragon.toml file or the name "
+        "of a built-in plan whose route is a turn: turn. The plan's turn.family names the family. A "
+        "better turn than the one found may exist; --prove bounds how much better. Exit code 4: no "
         "turn was found that keeps the limits; 5: --prove did not get as near as --within says."
     )
 )

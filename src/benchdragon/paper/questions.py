@@ -166,13 +166,16 @@ def _fourth_question(found: Results) -> Iterable[Block]:
 def _better_turns(found: Results) -> Iterable[Block]:
     yield say(
         _(
-            "A line between the arcs makes the turn shorter ({better}). For each of {count} head "
-            "speeds the shortest such turn was sought from several starts, and the best kept ({front}, "
-            "{lengths}): searches of the whole family at six of the speeds, and the turns of the "
-            "speeds below and above. No bend is tighter than the paper's."
+            "A line between the arcs makes the turn shorter ({better}). The shortest such turn was "
+            "searched for at {count} head speeds: over the whole family at six of them, and from the "
+            "turns found for the speeds below and above. Each speed then has the shortest of all "
+            "turns found that allow it: {different} different ones ({front}, {lengths}), of which "
+            "none has both a longer path and a lower head speed than another. A search found them; "
+            "shorter ones may exist. No bend is tighter than the paper's."
         ),
         better=Reference("turn-better"),
         count=len(found.front),
+        different=len(found.different),
         front=Reference("turn-front"),
         lengths=Reference("front"),
     )
@@ -193,7 +196,7 @@ def _better_turns(found: Results) -> Iterable[Block]:
             f"{best.turn.least_radius:.4f}",
             f"{best.clearance.lower:.4f}",
         )
-        for best in found.front
+        for best in found.different
     )
     caption = _("The shortest turns that were found, by the head speed that they allow.")
     yield Table("front", caption, columns, (1, 1, 1, 1, 1), rows, numbers=True)

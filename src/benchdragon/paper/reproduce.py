@@ -27,7 +27,7 @@ from benchdragon.figures.tolerance import margin_picture
 from benchdragon.figures.walk import dragon_picture, speed_map
 from benchdragon.files import refuse_existing, whole_file
 from benchdragon.i18n import _, language
-from benchdragon.paper.derivations import contact_of
+from benchdragon.paper.derivations import allowed_speed, contact_of
 from benchdragon.paper.evidence_figures import (
     accumulation_picture,
     convergence_picture,
@@ -169,9 +169,9 @@ def _turn_figures(found: Results) -> dict[str, Figure]:
     at = [int(np.searchsorted(motion.times, t)) for t in TURN_TIMES]
     turn, fastest = plan.turn.build(plan.value("route.pitch"), disc), found.head_speed.value
     paper = ShownTurn(_("the paper's two arcs"), turn, fastest)
-    front = [(best.head_speed.value if best.head_speed else 0.0, best) for best in found.front]
-    better = [ShownTurn(_("arc, line, arc"), best.turn, speed) for speed, best in front]
-    points = [(speed, best.way, best.length) for speed, best in front]
+    text = _("arc, line, arc")
+    better = [ShownTurn(text, best.turn, allowed_speed(best)) for best in found.front]
+    points = [(allowed_speed(best), best.way, best.length) for best in found.different]
     walk, middle = motion.walk, found.turn_greatest_at
     close = walk.motion(np.linspace(middle - CLOSE, middle + CLOSE, 801))
     limit = plan.limits.speed or math.nan

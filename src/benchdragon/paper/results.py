@@ -41,7 +41,7 @@ from benchdragon.progress import Progress, Stages, silent
 from benchdragon.solve.head_speed import greatest_head_speed
 from benchdragon.solve.size import limit, smallest_pitch
 from benchdragon.solve.tolerance import CASES
-from benchdragon.solve.turn import BestTurn, pareto_front
+from benchdragon.solve.turn import BestTurn, pareto_front, undominated
 from benchdragon.solve.turn_trials import TurnGoal
 from benchdragon.version import __version__
 
@@ -109,7 +109,7 @@ class Results:
         clearance: of the first part, over time.
         deeper: of the second part with joints at DEEPER.
         head_speed: the greatest in the second part; smallest: the smallest pitch.
-        front: shortest turns for each of FRONT_SPEEDS.
+        front: for each of FRONT_SPEEDS the shortest turn that was found to allow it.
         curve: angles over the pitch, the paper's Fig 2.
         traversal: (pitch step, m; time step, s; answer), stepped: (time step, s; contact seen, s).
         windows: spans of time in which benches touch, s, of the walk as far as STEPPED_UNTIL.
@@ -162,6 +162,11 @@ class Results:
     def deeper_turn(self) -> Turn:
         """The paper's two arcs with joints at DEEPER."""
         return self.deeper.plan.turn.build(self.turn.value("route.pitch"), TurnRoute.disc(self.turn))
+
+    @property
+    def different(self) -> list[BestTurn]:
+        """The turns of the front, each once: one may serve several speeds."""
+        return list({id(best.turn): best for best in self.front}.values())
 
     @property
     def told(self) -> int:
@@ -229,7 +234,7 @@ def results(progress: Progress = silent) -> Results:
         dances = kept_run()
         again = walked_again(dances, AGAIN)
         stage(_("better turns"))
-        front = [best for found in better for best in found()]
+        front = undominated([best for found in better for best in found()])
     stage(_("equations"))
     return Results(
         spiral, disc, turn, motion, turn_motion, report, clearance, turn_report, deeper,

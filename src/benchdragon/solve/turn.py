@@ -9,7 +9,7 @@ import contextlib
 import math
 import time as clock
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
 
@@ -255,9 +255,10 @@ def pareto_front(
 ) -> list[BestTurn]:
     """Shortest turns for head speeds (m/s, increasing) that they must allow under limits.speed.
 
-    The turn of each speed is sought from several starts, and the best is kept: searches all over the
-    family at ANCHORS of the speeds, the turn of the speed below and that of the speed above. The list
-    ends where none is found. `goal` says what is to be short, and the other limits.
+    The turn of each speed is sought from several starts: searches all over the family at ANCHORS of
+    the speeds, the turn of the speed below and that of the speed above. Of what is found each speed has
+    the shortest that allows it (`undominated`); shorter ones may exist. The list ends where none is
+    found. `goal` says what is to be short (a length, or the disc), and the other limits.
 
     Raises:
         InputError: without limits.speed, or if not even the first speed is possible.
@@ -275,7 +276,29 @@ def pareto_front(
         if not sketched:
             raise NoSolutionError(_("no turn of this family was found that keeps the limits"))
         settled = _settled_front(judges, sketched, part(progress, SKETCHED, 1.0), texts)
-    return list(reversed(settled))
+    return undominated(settled[::-1])
+
+
+def undominated(front: Sequence[BestTurn]) -> list[BestTurn]:
+    """For each head speed of a front of shortest turns the best of all of them that allow it.
+
+    A turn sought for another speed may be shorter and allow this one, too: the searches do not show
+    that it is not. It then stands for both speeds, so that no turn is longer and slower than another.
+    """
+    found = []
+    for own in front:
+        speed = own.plan.walk.speed
+        fit = [own, *(one for one in front if one.head_speed and one.head_speed.lower >= speed)]
+        best = min(fit, key=lambda one: one.objective.value)
+        found.append(best if best is own else _at_speed(best, speed))
+    return found
+
+
+def _at_speed(best: BestTurn, speed: float) -> BestTurn:
+    """A turn with the head at another speed that it allows, m/s."""
+    tight = best.head_speed is not None and best.head_speed.lower <= speed * (1.0 + ACTIVE)
+    active = tuple(name for name in best.active if tight or name not in QUANTITIES)
+    return replace(best, plan=best.plan.with_value("walk.speed", speed), active=active)
 
 
 def _sketched(
@@ -308,7 +331,7 @@ def _settled_front(
     progress: Progress,
     texts: Sequence[str],
 ) -> list[BestTurn]:
-    """The exact turns of the front, the fastest first; none is worse than that of the speed above."""
+    """The exact turns of the front, the fastest first."""
     found: list[BestTurn] = []
     for n in range(len(sketched) - 1, -1, -1):
         judge = judges[n]
