@@ -149,6 +149,121 @@ def test_sheets_with_the_other_ones_name_are_seen(tmp_path: Path, table: FloatAr
         assert read_workbook(written(tmp_path / f"{names}.xlsx", sheets)).crossed is crossed
 
 
+def as_places(rows: Rows) -> Rows:
+    """Speeds whose labels are those of positions, with one axis."""
+    return [[str(row[0]).replace(" (m/s)", "x (m)"), *row[1:]] for row in rows]
+
+
+def twice(rows: Rows) -> Rows:
+    """The same with both axes: a speed in each of two rows."""
+    return [rows[0], *(
+        [str(row[0]).replace(" (m/s)", f"{axis} (m)"), *row[1:]] for row in rows[1:] for axis in "xy"
+    )]  # fmt: skip
+
+
+def cut_off(rows: Rows) -> Rows:
+    """The same with the first labels of the sheet of positions."""
+    labels = [f"{name}{axis} (m)" for name in NAMES for axis in "xy"]
+    return [rows[0], *([label, *row[1:]] for label, row in zip(labels, rows[1:], strict=False))]
+
+
+def components(rows: Rows) -> Rows:
+    """Two components in place of a speed."""
+    found = [rows[0]]
+    for label, *speeds in rows[1:]:
+        for axis, share in (("x", 0.6), ("y", -0.8)):
+            found.append([f"{str(label)[:-6]}{axis} (m)", *(share * float(str(v)) for v in speeds)])
+    return found
+
+
+@pytest.mark.parametrize("names", [("位置", "速度"), ("Sheet1", "Sheet2"), ("positions", "speed")])
+@pytest.mark.parametrize("change", [as_places, twice, cut_off, components])
+def test_speeds_labelled_as_positions_are_speeds(
+    tmp_path: Path, table: FloatArray, change: Callable[[Rows], Rows], names: tuple[str, str]
+) -> None:
+    places, speeds = rows_of(table)
+    sheets = dict(zip(names, (places, change(speeds)), strict=True))
+    found = read_workbook(written(tmp_path / "a.xlsx", sheets))
+    assert np.allclose(found.values, table, rtol=0.0, atol=1e-12)
+    assert not found.crossed
+    assert found.remarks == ("the rows of the speeds are labelled as positions",)
+
+
+def test_positions_whose_labels_name_no_axis_are_x_then_y(tmp_path: Path, table: FloatArray) -> None:
+    places, speeds = rows_of(table)
+    plain = [[str(row[0]).replace("x (m)", "").replace("y (m)", ""), *row[1:]] for row in places]
+    found = read_workbook(written(tmp_path / "a.xlsx", {"位置": plain, "速度": speeds}))
+    assert np.allclose(found.values, table, rtol=0.0, atol=1e-12)
+
+
+def test_sheets_of_x_and_of_y_are_positions(tmp_path: Path, table: FloatArray) -> None:
+    places, speeds = rows_of(table)
+    sheets = {"x": [places[0], *places[1::2]], "y": [places[0], *places[2::2]], "v": speeds}
+    found = read_workbook(written(tmp_path / "a.xlsx", sheets))
+    assert np.allclose(found.values, table, rtol=0.0, atol=1e-12)
+
+
+def test_a_body_too_many_is_told_and_left_out(tmp_path: Path, table: FloatArray) -> None:
+    places, speeds = rows_of(table)
+    more = [["第222节龙身x (m)", 1.0, 2.0, 3.0]]
+    found = read_workbook(written(tmp_path / "a.xlsx", {"位置": places + more, "速度": speeds}))
+    assert np.allclose(found.values, table, rtol=0.0, atol=1e-12)
+    assert found.remarks == ("rows that the contest does not ask for were not read: 第222节龙身x (m)",)
+
+
+@pytest.mark.parametrize("text", ["第0秒", "t = 0 s", "0 (s)", "时间 0s", "0 sec", "0秒末", "t:0"])
+def test_times_are_known_however_they_are_written(tmp_path: Path, text: str) -> None:
+    found = read_workbook(written(tmp_path / "a.xlsx", {"A": [["", text], ["龙头x (m)", 8.8]]}))
+    assert found.times is not None
+    assert found.times.tolist() == [0.0]
+
+
+def test_columns_without_a_header_are_the_contests(tmp_path: Path) -> None:
+    series = {301: (0.0, 300.0), 201: (-100.0, 100.0)}
+    for count, ends in series.items():
+        rows: Rows = [["龙头x (m)", *range(count)], ["龙头y (m)", *range(count)]]
+        found = read_workbook(written(tmp_path / "a.xlsx", {"A": rows}))
+        assert found.times is not None
+        assert (found.times[0], found.times[-1]) == ends
+        assert "they were taken for the contest's" in found.remarks[0]
+    moment = read_workbook(written(tmp_path / "a.xlsx", {"A": [["龙头", 1.0, 2.0, 3.0]]}))
+    assert moment.times is None
+    assert moment.values[:, 0, 0].tolist() == [1.0, 2.0, 3.0]
+    with pytest.raises(InputError, match="no sheet is laid out as those of"):
+        read_workbook(written(tmp_path / "a.xlsx", {"A": [["龙头x (m)", *range(9)]]}))
+
+
+def test_what_is_formatted_but_empty_takes_no_room(tmp_path: Path) -> None:
+    """Cells out to the last column and rows down to the last one, as whole ones are formatted."""
+    path = write_moment(tmp_path / "a.xlsx", values_at("result2", [CONTACT]))
+    before = read_workbook(path)
+    with zipfile.ZipFile(path) as archive:
+        members = {name: archive.read(name) for name in archive.namelist()}
+    sheet = members["xl/worksheets/sheet1.xml"]
+    far = b"".join(
+        b'<row r="%d" s="1" customFormat="1"><c r="XFD%d" s="1"/><c r="A%d" s="2"></c></row>'
+        % (i, i, i)
+        for i in range(1000, 1048577, 500)
+    )
+    members["xl/worksheets/sheet1.xml"] = sheet.replace(b"</sheetData>", far + b"</sheetData>")
+    found = read_workbook(zipped(tmp_path / "b.xlsx", members))
+    assert np.array_equal(found.values, before.values)
+
+
+def test_empty_cells_that_say_no_place_keep_theirs(tmp_path: Path) -> None:
+    """Without references cells are counted from the left: an empty one before them counts."""
+    texts: list[list[str | None]] = [["", "0 s", "1 s"], ["龙头x (m)", None, "2"]]
+    rows = b"".join(
+        b"<row>" + b"".join(
+            b'<c t="inlineStr"><is><t>%s</t></is></c>' % cell.encode() if cell is not None else b"<c/>"
+            for cell in row
+        ) + b"</row>"
+        for row in texts
+    )  # fmt: skip
+    found = read_workbook(repacked(tmp_path / "a.xlsx", b"<sheetData>" + rows + b"</sheetData>"))
+    assert np.array_equal(found.values[0, :, 0], [np.nan, 2.0], equal_nan=True)
+
+
 def zipped(path: Path, members: dict[str, bytes]) -> Path:
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, content in members.items():
@@ -157,7 +272,7 @@ def zipped(path: Path, members: dict[str, bytes]) -> Path:
 
 
 def many_rows(path: Path) -> Path:
-    rows = b"".join(b'<row r="%d"><c r="A%d"/><c r="B%d"/></row>' % (i, i, i) for i in range(1, 10**6))
+    rows = b"".join(b'<row r="%d"><c r="B%d"><v>1</v></c></row>' % (i, i) for i in range(1, 10**6))
     return repacked(path, b"<sheetData>" + rows + b"</sheetData>")
 
 
@@ -179,7 +294,7 @@ def content(data: bytes) -> Callable[[Path], Path]:
     return write
 
 
-FAR = b'<sheetData><row r="1"><c r="A1"/></row><row r="9"><c r="XFD1048576"/></row></sheetData>'
+FAR = b'<sheetData><row r="9"><c r="XFD1048576"><v>1</v></c></row></sheetData>'
 NAMELESS = b"<sheetData>" + 2000 * (b"<row>" + 2 * b"<c><v>1</v></c>" + b"</row>") + b"</sheetData>"
 WRONG: dict[str, tuple[Callable[[Path], Path], str]] = {
     "picture": (content(b"\x89PNG\r\n\x1a\n" + bytes(99)), "is no .xlsx workbook: save it as one"),

@@ -72,7 +72,12 @@ def print_comparison(found: "Comparison") -> None:
     click.echo(f"  {found.finding}")
     if found.mistake not in (None, "unknown"):
         text = _("what that leaves unexplained is {residual} m or m/s (root mean square)")
-        click.echo("  " + text.format(residual=f"{found.residual:.1e}"))
+        if found.beside:
+            text = _(
+                "apart from single cells beside it ({count}), what that leaves unexplained is "
+                "{residual} m or m/s (root mean square)"
+            )
+        click.echo("  " + text.format(residual=f"{found.residual:.1e}", count=found.beside))
     for remark in found.remarks:
         click.echo(f"  {remark}")
     if found.first_departure is not None:
@@ -89,11 +94,13 @@ def _row(name: str, unit: str, one: "Deviation", names: list[str]) -> tuple[str,
 
 
 def _departure(first: "Departure", names: list[str]) -> str:
+    from benchdragon.paper.compare import quantity_text
+
     text = _("first departure: {quantity} of {handle} at t = {time} s is {theirs}, exactly {exact}")
     if first.theirs is None:
         text = _("first departure: {quantity} of {handle} at t = {time} s is empty, exactly {exact}")
     return text.format(
-        quantity={"x": "x", "y": "y", "speed": _("speed")}[first.quantity],
+        quantity=quantity_text(first.quantity),
         handle=names[first.handle],
         time=f"{first.time:.9g}",
         theirs="" if first.theirs is None else f"{first.theirs:.9g}",

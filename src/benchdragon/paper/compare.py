@@ -1,6 +1,7 @@
 """A contest workbook beside the exact values: how far off, from where on, and by which mistake."""
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal, get_args
@@ -10,10 +11,12 @@ import numpy as np
 from benchdragon.analysis.contact import first_contact
 from benchdragon.errors import InputError, of_kind, positive
 from benchdragon.i18n import _
-from benchdragon.kernels.curve import FloatArray
-from benchdragon.number_format import finite_or_none
-from benchdragon.paper.mistakes import Case, Fit, Mistake, best_fit, exact_fit, values_of
+from benchdragon.model.numbering import handle_names
+from benchdragon.number_format import decimals, finite_or_none
+from benchdragon.paper.cases import DECIMALS, SHEETS, WITHIN, BoolArray, Case, Mistake, values_of
+from benchdragon.paper.fits import Fit, best_fit, exact_fit
 from benchdragon.paper.workbook import HANDLES, QUANTITIES, Quantity, Workbook, read_workbook
+from benchdragon.paper.wrong_sizes import links_of, links_text
 from benchdragon.plans.schema import read_plan
 
 Result = Literal["result1", "result2", "result4"]
@@ -29,10 +32,13 @@ PARTS = {
 TIMES = {"result1": np.arange(0.0, 301.0), "result4": np.arange(-100.0, 101.0)}
 # What rounding to six decimals does, with some room.
 SIX_DECIMALS = 5.01e-7
-# Links of the contest's dragon, m, and how far a link may be off unnoticed.
-LINKS, LINK_SLACK = (2.86, 1.65), 1e-4
-# Lengths of its benches, m.
-LENGTHS = (3.41, 2.20)
+# Cells beside a mistake are single ones up to this share of all, or so many; so many are named; after
+# so many mistakes at once no further one is sought.
+FEW, FEWEST, NAMED_CELLS, MISTAKES = 0.01, 3, 3, 3
+# Of more columns than so many, one may be off by itself.
+SEVERAL = 4
+# Share of the others that agree to six decimals where single cells are what is off.
+RIGHT = 0.9
 # Deviations that add up along the dragon: at most so large, m; at the tail so many times that at the
 # head, each a mean over so many handles; and how closely they follow the number of the handle.
 SMALL_DEVIATION, GROWTH, END_HANDLES, GROWING = 1e-2, 1.2, 20, 0.9
@@ -44,13 +50,15 @@ class Deviation:
 
     Attributes:
         cells: that hold a number which can be compared.
-        empty: that hold none and should.
+        asked: that the contest asks for.
+        empty: of these, that hold none.
         agreeing: cells that agree to six decimals.
         largest: deviation, m or m/s; None without cells.
         handle, time: where that is, from 0, and when, s.
     """
 
     cells: int
+    asked: int
     empty: int
     agreeing: int
     largest: float | None
@@ -88,9 +96,10 @@ class Comparison:
         first_departure: None if no cell is off, and none empty.
         mistake: the known mistake that explains what is off, "unknown" if none does; None if nothing is
             off.
-        amount: how large the mistake is, in `unit`: rad, s or handles; None where that says nothing.
+        amount: how large the mistake is, in `unit`; None where that says nothing.
         finding: the mistake in words.
-        residual: root mean square of what the mistake leaves unexplained, over all cells.
+        residual: root mean square of what the mistakes named leave, without single cells beside them.
+        beside: how many such cells there are.
         remarks: what else there is to say.
         places, speeds: cells of positions, and of speeds.
         tolerance: how far off a cell may be, m and m/s.
@@ -105,6 +114,7 @@ class Comparison:
     unit: str | None
     finding: str
     residual: float
+    beside: int
     remarks: tuple[str, ...]
     places: Deviation
     speeds: Deviation
@@ -136,23 +146,77 @@ def compare(path: str | Path, *, result: Result | None = None, tolerance: float 
         raise InputError(text.format(names=", ".join(RESULTS), value=repr(result)))
     book = read_workbook(path)
     kind = _kind(book, promised := result or _promised(path))
-    case = _case(book, kind)
-    off = np.abs(case.theirs - case.ours)
-    if not np.isfinite(off).any():
+    case = _case(book, kind, tolerance)
+    if not np.isfinite(case.theirs - case.ours).any():
         raise InputError(_("{path}: none of its times lies in the walk").format(path=path))
-    departs = bool((off > tolerance).any())
-    fit = best_fit(case) if departs else exact_fit(case)
-    swaps = _swaps(book, kind, promised)
-    mistake, finding = _named(fit, swaps, departs)
-    places, speeds = (_deviation(case, part) for part in (slice(0, 2), slice(2, 3)))
-    remarks = [*_empty_cells(places, speeds), *_left(case, fit, tolerance)]
+    return _compared(case, kind, book.remarks, _swaps(book, kind, promised))
+
+
+def _compared(case: Case, kind: Result, told: Sequence[str], swaps: list[str]) -> Comparison:
+    """What a workbook shows beside the exact values, and what was told of it before."""
+    off = np.abs(case.theirs - case.ours)
+    departs = bool((off > case.tolerance).any())
+    fits, shown = _fits(case) if departs else ([], _Shown(case, exact_fit(case)))
+    asked = np.isin(case.times, TIMES.get(kind, case.times))
+    places, speeds = (_deviation(case, part, asked) for part in SHEETS)
+    mistake, finding = _named(shown, fits, swaps, departs, not (places.empty or speeds.empty))
+    remarks = [*told, *_empty_cells(case, places, speeds), *_left(shown, fits)]
     remarks += swaps if departs else []
-    remarks += [_share(off, tolerance), *_how_computed(case, fit)] if departs else []
+    remarks += [_share(case), *_how_computed(case, fits)] if departs else []
+    guess = fits[0].guess if fits else None
+    amount, unit = (guess.amount, guess.unit) if guess else (None, None)
+    if mistake == "rounding":
+        amount, unit = float(min(case.decimals)), "decimals"
+    beside = int(np.count_nonzero(shown.cells)) if shown.few else 0
     return Comparison(
-        kind, places.largest, speeds.largest, _first_departure(case, tolerance), mistake,
-        fit.guess.amount if fit.guess else None, fit.guess.unit if fit.guess else None,
-        finding, fit.residual, tuple(remarks), places, speeds, tolerance,
+        kind, places.largest, speeds.largest, _first_departure(case, asked), mistake, amount, unit,
+        finding, shown.residual, beside, tuple(remarks), places, speeds, float(case.tolerance.max()),
     )  # fmt: skip
+
+
+def _fits(case: Case) -> tuple[list[Fit], "_Shown"]:
+    """Mistakes that a workbook shows, each sought behind those before, and what all of them leave."""
+    found: list[Fit] = []
+    left = _Shown(case, exact_fit(case))
+    while len(found) < MISTAKES and not (found and left.few):
+        fit = best_fit(left.case)
+        if fit.guess is None:
+            break
+        found.append(fit)
+        left = _Shown(left.case, fit)
+    return found, left
+
+
+class _Shown:
+    """What mistakes leave in a workbook.
+
+    Attributes:
+        case: with the values that they make of it; cells that are right all the same are meant so.
+        cells: that are off, (3, T, 224); few: whether these are single ones, and no other is.
+        residual: root mean square of what is left, without single cells.
+    """
+
+    def __init__(self, case: Case, fit: Fit) -> None:
+        slack = fit.guess.slack if fit.guess else 0.0
+        limit = np.maximum(case.tolerance, WITHIN * case.rounding + slack)
+        off = np.abs(case.theirs - case.ours)
+        right = (off <= limit) & (off <= np.abs(case.theirs - fit.values))
+        self.case = replace(case, ours=np.where(right, case.ours, fit.values), tolerance=limit)
+        off = np.abs(case.theirs - self.case.ours)
+        known = np.isfinite(off)
+        self.cells: BoolArray = off > limit
+        self.few = _few(self.cells, known)
+        kept = off[known & ~self.cells] if self.few else off[known]
+        self.residual = float(np.sqrt(np.mean(np.square(kept)))) if kept.size else 0.0
+
+
+def _few(cells: BoolArray, known: BoolArray) -> bool:
+    """Whether cells are single ones, or all but a few of them one row or one column."""
+    count = np.count_nonzero(cells)
+    row, column = cells.sum(axis=(0, 1)).max(), cells.sum(axis=(0, 2)).max()
+    columns = np.count_nonzero(known.any(axis=(0, 2)))
+    beside = count - (max(row, column) if columns > SEVERAL else row)
+    return bool(count <= max(FEWEST, FEW * np.count_nonzero(known)) or beside <= FEWEST)
 
 
 def _promised(path: Path) -> Result | None:
@@ -181,7 +245,7 @@ def _swaps(book: Workbook, kind: Result, promised: Result | None) -> list[str]:
     return found
 
 
-def _case(book: Workbook, kind: Result) -> Case:
+def _case(book: Workbook, kind: Result, tolerance: float) -> Case:
     """The workbook beside the exact values, at all times that either has."""
     name, other_name, first = PARTS[kind]
     plan = read_plan(name)
@@ -196,38 +260,73 @@ def _case(book: Workbook, kind: Result) -> Case:
         theirs = np.full((3, len(times), HANDLES), np.nan)
         theirs[:, np.searchsorted(times, book.times)] = book.values
     return Case(
-        walk, other, span, times, np.arange(first, first + len(times)), theirs, values_of(walk, times),
-        book.times is None,
+        plan, walk, other, span, times, np.arange(first, first + len(times)), theirs,
+        values_of(walk, times), book.times is None, np.full((3, 1, 1), tolerance),
     )  # fmt: skip
 
 
-def _named(fit: Fit, swaps: list[str], departs: bool) -> tuple[Mistake | None, str]:
+def _named(
+    shown: _Shown, fits: list[Fit], swaps: list[str], departs: bool, whole: bool
+) -> tuple[Mistake | None, str]:
     """The mistake, and a sentence on it."""
-    if not (departs or swaps):
-        return None, _("all numbers agree")
-    if fit.guess is not None:
-        return fit.guess.mistake, fit.guess.text
+    guess = fits[0].guess if fits else None
+    if guess is not None:
+        return guess.mistake, "; ".join([guess.text, *guess.beside])
     if departs:
-        return "unknown", _("no known mistake explains what is off")
-    return "swapped", "; ".join(swaps)
+        return _without_fit(shown)
+    if swaps:
+        return "swapped", "; ".join(swaps)
+    if _blank(shown.case):
+        return "entry", _blank_text()
+    return None, _("all numbers agree") if whole else _("all numbers that are there agree")
 
 
-def _deviation(case: Case, part: slice) -> Deviation:
+def _without_fit(shown: _Shown) -> tuple[Mistake, str]:
+    """What is off if no prediction fits: all last decimals, single cells, or more than that."""
+    off = np.abs(shown.case.theirs - shown.case.ours)
+    near = off[np.isfinite(off) & ~shown.cells] <= SIX_DECIMALS
+    if shown.few and min(shown.case.decimals) < DECIMALS:
+        return "rounding", _rounded(min(shown.case.decimals))
+    if shown.few and near.mean() >= RIGHT:
+        text = _("{count} of {cells} numbers are off; all others agree")
+        _axes, rows, handles = np.nonzero(shown.cells)
+        if rows.size > NAMED_CELLS and np.unique(handles).size == 1:
+            text = _("{count} of {cells} numbers are off, all of {handle}; all others agree")
+        elif rows.size > NAMED_CELLS and np.unique(rows).size == 1:
+            text = _("{count} of {cells} numbers are off, all at t = {time} s; all others agree")
+        return "cells", text.format(
+            count=rows.size,
+            cells=np.count_nonzero(np.isfinite(off)),
+            handle=handle_names(HANDLES)[handles[0]],
+            time=f"{shown.case.times[rows[0]]:g}",
+        )
+    return "unknown", _("no known mistake explains what is off")
+
+
+def _blank(case: Case) -> bool:
+    """Whether the cells of benches that are not yet in are empty, and no others where there are any."""
+    there = np.isfinite(case.theirs).any(axis=(0, 2))
+    empty, outside = np.isnan(case.theirs[:, there]), case.outside[there]
+    return bool(outside.any() and (empty == outside).all())
+
+
+def _deviation(case: Case, part: slice, asked: BoolArray) -> Deviation:
     theirs, ours = case.theirs[part], case.ours[part]
     off = np.abs(theirs - ours)
-    cells, empty = int(np.isfinite(off).sum()), int((np.isnan(theirs) & np.isfinite(ours)).sum())
+    cells, wanted = int(np.isfinite(off).sum()), int(theirs[:, asked].size)
+    empty = int(np.isnan(theirs[:, asked]).sum())
     if not cells:
-        return Deviation(0, empty, 0, None, None, None)
+        return Deviation(0, wanted, empty, 0, None, None, None)
     _axis, row, handle = np.unravel_index(np.nanargmax(off), off.shape)
     agreeing = int((off <= SIX_DECIMALS).sum())
     largest = float(np.nanmax(off))
-    return Deviation(cells, empty, agreeing, largest, int(handle), float(case.times[row]))
+    return Deviation(cells, wanted, empty, agreeing, largest, int(handle), float(case.times[row]))
 
 
-def _first_departure(case: Case, tolerance: float) -> Departure | None:
+def _first_departure(case: Case, asked: BoolArray) -> Departure | None:
     """The first cell that is off; else the first that is empty."""
-    empty = np.isnan(case.theirs) & np.isfinite(case.ours)
-    for wrong in (np.abs(case.theirs - case.ours) > tolerance, empty):
+    empty = np.isnan(case.theirs) & asked[:, np.newaxis]
+    for wrong in (np.abs(case.theirs - case.ours) > case.tolerance, empty):
         in_order = np.moveaxis(wrong, 0, -1)
         if in_order.any():
             row, handle, axis = np.unravel_index(np.argmax(in_order), in_order.shape)
@@ -238,72 +337,87 @@ def _first_departure(case: Case, tolerance: float) -> Departure | None:
     return None
 
 
-def _empty_cells(*found: Deviation) -> list[str]:
-    empty, cells = sum(one.empty for one in found), sum(one.empty + one.cells for one in found)
-    text = _("{empty} of the {cells} cells that the contest asks for are empty")
-    return [text.format(empty=empty, cells=cells)] if empty else []
+def _empty_cells(case: Case, *found: Deviation) -> list[str]:
+    empty, asked = sum(one.empty for one in found), sum(one.asked for one in found)
+    text = _("{empty} of the {asked} cells that the contest asks for are empty")
+    said = [text.format(empty=empty, asked=asked)] if empty else []
+    return said + ([_blank_text()] if _blank(case) else [])
 
 
-def _share(off: FloatArray, tolerance: float) -> str:
+def _blank_text() -> str:
+    return _(
+        "the cells of benches that are not yet in, outside the first point of the spiral, are empty"
+    )
+
+
+def _share(case: Case) -> str:
+    off = np.abs(case.theirs - case.ours)
     text = _("{count} of {cells} numbers are off by more than {tolerance}")
     return text.format(
-        count=np.count_nonzero(off > tolerance),
+        count=np.count_nonzero(off > case.tolerance),
         cells=np.count_nonzero(np.isfinite(off)),
-        tolerance=tolerance,
+        tolerance=float(case.tolerance.max()),
     )
 
 
-def _left(case: Case, fit: Fit, tolerance: float) -> list[str]:
-    """What the mistake does not explain, and which sheet alone shows it."""
-    if fit.guess is None:
-        return []
+def _left(shown: _Shown, fits: list[Fit]) -> list[str]:
+    """Which sheet alone shows a mistake, what others there are, and which cells none explains."""
     said = []
-    for part, shows, text in (
-        (slice(0, 2), fit.sheets == (False, True), _("only the speeds show it")),
-        (slice(2, 3), fit.sheets == (True, False), _("only the positions show it")),
-    ):
-        same = np.array_equal(fit.guess.values[part], case.ours[part], equal_nan=True)
-        said += [text] if shows and not same else []
-    largest = float(np.nanmax(np.abs(case.theirs - fit.values)))
-    if largest > 2.0 * tolerance:  # differences of rounded positions are off by so much
-        text = _("beside that, numbers are off by up to {largest} m or m/s")
-        said.append(text.format(largest=f"{largest:.1e}"))
-        second = best_fit(replace(case, ours=fit.values)).guess
-        said += [second.text] if second else []
-    return said
+    for n, fit in enumerate(fits):
+        assert fit.guess is not None, "what fits was guessed"
+        said += [fit.guess.text, *fit.guess.beside] if n else []
+        for shows, text in (
+            (fit.due[0] and not fit.sheets[0], _("only the speeds show it")),
+            (fit.due[1] and not fit.sheets[1], _("only the positions show it")),
+        ):
+            said += [text] if shows else []
+    return said + (_single_cells(shown) if fits or shown.few else [])
 
 
-def _how_computed(case: Case, fit: Fit) -> list[str]:
-    """What numbers tell of how they were computed: links, errors that add up, decimals."""
-    said = [] if fit.sheets[0] else [*_links(case), *_growth(case)]
-    known = case.theirs[np.isfinite(case.theirs)]
-    for count in range(6):
-        if np.allclose(known, np.round(known, count), rtol=0.0, atol=1e-9):
-            text = _("the numbers are rounded to {count} decimals; the contest asks for 6")
-            return [*said, text.format(count=count)]
-    return said
-
-
-def _links(case: Case) -> list[str]:
-    """Distances between the workbook's handles, if they are not the contest's."""
-    apart = np.hypot(*np.diff(case.theirs[:2], axis=2))
-    if not (np.isfinite(apart[:, 0]).any() and np.isfinite(apart[:, 1:]).any()):
-        return []
-    lengths = float(np.nanmedian(apart[:, 0])), float(np.nanmedian(apart[:, 1:]))
-    scatter = np.nanmedian(np.abs(apart[:, 1:] - lengths[1]))
-    if scatter > LINK_SLACK or np.allclose(lengths, LINKS, rtol=0.0, atol=LINK_SLACK):
-        return []
+def _single_cells(shown: _Shown) -> list[str]:
+    """Cells that are off beside what is named: one by one if they are few."""
+    case, count = shown.case, np.count_nonzero(shown.cells)
+    off = np.where(shown.cells, np.abs(case.theirs - case.ours), 0.0)
+    said, names = [], handle_names(HANDLES)
     text = _(
-        "the handles of the head are {first} m apart and those of all others {others} m; the links "
-        "are {links} m"
+        "beside that, {quantity} of {handle} at t = {time} s is {theirs}, where {expected} is expected"
     )
-    if np.allclose(lengths, LENGTHS, rtol=0.0, atol=LINK_SLACK):
-        text = _(
-            "the handles of the head are {first} m apart and those of all others {others} m: these "
-            "are the lengths of the benches; the links are {links} m"
+    most = NAMED_CELLS if shown.few else 0
+    for index in np.argsort(-off, axis=None)[: min(most, count)]:
+        axis, row, handle = np.unravel_index(index, off.shape)
+        said.append(
+            text.format(
+                quantity=quantity_text(QUANTITIES[axis]),
+                handle=names[handle],
+                time=f"{case.times[row]:.9g}",
+                theirs=f"{case.theirs[axis, row, handle]:.9g}",
+                expected=decimals(float(case.ours[axis, row, handle])),
+            )
         )
-    links = " / ".join(f"{link:.2f}" for link in LINKS)
-    return [text.format(first=f"{lengths[0]:.4f}", others=f"{lengths[1]:.4f}", links=links)]
+    if count > len(said):
+        text = _("beside that, {count} numbers are off by up to {largest} m or m/s")
+        rest = np.sort(off, axis=None)[::-1][len(said)]
+        said.append(text.format(count=count - len(said), largest=f"{rest:.1e}"))
+    return said
+
+
+def quantity_text(quantity: Quantity) -> str:
+    """What a quantity is called."""
+    return {"x": "x", "y": "y", "speed": _("speed")}[quantity]
+
+
+def _how_computed(case: Case, fits: list[Fit]) -> list[str]:
+    """What numbers tell of how they were computed: links, errors that add up, decimals."""
+    explained = any(fit.sheets[0] for fit in fits)
+    links = None if explained else links_of(case)
+    said = [links_text(links)] if links else []
+    said += [] if explained else _growth(case)
+    return [*said, *([_rounded(min(case.decimals))] if min(case.decimals) < DECIMALS else [])]
+
+
+def _rounded(count: int) -> str:
+    text = _("the numbers are rounded to {count} decimals; the contest asks for 6")
+    return text.format(count=count)
 
 
 def _growth(case: Case) -> list[str]:

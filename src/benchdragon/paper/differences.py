@@ -12,7 +12,7 @@ from benchdragon.model.walk import Walk
 Scheme = Literal["forward", "central", "backward"]
 SCHEMES: tuple[Scheme, ...] = ("forward", "central", "backward")
 # Offsets of the two places, in steps.
-_ENDS = {"forward": (0.0, 1.0), "central": (-1.0, 1.0), "backward": (-1.0, 0.0)}
+ENDS = {"forward": (0.0, 1.0), "central": (-1.0, 1.0), "backward": (-1.0, 0.0)}
 
 
 def difference_velocities(
@@ -20,7 +20,7 @@ def difference_velocities(
 ) -> FloatArray:
     """Velocities of every handle from two places `step` or 2 `step` (s) apart, m/s, (T, N + 1, 2)."""
     clock = np.asarray(times, dtype=np.float64)
-    before, after = (offset * positive("step", step, "s") for offset in _ENDS[scheme])
+    before, after = (offset * positive("step", step, "s") for offset in ENDS[scheme])
     ends = walk.motion(np.concatenate([clock + before, clock + after]))
     places = np.stack([ends.x, ends.y], axis=-1)
     return np.asarray((places[clock.size :] - places[: clock.size]) / (after - before))

@@ -1,132 +1,58 @@
 """Known mistakes of contest workbooks, each as what a workbook would hold that makes it.
 
-A hypothesis predicts positions and speeds under its mistake, once or in several ways; what is left
-between a prediction and the workbook, as a root mean square, decides which one fits.
+A hypothesis predicts positions and speeds under its mistake, once or in several ways; what it needs to
+know for that (an angle, a moment) it takes from medians, which single cells do not move.
 """
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from functools import cached_property
-from typing import Literal
 
 import numpy as np
-import numpy.typing as npt
 
 from benchdragon.i18n import _
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.model.walk import Walk
+from benchdragon.model.numbering import handle_names
 from benchdragon.number_format import decimals
-from benchdragon.paper.differences import SCHEMES, difference_speeds
+from benchdragon.paper.cases import (
+    GRID,
+    SHEETS,
+    Case,
+    ComplexArray,
+    Guess,
+    complex_of,
+    values_of,
+    with_points,
+)
+from benchdragon.paper.differences import ENDS, SCHEMES, difference_speeds
+from benchdragon.paper.entry import entry
+from benchdragon.paper.wrong_sizes import degrees, size
 
-ComplexArray = npt.NDArray[np.complex128]
-Mistake = Literal["rotated", "mirrored", "swapped", "differences", "handle", "time", "unknown"]
-
-# A prediction fits if it leaves this share of the deviations at most; where they come near to the
-# rounding to six decimals, half of them will do.
-EXPLAINED, NEAR_ROUNDING, ROUNDING = 0.05, 0.5, 5e-7
-# Another prediction is better if it leaves this share of what the one before leaves.
-CLEARLY = 0.9
-# Steps of differences that are tried, s; handles by which rows may be shifted, and from which row on.
+# Steps of differences that are tried, s; handles by which rows may be shifted.
 STEPS = (1.0, 0.1, 0.01, 0.001)
-SHIFTS = ((1, 0), (-1, 0), (2, 0), (-2, 0), (1, 1), (2, 1))
+SHIFTS = (1, -1, 2, -2)
 # Steps of searches for contact that are told of, s.
 SEARCH_STEPS = (10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001)
-# Where the head was is sought among so many times of the walk, and so many of the workbook's.
-GRID, SAMPLES = 6000, 301
-# How near two moments are the same, s.
-SAME_MOMENT = 2e-5
-
-
-@dataclass(frozen=True, eq=False)
-class Case:
-    """A workbook beside the exact values.
-
-    Attributes:
-        walk, other: the walk that the workbook is about, and that of the contest's other part.
-        span: start and end of `walk`, s.
-        times: of the columns, s, (T,); other_times: what stands in the same columns of the other part's
-            workbook.
-        theirs, ours: x, y (m) and speed (m/s), (3, T, 224), NaN where there is nothing.
-        moment: whether the workbook is of one moment, that of first contact.
-    """
-
-    walk: Walk
-    other: Walk
-    span: tuple[float, float]
-    times: FloatArray
-    other_times: FloatArray
-    theirs: FloatArray
-    ours: FloatArray
-    moment: bool
-
-    @cached_property
-    def head_times(self) -> FloatArray:
-        """When the walk's head comes nearest to theirs, s, (T,); NaN where that is not known."""
-        clock = np.linspace(*self.span, GRID)
-        grid, theirs = self._head(clock)[0], _complex(self.theirs)[:, 0]
-        known = np.flatnonzero(np.isfinite(theirs))
-        at = known[:: 1 + known.size // SAMPLES]
-        times = np.array([clock[np.abs(grid - theirs[i]).argmin()] for i in at])
-        for _step in range(4):  # Newton's, as if the head went straight on
-            points, velocities = self._head(times)
-            ahead = ((theirs[at] - points) / velocities).real
-            times = np.clip(times + ahead, *self.span)
-        found = np.full(theirs.size, np.nan)
-        inside = (self.span[0] < times) & (times < self.span[1])
-        found[at[inside]] = times[inside]
-        return found
-
-    def _head(self, times: FloatArray) -> tuple[ComplexArray, ComplexArray]:
-        """Where the head of the walk is, m, and its velocity, m/s, as complex numbers."""
-        s = self.walk.head_position(times)
-        points, heading = self.walk.route.point(s), self.walk.route.heading(s)
-        speed = self.walk.profile.speed(times)
-        return points[..., 0] + 1j * points[..., 1], speed * np.exp(1j * heading)
-
-
-@dataclass(frozen=True, eq=False)
-class Guess:
-    """What a workbook would hold.
-
-    Attributes:
-        mistake: its name.
-        values: x, y, speed as in Case; NaN where nothing is predicted.
-        text: the mistake in words.
-        amount: how large it is, in `unit`: an angle, a time, a number of handles.
-    """
-
-    mistake: Mistake
-    values: FloatArray
-    text: str
-    amount: float | None = None
-    unit: str | None = None
-
+# Steps in which a turn and a delay are sought at once.
+REFINEMENTS = 6
+# Share of positions below which those that are off are slips.
+FEW_BROKEN = 0.01
+# How near to first contact a search may have stopped, s.
+NEARLY = 1e-3
+# How near two moments, angles (rad) and factors are the same.
+SAME_MOMENT, SAME_ANGLE, SAME_FACTOR = 2e-5, 5e-7, 1e-4
 
 Hypothesis = Callable[[Case], Iterator[Guess]]
 
 
-def _complex(values: FloatArray) -> ComplexArray:
-    return np.asarray(values[0] + 1j * values[1])
-
-
-def _with_points(points: ComplexArray, speed: FloatArray) -> FloatArray:
-    return np.stack([points.real, points.imag, speed])
-
-
-def values_of(walk: Walk, times: FloatArray) -> FloatArray:
-    """x, y (m) and speed (m/s) of all handles, (3, T, 224); NaN where the dragon cannot stand."""
-    motion = walk.motion(times, throw=False)
-    return np.stack([motion.x, motion.y, motion.speed])
-
-
 def rotated(case: Case) -> Iterator[Guess]:
     """Axes that point elsewhere: all points turned about the spiral's centre."""
-    ours = _complex(case.ours)
-    angle = float(np.angle(np.nansum(_complex(case.theirs) * ours.conj())))
+    ours = complex_of(case.ours)
+    angle = _median_angle(complex_of(case.theirs) * ours.conj())
+    if abs(angle) < SAME_ANGLE:
+        return
     text = _("the positions are rotated about the spiral's centre by {angle} degrees")
     yield Guess(
         "rotated",
-        _with_points(ours * np.exp(1j * angle), case.ours[2]),
+        with_points(ours * np.exp(1j * angle), case.ours[2]),
         text.format(angle=decimals(np.degrees(angle))),
         angle,
         "rad",
@@ -135,21 +61,54 @@ def rotated(case: Case) -> Iterator[Guess]:
 
 def mirrored(case: Case) -> Iterator[Guess]:
     """Clockwise for anticlockwise, or x for y: all points on the other side of a line."""
-    ours = _complex(case.ours)
-    angle = 0.5 * float(np.angle(np.nansum(_complex(case.theirs) * ours)))
+    ours = complex_of(case.ours)
+    angle = 0.5 * _median_angle(complex_of(case.theirs) * ours)
     text = _(
         "the positions are mirrored in the line through the spiral's centre at {angle} degrees to the "
         "x axis"
     )
-    if abs(angle - 0.25 * np.pi) < ROUNDING:
+    if abs(angle - 0.25 * np.pi) < SAME_ANGLE:
         text = _("the positions are mirrored: x and y are exchanged")
     yield Guess(
         "mirrored",
-        _with_points(ours.conj() * np.exp(2j * angle), case.ours[2]),
+        with_points(ours.conj() * np.exp(2j * angle), case.ours[2]),
         text.format(angle=decimals(np.degrees(angle))),
         angle,
         "rad",
     )
+
+
+def _median_angle(turned: ComplexArray) -> float:
+    """The angle of numbers that all point about the same way, rad; a few that do not change nothing."""
+    known = turned[np.isfinite(turned) & (turned != 0.0)]
+    if not known.size:
+        return 0.0
+    first = np.angle((known / np.abs(known)).sum())
+    angle = first + np.median(np.angle(known * np.exp(-1j * first)))
+    return float(np.angle(np.exp(1j * angle)))
+
+
+# What other units make of metres, and of metres per second.
+UNITS = ({1e2: "cm", 1e3: "mm", 1e-3: "km"}, {1e2: "cm/s", 1e3: "mm/s", 3.6: "km/h", 60.0: "m/min"})
+
+
+def scaled(case: Case) -> Iterator[Guess]:
+    """Other units, of positions or of speeds: all numbers so many times too large."""
+    sizes = [np.abs(complex_of(v)) for v in (case.theirs, case.ours)], (case.theirs[2], case.ours[2])
+    texts = (
+        _("the positions are {factor} times too large"),
+        _("the speeds are {factor} times too large"),
+    )
+    meant = _("the positions are in {unit}, not in m"), _("the speeds are in {unit}, not in m/s")
+    for n, (theirs, ours) in enumerate(sizes):
+        known = np.isfinite(theirs) & (ours > 0.0)
+        factor = float(np.median(theirs[known] / ours[known])) if known.any() else 1.0
+        if abs(factor - 1.0) < SAME_FACTOR:
+            continue
+        unit = next((u for f, u in UNITS[n].items() if abs(factor - f) < SAME_FACTOR * f), "")
+        values, said = np.array(case.ours), (meant if unit else texts)[n]
+        values[slice(0, 2) if n == 0 else slice(2, 3)] *= factor
+        yield Guess("unit", values, said.format(factor=f"{factor:.6g}", unit=unit), factor, "times")
 
 
 def swapped(case: Case) -> Iterator[Guess]:
@@ -168,47 +127,153 @@ def swapped(case: Case) -> Iterator[Guess]:
 
 
 def handle(case: Case) -> Iterator[Guess]:
-    """Rows of another handle: rear for front, one too early or too late, tail first."""
+    """Rows of another handle: rear for front, one too early or too late, tail first, the head's own."""
     count = case.ours.shape[2]
-    for shift, first in SHIFTS:
-        values = np.full(case.ours.shape, np.nan)
-        rows = np.arange(first, count)
-        rows = rows[(rows + shift >= 0) & (rows + shift < count)]
-        values[:, :, rows] = case.ours[:, :, rows + shift]
-        values[:, :, :first] = case.ours[:, :, :first]
-        text = _("the row of handle i holds handle i {sign} {shift}")
-        if first:
-            text = _("the row of handle i holds handle i {sign} {shift}, from the first body on")
-        said = text.format(sign="+" if shift > 0 else "-", shift=abs(shift))
-        yield Guess("handle", values, said, float(shift), "handles")
+    names = handle_names(count)
+    longer = np.concatenate([case.ours, case.behind], axis=2)
+    for shift in SHIFTS:
+        moved = np.full(case.ours.shape, np.nan)
+        rows = np.arange(max(0, -shift), count)
+        moved[:, :, rows] = longer[:, :, rows + shift]
+        for first in _firsts(case, moved):
+            values = np.where(np.arange(count) < first, case.ours, moved)
+            text = _("the row of handle i holds handle i {sign} {shift}")
+            if first:
+                text = _("the row of handle i holds handle i {sign} {shift}, from {name} on")
+            if first == 1:
+                text = _("the row of handle i holds handle i {sign} {shift}, from the first body on")
+            said = text.format(sign="+" if shift > 0 else "-", shift=abs(shift), name=names[first])
+            yield Guess("handle", values, said, float(shift), "handles")
     yield Guess("handle", case.ours[:, :, ::-1], _("the handles stand in reverse order, tail first"))
+    values = np.array(case.ours)
+    values[2] = case.ours[2, :, :1]
+    yield Guess("handle", values, _("all speeds are the head's"))
+    yield from _slipped(case)
+
+
+def _firsts(case: Case, moved: FloatArray) -> list[int]:
+    """Rows from which on a workbook fits others best: of all quantities, of positions, of speeds."""
+    scale = case.rounding
+    ours, theirs = (
+        np.nansum(np.log1p(np.square((case.theirs - np.where(np.isnan(v), case.ours, v)) / scale)), 1)
+        for v in (case.ours, moved)
+    )
+    found = set()
+    for part in (slice(0, 3), *SHEETS):
+        before = np.concatenate([[0.0], np.cumsum(ours[part].sum(axis=0))])
+        after = np.cumsum(theirs[part].sum(axis=0)[::-1])[::-1]
+        found.add(int(np.argmin(before + np.append(after, 0.0))))
+    return sorted(found - {case.ours.shape[2]})
+
+
+def _slipped(case: Case) -> Iterator[Guess]:
+    """Positions a row of the sheet too high or too low from some row on: y in the row of x."""
+    rows = np.stack([case.ours[0], case.ours[1]], axis=-1).reshape(len(case.times), -1)
+    theirs = np.stack([case.theirs[0], case.theirs[1]], axis=-1).reshape(rows.shape)
+    names, scale = handle_names(case.ours.shape[2]), float(case.rounding[0, 0, 0])
+    texts = {
+        1: _("from {name} on, each row of the positions holds the numbers of the row below"),
+        -1: _("from {name} on, each row of the positions holds the numbers of the row above"),
+    }
+    for shift, text in texts.items():
+        moved = np.roll(rows, -shift, axis=1)
+        both = [np.nansum(np.log1p(np.square((theirs - v) / scale)), axis=0) for v in (rows, moved)]
+        before, after = np.append(0.0, np.cumsum(both[0])), np.cumsum(both[1][::-1])[::-1]
+        first = int(np.argmin(before + np.append(after, 0.0)))
+        if first < rows.shape[1]:
+            values = np.where(np.arange(rows.shape[1]) < first, rows, moved)
+            x, y = values[:, ::2], values[:, 1::2]
+            said = text.format(name=f"{names[first // 2]} {'xy'[first % 2]}")
+            yield Guess("handle", np.stack([x, y, case.ours[2]]), said)
 
 
 def time(case: Case) -> Iterator[Guess]:
-    """Another moment, or a clock that starts or runs otherwise, as told by where the head is."""
-    clock, known = case.head_times, np.isfinite(case.head_times)
+    """Another moment, or a clock that starts or runs otherwise, as told by where handles are."""
+    for clock in case.clocks[: 2 if case.moment else 1]:
+        yield from _by_clock(case, clock)
+
+
+def turned_time(case: Case) -> Iterator[Guess]:
+    """The same as told by how far from the centre the head is, whichever way the axes point."""
+    turns = case.plan.route.kind == "turn"  # from where on it goes out again
+    clock = np.linspace(case.span[0], min(case.span[1], 0.0 if turns else np.inf), GRID)
+    points = case.walk.route.point(case.walk.head_position(clock))
+    theirs = np.abs(complex_of(case.theirs)[:, 0])
+    inwards = np.where(case.times < 0.0, theirs, np.nan) if turns else theirs
+    radii = np.hypot(points[..., 0], points[..., 1])
+    yield from _by_clock(case, np.interp(-inwards, -radii, clock, left=np.nan, right=np.nan))
+
+
+def together(case: Case, turned: Guess, moved: Guess) -> Guess:
+    """Other moments on which turned axes stand, better than from how far out the head is.
+
+    A turn and a delay look alike at any one handle, so both are sought at once, from all.
+    """
+    shift, angle = moved.amount or 0.0, turned.amount or 0.0
+    points = complex_of(case.theirs)
+    if turned.mistake == "mirrored":
+        points, angle = points.conj(), -2.0 * angle
+    for _step in range(REFINEMENTS):
+        motion = case.walk.motion(case.times + shift, throw=False)
+        here = motion.x + 1j * motion.y
+        off = points * np.exp(-1j * angle) - here
+        if not np.isfinite(off).any():
+            return moved
+        ways = 1j * here, motion.speed * np.exp(1j * case.headings_at(motion.s))
+        near = np.abs(off) <= 3.0 * np.nanmedian(np.abs(off)) + case.rounding[0]
+        columns = np.stack([np.append(way[near].real, way[near].imag) for way in ways], axis=-1)
+        wanted = np.append(off[near].real, off[near].imag)
+        change = np.linalg.lstsq(columns, wanted, rcond=None)[0]
+        angle, shift = angle + change[0], shift + change[1]
+    if case.moment:
+        return _other_moment(case, float(case.times[0]) + shift)
+    return _shifted(case, float(shift), f"{abs(shift):.6f}")
+
+
+def _by_clock(case: Case, clock: FloatArray) -> Iterator[Guess]:
+    """Positions at other times, as far as those are known."""
+    known = np.isfinite(clock)
     if not known.any():
         return
     shift = float(np.median((clock - case.times)[known]))
     if case.moment:
         yield _other_moment(case, float(case.times[0]) + shift)
         return
-    text = _("the column of t holds the moment t {sign} {shift} s")
-    said = text.format(sign="+" if shift > 0.0 else "-", shift=f"{abs(shift):.6f}")
-    yield Guess("time", values_of(case.walk, case.times + shift), said, shift, "s")
+    yield _shifted(case, shift, f"{abs(shift):.6f}")
     if np.count_nonzero(known) > 2:
-        rate, start = np.polyfit(case.times[known], clock[known], 1)
+        rate, start = _line(case.times[known], clock[known])
         text = _("the column of t holds the moment {rate} t {sign} {shift} s")
         said = text.format(
             rate=f"{rate:.6f}", sign="+" if start > 0.0 else "-", shift=f"{abs(start):.6f}"
         )
         values = values_of(case.walk, start + rate * case.times)
         yield Guess("time", values, said, float(start), "s")
-    for shift in (1.0, -1.0):  # of one sheet alone
-        said = _("the column of t holds the moment t {sign} {shift} s").format(
-            sign="+" if shift > 0.0 else "-", shift="1"
-        )
-        yield Guess("time", values_of(case.walk, case.times + shift), said, shift, "s")
+
+
+def delayed(case: Case) -> Iterator[Guess]:
+    """A second more or less, of one sheet alone."""
+    if not case.moment:
+        for shift in (1.0, -1.0):
+            yield _shifted(case, shift, f"{abs(shift):g}")
+
+
+def _shifted(case: Case, shift: float, size: str) -> Guess:
+    text = _("the column of t holds the moment t {sign} {shift} s")
+    said = text.format(sign="+" if shift > 0.0 else "-", shift=size)
+    return Guess("time", values_of(case.walk, case.times + shift), said, shift, "s")
+
+
+def _line(x: FloatArray, y: FloatArray) -> tuple[float, float]:
+    """Slope and start of the line through nearly all points.
+
+    The median slope of far pairs, then least squares of the points near it.
+    """
+    half = x.size // 2
+    slope = np.median((y[half:] - y[: x.size - half]) / (x[half:] - x[: x.size - half]))
+    off = np.abs(y - slope * x - np.median(y - slope * x))
+    near = off <= 3.0 * np.median(off) + SAME_MOMENT
+    rate, start = np.polyfit(x[near], y[near], 1) if np.count_nonzero(near) > 2 else (slope, 0.0)
+    return float(rate), float(start)
 
 
 def _other_moment(case: Case, moment: float) -> Guess:
@@ -227,27 +292,41 @@ def _other_moment(case: Case, moment: float) -> Guess:
                 "after it in steps of {step} s"
             )
             break
-    said = text.format(moment=f"{moment:.6f}", contact=f"{contact:.6f}", step=f"{step:g}")
+    if abs(moment - contact) < NEARLY:
+        text = _(
+            "the moment is {moment} s, {shift} s off that of first contact, {contact} s: the search "
+            "stopped so near it"
+        )
+    said = text.format(
+        moment=f"{moment:.6f}",
+        contact=f"{contact:.6f}",
+        step=f"{step:g}",
+        shift=f"{moment - contact:.1e}",
+    )
     values = values_of(case.walk, np.array([moment]))
     return Guess("time", values, said, moment - contact, "s")
 
 
 def differences(case: Case) -> Iterator[Guess]:
     """Speeds from two positions divided by the time between them, not from the rigid benches."""
-    if len(case.times) > 2:
-        text = _("the speeds are {scheme} differences of the workbook's own positions")
-        for name, speeds in _own_differences(case).items():
-            values, said = np.stack([*case.ours[:2], speeds]), text.format(scheme=_scheme(name))
-            yield Guess("differences", values, said, float(np.median(np.diff(case.times))), "s")
     text = _("the speeds are {scheme} differences of positions with a step of {step} s")
     for step in STEPS:
-        inside = (case.times >= case.span[0]) & (case.times + step <= case.span[1])
         for scheme in SCHEMES:
+            before, after = (offset * step for offset in ENDS[scheme])
+            inside = (case.times + before >= case.span[0]) & (case.times + after <= case.span[1])
             values = np.array(case.ours)
             values[2] = np.nan
             values[2, inside] = difference_speeds(case.walk, case.times[inside], step, scheme)
             said = text.format(scheme=_scheme(scheme), step=f"{step:g}")
             yield Guess("differences", values, said, step, "s")
+    if np.isfinite(case.theirs).any(axis=(0, 2)).sum() > 2:
+        step = float(np.median(np.diff(case.times)))
+        text = _("the speeds are {scheme} differences of the workbook's own positions, {step} s apart")
+        slack = 3.0 * float(case.rounding[0, 0, 0]) / step
+        for name, speeds in _own_differences(case).items():
+            values = np.stack([*case.ours[:2], speeds])
+            said = text.format(scheme=_scheme(name), step=f"{step:g}")
+            yield Guess("differences", values, said, step, "s", slack)
 
 
 def _scheme(name: str) -> str:
@@ -256,69 +335,33 @@ def _scheme(name: str) -> str:
 
 def _own_differences(case: Case) -> dict[str, FloatArray]:
     """Differences of their positions from column to column; one-sided at the ends where central."""
-    points = _complex(case.theirs)
-    steps = np.diff(case.times)[:, np.newaxis]
+    held = np.isfinite(case.theirs).any(axis=(0, 2))
+    points, ours = complex_of(case.theirs[:, held]), complex_of(case.ours[:, held])
+    broken = np.abs(points - ours) > case.tolerance[0, 0]
+    if np.count_nonzero(broken) < FEW_BROKEN * broken.size:  # speeds were not taken from these
+        points = np.where(broken, ours, points)
+    steps = np.diff(case.times[held])[:, np.newaxis]
     between = np.abs(np.diff(points, axis=0)) / steps
     nothing = np.full((1, points.shape[1]), np.nan)
     middle = np.abs(points[2:] - points[:-2]) / (steps[1:] + steps[:-1])
-    return {
+    speeds = {
         "forward": np.concatenate([between, nothing]),
         "central": np.concatenate([between[:1], middle, between[-1:]]),
         "backward": np.concatenate([nothing, between]),
     }
+    whole = {name: np.full(case.ours.shape[1:], np.nan) for name in speeds}
+    for name, known in speeds.items():
+        whole[name][held] = known
+    return whole
 
 
 # In this order: of two that leave about as much the earlier one counts.
-HYPOTHESES: tuple[Hypothesis, ...] = (rotated, mirrored, swapped, handle, time, differences)
-
-
-@dataclass(frozen=True)
-class Fit:
-    """The guess that fits best.
-
-    Attributes:
-        guess: None if none fits.
-        values: what it predicts; the exact values in a sheet that they fit better.
-        residual: root mean square of what is left in all cells, m and m/s.
-        sheets: whether it is what positions, and speeds, show.
-    """
-
-    guess: Guess | None
-    values: FloatArray
-    residual: float
-    sheets: tuple[bool, bool]
-
-
-def best_fit(case: Case) -> Fit:
-    """The known mistake that a workbook shows, if it shows one."""
-    exact = best = exact_fit(case)
-    for hypothesis in HYPOTHESES:
-        for guess in hypothesis(case):
-            tried = _fit(case, guess, guess.values)
-            if tried.residual < CLEARLY * best.residual:
-                best = tried
-    near = best.residual <= ROUNDING and best.residual <= NEAR_ROUNDING * exact.residual
-    return best if near or best.residual <= EXPLAINED * exact.residual else exact
-
-
-def exact_fit(case: Case) -> Fit:
-    """What is left without any mistake."""
-    return _fit(case, None, case.ours)
-
-
-def _fit(case: Case, guess: Guess | None, values: FloatArray) -> Fit:
-    """What a prediction leaves, in each sheet that it fits better than the exact values."""
-    left, chosen = [], []
-    for part in (slice(0, 2), slice(2, 3)):
-        theirs = case.theirs[part]
-        squares = [np.square(theirs - some[part]) for some in (case.ours, values)]
-        ours, predicted = (np.nanmean(s) if np.isfinite(s).any() else np.inf for s in squares)
-        cells = np.count_nonzero(np.isfinite(theirs))
-        covered = 2 * np.count_nonzero(np.isfinite(squares[1])) >= cells
-        chosen.append(bool(covered and predicted < ours))
-        left.append(cells * (predicted if chosen[-1] else ours) if cells else 0.0)
-    merged = np.concatenate(
-        [values[:2] if chosen[0] else case.ours[:2], values[2:] if chosen[1] else case.ours[2:]]
-    )
-    count = np.count_nonzero(np.isfinite(case.theirs))
-    return Fit(guess, merged, float(np.sqrt(sum(left) / count)), (chosen[0], chosen[1]))
+HYPOTHESES: tuple[Hypothesis, ...] = (
+    rotated, mirrored, swapped, scaled, degrees, handle, entry, size, time, delayed, differences,
+)  # fmt: skip
+# Those that speeds may show alone.
+SPEEDS_ALONE: tuple[Hypothesis, ...] = (scaled, handle, entry, delayed, differences)
+# Other axes and units, and what they may stand on top of.
+AXES: tuple[Hypothesis, ...] = (rotated, mirrored)
+TRANSFORMS: tuple[Hypothesis, ...] = (*AXES, scaled)
+BASES: tuple[Hypothesis, ...] = (*AXES, swapped, handle, size)

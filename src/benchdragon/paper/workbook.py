@@ -40,6 +40,11 @@ BROKEN = (
 )  # fmt: skip
 MARKS = {b"\xd0\xcf\x11\xe0": "ole", b"PK": "zip"}
 ENCRYPTED = "EncryptedPackage".encode("utf-16-le")
+# Cells and rows that are formatted but hold nothing, however far out.
+EMPTY_CELL = re.compile(
+    rb"<(?:\w+:)?c(?=[\s/>])(?:[^<>]*/>|[^<>]*>\s*(?:<(?:\w+:)?v\s*/>\s*)?</(?:\w+:)?c\s*>)"
+)
+EMPTY_ROW = re.compile(rb"<(?:\w+:)?row(?=[\s/>])(?:[^<>]*/>|[^<>]*>\s*</(?:\w+:)?row\s*>)")
 CELL = re.compile(rb"<(?:\w+:)?c(?=[\s/>])")
 ROW = re.compile(rb"<(?:\w+:)?row(?=[\s/>])(?:[^>]*?\sr\s*=\s*[\"'](\d{1,9}))?")
 REFERENCE = re.compile(rb"<(?:\w+:)?c\s[^>]*?\br\s*=\s*[\"']([A-Z]{1,3})(\d{1,9})")
@@ -49,7 +54,11 @@ LABEL = re.compile(
     r"(?P<head>龙头|head)|(?:第(?P<body>\d{1,3})节龙身|body(?P<number>\d{1,3}))"
     r"|(?P<rear>龙尾\(?后\)?|tail\(rear\))|(?P<tail>龙尾|tail)"
 )
-TIME = re.compile(r"(?:t=)?([-+]?\d+(?:\.\d*)?)(?:s|秒)?")
+BODY = re.compile(r"第\d{1,3}节龙身|body\d{1,3}")
+MOST_NAMES = 5
+TIME = re.compile(
+    r"(?:t|第|时间|时刻|time)?[=:]?([-+]?\d+(?:\.\d*)?)(?:\(?(?:s|秒|sec|seconds?)\)?)?(?:时|末)?"
+)
 REST = re.compile(r"(?:前?把手)?(?:[横纵]坐标)?[xy]?(?:坐标|速度|speed)?(?:\(?m(?:/s)?\)?)?")
 # What the headers of result2 say, in the order of looking.
 COLUMNS: dict[Quantity, tuple[str, ...]] = {
@@ -66,6 +75,8 @@ SHEETS: dict[Quantity, tuple[str, ...]] = {
 Rows = Sequence[Sequence[Any]]
 # Rows of a quantity by handle.
 Found = dict[Quantity, dict[int, FloatArray]]
+# Columns that stand without a header: so many are the contest's times, s.
+HEADLESS = {301: np.arange(0.0, 301.0), 201: np.arange(-100.0, 101.0)}
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,11 +87,40 @@ class Workbook:
         times: of its columns, s, (T,); None for result2, which is of one moment.
         values: x, y (m) and speed (m/s), (3, T, 224); NaN where a cell holds no number.
         crossed: whether positions stand in a sheet that is called speeds, or the reverse.
+        remarks: what was taken for granted, and what was not read.
     """
 
     times: FloatArray | None
     values: FloatArray
     crossed: bool
+    remarks: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class _Sheet:
+    """What a sheet holds.
+
+    Attributes:
+        name: of the sheet.
+        times: of its columns, s, in increasing order; None for one moment.
+        rows: handle, quantity that the label names (None: none), numbers.
+        remarks: as in Workbook.
+    """
+
+    name: str
+    times: FloatArray | None
+    rows: list[tuple[int, Quantity | None, FloatArray]]
+    remarks: tuple[str, ...]
+
+    @property
+    def told(self) -> list[Quantity]:
+        """What its name says that it holds, "x" for positions; nothing if it says neither."""
+        return [kind for kind, words in SHEETS.items() if any(w in _plain(self.name) for w in words)]
+
+    @property
+    def axes(self) -> set[Quantity]:
+        """The axes that its labels name."""
+        return {axis for _handle, axis, _numbers in self.rows if axis in AXES}
 
 
 def read_workbook(path: Path) -> Workbook:
@@ -89,38 +129,76 @@ def read_workbook(path: Path) -> Workbook:
     Raises:
         InputError: for a file that is none, or is larger than such a workbook can be.
     """
-    sheets = _sheets(path)
-    found = [(name, *read) for name, rows in sheets if (read := _table(rows))]
-    series = [item for item in found if item[1] is not None]
-    if not (chosen := series or found[:1]):
+    found = [read for name, rows in _sheets(path) if (read := _table(name, rows))]
+    if not (chosen := [sheet for sheet in found if sheet.times is not None] or found[:1]):
         raise InputError(
             _(
                 "{path}: no sheet is laid out as those of result1, result2 and result4: rows 龙头, "
                 "第1节龙身, ... (or Head, Body 1, ...), and columns of times, or x, y and speed"
             ).format(path=path)
         )
-    times = _times_of(chosen)
+    own = [sheet.times for sheet in chosen if sheet.times is not None]
+    times = np.unique(np.concatenate(own)) if own else None
     values = np.full((3, 1 if times is None else len(times), HANDLES), np.nan)
-    for _name, own, rows in reversed(chosen):  # the first sheet has the last word
-        at = slice(None) if own is None or times is None else np.searchsorted(times, own)
+    remarks, crossed = [text for sheet in chosen for text in sheet.remarks], False
+    for sheet in reversed(chosen):  # the first sheet has the last word
+        rows = _speeds(sheet) if (wrong := _mislabelled(sheet, chosen)) else _quantities(sheet)
+        remarks += [_("the rows of the speeds are labelled as positions")] if wrong else []
+        crossed |= _crossed(sheet, rows)
+        own_times = sheet.times
+        at = slice(None) if own_times is None or times is None else np.searchsorted(times, own_times)
         for quantity, handles in rows.items():
             for handle, numbers in handles.items():
                 values[QUANTITIES.index(quantity), at, handle] = numbers
     if np.isnan(values).all():
         raise InputError(_("{path}: the workbook holds no numbers").format(path=path))
-    return Workbook(times, values, any(_crossed(name, rows) for name, _own, rows in chosen))
+    return Workbook(times, values, crossed, tuple(dict.fromkeys(remarks)))
 
 
-def _times_of(tables: Sequence[tuple[str, FloatArray | None, Found]]) -> FloatArray | None:
-    own = [times for _name, times, _rows in tables if times is not None]
-    return np.unique(np.concatenate(own)) if own else None
-
-
-def _crossed(name: str, rows: Found) -> bool:
+def _crossed(sheet: _Sheet, rows: Found) -> bool:
     """Whether a sheet is named after the other quantity."""
     held: Quantity = "x" if rows.get("x") or rows.get("y") else "speed"
-    told = [kind for kind, words in SHEETS.items() if any(word in _plain(name) for word in words)]
-    return bool(told) and held not in told
+    return bool(sheet.told) and held not in sheet.told
+
+
+def _mislabelled(sheet: _Sheet, sheets: Sequence[_Sheet]) -> bool:
+    """Whether rows are labelled as positions where speeds stand: another sheet holds the positions."""
+    if sheet.times is None or not sheet.axes or "x" in sheet.told:
+        return False
+    others = [other for other in sheets if other is not sheet]
+    if "speed" in sheet.told:
+        return any(other.axes and "speed" not in other.told for other in others)
+    places = next((other for other in sheets if other.axes and "speed" not in other.told), sheet)
+    return places is not sheet and sheet.axes <= places.axes and all(other.axes for other in others)
+
+
+def _speeds(sheet: _Sheet) -> Found:
+    """The rows of a sheet of speeds that are labelled as positions are."""
+    handles = {handle for handle, _axis, _numbers in sheet.rows}
+    if len(sheet.rows) == HANDLES > len(handles):  # labels as they stand in the other sheet, cut off
+        return {"speed": {n: numbers for n, (_handle, _axis, numbers) in enumerate(sheet.rows)}}
+    held = _quantities(sheet)
+    both = {handle: (held["x"].get(handle), held["y"].get(handle)) for handle in handles}
+    return {"speed": {handle: _size(*pair) for handle, pair in both.items()}}
+
+
+def _size(x: FloatArray | None, y: FloatArray | None) -> FloatArray:
+    """A speed of which one row is given, or the same in both, or its two components."""
+    if x is None or y is None or np.array_equal(x, y, equal_nan=True):
+        found = y if x is None else x
+        assert found is not None, "a handle has a row"
+        return found
+    return np.hypot(x, y)
+
+
+def _quantities(sheet: _Sheet) -> Found:
+    """Rows by quantity and handle, as labelled; of two positions that name no axis x comes first."""
+    found: Found = {"x": {}, "y": {}, "speed": {}}
+    places = sheet.told == ["x"] and not sheet.axes
+    for handle, quantity, numbers in sheet.rows:
+        place: Quantity = "y" if handle in found["x"] else "x"
+        found[place if places else quantity or "speed"].setdefault(handle, numbers)
+    return found
 
 
 def _sheets(path: Path) -> list[tuple[str, Rows]]:
@@ -156,10 +234,22 @@ def _unpacked(path: Path) -> BytesIO:
                 raise _too_much(path, _("it unpacks to over {most} MB"), MOST_UNPACKED // 2**20)
             # Reading ends where the archive says that the member does.
             data = archive.read(member)
-            out.writestr(member.filename, data)
+            out.writestr(member.filename, _without_empty(data))
     _check_cells(path, copy)
     copy.seek(0)
     return copy
+
+
+def _without_empty(data: bytes) -> bytes:
+    """A sheet without cells and rows that are formatted but hold nothing, however far out they are.
+
+    Where cells or rows do not say their places, the others are counted by these: they stay.
+    """
+    cells = sum(1 for _found in CELL.finditer(data))
+    rows = [found[1] for found in ROW.finditer(data)]
+    if not cells or cells != sum(1 for _found in REFERENCE.finditer(data)) or not all(rows):
+        return data
+    return EMPTY_ROW.sub(b"", EMPTY_CELL.sub(b"", data))
 
 
 def _content(path: Path) -> bytes:
@@ -255,8 +345,8 @@ def _handle(cell: object) -> tuple[int, str] | None:
     return (handle, text[found.end() :]) if bodies or not number else None
 
 
-def _table(rows: Rows) -> tuple[FloatArray | None, Found] | None:
-    """Times (None: one moment) and rows by quantity and handle of a sheet; None if it is no table."""
+def _table(name: str, rows: Rows) -> _Sheet | None:
+    """What a sheet holds; None if it is no table."""
     column, labels = _labels(rows)
     if not labels:
         return None
@@ -267,16 +357,43 @@ def _table(rows: Rows) -> tuple[FloatArray | None, Found] | None:
     times = {j: t for j, cell in enumerate(header) if j > column and (t := _time(cell)) is not None}
     if len(times) > MOST_TIMES:
         raise InputError(_("at most {most} times are compared").format(most=MOST_TIMES))
-    if times:
-        return _series(rows, labels, times)
+    remarks = _strangers(rows, column)
     moment = _moment_columns(header, column)
+    if not times and len(moment) < 2:
+        times, moment = _headless(rows, labels, column)
+        remarks += [_("no row says what the columns hold; they were taken for the contest's, in order")]
+    if times:
+        clock, held = _series(rows, labels, times)
+        return _Sheet(name, clock, held, tuple(remarks))
     if len(moment) < 2:
         return None
-    columns: Found = {
-        quantity: {handle: np.array([_cell(rows[i], j)]) for i, (handle, _rest) in labels.items()}
+    columns: list[tuple[int, Quantity | None, FloatArray]] = [
+        (handle, quantity, np.array([_cell(rows[i], j)]))
         for quantity, j in moment.items()
-    }
-    return None, columns
+        for i, (handle, _rest) in labels.items()
+    ]
+    return _Sheet(name, None, columns, tuple(remarks))
+
+
+def _headless(
+    rows: Rows, labels: dict[int, tuple[int, str]], column: int
+) -> tuple[dict[int, float], dict[Quantity, int]]:
+    """Times by column, or columns of result2, where no header says them: as many as the contest has."""
+    width = max(len(rows[i]) for i in labels)
+    held = [j for j in range(column + 1, width) if any(np.isfinite(_cell(rows[i], j)) for i in labels)]
+    if len(held) == len(QUANTITIES):
+        return {}, dict(zip(QUANTITIES, held, strict=True))
+    clock = HEADLESS.get(len(held))
+    return ({} if clock is None else dict(zip(held, clock.tolist(), strict=True))), {}
+
+
+def _strangers(rows: Rows, column: int) -> list[str]:
+    """A sentence on rows of bodies that the contest's dragon does not have."""
+    cells = [row[column] for row in rows if column < len(row) and isinstance(row[column], str)]
+    found = [cell for cell in cells if LABEL.match(_plain(cell)) and _handle(cell) is None]
+    names = [str(cell).strip() for cell in found if BODY.match(_plain(cell))]
+    text = _("rows that the contest does not ask for were not read: {names}")
+    return [text.format(names=", ".join(names[:MOST_NAMES]))] if names else []
 
 
 def _labels(rows: Rows) -> tuple[int, dict[int, tuple[int, str]]]:
@@ -295,15 +412,14 @@ def _labels(rows: Rows) -> tuple[int, dict[int, tuple[int, str]]]:
 
 def _series(
     rows: Rows, labels: dict[int, tuple[int, str]], times: dict[int, float]
-) -> tuple[FloatArray, Found]:
+) -> tuple[FloatArray, list[tuple[int, Quantity | None, FloatArray]]]:
     """A sheet whose columns are times, in increasing order; the first of equal ones counts."""
     clock, order = np.unique(list(times.values()), return_index=True)
     columns = [list(times)[n] for n in order]
-    found: Found = {"x": {}, "y": {}, "speed": {}}
+    found: list[tuple[int, Quantity | None, FloatArray]] = []
     for i, (handle, rest) in labels.items():
-        axes = [axis for axis in AXES if any(sign in rest for sign in COLUMNS[axis])]
-        quantity: Quantity = axes[0] if axes else "speed"
-        found[quantity].setdefault(handle, np.array([_cell(rows[i], j) for j in columns]))
+        axis = next((axis for axis in AXES if any(sign in rest for sign in COLUMNS[axis])), None)
+        found.append((handle, axis, np.array([_cell(rows[i], j) for j in columns])))
     return clock, found
 
 
