@@ -211,6 +211,12 @@ def test_places_at_a_bench(tmp_path: Path) -> None:
         1: "张甲 张乙", 2: "张丙 张丁", 3: "张戊", 5: "张己 张庚", 6: "张辛 张壬", 7: "张癸",
         8: "张子", 9: "张丑", 10: "张寅",
     }  # fmt: skip
+    others = ["第4桥第1位", "4桥2号位", "第五桥第一人", "左6", "７＃"]
+    rows = [
+        ["桥号", "姓名"],
+        *([one, f"张{sign}"] for one, sign in zip(others, "甲乙丙丁戊", strict=True)),
+    ]
+    assert names(read(tmp_path, rows)) == {4: "张甲 张乙", 5: "张丙", 6: "张丁", 7: "张戊"}
     # Without a bench whose first place is named a dash is from one bench to another.
     assert names(read(tmp_path, [["桥号", "姓名"], ["1-2", "张三、李四"], ["3-5", "王五"]])) == {
         1: "张三", 2: "李四", 3: "王五", 4: "王五", 5: "王五",

@@ -70,7 +70,7 @@ const SIDES = "(?:[左右前后中上下甲乙丙丁]|[abcd](?![a-z]))[边面侧
 const ITEM = new RegExp(
   "^[左右前后]?(?:第|bench|benches|qiao|jie|section|number|no[.:]?|nr[.:]?|#|板凳|桥|节|凳|板|灯|编?号)*" +
     `([0-9]{1,9}(?:\\.0+)?|[${NUMERALS}]{1,9})[号#]{0,2}(?:板凳|桥|节|凳|块|条|张|板|灯)?[号#]{0,2}` +
-    `(?:\\(?(?:${SIDES})+)?$`,
+    `(?:\\(?(?:${SIDES})+|(?<=[号桥节凳块条张板灯])第?[${NUMERALS}0-9]{1,2}号?[位人])?$`,
   "u",
 );
 const SIDE_APART = new RegExp(
