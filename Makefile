@@ -150,6 +150,7 @@ carried-test: node_modules/installed
 # One that was broken off goes on where it was.
 hostile: .venv/engine
 	$(BIN)/python -m tests.hostile 0 10000
+	$(BIN)/python -m tests.hostile.certificates 0 20000
 
 mutants: .venv/installed
 	$(BIN)/python tools/mutants.py
