@@ -319,3 +319,63 @@ def test_a_name_in_the_table_is_no_formula(opened_sheets: Opened) -> None:
     saved = Path(found.value.path()).read_text("utf-8-sig")
     assert '"\'=HYPERLINK(A1)"' in saved
     assert re.search(r'"-\d+\.\d\d"', saved)  # numbers stay numbers
+
+
+SMALLEST = """() => {
+  const texts = document.createTreeWalker(document.querySelector("#sheets .pages"), NodeFilter.SHOW_TEXT);
+  let least = Infinity;
+  for (let node = texts.nextNode(); node; node = texts.nextNode()) {
+    const at = node.parentElement;
+    if (!node.data.trim() || !at.getClientRects().length) continue;
+    const scale = at.ownerSVGElement ? at.getScreenCTM().a : 1;
+    least = Math.min(least, parseFloat(getComputedStyle(at).fontSize) * scale);
+  }
+  return least * 72 / 96;
+}"""
+
+
+def test_no_type_on_paper_is_smaller_than_seven_points(opened_sheets: Opened) -> None:
+    page = opened_sheets()
+    page.set_viewport_size({"width": 1366, "height": 768})
+    for what, kind in ((1, "a4"), (1, "quarter"), (0, "overview")):
+        sheets(page).get_by_role("combobox").nth(what).select_option(kind)
+        assert page.evaluate(SMALLEST) >= 7 - 1e-3
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_the_arrows_word_is_whole_and_beside_the_map(opened_sheets: Opened, language: Language) -> None:
+    page = opened_sheets(language)
+    for kind in ("a4", "quarter"):
+        sheets(page).get_by_role("combobox").nth(1).select_option(kind)
+        places = page.evaluate(
+            """() => [".map > svg:first-child", "svg.compass", "svg.compass text"].map((one) =>
+              document.querySelector("#sheets " + one).getBoundingClientRect().toJSON())"""
+        )
+        drawn, arrow, word = places
+        assert drawn["right"] <= arrow["left"] + 0.1
+        assert arrow["left"] <= word["left"] < word["right"] <= arrow["right"]
+
+
+def test_the_overviews_border_is_on_the_page(opened_sheets: Opened) -> None:
+    page = opened_sheets()
+    sheets(page).get_by_role("combobox").nth(0).select_option("overview")
+    made = pypdfium2.PdfDocument(io.BytesIO(page.pdf(prefer_css_page_size=True)))
+    picture = made[0].render(scale=200 / 72).to_pil().convert("L")
+    inked = picture.point(lambda value: 255 * (value < 200)).getbbox()
+    table = page.locator(".overview table").evaluate(
+        "(one) => getComputedStyle(one.querySelector('td')).borderRightWidth"
+    )
+    assert table != "0px"
+    assert inked is not None
+    # As far from one edge of the paper as from the other, but for a dot.
+    assert abs((picture.width - inked[2]) - inked[0]) <= 2
+
+
+def test_what_is_printed_too_early_says_so(pages: Pages, sheets_file: Path) -> None:
+    page = settled(pages.open(f"{sheets_file.as_uri()}#lang=en"))
+    page.evaluate(
+        "benchdragon.sheets.answers.aside = () => ({ ask: () => new Promise(() => {}), close: () => {} })"
+    )
+    page.get_by_role("button", name=NAMES["en"], exact=True).click()
+    made = pypdfium2.PdfDocument(io.BytesIO(page.pdf()))
+    assert "notreadyyet" in "".join(made[0].get_textpage().get_text_bounded().split())

@@ -6,6 +6,7 @@ import { SHEETS_BRIEFING } from "./compute/constants.js";
 import { called } from "./compute/people.js";
 import { drawnCode } from "./code.js";
 import { make } from "./elements.js";
+import { readable } from "./sheet_map.js";
 import { _, language } from "./words.js";
 
 /** @typedef {import("./compute/bench_text.js").BenchText} BenchText */
@@ -256,5 +257,8 @@ export function fitted(sheets) {
   // Maps are as tall as the least of them.
   const maps = sheets.map(({ map }) => map).filter(({ isConnected }) => isConnected);
   const tall = maps.reduce((least, map) => Math.min(least, map.clientHeight), Infinity);
-  for (const map of maps) map.style.maxHeight = `${tall}px`;
+  for (const map of maps) {
+    map.style.maxHeight = `${tall}px`;
+    readable(map);
+  }
 }

@@ -14,6 +14,8 @@ const SIZES = { a4: [150, 90], quarter: [85, 45] };
 // Every so manyth bench is numbered, where numbers are so far apart, mm; and how tall they are.
 const NUMBERED = [1, 2, 5, 10, 20, 50, 100, 200, 500];
 const [NUMBER_ROOM, DIGITS] = [5, 2.5];
+// No letters on paper are smaller, CSS pixels: 7 points.
+const LEAST = (7 / 72) * 96;
 // Of an obstacle's name so many signs at most; a cross's arm, mm.
 const [MOST_SIGNS, CROSS] = [16, 1.4];
 // What is drawn once, and used by all maps.
@@ -76,19 +78,16 @@ export class SheetMaps {
   /** The square and the route. @param {string} name for those who cannot see it @param {Node[]} more */
   #map(name, ...more) {
     const thin = String(THIN * this.unit);
-    return make(
-      "figure",
-      { class: "map" },
-      draw(
-        "svg",
-        { viewBox: this.viewBox, role: "img", "aria-label": name },
-        draw("use", { href: `#${SQUARE}` }),
-        draw("use", { href: `#${WAY}`, class: "way", "stroke-width": thin }),
-        ...more,
-        ...this.#names(),
-      ),
-      compass(this.briefing.ground),
+    const svg = draw(
+      "svg",
+      { viewBox: this.viewBox, role: "img", "aria-label": name },
+      draw("use", { href: `#${SQUARE}` }),
+      draw("use", { href: `#${WAY}`, class: "way", "stroke-width": thin }),
+      ...more,
+      ...this.#names(),
     );
+    svg.style.setProperty("--digits", `${DIGITS * this.unit}px`);
+    return make("figure", { class: "map" }, svg, compass(this.briefing.ground));
   }
 
   /** The peg, entrances, and what obstacles are called. */
@@ -117,7 +116,7 @@ export class SheetMaps {
 
   /** A name above a place. @param {string} name @param {number} x @param {number} y */
   #name(name, x, y) {
-    const at = { x: x.toFixed(3), y: y.toFixed(3), "font-size": String(DIGITS * this.unit) };
+    const at = { x: x.toFixed(3), y: y.toFixed(3) };
     const text = draw("text", { ...at, class: "name" });
     text.textContent = name;
     return text;
@@ -166,7 +165,7 @@ export class SheetMaps {
       const end = !counted && (bench === 1 || bench === briefing.benches.length);
       if (!end && number % each) return [dot];
       const at = { x: (x + 0.9 * unit).toFixed(3), y: (-y - 0.6 * unit).toFixed(3) };
-      const text = draw("text", { ...at, class: "number", "font-size": String(DIGITS * unit) });
+      const text = draw("text", { ...at, class: "number" });
       text.textContent = end ? called(bench) : String(number);
       return [dot, text];
     });
@@ -175,6 +174,13 @@ export class SheetMaps {
       ...marks,
     );
   }
+}
+
+/** Have no letters on a map that stands in the page smaller than LEAST. @param {Element} map */
+export function readable(map) {
+  const svg = map.querySelector("svg");
+  const scale = svg?.getScreenCTM()?.a;
+  if (svg && scale) svg.style.setProperty("--least", `${LEAST / scale}px`);
 }
 
 /** @param {number[]} place @param {number} radius m */
@@ -200,7 +206,7 @@ function compass(ground) {
   const arrow = draw("path", { d, class: "compass", transform: `rotate(${turned} 8 5.5)` });
   const text = draw("text", { x: "8", y: "15", "text-anchor": "middle" });
   text.textContent = yWord(ground);
-  return draw("svg", { class: "compass", viewBox: "0 0 16 17", "aria-hidden": "true" }, arrow, text);
+  return draw("svg", { class: "compass", viewBox: "-4 0 24 17", "aria-hidden": "true" }, arrow, text);
 }
 
 /** What the marks mean that are there. @param {boolean} moves whether the bench does */

@@ -7,7 +7,7 @@ import { choice, make, tick } from "./elements.js";
 import { deliver } from "./files.js";
 import { overviewSheet, overviewTable } from "./overview_sheet.js";
 import { NameList } from "./name_list.js";
-import { SheetMaps } from "./sheet_map.js";
+import { readable, SheetMaps } from "./sheet_map.js";
 import { samePlan } from "./standing.js";
 import { _ } from "./words.js";
 
@@ -135,7 +135,8 @@ export class Sheets {
     );
     this.section.ariaLabel = _("benches' sheets");
     const focused = this.section.contains(document.activeElement) ? document.activeElement : null;
-    this.section.replaceChildren(header, this.pages);
+    const early = _("The sheets are not ready yet: print them once they are shown.");
+    this.section.replaceChildren(header, make("p", { class: "early" }, early), this.pages);
     if (focused) this.#refocus(focused);
   }
 
@@ -255,12 +256,11 @@ export class Sheets {
     const date = today();
     const foot = `${briefing.sha256.slice(0, 12)} · ${date}`;
     this.pages.style.setProperty("zoom", "1");
-    if (this.shown.what === "overview")
-      this.pages.replaceChildren(
-        maps.shared(),
-        overviewSheet(said, maps, looks.phones, this.names.notes, date, foot),
-      );
-    else this.#showBenches(briefing, maps, said, foot);
+    if (this.shown.what === "overview") {
+      const sheet = overviewSheet(said, maps, looks.phones, this.names.notes, date, foot);
+      this.pages.replaceChildren(maps.shared(), sheet);
+      for (const map of sheet.querySelectorAll(".map")) readable(map);
+    } else this.#showBenches(briefing, maps, said, foot);
     this.#zoom();
   }
 
