@@ -79,6 +79,27 @@ def question(count: int = 1) -> Iterator[None]:
         _asked.reset(token)
 
 
+@contextmanager
+def aside(share: float) -> Iterator[None]:
+    """What an answer can do without: so large a share of a question's work at most, counted apart."""
+    asked = _asked.get()
+    if asked is None:
+        yield
+        return
+    token = _asked.set(Budget(share * times() * WORK, asked.memory))
+    try:
+        yield
+    finally:
+        _asked.reset(token)
+
+
+def allow(share: float) -> None:
+    """Let the question at hand take so large a share of a question's work from now on, if not more."""
+    asked = _asked.get()
+    if asked is not None:
+        asked.work = max(asked.work, asked.spent + share * times() * WORK)
+
+
 def spend(handles: float) -> None:
     """Count handles that were placed; nothing is counted outside of questions.
 

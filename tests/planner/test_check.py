@@ -7,6 +7,7 @@ import pytest
 
 from benchdragon.plans.presets import presets
 from benchdragon.plans.toml import BUILT_IN_FOLDER
+from tests.analysis.rounds import circle, random_rounds, stadium
 from tests.engine.recording import node
 from tests.planner.random_plans import Tables
 from tests.planner.verdicts import fault, here, limited, there
@@ -86,6 +87,27 @@ def test_a_dance_that_ends_before_its_tail_is_out_is_told_alike() -> None:
     assert wrong(plans, quick=True) == {}
     told = [here(data, quick=True)["verdict"]["sentence"]["en"] for data in plans.values()]
     assert ["before the tail is out" in text for text in told] == [True, True, False]
+
+
+@pytest.mark.parametrize("quick", [True, False])
+def test_rounds_are_told_alike(quick: bool) -> None:
+    limits = {"speed": 1.5, "turning_rate": 60}
+    people = {"sway": 0.05, "beside": 0.1}
+    thing = {"kind": "circle", "centre": [4.0, 4.0], "radius": 1.0}
+    asked: Tables = {"limits": limits, "people": people, "obstacle": [thing]}
+    walk: Tables = {"profile": [[0, 0.5], [9, 1.0], [200, 1.0], [202, 1.2], [220, 1.2], [300, 1.2]]}
+    cut = {"kind": "circle", "centre": [9.0, 0.0], "radius": 1.0}
+    plans: dict[str, Tables] = {
+        "a circle": circle(7).data(),
+        "a circle with all": circle(7, **asked).data(),
+        "a circuit": stadium(9).data(),
+        "a circuit with all": stadium(9, **asked).data(),
+        "a circuit at many speeds": stadium(9, **asked, walk=walk).data(),
+        "a circuit through a thing": stadium(9, obstacle=[cut]).data(),
+        "a margin that is not kept": stadium(9, limits={"margin": 1.06}).data(),
+        **{f"{seed}": random_rounds(seed).data() for seed in range(8)},
+    }
+    assert wrong(plans, quick=quick) == {}
 
 
 def test_random_plans_get_the_same_quick_verdict() -> None:

@@ -17,8 +17,10 @@ from benchdragon.analysis.contact import (
     clearance_curve,
     first_sure_contact,
     least_clearance,
+    seen_clearance,
 )
 from benchdragon.analysis.findings import Finding, all_findings, named
+from benchdragon.analysis.left_open import speed_at_start, told_if_open
 from benchdragon.analysis.obstacles import ObstacleAnswers, obstacle_answers
 from benchdragon.analysis.proof import Claim, prove_contact, prove_obstacle
 from benchdragon.analysis.room import ASKED, RoomLevel, levels_asked, room_levels, shown_name
@@ -139,26 +141,29 @@ def check(
     claims: list[Claim] | None = [] if prove else None
     contact, clearance = _nearness(plan, walk, (start, end), stage, claims, quick)
     span = start, end if contact is None or contact.witness is None else contact.upper
-    width = QUICK_SPEED if quick else TOLERANCE
-    speed = greatest_speed(walk, *span, tolerance=width, progress=stage(_("greatest speed")))
-    speed = _decided_speed(plan, walk, span, speed)
-    peaks = _limited_peaks(plan, walk, span, stage(_("other limits")))
+    left: list[Finding] = []
+    speed = _greatest_speed(plan, walk, span, QUICK_SPEED if quick else TOLERANCE, stage)
+    peaks = _limited_peaks(plan, walk, span, left, stage(_("other limits")))
     widths = (QUICK_CLEARANCE,) if quick else TOLERANCES
-    obstacles = _obstacles(plan, walk, span, widths, claims, stage(_("obstacles")))
-    room: tuple[RoomLevel, ...] = ()
-    if levels_asked(plan.people):
+    obstacles = _obstacles(plan, walk, span, widths, claims, left, stage(_("obstacles")))
+    asked, room = levels_asked(plan.people), list[RoomLevel]()
+    if asked:
         told = stage(_("room for people"))
-        room = room_levels(plan, walk, (start, end), (contact, obstacles), prove, told)
+        with told_if_open(left, asked[-1]):
+            room += room_levels(plan, walk, (start, end), (contact, obstacles), prove, told)
     contacts = [contact, *(answers.contact for answers in obstacles)]
     contacts += [one and one[0] for one in (level.first for level in room)]
     return Report(
         plan, walk, start, end, contact, clearance, speed, peaks,
-        findings=all_findings(
-            plan, walk, span, contact, obstacles, {"speed": speed, **peaks}, room
+        findings=(
+            *all_findings(
+                plan, walk, span, contact, obstacles, {"speed": speed, **peaks}, room
+            ),
+            *left,
         ),
         obstacles=obstacles,
-        room=room,
-        proved=prove and all(one is None or one.status == "proved" for one in contacts),
+        room=tuple(room),
+        proved=prove and not left and all(one is None or one.status == "proved" for one in contacts),
         seconds=clock.perf_counter() - began,
         claims=tuple(claims or ()),
         unfinished=unfinished(plan, walk, end),
@@ -184,7 +189,9 @@ def _nearness(
         return contact, touching
     until = span[1] if contact is None or contact.witness is None else contact.upper
     widths, told = (QUICK_CLEARANCE,) if quick else TOLERANCES, stage(_("clearance"))
-    return contact, least_clearance(walk, span[0], until, tolerances=widths, progress=told)
+    with told_if_open([]):
+        return contact, least_clearance(walk, span[0], until, tolerances=widths, progress=told)
+    return contact, seen_clearance(walk, span[0], until, margin if contact is None else 0.0)
 
 
 def _clear_throughout(plan: Plan, walk: Walk, span: tuple[float, float]) -> Answer | None:
@@ -210,31 +217,40 @@ def _obstacles(
     span: tuple[float, float],
     tolerances: Sequence[float],
     claims: list[Claim] | None,
+    left: list[Finding],
     progress: Progress,
 ) -> tuple[ObstacleAnswers, ...]:
     """What is found about the venue's edge and each obstacle over a span of the walk, s."""
     found, known = [], plan.obstacles()
     for n, obstacle in enumerate(known):
         progress(n / len(known), named(obstacle))
-        answers = obstacle_answers(walk, obstacle, *span, tolerances=tolerances)
-        if claims is not None:
-            answers = prove_obstacle(walk, answers, *span, claims=claims, plan=plan)
-        found.append(answers)
+        with told_if_open(left, obstacle):
+            answers = obstacle_answers(walk, obstacle, *span, tolerances=tolerances)
+            if claims is not None:
+                answers = prove_obstacle(walk, answers, *span, claims=claims, plan=plan)
+            found.append(answers)
     return tuple(found)
 
 
-def _decided_speed(plan: Plan, walk: Walk, span: tuple[float, float], speed: Answer) -> Answer:
+def _greatest_speed(
+    plan: Plan, walk: Walk, span: tuple[float, float], tolerance: float, stage: Stages
+) -> Answer:
     """The greatest speed over a span of the walk, s, asked again where its bracket holds a limit."""
-    for limit in (plan.limits.speed, plan.people.most_speed):
-        if limit is not None and speed.keeps(limit) is None:
-            speed = greatest(walk, QUANTITIES["speed"], *span, limit=limit * (1.0 + ROUNDING))
-    return speed
+    with told_if_open([]):
+        told = stage(_("greatest speed"))
+        speed = greatest_speed(walk, *span, tolerance=tolerance, progress=told)
+        for limit in (plan.limits.speed, plan.people.most_speed):
+            if limit is not None and speed.keeps(limit) is None:
+                speed = greatest(walk, QUANTITIES["speed"], *span, limit=limit * (1.0 + ROUNDING))
+        return speed
+    return speed_at_start(walk, span[0])
 
 
 def _limited_peaks(
     plan: Plan,
     walk: Walk,
     span: tuple[float, float],
+    left: list[Finding],
     progress: Progress,
 ) -> dict[str, Answer]:
     """The greatest of each quantity but speed that the plan limits, over a span of the walk, s.
@@ -244,9 +260,10 @@ def _limited_peaks(
     limits = {name: limit for name, limit in given_limits(plan).items() if name != "speed"}
     peaks = {}
     for n, (name, limit) in enumerate(limits.items()):
-        peaks[name] = greatest(
-            walk, QUANTITIES[name], *span, tolerance=RATE_TOLERANCE, limit=limit * (1.0 + ROUNDING)
-        )
+        with told_if_open(left, name, limit):
+            peaks[name] = greatest(
+                walk, QUANTITIES[name], *span, tolerance=RATE_TOLERANCE, limit=limit * (1.0 + ROUNDING)
+            )
         progress((n + 1) / len(limits), "")
     return peaks
 

@@ -6,7 +6,8 @@ How none is missed, see `contact_search`.
 import collections
 import math
 import time as clock
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -15,6 +16,7 @@ import numpy.typing as npt
 from benchdragon import budget
 from benchdragon.analysis.contact_search import ContactSearch, contact_search
 from benchdragon.analysis.distance import MOST_SAMPLED, low_pair, tightest_pairs
+from benchdragon.budget import OverBudgetError
 from benchdragon.errors import InputError, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels import search as kernel
@@ -31,7 +33,12 @@ FRAYED = 1e-5
 FIRST_REACH, WIDER = 0.003, 6.0
 # Least clearances are bracketed to the first of these, m, that benches which keep one distance for a
 # while allow.
-TOLERANCES = (1e-12, 1e-8, 1e-5)
+TOLERANCES = (1e-12, 1e-8, 1e-5, 1e-3)
+# What the first of these may take beside a question, as a share of its work, and each of the others:
+# those are for benches that keep one distance, and a bracket is refined while that is cheap.
+REFINING, REFINING_ON = 0.25, 0.05
+# The least clearance of a dragon of one or two benches.
+NONE = Answer(math.inf, math.inf, math.inf, "m", "found")
 # Grazes that are looked past for a sure contact.
 MOST_GRAZES = 100
 # Samples of a clearance curve: each takes a millisecond for 223 benches.
@@ -102,10 +109,14 @@ def contact_windows(
         WalkError: if the dragon cannot stand at some time, and no windows fill `most` before.
         UnsureError: if it could not be shown that it can.
     """
-    search = contact_search(walk, start, end, margin, progress)
+    return _windows(contact_search(walk, start, end, margin, progress, whole=True), most)
+
+
+def _windows(search: ContactSearch, most: int, *, sure: bool = False) -> list[Window]:
+    """The first windows that a search comes to, so many at most; if `sure`, none after one that is."""
     opened = _touching_at_start(search)
     windows = [] if opened is None else [Window(opened, None)]
-    while len(windows) < most:
+    while len(windows) < most and not (sure and windows and windows[-1].opens.status == "found"):
         touching = bool(windows) and windows[-1].closes is None
         note = np.zeros(kernel.NOTES)
         ending = search.search(kernel.TOUCH_END if touching else kernel.FIRST_TOUCH, note)
@@ -178,7 +189,7 @@ def first_contact(
         WalkError: if no contact comes before a time at which the dragon cannot stand.
         UnsureError: if that could not be decided.
     """
-    windows = contact_windows(walk, start, end, margin=margin, most=1, progress=progress)
+    windows = _windows(contact_search(walk, start, end, margin, progress), 1)
     return windows[0].opens if windows else None
 
 
@@ -202,7 +213,7 @@ def first_sure_contact(
     first = (search or first_contact)(walk, start, end, margin=margin, progress=progress)
     if first is None or first.status != "undecided":
         return first
-    windows = contact_windows(walk, start, end, margin=margin, most=MOST_GRAZES)
+    windows = _windows(contact_search(walk, start, end, margin, silent), MOST_GRAZES, sure=True)
     return next((window.opens for window in windows if window.opens.status == "found"), first)
 
 
@@ -219,9 +230,9 @@ def least_clearance(
     """The least clearance, m, of any two non-adjacent benches from start to end (s).
 
     0 where benches overlap; infinite for a dragon of one or two benches. The bracket is as wide as the
-    first of `tolerances`, m, or where benches keep one distance for a while as one of the others.
-    Nothing beyond `within` metres is looked for: where nothing is nearer the upper end is infinite, and
-    the lower one that less the tolerance.
+    first of `tolerances`, m, or where benches keep one distance for a while as one of the others, or
+    wider yet where that takes too much work. Nothing beyond `within` metres is looked for: if none is
+    nearer the upper end is infinite, and the lower one that less the tolerance.
 
     Raises:
         InputError: for an end before the start.
@@ -230,8 +241,25 @@ def least_clearance(
     """
     search = contact_search(walk, start, end, 0.0, progress)
     if len(walk.dragon) < 3:
-        return Answer(math.inf, math.inf, math.inf, "m", "found")
+        return NONE
     return _least(search, _guess(search), within, tolerances)
+
+
+@budget.question()
+def seen_clearance(walk: Walk, start: float, end: float, floor: float) -> Answer:
+    """The least clearance, m, as it is seen here and there from start to end (s): no search is made.
+
+    No benches come nearer than `floor`, m, as far as is known: the lower end of the bracket.
+
+    Raises:
+        InputError: for an end before the start.
+        WalkError: if the dragon cannot stand at the start.
+    """
+    search = contact_search(walk, start, end, 0.0, silent)
+    if len(walk.dragon) < 3:
+        return NONE
+    best = _guess(search)
+    return _clearance_answer(search, replace(best, floor=min(floor, best.distance)))
 
 
 @budget.question()
@@ -252,7 +280,7 @@ def clearance_above(
     """
     search = contact_search(walk, start, end, margin, silent)
     if len(walk.dragon) < 3:
-        return Answer(math.inf, math.inf, math.inf, "m", "found")
+        return NONE
     best = _guess(search)
     if best.distance <= margin:
         return None
@@ -293,21 +321,30 @@ def _guess(search: ContactSearch) -> Best:
         i, j = (number - 1 for number in nearest.benches)
         apart = max(nearest.distance, 0.0)
         return Best(apart, search.start, (i, j), apart if still else 0.0)
-    distance, where, i, j = low_pair(search.walk, search.start, search.end)
+    distance, where, i, j = min(low_pair(search.walk, *span) for span in search.spans)
     return Best(max(distance, 0.0), where, (i, j))
+
+
+@contextmanager
+def refined(n: int) -> Iterator[None]:
+    """Refine a bracket to the tolerance of number n: given up, without a word, where it is too dear."""
+    with suppress(OverBudgetError), budget.aside(REFINING_ON if n else REFINING):
+        yield
 
 
 def _bracketed(search: ContactSearch, best: Best, reach: float, tolerances: Sequence[float]) -> Best:
     """`best`, or what is lower within `reach`, bracketed as the first tolerance that can be says.
 
-    A last pass, of whatever width, sees the rest of the walk.
+    What is too dear is given up. A last pass, of whatever width, sees the rest of the walk.
     """
-    for tolerance in (*tolerances, math.inf):
-        search.tables.again()
-        best, closed = _lowered(search, best, min(reach, best.distance), tolerance)
-        if closed:
-            break
-    return best
+    for n, tolerance in enumerate(tolerances):
+        search.again()
+        with refined(n):
+            best, closed = _lowered(search, best, min(reach, best.distance), tolerance)
+            if closed:
+                return best
+    search.again()
+    return _lowered(search, best, min(reach, best.distance), math.inf)[0]
 
 
 def _lowered(search: ContactSearch, best: Best, reach: float, tolerance: float) -> tuple[Best, bool]:
@@ -372,7 +409,7 @@ def clearance_curve(walk: Walk, times: npt.ArrayLike) -> ClearanceCurve:
     tightest = [tightest_pairs(motion, i)[0] for i in range(len(at))]
     clearance = np.array([near.distance for near in tightest])
     inner = np.flatnonzero((clearance[1:-1] <= clearance[:-2]) & (clearance[1:-1] < clearance[2:])) + 1
-    search = contact_search(walk, float(at[0]), float(at[-1]), 0.0, silent)
+    search = contact_search(walk, float(at[0]), float(at[-1]), 0.0, silent, whole=True)
     inner = inner[clearance[inner] > 0.0]
     search.begin(float(clearance[inner].max(initial=0.0)))
     minima = [_local_minimum(search, motion, int(i), float(clearance[i])) for i in inner]

@@ -7,7 +7,7 @@ that holds in between (kernels/pair_bounds.py, design/first_contact.py).
 
 import math
 import time as clock
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -17,6 +17,7 @@ from benchdragon import budget
 from benchdragon.analysis.distance import boxes, nearness
 from benchdragon.analysis.head_times import HeadTimes
 from benchdragon.analysis.nearby import checked_off, errors_at, origin_of, seen_from
+from benchdragon.analysis.rounds import Rounds, Span, repeats
 from benchdragon.analysis.tables import Tables, walk_tables
 from benchdragon.errors import UnsureError, in_order, not_negative, of_kind
 from benchdragon.i18n import _
@@ -105,6 +106,7 @@ class ContactSearch:
 
     Attributes:
         walk: as given, but with coordinates counted from `origin`.
+        spans: of the head's way, m, that are searched: the whole of it, or what repeats nothing.
         origin: near the dance, m.
         slack: what computed distances count as off by at least, m.
         off: what those that mattered so far may be off by, m.
@@ -116,6 +118,7 @@ class ContactSearch:
     margin: float
     progress: Progress
     since: float = -math.inf  # the time at which it begins, s
+    spans: Sequence[Span] = ()
     origin: Point = field(init=False)
     slack: float = field(default_factory=lambda: SLACK)
     off: float = 0.0
@@ -126,14 +129,26 @@ class ContactSearch:
         placed = self.placement(self.start)
         self.origin = origin_of(placed.x, placed.y)
         self.walk = seen_from(self.walk, self.origin)
-        self._tail = float(placed.s[0, -2])
+        self.spans = self.spans or [(self.start, self.end)]
         self._tables: Tables | None = None
+        self._near, self._span = 0.0, 0
 
     def begin(self, reach: float) -> None:
         """Look for all pairs that come within reach, m, from the start on."""
-        near = reach + self.slack
-        walk = walk_tables(self.walk)
-        self._tables = Tables(walk, self.start, self.end, near, self._tail)
+        self._near = reach + self.slack
+        self._begin_span(0)
+
+    def again(self) -> None:
+        """Begin once more with what was begun."""
+        if self._span:
+            self._begin_span(0)
+        else:
+            self.tables.again()
+
+    def _begin_span(self, n: int) -> None:
+        self._span, (first, last) = n, self.spans[n]
+        tail = float(self.placement(first).s[0, -2])
+        self._tables = Tables(walk_tables(self.walk), first, last, self._near, tail)
         self._tables.begin()
 
     @property
@@ -186,6 +201,9 @@ class ContactSearch:
         most = MOST_LEAST_EVALUATIONS if tolerance else MOST_EVALUATIONS
         limits = self.margin, tolerance or self.slack, WIDTH, most
         ending = run_search(self.tables, goal, limits, note, self._tell)
+        while ending == kernel.CLEAR and self._span + 1 < len(self.spans):
+            self._begin_span(self._span + 1)
+            ending = run_search(self.tables, goal, limits, note, self._tell)
         self.note_off(float(note[kernel.OFF]))
         if ending == ASTRAY:
             raise self._astray()
@@ -274,11 +292,17 @@ def contact_search(
     end: float,
     margin: float,
     progress: Progress,
+    *,
+    whole: bool = False,
 ) -> ContactSearch:
-    """A search of the walk from start to end (s), for which the dragon must stand at the start."""
+    """A search of the walk from start to end (s), for which the dragon must stand at the start.
+
+    Of the whole of it, or but of what repeats nothing before it: see `rounds`.
+    """
     of_kind("walk", walk, Walk)
     not_negative("margin", margin, "m")
     in_order(start, end)
     walk.motion([start])  # raises where the dragon cannot stand at the start
     a, b = walk.head_position([start, end]).tolist()
-    return ContactSearch(walk, a, b, margin, progress, start)
+    spans = [(a, b)] if whole else Rounds(walk, repeats(walk.route.rows)).new(a, b)[0]
+    return ContactSearch(walk, a, b, margin, progress, start, spans)

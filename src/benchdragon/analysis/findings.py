@@ -118,7 +118,12 @@ def all_findings(
         *_contact_findings(contact, plan.limits.margin),
         *(found for answers in obstacles for found in _obstacle_findings(answers)),
         *_head_findings(walk, span, plan.limits.head_acceleration),
-        *(found for name in limits for found in _limit_findings(name, peaks[name], limits[name])),
+        *(
+            found
+            for name in peaks
+            if name in limits
+            for found in _limit_findings(name, peaks[name], limits[name])
+        ),
         *_carrying_findings(plan, peaks["speed"]),
         *_room_findings(room),
     )

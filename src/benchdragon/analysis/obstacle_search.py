@@ -6,6 +6,7 @@ follows another of its size comes to nothing new beyond where that one stood at 
 (kernels/standing.py). What is found there is then told of the head, and in time.
 """
 
+import math
 import time as clock
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
@@ -25,6 +26,7 @@ from benchdragon.analysis.distance import CORNERS, boxes, nearness
 from benchdragon.analysis.head_times import HeadTimes
 from benchdragon.analysis.nearby import NOWHERE, checked_off, errors_at, origin_of, seams_of, seen_from
 from benchdragon.analysis.obstacle_distance import box_distances, nearest_boxes
+from benchdragon.analysis.rounds import PLACED, Rounds, returns
 from benchdragon.analysis.tables import kinds_of
 from benchdragon.errors import UnsureError, in_order, of_kind
 from benchdragon.i18n import _
@@ -110,6 +112,7 @@ class ObstacleSearch:
             self.placed = self.walk.placement(self.heads)
         self.kind, self.kinds = kinds_of(self.walk.dragon.sizes)
         self._seams = seams_of(self.walk.route.rows)
+        self._stretches = self._new_stretches()
         self._standing = kernel.scratch_for(self.obstacle.boxes)
         count = len(self.obstacle.boxes) + 1
         self._search = steps.room(2, count, count)
@@ -141,16 +144,29 @@ class ObstacleSearch:
     def stretches(self) -> Iterator[tuple[int, IntArray, FloatArray]]:
         """For each size of bench: its number, its benches, and the span of route of each, m, (n, 2).
 
-        A bench is followed to where the one of its size before it stood at the start, and no farther.
+        A bench is followed to where the one of its size before it stood at the start, and no farther;
+        and where its way comes to where it was, no more (see `rounds`): it then has several spans.
         """
-        s = self.placed.s[:, :-1]
-        for k in range(self.kinds.sizes.shape[1]):
+        return iter(self._stretches)
+
+    def _new_stretches(self) -> list[tuple[int, IntArray, FloatArray]]:
+        """What `stretches` gives; where rounds are left out, distances are off by what those miss."""
+        s, route, found = self.placed.s[:, :-1], self.walk.route, []
+        known = returns(route.rows, float(np.hypot(*self.kinds.sizes[:2]).max()))
+        for k, sizes in enumerate(self.kinds.sizes.T):
+            rounds = Rounds(replace(self.walk, dragon=Dragon.of_sizes(*sizes)), known)
             benches = np.flatnonzero(self.kind == k)
-            starts, ends = s[0, benches], s[1, benches].copy()
-            ends[1:] = np.minimum(ends[1:], starts[:-1])
-            moving = ends > starts
-            spans = np.column_stack([starts[moving], ends[moving]])
-            yield k, benches[moving], np.ascontiguousarray(spans)
+            ends = np.minimum(s[1, benches], np.append(math.inf, s[0, benches[:-1]]))
+            spans = list[tuple[int, float, float]]()
+            for bench, end in zip(benches.tolist(), ends.tolist(), strict=True):
+                if end > (start := float(s[0, bench])):
+                    new, missed = rounds.new(start, end)
+                    spans += [(bench, *span) for span in new]
+                    self.slack = max(self.slack, 2.0 * missed + PLACED if missed else 0.0)
+            table = np.array(spans).reshape(-1, 3)
+            found.append((k, table[:, 0].astype(np.int64), np.ascontiguousarray(table[:, 1:])))
+        self.off = max(self.off, self.slack if self.slack > SLACK else 0.0)
+        return found
 
     def run(
         self, k: int, goal: int, spans: FloatArray, tolerance: float, note: FloatArray
@@ -309,7 +325,7 @@ class ObstacleSearch:
         for k, benches, spans in self.stretches():
             for n, lower, upper, sure in self._touched(k, spans):
                 touch = Touch(int(benches[n]), lower, upper, sure)
-                found.append((lower - float(spans[n, 0]), touch))
+                found.append((lower - float(self.placed.s[0, benches[n]]), touch))
         return [touch for _ahead, touch in sorted(found, key=lambda each: each[0])]
 
     def _touched(self, k: int, spans: FloatArray) -> list[tuple[int, float, float, bool]]:

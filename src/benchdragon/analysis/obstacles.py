@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from benchdragon import budget
-from benchdragon.analysis.contact import TOLERANCES, upper_end
+from benchdragon.analysis.contact import TOLERANCES, refined, upper_end
 from benchdragon.analysis.contact_search import assumed_within
 from benchdragon.analysis.obstacle_search import ObstacleSearch
 from benchdragon.kernels import search as steps
@@ -91,7 +91,8 @@ def least_distance(
     """The least distance, m, that benches keep from an obstacle from start to end, s; 0 if they touch.
 
     Of the venue it is the distance from its edge. The bracket is as wide as the first of `tolerances`,
-    m, or where a bench keeps one distance for a while as one of the others.
+    m, or where a bench keeps one distance for a while as one of the others, or wider yet where that
+    takes too much work.
 
     Raises:
         InputError: for an end before the start.
@@ -108,11 +109,12 @@ def least_distance(
         search.look(k, spans, note)
         if note[steps.NEAREST] < best.distance:
             best = Nearest(float(note[steps.NEAREST]), k, float(note[steps.UPPER]))
-    floor = best.distance
-    for tolerance in (*tolerances, math.inf):
-        best, floor, closed = _lowered(search, stretches, best, tolerance)
-        if closed or best.distance <= obstacle.radius:
-            break
+    for n, tolerance in enumerate(tolerances):
+        with refined(n):
+            best, floor, closed = _lowered(search, stretches, best, tolerance)
+            if closed or best.distance <= obstacle.radius:
+                return _distance_answer(search, best, floor)
+    best, floor, _closed = _lowered(search, stretches, best, math.inf)
     return _distance_answer(search, best, floor)
 
 

@@ -4,7 +4,7 @@ Level upon level, each by the search that finds contacts of benches, with its ow
 plan's benches stay as they are.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -105,7 +105,7 @@ def room_levels(
     bare: tuple[Answer | None, tuple[ObstacleAnswers, ...]],
     prove: bool,
     progress: Progress,
-) -> tuple[RoomLevel, ...]:
+) -> Iterator[RoomLevel]:
     """The levels of room that a plan asks for, benches alone first; none if it asks for none.
 
     Two benches that each sway, or stray, come nearer by twice that; to what stands still, by once. Each
@@ -119,8 +119,10 @@ def room_levels(
             proofs.
     """
     names = levels_asked(plan.people)
-    levels = [RoomLevel("benches", (), plan.limits.margin, *bare)]
-    each, line = 0.0, walk
+    level = RoomLevel("benches", (), plan.limits.margin, *bare)
+    if names:
+        yield level
+    each, line, end = 0.0, walk, _until(level, span)[1]
     for n, name in enumerate(names):
         progress(n / len(names), _(TEXTS[name]))
         asked = _asked(plan.people, name)
@@ -128,13 +130,13 @@ def room_levels(
             line = replace(walk, dragon=with_people(walk.dragon, plan.people))
         else:
             each += asked[0].value
-        until = _until(levels[-1], span)
+        until = _until(level, span)
         margin = plan.limits.margin + 2.0 * each
         found = first_sure_contact(line, *until, margin=margin, search=prove_contact if prove else None)
         stands = [replace(one, margin=one.margin + each) for one in plan.obstacles()]
         level = RoomLevel(name, asked, margin, found, _obstacles(line, stands, until, prove=prove))
-        levels.append(_measured(level, walk, _until(levels[0], span)[1]))
-    return tuple(levels) if names else ()
+        level = _measured(level, walk, end)
+        yield level
 
 
 def shown_name(level: RoomLevel) -> str:

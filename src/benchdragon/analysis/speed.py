@@ -13,7 +13,9 @@ import numpy as np
 
 from benchdragon import budget
 from benchdragon.analysis.nearby import seams_of
+from benchdragon.analysis.rounds import Rounds, Span, repeats
 from benchdragon.analysis.tables import PLACES
+from benchdragon.budget import OverBudgetError
 from benchdragon.errors import InputError, UnsureError, in_order, of_kind
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import bench_cells as cells
@@ -52,6 +54,8 @@ MOST_CELLS = 500_000
 BUDGET = 100_000
 # What each of these costs, in handles placed.
 BOUNDED = 4
+# What it may take to tell of a bracket that was not closed, as a share of a question's work.
+TOLD = 0.001
 
 
 @dataclass(frozen=True)
@@ -248,16 +252,43 @@ class _Search:
 
     def over(self, stretches: Stretches, progress: Progress) -> Peak:
         """The greatest value on these stretches of the walk, their ways being route positions."""
-        ways = np.ascontiguousarray(stretches.ways)
-        drives = peak.Drives(ways, np.square(stretches.speeds), np.ascontiguousarray(stretches.rates))
-        borders = self._windows(float(ways[0, 0]), float(ways[-1, 1]))
-        for n, (low, high) in enumerate(pairwise(borders)):
-            told = part(progress, n / (len(borders) - 1), (n + 1) / (len(borders) - 1), "")
-            self._through(low, high, drives, told)
+        ways, kept = self._new(stretches)
+        rates = np.ascontiguousarray(stretches.rates[kept])
+        drives = peak.Drives(ways, np.square(stretches.speeds[kept]), rates)
+        begins = [0, *(np.flatnonzero(ways[1:, 0] > ways[:-1, 1]) + 1).tolist(), len(ways)]
+        windows = [
+            window
+            for first, last in pairwise(begins)
+            for window in pairwise(self._windows(float(ways[first, 0]), float(ways[last - 1, 1])))
+        ]
+        for n, (low, high) in enumerate(windows):
+            told = part(progress, n / len(windows), (n + 1) / len(windows), "")
+            try:
+                self._through(low, high, drives, told)
+            except OverBudgetError:
+                if self._notes[peak.SEEN] < 0.0:
+                    raise
+                self._notes[peak.UPPER] = math.inf
+                budget.allow(TOLD)
+                break
         seen, where, upper, sure, _sided = self._notes.tolist()
         _open, row, stretch, evaluations = self._counts.tolist()
-        time = stretches.time(stretch, where)
+        time = stretches.time(int(kept[stretch]), where)
         return Peak(seen, max(upper, seen), time, where, row, evaluations, sure)
+
+    def _new(self, stretches: Stretches) -> tuple[FloatArray, IntArray]:
+        """Where on the stretches something new may be seen, m, (n, 2), and the number of each stretch.
+
+        Who keeps one speed does what was done one round before.
+        """
+        ways, kept = list[Span](), list[int]()
+        rounds = Rounds(self.walk, repeats(self.walk.route.rows))
+        steady = (stretches.rates == 0.0).tolist()
+        for n, (first, last) in enumerate(stretches.ways.tolist()):
+            spans = rounds.new(first, last)[0] if steady[n] else [(first, last)]
+            ways += spans
+            kept += [n] * len(spans)
+        return np.array(ways), np.array(kept)
 
     def _windows(self, first: float, last: float) -> list[float]:
         """Borders of parts of the way, m, whose cells fit the memory; one part if cells do not pay."""

@@ -37,7 +37,7 @@ PAIRS, MEMBERS, DOUBTS = 1_000, 256, 64
 # Rooms that turn out too small become so many times as wide as is wanted.
 WIDER = 2
 # What a bench at a border of a cell costs, and a pair of parts, in handles placed.
-BOX_WORK, PARTNER_WORK = 64.0, 128.0
+BOX_WORK, PARTNER_WORK = 64.0, 16.0
 
 
 def kinds_of(sizes: FloatArray) -> tuple[IntArray, Kinds]:

@@ -6,7 +6,7 @@ import { BUDGET } from "./constants.js";
 import { BenchDragonError } from "./errors.js";
 import { general } from "./number_format.js";
 
-/** What a question may take, and what it has taken. @typedef {{ work: number, memory: number, spent: number }} Budget */
+/** What a question may take, `one` that shares with no other, and what it has taken. @typedef {{ work: number, one: number, memory: number, spent: number }} Budget */
 
 const { WORK, MEMORY } = BUDGET;
 const VARIABLE = "BENCHDRAGON_BUDGET";
@@ -28,12 +28,36 @@ let asked = null;
  */
 export async function question(ask, count = 1, { work = WORK, memory = MEMORY } = {}) {
   if (asked) return ask();
-  asked = { work: work * count, memory, spent: 0 };
+  asked = { work: work * count, one: work, memory, spent: 0 };
   try {
     return await ask();
   } finally {
     asked = null;
   }
+}
+
+/**
+ * What `ask` answers that can be done without: it takes so large a share of a question's work at most,
+ * counted apart.
+ * @template T
+ * @param {number} share
+ * @param {() => Promise<T>} ask
+ * @returns {Promise<T>}
+ */
+export async function aside(share, ask) {
+  const whole = asked;
+  if (!whole) return ask();
+  asked = { ...whole, work: share * whole.one, spent: 0 };
+  try {
+    return await ask();
+  } finally {
+    asked = whole;
+  }
+}
+
+/** Let the question at hand take so large a share of a question's work from now on, if not more. @param {number} share */
+export function allow(share) {
+  if (asked) asked.work = Math.max(asked.work, asked.spent + share * asked.one);
 }
 
 /** Count handles that were placed; nothing is counted outside of questions. @param {number} handles */

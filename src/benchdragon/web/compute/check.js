@@ -5,9 +5,16 @@ import { _ } from "../words.js";
 import { keeps, mostOf, now } from "./answer.js";
 import { question } from "./budget.js";
 import { ANALYSIS_CHECK, ANALYSIS_SPEED } from "./constants.js";
-import { TOLERANCES, clearanceAbove, firstSureContact, leastClearance } from "./contact.js";
+import {
+  TOLERANCES,
+  clearanceAbove,
+  firstSureContact,
+  leastClearance,
+  seenClearance,
+} from "./contact.js";
 import { UnsureError, WalkError } from "./errors.js";
 import { allFindings, named } from "./findings.js";
+import { speedAtStart, toldIfOpen } from "./left_open.js";
 import { obstacleAnswers } from "./obstacles.js";
 import { QUANTITIES, givenLimits } from "./quantities.js";
 import { levelsAsked, roomLevels } from "./room.js";
@@ -78,30 +85,35 @@ export function check(plan, walk, span, options = {}) {
 /** @param {CheckedPlan} plan @param {Walk} walk @param {[number, number]} span @param {{ quick?: boolean, progress?: Progress }} options @returns {Promise<Report>} */
 async function checked(plan, walk, [start, end], { quick = false, progress = silent }) {
   const began = now();
-  const asked = levelsAsked(plan.tables.people).length > 0;
+  const asked = levelsAsked(plan.tables.people);
   let reached = 0;
   const heard = (/** @type {number} */ share, /** @type {string} */ text) =>
     progress((reached = share), text);
   // Told by what does not know how far it is, so that it can be given up.
   const alive = () => progress(reached, "");
-  const stage = stages(heard, asked ? 6 : 5);
+  const stage = stages(heard, asked.length ? 6 : 5);
   const { contact, clearance } = await nearnessOf(plan, walk, [start, end], stage, alive, quick);
   /** @type {[number, number]} */
   const span = [start, contact === null || contact.witness === null ? end : contact.upper];
+  /** @type {Finding[]} */
+  const left = [];
   const width = quick ? QUICK_SPEED : ANALYSIS_SPEED.TOLERANCE;
   const told = { tolerance: width, progress: stage(_("greatest speed")) };
-  const seen = await greatest(walk, QUANTITIES.speed, ...span, told);
-  const speed = await decidedSpeed(plan, walk, span, seen, alive);
-  const peaks = await limitedPeaks(plan, walk, span, stage(_("other limits")), alive);
+  const speed = await greatestSpeed(plan, walk, span, told, alive);
+  const peaks = await limitedPeaks(plan, walk, span, left, stage(_("other limits")), alive);
   const widths = quick ? [QUICK_CLEARANCE] : TOLERANCES;
   const stands = { tolerances: widths, progress: alive };
-  const obstacles = await obstaclesOf(plan, walk, span, stands, stage(_("obstacles")));
+  const obstacles = await obstaclesOf(plan, walk, span, stands, left, stage(_("obstacles")));
   const bare = { contact, obstacles };
-  const room = asked
-    ? await roomLevels(plan, walk, [start, end], bare, stage(_("room for people")), alive)
-    : [];
+  /** @type {RoomLevel[]} */
+  const room = [];
+  if (asked.length) {
+    const heard = stage(_("room for people"));
+    const levels = () => roomLevels(plan, walk, [start, end], bare, heard, alive, room);
+    await toldIfOpen(left, levels, asked[asked.length - 1]);
+  }
   const known = { contact, obstacles, room, peaks: { speed, ...peaks } };
-  const findings = allFindings(plan, walk, span, known);
+  const findings = [...allFindings(plan, walk, span, known), ...left];
   const stops = plan.tables.cues.cue.length ? stopsOf(walk, start, end) : null;
   const seconds = now() - began;
   return {
@@ -132,7 +144,9 @@ async function nearnessOf(plan, walk, [start, end], stage, alive, quick) {
   const until = contact === null || near === null ? end : contact.upper;
   const tolerances = quick ? [QUICK_CLEARANCE] : TOLERANCES;
   const told = { tolerances, progress: stage(_("clearance")) };
-  return { contact, clearance: await leastClearance(walk, start, until, told) };
+  const known = await toldIfOpen([], () => leastClearance(walk, start, until, told));
+  const floor = contact === null ? margin : 0;
+  return { contact, clearance: known ?? (await seenClearance(walk, start, until, floor)) };
 }
 
 /** The least clearance of a walk that it shows to be free of contact; null if it may have one. @param {CheckedPlan} plan @param {Walk} walk @param {[number, number]} span @param {Progress} progress */
@@ -154,27 +168,34 @@ async function clearThroughout(plan, walk, span, progress) {
  * @param {Walk} walk
  * @param {[number, number]} span
  * @param {{ tolerances: number[], progress: Progress }} options those of each
+ * @param {Finding[]} left
  * @param {Progress} progress
  */
-async function obstaclesOf(plan, walk, span, options, progress) {
+async function obstaclesOf(plan, walk, span, options, left, progress) {
   const known = plan.obstacles();
   const found = [];
   for (const [n, obstacle] of known.entries()) {
     progress(n / known.length, named(obstacle));
-    found.push(await obstacleAnswers(walk, obstacle, ...span, options));
+    const answers = () => obstacleAnswers(walk, obstacle, ...span, options);
+    const told = await toldIfOpen(left, answers, obstacle);
+    if (told !== null) found.push(told);
   }
   return found;
 }
 
-/** The greatest speed over a span of the walk, s, asked again where its bracket holds a limit. @param {CheckedPlan} plan @param {Walk} walk @param {[number, number]} span @param {Answer} speed @param {Progress} progress */
-async function decidedSpeed({ tables: { limits, people } }, walk, span, speed, progress) {
-  for (const limit of [limits.speed, people.most_speed])
-    if (limit !== null && keeps(speed, limit) === null)
-      speed = await greatest(walk, QUANTITIES.speed, ...span, {
-        limit: mostOf(limit),
-        progress,
-      });
-  return speed;
+/** The greatest speed over a span of the walk, s, asked again where its bracket holds a limit. @param {CheckedPlan} plan @param {Walk} walk @param {[number, number]} span @param {{ tolerance: number, progress: Progress }} options @param {Progress} progress */
+async function greatestSpeed({ tables: { limits, people } }, walk, span, options, progress) {
+  const asked = async () => {
+    let speed = await greatest(walk, QUANTITIES.speed, ...span, options);
+    for (const limit of [limits.speed, people.most_speed])
+      if (limit !== null && keeps(speed, limit) === null)
+        speed = await greatest(walk, QUANTITIES.speed, ...span, {
+          limit: mostOf(limit),
+          progress,
+        });
+    return speed;
+  };
+  return (await toldIfOpen([], asked)) ?? speedAtStart(walk, span[0]);
 }
 
 /**
@@ -182,10 +203,11 @@ async function decidedSpeed({ tables: { limits, people } }, walk, span, speed, p
  * @param {CheckedPlan} plan
  * @param {Walk} walk
  * @param {[number, number]} span
+ * @param {Finding[]} left
  * @param {Progress} progress
  * @param {Progress} alive
  */
-async function limitedPeaks(plan, walk, span, progress, alive) {
+async function limitedPeaks(plan, walk, span, left, progress, alive) {
   const limits = Object.entries(givenLimits(plan.tables.limits)).filter(([name]) => name !== "speed");
   /** @type {Partial<Record<QuantityName, Answer>>} */
   const peaks = {};
@@ -193,7 +215,9 @@ async function limitedPeaks(plan, walk, span, progress, alive) {
     const quantity = QUANTITIES[/** @type {QuantityName} */ (name)];
     const tolerance = ANALYSIS_SPEED.RATE_TOLERANCE;
     const options = { tolerance, limit: mostOf(limit), progress: alive };
-    peaks[quantity.name] = await greatest(walk, quantity, ...span, options);
+    const asked = () => greatest(walk, quantity, ...span, options);
+    const peak = await toldIfOpen(left, asked, quantity.name, Number(limit));
+    if (peak !== null) peaks[quantity.name] = peak;
     progress((n + 1) / limits.length, "");
   }
   return peaks;

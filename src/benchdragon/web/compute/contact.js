@@ -2,6 +2,7 @@
 // analysis/contact.py.
 
 import { answered } from "./answer.js";
+import { OverBudgetError, aside } from "./budget.js";
 import { ANALYSIS_CONTACT, ANALYSIS_DISTANCE, SEARCH } from "./constants.js";
 import { withContactSearch } from "./contact_search.js";
 import { lowPair, tightestPairs } from "./distance.js";
@@ -25,7 +26,7 @@ import { silent } from "./tick.js";
  * @typedef {{ distance: number, where: number, pair: [number, number], floor: number }} Best
  */
 
-const { FRAYED, FIRST_REACH, WIDER, MOST_GRAZES } = ANALYSIS_CONTACT;
+const { FRAYED, FIRST_REACH, WIDER, MOST_GRAZES, REFINING, REFINING_ON } = ANALYSIS_CONTACT;
 /** Widths of brackets of clearances, m: the first that can be. @type {number[]} */
 export const TOLERANCES = ANALYSIS_CONTACT.TOLERANCES;
 const { MOST_SAMPLED } = ANALYSIS_DISTANCE;
@@ -40,20 +41,26 @@ const NONE = answered(Infinity, Infinity, Infinity, "m");
  * @param {{ margin?: number, most?: number, progress?: Progress }} [options]
  */
 export function contactWindows(walk, start, end, { margin = 0, most = 1000, progress = silent } = {}) {
-  return withContactSearch(walk, start, end, margin, progress, async (search) => {
-    const opened = touchingAtStart(search);
-    /** @type {Window[]} */
-    const windows = opened === null ? [] : [{ opens: opened, closes: null }];
-    while (windows.length < most) {
-      const touching = windows.length > 0 && windows[windows.length - 1].closes === null;
-      const [ending, note] = await search.search(touching ? SEARCH.TOUCH_END : SEARCH.FIRST_TOUCH);
-      if (ending === SEARCH.CLEAR) break;
-      const status = ending === SEARCH.FOUND ? "found" : "undecided";
-      const [lower, upper] = [note[SEARCH.LOWER], note[SEARCH.UPPER]];
-      takeDown(windows, search.answerAt(lower, upper, status, ...search.pair(note)), touching);
-    }
-    return windows;
-  });
+  const all = (/** @type {ContactSearch} */ search) => windowsOf(search, most);
+  return withContactSearch(walk, start, end, margin, progress, all, { whole: true });
+}
+
+/** The first windows that a search comes to, so many at most; if `sure`, none after one that is. @param {ContactSearch} search @param {number} most @param {boolean} [sure] */
+async function windowsOf(search, most, sure = false) {
+  const opened = touchingAtStart(search);
+  /** @type {Window[]} */
+  const windows = opened === null ? [] : [{ opens: opened, closes: null }];
+  while (windows.length < most) {
+    const last = windows[windows.length - 1];
+    if (sure && last?.opens.status === "found") break;
+    const touching = last !== undefined && last.closes === null;
+    const [ending, note] = await search.search(touching ? SEARCH.TOUCH_END : SEARCH.FIRST_TOUCH);
+    if (ending === SEARCH.CLEAR) break;
+    const status = ending === SEARCH.FOUND ? "found" : "undecided";
+    const [lower, upper] = [note[SEARCH.LOWER], note[SEARCH.UPPER]];
+    takeDown(windows, search.answerAt(lower, upper, status, ...search.pair(note)), touching);
+  }
+  return windows;
 }
 
 /** Add to `windows` what opens, closes or grazes. @param {Window[]} windows @param {Answer} found @param {boolean} touching */
@@ -108,7 +115,8 @@ function tightestAt({ walk, start }) {
  * @param {{ margin?: number, progress?: Progress }} [options]
  */
 export async function firstContact(walk, start, end, { margin = 0, progress = silent } = {}) {
-  const [first] = await contactWindows(walk, start, end, { margin, most: 1, progress });
+  const one = (/** @type {ContactSearch} */ search) => windowsOf(search, 1);
+  const [first] = await withContactSearch(walk, start, end, margin, progress, one);
   return first ? first.opens : null;
 }
 
@@ -122,11 +130,8 @@ export async function firstSureContact(walk, start, end, { margin, progress = si
   const first = await firstContact(walk, start, end, { margin, progress });
   if (first === null || first.status !== "undecided") return first;
   const again = () => progress(1, "");
-  const windows = await contactWindows(walk, start, end, {
-    margin,
-    most: MOST_GRAZES,
-    progress: again,
-  });
+  const sure = (/** @type {ContactSearch} */ search) => windowsOf(search, MOST_GRAZES, true);
+  const windows = await withContactSearch(walk, start, end, margin, again, sure);
   return windows.find(({ opens }) => opens.status === "found")?.opens ?? first;
 }
 
@@ -150,6 +155,22 @@ export function leastClearance(
   return withContactSearch(walk, start, end, 0, progress, async (search) => {
     if (walk.dragon.benches < 3) return NONE;
     return least(search, guess(search), within, tolerances);
+  });
+}
+
+/**
+ * The least clearance, m, as it is seen here and there from start to end, s, where no benches come nearer
+ * than `floor`, m, as far as is known: no search is made.
+ * @param {Walk} walk
+ * @param {number} start @param {number} end
+ * @param {number} floor
+ * @returns {Promise<Answer>}
+ */
+export function seenClearance(walk, start, end, floor) {
+  return withContactSearch(walk, start, end, 0, silent, async (search) => {
+    if (walk.dragon.benches < 3) return NONE;
+    const best = guess(search);
+    return clearanceAnswer(search, { ...best, floor: Math.min(floor, best.distance) });
   });
 }
 
@@ -221,26 +242,46 @@ function guess(search) {
       floor: still ? apart : 0,
     };
   }
-  const [distance, where, i, j] = lowPair(walk, start, end);
+  const [distance, where, i, j] = search.spans
+    .map((span) => lowPair(walk, ...span))
+    .reduce((low, one) => (one[0] < low[0] ? one : low));
   return { distance: Math.max(distance, 0), where, pair: [i, j], floor: 0 };
 }
 
 /**
- * `best`, or what is lower within `reach`, bracketed as the first tolerance that can be says. A last
- * pass, of whatever width, sees the rest of the walk.
+ * What a pass makes that refines a bracket to the tolerance of number n; null where that is too dear.
+ * @template T
+ * @param {number} n
+ * @param {() => Promise<T>} pass
+ */
+export async function refined(n, pass) {
+  try {
+    return await aside(n ? REFINING_ON : REFINING, pass);
+  } catch (error) {
+    if (error instanceof OverBudgetError) return null;
+    throw error;
+  }
+}
+
+/**
+ * `best`, or what is lower within `reach`, bracketed as the first tolerance that can be says. What is too
+ * dear is given up. A last pass, of whatever width, sees the rest of the walk.
  * @param {ContactSearch} search
  * @param {Best} best
  * @param {number} reach
  * @param {number[]} tolerances
  */
 async function bracketed(search, best, reach, tolerances) {
-  for (const tolerance of [...tolerances, Infinity]) {
-    search.tables.again();
-    const [found, closed] = await lowered(search, best, Math.min(reach, best.distance), tolerance);
-    best = found;
-    if (closed) break;
+  const pass = (/** @type {number} */ tolerance) => {
+    search.again();
+    return lowered(search, best, Math.min(reach, best.distance), tolerance);
+  };
+  for (const [n, tolerance] of tolerances.entries()) {
+    const found = await refined(n, () => pass(tolerance));
+    if (found?.[1]) return found[0];
+    best = found?.[0] ?? best;
   }
-  return best;
+  return (await pass(Infinity))[0];
 }
 
 /**

@@ -19,6 +19,7 @@ import { InputError, UnsureError, finite, notNegative } from "./errors.js";
 import { HeadTimes } from "./head_times.js";
 import { checkedOff, errorsAt, originOf, seenFrom } from "./nearby.js";
 import { atMost, general } from "./number_format.js";
+import { Rounds, repeats } from "./rounds.js";
 import { Tables, walkTables, wholeAt } from "./tables.js";
 import { tick } from "./tick.js";
 
@@ -26,6 +27,7 @@ import { tick } from "./tick.js";
 /** @typedef {import("./answer.js").Answer} Answer */
 /** @typedef {import("./answer.js").Status} Status */
 /** @typedef {import("./answer.js").Witness} Witness */
+/** @typedef {import("./rounds.js").Span} Span */
 /** @typedef {import("./tick.js").Progress} Progress */
 /** @typedef {import("./walk.js").Walk} Walk */
 /** @typedef {[number, number, number, number]} Limits margin, slack, width, m; most evaluations a step */
@@ -99,8 +101,9 @@ export class ContactSearch {
    * @param {number} margin m
    * @param {Progress} progress
    * @param {number} [since] the time at which it begins, s
+   * @param {Span[]} [spans] of the head's way, m, that are searched: the whole, or what repeats nothing
    */
-  constructor(arena, walk, start, end, margin, progress, since = -Infinity) {
+  constructor(arena, walk, start, end, margin, progress, since = -Infinity, spans = [[start, end]]) {
     this.arena = arena;
     this.start = start;
     this.end = end;
@@ -108,20 +111,19 @@ export class ContactSearch {
     this.progress = progress;
     this.evaluations = 0;
     this.began = now();
-    const [origin, tail] = withArena(walk.engine, (scratch) => {
-      const placed = walk.placement(scratch, [start], { throws: false });
-      const s = doubles(placed.s);
-      return [originOf(placed), s[s.length - 2]];
-    });
     /** Near the dance, m. */
-    this.origin = origin;
+    this.origin = withArena(walk.engine, (scratch) =>
+      originOf(walk.placement(scratch, [start], { throws: false })),
+    );
     /** As given, but with coordinates counted from `origin`. */
-    this.walk = seenFrom(arena, walk, origin);
+    this.walk = seenFrom(arena, walk, this.origin);
     /** When the head comes to positions of the search. */
     this.times = new HeadTimes(this.walk, start, since);
     /** What computed distances may be off by that mattered so far, m. */
     this.off = SLACK;
-    this.tail = tail;
+    this.spans = spans;
+    this.span = 0;
+    this.near = 0;
     /** @type {Tables | null} */
     this.made = null;
     this.walkTables = walkTables(arena, this.walk);
@@ -129,10 +131,26 @@ export class ContactSearch {
 
   /** Look for all pairs that come within reach, m, from the start on. @param {number} reach */
   begin(reach) {
+    this.near = reach + SLACK;
+    this.#beginSpan(0);
+  }
+
+  /** Begin once more with what was begun. */
+  again() {
+    if (this.span) this.#beginSpan(0);
+    else this.tables.again();
+  }
+
+  /** @param {number} n */
+  #beginSpan(n) {
     this.made?.free();
+    const [first, last] = this.spans[(this.span = n)];
     const { engine } = this.walk;
-    const near = reach + SLACK;
-    this.made = new Tables(engine, this.walkTables, this.start, this.end, near, this.tail);
+    const tail = withArena(engine, (scratch) => {
+      const s = doubles(this.walk.placement(scratch, [first], { throws: false }).s);
+      return s[s.length - 2];
+    });
+    this.made = new Tables(engine, this.walkTables, first, last, this.near, tail);
     this.made.begin();
   }
 
@@ -183,14 +201,17 @@ export class ContactSearch {
   /** Search until it has come to something. @param {number} goal @param {Numbers} note @param {number} tolerance */
   async #run(goal, note, tolerance) {
     const most = tolerance ? MOST_LEAST_EVALUATIONS : MOST_EVALUATIONS;
-    const { tables } = this;
-    const ending = await runSearch(
-      tables, goal, [this.margin, tolerance || SLACK, WIDTH, most], note,
-      (told) => {
-        const gone = told === WALK_SEARCH.MORE ? tables.way(COURSE.AT) - this.start : -1;
-        if (gone >= 0) this.progress(gone / (this.end - this.start), "");
-      },
-    ); // prettier-ignore
+    /** @type {Limits} */
+    const limits = [this.margin, tolerance || SLACK, WIDTH, most];
+    const tell = (/** @type {number} */ told) => {
+      const gone = told === WALK_SEARCH.MORE ? this.tables.way(COURSE.AT) - this.start : -1;
+      if (gone >= 0) this.progress(gone / (this.end - this.start), "");
+    };
+    let ending = await runSearch(this.tables, goal, limits, note, tell);
+    while (ending === SEARCH.CLEAR && this.span + 1 < this.spans.length) {
+      this.#beginSpan(this.span + 1);
+      ending = await runSearch(this.tables, goal, limits, note, tell);
+    }
     this.noteOff(doubles(note)[SEARCH.OFF]);
     if (ending === WALK_SEARCH.ASTRAY) throw this.#astray();
     const { length } = this.walk.route;
@@ -277,16 +298,25 @@ export class ContactSearch {
 
 /**
  * What `use` makes of a search of the walk from start to end, s, for which the dragon must stand at the
- * start.
+ * start: of the whole of it, or but of what repeats nothing before it (see rounds.js).
  * @template T
  * @param {Walk} walk
  * @param {number} start @param {number} end s
  * @param {number} margin m
  * @param {Progress} progress
  * @param {(search: ContactSearch) => Promise<T>} use
+ * @param {{ whole?: boolean }} [options]
  * @returns {Promise<T>}
  */
-export async function withContactSearch(walk, start, end, margin, progress, use) {
+export async function withContactSearch(
+  walk,
+  start,
+  end,
+  margin,
+  progress,
+  use,
+  { whole = false } = {},
+) {
   notNegative("margin", margin, "m");
   inOrder(start, end);
   withArena(walk.engine, (arena) => walk.motion(arena, [start])); // throws where it cannot stand there
@@ -294,7 +324,9 @@ export async function withContactSearch(walk, start, end, margin, progress, use)
   const [a, b] = [walk.headPosition(start), walk.headPosition(end)];
   let search = null;
   try {
-    search = new ContactSearch(arena, walk, a, b, margin, progress, start);
+    /** @type {Span[]} */
+    const spans = whole ? [[a, b]] : new Rounds(walk, repeats(walk.route.rows)).new(a, b).spans;
+    search = new ContactSearch(arena, walk, a, b, margin, progress, start, spans);
     return await use(search);
   } finally {
     search?.close();

@@ -82,7 +82,7 @@ export function shownName(obstacle) {
  */
 export function allFindings(plan, walk, span, { contact, obstacles, peaks, room }) {
   const limits = givenLimits(plan.tables.limits);
-  const names = /** @type {QuantityName[]} */ (Object.keys(limits));
+  const names = /** @type {QuantityName[]} */ (Object.keys(limits)).filter((name) => peaks[name]);
   return [
     ...contactFindings(contact, plan.tables.limits.margin),
     ...obstacles.flatMap(obstacleFindings),

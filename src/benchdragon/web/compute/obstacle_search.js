@@ -10,6 +10,7 @@ import { spend } from "./budget.js";
 import {
   ANALYSIS_CONTACT_SEARCH,
   ANALYSIS_OBSTACLE_SEARCH,
+  ANALYSIS_ROUNDS,
   BOX,
   CURVE,
   DOUBTS,
@@ -27,9 +28,10 @@ import { checkedOff, errorsAt, isNowhere, originOf, seamsOf, seenFrom } from "./
 import { general } from "./number_format.js";
 import { linkLength } from "./numbers.js";
 import { boxDistances, nearestBoxes } from "./obstacle_distance.js";
+import { Rounds, returns } from "./rounds.js";
 import { fillWhole, kindsOf, searchRoom } from "./tables.js";
 import { tick } from "./tick.js";
-import { Placement } from "./walk.js";
+import { Placement, Walk } from "./walk.js";
 
 /** @typedef {import("../engine.js").Numbers} Numbers */
 /** @typedef {import("./answer.js").Answer} Answer */
@@ -38,7 +40,6 @@ import { Placement } from "./walk.js";
 /** @typedef {import("./dragon.js").Dragon} Dragon */
 /** @typedef {import("./obstacle.js").Obstacle} Obstacle */
 /** @typedef {import("./tick.js").Progress} Progress */
-/** @typedef {import("./walk.js").Walk} Walk */
 /** @typedef {[number, number]} Span of route positions, m */
 
 /**
@@ -54,6 +55,7 @@ import { Placement } from "./walk.js";
 /** How the search of a span ended, and between which positions, m. @typedef {[number, number, number]} Told */
 
 const { BENCH, SPANS, SAMPLES, MOST_GRAZES, NARROW, MOST_STEPS } = ANALYSIS_OBSTACLE_SEARCH;
+const { PLACED } = ANALYSIS_ROUNDS;
 const { MOST_EVALUATIONS, MOST_LEAST_EVALUATIONS, SLACK, WIDTH } = ANALYSIS_CONTACT_SEARCH;
 
 /** Boxes that stand, with scratch for as many: `standing.scratch_for`. @param {Arena} arena @param {Numbers} standing */
@@ -92,8 +94,8 @@ export class ObstacleSearch {
     /** Likewise. */
     this.obstacle = still ? obstacle : obstacle.moved(0, [-x, -y]);
     this.placed = still ? placed : this.walk.placement(arena, this.heads);
-    /** What computed distances may be off by that mattered so far, m. */
-    this.off = SLACK;
+    /** What computed distances count as off by at least, m. */
+    this.slack = SLACK;
     /** Of the route. */
     this.seams = seamsOf(arena, this.walk.route.rows);
     const { kind, kinds } = kindsOf(arena, walk.dragon);
@@ -107,6 +109,8 @@ export class ObstacleSearch {
     /** Distance from the obstacle's boxes at which a bench is as near as it may be, m. */
     this.reach = obstacle.margin + obstacle.radius;
     this.stretches = this.#stretches();
+    /** What computed distances may be off by that mattered so far, m. */
+    this.off = this.slack;
   }
 
   /**
@@ -129,21 +133,40 @@ export class ObstacleSearch {
     let still = 0;
     for (let n = 0; n < count; n++)
       still = Math.max(still, engine.call("bd_rounding_still_error", this.boxes, n)[0]);
-    return Math.max(SLACK, off.reduce((a, b) => Math.max(a, b), 0) + still);
+    return Math.max(this.slack, off.reduce((a, b) => Math.max(a, b), 0) + still);
   }
 
-  /** What each size of bench walks, followed to where the one of its size before it stood at the start. */
+  /**
+   * What each size of bench walks, followed to where the one of its size before it stood at the start, and
+   * where its way comes to where it was, no more: then distances count as off by what rounds miss.
+   */
   #stretches() {
     const s = doubles(this.placed.s);
-    return Array.from({ length: this.kinds.sizes.shape[1] }, (_kind, k) => {
-      const benches = this.kind.flatMap((kind, bench) => (kind === k ? [bench] : []));
-      const spans = benches.map((bench, n) => {
-        const [start, end] = [s[2 * bench], s[2 * bench + 1]];
-        return /** @type {Span} */ ([start, n ? Math.min(end, s[2 * benches[n - 1]]) : end]);
+    const { sizes } = this.kinds;
+    const [count, view] = [sizes.shape[1], doubles(sizes)];
+    const reaches = Array.from({ length: count }, (_kind, k) => Math.hypot(view[k], view[count + k]));
+    const { engine, route, profile } = this.walk;
+    const known = returns(engine, route.rows, Math.max(...reaches));
+    return reaches.map((_reach, k) => {
+      /** @type {Stretch} */
+      const found = { k, benches: [], spans: [] };
+      withArena(engine, (arena) => {
+        const benches = this.kind.flatMap((kind, bench) => (kind === k ? [bench] : []));
+        const alone = new Walk(this.walk.dragon.only(arena, benches[0]), route, profile);
+        const rounds = new Rounds(alone, known);
+        for (const [n, bench] of benches.entries()) {
+          const [start, last] = [s[2 * bench], s[2 * bench + 1]];
+          const end = n ? Math.min(last, s[2 * benches[n - 1]]) : last;
+          if (!(end > start)) continue;
+          const { spans, missed } = rounds.new(start, end);
+          for (const span of spans) {
+            found.benches.push(bench);
+            found.spans.push(span);
+          }
+          if (missed) this.slack = Math.max(this.slack, 2 * missed + PLACED);
+        }
       });
-      const moving = spans.map(([start, end]) => end > start);
-      const kept = (/** @type {unknown} */ _one, /** @type {number} */ n) => moving[n];
-      return { k, benches: benches.filter(kept), spans: spans.filter(kept) };
+      return found;
     });
   }
 
@@ -173,7 +196,7 @@ export class ObstacleSearch {
         const out = arena.array("d", some.shape[0], STANDING.SPAN_COLUMNS);
         const [ended] = arena.engine.call(
           "bd_standing_search_spans", this.#bench(arena, k), this.standing, this.search, goal, some,
-          this.reach, tolerance || SLACK, WIDTH, most, note, out,
+          this.reach, tolerance || this.slack, WIDTH, most, note, out,
         ); // prettier-ignore
         return [ended, doubles(out).slice()];
       });
@@ -198,7 +221,7 @@ export class ObstacleSearch {
 
   /** Take note of what a distance that matters may be off by, m. @param {number} off */
   noteOff(off) {
-    this.off = Math.max(this.off, checkedOff(off));
+    this.off = Math.max(this.off, off <= this.slack ? off : checkedOff(off));
   }
 
   /** Lower the least distance that is known by what is seen at the ends of spans. @param {number} k @param {Span[]} spans @param {Numbers} note */
@@ -261,7 +284,7 @@ export class ObstacleSearch {
       const outmost = Math.max(Math.abs(view[n + CURVE.U_START]), Math.abs(view[n + CURVE.U_END]));
       counted += view[n + CURVE.P] * (1 + outmost * outmost);
     }
-    const off = SLACK + errors[benches] + Math.abs(drift) + doubt;
+    const off = this.slack + errors[benches] + Math.abs(drift) + doubt;
     return off + ANALYSIS_OBSTACLE_SEARCH.COUNTED * ROUNDING.HALF_UNIT * counted;
   }
 
@@ -355,7 +378,10 @@ export class ObstacleSearch {
     const found = [];
     for (const { k, benches, spans } of this.stretches)
       for (const { n, ...touch } of await this.#touched(k, spans))
-        found.push([touch.lower - spans[n][0], { bench: benches[n], ...touch }]);
+        found.push([
+          touch.lower - doubles(this.placed.s)[2 * benches[n]],
+          { bench: benches[n], ...touch },
+        ]);
     return found.sort(([a], [b]) => a - b).map(([, touch]) => touch);
   }
 

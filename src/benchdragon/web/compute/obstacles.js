@@ -4,7 +4,7 @@
 import { answered } from "./answer.js";
 import { doubles, withArena, withArenaAsync } from "./arena.js";
 import { SEARCH } from "./constants.js";
-import { TOLERANCES, upperEnd } from "./contact.js";
+import { TOLERANCES, refined, upperEnd } from "./contact.js";
 import { Obstacle } from "./obstacle.js";
 import { ObstacleSearch } from "./obstacle_search.js";
 import { silent } from "./tick.js";
@@ -106,12 +106,14 @@ export function leastDistance(walk, obstacle, start, end, { tolerances, progress
       best = nearer(best, k, doubles(note));
     }
     let floor = best.distance;
-    for (const tolerance of [...tolerances, Infinity]) {
-      const found = await lowered(search, stretches, best, tolerance);
-      [best, floor] = [found.best, found.floor];
-      if (found.closed || best.distance <= obstacle.radius) break;
+    for (const [n, tolerance] of tolerances.entries()) {
+      const found = await refined(n, () => lowered(search, stretches, best, tolerance));
+      if (found !== null) [best, floor] = [found.best, found.floor];
+      if (found?.closed || (found && best.distance <= obstacle.radius))
+        return distanceAnswer(search, best, floor);
     }
-    return distanceAnswer(search, best, floor);
+    const last = await lowered(search, stretches, best, Infinity);
+    return distanceAnswer(search, last.best, last.floor);
   });
 }
 

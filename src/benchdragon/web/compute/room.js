@@ -63,7 +63,7 @@ export function levelsAsked(people) {
 }
 
 /**
- * The levels of room that a plan asks for, benches alone first; none if it asks for none.
+ * Find the levels of room that a plan asks for, benches alone first; none if it asks for none.
  *
  * Two benches that each sway, or stray, come nearer by twice that; to what stands still, by once. Each
  * level is searched from the start of the span, s, until the one before it is broken. `bare` is what was
@@ -74,12 +74,13 @@ export function levelsAsked(people) {
  * @param {{ contact: Answer | null, obstacles: ObstacleAnswers[] }} bare
  * @param {Progress} progress
  * @param {Progress} alive is told that a level is still searched
- * @returns {Promise<RoomLevel[]>}
+ * @param {RoomLevel[]} levels to which each is added
+ * @returns {Promise<void>}
  */
-export function roomLevels(plan, walk, span, bare, progress, alive) {
+export function roomLevels(plan, walk, span, bare, progress, alive, levels) {
   return withArenaAsync(walk.engine, async (arena) => {
     const names = levelsAsked(plan.tables.people);
-    const levels = [levelOf("benches", [], plan.tables.limits.margin, bare)];
+    if (names.length) levels.push(levelOf("benches", [], plan.tables.limits.margin, bare));
     let [each, line] = [0, walk];
     for (const [n, name] of names.entries()) {
       progress(n / names.length, levelName(name));
@@ -96,7 +97,6 @@ export function roomLevels(plan, walk, span, bare, progress, alive) {
       const level = levelOf(name, asked, margin, { contact, obstacles });
       levels.push(measured(level, walk, untilBroken(levels[0], span)[1]));
     }
-    return names.length ? levels : [];
   });
 }
 

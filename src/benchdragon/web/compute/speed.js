@@ -6,7 +6,7 @@
 import { _ } from "../words.js";
 import { answered, now } from "./answer.js";
 import { Arena, doubles, withArena, withArenaAsync } from "./arena.js";
-import { spend } from "./budget.js";
+import { OverBudgetError, allow, spend } from "./budget.js";
 import {
   ANALYSIS_SPEED,
   ANALYSIS_TABLES,
@@ -24,6 +24,7 @@ import { evenly, firstRows, grown, least } from "./lists.js";
 import { general, pythonFloat } from "./number_format.js";
 import { countBelow, timeOnStretch } from "./profile.js";
 import { seamsOf } from "./nearby.js";
+import { Rounds, repeats } from "./rounds.js";
 import { fillWhole, setWhole, wholeAt } from "./tables.js";
 import { silent, tick } from "./tick.js";
 
@@ -32,6 +33,7 @@ import { silent, tick } from "./tick.js";
 /** @typedef {import("./answer.js").Witness} Witness */
 /** @typedef {import("./profile.js").PaceStretch} PaceStretch */
 /** @typedef {import("./quantities.js").Quantity} Quantity */
+/** @typedef {import("./rounds.js").Span} Span */
 /** @typedef {import("./tick.js").Progress} Progress */
 /** @typedef {import("./walk.js").Walk} Walk */
 /** @typedef {{ tolerance?: number, limit?: number, progress?: Progress }} PeakOptions */
@@ -147,9 +149,23 @@ export function witnessOf(walk, quantity, found) {
 }
 
 /** The first handle that comes to the greatest of these speeds but for rounding. @param {Float64Array} speeds */
-function fastestHandle(speeds) {
+export function fastestHandle(speeds) {
   const most = speeds.reduce((a, b) => Math.max(a, b)) * (1 - MODEL_ANSWER.ROUNDING);
   return speeds.findIndex((speed) => speed >= most);
+}
+
+/**
+ * Where on stretches something new may be seen: who keeps one speed does what was done one round before.
+ * @param {Walk} walk
+ * @param {PaceStretch[]} stretches
+ * @returns {Array<{ ways: Span, of: PaceStretch }>}
+ */
+function newStretches(walk, stretches) {
+  const rounds = new Rounds(walk, repeats(walk.route.rows));
+  return stretches.flatMap((of) => {
+    const spans = of.rate === 0 ? rounds.new(of.ways[0], of.ways[1]).spans : [of.ways];
+    return spans.map(([first, last]) => ({ ways: /** @type {Span} */ ([first, last]), of }));
+  });
 }
 
 /** Asks the kernels for the greatest of a quantity, window by window of the head's way. */
@@ -165,15 +181,15 @@ class PeakSearch {
     this.arena = arena;
     this.engine = walk.engine;
     this.walk = walk;
-    this.stretches = stretches;
+    this.stretches = newStretches(walk, stretches);
     const shortest = least(walk.dragon.link);
     this.step = STEP * shortest;
     const cell_step = COARSE_STEP * shortest;
     this.aim = { quantity: quantity.kind, tolerance, limit, cell_step, step: this.step };
     this.drives = {
-      ways: arena.table(stretches.map(({ ways }) => ways), 2),
-      squares: arena.table(stretches.map(({ speeds: [a, b] }) => [a * a, b * b]), 2),
-      rates: arena.vector(stretches.map(({ rate }) => rate)),
+      ways: arena.table(this.stretches.map(({ ways }) => ways), 2),
+      squares: arena.table(this.stretches.map(({ of: { speeds: [a, b] } }) => [a * a, b * b]), 2),
+      rates: arena.vector(this.stretches.map(({ of: { rate } }) => rate)),
     }; // prettier-ignore
     this.batch = {
       parts: arena.array("d", PEAK.SLOTS, PEAK.PART_COLUMNS),
@@ -190,18 +206,37 @@ class PeakSearch {
 
   /** The greatest value. @param {Progress} progress @returns {Promise<Peak>} */
   async over(progress) {
-    const { stretches } = this;
-    const borders = this.#windows(stretches[0].ways[0], stretches[stretches.length - 1].ways[1]);
-    const count = borders.length - 1;
-    for (let n = 0; n < count; n++)
-      await this.#through(borders[n], borders[n + 1], (share) => progress((n + share) / count, ""));
+    const windows = this.#parts().flatMap(([first, last]) => {
+      const borders = this.#windows(first, last);
+      return borders.slice(1).map((high, n) => /** @type {Span} */ ([borders[n], high]));
+    });
+    try {
+      for (const [n, window] of windows.entries())
+        await this.#through(...window, (share) => progress((n + share) / windows.length, ""));
+    } catch (error) {
+      if (!(error instanceof OverBudgetError && doubles(this.notes)[PEAK.SEEN] >= 0)) throw error;
+      doubles(this.notes)[PEAK.UPPER] = Infinity;
+      allow(ANALYSIS_SPEED.TOLD);
+    }
     const [seen, where, upper, sure] = doubles(this.notes);
     const [row, when, evaluations] = [PEAK.ROW, PEAK.WHEN, PEAK.EVALUATIONS].map((column) =>
       wholeAt(this.counts, column),
     );
-    const time = timeOnStretch(stretches[when], where);
+    const time = timeOnStretch(this.stretches[when].of, where);
     const most = Math.max(upper, seen);
     return { value: seen, upper: most, time, s: where, row, evaluations, least: sure };
+  }
+
+  /** Spans of the way, m, without a gap in them. */
+  #parts() {
+    /** @type {Span[]} */
+    const parts = [];
+    for (const { ways: [low, high] } of this.stretches) {
+      const last = parts[parts.length - 1];
+      if (last && low <= last[1]) last[1] = high;
+      else parts.push([low, high]);
+    } // prettier-ignore
+    return parts;
   }
 
   /** Borders of parts of the way, m, whose cells fit the memory; one part if cells do not pay. @param {number} first @param {number} last */

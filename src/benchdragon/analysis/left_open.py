@@ -1,0 +1,66 @@
+"""What a check leaves open once contact is decided: it takes too much work, or rounding hides it."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from benchdragon import budget
+from benchdragon.analysis.findings import Finding, name_words
+from benchdragon.analysis.speed import QUANTITIES, fastest_handle
+from benchdragon.budget import OverBudgetError
+from benchdragon.errors import UnsureError
+from benchdragon.i18n import N_
+from benchdragon.model.answer import ROUNDING, Answer, Witness
+from benchdragon.model.obstacle import Obstacle
+from benchdragon.model.walk import Walk
+
+# What each question after that of contact may take at least, as a share of a question's work.
+REST = 0.25
+# Why something is open.
+DEAR, HIDDEN = N_("that takes more work than a question may"), N_("rounding hides it")
+
+# What is asked: an obstacle, a level of room, or what is limited, by name.
+Asked = Obstacle | str
+
+
+@contextmanager
+def told_if_open(
+    found: list[Finding], asked: Asked | None = None, limit: float = 0.0
+) -> Iterator[None]:
+    """Answer a question with work of its own; what stays open is added to `found`.
+
+    That is if a verdict needs it: without `asked` none does. `limit` is that of what is limited, in SI
+    units.
+    """
+    budget.allow(REST)
+    try:
+        yield
+    except (OverBudgetError, UnsureError) as error:
+        budget.allow(REST)  # for what is known without a search
+        if asked is not None:
+            found.append(_open(asked, limit, DEAR if isinstance(error, OverBudgetError) else HIDDEN))
+
+
+def _open(asked: Asked, limit: float, why: str) -> Finding:
+    if isinstance(asked, Obstacle):
+        sentence = N_("whether benches keep their distance from {name} is open: {why}")
+        kind, words = "venue" if asked.kind == "venue" else "obstacle", name_words(asked)
+        limit, name = asked.margin, asked.name
+    elif asked in QUANTITIES:
+        sentence = N_("whether the {what} keeps to {limit} {unit} is open: {why}")
+        quantity, kind, name = QUANTITIES[asked], asked, ""
+        words = {"what": quantity.text, "unit": quantity.unit, "limit": f"{limit:.6g}"}
+    else:
+        sentence = N_("whether there is room for people is open: {why}")
+        kind, words, name = asked, {}, ""
+    words |= {"why": why}
+    return Finding(kind, None, (), 0.0, limit, sentence, words, decided=False, obstacle=name)
+
+
+def speed_at_start(walk: Walk, start: float) -> Answer:
+    """What is known of the greatest speed of a handle, m/s, without a search: that at the start, s."""
+    motion = walk.motion([start])
+    row = fastest_handle(motion.speed_ratio[0])
+    value, point = float(motion.speed[0, row]), (float(motion.x[0, row]), float(motion.y[0, row]))
+    bench = min(row + 1, len(walk.dragon))
+    witness = Witness(start, float(motion.head_s[0]), (bench,), point, float("nan"), handle=row)
+    return Answer(value, value * (1.0 - ROUNDING), float("inf"), "m/s", "undecided", witness)

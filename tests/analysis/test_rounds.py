@@ -1,0 +1,240 @@
+"""What repeats is left out of searches, and nothing else: their answers are those of the whole walk."""
+
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from benchdragon import budget
+from benchdragon.analysis.check import Report, check
+from benchdragon.analysis.contact import contact_windows, first_contact, first_sure_contact
+from benchdragon.analysis.contact_search import contact_search
+from benchdragon.analysis.rounds import MOST_MISSED, SPARE, Rounds, repeats, returns
+from benchdragon.analysis.speed import QUANTITIES, greatest
+from benchdragon.errors import WalkError
+from benchdragon.model.answer import Answer
+from benchdragon.plans.schema import Plan, read_plan
+from benchdragon.progress import silent
+from tests.analysis.rounds import (
+    BEND,
+    LINE,
+    all_of_it,
+    circle,
+    periods,
+    plan_of,
+    random_rounds,
+    stadium,
+)
+
+__all__ = ["all_of_it"]
+CASES = Path(__file__).parents[1] / "cases"
+LIMITS = {"speed": 1.5, "turning_rate": 60, "lateral_acceleration": 2}
+PEOPLE = {"sway": 0.05, "imprecision": 0.05, "beside": 0.1}
+AROUND = 2.0 * math.pi * 6.0
+
+
+def new(plan: Plan) -> list[tuple[float, float]]:
+    """What a search of a plan's walk looks at of the head's way, m."""
+    walk = plan.build()
+    return list(contact_search(walk, *plan.span(walk), 0.0, silent).spans)
+
+
+def together(one: Answer, other: Answer) -> bool:
+    """Whether one number may lie in both brackets."""
+    return max(one.lower, other.lower) <= min(one.upper, other.upper)
+
+
+@pytest.mark.parametrize("rounds", [2, 10, 1000])
+def test_on_a_circle_the_head_is_followed_until_all_benches_walk_it(rounds: int) -> None:
+    ((first, last),) = new(circle(rounds))
+    links = circle(rounds).build().dragon.links.sum()
+    assert first == 0.0
+    assert 5.0 + links < last < 5.0 + 1.1 * links
+
+
+@pytest.mark.parametrize("rounds", [3, 10, 300])
+def test_of_a_circuit_one_round_is_followed_after_all_benches_walk_it(rounds: int) -> None:
+    plan = stadium(rounds)
+    walk = plan.build()
+    half = LINE["length"] + math.pi * BEND["radius"]
+    ((first, last),) = new(plan)
+    assert first == 0.0
+    assert last == pytest.approx(walk.head_where_tail(SPARE) + half + SPARE, abs=1e-6)
+
+
+def test_what_comes_after_rounds_is_followed_too() -> None:
+    plan = plan_of([LINE, BEND] * 8 + [{"kind": "line", "length": 30.0}])
+    spans, length = new(plan), plan.build().route.length
+    assert len(spans) > 1
+    # The last row of the route may be walked by all benches at once: it is the same everywhere, then.
+    assert spans[-1][0] <= length - 30.0 < spans[-1][1] < length
+
+
+def test_a_walk_that_ends_past_its_route_is_refused_after_any_number_of_rounds() -> None:
+    plan = stadium(9, walk={"end": 1000})
+    with pytest.raises(WalkError, match="past the end of the route"):
+        check(plan)
+
+
+def test_a_kink_is_not_the_same_as_another() -> None:
+    sharp = [{"kind": "line", "length": 30.0}, {"kind": "arc", "radius": 9, "angle": 30}]
+    rows = plan_of(sharp * 4).build().route.rows.copy()
+    assert periods(repeats(rows))
+    rows[3, 9] += 1e-8  # its angle
+    for one in repeats(rows):
+        for kink in rows[[3, 4], 2].tolist():
+            assert not one.low + 1e-6 < kink < one.high - one.period - 1e-6
+            assert not one.low + one.period + 1e-6 < kink < one.high - 1e-6
+
+
+@pytest.mark.parametrize("column", [0, 3, 10, 11])
+def test_rows_of_other_shapes_do_not_repeat(column: int) -> None:
+    part = [{"kind": "clothoid", "length": 5, "start_curvature": 0, "end_curvature": 0.1}] * 2
+    rows = plan_of(part).build().route.rows.copy()
+    rows[1, 9] = rows[0, 9] + 5 * 0.05  # as if they were joined smoothly
+    assert periods(repeats(rows)) == [5.0]
+    rows[1, column] = 1.0 if column == 0 else rows[1, column] + 1e-12
+    assert not periods(repeats(rows))
+
+
+def test_spirals_do_not_repeat() -> None:
+    assert not repeats(read_plan("spiral-in").build().route.rows)
+
+
+def test_what_leads_elsewhere_does_not_return() -> None:
+    ahead = plan_of([LINE, {**BEND, "angle": 170}] * 8).build().route.rows
+    assert periods(repeats(ahead))
+    assert not [one for one in returns(ahead, 2.0) if one.high - one.low > one.period]
+
+
+@pytest.mark.parametrize(("by", "far", "column"), [(2e-5, 2e-4, 7), (2e-5, 2e-4, 8), (9e-10, 1e-5, 9)])
+def test_what_a_round_misses_its_beginning_by_is_told(by: float, far: float, column: int) -> None:
+    rows = stadium(4).build().route.rows.copy()
+    (kept,) = [one for one in returns(rows, 2.0) if one.low == 0.0 and one.missed]
+    assert kept.high == rows[-1, 2] + rows[-1, 3]
+    assert kept.missed < 1e-9
+    rows[9:, column] += by
+    (moved,) = [one for one in returns(rows, 2.0) if one.low == 0.0 and one.missed]
+    assert moved.high == kept.high
+    assert by * (1.0 if column < 9 else 10.0) <= moved.missed <= MOST_MISSED
+    rows[9:, column] += far
+    short = [one for one in returns(rows, 2.0) if one.low == 0.0 and one.missed]
+    assert all(one.high <= rows[9, 2] for one in short)
+
+
+@pytest.mark.parametrize("seed", range(24))
+def test_answers_are_those_of_the_whole_walk(seed: int, all_of_it: pytest.MonkeyPatch) -> None:
+    plan = random_rounds(seed)
+    whole = check(plan)
+    all_of_it.undo()
+    found = check(plan)
+    assert [one.kind for one in found.findings] == [one.kind for one in whole.findings]
+    assert together(found.clearance, whole.clearance)
+    assert together(found.greatest_speed, whole.greatest_speed)
+    for one, other in zip(found.obstacles, whole.obstacles, strict=True):
+        assert together(one.distance, other.distance)
+        assert (one.contact is None) == (other.contact is None)
+        if one.contact is not None and other.contact is not None:
+            assert together(one.contact, other.contact)
+    if found.first_contact is not None and whole.first_contact is not None:
+        assert together(found.first_contact, whole.first_contact)
+
+
+def test_random_rounds_are_of_all_kinds() -> None:
+    kinds = [_kind(seed) for seed in range(24)]
+    assert {"skips", "touches", "skips for things", "skips and touches"} <= {*kinds[0].union(*kinds)}
+
+
+def _kind(seed: int) -> set[str]:
+    plan = random_rounds(seed)
+    walk = plan.build()
+    span = plan.span(walk)
+    a, b = walk.head_position(span).tolist()
+    known = returns(walk.route.rows, 2.0)
+    short = type(walk)(walk.dragon.first(1), walk.route, walk.profile)
+    skips = sum(last - first for first, last in new(plan)) < b - a
+    things = Rounds(short, known).new(a, b)[0] != [(a, b)]
+    touches = first_contact(walk, *span, margin=plan.limits.margin) is not None
+    names = {"skips": skips, "touches": touches, "skips for things": things}
+    names["skips and touches"] = skips and touches
+    return {name for name, is_so in names.items() if is_so}
+
+
+def test_windows_of_contact_are_listed_in_every_round() -> None:
+    plan = plan_of(
+        [{"kind": "line", "length": 12}, {"kind": "arc", "radius": 3, "angle": 270}] * 9,
+        dragon={"benches": 14},
+    )
+    walk, span = plan.build(), plan.span(plan.build())
+    assert new(plan)[0][1] < walk.route.length - 40.0
+    windows = contact_windows(walk, *span)
+    first = first_sure_contact(walk, *span, margin=0.0)
+    assert first is not None
+    assert first.value == windows[0].opens.value
+    opened = np.array([one.opens.value for one in windows])
+    period = 12 + 1.5 * math.pi * 3
+    late = opened[opened > 5 * period]
+    assert late.size
+    for one in late:
+        assert np.abs(opened - (one - period)).min() < 1e-6
+
+
+@pytest.mark.parametrize("quantity", ["speed", "turning_rate", "total_acceleration", "acceleration"])
+def test_a_head_that_changes_its_speed_is_followed_at_each(quantity: str) -> None:
+    """Its greatest speed comes in a late round, and not on a stretch of one speed alone."""
+    profile = [[0, 1.0], [150, 1.0], [151, 1.2], [160, 1.2], [162, 0.8], [300, 0.8]]
+    plan = stadium(6, walk={"profile": profile})
+    walk = plan.build()
+    found = greatest(walk, QUANTITIES[quantity], 0.0, 220.0)
+    motion = walk.motion(np.linspace(0.0, 220.0, 40_001))
+    tables = {"speed": motion.speed, "acceleration": np.abs(motion.acceleration)}
+    if quantity in tables:
+        assert float(tables[quantity].max()) <= found.upper * (1.0 + 1e-9)
+        assert float(tables[quantity].max()) >= found.lower * (1.0 - 1e-3)
+    assert found.witness is not None
+    assert found.witness.time is not None
+    assert 150.0 <= found.witness.time <= 162.0
+
+
+def work(plan: Plan) -> tuple[Report, float]:
+    """A check, and what it took of the budget, in handles placed."""
+    with budget.question():
+        whole = budget.left()
+        found = check(plan)
+        return found, whole - budget.left()
+
+
+@pytest.mark.parametrize(
+    "more", [{}, {"obstacle": [{"kind": "circle", "centre": [4, 4], "radius": 1}]}]
+)
+@pytest.mark.parametrize("route", [circle, stadium])
+def test_many_rounds_take_as_much_work_as_two(route: Any, more: dict[str, Any]) -> None:
+    asked = {**more, "limits": LIMITS, "people": PEOPLE}
+    two, few = work(route(3, **asked))
+    many, much = work(route(100, **asked))
+    assert (two.safe, many.safe) == (True, True)
+    assert much <= 1.05 * few
+    assert many.clearance.evaluations <= 1.05 * two.clearance.evaluations
+    assert many.clearance.value == pytest.approx(two.clearance.value, abs=1e-7)
+    assert many.clearance.upper - many.clearance.lower <= 1.1e-8
+
+
+@pytest.mark.parametrize(
+    ("file", "kinds", "near"),
+    [
+        ("check/circle_rounds", [], (1.081693, 1.081694)),
+        ("check/seed50085", ["obstacle"], (0.034234, 0.034235)),
+        ("field/R06", [], (0.863516, 0.863517)),
+        ("field/R08", ["obstacle_margin"], (0.899999, 0.900001)),
+    ],
+)
+def test_a_plateau_of_the_clearance_takes_no_verdict(
+    file: str, kinds: list[str], near: tuple[float, float]
+) -> None:
+    """The first two took all the work that a question may, and got no verdict."""
+    found, spent = work(read_plan(str(CASES / f"{file}.dragon.toml")))
+    assert [one.kind for one in found.findings] == kinds
+    assert near[0] < found.clearance.lower <= found.clearance.upper < near[1]
+    assert spent < 0.5 * budget.WORK
