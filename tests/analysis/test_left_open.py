@@ -157,6 +157,14 @@ def test_contact_that_stays_open_has_no_report(monkeypatch: pytest.MonkeyPatch) 
         check(asked())
 
 
+def test_what_stays_open_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("flint")
+    plan = asked("dragon.benches=4", "walk.end=20", WELL)
+    assert check(plan, prove=True).proved
+    monkeypatch.setattr(checking, "obstacle_answers", raising(OverBudgetError("too dear")))
+    assert not check(plan, prove=True).proved
+
+
 def test_every_sentence_stands_in_both_languages(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(checking, "obstacle_answers", raising(OverBudgetError("too dear")))
     found = check(asked(WELL))

@@ -9,11 +9,19 @@ import pytest
 
 from benchdragon import budget
 from benchdragon.analysis.check import Report, check
-from benchdragon.analysis.contact import contact_windows, first_contact, first_sure_contact
+from benchdragon.analysis.contact import (
+    contact_windows,
+    first_contact,
+    first_sure_contact,
+    least_clearance,
+)
 from benchdragon.analysis.contact_search import contact_search
+from benchdragon.analysis.nearby import seams_of
+from benchdragon.analysis.obstacles import least_distance
 from benchdragon.analysis.rounds import MOST_MISSED, SPARE, Rounds, repeats, returns
 from benchdragon.analysis.speed import QUANTITIES, greatest
 from benchdragon.errors import WalkError
+from benchdragon.kernels.rounding import GAP, TILT
 from benchdragon.model.answer import Answer
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.progress import silent
@@ -32,7 +40,6 @@ __all__ = ["all_of_it"]
 CASES = Path(__file__).parents[1] / "cases"
 LIMITS = {"speed": 1.5, "turning_rate": 60, "lateral_acceleration": 2}
 PEOPLE = {"sway": 0.05, "imprecision": 0.05, "beside": 0.1}
-AROUND = 2.0 * math.pi * 6.0
 
 
 def new(plan: Plan) -> list[tuple[float, float]]:
@@ -70,6 +77,43 @@ def test_what_comes_after_rounds_is_followed_too() -> None:
     assert len(spans) > 1
     # The last row of the route may be walked by all benches at once: it is the same everywhere, then.
     assert spans[-1][0] <= length - 30.0 < spans[-1][1] < length
+
+
+def test_a_search_that_begins_later_looks_at_a_round_of_its_own() -> None:
+    walk = stadium(9).build()
+    half = LINE["length"] + math.pi * BEND["radius"]
+    ((first, end),), _missed = Rounds(walk, repeats(walk.route.rows)).new(120.0, 300.0)
+    assert first == 120.0
+    assert end == pytest.approx(120.0 + half, abs=1e-5)
+
+
+def crossing_after_rounds() -> Plan:
+    """Rounds of a circle, and then a loop in which the head crosses the way of its tail."""
+    loop = [{"kind": "line", "length": 12}, {"kind": "arc", "radius": 3, "angle": 270}]
+    part = [{"kind": "arc", "radius": 9, "angle": 360 * 4}, *loop, {"kind": "line", "length": 12}]
+    return plan_of([{"kind": "line", "length": 1}, *part], dragon={"benches": 14})
+
+
+def test_a_contact_after_rounds_is_found() -> None:
+    plan = crossing_after_rounds()
+    walk, span = plan.build(), plan.span(plan.build())
+    assert len(new(plan)) == 2
+    found = first_contact(walk, *span)
+    (whole, *_more) = contact_windows(walk, *span, most=1)
+    assert found is not None
+    assert found.value > 2.0 * math.pi * 9.0 * 4.0
+    assert together(found, whole.opens)
+
+
+def test_each_pass_of_a_clearance_sees_all_spans(all_of_it: pytest.MonkeyPatch) -> None:
+    """Benches keep one distance on the first span, and a greater one on the second."""
+    part = [{"kind": "arc", "radius": 4, "angle": 360 * 6}, {"kind": "line", "length": 60}]
+    plan = plan_of([{"kind": "line", "length": 1}, *part])
+    walk, span = plan.build(), plan.span(plan.build())
+    whole = least_clearance(walk, *span)
+    all_of_it.undo()
+    assert len(new(plan)) > 1
+    assert together(least_clearance(walk, *span), whole)
 
 
 def test_a_walk_that_ends_past_its_route_is_refused_after_any_number_of_rounds() -> None:
@@ -122,6 +166,22 @@ def test_what_a_round_misses_its_beginning_by_is_told(by: float, far: float, col
     rows[9:, column] += far
     short = [one for one in returns(rows, 2.0) if one.low == 0.0 and one.missed]
     assert all(one.high <= rows[9, 2] for one in short)
+
+
+def test_what_joints_may_be_off_by_is_missed_too() -> None:
+    rows = stadium(50).build().route.rows
+    seams = seams_of(rows)
+    (kept,) = [one for one in returns(rows, 2.0) if one.low == 0.0 and one.missed]
+    assert kept.missed > seams[-1, GAP] + seams[-1, TILT] * rows[-1, 2]
+
+
+def test_a_thing_beside_many_rounds_has_a_bracket_for_what_they_miss() -> None:
+    plan = stadium(50, obstacle=[{"kind": "circle", "centre": [4, 4], "radius": 1}])
+    walk = plan.build()
+    (kept,) = [one for one in returns(walk.route.rows, 2.9) if one.low == 0.0 and one.missed]
+    found = least_distance(walk, plan.obstacles()[0], *plan.span(walk))
+    assert found.upper - found.value > 1.9 * kept.missed
+    assert found.value - found.lower > 1.9 * kept.missed
 
 
 @pytest.mark.parametrize("seed", range(24))
@@ -196,6 +256,16 @@ def test_a_head_that_changes_its_speed_is_followed_at_each(quantity: str) -> Non
     assert found.witness is not None
     assert found.witness.time is not None
     assert 150.0 <= found.witness.time <= 162.0
+
+
+def test_a_head_that_walks_faster_and_faster_is_followed_to_the_end() -> None:
+    plan = stadium(6, walk={"profile": [[0, 0.5], [200, 1.5]], "end": 200})
+    walk = plan.build()
+    found = greatest(walk, QUANTITIES["speed"], 0.0, 200.0)
+    assert found.lower >= 1.5
+    assert found.witness is not None
+    assert found.witness.time is not None
+    assert found.witness.time > 180.0
 
 
 def work(plan: Plan) -> tuple[Report, float]:

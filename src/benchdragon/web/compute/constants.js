@@ -561,7 +561,9 @@ export const ANALYSIS_CONTACT = {
   FRAYED: 1e-5,
   FIRST_REACH: 0.003,
   WIDER: 6,
-  TOLERANCES: [1e-12, 1e-8, 1e-5],
+  TOLERANCES: [1e-12, 1e-8, 1e-5, 0.001],
+  REFINING: 0.25,
+  REFINING_ON: 0.05,
   MOST_GRAZES: 100,
   MOST_SAMPLES: 1000000,
 };
@@ -591,6 +593,10 @@ export const ANALYSIS_GROUND = {
   LEAST_EDGE: 0.15,
   UNTURNED: 1e-9,
   CORNER: 1e-6,
+};
+
+export const ANALYSIS_LEFT_OPEN = {
+  REST: 0.25,
 };
 
 export const ANALYSIS_MARKS = {
@@ -627,6 +633,16 @@ export const ANALYSIS_ROOM = {
   TOLERANCES: [0.001],
 };
 
+export const ANALYSIS_ROUNDS = {
+  SPARE: 1e-6,
+  WORTH: 2,
+  MOST_MISSED: 0.0001,
+  PLACED: 1e-10,
+  MOST_GAPS: 64,
+  MOST_FOLD: 24,
+  TURN: 6.283185307179586,
+};
+
 export const ANALYSIS_SHORTAGE = {
   SAMPLES: 200,
   CLOSER: 50,
@@ -652,6 +668,7 @@ export const ANALYSIS_SPEED = {
   MOST_CELLS: 500000,
   BUDGET: 100000,
   BOUNDED: 4,
+  TOLD: 0.001,
 };
 
 export const ANALYSIS_TABLES = {
@@ -665,7 +682,7 @@ export const ANALYSIS_TABLES = {
   DOUBTS: 64,
   WIDER: 2,
   BOX_WORK: 64,
-  PARTNER_WORK: 128,
+  PARTNER_WORK: 16,
 };
 
 export const ANALYSIS_UNFINISHED = {
