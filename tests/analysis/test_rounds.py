@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from benchdragon import budget
+from benchdragon.analysis import contact
 from benchdragon.analysis.check import Report, check
 from benchdragon.analysis.contact import (
     contact_windows,
@@ -106,13 +107,19 @@ def test_a_contact_after_rounds_is_found() -> None:
 
 
 def test_each_pass_of_a_clearance_sees_all_spans(all_of_it: pytest.MonkeyPatch) -> None:
-    """Benches keep one distance on the first span, and a greater one on the second."""
-    part = [{"kind": "arc", "radius": 4, "angle": 360 * 6}, {"kind": "line", "length": 60}]
-    plan = plan_of([{"kind": "line", "length": 1}, *part])
+    """Benches are nearest in a bend before rounds; of a long dragon that is first seen by a pass."""
+    bend = [{"kind": "line", "length": 8}, {"kind": "arc", "radius": 2.5, "angle": 150}]
+    part = [*bend, {"kind": "line", "length": 3}, {"kind": "arc", "radius": 9, "angle": 360 * 4}]
+    plan = plan_of(
+        [*part, {"kind": "clothoid", "length": 9, "start_curvature": 0, "end_curvature": 0.1}]
+    )
     walk, span = plan.build(), plan.span(plan.build())
     whole = least_clearance(walk, *span)
+    assert whole.witness is not None
+    assert whole.witness.s < 30.0
     all_of_it.undo()
     assert len(new(plan)) > 1
+    all_of_it.setattr(contact, "MOST_SAMPLED", 3)
     assert together(least_clearance(walk, *span), whole)
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import tomlkit
 
-from tests.planner.random_plans import Tables, plan
+from tests.planner.random_plans import Tables, length, part, plan
 
 # What a number may be multiplied by: powers of ten up to these, most often to one of the last.
 EXTREMES = 9.0, 2.0, 2.0, 1.0, 0.5
@@ -16,6 +16,8 @@ ODD: tuple[Any, ...] = (
 )  # fmt: skip
 # Powers of ten of the numbers that doubles hold, the least of them with few digits.
 POWERS = -323.0, 308.25
+# The share of plans that go round and round.
+ROUNDS = 0.15
 KINDS = ("extreme", "vast", "odd", "cut", "torn", "deep")
 
 
@@ -66,10 +68,24 @@ def odd(dice: random.Random, data: Tables) -> None:
         table[key] = dice.choice(ODD)
 
 
+def rounds(dice: random.Random) -> Tables:
+    """A route that is walked round and round: a circle, a circuit, or parts that lead on and on."""
+    count = round(10.0 ** dice.uniform(0.0, 3.0))
+    if dice.random() < 0.4:
+        bend = {"kind": "arc", "radius": length(dice, 4.0, 30.0), "angle": 360.0 * count}
+        return {"kind": "parts", "part": [{"kind": "line", "length": length(dice, 1.0, 20.0)}, bend]}
+    half = [{"kind": "line", "length": length(dice, 1.0, 40.0)}]
+    half += [{"kind": "arc", "radius": length(dice, 4.0, 15.0), "angle": 180}]
+    more = [part(dice) for _n in range(dice.choice([0, 0, 0, 1, 2]))]
+    return {"kind": "parts", "part": [*half, *half, *more] * count}
+
+
 def hostile(seed: int) -> str:
     """The text of the plan file of a seed."""
-    dice = random.Random(seed)
+    dice, round_and_round = random.Random(seed), random.Random(f"rounds {seed}")
     data, kind = plan(seed, 0.05), dice.choices(KINDS, [14, 3, 2, 1, 1, 1])[0]
+    if round_and_round.random() < ROUNDS:
+        data = {**data, "route": rounds(round_and_round)}
     change = {"extreme": extreme, "vast": vast, "odd": odd}.get(kind)
     if change is not None:
         change(dice, data)

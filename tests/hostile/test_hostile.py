@@ -1,5 +1,6 @@
 """Some strangers' plans: only our own errors, no end of work or memory, no NaN under a good status."""
 
+import random
 from pathlib import Path
 
 import pytest
@@ -7,7 +8,8 @@ import pytest
 from benchdragon.cli.main import run
 from tests.hostile import children
 from tests.hostile.children import GOOD, NOT_SAFE, QUESTIONS, UNDECIDED, Outcome, asked, tried
-from tests.hostile.plans import hostile
+from tests.hostile.plans import hostile, rounds, toml
+from tests.planner.random_plans import Tables
 
 # A hundredth of a budget: a second, where a whole one is a minute.
 SHARE = 0.01
@@ -27,6 +29,22 @@ def test_strangers_plans_do_no_harm(first: int) -> None:
     assert {f"{seed}: {question}": each.fault for seed, question, each in found if each.fault} == {}
     codes = {each.code for _seed, _question, each in found}
     assert {0, 3} <= codes
+
+
+@pytest.mark.parametrize("first", range(0, 40, 20))
+def test_rounds_get_a_verdict(first: int) -> None:
+    """Each of them is walked by a sound dragon: nothing but contact may stay open, or take too long."""
+    outcomes = [asked(toml(going_round(seed)), QUESTIONS[0], 1.0) for seed in range(first, first + 20)]
+    assert [each.fault for each in outcomes if each.fault] == []
+    assert [seed for seed, each in enumerate(outcomes, first) if each.over] == []
+    assert {each.code for each in outcomes} <= {0, 1}
+    assert max(each.seconds for each in outcomes) < 60.0
+
+
+def going_round(seed: int) -> Tables:
+    """A plan of a sound dragon that goes round and round."""
+    dice = random.Random(seed)
+    return {"schema": 1, "dragon": {"benches": dice.randrange(3, 30)}, "route": rounds(dice)}
 
 
 def test_what_takes_too_much_is_told() -> None:
