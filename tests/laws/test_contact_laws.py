@@ -101,7 +101,8 @@ def test_sampling_never_finds_a_contact_before_the_first_and_finds_one_after(see
         assert (nearest(walk, before) >= margin - 1e-9).all()
     # Right after it they are nearer, unless the walk ends there or they only graze.
     windows = contact_windows(walk, start, min(end, found.upper + 1.0), margin=margin, most=1)
-    assert windows[0].opens.value == found.value
+    opens = windows[0].opens  # of a search that leaves nothing out
+    assert max(opens.lower, found.lower) <= min(opens.upper, found.upper)
     if found.status == "found":
         assert nearest(walk, np.array([found.upper]))[0] <= max(margin, 1e-12)
 
