@@ -16,8 +16,10 @@ from tests.paper.workbooks import (
     write_series,
 )
 from tests.paper.wrong_workbooks import (
+    AT_CONTACT,
     ENTRIES,
     MISTAKES,
+    MOMENTS,
     PAIRS,
     ROUNDED,
     UNKNOWN,
@@ -29,8 +31,6 @@ from tests.paper.wrong_workbooks import (
     turned,
     with_speeds,
 )
-
-AT_CONTACT = values_at("result2", [CONTACT])
 
 WORKBOOKS = Path(__file__).parents[1] / "cases" / "workbooks"
 
@@ -63,6 +63,28 @@ def test_wrong_cells_beside_a_mistake_hide_nothing(tmp_path: Path, name: str) ->
         quantity, bench = ("x", "y", "speed")[axis], handle_names(224)[handle]
         start = f"beside that, {quantity} of {bench} at t = {TIMES[result][row]:g} s is "
         assert any(text.startswith(start) for text in said)
+
+
+@pytest.mark.parametrize("name", MOMENTS)
+def test_wrong_cells_hide_nothing_of_one_moment(tmp_path: Path, name: str) -> None:
+    make, mistake, amount = MOMENTS[name]
+    for seed in range(3):
+        share = np.random.default_rng(seed).uniform()
+        wrong, cells = spoilt(make(share), seed)
+        found = compare(write_moment(tmp_path / "result2.xlsx", wrong))
+        wanted = amount(share)
+        assert found.mistake == mistake
+        assert found.amount == (None if wanted is None else pytest.approx(wanted, abs=1e-6, rel=1e-7))
+        assert found.beside == len(cells)
+        assert found.residual < 5e-7
+
+
+def test_two_wrong_speeds_among_equal_ones_are_no_rounding(tmp_path: Path) -> None:
+    wrong = with_speeds(values("result1"), np.ones((31, 224)))
+    wrong[2, 21, 98], wrong[2, 1, 140] = -1742.09, 847.0
+    found = compare(write_series(tmp_path / "a.xlsx", wrong, TIMES["result1"]))
+    assert (found.mistake, found.finding) == ("handle", "all speeds are the head's")
+    assert found.beside == 2
 
 
 CARRIED: dict[str, tuple[str | None, float | None, str, str]] = {

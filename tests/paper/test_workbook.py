@@ -1,7 +1,7 @@
 """Workbooks as others write them: read wherever rows and columns stand, and refused in one sentence."""
 
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -104,6 +104,11 @@ def backwards(rows: Rows) -> Rows:
     return [[row[0], *row[:0:-1]] for row in rows]
 
 
+def turned_over(rows: Rows) -> Rows:
+    """Times down the sheet, handles across it."""
+    return [list(column) for column in zip(*rows, strict=True)]
+
+
 def english(rows: Rows) -> Rows:
     names = {"龙头": "Head", "龙尾（后）": "Tail (rear)", "龙尾": "Tail"}
     names |= {f"第{i}节龙身": f"Body {i} " for i in range(1, 222)}
@@ -115,7 +120,7 @@ def english(rows: Rows) -> Rows:
 
 
 @pytest.mark.parametrize(
-    "change", [half_width, as_text, with_index, titled, plain_times, backwards, english]
+    "change", [half_width, as_text, with_index, titled, plain_times, backwards, english, turned_over]
 )
 def test_rows_and_columns_are_known_wherever_they_stand(
     tmp_path: Path,
@@ -209,6 +214,15 @@ def test_a_body_too_many_is_told_and_left_out(tmp_path: Path, table: FloatArray)
     found = read_workbook(written(tmp_path / "a.xlsx", {"位置": places + more, "速度": speeds}))
     assert np.allclose(found.values, table, rtol=0.0, atol=1e-12)
     assert found.remarks == ("rows that the contest does not ask for were not read: 第222节龙身x (m)",)
+
+
+@pytest.mark.parametrize(
+    "header", [("x", "y", "v"), ("X (m)", "Y (m)", "velocity"), ("横", "纵", "速率")]
+)
+def test_columns_of_one_moment_are_known_by_their_words(tmp_path: Path, header: Sequence[str]) -> None:
+    rows: Rows = [["", *header], ["龙头", 1.0, 2.0, 3.0], ["第1节龙身", 4.0, 5.0, 6.0]]
+    found = read_workbook(written(tmp_path / "a.xlsx", {"A": rows}))
+    assert found.values[:, 0, :2].T.tolist() == [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]
 
 
 @pytest.mark.parametrize("text", ["第0秒", "t = 0 s", "0 (s)", "时间 0s", "0 sec", "0秒末", "t:0"])

@@ -8,6 +8,7 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.paper.differences import Scheme, difference_speeds
 from benchdragon.plans.schema import read_plan
 from tests.paper.workbooks import (
+    CONTACT,
     PLANS,
     TIMES,
     values,
@@ -313,8 +314,32 @@ def drifting() -> FloatArray:
     return np.stack([points[..., 0], points[..., 1], table[2]])
 
 
+AT_CONTACT = values_at("result2", [CONTACT])
 UNKNOWN: dict[str, tuple[Callable[[], FloatArray], str]] = {
     "noise": (lambda: noisy(1e-3), "numbers are off by more than 1e-06"),
     "large noise": (lambda: noisy(1.0), "20832 of 20832 numbers are off"),
     "errors that add up": (drifting, "near the tail: errors of single benches add up"),
 }
+
+
+# Of result2: what a random number makes of it, the mistake, and its amount for that number.
+MOMENTS: dict[str, tuple[Callable[[float], FloatArray], str, Callable[[float], float | None]]] = {
+    "rotated": (lambda u: turned(AT_CONTACT, 6.0 * u - 3.0), "rotated", lambda u: 6.0 * u - 3.0),
+    "mirrored": (
+        lambda u: turned(AT_CONTACT, 3.0 * u - 1.5, mirror=True), "mirrored", lambda u: 1.5 * u - 0.75,
+    ),
+    "another moment": (
+        lambda u: values_at("result2", [300.0 + 130.0 * u]), "time",
+        lambda u: 300.0 + 130.0 * u - CONTACT,
+    ),
+    "nearly the moment": (
+        lambda u: values_at("result2", [CONTACT - 1e-6 - 1e-4 * u]), "time", lambda u: -1e-6 - 1e-4 * u,
+    ),
+    "another handle": (lambda _u: from_row(AT_CONTACT, 0, 1), "handle", lambda _u: 1.0),
+    "another link": (
+        lambda u: values_at("result2", [CONTACT], f"dragon.head_length={3.0 + round(u, 3)}"), "size",
+        lambda u: 2.45 + round(u, 3),
+    ),
+    "other units": (lambda _u: multiplied(AT_CONTACT, 100.0, 1.0), "unit", lambda _u: 100.0),
+    "tail first": (lambda _u: AT_CONTACT[:, :, ::-1], "handle", lambda _u: None),
+}  # fmt: skip

@@ -25,8 +25,8 @@ SHEETS = (slice(0, 2), slice(2, 3))
 DECIMALS, FEWEST_DECIMALS, HALF = 6, 0, 0.501
 # Cells agree within this many times what rounding does.
 WITHIN = 1.2
-# Numbers are rounded if so many of them are, and at least so many differ.
-ROUNDED, VARIOUS = 0.98, 3
+# Numbers are rounded if so large a share of them is, but not if so many are the same one.
+ROUNDED = 0.98
 # Where the head was is sought among so many times of the walk, at so many of the workbook's, for these
 # handles; of a workbook of one moment, for all.
 GRID, SAMPLES, HANDLES_SEEN = 6000, 101, (0, 1, 2, 3, 25, 60, 100, 150, 200, 223)
@@ -158,7 +158,8 @@ def _decimals(values: FloatArray) -> int:
     for count in range(FEWEST_DECIMALS, DECIMALS):
         rounded = np.abs(known - np.round(known, count)) <= 1e-9
         if rounded.size and rounded.mean() >= ROUNDED:
-            return count if np.unique(known).size >= VARIOUS else DECIMALS
+            same = np.unique(known, return_counts=True)[1].max()
+            return count if same <= ROUNDED * known.size else DECIMALS
     return DECIMALS
 
 

@@ -11,6 +11,7 @@ import zlib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from io import BytesIO
+from itertools import zip_longest
 from pathlib import Path
 from typing import Any, Literal, get_args
 from unicodedata import normalize
@@ -59,17 +60,20 @@ MOST_NAMES = 5
 TIME = re.compile(
     r"(?:t|第|时间|时刻|time)?[=:]?([-+]?\d+(?:\.\d*)?)(?:\(?(?:s|秒|sec|seconds?)\)?)?(?:时|末)?"
 )
-REST = re.compile(r"(?:前?把手)?(?:[横纵]坐标)?[xy]?(?:坐标|速度|speed)?(?:\(?m(?:/s)?\)?)?")
+REST = re.compile(
+    r"(?:前?把手)?(?:[横纵]坐标)?[xy]?(?:坐标|速度|速率|speed|velocity|v)?(?:\(?m(?:/s)?\)?)?"
+)
 # What the headers of result2 say, in the order of looking.
 COLUMNS: dict[Quantity, tuple[str, ...]] = {
-    "speed": ("速度", "speed", "m/s"),
+    "speed": ("速度", "速率", "speed", "veloc", "m/s"),
     "x": ("x", "横"),
     "y": ("y", "纵"),
 }
+V = re.compile(r"v(?![a-z])")
 AXES: tuple[Quantity, ...] = ("x", "y")
 SHEETS: dict[Quantity, tuple[str, ...]] = {
     "x": ("位置", "坐标", "position"),
-    "speed": ("速度", "speed"),
+    "speed": ("速度", "速率", "speed", "veloc"),
 }
 
 Rows = Sequence[Sequence[Any]]
@@ -348,6 +352,10 @@ def _handle(cell: object) -> tuple[int, str] | None:
 def _table(name: str, rows: Rows) -> _Sheet | None:
     """What a sheet holds; None if it is no table."""
     column, labels = _labels(rows)
+    across: Rows = list(zip_longest(*rows[:LABEL_COLUMNS], fillvalue=""))
+    if len(_labels(across)[1]) > len(labels):  # handles stand in columns, times in rows
+        rows = list(zip_longest(*rows, fillvalue=""))
+        column, labels = _labels(rows)
     if not labels:
         return None
     first = min(labels)
@@ -429,6 +437,7 @@ def _moment_columns(header: Sequence[object], column: int) -> dict[Quantity, int
     for j, cell in enumerate(header):
         text = _plain(cell)
         told = next((name for name, words in COLUMNS.items() if any(w in text for w in words)), None)
+        told = "speed" if V.match(text) else told
         if j > column and told:
             found.setdefault(told, j)
     return found
