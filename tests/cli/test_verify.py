@@ -14,6 +14,7 @@ pytest.importorskip("flint")
 from benchdragon.cli.main import run
 from benchdragon.i18n import spoken_in
 from benchdragon.plans.schema import checked
+from benchdragon.proofs import cover as chain_cover
 from benchdragon.version import __version__
 from tests.proofs.certificates import IN_THE_WAY, TEXT, TOO_MUCH, bend, written
 
@@ -76,6 +77,24 @@ def test_speeds_are_in_the_certificate_of_all_and_what_is_not_proved_is_told(
         "not proved: greatest speed: it is proved only where the head keeps one speed\n"
     )
     assert "(proved)" not in told.out.split("greatest speed of a handle")[1]
+
+
+def test_what_takes_too_much_to_prove_ends_with_what_was_found(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(chain_cover, "BALLS", 1e7)  # a proof takes more than a question may
+    plan, folder = tmp_path / "bend.dragon.toml", tmp_path / "out"
+    plan.write_text(TEXT.format(post=[16.2, 1.0], margin=0.0), "utf-8")
+    line = ["check", str(plan), "--prove", "-o", str(folder), "--format", "svg", "--quiet"]
+    assert run([*line, "--lang", "en"]) == 5
+    out, err = capsys.readouterr()
+    assert out.startswith("SAFE from t = 10")
+    assert "proved" not in out.splitlines()[0]
+    assert err.startswith("not proved: this takes more work than a question may")
+    assert sorted(path.name for path in folder.iterdir()) == ["clearance.svg", "contact.svg"]
+    plan.write_text(TEXT.format(post=list(IN_THE_WAY), margin=0.0), "utf-8")
+    assert run([*line, "--force", "--lang", "en"]) == 1
+    assert "NOT SAFE" in capsys.readouterr().out
 
 
 def test_without_proof_no_certificate_is_written(tmp_path: Path) -> None:

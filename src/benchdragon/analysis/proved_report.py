@@ -26,7 +26,7 @@ def prove_report(report: Report, progress: Progress = silent) -> Report:
     """
     of_kind("report", report, Report)
     require_flint()
-    claims, speeds, unproved = list(report.claims), list[SpeedClaim](), list[str]()
+    claims, speeds, unproved = list(report.claims), list[SpeedClaim](), list(report.unproved)
 
     def tried(what: str, found: Answer, prove: Callable[[], Answer]) -> Answer:
         try:

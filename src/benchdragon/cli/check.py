@@ -1,11 +1,13 @@
 """The verb `check`: whether a walk is safe."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from benchdragon.budget import OverBudgetError
 from benchdragon.cli.answers import (
     UNDECIDED,
     UNSAFE,
@@ -30,11 +32,13 @@ from benchdragon.cli.options import (
     shared_options,
     tell_names,
 )
+from benchdragon.errors import UnsureError
 from benchdragon.i18n import N_, _
 
 if TYPE_CHECKING:
     from benchdragon.analysis.check import Report
     from benchdragon.plans.schema import Plan
+    from benchdragon.progress import Progress
     from benchdragon.rosters.roster import Roster
 
 
@@ -83,14 +87,15 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
         files = planned_files(folder, options["formats"].split(","), options["force"], prove)
     warn_of_outside(read)
     with shown_progress(quiet) as progress:
-        report = checked(read, progress, prove=prove)
+        report = _shown(read, progress) if prove else checked(read, progress)
+        open_still = bool(report.unproved)
         if options["prove_all"]:
             from benchdragon.analysis.proved_report import prove_report
 
             report = prove_report(report, progress)
         if files:
             progress(1.0, _("writing"))
-            write_files(report, files)
+            files = write_files(report, files)
     for text in report.unproved:
         click.echo(_("not proved: {what}").format(what=text), err=True)
     lines = _explained(report) if options["explain"] else []
@@ -113,7 +118,19 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
             from benchdragon.plans.keys import commented
 
             click.echo("\n" + commented(read.data(), {}), nl=False)
+    if report.safe and open_still:
+        return UNDECIDED
     return 0 if report.safe else UNSAFE if report.decided else UNDECIDED
+
+
+def _shown(plan: "Plan", progress: "Progress") -> "Report":
+    """A check whose contact is proved; where that cannot be, what was found, and why that is all."""
+    from benchdragon.analysis.check import check as checked
+
+    try:
+        return checked(plan, progress, prove=True)
+    except (UnsureError, OverBudgetError) as error:
+        return replace(checked(plan, progress), unproved=(str(error),))
 
 
 def _record_path(plan: str) -> Path:

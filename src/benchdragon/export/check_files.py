@@ -39,10 +39,11 @@ def planned_files(folder: Path, formats: Sequence[str], force: bool, proved: boo
     return files
 
 
-def write_files(report: Report, files: Sequence[Path]) -> None:
-    """Write the planned files."""
+def write_files(report: Report, files: Sequence[Path]) -> list[Path]:
+    """Write the planned files, but no certificate where nothing was proved; those that were written."""
+    files = [path for path in files if path.name != CERTIFICATE or report.claims or report.speeds]
     if not files:
-        return
+        return files
     motion, answer = moment(report)
     title, plan = report.plan.title(language()), report.plan
     clearances = clearance_over(report)
@@ -57,3 +58,4 @@ def write_files(report: Report, files: Sequence[Path]) -> None:
             write_moment_xlsx(path, motion, report.obstacles)
         else:
             write_picture(figures[path.stem], path, title, plan.sha256)
+    return files
