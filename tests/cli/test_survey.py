@@ -43,7 +43,7 @@ def test_the_example_says_where_it_is(capsys: pytest.CaptureFixture[str]) -> Non
     with spoken_in("zh"):
         assert run(["survey", EXAMPLE]) == 0
     out = capsys.readouterr().out
-    assert "方案的 (0, 0) 对应文件中的 (120.1551, 28.9174)（gcj02）" in out
+    assert "方案的 (0, 0) 在文件里的经度 120.1551、纬度 28.9174 处（gcj02）" in out
     assert "路线与图形处处相差不超过 0.6 m（这是上界）" in out
 
 
