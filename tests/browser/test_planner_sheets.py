@@ -322,7 +322,8 @@ def test_a_name_in_the_table_is_no_formula(opened_sheets: Opened) -> None:
 
 
 SMALLEST = """() => {
-  const texts = document.createTreeWalker(document.querySelector("#sheets .pages"), NodeFilter.SHOW_TEXT);
+  const shown = document.querySelector("#sheets .pages");
+  const texts = document.createTreeWalker(shown, NodeFilter.SHOW_TEXT);
   let least = Infinity;
   for (let node = texts.nextNode(); node; node = texts.nextNode()) {
     const at = node.parentElement;
@@ -374,7 +375,8 @@ def test_the_overviews_border_is_on_the_page(opened_sheets: Opened) -> None:
 def test_what_is_printed_too_early_says_so(pages: Pages, sheets_file: Path) -> None:
     page = settled(pages.open(f"{sheets_file.as_uri()}#lang=en"))
     page.evaluate(
-        "benchdragon.sheets.answers.aside = () => ({ ask: () => new Promise(() => {}), close: () => {} })"
+        "benchdragon.sheets.answers.aside = () => "
+        "({ ask: () => new Promise(() => {}), close: () => {} })"
     )
     page.get_by_role("button", name=NAMES["en"], exact=True).click()
     made = pypdfium2.PdfDocument(io.BytesIO(page.pdf()))
