@@ -74,8 +74,8 @@ def test_head_and_tail_are_told_nearest_to_where_people_come_in() -> None:
         if "entrance " in row.name and "of" not in row.name
     ]
     assert [(row.kind, row.name) for row in rows] == [
-        ("entrance", "the head nearest to entrance 1"),
-        ("entrance", "the head nearest to entrance 2"),
+        ("entrance", "the dragon's way nearest to entrance 1"),
+        ("entrance", "the dragon's way nearest to entrance 2"),
     ]
     for row, point in zip(rows, [(12.25, 0.0), (28.0, 8.0)], strict=True):
         np.testing.assert_allclose(row.point, point, atol=1e-5)

@@ -2,22 +2,30 @@
 
 import math
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+import shapely
 from pypdf import PdfReader
 
+from benchdragon.analysis.check import sentence
+from benchdragon.analysis.crowd import Crowd, crowd_of, density_text, event_findings
+from benchdragon.analysis.distance import boxes
 from benchdragon.analysis.posts import EVERY, JOINED, _spaced, marshal_posts
-from benchdragon.analysis.swept import swept_area
+from benchdragon.analysis.swept import rings, swept_area
+from benchdragon.cli.main import run
 from benchdragon.export.document import Document, Heading, Paragraph, Table
-from benchdragon.i18n import LANGUAGES, spoken_in
+from benchdragon.i18n import LANGUAGES, _, spoken_in
+from benchdragon.kernels.box import corner
 from benchdragon.plans.people import PeopleTable
 from benchdragon.plans.schema import read_plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.sheets import annex_facts as facts_of
 from benchdragon.sheets.annex import annex_document, annex_names, write_annex
 from benchdragon.sheets.annex_facts import AnnexFacts, Chance, annex_facts, deviations_of
+from benchdragon.sheets.annex_first import NOT_CONSIDERED
 from benchdragon.sheets.annex_tables import BLANK, basics, post_table, room_table
 from benchdragon.sheets.briefing import Briefing
 from tests.sheets.village import PLAN, ROSTER, briefing, small, village
@@ -37,23 +45,19 @@ def told(tmp_path_factory: pytest.TempPathFactory) -> Briefing:
 
 @pytest.fixture(scope="module")
 def facts(told: Briefing) -> AnnexFacts:
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(facts_of, "DRAWS", 3)
-        return annex_facts(told)
+    return annex_facts(told)
 
 
 @pytest.fixture(scope="module")
 def texts(told: Briefing, tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     """The text of both PDFs without white space."""
     folder = tmp_path_factory.mktemp("annex")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(facts_of, "DRAWS", 3)
-        write_annex(folder, told)
+    write_annex(folder, told)
     assert {path.name for path in folder.iterdir()} == set(annex_names())
-    found = {}
+    found: dict[str, str] = {}
     for name, file in zip(LANGUAGES, annex_names(), strict=True):
-        pages = PdfReader(folder / file).pages
-        found[name] = "".join("".join(page.extract_text().split()) for page in pages)
+        pages = ["".join(page.extract_text().split()) for page in PdfReader(folder / file).pages]
+        found |= {name: "".join(pages), f"{name} first": pages[0]}
     return found
 
 
@@ -100,9 +104,9 @@ def test_numbers_are_those_of_the_plan_and_its_check(
         ]  # fmt: skip
         assert held
         assert held[0][0] == pytest.approx(found.sure(up=unit == "m/s"), abs=1e-2)
-    share, low, high = facts.chance.share
-    for bound in (share, low, high):
-        assert f"{bound:.3f}" in text
+    assert facts.chance.shown
+    high = math.ceil(1000.0 * facts.chance.share[2]) / 10.0
+    assert (f"atmost{high:.1f}%" if language == "en" else f"至多{high:.1f}%") in text
 
 
 def test_the_ground_within_the_line_is_told_before_the_strips_that_boards_pass_over(
@@ -126,7 +130,7 @@ def test_each_language_has_its_own_words_alone(texts: dict[str, str]) -> None:
     assert "祠堂前" in texts["zh"]
     assert not re.findall(r"[\u4e00-\u9fff]", texts["en"])
     said = texts["zh"]
-    for word in ("benchdragon", *re.findall(r"[0-9a-f]{12}", said)):
+    for word in ("benchdragon", "Fruin", "EPJ", *re.findall(r"[0-9a-f]{12}", said)):
         said = said.replace(word, "")
     assert not re.findall(r"[A-Za-z]{3,}", said)
 
@@ -239,12 +243,143 @@ def test_the_imprecision_of_the_plan_is_that_of_the_random_dances(tmp_path: Path
 
 
 def test_dances_that_cannot_be_drawn_leave_the_chance_open(facts: AnnexFacts, tmp_path: Path) -> None:
-    from dataclasses import replace
-
     none = replace(facts, chance=Chance(facts.chance.deviations, 0, 0))
     words = [str(b.words) for b in document(none, "en", tmp_path).blocks if isinstance(b, Paragraph)]
     assert any("nothing is said of the chance" in text for text in words)
     assert not any("drawn at random" in text for text in words)
+
+
+def test_no_chance_is_told_that_is_not_shown_to_be_below_the_risk(
+    facts: AnnexFacts, tmp_path: Path
+) -> None:
+    off = facts.chance.deviations
+    # By 20 dances, of which none hits, no more is shown than that 16.8 % are enough.
+    tried = [(draws, hits, Chance(off, draws, hits).shown) for draws in (20, 110) for hits in (0, 1, 2)]
+    assert [told for *_drawn, told in tried] == [False, False, False, True, True, False]
+    few = replace(facts, chance=Chance(off, 20, 0))
+    words = [str(b.words) for b in document(few, "en", tmp_path).blocks if isinstance(b, Paragraph)]
+    (said,) = [text for text in words if "drawn at random" in text]
+    assert "no number is told" in said
+    assert "at most" not in said
+
+
+def test_dances_are_drawn_no_further_once_too_many_hit(tmp_path: Path) -> None:
+    found = annex_facts(small(tmp_path, "people.imprecision=1", "limits.margin=0.04")).chance
+    assert (found.hits, found.shown) == (2, False)
+    assert found.draws < facts_of.DRAWS
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_first_page_holds_verdict_crowd_and_what_was_not_considered(
+    told: Briefing, facts: AnnexFacts, texts: dict[str, str], language: str
+) -> None:
+    page = texts[f"{language} first"]
+    with spoken_in(language):
+        (nearest,), crowded = facts.nearest, facts.crowd.density
+        assert nearest.witness is not None
+        assert nearest.witness.time is not None
+        assert crowded is not None
+        expected = [
+            sentence(told.report, told.clock), told.clock.tell(nearest.witness.time),
+            _(NOT_CONSIDERED), f"{facts.crowd.ground:.0f}m²", "Fruin", "813",
+            f"{math.ceil(10.0 * crowded) / 10.0:.1f}",
+        ]  # fmt: skip
+    for text in expected:
+        assert "".join(text.split()) in page, text
+
+
+def test_ground_for_spectators_is_what_lies_outside_the_line(facts: AnnexFacts) -> None:
+    """Beside random places, each looked at from where the benches are at many times."""
+    report, dice = facts.briefing.report, np.random.default_rng(36)
+    edge = next(one.outline for one in report.plan.obstacles() if one.kind == "venue")
+    places = shapely.points(dice.uniform(edge.min(axis=0), edge.max(axis=0), (4000, 2)))
+    motion = report.walk.motion(np.linspace(report.start, report.end, 200))
+    boards = shapely.union_all(
+        [
+            shapely.Polygon([corner(boxes(motion, t), n, k) for k in range(4)])
+            for t in range(200) for n in range(len(report.walk.dragon))
+        ]
+    )  # fmt: skip
+    line = shapely.union_all(
+        [shapely.Polygon(ring) for ring in rings(boards.buffer(3.25, quad_segs=32)).outer]
+    )
+    free = float(np.mean(~shapely.contains(line, places)))
+    venue = shapely.Polygon(edge).area
+    assert facts.crowd.ground == pytest.approx(free * venue, abs=0.03 * venue)
+    assert facts.crowd.way == pytest.approx(line.distance(shapely.Polygon(edge).boundary), abs=0.1)
+    assert facts.crowd.ground is not None
+    assert facts.crowd.density == 813 / facts.crowd.ground
+    (found,), place = facts.nearest, shapely.Point(20, 5)
+    assert found.value == pytest.approx(boards.distance(place), abs=0.05)
+    assert found.witness is not None
+    assert found.witness.time is not None
+    table = boxes(report.walk.motion([found.witness.time]), 0)
+    bench = shapely.Polygon([corner(table, found.witness.benches[0] - 1, k) for k in range(4)])
+    assert bench.distance(place) == pytest.approx(found.value, abs=5e-3)
+
+
+def test_too_many_people_on_the_ground_are_a_finding(facts: AnnexFacts, tmp_path: Path) -> None:
+    ground = facts.crowd.ground or 0.0
+    for people, codes in ((int(3.59 * ground), []), (int(3.61 * ground), ["BD402"])):
+        plan = facts.briefing.plan.with_value("event.spectators", people)
+        found = event_findings(plan, facts.swept, crowd_of(plan, facts.swept))
+        assert [one.code for one in found] == codes
+    said = ["people can walk about", "walking is slowed", "people are touched against their will"]
+    said += ["dangerous forces begin", "critical even where nobody moves"]
+    assert [density_text(one) for one in (1.99, 2.0, 3.6, 5.6, 7.1)] == said
+    full = Crowd(20_000, 0.0, 0.0)
+    assert full.density == math.inf
+    (one,) = event_findings(read_plan("spiral-in"), facts.swept, full)
+    assert one.text.startswith("there is no ground for 20000 spectators")
+    assert Crowd(0, 0.0, 0.0).density == 0.0
+    assert Crowd(5, None, None).density is None
+    (table,) = [
+        b for b in document(replace(facts, crowd=full), "en", tmp_path).blocks
+        if isinstance(b, Table) and b.name == "crowd"
+    ]  # fmt: skip
+    assert [row[1] for row in table.rows[:4]] == [
+        "20000", "0 m²", "there is no ground for them",
+        "none: the line reaches the edge of the venue",
+    ]  # fmt: skip
+
+
+def test_what_is_wrong_with_the_crowd_is_said_in_the_terminal_and_on_the_first_page(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = village(tmp_path, PLAN)
+    settings = (
+        "event.spectators=20000",
+        "venue.rectangle=[40, 30]",
+        "event.entrances=[[3, 0], [20, 5]]",
+    )
+    words = [
+        "sheets",
+        str(path),
+        "--check",
+        "--only",
+        "annex",
+        "-o",
+        str(tmp_path / "papers"),
+        "--lang",
+        "en",
+    ]
+    assert run([*words, *(word for one in settings for word in ("--set", one))]) == 0
+    told = " ".join(capsys.readouterr().err.split())
+    assert "BD401: entrance 1 lies inside the spectators' line" in told
+    assert "entrance 2" not in told
+    assert "BD402: 20000 spectators on" in told
+    page = PdfReader(tmp_path / "papers" / "annex.en.pdf").pages[0].extract_text()
+    assert page.index("BD401") < page.index("BD402") < page.index("Table 1")
+
+
+def test_a_plan_without_a_venue_knows_of_no_ground(tmp_path: Path) -> None:
+    found = annex_facts(small(tmp_path, "event.spectators=20000"))
+    assert found.crowd == Crowd(20_000, None, None)
+    assert found.findings == ()
+    tables = {b.name: b for b in document(found, "en", tmp_path).blocks if isinstance(b, Table)}
+    assert [row[1] for row in tables["crowd"].rows] == [
+        "20000", "unknown: the plan has no venue", "unknown", "unknown: the plan has no venue"
+    ]  # fmt: skip
 
 
 @pytest.mark.parametrize("setting", ['event.place="a\\nb"', "event.spectators=-1", "event.distance=0"])

@@ -55,6 +55,8 @@ KINDS: Mapping[str, Kind] = {
     "venue_margin": Kind("BD302", N_("a bench comes nearer to the venue's edge than its margin")),
     "obstacle": Kind("BD303", N_("a bench touches an obstacle")),
     "obstacle_margin": Kind("BD304", N_("a bench comes nearer to an obstacle than its margin")),
+    "entrance": Kind("BD401", N_("an entrance lies inside the spectators' line")),
+    "crowd": Kind("BD402", N_("too many spectators for the ground outside their line")),
 }
 
 

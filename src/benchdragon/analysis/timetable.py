@@ -142,9 +142,10 @@ def _cue(walk: Walk, span: tuple[float, float], one: Moment, first: float) -> Pa
 
 
 def _beside(plan: Plan, walk: Walk, span: tuple[float, float]) -> Iterator[Passing]:
-    """Where the head crosses the venue's edge inward, and is nearest to obstacles and to entrances.
+    """Where the head crosses the venue's edge inward, and is nearest to obstacles; entrances.
 
-    A dance that passes a place several times is told once: where the head is nearest of all.
+    A dance that passes a place several times is told once: where it is nearest of all. At an entrance
+    it is the dragon's body that counts, hence all the way that any of its handles goes.
     """
     first, last = np.minimum(walk.head_position(span), walk.route.length).tolist()
     count = max(2, min(MOST_LOOKS, math.ceil((last - first) / FINE) + 1))
@@ -160,9 +161,11 @@ def _beside(plan: Plan, walk: Walk, span: tuple[float, float]) -> Iterator[Passi
         else:
             name = _("the head nearest to {name}").format(name=named(obstacle))
             yield _passing(walk, span, "obstacle", name, _nearest(walk, shape_of(obstacle), looks))
+    tail = float(walk.motion([span[0]]).s[0, -1])
+    ways = np.concatenate([np.arange(tail, first, max(FINE, (first - tail) / MOST_LOOKS)), looks])
     for n, (x, y) in enumerate(plan.event.entrances, start=1):
-        name = _("the head nearest to entrance {n}").format(n=n)
-        yield _passing(walk, span, "entrance", name, _nearest(walk, shapely.Point(x, y), looks))
+        name = _("the dragon's way nearest to entrance {n}").format(n=n)
+        yield _passing(walk, span, "entrance", name, _nearest(walk, shapely.Point(x, y), ways))
 
 
 def _entered(walk: Walk, venue: Obstacle, out: float, within: float) -> float:

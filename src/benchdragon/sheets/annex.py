@@ -4,6 +4,7 @@ What the plan does not say is a blank to be filled in by hand, named in a list; 
 nothing of is a heading with blank lines. No rule is quoted: which apply, the office says.
 """
 
+import warnings
 from collections.abc import Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -18,8 +19,10 @@ from benchdragon.export.pages import write_pdf
 from benchdragon.figures.area import page_picture
 from benchdragon.figures.style import write_picture
 from benchdragon.i18n import LANGUAGES, N_, _, language, spoken_in
+from benchdragon.number_format import decimals_towards
 from benchdragon.progress import Progress, part, silent
-from benchdragon.sheets.annex_facts import AnnexFacts, annex_facts
+from benchdragon.sheets.annex_facts import RISK, AnnexFacts, annex_facts
+from benchdragon.sheets.annex_first import first_page
 from benchdragon.sheets.annex_tables import (
     BLANK,
     assumption_table,
@@ -43,23 +46,14 @@ from benchdragon.version import __version__
 
 # Blank lines under a heading that the program knows nothing of.
 LINES, LINE = 5, 92 * "_"
-# Their room, mm.
-LINES_ROOM = 36.0
+# Their room, mm, and that of a table that follows a heading, so that the two stay together.
+LINES_ROOM, TABLE_ROOM = 36.0, 60.0
 # What is left to the organiser: chapters of permit plans on which a plan of a dance says nothing.
 BY_HAND = {
     "fire": N_("Fire safety"),
     "emergency": N_("Emergencies"),
     "vehicles": N_("Vehicles, parking and ways of the crowd"),
 }
-NOT_MODELLED = (
-    N_("Spectators: how they move, press or run, how dense they stand, how long they need to leave."),
-    N_("Weather, light, and the state of the ground; slopes, steps and kerbs."),
-    N_("Fire: lanterns, fireworks, firecrackers, electricity."),
-    N_("Bearers: fatigue, falls, strength; benches that break or come apart."),
-    N_("Weights and forces, and stands, stages and bridges that must bear them."),
-    N_("Vehicles, and anything that moves but the dragon."),
-    N_("What is not in the plan: obstacles, people and edges that nobody wrote down."),
-)
 
 
 def annex_names() -> tuple[str, ...]:
@@ -75,6 +69,8 @@ def write_annex(folder: Path, briefing: Briefing, progress: Progress = silent) -
         MachineError: if a file could not be written.
     """
     facts = annex_facts(briefing, part(progress, 0.0, 0.7))
+    for one in facts.findings:
+        warnings.warn(f"{one.code}: {one.text}", stacklevel=2)
     for n, (name, file) in enumerate(zip(LANGUAGES, annex_names(), strict=True)):
         progress(0.7 + 0.3 * n / len(LANGUAGES), _("permit annex"))
         with spoken_in(name), TemporaryDirectory() as pictures:
@@ -87,7 +83,8 @@ def annex_document(facts: AnnexFacts, folder: Path) -> Document:
     briefing = facts.briefing
     title = _("Permit annex: {title}").format(title=briefing.plan.title(language()) or BLANK)
     blocks = (
-        *_basics(facts), *_dance(facts), *_ground(facts, folder), *_timetable(facts), *_people(facts),
+        *first_page(facts), *_basics(facts), *_dance(facts), *_ground(facts, folder),
+        *_timetable(facts), *_people(facts),
         *_clearances(facts), *_speeds(facts), *_posts(facts), *_chance(facts), *_by_hand(),
         *_limits(facts), *_version(facts),
     )  # fmt: skip
@@ -97,7 +94,7 @@ def annex_document(facts: AnnexFacts, folder: Path) -> Document:
 
 
 def _basics(facts: AnnexFacts) -> Iterator[Block]:
-    yield Heading(_("Basics"), "basics")
+    yield Heading(_("Basics"), "basics", room=TABLE_ROOM)
     yield basics_table(facts.briefing)
     missing = [name for name, value in basics(facts.briefing) if value == BLANK]
     if missing:
@@ -207,7 +204,7 @@ def _clearances(facts: AnnexFacts) -> Iterator[Block]:
 
 
 def _speeds(facts: AnnexFacts) -> Iterator[Block]:
-    yield Heading(_("Speeds"), "speeds")
+    yield Heading(_("Speeds"), "speeds", room=TABLE_ROOM)
     yield speed_table(facts.briefing)
 
 
@@ -272,17 +269,26 @@ def _chance(facts: AnnexFacts) -> Iterator[Block]:
     if not found.draws:
         yield say(_("Random dances could not be walked for this plan: nothing is said of the chance."))
         return
-    share, low, high = found.share
-    yield say(
-        _(
+    words = {
+        "draws": found.draws, "hits": found.hits, "risk": f"{100.0 * RISK:g}",
+        "margin": metres(facts.briefing.plan.limits.margin),
+    }  # fmt: skip
+    if found.shown:
+        text = _(
             "People are not exact. {draws} dances were drawn at random, with the deviations below. In "
             "{hits} of them benches came nearer to one another than the {margin} asked for, or could "
-            "not follow: a share of {share}. The chance of that lies between {low} and {high}, with a "
-            "confidence of 95 %; the more dances are drawn, the narrower this is."
-        ),
-        draws=found.draws, hits=found.hits, margin=metres(facts.briefing.plan.limits.margin),
-        share=f"{share:.3f}", low=f"{low:.3f}", high=f"{high:.3f}",
-    )  # fmt: skip
+            "not follow. So the chance of that is at most {high} %, with a confidence of 95 %: less "
+            "than the {risk} % that this annex asks for."
+        )
+        words["high"] = decimals_towards(100.0 * found.share[2], 1, up=True)
+    else:
+        text = _(
+            "People are not exact. Dances were drawn at random, with the deviations below: {hits} of "
+            "the first {draws} came nearer than the {margin} asked for, or could not follow. That is "
+            "too many to show that the chance of it is below {risk} %, so no number is told: practise, "
+            "ask for more room, or draw more dances (benchdragon margins)."
+        )
+    yield say(text, **words)
     yield chance_table(facts)
     yield say(
         _(
@@ -300,8 +306,6 @@ def _by_hand() -> Iterator[Block]:
 
 
 def _limits(facts: AnnexFacts) -> Iterator[Block]:
-    yield Heading(_("What is not modelled"), "not-modelled")
-    yield from (say(f"• {_(text)}") for text in NOT_MODELLED)
     yield Heading(_("Figures and where they come from"), "assumptions")
     yield say(_("A number that has no source is an assumption: somebody is to check it on the spot."))
     yield assumption_table(facts)
