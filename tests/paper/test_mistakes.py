@@ -116,6 +116,7 @@ def test_workbooks_of_others_get_their_names(name: str) -> None:
     assert found.amount == (None if amount is None else pytest.approx(amount, abs=1e-7))
     assert sentence in found.finding
     assert remark in (*found.remarks, "")
+    assert found.beside == remark.startswith("beside that, ")
     assert found.residual < 5e-7
 
 
