@@ -47,6 +47,14 @@ SPECIAL: dict[str, Tables] = {
     "one bench": {"dragon": {"benches": 1}},
     "a stop": {"cues": {"cue": [{"kind": "hold", "at": 9, "hold": 3}]}},
     "past the end": {"walk": {"position": 20, "end": 30}},
+    "shorter than its dragon": {
+        "route": {"kind": "parts", "part": [{"kind": "line", "length": 12}]}, "walk": {"end": 9},
+    },
+    "behind the start": {"walk": {"end": 5}},
+    "drawn, with a bend at once": {
+        "route": {"kind": "drawn", "smooth": "none", "points": [[0, 0], [9, 0], [18, 3], [40, 3]]},
+        "walk": {"end": 9},
+    },
 }  # fmt: skip
 
 

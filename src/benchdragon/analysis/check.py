@@ -21,6 +21,7 @@ from benchdragon.analysis.contact import (
 )
 from benchdragon.analysis.findings import Finding, all_findings, named
 from benchdragon.analysis.left_open import speed_at_start, told_if_open
+from benchdragon.analysis.not_looked_at import NotLookedAt, not_looked_at
 from benchdragon.analysis.obstacles import ObstacleAnswers, obstacle_answers
 from benchdragon.analysis.proof import Claim, prove_contact, prove_obstacle
 from benchdragon.analysis.room import ASKED, RoomLevel, levels_asked, room_levels, shown_name
@@ -77,6 +78,7 @@ class Report:
         claims: what was proved of benches alone, and of obstacles, to be shown again.
         speeds: what was proved of speeds, likewise (see `prove_report`).
         unproved: what was to be proved besides and could not be, and why, a sentence each.
+        not_looked_at: what the plan does not say, so that nobody looked at it.
         unfinished: what the walk lacks where it ends before the tail is out of the turn; else None.
     """
 
@@ -97,6 +99,7 @@ class Report:
     speeds: tuple[SpeedClaim, ...] = ()
     unproved: tuple[str, ...] = ()
     unfinished: Unfinished | None = None
+    not_looked_at: tuple[NotLookedAt, ...] = ()
 
     @property
     def safe(self) -> bool:
@@ -167,6 +170,7 @@ def check(
         seconds=clock.perf_counter() - began,
         claims=tuple(claims or ()),
         unfinished=unfinished(plan, walk, end),
+        not_looked_at=not_looked_at(plan, walk, start, end),
     )  # fmt: skip
 
 
@@ -356,6 +360,9 @@ def _kept(report: Report, told: Clock | None) -> str:
         )
     if report.unfinished is not None:
         said.append(report.unfinished.text if told is None else report.unfinished.told)
+    if report.not_looked_at:
+        what = _(", ").join(one.brief for one in report.not_looked_at)
+        said.append(_("not looked at: {what}").format(what=what))
     return _("; ").join(said)
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from benchdragon.analysis.not_looked_at import given_from, runs_on
 from benchdragon.analysis.obstacles import ObstacleAnswers
 from benchdragon.analysis.room import RoomLevel
 from benchdragon.analysis.shortage import Shortage
@@ -17,6 +18,7 @@ from benchdragon.model.numbering import handle_words
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
 from benchdragon.number_format import known, seconds
+from benchdragon.plans.routes import DrawnRoute
 from benchdragon.plans.schema import Plan
 
 # What obstacles, and the venue, are called to which a plan gives no name.
@@ -41,6 +43,7 @@ KINDS: Mapping[str, Kind] = {
     "contact": Kind("BD101", N_("two benches touch")),
     "margin": Kind("BD102", N_("two benches come nearer than the margin")),
     "walk": Kind("BD103", N_("a bench cannot follow")),
+    "route": Kind("BD104", N_("the route is shorter than the dragon")),
     "sway": Kind("BD105", N_("benches have no room to sway")),
     "imprecision": Kind("BD106", N_("benches have no room for imprecision")),
     "people": Kind("BD107", N_("people have no room beside or before a bench")),
@@ -117,6 +120,7 @@ def all_findings(
     """
     limits = given_limits(plan)
     return (
+        *_route_findings(plan, walk, span[0]),
         *_contact_findings(contact, plan.limits.margin),
         *(found for answers in obstacles for found in _obstacle_findings(answers)),
         *_head_findings(walk, span, plan.limits.head_acceleration),
@@ -129,6 +133,27 @@ def all_findings(
         *_carrying_findings(plan, peaks["speed"]),
         *_room_findings(room),
     )
+
+
+def _route_findings(plan: Plan, walk: Walk, start: float) -> list[Finding]:
+    """Whether the dragon is never as a whole on the route that the plan gives."""
+    length = walk.route.length - given_from(plan, walk)
+    dragon = float(walk.dragon.links.sum())
+    if not runs_on(walk) or dragon <= length:
+        return []
+    sentence = N_(
+        "the route is {route} m long, the dragon {dragon} m: at no time is all of it on the route"
+    )
+    if isinstance(plan.route, DrawnRoute):
+        sentence = N_(
+            "the drawn route is {route} m long, the dragon {dragon} m: at no time is all of it on the "
+            "route; where the drawing is in another unit, say so by survey.unit"
+        )
+    words = {
+        "route": known(length, length, "m", up=False),
+        "dragon": known(dragon, dragon, "m", up=True),
+    }
+    return [Finding("route", start, (len(walk.dragon),), length, dragon, sentence, words)]
 
 
 def _contact_findings(contact: Answer | None, margin: float) -> list[Finding]:

@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict
 
-from benchdragon.analysis import findings
+from benchdragon.analysis import findings, not_looked_at
 from benchdragon.analysis.check import Report, peak_text, sentence
 from benchdragon.analysis.findings import KINDS
 from benchdragon.analysis.obstacles import ObstacleAnswers
@@ -141,6 +141,13 @@ class LimitedPeak(Record):
     peak: Answer
 
 
+class NotLookedAt(Record):
+    """Something that was not looked at: see `not_looked_at.NotLookedAt`."""
+
+    kind: str
+    text: Words
+
+
 class HeadStop(Record):
     """A time in which the head, and with it every handle, stands: see `stops.Stop`."""
 
@@ -160,6 +167,7 @@ class Verdict(Record):
         start: of the walk, s.
         end: of the walk, s.
         clearance: null where the dragon cannot walk, like the following.
+        not_looked_at: what the plan does not say, so that nobody looked at it.
         room: level upon level, benches alone first; empty where the plan asks for no room for people.
         stops: of the head; null for a plan without cues.
         seconds: how long it took; null in files, which are the same each time.
@@ -178,6 +186,7 @@ class Verdict(Record):
     obstacles: list[ObstacleRecord]
     room: list[RoomRecord]
     findings: list[Finding]
+    not_looked_at: list[NotLookedAt]
     stops: list[HeadStop] | None = None
     seconds: Number
     plan_sha256: str
@@ -206,11 +215,16 @@ def verdict_of(report: Report) -> Verdict:
         obstacles=[_obstacle(found, plan) for found in report.obstacles],
         room=[_room(level, plan) for level in report.room],
         findings=[_finding(found) for found in report.findings],
+        not_looked_at=[_not_looked_at(one) for one in report.not_looked_at],
         stops=_stops(report),
         seconds=report.seconds,
         plan_sha256=plan.sha256,
         version=__version__,
     )
+
+
+def _not_looked_at(one: not_looked_at.NotLookedAt) -> NotLookedAt:
+    return NotLookedAt(kind=one.kind, text=both(lambda: one.text))
 
 
 def _stops(report: Report) -> list[HeadStop] | None:
@@ -280,6 +294,7 @@ def verdict_of_fall(plan: Plan, span: tuple[float, float], error: WalkError) -> 
         obstacles=[],
         room=[],
         findings=[fall],
+        not_looked_at=[],
         seconds=None,
         plan_sha256=plan.sha256,
         version=__version__,

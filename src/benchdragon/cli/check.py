@@ -204,6 +204,7 @@ def print_report(report: "Report", brackets: bool = False) -> None:
         click.echo(f"  {finding.code}: {finding.text}")
     if report.unfinished is not None:
         click.echo(_("WARNING: {what}").format(what=report.unfinished.text))
+    _print_not_looked_at(report)
     if report.first_contact is not None:
         near, margin = report.first_contact.witness, report.plan.limits.margin
         name = _("first contact")
@@ -220,6 +221,14 @@ def print_report(report: "Report", brackets: bool = False) -> None:
     name = _("greatest speed of a handle")
     print_answer(name, report.greatest_speed, up=True, brackets=brackets, shown=most)
     _print_rest(report, brackets)
+
+
+def _print_not_looked_at(report: "Report") -> None:
+    """What the plan does not say, so that nobody looked at it, one a line."""
+    if report.not_looked_at:
+        click.echo(_("not looked at:"))
+    for one in report.not_looked_at:
+        click.echo(f"  {one.text}")
 
 
 def _print_rest(report: "Report", brackets: bool) -> None:

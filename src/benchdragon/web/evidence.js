@@ -147,6 +147,8 @@ export function evidenceDialog(verdict, limits, pitch, jump) {
     { class: "evidence", "aria-label": _("evidence"), onclose: () => dialog.remove() },
     make("h2", {}, verdict.sentence[language()]),
     ...verdict.findings.map(({ text }) => make("p", {}, text[language()])),
+    ...(verdict.not_looked_at.length ? [make("p", {}, _("not looked at:"))] : []),
+    make("ul", {}, ...verdict.not_looked_at.map(({ text }) => make("li", {}, text[language()]))),
     make(
       "div",
       { class: "scroll" },

@@ -437,6 +437,12 @@ export interface Nearest {
   other: Array<number>;
 }
 
+/** Something that was not looked at: see `not_looked_at.NotLookedAt`. */
+export interface NotLookedAt {
+  kind: string;
+  text: Words;
+}
+
 /**
  * What was found about an obstacle, or the venue's edge: see `obstacles.ObstacleAnswers`.
  *
@@ -802,6 +808,7 @@ export interface VenueTable {
  *     start: of the walk, s.
  *     end: of the walk, s.
  *     clearance: null where the dragon cannot walk, like the following.
+ *     not_looked_at: what the plan does not say, so that nobody looked at it.
  *     room: level upon level, benches alone first; empty where the plan asks for no room for people.
  *     stops: of the head; null for a plan without cues.
  *     seconds: how long it took; null in files, which are the same each time.
@@ -820,6 +827,7 @@ export interface Verdict {
   obstacles: Array<ObstacleRecord>;
   room: Array<RoomRecord>;
   findings: Array<Finding>;
+  not_looked_at: Array<NotLookedAt>;
   stops?: Array<HeadStop> | null;
   seconds: number | null;
   plan_sha256: string;

@@ -15,6 +15,7 @@ import {
 import { UnsureError, WalkError } from "./errors.js";
 import { allFindings, named } from "./findings.js";
 import { speedAtStart, toldIfOpen } from "./left_open.js";
+import { notLookedAt } from "./not_looked_at.js";
 import { obstacleAnswers } from "./obstacles.js";
 import { QUANTITIES, givenLimits } from "./quantities.js";
 import { levelsAsked, roomLevels } from "./room.js";
@@ -62,6 +63,7 @@ import { unfinished } from "./unfinished.js";
  * @property {Stop[] | null} stops of the head; null for a plan without cues
  * @property {number} seconds how long the check took
  * @property {import("./unfinished.js").Unfinished | null} unfinished what the walk lacks where it ends before the tail is out of the turn
+ * @property {import("./not_looked_at.js").NotLookedAt[]} notLookedAt what the plan does not say, so that nobody looked at it
  */
 
 const { QUICK_CLEARANCE, QUICK_SPEED } = ANALYSIS_CHECK;
@@ -119,6 +121,7 @@ async function checked(plan, walk, [start, end], { quick = false, progress = sil
   return {
     plan, walk, start, end, contact, clearance, speed, peaks, findings, obstacles, room, stops, seconds,
     unfinished: unfinished(plan, walk, end),
+    notLookedAt: notLookedAt(plan, walk, [start, end]),
   }; // prettier-ignore
 }
 

@@ -619,6 +619,10 @@ export const ANALYSIS_NEARBY = {
   NOWHERE: [0, 0],
 };
 
+export const ANALYSIS_NOT_LOOKED_AT = {
+  DUST: 1e-6,
+};
+
 export const ANALYSIS_OBSTACLE_SEARCH = {
   SPANS: 2000,
   BENCH: 16,

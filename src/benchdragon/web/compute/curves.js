@@ -278,6 +278,8 @@ export class Route {
     this.length = view[last + CURVE.S_START] + view[last + CURVE.LENGTH];
     /** How far it runs on behind its start, m: 0 or infinite. */
     this.extension = Number.isFinite(view[CURVE.U_BACK]) ? 0 : Infinity;
+    /** Whether that is on a straight line. */
+    this.straight = view[CURVE.U_BACK] === -Infinity;
     /** Route positions of the curves' ends, m, from 0 to the length. */
     this.joints = this.#joints(view);
     this.#checkJoints();

@@ -5,6 +5,7 @@ import { _ } from "../words.js";
 import { keeps, mostOf, shown } from "./answer.js";
 import { general, known, seconds } from "./number_format.js";
 import { rounded } from "./numbers.js";
+import { givenFrom, runsOn } from "./not_looked_at.js";
 import { handlePlace } from "./numbering.js";
 import { QUANTITIES, givenLimits } from "./quantities.js";
 
@@ -35,6 +36,7 @@ export const CODES = {
   contact: "BD101",
   margin: "BD102",
   walk: "BD103",
+  route: "BD104",
   sway: "BD105",
   imprecision: "BD106",
   people: "BD107",
@@ -84,6 +86,7 @@ export function allFindings(plan, walk, span, { contact, obstacles, peaks, room 
   const limits = givenLimits(plan.tables.limits);
   const names = /** @type {QuantityName[]} */ (Object.keys(limits)).filter((name) => peaks[name]);
   return [
+    ...routeFindings(plan, walk, span[0]),
     ...contactFindings(contact, plan.tables.limits.margin),
     ...obstacles.flatMap(obstacleFindings),
     ...headFindings(walk, span, plan.tables.limits.head_acceleration),
@@ -93,6 +96,26 @@ export function allFindings(plan, walk, span, { contact, obstacles, peaks, room 
     ...carryingFindings(plan.tables.people.most_speed, /** @type {Answer} */ (peaks.speed)),
     ...roomFindings(room),
   ];
+}
+
+/** Whether the dragon is never as a whole on the route that the plan gives. @param {CheckedPlan} plan @param {Walk} walk @param {number} time @returns {Finding[]} */
+function routeFindings(plan, walk, time) {
+  const value = walk.route.length - givenFrom(plan, walk);
+  const limit = walk.dragon.extent;
+  if (!runsOn(walk) || limit <= value) return [];
+  const words = { route: known(value, value, "m", false), dragon: known(limit, limit, "m", true) };
+  const text = () =>
+    plan.tables.route.kind === "drawn"
+      ? _(
+          "the drawn route is {route} m long, the dragon {dragon} m: at no time is all of it on the route; where the drawing is in another unit, say so by survey.unit",
+          words,
+        )
+      : _(
+          "the route is {route} m long, the dragon {dragon} m: at no time is all of it on the route",
+          words,
+        );
+  const benches = [walk.dragon.benches];
+  return [{ kind: "route", time, benches, value, limit, text, decided: true, obstacle: null }];
 }
 
 /** @param {Answer | null} contact @param {number} margin @returns {Finding[]} */

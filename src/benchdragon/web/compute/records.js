@@ -69,6 +69,7 @@ export function verdictOf(report, version) {
     obstacles: report.obstacles.map((found) => obstacleRecord(found, stamp)),
     room: report.room.map((level) => roomRecord(level, stamp)),
     findings: report.findings.map(findingRecord),
+    not_looked_at: report.notLookedAt.map(({ kind, text }) => ({ kind, text: both(text) })),
     stops: report.stops,
     seconds: report.seconds,
     ...stamp,

@@ -119,6 +119,10 @@ function keptText(report) {
     );
   }
   if (report.unfinished !== null) said.push(unfinishedText(report.unfinished));
+  if (report.notLookedAt.length) {
+    const what = report.notLookedAt.map(({ brief }) => brief()).join(_(", "));
+    said.push(_("not looked at: {what}", { what }));
+  }
   return said.join(_("; "));
 }
 

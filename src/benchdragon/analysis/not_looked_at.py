@@ -1,0 +1,122 @@
+"""What a check did not look at, because the plan does not say it: told beside the verdict."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from benchdragon.analysis.room import levels_asked
+from benchdragon.i18n import N_, _
+from benchdragon.kernels.curve import U_BACK, FloatArray
+from benchdragon.model.walk import Walk
+from benchdragon.number_format import known
+from benchdragon.plans.routes import RUN_UP, DrawnRoute
+from benchdragon.plans.schema import Plan
+
+# What rounding leaves of a dragon whose tail stands just at the start of the route, m.
+DUST = 1e-6
+# What each kind of it is in one sentence, and in few words.
+TEXTS: Mapping[str, str] = {
+    "street": N_(
+        "the plan gives no edge, wall or house along the drawn route (venue, obstacle): whether the "
+        "dance keeps off them was not looked at"
+    ),
+    "square": N_(
+        "the plan gives neither an edge of the square nor anything that stands on it (venue, "
+        "obstacle): whether the dance keeps off them was not looked at"
+    ),
+    "venue": N_(
+        "the plan gives no edge of the square (venue): whether the dance stays inside was not looked at"
+    ),
+    "people": N_(
+        "the plan asks for no room for people (people.beside, people.ahead, people.sway, "
+        "people.imprecision): only the benches themselves were looked at"
+    ),
+    "speed": N_(
+        "the plan gives no greatest speed (limits.speed, people.most_speed): speeds were computed, and "
+        "compared with nothing"
+    ),
+    "behind": N_(
+        "at the start {way} m of the dragon, benches {first} to {last}, stand on a straight line "
+        "behind the start of the route, which the plan does not draw: whether there is such a way was "
+        "not looked at"
+    ),
+    "still behind": N_(
+        "when the walk ends, {way} m of the dragon, benches {first} to {last}, have not yet come to "
+        "the route that the plan draws"
+    ),
+}
+BRIEF: Mapping[str, str] = {
+    "street": N_("walls and houses along the route"),
+    "square": N_("the square"),
+    "venue": N_("the edge of the square"),
+    "people": N_("room for people"),
+    "speed": N_("limits of speed"),
+    "behind": N_("the ground behind the start, {way} m"),
+    "still behind": N_("the route of benches {first} to {last}"),
+}
+
+
+@dataclass(frozen=True)
+class NotLookedAt:
+    """Something that was not looked at.
+
+    Attributes:
+        kind: what, one of TEXTS.
+        words: for the places in the sentence.
+    """
+
+    kind: str
+    words: dict[str, str] = field(default_factory=dict)
+
+    @property
+    def text(self) -> str:
+        """The same in a sentence, in the language in use."""
+        return _(TEXTS[self.kind]).format(**self.words)
+
+    @property
+    def brief(self) -> str:
+        """The same in few words, in the language in use."""
+        return _(BRIEF[self.kind]).format(**self.words)
+
+
+def not_looked_at(plan: Plan, walk: Walk, start: float, end: float) -> tuple[NotLookedAt, ...]:
+    """What a check of a plan's walk from a start to an end, s, does not look at."""
+    standing = plan.obstacles()
+    kinds = []
+    if not standing:
+        kinds.append("street" if isinstance(plan.route, DrawnRoute) else "square")
+    elif all(one.kind != "venue" for one in standing):
+        kinds.append("venue")
+    if not levels_asked(plan.people):
+        kinds.append("people")
+    if plan.limits.speed is None and plan.people.most_speed is None:
+        kinds.append("speed")
+    found = [NotLookedAt(kind) for kind in kinds]
+    if runs_on(walk):
+        for kind, s in zip(
+            ("behind", "still behind"), walk.motion([start, end], throw=False).s, strict=True
+        ):
+            words = _behind(s, given_from(plan, walk))
+            found += [NotLookedAt(kind, words)] if words else []
+    return tuple(found)
+
+
+def runs_on(walk: Walk) -> bool:
+    """Whether a straight line that the plan does not draw leads to the start of the route."""
+    return float(walk.route.rows[0, U_BACK]) == -math.inf
+
+
+def given_from(plan: Plan, walk: Walk) -> float:
+    """Where on the route begins what the plan gives, m: after the line before a drawn bend."""
+    drawn = isinstance(plan.route, DrawnRoute) and not plan.route.closed
+    return RUN_UP if drawn and abs(float(walk.route.joints[1]) - RUN_UP) < DUST else 0.0
+
+
+def _behind(s: FloatArray, given: float) -> dict[str, str]:
+    """How much of the dragon, with its handles at s, m, stands behind a place on the route, if any."""
+    benches = [n for n, place in enumerate(s.tolist()) if n and place < given - DUST]
+    if not benches:
+        return {}
+    way = given - float(s[-1])
+    last = str(len(s) - 1)
+    return {"way": known(way, way, "m", up=True), "first": str(benches[0]), "last": last}
