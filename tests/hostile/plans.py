@@ -70,9 +70,9 @@ def odd(dice: random.Random, data: Tables) -> None:
 
 def rounds(dice: random.Random) -> Tables:
     """A route that is walked round and round: a circle, a circuit, or parts that lead on and on."""
-    count = round(10.0 ** dice.uniform(0.0, 3.0))
+    count = round(10.0 ** dice.uniform(0.0, 1.3))  # more parts take longer to write than to check
     if dice.random() < 0.4:
-        bend = {"kind": "arc", "radius": length(dice, 4.0, 30.0), "angle": 360.0 * count}
+        bend = {"kind": "arc", "radius": length(dice, 4.0, 30.0), "angle": 360.0 * count**2}
         return {"kind": "parts", "part": [{"kind": "line", "length": length(dice, 1.0, 20.0)}, bend]}
     half = [{"kind": "line", "length": length(dice, 1.0, 40.0)}]
     half += [{"kind": "arc", "radius": length(dice, 4.0, 15.0), "angle": 180}]
