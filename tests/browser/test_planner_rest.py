@@ -1,5 +1,8 @@
 """The planner's picture stays where it is whatever is told above it; a page at rest does nothing."""
 
+from itertools import pairwise
+from typing import Any
+
 import pytest
 from playwright.sync_api import Page, expect
 
@@ -145,3 +148,83 @@ def test_play_is_reached_in_ten_stops(opened: Opened, device: Device) -> None:
         if page.evaluate("document.activeElement.classList.contains('play')"):
             return
     raise AssertionError(page.evaluate("document.activeElement.outerHTML"))
+
+
+WRITTEN = """new Promise((done) => {
+  const { player } = benchdragon;
+  const ctx = player.face.painter.ctx;
+  const found = [];
+  const write = ctx.fillText;
+  ctx.fillText = (text, x, y) => {
+    const { width } = ctx.measureText(text);
+    const left = { center: x - width / 2, right: x - width }[ctx.textAlign] ?? x;
+    const size = parseFloat(ctx.font.match(/([0-9.]+)px/)[1]);
+    const top = { middle: y - size / 2, top: y }[ctx.textBaseline] ?? y - size;
+    found.push({ text, left, top, right: left + width, bottom: top + size });
+    write.call(ctx, text, x, y);
+  };
+  player.onDrawn = () => { ctx.fillText = write; done(found); };
+  player.jump(TIME);
+})"""
+
+
+def written(page: Page, time: float) -> list[dict[str, Any]]:
+    """What is written on the picture at a time, and where."""
+    found = page.evaluate(WRITTEN.replace("TIME", str(time)))
+    assert isinstance(found, list)
+    return found
+
+
+@pytest.mark.parametrize("device", ["desktop", "phone"])
+def test_names_on_the_square_are_hidden_by_no_label_and_no_number(
+    village: Opened, device: Device
+) -> None:
+    page = village(device)
+    edge = "benchdragon.player.scene.sent.occasions.find(({ kind }) => kind === 'venue').time"
+    found = written(page, page.evaluate(edge))
+    names = [one for one in found if any(name in one["text"] for name in ("post", "well", "village"))]
+    label = [one for one in names if "(" in one["text"]]
+    assert len(label) == 1
+    for name in names:
+        for other in found:
+            if other is name or (name in label and str(other["text"]).isdigit()):
+                continue
+            apart = (
+                name["right"] <= other["left"]
+                or other["right"] <= name["left"]
+                or name["bottom"] <= other["top"] + 1
+                or other["bottom"] <= name["top"] + 1
+            )
+            assert apart, (name["text"], other["text"])
+
+
+@pytest.mark.parametrize("device", ["desktop", "phone"])
+def test_marks_of_one_time_stand_beside_one_another(village: Opened, device: Device) -> None:
+    page = village(device)
+    places = page.locator(".axis .mark:not(.joint, .cue)").evaluate_all(
+        "(marks) => marks.map((one) => one.getBoundingClientRect().x).sort((a, b) => a - b)"
+    )
+    assert len(places) >= 2
+    assert all(b - a >= 16 for a, b in pairwise(places))
+
+
+def test_the_ring_is_about_what_touches_on_the_square(village: Opened) -> None:
+    page = village()
+    page.evaluate(
+        "() => { const plan = structuredClone(benchdragon.plan);"
+        " plan.obstacle[2].centre = [2.2, -2]; benchdragon.change(plan, true); }"
+    )
+    settled(page)
+    texts = [str(one["text"]) for one in written(page, 3.217)]
+    assert any("(" in text and "south post" in text for text in texts), texts
+
+
+def test_a_box_that_is_typed_into_is_not_covered_when_the_keyboard_is_up(opened: Opened) -> None:
+    page = opened("phone")
+    box = number(page, "spiral pitch")
+    box.tap()
+    page.set_viewport_size({"width": 390, "height": 400})
+    box.evaluate("(one) => one.scrollIntoView({ block: 'start' })")
+    on_top = "(one) => { const { x, y, width, height } = one.getBoundingClientRect();"
+    on_top += " return document.elementFromPoint(x + width / 2, y + height / 2) === one; }"
+    assert box.evaluate(on_top)

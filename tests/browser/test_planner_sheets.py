@@ -357,21 +357,6 @@ def test_the_arrows_word_is_whole_and_beside_the_map(opened_sheets: Opened, lang
         assert arrow["left"] <= word["left"] < word["right"] <= arrow["right"]
 
 
-def test_the_overviews_border_is_on_the_page(opened_sheets: Opened) -> None:
-    page = opened_sheets()
-    sheets(page).get_by_role("combobox").nth(0).select_option("overview")
-    made = pypdfium2.PdfDocument(io.BytesIO(page.pdf(prefer_css_page_size=True)))
-    picture = made[0].render(scale=200 / 72).to_pil().convert("L")
-    inked = picture.point(lambda value: 255 * (value < 200)).getbbox()
-    table = page.locator(".overview table").evaluate(
-        "(one) => getComputedStyle(one.querySelector('td')).borderRightWidth"
-    )
-    assert table != "0px"
-    assert inked is not None
-    # As far from one edge of the paper as from the other, but for a dot.
-    assert abs((picture.width - inked[2]) - inked[0]) <= 2
-
-
 def test_what_is_printed_too_early_says_so(pages: Pages, sheets_file: Path) -> None:
     page = settled(pages.open(f"{sheets_file.as_uri()}#lang=en"))
     page.evaluate(

@@ -36,6 +36,8 @@ export function occasionText(occasion) {
   return occasion.text[language()];
 }
 
+/** A mark is so wide, and takes so much room beside others, CSS pixels. */
+const [MARK_WIDE, MARK_ROOM] = [24, 17];
 /** A tick takes so much room, CSS pixels. */
 const TICK_ROOM = 84;
 /** A finger that lands so far beside a mark means it, and one that moved no farther tapped, CSS pixels. */
@@ -141,6 +143,24 @@ export class Axis {
       ticks.push(tick);
     }
     this.ticks.replaceChildren(...ticks);
+    this.#part(width);
+  }
+
+  /** Have marks of the upper row stand beside one another, not on. @param {number} width CSS pixels */
+  #part(width) {
+    const marks = /** @type {HTMLElement[]} */ ([
+      ...this.element.querySelectorAll(".mark:not(.joint, .cue)"),
+    ]);
+    const at = (/** @type {HTMLElement} */ mark) => (parseFloat(mark.style.left) / 100) * width;
+    let free = -Infinity;
+    marks.sort((one, other) => at(one) - at(other));
+    const places = marks.map((mark) => (free = Math.max(at(mark), free) + MARK_ROOM) - MARK_ROOM);
+    let most = width;
+    for (let n = marks.length - 1; n >= 0; n--) {
+      const place = Math.min(places[n], most);
+      most = place - MARK_ROOM;
+      marks[n].style.marginLeft = `${place - at(marks[n]) - 0.5 * MARK_WIDE}px`;
+    }
   }
 
   #curve() {

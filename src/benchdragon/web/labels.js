@@ -28,7 +28,7 @@ const STEADY = 3;
 /** A circle on the canvas, CSS pixels. @typedef {{x: number, y: number, radius: number}} Ring */
 
 /** @param {Tag} a @param {Tag} b */
-function overlap(a, b) {
+export function overlap(a, b) {
   return Math.abs(a.x - b.x) < a.half + b.half && Math.abs(a.y - b.y) < a.tall + b.tall;
 }
 
@@ -45,8 +45,9 @@ export function numberHeight({ scale }) {
  * @param {number} chosen
  * @param {Camera} camera
  * @param {Ring | null} ring
+ * @param {Tag[]} names that stand there already
  */
-export function numberTags(boxes, seen, chosen, camera, ring) {
+export function numberTags(boxes, seen, chosen, camera, ring, names) {
   const size = numberHeight(camera) * larger(camera);
   const link = (boxes.behind[boxes.count] / boxes.count) * camera.scale;
   const each = NUMBERED.findIndex(
@@ -67,7 +68,7 @@ export function numberTags(boxes, seen, chosen, camera, ring) {
     const [x, y] = camera.toScreen(boxes.x[i], boxes.y[i]);
     const half = 0.33 * size * String(i + 1).length + 2;
     const tag = { i, x, y, half, tall: 0.6 * size };
-    if (!inRing(tag, ring) && !tags.some((other) => overlap(tag, other))) tags.push(tag);
+    if (!inRing(tag, ring) && ![...names, ...tags].some((other) => overlap(tag, other))) tags.push(tag);
   }
   return tags;
 }

@@ -34,6 +34,12 @@ export function meetingOf({ boxes, playing, scene, square, time, face }) {
   return square.pair(boxes, here.benches[0] - 1, here.obstacle);
 }
 
+/** What touches on the square, where no benches do: it is what the ring is for. @param {Player} player @param {Beside | null} beside */
+export function touchOf({ boxes, face, ringed }, beside) {
+  if (face.story.open || !beside || beside.distance > boxes.touch) return null;
+  return ringed && ringed.distance <= boxes.touch ? null : beside;
+}
+
 /** How near benches are to one another and to what stands on the square. @param {Player} player @param {Pair | null} tightest @param {Beside | null} beside */
 export function nearnessText({ boxes, square }, tightest, beside) {
   const own = tightestText(tightest, boxes);

@@ -3,7 +3,7 @@
 import { shade, shades, TOUCH } from "./colours.js";
 import { Covered } from "./covered.js";
 import { Dress } from "./dragon.js";
-import { Beside, numberHeight, numberTags } from "./labels.js";
+import { Beside, numberHeight, numberTags, overlap } from "./labels.js";
 import {
   drawNorth,
   drawRuler,
@@ -87,6 +87,8 @@ const ABOUT = 500;
 const TOUCH_OVER = 0.84;
 /** What a label costs that hides the benches it tells of: more than any others. */
 const OF_THE_PAIR = 1000;
+/** And one that hides the name of what stands on the square: more than as many benches as there is room for. */
+const OF_A_NAME = 200;
 /** @param {Element} element @returns {Inks} */
 function inks(element) {
   const style = getComputedStyle(element);
@@ -141,10 +143,10 @@ export class Painter {
     this.#chosen(picture);
     this.#touches(picture);
     this.#handles(picture, seen);
-    picture.square.name(ctx, camera, this.inks, FONT);
+    const names = picture.square.name(ctx, camera, this.inks, FONT);
     const ring = picture.ringed && ringOf(picture.ringed, picture.camera);
-    this.#numbers(picture, seen, ring);
-    if (picture.ringed && ring) this.#ring(picture, seen, picture.ringed, ring);
+    this.#numbers(picture, seen, ring, names);
+    if (picture.ringed && ring) this.#ring(picture, seen, picture.ringed, ring, names);
     drawScaleBar(ctx, camera, this.inks);
     if (picture.north) drawNorth(ctx, camera, this.inks);
     drawRuler(ctx, camera, this.inks, picture.ruler);
@@ -352,8 +354,8 @@ export class Painter {
     ctx.fill();
   }
 
-  /** @param {Picture} picture @param {number[]} seen @param {Ring | null} ring */
-  #numbers({ boxes, camera, chosen }, seen, ring) {
+  /** @param {Picture} picture @param {number[]} seen @param {Ring | null} ring @param {Tag[]} names of what stands on the square */
+  #numbers({ boxes, camera, chosen }, seen, ring, names) {
     const { ctx } = this;
     ctx.font = lettering(numberHeight(camera), camera);
     ctx.textAlign = "center";
@@ -362,7 +364,7 @@ export class Painter {
     ctx.lineJoin = "round";
     ctx.strokeStyle = this.inks.ground;
     ctx.fillStyle = this.inks.ink;
-    for (const { i, x, y } of numberTags(boxes, seen, chosen, camera, ring)) {
+    for (const { i, x, y } of numberTags(boxes, seen, chosen, camera, ring, names)) {
       ctx.strokeText(String(i + 1), x, y);
       ctx.fillText(String(i + 1), x, y);
     }
@@ -412,8 +414,8 @@ export class Painter {
     if (this.#dresses(picture)) this.#dressOf(boxes).paint(ctx, boxes, camera, this.inks, [chosen]);
   }
 
-  /** A pair's ring, and beside it what it is. @param {Picture} picture @param {number[]} seen @param {Pair | BesideObstacle | Told} ringed @param {Ring} ring */
-  #ring({ boxes, camera, square }, seen, ringed, ring) {
+  /** A pair's ring, and beside it what it is. @param {Picture} picture @param {number[]} seen @param {Pair | BesideObstacle | Told} ringed @param {Ring} ring @param {Tag[]} names */
+  #ring({ boxes, camera, square }, seen, ringed, ring, names) {
     const { ctx } = this;
     ctx.strokeStyle = this.inks.mark;
     ctx.lineWidth = 2.5;
@@ -427,7 +429,9 @@ export class Painter {
       const [x, y] = camera.toScreen(boxes.x[i], boxes.y[i]);
       return Math.hypot(x - ring.x, y - ring.y) < ring.radius + ABOUT + boxes.radius[i] * camera.scale;
     });
-    const hidden = (/** @type {Tag} */ tag) => hides(tag, boxes, camera, ringed, near);
+    const hidden = (/** @type {Tag} */ tag) =>
+      hides(tag, boxes, camera, ringed, near) +
+      OF_A_NAME * names.filter((name) => overlap(tag, name)).length;
     const tag = this.beside.place(ring, halfWidth(ctx, camera, text), hidden, camera);
     this.#leader(ring, tag);
     writeLabel(ctx, camera, this.inks, text, tag.x, tag.y);

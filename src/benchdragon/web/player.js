@@ -11,7 +11,7 @@ import { Flight } from "./flight.js";
 import { Hold } from "./hold.js";
 import { pressed } from "./keys.js";
 import { Loop } from "./loop.js";
-import { meetingOf, nearnessText, passedText, tightestOf } from "./nearby.js";
+import { meetingOf, nearnessText, passedText, tightestOf, touchOf } from "./nearby.js";
 import { Boxes } from "./nearness.js";
 import { Paper } from "./paper.js";
 import { Square } from "./square.js";
@@ -455,7 +455,7 @@ export class Player {
     const beside = this.square.measure(this.boxes);
     const scale = scaleOf(this.kind, this.scene, this.stand, this.boxes);
     const { scene, stand, boxes, square, camera, chosen, ruler, face } = this;
-    const ringed = meetingOf(this) ?? this.ringed;
+    const ringed = meetingOf(this) ?? touchOf(this, beside) ?? this.ringed;
     const drawn = { scene, stand, boxes, square, camera, chosen, ruler, ringed, scale };
     face.painter.paint({ ...drawn, ...this.look, north: this.paper.on && scene.sent.north === true });
     this.#painted = this.time;

@@ -6,6 +6,7 @@ import { _, language, shortLength } from "./words.js";
 /** @typedef {import("./nearness.js").Boxes} Boxes */
 /** @typedef {import("./camera.js").Camera} Camera */
 /** @typedef {import("./paint.js").Inks} Inks */
+/** @typedef {import("./labels.js").Tag} Tag */
 /** @typedef {[number, number]} Point */
 
 /**
@@ -167,9 +168,11 @@ export class Square {
     ctx.setLineDash([]);
   }
 
-  /** Write the names, above what they name, towards the middle of all. @param {CanvasRenderingContext2D} ctx @param {Camera} camera @param {Inks} inks @param {string} font */
+  /** Write the names, above what they name, towards the middle of all; where they stand. @param {CanvasRenderingContext2D} ctx @param {Camera} camera @param {Inks} inks @param {string} font @returns {Tag[]} */
   name(ctx, camera, inks, font) {
-    if (!this.count || this.obstacles.length > MOST_NAMES) return;
+    /** @type {Tag[]} */
+    const tags = [];
+    if (!this.count || this.obstacles.length > MOST_NAMES) return tags;
     const across = this.corners().map(([x]) => x);
     const middle = 0.5 * (Math.min(...across) + Math.max(...across));
     ctx.font = `600 ${NAME_SIZE}px ${font}`;
@@ -188,8 +191,12 @@ export class Square {
       const [x, y] = venue ? [px + 6, py + 6] : [px, py - 3];
       ctx.strokeText(name[language()], x, y);
       ctx.fillText(name[language()], x, y);
+      const half = 0.5 * ctx.measureText(name[language()]).width;
+      const tall = 0.5 * NAME_SIZE;
+      tags.push({ x: east ? x - half : x + half, y: venue ? y + tall : y - tall, half, tall });
     }
     ctx.lineJoin = "miter";
+    return tags;
   }
 }
 
