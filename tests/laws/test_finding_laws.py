@@ -16,6 +16,7 @@ from benchdragon.analysis.findings import Finding
 from benchdragon.errors import BenchDragonError
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.obstacle import Obstacle
+from benchdragon.number_format import seconds
 from benchdragon.plans.schema import checked
 from tests.planner.verdicts import limited
 
@@ -160,7 +161,7 @@ def rate_fault(report: Report, found: Finding) -> str:
     handle = found.benches[0] - 1 if found.kind == "turning_rate" else handle
     time = found.time or 0.0
     seen = [one[found.kind] for one in rates(report, time, handle)]
-    if found.words["t"] != f"{time:z.6f}" or handle not in (found.benches[0] - 1, found.benches[0]):
+    if found.words["t"] != seconds(time) or handle not in (found.benches[0] - 1, found.benches[0]):
         return f"{found.words}"
     if not any(abs(one - found.value) <= OFF * found.value + 1e-4 for one in seen):
         return f"{found.value} told at handle {handle}, {seen} there"
@@ -173,7 +174,7 @@ def near_fault(report: Report, found: Finding) -> str:
     limit = found.limit if found.kind.endswith("margin") else 0.0
     if abs(value - found.value) > 1e-6 or value > limit + 1e-6:
         return f"{found.value} told, {value} there"
-    return "" if found.words["t"] == f"{found.time:z.6f}" else f"{found.words}"
+    return "" if found.words["t"] == seconds(found.time or 0.0) else f"{found.words}"
 
 
 def fault(report: Report, found: Finding) -> str:
