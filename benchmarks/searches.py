@@ -15,7 +15,6 @@ from benchdragon import (
     Answer,
     TurnGoal,
     best_turn,
-    check,
     clearances,
     first_contact,
     greatest_head_speed,
@@ -28,11 +27,6 @@ from benchdragon.analysis.tables import Tables
 from benchdragon.solve.size import QUICK_SIZE
 
 # Plans whose verdicts are compared, and settings of the way in to the disc whose smallest pitches are.
-VERDICTS = (
-    ("spiral-in",), ("spiral-in", DISC), ("spiral-in", DISC, "route.pitch=0.46"),
-    ("spiral-in", DISC, "route.pitch=0.44"), ("turn",), ("turn", "turn.family=arc-line-arc"),
-    ("turn", "turn.ease=0.3"), ("turn", "dragon.head_length=2.2"),
-)  # fmt: skip
 PITCHES: tuple[tuple[str, ...], ...] = (
     (), ("route.pitch=0.44",), ("route.pitch=0.6",), ("dragon.width=0.5",),
 )  # fmt: skip
@@ -106,12 +100,7 @@ def turns(options: Options) -> list[str]:
 
 
 def quick_answers(options: Options) -> list[str]:
-    """Quick answers beside exact ones: all of a verdict, and the smallest pitch."""
-    verdicts = []
-    for name, *settings in VERDICTS:
-        plan = read_plan(name, settings)
-        jobs = [partial(check, plan), partial(check, plan, quick=True)]
-        verdicts.append(beside(name, settings, jobs, options))
+    """A quick answer beside an exact one, the smallest pitch, and the nearest of each bench."""
     pitches = []
     for settings in ([DISC, *more] for more in PITCHES):
         plan = read_plan("spiral-in", settings)
@@ -125,7 +114,6 @@ def quick_answers(options: Options) -> list[str]:
         ["the nearest pair, by a hash grid", f"{1e3 * pair / 64:.3f}"],
     ]
     return [
-        *lines_of(("plan", f"verdict: {times[0]}", *times[1:]), verdicts), "",
         *lines_of(("plan", f"smallest pitch: {times[0]}", *times[1:]), pitches), "",
         *lines_of(("223 benches in a coil", "ms a time"), nearest),
     ]  # fmt: skip

@@ -63,7 +63,7 @@ def briefing() -> Briefing:
     plan = read_plan(str(PLAN), [f"people.address={ADDRESS}"])
     roster = roster_of(plan)
     record = Record(sha256=foundation(plan, roster), date=date.today(), version="", verdict={})
-    return briefing_of(check(plan, quick=True), roster, record)
+    return briefing_of(check(plan), roster, record)
 
 
 def folder_size(path: Path) -> float:

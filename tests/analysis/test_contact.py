@@ -30,7 +30,6 @@ from benchdragon import (
     least_clearance,
 )
 from benchdragon.analysis import contact
-from benchdragon.analysis.contact import clearance_above
 from benchdragon.analysis.contact_search import ContactSearch, contact_search
 from benchdragon.analysis.distance import tightest_pairs
 from benchdragon.kernels import search as kernel
@@ -351,20 +350,6 @@ def test_brackets_are_sure_without_rounding(profile: tuple[tuple[float, ...], ..
         assert walk.exact_head_position(answer.lower) <= s <= walk.exact_head_position(answer.upper)
         assert answer.lower <= answer.value <= answer.upper
         assert answer.upper - answer.lower < 1e-11
-
-
-def test_a_clearance_above_a_margin_says_that_there_is_no_contact(contest: Walk) -> None:
-    least = least_clearance(contest, 395.0, 405.0)
-    above = clearance_above(contest, 395.0, 405.0, least.value - 1e-6)
-    assert above is not None
-    assert (above.lower, above.value, above.upper) == (least.lower, least.value, least.upper)
-    assert clearance_above(contest, 395.0, 405.0, least.value) is None
-    assert clearance_above(contest, 395.0, 405.0, least.value - 1e-6, tolerances=(1e-3,)) is None
-    assert clearance_above(contest, 395.0, 413.0, 0.0) is None
-    pair = Walk(Dragon.uniform(2), contest.route)
-    assert clearance_above(pair, 0.0, 10.0, 5.0) == least_clearance(pair, 0.0, 10.0)
-    with pytest.raises(InputError):
-        clearance_above(contest, 0.0, 1.0, -1.0)
 
 
 def test_a_walk_that_overlaps_and_then_falls_is_one_that_falls(contest: Walk) -> None:

@@ -116,7 +116,7 @@ def test_a_broken_level_tells_what_its_own_pair_lacks_and_when() -> None:
 def test_what_lacks_is_the_room_ahead_where_the_sides_have_theirs() -> None:
     """The benches that come nearest, 1 and 3, have all their room: 1 and 21 lack it."""
     plan = read_plan(str(VILLAGE / "ahead_false_pair.dragon.toml"), [])
-    report = check(plan, quick=True)
+    report = check(plan)
     (found,) = report.findings
     assert (found.benches, report.clearance.witness and report.clearance.witness.benches) == (
         (1, 21),

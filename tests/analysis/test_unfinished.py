@@ -27,7 +27,7 @@ def whole_end(plan: Plan) -> float:
 
 
 def judged(plan: Plan) -> Report:
-    return check(plan, quick=True)
+    return check(plan)
 
 
 def test_a_dance_to_its_own_end_or_later_lacks_nothing() -> None:

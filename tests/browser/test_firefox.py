@@ -43,7 +43,7 @@ def test_a_dance_is_planned_in_firefox(fox: Firefox, file: Path) -> None:
         plan = Plan.model_validate_json(fox.evaluate("JSON.stringify(benchdragon.plan)"))
         fox.until(f'benchdragon.verdict.found.plan_sha256 === "{plan.sha256}"')
         assert fox.evaluate('document.querySelector(".verdict").className') == f"verdict {verdict}"
-        sentence = verdict_of(check(plan, quick=True)).sentence.en
+        sentence = verdict_of(check(plan)).sentence.en
         assert sentence in fox.evaluate('document.querySelector(".verdict").textContent')
     fox.evaluate("benchdragon.player.play(true)")
     fox.until("benchdragon.player.time > benchdragon.player.scene.start")

@@ -2,7 +2,6 @@
 
 import json
 import re
-from functools import partial
 from pathlib import Path
 
 import pytest
@@ -40,7 +39,7 @@ def test_a_slider_is_moved_and_the_verdict_is_that_of_the_plan_shown(
         settled(page)
         plan = shown_plan(page)
         assert plan.value("route.pitch") == float(value)
-        wanted = verdict_of(check(plan, quick=True))
+        wanted = verdict_of(check(plan))
         assert page.evaluate("benchdragon.verdict.found.plan_sha256") == plan.sha256
         assert page.evaluate("benchdragon.player.scene.sent.plan_sha256") == plan.sha256
         sentence = getattr(wanted.sentence, language)
@@ -268,7 +267,7 @@ def test_the_player_marks_what_the_check_found(
     page, plan = opened(), read_plan(source, settings)
     page.evaluate("(plan) => benchdragon.change(plan, true)", plan.data())
     settled(page)
-    wanted = judged_dance(plan, partial(check, quick=True))
+    wanted = judged_dance(plan, check)
     found = Dance.model_validate(page.evaluate("benchdragon.player.scene.sent"))
     assert found.plan_sha256 == plan.sha256
     marks, others = found.occasions, wanted.occasions

@@ -98,7 +98,7 @@ def test_the_disc_is_dragged_in_one_step_and_judged_anew(opened: Opened) -> None
     settled(page)
     plan = shown_plan(page)
     assert plan.disc.radius == 1.5
-    assert not check(plan, quick=True).safe
+    assert not check(plan).safe
     assert page.evaluate("benchdragon.verdict.found.plan_sha256") == plan.sha256
     assert page.evaluate("benchdragon.player.scene.sent.plan_sha256") == plan.sha256
     assert steps(page) == 1
@@ -260,7 +260,7 @@ def test_a_tracks_border_is_the_limit(opened: Opened) -> None:
     # It holds for other values of its own size, for those of another no more.
     page.get_by_role("slider", name="spiral pitch").fill("0.6")
     expect(told).not_to_be_empty()
-    assert check(shown_plan(page).with_values({"route.pitch": border}), quick=True).safe
+    assert check(shown_plan(page).with_values({"route.pitch": border})).safe
     page.get_by_role("slider", name="turns at the start").fill("11")
     expect(told).to_be_empty()
 

@@ -102,7 +102,7 @@ def test_question_1_tells_positions_and_speeds(opened: Opened) -> None:
 def test_question_2_tells_the_first_contact(opened: Opened) -> None:
     page = small(opened())
     texts = told(page, 2)
-    contact = check(shown_plan(page), quick=True).first_contact
+    contact = check(shown_plan(page)).first_contact
     assert contact is not None
     assert contact.witness is not None
     a, b = contact.witness.benches
@@ -113,7 +113,7 @@ def test_question_2_tells_the_first_contact(opened: Opened) -> None:
 def test_question_3_tells_the_smallest_pitch(opened: Opened) -> None:
     page = small(opened())
     texts = told(page, 3)
-    less = check(shown_plan(page), quick=True).first_contact
+    less = check(shown_plan(page)).first_contact
     assert less is not None
     assert seconds(less.value) in texts[0]
     texts = onwards(page)
@@ -123,7 +123,7 @@ def test_question_3_tells_the_smallest_pitch(opened: Opened) -> None:
     pitch = plan.value("route.pitch")
     assert found.upper < pitch < found.upper + 1e-3
     assert f"{pitch:.3f} m" in texts[0]
-    near = check(plan, quick=True).clearance
+    near = check(plan).clearance
     assert near.witness is not None
     x, y = near.witness.point
     assert numbers(texts[1])[:2] == list(near.witness.benches)
@@ -146,7 +146,7 @@ def test_question_4_tells_a_shorter_turn(opened: Opened) -> None:
     second = turn_of(line)
     told_of = [second.length, first.length - second.length]
     assert numbers(texts[0])[1:] == pytest.approx(told_of, abs=6e-4)
-    report = check(line, quick=True)
+    report = check(line)
     assert report.first_contact is None
     assert numbers(texts[1])[-1] == pytest.approx(100 * report.clearance.value, abs=0.06)
 
@@ -158,7 +158,7 @@ def test_question_5_tells_the_greatest_head_speed_and_where(opened: Opened) -> N
     assert numbers(texts[4])[0] == pytest.approx(value, abs=1e-6)
     plan = shown_plan(page)
     assert value - 1e-6 <= plan.value("walk.speed") <= value
-    fastest = check(plan, quick=True).greatest_speed
+    fastest = check(plan).greatest_speed
     assert fastest.witness is not None
     assert fastest.witness.time is not None
     assert numbers(texts[2]) == [fastest.witness.handle, fastest.witness.benches[0]]

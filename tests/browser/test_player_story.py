@@ -251,7 +251,7 @@ def test_a_story_tells_how_a_bench_touches_an_obstacle_or_leaves_the_venue(
     look: tuple[Device, Language, Colours],
 ) -> None:
     scene = scenes(name)
-    (finding,) = [one for one in check(scene.plan, quick=True).findings if one.kind == kind]
+    (finding,) = [one for one in check(scene.plan).findings if one.kind == kind]
     page = opened(pages, scene, look)
     page.get_by_role("button", name=MET[kind][look[1]]).click()
     lengths = page.evaluate("benchdragon.face.story.steps.map(({ seconds }) => seconds)")

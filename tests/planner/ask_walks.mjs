@@ -7,8 +7,7 @@ const load = (name) => import(pathToFileURL(`${modules}/${name}.js`));
 const { Engine } = await load("engine");
 const { withArenaAsync } = await load("compute/arena");
 const { CURVE } = await load("compute/constants");
-const { clearanceAbove, contactWindows, firstSureContact, leastClearance } =
-  await load("compute/contact");
+const { contactWindows, firstSureContact, leastClearance } = await load("compute/contact");
 const { Dragon } = await load("compute/dragon");
 const { BenchDragonError } = await load("compute/errors");
 const { HeadTimes } = await load("compute/head_times");
@@ -40,8 +39,6 @@ const ASKED = {
   windows: (walk, start, end, options) => contactWindows(walk, start, end, options),
   contact: (walk, start, end, options) => firstSureContact(walk, start, end, options),
   clearance: (walk, start, end, options) => leastClearance(walk, start, end, options),
-  above: (walk, start, end, { margin, ...options }) =>
-    clearanceAbove(walk, start, end, margin, options),
   greatest: (walk, start, end, { quantity, ...options }) =>
     greatest(walk, QUANTITIES[quantity], start, end, options),
   obstacle: async (walk, start, end, { name, kind, outline, radius, margin }) => {

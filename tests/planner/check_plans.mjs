@@ -14,7 +14,7 @@ const { verdictOf } = await load("compute/records");
 const { useWords } = await load("words");
 
 const engine = await Engine.load(readFileSync(wasm));
-const { plans, words, quick, version, rounds, cancel } = JSON.parse(readFileSync(file, "utf8"));
+const { plans, words, version, rounds, cancel } = JSON.parse(readFileSync(file, "utf8"));
 useWords(words);
 
 class Cancelled extends Error {}
@@ -31,7 +31,7 @@ async function judged(data) {
     const plan = checkedPlan(data);
     return await withArenaAsync(engine, async (arena) => {
       const walk = plan.build(arena);
-      const report = await check(plan, walk, plan.span(walk), { quick, progress });
+      const report = await check(plan, walk, plan.span(walk), { progress });
       return { verdict: verdictOf(report, version) };
     });
   } catch (error) {

@@ -17,7 +17,7 @@ const { memory } = engine.exports;
 function judged(plan, dance) {
   return withArenaAsync(engine, async (arena) => {
     const walk = plan.build(arena);
-    const report = await check(plan, walk, plan.span(walk), { quick: false });
+    const report = await check(plan, walk, plan.span(walk));
     return judgedDance(dance, verdictOf(report, ""), plan.obstacles());
   });
 }

@@ -34,7 +34,7 @@ def _dance(plan: Plan) -> object:
 
 
 QUESTIONS: dict[str, tuple[Plan, Callable[[Plan], object]]] = {
-    "verdict": (SQUARE, lambda plan: check(plan, quick=True)),
+    "verdict": (SQUARE, check),
     "dance": (COIL, _dance),
     "limit/pitch": (COIL, lambda plan: limit(plan, "pitch", tolerance=1e-6)),
     "job/speed": (COIL, greatest_head_speed),

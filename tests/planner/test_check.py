@@ -58,11 +58,11 @@ SPECIAL: dict[str, Tables] = {
 }  # fmt: skip
 
 
-def wrong(plans: dict[str, Tables], *, quick: bool) -> dict[str, str]:
+def wrong(plans: dict[str, Tables]) -> dict[str, str]:
     """What is wrong with the page's verdicts, by the plans' names."""
-    twins = there(list(plans.values()), quick=quick)
+    twins = there(list(plans.values()))
     pairs = zip(plans.items(), twins, strict=True)
-    found = {name: fault(here(data, quick=quick), twin["found"]) for (name, data), twin in pairs}
+    found = {name: fault(here(data), twin["found"]) for (name, data), twin in pairs}
     return {name: text for name, text in found.items() if text}
 
 
@@ -74,15 +74,14 @@ def known() -> dict[str, Tables]:
     return plans | {name: data for name, data in read.items() if "drawn" not in name}
 
 
-def test_presets_and_examples_get_the_same_quick_verdict() -> None:
+def test_presets_and_examples_get_the_same_verdict() -> None:
     plans = known()
     assert len(plans) > 20
-    assert wrong(plans, quick=True) == {}
+    assert wrong(plans) == {}
 
 
-@pytest.mark.parametrize("quick", [True, False])
-def test_what_stands_in_the_way_is_told_alike(quick: bool) -> None:
-    assert wrong({name: SQUARE | data for name, data in SPECIAL.items()}, quick=quick) == {}
+def test_what_stands_in_the_way_is_told_alike() -> None:
+    assert wrong({name: SQUARE | data for name, data in SPECIAL.items()}) == {}
 
 
 def test_a_dance_that_ends_before_its_tail_is_out_is_told_alike() -> None:
@@ -92,13 +91,12 @@ def test_a_dance_that_ends_before_its_tail_is_out_is_told_alike() -> None:
         "for good": turn | {"walk": {"profile": [[0, 1], [9, 1], [11, 0]], "end": 30}},
         "late enough": turn | {"walk": {"start": -5, "end": 90}},
     }
-    assert wrong(plans, quick=True) == {}
-    told = [here(data, quick=True)["verdict"]["sentence"]["en"] for data in plans.values()]
+    assert wrong(plans) == {}
+    told = [here(data)["verdict"]["sentence"]["en"] for data in plans.values()]
     assert ["before the tail is out" in text for text in told] == [True, True, False]
 
 
-@pytest.mark.parametrize("quick", [True, False])
-def test_rounds_are_told_alike(quick: bool) -> None:
+def test_rounds_are_told_alike() -> None:
     limits = {"speed": 1.5, "turning_rate": 60}
     people = {"sway": 0.05, "beside": 0.1}
     thing = {"kind": "circle", "centre": [4.0, 4.0], "radius": 1.0}
@@ -115,29 +113,25 @@ def test_rounds_are_told_alike(quick: bool) -> None:
         "a margin that is not kept": stadium(9, limits={"margin": 1.06}).data(),
         **{f"{seed}": random_rounds(seed).data() for seed in range(8)},
     }
-    assert wrong(plans, quick=quick) == {}
+    assert wrong(plans) == {}
 
 
-def test_random_plans_get_the_same_quick_verdict() -> None:
-    assert wrong({f"{seed}": limited(seed) for seed in range(30)}, quick=True) == {}
-
-
-def test_random_plans_get_the_same_full_verdict() -> None:
-    assert wrong({f"{seed}": limited(seed) for seed in range(100, 112)}, quick=False) == {}
+def test_random_plans_get_the_same_verdict() -> None:
+    assert wrong({f"{seed}": limited(seed) for seed in range(30)}) == {}
 
 
 def test_checks_leave_no_memory_behind() -> None:
     plans = [SQUARE | SPECIAL["no room at a thing"], {"schema": 1, "route": {"kind": "turn"}}]
-    for twin in there(plans, quick=True, rounds=12):
+    for twin in there(plans, rounds=12):
         assert "verdict" in twin["found"]
         assert twin["bytes"][2] == twin["bytes"][-1]
 
 
 def test_a_check_that_is_given_up_ends_and_leaves_no_memory_behind() -> None:
     plans = [SQUARE | SPECIAL["no room at a thing"], {"schema": 1, "route": {"kind": "spiral-in"}}]
-    whole = [twin["told"] for twin in there(plans, quick=False)]
+    whole = [twin["told"] for twin in there(plans)]
     assert min(whole) >= 5
     for time in (1, 3, 5):
-        for twin in there(plans, quick=False, rounds=12, cancel=time):
+        for twin in there(plans, rounds=12, cancel=time):
             assert twin["found"] == {"kind": "Cancelled", "error": "given up"}
             assert twin["bytes"][2] == twin["bytes"][-1]

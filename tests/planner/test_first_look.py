@@ -81,7 +81,7 @@ def test_a_contact_is_what_is_drawn() -> None:
     plan = read_plan("spiral-in", ["dragon.benches=30"])
     look = first_look(plan)
     assert look is not None
-    contact = check(plan, quick=True).first_contact
+    contact = check(plan).first_contact
     assert contact is not None
     assert contact.witness is not None
     assert f"t = {contact.witness.time:.2f} s, when benches first touch" in look.moment.en

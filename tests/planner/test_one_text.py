@@ -76,7 +76,7 @@ def numbers(text: str, patterns: tuple[str, ...]) -> set[str]:
 def judged() -> list[tuple[str, Report, Any]]:
     """Plans with what Python and the page find."""
     known = plans()
-    twins = there(list(known.values()), quick=False)
+    twins = there(list(known.values()))
     pairs = []
     for (name, data), twin in zip(known.items(), twins, strict=True):
         try:

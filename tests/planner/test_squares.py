@@ -1,7 +1,6 @@
 """compute/judged.js and rings.js: the dance has what a check found, and obstacles their margins."""
 
 import json
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -51,7 +50,7 @@ def test_what_a_check_found_is_on_the_dance() -> None:
     for data, twin in zip(PLANS.values(), twins, strict=True):
         read = checked(json.loads(json.dumps(data)), "plan")
         span = Span(*read.span(read.build()), shares=(0.5,), times=60)
-        own = judged_dance(read, partial(check, quick=True), span).model_dump(mode="json")
+        own = judged_dance(read, check, span).model_dump(mode="json")
         assert occasions(twin["sent"]) == occasions(own)
         for one, other in zip(own["occasions"], twin["sent"]["occasions"], strict=True):
             assert abs(one["time"] - other["time"]) < 0.02  # the tightest moment is flat

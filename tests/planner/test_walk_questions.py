@@ -14,7 +14,6 @@ import pytest
 from benchdragon import Answer, BenchDragonError, Walk
 from benchdragon.analysis.contact import (
     Window,
-    clearance_above,
     contact_windows,
     first_sure_contact,
     least_clearance,
@@ -62,7 +61,6 @@ ASKED: dict[str, Callable[..., Any]] = {
     "windows": windows,
     "contact": first_sure_contact,
     "clearance": least_clearance,
-    "above": clearance_above,
     "greatest": peak,
     "obstacle": obstacle,
     "times": times,
@@ -125,7 +123,7 @@ def test_contact_and_clearance_of_hard_dances_are_the_same() -> None:
         margin = {"margin": tried.margin}
         asked_of: list[tuple[str, Options]] = [
             ("contact", margin), ("windows", {**margin, "most": 5}), ("clearance", NEAR),
-            ("clearance", {"within": 0.2}), ("above", margin | NEAR),
+            ("clearance", {"within": 0.2}),
         ]  # fmt: skip
         questions += [(tried.walk, name, 0.0, tried.end, options) for name, options in asked_of]
     found = compared(questions)

@@ -4,4 +4,6 @@ import { pathToFileURL } from "node:url";
 
 const [modules, , file] = process.argv.slice(2);
 const { typedNumber } = await import(pathToFileURL(`${modules}/typed.js`));
-console.log(JSON.stringify(JSON.parse(readFileSync(file)).map(([text, unit]) => typedNumber(text, unit))));
+console.log(
+  JSON.stringify(JSON.parse(readFileSync(file)).map(([text, unit]) => typedNumber(text, unit))),
+);

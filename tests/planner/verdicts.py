@@ -49,22 +49,22 @@ def limited(seed: int) -> Tables:
     return data
 
 
-def here(data: Tables, *, quick: bool) -> Any:
+def here(data: Tables) -> Any:
     """What Python says of a plan."""
-    return tried(lambda: _judged(data, quick=quick))
+    return tried(lambda: _judged(data))
 
 
-def _judged(data: Tables, *, quick: bool) -> dict[str, Any]:
+def _judged(data: Tables) -> dict[str, Any]:
     known = checked(json.loads(json.dumps(data)), "plan")
-    return {"verdict": verdict_of(check(known, quick=quick)).model_dump(mode="json")}
+    return {"verdict": verdict_of(check(known)).model_dump(mode="json")}
 
 
-def there(plans: list[Tables], *, quick: bool, rounds: int = 1, cancel: int = 0) -> Any:
+def there(plans: list[Tables], *, rounds: int = 1, cancel: int = 0) -> Any:
     """What the page says of plans, and its memory, bytes, after each of `rounds`.
 
     Each is given up where its progress is told for the time `cancel`, if that is not 0.
     """
-    questions = {"plans": plans, "words": words(), "quick": quick, "version": __version__}
+    questions = {"plans": plans, "words": words(), "version": __version__}
     return asked("check_plans.mjs", {**questions, "rounds": rounds, "cancel": cancel})
 
 

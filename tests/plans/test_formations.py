@@ -47,7 +47,7 @@ def test_at_first_the_whole_dragon_stands_on_the_formation_with_its_tail_at_the_
 def test_village_dragons_of_50_to_120_benches_dance_each_formation_free_of_contact(
     name: str, benches: int
 ) -> None:
-    report = check(danced(name, benches), quick=True)
+    report = check(danced(name, benches))
     assert report.safe
     assert report.clearance.lower > 0.3
 
@@ -68,7 +68,7 @@ def test_a_dragon_longer_than_a_loop_touches_itself_and_a_shorter_one_does_not(
     for benches, safe in ((shorter, True), (longer, False)):
         plan = danced(kind.name, benches, rounds=2, **sizes)
         assert sum(plan.links) < length if safe else sum(plan.links) > length
-        assert check(plan, quick=True).safe == safe
+        assert check(plan).safe == safe
 
 
 @pytest.mark.parametrize(
@@ -171,7 +171,7 @@ def test_widths_and_lengths_of_benches_are_sought_on_formations_and_pitches_are_
     assert widest.status == "found"
     assert 0.2 < widest.value < 0.5
     for width, safe in ((widest.lower, True), (widest.upper + 1e-6, False)):
-        assert check(plan.with_value("dragon.width", width), quick=True).safe == safe
+        assert check(plan.with_value("dragon.width", width)).safe == safe
     longest = limit(plan, "length")
     assert longest.value > 2.0
     with pytest.raises(

@@ -8,19 +8,16 @@ import numpy as np
 import pytest
 
 from benchdragon import Dragon, InputError, Line, Route, SpeedProfile, Walk
-from benchdragon.analysis import check as checking
-from benchdragon.analysis.check import Report, check
 from benchdragon.cli.main import run
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.curves import Arc
-from benchdragon.plans.schema import Plan, read_plan
+from benchdragon.plans.schema import read_plan
 from benchdragon.player import following as door
 from benchdragon.player import messages, scene
 from benchdragon.player.following import Following, followed, following, head_at
 from benchdragon.player.frames import QUANTUM, SHARES
 from benchdragon.player.page import player_page
 from benchdragon.player.scene import Span, plain_dance
-from benchdragon.progress import Progress
 from tests.player.test_frames import EXAMPLES, HASTY, MIXED, decoded, unpacked
 
 ERROR = 1e-3
@@ -149,19 +146,11 @@ def test_dances_beyond_a_border_are_long(monkeypatch: pytest.MonkeyPatch) -> Non
 
 
 @pytest.mark.parametrize("most", [100, 100_000])
-def test_the_check_for_the_page_of_a_long_dance_is_a_quick_one(
+def test_the_page_of_a_long_dance_is_told_how_handles_follow(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, most: int
 ) -> None:
-    asked = []
-
-    def checked(plan: Plan, progress: Progress, *, quick: bool) -> Report:
-        asked.append(quick)
-        return check(plan, progress, quick=quick)
-
     monkeypatch.setattr(scene, "LONG", most)
-    monkeypatch.setattr(checking, "check", checked)
     path = tmp_path / "dance.html"
     settings = ["--set", "dragon.benches=12", "--set", "walk.start=-5", "--set", "walk.end=5"]
     assert run(["view", "turn", *settings, "-o", str(path), "--quiet"]) == 0
-    assert asked == [most == 100]
     assert ('"following":null' in path.read_text("utf-8")) == (most > 100)

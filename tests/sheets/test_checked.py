@@ -61,7 +61,7 @@ def test_papers_are_refused_in_a_sentence_once_the_plan_has_changed(
 def test_another_person_is_another_foundation(tmp_path: Path) -> None:
     plan = read_plan(str(village(tmp_path)))
     path = record_path(str(village(tmp_path)))
-    record_check(path, check(plan, quick=True), ROSTER)
+    record_check(path, check(plan), ROSTER)
     assert read_record(path, plan, ROSTER, "ours").sha256 == foundation(plan, ROSTER)
     others = [
         Roster(),

@@ -88,7 +88,7 @@ def test_places_are_told_by_the_marks_of_the_chalk_plan(briefing: Briefing) -> N
 
 def test_where_the_tail_comes_nowhere_its_column_is_left_out_and_it_is_said_why(tmp_path: Path) -> None:
     settings = "dragon.benches=40", "route.pitch=3", "route.start_turn=6", "walk.end=5"
-    report = check(read_plan("spiral-in", settings), quick=True)
+    report = check(read_plan("spiral-in", settings))
     told = Briefing(report, Roster(), (), "2026-11-23", report.plan.sha256)
     document = timetable_document(told)
     (table,) = [block for block in document.blocks if isinstance(block, Table)]
@@ -110,7 +110,7 @@ def test_it_is_said_which_handle_head_and_tail_count(briefing: Briefing, tmp_pat
 def test_texts_of_cues_are_no_formulas_and_no_links(tmp_path: Path) -> None:
     said = ["=1+1", "http://example.org", "{=SUM(A1)}"]
     cues = [{"kind": "note", "at": 2.0 + n, "text": text} for n, text in enumerate(said)]
-    report = check(plan_with(*cues).without_square(), quick=True)
+    report = check(plan_with(*cues).without_square())
     path = tmp_path / "timetable.xlsx"
     write_timetable_xlsx(path, Briefing(report, Roster(), (), "2026-11-23", report.plan.sha256))
     rows = CalamineWorkbook.from_path(path).get_sheet_by_index(0).to_python()
@@ -122,9 +122,7 @@ def test_texts_of_cues_are_no_formulas_and_no_links(tmp_path: Path) -> None:
 
 
 def test_signs_of_cues_that_no_font_has_are_printed_by_their_code(tmp_path: Path) -> None:
-    report = check(
-        plan_with({"kind": "note", "at": 2.0, "text": "gong \U00010600"}).without_square(), quick=True
-    )
+    report = check(plan_with({"kind": "note", "at": 2.0, "text": "gong \U00010600"}).without_square())
     path = tmp_path / "timetable.pdf"
     write_timetable_pdf(path, Briefing(report, Roster(), (), "2026-11-23", report.plan.sha256))
     text = "".join(page.extract_text() for page in PdfReader(path).pages)

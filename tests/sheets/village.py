@@ -48,7 +48,7 @@ def briefing(plan: Plan, roster: Roster = ROSTER) -> Briefing:
     record = Record(
         sha256=foundation(plan, roster), date=date(2026, 2, 17), version="0.1.0", verdict={}
     )
-    return briefing_of(check(plan, quick=True), roster, record)
+    return briefing_of(check(plan), roster, record)
 
 
 def small(folder: Path, *settings: str) -> Briefing:

@@ -2,7 +2,6 @@
 
 import math
 import time as clock
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -11,9 +10,7 @@ import numpy as np
 from benchdragon import budget
 from benchdragon.analysis.clock import Clock
 from benchdragon.analysis.contact import (
-    TOLERANCES,
     ClearanceCurve,
-    clearance_above,
     clearance_curve,
     first_sure_contact,
     least_clearance,
@@ -28,7 +25,6 @@ from benchdragon.analysis.room import ASKED, RoomLevel, levels_asked, room_level
 from benchdragon.analysis.speed import (
     QUANTITIES,
     RATE_TOLERANCE,
-    TOLERANCE,
     given_limits,
     greatest,
     greatest_speed,
@@ -36,7 +32,7 @@ from benchdragon.analysis.speed import (
 from benchdragon.analysis.speed_proof import SpeedClaim
 from benchdragon.analysis.stops import Stop, stops_of
 from benchdragon.analysis.unfinished import Unfinished, unfinished
-from benchdragon.errors import InputError, UnsureError, WalkError, of_kind
+from benchdragon.errors import InputError, of_kind
 from benchdragon.i18n import N_, _
 from benchdragon.model.answer import ROUNDING, Answer
 from benchdragon.model.walk import Motion, Walk
@@ -52,8 +48,6 @@ LAST_SHARE, LAST_SAMPLES = 0.04, 300
 AFTER = 3.0
 # Benches so far apart in the line have one between them: they belong to one coil.
 AFTER_NEXT = 2
-# How wide a quick check's brackets may be: of clearances, m, and of speeds, relative.
-QUICK_CLEARANCE, QUICK_SPEED = 1e-3, 1e-4
 
 
 @dataclass(frozen=True)
@@ -118,16 +112,11 @@ class Report:
 
 
 @budget.question()
-def check(
-    plan: Plan, progress: Progress = silent, *, prove: bool = False, quick: bool = False
-) -> Report:
+def check(plan: Plan, progress: Progress = silent, *, prove: bool = False) -> Report:
     """Check the whole walk of a plan against its margin and its limits.
 
     With `prove` it is proved when the first contact comes, or that none does (see `prove_contact`);
-    where two benches come within rounding of the margin first, nothing is. `quick` is for sliders:
-    brackets of the clearance and of the greatest speed may be QUICK_CLEARANCE and QUICK_SPEED wide,
-    and no contact is looked for where that clearance shows that there is none. They are established
-    as ever, and what has its limit inside of a wide bracket is asked again to the last digit.
+    where two benches come within rounding of the margin first, nothing is.
     `progress` is told how far it is: see `benchdragon.progress`.
 
     Raises:
@@ -142,13 +131,12 @@ def check(
     walk = plan.build()
     start, end = plan.span(walk)
     claims: list[Claim] | None = [] if prove else None
-    contact, clearance = _nearness(plan, walk, (start, end), stage, claims, quick)
+    contact, clearance = _nearness(plan, walk, (start, end), stage, claims)
     span = start, end if contact is None or contact.witness is None else contact.upper
     left: list[Finding] = []
-    speed = _greatest_speed(plan, walk, span, QUICK_SPEED if quick else TOLERANCE, stage)
+    speed = _greatest_speed(plan, walk, span, stage(_("greatest speed")))
     peaks = _limited_peaks(plan, walk, span, left, stage(_("other limits")))
-    widths = (QUICK_CLEARANCE,) if quick else TOLERANCES
-    obstacles = _obstacles(plan, walk, span, widths, claims, left, stage(_("obstacles")))
+    obstacles = _obstacles(plan, walk, span, claims, left, stage(_("obstacles")))
     asked, room = levels_asked(plan.people), list[RoomLevel]()
     if asked:
         told = stage(_("room for people"))
@@ -180,30 +168,18 @@ def _nearness(
     span: tuple[float, float],
     stage: Stages,
     claims: list[Claim] | None,
-    quick: bool,
 ) -> tuple[Answer | None, Answer]:
     """The first contact, and the least clearance until then."""
-    clearance = _clear_throughout(plan, walk, span) if quick else None
-    if clearance is not None:
-        return None, clearance
     margin, told = plan.limits.margin, stage(_("searching for contact"))
     search = None if claims is None else partial(prove_contact, claims=claims, plan=plan)
     contact = first_sure_contact(walk, *span, margin=margin, search=search, progress=told)
     if (touching := _no_clearance(contact)) is not None:
         return contact, touching
     until = span[1] if contact is None or contact.witness is None else contact.upper
-    widths, told = (QUICK_CLEARANCE,) if quick else TOLERANCES, stage(_("clearance"))
+    told = stage(_("clearance"))
     with told_if_open([]):
-        return contact, least_clearance(walk, span[0], until, tolerances=widths, progress=told)
+        return contact, least_clearance(walk, span[0], until, progress=told)
     return contact, seen_clearance(walk, span[0], until, margin if contact is None else 0.0)
-
-
-def _clear_throughout(plan: Plan, walk: Walk, span: tuple[float, float]) -> Answer | None:
-    """The least clearance of a walk that it shows to be free of contact; None if it may have one."""
-    try:
-        return clearance_above(walk, *span, plan.limits.margin, tolerances=(QUICK_CLEARANCE,))
-    except (WalkError, UnsureError):
-        return None
 
 
 def _no_clearance(contact: Answer | None) -> Answer | None:
@@ -219,7 +195,6 @@ def _obstacles(
     plan: Plan,
     walk: Walk,
     span: tuple[float, float],
-    tolerances: Sequence[float],
     claims: list[Claim] | None,
     left: list[Finding],
     progress: Progress,
@@ -229,20 +204,17 @@ def _obstacles(
     for n, obstacle in enumerate(known):
         progress(n / len(known), named(obstacle))
         with told_if_open(left, obstacle):
-            answers = obstacle_answers(walk, obstacle, *span, tolerances=tolerances)
+            answers = obstacle_answers(walk, obstacle, *span)
             if claims is not None:
                 answers = prove_obstacle(walk, answers, *span, claims=claims, plan=plan)
             found.append(answers)
     return tuple(found)
 
 
-def _greatest_speed(
-    plan: Plan, walk: Walk, span: tuple[float, float], tolerance: float, stage: Stages
-) -> Answer:
+def _greatest_speed(plan: Plan, walk: Walk, span: tuple[float, float], progress: Progress) -> Answer:
     """The greatest speed over a span of the walk, s, asked again where its bracket holds a limit."""
     with told_if_open([]):
-        told = stage(_("greatest speed"))
-        speed = greatest_speed(walk, *span, tolerance=tolerance, progress=told)
+        speed = greatest_speed(walk, *span, progress=progress)
         for limit in (plan.limits.speed, plan.people.most_speed):
             if limit is not None and speed.keeps(limit) is None:
                 speed = greatest(walk, QUANTITIES["speed"], *span, limit=limit * (1.0 + ROUNDING))

@@ -262,32 +262,6 @@ def seen_clearance(walk: Walk, start: float, end: float, floor: float) -> Answer
     return _clearance_answer(search, replace(best, floor=min(floor, best.distance)))
 
 
-@budget.question()
-def clearance_above(
-    walk: Walk,
-    start: float,
-    end: float,
-    margin: float,
-    *,
-    tolerances: Sequence[float] = TOLERANCES,
-) -> Answer | None:
-    """The least clearance, m, if it surely exceeds the margin, m; None, soon, if it may not.
-
-    Raises:
-        InputError: for a negative margin or an end before the start.
-        WalkError: if the dragon cannot stand at some time, and no low distance was met before.
-        UnsureError: if that could not be decided.
-    """
-    search = contact_search(walk, start, end, margin, silent)
-    if len(walk.dragon) < 3:
-        return NONE
-    best = _guess(search)
-    if best.distance <= margin:
-        return None
-    found = _least(search, best, math.inf, tolerances)
-    return found if found.lower > margin else None
-
-
 def _least(search: ContactSearch, best: Best, within: float, tolerances: Sequence[float]) -> Answer:
     """The least clearance, some distance being known: see `least_clearance`."""
     if search.start == search.end:

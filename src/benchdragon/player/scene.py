@@ -83,7 +83,7 @@ class Span:
 
 
 def is_long(walk: Walk, span: Span) -> bool:
-    """Whether a dance is long: a quick check will do for its page, which shows millimetres."""
+    """Whether a dance is long: its page is told how handles follow."""
     return len(walk.dragon) * (span.end - span.start) > LONG
 
 

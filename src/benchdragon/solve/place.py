@@ -53,7 +53,7 @@ class PlacedDance:
         room: how much more than its margin benches and their people keep from each obstacle and the
             venue's edge, m; "infeasible" where no place was found at which they do, negative or 0 then.
         obstacles: the exact answers about each and the benches alone, for the whole walk.
-        report: what a quick check says of the plan there; None where no place was found.
+        report: what a check says of the plan there; None where no place was found.
     """
 
     plan: Plan
@@ -122,7 +122,7 @@ class Enough:
         benches: so many of the plan's have a place on its own square, which `best_place` found, and
             pass the check there; None where no number of them was found to, or where the plan says each
             its own size.
-        alone: what a quick check says of the dance without its square.
+        alone: what a check says of the dance without its square.
     """
 
     rectangle: tuple[float, float] | None
@@ -143,7 +143,7 @@ def enough_room(plan: Plan, *, progress: Progress = silent) -> Enough:
         InputError, WalkError, UnsureError: as `best_place` and `swept_area`.
     """
     of_kind("plan", plan, Plan)
-    alone = check(plan.without_square(), quick=True)
+    alone = check(plan.without_square())
     rectangle = _rectangle(plan) if alone.safe else None
     return Enough(rectangle, _benches_placed(plan, progress), alone)
 
@@ -272,7 +272,7 @@ class Square:
             evaluations=self.evaluations, seconds=seconds,
         )  # fmt: skip
         alone = self._answers(plan.build(), plan.obstacles(), TOLERANCES)
-        report = None if room.status == "infeasible" else check(plan, quick=True)
+        report = None if room.status == "infeasible" else check(plan)
         return PlacedDance(plan, at, turned, room, alone, report)
 
 

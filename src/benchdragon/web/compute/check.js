@@ -4,15 +4,8 @@
 import { _ } from "../words.js";
 import { keeps, mostOf, now } from "./answer.js";
 import { question } from "./budget.js";
-import { ANALYSIS_CHECK, ANALYSIS_SPEED } from "./constants.js";
-import {
-  TOLERANCES,
-  clearanceAbove,
-  firstSureContact,
-  leastClearance,
-  seenClearance,
-} from "./contact.js";
-import { UnsureError, WalkError } from "./errors.js";
+import { ANALYSIS_SPEED } from "./constants.js";
+import { TOLERANCES, firstSureContact, leastClearance, seenClearance } from "./contact.js";
 import { allFindings, named } from "./findings.js";
 import { speedAtStart, toldIfOpen } from "./left_open.js";
 import { notLookedAt } from "./not_looked_at.js";
@@ -66,26 +59,20 @@ import { unfinished } from "./unfinished.js";
  * @property {import("./not_looked_at.js").NotLookedAt[]} notLookedAt what the plan does not say, so that nobody looked at it
  */
 
-const { QUICK_CLEARANCE, QUICK_SPEED } = ANALYSIS_CHECK;
-
 /**
  * Check the whole walk of a plan against its margin and its limits.
- *
- * `quick` is for sliders: brackets of the clearance and of the greatest speed may be QUICK_CLEARANCE and
- * QUICK_SPEED wide, and no contact is looked for where that clearance shows that there is none. They are
- * established as ever, and what has its limit inside of a wide bracket is asked again to the last digit.
  * @param {CheckedPlan} plan
  * @param {Walk} walk that of the plan
  * @param {[number, number]} span start and end of the walk, s
- * @param {{ quick?: boolean, progress?: Progress }} [options]
+ * @param {{ progress?: Progress }} [options]
  * @returns {Promise<Report>}
  */
 export function check(plan, walk, span, options = {}) {
   return question(() => checked(plan, walk, span, options));
 }
 
-/** @param {CheckedPlan} plan @param {Walk} walk @param {[number, number]} span @param {{ quick?: boolean, progress?: Progress }} options @returns {Promise<Report>} */
-async function checked(plan, walk, [start, end], { quick = false, progress = silent }) {
+/** @param {CheckedPlan} plan @param {Walk} walk @param {[number, number]} span @param {{ progress?: Progress }} options @returns {Promise<Report>} */
+async function checked(plan, walk, [start, end], { progress = silent }) {
   const began = now();
   const asked = levelsAsked(plan.tables.people);
   let reached = 0;
@@ -94,17 +81,14 @@ async function checked(plan, walk, [start, end], { quick = false, progress = sil
   // Told by what does not know how far it is, so that it can be given up.
   const alive = () => progress(reached, "");
   const stage = stages(heard, asked.length ? 6 : 5);
-  const { contact, clearance } = await nearnessOf(plan, walk, [start, end], stage, alive, quick);
+  const { contact, clearance } = await nearnessOf(plan, walk, [start, end], stage);
   /** @type {[number, number]} */
   const span = [start, contact === null || contact.witness === null ? end : contact.upper];
   /** @type {Finding[]} */
   const left = [];
-  const width = quick ? QUICK_SPEED : ANALYSIS_SPEED.TOLERANCE;
-  const told = { tolerance: width, progress: stage(_("greatest speed")) };
-  const speed = await greatestSpeed(plan, walk, span, told, alive);
+  const speed = await greatestSpeed(plan, walk, span, stage(_("greatest speed")), alive);
   const peaks = await limitedPeaks(plan, walk, span, left, stage(_("other limits")), alive);
-  const widths = quick ? [QUICK_CLEARANCE] : TOLERANCES;
-  const stands = { tolerances: widths, progress: alive };
+  const stands = { tolerances: TOLERANCES, progress: alive };
   const obstacles = await obstaclesOf(plan, walk, span, stands, left, stage(_("obstacles")));
   const bare = { contact, obstacles };
   /** @type {RoomLevel[]} */
@@ -131,13 +115,9 @@ async function checked(plan, walk, [start, end], { quick = false, progress = sil
  * @param {Walk} walk
  * @param {[number, number]} span
  * @param {ReturnType<typeof stages>} stage
- * @param {Progress} alive
- * @param {boolean} quick
  * @returns {Promise<{ contact: Answer | null, clearance: Answer }>}
  */
-async function nearnessOf(plan, walk, [start, end], stage, alive, quick) {
-  const clear = quick ? await clearThroughout(plan, walk, [start, end], alive) : null;
-  if (clear !== null) return { contact: null, clearance: clear };
+async function nearnessOf(plan, walk, [start, end], stage) {
   const { margin } = plan.tables.limits;
   const progress = stage(_("searching for contact"));
   const contact = await firstSureContact(walk, start, end, { margin, progress });
@@ -145,24 +125,10 @@ async function nearnessOf(plan, walk, [start, end], stage, alive, quick) {
   if (contact !== null && contact.status !== "undecided" && near !== null && !(near.gap > 0))
     return { contact, clearance: { ...contact, value: 0, lower: 0, upper: 0, unit: "m" } };
   const until = contact === null || near === null ? end : contact.upper;
-  const tolerances = quick ? [QUICK_CLEARANCE] : TOLERANCES;
-  const told = { tolerances, progress: stage(_("clearance")) };
+  const told = { progress: stage(_("clearance")) };
   const known = await toldIfOpen([], () => leastClearance(walk, start, until, told));
   const floor = contact === null ? margin : 0;
   return { contact, clearance: known ?? (await seenClearance(walk, start, until, floor)) };
-}
-
-/** The least clearance of a walk that it shows to be free of contact; null if it may have one. @param {CheckedPlan} plan @param {Walk} walk @param {[number, number]} span @param {Progress} progress */
-async function clearThroughout(plan, walk, span, progress) {
-  try {
-    return await clearanceAbove(walk, ...span, plan.tables.limits.margin, {
-      tolerances: [QUICK_CLEARANCE],
-      progress,
-    });
-  } catch (error) {
-    if (error instanceof WalkError || error instanceof UnsureError) return null;
-    throw error;
-  }
 }
 
 /**
@@ -186,15 +152,18 @@ async function obstaclesOf(plan, walk, span, options, left, progress) {
   return found;
 }
 
-/** The greatest speed over a span of the walk, s, asked again where its bracket holds a limit. @param {CheckedPlan} plan @param {Walk} walk @param {[number, number]} span @param {{ tolerance: number, progress: Progress }} options @param {Progress} progress */
-async function greatestSpeed({ tables: { limits, people } }, walk, span, options, progress) {
+/** The greatest speed over a span of the walk, s, asked again where its bracket holds a limit. @param {CheckedPlan} plan @param {Walk} walk @param {[number, number]} span @param {Progress} told @param {Progress} alive */
+async function greatestSpeed({ tables: { limits, people } }, walk, span, told, alive) {
   const asked = async () => {
-    let speed = await greatest(walk, QUANTITIES.speed, ...span, options);
+    let speed = await greatest(walk, QUANTITIES.speed, ...span, {
+      tolerance: ANALYSIS_SPEED.TOLERANCE,
+      progress: told,
+    });
     for (const limit of [limits.speed, people.most_speed])
       if (limit !== null && keeps(speed, limit) === null)
         speed = await greatest(walk, QUANTITIES.speed, ...span, {
           limit: mostOf(limit),
-          progress,
+          progress: alive,
         });
     return speed;
   };

@@ -549,8 +549,6 @@ export const ANALYSIS_CHECK = {
   LAST_SAMPLES: 300,
   AFTER: 3,
   AFTER_NEXT: 2,
-  QUICK_CLEARANCE: 0.001,
-  QUICK_SPEED: 0.0001,
 };
 
 export const ANALYSIS_CLOCK = {

@@ -175,30 +175,6 @@ export function seenClearance(walk, start, end, floor) {
 }
 
 /**
- * The least clearance, m, if it surely exceeds the margin, m; null, soon, if it may not.
- * @param {Walk} walk
- * @param {number} start @param {number} end
- * @param {number} margin
- * @param {{ tolerances?: number[], progress?: Progress }} [options]
- * @returns {Promise<Answer | null>}
- */
-export function clearanceAbove(
-  walk,
-  start,
-  end,
-  margin,
-  { tolerances = TOLERANCES, progress = silent } = {},
-) {
-  return withContactSearch(walk, start, end, margin, progress, async (search) => {
-    if (walk.dragon.benches < 3) return NONE;
-    const best = guess(search);
-    if (best.distance <= margin) return null;
-    const found = await least(search, best, Infinity, tolerances);
-    return found.lower > margin ? found : null;
-  });
-}
-
-/**
  * The least clearance, some distance being known: see `leastClearance`.
  * @param {ContactSearch} search
  * @param {Best} best
