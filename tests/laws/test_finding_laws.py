@@ -177,13 +177,23 @@ def near_fault(report: Report, found: Finding) -> str:
     return "" if found.words["t"] == seconds(found.time or 0.0) else f"{found.words}"
 
 
+def route_fault(report: Report, found: Finding) -> str:
+    """What is wrong with a finding about a route that is too short; "" if nothing is."""
+    handles = report.walk.motion([report.start], throw=False)
+    dragon = float(np.hypot(np.diff(handles.x[0]), np.diff(handles.y[0])).sum())
+    route = sum(curve.length for curve in report.walk.route.curves)
+    if abs(dragon - found.limit) > 1e-6 or not 0.0 <= route - found.value <= 1.0 + 1e-6:
+        return f"{found.value} of {found.limit} told, {route} of {dragon} there"
+    return "" if route < dragon and found.time == report.start else f"{found.words}"
+
+
 def fault(report: Report, found: Finding) -> str:
     """What is wrong with a finding; "" if nothing is."""
     if found.kind in ROOM:
         return room_fault(report, found)
     if "margin" in found.kind or found.kind in ("contact", "venue", "obstacle"):
         return near_fault(report, found)
-    return rate_fault(report, found)
+    return route_fault(report, found) if found.kind == "route" else rate_fault(report, found)
 
 
 def test_the_number_of_each_finding_is_that_of_its_pair_at_its_time() -> None:
