@@ -11,7 +11,6 @@ from benchdragon.cli.options import announce_compiling, json_option, plan_option
 from benchdragon.i18n import N_, _
 from benchdragon.number_format import finite_or_none
 from benchdragon.plans.toml import PlanError
-from benchdragon.surveys.coordinates import system_of
 
 if TYPE_CHECKING:
     from benchdragon.model.curves import Route
@@ -91,6 +90,8 @@ def record_of(plan: "Plan", fit: "Fit") -> dict[str, Any]:
 
 def lines_of(plan: "Plan", fit: "Fit") -> list[str]:
     """The same for readers."""
+    from benchdragon.surveys.coordinates import system_of
+
     told = fit.absorbed
     route, start, s = _placed(plan, fit)
     lines = [
