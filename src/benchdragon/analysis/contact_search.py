@@ -119,6 +119,7 @@ class ContactSearch:
     progress: Progress
     since: float = -math.inf  # the time at which it begins, s
     spans: Sequence[Span] = ()
+    until: float = math.inf  # the time at which it ends, s
     origin: Point = field(init=False)
     slack: float = field(default_factory=lambda: SLACK)
     off: float = 0.0
@@ -269,7 +270,7 @@ class ContactSearch:
 
     def answer_at(self, lower: float, upper: float, status: Status, i: int, j: int) -> Answer:
         """A time between those at which the head is at lower and at upper, benches i and j meeting."""
-        value, early, late = self.times.bracketed(lower, upper)
+        value, early, late, status = self.times.told(lower, upper, status)
         seconds = clock.perf_counter() - self.began
         witness = self.witness(upper, i, j)
         return Answer(
@@ -283,7 +284,7 @@ class ContactSearch:
     @property
     def times(self) -> HeadTimes:
         """When the head comes to positions of the search."""
-        return HeadTimes(self.walk, self.start, self.since)
+        return HeadTimes(self.walk, self.start, self.since, self.until)
 
 
 def contact_search(
@@ -305,4 +306,4 @@ def contact_search(
     walk.motion([start])  # raises where the dragon cannot stand at the start
     a, b = walk.head_position([start, end]).tolist()
     spans = [(a, b)] if whole else Rounds(walk, repeats(walk.route.rows)).new(a, b)[0]
-    return ContactSearch(walk, a, b, margin, progress, start, spans)
+    return ContactSearch(walk, a, b, margin, progress, start, spans, end)

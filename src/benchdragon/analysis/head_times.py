@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from benchdragon.kernels.drift import head_drift
+from benchdragon.model.answer import Status
 from benchdragon.model.walk import Walk
 
 
@@ -16,15 +17,24 @@ class HeadTimes:
         walk: what is searched.
         start: the head position at which the search begins, m.
         since: the time at which it does, s.
+        until: the time at which it ends, s.
     """
 
     walk: Walk
     start: float
     since: float = -math.inf
+    until: float = math.inf
 
     def at(self, s: float) -> float:
         """The first time of the search, s, at which the head stands at s."""
         return self.since if s <= self.start else max(self.walk.time_at(s), self.since)
+
+    def told(self, lower: float, upper: float, status: Status) -> tuple[float, float, float, Status]:
+        """`bracketed`, within the search: what may come but after its end is undecided."""
+        value, early, late = self.bracketed(lower, upper)
+        if late <= self.until:
+            return value, early, late, status
+        return min(value, self.until), min(early, self.until), self.until, "undecided"
 
     def bracketed(self, lower: float, upper: float) -> tuple[float, float, float]:
         """About when the head is between two positions, m, and a time before and one after that, s.

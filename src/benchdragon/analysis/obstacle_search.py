@@ -116,7 +116,7 @@ class ObstacleSearch:
         self._standing = kernel.scratch_for(self.obstacle.boxes)
         count = len(self.obstacle.boxes) + 1
         self._search = steps.room(2, count, count)
-        self._times = HeadTimes(self.walk, float(self.heads[0]), self.start)
+        self._times = HeadTimes(self.walk, float(self.heads[0]), self.start, self.end)
 
     @property
     def reach(self) -> float:
@@ -269,7 +269,7 @@ class ObstacleSearch:
 
     def answer(self, lower: float, upper: float, status: Status, bench: int) -> Answer:
         """A time between those at which the head is at lower and at upper; how a bench then stands."""
-        value, early, late = self._times.bracketed(lower, upper)
+        value, early, late, status = self._times.told(lower, upper, status)
         if status == "found" and late - early > NARROW:
             value = late  # a graze came before: then it surely touches
         seconds = clock.perf_counter() - self.began

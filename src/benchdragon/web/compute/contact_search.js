@@ -102,8 +102,19 @@ export class ContactSearch {
    * @param {Progress} progress
    * @param {number} [since] the time at which it begins, s
    * @param {Span[]} [spans] of the head's way, m, that are searched: the whole, or what repeats nothing
+   * @param {number} [until] the time at which it ends, s
    */
-  constructor(arena, walk, start, end, margin, progress, since = -Infinity, spans = [[start, end]]) {
+  constructor(
+    arena,
+    walk,
+    start,
+    end,
+    margin,
+    progress,
+    since = -Infinity,
+    spans = [[start, end]],
+    until = Infinity,
+  ) {
     this.arena = arena;
     this.start = start;
     this.end = end;
@@ -118,7 +129,7 @@ export class ContactSearch {
     /** As given, but with coordinates counted from `origin`. */
     this.walk = seenFrom(arena, walk, this.origin);
     /** When the head comes to positions of the search. */
-    this.times = new HeadTimes(this.walk, start, since);
+    this.times = new HeadTimes(this.walk, start, since, until);
     /** What computed distances may be off by that mattered so far, m. */
     this.off = SLACK;
     this.spans = spans;
@@ -284,9 +295,9 @@ export class ContactSearch {
    * @param {number} i @param {number} j
    */
   answerAt(lower, upper, status, i, j) {
-    const [value, early, late] = this.times.bracketed(lower, upper);
+    const [value, early, late, known] = this.times.told(lower, upper, status);
     const witness = this.witness(upper, i, j);
-    return answered(value, early, late, "s", { status, witness, ...this.told() });
+    return answered(value, early, late, "s", { status: known, witness, ...this.told() });
   }
 
   /** What answers rest on, and what they took. */
@@ -326,7 +337,7 @@ export async function withContactSearch(
   try {
     /** @type {Span[]} */
     const spans = whole ? [[a, b]] : new Rounds(walk, repeats(walk.route.rows)).new(a, b).spans;
-    search = new ContactSearch(arena, walk, a, b, margin, progress, start, spans);
+    search = new ContactSearch(arena, walk, a, b, margin, progress, start, spans, end);
     return await use(search);
   } finally {
     search?.close();

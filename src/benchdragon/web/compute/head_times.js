@@ -3,6 +3,7 @@
 
 import { Exact, ulp } from "./exact.js";
 
+/** @typedef {import("./answer.js").Status} Status */
 /** @typedef {import("./walk.js").Walk} Walk */
 /** @typedef {import("./walk.js").Profile} Profile */
 
@@ -35,16 +36,30 @@ export class HeadTimes {
    * @param {Walk} walk what is searched
    * @param {number} start the head position at which the search begins, m
    * @param {number} since the time at which it does, s
+   * @param {number} until the time at which it ends, s
    */
-  constructor(walk, start, since = -Infinity) {
+  constructor(walk, start, since = -Infinity, until = Infinity) {
     this.walk = walk;
     this.start = start;
     this.since = since;
+    this.until = until;
   }
 
   /** The first time of the search, s, at which the head stands at s. @param {number} s */
   at(s) {
     return s <= this.start ? this.since : Math.max(this.walk.timeAt(s), this.since);
+  }
+
+  /**
+   * `bracketed`, within the search: what may come but after its end is undecided.
+   * @param {number} lower @param {number} upper @param {Status} status
+   * @returns {[number, number, number, Status]}
+   */
+  told(lower, upper, status) {
+    const [value, early, late] = this.bracketed(lower, upper);
+    const { until } = this;
+    if (late <= until) return [value, early, late, status];
+    return [Math.min(value, until), Math.min(early, until), until, "undecided"];
   }
 
   /**

@@ -105,7 +105,7 @@ export class ObstacleSearch {
     this.standing = standingScratch(arena, this.boxes);
     const count = this.boxes.shape[0] + 1;
     this.search = searchRoom(arena, 2, count, count);
-    this.times = new HeadTimes(this.walk, this.heads[0], start);
+    this.times = new HeadTimes(this.walk, this.heads[0], start, end);
     /** Distance from the obstacle's boxes at which a bench is as near as it may be, m. */
     this.reach = obstacle.margin + obstacle.radius;
     this.stretches = this.#stretches();
@@ -320,9 +320,9 @@ export class ObstacleSearch {
    * @param {number} bench
    */
   answer(lower, upper, status, bench) {
-    const [value, early, late] = this.times.bracketed(lower, upper);
-    const grazed = status === "found" && late - early > NARROW; // then it surely touches at the end
-    const more = { status, witness: this.witness(upper, bench), ...this.told() };
+    const [value, early, late, known] = this.times.told(lower, upper, status);
+    const grazed = known === "found" && late - early > NARROW; // then it surely touches at the end
+    const more = { status: known, witness: this.witness(upper, bench), ...this.told() };
     return answered(grazed ? late : value, early, late, "s", more);
   }
 
