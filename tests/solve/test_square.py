@@ -177,7 +177,7 @@ def test_a_dance_that_fits_nowhere_is_told_so(capsys: pytest.CaptureFixture[str]
     assert run([*words, "--set", "limits.venue_margin=0.1"]) == 4
     out = capsys.readouterr().out
     assert "no place was found where the dance fits on this square" in out
-    assert "least distance from the edge of the venue: 0.0 m" in out
+    assert "least distance from the edge of the venue: 0 m (found)" in out
     assert "it has a place with" not in out, "the head alone is too far out"
     assert "missing where it is tightest: 0.1 m or more" in out
 
