@@ -9,6 +9,7 @@ from playwright.sync_api import Browser, Page, ViewportSize, expect
 
 from benchdragon.analysis.check import check
 from benchdragon.analysis.records import verdict_of
+from benchdragon.number_format import figures
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.player.messages import Dance
 from benchdragon.player.scene import judged_dance
@@ -302,7 +303,7 @@ def test_long_questions_are_answered_with_the_plan_that_they_are_about(opened: O
     page.get_by_role("button", name="greatest head speed").click()
     job = page.locator(".jobs li")
     wanted = greatest_head_speed(asked)
-    expect(job).to_contain_text(f"{wanted.value:.6f}"[:7])
+    expect(job).to_contain_text(f"{figures(wanted.value, up=False)} m/s")
     expect(job).to_have_attribute("data-plan", "this")
     change(page, "number of benches", "19")
     change(page, "number of benches", "20")  # another object, of the same hash
