@@ -151,7 +151,7 @@ def test_the_evidence_of_a_dance_on_a_square(opened: Opened) -> None:
           benchdragon.change(plan, true);
         }"""
     )
-    settle(page, "bench 1 touches well at 0.0 s")
+    settle(page, "bench 1 touches well at 0 s")
     expect(page.locator(".limit")).to_have_text(re.compile("no solution"))
     verdict(page).click()
     rows = page.get_by_role("row")
