@@ -254,7 +254,8 @@ def test_benches_that_touch_are_hatched(
         page.evaluate(f"benchdragon.jump({time})")
         for bench in (*first.benches, 5) if touches else first.benches[:1]:
             look_at(page, bench, 150.0)
-            places = [on_screen(page, bench, 0.013 * n, -0.1) for n in range(-20, 21)]
+            # Closer than stripes are wide, wherever these lie among the dots of the screen.
+            places = [on_screen(page, bench, 0.0035 * n, -0.1) for n in range(-80, 81)]
             found = np.array(pixels(page, places))
             red = (np.abs(found - [230, 0, 76]).max(axis=1) < 40).sum()
             black = (found.max(axis=1) < 60).sum()

@@ -93,7 +93,7 @@ def test_the_planner_prints_its_dance_to_scale(opened: Opened) -> None:
     page = opened("phone", "#lang=zh")
     sheet = Sheet(page)
     assert sheet.disc() == pytest.approx((RADIUS, RADIUS), rel=0.01)
-    assert "安全：最紧处9.94cm" in sheet.text
+    assert "安全：最紧处0.099m" in sheet.text
     assert page.evaluate("benchdragon.plan.meta.title_zh") in sheet.text
     for control in ("撤销", "分享", "显示", "板凳节数"):
         assert control not in sheet.text

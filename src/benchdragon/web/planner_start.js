@@ -12,6 +12,9 @@ import { _, speak, useWords } from "./words.js";
 /** @typedef {import("./plan_form.js").Plan} Plan */
 /** @typedef {import("./standing.js").Answers} Answers */
 
+// What a tap takes from leaving a box to its click, at most, ms: nothing may come under the finger before.
+const TAP = 350;
+
 /** Bytes that were deflated, in base64. @param {string} packed @returns {Promise<ArrayBuffer>} */
 function inflated(packed) {
   const squeezed = Uint8Array.from(atob(packed), (sign) => sign.charCodeAt(0));
@@ -36,6 +39,16 @@ async function opened(answers, presets, plan) {
   Object.assign(globalThis, { benchdragon: planner }); // for the browser's console
 }
 
+/** Mark the page while somebody types into it, and until a tap that ends that has met what it was meant for. @param {HTMLElement} root */
+function markTyping(root) {
+  const typing = () =>
+    document.activeElement?.matches('.panel :is(input[type="text"], textarea)') ?? false;
+  root.addEventListener("focusin", () => typing() && root.classList.add("typing"));
+  root.addEventListener("focusout", () =>
+    setTimeout(() => root.classList.toggle("typing", typing()), TAP),
+  );
+}
+
 /** Begin the page. */
 export async function start() {
   const words = held("words");
@@ -56,6 +69,7 @@ export async function start() {
       version: held("version"),
     });
     await answers.start();
+    markTyping(root);
     await opened(answers, held("presets"), held("plan"));
   } catch (error) {
     if (!(error instanceof Error)) throw error;
