@@ -43,7 +43,7 @@ def test_of_obstacles_that_are_clear_the_nearest_moment_is_told() -> None:
     distance = report.obstacles[1].distance
     assert distance.witness is not None
     assert (told.kind, told.obstacle, told.time) == ("obstacle", 1, distance.witness.time)
-    assert told.text.en == f"nearest to well: {100.0 * distance.value:.4g} cm"
+    assert told.text.en == f"nearest to well: {distance.shown(up=False)} m"
 
 
 def test_coming_near_and_touching_are_told() -> None:
