@@ -23,7 +23,7 @@ NAMES = re.compile(
     r"|\b[A-Za-z_*]+(?:\.[A-Za-z_{]+\}?)+(?: = \"[\w-]+\")?"
     r"|\bKEY=|--[\w-]+|\[+[\w.]+\]+|\barc(?:-arc|-line)+\b"
     r"|\b(?:coil-in|coil-out|figure-eight|three-plum-blossoms|double-door|straight-dragon|tail-swing)\b"
-    r"|built-in plan: spiral-in, turn|\bspiral-in\b|\bbenchdragon [a-z]+ [a-z]+"
+    r"|\bspiral-in\b|\bbenchdragon [a-z]+ [a-z]+"
 )
 # Where an English word of the glossary is used in another sense, and why.
 OTHER_SENSES = {

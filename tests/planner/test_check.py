@@ -6,7 +6,6 @@ from pathlib import Path
 import pytest
 
 from benchdragon.plans.presets import presets
-from benchdragon.plans.toml import BUILT_IN_FOLDER
 from tests.analysis.rounds import circle, random_rounds, stadium
 from tests.engine.recording import node
 from tests.planner.random_plans import Tables
@@ -68,7 +67,7 @@ def wrong(plans: dict[str, Tables]) -> dict[str, str]:
 
 def known() -> dict[str, Tables]:
     """The presets and the examples, but what a page cannot build."""
-    files = [*BUILT_IN_FOLDER.glob("*.toml"), *(ROOT / "examples").glob("*.toml")]
+    files = (ROOT / "examples").glob("*.toml")
     read = {path.name: tomllib.loads(path.read_text("utf-8")) for path in files}
     plans = {one.name: one.plan.data() for one in presets()}
     return plans | {name: data for name, data in read.items() if "drawn" not in name}

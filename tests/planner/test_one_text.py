@@ -17,7 +17,7 @@ from benchdragon.errors import BenchDragonError
 from benchdragon.i18n import spoken_in
 from benchdragon.plans.presets import presets
 from benchdragon.plans.schema import checked
-from benchdragon.plans.toml import BUILT_IN_FOLDER
+from benchdragon.plans.toml import CONTEST
 from benchdragon.player.scene import Span, checked_dance
 from tests.engine.recording import node
 from tests.planner.random_plans import Tables
@@ -44,11 +44,12 @@ TIMES = (rf"t = {NUMBER} s", rf"(?:,|touch|bench) at {NUMBER} s", rf"first conta
 
 
 def plans() -> dict[str, Tables]:
-    """Built-in plans, examples and random ones."""
-    files = [*BUILT_IN_FOLDER.glob("*.toml"), *(ROOT / "examples").glob("*.toml")]
+    """The contest's plans and short ones of villages, examples and random ones."""
+    files = (ROOT / "examples").glob("*.toml")
     read = {path.name: tomllib.loads(path.read_text("utf-8")) for path in files}
     found = {name: data for name, data in read.items() if "drawn" not in name}
-    short = {one.name: one.plan.data() for one in presets() if one.plan.dragon.benches < 150}
+    plans = [(one.name, one.plan) for one in presets()]
+    short = {name: plan.data() for name, plan in plans if name in CONTEST or plan.dragon.benches < 150}
     return found | short | {f"{seed}": limited(seed) for seed in range(400, 428)}
 
 

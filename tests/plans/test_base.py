@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from benchdragon.plans.schema import Plan, checked, read_plan
-from benchdragon.plans.toml import MOST_BASES, PlanError
+from benchdragon.plans.toml import MOST_BASES, PlanError, built_in_names
 
 
 def written(folder: Path, name: str, text: str) -> str:
@@ -59,7 +59,7 @@ def test_another_kind_of_route_replaces_that_of_the_base(tmp_path: Path) -> None
     [
         (
             '"../turn.dragon.toml"',
-            "base must be one of spiral-in, turn or the name of a file beside it",
+            f"base must be one of {', '.join(built_in_names())} or the name of a file beside it",
         ),
         ('"/etc/passwd"', "base must be one of"),
         ("7", "base must be one of"),

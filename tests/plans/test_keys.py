@@ -13,7 +13,7 @@ from tools.make_keys import page
 from benchdragon.cli.main import run
 from benchdragon.i18n import LANGUAGES, spoken_in
 from benchdragon.plans.keys import commented, schema, written
-from benchdragon.plans.presets import presets
+from benchdragon.plans.presets import REPORTERS, presets
 from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.plans.sections import SECTIONS, Section
 from benchdragon.plans.toml import PlanError, built_in_names
@@ -163,9 +163,7 @@ def test_built_in_plans_and_files_are_printed_and_read_back(
         assert read_plan(str(path)).sha256 == read_plan(name, settings[1:]).sha256
 
 
-@pytest.mark.parametrize(
-    "name", [preset.name for preset in presets() if preset.name not in built_in_names()]
-)
+@pytest.mark.parametrize("name", REPORTERS)
 def test_a_villages_dragon_is_printed_with_where_its_figures_come_from(
     capsys: pytest.CaptureFixture[str], name: str
 ) -> None:
@@ -189,7 +187,7 @@ def test_a_villages_dragon_is_printed_with_where_its_figures_come_from(
 def test_all_plans_are_listed(capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["plan"]) == 0
     names = [line.split()[0] for line in capsys.readouterr().out.splitlines()]
-    assert names == [*built_in_names(), *(p.name for p in presets() if p.name not in built_in_names())]
+    assert names == built_in_names()
 
 
 def test_the_plan_in_effect_is_shown_beside_the_verdict(capsys: pytest.CaptureFixture[str]) -> None:

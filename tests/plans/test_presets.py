@@ -2,24 +2,30 @@
 
 import re
 
-from benchdragon.plans.presets import presets
+import pytest
+
+from benchdragon.plans.presets import REPORTERS, UNMEASURED, presets
 from benchdragon.plans.schema import read_plan
-from benchdragon.plans.toml import built_in_names
+from benchdragon.plans.toml import built_in_names, read_text
 
 
-def test_a_preset_called_like_a_built_in_plan_is_that_plan() -> None:
-    built_in = {name: read_plan(name) for name in built_in_names()}
-    titles = {plan.title(language): plan for plan in built_in.values() for language in ("en", "zh")}
-    named = 0
-    for preset in presets():
-        alike = [
-            built_in.get(preset.name), titles.get(preset.title.en), titles.get(preset.title.zh),
-            titles.get(preset.plan.title("en")), titles.get(preset.plan.title("zh")),
-        ]  # fmt: skip
-        for plan in filter(None, alike):
-            named += 1
-            assert plan == preset.plan
-    assert named == 5 * len(built_in)
+def test_each_preset_is_the_built_in_plan_of_its_name() -> None:
+    assert {one.name: one.plan.data() for one in presets()} == {
+        name: read_plan(name).data() for name in built_in_names()
+    }
+    assert {one.name: one.title.zh for one in presets()} == {
+        name: read_plan(name).title("zh") for name in built_in_names()
+    }
+
+
+@pytest.mark.parametrize("name", [name for name in REPORTERS if name not in UNMEASURED])
+def test_a_villages_benches_are_as_long_as_its_file_derives_them(name: str) -> None:
+    dragon = read_plan(name).dragon
+    said = re.search(r"# derived: (\d+) m / (\d+) \+ 2 x ([0-9.]+) m", read_text(name))
+    assert said is not None
+    length, benches, inset = map(float, said.groups())
+    assert (dragon.benches, dragon.front_inset, dragon.rear_inset) == (benches, inset, inset)
+    assert dragon.body_length == dragon.tail_length == round(length / benches + 2.0 * inset, 2)
 
 
 def test_the_first_preset_says_what_was_added_to_the_built_in_plan() -> None:

@@ -25,7 +25,8 @@ ROUTE = {"kind": "parts", "part": [{"kind": "line", "length": 5}]}
 
 
 def test_built_in_plans_are_the_papers_two_parts() -> None:
-    assert built_in_names() == ["spiral-in", "turn"]
+    assert built_in_names()[:4] == ["spiral-in", "turn", "question-3", "gaochun"]
+    assert len(built_in_names()) == 11
     spiral, turn = read_plan("spiral-in").build(), read_plan("turn").build()
     assert len(spiral.dragon) == len(turn.dragon) == 223
     assert spiral.dragon.links[:2].tolist() == pytest.approx([2.86, 1.65])

@@ -34,8 +34,9 @@ if TYPE_CHECKING:
     help=N_(
         "The dance as a film, a still, or a sheet of stills; the name of the file says which.\n\n"
         "turn.mp4 or turn.gif is a film; turn.png, turn.svg or turn.pdf a still, or with --sheet many "
-        "of them side by side. PLAN is a *.dragon.toml file or the name of a built-in plan: "
-        "spiral-in, turn. For example: benchdragon animate turn -o turn.mp4 --start -5 --end 20"
+        "of them side by side. PLAN is a *.dragon.toml file or the name of a built-in plan; "
+        "benchdragon plan lists them. For example: benchdragon animate turn -o turn.mp4 --start -5 "
+        "--end 20"
     )
 )
 @plan_options

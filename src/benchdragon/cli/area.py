@@ -36,7 +36,8 @@ DRAWINGS, DATA = ("svg", "pdf"), ("dxf", "geojson")
 @click.command(
     help=N_(
         "The ground that a dance covers: its area, its widest place, the spectators' line, drawings to "
-        "scale.\n\nPLAN is a *.dragon.toml file or the name of a built-in plan: spiral-in, turn. For "
+        "scale.\n\nPLAN is a *.dragon.toml file or the name of a built-in plan; benchdragon plan "
+        "lists them. For "
         "example: benchdragon area turn -o turn.pdf --margin 2 --scale 1:200 --paper A3"
     )
 )

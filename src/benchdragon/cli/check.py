@@ -46,7 +46,8 @@ if TYPE_CHECKING:
     help=N_(
         "Whether a walk is safe: no benches touch, margin and limits are kept, and all of the dance "
         "stays in the venue and touches no obstacle.\n\nPLAN is a *.dragon.toml file or the name of a "
-        "built-in plan: spiral-in, turn. Each finding has a code, such as BD303: the manual says what "
+        "built-in plan; benchdragon plan lists them. Each finding has a code, such as BD303: the "
+        "manual says what "
         "it means and what to do. Exit code 0: safe; 1: not; 4: it cannot be walked; 5: undecided."
     )
 )

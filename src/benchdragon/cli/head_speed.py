@@ -40,7 +40,8 @@ if TYPE_CHECKING:
 @click.command(
     help=N_(
         "The greatest constant head speed that keeps the plan's limits.\n\nPLAN is a *.dragon.toml "
-        "file or the name of a built-in plan: spiral-in, turn. It must limit speeds, accelerations or "
+        "file or the name of a built-in plan; benchdragon plan lists them. It must limit speeds, "
+        "accelerations or "
         "turning rates: --set limits.speed=2, for example. Exit code 4: it cannot be walked; 5: "
         "undecided."
     )

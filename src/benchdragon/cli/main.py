@@ -146,7 +146,7 @@ def reproduce(
 @program.command(
     help=N_(
         "Position and speed of every handle at chosen times.\n\nPLAN is a *.dragon.toml file or "
-        "the name of a built-in plan: spiral-in, turn."
+        "the name of a built-in plan; benchdragon plan lists them."
     )
 )
 @plan_options

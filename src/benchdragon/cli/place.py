@@ -130,7 +130,7 @@ def _print_enough(enough: "Enough") -> None:
     help=N_(
         "The smallest rectangle and circle that hold the dance.\n\nAll benches are in them from start "
         "to end, tail included. PLAN is a *.dragon.toml file or "
-        "the name of a built-in plan: spiral-in, turn."
+        "the name of a built-in plan; benchdragon plan lists them."
     )
 )
 @plan_options

@@ -20,8 +20,7 @@ from benchdragon.cli.options import (
 from benchdragon.cli.parsing import check_ending, parse_speed
 from benchdragon.cli.solved import write_plan
 from benchdragon.i18n import N_, _, language
-from benchdragon.plans.source import Source
-from benchdragon.plans.toml import BUILT_IN_FOLDER, SUFFIX, built_in_names, lay_over
+from benchdragon.plans.toml import CONTEST, built_in_names, read_text
 
 # How a preset's figure is known.
 STATUSES = {
@@ -34,10 +33,11 @@ STATUSES = {
 
 @click.command(
     help=N_(
-        "Print a plan as a plan file, to begin one of your own.\n\nPLAN is a built-in plan, the dragon "
-        "of a village, or a *.dragon.toml file; without it all names are listed. With --set the values "
-        "that are in effect then, each with what it means. For example: benchdragon plan turn > "
-        "my.dragon.toml"
+        "Print a plan as a plan file, to begin one of your own.\n\nPLAN is a built-in plan, the "
+        "contest's "
+        "or a village's, or a *.dragon.toml file; without it all names are listed, which every command "
+        "takes. With --set the values that are in effect then, each with what it means. For example: "
+        "benchdragon plan turn > my.dragon.toml"
     )
 )
 @click.argument("plan", metavar="[PLAN]", required=False)
@@ -81,55 +81,47 @@ def _write_slower(
     source: str, settings: tuple[str, ...], quiet: bool, output: Path, options: dict[str, Any]
 ) -> int:
     """Write the same dance with its head at another speed."""
-    from benchdragon.files import refuse_existing, whole_file
-    from benchdragon.plans.schema import checked
-    from benchdragon.plans.toml import parsed
+    from benchdragon.files import refuse_existing
     from benchdragon.solve.head_speed import with_head_speed
 
     speed = parse_speed("--head-speed", options["head_speed"])
     check_ending("-o", output, [".toml"])
     refuse_existing([output], options["force"])
-    if Path(source).is_file():
-        write_plan(with_head_speed(plan_to_walk(source, settings, quiet), speed), output, source)
-    else:
-        made = checked(parsed(_text(source, settings), source), Source(source))
-        with whole_file(output) as temporary:
-            temporary.write_text(with_head_speed(made, speed).toml(), encoding="utf-8")
+    write_plan(with_head_speed(plan_to_walk(source, settings, quiet), speed), output, source)
     print_files([output])
     return 0
 
 
 def _list() -> int:
     from benchdragon.plans.presets import presets
-    from benchdragon.plans.schema import read_plan
 
+    listed = {preset.name: preset for preset in presets()}
     for name in built_in_names():
-        click.echo(f"{name:<12}{read_plan(name).title(language())}")
-    for preset in presets():
-        if preset.name not in built_in_names():
-            title, source = (getattr(words, language()) for words in (preset.title, preset.source))
-            click.echo(f"{preset.name:<12}{title} ({source})")
+        title, source = (
+            getattr(words, language()) for words in (listed[name].title, listed[name].source)
+        )
+        click.echo(f"{name:<12}{title} ({source})")
     return 0
 
 
 def _text(name: str, settings: tuple[str, ...]) -> str:
-    """The text of a plan file: a built-in plan's own, else every key that has an effect."""
-    if name in built_in_names() and not settings:
-        return (BUILT_IN_FOLDER / f"{name}{SUFFIX}").read_text("utf-8")
+    """The text of a plan file: one of the contest's as it is, else every key that has an effect."""
     from benchdragon.plans.keys import commented
-    from benchdragon.plans.presets import presets
-    from benchdragon.plans.schema import checked, read_plan
+    from benchdragon.plans.presets import REPORTERS, presets
+    from benchdragon.plans.schema import read_plan
 
-    preset = {preset.name: preset for preset in presets()}.get(name)
-    if preset is None or name in built_in_names():
-        return commented(read_plan(name, settings).data(), {})
-    data = preset.plan.data()
-    keys = lay_over(data, settings)
+    if name in CONTEST and not settings:
+        return read_text(name)
+    plan = read_plan(name, settings)
+    if name not in REPORTERS:
+        return commented(plan.data(), {})
+    (preset,) = (preset for preset in presets() if preset.name == name)
     notes = {
-        figure.key: _(STATUSES[figure.status]) for figure in preset.figures if figure.key not in keys
+        figure.key: _(STATUSES[figure.status])
+        for figure in preset.figures
+        if figure.key not in plan.source.settings
     }
-    text = commented(checked(data, Source(name, settings=keys)).data(), notes)
-    return f"# {getattr(preset.source, language())}\n{text}"
+    return f"# {getattr(preset.source, language())}\n{commented(plan.data(), notes)}"
 
 
 @click.command(

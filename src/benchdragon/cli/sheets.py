@@ -78,6 +78,7 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     """Write the papers, if the plan is as it was checked."""
     from benchdragon.analysis.check import check
     from benchdragon.plans.roster import roster_of
+    from benchdragon.plans.toml import built_in_names
     from benchdragon.sheets.briefing import briefing_of
     from benchdragon.sheets.checked import read_record, record_check, record_path
     from benchdragon.sheets.options import Options
@@ -85,10 +86,10 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
 
     names = chosen_papers(options["only"])
     _refuse_strays(names)
-    path, folder = record_path(plan), options["output"]
-    read = plan_to_walk(plan, settings, quiet)
+    path = None if options["anew"] and plan in built_in_names() else record_path(plan)
+    read, folder = plan_to_walk(plan, settings, quiet), options["output"]
     roster = roster_of(read)
-    record = None if options["anew"] else read_record(path, read, roster, plan)
+    record = None if path is None or options["anew"] else read_record(path, read, roster, plan)
     files = planned_papers(folder, names, options["force"])
     looks = options["paper"], options["by"], options["night"], options["phones"]
     wanted = Options(*looks, _chalk_options(options))

@@ -66,7 +66,8 @@ def size_options(command: Command) -> Command:
     help=N_(
         "The smallest pitch of the spiral with which the walk is safe.\n\nSafe means here: no "
         "contact, and the margin kept. PLAN is a *.dragon.toml file or the name of a built-in "
-        "plan: spiral-in, turn. A spiral needs an end: --set disc.radius=4.5, for example. Exit "
+        "plan; benchdragon plan lists them. A spiral needs an end: --set disc.radius=4.5, for "
+        "example. Exit "
         "code 4: there is no such pitch; 5: undecided."
     )
 )
@@ -109,19 +110,20 @@ SIZES = {
     "disc": N_(
         "The smallest radius of the disc with which the walk is safe.\n\nSafe means here: no "
         "contact, and the margin kept. PLAN is a *.dragon.toml file or the name of a built-in "
-        "plan: spiral-in, turn. It needs a disc to begin with: --set disc.radius=4.5, for "
+        "plan; benchdragon plan lists them. It needs a disc to begin with: --set disc.radius=4.5, for "
         "example. Exit code 4: there is no such radius; 5: undecided."
     ),
     "width": N_(
         "The greatest width of the benches with which the walk is safe.\n\nSafe means here: no "
         "contact, and the margin kept. PLAN is a *.dragon.toml file or the name of a built-in "
-        "plan: spiral-in, turn. A spiral needs an end: --set disc.radius=4.5, for example. Exit "
+        "plan; benchdragon plan lists them. A spiral needs an end: --set disc.radius=4.5, for "
+        "example. Exit "
         "code 4: there is no such width; 5: undecided."
     ),
     "length": N_(
         "The greatest length of the benches with which the walk is safe.\n\nSafe means here: no "
         "contact, and the margin kept. The head's length stays. PLAN is a *.dragon.toml file or "
-        "the name of a built-in plan: spiral-in, turn. A spiral needs an end: --set "
+        "the name of a built-in plan; benchdragon plan lists them. A spiral needs an end: --set "
         "disc.radius=4.5, for example. Exit code 4: there is no such length; 5: undecided."
     ),
 }

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     help=N_(
         "When the head and the tail pass each place of a dance, and where the head stops."
         "\n\nThe rows are those of the paper that benchdragon sheets writes; whether the dance is safe "
-        "says benchdragon check. PLAN is a *.dragon.toml file or the name of a built-in plan: "
-        "spiral-in, turn. For example: benchdragon timetable turn"
+        "says benchdragon check. PLAN is a *.dragon.toml file or the name of a built-in plan; "
+        "benchdragon plan lists them. For example: benchdragon timetable turn"
     )
 )
 @plan_options

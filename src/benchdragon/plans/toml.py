@@ -20,6 +20,8 @@ from benchdragon.plans.signs import mistyped, narrow
 from benchdragon.plans.source import Source
 
 BUILT_IN_FOLDER = Path(__file__).parent / "builtin"
+# The contest's plans, which are named before the villages'.
+CONTEST = ("spiral-in", "turn", "question-3")
 SUFFIX = ".dragon.toml"
 # Bytes: anything larger is not a plan.
 MOST_BYTES = 20_000_000
@@ -106,8 +108,9 @@ class PlanError(BenchDragonError):
 
 
 def built_in_names() -> list[str]:
-    """Names of the plans that come with the program."""
-    return sorted(path.name.removesuffix(SUFFIX) for path in BUILT_IN_FOLDER.glob(f"*{SUFFIX}"))
+    """Names of the plans that come with the program, the contest's first."""
+    names = sorted(path.name.removesuffix(SUFFIX) for path in BUILT_IN_FOLDER.glob(f"*{SUFFIX}"))
+    return [*CONTEST, *(name for name in names if name not in CONTEST)]
 
 
 def read_toml(source: str, settings: Sequence[str] = ()) -> tuple[dict[str, Any], Source]:

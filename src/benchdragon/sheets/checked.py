@@ -59,8 +59,8 @@ def record_path(plan: str) -> Path:
     if plan in built_in_names():
         raise InputError(
             _(
-                "{name} is a built-in plan, and its check cannot be recorded: write it into a file "
-                "with benchdragon plan {name} -o my.dragon.toml"
+                "{name} is a built-in plan, and its check cannot be recorded: ask for sheets with "
+                "--check, or write it into a file with benchdragon plan {name} -o my.dragon.toml"
             ).format(name=plan)
         )
     path = Path(plan)
@@ -68,8 +68,8 @@ def record_path(plan: str) -> Path:
     return path.with_name(name.removesuffix(".toml") + ENDING)
 
 
-def record_check(path: Path, report: Report, roster: Roster) -> Record:
-    """Write that a plan was checked; over an older record.
+def record_check(path: Path | None, report: Report, roster: Roster) -> Record:
+    """That a plan was checked, written over an older record; a built-in plan has no path for one.
 
     Raises:
         InputError: for a plan that is not safe: it is not recorded.
@@ -83,6 +83,8 @@ def record_check(path: Path, report: Report, roster: Roster) -> Record:
     record = Record(
         sha256=foundation(report.plan, roster), date=date.today(), version=__version__, verdict=verdict
     )
+    if path is None:
+        return record
     with whole_file(path) as temporary:
         text = json.dumps(record.model_dump(mode="json"), ensure_ascii=False, indent=1)
         temporary.write_text(text + "\n", "utf-8")
