@@ -264,7 +264,6 @@ def test_the_source_archive_holds_all_that_tests_read(tmp_path: Path) -> None:
         "CONTRIBUTING.md",
         "Makefile",
         "README.zh-CN.md",
-        "hatch_build.py",
         "requirements-wasm.lock",
         "requirements.lock",
         "tests/long.txt",
