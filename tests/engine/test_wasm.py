@@ -215,13 +215,15 @@ def test_blocks_of_memory_are_read_where_the_runtime_of_a_target_keeps_them() ->
     optimise.prepare()
     machine = wasm.target_machine()
     text = READER.format(fields="i64, ptr, ptr, ptr, i64")
-    module = optimise.joined([optimise.shim_module("shim", text, "inner", machine)], {"shim"})
+    shim = optimise.SHIM.format(symbol="shim", inner="inner")
+    module = optimise.joined([text, shim], machine, {"shim"})
     assert str(machine.target_data).startswith("e-m:e-p:32:32")
     optimise.optimise(module, machine)
     # A count of 8 bytes, then two pointers of 4.
     assert "getelementptr i8, ptr %block, i32 16" in str(module)
+    strange = READER.format(fields="ptr, i64, ptr, ptr, i64")
     with pytest.raises(optimise.BuildError, match=r"no longer those of engine/runtime\.c"):
-        optimise.shim_module("shim", READER.format(fields="ptr, i64, ptr, ptr, i64"), "inner", machine)
+        optimise.joined([strange, shim], machine, {"shim"})
 
 
 def test_the_notice_names_what_is_linked_in() -> None:

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from benchdragon.engine import optimise, shims
+from benchdragon.engine import optimise, pieces, shims
 from benchdragon.kernels import native
 
 COMPILERS = ("cc", "gcc", "clang")
@@ -35,12 +35,13 @@ def machine_code(functions: Iterable[Any], machine: Any) -> bytes:
     Raises:
         BuildError: if the code would work in this process alone.
     """
-    modules, symbols = [], set()
+    shapes, found, symbols = [], [], set()
     for function in functions:
-        shape, text, inner = shims.compiled_shim(function)
-        modules.append(optimise.shim_module(shape.symbol, text, inner, machine))
+        shape, piece, inner = shims.compiled_shim(function)
+        shapes.append(optimise.SHIM.format(symbol=shape.symbol, inner=inner))
+        found.append(piece)
         symbols.add(shape.symbol)
-    whole = optimise.joined(modules, symbols)
+    whole = optimise.joined([*pieces.texts(found), *shapes], machine, symbols)
     optimise.optimise(whole, machine)
     optimise.check(whole)
     return bytes(machine.emit_object(whole))

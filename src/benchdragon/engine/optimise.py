@@ -12,6 +12,7 @@ LIBRARY = """
     acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh exp expm1 fabs floor fma fmod
     hypot log log10 log1p log2 memcpy memmove memset pow round sin sinh sqrt tan tanh trunc
 """
+# An entry in C's convention.
 SHIM = """
 define i32 @{symbol}(ptr %block) {{
   %found = alloca ptr
@@ -25,7 +26,7 @@ declare i32 @{inner}(ptr, ptr, i64)
 TARGET = re.compile(r"^target (?:triple|datalayout) = .*", re.MULTILINE)
 ATTRIBUTES = re.compile(r'"(target-cpu|target-features|tune-cpu|probe-stack)"="[^"]*"')
 # How numba's code finds the data of a block of memory: by its fourth field, not yet by an offset.
-READER = re.compile(r"^define [^\n]*@NRT_MemInfo_data_fast\(.*?^\}", re.MULTILINE | re.DOTALL)
+READER = "NRT_MemInfo_data_fast"
 MEMORY = re.compile(
     r"getelementptr \{ i64, ptr, ptr, ptr, i64 \}, ptr %[\w.]+, i32 0, i32 3$", re.MULTILINE
 )
@@ -43,31 +44,23 @@ def prepare() -> None:
     llvm.initialize_all_asmprinters()
 
 
-def shim_module(symbol: str, text: str, inner: str, machine: Any) -> Any:
-    """An entry's code, `text`, for a machine, with a function in C's convention; `inner` is numba's.
+def joined(texts: Iterable[str], machine: Any, symbols: set[str]) -> Any:
+    """One module of many, for a machine; only the functions named in `symbols` are seen from outside.
 
     Raises:
         BuildError: if the code looks for arrays elsewhere than engine/runtime.c puts them.
     """
-    reader = READER.search(text)
-    if reader and not MEMORY.search(reader[0]):
-        raise BuildError("numba's blocks of memory are no longer those of engine/runtime.c")
     head = f'target triple = "{machine.triple}"\ntarget datalayout = "{machine.target_data}"\n'
-    module = llvm.parse_assembly(head + ATTRIBUTES.sub("", TARGET.sub("", text)))
-    module.link_in(llvm.parse_assembly(head + SHIM.format(symbol=symbol, inner=inner)))
-    return module
-
-
-def joined(modules: Iterable[Any], symbols: set[str]) -> Any:
-    """One module of all; only the functions named in `symbols` are seen from outside."""
-    first, *rest = modules
-    for module in rest:
-        first.link_in(module)
-    first.name = "kernels"
-    for value in (*first.functions, *first.global_variables):
+    whole = llvm.parse_assembly(head)
+    for text in texts:
+        whole.link_in(llvm.parse_assembly(head + ATTRIBUTES.sub("", TARGET.sub("", text))))
+    whole.name = "kernels"
+    for value in (*whole.functions, *whole.global_variables):
+        if value.name == READER and not MEMORY.search(str(value)):
+            raise BuildError("numba's blocks of memory are no longer those of engine/runtime.c")
         if not value.is_declaration and value.name not in symbols:
             value.linkage = "internal"
-    return first
+    return whole
 
 
 def target_machine(processor: str) -> Any:

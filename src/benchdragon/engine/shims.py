@@ -12,6 +12,7 @@ import numba
 from numba.core import types
 from numba.extending import intrinsic
 
+from benchdragon.engine.pieces import Piece, keep_pieces
 from benchdragon.kernels import jit, native
 from benchdragon.kernels.signature import Parameter, Signature, signature
 
@@ -47,6 +48,7 @@ NAMES = {
 
 def entries() -> dict[str, Callable[..., object]]:
     """All entries, for numba to compile, by module and name; the kernels must not be imported yet."""
+    keep_pieces()
     jit.CACHE_FOLDER = None  # this code is for no process that runs
     jit.SETTINGS.update(BARE)
     for path in sorted(native.KERNELS.glob("*.py")):
@@ -90,12 +92,12 @@ def shim_source(shape: Signature, names: dict[str, Any]) -> str:
     return "\n".join(lines)
 
 
-def compiled_shim(function: Any) -> tuple[Signature, str, str]:
-    """The signature of an entry, LLVM's code of its shim, and the shim's name there."""
+def compiled_shim(function: Any) -> tuple[Signature, Piece, str]:
+    """The signature of an entry, its shim's code, and the shim's name there."""
     shape, names = signature(function.py_func), {**NAMES, "entry": function}
     exec(compile(shim_source(shape, names), shape.symbol, "exec"), names)
     shim = names["shim"]
     shim.__qualname__ = shim.__name__ = f"{shape.symbol}_shim"
     compiled: Any = compiler.njit(kinds.void(kinds.int64), **jit.SETTINGS)(shim)
     (result,) = compiled.overloads.values()
-    return shape, result.library.get_llvm_str(), result.fndesc.mangled_name
+    return shape, result.library, result.fndesc.mangled_name
