@@ -12,8 +12,8 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 
-from benchdragon.errors import BenchDragonError, InputError
-from benchdragon.i18n import _
+from benchdragon.errors import InputError, OpenError
+from benchdragon.i18n import N_, _
 
 # Multiplies both limits.
 VARIABLE, MOST_TIMES = "BENCHDRAGON_BUDGET", 1e6
@@ -21,10 +21,8 @@ VARIABLE, MOST_TIMES = "BENCHDRAGON_BUDGET", 1e6
 WORK, MEMORY = 1_000_000_000, 600_000_000
 
 
-class OverBudgetError(BenchDragonError):
+class OverBudgetError(OpenError):
     """A question that takes more work or memory than it may: not wrong, but not answered."""
-
-    exit_code = 5
 
 
 @dataclass
@@ -129,14 +127,13 @@ def expect(handles: float) -> None:
         return
     asked = budget.spent + handles
     raise OverBudgetError(
-        _(
+        N_(
             "this takes more work than a question may: at least {asked} million positions of handles, "
             "where {most} million are allowed; take fewer benches or a shorter walk (walk.start, "
             "walk.end), or allow {times} times as much on the command line by {variable}={times}"
-        ).format(
-            asked=f"{asked / 1e6:.4g}", most=f"{budget.work / 1e6:.4g}", variable=VARIABLE,
-            times=_enough(asked / WORK),
-        )
+        ),
+        asked=f"{asked / 1e6:.4g}", most=f"{budget.work / 1e6:.4g}", variable=VARIABLE,
+        times=_enough(asked / WORK),
     )  # fmt: skip
 
 
@@ -150,14 +147,13 @@ def hold(size: float) -> None:
     if budget is None or size <= budget.memory:
         return
     raise OverBudgetError(
-        _(
+        N_(
             "this takes more memory than a question may: at least {asked} MB, where {most} MB are "
             "allowed; take fewer benches, fewer sizes of benches or a shorter walk (walk.start, "
             "walk.end), or allow {times} times as much on the command line by {variable}={times}"
-        ).format(
-            asked=f"{size / 1e6:.4g}", most=f"{budget.memory / 1e6:.4g}", variable=VARIABLE,
-            times=_enough(size / MEMORY),
-        )
+        ),
+        asked=f"{size / 1e6:.4g}", most=f"{budget.memory / 1e6:.4g}", variable=VARIABLE,
+        times=_enough(size / MEMORY),
     )  # fmt: skip
 
 

@@ -71,10 +71,22 @@ class WalkError(BenchDragonError):
         )
 
 
-class UnsureError(BenchDragonError):
-    """A question that could not be decided within the budget."""
+class OpenError(BenchDragonError):
+    """A question that stays open: why, as a text of the catalogue, and what stands in its places."""
 
     exit_code = 5
+
+    def __init__(self, text: str, **words: object) -> None:
+        super().__init__(text, words)
+
+    def __str__(self) -> str:
+        """Why, in the language in use."""
+        text, words = self.args
+        return _(text).format(**words) if words else _(text)
+
+
+class UnsureError(OpenError):
+    """A question that could not be decided within the budget."""
 
 
 class NoSolutionError(InputError):

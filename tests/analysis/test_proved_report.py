@@ -11,6 +11,7 @@ from benchdragon.analysis.certificate import certificate_of, verify
 from benchdragon.analysis.check import Report, check
 from benchdragon.analysis.proved_report import prove_report
 from benchdragon.plans.schema import Plan, checked
+from benchdragon.proofs import cover
 from tests.proofs.certificates import TOO_MUCH, bend
 
 
@@ -65,7 +66,8 @@ def test_the_speed_of_a_head_that_changes_its_own_stays_found() -> None:
             check(report.plan).greatest_speed, seconds=report.greatest_speed.seconds
         )
         assert report.speeds == ()
-        assert report.unproved == ("greatest speed: it is proved only where the head keeps one speed",)
+        (text,) = (one.text for one in report.unproved)
+        assert text == "not proved: greatest speed: it is proved only where the head keeps one speed"
         assert report.clearance.status == "proved"
 
 
@@ -74,6 +76,14 @@ def test_a_clearance_that_is_wrong_stays_found_and_is_told() -> None:
     wrong = replace(report.clearance, value=report.clearance.value + 1e-5)
     shown = prove_report(replace(report, clearance=wrong))
     assert shown.clearance == wrong
-    (text,) = shown.unproved
-    assert text.startswith("least clearance: ")
+    (text,) = (one.text for one in shown.unproved)
+    assert text.startswith("not proved: least clearance: ")
     assert shown.claims == report.claims
+
+
+def test_a_clearance_too_dear_to_prove_stays_found_and_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    report = check(bend(), prove=True)
+    monkeypatch.setattr(cover, "BALLS", 1e7)  # a proof takes more than a question may
+    shown = prove_report(report)
+    assert [one.kind for one in shown.unproved] == ["clearance", "speed"]
+    assert (shown.clearance, shown.greatest_speed) == (report.clearance, report.greatest_speed)

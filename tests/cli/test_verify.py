@@ -18,6 +18,8 @@ from benchdragon.proofs import cover as chain_cover
 from benchdragon.version import __version__
 from tests.proofs.certificates import IN_THE_WAY, TEXT, TOO_MUCH, bend, written
 
+# What is called contact where it could not be proved.
+WHAT = {"en": "whether and when benches touch", "zh": "板凳是否相碰、何时相碰"}
 CLEAR = [
     "proved: no two non-adjacent benches nearer than 0 m from t = 10.0 s to t = 18.0 s",
     'proved: no bench nearer than 0.05 m to the circle "post" of radius 0.1 m about (16.2, 1) m from '
@@ -73,8 +75,9 @@ def test_speeds_are_in_the_certificate_of_all_and_what_is_not_proved_is_told(
     again = [*line, "--force", "--set", "cues.acceleration=0.3", "--lang", "en"]
     assert run(again) == 1
     told = capsys.readouterr()
-    assert told.err == (
-        "not proved: greatest speed: it is proved only where the head keeps one speed\n"
+    assert told.err == ""
+    assert told.out.splitlines()[3] == (
+        "not proved: greatest speed: it is proved only where the head keeps one speed"
     )
     assert "(proved)" not in told.out.split("greatest speed of a handle")[1]
 
@@ -90,11 +93,25 @@ def test_what_takes_too_much_to_prove_ends_with_what_was_found(
     out, err = capsys.readouterr()
     assert out.startswith("SAFE from t = 10")
     assert "proved" not in out.splitlines()[0]
-    assert err.startswith("not proved: this takes more work than a question may")
+    assert out.splitlines()[1].startswith(f"not proved: {WHAT['en']}: this takes more work than a ")
+    assert err == ""
     assert sorted(path.name for path in folder.iterdir()) == ["clearance.svg", "contact.svg"]
+    for language in ("en", "zh"):
+        with spoken_in(language):
+            assert run([*line, "--force", "--json", "--explain"]) == 5
+        told = json.loads(capsys.readouterr().out)
+        (unproved,) = told["unproved"]
+        assert (told["safe"], told["proved"], unproved["kind"]) == (True, False, "contact")
+        for name, what in WHAT.items():
+            assert what in unproved["text"][name]
+            assert what in told["sentence"][name]
+        assert unproved["text"]["en"] != unproved["text"]["zh"]
+        assert unproved["text"][language] in told["explanation"]
     plan.write_text(TEXT.format(post=list(IN_THE_WAY), margin=0.0), "utf-8")
     assert run([*line, "--force", "--lang", "en"]) == 1
-    assert "NOT SAFE" in capsys.readouterr().out
+    verdict, finding, unproved, *_ = capsys.readouterr().out.splitlines()
+    assert (verdict, finding[:8]) == ("NOT SAFE", "  BD304:")
+    assert unproved.startswith(f"not proved: {WHAT['en']}: ")
 
 
 def test_without_proof_no_certificate_is_written(tmp_path: Path) -> None:

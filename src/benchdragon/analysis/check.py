@@ -17,7 +17,7 @@ from benchdragon.analysis.contact import (
     seen_clearance,
 )
 from benchdragon.analysis.findings import Finding, all_findings, named
-from benchdragon.analysis.left_open import speed_at_start, told_if_open
+from benchdragon.analysis.left_open import PROOFS, Unproved, speed_at_start, told_if_open
 from benchdragon.analysis.not_looked_at import NotLookedAt, not_looked_at
 from benchdragon.analysis.obstacles import ObstacleAnswers, obstacle_answers
 from benchdragon.analysis.proof import Claim, prove_contact, prove_obstacle
@@ -71,7 +71,7 @@ class Report:
         seconds: how long the check took.
         claims: what was proved of benches alone, and of obstacles, to be shown again.
         speeds: what was proved of speeds, likewise (see `prove_report`).
-        unproved: what was to be proved besides and could not be, and why, a sentence each.
+        unproved: what was to be proved and could not be, and why.
         not_looked_at: what the plan does not say, so that nobody looked at it.
         unfinished: what the walk lacks where it ends before the tail is out of the turn; else None.
     """
@@ -91,7 +91,7 @@ class Report:
     seconds: float = 0.0
     claims: tuple[Claim, ...] = ()
     speeds: tuple[SpeedClaim, ...] = ()
-    unproved: tuple[str, ...] = ()
+    unproved: tuple[Unproved, ...] = ()
     unfinished: Unfinished | None = None
     not_looked_at: tuple[NotLookedAt, ...] = ()
 
@@ -332,6 +332,9 @@ def _kept(report: Report, told: Clock | None) -> str:
         )
     if report.unfinished is not None:
         said.append(report.unfinished.text if told is None else report.unfinished.told)
+    if report.unproved:
+        what = _(", ").join(_(PROOFS[one.kind]) for one in report.unproved)
+        said.append(_("not proved: {what}").format(what=what))
     if report.not_looked_at:
         what = _(", ").join(one.brief for one in report.not_looked_at)
         said.append(_("not looked at: {what}").format(what=what))

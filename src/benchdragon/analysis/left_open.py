@@ -1,14 +1,15 @@
-"""What a check leaves open once contact is decided: it takes too much work, or rounding hides it."""
+"""What a check leaves open, for it takes too much work, or rounding hides it: questions, and proofs."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 
 from benchdragon import budget
 from benchdragon.analysis.findings import Finding, name_words
 from benchdragon.analysis.speed import QUANTITIES, fastest_handle
 from benchdragon.budget import OverBudgetError
-from benchdragon.errors import UnsureError
-from benchdragon.i18n import N_
+from benchdragon.errors import OpenError, UnsureError
+from benchdragon.i18n import N_, _
 from benchdragon.model.answer import ROUNDING, Answer, Witness
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
@@ -18,8 +19,33 @@ REST = 0.25
 # Why something is open.
 DEAR, HIDDEN = N_("that takes more work than a question may"), N_("rounding hides it")
 
+# What may be asked to be proved, as texts call it.
+PROOFS = {
+    "contact": N_("whether and when benches touch"),
+    "clearance": N_("least clearance"),
+    "speed": N_("greatest speed"),
+}
+
 # What is asked: an obstacle, a level of room, or what is limited, by name.
 Asked = Obstacle | str
+
+
+@dataclass(frozen=True)
+class Unproved:
+    """What was to be proved and could not be: it stands as it was found.
+
+    Attributes:
+        kind: what, one of PROOFS.
+        why: what its proof ended in.
+    """
+
+    kind: str
+    why: OpenError
+
+    @property
+    def text(self) -> str:
+        """Both in a sentence, in the language in use."""
+        return _("not proved: {what}: {why}").format(what=_(PROOFS[self.kind]), why=self.why)
 
 
 @contextmanager

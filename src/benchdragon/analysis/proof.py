@@ -15,7 +15,7 @@ from benchdragon.analysis.contact import MOST_GRAZES, contact_windows
 from benchdragon.analysis.obstacle_search import ObstacleSearch
 from benchdragon.analysis.obstacles import ObstacleAnswers, touching
 from benchdragon.errors import MissingExtraError, UnsureError, in_order, of_kind
-from benchdragon.i18n import _
+from benchdragon.i18n import N_, _
 from benchdragon.model.answer import Answer
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
@@ -187,12 +187,12 @@ def prove_clearance(
     require_flint()
     near = found.witness
     if near is None or len(near.benches) != 2:
-        raise UnsureError(_("there is no clearance that could be proved"))
+        raise UnsureError(N_("there is no clearance that could be proved"))
     lower, upper = max(found.value - 0.5 * width, 0.0), found.value + 0.5 * width
     i, j = sorted(number - 1 for number in near.benches)
     nearest = prove_nearer(walk, (start, end), near.s, (i, j), upper, plan)
     if nearest is None:
-        raise UnsureError(_("that benches come so near could not be shown in ball arithmetic"))
+        raise UnsureError(N_("that benches come so near could not be shown in ball arithmetic"))
     shown: list[Claim] = []
     Question(walk, lower, None, plan).proved((start, end), [], progress, shown)
     if claims is not None:
@@ -272,8 +272,8 @@ class Question:
                 )
         graze = next((one for one in open_still if one.status == "undecided"), None)
         if graze is None:
-            text = _("what was found could not be shown in ball arithmetic beyond {s} m of the route")
-            raise UnsureError(text.format(s=f"{at[-1]:.12g}"))
+            text = N_("what was found could not be shown in ball arithmetic beyond {s} m of the route")
+            raise UnsureError(text, s=f"{at[-1]:.12g}")
         value, upper = (min(time, span[1]) for time in (graze.value, graze.upper))
         return replace(graze, value=value, upper=upper, assumptions=told)
 

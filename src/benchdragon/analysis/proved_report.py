@@ -5,10 +5,12 @@ from dataclasses import replace
 
 from benchdragon import budget
 from benchdragon.analysis.check import Report
+from benchdragon.analysis.left_open import PROOFS, Unproved
 from benchdragon.analysis.proof import Claim, assumed, prove_clearance, require_flint
 from benchdragon.analysis.speed_proof import SpeedClaim, handle_speeds, prove_speed
+from benchdragon.budget import OverBudgetError
 from benchdragon.errors import UnsureError, of_kind
-from benchdragon.i18n import _
+from benchdragon.i18n import N_, _
 from benchdragon.model.answer import Answer
 from benchdragon.progress import Progress, part, silent
 
@@ -28,20 +30,19 @@ def prove_report(report: Report, progress: Progress = silent) -> Report:
     require_flint()
     claims, speeds, unproved = list(report.claims), list[SpeedClaim](), list(report.unproved)
 
-    def tried(what: str, found: Answer, prove: Callable[[], Answer]) -> Answer:
+    def tried(kind: str, found: Answer, prove: Callable[[], Answer]) -> Answer:
         try:
             return prove()
-        except UnsureError as error:
-            unproved.append(_("{what}: {why}").format(what=what, why=error))
+        except (UnsureError, OverBudgetError) as error:
+            unproved.append(Unproved(kind, error))
             return found
 
-    clearance, text = report.clearance, _("least clearance")
+    clearance = report.clearance
     if clearance.status == "found":
-        first = part(progress, 0.0, 0.5, text)
-        clearance = tried(text, clearance, lambda: _clearance(report, claims, first))
-    text = _("greatest speed")
-    last = part(progress, 0.5, 1.0, text)
-    speed = tried(text, report.greatest_speed, lambda: _speed(report, speeds, last))
+        first = part(progress, 0.0, 0.5, _(PROOFS["clearance"]))
+        clearance = tried("clearance", clearance, lambda: _clearance(report, claims, first))
+    last = part(progress, 0.5, 1.0, _(PROOFS["speed"]))
+    speed = tried("speed", report.greatest_speed, lambda: _speed(report, speeds, last))
     return replace(
         report, clearance=clearance, greatest_speed=speed, claims=tuple(claims), speeds=tuple(speeds),
         unproved=tuple(unproved),
@@ -69,9 +70,9 @@ def _speed(report: Report, speeds: list[SpeedClaim], progress: Progress) -> Answ
     """
     plan, found = report.plan, report.greatest_speed
     if plan.walk.profile or plan.cues.cue or plan.cues.acceleration is not None:
-        raise UnsureError(_("it is proved only where the head keeps one speed"))
+        raise UnsureError(N_("it is proved only where the head keeps one speed"))
     if found.witness is None:
-        raise UnsureError(_("there is no speed that could be proved"))
+        raise UnsureError(N_("there is no speed that could be proved"))
     claim = prove_speed(
         report.walk, report.start, _until(report), found.witness.s, plan=plan, progress=progress
     )

@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict
 
-from benchdragon.analysis import findings, not_looked_at
+from benchdragon.analysis import findings, left_open, not_looked_at
 from benchdragon.analysis.check import Report, peak_text, sentence
 from benchdragon.analysis.findings import KINDS
 from benchdragon.analysis.obstacles import ObstacleAnswers
@@ -148,6 +148,13 @@ class NotLookedAt(Record):
     text: Words
 
 
+class Unproved(Record):
+    """Something that was to be proved and could not be: see `left_open.Unproved`."""
+
+    kind: str
+    text: Words
+
+
 class HeadStop(Record):
     """A time in which the head, and with it every handle, stands: see `stops.Stop`."""
 
@@ -163,6 +170,7 @@ class Verdict(Record):
         safe: whether nothing was found.
         decided: whether no open question could change `safe`.
         proved: whether what is said of contact was proved.
+        unproved: what was to be proved and could not be, and why; it stands as it was found.
         sentence: the verdict for readers.
         start: of the walk, s.
         end: of the walk, s.
@@ -176,6 +184,7 @@ class Verdict(Record):
     safe: bool
     decided: bool
     proved: bool
+    unproved: list[Unproved]
     sentence: Words
     start: Number
     end: Number
@@ -205,6 +214,7 @@ def verdict_of(report: Report) -> Verdict:
         safe=report.safe,
         decided=report.decided,
         proved=report.proved,
+        unproved=[Unproved(kind=one.kind, text=_in_both(one)) for one in report.unproved],
         sentence=both(lambda: sentence(report)),
         start=report.start,
         end=report.end,
@@ -215,7 +225,7 @@ def verdict_of(report: Report) -> Verdict:
         obstacles=[_obstacle(found, plan) for found in report.obstacles],
         room=[_room(level, plan) for level in report.room],
         findings=[_finding(found) for found in report.findings],
-        not_looked_at=[_not_looked_at(one) for one in report.not_looked_at],
+        not_looked_at=[NotLookedAt(kind=one.kind, text=_in_both(one)) for one in report.not_looked_at],
         stops=_stops(report),
         seconds=report.seconds,
         plan_sha256=plan.sha256,
@@ -223,8 +233,8 @@ def verdict_of(report: Report) -> Verdict:
     )
 
 
-def _not_looked_at(one: not_looked_at.NotLookedAt) -> NotLookedAt:
-    return NotLookedAt(kind=one.kind, text=both(lambda: one.text))
+def _in_both(one: not_looked_at.NotLookedAt | left_open.Unproved) -> Words:
+    return both(lambda: one.text)
 
 
 def _stops(report: Report) -> list[HeadStop] | None:
@@ -284,6 +294,7 @@ def verdict_of_fall(plan: Plan, span: tuple[float, float], error: WalkError) -> 
         safe=False,
         decided=True,
         proved=False,
+        unproved=[],
         sentence=both(lambda: _("Not safe: {finding}").format(finding=error)),
         start=span[0],
         end=span[1],

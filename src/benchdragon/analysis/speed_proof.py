@@ -10,7 +10,7 @@ import numpy as np
 from benchdragon import budget
 from benchdragon.analysis.proof import exact_numbers, require_flint
 from benchdragon.errors import UnsureError
-from benchdragon.i18n import _
+from benchdragon.i18n import N_, _
 from benchdragon.model.walk import Walk
 from benchdragon.plans.schema import Plan
 from benchdragon.progress import Progress, silent
@@ -96,8 +96,8 @@ class SpeedQuestion:
         dance = replace(self._dance, most=self._numbers.number(most))
         at = cells(dance, self._numbers.guess, first, last, progress)
         if at[-1] < last:
-            text = _("no bound on speeds could be shown in ball arithmetic beyond {s} m of the route")
-            raise UnsureError(text.format(s=f"{at[-1]:.12g}"))
+            text = N_("no bound on speeds could be shown in ball arithmetic beyond {s} m of the route")
+            raise UnsureError(text, s=f"{at[-1]:.12g}")
         return SpeedClaim(tuple(at), start, end, most, s, handle, least)
 
     def _fastest(self, s: float, first: float, last: float) -> tuple[float, int]:
@@ -148,7 +148,7 @@ class SpeedQuestion:
         try:
             chain = chain_at(self._dance, self._numbers.guess, s)
         except UnprovedError as error:
-            raise UnsureError(_("it could not be shown: {error}").format(error=error)) from None
+            raise UnsureError(N_("it could not be shown: {error}"), error=error) from None
         return Still.of(chain, self._dance.route, self._dance.sizes.links).speeds
 
     def _least(self, s: float, handle: int) -> float:

@@ -97,8 +97,6 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
         if files:
             progress(1.0, _("writing"))
             files = write_files(report, files)
-    for text in report.unproved:
-        click.echo(_("not proved: {what}").format(what=text), err=True)
     lines = _explained(report) if options["explain"] else []
     roster = _roster(read, needed=record is not None)
     tell_names(roster.notes, quiet)
@@ -127,11 +125,12 @@ def check(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> 
 def _shown(plan: "Plan", progress: "Progress") -> "Report":
     """A check whose contact is proved; where that cannot be, what was found, and why that is all."""
     from benchdragon.analysis.check import check as checked
+    from benchdragon.analysis.left_open import Unproved
 
     try:
         return checked(plan, progress, prove=True)
     except (UnsureError, OverBudgetError) as error:
-        return replace(checked(plan, progress), unproved=(str(error),))
+        return replace(checked(plan, progress), unproved=(Unproved("contact", error),))
 
 
 def _record_path(plan: str) -> Path:
@@ -205,7 +204,7 @@ def print_report(report: "Report", brackets: bool = False) -> None:
         click.echo(f"  {finding.code}: {finding.text}")
     if report.unfinished is not None:
         click.echo(_("WARNING: {what}").format(what=report.unfinished.text))
-    _print_not_looked_at(report)
+    _print_left_open(report)
     if report.first_contact is not None:
         near, margin = report.first_contact.witness, report.plan.limits.margin
         name = _("first contact")
@@ -224,8 +223,10 @@ def print_report(report: "Report", brackets: bool = False) -> None:
     _print_rest(report, brackets)
 
 
-def _print_not_looked_at(report: "Report") -> None:
-    """What the plan does not say, so that nobody looked at it, one a line."""
+def _print_left_open(report: "Report") -> None:
+    """What could not be proved; and what the plan does not say, so that nobody looked at it."""
+    for proof in report.unproved:
+        click.echo(proof.text)
     if report.not_looked_at:
         click.echo(_("not looked at:"))
     for one in report.not_looked_at:

@@ -62,6 +62,7 @@ def check_lines(report: Report) -> list[str]:
                 "every number."
             )
         )
+    lines += [one.text for one in report.unproved]
     return [*lines, *_greatest_speed_lines(walk, report.greatest_speed, report.plan.limits.speed)]
 
 

@@ -782,6 +782,12 @@ export interface TurnTable {
   ease?: number;
 }
 
+/** Something that was to be proved and could not be: see `left_open.Unproved`. */
+export interface Unproved {
+  kind: string;
+  text: Words;
+}
+
 /**
  * The edge of the venue: `boundary`, its corners, or a `rectangle` about a `centre`.
  *
@@ -804,6 +810,7 @@ export interface VenueTable {
  *     safe: whether nothing was found.
  *     decided: whether no open question could change `safe`.
  *     proved: whether what is said of contact was proved.
+ *     unproved: what was to be proved and could not be, and why; it stands as it was found.
  *     sentence: the verdict for readers.
  *     start: of the walk, s.
  *     end: of the walk, s.
@@ -817,6 +824,7 @@ export interface Verdict {
   safe: boolean;
   decided: boolean;
   proved: boolean;
+  unproved: Array<Unproved>;
   sentence: Words;
   start: number | null;
   end: number | null;

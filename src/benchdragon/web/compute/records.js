@@ -55,6 +55,7 @@ export function verdictOf(report, version) {
     safe: !report.findings.length,
     decided: isDecided(report),
     proved: false,
+    unproved: [],
     sentence: both(() => sentence(report)),
     start,
     end,
