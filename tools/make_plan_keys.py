@@ -17,7 +17,7 @@ from pydantic import AfterValidator, BaseModel, BeforeValidator
 from pydantic.fields import FieldInfo
 
 import benchdragon
-from benchdragon.plans import idle, toml
+from benchdragon.plans import idle, people, toml
 from benchdragon.plans.faults import kinds_of
 from benchdragon.plans.schema import Plan
 
@@ -30,7 +30,7 @@ UNITS = ("METRES", "SECONDS", "DEGREES", "SPEEDS", "ACCELERATIONS", "ANGULAR_SPE
 TYPES = {float: "float", int: "int", bool: "bool", str: "text"}
 NUMBERS, NAMES = "Record<string, Record<string, number>>", "Record<string, string[]>"
 # Functions that check or change a value, which have twins by these names.
-CHECKS = ("one_line", "web_address", "_time_of_day")
+CHECKS = ("one_line", "_time_of_day")
 LIMITS = {"le": min, "ge": max, "gt": max, "least": max, "most": min}
 
 Spec = dict[str, Any]
@@ -56,6 +56,8 @@ def constraint(one: object) -> Spec:
         case BeforeValidator(func=function):
             units = closed_over(function)
             return {"units": next((name for name in UNITS if getattr(toml, name) is units), "")}
+        case AfterValidator(func=people.web_address):
+            return {"check": "web_address", "pattern": people.ADDRESS.pattern}
         case AfterValidator(func=function) if function.__name__ in CHECKS:
             return {"check": function.__name__.strip("_")}
         case AfterValidator(func=function):

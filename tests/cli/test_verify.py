@@ -109,7 +109,7 @@ def test_what_takes_too_much_to_prove_ends_with_what_was_found(
         assert unproved["text"][language] in told["explanation"]
     plan.write_text(TEXT.format(post=list(IN_THE_WAY), margin=0.0), "utf-8")
     assert run([*line, "--force", "--lang", "en"]) == 1
-    verdict, finding, unproved, *_ = capsys.readouterr().out.splitlines()
+    verdict, finding, _, unproved, *_ = capsys.readouterr().out.splitlines()
     assert (verdict, finding[:8]) == ("NOT SAFE", "  BD304:")
     assert unproved.startswith(f"not proved: {WHAT['en']}: ")
 

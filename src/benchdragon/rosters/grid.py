@@ -18,6 +18,7 @@ from python_calamine import (
     load_workbook,
 )
 
+from benchdragon.decoding import readings
 from benchdragon.errors import InputError, reason
 from benchdragon.i18n import _
 from benchdragon.rosters.extent import (
@@ -217,12 +218,7 @@ def _within(rows: Iterable[list[str]], name: str) -> Iterable[list[str]]:
 
 def _decoded(data: bytes, name: str) -> str:
     """Text in UTF-8, UTF-16 with its mark, GB18030 or Big5."""
-    marked = data.startswith((b"\xff\xfe", b"\xfe\xff"))
-    for encoding in ("utf-16",) if marked else _encodings(data, name):
-        try:
-            text = data.decode(encoding)
-        except UnicodeDecodeError:
-            continue
+    for text in readings(data, _legacy(data, name)):
         found = NO_TEXT.search(text)
         if found is None:
             return text
@@ -238,13 +234,12 @@ def _decoded(data: bytes, name: str) -> str:
     )
 
 
-def _encodings(data: bytes, name: str) -> Iterator[str]:
-    """UTF-8; if bytes are not that, GB18030, and Big5 before it where its common signs are more.
+def _legacy(data: bytes, name: str) -> Iterator[str]:
+    """Encodings of bytes that are not UTF-8: Big5 where its common signs are more, and GB18030.
 
     Raises:
         InputError: for what is UTF-8 but for a few bytes: any other reading of it is none.
     """
-    yield "utf-8-sig"
     whole = data.decode("utf-8", "replace")
     torn, sound = whole.count("\ufffd"), sum(sign > "\x7f" for sign in whole)
     if torn and sound - torn > ALL_BUT * torn:

@@ -9,6 +9,7 @@ import unicodedata
 from collections.abc import Iterator
 from typing import Any
 
+from benchdragon.decoding import readings
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
 from benchdragon.surveys.coordinates import code_of
@@ -133,19 +134,11 @@ def text_of(data: bytes, name: str, told: str = "gb18030") -> str:
         InputError: for what is none of these.
     """
     data = data.rstrip(b"\x1a")  # with which DOS ends a text
-    wide = data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
-    try:
-        text = data.decode("utf-16" if wide else "utf-8-sig")
-        marked = wide or data.startswith(codecs.BOM_UTF8)
-        if marked or text.isascii() or max(text) >= THREE_BYTES:
+    texts = readings(data, (told,))
+    for text in texts:
+        if data.startswith(codecs.BOM_UTF8) or text.isascii() or max(text) >= THREE_BYTES:
             return text
-    except UnicodeDecodeError:
-        text = ""
-    try:
-        return data.decode(told)
-    except (UnicodeDecodeError, LookupError):
-        if text:
-            return text
+        return next(texts, text)
     raise InputError(_("{file} is no text in UTF-8, UTF-16 or GB18030").format(file=name))
 
 

@@ -25,6 +25,7 @@ import { pythonFloat } from "./number_format.js";
  * @property {string} [units] name of the units of text with numbers, "" for none
  * @property {number} [ge] @property {number} [gt] @property {number} [le]
  * @property {number} [least] the least that is not 0
+ * @property {string} [pattern] of all of a text, as a regular expression
  * @property {number} [fewest] entries @property {number} [most] entries or letters
  * @property {string} [check] of a text
  * @property {boolean} [day] whether it may be a date of TOML
@@ -35,9 +36,6 @@ import { pythonFloat } from "./number_format.js";
 
 const QUANTITY = /([-+]?[0-9.]+(?:e[-+]?\d+)?)\s*([^\s\d.+^-]+(?:\^\d)?)/gi;
 const NUMBER_TEXT = /^\s*[-+]?(?:\d[\d_]*\.?\d*|\.\d+)(?:e[-+]?\d+)?\s*$/i;
-// Twin of ADDRESS of plans/people.py.
-const ADDRESS =
-  /^(?:[Hh][Tt][Tt][Pp][Ss]?:\/\/[^ /?#@:\\][^ /?#@\\]*(?:[/?#][^ \\]*)?|[^ \\/:?#][^ \\:?#]*(?:[?#][^ \\]*)?)$/u;
 const TIME_OF_DAY = /^([01]?\d|2[0-3]):([0-5]\d)(?::([0-5]\d))?$/;
 const MIDNIGHT = /^24:00(?::00)?$/;
 const [TRUTHS, UNTRUTHS] = [
@@ -321,7 +319,7 @@ function textOf(spec, value) {
     throw new ValueFault(
       _("wanted text that can be printed on one line, not {text}", { text: brief(text) }),
     );
-  if (spec.check === "web_address" && text && !ADDRESS.test(text))
+  if (spec.pattern && text && !new RegExp(`^(?:${spec.pattern})$`, "u").test(text))
     throw new ValueFault(
       _(
         "wanted a web address (http:// or https://) or a relative file name, without spaces, not {text}",
