@@ -386,11 +386,11 @@ class _Recording(SpawnContext):
 
     def Process(self, *args: Any, **named: Any) -> Any:  # type: ignore[override]
         """A new process."""
-        self.started.append(_Worker(*args, **named))
+        self.started.append(Worker(*args, **named))
         return self.started[-1]
 
 
-class _Worker(SpawnProcess):
+class Worker(SpawnProcess):
     """A process that is deaf to Ctrl-C, which is for its parent, from before it begins."""
 
     def start(self) -> None:
@@ -412,7 +412,7 @@ def _pool(count: int) -> Iterator[Executor]:
     Its thread is waited for too: at Python 3.11's exit it would close a pipe that is just written to.
     """
     context = _Recording()
-    executor = ProcessPoolExecutor(count, mp_context=context, initializer=_begin_worker)
+    executor = ProcessPoolExecutor(count, mp_context=context, initializer=begin_worker)
     try:
         yield executor
         executor.shutdown()
@@ -426,7 +426,7 @@ def _pool(count: int) -> Iterator[Executor]:
             manager.join(PATIENCE)
 
 
-def _begin_worker() -> None:
+def begin_worker() -> None:
     """Leave Ctrl-C to the parent, and end when it ends, however it does."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     parent = multiprocessing.parent_process()

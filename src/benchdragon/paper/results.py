@@ -1,9 +1,6 @@
 """The paper again, as numbers: what its report, tables and pictures are made from."""
 
 import multiprocessing
-import os
-import signal
-import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
@@ -35,6 +32,7 @@ from benchdragon.paper.random_dances import Run, kept_run, walked_again
 from benchdragon.paper.runge_kutta import head_positions
 from benchdragon.paper.sensitivity import contact_rates, limit_rates, sizes_of, speed_rates
 from benchdragon.paper.traversal import PitchCurve, first_overlap, pitch_curve, traversed_pitch
+from benchdragon.parallel import Worker, begin_worker
 from benchdragon.plans.routes import TurnRoute
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.progress import Progress, Stages, silent
@@ -257,11 +255,9 @@ def _beside(plan: Plan, speeds: Sequence[float], spoken: str) -> Iterator[Callab
     Raises:
         UnsureError: from what the block gets, if the process died.
     """
-    context = multiprocessing.get_context("spawn")
-    ours, theirs = context.Pipe(duplex=False)
-    process = context.Process(target=_search_beside, args=(theirs, plan, speeds, spoken), daemon=True)
-    with _interrupts_held():
-        process.start()
+    ours, theirs = multiprocessing.Pipe(duplex=False)
+    process = Worker(target=_search_beside, args=(theirs, plan, speeds, spoken), daemon=True)
+    process.start()
     theirs.close()
 
     def found() -> list[BestTurn]:
@@ -280,32 +276,12 @@ def _beside(plan: Plan, speeds: Sequence[float], spoken: str) -> Iterator[Callab
         process.join()
 
 
-@contextmanager
-def _interrupts_held() -> Iterator[None]:
-    """Processes started in the block never hear Ctrl-C: it is for the one that asked."""
-    if not hasattr(signal, "pthread_sigmask"):
-        yield
-        return
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
-
-
 def _search_beside(pipe: "Connection", plan: Plan, speeds: Sequence[float], spoken: str) -> None:
-    threading.Thread(target=_end_with_parent, daemon=True).start()
+    begin_worker()
     try:
         pipe.send(better_turns(plan, speeds, spoken))
     except BenchDragonError as error:
         pipe.send(error)
-
-
-def _end_with_parent() -> None:
-    parent = multiprocessing.parent_process()
-    if parent is not None:
-        parent.join()
-        os._exit(1)
 
 
 def better_turns(plan: Plan, speeds: Sequence[float], spoken: str) -> list[BestTurn]:
