@@ -1,4 +1,5 @@
 import asyncio
+import ctypes
 import os
 import re
 import subprocess
@@ -6,6 +7,7 @@ import sys
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -169,6 +171,17 @@ def test_the_language_is_what_was_asked_then_what_the_surroundings_say(
         assert preferred_language() == language
         assert preferred_language("zh") == "zh"
         assert preferred_language("en") == "en"
+
+
+@pytest.mark.parametrize(("number", "language"), [(0x0804, "zh"), (0x0409, "en"), (0, "en")])
+def test_on_windows_which_has_no_such_variables_its_own_language_is_spoken(
+    monkeypatch: pytest.MonkeyPatch, number: int, language: str
+) -> None:
+    for name in VARIABLES:
+        monkeypatch.delenv(name, raising=False)
+    system = SimpleNamespace(kernel32=SimpleNamespace(GetUserDefaultUILanguage=lambda: number))
+    monkeypatch.setattr(ctypes, "windll", system, raising=False)
+    assert preferred_language() == language
 
 
 def test_tasks_and_threads_may_speak_languages_of_their_own() -> None:

@@ -13,7 +13,7 @@ from benchdragon.i18n import preferred_language, use_language
 
 # A fault of the program itself, as sysexits.h has it.
 BROKEN = 70
-ENDINGS = ("SIGTERM", "SIGHUP")
+ENDINGS = ("SIGTERM", "SIGHUP", "SIGBREAK")  # the last on Windows: its window is closed
 
 
 def asked_language(arguments: list[str]) -> str | None:

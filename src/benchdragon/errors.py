@@ -2,6 +2,7 @@
 
 import errno
 import math
+import signal
 import socket
 from operator import index
 from typing import Any, Self
@@ -183,6 +184,13 @@ def reason(error: OSError) -> str:
     if error.errno is None:
         return str(error)
     return _("system error {number}").format(number=f"{error.errno} ({error.strerror})")
+
+
+def pipe_closed(error: OSError) -> bool:
+    """Whether nobody reads what is written any more, as EPIPE tells, or EINVAL on Windows."""
+    return error.errno == errno.EPIPE or (
+        error.errno == errno.EINVAL and error.filename is None and not hasattr(signal, "SIGPIPE")
+    )
 
 
 def finite(name: str, value: float, unit: str = "") -> float:

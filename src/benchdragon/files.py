@@ -1,6 +1,7 @@
 """Files appear whole or not at all, and never over one that was there unless asked.
 
 However a run ends: what kill -9 leaves is hidden, and cleared by the next run that writes the same.
+On Windows an open file is locked by that alone: nobody can remove or rename it.
 """
 
 import errno
@@ -10,12 +11,17 @@ import re
 import secrets
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from contextvars import ContextVar
 from pathlib import Path
 
 from benchdragon.errors import BenchDragonError, MachineError, reason
 from benchdragon.i18n import _
+
+try:
+    import fcntl
+except ImportError:  # Windows
+    fcntl = None  # type: ignore[assignment]
 
 # In a folder that a run keeps others out of, where the system cannot lock the folder itself.
 LOCK = ".lock"
@@ -77,7 +83,7 @@ def alone(folder: Path) -> Iterator[None]:
     Raises:
         FileRefusedError: if somebody else is in.
     """
-    if os.name == "nt":
+    if fcntl is None:  # no folder can be opened there
         handle = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT, 0o644)
     else:
         handle = os.open(folder, os.O_RDONLY)
@@ -92,13 +98,11 @@ def alone(folder: Path) -> Iterator[None]:
 def _locked(handle: int, *, otherwise: bool) -> bool:
     """Whether what is open could be locked, as nobody else has; `otherwise` where nothing can be."""
     try:
-        if os.name == "nt":
+        if fcntl is None:
             import msvcrt
 
             msvcrt.locking(handle, msvcrt.LK_NBLCK, 1)  # type: ignore[attr-defined, unused-ignore]
         else:
-            import fcntl
-
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError as error:
         return error.errno not in (errno.EAGAIN, errno.EACCES) and otherwise
@@ -106,9 +110,7 @@ def _locked(handle: int, *, otherwise: bool) -> bool:
 
 
 def _let_go(handle: int) -> None:
-    if os.name != "nt":  # a worker made by a fork has it open, too, and would keep the lock
-        import fcntl
-
+    if fcntl is not None:  # a worker made by a fork has it open, too, and would keep the lock
         fcntl.flock(handle, fcntl.LOCK_UN)
     os.close(handle)
 
@@ -128,20 +130,23 @@ def whole_file(path: Path) -> Iterator[Path]:
         clear_leftovers(path)
         handle = _begun(path, begun)
         yield begun[-1]
+        if fcntl is None:
+            os.close(handle)
+            handle = None
         begun[-1].replace(path)
     except OSError as error:
         raise MachineError(
             _("{path} could not be written: {why}").format(path=path, why=reason(error))
         ) from None
     finally:
-        for temporary in begun:
-            temporary.unlink(missing_ok=True)
         if handle is not None:
             _let_go(handle)
+        for temporary in begun:
+            temporary.unlink(missing_ok=True)
 
 
-def _begun(path: Path, begun: list[Path]) -> int | None:
-    """Begin a temporary file beside `path`; what keeps others from clearing it, where that can be.
+def _begun(path: Path, begun: list[Path]) -> int:
+    """Begin a temporary file beside `path`; what keeps others from clearing it, while it is open.
 
     Its name is the last in `begun` before it is there: it goes even if an interrupt comes at once.
     """
@@ -149,18 +154,13 @@ def _begun(path: Path, begun: list[Path]) -> int | None:
         temporary = path.with_name(f".{path.name}.{secrets.token_hex(4)}{path.suffix}")
         begun.append(temporary)
         handle = os.open(temporary, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o666)
-        if os.name == "nt":  # what is open cannot be renamed there
-            os.close(handle)
-            return None
-        if _locked(handle, otherwise=True) and temporary.exists():
+        if fcntl is None or (_locked(handle, otherwise=True) and temporary.exists()):
             return handle
         os.close(handle)  # it was taken for a leftover before it was locked
 
 
 def clear_leftovers(path: Path) -> None:
-    """Remove the temporary files of runs that were killed while they wrote `path`, where that shows."""
-    if os.name == "nt":
-        return
+    """Remove the temporary files of runs that were killed while they wrote `path`."""
     name = re.compile(rf"\.{re.escape(path.name)}\.[0-9a-f]{{8}}{re.escape(path.suffix)}")
     for found in path.parent.iterdir():
         if name.fullmatch(found.name):
@@ -169,6 +169,10 @@ def clear_leftovers(path: Path) -> None:
 
 def _clear(leftover: Path) -> None:
     """Remove a temporary file that nobody writes any more."""
+    if fcntl is None:
+        with suppress(PermissionError):  # it is open
+            leftover.unlink(missing_ok=True)
+        return
     try:
         handle = os.open(leftover, os.O_RDWR)
     except OSError:
@@ -178,6 +182,16 @@ def _clear(leftover: Path) -> None:
             leftover.unlink(missing_ok=True)
     finally:
         os.close(handle)
+
+
+def write_whole(path: Path, text: str) -> None:
+    """Write a text, the same bytes on all systems.
+
+    Raises:
+        MachineError: as `whole_file`.
+    """
+    with whole_file(path) as temporary:
+        temporary.write_text(text, "utf-8", newline="\n")
 
 
 @contextmanager

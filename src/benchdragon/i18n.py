@@ -3,7 +3,9 @@
 The language is chosen once for the process; a server's answers may each speak their own (`spoken_in`).
 """
 
+import ctypes
 import gettext
+import locale
 import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -11,6 +13,7 @@ from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 LANGUAGES = ("en", "zh")
 LOCALE_FOLDER = Path(__file__).parent / "locale"
@@ -26,8 +29,14 @@ def preferred_language(asked: str | None = None) -> str:
     """`asked`, else BENCHDRAGON_LANG, else what the locale says: "en" or "zh"."""
     candidates = [asked, os.environ.get("BENCHDRAGON_LANG")]
     candidates += [os.environ.get(name) for name in ("LC_ALL", "LC_MESSAGES", "LANG")]
-    chosen = next((name for name in candidates if name), "en")
+    chosen = next((name for name in [*candidates, _windows_language()] if name), "en")
     return "zh" if chosen.lower().startswith("zh") else "en"
+
+
+def _windows_language() -> str | None:
+    """The language in which Windows speaks, such as "zh_CN"; None on other systems."""
+    library: Any = getattr(ctypes, "windll", None)
+    return library and locale.windows_locale.get(library.kernel32.GetUserDefaultUILanguage())
 
 
 def use_language(language: str) -> None:

@@ -20,7 +20,7 @@ from benchdragon.analysis.proof import Claim, Question, require_flint
 from benchdragon.analysis.speed_proof import SpeedClaim, SpeedQuestion
 from benchdragon.analysis.statements import Apart, Paces, Verified, place_of, quoted
 from benchdragon.errors import InputError, UnsureError, not_negative, reason
-from benchdragon.files import whole_file
+from benchdragon.files import write_whole
 from benchdragon.i18n import _
 from benchdragon.model.obstacle import Obstacle
 from benchdragon.model.walk import Walk
@@ -127,8 +127,7 @@ def _written(claim: Claim) -> dict[str, Any]:
 
 def write_certificate(certificate: Certificate, path: Path) -> None:
     """Write a certificate as a whole file."""
-    with whole_file(path) as temporary:
-        temporary.write_text(certificate.model_dump_json(), "utf-8")
+    write_whole(path, certificate.model_dump_json())
 
 
 Kind = TypeVar("Kind", bound=BaseModel)

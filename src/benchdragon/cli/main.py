@@ -63,7 +63,14 @@ from benchdragon.cli.timetable import timetable
 from benchdragon.cli.tolerance import margins
 from benchdragon.cli.verify import verify
 from benchdragon.cli.view import view
-from benchdragon.errors import BenchDragonError, InputError, MachineError, engine_advice, reason
+from benchdragon.errors import (
+    BenchDragonError,
+    InputError,
+    MachineError,
+    engine_advice,
+    pipe_closed,
+    reason,
+)
 from benchdragon.files import one_run
 from benchdragon.i18n import N_, _, language
 from benchdragon.kernels.status import EngineError
@@ -456,9 +463,11 @@ def run(arguments: Sequence[str]) -> int:
         _say(_("interrupted; nothing half-written is left"))
         number = getattr(error.__cause__ or error, "args", ())
         return 128 + number[0] if number else INTERRUPTED
-    except (BrokenPipeError, SystemExit):  # click ends with the latter where a pipe is closed
+    except SystemExit:  # so click ends where a pipe is closed
         return NOBODY_READS
     except OSError as error:
+        if pipe_closed(error):
+            return NOBODY_READS
         where = "" if error.filename is None else f"{error.filename}: "
         return _failed(where + reason(error), MachineError.exit_code)
     except MemoryError:

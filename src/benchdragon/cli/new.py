@@ -81,7 +81,7 @@ if TYPE_CHECKING:
 @shared_options
 def new(output: Path, force: bool, quiet: bool, **options: Any) -> int:
     """Ask, propose, write the plan, print its check and what comes next."""
-    from benchdragon.files import refuse_existing, whole_file
+    from benchdragon.files import refuse_existing, write_whole
 
     check_ending("--output", output, [".toml"])
     refuse_existing([output], force)
@@ -103,8 +103,7 @@ def new(output: Path, force: bool, quiet: bool, **options: Any) -> int:
         if not sys.stdin.isatty():
             return NO_SOLUTION
         given |= _asked_again(said, found)
-    with whole_file(output) as temporary:
-        temporary.write_text(_text(found.plan, wishes, given), encoding="utf-8")
+    write_whole(output, _text(found.plan, wishes, given))
     for line in _told(found, wishes, again):
         click.echo(line)
     print_report(found.report)

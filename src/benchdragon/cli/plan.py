@@ -68,11 +68,10 @@ def plan(plan: str | None, settings: tuple[str, ...], quiet: bool, **options: An
     if output is None:
         click.echo(text, nl=False)
         return 0
-    from benchdragon.files import refuse_existing, whole_file
+    from benchdragon.files import refuse_existing, write_whole
 
     refuse_existing([output], force)
-    with whole_file(output) as temporary:
-        temporary.write_text(text, encoding="utf-8")
+    write_whole(output, text)
     print_files([output])
     return 0
 

@@ -75,12 +75,11 @@ def write_plan(plan: "Plan", path: Path, source: str) -> None:
 
     What somebody wrote into the file that it replaces, and is not in it, is told.
     """
-    from benchdragon.files import whole_file
+    from benchdragon.files import write_whole
     from benchdragon.plans.rewriting import rewritten
 
     text, before = rewritten(plan, source), kept_by_hand(path)
-    with whole_file(path) as temporary:
-        temporary.write_text(text, encoding="utf-8")
+    write_whole(path, text)
     warn_of_lost(before, path)
 
 

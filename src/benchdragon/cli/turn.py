@@ -134,7 +134,7 @@ def _prove_turn(
     plan: "Plan", source: str, goal: "TurnGoal", options: dict[str, Any], quiet: bool
 ) -> int:
     """Print the best turn, and how much better another may be at most."""
-    from benchdragon.files import whole_file
+    from benchdragon.files import write_whole
     from benchdragon.solve import turn_proof
     from benchdragon.solve.turn import best_turn
     from benchdragon.solve.turn_certificate import certificate_of
@@ -148,8 +148,7 @@ def _prove_turn(
         write_plan(best.plan, options["plan_file"], source)
     if options["certificate"] is not None:
         text = certificate_of(plan, goal, proof).model_dump_json()
-        with whole_file(options["certificate"]) as temporary:
-            temporary.write_text(text, encoding="utf-8")
+        write_whole(options["certificate"], text)
     shown = turn_proof.with_proof(best, proof)
     _print_turn(plan, shown, goal.objective, options, proof=turn_proof.proof_json(proof))
     return 0 if proof.complete else UNDECIDED

@@ -4,13 +4,13 @@ import itertools
 import shutil
 import subprocess
 from collections.abc import Callable, Iterator
-from contextlib import suppress
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryFile
 from typing import IO, Any
 
-from benchdragon.errors import MachineError
+from benchdragon.errors import MachineError, pipe_closed
 from benchdragon.i18n import _
 
 # Quality of H.264: 18 shows no difference to the eye.
@@ -81,6 +81,16 @@ def encode_mp4(path: Path, reel: Reel) -> None:
             raise EncoderError(_("ffmpeg failed: {text}").format(text=text))
 
 
+@contextmanager
+def _unread() -> Iterator[None]:
+    """Let what is written to a program that has ended go."""
+    try:
+        yield
+    except OSError as error:
+        if not pipe_closed(error):
+            raise
+
+
 def _piped(command: list[str], frames: Iterator[memoryview], said: IO[bytes]) -> int:
     """Run a program on frames; its exit code. It ends with us, whatever happens."""
     with subprocess.Popen(
@@ -88,7 +98,7 @@ def _piped(command: list[str], frames: Iterator[memoryview], said: IO[bytes]) ->
     ) as process:
         assert process.stdin is not None
         try:
-            with suppress(BrokenPipeError):  # it ended early, and says why
+            with _unread():  # it ended early, and says why
                 for frame in frames:
                     process.stdin.write(frame)
                 process.stdin.close()
@@ -97,7 +107,7 @@ def _piped(command: list[str], frames: Iterator[memoryview], said: IO[bytes]) ->
             process.kill()
             raise
         finally:
-            with suppress(BrokenPipeError):
+            with _unread():
                 process.stdin.close()
 
 

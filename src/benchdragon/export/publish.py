@@ -13,7 +13,7 @@ from matplotlib.mathtext import MathTextParser
 
 from benchdragon.export.document import Document, Formula, Inline, Picture, Reference, anchor_of
 from benchdragon.figures.style import STYLE
-from benchdragon.files import whole_file
+from benchdragon.files import write_whole
 from benchdragon.i18n import _
 from benchdragon.version import __version__
 
@@ -69,8 +69,7 @@ def write_html(path: Path, document: Document, folder: Path) -> None:
         contents=_("Contents"),
         version=__version__,
     )
-    with whole_file(path) as temporary:
-        temporary.write_text(text, encoding="utf-8")
+    write_whole(path, text)
 
 
 def _shown(svg: bytes, width: float) -> tuple[str, float]:

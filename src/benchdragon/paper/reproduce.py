@@ -25,7 +25,7 @@ from benchdragon.figures.contact import clearance_picture, moment_picture
 from benchdragon.figures.style import lay_out, write_picture
 from benchdragon.figures.tolerance import margin_picture
 from benchdragon.figures.walk import dragon_picture, speed_map
-from benchdragon.files import refuse_existing, whole_file
+from benchdragon.files import refuse_existing, write_whole
 from benchdragon.i18n import _, language
 from benchdragon.paper.derivations import allowed_speed, contact_of
 from benchdragon.paper.evidence_figures import (
@@ -109,8 +109,7 @@ def reproduce(
     written = report(found, pages)
     write_html(folder / "report.html", written, folder)
     write_pdf(folder / "report.pdf", written, folder)
-    with whole_file(folder / "answers.json") as temporary:
-        temporary.write_text(json.dumps(answers, indent=1, ensure_ascii=False) + "\n", "utf-8")
+    write_whole(folder / "answers.json", json.dumps(answers, indent=1, ensure_ascii=False) + "\n")
     return Reproduction(answers, files)
 
 
@@ -126,7 +125,10 @@ def pages_from(folder: Path, docs: str) -> str:
         raise InputError(
             _("--docs: there are no pages in {folder}; `make docs` builds them").format(folder=docs)
         )
-    return Path(os.path.relpath(docs, folder)).as_posix()
+    try:
+        return Path(os.path.relpath(docs, folder)).as_posix()
+    except ValueError:  # they lie on another drive of Windows
+        return Path(docs).resolve().as_uri()
 
 
 def _write_tables(folder: Path, found: Results) -> None:

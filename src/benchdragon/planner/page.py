@@ -9,7 +9,7 @@ import zlib
 from pathlib import Path
 
 from benchdragon import engine
-from benchdragon.files import whole_file
+from benchdragon.files import write_whole
 from benchdragon.i18n import language
 from benchdragon.inlining import WEB, chinese, html_page, inlined
 from benchdragon.planner.first_look import first_look
@@ -55,5 +55,4 @@ def _deflated(data: bytes) -> str:
 
 def write_planner(path: Path, plan: Plan | None = None) -> None:
     """Write the planner, whole or not at all."""
-    with whole_file(path) as temporary:
-        temporary.write_text(planner_page(plan), "utf-8", newline="\n")
+    write_whole(path, planner_page(plan))

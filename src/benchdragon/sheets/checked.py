@@ -12,7 +12,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from benchdragon.analysis.check import Report, sentence
 from benchdragon.errors import InputError, reason
-from benchdragon.files import whole_file
+from benchdragon.files import write_whole
 from benchdragon.i18n import LANGUAGES, _, spoken_in
 from benchdragon.plans.schema import Plan
 from benchdragon.plans.toml import SUFFIX, built_in_names
@@ -85,9 +85,8 @@ def record_check(path: Path | None, report: Report, roster: Roster) -> Record:
     )
     if path is None:
         return record
-    with whole_file(path) as temporary:
-        text = json.dumps(record.model_dump(mode="json"), ensure_ascii=False, indent=1)
-        temporary.write_text(text + "\n", "utf-8")
+    text = json.dumps(record.model_dump(mode="json"), ensure_ascii=False, indent=1)
+    write_whole(path, text + "\n")
     return record
 
 

@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from benchdragon.errors import InputError, MachineError, reason
-from benchdragon.files import LOCK, FileRefusedError, alone, whole_file
+from benchdragon.files import LOCK, FileRefusedError, alone, whole_file, write_whole
 from benchdragon.i18n import N_, _
 from benchdragon.plans.schema import checked
 from benchdragon.plans.toml import PlanError
@@ -239,8 +239,7 @@ def _prepare(folder: Path, about: Mapping[str, Any]) -> None:
 
 def write_about(folder: Path, about: Mapping[str, Any]) -> None:
     """Say what the sweep in a folder is."""
-    with whole_file(folder / ABOUT) as temporary:
-        temporary.write_text(json.dumps(about), encoding="utf-8")
+    write_whole(folder / ABOUT, json.dumps(about))
 
 
 def _is_leftover(path: Path) -> bool:
