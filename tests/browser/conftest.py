@@ -1,4 +1,4 @@
-"""Tests of pages: one Chromium for all of them, and no page that fails unseen."""
+"""Tests of pages: one Chromium in each process, and no page that fails unseen."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -14,10 +14,10 @@ from tests.browser.players import Scene
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Keep tests of pages in one process: beside another browser, what is played comes late."""
+    """Keep the tests of a file in one process: each process has a browser, a page and dances of its own."""
     for item in items:
         if item.path.is_relative_to(Path(__file__).parent):
-            item.add_marker(pytest.mark.xdist_group("browser"))
+            item.add_marker(pytest.mark.xdist_group(f"browser {item.path.stem}"))
 
 
 # Not for the session: an event loop runs for as long, and other tests start their own.

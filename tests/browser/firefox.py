@@ -7,7 +7,7 @@ import shutil
 import subprocess
 from collections.abc import Callable, Coroutine, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from itertools import count
 from pathlib import Path
 from typing import Any
@@ -27,6 +27,8 @@ SETTINGS = {
     "browser.shell.checkDefaultBrowser": False,
     "datareporting.policy.dataSubmissionEnabled": False,
 }
+# Seconds in which the end of a connection is heard, if at all.
+GOING = 5.0
 Run = Callable[[Coroutine[Any, Any, Any]], Any]
 LISTENS = re.compile(r"WebDriver BiDi listening on (ws://127\.0\.0\.1:\d+)")
 
@@ -48,7 +50,8 @@ class Firefox:
         self._run, self._socket, self._numbers = run, socket, count(1)
         self._send("session.new", capabilities={})
         self._send("session.subscribe", events=["log.entryAdded"])
-        self._page = self._send("browsingContext.getTree")["contexts"][0]["context"]
+        # A page of its own: under load the first one is still on its way, and takes no other for long.
+        self._page = self._send("browsingContext.create", type="tab")["context"]
 
     def open(self, address: str) -> None:
         """Go to an address, and wait for it to be loaded."""
@@ -82,8 +85,12 @@ class Firefox:
         )
 
     def _send(self, method: str, **params: Any) -> dict[str, Any]:
-        answer: dict[str, Any] = self._run(self._answered(method, params))
-        return answer
+        answer = asyncio.wait_for(self._answered(method, params), 2e-3 * HANGING)
+        try:
+            found: dict[str, Any] = self._run(answer)
+        except TimeoutError:
+            raise RuntimeError(f"Firefox does not answer: {method}") from None
+        return found
 
     async def _answered(self, method: str, params: dict[str, Any]) -> dict[str, Any]:
         """The answer to a command; what is told meanwhile is kept."""
@@ -146,6 +153,9 @@ async def _connected(address: str) -> WebSocketClientConnection:
 
 
 async def _closed(socket: WebSocketClientConnection) -> None:
+    """Close a connection, and hear the last of it; from a Firefox that is gone nothing comes."""
     socket.close()
-    while await socket.read_message() is not None:
-        pass
+    with suppress(TimeoutError):
+        async with asyncio.timeout(GOING):
+            while await socket.read_message() is not None:
+                pass
