@@ -14,7 +14,7 @@ from tests.browser.players import Scene
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Keep the tests of a file in one process: each process has a browser, a page and dances of its own."""
+    """Keep tests of a file in one process: each process has a browser, a page and dances of its own."""
     for item in items:
         if item.path.is_relative_to(Path(__file__).parent):
             item.add_marker(pytest.mark.xdist_group(f"browser {item.path.stem}"))

@@ -103,7 +103,7 @@ def test_a_page_may_ask_its_own_server_and_no_other(pages: Pages, server: str, t
     pages.faults.clear()
 
 
-def test_one_process_has_all_tests_of_pages(request: pytest.FixtureRequest) -> None:
+def test_one_process_has_all_tests_of_a_file(request: pytest.FixtureRequest) -> None:
     if not request.config.getoption("loadgroup", False):
         pytest.skip("only where tests are spread over processes by group")
-    assert request.node.nodeid.endswith("@browser")
+    assert request.node.nodeid.endswith("@browser test_pages")
