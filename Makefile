@@ -16,7 +16,7 @@ MAKEFLAGS += --jobs=2
 # Tests start a hundred processes: those that may keep no bytecode would each compile the package anew.
 export PYTHONDONTWRITEBYTECODE :=
 
-.PHONY: demo test main-test quick lint style mypy pages slow-test page-test long-test manual-test numba-test docs atlas bench truth wasm wasm-test carried carried-test mutants hostile messages keys types \
+.PHONY: demo test main-test quick lint style mypy pages slow-test page-test long-test manual-test engine docs atlas bench truth wasm wasm-test carried carried-test mutants hostile messages keys types \
   map lock fonts clean
 
 .venv/installed: requirements.lock pyproject.toml
@@ -26,8 +26,10 @@ export PYTHONDONTWRITEBYTECODE :=
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
 	touch $@
 
-# The kernels as one library; without a C compiler numba serves.
-.venv/engine: .venv/installed $(wildcard src/benchdragon/kernels/*.py src/benchdragon/engine/*.py src/benchdragon/engine/*.c)
+# The kernels as one library, twice to three times as fast as engine.wasm, which serves without it.
+engine: .venv/engine
+
+.venv/engine: .venv/installed src/benchdragon/hosts/signature.py $(wildcard src/benchdragon/kernels/*.py src/benchdragon/engine/*.py src/benchdragon/engine/*.c)
 	-$(BIN)/python -m benchdragon.engine
 	touch $@
 
@@ -42,10 +44,10 @@ demo: .venv/engine
 # All but what takes minutes each, and as long together as the rest.
 test: lint pages main-test
 
-slow-test: page-test long-test manual-test numba-test
+slow-test: page-test long-test manual-test
 
 main-test: style .venv/engine .venv/kernels-plain .venv/kernels-compiled
-	$(BIN)/python -m pytest -q -n $(WORKERS) --dist loadgroup -m 'not manual and not numba and not pages and not long' --ignore tests/kernels
+	$(BIN)/python -m pytest -q -n $(WORKERS) --dist loadgroup -m 'not manual and not pages and not long' --ignore tests/kernels
 
 # What pages do in a browser, and what their JavaScript answers beside Python.
 page-test: .venv/engine $(if $(NPM),node_modules/installed)
@@ -73,20 +75,15 @@ pages: $(if $(NPM),node_modules/installed)
 	$(if $(NPM),node_modules/.bin/prettier --check --log-level warn $(PAGES))
 
 # The kernels' own tests run once for each state of kernels and tests: as plain Python, each line of which
-# can be counted, then from the library.
+# can be counted, then by the library and by engine.wasm.
 .venv/kernels-plain: .venv/installed $(KERNELS)
 	BENCHDRAGON_ENGINE=plain $(BIN)/python -m pytest -q -n auto -m 'not compiled' tests/kernels $(RECORDED) --cov --cov-report=term-missing --cov-fail-under=95
 	touch $@
 
 .venv/kernels-compiled: .venv/kernels-plain .venv/engine
 	$(BIN)/python -m pytest -q -n auto tests/kernels $(RECORDED)
+	BENCHDRAGON_ENGINE=wasm $(BIN)/python -m pytest -q -n auto tests/kernels $(RECORDED)
 	touch $@
-
-# All kernels compiled by numba one by one, minutes, as where no C compiler is: their own tests, and each
-# entry beside the library's.
-numba-test: .venv/engine
-	BENCHDRAGON_ENGINE=jit $(BIN)/python -m pytest -q -n auto tests/kernels $(RECORDED)
-	$(BIN)/python -m pytest -q -m numba tests/engine
 
 manual-test: .venv/engine
 	$(BIN)/python -m pytest -q -m manual tests/test_docs.py
@@ -174,7 +171,7 @@ fonts: .venv/installed
 
 lock:
 	uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-annotate --no-header \
-	  --python-version 3.11 --extra data --extra prove --extra video --extra cluster --extra refine --extra survey --group dev --group build --group docs pyproject.toml -o requirements.lock
+	  --python-version 3.11 --extra data --extra prove --extra video --extra cluster --extra refine --extra survey --extra build --group dev --group build --group docs pyproject.toml -o requirements.lock
 	uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-annotate --no-header \
 	  --python-version 3.11 --no-deps --group wasm -o requirements-wasm.lock
 

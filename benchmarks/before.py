@@ -1,4 +1,4 @@
-"""An older version of this project beside this one: two processes answer questions in turns."""
+"""An older version, or another engine, beside this one: two processes answer questions in turns."""
 
 import json
 import math
@@ -13,6 +13,13 @@ from timing import Options, digits, lines_of, repeats_of
 
 HERE = Path(__file__).parent
 SOURCE = HERE.parent / "src"
+# What served, by what it had to import.
+SERVED = {
+    "numba": "compiled by numba",
+    "wasmtime": "engine.wasm by Wasmtime",
+    "": "a library built ahead of time",
+}
+TURNS = "Both warm, each in a process of its own, taking turns; the least of each."
 
 
 def source_of(folder: str) -> Path:
@@ -32,16 +39,18 @@ class Version:
 
     Args:
         source: the folder in which the package lies.
+        engine: that is to serve; if nothing is said, the one that serves by itself.
 
     Raises:
         RuntimeError: if the process takes the package from elsewhere.
     """
 
-    def __init__(self, source: Path) -> None:
-        self.source, self.numba = source, False
+    def __init__(self, source: Path, engine: str = "") -> None:
+        self.source, self.engine = source, ""
         self.process = subprocess.Popen(
             [sys.executable, str(HERE / "questions.py")],
-            stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment(source),
+            stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
+            env={**environment(source), "BENCHDRAGON_ENGINE": engine},
         )  # fmt: skip
         served = Path(self._line()["file"])
         if not served.is_relative_to(source):
@@ -54,7 +63,7 @@ class Version:
         self.process.stdin.write(name + "\n")
         self.process.stdin.flush()
         found = self._line()
-        self.numba = found["numba"]
+        self.engine = found["engine"]
         return found
 
     def close(self) -> None:
@@ -79,25 +88,36 @@ def before_and_after(options: Options) -> list[str]:
     """Rows of all questions, asked of the older version and of this one."""
     if options.before is None:
         return ["No older version was timed (`--before FOLDER`)."]
-    old = Version(source_of(options.before))
+    old, new, rows = paired(Version(source_of(options.before)), Version(SOURCE), options)
+    return [
+        f"Before: {described(Path(options.before))}, {SERVED[old.engine]}. After: "
+        f"{described(HERE.parent)}, {SERVED[new.engine]}. {TURNS}",
+        "",
+        *lines_of(columns("before", "after"), rows),
+    ]
+
+
+def engines(options: Options) -> list[str]:
+    """Rows of all questions, asked of engine.wasm and of the library."""
+    _one, _other, rows = paired(Version(SOURCE, "wasm"), Version(SOURCE, "native"), options)
+    return [TURNS, "", *lines_of(columns("engine.wasm", "library"), rows)]
+
+
+def paired(one: Version, other: Version, options: Options) -> tuple[Version, Version, list[list[str]]]:
+    """Both, ended, and the rows of all questions."""
     try:
-        new = Version(SOURCE)
-        try:
-            rows = [compared(name, old, new, options) for name in QUESTIONS]
-        finally:
-            new.close()
+        return one, other, [compared(name, one, other, options) for name in QUESTIONS]
     finally:
-        old.close()
-    columns = (
-        "question", "before, ms", "after, ms", "before / after", "by processor time",
+        one.close()
+        other.close()
+
+
+def columns(one: str, other: str) -> tuple[str, ...]:
+    """The heads of columns."""
+    return (
+        "question", f"{one}, ms", f"{other}, ms", f"{one} / {other}", "by processor time",
         "answers differ by at most",
     )  # fmt: skip
-    return [
-        f"Before: {described(Path(options.before))}, {engine(old)}. After: {described(HERE.parent)}, "
-        f"{engine(new)}. Both warm, each in a process of its own, taking turns; the least of each.",
-        "",
-        *lines_of(columns, rows),
-    ]
 
 
 def compared(name: str, old: Version, new: Version, options: Options) -> list[str]:
@@ -121,11 +141,6 @@ def difference(one: float, other: float) -> float:
     if math.isnan(one) or math.isnan(other):
         return 0.0 if math.isnan(one) and math.isnan(other) else math.inf
     return abs(one - other)
-
-
-def engine(version: Version) -> str:
-    """What served its kernels."""
-    return "compiled by numba" if version.numba else "a library built ahead of time"
 
 
 def described(folder: Path) -> str:

@@ -15,6 +15,8 @@ import numpy as np
 import benchdragon as bd
 
 Answers = Sequence[float]
+# What an engine imports that is no library built ahead of time.
+ENGINES = ("numba", "wasmtime")
 # What is asked, and its making, which is not timed.
 Question = Callable[[], Callable[[], Answers]]
 
@@ -134,8 +136,9 @@ def serve() -> None:
         wall, cpu = time.perf_counter(), time.process_time()
         answers = jobs[name]()
         took = {"wall": time.perf_counter() - wall, "cpu": time.process_time() - cpu}
-        numbers = {"answers": [float(answer) for answer in answers], "numba": "numba" in sys.modules}
-        print(json.dumps({**took, **numbers}), flush=True)
+        engine = next((name for name in ENGINES if name in sys.modules), "")
+        numbers = [float(answer) for answer in answers]
+        print(json.dumps({**took, "answers": numbers, "engine": engine}), flush=True)
 
 
 if __name__ == "__main__":

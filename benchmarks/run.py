@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
 
-from before import before_and_after, described, source_of
+from before import before_and_after, described, engines, source_of
 from searches import contact_growth, quick_answers, spiral_bound, turns
 from standard import standard_table
 from startup import memory, sizes, whole_processes
@@ -49,6 +49,7 @@ def sliders(_options: Options) -> list[str]:
 TABLES = {
     "targets": Table("Targets", targets),
     "before": Table("Before and after", before_and_after),
+    "engines": Table("Engines", engines),
     "processes": Table("Whole processes", whole_processes),
     "memory": Table("Memory", memory),
     "sizes": Table("Sizes", sizes),
@@ -82,8 +83,8 @@ def machine() -> str:
     gcc = subprocess.run(["gcc", "--version"], capture_output=True, text=True, check=True).stdout
     return (
         f"{datetime.datetime.now(datetime.UTC).date()}, {described(HERE.parent)}; {name}, "
-        f"{os.cpu_count()} cores; Python {platform.python_version()}, NumPy {version('numpy')}, numba "
-        f"{version('numba')}; {gcc.splitlines()[0]}"
+        f"{os.cpu_count()} cores; Python {platform.python_version()}, NumPy {version('numpy')}, "
+        f"Wasmtime {version('wasmtime')}; {gcc.splitlines()[0]}"
     )
 
 

@@ -16,7 +16,8 @@ from before import HERE, SOURCE, environment, source_of
 from packaging.requirements import Requirement
 from timing import Options, Spent, digits, least, lines_of, spent
 
-from benchdragon.kernels.native import ENGINE, find_library
+from benchdragon.hosts.built import ENGINE
+from benchdragon.hosts.native import find_library
 
 DOOR = ("-m", "benchdragon")
 FIRST_TABLE = (
@@ -24,9 +25,7 @@ FIRST_TABLE = (
 )
 # A check of so long a dragon may take so much memory, MB.
 LONG, SHORT, MEMORY = 3000, 223, 300.0
-JIT = {"BENCHDRAGON_ENGINE": "jit"}
-# What may be left out where the library serves.
-COMPILER = "numba"
+WASM = {"BENCHDRAGON_ENGINE": "wasm"}
 WARM, QUICK_WARM = 5, 2
 
 
@@ -53,9 +52,12 @@ PROCESSES = {
         [*DOOR, "motion", "spiral-in", "--at", "60", "--json", "--quiet"]
     ),
     "first table, 224 handles x 301 times": Process(["-c", FIRST_TABLE], empty=True),
-    "the same by numba": Process(["-c", FIRST_TABLE], empty=True, engine=JIT),
+    "first table by engine.wasm": Process(["-c", FIRST_TABLE], empty=True, engine=WASM),
     "`benchdragon check spiral-in`": Process(
         [*DOOR, "check", "spiral-in", "--quiet"], code=1, empty=True
+    ),
+    "`benchdragon check spiral-in` by engine.wasm": Process(
+        [*DOOR, "check", "spiral-in", "--quiet"], code=1, empty=True, engine=WASM
     ),
     "the contest's five questions": Process(
         [str(HERE / "questions.py"), "the contest's five questions"]
@@ -76,7 +78,7 @@ def whole_processes(options: Options) -> list[str]:
     for name, process in PROCESSES.items():
         rows += rows_of(name, process, old, options)
     return [
-        "The least of several; with empty caches, those of what numba compiled, once.",
+        "The least of several; with empty caches, those of what numba or Wasmtime compiled, once.",
         "",
         *(lines_of(columns, rows) if old else lines_of([*columns[:2], *columns[4:6]], rows)),
     ]
@@ -147,13 +149,9 @@ def sizes(_options: Options) -> list[str]:
         data = path.read_bytes()
         rows.append([name, digits(len(data) / 1e3), digits(len(gzip.compress(data)) / 1e3)])
     project = tomllib.loads((HERE.parent / "pyproject.toml").read_text("utf-8"))["project"]
-    wanted = project["dependencies"]
-    without = [text for text in wanted if Requirement(text).name != COMPILER]
+    wanted, built = project["dependencies"], project["optional-dependencies"]["build"]
     installed = []
-    for name, texts in (
-        ("all of them", wanted),
-        (f"without {COMPILER} and what it alone needs", without),
-    ):
+    for name, texts in (("all of them", wanted), ("with the extra `build`", [*wanted, *built])):
         found = brought(texts)
         bulk = sum(map(bytes_of, found))
         installed.append([name, str(len(found)), digits(bulk / 1e6), ", ".join(found)])

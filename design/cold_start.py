@@ -1,56 +1,59 @@
-"""Where a process spends its start, and from how many places on compiled kernels pay.
+"""Where a process spends its start, and why plain Python serves nothing unless it is asked to.
 
-Importing numba and loading cached kernels costs more than a few hundred handles do in plain Python, and
-the first compile on a machine takes a minute. The kernels are plain Python, so where their library was
-not built (design/engine.py) the command line leaves them so for small jobs: cli.FEW_PLACES, with a good
-distance to the break-even printed here.
+engine.wasm is compiled once on a machine, which takes half a second, and is loaded in milliseconds from
+then on; with NumPy imported, Wasmtime is a twentieth of a second more. Kernels as plain Python are as
+quick only for some tens of places, so that no question is worth another way. The first answers, with
+empty caches, stand beside later ones.
 """
 
 import os
 import subprocess
 import sys
+import tempfile
 import time
-
-from benchdragon.cli.main import FEW_PLACES
 
 
 def seconds(*arguments: str, **environment: str) -> float:
     """Least of five whole runs of Python with these arguments, s."""
-    best = float("inf")
-    for _run in range(5):
-        start = time.perf_counter()
-        subprocess.run(
-            [sys.executable, *arguments],
-            check=True,
-            capture_output=True,
-            env={**os.environ, **environment},
-        )
-        best = min(best, time.perf_counter() - start)
-    return best
+    return min(once(*arguments, **environment) for _run in range(5))
+
+
+def once(*arguments: str, **environment: str) -> float:
+    """A whole run, s, however it ends: a check may say no."""
+    start = time.perf_counter()
+    command, told = [sys.executable, *arguments], {**os.environ, **environment}
+    subprocess.run(command, check=False, capture_output=True, env=told)
+    return time.perf_counter() - start
 
 
 def show_imports() -> None:
     """Start of a process that imports one thing."""
     bare = seconds("-c", "pass")
     print(f"bare interpreter: {bare * 1e3:.0f} ms; more for importing")
-    for name in ("click", "numpy", "numba", "pydantic", "scipy.integrate", "matplotlib.figure"):
+    for name in ("click", "numpy", "wasmtime", "pydantic", "scipy.integrate", "matplotlib.figure"):
         print(f"  {name}: {(seconds('-c', f'import {name}') - bare) * 1e3:.0f} ms")
 
 
-def show_break_even() -> None:
-    """Whole runs of `motion` plain and compiled (cached), for more and more places."""
-    print("handles x times    plain, s    compiled, s")
-    even = 0.0
-    for times in (1, 10, 50, 100, 200, 400):
+def show_first() -> None:
+    """Whole runs with empty caches and with full ones."""
+    print("benchdragon check spiral-in        first, s    later, s")
+    run = ("-m", "benchdragon", "check", "spiral-in", "--quiet")
+    for engine in ("wasm", "native"):
+        with tempfile.TemporaryDirectory() as home:
+            told = {"BENCHDRAGON_ENGINE": engine, "XDG_CACHE_HOME": home}
+            print(f"{engine:30s} {once(*run, **told):12.2f} {seconds(*run, **told):11.2f}")
+
+
+def show_plain() -> None:
+    """Whole runs of `motion` as plain Python and by engine.wasm, for more and more places."""
+    print("handles x times    plain, s    engine.wasm, s")
+    for times in (1, 10, 50, 100):
         run = ("-m", "benchdragon", "motion", "turn", f"--at=-3:{times - 4}:1", "--json", "--quiet")
-        plain = seconds(*run, BENCHDRAGON_ENGINE="plain")
-        compiled = seconds(*run, BENCHDRAGON_ENGINE="jit")
-        print(f"{224 * times:15d}    {plain:8.2f}    {compiled:8.2f}")
-        if plain < compiled:
-            even = 224.0 * times
-    print(f"plain is faster up to about {even:.0f} places; the command line uses it up to {FEW_PLACES}")
+        plain, wasm = (seconds(*run, BENCHDRAGON_ENGINE=engine) for engine in ("plain", "wasm"))
+        print(f"{224 * times:15d}    {plain:8.2f}    {wasm:8.2f}")
 
 
 if __name__ == "__main__":
     show_imports()
-    show_break_even()
+    show_first()
+    show_plain()

@@ -4,11 +4,11 @@ The library is named by what it was built for, and one for another processor is 
 for the very processor it would serve on that kind alone. Level v3 (AVX2 and fused multiply-add) is in
 nearly all machines since 2015, so that a wheel, a container or a home folder may move between them;
 and all of them then give the same bits. This page builds the march, the loop that gains most from wide
-vectors, for levels and for this processor, and compares times and bits with those of numba, which
-compiles for this processor: v3 takes a few percent more, and wider vectors gain an eighth where there
-are any. Without fused multiply-add it takes more than twice as long, and roundings differ.
+vectors, for levels and for this processor, and compares times and bits with those of v3: wider vectors
+gain an eighth where there are any. Without fused multiply-add it takes more than twice as long, and
+roundings differ.
 
-What the kernels take in browsers, see engine_wasm.py.
+What engine.wasm takes, which serves where no library was built, see engine_wasm.py.
 
 Whether a machine has v3 is read from /proc/cpuinfo. Where there is none (not Linux), the plain level is
 taken: slower, and never wrong.
@@ -75,13 +75,14 @@ def seconds(job: Callable[[], object]) -> float:
 
 
 def show(folder: str) -> None:
-    """Time and bits of each library, against numba's."""
-    from benchdragon.kernels import jit, native
-    from benchdragon.kernels.chain import march
+    """Time and bits of each library, against those of v3."""
+    from benchdragon.hosts import native
+    from benchdragon.kernels import jit
 
     arguments, out = task()
     wanted = [table.copy() for table in out]
-    print("march of 224 handles x 301 times   time / numba's   numbers that differ   by at most, m")
+    march = native.bound(jit.ENTRIES[MARCH], ctypes.CDLL(str(Path(folder, "x86-64-v3.so"))))
+    print("march of 224 handles x 301 times   time / v3's      numbers that differ   by at most, m")
     for path in sorted(Path(folder).glob("*.so"), key=lambda path: path.stat().st_mtime):
         call = native.bound(jit.ENTRIES[MARCH], ctypes.CDLL(str(path)))
         job, rival = partial(call, *arguments, *out), partial(march, *arguments, *wanted)
@@ -96,7 +97,6 @@ if __name__ == "__main__":
         build(sys.argv[1])
     else:
         with tempfile.TemporaryDirectory() as made:
-            environment = {**os.environ, **PLAIN_CODE, "BENCHDRAGON_ENGINE": "jit"}
+            environment = {**os.environ, **PLAIN_CODE}
             subprocess.run([sys.executable, __file__, made], check=True, env=environment)
-            os.environ["BENCHDRAGON_ENGINE"] = "jit"
             show(made)

@@ -15,6 +15,7 @@ may take another way to the same bracket. `python -m tests.laws.wasm_dances 1000
 Run it from the project's folder, with BENCHDRAGON_ENGINE=native, as `python -m design.engine_wasm`.
 """
 
+import copy
 import gzip
 import math
 import os
@@ -75,8 +76,8 @@ class Watch:
 
     def wrapper(self, name: str, served: Any) -> Callable[..., Any]:
         """What is called in place of an entry."""
+        from benchdragon.hosts.signature import signature
         from benchdragon.kernels import jit
-        from benchdragon.kernels.signature import signature
 
         if name.removeprefix("benchdragon.kernels.") not in ENTRIES:
             return served  # type: ignore[no-any-return]
@@ -92,10 +93,9 @@ class Watch:
 
 def seconds_of(served: Any, values: tuple[Any, ...]) -> float:
     """CPU time of a call on copies, s: the second one, for which all has been passed before."""
-    from tests.engine.both import copied
     from tests.engine.recording import arrays
 
-    again = copied(values)
+    again = copy.deepcopy(values)
     served(*again)
     for used, given in zip(arrays(again), arrays(values), strict=True):
         used[...] = given
@@ -106,8 +106,10 @@ def seconds_of(served: Any, values: tuple[Any, ...]) -> float:
 
 def show(folder: Path) -> None:
     """Sizes, times and bits."""
-    from tests.engine.both import wrap
-    from tests.engine.recording import MODULE, compared, replayed
+    from tests.engine.questions import wrap
+    from tests.engine.recording import MODULE, again, compared, replayed
+
+    from benchdragon.hosts.serving import serving
 
     whole = MODULE.read_bytes()
     print(
@@ -122,7 +124,7 @@ def show(folder: Path) -> None:
     for name in FEATURES:
         module = folder / f"{name}.wasm"
         memory, seconds = replayed(folder, module, ROUNDS)
-        found = compared(watch.recording.calls, bytes(watch.recording.after), memory)
+        found = compared(watch.recording.calls, again(folder, serving().bound), memory)
         for symbol, each in found.items():
             size, share = module.stat().st_size / 1e3, each.differ / each.numbers
             row = f"{name:8s} {size:5.0f}   {symbol:32s} {each.calls:5d}"
@@ -134,6 +136,6 @@ if __name__ == "__main__":
         build(sys.argv[1])
     else:
         with tempfile.TemporaryDirectory() as made:
-            environment = {**os.environ, **PLAIN_CODE, "BENCHDRAGON_ENGINE": "jit"}
+            environment = {**os.environ, **PLAIN_CODE}
             subprocess.run([sys.executable, "-m", __spec__.name, made], check=True, env=environment)
             show(Path(made))

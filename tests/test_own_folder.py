@@ -2,15 +2,12 @@
 
 import os
 import stat
-import subprocess
-import sys
+import tempfile
 from pathlib import Path
 
 import pytest
 
-from benchdragon.cli.options import announce_compiling
-from benchdragon.i18n import use_language
-from benchdragon.kernels import jit, native
+from benchdragon.hosts import built, compiled, native
 from benchdragon.own_folder import is_own, made_own, shared_folder
 
 STRANGER = 54_321
@@ -97,69 +94,33 @@ def test_where_users_have_no_numbers_nothing_is_shared(
     assert made_own(place / "ours") == place / "ours"
 
 
-def started(environment: dict[str, str]) -> str:
-    """Where a fresh process keeps what it compiles."""
-    text = "from benchdragon.kernels import jit; print(jit.CACHE_FOLDER)"
-    done = subprocess.run(
-        [sys.executable, "-c", text], env={**os.environ, "BENCHDRAGON_ENGINE": "jit", **environment},
-        capture_output=True, text=True, check=True,
-    )  # fmt: skip
-    return done.stdout.strip()
-
-
-def test_a_planted_cache_is_not_used(place: Path, tmp_path: Path) -> None:
+def test_a_planted_cache_is_not_used(
+    place: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Home cannot hold one, and somebody was there before: by his folder, or by a link to it."""
     (tmp_path / "file").write_text("in the way", encoding="utf-8")
-    environment = {"XDG_CACHE_HOME": str(tmp_path / "file"), "TMPDIR": str(place)}
-    ours = Path(started(environment))
-    assert ours.is_relative_to(place / f"benchdragon-{os.getuid()}")
-    ours.parent.rename(tmp_path / "away")
-    ours.parent.symlink_to(tmp_path / "away")
-    assert started(environment) == "None"
-    ours.parent.unlink()
-    ours.mkdir(parents=True, mode=0o755)
-    ours.parent.chmod(0o755)
-    assert started(environment) == "None"
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "file"))
+    monkeypatch.setattr(tempfile, "tempdir", str(place))
+    ours = compiled.kept_folder()
+    assert ours == place / f"benchdragon-{os.getuid()}"
+    ours.rename(tmp_path / "away")
+    ours.symlink_to(tmp_path / "away")
+    assert compiled.kept_folder() is None
+    ours.unlink()
+    ours.mkdir(mode=0o755)
+    ours.chmod(0o755)
+    assert compiled.kept_folder() is None
 
 
 def test_a_library_is_taken_from_an_own_folder_alone(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr(native, "ENGINE", tmp_path / "nowhere")
+    monkeypatch.setattr(built, "ENGINE", tmp_path / "nowhere")
     monkeypatch.setattr(native, "library_name", lambda: "kernels.so")
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    own = made_own(native.user_folder())
+    own = made_own(built.user_folder())
     assert own is not None
     (own / "kernels.so").write_bytes(b"")
     assert native.find_library() == own / "kernels.so"
     own.chmod(0o770)
     assert native.find_library() is None
-
-
-@pytest.mark.parametrize(("quiet", "lines"), [(False, 1), (True, 0)])
-@pytest.mark.parametrize(
-    ("language", "word"), [("en", "XDG_CACHE_HOME to a"), ("zh", "每次启动都要重新编译")]
-)
-def test_it_is_said_once_that_nothing_is_kept(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], quiet: bool, lines: int,
-    language: str, word: str,
-) -> None:  # fmt: skip
-    monkeypatch.setattr(jit, "COMPILED", True)
-    monkeypatch.setattr(jit, "CACHE_FOLDER", None)
-    monkeypatch.setattr(jit, "watch_compiling", lambda _slow, _after: None)
-    use_language(language)
-    announce_compiling(quiet)
-    use_language("en")
-    said = capsys.readouterr()
-    assert said.out == ""
-    assert len(said.err.splitlines()) == lines
-    assert (word in said.err) == bool(lines)
-
-
-def test_where_the_library_serves_there_is_nothing_to_keep(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.setattr(jit, "COMPILED", False)
-    monkeypatch.setattr(jit, "CACHE_FOLDER", None)
-    announce_compiling(quiet=False)
-    assert capsys.readouterr().err == ""

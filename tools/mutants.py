@@ -2,7 +2,8 @@
 
 A test that cannot fail holds nothing. Every table of tests/mutants/*.toml names a place of the package
 (`file` and `old`, which stands there once), what is put there (`new`), and the tests one of which must
-fail then. All of these are run on the unbroken package first. Kernels are broken uncompiled.
+fail then. All of these are run on the unbroken package first. Kernels,
+and what builds them, are broken uncompiled.
 
 Run it as `make mutants`, or for some of them as `python tools/mutants.py WORD...`: those in whose area
 (the name of the file of tables) or description one of the words stands.
@@ -22,7 +23,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 PACKAGE = ROOT / "src" / "benchdragon"
 TABLES = ROOT / "tests" / "mutants"
-KERNELS = "kernels/"
+# What is broken there is not in what was built.
+BUILT = ("kernels/", "engine/")
 # A mutant may make a loop endless: it is killed then, s.
 PATIENCE = 900.0
 # How a child ends: so much more than pytest, for an exception ends with 1, too.
@@ -33,11 +35,11 @@ SERVER = multiprocessing.get_context("forkserver")
 SLOW = [
     "hypothesis",
     "matplotlib.pyplot",
-    "numba",
     "pydantic",
     "pytest",
     "scipy.optimize",
     "scipy.spatial",
+    "wasmtime",
 ]
 # Each file that is written gets a time of its own, s.
 TIMES = itertools.count(1)
@@ -66,7 +68,7 @@ class Mutant:
     @property
     def plain(self) -> bool:
         """Whether it is tried with kernels that are not compiled."""
-        return self.file.startswith(KERNELS)
+        return self.file.startswith(BUILT)
 
     def broken(self, text: str) -> str:
         """The file's text with the place broken.
@@ -88,15 +90,10 @@ def mutants() -> list[Mutant]:
     ]
 
 
-def copied(folder: Path, plain: bool) -> Path:
-    """A copy of the package to be broken; its kernels are the package's own unless `plain`."""
-    package = folder / ("plain" if plain else "compiled") / "benchdragon"
+def copied(folder: Path) -> Path:
+    """A copy of the package to be broken."""
+    package = folder / "broken" / "benchdragon"
     shutil.copytree(PACKAGE, package, ignore=shutil.ignore_patterns("__pycache__"))
-    if not plain:  # numba keeps compiled code by the path of its text: a copy would be compiled anew
-        kernels = package / KERNELS
-        shutil.rmtree(kernels)
-        kernels.mkdir()
-        (kernels / "__init__.py").write_text(f"__path__ = [{str(PACKAGE / KERNELS)!r}]\n", "utf-8")
     return package
 
 
@@ -117,7 +114,7 @@ def run_here(tests: list[str], source: str, plain: bool, said: str) -> None:
     import pytest
 
     os.chdir(ROOT)
-    os.environ["BENCHDRAGON_ENGINE"] = "plain" if plain else "jit"
+    os.environ["BENCHDRAGON_ENGINE"] = "plain" if plain else ""
     sys.path[:0] = [source, str(ROOT)]
     os.environ["PYTHONPATH"] = source  # for the processes that tests start
     options = ["-q", "-x", "--no-header", "--tb=line", "-p", "no:cacheprovider"]
@@ -161,8 +158,8 @@ def tried(chosen: Sequence[Mutant]) -> list[Mutant]:
     survivors = []
     SERVER.set_forkserver_preload(SLOW)
     with tempfile.TemporaryDirectory() as folder:
+        package = copied(Path(folder))
         for plain in sorted({mutant.plain for mutant in chosen}):
-            package = copied(Path(folder), plain)
             some = [mutant for mutant in chosen if mutant.plain == plain]
             tests = dict.fromkeys(test for mutant in some for test in mutant.tests)
             ending, said = run(tests, package, plain)

@@ -1,12 +1,12 @@
 """Where every handle of a bench dragon is, and how fast, on any route: the one public door.
 
 Its names stand in `__init__.pyi`. They are fetched on first use, so that `benchdragon --help` need not
-wait for numba.
+wait for NumPy.
 """
 
 import lazy_loader
 
-from benchdragon.kernels.status import EngineError
+from benchdragon.hosts.trouble import EngineError
 from benchdragon.version import __version__ as __version__
 
 _fetch, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
@@ -16,7 +16,7 @@ def __getattr__(name: str) -> object:
     """A public name.
 
     Raises:
-        InputError: if BENCHDRAGON_ENGINE names an engine that cannot serve.
+        InputError: if the engine that is to serve cannot.
     """
     try:
         return _fetch(name)

@@ -7,8 +7,9 @@ import socket
 from operator import index
 from typing import Any, Self
 
+from benchdragon.hosts.trouble import EngineError, Trouble
 from benchdragon.i18n import N_, _
-from benchdragon.kernels.status import EngineError, Status
+from benchdragon.kernels.status import Status
 
 # Signs of a wrong value that are shown.
 MOST_SHOWN = 80
@@ -135,20 +136,28 @@ ADVICE = {
     ),
 }
 
+ENGINE_ADVICE = {
+    Trouble.UNKNOWN: N_("BENCHDRAGON_ENGINE must be native, wasm or plain, not '{detail}'"),
+    Trouble.NO_LIBRARY: N_(
+        "BENCHDRAGON_ENGINE is native, but no library here was built from these kernels for this "
+        "processor: build it by `python -m benchdragon.engine`, or unset the variable"
+    ),
+    Trouble.OTHER_SOURCES: N_(
+        "the kernels here were changed after engine.wasm was built from them: build it anew by `make "
+        "wasm`, or the library by `make engine`, or set BENCHDRAGON_ENGINE=plain to run them as Python"
+    ),
+    Trouble.NO_WASMTIME: N_(
+        "Wasmtime does not run here ({detail}): install the package wasmtime again, or build the "
+        "library by `python -m benchdragon.engine`, or set BENCHDRAGON_ENGINE=plain, which is very slow"
+    ),
+    Trouble.BROKEN_OFF: N_("the engine broke off, which is a fault of its own: {detail}"),
+}
 
-def engine_advice(error: EngineError) -> InputError:
+
+def engine_advice(error: EngineError) -> BenchDragonError:
     """What to do about an engine that cannot serve."""
-    (name,) = error.args
-    if name == "native":
-        return InputError(
-            _(
-                "BENCHDRAGON_ENGINE is native, but no library here was built from these kernels for "
-                "this processor: build it by `python -m benchdragon.engine`, or unset the variable"
-            )
-        )
-    return InputError(
-        _("BENCHDRAGON_ENGINE must be native, jit or plain, not {name}").format(name=repr(name))
-    )
+    kind = MachineError if error.trouble is Trouble.BROKEN_OFF else InputError
+    return kind(_(ENGINE_ADVICE[error.trouble]).format(detail=error.detail))
 
 
 # What the system says, so that it is said in both languages.

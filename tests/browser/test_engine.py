@@ -5,9 +5,9 @@ import hashlib
 import json
 from pathlib import Path
 
+from benchdragon.hosts.signature import signature
 from benchdragon.inlining import EXPORT, inlined
 from benchdragon.kernels import jit
-from benchdragon.kernels.signature import signature
 from tests.browser.pages import Pages
 from tests.engine.recording import HERE, MODULE, compared, recorded
 
@@ -43,7 +43,7 @@ def page(folder: Path) -> str:
     return file.as_uri()
 
 
-def test_every_entry_gives_in_chromium_what_the_engine_here_gives(pages: Pages, tmp_path: Path) -> None:
+def test_every_entry_gives_in_chromium_what_plain_python_gives(pages: Pages, tmp_path: Path) -> None:
     folder = recorded(tmp_path)
     calls = json.loads((folder / "calls.json").read_text(encoding="utf-8"))
     opened = pages.open(page(tmp_path))

@@ -1,10 +1,10 @@
 import json
-import os
 import signal
 import subprocess
 import sys
 from pathlib import Path
 from queue import SimpleQueue
+from typing import NoReturn
 
 import numpy as np
 import pytest
@@ -15,8 +15,10 @@ from benchdragon.cli.console import Lines, shown_progress
 from benchdragon.cli.main import program, run
 from benchdragon.cli.parsing import MOST_TIMES, parse_handles, parse_lengths, parse_time, parse_times
 from benchdragon.errors import InputError
+from benchdragon.hosts import compiled
+from benchdragon.hosts.serving import Serving
+from benchdragon.hosts.trouble import EngineError, Trouble
 from benchdragon.i18n import _
-from benchdragon.kernels import jit
 from benchdragon.plans.schema import read_plan
 from benchdragon.version import __version__
 
@@ -285,73 +287,68 @@ def test_the_doctor_names_versions_fonts_and_cache(capsys: pytest.CaptureFixture
     found = json.loads(out)
     assert code == 0
     assert found["benchdragon"] == __version__
-    assert {"python", "numpy", "numba", "fonts", "kernels", "ffmpeg", "browser"} <= set(found)
+    assert {"python", "numpy", "wasmtime", "fonts", "engine", "ffmpeg", "browser"} <= set(found)
+    assert found["speed"].endswith(" ns to place a handle")
     assert "NotoSansSC-Regular.ttf" in answered(capsys, "doctor")[1]
 
 
 def test_the_doctor_ends_with_what_a_troupe_can_do(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    ready, wait = (
-        "All that sheets, chalk plan, drum and player need is here",
-        "The first questions take",
-    )
-
     def last() -> str:
         return answered(capsys, "doctor", "--lang", "en")[1].splitlines()[-1]
 
-    monkeypatch.setattr(jit, "ENGINE", jit.NATIVE)
-    assert last().startswith(ready)
-    monkeypatch.setattr(jit, "ENGINE", jit.JIT)
-    assert last().startswith(wait)
+    assert last().startswith("All that sheets, chalk plan, drum and player need is here")
     monkeypatch.setattr(doctor, "FONT_FILES", (Path("gone.ttf"),))
     assert last().startswith("The package's fonts are missing")
 
 
 @pytest.mark.parametrize(
-    ("engine", "said", "text", "good"),
+    ("engine", "folder", "text", "good"),
     [
-        ("native", "", "library built ahead of time: ", True),
-        ("plain", "plain", "plain Python, as BENCHDRAGON_ENGINE says", False),
-        ("jit", "jit", "compiled by numba, as BENCHDRAGON_ENGINE says: /cache", True),
-        ("jit", "", "no library here was built from these kernels", True),
+        ("native", "/own", "library built ahead of time: ", True),
+        ("plain", "/own", "plain Python, as BENCHDRAGON_ENGINE says", False),
+        ("wasm", "/own", "builds it", True),
+        ("wasm", None, "set XDG_CACHE_HOME to a folder of your own", True),
     ],
 )
-def test_the_doctor_says_which_engine_serves_and_why(
-    engine: str, said: str, text: str, good: bool, monkeypatch: pytest.MonkeyPatch
+def test_the_doctor_says_which_engine_serves_how_fast_and_how_to_get_the_other(
+    engine: str, folder: str | None, text: str, good: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(jit, "ENGINE", engine)
-    monkeypatch.setattr(jit, "CACHE_FOLDER", Path("/cache"))
-    monkeypatch.setenv("BENCHDRAGON_ENGINE", said)
-    found = doctor.kernels()
+    monkeypatch.setattr(doctor, "serving", lambda: Serving(engine, lambda function: function))
+    monkeypatch.setattr(compiled, "kept_folder", lambda: folder and Path(folder))
+    monkeypatch.setattr(doctor, "seconds_a_handle", lambda: 1.2e-8)
+    found, speed = doctor.engine()
     assert text in found.value
     assert found.good == good
+    assert ("pip install 'benchdragon[build]'" in found.value) == (engine == "wasm")
+    assert ("XDG" in found.value) == (folder is None)
+    assert speed.value == "12 ns to place a handle"
+
+
+@pytest.mark.parametrize("late", [False, True])
+def test_the_doctor_says_what_is_wrong_with_the_engine(
+    late: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def wrong() -> NoReturn:
+        raise EngineError(Trouble.NO_WASMTIME, "gone")
+
+    monkeypatch.setattr(doctor, "seconds_a_handle" if late else "serving", wrong)
+    (found,) = doctor.engine()
+    assert found.value.startswith("Wasmtime does not run here (gone)")
+    assert not found.good
 
 
 @pytest.mark.parametrize("words", ["--help", "motion --help", "solve", "solve pitch --help"])
 def test_help_imports_nothing_heavy(words: str) -> None:
     script = (
         f"import sys; from benchdragon.cli.main import run; run({words.split()!r}); "
-        "heavy = {'numpy', 'numba', 'scipy', 'matplotlib', 'pydantic', 'rich'} & set(sys.modules); "
+        "heavy = {'numpy', 'wasmtime', 'scipy', 'matplotlib', 'pydantic', 'rich'} & set(sys.modules); "
         "sys.exit(str(heavy) if heavy else 0)"
     )
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert "Usage: benchdragon" in done.stdout + done.stderr
-
-
-def test_a_small_question_is_answered_without_numba() -> None:
-    script = (
-        "import sys; from benchdragon.cli.main import run; "
-        "run(['motion', 'turn', '--at', '14', '--json']); sys.exit('numba' in sys.modules)"
-    )
-    environment = {k: v for k, v in os.environ.items() if k != "BENCHDRAGON_ENGINE"}
-    done = subprocess.run(
-        [sys.executable, "-c", script], capture_output=True, text=True, check=False, env=environment
-    )
-    assert (done.returncode, done.stderr) == (0, "")
-    exact = read_plan("turn").build().motion([14.0]).speed[0]
-    assert json.loads(done.stdout)["speed"][0] == pytest.approx(exact.tolist(), abs=1e-12)
 
 
 def test_an_interrupt_leaves_nothing_half_written(tmp_path: Path) -> None:
@@ -386,17 +383,6 @@ def test_a_sign_that_cannot_be_drawn_is_named_once_in_a_plain_sentence(
     code, _out, err = answered(capsys, *arguments)
     assert code == 0
     assert err == "Note: no font here has the signs 𠮷 (U+20BB7)\n"
-
-
-def test_what_one_command_line_chose_does_not_reach_the_next(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    before = os.environ.get("BENCHDRAGON_ENGINE")
-    assert (
-        run(["motion", "spiral-in", "--at", "3", "--only", "0"]) == 0
-    )  # so little that nothing is compiled
-    capsys.readouterr()
-    assert os.environ.get("BENCHDRAGON_ENGINE") == before
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,6 @@ import pytest
 
 import benchdragon.analysis.check
 import benchdragon.cli.console
-import benchdragon.kernels.jit
 import benchdragon.model.placement
 import benchdragon.paper.reproduce
 import benchdragon.parallel
@@ -366,8 +365,6 @@ def recorded(monkeypatch: pytest.MonkeyPatch) -> list[str]:
         way = Answer(turn.length, turn.length, turn.length, "m", "found")
         return BestTurn(plan, turn, way, turn.length, turn.length, None, way, ())
 
-    # Whom earlier tests told to watch would say here that kernels are being compiled.
-    benchdragon.kernels.jit.watch_compiling(lambda: None, 1e6)
     # A picture of the clearance is of few times: thousands take half a second.
     monkeypatch.setattr(benchdragon.analysis.check, "SAMPLES", 40)
     monkeypatch.setattr(benchdragon.analysis.check, "LAST_SAMPLES", 10)
@@ -380,9 +377,6 @@ def recorded(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     monkeypatch.setattr(benchdragon.solve.turn, "best_turn", best)
     monkeypatch.setattr(benchdragon.paper.reproduce, "reproduce", stopped("reproduce"))
     monkeypatch.setattr("webbrowser.open", calls.append)
-    monkeypatch.setattr(
-        benchdragon.kernels.jit, "watch_compiling", lambda *_arguments: calls.append("watched")
-    )
     return calls
 
 

@@ -1,8 +1,8 @@
-"""Calls of entries, recorded where the library or numba serves, and replayed by engine.wasm.
+"""Calls of entries, recorded while real questions are asked, and done again by each engine.
 
-`python -m tests.engine.recording FOLDER` records what real questions call: calls.json says of each call
-the entry, where its arrays lie in before.bin, and where its results are to be put there; after.bin is
-the same memory as it came out. `replayed` has Node do the same calls.
+calls.json says of each call the entry, where its arrays lie in before.bin, and where its results are to
+be put there. Doing a call again leaves the arrays and results in such a memory as they come out: by
+plain Python, by the library, by engine.wasm in Python, in Node and in browsers.
 """
 
 import json
@@ -21,15 +21,18 @@ import numpy as np
 import numpy.typing as npt
 
 from benchdragon.engine import wasm
-from benchdragon.kernels import jit, native, peak, search
-from benchdragon.kernels.signature import signature
-from tests.engine.both import apart, questions, wrap
+from benchdragon.hosts import built
+from benchdragon.hosts.arguments import DTYPES
+from benchdragon.hosts.serving import PLAIN, VARIABLE
+from benchdragon.hosts.signature import Parameter, signature
+from benchdragon.kernels import jit, peak, search
+from tests.engine.questions import questions, wrap
 
 PACKAGE = Path(wasm.__file__).parents[1]
-MODULE = PACKAGE / "engine" / wasm.NAME
+MODULE = PACKAGE / "engine" / built.MODULE
 LOADER = PACKAGE / "web" / "engine.js"
 HERE = Path(__file__).parent
-CODES = {dtype: code for code, dtype in native.DTYPES.items()}
+CODES = {dtype: code for code, dtype in DTYPES.items()}
 # Of each entry so many calls are kept, of which none takes more bytes than this.
 CALLS, BYTES = 12, 4_000_000
 
@@ -49,23 +52,17 @@ RESULTS = {"bd_low_points_low_point": [0], "bd_low_points_low_pair": [0, 2, 3]}
 
 @dataclass
 class Recording:
-    """Calls so far: what went in, and what came out."""
+    """Calls so far, and what went in."""
 
     calls: list[dict[str, Any]] = field(default_factory=list)
     before: bytearray = field(default_factory=bytearray)
-    after: bytearray = field(default_factory=bytearray)
 
     def call(self, symbol: str, function: Callable[..., Any], *values: Any) -> Any:
-        """Call an entry, and keep that."""
-        told = [self._told(value) for value in values]
+        """Call an entry, and keep what with."""
+        self.calls.append({"entry": symbol, "values": [self._told(value) for value in values]})
         result = function(*values)
-        for value in values:
-            for array in arrays(value):
-                self.after += array.tobytes()
-        numbers = np.array(result if isinstance(result, tuple) else [result or 0.0], dtype=np.float64)
-        self.calls.append({"entry": symbol, "values": told, "results": len(self.before)})
-        self.before += bytes(numbers.nbytes)
-        self.after += numbers.tobytes()
+        self.calls[-1]["results"] = len(self.before)
+        self.before += bytes(8 * (len(result) if isinstance(result, tuple) else 1))
         return result
 
     def _told(self, value: Any) -> Any:
@@ -80,10 +77,9 @@ class Recording:
         return {"code": CODES[value.dtype], "shape": list(value.shape), "offset": offset}
 
     def write(self, folder: Path) -> None:
-        """Write the three files."""
+        """Write both files."""
         (folder / "calls.json").write_text(json.dumps(self.calls), encoding="utf-8")
         (folder / "before.bin").write_bytes(self.before)
-        (folder / "after.bin").write_bytes(self.after)
 
 
 def arrays(value: Any) -> Iterator[npt.NDArray[Any]]:
@@ -102,6 +98,19 @@ def spans(value: Any) -> Iterator[tuple[str, int, int]]:
             yield from spans(part)
     elif isinstance(value, dict):
         yield value["code"], value["offset"], math.prod(value["shape"])
+
+
+def apart(one: npt.NDArray[Any], other: npt.NDArray[Any]) -> float:
+    """The greatest difference of two arrays, in sizes of what stands there or 1; infinite in kind."""
+    if one.dtype.kind != "f":
+        return 0.0 if (one == other).all() else math.inf
+    with np.errstate(all="ignore"):
+        differ = ~((one == other) | (np.isnan(one) & np.isnan(other)))
+        if not differ.any():
+            return 0.0
+        a, b = one[differ], other[differ]
+        far = np.abs(a - b) / np.maximum(1.0, np.abs(a))
+    return float(np.where(np.isfinite(far), far, math.inf).max())
 
 
 @dataclass
@@ -135,26 +144,57 @@ def compared(calls: list[dict[str, Any]], one: bytes, other: bytes) -> dict[str,
         answers = ANSWERS.get(entry, dict.fromkeys(names, slice(None)))
         for name, value in zip(names, call["values"], strict=True):
             for code, offset, size in spans(value) if name in answers else ():
-                dtype = native.DTYPES[code]
+                dtype = DTYPES[code]
                 both = (np.frombuffer(memory, dtype, size, offset) for memory in (one, other))
                 difference.add(*(numbers[answers[name]] for numbers in both))
         count = len(shapes[entry].results)
         numbers = [np.frombuffer(memory, np.float64, count, results) for memory in (one, other)]
         for n in RESULTS.get(entry, range(count)):
             code = shapes[entry].results[n]
-            difference.add(*(part[n : n + 1].astype(native.DTYPES[code]) for part in numbers))
+            difference.add(*(part[n : n + 1].astype(DTYPES[code]) for part in numbers))
     return found
 
 
-def recorded(folder: Path) -> Path:
-    """The folder, with calls of every entry, as the library does them if it is built, else numba."""
-    engine = jit.JIT if native.find_library() is None else jit.NATIVE
-    done = subprocess.run(
-        [sys.executable, "-m", "tests.engine.recording", str(folder)],
-        capture_output=True, text=True, check=False, env={**os.environ, jit.VARIABLE: engine},
-    )  # fmt: skip
+def run(*arguments: str, **environment: str) -> None:
+    """Run this module as a script."""
+    command = [sys.executable, "-m", "tests.engine.recording", *arguments]
+    environment = {**os.environ, **environment}
+    done = subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
     assert done.returncode == 0, done.stderr
+
+
+def recorded(folder: Path) -> Path:
+    """The folder, with calls of every entry in it, and as after.bin what plain Python made of them."""
+    run("record", str(folder))
+    run("again", str(folder), **{VARIABLE: PLAIN})
     return folder
+
+
+def again(folder: Path, bound: Callable[[Any], Any]) -> bytes:
+    """The memory after the calls of a folder were done again by functions that `bound` makes."""
+    memory = bytearray((folder / "before.bin").read_bytes())
+    functions = {signature(function).symbol: function for function in jit.ENTRIES.values()}
+    calls = {symbol: bound(function) for symbol, function in functions.items()}
+    for call in json.loads((folder / "calls.json").read_text(encoding="utf-8")):
+        symbol, results = call["entry"], call["results"]
+        parameters = signature(functions[symbol]).parameters
+        given = [value_of(*each, memory) for each in zip(parameters, call["values"], strict=True)]
+        found = calls[symbol](*given)
+        numbers = np.array(found if isinstance(found, tuple) else [found or 0.0], dtype=np.float64)
+        memory[results : results + numbers.nbytes] = numbers.tobytes()
+    return bytes(memory)
+
+
+def value_of(parameter: Parameter, value: Any, memory: bytearray) -> Any:
+    """An argument that stands as JSON; arrays lie in `memory`."""
+    if parameter.group is not None:
+        fields = zip(parameter.fields, value["fields"].values(), strict=True)
+        return parameter.group(*(value_of(field, each, memory) for field, each in fields))
+    if isinstance(value, dict):
+        shape = value["shape"]
+        dtype, size = DTYPES[value["code"]], math.prod(shape)
+        return np.frombuffer(memory, dtype, size, value["offset"]).reshape(shape)
+    return value if isinstance(value, int) else float(value)
 
 
 def node() -> str | None:
@@ -201,4 +241,8 @@ def record(folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    record(Path(sys.argv[1]))
+    task, where = sys.argv[1], Path(sys.argv[2])
+    if task == "record":
+        record(where)
+    else:
+        (where / "after.bin").write_bytes(again(where, lambda function: function))

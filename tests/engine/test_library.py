@@ -1,8 +1,6 @@
-"""The library built from the kernels gives what numba's code gives, and serves without numba."""
+"""The library is code for any process, and keeps to the arithmetic of kernels."""
 
-import importlib
-import json
-import os
+import ctypes
 import subprocess
 import sys
 from pathlib import Path
@@ -11,53 +9,33 @@ import llvmlite.binding as llvm
 import pytest
 
 from benchdragon.engine import optimise
-from benchdragon.kernels import jit, native
+from benchdragon.hosts import native
 
-# Of what stands there, or of 1: both contract products and sums, where each processor's code allows.
-APART = 1e-12
-
-
-@pytest.fixture(scope="module")
-def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The library for these kernels, built if need be."""
-    found = native.find_library()
-    if found is not None:
-        return found
-    folder = tmp_path_factory.mktemp("library")
-    command = [sys.executable, "-m", "benchdragon.engine", str(folder)]
-    subprocess.run(command, check=True, env={**os.environ, "BENCHDRAGON_ENGINE": "jit"})
-    return folder / native.library_name()
+BUILT = """
+import sys
+from pathlib import Path
+from benchdragon.engine import build, optimise, pieces, shims
+from benchdragon.hosts import built
+from tests.engine.test_library import inverse
+pieces.keep_pieces()
+optimise.prepare()
+machine = optimise.target_machine(built.processor())
+build.link(build.machine_code([shims.compiled(inverse)], machine), Path(sys.argv[1]))
+"""
 
 
-@pytest.mark.numba
-@pytest.mark.timeout(2400)  # it compiles each kernel, on a busy machine too
-def test_every_entry_gives_what_numba_gives(library: Path) -> None:
+def inverse(x: float) -> float:
+    return 1.0 / x
+
+
+def test_division_by_zero_in_a_kernel_gives_infinity_and_no_error(tmp_path: Path) -> None:
+    path = tmp_path / "one.so"
     done = subprocess.run(
-        [sys.executable, "-m", "tests.engine.both", str(library)],
-        capture_output=True, text=True, check=False, env={**os.environ, "BENCHDRAGON_ENGINE": "jit"},
-    )  # fmt: skip
-    assert done.returncode == 0, done.stderr
-    found = json.loads(done.stdout)
-    for path in native.KERNELS.glob("*.py"):
-        importlib.import_module(f"benchdragon.kernels.{path.stem}")
-    assert set(found) == set(jit.ENTRIES)
-    assert {name: worst for name, (_calls, worst) in found.items() if not worst <= APART} == {}
-
-
-def test_a_check_under_the_library_never_imports_numba(library: Path, tmp_path: Path) -> None:
-    mine = tmp_path / "benchdragon" / library.name
-    mine.parent.mkdir()
-    mine.symlink_to(library)
-    script = (
-        "import sys; from benchdragon.cli.main import run\n"
-        "code = run(['check', 'spiral-in', '--set', 'dragon.benches=12', '--quiet'])\n"
-        "sys.exit(str({'numba', 'llvmlite'} & set(sys.modules) or code))"
+        [sys.executable, "-c", BUILT, str(path)], capture_output=True, text=True, check=False
     )
-    done = subprocess.run(
-        [sys.executable, "-c", script], capture_output=True, text=True, check=False,
-        env={**os.environ, "BENCHDRAGON_ENGINE": "native", "XDG_CACHE_HOME": str(tmp_path)},
-    )  # fmt: skip
-    assert done.stderr == "1\n", done.stdout  # not safe
+    assert done.returncode == 0, done.stderr
+    call = native.bound(inverse, ctypes.CDLL(str(path)))
+    assert [call(0.0), call(-4.0)] == [float("inf"), -0.25]
 
 
 CODE = """

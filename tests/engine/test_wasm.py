@@ -1,56 +1,29 @@
-"""engine.wasm is of these kernels, needs nothing from outside, and gives what the library gives."""
+"""All engines give what kernels give as plain Python; the module is of these, and needs nothing."""
 
 import importlib
 import json
 import re
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from benchdragon.engine import optimise, wasm
-from benchdragon.kernels import jit, native
-from benchdragon.kernels.signature import signature
-from tests.engine.recording import LOADER, MODULE, compared, node, recorded, replayed
+from benchdragon.hosts import built, native
+from benchdragon.hosts.signature import signature
+from benchdragon.hosts.wasm import Host, sections, told
+from benchdragon.kernels import jit
+from tests.engine.recording import LOADER, MODULE, again, compared, node, recorded, replayed
 
 ROOT = Path(__file__).parents[2]
-# Of what stands there, or of 1. The module contracts nothing and has another libm.
+# Of what stands there, or of 1. The library contracts products and sums, the module has another libm.
 APART = 1e-12
 AGAIN = "engine.wasm is of other sources or tools: run `make wasm`, and commit what it makes"
 IMPORTS, EXPORTS = 2, 7
 
 needs_node = pytest.mark.skipif(node() is None, reason="no Node here to run engine.wasm in")
-
-
-def number(module: bytes, at: int) -> tuple[int, int]:
-    """The whole number (LEB128) at a place, and the place behind it."""
-    value = shift = 0
-    while True:
-        byte = module[at]
-        value, shift, at = value | (byte & 0x7F) << shift, shift + 7, at + 1
-        if byte < 0x80:
-            return value, at
-
-
-def sections(module: bytes) -> Iterator[tuple[int, bytes]]:
-    """Kind and content of each section of a module."""
-    assert module[:8] == b"\0asm\1\0\0\0"
-    at = 8
-    while at < len(module):
-        size, start = number(module, at + 1)
-        yield module[at], module[start : start + size]
-        at = start + size
-
-
-def told(module: bytes) -> dict[str, object]:
-    """What a module says of itself."""
-    title = bytes([len(wasm.SECTION)]) + wasm.SECTION.encode()
-    (content,) = (text for kind, text in sections(module) if kind == 0 and text.startswith(title))
-    found: dict[str, object] = json.loads(content.removeprefix(title))
-    return found
 
 
 def pinned(lock: str) -> dict[str, str]:
@@ -62,7 +35,7 @@ def pinned(lock: str) -> dict[str, str]:
 def test_the_module_is_of_these_sources_and_of_the_tools_that_are_pinned() -> None:
     stamp = told(MODULE.read_bytes())["stamp"]
     assert isinstance(stamp, dict)
-    assert stamp["sources"] == native.source_hash(), AGAIN
+    assert stamp["sources"] == built.source_hash(), AGAIN
     versions = pinned("requirements.lock") | pinned("requirements-wasm.lock")
     tools = {name: version for name, version in stamp["tools"].items() if name != "python"}
     assert tools == {name: versions[name] for name in wasm.TOOLS}, AGAIN
@@ -70,7 +43,7 @@ def test_the_module_is_of_these_sources_and_of_the_tools_that_are_pinned() -> No
 
 def all_entries() -> dict[str, Any]:
     """What entries take, by their names in the module."""
-    for path in native.KERNELS.glob("*.py"):
+    for path in built.KERNELS.glob("*.py"):
         importlib.import_module(f"benchdragon.kernels.{path.stem}")
     found = wasm.table(map(signature, jit.ENTRIES.values()))
     assert len(found) == len(jit.ENTRIES)
@@ -84,7 +57,7 @@ def test_the_module_says_of_each_entry_what_it_takes() -> None:
 def test_the_stamp_names_the_sources_and_the_tools(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(wasm, "version", lambda name: f"1.2 of {name}")
     stamp = wasm.stamp()
-    assert stamp["sources"] == native.source_hash()
+    assert stamp["sources"] == built.source_hash()
     python = f"{sys.version_info.major}.{sys.version_info.minor}"
     assert stamp["tools"] == {"python": python, **{name: f"1.2 of {name}" for name in wasm.TOOLS}}
 
@@ -101,13 +74,29 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return recorded(tmp_path_factory.mktemp("recording"))
 
 
-@needs_node
-def test_every_entry_gives_in_node_what_the_engine_here_gives(folder: Path) -> None:
+def differences(folder: Path, memory: bytes) -> dict[str, Any]:
+    """The entries that left another memory than plain Python did, and how far off it is."""
     calls = json.loads((folder / "calls.json").read_text(encoding="utf-8"))
-    memory, _seconds = replayed(folder)
     found = compared(calls, (folder / "after.bin").read_bytes(), memory)
     assert set(found) == set(all_entries())
-    assert {name: each for name, each in found.items() if not each.worst <= APART} == {}
+    return {name: each for name, each in found.items() if not each.worst <= APART}
+
+
+def test_every_entry_of_the_library_gives_what_plain_python_gives(folder: Path) -> None:
+    library = native.load_library()
+    if library is None:
+        pytest.skip("no library was built from these kernels")
+    assert differences(folder, again(folder, lambda entry: native.bound(entry, library))) == {}
+
+
+def test_every_entry_of_the_module_gives_what_plain_python_gives(folder: Path) -> None:
+    assert differences(folder, again(folder, Host(MODULE.read_bytes()).bound)) == {}
+
+
+@needs_node
+def test_every_entry_gives_in_node_what_plain_python_gives(folder: Path) -> None:
+    memory, _seconds = replayed(folder)
+    assert differences(folder, memory) == {}
 
 
 # What a script of a page may do wrong, and what it is told.
@@ -227,6 +216,6 @@ def test_blocks_of_memory_are_read_where_the_runtime_of_a_target_keeps_them() ->
 
 
 def test_the_notice_names_what_is_linked_in() -> None:
-    text = (native.ENGINE / "NOTICE.txt").read_text(encoding="utf-8")
+    text = (built.ENGINE / "NOTICE.txt").read_text(encoding="utf-8")
     for name in ("Zig contributors", "Rich Felker", "Sun Microsystems", "Anaconda, Inc."):
         assert f"{name}" in text

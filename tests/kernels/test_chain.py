@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
+from benchdragon.hosts.serving import PLAIN, serving
 from benchdragon.kernels import chain
 from benchdragon.kernels.chain import (
     cosines,
@@ -18,7 +19,6 @@ from benchdragon.kernels.chain import (
     shared_angles,
 )
 from benchdragon.kernels.curve import PART, heading, place
-from benchdragon.kernels.jit import ENGINE, PLAIN
 from benchdragon.kernels.route import IntArray, locate, positions
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.status import Status
@@ -311,7 +311,7 @@ def test_a_run_ends_where_a_handle_fails_leaves_the_row_or_comes_too_near_its_en
     assert run_end(rows, link, 0, 4, 4, row, u, failed) == 4
 
 
-@pytest.mark.skipif(ENGINE != PLAIN, reason="compiled kernels call one another directly")
+@pytest.mark.skipif(serving().name != PLAIN, reason="compiled kernels call one another directly")
 def test_lanes_that_do_not_settle_leave_their_times_to_the_search(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -24,8 +24,8 @@ from benchdragon import (
     Walk,
     WalkError,
 )
+from benchdragon.hosts.serving import PLAIN, serving
 from benchdragon.kernels.curve import P
-from benchdragon.kernels.jit import ENGINE, PLAIN
 from benchdragon.model.walk import MOST_PLACES, SLICE_PLACES
 from benchdragon.plans.schema import read_plan
 
@@ -241,7 +241,7 @@ def test_slices_raise_and_keep_quiet_as_the_motion_does() -> None:
     assert part.status.tolist() == [Status.OK, Status.AFTER_ROUTE]
 
 
-@pytest.mark.skipif(ENGINE == PLAIN, reason="too many places for plain Python")
+@pytest.mark.skipif(serving().name == PLAIN, reason="too many places for plain Python")
 @pytest.mark.parametrize("benches", [100_000, 800_000])
 def test_slices_of_a_very_long_dragon_stay_within_their_memory(benches: int) -> None:
     walk = Walk(Dragon.of_sizes(np.full(benches, 2.2)), Route((Line(100.0),)))
@@ -249,7 +249,7 @@ def test_slices_of_a_very_long_dragon_stay_within_their_memory(benches: int) -> 
     assert part.x.size <= SLICE_PLACES
 
 
-@pytest.mark.skipif(ENGINE == PLAIN, reason="too many places for plain Python")
+@pytest.mark.skipif(serving().name == PLAIN, reason="too many places for plain Python")
 def test_a_million_benches_keep_their_chords_and_their_places() -> None:
     links = np.random.default_rng(5).uniform(0.4, 3.0, 1_000_000)
     dragon = Dragon.of_sizes(links + 0.55)

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from benchdragon.cli.main import run
-from benchdragon.engine import wasm
+from benchdragon.hosts import built
 from benchdragon.i18n import language, spoken_in
 from benchdragon.inlining import chinese
 from benchdragon.planner.page import PAGE, WORKER, planner_page
@@ -21,7 +21,7 @@ from benchdragon.plans.presets import presets
 from benchdragon.plans.schema import Plan, read_plan
 from tests.player.test_page import Parsed
 
-ENGINE = Path(wasm.__file__).with_name(wasm.NAME)
+ENGINE = built.ENGINE / built.MODULE
 IDEOGRAPH = re.compile(r"[\u4e00-\u9fff]")
 
 

@@ -15,7 +15,6 @@ from benchdragon.plans.toml import (
     SECONDS,
     SPEEDS,
     PlanError,
-    bench_count,
     built_in_names,
     quantity,
     read_toml,
@@ -223,13 +222,6 @@ def test_a_file_that_is_no_plan_is_told_why(tmp_path: Path, content: bytes, sent
 def test_a_missing_plan_names_the_nearest_built_in() -> None:
     with pytest.raises(PlanError, match=r"there is no plan spiral-on: .*did you mean spiral-in\?"):
         read_plan("spiral-on")
-
-
-def test_the_count_of_benches_is_known_before_the_check() -> None:
-    assert bench_count(read_toml("turn", ["dragon.benches=7"])[0]) == 7
-    assert bench_count({}) == 223
-    assert bench_count({"dragon": {"benches": "many"}}) is None
-    assert bench_count({"dragon": {"bench": []}}) is None
 
 
 def test_the_schema_accepts_the_built_in_plans_and_refuses_others() -> None:

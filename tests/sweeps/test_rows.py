@@ -8,7 +8,7 @@ import pytest
 from benchdragon.analysis.contact import first_contact
 from benchdragon.analysis.speed import greatest_speed
 from benchdragon.errors import BenchDragonError
-from benchdragon.kernels.native import source_hash
+from benchdragon.hosts.built import source_hash
 from benchdragon.plans.schema import Plan, read_plan
 from benchdragon.sweeps.questions import RandomDances
 from benchdragon.sweeps.rows import FIELDS, TIMED, Ask, made_by, row_schema

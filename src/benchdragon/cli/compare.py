@@ -8,7 +8,7 @@ import click
 
 from benchdragon.cli.answers import UNSAFE
 from benchdragon.cli.console import print_rows
-from benchdragon.cli.options import announce_compiling, json_option, shared_options
+from benchdragon.cli.options import json_option, shared_options
 from benchdragon.i18n import N_, _
 from benchdragon.model.numbering import handle_names
 from benchdragon.number_format import decimals
@@ -43,9 +43,9 @@ if TYPE_CHECKING:
 @shared_options
 def compare(file: str, result: "Result | None", tolerance: float, as_json: bool, quiet: bool) -> int:
     """Print a comparison, as text or JSON."""
+    del quiet
     from benchdragon.paper.compare import compare as compared
 
-    announce_compiling(quiet)
     found = compared(file, result=result, tolerance=tolerance)
     if as_json:
         click.echo(json.dumps({**asdict(found), "agrees": found.agrees, "version": __version__}))

@@ -1,22 +1,25 @@
-"""What this machine offers: versions, fonts, cache, and programs that later verbs can use."""
+"""What this machine offers: versions, fonts, the engine, and programs that later verbs can use."""
 
-import os
+import math
 import platform
 import shutil
+import time
 from dataclasses import dataclass
 from importlib import metadata, util
 
-from benchdragon.cli.options import no_cache
+from benchdragon.errors import engine_advice
 from benchdragon.export.encoders import find_ffmpeg
 from benchdragon.figures.style import FONT_FILES
+from benchdragon.hosts import compiled, native
+from benchdragon.hosts.serving import NATIVE, PLAIN, serving
+from benchdragon.hosts.trouble import EngineError
 from benchdragon.i18n import N_, _, language
-from benchdragon.kernels import jit, native
 from benchdragon.version import __version__
 
 LIBRARIES = (
     "numpy",
-    "numba",
     "scipy",
+    "wasmtime",
     "matplotlib",
     "pydantic",
     "click",
@@ -61,7 +64,7 @@ def findings() -> list[Finding]:
     found.append(
         Finding(N_("fonts"), ", ".join(path.name for path in fonts), len(fonts) == len(FONT_FILES))
     )
-    found.append(kernels())
+    found += engine()
     ffmpeg = find_ffmpeg()
     found.append(Finding("ffmpeg", ffmpeg or _("not found: films become GIFs"), ffmpeg is not None))
     for name, programs in PROGRAMS.items():
@@ -76,38 +79,55 @@ def advice() -> list[str]:
         return [
             _("The package's fonts are missing: unpack its folder again, and type pip install . there.")
         ]
-    said = [
+    return [
         _(
             "All that sheets, chalk plan, drum and player need is here. What begins with - is for "
             "other things: films, proofs, other tables."
         )
     ]
-    if jit.ENGINE != jit.NATIVE:
-        said.append(
-            _(
-                "The first questions take some minutes, for the kernels are compiled then: wait. With "
-                "a C compiler (gcc), pip install . does so once for all."
-            )
-        )
-    return said
 
 
-def kernels() -> Finding:
-    """Which engine serves the kernels, and why."""
-    if jit.ENGINE == jit.NATIVE:
-        return Finding(
-            N_("kernels"),
-            _("library built ahead of time: {path}").format(path=native.find_library()),
-            True,
-        )
-    if jit.ENGINE == jit.PLAIN:
-        return Finding(N_("kernels"), _("plain Python, as BENCHDRAGON_ENGINE says"), False)
-    cache = jit.CACHE_FOLDER or no_cache()
-    if os.environ.get(jit.VARIABLE):
-        why = _("compiled by numba, as BENCHDRAGON_ENGINE says: {cache}")
+# Times of the dance that are timed, in steps of a second; how often: the least counts.
+PLACED, ROUNDS = 32, 3
+
+
+def engine() -> list[Finding]:
+    """Which engine serves the kernels and why, how to get the faster one, and how fast it is."""
+    try:
+        name = serving().name
+    except EngineError as error:
+        return [Finding(N_("engine"), str(engine_advice(error)), False)]
+    if name == NATIVE:
+        text = _("library built ahead of time: {path}").format(path=native.find_library())
+    elif name == PLAIN:
+        text = _("plain Python, as BENCHDRAGON_ENGINE says")
     else:
-        why = _(
-            "compiled by numba, as no library here was built from these kernels for this processor "
-            "(`python -m benchdragon.engine` builds it): {cache}"
+        folder = compiled.kept_folder()
+        text = _(
+            "engine.wasm; a library is two to three times as fast: pip install 'benchdragon[build]', "
+            "and with a C compiler (gcc) `python -m benchdragon.engine` builds it"
         )
-    return Finding(N_("kernels"), why.format(cache=cache), jit.CACHE_FOLDER is not None)
+        if folder is None:
+            text += "; " + _(
+                "there is no folder for compiled code that can be written and is yours alone, so each "
+                "start takes half a second more; set XDG_CACHE_HOME to a folder of your own"
+            )
+    try:
+        speed = _("{count} ns to place a handle").format(count=f"{1e9 * seconds_a_handle():.0f}")
+    except EngineError as error:
+        return [Finding(N_("engine"), str(engine_advice(error)), False)]
+    return [Finding(N_("engine"), text, name != PLAIN), Finding(N_("speed"), speed, True)]
+
+
+def seconds_a_handle() -> float:
+    """What the engine takes for a handle at one time of the contest's dance, s."""
+    from benchdragon.plans.schema import read_plan
+
+    walk = read_plan("spiral-in").build()
+    times = [float(second) for second in range(PLACED)]
+    best = math.inf
+    for _round in range(ROUNDS):
+        start = time.perf_counter()
+        walk.motion(times)
+        best = min(best, time.perf_counter() - start)
+    return best / (PLACED * (len(walk.dragon) + 1))

@@ -4,7 +4,6 @@ Help must come fast, so everything heavier than click is imported by the verb th
 """
 
 import json
-import os
 import signal
 import sys
 import warnings
@@ -34,7 +33,6 @@ from benchdragon.cli.help import HelpfulGroup, translated
 from benchdragon.cli.new import new
 from benchdragon.cli.options import (
     WITHOUT,
-    announce_compiling,
     explain_option,
     folder_option,
     formats_option,
@@ -72,10 +70,9 @@ from benchdragon.errors import (
     reason,
 )
 from benchdragon.files import one_run
+from benchdragon.hosts.trouble import EngineError
 from benchdragon.i18n import N_, _, language
-from benchdragon.kernels.status import EngineError
 from benchdragon.number_format import finite_or_none
-from benchdragon.plans.toml import bench_count, read_toml
 from benchdragon.progress import Stages
 from benchdragon.version import __version__
 
@@ -86,7 +83,6 @@ if TYPE_CHECKING:
     from benchdragon.model.walk import Motion, Walk
     from benchdragon.plans.schema import Plan
 
-ENGINE = "BENCHDRAGON_ENGINE"
 # As shells report programs that a signal ended.
 INTERRUPTED = 128 + signal.SIGINT
 NOBODY_READS = 128 + 13
@@ -95,9 +91,6 @@ MOST_PLACES_JSON = 10_000_000
 MOST_ROWS_SHOWN = 400
 # Without --at a screen shows the whole walk in the first of these steps, s, that needs no more times.
 SCREEN_STEPS, SCREEN_TIMES = (1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 120.0, 300.0, 600.0, 1800.0, 3600.0), 12
-# Without the kernels' library: below this many handles times times, plain Python is done before numba
-# would be imported (design/cold_start.py).
-FEW_PLACES = 5_000
 PAPER_HANDLES = (0, 1, 51, 101, 151, 201)
 
 
@@ -133,7 +126,6 @@ def reproduce(
     """Write the paper's files and print the answers."""
     from benchdragon.paper.reproduce import reproduce as reproduced
 
-    announce_compiling(quiet)
     with shown_progress(quiet) as progress:
         found = reproduced(output, force, progress, docs)
     answer: dict[str, Any] = {**found.answers, "files": [str(path) for path in found.files]}
@@ -202,16 +194,13 @@ def reproduce(
 def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> int:
     """Answer on the screen, as JSON, or as files."""
     _refuse_strays(options)
-    data, source = read_toml(plan, settings)
-    _choose_engine(data, options["at"], bool(options["output"]))
     from benchdragon.export.tables import Selection
-    from benchdragon.plans.schema import checked
+    from benchdragon.plans.schema import read_plan
 
-    read = checked(data, source)
+    read = read_plan(plan, settings)
     walk = read.build()
     times = _times(options, read, walk)
     handles = parse_handles(options["only"], len(walk.dragon))
-    announce_compiling(quiet)
     if options["output"]:
         everything = range(len(walk.dragon) + 1) if handles is None else handles
         what = Selection(walk, times, everything, not options["keep_going"], options["workers"])
@@ -256,18 +245,6 @@ def _refuse_strays(options: dict[str, Any]) -> None:
         ("only", bool(formats & set(TABLE_FORMATS)), WITHOUT, ", ".join(TABLE_FORMATS)),
         ("step", options["leader"] == "rk4", WITHOUT, "--leader rk4"),
     )
-
-
-def _choose_engine(data: dict[str, Any], at: str | None, to_files: bool) -> None:
-    """Leave the kernels plain for a job that is over before numba would be imported."""
-    count = bench_count(data)
-    if to_files or at is None or count is None:
-        return
-    if len(parse_times(at)) * count <= FEW_PLACES and ENGINE not in os.environ:
-        from benchdragon.kernels.native import find_library
-
-        if find_library() is None:
-            os.environ[ENGINE] = "plain"
 
 
 def _times(options: dict[str, Any], plan: "Plan", walk: "Walk") -> "np.ndarray[Any, Any]":
@@ -441,7 +418,6 @@ def _notes() -> Callable[..., None]:
 
 def run(arguments: Sequence[str]) -> int:
     """Run one command line; its exit code. Errors become one sentence on standard error."""
-    engine = os.environ.get(ENGINE)
     try:
         with one_run(), warnings.catch_warnings():
             warnings.simplefilter("always", UserWarning)
@@ -458,7 +434,8 @@ def run(arguments: Sequence[str]) -> int:
     except BenchDragonError as error:
         return _failed(str(error), error.exit_code)
     except EngineError as error:
-        return _failed(str(engine_advice(error)), InputError.exit_code)
+        advice = engine_advice(error)
+        return _failed(str(advice), advice.exit_code)
     except (KeyboardInterrupt, click.Abort) as error:
         _say(_("interrupted; nothing half-written is left"))
         number = getattr(error.__cause__ or error, "args", ())
@@ -472,9 +449,6 @@ def run(arguments: Sequence[str]) -> int:
         return _failed(where + reason(error), MachineError.exit_code)
     except MemoryError:
         return _failed(_("memory ran out"), MachineError.exit_code)
-    finally:  # what `_choose_engine` chose was for this command line alone
-        if engine is None:
-            os.environ.pop(ENGINE, None)
 
 
 def _failed(text: str, code: int) -> int:

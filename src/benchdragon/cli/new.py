@@ -15,7 +15,6 @@ from benchdragon.cli.console import print_files, shown_progress
 from benchdragon.cli.new_answers import QUESTIONS, Question, read_place
 from benchdragon.cli.options import (
     FILE,
-    announce_compiling,
     force_option,
     output_option,
     shared_options,
@@ -90,7 +89,6 @@ def new(output: Path, force: bool, quiet: bool, **options: Any) -> int:
     said, given = _answers(options)
     from benchdragon.solve.proposal import TooSmall, benches_out_again, propose
 
-    announce_compiling(quiet)
     while True:
         wishes = _wishes(said, options["kind"], roster, given)
         with shown_progress(quiet) as progress:

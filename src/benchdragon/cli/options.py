@@ -1,7 +1,6 @@
 """Options that several verbs take."""
 
 from collections.abc import Callable, Sequence
-from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -20,10 +19,6 @@ Command = Callable[..., int | None]  # groups give nothing
 MOST_DRAWS, MOST_SEED = 100_000, 2**31
 # Notes on a list of names that a screen shows.
 MOST_TOLD = 20
-# Stands in the folder of compiled code once it was told there what compiling means.
-TOLD_HERE = "told"
-# Seconds of compiling after which a word is due.
-SLOW_COMPILE = 1.0
 
 
 class NamedPath(click.Path):
@@ -239,43 +234,6 @@ def refuse_strays(*rules: tuple[str, bool, str, str]) -> None:
             raise InputError(_(why).format(option=options[name], what=what))
 
 
-def announce_compiling(quiet: bool) -> None:
-    """Say on standard error when compiling takes long, unless `quiet`: in full where it is new here."""
-    if quiet:
-        return
-    from benchdragon.kernels import jit
-
-    folder = jit.CACHE_FOLDER
-    if jit.COMPILED and folder is None:
-        click.echo(_("Note: {text}").format(text=no_cache()), err=True)
-    told = None if folder is None else folder / TOLD_HERE
-    text = _("compiling more of the kernels")
-    if told is None or not told.exists():
-        text = _(
-            "compiling the kernels for this computer: a few minutes; what is compiled is kept, and "
-            "other questions may take a little more once"
-        )
-    said: list[str] = []
-
-    def say() -> None:
-        if not said:
-            said.append(text)
-            click.echo(text, err=True)
-            if told is not None:
-                with suppress(OSError):  # then it is told in full once more
-                    told.touch()
-
-    jit.watch_compiling(say, SLOW_COMPILE)
-
-
-def no_cache() -> str:
-    """That nothing of what is compiled is kept, and why, in the language in use."""
-    return _(
-        "there is no folder for compiled code that can be written and is yours alone, so each start "
-        "compiles anew; set XDG_CACHE_HOME to a folder of your own"
-    )
-
-
 def plan_to_walk(plan: str, settings: tuple[str, ...], quiet: bool) -> "Plan":
     """The plan that PLAN and --set say, for a verb that will walk it."""
     from benchdragon.plans.schema import read_plan
@@ -284,7 +242,6 @@ def plan_to_walk(plan: str, settings: tuple[str, ...], quiet: bool) -> "Plan":
     if not quiet:
         for note in read.source.passed:
             click.echo(_("Drawing: {note}").format(note=note), err=True)
-    announce_compiling(quiet)
     return read
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from benchdragon.cli.answers import about, print_title
-from benchdragon.cli.options import announce_compiling, json_option, plan_options, shared_options
+from benchdragon.cli.options import json_option, plan_options, shared_options
 from benchdragon.i18n import N_, _
 from benchdragon.number_format import finite_or_none
 from benchdragon.plans.toml import PlanError
@@ -30,11 +30,11 @@ if TYPE_CHECKING:
 @shared_options
 def survey(plan: str, settings: tuple[str, ...], quiet: bool, as_json: bool) -> int:
     """Print what is known of the route along a drawing, as text or JSON."""
+    del quiet
     from benchdragon.plans.routes import DrawnRoute
     from benchdragon.plans.schema import read_plan
 
     read = read_plan(plan, settings)  # what is said of its files is in the answer
-    announce_compiling(quiet)
     if not isinstance(read.route, DrawnRoute):
         raise PlanError(
             _('{plan}: survey speaks of drawn routes, not of route.kind = "{kind}"').format(

@@ -12,7 +12,6 @@ from benchdragon.cli.options import (
     BESIDE,
     FOLDER,
     WITHOUT,
-    announce_compiling,
     dances_options,
     given_options,
     json_option,
@@ -147,7 +146,6 @@ def _run(plan: str, settings: tuple[str, ...], quiet: bool, options: dict[str, A
     from benchdragon.sweeps.sweep import run
 
     design = _design(plan, settings, options)
-    announce_compiling(quiet)
     with shown_progress(quiet) as progress:
         return run(design, place(options["on"], options["workers"]), options["output"], progress)
 

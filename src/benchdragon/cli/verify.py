@@ -6,7 +6,7 @@ from pathlib import Path
 import click
 
 from benchdragon.cli.console import shown_progress
-from benchdragon.cli.options import announce_compiling, json_option, shared_options
+from benchdragon.cli.options import json_option, shared_options
 from benchdragon.i18n import N_
 
 
@@ -34,7 +34,6 @@ def verify(file: str, quiet: bool, as_json: bool) -> int:
         size, plan_sha256 = {"boxes": len(turns.witnesses)}, turns.plan_sha256
     else:
         certificate = read_certificate(Path(file))
-        announce_compiling(quiet)
         with shown_progress(quiet) as progress:
             found = shown(certificate, progress)
         lines, statements = found.sentences, [said.as_json() for said in found.statements]

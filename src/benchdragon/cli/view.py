@@ -8,7 +8,6 @@ import click
 
 from benchdragon.cli.console import print_files, shown_progress
 from benchdragon.cli.options import (
-    announce_compiling,
     force_option,
     output_option,
     plan_options,
@@ -45,7 +44,6 @@ def view(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> i
     read = read_plan(plan, settings)
     refuse_existing([path], options["force"])
     first, last = parse_span(options)
-    announce_compiling(quiet)
     walk = read.build()
     start, end = read.span(walk)
     span = scene.Span(start if first is None else first, end if last is None else last)

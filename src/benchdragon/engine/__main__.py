@@ -19,14 +19,14 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--wasm", action="store_true", help="build engine.wasm, for browsers")
     parser.add_argument("folder", type=Path, nargs="?", help="where to put it")
     wanted = parser.parse_args(arguments)
-    os.environ.update(PLAIN_CODE, BENCHDRAGON_ENGINE="jit")
-    from benchdragon.kernels import native
+    os.environ.update(PLAIN_CODE)
+    from benchdragon.hosts import built
     from benchdragon.own_folder import made_own
 
-    own = os.access(native.ENGINE, os.W_OK)
-    folder = wanted.folder or (native.ENGINE if own else made_own(native.user_folder()))
+    own = os.access(built.ENGINE, os.W_OK)
+    folder = wanted.folder or (built.ENGINE if own else made_own(built.user_folder()))
     if folder is None:
-        print(f"{native.user_folder()} is not this user's alone: name a FOLDER", file=sys.stderr)
+        print(f"{built.user_folder()} is not this user's alone: name a FOLDER", file=sys.stderr)
         return 1
     from benchdragon.engine.build import build
     from benchdragon.engine.optimise import BuildError

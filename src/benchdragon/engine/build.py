@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from benchdragon.engine import optimise, pieces, shims
-from benchdragon.kernels import native
+from benchdragon.hosts import built, native
 
 COMPILERS = ("cc", "gcc", "clang")
 RUNTIME = Path(__file__).with_name("runtime.c")
@@ -84,9 +84,9 @@ def build(folder: Path) -> Path:
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / native.library_name()
     optimise.prepare()
-    machine = optimise.target_machine(native.processor())
+    machine = optimise.target_machine(built.processor())
     link(machine_code(shims.entries().values(), machine), path)
-    for other in folder.glob(f"kernels-*-{sys.platform}-{native.processor()}.so"):
+    for other in folder.glob(f"kernels-*-{sys.platform}-{built.processor()}.so"):
         if other != path:
             other.unlink()
     return path

@@ -1,6 +1,6 @@
 """Entries as functions of one block each, compiled by numba to LLVM's language.
 
-The block is that of kernels/signature.py. What a shim does is written as Python and compiled with the
+The block is that of hosts/signature.py. What a shim does is written as Python and compiled with the
 kernel, so that numba alone needs to know how it passes arrays.
 """
 
@@ -13,8 +13,9 @@ from numba.core import types
 from numba.extending import intrinsic
 
 from benchdragon.engine.pieces import Piece, keep_pieces
-from benchdragon.kernels import jit, native
-from benchdragon.kernels.signature import Parameter, Signature, signature
+from benchdragon.hosts import built
+from benchdragon.hosts.signature import Parameter, Signature, signature
+from benchdragon.kernels import jit
 
 compiler: Any = numba  # its annotations are partial
 kinds: Any = types
@@ -36,8 +37,15 @@ def pointer_maker(number: Any) -> Any:
     return pointer
 
 
-# Nothing that Python would call.
-BARE = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+# Contraction is the only licence taken with arithmetic. The numpy error model keeps divisions free of
+# branches, without which no loop becomes SIMD. Nothing is made that Python would call.
+SETTINGS: dict[str, Any] = {
+    "nogil": True,
+    "error_model": "numpy",
+    "fastmath": {"contract"},
+    "no_cpython_wrapper": True,
+    "no_cfunc_wrapper": True,
+}
 
 NAMES = {
     "carray": compiler.carray,
@@ -46,12 +54,16 @@ NAMES = {
 }
 
 
+def compiled(function: Any) -> Any:
+    """A kernel, for numba to compile."""
+    return compiler.njit(_nrt=getattr(function, "allocates", False), **SETTINGS)(function)
+
+
 def entries() -> dict[str, Callable[..., object]]:
     """All entries, for numba to compile, by module and name; the kernels must not be imported yet."""
     keep_pieces()
-    jit.CACHE_FOLDER = None  # this code is for no process that runs
-    jit.SETTINGS.update(BARE)
-    for path in sorted(native.KERNELS.glob("*.py")):
+    jit.compiler = compiled
+    for path in sorted(built.KERNELS.glob("*.py")):
         importlib.import_module(f"benchdragon.kernels.{path.stem}")
     modules = {name: importlib.import_module(name.rpartition(".")[0]) for name in jit.ENTRIES}
     return {name: getattr(module, name.rpartition(".")[2]) for name, module in modules.items()}
@@ -98,6 +110,6 @@ def compiled_shim(function: Any) -> tuple[Signature, Piece, str]:
     exec(compile(shim_source(shape, names), shape.symbol, "exec"), names)
     shim = names["shim"]
     shim.__qualname__ = shim.__name__ = f"{shape.symbol}_shim"
-    compiled: Any = compiler.njit(kinds.void(kinds.int64), **jit.SETTINGS)(shim)
-    (result,) = compiled.overloads.values()
+    made: Any = compiler.njit(kinds.void(kinds.int64), **SETTINGS)(shim)
+    (result,) = made.overloads.values()
     return shape, result.library, result.fndesc.mangled_name

@@ -1,7 +1,7 @@
 """The kernels as one WebAssembly module, engine.wasm: `python -m benchdragon.engine --wasm`.
 
 The module imports nothing. It exports its memory, `malloc`, `free` and the entries, each as
-`int32 name(int64 *block)` (kernels/signature.py), and carries, as JSON in the custom section
+`int32 name(int64 *block)` (hosts/signature.py), and carries, as JSON in the custom section
 "benchdragon", what they take and return, and the stamp: what it was built from, and by what. The same
 sources and tools give the same bytes. Who else's code is linked in is told in NOTICE.txt.
 """
@@ -19,10 +19,9 @@ from typing import Any
 import llvmlite.binding as llvm
 
 from benchdragon.engine import build, optimise, shims
-from benchdragon.kernels import native
-from benchdragon.kernels.signature import Parameter, Signature, signature
+from benchdragon.hosts import built
+from benchdragon.hosts.signature import Parameter, Signature, signature
 
-NAME, SECTION = "engine.wasm", "benchdragon"
 TRIPLE, FEATURES = "wasm32-unknown-unknown", "+simd128"
 # What decides about the bytes, beside the sources. Zig's clang, linker and libraries of C come as one.
 TOOLS = ("llvmlite", "numba", "ziglang")
@@ -60,7 +59,7 @@ def stamp() -> dict[str, Any]:
     """The hash of the sources, and the versions of the tools that are here."""
     python = ".".join(platform.python_version_tuple()[:2])
     return {
-        "sources": native.source_hash(),
+        "sources": built.source_hash(),
         "tools": {"python": python, **{name: version(name) for name in TOOLS}},
     }
 
@@ -86,7 +85,7 @@ def link(code: bytes, symbols: Iterable[str]) -> bytes:
     """
     exports = [f"-Wl,--export={name}" for name in ("malloc", "free", *symbols)]
     with tempfile.TemporaryDirectory() as folder:
-        source, made = Path(folder, "kernels.o"), Path(folder, NAME)
+        source, made = Path(folder, "kernels.o"), Path(folder, built.MODULE)
         source.write_bytes(code)
         command = [sys.executable, "-m", "ziglang", "cc", "-target", "wasm32-wasi", *OPTIONS, *exports]
         build.run([*command, "-o", str(made), str(source), str(build.RUNTIME)])
@@ -102,7 +101,7 @@ def module(functions: Sequence[Any], machine: Any) -> bytes:
     entries = table(signature(function.py_func) for function in functions)
     linked = link(build.machine_code(functions, machine), entries)
     told = json.dumps({"stamp": stamp(), "entries": entries}, separators=(",", ":"))
-    return linked + custom_section(SECTION, told.encode())
+    return linked + custom_section(built.SECTION, told.encode())
 
 
 def build_module(folder: Path) -> Path:
@@ -116,6 +115,6 @@ def build_module(folder: Path) -> Path:
     optimise.prepare()
     made = module(list(shims.entries().values()), target_machine())
     folder.mkdir(parents=True, exist_ok=True)
-    path = folder / NAME
+    path = folder / built.MODULE
     path.write_bytes(made)
     return path

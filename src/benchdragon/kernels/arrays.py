@@ -3,18 +3,12 @@
 All are C-contiguous. Type checkers read past `Annotated`; within the kernels any array will do.
 """
 
-from typing import Annotated, NamedTuple
+from typing import Annotated
 
 import numpy as np
 import numpy.typing as npt
 
-
-class Layout(NamedTuple):
-    """Of an array: "d" for float64 or "q" for int64, as in `struct`, and its dimensions."""
-
-    code: str
-    dimensions: int
-
+from benchdragon.hosts.signature import Layout
 
 Vector = Annotated[npt.NDArray[np.float64], Layout("d", 1)]
 Table = Annotated[npt.NDArray[np.float64], Layout("d", 2)]

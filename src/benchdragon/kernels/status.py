@@ -1,4 +1,4 @@
-"""How placing a handle, making a turn and a call of a long search end; what is wrong with an engine."""
+"""How placing a handle, making a turn and a call of a long search end."""
 
 from enum import IntEnum
 
@@ -33,7 +33,3 @@ class Ended(IntEnum):
     MORE = 1  # the budget is spent: to be called again
     ROOM = 2  # an array is full: to be called again with a larger one that begins with the same
     FALLEN = 3  # the chain cannot stand
-
-
-class EngineError(Exception):
-    """The engine of the name that is its argument, from BENCHDRAGON_ENGINE, cannot serve."""

@@ -8,8 +8,8 @@ import base64
 import zlib
 from pathlib import Path
 
-from benchdragon import engine
 from benchdragon.files import write_whole
+from benchdragon.hosts import built
 from benchdragon.i18n import language
 from benchdragon.inlining import WEB, chinese, html_page, inlined
 from benchdragon.planner.first_look import first_look
@@ -20,7 +20,7 @@ from benchdragon.version import __version__
 
 STYLES = ("style.css", "explain.css", "planner.css", "grips.css", "print.css", "sheets.css")
 PAGE, WORKER = "planner_start.js", "compute/worker.js"
-ENGINE = Path(engine.__file__).with_name("engine.wasm")
+ENGINE = built.ENGINE / built.MODULE
 # Whose code is in the file, beside ours.
 NOTICES = (ENGINE.with_name("NOTICE.txt"), WEB / "carried.txt")
 

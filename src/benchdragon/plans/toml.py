@@ -232,15 +232,6 @@ def lay_over(data: dict[str, Any], settings: Sequence[str]) -> tuple[str, ...]:
     return keys
 
 
-def bench_count(data: dict[str, Any]) -> int | None:
-    """How many benches the tables ask for, or None where only the full check can tell."""
-    dragon = data.get("dragon", {})
-    if not isinstance(dragon, dict) or "bench" in dragon:
-        return None
-    count = dragon.get("benches", 223)
-    return count if isinstance(count, int) else None
-
-
 def _text(path: Path, source: str) -> str:
     try:
         about = path.stat()

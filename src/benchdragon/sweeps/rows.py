@@ -7,7 +7,7 @@ from functools import cache
 from typing import Any
 
 from benchdragon.errors import BenchDragonError, MissingExtraError
-from benchdragon.kernels.native import source_hash
+from benchdragon.hosts.built import source_hash
 from benchdragon.plans.schema import Plan
 from benchdragon.sweeps.points import Value
 from benchdragon.sweeps.questions import LOST, QUESTIONS, REFUSED, Outcome, RandomDances, outcome

@@ -1,21 +1,12 @@
-"""Calls every entry by numba and by the library, on what real questions pass to it: run as a script.
+"""Questions that call every entry between them, and what lets each call be seen."""
 
-It runs with BENCHDRAGON_ENGINE=jit and the library's path as its argument. As JSON it prints how often
-each entry was called, and how far apart the two came at most: of floats the difference as a share of
-their size or 1, of integers infinity where any differ.
-"""
-
-import ctypes
 import dataclasses
-import json
-import math
 import sys
 import types
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 import benchdragon.proofs.exact  # noqa: F401 - else imported by a proof, once entries are wrapped
 from benchdragon.analysis.check import check
@@ -24,7 +15,7 @@ from benchdragon.analysis.distance import nearest_each, pair_distances
 from benchdragon.analysis.proof import prove_contact
 from benchdragon.analysis.speed import QUANTITIES, greatest_at, greatest_speed
 from benchdragon.analysis.swept import swept_area
-from benchdragon.kernels import jit, native
+from benchdragon.kernels import jit
 from benchdragon.kernels.step_bounds import empty_placements, place_chain
 from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
 from benchdragon.paper.runge_kutta import head_positions
@@ -36,62 +27,6 @@ from benchdragon.solve.tolerance import CASES, Draw, random_dance
 
 # Its plain functions call its entries, which no compiled function does.
 MIXED = "benchdragon.kernels.grid"
-FOUND: dict[str, list[float]] = {}
-# Where a distance is least is known to half its digits only, and is a hint: of these the distance
-# itself counts, by which either place is as low as the other, and the pair.
-RESULTS = {
-    "benchdragon.kernels.low_points.low_point": [0],
-    "benchdragon.kernels.low_points.low_pair": [0, 2, 3],
-}
-
-
-def arrays(value: Any) -> Iterator[npt.NDArray[Any]]:
-    """All arrays in an argument or a result; numbers as arrays of none."""
-    if isinstance(value, tuple):
-        for part in value:
-            yield from arrays(part)
-    elif value is not None:
-        yield np.asarray(value)
-
-
-def copied(value: Any) -> Any:
-    """The same, on memory of its own."""
-    if isinstance(value, np.ndarray):
-        return value.copy()
-    if isinstance(value, tuple):
-        parts = [copied(part) for part in value]
-        return type(value)(*parts) if hasattr(value, "_fields") else tuple(parts)
-    return value
-
-
-def apart(one: npt.NDArray[Any], other: npt.NDArray[Any]) -> float:
-    """The greatest difference of two arrays, in sizes of what stands there or 1; infinite in kind."""
-    if one.dtype.kind != "f":
-        return 0.0 if (one == other).all() else math.inf
-    with np.errstate(all="ignore"):
-        differ = ~((one == other) | (np.isnan(one) & np.isnan(other)))
-        if not differ.any():
-            return 0.0
-        a, b = one[differ], other[differ]
-        far = np.abs(a - b) / np.maximum(1.0, np.abs(a))
-    return float(np.where(np.isfinite(far), far, math.inf).max())
-
-
-def both(name: str, compiled: Any, built: Any) -> Callable[..., Any]:
-    """A function that calls both on equal arguments, and notes how far apart they came."""
-
-    def call(*arguments: Any) -> Any:
-        again = copied(arguments)
-        result, other = compiled(*arguments), built(*again)
-        one, two = (arguments, result), (again, other)
-        if name in RESULTS:
-            one, two = (tuple(found[n] for n in RESULTS[name]) for found in (result, other))
-        pairs = zip(arrays(one), arrays(two), strict=True)
-        note = FOUND.setdefault(name, [0, 0.0])
-        note[0], note[1] = note[0] + 1, max(note[1], *(apart(a, b) for a, b in pairs))
-        return result
-
-    return call
 
 
 def wrap(wrapper: Callable[[str, Any], Callable[..., Any]]) -> None:
@@ -147,10 +82,3 @@ def questions() -> None:
     coiled = read_plan("spiral-in", ["disc.radius=4.5", "dragon.benches=20", "walk.start=225"])
     limit(coiled, "width")
     random_dance(coiled, Draw(CASES["all"].deviations, 7, 1)).least()
-
-
-if __name__ == "__main__":
-    library = ctypes.CDLL(sys.argv[1])
-    wrap(lambda name, served: both(name, served, native.bound(jit.ENTRIES[name], library)))
-    questions()
-    print(json.dumps(FOUND))

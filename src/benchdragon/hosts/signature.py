@@ -8,7 +8,12 @@ slots of the results follow those of the arguments.
 from collections.abc import Callable
 from typing import Any, NamedTuple, cast, get_args, get_origin
 
-from benchdragon.kernels.arrays import Layout
+
+class Layout(NamedTuple):
+    """Of an array: "d" for float64 or "q" for int64, as in `struct`, and its dimensions."""
+
+    code: str
+    dimensions: int
 
 
 class Leaf(NamedTuple):
@@ -94,7 +99,7 @@ def parameter(name: str, annotation: Any) -> Parameter:
     """The parameter of that name and annotation.
 
     Raises:
-        TypeError: if it is no number, no array of `arrays`, and no NamedTuple of such.
+        TypeError: if it is no number, no array of kernels/arrays.py, and no NamedTuple of such.
     """
     layout = next(iter(getattr(annotation, "__metadata__", ())), None)
     if isinstance(layout, Layout):
