@@ -112,6 +112,27 @@ def test_a_planted_cache_is_not_used(
     assert compiled.kept_folder() is None
 
 
+@pytest.mark.parametrize(
+    ("system", "told", "folder"),
+    [
+        ("linux", {}, "home/.cache"),
+        ("darwin", {}, "home/Library/Caches"),
+        ("win32", {"LOCALAPPDATA": "home/AppData/Local"}, "home/AppData/Local"),
+        ("darwin", {"XDG_CACHE_HOME": "caches"}, "caches"),
+        ("win32", {"XDG_CACHE_HOME": "caches", "LOCALAPPDATA": "home"}, "caches"),
+    ],
+)
+def test_what_is_kept_lies_where_each_system_keeps_such_things(
+    monkeypatch: pytest.MonkeyPatch, system: str, told: dict[str, str], folder: str
+) -> None:
+    monkeypatch.setattr("sys.platform", system)
+    for name in ("XDG_CACHE_HOME", "LOCALAPPDATA"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in {"HOME": "home", **told}.items():
+        monkeypatch.setenv(name, value)
+    assert built.user_folder() == Path(folder) / "benchdragon"
+
+
 def test_a_library_is_taken_from_an_own_folder_alone(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:

@@ -3,6 +3,7 @@
 import hashlib
 import os
 import platform
+import sys
 from pathlib import Path
 
 PACKAGE = Path(__file__).parents[1]
@@ -42,5 +43,6 @@ def processor() -> str:
 
 def user_folder() -> Path:
     """The user's own folder of what is built, for packages that stand where nobody may write."""
-    home = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
-    return home / "benchdragon"
+    told = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA")  # the latter by Windows
+    usual = "Library/Caches" if sys.platform == "darwin" else ".cache"
+    return (Path(told) if told else Path.home() / usual) / "benchdragon"
