@@ -6,12 +6,49 @@ import os
 import subprocess
 import sys
 from importlib.metadata import version
+from typing import Any, NamedTuple
 
+import numpy as np
 import pytest
 
-from benchdragon.hosts import compiled, native, wasm
-from benchdragon.hosts.serving import VARIABLE, chosen
+from benchdragon.hosts import compiled, native, serving, wasm
+from benchdragon.hosts.serving import VARIABLE, Serving, chosen
 from benchdragon.hosts.trouble import EngineError, Trouble
+from tests.hosts import modules
+
+
+class Lists(NamedTuple):
+    """Arrays that belong together."""
+
+    first: Any
+    second: Any
+
+
+class Several(NamedTuple):
+    """Arrays, also in another group."""
+
+    numbers: Any
+    inner: Lists
+
+
+def test_arrays_are_made_where_the_engine_works(monkeypatch: pytest.MonkeyPatch) -> None:
+    group = Several(np.arange(3.0), Lists(np.array([1]), np.arange(4)))
+    host = modules.host()
+    served = Serving("wasm", host.bound, lambda shape, code: host.instance().array(shape, code))
+    monkeypatch.setattr(serving, "serving", lambda: served)
+    made = serving.placed(group)
+    assert isinstance(made, Several)
+    assert isinstance(made.inner, Lists)
+    assert [array.tolist() for array in (made.numbers, *made.inner)] == [[0, 1, 2], [1], [0, 1, 2, 3]]
+    arrays = [made.numbers, *made.inner, serving.empty(2, 3), serving.empty_whole(5)]
+    assert [(array.shape, array.dtype.name) for array in arrays[-2:]] == [
+        ((2, 3), "float64"), ((5,), "int64"),
+    ]  # fmt: skip
+    base = host.instance()._base
+    assert all(base <= array.ctypes.data < base + wasm.REACH for array in arrays)
+    monkeypatch.setattr(serving, "serving", lambda: Serving("native", host.bound))
+    assert serving.placed(group) is group
+    assert serving.empty(2).flags.owndata
 
 
 @pytest.mark.parametrize("there", [False, True])
@@ -105,7 +142,11 @@ def ask(_thread):
     return bd.first_contact(walk, *span).value
 pool = ThreadPoolExecutor(2)
 found = [ask(0), *pool.map(ask, range(2)), bd.smallest_pitch(coiled).value]
-found += [bd.check(few).clearance.value, float(walk.motion([400.0], workers=2).x[0, -1])]
+found.append(bd.check(few).clearance.value)
+times = [0.5 * n for n in range(800)]
+one, other = walk.motion(times), walk.motion(times, workers=4)
+assert (one.x == other.x).all() and (one.speed == other.speed).all() and not other.status.any()
+found.append(float(one.x[-1, -1]))
 served = serving().name
 print(json.dumps([served, found, sorted({"numba", "llvmlite", "wasmtime"} & set(sys.modules))]))
 """

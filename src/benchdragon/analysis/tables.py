@@ -9,6 +9,7 @@ import numpy as np
 
 from benchdragon import budget
 from benchdragon.errors import InputError, UnsureError
+from benchdragon.hosts.serving import empty, empty_whole, placed
 from benchdragon.i18n import _
 from benchdragon.kernels import cells, course
 from benchdragon.kernels import search as steps
@@ -105,14 +106,16 @@ class Tables:
         self._bench_pairs, self._members = PAIRS, min(MEMBERS, benches)
         handles = benches + 1
         slots = max(2, min(LANES, PLACES // handles))
-        self.block = Block(
-            np.empty(slots), empty_placements(handles, slots), np.empty((handles, slots))
+        self.block = placed(
+            Block(np.empty(slots), empty_placements(handles, slots), np.empty((handles, slots)))
         )
         self.course = Course(np.empty(course.COURSE), np.zeros(course.TALLY, dtype=np.int64))
-        self.crowd = Crowd(
-            np.empty((benches, cells.HULL_COLUMNS)),
-            empty_grid(benches, self._side()),
-            np.empty(benches, dtype=np.int64),
+        self.crowd = placed(
+            Crowd(
+                np.empty((benches, cells.HULL_COLUMNS)),
+                empty_grid(benches, self._side()),
+                np.empty(benches, dtype=np.int64),
+            )
         )
         self._begun = first
         self._make_meeting()
@@ -141,24 +144,24 @@ class Tables:
         )
         self.ground = Ground(
             np.zeros(cells.COUNTS, dtype=np.int64),
-            np.empty(cells.MEASURES),
-            np.empty((groups, cells.WAYS + groups)),
-            np.empty((groups * groups * rows, 2)),
-            np.empty((self._cells, groups * groups), dtype=np.int64),
-            np.empty((self._cells, 2)),
-            np.empty((boxes, cells.HULL_COLUMNS)),
-            np.empty((boxes, cells.TREE_COLUMNS), dtype=np.int64),
-            np.empty((self._pairs, 2), dtype=np.int64),
-            np.empty(boxes, dtype=np.int64),
-            np.empty((self._pairs, 2), dtype=np.int64),
-            np.empty((self._doubts, 2), dtype=np.int64),
-            np.empty((rows, SEAM_COLUMNS)),
+            empty(cells.MEASURES),
+            empty(groups, cells.WAYS + groups),
+            empty(groups * groups * rows, 2),
+            empty_whole(self._cells, groups * groups),
+            empty(self._cells, 2),
+            empty(boxes, cells.HULL_COLUMNS),
+            empty_whole(boxes, cells.TREE_COLUMNS),
+            empty_whole(self._pairs, 2),
+            empty_whole(boxes),
+            empty_whole(self._pairs, 2),
+            empty_whole(self._doubts, 2),
+            empty(rows, SEAM_COLUMNS),
         )
         whole = groups * self._cells
         self.grids = Grids(
-            empty_grid(self._cells, self._side()),
-            empty_grid(whole, self._side()),
-            np.empty(whole, dtype=np.int64),
+            placed(empty_grid(self._cells, self._side())),
+            placed(empty_grid(whole, self._side())),
+            empty_whole(whole),
         )
 
     def _side(self) -> float:
@@ -170,8 +173,10 @@ class Tables:
         count, pairs = len(self.walk.benches.kind), self._bench_pairs
         first, second, mine, other = (np.empty(pairs, dtype=np.int64) for _list in range(4))
         place = np.full(count, -1, dtype=np.int64)
-        self.meeting = Meeting(first, second, mine, other, np.empty(count, dtype=np.int64), place)
-        self.search = steps.room(count + 1, self._members, pairs)
+        self.meeting = placed(
+            Meeting(first, second, mine, other, np.empty(count, dtype=np.int64), place)
+        )
+        self.search = placed(steps.room(count + 1, self._members, pairs))
 
     @property
     def room(self) -> Room:

@@ -11,6 +11,7 @@ import numpy.typing as npt
 from benchdragon.hosts.signature import Leaf, Parameter, Signature
 
 DTYPES = {"d": np.dtype(np.float64), "q": np.dtype(np.int64)}
+CODES = {dtype: code for code, dtype in DTYPES.items()}
 
 # Gives where an array's numbers lie.
 Address = Callable[[npt.NDArray[Any]], int]

@@ -52,7 +52,7 @@ def module(code: bytes) -> tuple[Any, Any]:
 
 
 def settings(config: Any) -> Any:
-    """What the module needs, and what was measured (design/engine_wasm.py)."""
+    """What the module needs, and what was measured (design/hosts.py)."""
     # All that 32-bit addresses reach is set aside, so that arrays in it never move.
     config.memory_reservation, config.memory_may_move = 1 << 32, False
     config.cranelift_opt_level = "speed"

@@ -7,24 +7,44 @@ built from these kernels for this processor, else the module.
 """
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
-from typing import Any
+from typing import Any, TypeVar
+
+import numpy as np
+import numpy.typing as npt
 
 from benchdragon.hosts import native, wasm
+from benchdragon.hosts.arguments import CODES, DTYPES
 from benchdragon.hosts.trouble import EngineError, Trouble
 
 VARIABLE = "BENCHDRAGON_ENGINE"
 NATIVE, WASM, PLAIN = "native", "wasm", "plain"
 
+Group = TypeVar("Group", bound=tuple[Any, ...])
+
+
+def usual(shape: Sequence[int], code: str) -> npt.NDArray[Any]:
+    """An array where NumPy puts it, of a code of DTYPES; what stands in it is not said."""
+    return np.empty(shape, DTYPES[code])
+
 
 @dataclass(frozen=True)
 class Serving:
-    """Who serves: the name of the engine, and what makes the function to call of an entry's own."""
+    """Who serves.
+
+    Attributes:
+        name: of the engine.
+        bound: makes the function to call of an entry's own.
+        array: makes arrays of a shape and a code of DTYPES that the engine need not copy.
+        shares: whether threads may let it write different parts of one array.
+    """
 
     name: str
     bound: Callable[[Any], Any]
+    array: Callable[[Sequence[int], str], npt.NDArray[Any]] = usual
+    shares: bool = True
 
 
 def chosen() -> Serving:
@@ -44,7 +64,34 @@ def chosen() -> Serving:
         return Serving(NATIVE, partial(native.bound, library=library))
     if wanted == NATIVE:
         raise EngineError(Trouble.NO_LIBRARY)
-    return Serving(WASM, wasm.Host(wasm.code_of_these_kernels()).bound)
+    host = wasm.Host(wasm.code_of_these_kernels())
+    return Serving(
+        WASM, host.bound, lambda shape, code: host.instance().array(shape, code), shares=False
+    )
 
 
 serving = cache(chosen)
+
+
+def empty(*shape: int) -> npt.NDArray[np.float64]:
+    """An array that calls of this thread need not copy; what stands in it is not said."""
+    return serving().array(shape, "d")
+
+
+def empty_whole(*shape: int) -> npt.NDArray[np.int64]:
+    """The same of whole numbers."""
+    return serving().array(shape, "q")
+
+
+def placed(group: Group) -> Group:
+    """A NamedTuple of arrays, also within others, where calls of this thread need not copy them."""
+    return group if serving().array is usual else _placed(group)
+
+
+def _placed(value: Any) -> Any:
+    if isinstance(value, tuple):
+        kind: Any = type(value)
+        return kind(*map(_placed, value))
+    array = serving().array(value.shape, CODES[value.dtype])
+    array[...] = value
+    return array

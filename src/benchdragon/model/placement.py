@@ -8,6 +8,7 @@ import numpy.typing as npt
 
 from benchdragon import budget
 from benchdragon.errors import WalkError, of_kind
+from benchdragon.hosts.serving import serving
 from benchdragon.kernels.chain import march, rates
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray, positions
@@ -60,9 +61,10 @@ class Placement:
             return
         # The borders of the blocks do not depend on the number of workers.
         share = -(-shape[1] // (workers * LANES)) * LANES
+        march = self._march if serving().shares else self._march_apart
         with ThreadPoolExecutor(workers) as pool:
             for task in [
-                pool.submit(self._march, a, min(a + share, shape[1])) for a in range(0, shape[1], share)
+                pool.submit(march, a, min(a + share, shape[1])) for a in range(0, shape[1], share)
             ]:
                 task.result()
 
@@ -71,6 +73,13 @@ class Placement:
             self.route.rows, self.dragon.links, self.head_s, first, last,
             self._row, self._u, self._x, self._y, self._ratio, self._failed,
         )  # fmt: skip
+
+    def _march_apart(self, first: int, last: int) -> None:
+        """The same on arrays of its own, for an engine that copies the whole of what it is given."""
+        part = Placement(self.dragon, self.route, self.head_s[first:last])
+        for table, own in (*zip(self.tables, part.tables, strict=True), (self._ratio, part._ratio)):
+            table[:, first:last] = own
+        self._failed[:, first:last] = part._failed
 
     def __repr__(self) -> str:
         handles, count = self._x.shape
