@@ -26,7 +26,7 @@ export PYTHONDONTWRITEBYTECODE :=
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
 	touch $@
 
-# The kernels as one library, twice to three times as fast as engine.wasm, which serves without it.
+# The kernels as one library, about twice as fast as engine.wasm, which serves without it.
 engine: .venv/engine
 
 .venv/engine: .venv/installed src/benchdragon/hosts/signature.py $(wildcard src/benchdragon/kernels/*.py src/benchdragon/engine/*.py src/benchdragon/engine/*.c)

@@ -104,7 +104,7 @@ def engine() -> list[Finding]:
     else:
         folder = compiled.kept_folder()
         text = _(
-            "engine.wasm; a library is two to three times as fast: pip install 'benchdragon[build]', "
+            "engine.wasm; a library is about twice as fast: pip install 'benchdragon[build]', "
             "and with a C compiler (gcc) `python -m benchdragon.engine` builds it"
         )
         if folder is None:
