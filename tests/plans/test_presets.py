@@ -28,6 +28,15 @@ def test_a_villages_benches_are_as_long_as_its_file_derives_them(name: str) -> N
     assert dragon.body_length == dragon.tail_length == round(length / benches + 2.0 * inset, 2)
 
 
+def test_what_was_reported_of_a_village_is_told_apart_from_what_is_derived_and_assumed() -> None:
+    known = {one.name: {figure.key: figure.status for figure in one.figures} for one in presets()}
+    keys = ("dragon.benches", "dragon.body_length", "dragon.width")
+    told = {name: [figures[key] for key in keys] for name, figures in known.items()}
+    assert told["xianju"] == ["reported", "derived", "assumed"]
+    assert told["yongkang"] == ["reported", "reported", "assumed"]
+    assert told["turn"] == ["reported"] * 3
+
+
 def test_the_first_preset_says_what_was_added_to_the_built_in_plan() -> None:
     first = presets()[0]
     assert first.plan.sha256 == read_plan("spiral-in", ["disc.radius=4.5"]).sha256
