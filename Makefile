@@ -16,7 +16,7 @@ MAKEFLAGS += --jobs=2
 # Tests start a hundred processes: those that may keep no bytecode would each compile the package anew.
 export PYTHONDONTWRITEBYTECODE :=
 
-.PHONY: demo test main-test quick lint style mypy pages slow-test page-test long-test manual-test engine docs atlas bench truth wasm wasm-test carried carried-test mutants hostile messages keys types \
+.PHONY: demo test main-test quick lint style mypy pages slow-test page-test long-test manual-test engine docs atlas bench picture truth wasm wasm-test carried carried-test mutants hostile messages keys types \
   map lock fonts clean
 
 .venv/installed: requirements.lock pyproject.toml
@@ -116,6 +116,12 @@ atlas: .venv/engine
 # `make bench BEFORE=FOLDER` times another checkout beside this one.
 bench: .venv/engine
 	$(BIN)/python benchmarks/run.py $(if $(BEFORE),--before $(BEFORE))
+
+# The moving picture of README and manual, to be committed.
+DANCE := animate turn --set dragon.benches=50 --start -10 --end 80 --speed-up 15 --fps 5 --size 400x340 -o dance.gif
+picture: .venv/engine
+	cd docs/en && ../../$(BIN)/benchdragon $(DANCE) --lang en --force
+	cd docs/zh && ../../$(BIN)/benchdragon $(DANCE) --lang zh --force
 
 truth: .venv/installed
 	$(BIN)/python -m tests.truth.make_truth

@@ -19,6 +19,10 @@ from sphinx.search.zh import SearchChinese
 from sphinx.util.docutils import SphinxRole
 from sphinx.writers.html5 import HTML5Translator
 
+from benchdragon.analysis.check import check
+from benchdragon.plans.schema import read_plan
+from benchdragon.player.page import write_player
+from benchdragon.player.scene import judged_dance
 from benchdragon.version import __version__
 
 author = "The benchdragon developers"
@@ -35,7 +39,7 @@ html_copy_source = False
 html_show_sphinx = False
 html_show_search_summary = False  # it would be fetched, which browsers forbid to pages on a disk
 
-myst_enable_extensions = ["dollarmath"]
+myst_enable_extensions = ["attrs_block", "dollarmath"]
 myst_ref_domains = ["std"]
 nb_execution_mode = "force"
 nb_execution_raise_on_error = True
@@ -161,6 +165,14 @@ def part(app: Sphinx, env: BuildEnvironment) -> None:
         path.write_text(json.dumps(notebook, ensure_ascii=False, indent=1) + "\n", "utf-8")
 
 
+def play(app: Sphinx, failure: Exception | None) -> None:
+    """Write the player that the first page shows, as `benchdragon view` does."""
+    if failure is None and app.builder.format == "html":
+        write_player(
+            Path(app.outdir) / "_static" / "player.html", judged_dance(read_plan("turn"), check)
+        )
+
+
 def speak(_app: Sphinx, config: Config) -> None:
     """Set what depends on the language; pictures in cells follow BENCHDRAGON_LANG."""
     chinese = config.language == "zh_CN"
@@ -171,7 +183,7 @@ def speak(_app: Sphinx, config: Config) -> None:
 
 
 def setup(app: Sphinx) -> None:
-    """Add the role, the formulas, the search and the language."""
+    """Add the role, the formulas, the search, the player and the language."""
     app.add_role("view", Listing())
     app.add_html_math_renderer("mathml", (visit_math, None), (visit_display, None))
     app.add_search_language(Search)
@@ -179,4 +191,5 @@ def setup(app: Sphinx) -> None:
     app.connect("source-read", join)
     app.connect("source-read", offer)
     app.connect("env-updated", part)
+    app.connect("build-finished", play)
     app.connect("config-inited", speak)

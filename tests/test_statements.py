@@ -1,4 +1,4 @@
-"""What README and manual say of the paper and of the program, in both languages, held to what is so."""
+"""What the manual says of the paper and of the program, in both languages, held to what is so."""
 
 import re
 from collections.abc import Iterator
@@ -12,13 +12,13 @@ from benchdragon import greatest_head_speed, read_plan
 from tests.test_docs import blocks, source
 
 ROOT = Path(__file__).parent.parent
-READMES = {"en": "README.md", "zh": "README.zh-CN.md"}
+LANGUAGES = ("en", "zh")
 
 
 def page(name: str, language: str) -> str:
-    """A page in a language, formulas as plain text; "README" or a name in the manual."""
-    path = READMES[language] if name == "README" else f"docs/{language}/{name}.md"
-    return re.sub(r"\$\s*|\\(?=theta)|(?<=[a-z])_(?=[0-9])", "", (ROOT / path).read_text("utf-8"))
+    """A page in a language, formulas as plain text."""
+    text = (ROOT / "docs" / language / f"{name}.md").read_text("utf-8")
+    return re.sub(r"\$\s*|\\(?=theta)|(?<=[a-z])_(?=[0-9])", "", text)
 
 
 def paragraph(text: str, beginning: str) -> str:
@@ -29,8 +29,8 @@ def paragraph(text: str, beginning: str) -> str:
 
 
 ERRATA = {
-    ("README", "en"): "Errata to the paper",
-    ("README", "zh"): "论文中的笔误",
+    ("exact", "en"): "Errata to the paper",
+    ("exact", "zh"): "论文中的笔误",
     ("ten-minutes", "en"): "**Errata.**",
     ("ten-minutes", "zh"): "**笔误**",
 }
@@ -47,8 +47,8 @@ def test_the_errata_say_what_holds_on_each_arc_and_leave_the_third_equation_be(
     assert "(3)" not in said  # printed for the way out, and right there
 
 
-@pytest.mark.parametrize("language", READMES)
-@pytest.mark.parametrize("name", ["README", "errors"])
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("name", ["exact", "errors"])
 def test_the_papers_pitch_tells_no_step(name: str, language: str) -> None:
     lines = page(name, language).splitlines()
     said = " ".join(a + b for a, b in pairwise(lines) if "0.452" in a + b)
@@ -78,21 +78,21 @@ def test_no_text_claims_what_is_not_so(claim: str) -> None:
     assert [(name, found) for name, text in texts() for found in re.findall(claim, text)] == []
 
 
-@pytest.mark.parametrize("language", READMES)
-def test_readmes_quote_no_number_of_evaluations(language: str) -> None:
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_no_number_of_evaluations_is_quoted(language: str) -> None:
     counted = r"\b(?:some|about) [0-9][0-9,]* (?:evaluations|looks)|[0-9百千]+ ?次求值"
-    assert re.findall(counted, page("README", language)) == []
+    assert re.findall(counted, page("exact", language)) == []
 
 
-def test_the_bracket_of_the_greatest_head_speed_is_as_narrow_as_the_readmes_say() -> None:
+def test_the_bracket_of_the_greatest_head_speed_is_as_narrow_as_is_said() -> None:
     found = greatest_head_speed(read_plan("turn"))
     assert found.upper - found.lower == pytest.approx(1e-10, rel=0.5)
-    for language in READMES:
-        assert "1e-10 m/s" in page("README", language)
+    for language in LANGUAGES:
+        assert "1e-10 m/s" in page("exact", language)
 
 
 def test_in_which_sense_the_turn_is_as_short_as_can_be(capsys: pytest.CaptureFixture[str]) -> None:
-    """The manual's own cell: the paper's arcs, deeper joints, and a line; the readmes quote it."""
+    """The manual's own cell: the paper's arcs, deeper joints, and a line; another page quotes it."""
     (cell,) = (
         code for code in blocks(source("en", "question-4.md"), "{code-cell}") if "4.45 m" in code
     )
@@ -107,8 +107,8 @@ def test_in_which_sense_the_turn_is_as_short_as_can_be(capsys: pytest.CaptureFix
     assert line[1] < path
     assert line[3] > head
     assert min(apart, deep[2], deeper[2], line[2]) > 0.2
-    for language in READMES:
-        readme = page("README", language)
+    for language in LANGUAGES:
+        quoted = page("exact", language)
         for number in (f"{turn} m", f"{deeper[0]} m", f"{deeper[1]} m", f"{deeper[2]:.3f} m"):
-            assert number in readme.replace("\n ", ""), number
-        assert f"{deeper[3]:.3f} m/s" in readme
+            assert number in quoted.replace("\n ", ""), number
+        assert f"{deeper[3]:.3f} m/s" in quoted

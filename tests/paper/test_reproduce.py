@@ -79,6 +79,10 @@ def test_the_command_prints_answers_and_files(
 ) -> None:
     assert run(["reproduce", "-o", str(tmp_path / "a"), "--explain"]) == 0
     out = capsys.readouterr().out
+    contact, pitch, place = out.splitlines()[:3]
+    assert contact.endswith(f"t = {float(TRUTH['first_contact_s']):.9f} s")
+    assert pitch.endswith(f"is {float(TRUTH['smallest_pitch_m']):.9f} m")
+    assert str(tmp_path / "a" / "report.html") in place
     assert "measured order of RK4 3.97" in out
     assert "4.0055, 0.9841, -2.1575, 0.8639" in out
     assert str(tmp_path / "a" / "result1.xlsx") in out

@@ -21,6 +21,7 @@ from benchdragon.progress import Progress, silent
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from benchdragon.model.answer import Answer
     from benchdragon.solve.turn import BestTurn
 
 
@@ -63,6 +64,19 @@ def print_files(files: Sequence[Path]) -> None:
     click.echo(_("Written:"))
     for path in files:
         click.echo(f"  {path}")
+
+
+def print_first(contact: "Answer", pitch: "Answer", report: Path) -> None:
+    """What is known before the long work begins, and where its results will lie."""
+    lines = (
+        _("question 2: benches touch first at t = {time} s").format(time=f"{contact.value:.9f}"),
+        _("question 3: the smallest pitch is {pitch} m").format(pitch=f"{pitch.value:.9f}"),
+        _("What follows takes minutes. Its results will lie in {folder}: open {report}.").format(
+            folder=report.parent, report=report
+        ),
+    )
+    click.echo("\n".join(lines))
+    sys.stdout.flush()  # a pipe holds lines back
 
 
 def print_explanation(lines: Sequence[str]) -> None:
@@ -258,7 +272,10 @@ class _Bar:
 
         left = (TextColumn(_("left:")), TimeRemainingColumn()) if remaining else ()
         columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn(), *left)
-        self._bar = progress.Progress(*columns, console=_console(stderr=True), transient=True)
+        self._bar = progress.Progress(
+            *columns, console=_console(stderr=True), transient=True,
+            redirect_stdout=sys.stdout.isatty(),  # what is printed meanwhile goes where it was sent
+        )  # fmt: skip
         self._task = self._bar.add_task("", total=1.0)
 
     def __enter__(self) -> Progress:

@@ -24,6 +24,7 @@ from benchdragon.cli.compare import compare
 from benchdragon.cli.console import (
     print_explanation,
     print_files,
+    print_first,
     print_reproduction,
     print_table,
     shown_progress,
@@ -127,7 +128,7 @@ def reproduce(
     from benchdragon.paper.reproduce import reproduce as reproduced
 
     with shown_progress(quiet) as progress:
-        found = reproduced(output, force, progress, docs)
+        found = reproduced(output, force, progress, docs, None if as_json else print_first)
     answer: dict[str, Any] = {**found.answers, "files": [str(path) for path in found.files]}
     if explain:
         from benchdragon.paper.explanation import reproduce_lines

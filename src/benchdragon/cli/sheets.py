@@ -88,11 +88,12 @@ def sheets(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     _refuse_strays(names)
     path = None if options["anew"] and plan in built_in_names() else record_path(plan)
     read, folder = plan_to_walk(plan, settings, quiet), options["output"]
+    read.build()  # says what is wrong, before a folder is made
     roster = roster_of(read)
     record = None if path is None or options["anew"] else read_record(path, read, roster, plan)
-    files = planned_papers(folder, names, options["force"])
     looks = options["paper"], options["by"], options["night"], options["phones"]
     wanted = Options(*looks, _chalk_options(options))
+    files = planned_papers(folder, names, options["force"])
     if "benches" in names and not read.people.address and not quiet:
         click.echo(_("No QR codes: the plan does not say people.address."), err=True)
     with _whole_told(files), shown_progress(quiet) as progress:

@@ -3,6 +3,7 @@
 import json
 import math
 import os
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from benchdragon.analysis.check import moment
+from benchdragon.analysis.contact import first_contact
 from benchdragon.errors import InputError
 from benchdragon.export.pages import write_pdf
 from benchdragon.export.publish import write_html
@@ -27,6 +29,7 @@ from benchdragon.figures.tolerance import margin_picture
 from benchdragon.figures.walk import dragon_picture, speed_map
 from benchdragon.files import refuse_existing, write_whole
 from benchdragon.i18n import _, language
+from benchdragon.model.answer import Answer
 from benchdragon.paper.derivations import allowed_speed, contact_of
 from benchdragon.paper.evidence_figures import (
     accumulation_picture,
@@ -46,7 +49,9 @@ from benchdragon.paper.turn_figures import (
     turns_picture,
 )
 from benchdragon.plans.routes import TurnRoute
+from benchdragon.plans.schema import read_plan
 from benchdragon.progress import Progress, Stages, part, silent
+from benchdragon.solve.size import smallest_pitch
 from benchdragon.solve.tolerance import CASES
 
 TURN_TIMES = (-50.0, 0.0, 14.0, 50.0)
@@ -73,6 +78,13 @@ class Reproduction:
     files: list[Path]
 
 
+def first_answers() -> tuple[Answer, Answer]:
+    """First contact (s) and smallest pitch (m), found at once: `reproduce` takes minutes."""
+    spiral = read_plan("spiral-in")
+    walk = spiral.build()
+    return first_contact(walk, *spiral.span(walk)), smallest_pitch(read_plan("question-3"))
+
+
 def planned_files(folder: Path) -> list[Path]:
     """The files that `reproduce` writes into `folder`."""
     pictures = [f"{name}.{kind}" for name in PICTURES for kind in PICTURE_KINDS]
@@ -81,7 +93,11 @@ def planned_files(folder: Path) -> list[Path]:
 
 
 def reproduce(
-    folder: Path, force: bool = False, progress: Progress = silent, docs: str | None = None
+    folder: Path,
+    force: bool = False,
+    progress: Progress = silent,
+    docs: str | None = None,
+    first: Callable[[Answer, Answer, Path], None] | None = None,
 ) -> Reproduction:
     """Walk the paper's two parts and write report, tables, pictures and `answers.json` into `folder`.
 
@@ -90,6 +106,7 @@ def reproduce(
         force: whether files that are there are overwritten.
         progress: is told what is being done.
         docs: folder or address of the documentation's pages, for links in the report; None: no links.
+        first: is told the first contact, the smallest pitch and where the report will lie, in seconds.
 
     Raises:
         FileRefusedError: if a file is there already and `force` is not set.
@@ -97,6 +114,8 @@ def reproduce(
     """
     files, pages = planned_files(folder), None if docs is None else pages_from(folder, docs)
     refuse_existing(files, force)
+    if first is not None:
+        first(*first_answers(), files[0])
     found = results(part(progress, 0.0, COMPUTED))
     stage = Stages(part(progress, COMPUTED, 1.0), 3 + len(PICTURE_KINDS))
     stage(_("tables"))
