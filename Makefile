@@ -1,5 +1,5 @@
-# `make demo` and `make test` set up everything they need in .venv/. While at work: `make quick`, half a
-# minute of lint, types, import contracts and a test of each room.
+# `make demo` sets up what the main job needs in .venv/, `make test` what developers need besides. While at
+# work: `make quick`, half a minute of lint, types, import contracts and a test of each room.
 PYTHON ?= python3
 BIN := .venv/bin
 PAGES := 'src/benchdragon/web/*.js' '!src/benchdragon/web/carried*.js' 'src/benchdragon/web/compute/*.js' 'src/benchdragon/web/*.css' \
@@ -19,11 +19,17 @@ export PYTHONDONTWRITEBYTECODE :=
 .PHONY: demo test main-test quick lint style mypy pages slow-test page-test long-test manual-test engine docs atlas bench picture truth wasm wasm-test carried carried-test mutants hostile messages keys types \
   map lock fonts clean
 
-.venv/installed: requirements.lock pyproject.toml
+PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps
+
+.venv/demo: requirements-demo.lock pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed")'
 	$(PYTHON) -m venv .venv
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --require-hashes -r requirements.lock
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
+	$(PIP) --require-hashes -r requirements-demo.lock
+	$(PIP) --no-build-isolation -e .
+	touch $@
+
+.venv/installed: .venv/demo requirements.lock
+	$(PIP) --require-hashes -r requirements.lock
 	touch $@
 
 # The kernels as one library, about twice as fast as engine.wasm, which serves without it.
@@ -37,7 +43,8 @@ node_modules/installed: package.json package-lock.json .npmrc
 	npm ci --no-audit --no-fund
 	touch $@
 
-demo: .venv/engine
+# First answers come at once, the report after minutes.
+demo: .venv/demo
 	$(BIN)/benchdragon reproduce -o out --force $(if $(wildcard docs/_build/html/en/established.html),--docs docs/_build/html/en)
 	$(BIN)/benchdragon view turn -o out/turn.html --force
 
@@ -119,7 +126,7 @@ bench: .venv/engine
 
 # The moving picture of README and manual, to be committed.
 DANCE := animate turn --set dragon.benches=50 --start -10 --end 80 --speed-up 15 --fps 5 --size 400x340 -o dance.gif
-picture: .venv/engine
+picture: .venv/demo
 	cd docs/en && ../../$(BIN)/benchdragon $(DANCE) --lang en --force
 	cd docs/zh && ../../$(BIN)/benchdragon $(DANCE) --lang zh --force
 
@@ -178,6 +185,8 @@ fonts: .venv/installed
 lock:
 	uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-annotate --no-header \
 	  --python-version 3.11 --extra data --extra prove --extra video --extra cluster --extra refine --extra survey --extra build --group dev --group build --group docs pyproject.toml -o requirements.lock
+	uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-annotate --no-header \
+	  --python-version 3.11 --extra prove --group build -c requirements.lock pyproject.toml -o requirements-demo.lock
 	uv pip compile --quiet --universal --generate-hashes --no-emit-index-url --no-annotate --no-header \
 	  --python-version 3.11 --no-deps --group wasm -o requirements-wasm.lock
 
