@@ -82,7 +82,10 @@ def first_answers() -> tuple[Answer, Answer]:
     """First contact (s) and smallest pitch (m), found at once: `reproduce` takes minutes."""
     spiral = read_plan("spiral-in")
     walk = spiral.build()
-    return first_contact(walk, *spiral.span(walk)), smallest_pitch(read_plan("question-3"))
+    contact = first_contact(walk, *spiral.span(walk))
+    if contact is None:
+        raise AssertionError("the paper's dragon touches itself")
+    return contact, smallest_pitch(read_plan("question-3"))
 
 
 def planned_files(folder: Path) -> list[Path]:
