@@ -15,7 +15,7 @@ from scipy.optimize import fsolve
 from timing import Options, digits, fastest, in_process, lines_of
 
 from benchdragon import Dragon, Route, Spiral, Walk
-from benchdragon.kernels.chain import march
+from benchdragon.kernels.chain import empty_placements, march
 
 FloatArray = npt.NDArray[np.float64]
 HERE = Path(__file__).parent
@@ -37,13 +37,11 @@ FSOLVE_TIMES, PLAIN_TIMES = 2, 8
 
 def kernel_job() -> Callable[[], FloatArray]:
     """The compiled march of the standard table into arrays made beforehand."""
-    shape = (len(LINKS) + 1, len(TIMES))
-    row, failed = np.zeros(shape, np.int64), np.zeros((2, len(TIMES)), np.int64)
-    u, x, y, ratio = (np.empty(shape) for _array in range(4))
+    places = empty_placements(len(LINKS) + 1, len(TIMES))
 
     def job() -> FloatArray:
-        march(WALK.route.rows, LINKS, TIMES, 0, len(TIMES), row, u, x, y, ratio, failed)
-        return x
+        march(WALK.route.rows, LINKS, TIMES, 0, len(TIMES), places)
+        return places.x
 
     return job
 

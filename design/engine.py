@@ -53,17 +53,16 @@ def build(folder: str) -> None:
         link(machine_code([march], machine), Path(folder, f"{cpu}.so"))
 
 
-def task() -> tuple[tuple[Any, ...], list[Any]]:
+def task() -> tuple[tuple[Any, ...], Any]:
     """The contest's standard table: arguments of the march, and what it fills."""
+    from benchdragon.kernels.chain import empty_placements
     from benchdragon.model.curves import Route, Spiral
     from benchdragon.model.dragon import Dragon
     from benchdragon.model.walk import Walk
 
     walk = Walk(Dragon.uniform(), Route((Spiral(0.55, 32.0 * math.pi, 0.0),)))
     s = np.ascontiguousarray(walk.head_position(np.arange(301.0)))
-    shape = len(walk.dragon.links) + 1, len(s)
-    numbers = [np.empty(shape) for _table in range(4)]
-    out = [np.empty(shape, dtype=np.int64), *numbers, np.empty((2, len(s)), dtype=np.int64)]
+    out = empty_placements(len(walk.dragon.links) + 1, len(s))
     return (walk.route.rows, walk.dragon.links, s, 0, len(s)), out
 
 
@@ -80,12 +79,12 @@ def show(folder: str) -> None:
     from benchdragon.kernels import jit
 
     arguments, out = task()
-    wanted = [table.copy() for table in out]
+    wanted = type(out)(*(table.copy() for table in out))
     march = native.bound(jit.ENTRIES[MARCH], ctypes.CDLL(str(Path(folder, "x86-64-v3.so"))))
     print("march of 224 handles x 301 times   time / v3's      numbers that differ   by at most, m")
     for path in sorted(Path(folder).glob("*.so"), key=lambda path: path.stat().st_mtime):
         call = native.bound(jit.ENTRIES[MARCH], ctypes.CDLL(str(path)))
-        job, rival = partial(call, *arguments, *out), partial(march, *arguments, *wanted)
+        job, rival = partial(call, *arguments, out), partial(march, *[*arguments, wanted])
         ratios = [seconds(job) / seconds(rival) for _run in range(RUNS)]
         apart = np.abs(np.array(out[2:4]) - np.array(wanted[2:4]))
         count, ratio = np.count_nonzero(apart), statistics.median(ratios)

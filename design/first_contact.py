@@ -29,6 +29,7 @@ from benchdragon.analysis.nearby import seams_of
 from benchdragon.kernels import cells, step_bounds
 from benchdragon.kernels import search as kernel
 from benchdragon.kernels.box import BOX_COLUMNS
+from benchdragon.kernels.chain import empty_placements
 from benchdragon.plans.schema import read_plan
 from benchdragon.progress import silent
 
@@ -59,7 +60,7 @@ def looks_for(walk: Walk, slack: float, smooth: bool) -> int:
 def travel_only(walk: Walk, slack: float) -> int:
     """The same by the travel bound alone: leftmost halves first."""
     still, evaluations = Walk(walk.dragon, walk.route), 0
-    places = step_bounds.empty_placements(10, 2)
+    places = empty_placements(10, 2)
     handles, bench = np.empty((10, step_bounds.HANDLE_COLUMNS)), np.empty(step_bounds.BENCH_COLUMNS)
     stack, at = [412.5], 412.0
     while stack:

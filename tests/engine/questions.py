@@ -16,7 +16,8 @@ from benchdragon.analysis.proof import prove_contact
 from benchdragon.analysis.speed import QUANTITIES, greatest_at, greatest_speed
 from benchdragon.analysis.swept import swept_area
 from benchdragon.kernels import jit
-from benchdragon.kernels.step_bounds import empty_placements, place_chain
+from benchdragon.kernels.chain import empty_placements
+from benchdragon.kernels.step_bounds import place_chain
 from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
 from benchdragon.paper.runge_kutta import head_positions
 from benchdragon.paper.traversal import first_overlap

@@ -7,8 +7,9 @@ import pytest
 
 from benchdragon.kernels.band import strays, turnings
 from benchdragon.kernels.box import BOX_COLUMNS, boxes_at, corner
+from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.step_bounds import Placements, empty_placements, place_chain
+from benchdragon.kernels.step_bounds import place_chain
 from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
 
 SIZES = np.array([[2.2], [0.3], [0.275], [0.275]])

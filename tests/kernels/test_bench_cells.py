@@ -9,12 +9,12 @@ from benchdragon import Arc, Bench, Dragon, Line, Route, Spiral
 from benchdragon.analysis.nearby import seams_of
 from benchdragon.kernels import bench_cells as cells
 from benchdragon.kernels import drive, step_bounds
-from benchdragon.kernels.chain import rates
+from benchdragon.kernels.chain import empty_placements, rates
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.rate_rounding import bend_errors, errors_for, rate_errors
 from benchdragon.kernels.rounding import ratio_errors
 from benchdragon.kernels.status import Ended
-from benchdragon.kernels.step_bounds import empty_placements, place_chain
+from benchdragon.kernels.step_bounds import place_chain
 from benchdragon.model.placement import Placement
 from tests.kernels.quantities import QUANTITIES, size_of
 

@@ -10,7 +10,9 @@ import pytest
 from benchdragon.hosts.serving import PLAIN, serving
 from benchdragon.kernels import chain
 from benchdragon.kernels.chain import (
+    Placements,
     cosines,
+    empty_placements,
     march,
     place_head,
     place_next,
@@ -44,6 +46,9 @@ class Chain:
         u, x, y, ratio = (np.full(shape, np.nan) for _ in range(4))
         return cls(np.full(shape, 7777), u, x, y, ratio, np.full((2, times), 7777))
 
+    def places(self) -> Placements:
+        return Placements(*self.tables(), np.empty((0, 0)), np.empty((0, 0)), self.failed)
+
     def tables(self) -> tuple[IntArray, Float, Float, Float, Float]:
         return self.row, self.u, self.x, self.y, self.ratio
 
@@ -55,7 +60,7 @@ class Chain:
 
 def abreast(route: Route, links: Float, heads: Float) -> Chain:
     found = Chain.empty(len(links), len(heads))
-    march(route.rows, links, heads, 0, len(heads), *found.tables(), found.failed)
+    march(route.rows, links, heads, 0, len(heads), found.places())
     return found
 
 
@@ -63,9 +68,9 @@ def one_by_one(route: Route, links: Float, heads: Float) -> Chain:
     """The same by `place_next` alone, which knows nothing of lanes."""
     found = Chain.empty(len(links), len(heads))
     for t, s in enumerate(heads):
-        assert place_head(route.rows, s, t, *found.tables()) == Status.OK
+        assert place_head(route.rows, s, t, found.places()) == Status.OK
         for i, link in enumerate(links):
-            assert place_next(route.rows, link, i, t, *found.tables()) == Status.OK
+            assert place_next(route.rows, link, i, t, found.places()) == Status.OK
     return found
 
 
@@ -133,7 +138,7 @@ def test_a_block_of_times_may_begin_and_end_anywhere(route: Route) -> None:
     heads = np.linspace(0.2, 1.0, LANES + 20) * route.length
     whole = abreast(route, links, heads)
     part = Chain.empty(12, len(heads))
-    march(route.rows, links, heads, 7, 50, *part.tables(), part.failed)
+    march(route.rows, links, heads, 7, 50, part.places())
     np.testing.assert_allclose(part.x[:, 7:50], whole.x[:, 7:50], rtol=0.0, atol=1e-11)
     assert np.isnan(part.x[:, :7]).all()
     assert np.isnan(part.x[:, 50:]).all()
@@ -213,15 +218,16 @@ def test_cosines_are_those_of_the_angles_between_bench_and_route() -> None:
 
 
 def test_angles_are_shared_only_by_sound_times_on_one_row() -> None:
-    row, failed = np.zeros((1, 4), np.int64), np.zeros((2, 4), np.int64)
-    u = np.array([[7.0, 5.0, 9.0, 6.0]])
-    assert shared_angles(0, 0, 4, row, u, failed) == (5.0, 9.0)
-    assert shared_angles(0, 2, 4, row, u, failed) == (6.0, 9.0)
+    places = empty_placements(1, 4)
+    row, failed = places.row, places.failed
+    row[:], failed[:], places.u[:] = 0, Status.OK, [7.0, 5.0, 9.0, 6.0]
+    assert shared_angles(0, 0, 4, places) == (5.0, 9.0)
+    assert shared_angles(0, 2, 4, places) == (6.0, 9.0)
     row[0, 1] = 1
-    assert shared_angles(0, 0, 4, row, u, failed) == (1.0, 0.0)
-    assert shared_angles(0, 2, 4, row, u, failed) == (6.0, 9.0)
+    assert shared_angles(0, 0, 4, places) == (1.0, 0.0)
+    assert shared_angles(0, 2, 4, places) == (6.0, 9.0)
     failed[0, 3] = Status.FOLDED
-    assert shared_angles(0, 2, 4, row, u, failed) == (1.0, 0.0)
+    assert shared_angles(0, 2, 4, places) == (1.0, 0.0)
 
 
 FAILURES = {
@@ -301,14 +307,16 @@ def test_a_bench_all_but_square_to_the_route_counts_as_folded(square: float, sta
 def test_a_run_ends_where_a_handle_fails_leaves_the_row_or_comes_too_near_its_end() -> None:
     rows, link = TURN.rows, 2.0
     at = np.array([62.0, 75.0, 80.0, 90.0, 30.0])
-    row, u, failed = np.zeros((1, 5), np.int64), np.zeros((1, 5)), np.zeros((2, 5), np.int64)
+    places = empty_placements(1, 5)
+    row, u, failed = places.row, places.u, places.failed
+    failed[:] = Status.OK
     for t, s in enumerate(at):
         row[0, t], u[0, t], _status = locate(rows, s)
-    ends = [run_end(rows, link, 0, t, 5, row, u, failed) for t in range(5)]
+    ends = [run_end(rows, link, 0, t, 5, places) for t in range(5)]
     assert ends == [0, 1, 4, 4, 5]
     failed[0, 3] = Status.FOLDED
-    assert run_end(rows, link, 0, 2, 5, row, u, failed) == 3
-    assert run_end(rows, link, 0, 4, 4, row, u, failed) == 4
+    assert run_end(rows, link, 0, 2, 5, places) == 3
+    assert run_end(rows, link, 0, 4, 4, places) == 4
 
 
 @pytest.mark.skipif(serving().name != PLAIN, reason="compiled kernels call one another directly")

@@ -7,6 +7,7 @@ import pytest
 
 from benchdragon import Arc, Clothoid, Dragon, Line, Route, Spiral
 from benchdragon.kernels import chain, drive, step_bounds
+from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.placement import Placement
 from tests.kernels.quantities import QUANTITIES, ROUNDING, size_of
@@ -23,8 +24,8 @@ SPANS = {"joints": (6.0, 17.0), "spiral": (30.0, 36.0)}
 DRIVES = {"starting": (0.0, 0.8, 1.3), "stopping": (1.1, 0.1, -0.7), "even": (0.6, 0.6, 0.0)}
 
 
-def placed(route: Route, at: FloatArray) -> step_bounds.Placements:
-    places = step_bounds.empty_placements(len(DRAGON) + 1, len(at))
+def placed(route: Route, at: FloatArray) -> Placements:
+    places = empty_placements(len(DRAGON) + 1, len(at))
     assert step_bounds.place_chain(route.rows, DRAGON.links, at, 0, len(at), places)
     return places
 

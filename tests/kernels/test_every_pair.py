@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from benchdragon.kernels import search, step_bounds
-from benchdragon.kernels.box import BOX_COLUMNS, box_distance, boxes_at, nearest_pair
+from benchdragon.kernels.box import BOX_COLUMNS, box_distance, boxes_at, nearest_pair, radii
+from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.every_pair import CROWDED, circles_of, near_in_step, search_all_pairs
+from benchdragon.kernels.every_pair import CROWDED, Circles, near_in_step, search_all_pairs
 from benchdragon.kernels.perturbed import bound_beside, place_along
 from benchdragon.model.curves import Arc, Line, Route, Spiral
 from benchdragon.model.dragon import Dragon
@@ -50,9 +51,9 @@ def searched(
     return ending, note
 
 
-def sampled(name: str, dragon: Dragon, aside: FloatArray, count: int) -> step_bounds.Placements:
+def sampled(name: str, dragon: Dragon, aside: FloatArray, count: int) -> Placements:
     route, start, end = ROUTES[name]
-    places = step_bounds.empty_placements(COUNT + 1, count)
+    places = empty_placements(COUNT + 1, count)
     at = np.linspace(start, end, count)
     assert place_along(route.rows, dragon.links, aside, at, places) == count
     return places
@@ -89,7 +90,8 @@ def test_pairs_left_out_keep_farther_apart_all_through_the_step(name: str) -> No
     chain = search.Chain(
         route.rows, dragon.links, aside, dragon.sizes, np.arange(COUNT), NOTHING, NOTHING
     )
-    circles = circles_of(dragon.sizes)
+    circles = Circles(*np.empty((5, len(dragon))))
+    radii(dragon.sizes, circles.radius)
     first, second = np.empty(COUNT * COUNT, dtype=np.int64), np.empty(COUNT * COUNT, dtype=np.int64)
     handles, left_out = np.empty((COUNT + 1, step_bounds.HANDLE_COLUMNS)), 0
     for at in np.linspace(start, end - 0.3, 12):
@@ -99,7 +101,7 @@ def test_pairs_left_out_keep_farther_apart_all_through_the_step(name: str) -> No
         search.bound_members(chain, room, 1)
         bound_beside(route.rows, dragon.links, aside, room.places, 0, 1, handles)
         np.testing.assert_array_equal(room.handles[1:], handles[1:])
-        places = step_bounds.empty_placements(COUNT + 1, 13)
+        places = empty_placements(COUNT + 1, 13)
         assert place_along(route.rows, dragon.links, aside, np.linspace(at, at + 0.3, 13), places) == 13
         least = np.full((COUNT, COUNT), math.inf)
         table = np.empty((COUNT, BOX_COLUMNS))

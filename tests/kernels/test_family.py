@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from benchdragon.errors import BenchDragonError
+from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.family import Way, falls_soon, set_walk
-from benchdragon.kernels.step_bounds import empty_placements
 from benchdragon.model.curves import Line, Route
 from benchdragon.model.dragon import Dragon
 from benchdragon.plans.schema import Plan, read_plan

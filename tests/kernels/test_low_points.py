@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from benchdragon.kernels.box import BOX_COLUMNS
+from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.low_points import SHRINKS, head_where_tail, low_pair, low_point
-from benchdragon.kernels.step_bounds import Placements, empty_placements
 from benchdragon.model.curves import Spiral
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.turns import TwoArcTurn

@@ -6,6 +6,7 @@ from scipy.optimize import linprog
 
 from benchdragon import Arc, Dragon, Line, Route
 from benchdragon.kernels import drive, pacing, step_bounds
+from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.model.placement import Placement
 
@@ -109,7 +110,7 @@ def test_a_hull_holds_all_that_happens_in_its_steps() -> None:
     dragon = Dragon.of_sizes(np.array([1.8, 1.1, 1.4]), 0.2, 0.0, 0.0)
     route = Route.joined([Line(8.0), Arc(1.6, 1.0), Line(0.5), Arc(2.0, -1.5), Line(9.0)])
     at = np.linspace(7.0, 16.0, 121)
-    places = step_bounds.empty_placements(len(dragon) + 1, len(at))
+    places = empty_placements(len(dragon) + 1, len(at))
     assert step_bounds.place_chain(route.rows, dragon.links, at, 0, len(at), places)
     hulls = np.zeros((30, len(dragon) + 1, pacing.HULL_COLUMNS))
     hulls[..., pacing.GROWTH_LOW], hulls[..., pacing.GROWTH_HIGH] = np.inf, -np.inf

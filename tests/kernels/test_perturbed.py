@@ -8,6 +8,7 @@ import pytest
 from benchdragon.analysis.distance import boxes
 from benchdragon.kernels import step_bounds
 from benchdragon.kernels.box import box_distance, least_distance
+from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.perturbed import bound_beside, moved, parallel_bend, place_along, place_beside
 from benchdragon.kernels.route import locate, positions
 from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
@@ -25,10 +26,8 @@ BENCHES = Dragon.uniform(9, head_length=2.4)
 ASIDE = np.array([0.03, -0.02, 0.0, 0.04, -0.05, 0.01, 0.02, -0.03, 0.05, -0.01])
 
 
-def chains(
-    route: Route, at: Float, aside: Float = ASIDE, dragon: Dragon = BENCHES
-) -> step_bounds.Placements:
-    places = step_bounds.empty_placements(len(dragon) + 1, len(at))
+def chains(route: Route, at: Float, aside: Float = ASIDE, dragon: Dragon = BENCHES) -> Placements:
+    places = empty_placements(len(dragon) + 1, len(at))
     assert place_along(route.rows, dragon.links, aside, at, places) == len(at)
     return places
 
@@ -61,7 +60,7 @@ def test_a_chain_followed_on_is_the_one_sought_afresh(name: str) -> None:
     at = np.linspace(route.length - 9.0, route.length - 0.5, 40)
     followed = chains(route, at)
     for t in (0, 17, 39):
-        fresh = step_bounds.empty_placements(len(BENCHES) + 1, len(at))
+        fresh = empty_placements(len(BENCHES) + 1, len(at))
         assert place_beside(route.rows, BENCHES.links, ASIDE, at, t, t, fresh)
         assert np.abs(fresh.x[:, t] - followed.x[:, t]).max() < 1e-9
         assert np.abs(fresh.y[:, t] - followed.y[:, t]).max() < 1e-9
@@ -95,7 +94,7 @@ def test_who_would_walk_beyond_the_centre_of_an_arc_cannot_stand() -> None:
     route = Route.joined([Line(12.0), Arc(0.8, 2.0), Line(10.0)])
     dragon = Dragon.uniform(3, 0.8, 0.8, 0.8, 0.1, 0.1, 0.1)
     at = np.linspace(11.5, 14.0, 26)
-    places = step_bounds.empty_placements(4, len(at))
+    places = empty_placements(4, len(at))
     assert place_along(route.rows, dragon.links, np.full(4, 0.3), at, places) == len(at)
     stood = place_along(route.rows, dragon.links, np.full(4, 0.79), at, places)
     assert at[stood] == pytest.approx(12.0, abs=0.1)
@@ -105,7 +104,7 @@ def test_no_follower_walks_beyond_the_centre_of_an_arc() -> None:
     """Its bench is so long that it might stand on the far side of the arc."""
     route, at = Route.joined([Line(14.0), Arc(0.8, 0.3), Line(10.0)]), np.linspace(13.5, 18.0, 46)
     dragon = Dragon.uniform(3, 2.2, 2.2, 2.2, 0.1, 0.1, 0.1)
-    places, s = step_bounds.empty_placements(4, len(at)), np.empty(len(at))
+    places, s = empty_placements(4, len(at)), np.empty(len(at))
     stood = place_along(route.rows, dragon.links, np.array([0.0, 0.77, 0.0, 0.0]), at, places)
     positions(route.rows, places.row[1, :stood], places.u[1, :stood], s[:stood])
     assert 13.9 < s[:stood].max() < 14.0

@@ -11,7 +11,7 @@ from benchdragon import Arc, Clothoid, Dragon, Line, Route, Walk
 from benchdragon.analysis.nearby import seams_of
 from benchdragon.analysis.speed import QUANTITIES, greatest_of
 from benchdragon.kernels import drive
-from benchdragon.kernels.chain import rates
+from benchdragon.kernels.chain import empty_placements, rates
 from benchdragon.kernels.curve import curvature
 from benchdragon.kernels.rate_rounding import (
     bend_errors,
@@ -21,7 +21,7 @@ from benchdragon.kernels.rate_rounding import (
     weigh_values,
 )
 from benchdragon.kernels.rounding import angle_error, mark_lanes, ratio_errors
-from benchdragon.kernels.step_bounds import bench_angles, empty_placements, place_chain
+from benchdragon.kernels.step_bounds import bench_angles, place_chain
 
 pytest.importorskip("flint")
 from flint import arb

@@ -11,14 +11,14 @@ from benchdragon.analysis.distance import boxes
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels import pair_bounds, regions, search, step_bounds
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, box_gap, corner, set_box
-from benchdragon.kernels.chain import rates
+from benchdragon.kernels.chain import Placements, empty_placements, rates
 from benchdragon.kernels.curve import FloatArray, Y
 from benchdragon.model.placement import Placement
 from tests.kernels.tried_walks import BENCHES, ROUTES, SMOOTH
 
 
-def chains(walk: Walk, at: FloatArray) -> step_bounds.Placements:
-    places = step_bounds.empty_placements(len(walk.dragon) + 1, len(at))
+def chains(walk: Walk, at: FloatArray) -> Placements:
+    places = empty_placements(len(walk.dragon) + 1, len(at))
     assert step_bounds.place_chain(walk.route.rows, walk.dragon.links, at, 0, len(at), places)
     return places
 
@@ -100,7 +100,7 @@ def test_an_angle_may_go_there_and_back_within_a_step(
 
     Or by what curvature turns a heading by in half the step.
     """
-    places = step_bounds.empty_placements(2, 2)
+    places = empty_placements(2, 2)
     for table, value in ((places.y, 0.0), (places.ty, 0.0), (places.tx, 1.0), (places.ratio, 1.0)):
         table[:] = value
     places.x[:] = [[1.0, 1.0], [0.0, 0.0]]
@@ -161,7 +161,7 @@ def test_a_bench_that_leaps_is_never_said_to_follow() -> None:
     route = Route.joined([Line(10.0), Arc(0.45, math.pi), Line(10.0)])
     link = np.array([1.0])
     at = np.linspace(9.0, 13.0, 161)
-    places = step_bounds.empty_placements(2, len(at))
+    places = empty_placements(2, len(at))
     step_bounds.place_chain(route.rows, link, at, 0, len(at), places)
     said = []
     for n in range(len(at) - 1):
@@ -176,7 +176,7 @@ def test_a_bench_that_leaps_is_never_said_to_follow() -> None:
         said.append(sure)
         if sure:
             inner = np.linspace(at[n], at[n + 1], 9)
-            fine = step_bounds.empty_placements(2, 9)
+            fine = empty_placements(2, 9)
             assert step_bounds.place_chain(route.rows, link, inner, 0, 9, fine)
             moved = np.hypot(np.diff(fine.x[1]), np.diff(fine.y[1]))
             assert moved.max() <= 1.01 * bounds[1, step_bounds.SPEED] * (inner[1] - inner[0])
@@ -187,7 +187,7 @@ def test_a_wide_arc_is_followed_though_it_turns_by_more_than_a_right_angle() -> 
     route = Route.joined([Line(5.0), Arc(1.0, 6.0), Line(5.0)])
     link = np.array([1.7])
     at = np.linspace(7.0, 7.1, 2)
-    places = step_bounds.empty_placements(2, 2)
+    places = empty_placements(2, 2)
     assert step_bounds.place_chain(route.rows, link, at, 0, 2, places)
     assert (
         step_bounds.heading_bound(route.rows, places.row[1, 0], places.u[1, 0], 1, places.u[0, 1]) > 1.6
@@ -214,7 +214,7 @@ def test_a_bench_that_surely_follows_never_leaps_or_folds_in_between(name: str, 
     link, route = BUMPS[name]
     links = np.array([link])
     at = np.arange(3.0, route.length - step, step)
-    places = step_bounds.empty_placements(2, len(at))
+    places = empty_placements(2, len(at))
     step_bounds.place_chain(route.rows, links, at, 0, len(at), places)
     sure = 0
     for n in range(len(at) - 1):
@@ -233,7 +233,7 @@ def test_a_bench_that_surely_follows_never_leaps_or_folds_in_between(name: str, 
 def test_a_leap_is_not_overlooked_however_short_the_step() -> None:
     link, route = BUMPS["loop"]
     links, before, after = np.array([link]), 11.0, 11.1
-    places = step_bounds.empty_placements(2, 2)
+    places = empty_placements(2, 2)
 
     def stands(a: float, b: float) -> bool:
         return bool(step_bounds.place_chain(route.rows, links, np.array([a, b]), 0, 2, places))

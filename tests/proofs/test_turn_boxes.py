@@ -11,6 +11,7 @@ pytest.importorskip("flint")
 from flint import arb
 
 from benchdragon.kernels import step_bounds
+from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import S_START
 from benchdragon.proofs import turn_chain
 from benchdragon.proofs.mean_value import Box, Form, UnboundedError, angle_of, either
@@ -115,13 +116,13 @@ def test_boxes_without_a_turn_are_known() -> None:
         TurnShape("arc-line-arc", PITCH, DISC, Box(*ends("arc-line-arc", 0.1, (4.5, 4.5, 3, 3))), False)
 
 
-def chain(family: str, numbers: np.ndarray, head: float, backwards: bool) -> step_bounds.Placements:
+def chain(family: str, numbers: np.ndarray, head: float, backwards: bool) -> Placements:
     """The dragon on one turn by the compiled march, the head `head` m from the turn's start or end."""
     turn = turn_of(family, numbers.tolist())
     assert turn is not None
     rows = turn.rows(lead=60.0, trail=60.0)
     at = np.array([head + float(rows[-1 if backwards else 1, S_START])])
-    places = step_bounds.empty_placements(len(LINKS) + 1, 1)
+    places = empty_placements(len(LINKS) + 1, 1)
     assert step_bounds.place_chain(rows, np.array(LINKS), at, 0, 1, places)
     return places
 

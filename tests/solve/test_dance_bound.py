@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from benchdragon.kernels.box import BOX_COLUMNS, boxes_at, pair_distances
+from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.perturbed import place_along
-from benchdragon.kernels.step_bounds import empty_placements
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.random_dance import RandomDance
 from benchdragon.solve.tolerance import CASES, Deviations, Draw, random_dance

@@ -10,9 +10,10 @@ from benchdragon import budget
 from benchdragon.budget import OverBudgetError
 from benchdragon.errors import InputError
 from benchdragon.kernels.box import nearest_pair
+from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.perturbed import place_along
-from benchdragon.kernels.step_bounds import curvature_range, empty_placements
+from benchdragon.kernels.step_bounds import curvature_range
 from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
 from benchdragon.model.dragon import Dragon
 from benchdragon.plans.schema import Plan, read_plan

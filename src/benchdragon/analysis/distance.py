@@ -14,12 +14,12 @@ from benchdragon.errors import not_negative, of_kind, whole
 from benchdragon.i18n import N_
 from benchdragon.kernels import box as kernel
 from benchdragon.kernels import low_points
+from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.grid import filled_grid, pairs_near
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.status import Status
-from benchdragon.kernels.step_bounds import Placements, empty_placements
 from benchdragon.model.placement import Placement
 from benchdragon.model.walk import Walk
 

@@ -20,12 +20,12 @@ from benchdragon.errors import InputError, UnsureError, in_order, of_kind
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import bench_cells as cells
 from benchdragon.kernels import drive, pacing, peak
-from benchdragon.kernels.chain import rates
+from benchdragon.kernels.chain import Placements, empty_placements, rates
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.regions import EDGE
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.status import Ended
-from benchdragon.kernels.step_bounds import Placements, empty_placements, place_chain
+from benchdragon.kernels.step_bounds import place_chain
 from benchdragon.model.answer import ROUNDING, Answer, Witness
 from benchdragon.model.dragon import Dragon
 from benchdragon.model.profile import SpeedProfile, Stretches

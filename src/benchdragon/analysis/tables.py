@@ -15,6 +15,7 @@ from benchdragon.kernels import cells, course
 from benchdragon.kernels import search as steps
 from benchdragon.kernels.beginning import CELL_SHARE, begin_walk
 from benchdragon.kernels.cells import Grids, Ground, Kinds
+from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.course import Benches, Block, Course, Crowd, Meeting, Room
 from benchdragon.kernels.curve import LENGTH, S_START, FloatArray
 from benchdragon.kernels.grid import empty_grid
@@ -22,7 +23,6 @@ from benchdragon.kernels.kinds import find_kinds
 from benchdragon.kernels.rounding import SEAM_COLUMNS
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.spiral import LANES
-from benchdragon.kernels.step_bounds import empty_placements
 from benchdragon.model.walk import Walk
 
 # Different sizes of benches whose contacts can be searched: each is boxed in each cell.

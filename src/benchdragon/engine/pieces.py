@@ -7,9 +7,12 @@ anew, to run it in the process at hand. That took 60 % of a build's time and 80 
 from collections.abc import Iterable
 from typing import Any
 
-from numba.core import cgutils, codegen
+from numba.core import cgutils, codegen, types
+from numba.core.registry import CPUDispatcher
 
-compiler: Any = codegen  # its annotations are partial
+compiler: Any = codegen  # their annotations are partial
+dispatcher: Any = CPUDispatcher
+kinds: Any = types
 tools: Any = cgutils
 
 
@@ -43,8 +46,17 @@ class Pieces(compiler.JITCPUCodegen):  # type: ignore[misc]
 
 
 def keep_pieces() -> None:
-    """Let numba make pieces of what it compiles in this process; nothing was compiled yet."""
+    """Let numba make pieces of what it compiles in this process; nothing was compiled yet.
+
+    And one of each function: numba by itself makes another for each whole number that a call names.
+    """
     compiler.JITCPUCodegen = Pieces
+    template = dispatcher.get_call_template
+
+    def call_template(function: Any, arguments: Any, options: Any) -> Any:
+        return template(function, tuple(map(kinds.unliteral, arguments)), options)
+
+    dispatcher.get_call_template = call_template
 
 
 def texts(pieces: Iterable[Piece]) -> list[str]:

@@ -12,6 +12,7 @@ import numba
 from numba.core import types
 from numba.extending import intrinsic
 
+from benchdragon.engine.blocks import BYTES, block_of, viewer
 from benchdragon.engine.pieces import Piece, keep_pieces
 from benchdragon.hosts import built
 from benchdragon.hosts.signature import Parameter, Signature, signature
@@ -74,6 +75,12 @@ def expressions(
 ) -> Iterator[str]:
     """For each parameter the expression that reads it from the block; classes go into `names`."""
     for parameter in parameters:
+        kind = None if parameter.group is None else block_of(parameter.group)
+        if kind is not None:
+            first, *_rest = [next(slots) for _slot in range(kind.slots)]
+            names[f"view{first}"] = viewer(kind)
+            yield f"view{first}(block + {BYTES * first})"
+            continue
         if parameter.group is not None:
             names[parameter.group.__name__] = parameter.group
             inner = ", ".join(expressions(parameter.fields, slots, names))

@@ -8,6 +8,7 @@ import math
 import numpy as np
 
 from benchdragon.kernels.arrays import Table, Vector
+from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.jit import allocates, entry
 from benchdragon.kernels.regions import walks_on
 from benchdragon.kernels.route import locate
@@ -17,7 +18,6 @@ from benchdragon.kernels.step_bounds import (
     PATH,
     POINT_ACCELERATION,
     TRAVEL,
-    Placements,
     bound_bench,
     heading_bound,
 )

@@ -105,7 +105,7 @@ def begin_walk(walk: Walk, room: Room, start: float, end: float, reach: float) -
 
     Pairs of benches within `reach`, m, will be named.
     """
-    rows, benches, kinds = walk
+    rows, benches, kinds = walk.rows, walk.benches, walk.kinds
     ground, block, course = room.ground, room.block, room.course
     counts, groups, shortest = ground.counts, ground.groups.shape[0], math.inf
     for k in range(kinds.group.shape[0]):

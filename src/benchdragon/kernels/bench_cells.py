@@ -13,7 +13,13 @@ from typing import NamedTuple
 import numpy as np
 
 from benchdragon.kernels.arrays import IntVector, Stack, Table, Vector
-from benchdragon.kernels.chain import place_head, place_next, rates_in_slot
+from benchdragon.kernels.chain import (
+    Placements,
+    empty_placements,
+    place_head,
+    place_next,
+    rates_in_slot,
+)
 from benchdragon.kernels.curve import S_START, FloatArray, length_at, place
 from benchdragon.kernels.drive import (
     ACROSS,
@@ -36,10 +42,8 @@ from benchdragon.kernels.step_bounds import (
     SLOWEST,
     SPEED,
     TURNING_RATE,
-    Placements,
     bound_handles,
     curvature_range,
-    empty_placements,
     magnitude,
     scaled,
 )
@@ -132,9 +136,8 @@ def workshop_for(kinds: int, seams: FloatArray) -> Workshop:
 @kernel
 def place_front(rows: FloatArray, s: float, t: int, places: Placements) -> None:
     """Place the front handle of any bench at route position s, m, in slot t."""
-    row, u, x, y, ratio = places.row, places.u, places.x, places.y, places.ratio
-    places.failed[0, t] = place_head(rows, s, t, row, u, x, y, ratio)
-    _, _, places.tx[0, t], places.ty[0, t] = place(rows, row[0, t], u[0, t])
+    places.failed[0, t] = place_head(rows, s, t, places)
+    _, _, places.tx[0, t], places.ty[0, t] = place(rows, places.row[0, t], places.u[0, t])
 
 
 @kernel
@@ -146,7 +149,7 @@ def place_bench(rows: FloatArray, link: FloatArray, front: int, t: int, shop: Wo
     ratio[0, t], places.tx[0, t], places.ty[0, t] = 1.0, places.tx[0, front], places.ty[0, front]
     places.failed[0, t], rears[t] = places.failed[0, front], math.nan
     if places.failed[0, t] == Status.OK:
-        places.failed[0, t] = place_next(rows, link[0], 0, t, row, u, x, y, ratio)
+        places.failed[0, t] = place_next(rows, link[0], 0, t, places)
     if places.failed[0, t] == Status.OK:
         _, _, places.tx[1, t], places.ty[1, t] = place(rows, row[1, t], u[1, t])
         rears[t] = rows[row[1, t], S_START] + length_at(rows, row[1, t], u[1, t])

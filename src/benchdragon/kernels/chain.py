@@ -5,6 +5,7 @@ head's speed. A speed ratio is ds_i / ds_0.
 """
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -23,6 +24,33 @@ from benchdragon.kernels.spiral import (
 from benchdragon.kernels.status import Status
 
 
+class Placements(NamedTuple):
+    """Chains at several head positions, each array (handles, slots): see `march`."""
+
+    row: IntTable
+    u: Table
+    x: Table
+    y: Table
+    ratio: Table
+    tx: Table
+    ty: Table
+    failed: IntTable
+
+
+def empty_placements(handles: int, slots: int) -> Placements:
+    """Room for chains of so many handles at so many head positions."""
+    return Placements(
+        np.empty((handles, slots), dtype=np.int64),
+        np.empty((handles, slots)),
+        np.empty((handles, slots)),
+        np.empty((handles, slots)),
+        np.empty((handles, slots)),
+        np.empty((handles, slots)),
+        np.empty((handles, slots)),
+        np.empty((2, slots), dtype=np.int64),
+    )
+
+
 @kernel
 def cosines(
     rows: FloatArray, front: int, u: float, x: float, y: float, rear: int, v: float, link: float
@@ -35,38 +63,20 @@ def cosines(
 
 
 @kernel
-def place_head(
-    rows: FloatArray,
-    s: float,
-    t: int,
-    row: IntArray,
-    u: FloatArray,
-    x: FloatArray,
-    y: FloatArray,
-    ratio: FloatArray,
-) -> Status:
+def place_head(rows: FloatArray, s: float, t: int, places: Placements) -> Status:
     """Place handle 0 at time t, at route position s, and give how that ended."""
     j, v, status = locate(rows, s)
-    row[0, t] = j
-    u[0, t] = v
-    x[0, t], y[0, t], _, _ = place(rows, j, v)
-    ratio[0, t] = 1.0
+    places.row[0, t] = j
+    places.u[0, t] = v
+    places.x[0, t], places.y[0, t], _, _ = place(rows, j, v)
+    places.ratio[0, t] = 1.0
     return status
 
 
 @kernel
-def place_next(
-    rows: FloatArray,
-    link: float,
-    i: int,
-    t: int,
-    row: IntArray,
-    u: FloatArray,
-    x: FloatArray,
-    y: FloatArray,
-    ratio: FloatArray,
-) -> Status:
+def place_next(rows: FloatArray, link: float, i: int, t: int, places: Placements) -> Status:
     """Place handle i + 1 at time t, anywhere on the route, and give how that ended."""
+    row, u, x, y, ratio = places.row, places.u, places.x, places.y, places.ratio
     front = row[i, t]
     j, v, status = next_handle(rows, front, u[i, t], x[i, t], y[i, t], link)
     row[i + 1, t] = j
@@ -82,10 +92,9 @@ def place_next(
 
 
 @kernel
-def shared_angles(
-    i: int, start: int, end: int, row: IntArray, u: FloatArray, failed: IntArray
-) -> tuple[float, float]:
+def shared_angles(i: int, start: int, end: int, places: Placements) -> tuple[float, float]:
     """Least and greatest u of handle i if all times stand soundly on one row; else an empty (1, 0)."""
+    row, u, failed = places.row, places.u, places.failed
     least = u[i, start]
     most = u[i, start]
     for t in range(start, end):
@@ -115,17 +124,9 @@ def first_guess(
 
 
 @kernel
-def run_end(
-    rows: FloatArray,
-    link: float,
-    i: int,
-    t: int,
-    end: int,
-    row: IntArray,
-    u: FloatArray,
-    failed: IntArray,
-) -> int:
+def run_end(rows: FloatArray, link: float, i: int, t: int, end: int, places: Placements) -> int:
     """Up to which time from t on handle i stands on one row where `spiral_links` takes the link."""
+    row, u, failed = places.row, places.u, places.failed
     j, n = row[i, t], t
     while n < end and failed[0, n] == Status.OK and row[i, n] == j:
         if not takes_link(rows, j, u[i, n], u[i, n], link):
@@ -136,56 +137,37 @@ def run_end(
 
 @kernel
 def march_run(
-    rows: FloatArray,
-    link: float,
-    i: int,
-    t: int,
-    end: int,
-    state: FloatArray,
-    row: IntArray,
-    u: FloatArray,
-    x: FloatArray,
-    y: FloatArray,
-    ratio: FloatArray,
-    failed: IntArray,
+    rows: FloatArray, link: float, i: int, t: int, end: int, state: FloatArray, places: Placements
 ) -> int:
     """Place handle i + 1 at time t and at those after it that share a spiral; the next time."""
+    row, u, failed = places.row, places.u, places.failed
     if failed[0, t] != Status.OK:
         return t + 1
-    j, stop = row[i, t], run_end(rows, link, i, t, end, row, u, failed)
+    j, stop = row[i, t], run_end(rows, link, i, t, end, places)
     if stop > t:
         first_guess(rows, j, link, i, t, stop, state, u)
-        if spiral_links(rows, j, link, 1.0, i, t, stop, state, u, x, y, ratio):
+        if spiral_links(rows, j, link, 1.0, i, t, stop, state, u, places.x, places.y, places.ratio):
             for n in range(t, stop):
                 row[i + 1, n] = j
             return stop
-    failed[0, t] = place_next(rows, link, i, t, row, u, x, y, ratio)
+    failed[0, t] = place_next(rows, link, i, t, places)
     failed[1, t] = i + 1
     return t + 1
 
 
 @kernel
 def march_block(
-    rows: FloatArray,
-    links: FloatArray,
-    start: int,
-    end: int,
-    state: FloatArray,
-    row: IntArray,
-    u: FloatArray,
-    x: FloatArray,
-    y: FloatArray,
-    ratio: FloatArray,
-    failed: IntArray,
+    rows: FloatArray, links: FloatArray, start: int, end: int, state: FloatArray, places: Placements
 ) -> None:
     """Place the followers at times start..end: abreast on a spiral that all share, else in runs."""
+    row, u, x, y, ratio = places.row, places.u, places.x, places.y, places.ratio
     abreast = False  # whether `state` belongs to the handle at hand
     least, most = 1.0, 0.0  # bounds of the angles abreast; empty when they share no spiral
     for i in range(links.shape[0]):
         j, link = row[i, start], links[i]
         fits = least <= most and takes_link(rows, j, least, most, link)
         if not fits:
-            least, most = shared_angles(i, start, end, row, u, failed)
+            least, most = shared_angles(i, start, end, places)
             fits = least <= most and takes_link(rows, j, least, most, link)
         if fits:
             scale = link / links[max(i - 1, 0)]
@@ -200,20 +182,14 @@ def march_block(
                 continue
         abreast, least, most, t = False, 1.0, 0.0, start
         while t < end:
-            t = march_run(rows, link, i, t, end, state, row, u, x, y, ratio, failed)
+            t = march_run(rows, link, i, t, end, state, places)
 
 
 @kernel
-def blank(
-    t: int,
-    row: IntArray,
-    u: FloatArray,
-    x: FloatArray,
-    y: FloatArray,
-    ratio: FloatArray,
-    failed: IntArray,
-) -> None:
+def blank(t: int, places: Placements) -> None:
     """NaN at time t from the rear handle of the bench that failed on, or from the head on."""
+    row, u, x, y, ratio = places.row, places.u, places.x, places.y, places.ratio
+    failed = places.failed
     status = failed[0, t]
     if status == Status.OK or status == Status.BEFORE_ROUTE or status == Status.AFTER_ROUTE:
         failed[1, t] = 0
@@ -225,32 +201,20 @@ def blank(
 
 @entry
 @allocates
-def march(
-    rows: Table,
-    links: Vector,
-    s: Vector,
-    first: int,
-    last: int,
-    row: IntTable,
-    u: Table,
-    x: Table,
-    y: Table,
-    ratio: Table,
-    failed: IntTable,
-) -> None:
+def march(rows: Table, links: Vector, s: Vector, first: int, last: int, out: Placements) -> None:
     """Place every handle for each head position s[t], first <= t < last.
 
-    Fills row, u (parameter on that row), x, y (m) and ratio (ds_i / ds_0), each of shape
-    (handles, times), and failed, (2, times): a `Status`, and the bench that it befell.
+    Fills of `out` row, u (parameter on that row), x, y (m) and ratio (ds_i / ds_0), each of shape
+    (handles, times), and failed, (2, times): a `Status`, and the bench that it befell; not tx, ty.
     """
     state = np.empty(STATE)
     for t in range(first, last):
-        failed[0, t] = place_head(rows, s[t], t, row, u, x, y, ratio)
+        out.failed[0, t] = place_head(rows, s[t], t, out)
     for start in range(first, last, LANES):
         end = min(start + LANES, last)
-        march_block(rows, links, start, end, state, row, u, x, y, ratio, failed)
+        march_block(rows, links, start, end, state, out)
     for t in range(first, last):
-        blank(t, row, u, x, y, ratio, failed)
+        blank(t, out)
 
 
 @kernel

@@ -4,13 +4,12 @@ from typing import NamedTuple
 
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.cells import Grids, Ground, Kinds
-from benchdragon.kernels.chain import march
+from benchdragon.kernels.chain import Placements, march
 from benchdragon.kernels.curve import S_START, FloatArray, length_at
 from benchdragon.kernels.grid import Grid
 from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import Search
-from benchdragon.kernels.step_bounds import Placements
 
 # Where a walk stands, a row of floats: head positions, m.
 AT = 0  # all steps up to here were given
@@ -99,10 +98,7 @@ class Room(NamedTuple):
 def place_block(rows: FloatArray, links: FloatArray, block: Block, tally: IntArray, slots: int) -> bool:
     """Place chains with these links at the first slots; whether all stand."""
     places, s = block.places, block.s
-    march(
-        rows, links, block.at, 0, slots, places.row, places.u, places.x, places.y, places.ratio,
-        places.failed,
-    )  # fmt: skip
+    march(rows, links, block.at, 0, slots, places)
     for t in range(slots):
         if places.failed[0, t]:
             return False

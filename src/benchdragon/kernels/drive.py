@@ -15,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from benchdragon.kernels.arrays import IntVector, Table, Vector
+from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import S_START, U_END, U_START, FloatArray, curvature, stretch
 from benchdragon.kernels.jit import entry, kernel
 from benchdragon.kernels.step_bounds import (
@@ -33,7 +34,6 @@ from benchdragon.kernels.step_bounds import (
     TURN_HIGH,
     TURN_LOW,
     TURNING_RATE,
-    Placements,
     angle_rates,
     bound_handles,
     curvature_range,

@@ -43,21 +43,11 @@ CROWDED = 7
 class Circles(NamedTuple):
     """Circles around benches, (benches,) each, in m; all but the radii are scratch."""
 
-    radius: FloatArray
-    cx: FloatArray  # centres
-    cy: FloatArray
-    reach: FloatArray  # radius and travel in a step
-    apart: FloatArray  # of one bench: square distance to the others, less what may be come nearer
-
-
-@kernel
-@allocates
-def circles_of(sizes: FloatArray) -> Circles:
-    """The circles of benches of these sizes."""
-    n = sizes.shape[1]
-    circles = Circles(np.empty(n), np.empty(n), np.empty(n), np.empty(n), np.empty(n))
-    radii(sizes, circles.radius)
-    return circles
+    radius: Vector
+    cx: Vector  # centres
+    cy: Vector
+    reach: Vector  # radius and travel in a step
+    apart: Vector  # of one bench: square distance to the others, less what may be come nearer
 
 
 @kernel
@@ -134,6 +124,50 @@ def search_near(
     return ending
 
 
+@kernel
+def search_steps(
+    search: Search,
+    goal: int,
+    rows: FloatArray,
+    links: FloatArray,
+    aside: FloatArray,
+    sizes: FloatArray,
+    at: FloatArray,
+    first: IntArray,
+    second: IntArray,
+    limits: Limits,
+    note: FloatArray,
+    members: IntArray,
+    scratch: FloatArray,
+) -> int:
+    """As `search_all_pairs`, with scratch for the members and five rows for their circles."""
+    for i in range(members.shape[0]):
+        members[i] = i
+    circles = Circles(scratch[0], scratch[1], scratch[2], scratch[3], scratch[4])
+    radii(sizes, circles.radius)
+    chain = Chain(rows, links, aside, sizes, members, search.boxes[:0], search.boxes[:0])
+    pairs, worst = Pairs(first, second), CLEAR
+    search.at[0] = at[0]
+    if not evaluate_slot(chain, search, 0, 0):
+        return stopped(search, 0, note)
+    for t in range(at.shape[0] - 1):
+        search.at[1] = at[t + 1]
+        if not evaluate_slot(chain, search, 1, 0):
+            return stopped(search, 1, note)
+        ending = search_near(search, goal, chain, circles, pairs, limits, note)
+        if ending not in (CLEAR, GRAZE) or (ending == GRAZE and goal != LEAST):
+            return ending
+        worst = max(worst, ending)
+    return worst
+
+
+@kernel
+def stopped(search: Search, slot: int, note: FloatArray) -> int:
+    """That the chain cannot stand at a slot."""
+    note[UPPER] = search.at[slot]
+    return FALLEN
+
+
 @entry
 @allocates
 def search_all_pairs(
@@ -159,28 +193,8 @@ def search_all_pairs(
     rest is that of `search.Limits` and `search.search_step`. After CROWDED the search must begin anew
     with longer scratch.
     """
-    members, circles = np.empty(sizes.shape[1], dtype=np.int64), circles_of(sizes)
-    for i in range(members.shape[0]):
-        members[i] = i
-    chain = Chain(rows, links, aside, sizes, members, search.boxes[:0], search.boxes[:0])
-    limits = Limits(margin, slack, width, most)
-    worst = CLEAR
-    search.at[0] = at[0]
-    if not evaluate_slot(chain, search, 0, 0):
-        return stopped(search, 0, note)
-    for t in range(at.shape[0] - 1):
-        search.at[1] = at[t + 1]
-        if not evaluate_slot(chain, search, 1, 0):
-            return stopped(search, 1, note)
-        ending = search_near(search, goal, chain, circles, Pairs(first, second), limits, note)
-        if ending not in (CLEAR, GRAZE) or (ending == GRAZE and goal != LEAST):
-            return ending
-        worst = max(worst, ending)
-    return worst
-
-
-@kernel
-def stopped(search: Search, slot: int, note: FloatArray) -> int:
-    """That the chain cannot stand at a slot."""
-    note[UPPER] = search.at[slot]
-    return FALLEN
+    count, limits = sizes.shape[1], Limits(margin, slack, width, most)
+    return search_steps(
+        search, goal, rows, links, aside, sizes, at, first, second, limits, note,
+        np.empty(count, dtype=np.int64), np.empty((5, count)),
+    )  # fmt: skip

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.box import LONGEST_BENCH, SHORTEST_LINK
 from benchdragon.kernels.cells import Kinds
+from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.course import Benches, Walk
 from benchdragon.kernels.curve import (
     LENGTH,
@@ -36,7 +37,7 @@ from benchdragon.kernels.route_parts import (
     row_count,
 )
 from benchdragon.kernels.status import TurnStatus
-from benchdragon.kernels.step_bounds import Placements, place_chain
+from benchdragon.kernels.step_bounds import place_chain
 from benchdragon.kernels.turn_families import (
     LEAD,
     LOOK,

@@ -4,11 +4,10 @@ import math
 
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.box import box_distance, nearest_pair, set_box
-from benchdragon.kernels.chain import march
+from benchdragon.kernels.chain import Placements, march
 from benchdragon.kernels.curve import LENGTH, S_START, FloatArray, length_at
 from benchdragon.kernels.jit import entry, kernel
 from benchdragon.kernels.status import Status
-from benchdragon.kernels.step_bounds import Placements
 
 # Head positions at which a pair's distance is taken, at first as many as there is room for, and how
 # often the range shrinks to the neighbours of the least one, unless distances are level to so many m.
@@ -45,9 +44,7 @@ def march_even(
     """Place chains at so many head positions, the first slots, evenly from low to high, m."""
     for t in range(count):
         at[t] = high if t == count - 1 else low + (high - low) * t / (count - 1)
-    march(
-        rows, links, at, 0, count, places.row, places.u, places.x, places.y, places.ratio, places.failed
-    )
+    march(rows, links, at, 0, count, places)
 
 
 @entry
@@ -142,9 +139,7 @@ def head_where_tail(rows: Table, links: Vector, s: float, at: Vector, places: Pl
             if head in (low, high):
                 break
         at[0] = head
-        march(
-            rows, links, at, 0, 1, places.row, places.u, places.x, places.y, places.ratio, places.failed
-        )
+        march(rows, links, at, 0, 1, places)
         stands = places.failed[0, 0] == Status.OK
         j = places.row[tail, 0]
         ahead = rows[j, S_START] + length_at(rows, j, places.u[tail, 0]) - s if stands else -math.inf

@@ -8,6 +8,8 @@ their travel.
 
 import math
 
+import numpy as np
+
 from benchdragon.kernels.box import CX, CY, half_diagonal, set_box
 from benchdragon.kernels.cells import (
     CELL,
@@ -32,6 +34,7 @@ from benchdragon.kernels.cells import (
     Ground,
     Kinds,
 )
+from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.course import (
     AT,
     BENCHES,
@@ -53,9 +56,10 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.doubts import look_through
 from benchdragon.kernels.grid import gather, put
 from benchdragon.kernels.jit import allocates, kernel
-from benchdragon.kernels.near_cells import boxes_near, extend, sweeper_for
+from benchdragon.kernels.near_cells import Sweeper, boxes_near, extend
 from benchdragon.kernels.regions import EDGE, add_pair, first_behind
 from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.spiral import LANES
 
 # Head's walk, m, that is prepared at a time: at least this share of the route known, or so much. What
 # may end soon wastes less of a short stride, what goes on to the end fills more lanes in a long one.
@@ -93,10 +97,28 @@ def clear_end(ground: Ground, head: int, s: float) -> float:
 
 
 @kernel
+def prepare(walk: Walk, room: Room, upto: float, whole: IntArray, numbers: FloatArray) -> int:
+    """Prepare the walk up to head position `upto`, m, with scratch of `near_cells`; as next_stride."""
+    way, tally = room.course.way, room.course.tally
+    places = Placements(
+        whole[0], numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5], whole[1]
+    )
+    sweeper = Sweeper(numbers[6, 0], places, whole[2, 0], whole[2, 1], numbers[6, 1], numbers[7, 0, :1])
+    if not extend(walk.rows, walk.kinds, room.ground, sweeper, room.grids, upto):
+        return NARROW
+    way[UPTO] = upto
+    tally[SLOT] = tally[SLOTS] = 0
+    if look_through(walk, room, sweeper):
+        return STEP
+    way[SOUND] = way[AT]
+    return STOPPED
+
+
+@kernel
 @allocates
 def next_stride(walk: Walk, room: Room, least: float) -> int:
     """Prepare the walk past SOUND, `least` metres or more; STEP, or DONE, STOPPED or NARROW."""
-    ground, kinds, way, tally = room.ground, walk.kinds, room.course.way, room.course.tally
+    ground, kinds, way = room.ground, walk.kinds, room.course.way
     if way[SOUND] < way[UPTO]:
         return STOPPED
     if way[UPTO] >= way[GOAL]:
@@ -106,15 +128,7 @@ def next_stride(walk: Walk, room: Room, least: float) -> int:
     if ground.counts[MIXED] == 0:
         upto = max(upto, clear_end(ground, kinds.group[walk.benches.kind[0]], way[AT]))
     upto = min(upto, way[GOAL])
-    sweeper = sweeper_for()
-    if not extend(walk.rows, kinds, ground, sweeper, room.grids, upto):
-        return NARROW
-    way[UPTO] = upto
-    tally[SLOT] = tally[SLOTS] = 0
-    if look_through(walk, room, sweeper):
-        return STEP
-    way[SOUND] = way[AT]
-    return STOPPED
+    return prepare(walk, room, upto, np.empty((3, 2, LANES), dtype=np.int64), np.empty((8, 2, LANES)))
 
 
 @kernel

@@ -9,8 +9,7 @@ in partners can meet, whatever the time and however long the dragon.
 import math
 from typing import NamedTuple
 
-import numpy as np
-
+from benchdragon.kernels.arrays import IntVector, Vector
 from benchdragon.kernels.box import CX, CY, box_distance, box_gap, half_diagonal
 from benchdragon.kernels.cells import (
     BORDERS,
@@ -46,15 +45,16 @@ from benchdragon.kernels.cells import (
     cut,
     has_room,
 )
+from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.exposure import add_cell, expose_behind, expose_new, may_meet
 from benchdragon.kernels.grid import Grid, gather, put
-from benchdragon.kernels.jit import allocates, kernel
+from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.links import link_of
 from benchdragon.kernels.regions import sweep_cells
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.spiral import LANES
-from benchdragon.kernels.step_bounds import Placements, place_chain
+from benchdragon.kernels.step_bounds import place_chain
 
 # Where at most so many pairs of parts a cell are near, they are cut once more: it may be none.
 SPARSE = 40
@@ -63,12 +63,12 @@ SPARSE = 40
 class Sweeper(NamedTuple):
     """What boxing works in: benches at up to LANES borders."""
 
-    at: FloatArray  # route positions of the front handle, m
+    at: Vector  # route positions of the front handle, m
     places: Placements
-    slots: IntArray
-    targets: IntArray
-    sound: FloatArray
-    link: FloatArray  # (1,)
+    slots: IntVector
+    targets: IntVector
+    sound: Vector
+    link: Vector  # (1,)
 
 
 @kernel
@@ -228,19 +228,6 @@ def add_partners(ground: Ground, i: int, j: int) -> None:
     if n < ground.partners.shape[0]:
         ground.partners[n, ROW], ground.partners[n, NEXT] = j, tree[i, PARTNER]
         tree[i, PARTNER] = n + 1
-
-
-@kernel
-@allocates
-def sweeper_for() -> Sweeper:
-    """Room to box in."""
-    whole = np.empty((2, 2, LANES), dtype=np.int64)
-    floats = np.empty((6, 2, LANES))
-    places = Placements(
-        whole[0], floats[0], floats[1], floats[2], floats[3], floats[4], floats[5], whole[1]
-    )
-    lists = np.empty((2, LANES), dtype=np.int64)
-    return Sweeper(np.empty(LANES), places, lists[0], lists[1], np.empty(LANES), np.empty(1))
 
 
 @kernel

@@ -13,6 +13,7 @@ import numpy as np
 
 from benchdragon.kernels import step_bounds
 from benchdragon.kernels.arrays import IntVector, Stack, Table, Vector
+from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.drive import (
     ACROSS,
@@ -46,7 +47,7 @@ HALVINGS = 52
 def widen(
     rows: Table,
     links: Vector,
-    places: step_bounds.Placements,
+    places: Placements,
     slots: IntVector,
     which: IntVector,
     even: Vector,

@@ -13,7 +13,7 @@ import numpy as np
 
 from benchdragon.kernels.arrays import IntTable, IntVector, Table, Vector
 from benchdragon.kernels.bench_cells import Cells, bound_by_cells
-from benchdragon.kernels.chain import rates_in_slot
+from benchdragon.kernels.chain import Placements, empty_placements, rates_in_slot
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.drive import (
     ACROSS,
@@ -33,7 +33,7 @@ from benchdragon.kernels.rate_rounding import Errors, bend_errors, errors_for, r
 from benchdragon.kernels.rounding import mark_lanes, ratio_errors
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.status import Ended
-from benchdragon.kernels.step_bounds import Placements, empty_placements, place_chain
+from benchdragon.kernels.step_bounds import place_chain
 
 # Columns of a part that waits: its bound, and the head's positions that it lies between, m.
 BOUND, START, END = 0, 1, 2

@@ -8,6 +8,7 @@ k / (1 - aside k). So everything that is known of chains on a route holds for it
 import math
 
 from benchdragon.kernels.arrays import Table, Vector
+from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import (
     U_BACK,
     U_END,
@@ -32,7 +33,6 @@ from benchdragon.kernels.step_bounds import (
     SLOWEST,
     SPEED,
     TURNING_RATE,
-    Placements,
     bench_angles,
     bound_next,
     curvature_range,

@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from benchdragon.kernels.arrays import Table, Vector
+from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import (
     KIND,
     SPIRAL,
@@ -26,7 +27,7 @@ from benchdragon.kernels.curve import (
 from benchdragon.kernels.drive import ACROSS, ALONG, SPEEDS, TURNING, jump_beside
 from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.rounding import ABOUT, HALF_UNIT, angle_error, link_error, place_error
-from benchdragon.kernels.step_bounds import Placements, bench_angles
+from benchdragon.kernels.step_bounds import bench_angles
 
 # Roundings of a curvature, of a sine or cosine made of two products, of a sum of products as shares of
 # its terms, and of the head's speed.

@@ -20,6 +20,7 @@ from benchdragon.kernels.box import (
     offset,
     place_box,
 )
+from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import U_END, U_START, FloatArray, place, turning_bound
 from benchdragon.kernels.jit import allocates, kernel
 from benchdragon.kernels.route import IntArray, step_back
@@ -31,7 +32,6 @@ from benchdragon.kernels.step_bounds import (
     POINT_ACCELERATION,
     SPEED,
     TRAVEL,
-    Placements,
     bound_bench,
     bound_handles,
     heading_bound,

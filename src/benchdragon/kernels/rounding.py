@@ -12,6 +12,7 @@ import math
 
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.box import CX, CY, HALF_LENGTH, HALF_WIDTH
+from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import (
     ANGLE,
     ARC,
@@ -37,7 +38,7 @@ from benchdragon.kernels.drive import jump_beside
 from benchdragon.kernels.jit import entry, kernel
 from benchdragon.kernels.route import on_bend
 from benchdragon.kernels.spiral import takes_link
-from benchdragon.kernels.step_bounds import Placements, bench_angles, reach
+from benchdragon.kernels.step_bounds import bench_angles, reach
 
 # Half a unit in the last place of 1: what one rounding may change a number by, as a share.
 HALF_UNIT = 2.0**-53

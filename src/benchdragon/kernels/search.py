@@ -12,6 +12,7 @@ import numpy as np
 
 from benchdragon.kernels.arrays import IntTable, IntVector, Table, Vector
 from benchdragon.kernels.box import BOX_COLUMNS, box_distance, set_box
+from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.pair_bounds import apart_bound, gap_ceiling
@@ -22,10 +23,8 @@ from benchdragon.kernels.step_bounds import (
     HANDLE_COLUMNS,
     PATH,
     TRAVEL,
-    Placements,
     bound_bench,
     bound_handles,
-    empty_placements,
 )
 
 # What a search is after.

@@ -8,12 +8,9 @@ what makes a few evaluations enough (design/first_contact.py).
 """
 
 import math
-from typing import NamedTuple
 
-import numpy as np
-
-from benchdragon.kernels.arrays import IntTable, Table, Vector
-from benchdragon.kernels.chain import march
+from benchdragon.kernels.arrays import Table, Vector
+from benchdragon.kernels.chain import Placements, march
 from benchdragon.kernels.curve import (
     U_END,
     U_START,
@@ -66,37 +63,10 @@ PASSES = 3
 Angle = tuple[float, float, float, float]
 
 
-class Placements(NamedTuple):
-    """Chains at several head positions, each array (handles, slots): see `chain.march`."""
-
-    row: IntTable
-    u: Table
-    x: Table
-    y: Table
-    ratio: Table
-    tx: Table
-    ty: Table
-    failed: IntTable
-
-
-def empty_placements(handles: int, slots: int) -> Placements:
-    """Room for chains of so many handles at so many head positions."""
-    return Placements(
-        np.empty((handles, slots), dtype=np.int64),
-        np.empty((handles, slots)),
-        np.empty((handles, slots)),
-        np.empty((handles, slots)),
-        np.empty((handles, slots)),
-        np.empty((handles, slots)),
-        np.empty((handles, slots)),
-        np.empty((2, slots), dtype=np.int64),
-    )
-
-
 @entry
 def place_chain(rows: Table, links: Vector, at: Vector, first: int, last: int, out: Placements) -> bool:
     """March the chain with its head at at[first..last-1]; whether it can stand at all of them."""
-    march(rows, links, at, first, last, out.row, out.u, out.x, out.y, out.ratio, out.failed)
+    march(rows, links, at, first, last, out)
     sound = True
     for t in range(first, last):
         if out.failed[0, t] != Status.OK:

@@ -9,7 +9,7 @@ import numpy.typing as npt
 from benchdragon import budget
 from benchdragon.errors import WalkError, of_kind
 from benchdragon.hosts.serving import serving
-from benchdragon.kernels.chain import march, rates
+from benchdragon.kernels.chain import Placements, march, rates
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.route import IntArray, positions
 from benchdragon.kernels.spiral import LANES
@@ -20,6 +20,8 @@ from benchdragon.model.dragon import Dragon
 
 # Bytes of a handle at one position of the head.
 PLACE = 40
+# Of the tables of places, what marching leaves out.
+NO_TANGENTS = np.empty((0, 0))
 
 
 class Placement:
@@ -69,10 +71,9 @@ class Placement:
                 task.result()
 
     def _march(self, first: int, last: int) -> None:
-        march(
-            self.route.rows, self.dragon.links, self.head_s, first, last,
-            self._row, self._u, self._x, self._y, self._ratio, self._failed,
-        )  # fmt: skip
+        tables = self._row, self._u, self._x, self._y, self._ratio
+        out = Placements(*tables, NO_TANGENTS, NO_TANGENTS, self._failed)
+        march(self.route.rows, self.dragon.links, self.head_s, first, last, out)
 
     def _march_apart(self, first: int, last: int) -> None:
         """The same on arrays of its own, for an engine that copies the whole of what it is given."""

@@ -18,12 +18,12 @@ from benchdragon.errors import (
     whole,
 )
 from benchdragon.i18n import _
+from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import MOST_METRES, FloatArray
 from benchdragon.kernels.low_points import head_where_tail
 from benchdragon.kernels.route import END_SLACK
 from benchdragon.kernels.spiral import LANES
 from benchdragon.kernels.status import Status
-from benchdragon.kernels.step_bounds import empty_placements
 from benchdragon.model.arrays import as_numbers
 from benchdragon.model.curves import Route
 from benchdragon.model.dragon import Dragon

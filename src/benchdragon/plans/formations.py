@@ -8,12 +8,11 @@ from pydantic import Field
 
 from benchdragon.errors import InputError
 from benchdragon.i18n import _
-from benchdragon.kernels.chain import march
+from benchdragon.kernels.chain import empty_placements, march
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.low_points import head_where_tail
 from benchdragon.kernels.route import END_SLACK, positions
 from benchdragon.kernels.status import Status
-from benchdragon.kernels.step_bounds import empty_placements
 from benchdragon.model.connections import Step
 from benchdragon.model.curves import Route
 from benchdragon.model.formations import FORMATIONS, Formation, SizeError
@@ -96,8 +95,7 @@ def whole_dragon_on(route: Route, links: FloatArray) -> float:
     """
     at, places = np.empty(1), empty_placements(len(links) + 1, 1)
     head = at[0] = head_where_tail(route.rows, links, 0.0, at, places)
-    tables = places.row, places.u, places.x, places.y, places.ratio, places.failed
-    march(route.rows, links, at, 0, 1, *tables)
+    march(route.rows, links, at, 0, 1, places)
     tail = np.empty(1)
     positions(route.rows, places.row[-1], places.u[-1], tail)
     if places.failed[0, 0] == Status.ROUTE_TOO_SHORT or tail[0] < -END_SLACK:

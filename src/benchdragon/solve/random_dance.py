@@ -18,11 +18,11 @@ from benchdragon.i18n import _
 from benchdragon.kernels import curve as kernel
 from benchdragon.kernels import search
 from benchdragon.kernels.box import nearest_pair
+from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.every_pair import CROWDED, search_all_pairs
 from benchdragon.kernels.perturbed import place_along
 from benchdragon.kernels.route import END_SLACK, evaluate
-from benchdragon.kernels.step_bounds import empty_placements
 from benchdragon.model.curves import Route
 from benchdragon.model.dragon import Dragon
 from benchdragon.solve.dance_bound import Offset, Part

@@ -16,6 +16,7 @@ from benchdragon.kernels import search as steps
 from benchdragon.kernels import size_bracket as bracket
 from benchdragon.kernels import size_search as kernel
 from benchdragon.kernels.box import BOX_COLUMNS, nearest_pair
+from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.course import AT, SOUND
 from benchdragon.kernels.curve import COLUMNS, LENGTH, S_START, FloatArray
 from benchdragon.kernels.family import falls_soon, set_walk
@@ -24,7 +25,7 @@ from benchdragon.kernels.rounding import bench_errors
 from benchdragon.kernels.route import END_SLACK
 from benchdragon.kernels.route_parts import settle_rows
 from benchdragon.kernels.spiral import LANES
-from benchdragon.kernels.step_bounds import empty_placements, place_chain
+from benchdragon.kernels.step_bounds import place_chain
 from benchdragon.kernels.walk_search import ASTRAY
 from benchdragon.model.answer import Answer
 from benchdragon.plans.toml import PlanError

@@ -19,6 +19,7 @@ from benchdragon.analysis.proof import require_flint
 from benchdragon.errors import InputError, positive
 from benchdragon.i18n import _
 from benchdragon.kernels import step_bounds
+from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import S_START, FloatArray
 from benchdragon.number_format import finite_or_none
 from benchdragon.plans.schema import Plan
@@ -281,7 +282,7 @@ def _ratios(rows: FloatArray, links: FloatArray, at: FloatArray) -> FloatArray |
     """Speeds of handles by the head's at head positions, m, (handles, positions)."""
     budget.hold(PLACED * len(at) * (len(links) + 1))
     budget.spend(len(at) * (len(links) + 1))
-    places = step_bounds.empty_placements(len(links) + 1, len(at))
+    places = empty_placements(len(links) + 1, len(at))
     stands = step_bounds.place_chain(rows, links, at, 0, len(at), places)
     return places.ratio if stands else None
 

@@ -13,6 +13,7 @@ from benchdragon.errors import InputError, finite, positive
 from benchdragon.i18n import N_, _
 from benchdragon.kernels import step_bounds
 from benchdragon.kernels.box import least_distance
+from benchdragon.kernels.chain import Placements, empty_placements
 from benchdragon.kernels.curve import S_START, FloatArray
 from benchdragon.kernels.links import link_length
 from benchdragon.kernels.route import evaluate
@@ -217,14 +218,14 @@ class TurnEvaluator:
         near = least_distance(self.more.sizes, places.x, places.y)
         return near + self.factors.get("clearance", 0.0)
 
-    def _places(self, rows: FloatArray, dragon: Dragon, step: float) -> step_bounds.Placements | None:
+    def _places(self, rows: FloatArray, dragon: Dragon, step: float) -> Placements | None:
         """The dragon from where its head enters the turn to where its tail has left it."""
         first, last = float(rows[1, S_START]), float(rows[-1, S_START] + dragon.links.sum())
         count = math.ceil((last - first) / step) + 1
         budget.hold(PLACED * count * (len(dragon) + 1))
         at = np.linspace(first, last, count)
         budget.spend(JUDGED * (len(dragon) + 1) * len(at))
-        places = step_bounds.empty_placements(len(dragon) + 1, len(at))
+        places = empty_placements(len(dragon) + 1, len(at))
         stands = step_bounds.place_chain(rows, dragon.links, at, 0, len(at), places)
         return places if stands else None
 

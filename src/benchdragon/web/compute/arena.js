@@ -56,7 +56,7 @@ export class Arena {
     return made;
   }
 
-  /** Room for chains of so many handles at so many positions of the head: see kernels/step_bounds.py.
+  /** Room for chains of so many handles at so many positions of the head: see kernels/chain.py.
    * @param {number} handles
    * @param {number} slots
    * @returns {Placements}

@@ -47,13 +47,12 @@ export class Placement {
     /** Speed of every handle over the head's. */
     this.ratio = table();
     const failed = arena.array("q", 2, this.count);
-    const at = arena.vector(headS);
-    arena.engine.call(
-      "bd_chain_march", route.rows, dragon.links, at, 0, this.count,
-      this.row, this.u, this.x, this.y, this.ratio, failed,
-    ); // prettier-ignore
+    const [at, none] = [arena.vector(headS), arena.array("d", 0, 0)];
+    const { row, u, x, y, ratio } = this;
+    const places = { row, u, x, y, ratio, tx: none, ty: none, failed };
+    arena.engine.call("bd_chain_march", route.rows, dragon.links, at, 0, this.count, places);
     const ended = wholes(failed);
-    arena.drop(at, failed);
+    arena.drop(at, none, failed);
     /** How each ended, a `Status`. */
     this.status = ended.slice(0, this.count);
     /** The bench that found no place; 0 where none, or the head, failed. */
