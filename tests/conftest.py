@@ -44,14 +44,26 @@ def pytest_collection() -> Generator[None, object, object]:
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Mark tests of pages, and long ones. These begin: who comes last runs alone."""
+    """Mark tests of pages, and long ones. These begin: who comes last runs alone.
+
+    Tests that share what their module makes once are kept in one process: each would make it anew.
+    """
     for item in items:
         file = item.path.relative_to(HERE.parent).as_posix()
         if item.path.parent in PAGES:
             item.add_marker("pages")
         elif LONG & {f"{file}::{item.name}", f"{file}::{item.name.split('[')[0]}"}:
             item.add_marker("long")
+        if _shares(item) and not item.get_closest_marker("xdist_group"):
+            item.add_marker(pytest.mark.xdist_group(file))
     items.sort(key=lambda item: item.get_closest_marker("long") is None)
+
+
+def _shares(item: pytest.Item) -> bool:
+    """Whether a test asks for what its module makes once; long ones are spread all the same."""
+    if item.get_closest_marker("long") or not isinstance(item, pytest.Function):
+        return False
+    return any(one[-1].scope == "module" for one in item._fixtureinfo.name2fixturedefs.values())
 
 
 @pytest.fixture(scope="session")
