@@ -133,6 +133,19 @@ def test_what_is_kept_lies_where_each_system_keeps_such_things(
     assert built.user_folder() == Path(folder) / "benchdragon"
 
 
+def test_who_has_no_home_keeps_nothing_there(monkeypatch: pytest.MonkeyPatch) -> None:
+    def lost() -> Path:
+        raise RuntimeError("Could not determine home directory.")
+
+    for name in ("XDG_CACHE_HOME", "LOCALAPPDATA"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr(Path, "home", lost)
+    assert built.user_folder() is None
+    assert made_own(built.user_folder()) is None
+    monkeypatch.setattr(native, "library_name", lambda: "of others.so")
+    assert native.find_library() is None
+
+
 def test_a_library_is_taken_from_an_own_folder_alone(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:

@@ -10,17 +10,18 @@ from typing import cast
 
 import pytest
 
+from benchdragon import files
 from benchdragon.paper.reproduce import pages_from
 
 ROOT = Path(__file__).parents[1]
-PACKAGE = ROOT / "src" / "benchdragon"
+PACKAGE = Path(files.__file__).parent
 
 
 def test_what_only_posix_has_is_not_needed(tmp_path: Path) -> None:
     done = subprocess.run(
         [sys.executable, "-X", "warn_default_encoding", "-m", "tests.windows"],
         capture_output=True, text=True, check=False, cwd=tmp_path,
-        env={**os.environ, "PYTHONPATH": os.pathsep.join([str(ROOT), str(ROOT / "src")])},
+        env={**os.environ, "PYTHONPATH": os.pathsep.join([str(ROOT), str(PACKAGE.parent)])},
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
     ours = [

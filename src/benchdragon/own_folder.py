@@ -9,12 +9,14 @@ from contextlib import suppress
 from pathlib import Path
 
 
-def made_own(folder: Path, *names: str) -> Path | None:
+def made_own(folder: Path | None, *names: str) -> Path | None:
     """`folder`, and what is named in it, one in the other, made if need be, for this user alone.
 
     None where one cannot be made or written, is a link, belongs to somebody else, or is open to others;
-    and where anyone may put another one in the place of the first.
+    and where anyone may put another one in the place of the first; and for no folder.
     """
+    if folder is None:
+        return None
     with suppress(OSError):
         folder.parent.mkdir(parents=True, exist_ok=True)
         if _anyone_may_rename(folder.parent):

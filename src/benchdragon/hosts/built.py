@@ -41,8 +41,14 @@ def processor() -> str:
     return "x86-64-v3" if set(flags.split()) >= V3 else "x86-64"
 
 
-def user_folder() -> Path:
-    """The user's own folder of what is built, for packages that stand where nobody may write."""
+def user_folder() -> Path | None:
+    """The user's own folder of what is built, for packages that stand where nobody may write.
+
+    None for a user without a home.
+    """
     told = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA")  # the latter by Windows
     usual = "Library/Caches" if sys.platform == "darwin" else ".cache"
-    return (Path(told) if told else Path.home() / usual) / "benchdragon"
+    try:
+        return (Path(told) if told else Path.home() / usual) / "benchdragon"
+    except RuntimeError:
+        return None

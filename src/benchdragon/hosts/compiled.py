@@ -64,8 +64,7 @@ def settings(config: Any) -> Any:
 def kept_folder() -> Path | None:
     """Where compiled code is kept; None where no folder is this user's alone."""
     roots = built.user_folder(), shared_folder("benchdragon", Path(tempfile.gettempdir()))
-    folders = (made_own(root) for root in roots if root is not None)
-    return next((folder for folder in folders if folder is not None), None)
+    return next((folder for folder in map(made_own, roots) if folder is not None), None)
 
 
 def name_of(code: bytes, version: str) -> str:

@@ -30,7 +30,7 @@ def find_library() -> Path | None:
     The user's is taken from a folder that nobody else can write to.
     """
     name, mine = library_name(), built.user_folder()
-    folders = [built.ENGINE, *([mine] if is_own(mine) else [])]
+    folders = [built.ENGINE, *([mine] if mine is not None and is_own(mine) else [])]
     return next((path for folder in folders if (path := folder / name).is_file()), None)
 
 
