@@ -13,7 +13,6 @@ from benchdragon.engine import optimise, pieces, shims
 from benchdragon.hosts import built, native
 
 COMPILERS = ("cc", "gcc", "clang")
-RUNTIME = Path(__file__).with_name("runtime.c")
 
 
 def c_compiler() -> str:
@@ -57,7 +56,8 @@ def link(code: bytes, path: Path) -> None:
     with tempfile.TemporaryDirectory(dir=path.parent) as folder:
         source, made = Path(folder, "kernels.o"), Path(folder, path.name)
         source.write_bytes(code)
-        command = [compiler, "-O2", "-shared", "-fPIC", "-o", str(made), str(source), str(RUNTIME)]
+        files = map(str, (made, source, optimise.RUNTIME))
+        command = [compiler, "-O2", "-shared", "-fPIC", "-o", *files]
         command += ["-lm", "-s", "-Wl,--no-undefined"] if sys.platform == "linux" else ["-lm"]
         run(command)
         made.replace(path)

@@ -66,6 +66,7 @@ def entries() -> dict[str, Callable[..., object]]:
     jit.compiler = compiled
     for path in sorted(built.KERNELS.glob("*.py")):
         importlib.import_module(f"benchdragon.kernels.{path.stem}")
+    importlib.import_module("benchdragon.engine.memory")  # numba is told of it
     modules = {name: importlib.import_module(name.rpartition(".")[0]) for name in jit.ENTRIES}
     return {name: getattr(module, name.rpartition(".")[2]) for name, module in modules.items()}
 

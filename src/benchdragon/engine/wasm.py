@@ -88,7 +88,7 @@ def link(code: bytes, symbols: Iterable[str]) -> bytes:
         source, made = Path(folder, "kernels.o"), Path(folder, built.MODULE)
         source.write_bytes(code)
         command = [sys.executable, "-m", "ziglang", "cc", "-target", "wasm32-wasi", *OPTIONS, *exports]
-        build.run([*command, "-o", str(made), str(source), str(build.RUNTIME)])
+        build.run([*command, "-o", str(made), str(source), str(optimise.RUNTIME)])
         return made.read_bytes()
 
 
