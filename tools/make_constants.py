@@ -21,9 +21,10 @@ import benchdragon
 
 KERNELS = (
     "band", "beginning", "bench_cells", "box", "cells", "course", "curve", "doubts", "drive",
-    "every_pair", "family", "grid", "low_points", "meetings", "near_cells", "pacing", "peak",
-    "perturbed", "regions", "rounding", "route", "route_parts", "search", "size_bracket", "size_search",
-    "spiral", "standing", "status", "step_bounds", "turn_families", "walk_search",
+    "every_pair", "family", "grid", "low_points", "meetings", "near_cells", "own_room", "pacing",
+    "peak", "perturbed", "regions", "rounding", "route", "route_parts", "search", "size_bracket",
+    "size_memory", "size_question", "size_search", "spiral", "standing", "status", "step_bounds",
+    "turn_families", "walk_search",
 )  # fmt: skip
 # Modules with twins in the page: add those whose numbers you need.
 TWINS = (
@@ -41,7 +42,7 @@ TWINS = (
     "player.following", "player.frames", "player.scene", "rosters.extent", "rosters.grid",
     "rosters.reading", "rosters.columns", "rosters.entries", "rosters.names", "rosters.words",
     "sheets.briefing", "solve.dance_bound", "solve.head_speed",
-    "solve.minima", "solve.random_dance", "solve.size", "solve.size_family", "solve.size_trials",
+    "solve.minima", "solve.random_dance", "solve.size", "solve.size_family", "solve.size_question",
     "solve.tolerance", "solve.turn", "solve.turn_trials", "surveys.clothoids", "surveys.corners",
     "surveys.fitting", "surveys.lines",
 )  # fmt: skip

@@ -157,6 +157,12 @@ def hold(size: float) -> None:
     )  # fmt: skip
 
 
+def memory() -> float:
+    """How many bytes the tables of the question at hand may take."""
+    budget = _asked.get()
+    return math.inf if budget is None else budget.memory
+
+
 def _enough(times: float) -> str:
     """The power of ten that allows so many times the limits, and somewhat more."""
     return f"{10.0 ** max(math.ceil(math.log10(1.01 * times)), 1):g}"

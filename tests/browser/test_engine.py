@@ -5,11 +5,9 @@ import hashlib
 import json
 from pathlib import Path
 
-from benchdragon.hosts.signature import signature
 from benchdragon.inlining import EXPORT, inlined
-from benchdragon.kernels import jit
 from tests.browser.pages import Pages
-from tests.engine.recording import HERE, MODULE, compared, recorded
+from tests.engine.recording import HERE, MODULE, all_replayed, compared, recorded
 
 # Of what stands there, or of 1, as in Node.
 APART = 1e-12
@@ -52,5 +50,5 @@ def test_every_entry_gives_in_chromium_what_plain_python_gives(pages: Pages, tmp
         opened.evaluate("replayed()")
     memory = saved.value.path().read_bytes()
     found = compared(calls, (folder / "after.bin").read_bytes(), memory)
-    assert set(found) == {signature(function).symbol for function in jit.ENTRIES.values()}
+    assert set(found) == all_replayed()
     assert {name: each for name, each in found.items() if not each.worst <= APART} == {}

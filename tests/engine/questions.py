@@ -11,7 +11,7 @@ import numpy as np
 import benchdragon.proofs.exact  # noqa: F401 - else imported by a proof, once entries are wrapped
 from benchdragon.analysis.check import check
 from benchdragon.analysis.contact import least_clearance
-from benchdragon.analysis.distance import nearest_each, pair_distances
+from benchdragon.analysis.distance import low_point, nearest_each, pair_distances
 from benchdragon.analysis.proof import prove_contact
 from benchdragon.analysis.speed import QUANTITIES, greatest_at, greatest_speed
 from benchdragon.analysis.swept import swept_area
@@ -23,7 +23,6 @@ from benchdragon.paper.runge_kutta import head_positions
 from benchdragon.paper.traversal import first_overlap
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.head_speed import slowed
-from benchdragon.solve.size import limit
 from benchdragon.solve.tolerance import CASES, Draw, random_dance
 
 # Its plain functions call its entries, which no compiled function does.
@@ -67,8 +66,7 @@ def questions() -> None:
     place_chain(walk.route.rows, walk.dragon.links, np.array([0.0, 60.0]), 0, 2, places)
     greatest_at(walk.route.rows, walk.dragon, places, QUANTITIES["total_acceleration"])
     assert walk.head_where_tail(9.0) > 9.0
-    limit(read_plan("turn", ["dragon.benches=12", "walk.start=-20", "walk.end=20"]), "length")
-    limit(read_plan("spiral-in", ["dragon.benches=4", "disc.radius=0.5"]), "length")  # they fall
+    low_point(walk, 0, 4, 0.0, 60.0)
     motion = walk.motion([0.0, 60.0])
     pair_distances(motion, 0, 4)
     motion.acceleration.sum()
@@ -81,5 +79,4 @@ def questions() -> None:
     assert route.start_pose != route.end_pose
     Spiral(0.55, 40.0, 0.0).angle(1.0)
     coiled = read_plan("spiral-in", ["disc.radius=4.5", "dragon.benches=20", "walk.start=225"])
-    limit(coiled, "width")
     random_dance(coiled, Draw(CASES["all"].deviations, 7, 1)).least()

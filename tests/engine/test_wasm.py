@@ -15,7 +15,16 @@ from benchdragon.hosts import built, native
 from benchdragon.hosts.signature import signature
 from benchdragon.hosts.wasm import Host, sections, told
 from benchdragon.kernels import jit
-from tests.engine.recording import LOADER, MODULE, again, compared, node, recorded, replayed
+from tests.engine.recording import (
+    LOADER,
+    MODULE,
+    again,
+    all_replayed,
+    compared,
+    node,
+    recorded,
+    replayed,
+)
 
 ROOT = Path(__file__).parents[2]
 # Of what stands there, or of 1. The library contracts products and sums, the module has another libm.
@@ -78,7 +87,7 @@ def differences(folder: Path, memory: bytes) -> dict[str, Any]:
     """The entries that left another memory than plain Python did, and how far off it is."""
     calls = json.loads((folder / "calls.json").read_text(encoding="utf-8"))
     found = compared(calls, (folder / "after.bin").read_bytes(), memory)
-    assert set(found) == set(all_entries())
+    assert set(found) == all_replayed()
     return {name: each for name, each in found.items() if not each.worst <= APART}
 
 

@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 import numpy as np
 import pytest
 
-from benchdragon.hosts.serving import PLAIN, serving
 from benchdragon.kernels import size_bracket as bracket
 from benchdragon.kernels import size_search as search
 from benchdragon.kernels.curve import FloatArray
@@ -178,7 +177,6 @@ def test_a_root_found_too_far_on_the_safe_side_ends_no_search() -> None:
     assert abs(state[VALUE] - 0.7) <= 2e-12
 
 
-@pytest.mark.skipif(serving().name != PLAIN, reason="compiled kernels keep their constants")
 def test_too_many_trials_end_a_search(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(search, "MOST_TRIALS", 5)
     ending, state = World((), walked=lambda size: size >= 0.7).sought(0.9)

@@ -89,7 +89,8 @@ for (const one of asked) {
     milliseconds.push(performance.now() - began);
     bytes.push(engine.exports.memory.buffer.byteLength);
   }
+  const [held] = engine.call("bd_memory_held"); // by questions that are not closed
   if (engine.held > MOST_HELD) engine = await Engine.load(readFileSync(file)); // as the Worker does
-  said.push({ found, spent, bytes, milliseconds });
+  said.push({ found, spent, held, bytes, milliseconds });
 }
 console.log(JSON.stringify(said, plain));

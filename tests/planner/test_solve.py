@@ -170,9 +170,11 @@ def test_a_search_is_given_up_where_its_progress_is_told() -> None:
     questions = [{"data": d, "name": n, "options": options.get(n, {})} for n, d in names.items()]
     for said in asked("solve_plans.mjs", {"asked": questions, "cancel": True}):
         assert said["found"] == {"error": "given up", "kind": "Cancelled"}
+        assert said["held"] == 0
 
 
 def test_memory_is_given_back() -> None:
     question = {"data": SQUARE, "name": "limit", "options": {"size": "pitch", "tolerance": 1e-5}}
     (said,) = asked("solve_plans.mjs", {"asked": [question], "rounds": 6})
     assert said["bytes"][-1] == said["bytes"][1]
+    assert said["held"] == 0

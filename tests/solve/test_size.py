@@ -9,14 +9,17 @@ import shapely
 from benchdragon import clearances
 from benchdragon.analysis.contact import first_contact, least_clearance
 from benchdragon.errors import BenchDragonError, InputError
-from benchdragon.kernels.size_bracket import ROOT, SHIFT, SIZE, UNDECIDED
+from benchdragon.kernels import size_memory, size_question
+from benchdragon.kernels.memory import group_at
+from benchdragon.kernels.size_bracket import NOW, ROOT, SHIFT, SIZE, UNDECIDED
 from benchdragon.model.answer import Answer
 from benchdragon.paper.traversal import pitch_curve, traversed_pitch
 from benchdragon.plans.schema import Plan, checked, read_plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.solve.size import Span, feasible_sizes, limit, smallest_pitch
 from benchdragon.solve.size_family import QUESTIONS, TOLERANCE, PlanFamily
-from benchdragon.solve.size_trials import SizeSearch
+from benchdragon.solve.size_question import SizeQuestion
+from tests.solve.asked_in_python import in_python
 
 SMALLEST_PITCH = 0.4503373930271955
 
@@ -139,12 +142,12 @@ def test_walkable_pitches_begin_at_the_smallest(disc: Plan) -> None:
 
 def undecided(monkeypatch: pytest.MonkeyPatch, low: float, high: float) -> None:
     """Let no search decide walks whose size lies between these, m."""
-    real = SizeSearch.trial
+    real = SizeQuestion.known
 
-    def trial(search: SizeSearch, size: float) -> int:
-        return UNDECIDED if low < size < high else real(search, size)
+    def known(asked: SizeQuestion, size: float) -> int:
+        return UNDECIDED if low < size < high else real(asked, size)
 
-    monkeypatch.setattr(SizeSearch, "trial", trial)
+    monkeypatch.setattr(SizeQuestion, "known", known)
 
 
 @pytest.mark.parametrize("band", [(0.49, 0.51), (0.46, 0.47), (0.50, 0.60), (0.3, 0.4)])
@@ -195,15 +198,16 @@ def test_the_unsafe_end_of_a_bracket_is_where_the_pair_was_seen_to_touch(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """A first root that is off by a micrometre on the safe side ends no search."""
-    offsets, real = [1e-6], SizeSearch.trial
+    offsets, real = [1e-6], size_question.begun
 
-    def off(search: SizeSearch, size: float) -> int:
-        if offsets and search.state[SHIFT] > 0.0:
-            search.state[[SIZE, ROOT]] += offsets[0]
-            size += offsets.pop()
-        return real(search, size)
+    def off(block: int) -> int:
+        state = group_at(size_memory.Sought, block + size_memory.BASE).state
+        if offsets and state[SHIFT] > 0.0:
+            state[[SIZE, ROOT, NOW]] += offsets.pop()
+        return real(block)
 
-    monkeypatch.setattr(SizeSearch, "trial", off)
+    in_python(monkeypatch)
+    monkeypatch.setattr(size_question, "begun", off)
     found = limit(read_plan("spiral-in", ["disc.radius=4.5", "dragon.benches=40"]), "pitch")
     assert not offsets
     assert found.status == "found"

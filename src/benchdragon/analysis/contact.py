@@ -15,12 +15,13 @@ import numpy.typing as npt
 
 from benchdragon import budget
 from benchdragon.analysis.contact_search import ContactSearch, contact_search
-from benchdragon.analysis.distance import MOST_SAMPLED, low_pair, tightest_pairs
+from benchdragon.analysis.distance import low_pair, tightest_pairs
 from benchdragon.budget import OverBudgetError
 from benchdragon.errors import InputError, of_kind
 from benchdragon.i18n import _
 from benchdragon.kernels import search as kernel
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.low_points import MOST_SAMPLED
 from benchdragon.kernels.route import IntArray
 from benchdragon.model.answer import Answer, Status
 from benchdragon.model.walk import Motion, Walk

@@ -26,7 +26,7 @@ from benchdragon.kernels import search as kernel
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.family import UNKNOWN
 from benchdragon.kernels.route import END_SLACK, IntArray
-from benchdragon.kernels.walk_search import ASTRAY, CROWDED, MORE, SEEK, search_walk
+from benchdragon.kernels.walk_search import ASTRAY, CALL, CROWDED, MORE, SEARCHED, SEEK, search_walk
 from benchdragon.model.answer import Answer, Status, Witness
 from benchdragon.model.base_curve import Point
 from benchdragon.model.placement import Placement
@@ -44,8 +44,6 @@ MOST_EVALUATIONS = 200_000
 # Chains marched in one step for one of these; where benches keep the same distance for a while no
 # number would do for the last.
 MOST_LEAST_EVALUATIONS = 2000
-# What a call of a search costs, and a handle of a chain that is searched, in handles placed.
-CALL, SEARCHED = 1_000, 8
 # Places looked at for why a walk could not be followed.
 SAMPLES_AHEAD = 65
 

@@ -27,8 +27,6 @@ CORNERS = (N_("front left"), N_("rear left"), N_("rear right"), N_("front right"
 ENDS, FLANKS = (N_("front"), N_("rear")), (N_("left"), N_("right"))
 # Pairs listed at most; each is described in a few hundred bytes.
 MOST_PAIRS = 100_000
-# Dragons of more benches are not looked over for low distances.
-MOST_SAMPLED = 5_000
 # Distances that agree to so many decimals, m, count as equal when pairs are put in order.
 TIE = 12
 # Benches no farther apart than this, m, touch.

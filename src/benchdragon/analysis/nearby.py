@@ -9,7 +9,7 @@ from benchdragon.errors import UnsureError
 from benchdragon.i18n import _
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.regions import EDGE
+from benchdragon.kernels.regions import MOST_OFF
 from benchdragon.kernels.rounding import SEAM_COLUMNS, bench_errors, find_seams
 from benchdragon.kernels.step_bounds import place_chain
 from benchdragon.model.base_curve import Point
@@ -19,9 +19,6 @@ from benchdragon.number_format import at_most
 # A dance is searched from an origin of its own where it is farther than this from that of the route, m,
 # and by more than so many times its own extent.
 FAR, SPREADS = 100.0, 4.0
-# More than this no distance may be off by, m: cells of the route leave out what is farther apart than
-# is asked for by EDGE.
-MOST_OFF = 0.25 * EDGE
 NOWHERE = (0.0, 0.0)
 
 

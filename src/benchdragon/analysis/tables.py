@@ -23,6 +23,7 @@ from benchdragon.kernels.kinds import find_kinds
 from benchdragon.kernels.rounding import SEAM_COLUMNS
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.spiral import LANES
+from benchdragon.kernels.walk_search import work_done
 from benchdragon.model.walk import Walk
 
 # Different sizes of benches whose contacts can be searched: each is boxed in each cell.
@@ -37,8 +38,6 @@ A_CELL, AT_FIRST = 64, 1_000_000
 PAIRS, MEMBERS, DOUBTS = 1_000, 256, 64
 # Rooms that turn out too small become so many times as wide as is wanted.
 WIDER = 2
-# What a bench at a border of a cell costs, and a pair of parts, in handles placed.
-BOX_WORK, PARTNER_WORK = 64.0, 16.0
 
 
 def kinds_of(sizes: FloatArray) -> tuple[IntArray, Kinds]:
@@ -188,9 +187,7 @@ class Tables:
     @property
     def work(self) -> float:
         """What it took to come to know the route and to place dragons so far, in handles placed."""
-        counts, tally = self.ground.counts, self.course.tally
-        known = BOX_WORK * float(counts[cells.BORDERS]) + PARTNER_WORK * float(counts[cells.ENTRIES])
-        return known + float(tally[course.CHAINS]) * len(self.walk.benches.kind)
+        return float(work_done(self.room, len(self.walk.benches.kind)))
 
     def go(self, start: float, end: float) -> None:
         """Let the walk begin at head position start, m, and end at `end`, both within the first one.

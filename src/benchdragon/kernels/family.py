@@ -20,7 +20,7 @@ from benchdragon.kernels.curve import (
     FloatArray,
     spiral_length,
 )
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.links import link_of
 from benchdragon.kernels.low_points import head_where_tail
 from benchdragon.kernels.route import END_SLACK
@@ -215,7 +215,7 @@ def lay_turn(family: Family, links: FloatArray, rows: FloatArray, size: float) -
     return wanted if reach <= disc + numbers[FITS] else 0
 
 
-@entry
+@kernel
 def set_walk(family: Family, walk: Walk, at: Vector, places: Placements, size: float) -> Way:
     """Let `walk` be that of a size, m: its benches and rows are filled; see `Way`.
 
@@ -246,7 +246,7 @@ def set_walk(family: Family, walk: Walk, at: Vector, places: Placements, size: f
     return Way(count, first, last) if first <= last else nowhere
 
 
-@entry
+@kernel
 def falls_soon(rows: Table, links: Vector, sound: float, at: Vector, places: Placements) -> bool:
     """Whether a dragon cannot stand within some micrometres past head position `sound`, m.
 

@@ -15,6 +15,8 @@ SAMPLES, SHRINKS, LEVEL = 16, 13, 2e-15
 # Head positions at which all pairs are looked at for a hint, and how often the range about the least
 # distance is then shrunk.
 HINT_PLACES, HINT_SHRINKS = 128, 4
+# Dragons of more benches are not looked over for low distances.
+MOST_SAMPLED = 5_000
 # How exactly it is told where the head is when the tail comes somewhere, m.
 TAIL_TOLERANCE = 1e-9
 

@@ -1,8 +1,8 @@
 """Memory of the engine's own, which outlives a call: blocks that hold groups of arrays, and handles.
 
-A block is a row of 8-byte slots: a header, then what a NamedTuple takes, as in signature.py. `group_at`
-gives the group; after an array was laid anew, ask for it again. Hosts know a question under way by a
-handle: a number that stands for its block, and never for another, so that a stale one is none.
+A block is a row of 8-byte slots: a header, then what a NamedTuple takes, as in hosts/signature.py.
+`group_at` gives the group; after an array was laid anew, ask for it again. Hosts know a question under
+way by a handle: a number that stands for its block, and never for another, so that a stale one is none.
 
 What stands above `slot_count` is for plain Python: compiled code calls engine/runtime.c instead, as
 engine/memory.py says.
@@ -16,10 +16,10 @@ from typing import Any, TypeVar, cast
 import numpy as np
 import numpy.typing as npt
 
+from benchdragon.hosts.signature import Parameter, parameter
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.jit import entry, kernel
 from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.signature import Parameter, parameter
 
 Group = TypeVar("Group", bound=tuple[Any, ...])
 

@@ -46,6 +46,9 @@ SHORT = 1.0 - 1e-8
 MOST_PIECES = 200
 # Route positions are sure to this, m; a handle so near a border counts for both cells.
 EDGE = 1e-7
+# More than this no distance may be off by, m: cells of the route leave out what is farther apart than
+# is asked for by EDGE.
+MOST_OFF = 0.25 * EDGE
 
 
 @kernel

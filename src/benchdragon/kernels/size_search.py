@@ -10,7 +10,7 @@ import math
 
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.size_bracket import (
     AT,
     BAD,
@@ -241,7 +241,7 @@ def after_walk(state: FloatArray, doubts: FloatArray, meetings: FloatArray, resu
     return ask_for_target(state, doubts, False)
 
 
-@entry
+@kernel
 def next_task(state: Vector, doubts: Vector, meetings: Table, value: float) -> int:
     """What is asked for next, in the walk of size NOW, or how the search ended.
 

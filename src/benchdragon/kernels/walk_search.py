@@ -5,7 +5,9 @@ clear to its end, when more room is wanted, or to let others work: it is then ca
 """
 
 from benchdragon.kernels.arrays import Vector
+from benchdragon.kernels.cells import BORDERS, ENTRIES
 from benchdragon.kernels.course import (
+    CHAINS,
     PAIRS,
     PLACED,
     STEP_END,
@@ -53,6 +55,18 @@ SEEK = 3
 WIDTH_ROUNDINGS = 4.0
 # Handles placed in one call: some hundredths of a second.
 HANDLES_A_CALL = 200_000
+# What a call of a search costs, and a handle of a chain that is searched, in handles placed; and what
+# a bench at a border of a cell does, and a pair of parts.
+CALL, SEARCHED = 1_000, 8
+BOX_WORK, PARTNER_WORK = 64.0, 16.0
+
+
+@kernel
+def work_done(room: Room, benches: int) -> float:
+    """What it took to come to know the route and to place dragons so far, in handles placed."""
+    counts = room.ground.counts
+    known = BOX_WORK * counts[BORDERS] + PARTNER_WORK * counts[ENTRIES]
+    return known + float(room.course.tally[CHAINS] * benches)
 
 
 @kernel

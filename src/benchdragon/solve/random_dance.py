@@ -12,7 +12,7 @@ from itertools import pairwise
 import numpy as np
 
 from benchdragon import budget
-from benchdragon.analysis.contact_search import SEARCHED, most_evaluations
+from benchdragon.analysis.contact_search import most_evaluations
 from benchdragon.errors import BenchDragonError, InputError
 from benchdragon.i18n import _
 from benchdragon.kernels import curve as kernel
@@ -23,6 +23,7 @@ from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.every_pair import CROWDED, search_all_pairs
 from benchdragon.kernels.perturbed import place_along
 from benchdragon.kernels.route import END_SLACK, evaluate
+from benchdragon.kernels.walk_search import SEARCHED
 from benchdragon.model.curves import Route
 from benchdragon.model.dragon import Dragon
 from benchdragon.solve.dance_bound import Offset, Part

@@ -33,7 +33,7 @@ from benchdragon.plans.schema import Plan
 from benchdragon.plans.toml import PlanError
 from benchdragon.progress import Progress, silent
 from benchdragon.solve.size_family import TOLERANCE, PlanFamily, meeting_of, question
-from benchdragon.solve.size_trials import FAR, SizeSearch
+from benchdragon.solve.size_question import FAR, SizeQuestion
 
 # How often a bracket is doubled until it can be proved.
 MOST_WIDENINGS = 12
@@ -136,8 +136,13 @@ def _clear(family: PlanFamily, size: float, progress: Progress) -> list[Claim]:
 
 
 def _limit(family: PlanFamily, progress: Progress, began: float) -> Answer:
-    search = SizeSearch(family, progress)  # raises where the plan itself is wrong
-    ending = search.limit(family.first)
+    with SizeQuestion(family, progress) as search:  # raises where the plan itself is wrong
+        ending = search.limit(family.first)
+        return _limit_answer(family, search, ending, began)
+
+
+def _limit_answer(family: PlanFamily, search: SizeQuestion, ending: int, began: float) -> Answer:
+    """The answer of a search for a limit that ended so."""
     good, bad, value = search.state[[GOOD, BAD, VALUE]].tolist()
     texts, evaluations = _assumed(family, search.doubts), search.evaluations
     seconds = clock.perf_counter() - began
@@ -166,7 +171,7 @@ def _family(plan: Plan, name: str, margin: float | None, tolerance: float = TOLE
     return family
 
 
-def _witness(family: PlanFamily, found: SizeSearch, size: float) -> Witness | None:
+def _witness(family: PlanFamily, found: SizeQuestion, size: float) -> Witness | None:
     """What shows that a size does not pass; None where no pair does, or there is no such walk."""
     if found.blocked is not None and found.blocked[0] == size:
         return found.blocked[1].witness
@@ -249,8 +254,8 @@ def feasible_sizes(
         InputError: as `limit`; for an empty range, or a count outside 2..10,000.
     """
     _check_range(low, high, count)
-    with budget.question(count):
-        search, trials = SizeSearch(_family(plan, name, margin), silent), []
+    family, trials = _family(plan, name, margin), []
+    with budget.question(count), SizeQuestion(family, silent) as search:
         for n, size in enumerate(np.linspace(low, high, count).tolist()):
             progress(n / count, f"{size:.9g} m")
             trials.append((size, search.trial(size)))
@@ -273,7 +278,7 @@ def _check_range(low: float, high: float, count: int) -> None:
         )
 
 
-def _spans(search: SizeSearch, trials: Sequence[tuple[float, int]]) -> Iterator[Span]:
+def _spans(search: SizeQuestion, trials: Sequence[tuple[float, int]]) -> Iterator[Span]:
     """Runs of sizes that pass, and how far beyond their ends sizes still do."""
     for passes, run in itertools.groupby(range(len(trials)), key=lambda n: trials[n][1] == PASSES):
         if passes:
@@ -284,7 +289,7 @@ def _spans(search: SizeSearch, trials: Sequence[tuple[float, int]]) -> Iterator[
 
 
 def _edge(
-    search: SizeSearch, trials: Sequence[tuple[float, int]], n: int, side: int
+    search: SizeQuestion, trials: Sequence[tuple[float, int]], n: int, side: int
 ) -> tuple[float, bool]:
     """How far sizes are safe to one side of trial n, which passes; whether a walk fails just beyond."""
     if not 0 <= n + side < len(trials) or trials[n + side][1] != FAILS:

@@ -89,6 +89,11 @@ export function expect(handles) {
   );
 }
 
+/** How many bytes the tables of the question at hand may take. */
+export function memory() {
+  return asked ? asked.memory : Infinity;
+}
+
 /** Say how many bytes the tables of the question at hand are to take, before they are made. @param {number} size */
 export function hold(size) {
   if (!asked || size <= asked.memory) return;

@@ -197,6 +197,7 @@ export const LOW_POINTS = {
   LEVEL: 2e-15,
   HINT_PLACES: 128,
   HINT_SHRINKS: 4,
+  MOST_SAMPLED: 5000,
   TAIL_TOLERANCE: 1e-9,
 };
 
@@ -214,6 +215,37 @@ export const MEETINGS = {
 
 export const NEAR_CELLS = {
   SPARSE: 40,
+};
+
+export const OWN_ROOM = {
+  A_CELL: 0,
+  AT_FIRST: 1,
+  FIRST_PAIRS: 2,
+  FIRST_MEMBERS: 3,
+  FIRST_DOUBTS: 4,
+  MOST_CELLS: 5,
+  PLACES: 6,
+  BEGINNINGS: 7,
+  ROUTE_ROWS: 0,
+  OF_CELLS: 1,
+  OF_PARTS: 2,
+  OF_ENTRIES: 3,
+  OF_DOUBTS: 4,
+  OF_PAIRS: 5,
+  OF_MEMBERS: 6,
+  MOST: 7,
+  SIZES: 8,
+  WIDER: 2,
+  ROOMY: 0,
+  UNSTEADY: 1,
+  TOO_LONG: 2,
+  TOO_LARGE: 3,
+  NO_MEMORY: 4,
+  FOR_GROUND: 5,
+  GROUND_MEMORY: 1,
+  STEP_MEMORY: 2,
+  BLOCK: 58,
+  MEETING: 106,
 };
 
 export const PACING = {
@@ -273,6 +305,7 @@ export const REGIONS = {
   SHORT: 0.99999999,
   MOST_PIECES: 200,
   EDGE: 1e-7,
+  MOST_OFF: 2.5e-8,
 };
 
 export const ROUNDING = {
@@ -379,6 +412,55 @@ export const SIZE_BRACKET = {
   MOST_TRIALS: 80,
   FIRST_CAUTION: 2.5,
   MORE_CAUTION: 4,
+};
+
+export const SIZE_MEMORY = {
+  MARGIN: 0,
+  LEAST_OFF: 1,
+  WIDTH: 2,
+  MOST: 3,
+  ORIGIN_X: 4,
+  ORIGIN_Y: 5,
+  BYTES: 6,
+  SAFER: 7,
+  NARROW: 8,
+  BEGIN: 9,
+  END: 10,
+  LIMITS: 11,
+  MARCHED: 0,
+  SPENT: 1,
+  WANTED: 2,
+  RESULT: 3,
+  DOING: 4,
+  ONE: 5,
+  LEFT: 6,
+  FIRST: 7,
+  LAST: 8,
+  FIGURES: 9,
+  IDLE: 0,
+  SEEKING: 1,
+  WAITING: 2,
+  SEARCHING: 3,
+  BROKEN: 4,
+  FEWEST: 4,
+  ROWS_MEMORY: 0,
+  OWN_MEMORY: 3,
+  WALK_SLOT: 8,
+  SEAMS_SLOT: 27,
+  ROOM_SLOT: 30,
+  FAMILY_SLOT: 194,
+  END_SLOT: 286,
+  BASE: 64,
+};
+
+export const SIZE_QUESTION = {
+  ALONE: 3,
+  TRIED_ALONE: 7,
+  OVER_MEMORY: 9,
+  OUT_OF_MEMORY: 10,
+  CLOSED: 11,
+  UNKNOWN: -1,
+  GOES_ON: -2,
 };
 
 export const SIZE_SEARCH = {
@@ -522,6 +604,10 @@ export const WALK_SEARCH = {
   SEEK: 3,
   WIDTH_ROUNDINGS: 4,
   HANDLES_A_CALL: 200000,
+  CALL: 1000,
+  SEARCHED: 8,
+  BOX_WORK: 64,
+  PARTNER_WORK: 16,
 };
 
 export const ANALYSIS_BENCH_NEARNESS = {
@@ -571,8 +657,6 @@ export const ANALYSIS_CONTACT_SEARCH = {
   WIDTH: 1e-13,
   MOST_EVALUATIONS: 200000,
   MOST_LEAST_EVALUATIONS: 2000,
-  CALL: 1000,
-  SEARCHED: 8,
   SAMPLES_AHEAD: 65,
 };
 
@@ -582,7 +666,6 @@ export const ANALYSIS_CROSSINGS = {
 
 export const ANALYSIS_DISTANCE = {
   MOST_PAIRS: 100000,
-  MOST_SAMPLED: 5000,
   TIE: 12,
   TOUCHING: 1e-9,
 };
@@ -613,7 +696,6 @@ export const ANALYSIS_MARKS = {
 export const ANALYSIS_NEARBY = {
   FAR: 100,
   SPREADS: 4,
-  MOST_OFF: 2.5e-8,
   NOWHERE: [0, 0],
 };
 
@@ -683,8 +765,6 @@ export const ANALYSIS_TABLES = {
   MEMBERS: 256,
   DOUBTS: 64,
   WIDER: 2,
-  BOX_WORK: 64,
-  PARTNER_WORK: 16,
 };
 
 export const ANALYSIS_UNFINISHED = {
@@ -987,10 +1067,9 @@ export const SOLVE_SIZE_FAMILY = {
   TOLERANCE: 1e-12,
 };
 
-export const SOLVE_SIZE_TRIALS = {
+export const SOLVE_SIZE_QUESTION = {
   MOST_WIDENINGS: 30,
   FAR: 10,
-  FEWEST: 4,
 };
 
 export const SOLVE_TOLERANCE = {

@@ -3,7 +3,7 @@
 
 import { answered } from "./answer.js";
 import { OverBudgetError, aside } from "./budget.js";
-import { ANALYSIS_CONTACT, ANALYSIS_DISTANCE, SEARCH } from "./constants.js";
+import { ANALYSIS_CONTACT, LOW_POINTS, SEARCH } from "./constants.js";
 import { withContactSearch } from "./contact_search.js";
 import { lowPair, tightestPairs } from "./distance.js";
 import { withArena } from "./arena.js";
@@ -29,7 +29,7 @@ import { silent } from "./tick.js";
 const { FRAYED, FIRST_REACH, WIDER, MOST_GRAZES, REFINING, REFINING_ON } = ANALYSIS_CONTACT;
 /** Widths of brackets of clearances, m: the first that can be. @type {number[]} */
 export const TOLERANCES = ANALYSIS_CONTACT.TOLERANCES;
-const { MOST_SAMPLED } = ANALYSIS_DISTANCE;
+const { MOST_SAMPLED } = LOW_POINTS;
 const NONE = answered(Infinity, Infinity, Infinity, "m");
 
 /**

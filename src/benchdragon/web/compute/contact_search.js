@@ -34,7 +34,7 @@ import { tick } from "./tick.js";
 
 const { SLACK, WIDTH, MOST_EVALUATIONS, MOST_LEAST_EVALUATIONS, SAMPLES_AHEAD } =
   ANALYSIS_CONTACT_SEARCH;
-const { CALL, SEARCHED } = ANALYSIS_CONTACT_SEARCH;
+const { CALL, SEARCHED } = WALK_SEARCH;
 const { UNKNOWN } = FAMILY;
 
 /** What answers rest on whose distances may be off by so much, m. @param {number} off */

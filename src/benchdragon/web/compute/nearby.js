@@ -4,7 +4,7 @@
 import { _ } from "../words.js";
 import { doubles, withArena } from "./arena.js";
 import { spend } from "./budget.js";
-import { ANALYSIS_NEARBY, ROUNDING } from "./constants.js";
+import { ANALYSIS_NEARBY, REGIONS, ROUNDING } from "./constants.js";
 import { UnsureError } from "./errors.js";
 import { atMost } from "./number_format.js";
 import { rint } from "./numbers.js";
@@ -15,7 +15,8 @@ import { rint } from "./numbers.js";
 /** @typedef {import("./walk.js").Walk} Walk */
 /** @typedef {[number, number]} Point m */
 
-const { FAR, SPREADS, MOST_OFF } = ANALYSIS_NEARBY;
+const { FAR, SPREADS } = ANALYSIS_NEARBY;
+const { MOST_OFF } = REGIONS;
 
 /** @type {Point} */
 const NOWHERE = [0, 0];

@@ -4,7 +4,7 @@
 import { _ } from "../words.js";
 import { doubles, withArena } from "./arena.js";
 import { hold, spend } from "./budget.js";
-import { ANALYSIS_CONTACT_SEARCH, EVERY_PAIR, SEARCH, SOLVE_RANDOM_DANCE } from "./constants.js";
+import { EVERY_PAIR, SEARCH, SOLVE_RANDOM_DANCE, WALK_SEARCH } from "./constants.js";
 import { mostEvaluations } from "./contact_search.js";
 import { greatest } from "./dragon.js";
 import { BenchDragonError, InputError } from "./errors.js";
@@ -23,7 +23,7 @@ import { searchRoom } from "./tables.js";
 const { HINT_STEP, SHRINKS, PARTS, AROUND, BEYOND, LAST, STEP, WIDTH, MOST_EVALUATIONS } =
   SOLVE_RANDOM_DANCE;
 const { PARTNERS, MOST_PLACES, MOST_PAIRS, STEPS, PAIR, PLACED } = SOLVE_RANDOM_DANCE;
-const { SEARCHED } = ANALYSIS_CONTACT_SEARCH;
+const { SEARCHED } = WALK_SEARCH;
 /** What is nearer to touching than this, m, touches. */
 export const { GRAZE } = SOLVE_RANDOM_DANCE;
 // Handles times head positions that are placed at a time: memory of a page is never given back.

@@ -11,7 +11,7 @@ import { InputError, PlanError, notNegative } from "./errors.js";
 import { evenly } from "./lists.js";
 import { general, pythonFloat } from "./number_format.js";
 import { PlanFamily, TOLERANCE, question } from "./size_family.js";
-import { FAR, SizeSearch } from "./size_trials.js";
+import { FAR, SizeQuestion } from "./size_question.js";
 import { silent } from "./tick.js";
 
 /** @typedef {import("../engine.js").Engine} Engine */
@@ -60,13 +60,13 @@ export async function limit(engine, plan, name, options = {}) {
  * @template T
  * @param {PlanFamily} family
  * @param {Progress} progress
- * @param {(search: SizeSearch) => Promise<T>} use
+ * @param {(search: SizeQuestion) => Promise<T>} use
  */
 async function searched(family, progress, use) {
-  /** @type {SizeSearch | null} */
+  /** @type {SizeQuestion | null} */
   let search = null;
   try {
-    search = new SizeSearch(family, progress);
+    search = new SizeQuestion(family, progress);
     return await use(search);
   } finally {
     search?.free();
@@ -74,7 +74,7 @@ async function searched(family, progress, use) {
   }
 }
 
-/** @param {PlanFamily} family @param {SizeSearch} search @param {number} began */
+/** @param {PlanFamily} family @param {SizeQuestion} search @param {number} began */
 async function sought(family, search, began) {
   const ending = await search.limit(family.first);
   const { doubts } = search;
@@ -114,7 +114,7 @@ function familyOf(engine, plan, name, margin, tolerance) {
   return family;
 }
 
-/** What shows that a size does not pass; null where no pair does, or there is no such walk. @param {PlanFamily} family @param {SizeSearch} found @param {number} size @returns {Witness | null} */
+/** What shows that a size does not pass; null where no pair does, or there is no such walk. @param {PlanFamily} family @param {SizeQuestion} found @param {number} size @returns {Witness | null} */
 function witnessOf(family, found, size) {
   if (found.blocked?.size === size) return found.blocked.touch.witness;
   const meeting = found.guide;
@@ -179,7 +179,7 @@ export async function feasibleSizes(engine, plan, name, low, high, options = {})
   const { count = 50, margin = null, tolerance = TOLERANCE, progress = silent } = options;
   checkRange(low, high, count);
   const family = familyOf(engine, plan, name, margin, tolerance);
-  const tryEach = async (/** @type {SizeSearch} */ search) => {
+  const tryEach = async (/** @type {SizeQuestion} */ search) => {
     /** @type {Trial[]} */
     const trials = [];
     for (const [n, size] of evenly(low, high, count).entries()) {
@@ -221,7 +221,7 @@ function runs(trials) {
   return found;
 }
 
-/** A run of sizes that pass, and how far beyond its ends sizes still do. @param {SizeSearch} search @param {Trial[]} trials @param {number} first @param {number} last @returns {Promise<Span>} */
+/** A run of sizes that pass, and how far beyond its ends sizes still do. @param {SizeQuestion} search @param {Trial[]} trials @param {number} first @param {number} last @returns {Promise<Span>} */
 async function spanOf(search, trials, first, last) {
   const edges = [await edge(search, trials, first, -1), await edge(search, trials, last, 1)];
   const [low, high] = edges.map(({ size }) => size);
@@ -229,7 +229,7 @@ async function spanOf(search, trials, first, last) {
   return { low, high, tried: last - first + 1, borders };
 }
 
-/** How far sizes are safe to one side of trial n, which passes; whether a walk fails just beyond. @param {SizeSearch} search @param {Trial[]} trials @param {number} n @param {number} side */
+/** How far sizes are safe to one side of trial n, which passes; whether a walk fails just beyond. @param {SizeQuestion} search @param {Trial[]} trials @param {number} n @param {number} side */
 async function edge(search, trials, n, side) {
   const beside = trials[n + side];
   if (!beside || beside[1] !== FAILS) return { size: trials[n][0], found: false };

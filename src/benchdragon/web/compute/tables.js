@@ -14,6 +14,7 @@ import {
   SEARCH,
   SPIRAL,
   STEP_BOUNDS,
+  WALK_SEARCH,
 } from "./constants.js";
 import { InputError, UnsureError } from "./errors.js";
 
@@ -25,7 +26,7 @@ import { InputError, UnsureError } from "./errors.js";
 
 const { MOST_SIZES, MOST_CELLS, PLACES, A_CELL, AT_FIRST, PAIRS, MEMBERS, DOUBTS, WIDER } =
   ANALYSIS_TABLES;
-const { BOX_WORK, PARTNER_WORK } = ANALYSIS_TABLES;
+const { BOX_WORK, PARTNER_WORK } = WALK_SEARCH;
 
 /** A whole number of a list. @param {Numbers} list @param {number} n */
 export function wholeAt(list, n) {

@@ -1,0 +1,334 @@
+"""Room for a search along a walk in a block of the engine's own memory: made there, and made wider.
+
+The rules are those of analysis/tables.py, which does the same in a host's memory.
+"""
+
+import math
+from typing import NamedTuple
+
+from benchdragon.kernels.arrays import IntVector
+from benchdragon.kernels.beginning import CELL_SHARE, begin_walk
+from benchdragon.kernels.box import BOX_COLUMNS
+from benchdragon.kernels.cells import (
+    CELLS,
+    COUNTS,
+    DOUBTS,
+    ENTRIES,
+    HULL_COLUMNS,
+    MEASURES,
+    NEAR,
+    ROWS,
+    TREE_COLUMNS,
+    WAYS,
+    Grids,
+    Ground,
+)
+from benchdragon.kernels.course import (
+    AT,
+    COURSE,
+    GOAL,
+    KNOWN,
+    PAIRS,
+    PLACED,
+    SOUND,
+    TALLY,
+    UPTO,
+    Block,
+    Course,
+    Crowd,
+    Room,
+    Walk,
+)
+from benchdragon.kernels.curve import LENGTH, S_START
+from benchdragon.kernels.grid import Grid
+from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.memory import (
+    ADDRESS,
+    HEADER,
+    OWNED,
+    SLOTS,
+    allocate,
+    drop,
+    group_at,
+    integers_at,
+    lay_from,
+    lay_row,
+    lay_table,
+    release,
+    slot_count,
+    take,
+)
+from benchdragon.kernels.rounding import SEAM_COLUMNS
+from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.search import DEPTH
+from benchdragon.kernels.spiral import LANES
+from benchdragon.kernels.step_bounds import BENCH_COLUMNS, HANDLE_COLUMNS
+
+# What a room begins with, a row of whole numbers, which analysis/tables.py names and explains.
+A_CELL, AT_FIRST, FIRST_PAIRS, FIRST_MEMBERS, FIRST_DOUBTS, MOST_CELLS, PLACES = range(7)
+BEGINNINGS = 7
+# How much room there is, a row of whole numbers.
+ROUTE_ROWS = 0
+OF_CELLS = 1
+OF_PARTS = 2
+OF_ENTRIES = 3
+OF_DOUBTS = 4
+OF_PAIRS = 5  # of benches in a step
+OF_MEMBERS = 6
+MOST = 7  # cells there may be
+SIZES = 8
+# Rooms that turn out too small become so many times as wide as is wanted.
+WIDER = 2
+# How making room ended.
+ROOMY, UNSTEADY, TOO_LONG, TOO_LARGE, NO_MEMORY, FOR_GROUND = range(6)
+# The memory of the block that the ground and what a step is searched in lie in.
+GROUND_MEMORY, STEP_MEMORY = 1, 2
+# Where parts of a room begin, in slots from its own first.
+BLOCK = slot_count(Ground) + slot_count(Grids)
+MEETING = BLOCK + slot_count(Block) + slot_count(Crowd) + slot_count(Course)
+
+
+class Aim(NamedTuple):
+    """What a search along a walk is after."""
+
+    first: float  # head positions, m, between which it is
+    last: float
+    reach: float  # distance of benches, m, within which pairs are wanted
+    most: float  # bytes that its tables may take
+
+
+@kernel
+def lay_placements(slots: IntArray, handles: int, count: int) -> None:
+    """Lay chains of so many handles at so many head positions."""
+    for _table in range(7):
+        lay_table(slots, handles, count)
+    lay_table(slots, 2, count)
+
+
+@kernel
+def lay_grid(slots: IntArray, places: int) -> None:
+    """Lay a grid of so many places: see `grid.empty_grid`."""
+    buckets = 16
+    while buckets < 2 * places:
+        buckets *= 2
+    lay_row(slots, 1)
+    lay_row(slots, buckets)
+    for _row in range(3):
+        lay_row(slots, places)
+
+
+@kernel
+def lay_ground(slots: IntArray, slot: int, address: int, sizes: IntVector, groups: int) -> int:
+    """Lay what is known of the route, from a slot and an address on; the bytes that takes."""
+    cells, pairs, rows = sizes[OF_CELLS], sizes[OF_ENTRIES], sizes[ROUTE_ROWS]
+    boxes = groups * cells + sizes[OF_PARTS]
+    lay_from(slots, slot, address)
+    lay_row(slots, COUNTS)
+    lay_row(slots, MEASURES)
+    lay_table(slots, groups, WAYS + groups)
+    lay_table(slots, groups * groups * rows, 2)
+    lay_table(slots, cells, groups * groups)
+    lay_table(slots, cells, 2)
+    lay_table(slots, boxes, HULL_COLUMNS)
+    lay_table(slots, boxes, TREE_COLUMNS)
+    lay_table(slots, pairs, 2)
+    lay_row(slots, boxes)
+    lay_table(slots, pairs, 2)
+    lay_table(slots, sizes[OF_DOUBTS], 2)
+    lay_table(slots, rows, SEAM_COLUMNS)
+    lay_grid(slots, cells)
+    lay_grid(slots, groups * cells)
+    lay_row(slots, groups * cells)
+    return slots[ADDRESS] - address
+
+
+@kernel
+def ground_bytes(sizes: IntVector, groups: int) -> int:
+    """What counts of that as the memory of a question."""
+    cells = sizes[OF_CELLS]
+    boxes = groups * cells + sizes[OF_PARTS]
+    columns = HULL_COLUMNS + TREE_COLUMNS + 1
+    return 8 * (boxes * columns + 4 * sizes[OF_ENTRIES] + cells * groups * (groups + 2))
+
+
+@kernel
+def lay_block(slots: IntArray, slot: int, address: int, benches: int, places: int) -> int:
+    """Lay dragons at steps to come, the crowd and the course of a room; where that ends."""
+    count = max(2, min(LANES, places // (benches + 1)))
+    lay_from(slots, slot + BLOCK, address)
+    lay_row(slots, count)
+    lay_placements(slots, benches + 1, count)
+    lay_table(slots, benches + 1, count)
+    lay_table(slots, benches, HULL_COLUMNS)
+    lay_grid(slots, benches)
+    lay_row(slots, benches)
+    lay_row(slots, COURSE)
+    lay_row(slots, TALLY)
+    return slots[ADDRESS]
+
+
+@kernel
+def lay_step(slots: IntArray, slot: int, address: int, sizes: IntVector, benches: int) -> int:
+    """Lay the pairs of a step and what it is searched in; the bytes that takes: see `search.room`."""
+    pairs, members = sizes[OF_PAIRS], sizes[OF_MEMBERS]
+    lay_from(slots, slot + MEETING, address)
+    for _row in range(4):
+        lay_row(slots, pairs)
+    lay_row(slots, benches)
+    lay_row(slots, benches)
+    lay_row(slots, DEPTH)
+    lay_placements(slots, benches + 1, DEPTH)
+    lay_table(slots, benches + 1, HANDLE_COLUMNS)
+    lay_table(slots, members, BENCH_COLUMNS)
+    lay_table(slots, DEPTH * members, BOX_COLUMNS)
+    lay_row(slots, DEPTH * members)
+    lay_row(slots, benches + 1)
+    lay_row(slots, benches + 1)
+    lay_table(slots, DEPTH, pairs)
+    lay_row(slots, DEPTH)
+    return slots[ADDRESS] - address
+
+
+@kernel
+def group_count(walk: Walk) -> int:
+    """Number of the groups of kinds of a walk."""
+    most = 0
+    for k in range(walk.kinds.group.shape[0]):
+        most = max(most, walk.kinds.group[k])
+    return most + 1
+
+
+@kernel
+def square_side(walk: Walk, reach: float) -> float:
+    """That of the squares of grids, m: about how far benches are looked for."""
+    most, sizes = 0.0, walk.kinds.sizes
+    for k in range(sizes.shape[1]):
+        most = max(most, math.hypot(sizes[0, k], sizes[1, k]))
+    return 2.0 * most + reach
+
+
+@kernel
+def size_room(sizes: IntVector, beginnings: IntVector, walk: Walk, first: float, last: float) -> None:
+    """Fill the sizes of a room for a walk from first to last, m, with about what it needs.
+
+    The rows of the route stay.
+    """
+    benches, rows, shortest, whole = walk.benches.kind.shape[0], walk.rows, math.inf, 0.0
+    for i in range(benches):
+        shortest, whole = min(shortest, walk.benches.links[i]), whole + walk.benches.links[i]
+    cell, end = CELL_SHARE * shortest, rows.shape[0] - 1
+    foremost = min(last, rows[end, S_START] + rows[end, LENGTH])
+    wanted = max(math.floor(foremost / cell) - math.floor((first - 1.5 * whole) / cell), 0) + 2
+    cells = min(wanted, beginnings[MOST_CELLS])
+    most = min(beginnings[A_CELL] * cells, beginnings[AT_FIRST])
+    sizes[OF_CELLS], sizes[OF_PARTS], sizes[OF_ENTRIES] = cells, most, most
+    sizes[OF_DOUBTS], sizes[OF_PAIRS] = beginnings[FIRST_DOUBTS], beginnings[FIRST_PAIRS]
+    sizes[OF_MEMBERS] = min(beginnings[FIRST_MEMBERS], benches)
+    sizes[MOST] = beginnings[MOST_CELLS]
+
+
+@kernel
+def make_ground(slots: IntArray, slot: int, sizes: IntVector, groups: int, most: float) -> int:
+    """Make room for a route of which nothing is known, of at most so many bytes; how that ended."""
+    if ground_bytes(sizes, groups) > most:
+        return TOO_LARGE
+    size = lay_ground(slots, slot, 0, sizes, groups)
+    if not take(slots, GROUND_MEMORY, size):
+        return NO_MEMORY
+    lay_ground(slots, slot, slots[OWNED + GROUND_MEMORY], sizes, groups)
+    return ROOMY
+
+
+@kernel
+def make_step(block: int, slot: int, sizes: IntVector) -> int:
+    """Make room to search a step in, whose pairs of benches stay known; how that ended."""
+    slots = integers_at(block, integers_at(block, HEADER)[SLOTS])
+    room = group_at(Room, block + 8 * slot)
+    first, second = room.meeting.first, room.meeting.second
+    before, benches, pairs = slots[OWNED + STEP_MEMORY], room.crowd.found.shape[0], sizes[OF_PAIRS]
+    address = allocate(lay_step(slots, slot, 0, sizes, benches))
+    if address == 0:
+        return NO_MEMORY
+    lay_step(slots, slot, address, sizes, benches)
+    slots[OWNED + STEP_MEMORY] = address
+    known = integers_at(address, 4 * pairs + 2 * benches)
+    for p in range(min(first.shape[0], pairs)):
+        known[p], known[pairs + p] = first[p], second[p]
+    for i in range(benches):
+        known[4 * pairs + benches + i] = -1  # `place`
+    release(before)
+    room.course.tally[PLACED] = 0
+    return ROOMY
+
+
+@kernel
+def empty_grid_again(grid: Grid, side: float) -> None:
+    """Take all out of a grid, whose cells are so wide from now on, m."""
+    grid.side[0] = side
+    for b in range(grid.heads.shape[0]):
+        grid.heads[b] = 0
+
+
+@kernel
+def begin_in(walk: Walk, room: Room, aim: Aim) -> int:
+    """Begin a walk in a room where nothing of it is known: ROOMY, or UNSTEADY as `begin_walk` says."""
+    side = square_side(walk, aim.reach)
+    empty_grid_again(room.grids.middles, side)
+    empty_grid_again(room.grids.boxes, side)
+    return ROOMY if begin_walk(walk, room, aim.first, aim.last, aim.reach) else UNSTEADY
+
+
+@kernel
+def enlarge(sizes: IntVector, room: Room) -> int:
+    """Let sizes be large enough where they were not: FOR_GROUND, or ROOMY for the step at hand."""
+    counts, tally, ground = room.ground.counts, room.course.tally, room.ground
+    cells, before = sizes[OF_CELLS], ground.middles.shape[0]
+    if counts[CELLS] >= cells:
+        if cells == sizes[MOST]:
+            return TOO_LONG
+        sizes[OF_CELLS] = cells = min(WIDER * cells, sizes[MOST])
+    parts = counts[ROWS] - ground.groups.shape[0] * before
+    entries, short = max(counts[ENTRIES], counts[NEAR]), cells > before
+    if parts > sizes[OF_PARTS]:
+        sizes[OF_PARTS], short = WIDER * parts, True
+    if entries > sizes[OF_ENTRIES]:
+        sizes[OF_ENTRIES], short = WIDER * entries, True
+    if counts[DOUBTS] > sizes[OF_DOUBTS]:
+        sizes[OF_DOUBTS], short = WIDER * counts[DOUBTS], True
+    if short:
+        return FOR_GROUND
+    pairs = WIDER * tally[PAIRS]
+    sizes[OF_PAIRS] = max(sizes[OF_PAIRS], pairs)
+    sizes[OF_MEMBERS] = max(sizes[OF_MEMBERS], min(pairs, room.crowd.found.shape[0]))
+    return ROOMY
+
+
+@kernel
+def aim_room(block: int, slot: int, sizes: IntVector, walk: Walk, aim: Aim) -> int:
+    """Begin a walk in the room at a slot of a block; how that ended."""
+    slots = integers_at(block, integers_at(block, HEADER)[SLOTS])
+    if slots[OWNED + GROUND_MEMORY] == 0:
+        ending = make_ground(slots, slot, sizes, group_count(walk), aim.most)
+        if ending != ROOMY:
+            return ending
+    return begin_in(walk, group_at(Room, block + 8 * slot), aim)
+
+
+@kernel
+def widen_room(block: int, slot: int, sizes: IntVector, walk: Walk, aim: Aim) -> int:
+    """Make room where it did not do: for the step at hand, or for the route, which begins anew."""
+    slots = integers_at(block, integers_at(block, HEADER)[SLOTS])
+    room = group_at(Room, block + 8 * slot)
+    ending = enlarge(sizes, room)
+    if ending == TOO_LONG:
+        return ending
+    if ending == ROOMY:
+        return make_step(block, slot, sizes)
+    at, goal = room.course.way[AT], room.course.way[GOAL]
+    drop(slots, GROUND_MEMORY)
+    ending = aim_room(block, slot, sizes, walk, aim)
+    if ending == ROOMY:
+        way = room.course.way
+        way[AT] = way[UPTO] = way[KNOWN] = way[SOUND] = at
+        way[GOAL] = goal
+    return ending

@@ -1,0 +1,207 @@
+"""What a question about a size knows, and where that lies in a block of the engine's own memory."""
+
+from typing import NamedTuple
+
+from benchdragon.kernels.arrays import IntVector, Table, Vector
+from benchdragon.kernels.box import BOX_COLUMNS
+from benchdragon.kernels.chain import Placements
+from benchdragon.kernels.course import TALLY, Room, Walk
+from benchdragon.kernels.curve import COLUMNS, FloatArray
+from benchdragon.kernels.family import Family
+from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.memory import (
+    ADDRESS,
+    HEADER,
+    OWNED,
+    copy_row,
+    copy_table,
+    drop,
+    floats_at,
+    group_at,
+    integers_at,
+    lay_from,
+    lay_row,
+    lay_table,
+    slot_count,
+    slot_of,
+    take,
+)
+from benchdragon.kernels.own_room import (
+    BEGINNINGS,
+    GROUND_MEMORY,
+    ROOMY,
+    ROUTE_ROWS,
+    SIZES,
+    lay_block,
+    lay_placements,
+    make_step,
+    size_room,
+    square_side,
+)
+from benchdragon.kernels.rounding import SEAM_COLUMNS
+from benchdragon.kernels.route import IntArray
+from benchdragon.kernels.search import NOTES
+from benchdragon.kernels.size_bracket import MOST_GROWTHS, MOST_TRIALS, STATE
+from benchdragon.kernels.size_search import MEETINGS
+from benchdragon.kernels.spiral import LANES
+
+# What hosts say of a question, a row of floats.
+MARGIN = 0  # distance that benches must keep, m
+LEAST_OFF = 1  # what computed distances count as off by at least, m
+WIDTH = 2  # parts of a step narrower than this, m, are not halved
+MOST = 3  # chains marched in one step of a search
+ORIGIN_X = 4  # from where the dance is searched, m
+ORIGIN_Y = 5
+BYTES = 6  # that tables may take
+SAFER = 7  # +1 where larger sizes are safer, -1 where smaller ones are
+NARROW = 8  # how wide the bracket may be, m
+BEGIN = 9  # where the head of the plan's own walk begins and ends, m
+END = 10
+LIMITS = 11
+# What is told of it, a row of floats.
+MARCHED = 0  # chains, in searches of walks
+SPENT = 1  # in the step before, in handles placed
+WANTED = 2  # bytes, where tables would take more than they may
+RESULT = 3  # of the last trial: PASSES, FAILS or UNDECIDED
+DOING = 4
+ONE = 5  # 1 if but one trial is wanted
+LEFT = 6  # chains that may be marched in a step of the walk that is searched
+FIRST = 7  # where its head begins and ends, m
+LAST = 8
+FIGURES = 9
+# What a question is doing.
+IDLE, SEEKING, WAITING, SEARCHING, BROKEN = range(5)
+# Head positions at which a pair is looked at, at least.
+FEWEST = 4
+# The memory of the block that the rows of the route lie in, and all that keeps its size.
+ROWS_MEMORY, OWN_MEMORY = 0, 3
+
+
+class Sought(NamedTuple):
+    """A search for a size; what stands from `at` to `off` is scratch, of all benches."""
+
+    walk: Walk
+    seams: Table  # (rows, SEAM_COLUMNS)
+    room: Room
+    family: Family
+    sizes: IntVector  # of the room
+    beginnings: IntVector  # likewise: see own_room
+    at: Vector
+    places: Placements
+    still: Placements  # of one slot
+    boxes: Table
+    lanes: Vector
+    errors: Vector
+    off: Vector
+    limits: Vector
+    figures: Vector
+    state: Vector
+    doubts: Vector
+    meetings: Table
+    note: Vector
+
+
+WALK_SLOT, SEAMS_SLOT = slot_of(Sought, "walk"), slot_of(Sought, "seams")
+ROOM_SLOT, FAMILY_SLOT = slot_of(Sought, "room"), slot_of(Sought, "family")
+END_SLOT = HEADER + slot_count(Sought)
+# Where it begins in a block, in bytes.
+BASE = 8 * HEADER
+
+
+@kernel
+def lay_all(slots: IntArray, address: int, family: Family, walk: Walk, places: int) -> int:
+    """Lay from an address on all that keeps its size; the bytes that takes."""
+    benches, (_four, kinds) = walk.benches.kind.shape[0], walk.kinds.sizes.shape
+    count = max(FEWEST, min(LANES, places // (benches + 1)))
+    lay_from(slots, WALK_SLOT + 3, address)
+    lay_row(slots, benches)
+    lay_table(slots, 4, benches)
+    lay_row(slots, benches)
+    lay_row(slots, benches)
+    lay_row(slots, 1)
+    lay_table(slots, 4, kinds)
+    lay_row(slots, kinds)
+    lay_from(slots, FAMILY_SLOT, lay_block(slots, ROOM_SLOT, slots[ADDRESS], benches, places))
+    lay_row(slots, family.numbers.shape[0])
+    lay_table(slots, family.parts.shape[0], family.parts.shape[1])
+    lay_table(slots, family.arcs.shape[0], family.arcs.shape[1])
+    lay_table(slots, family.pieces.shape[0], family.pieces.shape[1])
+    lay_table(slots, 4, benches)
+    lay_row(slots, benches)
+    lay_row(slots, SIZES)
+    lay_row(slots, BEGINNINGS)
+    lay_row(slots, count)
+    lay_placements(slots, benches + 1, count)
+    lay_placements(slots, benches + 1, 1)
+    lay_table(slots, 2, BOX_COLUMNS)
+    lay_row(slots, benches)
+    lay_row(slots, benches + 1)
+    lay_row(slots, benches)
+    lay_row(slots, LIMITS)
+    lay_row(slots, FIGURES)
+    lay_row(slots, STATE)
+    lay_row(slots, MOST_TRIALS + MOST_GROWTHS)
+    lay_table(slots, MEETINGS, 4)
+    lay_row(slots, NOTES)
+    return slots[ADDRESS] - address
+
+
+@kernel
+def make_route(slots: IntArray, rows: int) -> bool:
+    """Make room for so many rows of the route and their seams, all 0; whether there is memory."""
+    drop(slots, ROWS_MEMORY)
+    count = rows * (COLUMNS + SEAM_COLUMNS)
+    if not take(slots, ROWS_MEMORY, 8 * count):
+        return False
+    lay_from(slots, WALK_SLOT, slots[OWNED + ROWS_MEMORY])
+    lay_table(slots, rows, COLUMNS)
+    lay_from(slots, SEAMS_SLOT, slots[ADDRESS])
+    lay_table(slots, rows, SEAM_COLUMNS)
+    numbers = floats_at(slots[OWNED + ROWS_MEMORY], count)
+    for n in range(count):
+        numbers[n] = 0.0
+    return True
+
+
+@kernel
+def make_searches(block: int) -> bool:
+    """Make room for searches of walks about as long as the plan's; whether there is memory."""
+    sought = group_at(Sought, block + BASE)
+    limits, sizes = sought.limits, sought.sizes
+    drop(integers_at(block, END_SLOT), GROUND_MEMORY)
+    sizes[ROUTE_ROWS] = sought.walk.rows.shape[0]
+    size_room(sizes, sought.beginnings, sought.walk, limits[BEGIN], limits[END])
+    sought.room.crowd.grid.side[0] = square_side(sought.walk, limits[MARGIN] + limits[LEAST_OFF])
+    return make_step(block, ROOM_SLOT, sizes) == ROOMY
+
+
+@kernel
+def fill(sought: Sought, family: Family, walk: Walk, limits: Vector, beginnings: IntVector) -> None:
+    """Copy what a host says."""
+    own, benches = sought.family, sought.walk.benches
+    copy_row(own.numbers, family.numbers)
+    copy_table(own.parts, family.parts)
+    copy_table(own.sizes, family.sizes)
+    copy_row(own.share, family.share)
+    copy_table(sought.walk.rows, walk.rows)
+    copy_row(benches.links, walk.benches.links)
+    copy_table(benches.sizes, walk.benches.sizes)
+    copy_row(benches.kind, walk.benches.kind)
+    copy_row(benches.ahead, walk.benches.ahead)
+    copy_row(benches.lever, walk.benches.lever)
+    copy_table(sought.walk.kinds.sizes, walk.kinds.sizes)
+    copy_row(sought.walk.kinds.group, walk.kinds.group)
+    copy_row(sought.limits, limits)
+    copy_row(sought.beginnings, beginnings)
+    clear(sought.figures)
+    clear(sought.state)
+    clear(sought.note)
+    for n in range(TALLY):
+        sought.room.course.tally[n] = 0
+
+
+@kernel
+def clear(numbers: FloatArray) -> None:
+    """Let all of a row be 0."""
+    for n in range(numbers.shape[0]):
+        numbers[n] = 0.0

@@ -1,0 +1,250 @@
+// The engine's question about a size of a plan: kernels/size_question.py, asked by the page. Twin of
+// solve/size_question.py.
+
+import { NoMemory } from "../engine.js";
+import { _ } from "../words.js";
+import { Arena, doubles, withArena, withArenaAsync } from "./arena.js";
+import { hold, left, memory, spend } from "./budget.js";
+import {
+  ANALYSIS_CONTACT_SEARCH,
+  ANALYSIS_TABLES,
+  OWN_ROOM,
+  SIZE_BRACKET,
+  SIZE_MEMORY,
+  SIZE_QUESTION,
+  SIZE_SEARCH,
+  SOLVE_SIZE_QUESTION,
+  WALK_SEARCH,
+} from "./constants.js";
+import { InputError, PlanError, UnsureError, WalkError } from "./errors.js";
+import { originOf } from "./nearby.js";
+import { general } from "./number_format.js";
+import { ObstacleSearch } from "./obstacle_search.js";
+import { touching } from "./obstacles.js";
+import { TOLERANCE, kernelFamily } from "./size_family.js";
+import { silent, tick } from "./tick.js";
+
+/** @typedef {import("./answer.js").Answer} Answer */
+/** @typedef {import("./size_family.js").Meeting} Meeting */
+/** @typedef {import("./size_family.js").PlanFamily} PlanFamily */
+/** @typedef {import("./tick.js").Progress} Progress */
+/** @typedef {import("./walk.js").Walk} Walk */
+
+const { MOST_EVALUATIONS, SLACK, WIDTH } = ANALYSIS_CONTACT_SEARCH;
+const { FAILS, UNDECIDED } = SIZE_BRACKET;
+const { MOST_WIDENINGS } = SOLVE_SIZE_QUESTION;
+const MEETING = 4; // numbers of one
+
+/** Sizes are tried to so many times the plan's own where there are obstacles. */
+export const { FAR } = SOLVE_SIZE_QUESTION;
+
+/** Numbers in the order of the columns that they are told for. @param {Array<[number, number]>} told */
+function row(told) {
+  return told.sort(([a], [b]) => a - b).map(([, value]) => value);
+}
+
+/** The room that searches begin with, as the engine takes it. */
+function beginnings() {
+  return row([
+    [OWN_ROOM.A_CELL, ANALYSIS_TABLES.A_CELL],
+    [OWN_ROOM.AT_FIRST, ANALYSIS_TABLES.AT_FIRST],
+    [OWN_ROOM.FIRST_PAIRS, ANALYSIS_TABLES.PAIRS],
+    [OWN_ROOM.FIRST_MEMBERS, ANALYSIS_TABLES.MEMBERS],
+    [OWN_ROOM.FIRST_DOUBTS, ANALYSIS_TABLES.DOUBTS],
+    [OWN_ROOM.MOST_CELLS, ANALYSIS_TABLES.MOST_CELLS],
+    [OWN_ROOM.PLACES, ANALYSIS_TABLES.PLACES],
+  ]);
+}
+
+/** What the engine is told of a question about a family, whose plan's own walk goes so far, m. @param {PlanFamily} family @param {Walk} walk @param {number} first @param {number} last */
+function limitsOf({ engine, margin, question, tolerance }, walk, first, last) {
+  const [x, y] = withArena(engine, (arena) =>
+    originOf(walk.placement(arena, [first], { throws: false })),
+  );
+  return row([
+    [SIZE_MEMORY.MARGIN, margin],
+    [SIZE_MEMORY.LEAST_OFF, SLACK],
+    [SIZE_MEMORY.WIDTH, WIDTH],
+    [SIZE_MEMORY.MOST, MOST_EVALUATIONS],
+    [SIZE_MEMORY.ORIGIN_X, x],
+    [SIZE_MEMORY.ORIGIN_Y, y],
+    [SIZE_MEMORY.BYTES, memory()],
+    [SIZE_MEMORY.SAFER, question.sense],
+    [SIZE_MEMORY.NARROW, Math.max(TOLERANCE, tolerance)],
+    [SIZE_MEMORY.BEGIN, first],
+    [SIZE_MEMORY.END, Math.max(first, last)],
+  ]);
+}
+
+/** A question about a size of a plan, open until it is freed. */
+export class SizeQuestion {
+  /**
+   * @param {PlanFamily} family the walks among which a size is sought
+   * @param {Progress} progress is told what is being tried
+   */
+  constructor(family, progress) {
+    this.engine = family.engine;
+    this.plans = family;
+    this.progress = progress;
+    /** Chains placed beside obstacles. */
+    this.marched = 0;
+    this.obstacles = family.plan.obstacles();
+    /** The last size that failed by an obstacle alone, m, and when a bench came as near as it may.
+     * @type {{ size: number, touch: Answer } | null} */
+    this.blocked = null;
+    this.handle = this.#opened(family);
+    this.arena = new Arena(this.engine);
+    this.state = this.arena.full([SIZE_BRACKET.STATE], 0);
+    this.doubtful = this.arena.array("d", SIZE_BRACKET.MOST_TRIALS + SIZE_BRACKET.MOST_GROWTHS);
+    this.meetings = this.arena.full([SIZE_SEARCH.MEETINGS, MEETING], SIZE_SEARCH.NOBODY);
+    this.figures = this.arena.full([SIZE_MEMORY.FIGURES], 0);
+  }
+
+  /** @param {PlanFamily} family */
+  #opened(family) {
+    const { walk, start, end } = family.walk(family.first);
+    const limits = limitsOf(family, walk, walk.headPosition(start), walk.headPosition(end));
+    const handle = withArena(this.engine, (arena) => {
+      const made = kernelFamily(arena, family, walk);
+      const [told, room] = [arena.vector(limits), arena.whole(beginnings())];
+      return this.#call("open_size", made.family, made.walk, told, room);
+    });
+    if (!handle) throw new NoMemory("no memory for a question");
+    return handle;
+  }
+
+  /** @param {string} entry @param {import("../engine.js").Argument[]} values */
+  #call(entry, ...values) {
+    return this.engine.call(`bd_size_question_${entry}`, ...values)[0];
+  }
+
+  /** Give all back. */
+  free() {
+    this.#call("close_size", this.handle);
+    this.arena.free();
+  }
+
+  /** A number of the state: a column of kernels/size_bracket.py. @param {number} column */
+  told(column) {
+    return doubles(this.state)[column];
+  }
+
+  /** @param {number} column of kernels/size_question.py */
+  #figure(column) {
+    return doubles(this.figures)[column];
+  }
+
+  /** Chains placed in searches of walks. */
+  get evaluations() {
+    return this.marched + this.#figure(SIZE_MEMORY.MARCHED);
+  }
+
+  /** The sizes that were tried and could not be decided, m. */
+  get doubts() {
+    return Array.from(doubles(this.doubtful).subarray(0, this.told(SIZE_BRACKET.DOUBTS)));
+  }
+
+  /** Whether such sizes lie in the bracket. */
+  get inDoubt() {
+    const [good, bad] = [this.told(SIZE_BRACKET.GOOD), this.told(SIZE_BRACKET.BAD)];
+    const [low, high] = [Math.min(good, bad), Math.max(good, bad)];
+    return this.doubts.some((size) => low < size && size < high);
+  }
+
+  /** The pair that decides, or was last gone by. @returns {Meeting | null} */
+  get guide() {
+    const at = MEETING * SIZE_SEARCH.GUIDE;
+    const [s, rest, i, j] = doubles(this.meetings).subarray(at, at + MEETING);
+    return i === SIZE_SEARCH.NOBODY ? null : { s, left: rest, i, j };
+  }
+
+  /** Seek the limit next to the first size that passes, from `size` on; how that ended. @param {number} size */
+  limit(size) {
+    return this.#sought(SIZE_SEARCH.GROW, size);
+  }
+
+  /**
+   * The last size that passes from one that does towards one that does not; whether the border is there.
+   * @param {number} good @param {number} bad
+   */
+  async border(good, bad) {
+    const ending = await this.#sought(SIZE_SEARCH.BORDER, bad, good);
+    const found = ending === SIZE_SEARCH.FOUND && !this.inDoubt;
+    return { size: this.told(SIZE_BRACKET.GOOD), found };
+  }
+
+  /** How the walk of a size goes: one that is too long to be searched is undecided too. @param {number} size */
+  async trial(size) {
+    await this.#sought(SIZE_QUESTION.ALONE, size);
+    return this.#figure(SIZE_MEMORY.RESULT);
+  }
+
+  /** Let the engine step until it has what is sought; how that ended. @param {number} stage @param {number} size @param {number} [good] */
+  async #sought(stage, size, good = NaN) {
+    const { handle, state, doubtful, meetings, figures } = this;
+    this.#call("seek_size", handle, stage, size, good);
+    for (let known = SIZE_QUESTION.UNKNOWN; ;) {
+      const ending = this.#call("step_size", handle, left(), known);
+      this.#call("read_size", handle, state, doubtful, meetings, figures);
+      spend(this.#figure(SIZE_MEMORY.SPENT));
+      if (ending === SIZE_QUESTION.OVER_MEMORY) hold(this.#figure(SIZE_MEMORY.WANTED));
+      if (ending === SIZE_QUESTION.OVER_MEMORY || ending === SIZE_QUESTION.OUT_OF_MEMORY)
+        throw new NoMemory("no memory for the tables of a question");
+      if (ending === SIZE_QUESTION.CLOSED) throw new TypeError("this question was closed");
+      await tick();
+      if (ending === SIZE_SEARCH.WALK) known = await this.#known(this.told(SIZE_BRACKET.NOW));
+      else if (ending !== WALK_SEARCH.MORE) return ending;
+    }
+  }
+
+  /** What is known of the walk of a size without the engine: that it fails, or nothing. @param {number} size */
+  async #known(size) {
+    this.progress(0, `${general(size, 9)} m`);
+    try {
+      return (await this.#isBlocked(size)) ? FAILS : SIZE_QUESTION.UNKNOWN;
+    } catch (error) {
+      if (error instanceof UnsureError) return UNDECIDED;
+      throw error;
+    }
+  }
+
+  /**
+   * Whether a bench comes nearer to an obstacle than it may in the walk of a size, or within rounding of
+   * that. Sizes over FAR times the plan's own, or below that share of it, are taken for blocked.
+   * @param {number} size
+   */
+  async #isBlocked(size) {
+    if (!this.obstacles.length) return false;
+    const times = size / this.plans.first;
+    if (!(1 / FAR <= times && times <= FAR)) return true;
+    try {
+      const { walk, start, end } = this.plans.walk(size);
+      for (const obstacle of this.obstacles) {
+        const found = await withArenaAsync(this.engine, async (arena) => {
+          const search = new ObstacleSearch(arena, walk, obstacle, start, end, silent);
+          const touches = await touching(search);
+          this.marched += search.evaluations;
+          return touches;
+        });
+        if (!found.length) continue;
+        this.blocked = { size, touch: found[found.length - 1] };
+        return true;
+      }
+    } catch (error) {
+      // There is no such walk, or benches cannot follow: the engine finds out.
+      if (![InputError, PlanError, WalkError].some((kind) => error instanceof kind)) throw error;
+    }
+    return false;
+  }
+
+  /** The size of a bracket that does not pass; beyond one within rounding of an obstacle. @param {number} good @param {number} bad */
+  async surelyBad(good, bad) {
+    for (let widening = 0; widening < MOST_WIDENINGS; widening++) {
+      const { blocked } = this;
+      if (blocked === null || blocked.size !== bad || blocked.touch.status === "found") return bad;
+      bad += 2 * (bad - good);
+      if ((await this.trial(bad)) !== FAILS) break;
+    }
+    throw new UnsureError(_("the bracket could not be established beside an obstacle"));
+  }
+}
