@@ -1,6 +1,7 @@
 """The module in Python: its memory, what breaks off, threads, and what it says of itself."""
 
 import mmap
+import os
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -136,6 +137,22 @@ def test_ctrl_c_ends_a_program_within_a_call_or_two() -> None:
     )
     assert done.stderr.splitlines()[-1] == "KeyboardInterrupt"
     assert done.returncode != 0
+
+
+LEFT = """
+import gc
+import benchdragon as bd
+bd.read_plan("spiral-in").build().motion([0.0])
+gc.freeze()  # what is left is cleared after Wasmtime's own modules
+"""
+
+
+def test_nothing_is_said_when_a_program_ends() -> None:
+    environment = {**os.environ, "BENCHDRAGON_ENGINE": "wasm"}
+    done = subprocess.run(
+        [sys.executable, "-c", LEFT], capture_output=True, text=True, check=False, env=environment
+    )
+    assert (done.returncode, done.stderr) == (0, "")
 
 
 def test_a_module_of_other_kernels_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:

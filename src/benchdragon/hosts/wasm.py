@@ -5,6 +5,7 @@ already (`Instance.array`). A memory of 32-bit addresses never moves here, as th
 start for all that it may ever hold. An instance serves one thread; each has its own.
 """
 
+import atexit
 import ctypes
 import functools
 import json
@@ -13,6 +14,7 @@ import threading
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple, TypeVar, cast
+from weakref import WeakSet
 
 import numpy as np
 import numpy.typing as npt
@@ -84,6 +86,13 @@ class Host:
     def __init__(self, code: bytes) -> None:
         self._code, self._lock, self._threads = code, threading.Lock(), threading.local()
         self._made: tuple[Any, Any] | None = None
+        self._instances = WeakSet[Instance]()
+        atexit.register(self._leave)
+
+    def _leave(self) -> None:
+        """Leave to the system what is Wasmtime's: Python would free it when Wasmtime is gone."""
+        for kept in (self._made, *self._instances):
+            ctypes.pythonapi.Py_IncRef(ctypes.py_object(kept))
 
     def bound(self, function: Function) -> Function:
         """The entry of the module that was built from `function`."""
@@ -107,6 +116,7 @@ class Host:
             with self._lock:
                 self._made = self._made or compiled.module(self._code)
             found = self._threads.instance = Instance(*self._made)
+            self._instances.add(found)
         return found
 
 
