@@ -68,7 +68,13 @@ def test_its_name_is_of_module_version_and_machine(monkeypatch: pytest.MonkeyPat
 
 
 @pytest.mark.parametrize(
-    "torn", [lambda data: data[:-100], lambda _data: b"", lambda data: b"\1" + data]
+    "torn",
+    [
+        lambda data: data[:-100],
+        lambda _data: b"",
+        lambda data: b"\1" + data,
+        lambda data: data[: len(data) // 2] + bytes(1000) + data[len(data) // 2 + 1000 :],
+    ],
 )
 def test_what_is_torn_is_thrown_away(home: Path, made: list[bytes], torn: Any) -> None:
     compiled.module(code())

@@ -55,7 +55,7 @@ def test_a_group_that_was_made_anew_is_read_anew(bound: Binder) -> None:
 
 
 def test_an_entry_may_return_nothing_or_one_number(bound: Binder) -> None:
-    out = np.ones(3)
+    out = np.full(3, 7.0)
     assert bound(follow)(out, np.zeros(3)) is None
     assert out.tolist() == [1.0, 1.0, 1.0]
     assert bound(half)(3.0) == 1.5
