@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -11,6 +12,7 @@ import pytest
 
 import benchdragon.analysis.check
 import benchdragon.cli.console
+import benchdragon.cli.doctor
 import benchdragon.model.placement
 import benchdragon.paper.reproduce
 import benchdragon.parallel
@@ -24,6 +26,7 @@ from benchdragon.model.answer import Answer
 from benchdragon.parallel import Place, threads
 from benchdragon.plans.routes import TurnRoute
 from benchdragon.plans.schema import Plan
+from benchdragon.progress import Progress, silent
 from benchdragon.solve.turn import BestTurn
 from benchdragon.solve.turn_trials import TurnGoal
 from benchdragon.sweeps.questions import Outcome as Asked
@@ -62,6 +65,8 @@ SWEEP = [*ROWS, "--vary", "route.pitch=1.2,1.3"]
 SAMPLE = [*ROWS, "--vary", "route.pitch=1.2:1.4", "--sample", "3"]
 TOUCHING = [*SWEEP, "--ask", "tolerance", "--draws", "2"]
 REFINED = [*SWEEP, "--ask", "clearance", "--refine", "4"]
+# Of its drawing something is passed over, which is told.
+PASSED = str(Path(__file__).parents[1] / "cases" / "field" / "F16.dragon.toml")
 SURVEY = ["survey", str(Path(__file__).parents[2] / "examples" / "11_drawn_walk.dragon.toml")]
 VIEW = ["view", "spiral-in", *SHORT, "-o", "dance.html"]
 PLANNER = ["planner", "spiral-in", *SHORT, "-o", "planner.html"]
@@ -288,8 +293,8 @@ CASES: dict[str, Case] = {
     **{
         f"{called(line)} --quiet": Case(line, ["--quiet"])
         for line in (
-            *(MOTION, CHECK, *SIZES.values(), SPEED, BEST, PLACE, SQUARE, MARGINS, SWEEP, VIEW, STILL),
-            *(AREA, TIMES, SURVEY, PROPOSED),
+            *(["motion", PASSED, "--at", "3"], CHECK, *SIZES.values(), SPEED, BEST, PLACE, SQUARE),
+            *(MARGINS, SWEEP, VIEW, STILL, AREA, ["timetable", PASSED], PROPOSED),
         )
     },
 }
@@ -321,7 +326,7 @@ ELSEWHERE |= {
     )
 }
 # Nothing is said on standard error, nor in a language, that could be left out.
-SILENT = {"plan --quiet", "formations --quiet", "schema --quiet", "doctor --quiet"}
+SILENT = {f"{verb} --quiet" for verb in ("plan", "formations", "schema", "doctor", "survey")}
 
 
 def placed(name: str, calls: list[str]) -> Callable[..., Place]:
@@ -358,6 +363,10 @@ def recorded(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
         return call
 
+    def told() -> AbstractContextManager[Progress]:
+        calls.append("progress")
+        return nullcontext(silent)
+
     def best(plan: Plan, goal: TurnGoal, **_options: Any) -> BestTurn:
         calls.append(repr(goal))
         assert isinstance(plan.route, TurnRoute)
@@ -368,8 +377,9 @@ def recorded(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     # A picture of the clearance is of few times: thousands take half a second.
     monkeypatch.setattr(benchdragon.analysis.check, "SAMPLES", 40)
     monkeypatch.setattr(benchdragon.analysis.check, "LAST_SAMPLES", 10)
-    # A machine so slow that its progress is told would say more once than again.
-    monkeypatch.setattr(benchdragon.cli.console, "LINE_EACH", 1e6)
+    # Progress is told after seconds that these never take: what counts is that it would be.
+    monkeypatch.setattr(benchdragon.cli.console, "Lines", told)
+    monkeypatch.setattr(benchdragon.cli.doctor, "seconds_a_handle", lambda: 5e-8)
     monkeypatch.setattr(benchdragon.model.placement, "ThreadPoolExecutor", pooled(ThreadPoolExecutor))
     for name in ("processes", "dask"):  # here in one thread, as if they were there
         monkeypatch.setattr(benchdragon.parallel, name, placed(name, calls))

@@ -40,6 +40,7 @@ from benchdragon.cli.options import (
     json_option,
     lang_option,
     plan_options,
+    plan_to_walk,
     refuse_strays,
     shared_options,
     workers_option,
@@ -196,9 +197,8 @@ def motion(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) ->
     """Answer on the screen, as JSON, or as files."""
     _refuse_strays(options)
     from benchdragon.export.tables import Selection
-    from benchdragon.plans.schema import read_plan
 
-    read = read_plan(plan, settings)
+    read = plan_to_walk(plan, settings, quiet)
     walk = read.build()
     times = _times(options, read, walk)
     handles = parse_handles(options["only"], len(walk.dragon))

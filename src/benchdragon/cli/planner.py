@@ -11,6 +11,7 @@ from benchdragon.cli.options import (
     FILE,
     WITHOUT,
     force_option,
+    plan_to_walk,
     refuse_strays,
     settings_option,
     shared_options,
@@ -41,7 +42,6 @@ def planner(
     """Write the planner, or open it."""
     from benchdragon.files import refuse_existing
     from benchdragon.planner.page import write_planner
-    from benchdragon.plans.schema import read_plan
 
     refuse_strays(
         ("settings", plan is not None, WITHOUT, "PLAN"),
@@ -49,7 +49,7 @@ def planner(
     )
     path = output or Path(tempfile.mkdtemp(prefix="benchdragon-")) / "planner.html"
     check_ending("-o", path, [".html"])
-    read = None if plan is None else read_plan(plan, settings)
+    read = None if plan is None else plan_to_walk(plan, settings, quiet)
     if read is not None:
         read.build()  # says what is wrong with a plan that nobody can walk
     refuse_existing([path], force)

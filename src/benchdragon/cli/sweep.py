@@ -16,6 +16,7 @@ from benchdragon.cli.options import (
     given_options,
     json_option,
     place_options,
+    plan_to_walk,
     refuse_strays,
     settings_option,
     shared_options,
@@ -26,6 +27,7 @@ from benchdragon.i18n import N_, _
 from benchdragon.number_format import finite_or_none
 
 if TYPE_CHECKING:
+    from benchdragon.plans.schema import Plan
     from benchdragon.sweeps.points import Points
     from benchdragon.sweeps.questions import RandomDances
     from benchdragon.sweeps.sweep import Design, Sweep
@@ -145,22 +147,20 @@ def _run(plan: str, settings: tuple[str, ...], quiet: bool, options: dict[str, A
     from benchdragon.parallel import place
     from benchdragon.sweeps.sweep import run
 
-    design = _design(plan, settings, options)
+    design = _design(plan_to_walk(plan, settings, quiet), options)
     with shown_progress(quiet) as progress:
         return run(design, place(options["on"], options["workers"]), options["output"], progress)
 
 
-def _design(plan: str, settings: tuple[str, ...], options: dict[str, Any]) -> "Design":
-    from benchdragon.plans.schema import read_plan
+def _design(plan: "Plan", options: dict[str, Any]) -> "Design":
     from benchdragon.sweeps.questions import questions
     from benchdragon.sweeps.refine import Refinement
     from benchdragon.sweeps.sweep import Design
 
-    read = read_plan(plan, settings)
     asked = questions(_asked(options))
     names = tuple(question.name for question in asked)
     refinement = Refinement(options["refine"] or 0, options["to"])
-    return Design(read, _points(options), names, _dances(options), refinement)
+    return Design(plan, _points(options), names, _dances(options), refinement)
 
 
 def _asked(options: dict[str, Any]) -> list[str]:

@@ -11,6 +11,7 @@ from benchdragon.cli.options import (
     force_option,
     output_option,
     plan_options,
+    plan_to_walk,
     shared_options,
     span_options,
 )
@@ -35,13 +36,12 @@ def view(plan: str, settings: tuple[str, ...], quiet: bool, **options: Any) -> i
     """Write the player."""
     from benchdragon.analysis.check import check
     from benchdragon.files import refuse_existing
-    from benchdragon.plans.schema import read_plan
     from benchdragon.player import scene
     from benchdragon.player.page import write_player
 
     path: Path = options["output"]
     check_ending("-o", path, [".html"])
-    read = read_plan(plan, settings)
+    read = plan_to_walk(plan, settings, quiet)
     refuse_existing([path], options["force"])
     first, last = parse_span(options)
     walk = read.build()
