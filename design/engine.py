@@ -43,7 +43,7 @@ def build(folder: str) -> None:
     from benchdragon.engine.build import link, machine_code
 
     optimise.prepare()
-    march = shims.entries()[MARCH]
+    march = shims.compiled_entries()[MARCH]
     host = llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten()
     levels = ((name, "") for name in ("x86-64", "x86-64-v3", "x86-64-v4"))
     for cpu, features in (*levels, host):
@@ -76,14 +76,14 @@ def seconds(job: Callable[[], object]) -> float:
 def show(folder: str) -> None:
     """Time and bits of each library, against those of v3."""
     from benchdragon.hosts import native
-    from benchdragon.kernels import jit
+    from benchdragon.kernels import entries
 
     arguments, out = task()
     wanted = type(out)(*(table.copy() for table in out))
-    march = native.bound(jit.ENTRIES[MARCH], ctypes.CDLL(str(Path(folder, "x86-64-v3.so"))))
+    march = native.bound(entries.ENTRIES[MARCH], ctypes.CDLL(str(Path(folder, "x86-64-v3.so"))))
     print("march of 224 handles x 301 times   time / v3's      numbers that differ   by at most, m")
     for path in sorted(Path(folder).glob("*.so"), key=lambda path: path.stat().st_mtime):
-        call = native.bound(jit.ENTRIES[MARCH], ctypes.CDLL(str(path)))
+        call = native.bound(entries.ENTRIES[MARCH], ctypes.CDLL(str(path)))
         job, rival = partial(call, *arguments, out), partial(march, *[*arguments, wanted])
         ratios = [seconds(job) / seconds(rival) for _run in range(RUNS)]
         apart = np.abs(np.array(out[2:4]) - np.array(wanted[2:4]))

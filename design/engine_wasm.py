@@ -42,7 +42,7 @@ def build(folder: str) -> None:
     from benchdragon.engine import optimise, shims, wasm
 
     optimise.prepare()
-    known = shims.entries()
+    known = shims.compiled_entries()
     entries = [known[f"benchdragon.kernels.{name}"] for name in ENTRIES]
     for name, features in FEATURES.items():
         module = wasm.module(entries, wasm.target_machine(features))
@@ -77,11 +77,11 @@ class Watch:
     def wrapper(self, name: str, served: Any) -> Callable[..., Any]:
         """What is called in place of an entry."""
         from benchdragon.hosts.signature import signature
-        from benchdragon.kernels import jit
+        from benchdragon.kernels import entries
 
         if name.removeprefix("benchdragon.kernels.") not in ENTRIES:
             return served  # type: ignore[no-any-return]
-        symbol = signature(jit.ENTRIES[name]).symbol
+        symbol = signature(entries.ENTRIES[name]).symbol
 
         def call(*values: Any) -> Any:
             for seconds in self.rounds:

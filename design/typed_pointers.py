@@ -25,7 +25,7 @@ WAYS = {"by value": "value", "by pointer": "pointer"}
 HEAD = """
 from typing import NamedTuple
 from benchdragon.kernels.arrays import Table
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.entries import kernel
 
 class Group(NamedTuple):
 """
@@ -49,10 +49,10 @@ def measure(way: str, folder: str) -> None:
     """Build the module of that folder, and print what that took; in a process of its own."""
     from benchdragon.engine import blocks, build, optimise, pieces, shims
     from benchdragon.hosts import built
-    from benchdragon.kernels import jit
+    from benchdragon.kernels import entries
 
     pieces.keep_pieces()
-    jit.compiler = shims.compiled
+    entries.compiler = shims.compiled
     if way == "value":
         for module in (blocks, shims):
             vars(module)["block_of"] = lambda _group: None

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from benchdragon.kernels.arrays import IntVector, Table, Vector
-from benchdragon.kernels.jit import allocates, kernel
+from benchdragon.kernels.entries import allocates, kernel
 
 
 class Rows(NamedTuple):

@@ -15,7 +15,7 @@ from benchdragon.analysis.distance import low_point, nearest_each, pair_distance
 from benchdragon.analysis.proof import prove_contact
 from benchdragon.analysis.speed import QUANTITIES, greatest_at, greatest_speed
 from benchdragon.analysis.swept import swept_area
-from benchdragon.kernels import jit
+from benchdragon.kernels import entries
 from benchdragon.kernels.chain import empty_placements
 from benchdragon.kernels.step_bounds import place_chain
 from benchdragon.model.curves import Arc, Clothoid, Line, Route, Spiral
@@ -32,7 +32,7 @@ MIXED = "benchdragon.kernels.grid"
 def wrap(wrapper: Callable[[str, Any], Callable[..., Any]]) -> None:
     """Let all modules but the kernels call what `wrapper` makes of each entry and its name."""
     calls: dict[int, Callable[..., Any]] = {}
-    for name in jit.ENTRIES:
+    for name in entries.ENTRIES:
         home, _, short = name.rpartition(".")
         served = getattr(sys.modules[home], short)
         calls[id(served)] = wrapper(name, served)

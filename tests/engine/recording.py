@@ -25,7 +25,7 @@ from benchdragon.hosts import built
 from benchdragon.hosts.arguments import DTYPES
 from benchdragon.hosts.serving import PLAIN, VARIABLE
 from benchdragon.hosts.signature import Parameter, signature
-from benchdragon.kernels import jit, peak, search
+from benchdragon.kernels import entries, peak, search
 from tests.engine.questions import questions, wrap
 
 PACKAGE = Path(wasm.__file__).parents[1]
@@ -137,7 +137,7 @@ class Difference:
 
 def compared(calls: list[dict[str, Any]], one: bytes, other: bytes) -> dict[str, Difference]:
     """How far two replays of calls came apart, by entry."""
-    shapes = {shape.symbol: shape for shape in map(signature, jit.ENTRIES.values())}
+    shapes = {shape.symbol: shape for shape in map(signature, entries.ENTRIES.values())}
     found: dict[str, Difference] = {}
     for call in calls:
         entry, results = call["entry"], call["results"]
@@ -161,7 +161,7 @@ def compared(calls: list[dict[str, Any]], one: bytes, other: bytes) -> dict[str,
 def all_replayed() -> set[str]:
     """The symbols of all entries whose calls can be done again one by one."""
     return {
-        signature(entry).symbol for name, entry in jit.ENTRIES.items() if not name.startswith(WHOLE)
+        signature(entry).symbol for name, entry in entries.ENTRIES.items() if not name.startswith(WHOLE)
     }
 
 
@@ -183,7 +183,7 @@ def recorded(folder: Path) -> Path:
 def again(folder: Path, bound: Callable[[Any], Any]) -> bytes:
     """The memory after the calls of a folder were done again by functions that `bound` makes."""
     memory = bytearray((folder / "before.bin").read_bytes())
-    functions = {signature(function).symbol: function for function in jit.ENTRIES.values()}
+    functions = {signature(function).symbol: function for function in entries.ENTRIES.values()}
     calls = {symbol: bound(function) for symbol, function in functions.items()}
     for call in json.loads((folder / "calls.json").read_text(encoding="utf-8")):
         symbol, results = call["entry"], call["results"]
@@ -234,7 +234,7 @@ def record(folder: Path) -> None:
     recording, kept = Recording(), Counter[str]()
 
     def kept_too(name: str, served: Any) -> Callable[..., Any]:
-        symbol = signature(jit.ENTRIES[name]).symbol
+        symbol = signature(entries.ENTRIES[name]).symbol
         if symbol not in all_replayed():
             return cast("Callable[..., Any]", served)
 

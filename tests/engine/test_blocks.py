@@ -16,9 +16,9 @@ import sys
 from pathlib import Path
 from benchdragon.engine import build, optimise, pieces, shims
 from benchdragon.hosts import built
-from benchdragon.kernels import jit
+from benchdragon.kernels import entries
 pieces.keep_pieces()
-jit.compiler = shims.compiled
+entries.compiler = shims.compiled
 from tests.engine import groups
 optimise.prepare()
 machine = optimise.target_machine(built.processor())

@@ -14,7 +14,7 @@ from benchdragon.engine import optimise, wasm
 from benchdragon.hosts import built, native
 from benchdragon.hosts.signature import signature
 from benchdragon.hosts.wasm import Host, sections, told
-from benchdragon.kernels import jit
+from benchdragon.kernels import entries
 from tests.engine.recording import (
     LOADER,
     MODULE,
@@ -54,8 +54,8 @@ def all_entries() -> dict[str, Any]:
     """What entries take, by their names in the module."""
     for path in built.KERNELS.glob("*.py"):
         importlib.import_module(f"benchdragon.kernels.{path.stem}")
-    found = wasm.table(map(signature, jit.ENTRIES.values()))
-    assert len(found) == len(jit.ENTRIES)
+    found = wasm.table(map(signature, entries.ENTRIES.values()))
+    assert len(found) == len(entries.ENTRIES)
     return found
 
 

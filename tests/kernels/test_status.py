@@ -5,7 +5,7 @@ import ast
 import pytest
 
 from benchdragon.hosts import built
-from benchdragon.kernels import jit
+from benchdragon.kernels import entries
 from benchdragon.kernels.status import Status
 
 
@@ -19,11 +19,11 @@ def double(x: float) -> float:
 
 
 def test_kernels_stay_plain_functions_but_where_they_are_built(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert jit.kernel(double) is double
-    monkeypatch.setattr(jit, "compiler", repr)
-    monkeypatch.setattr(jit, "ENTRIES", {})
-    assert [str(made(double)) for made in (jit.kernel, jit.entry)] == [repr(double)] * 2
-    assert list(jit.ENTRIES) == [f"{__name__}.double"]
+    assert entries.kernel(double) is double
+    monkeypatch.setattr(entries, "compiler", repr)
+    monkeypatch.setattr(entries, "ENTRIES", {})
+    assert [str(made(double)) for made in (entries.kernel, entries.entry)] == [repr(double)] * 2
+    assert list(entries.ENTRIES) == [f"{__name__}.double"]
 
 
 def test_who_makes_arrays_counts_references_to_them_and_keeps_them() -> None:

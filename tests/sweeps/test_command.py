@@ -32,7 +32,7 @@ def asked_again(line: str) -> Design:
         options = context.params
         plan, settings = options.pop("plan"), options.pop("settings")
         verb._refuse_strays(plan, options)
-        return verb._design(plan, settings, options)
+        return verb._design(read_plan(plan, settings), options)
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,7 @@ kernel that makes the group. What is read of it is loaded when it is read. numba
 of all arrays as arguments of each function, made most of the code (design/typed_pointers.py).
 
 Nothing writes into a group's slots once it is made, which LLVM is told. A kernel returns no group, as
-its stack ends with it, and makes none where arrays are counted (`jit.allocates`): slots count nothing.
+its stack ends with it, and makes none where arrays are counted (`allocates`): slots count nothing.
 """
 
 import inspect

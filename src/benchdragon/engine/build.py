@@ -85,7 +85,7 @@ def build(folder: Path) -> Path:
     path = folder / native.library_name()
     optimise.prepare()
     machine = optimise.target_machine(built.processor())
-    link(machine_code(shims.entries().values(), machine), path)
+    link(machine_code(shims.compiled_entries().values(), machine), path)
     for other in folder.glob(f"kernels-*-{sys.platform}-{built.processor()}.so"):
         if other != path:
             other.unlink()

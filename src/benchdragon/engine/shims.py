@@ -16,7 +16,7 @@ from benchdragon.engine.blocks import BYTES, block_of, viewer
 from benchdragon.engine.pieces import Piece, keep_pieces
 from benchdragon.hosts import built
 from benchdragon.hosts.signature import Parameter, Signature, signature
-from benchdragon.kernels import jit
+from benchdragon.kernels import entries
 
 compiler: Any = numba  # its annotations are partial
 kinds: Any = types
@@ -60,14 +60,14 @@ def compiled(function: Any) -> Any:
     return compiler.njit(_nrt=getattr(function, "allocates", False), **SETTINGS)(function)
 
 
-def entries() -> dict[str, Callable[..., object]]:
+def compiled_entries() -> dict[str, Callable[..., object]]:
     """All entries, for numba to compile, by module and name; the kernels must not be imported yet."""
     keep_pieces()
-    jit.compiler = compiled
+    entries.compiler = compiled
     for path in sorted(built.KERNELS.glob("*.py")):
         importlib.import_module(f"benchdragon.kernels.{path.stem}")
     importlib.import_module("benchdragon.engine.memory")  # numba is told of it
-    modules = {name: importlib.import_module(name.rpartition(".")[0]) for name in jit.ENTRIES}
+    modules = {name: importlib.import_module(name.rpartition(".")[0]) for name in entries.ENTRIES}
     return {name: getattr(module, name.rpartition(".")[2]) for name, module in modules.items()}
 
 

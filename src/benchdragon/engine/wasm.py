@@ -113,7 +113,7 @@ def build_module(folder: Path) -> Path:
     if importlib.util.find_spec("ziglang") is None:
         raise optimise.BuildError("the Python package ziglang is not here: `make wasm` installs it")
     optimise.prepare()
-    made = module(list(shims.entries().values()), target_machine())
+    made = module(list(shims.compiled_entries().values()), target_machine())
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / built.MODULE
     path.write_bytes(made)

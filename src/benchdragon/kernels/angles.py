@@ -2,7 +2,7 @@
 
 import math
 
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.entries import kernel
 
 MOST_ANGLE = 1.0e6  # rad; above it the reduction of angles loses digits
 # Nearest integer by adding and taking away 1.5 * 2^52; sound for |x| < 2^51.

@@ -9,7 +9,7 @@ import numpy as np
 
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.chain import Placements
-from benchdragon.kernels.jit import allocates, entry
+from benchdragon.kernels.entries import allocates, entry
 from benchdragon.kernels.regions import walks_on
 from benchdragon.kernels.route import locate
 from benchdragon.kernels.step_bounds import (

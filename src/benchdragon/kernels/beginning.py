@@ -38,7 +38,7 @@ from benchdragon.kernels.course import (
     place_block,
 )
 from benchdragon.kernels.curve import LENGTH, S_START, FloatArray
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.kinds import least_ways
 from benchdragon.kernels.links import link_of
 from benchdragon.kernels.regions import EDGE

@@ -28,7 +28,7 @@ from benchdragon.kernels.drive import (
     TURNING,
     most_of_handle,
 )
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.rate_rounding import Errors, bend_errors, errors_for, rate_errors
 from benchdragon.kernels.regions import EDGE
 from benchdragon.kernels.rounding import ratio_errors

@@ -10,7 +10,7 @@ import numpy as np
 
 from benchdragon.kernels.arrays import IntTable, IntVector, Table, Vector
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import allocates, entry, kernel
+from benchdragon.kernels.entries import allocates, entry, kernel
 from benchdragon.kernels.links import link_of
 from benchdragon.kernels.route import IntArray
 

@@ -9,8 +9,8 @@ from typing import NamedTuple
 from benchdragon.kernels.arrays import IntTable, IntVector, Table, Vector
 from benchdragon.kernels.box import BOX_COLUMNS, CX, CY
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.grid import Grid
-from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.route import IntArray
 
 # A box that is near another is cut into so many parts.

@@ -11,7 +11,7 @@ import numpy as np
 
 from benchdragon.kernels.arrays import IntTable, Table, Vector
 from benchdragon.kernels.curve import FloatArray, P, curvature, place
-from benchdragon.kernels.jit import allocates, entry, kernel
+from benchdragon.kernels.entries import allocates, entry, kernel
 from benchdragon.kernels.route import FOLD_COSINE, IntArray, folded, locate, next_handle
 from benchdragon.kernels.spiral import (
     GUESS,

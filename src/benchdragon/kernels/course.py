@@ -6,8 +6,8 @@ from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.cells import Grids, Ground, Kinds
 from benchdragon.kernels.chain import Placements, march
 from benchdragon.kernels.curve import S_START, FloatArray, length_at
+from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.grid import Grid
-from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import Search
 

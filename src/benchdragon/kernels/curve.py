@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from benchdragon.kernels.angles import sincos, sincos_of
 from benchdragon.kernels.arrays import Table
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.entries import entry, kernel
 
 FloatArray = npt.NDArray[np.float64]
 

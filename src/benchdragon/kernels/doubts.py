@@ -18,7 +18,7 @@ from benchdragon.kernels.course import (
     place_block,
 )
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import allocates, kernel
+from benchdragon.kernels.entries import allocates, kernel
 from benchdragon.kernels.links import link_of
 from benchdragon.kernels.near_cells import Sweeper, count_borders
 from benchdragon.kernels.regions import walks_on

@@ -12,7 +12,7 @@ import math
 
 from benchdragon.kernels.arrays import Table
 from benchdragon.kernels.curve import KIND, S_START, SPIRAL, U_END, U_START, FloatArray, P, walks_up
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.links import difference
 from benchdragon.kernels.rounding import HALF_UNIT
 from benchdragon.kernels.route import locate

@@ -13,7 +13,7 @@ import numpy as np
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.box import box_gap, centres, radii
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import allocates, entry, kernel
+from benchdragon.kernels.entries import allocates, entry, kernel
 from benchdragon.kernels.pair_bounds import face_bound
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import (

@@ -25,8 +25,8 @@ from benchdragon.kernels.cells import (
     want,
 )
 from benchdragon.kernels.curve import FloatArray, place
+from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.grid import Grid, gather
-from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.regions import EDGE
 from benchdragon.kernels.route import IntArray, locate
 

@@ -20,7 +20,7 @@ from benchdragon.kernels.curve import (
     FloatArray,
     spiral_length,
 )
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.links import link_of
 from benchdragon.kernels.low_points import head_where_tail
 from benchdragon.kernels.route import END_SLACK

@@ -7,7 +7,7 @@ import numpy as np
 
 from benchdragon.kernels.arrays import IntVector, Table, Vector
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.route import IntArray
 
 # Room for so many pairs a place is made at first, and for so many in all (64 MB); more are counted

@@ -4,7 +4,7 @@ import math
 
 from benchdragon.kernels.arrays import IntVector, Table
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.entries import entry, kernel
 
 # Kinds are boxed in at most so many groups; more would mean more pairs of boxes.
 GROUPS = 3

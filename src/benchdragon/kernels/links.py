@@ -2,7 +2,7 @@
 
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.entries import entry, kernel
 
 
 @kernel

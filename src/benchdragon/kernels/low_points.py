@@ -6,7 +6,7 @@ from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.box import box_distance, nearest_pair, set_box
 from benchdragon.kernels.chain import Placements, march
 from benchdragon.kernels.curve import LENGTH, S_START, FloatArray, length_at
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.status import Status
 
 # Head positions at which a pair's distance is taken, at first as many as there is room for, and how

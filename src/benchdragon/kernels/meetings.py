@@ -54,8 +54,8 @@ from benchdragon.kernels.course import (
 )
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.doubts import look_through
+from benchdragon.kernels.entries import allocates, kernel
 from benchdragon.kernels.grid import gather, put
-from benchdragon.kernels.jit import allocates, kernel
 from benchdragon.kernels.near_cells import Sweeper, boxes_near, extend
 from benchdragon.kernels.regions import EDGE, add_pair, first_behind
 from benchdragon.kernels.route import IntArray

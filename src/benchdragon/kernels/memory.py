@@ -18,7 +18,7 @@ import numpy.typing as npt
 
 from benchdragon.hosts.signature import Parameter, parameter
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.route import IntArray
 
 Group = TypeVar("Group", bound=tuple[Any, ...])

@@ -47,9 +47,9 @@ from benchdragon.kernels.cells import (
 )
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.exposure import add_cell, expose_behind, expose_new, may_meet
 from benchdragon.kernels.grid import Grid, gather, put
-from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.links import link_of
 from benchdragon.kernels.regions import sweep_cells
 from benchdragon.kernels.route import IntArray

@@ -40,8 +40,8 @@ from benchdragon.kernels.course import (
     Walk,
 )
 from benchdragon.kernels.curve import LENGTH, S_START
+from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.grid import Grid
-from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.memory import (
     ADDRESS,
     HEADER,

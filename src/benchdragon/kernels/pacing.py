@@ -24,7 +24,7 @@ from benchdragon.kernels.drive import (
     Scratch,
     bound_step,
 )
-from benchdragon.kernels.jit import allocates, entry, kernel
+from benchdragon.kernels.entries import allocates, entry, kernel
 
 # Columns of what bounds a handle over a step: w, the turning rate of the bench before it, g, curvature.
 FAST = 0

@@ -20,7 +20,7 @@ from benchdragon.kernels.box import (
     offset,
 )
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.step_bounds import (
     ANGULAR_ACCELERATION,
     POINT_ACCELERATION,

@@ -28,7 +28,7 @@ from benchdragon.kernels.drive import (
     greatest_in_slot,
     scratch_for,
 )
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.rate_rounding import Errors, bend_errors, errors_for, rate_errors, weigh_values
 from benchdragon.kernels.rounding import mark_lanes, ratio_errors
 from benchdragon.kernels.route import IntArray

@@ -19,7 +19,7 @@ from benchdragon.kernels.curve import (
     stretch,
     walks_up,
 )
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.route import FOLD_COSINE, locate
 from benchdragon.kernels.status import Status
 from benchdragon.kernels.step_bounds import (

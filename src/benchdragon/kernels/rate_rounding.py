@@ -25,7 +25,7 @@ from benchdragon.kernels.curve import (
     stretch,
 )
 from benchdragon.kernels.drive import ACROSS, ALONG, SPEEDS, TURNING, jump_beside
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.rounding import ABOUT, HALF_UNIT, angle_error, link_error, place_error
 from benchdragon.kernels.step_bounds import bench_angles
 

@@ -22,7 +22,7 @@ from benchdragon.kernels.box import (
 )
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.curve import U_END, U_START, FloatArray, place, turning_bound
-from benchdragon.kernels.jit import allocates, kernel
+from benchdragon.kernels.entries import allocates, kernel
 from benchdragon.kernels.route import IntArray, step_back
 from benchdragon.kernels.status import Status
 from benchdragon.kernels.step_bounds import (

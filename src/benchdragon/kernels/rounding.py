@@ -35,7 +35,7 @@ from benchdragon.kernels.curve import (
     stretch,
 )
 from benchdragon.kernels.drive import jump_beside
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.route import on_bend
 from benchdragon.kernels.spiral import takes_link
 from benchdragon.kernels.step_bounds import bench_angles, reach

@@ -25,7 +25,7 @@ from benchdragon.kernels.curve import (
     turning_bound,
     walks_up,
 )
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.status import Status
 
 IntArray = npt.NDArray[np.int64]

@@ -35,7 +35,7 @@ from benchdragon.kernels.curve import (
     length_at,
     place,
 )
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.route import locate
 
 PART_KIND = 0  # as KIND of a row

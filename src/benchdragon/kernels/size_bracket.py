@@ -6,7 +6,7 @@ Nothing here walks. Trials say whether a value passes, and roots, near which val
 import math
 
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.entries import kernel
 
 # How a trial ended.
 PASSES, FAILS, UNDECIDED = 0, 1, 2

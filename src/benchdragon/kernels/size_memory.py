@@ -7,8 +7,8 @@ from benchdragon.kernels.box import BOX_COLUMNS
 from benchdragon.kernels.chain import Placements
 from benchdragon.kernels.course import TALLY, Room, Walk
 from benchdragon.kernels.curve import COLUMNS, FloatArray
+from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.family import Family
-from benchdragon.kernels.jit import kernel
 from benchdragon.kernels.memory import (
     ADDRESS,
     HEADER,

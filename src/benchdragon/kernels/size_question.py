@@ -13,8 +13,8 @@ from benchdragon.kernels.box import nearest_pair
 from benchdragon.kernels.course import AT as WALKED
 from benchdragon.kernels.course import PLACED, SOUND, Walk
 from benchdragon.kernels.curve import LENGTH, S_START
+from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.family import FIXED, ROUTE, Family, falls_soon, set_walk
-from benchdragon.kernels.jit import entry, kernel
 from benchdragon.kernels.low_points import MOST_SAMPLED, SHRINKS, low_pair, low_point
 from benchdragon.kernels.memory import (
     HEADER,

@@ -10,7 +10,7 @@ import math
 
 from benchdragon.kernels.arrays import Table, Vector
 from benchdragon.kernels.curve import FloatArray
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.size_bracket import (
     AT,
     BAD,

@@ -26,7 +26,7 @@ from benchdragon.kernels.curve import (
     Y,
     walks_up,
 )
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.entries import kernel
 
 # The lanes take only steps for which design/spiral_step.py proves that F' > 0 up to the root, so that
 # the root is the first: the front angle at least this, rad, and links no longer than so many radii.

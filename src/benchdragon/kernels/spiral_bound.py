@@ -23,7 +23,7 @@ from benchdragon.kernels.curve import (
     P,
     length_at,
 )
-from benchdragon.kernels.jit import kernel
+from benchdragon.kernels.entries import kernel
 from benchdragon.kernels.links import link_of
 from benchdragon.kernels.regions import SQUARE
 from benchdragon.kernels.route import IntArray

@@ -25,7 +25,7 @@ from benchdragon.kernels.box import (
 )
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.doubts import UNIT, finest
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.regions import EDGE, walks_on
 from benchdragon.kernels.search import (
     CLEAR,

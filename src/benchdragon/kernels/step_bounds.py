@@ -20,7 +20,7 @@ from benchdragon.kernels.curve import (
     stretch,
     turning_bound,
 )
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.links import link_of
 from benchdragon.kernels.route import FOLD_COSINE
 from benchdragon.kernels.status import Status

@@ -21,7 +21,7 @@ from benchdragon.kernels.curve import (
     spiral_angle,
     spiral_length,
 )
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.route_parts import (
     FIRST,
     HAND,

@@ -18,7 +18,7 @@ from benchdragon.kernels.course import (
 )
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.doubts import UNIT
-from benchdragon.kernels.jit import entry, kernel
+from benchdragon.kernels.entries import entry, kernel
 from benchdragon.kernels.meetings import (
     DONE,
     LONG_STRIDE,
