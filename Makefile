@@ -7,7 +7,7 @@ PAGES := 'src/benchdragon/web/*.js' '!src/benchdragon/web/carried*.js' 'src/benc
 NPM := $(shell command -v npm 2>/dev/null)
 # Two dances whose numbers are recorded: the same on every engine.
 RECORDED := tests/model/test_walk.py::test_a_built_in_dance_is_the_recorded_one_with_any_number_of_workers
-KERNELS := $(wildcard src/benchdragon/kernels/*.py tests/kernels/*.py tests/conftest.py tests/model/test_walk.py)
+KERNELS := $(wildcard src/benchdragon/kernels/*.py tests/kernels/*.py tests/conftest.py tests/plain.txt tests/model/test_walk.py tests/solve/test_size_question.py)
 # One process more than cores: tests wait for browsers.
 WORKERS := $(shell expr $$(getconf _NPROCESSORS_ONLN) + 1)
 # The kernels are built on one core while the other does what has no need of them; types are checked beside
@@ -84,7 +84,7 @@ pages: $(if $(NPM),node_modules/installed)
 # The kernels' own tests run once for each state of kernels and tests: as plain Python, each line of which
 # can be counted, then by the library and by engine.wasm.
 .venv/kernels-plain: .venv/installed $(KERNELS)
-	BENCHDRAGON_ENGINE=plain $(BIN)/python -m pytest -q -n auto -m 'not compiled' tests/kernels $(RECORDED) --cov --cov-report=term-missing --cov-fail-under=95
+	BENCHDRAGON_ENGINE=plain $(BIN)/python -m pytest -q -n auto -m 'not compiled' tests/kernels $(RECORDED) @tests/plain.txt --cov --cov-report=term-missing --cov-fail-under=95
 	touch $@
 
 .venv/kernels-compiled: .venv/kernels-plain .venv/engine

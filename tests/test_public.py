@@ -268,6 +268,7 @@ def test_the_source_archive_holds_all_that_tests_read(tmp_path: Path) -> None:
         "requirements-wasm.lock",
         "requirements.lock",
         "tests/long.txt",
+        "tests/plain.txt",
         "tests/quick.txt",
         "tsconfig.json",
     }

@@ -10,8 +10,9 @@ import pytest
 import benchdragon
 
 ROOT = Path(__file__).parent.parent
-QUICK, LONG = (
-    (ROOT / "tests" / name).read_text("utf-8").splitlines() for name in ("quick.txt", "long.txt")
+QUICK, LONG, PLAIN = (
+    (ROOT / "tests" / f"{name}.txt").read_text("utf-8").splitlines()
+    for name in ("quick", "long", "plain")
 )
 ROOMS = {path.parent.name for path in Path(benchdragon.__file__).parent.glob("*/__init__.py")}
 
@@ -28,7 +29,7 @@ def test_every_room_has_a_quick_test() -> None:
     assert len(ROOMS) > 10
 
 
-@pytest.mark.parametrize("line", [*QUICK, *LONG])
+@pytest.mark.parametrize("line", [*QUICK, *LONG, *PLAIN])
 def test_every_test_of_a_list_is_there(line: str) -> None:
     file, _colons, name = line.partition("::")
     function = re.escape(name.partition("[")[0])

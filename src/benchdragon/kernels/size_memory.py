@@ -78,7 +78,7 @@ ROWS_MEMORY, OWN_MEMORY = 0, 3
 
 
 class Sought(NamedTuple):
-    """A search for a size; what stands from `at` to `off` is scratch, of all benches."""
+    """A search for a size; what stands from `at` to `bench_off` is scratch, of all benches."""
 
     walk: Walk
     seams: Table  # (rows, SEAM_COLUMNS)
@@ -87,12 +87,12 @@ class Sought(NamedTuple):
     sizes: IntVector  # of the room
     beginnings: IntVector  # likewise: see own_room
     at: Vector
-    places: Placements
+    placed: Placements
     still: Placements  # of one slot
     boxes: Table
     lanes: Vector
     errors: Vector
-    off: Vector
+    bench_off: Vector
     limits: Vector
     figures: Vector
     state: Vector

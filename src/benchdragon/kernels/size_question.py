@@ -220,7 +220,7 @@ def walk_of(block: int, size: float) -> tuple[int, float, float]:
         sought = group_at(Sought, block + BASE)
         slots[WALK_SLOT + 1] = sought.sizes[ROUTE_ROWS]
         sought = group_at(Sought, block + BASE)
-        count, first, last = set_walk(sought.family, sought.walk, sought.at, sought.places, size)
+        count, first, last = set_walk(sought.family, sought.walk, sought.at, sought.placed, size)
         if count >= 0:
             break
         if not make_route(slots, -count) or not make_searches(block):
@@ -250,7 +250,7 @@ def hint(block: int) -> float:
     if count == 0 or not 3 <= walk.benches.kind.shape[0] <= MOST_SAMPLED:
         return math.inf
     least, s, i, j = low_pair(
-        walk.rows, walk.benches.links, walk.benches.sizes, first, last, sought.at, sought.places,
+        walk.rows, walk.benches.links, walk.benches.sizes, first, last, sought.at, sought.placed,
         sought.boxes,
     )  # fmt: skip
     m[GUIDE, MEET_S], m[GUIDE, MEET_LEFT], m[GUIDE, MEET_FRONT], m[GUIDE, MEET_REAR] = s, last - s, i, j
@@ -276,7 +276,7 @@ def distance(block: int) -> float:
         middle = at if n == 0 else other
         apart, s = low_point(
             sought.walk.rows, benches.links, benches.sizes, i, j, max(first, middle - near),
-            min(last, middle + near), SHRINKS, sought.at, sought.places, sought.boxes,
+            min(last, middle + near), SHRINKS, sought.at, sought.placed, sought.boxes,
         )  # fmt: skip
         if apart < least or (apart == least and s < where):
             least, where = apart, s
@@ -302,7 +302,7 @@ def failed_at(sought: Sought, s: float, left: float, i: int, j: int) -> int:
 @kernel
 def standing(sought: Sought, s: float) -> int:
     """How a dragon passes that stands still with its head at s, m, where `at` says."""
-    walk, off, limits = sought.walk, sought.off, sought.limits
+    walk, off, limits = sought.walk, sought.bench_off, sought.limits
     links, sizes, still = walk.benches.links, walk.benches.sizes, sought.still
     place_chain(walk.rows, links, sought.at, 0, 1, still)
     apart, _time, i, j = nearest_pair(sizes, still.x, still.y)
@@ -339,7 +339,7 @@ def begun(block: int) -> int:
     sought = group_at(Sought, block + BASE)
     walk, limits, figures = sought.walk, sought.limits, sought.figures
     sought.at[0] = first
-    if count == 0 or not place_chain(walk.rows, walk.benches.links, sought.at, 0, 1, sought.places):
+    if count == 0 or not place_chain(walk.rows, walk.benches.links, sought.at, 0, 1, sought.placed):
         return failed_alone(sought)
     if first == last:
         return standing(sought, first)
@@ -388,7 +388,7 @@ def judged(sought: Sought, ending: int) -> int:
     if ending in (ASTRAY, FALLEN):
         way = sought.room.course.way
         sound = note[LOWER] if ending == FALLEN else min(way[WALKED], way[SOUND])
-        falls = falls_soon(rows, walk.benches.links, sound, sought.at, sought.places)
+        falls = falls_soon(rows, walk.benches.links, sound, sought.at, sought.placed)
         return failed_alone(sought) if falls else UNDECIDED
     pair, benches, s = int(note[PAIR]), walk.benches.kind.shape[0], note[UPPER]
     return failed_at(sought, s, last - s, pair // benches, pair % benches)
