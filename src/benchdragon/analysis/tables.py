@@ -20,6 +20,7 @@ from benchdragon.kernels.course import Benches, Block, Course, Crowd, Meeting, R
 from benchdragon.kernels.curve import LENGTH, S_START, FloatArray
 from benchdragon.kernels.grid import empty_grid
 from benchdragon.kernels.kinds import find_kinds
+from benchdragon.kernels.own_room import WIDER
 from benchdragon.kernels.rounding import SEAM_COLUMNS
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.spiral import LANES
@@ -36,8 +37,6 @@ PLACES = 1_000_000
 # many in all; for so many pairs in a step, members of it, cells in doubt. Each is widened on demand.
 A_CELL, AT_FIRST = 64, 1_000_000
 PAIRS, MEMBERS, DOUBTS = 1_000, 256, 64
-# Rooms that turn out too small become so many times as wide as is wanted.
-WIDER = 2
 
 
 def kinds_of(sizes: FloatArray) -> tuple[IntArray, Kinds]:

@@ -764,7 +764,6 @@ export const ANALYSIS_TABLES = {
   PAIRS: 1000,
   MEMBERS: 256,
   DOUBTS: 64,
-  WIDER: 2,
 };
 
 export const ANALYSIS_UNFINISHED = {

@@ -10,6 +10,7 @@ import {
   CELLS,
   COURSE,
   CURVE,
+  OWN_ROOM,
   ROUNDING,
   SEARCH,
   SPIRAL,
@@ -24,8 +25,8 @@ import { InputError, UnsureError } from "./errors.js";
 /** @typedef {{ sizes: Numbers, group: Numbers }} Kinds */
 /** @typedef {ReturnType<typeof walkTables>} WalkTables */
 
-const { MOST_SIZES, MOST_CELLS, PLACES, A_CELL, AT_FIRST, PAIRS, MEMBERS, DOUBTS, WIDER } =
-  ANALYSIS_TABLES;
+const { MOST_SIZES, MOST_CELLS, PLACES, A_CELL, AT_FIRST, PAIRS, MEMBERS, DOUBTS } = ANALYSIS_TABLES;
+const { WIDER } = OWN_ROOM;
 const { BOX_WORK, PARTNER_WORK } = WALK_SEARCH;
 
 /** A whole number of a list. @param {Numbers} list @param {number} n */
