@@ -35,7 +35,7 @@ HERE = Path(__file__).parent
 CODES = {dtype: code for code, dtype in DTYPES.items()}
 # Questions under way are known to their engine alone, by handles: what they answer is compared whole
 # (tests/solve/test_size_question.py), not call by call.
-WHOLE = "benchdragon.kernels.memory.", "benchdragon.kernels.size_question."
+WHOLE = tuple(f"benchdragon.kernels.{name}." for name in ("memory", "question", "size_question"))
 # Of each entry so many calls are kept, of which none takes more bytes than this.
 CALLS, BYTES = 12, 4_000_000
 

@@ -2,13 +2,17 @@
 
 import pytest
 
-from benchdragon.kernels import size_question
+from benchdragon.kernels import question, size_question
 
-ENTRIES = "open_size", "close_size", "seek_size", "read_size", "step_size"
+ENTRIES = {
+    question: ["close_question"],
+    size_question: ["open_size", "seek_size", "read_size", "step_size"],
+}
 
 
 def in_python(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let plain Python answer the question, by the engine's other entries."""
-    for name in ENTRIES:
-        entry = getattr(size_question, name)
-        monkeypatch.setattr(size_question, name, getattr(entry, "__wrapped__", entry))
+    for module, names in ENTRIES.items():
+        for name in names:
+            entry = getattr(module, name)
+            monkeypatch.setattr(module, name, getattr(entry, "__wrapped__", entry))

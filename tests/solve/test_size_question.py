@@ -19,6 +19,7 @@ from benchdragon.kernels import memory, own_room, size_memory
 from benchdragon.kernels import size_question as kernel
 from benchdragon.kernels.curve import X, Y
 from benchdragon.kernels.memory import held
+from benchdragon.kernels.question import CLOSED, close_question
 from benchdragon.kernels.size_bracket import FAILS, PASSES, TRIALS, UNDECIDED, VALUE
 from benchdragon.kernels.size_search import FAILED, GROW, MEET_FRONT, NOBODY
 from benchdragon.plans.schema import Plan, read_plan
@@ -229,13 +230,13 @@ def test_a_question_that_is_closed_answers_no_more() -> None:
     ):
         handle = search._handle
         assert handle != other._handle
-        assert kernel.close_size(handle)
+        assert close_question(handle)
         for stale in (handle, 0, -1, 10**9 * handle + 7):
-            assert not kernel.close_size(stale)
+            assert not close_question(stale)
             assert not kernel.seek_size(stale, GROW, 0.3, 0.0)
-            assert kernel.step_size(stale, math.inf, kernel.UNKNOWN) == kernel.CLOSED
+            assert kernel.step_size(stale, math.inf, kernel.UNKNOWN) == CLOSED
         assert other.trial(1.5) == PASSES  # it is another's, still
-        assert kernel.step_size(other._handle, math.inf, kernel.UNKNOWN) == kernel.CLOSED
+        assert kernel.step_size(other._handle, math.inf, kernel.UNKNOWN) == CLOSED
         with pytest.raises(ValueError, match="closed"):
             search.trial(1.5)
 
@@ -306,6 +307,7 @@ def test_pairs_of_a_step_stay_known_when_room_is_made(monkeypatch: pytest.Monkey
 WASM = """
 import sys
 from benchdragon.kernels.memory import held
+from benchdragon.kernels.question import CLOSED, close_question
 from benchdragon.plans.schema import read_plan
 from benchdragon.solve.size import limit
 found = limit(read_plan("spiral-in", sys.argv[1:]), "width")

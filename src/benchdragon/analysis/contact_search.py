@@ -25,8 +25,9 @@ from benchdragon.kernels import cells, course
 from benchdragon.kernels import search as kernel
 from benchdragon.kernels.curve import FloatArray
 from benchdragon.kernels.family import UNKNOWN
+from benchdragon.kernels.question import MORE
 from benchdragon.kernels.route import END_SLACK, IntArray
-from benchdragon.kernels.walk_search import ASTRAY, CALL, CROWDED, MORE, SEARCHED, SEEK, search_walk
+from benchdragon.kernels.walk_search import ASTRAY, CALL, CROWDED, SEARCHED, SEEK, search_walk
 from benchdragon.model.answer import Answer, Status, Witness
 from benchdragon.model.base_curve import Point
 from benchdragon.model.placement import Placement

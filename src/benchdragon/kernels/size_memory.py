@@ -38,6 +38,7 @@ from benchdragon.kernels.own_room import (
     size_room,
     square_side,
 )
+from benchdragon.kernels.question import TOLD
 from benchdragon.kernels.rounding import SEAM_COLUMNS
 from benchdragon.kernels.route import IntArray
 from benchdragon.kernels.search import NOTES
@@ -58,10 +59,8 @@ NARROW = 8  # how wide the bracket may be, m
 BEGIN = 9  # where the head of the plan's own walk begins and ends, m
 END = 10
 LIMITS = 11
-# What is told of it, a row of floats.
-MARCHED = 0  # chains, in searches of walks
-SPENT = 1  # in the step before, in handles placed
-WANTED = 2  # bytes, where tables would take more than they may
+# What is told of it, a row of floats that begins as kernels/question.py says.
+MARCHED = TOLD  # chains, in searches of walks
 RESULT = 3  # of the last trial: PASSES, FAILS or UNDECIDED
 DOING = 4
 ONE = 5  # 1 if but one trial is wanted

@@ -1,8 +1,8 @@
 """How small or large one size of a plan may be, as a question: `open, seek, step, rows, close`.
 
 All of the search lies in a block of the engine's own memory, which a handle stands for. A host opens
-the question with the numbers of a plan, says what is sought, and steps until it is found. A step takes
-some hundredths of a second. Before each size is tried it ends with WALK: the host may answer what it
+the question with the numbers of a plan, says what is sought, and steps until it is found, as
+kernels/question.py says. Before each size is tried a step ends with WALK: the host may answer what it
 knows of that walk by itself, as of obstacles, or UNKNOWN.
 """
 
@@ -21,7 +21,6 @@ from benchdragon.kernels.memory import (
     OWNED,
     copy_row,
     copy_table,
-    forget,
     group_at,
     integers_at,
     new_block,
@@ -41,6 +40,14 @@ from benchdragon.kernels.own_room import (
     ground_bytes,
     group_count,
     widen_room,
+)
+from benchdragon.kernels.question import (
+    CLOSED,
+    MORE,
+    OUT_OF_MEMORY,
+    OVER_MEMORY,
+    SPENT,
+    WANTED,
 )
 from benchdragon.kernels.regions import MOST_OFF
 from benchdragon.kernels.rounding import bench_errors, find_seams
@@ -87,10 +94,8 @@ from benchdragon.kernels.size_memory import (
     SAFER,
     SEARCHING,
     SEEKING,
-    SPENT,
     WAITING,
     WALK_SLOT,
-    WANTED,
     WIDTH,
     Sought,
     clear,
@@ -120,7 +125,6 @@ from benchdragon.kernels.walk_search import (
     ASTRAY,
     CALL,
     CROWDED,
-    MORE,
     SEARCHED,
     search_walk,
     work_done,
@@ -128,11 +132,8 @@ from benchdragon.kernels.walk_search import (
 
 # What may be sought besides GROW and BORDER of size_search: how the walk of one size goes.
 ALONE = 3
-# How a step ends, besides WALK and the endings of size_search, and MORE of walk_search.
+# How a step ends, besides WALK and the endings of size_search, and those of kernels/question.py.
 TRIED_ALONE = 7
-OVER_MEMORY = 9  # WANTED says how much it would take
-OUT_OF_MEMORY = 10
-CLOSED = 11  # there is no such question, or nothing is sought
 # What a host answers to WALK, besides how the walk goes.
 UNKNOWN = -1
 # How a walk stands that is to be searched on.
@@ -163,16 +164,6 @@ def open_size(family: Family, walk: Walk, limits: Vector, beginnings: IntVector)
 
 
 @entry
-def close_size(handle: int) -> bool:
-    """Give a question back; False if there is no such question, or not any more."""
-    block = forget(handle)
-    if block == 0:
-        return False
-    release_block(block)
-    return True
-
-
-@entry
 def seek_size(handle: int, stage: int, size: float, good: float) -> bool:
     """Seek, from the next step on, GROW from a size, BORDER between it and a good one, or ALONE.
 
@@ -199,7 +190,7 @@ def seek_size(handle: int, stage: int, size: float, good: float) -> bool:
 
 
 @entry
-def read_size(handle: int, state: Vector, doubts: Vector, meetings: Table, figures: Vector) -> bool:
+def read_size(handle: int, figures: Vector, state: Vector, doubts: Vector, meetings: Table) -> bool:
     """Fill arrays of a host's with what is known; False if there is no such question."""
     block = recall(handle)
     if block == 0:

@@ -28,6 +28,7 @@ from benchdragon.kernels.meetings import (
     WAIT,
     next_step,
 )
+from benchdragon.kernels.question import MORE
 from benchdragon.kernels.search import (
     CLEAR,
     EVALUATIONS,
@@ -45,8 +46,7 @@ from benchdragon.kernels.search import (
     open_step,
 )
 
-# How a call ended, besides the ways of kernels/search.py. CLEAR is that of the whole walk.
-MORE = 8  # to be called again
+# How a call ended, besides MORE and the ways of kernels/search.py. CLEAR is that of the whole walk.
 CROWDED = 9  # likewise, with the room that its counts say
 ASTRAY = 10  # it cannot be shown that all benches follow past SOUND
 # What a call may be after, besides the goals of kernels/search.py.

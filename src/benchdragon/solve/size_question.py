@@ -4,16 +4,13 @@ What is known of obstacles is answered here: they are looked at size by size, as
 """
 
 import math
-import threading
-import weakref
-from types import TracebackType
-from typing import Self
 
 import numpy as np
 
 from benchdragon import budget
 from benchdragon.analysis import tables
 from benchdragon.analysis.contact_search import MOST_EVALUATIONS, SLACK, WIDTH
+from benchdragon.analysis.engine_question import EngineQuestion
 from benchdragon.analysis.nearby import origin_of
 from benchdragon.analysis.obstacle_search import ObstacleSearch
 from benchdragon.analysis.obstacles import touching
@@ -21,12 +18,12 @@ from benchdragon.errors import InputError, UnsureError, WalkError
 from benchdragon.i18n import _
 from benchdragon.kernels import own_room
 from benchdragon.kernels import size_bracket as bracket
-from benchdragon.kernels import size_memory as told
+from benchdragon.kernels import size_memory as told_of
 from benchdragon.kernels import size_question as kernel
 from benchdragon.kernels import size_search as search
 from benchdragon.kernels.curve import FloatArray
+from benchdragon.kernels.question import MORE
 from benchdragon.kernels.route import IntArray
-from benchdragon.kernels.walk_search import MORE
 from benchdragon.model.answer import Answer
 from benchdragon.model.walk import Walk
 from benchdragon.plans.toml import PlanError
@@ -58,28 +55,22 @@ def limits_of(family: PlanFamily, walk: Walk, first: float, last: float) -> Floa
     placed = walk.placement(first, throw=False)
     x, y = origin_of(placed.x, placed.y)
     named = {
-        told.MARGIN: family.margin,
-        told.LEAST_OFF: SLACK,
-        told.WIDTH: WIDTH,
-        told.MOST: MOST_EVALUATIONS,
-        told.ORIGIN_X: x,
-        told.ORIGIN_Y: y,
-        told.BYTES: budget.memory(),
-        told.SAFER: family.question.sense,
-        told.NARROW: max(TOLERANCE, family.tolerance),
-        told.BEGIN: first,
-        told.END: max(first, last),
+        told_of.MARGIN: family.margin,
+        told_of.LEAST_OFF: SLACK,
+        told_of.WIDTH: WIDTH,
+        told_of.MOST: MOST_EVALUATIONS,
+        told_of.ORIGIN_X: x,
+        told_of.ORIGIN_Y: y,
+        told_of.BYTES: budget.memory(),
+        told_of.SAFER: family.question.sense,
+        told_of.NARROW: max(TOLERANCE, family.tolerance),
+        told_of.BEGIN: first,
+        told_of.END: max(first, last),
     }
-    return np.array([named[n] for n in range(told.LIMITS)])
+    return np.array([named[n] for n in range(told_of.LIMITS)])
 
 
-def _closed(handle: int, thread: int) -> None:
-    """Close a question, which no other thread than that it was opened in may know."""
-    if threading.get_ident() == thread:
-        kernel.close_size(handle)
-
-
-class SizeQuestion:
+class SizeQuestion(EngineQuestion):
     """A question about a size of a plan, open until it is closed, as by `with`.
 
     Args:
@@ -99,30 +90,16 @@ class SizeQuestion:
         self.state = np.zeros(bracket.STATE)
         self._doubts = np.empty(bracket.MOST_TRIALS + bracket.MOST_GROWTHS)
         self._meetings = np.full((search.MEETINGS, 4), search.NOBODY)
-        self._figures = np.zeros(told.FIGURES)
         walk, start, end = family.walk(family.first)
         limits = limits_of(family, walk, *walk.head_position([start, end]).tolist())
-        self._handle = kernel.open_size(*kernel_family(family, walk), limits, beginnings())
-        if not self._handle:
-            raise MemoryError
-        self._close = weakref.finalize(self, _closed, self._handle, threading.get_ident())
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
-
-    def close(self) -> None:
-        """Give back what the engine holds for it; what was found stays."""
-        self._close()
+        handle = kernel.open_size(*kernel_family(family, walk), limits, beginnings())
+        told = np.zeros(told_of.FIGURES), self.state, self._doubts, self._meetings
+        super().__init__(handle, kernel.step_size, kernel.read_size, *told)
 
     @property
     def evaluations(self) -> int:
         """Chains placed in searches of walks."""
-        return self._marched + int(self._figures[told.MARCHED])
+        return self._marched + int(self.figures[told_of.MARCHED])
 
     @property
     def doubts(self) -> list[float]:
@@ -160,23 +137,15 @@ class SizeQuestion:
         One that is too long to be searched is undecided too.
         """
         self._sought(kernel.ALONE, size)
-        return int(self._figures[told.RESULT])
+        return int(self.figures[told_of.RESULT])
 
     def _sought(self, stage: int, size: float, good: float = math.nan) -> int:
         """Let the engine step until it has what is sought; how that ended."""
         kernel.seek_size(self._handle, stage, size, good)
         ending, known = MORE, kernel.UNKNOWN
         while ending in (MORE, search.WALK):
-            ending = kernel.step_size(self._handle, budget.left(), known)
-            kernel.read_size(self._handle, self.state, self._doubts, self._meetings, self._figures)
-            budget.spend(self._figures[told.SPENT])
+            ending = self.step(known)
             known = self.known(float(self.state[bracket.NOW])) if ending == search.WALK else known
-        if ending == kernel.OVER_MEMORY:
-            budget.hold(self._figures[told.WANTED])
-        if ending in (kernel.OVER_MEMORY, kernel.OUT_OF_MEMORY):
-            raise MemoryError
-        if ending == kernel.CLOSED:
-            raise ValueError("this question was closed")
         return ending
 
     def known(self, size: float) -> int:

@@ -300,6 +300,16 @@ export const PERTURBED = {
   LEAST_RADIUS: 0.05,
 };
 
+export const QUESTION = {
+  SPENT: 0,
+  WANTED: 1,
+  TOLD: 2,
+  MORE: 8,
+  OVER_MEMORY: 20,
+  OUT_OF_MEMORY: 21,
+  CLOSED: 22,
+};
+
 export const REGIONS = {
   SQUARE: 1.5687963267948966,
   SHORT: 0.99999999,
@@ -427,9 +437,7 @@ export const SIZE_MEMORY = {
   BEGIN: 9,
   END: 10,
   LIMITS: 11,
-  MARCHED: 0,
-  SPENT: 1,
-  WANTED: 2,
+  MARCHED: 2,
   RESULT: 3,
   DOING: 4,
   ONE: 5,
@@ -456,9 +464,6 @@ export const SIZE_MEMORY = {
 export const SIZE_QUESTION = {
   ALONE: 3,
   TRIED_ALONE: 7,
-  OVER_MEMORY: 9,
-  OUT_OF_MEMORY: 10,
-  CLOSED: 11,
   UNKNOWN: -1,
   GOES_ON: -2,
 };
@@ -598,7 +603,6 @@ export const TURN_FAMILIES = {
 };
 
 export const WALK_SEARCH = {
-  MORE: 8,
   CROWDED: 9,
   ASTRAY: 10,
   SEEK: 3,

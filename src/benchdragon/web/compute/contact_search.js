@@ -10,6 +10,7 @@ import {
   CELLS,
   COURSE,
   FAMILY,
+  QUESTION,
   ROUTE,
   SEARCH,
   WALK_SEARCH,
@@ -86,7 +87,7 @@ export async function runSearch(tables, goal, limits, note, tell) {
     spend(CALL + SEARCHED * marched + Math.max(tables.work - known, 0));
     tell(ending);
     if (ending === WALK_SEARCH.CROWDED) tables.widen();
-    else if (ending !== WALK_SEARCH.MORE) return ending;
+    else if (ending !== QUESTION.MORE) return ending;
     else await tick();
   }
 }
@@ -215,7 +216,7 @@ export class ContactSearch {
     /** @type {Limits} */
     const limits = [this.margin, tolerance || SLACK, WIDTH, most];
     const tell = (/** @type {number} */ told) => {
-      const gone = told === WALK_SEARCH.MORE ? this.tables.way(COURSE.AT) - this.start : -1;
+      const gone = told === QUESTION.MORE ? this.tables.way(COURSE.AT) - this.start : -1;
       if (gone >= 0) this.progress(gone / (this.end - this.start), "");
     };
     let ending = await runSearch(this.tables, goal, limits, note, tell);

@@ -78,7 +78,7 @@ async function searched(family, progress, use) {
 async function sought(family, search, began) {
   const ending = await search.limit(family.first);
   const { doubts } = search;
-  const [good, found] = [search.told(SIZE_BRACKET.GOOD), search.told(SIZE_BRACKET.VALUE)];
+  const [good, found] = [search.stateAt(SIZE_BRACKET.GOOD), search.stateAt(SIZE_BRACKET.VALUE)];
   const told = () => ({
     assumptions: assumed(family, doubts),
     evaluations: search.evaluations,
@@ -90,7 +90,7 @@ async function sought(family, search, began) {
   }
   const unsure = ending === SIZE_SEARCH.EXHAUSTED || search.inDoubt;
   const [assumptions, unlimited] = [told(), ending === SIZE_SEARCH.UNLIMITED];
-  const tried = search.told(SIZE_BRACKET.BAD);
+  const tried = search.stateAt(SIZE_BRACKET.BAD);
   const bad = unlimited ? tried : await search.surelyBad(good, tried);
   /** @type {import("./answer.js").Status} */
   const status = unsure ? "undecided" : unlimited ? "unlimited" : "found";

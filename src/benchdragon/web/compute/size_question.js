@@ -1,28 +1,28 @@
 // The engine's question about a size of a plan: kernels/size_question.py, asked by the page. Twin of
 // solve/size_question.py.
 
-import { NoMemory } from "../engine.js";
 import { _ } from "../words.js";
-import { Arena, doubles, withArena, withArenaAsync } from "./arena.js";
-import { hold, left, memory, spend } from "./budget.js";
+import { withArena, withArenaAsync } from "./arena.js";
+import { memory } from "./budget.js";
 import {
   ANALYSIS_CONTACT_SEARCH,
   ANALYSIS_TABLES,
   OWN_ROOM,
+  QUESTION,
   SIZE_BRACKET,
   SIZE_MEMORY,
   SIZE_QUESTION,
   SIZE_SEARCH,
   SOLVE_SIZE_QUESTION,
-  WALK_SEARCH,
 } from "./constants.js";
+import { EngineQuestion } from "./engine_question.js";
 import { InputError, PlanError, UnsureError, WalkError } from "./errors.js";
 import { originOf } from "./nearby.js";
 import { general } from "./number_format.js";
 import { ObstacleSearch } from "./obstacle_search.js";
 import { touching } from "./obstacles.js";
 import { TOLERANCE, kernelFamily } from "./size_family.js";
-import { silent, tick } from "./tick.js";
+import { silent } from "./tick.js";
 
 /** @typedef {import("./answer.js").Answer} Answer */
 /** @typedef {import("./size_family.js").Meeting} Meeting */
@@ -77,13 +77,28 @@ function limitsOf({ engine, margin, question, tolerance }, walk, first, last) {
 }
 
 /** A question about a size of a plan, open until it is freed. */
-export class SizeQuestion {
+export class SizeQuestion extends EngineQuestion {
   /**
    * @param {PlanFamily} family the walks among which a size is sought
    * @param {Progress} progress is told what is being tried
    */
   constructor(family, progress) {
-    this.engine = family.engine;
+    const { walk, start, end } = family.walk(family.first);
+    const limits = limitsOf(family, walk, walk.headPosition(start), walk.headPosition(end));
+    super(
+      family.engine,
+      "bd_size_question_*_size",
+      (arena, open) => {
+        const made = kernelFamily(arena, family, walk);
+        return open(made.family, made.walk, arena.vector(limits), arena.whole(beginnings()));
+      },
+      [
+        [SIZE_MEMORY.FIGURES],
+        [SIZE_BRACKET.STATE],
+        [SIZE_BRACKET.MOST_TRIALS + SIZE_BRACKET.MOST_GROWTHS],
+        [SIZE_SEARCH.MEETINGS, MEETING],
+      ],
+    );
     this.plans = family;
     this.progress = progress;
     /** Chains placed beside obstacles. */
@@ -92,61 +107,26 @@ export class SizeQuestion {
     /** The last size that failed by an obstacle alone, m, and when a bench came as near as it may.
      * @type {{ size: number, touch: Answer } | null} */
     this.blocked = null;
-    this.handle = this.#opened(family);
-    this.arena = new Arena(this.engine);
-    this.state = this.arena.full([SIZE_BRACKET.STATE], 0);
-    this.doubtful = this.arena.array("d", SIZE_BRACKET.MOST_TRIALS + SIZE_BRACKET.MOST_GROWTHS);
-    this.meetings = this.arena.full([SIZE_SEARCH.MEETINGS, MEETING], SIZE_SEARCH.NOBODY);
-    this.figures = this.arena.full([SIZE_MEMORY.FIGURES], 0);
-  }
-
-  /** @param {PlanFamily} family */
-  #opened(family) {
-    const { walk, start, end } = family.walk(family.first);
-    const limits = limitsOf(family, walk, walk.headPosition(start), walk.headPosition(end));
-    const handle = withArena(this.engine, (arena) => {
-      const made = kernelFamily(arena, family, walk);
-      const [told, room] = [arena.vector(limits), arena.whole(beginnings())];
-      return this.#call("open_size", made.family, made.walk, told, room);
-    });
-    if (!handle) throw new NoMemory("no memory for a question");
-    return handle;
-  }
-
-  /** @param {string} entry @param {import("../engine.js").Argument[]} values */
-  #call(entry, ...values) {
-    return this.engine.call(`bd_size_question_${entry}`, ...values)[0];
-  }
-
-  /** Give all back. */
-  free() {
-    this.#call("close_size", this.handle);
-    this.arena.free();
   }
 
   /** A number of the state: a column of kernels/size_bracket.py. @param {number} column */
-  told(column) {
-    return doubles(this.state)[column];
-  }
-
-  /** @param {number} column of kernels/size_question.py */
-  #figure(column) {
-    return doubles(this.figures)[column];
+  stateAt(column) {
+    return this.numbers(1)[column];
   }
 
   /** Chains placed in searches of walks. */
   get evaluations() {
-    return this.marched + this.#figure(SIZE_MEMORY.MARCHED);
+    return this.marched + this.numbers(0)[SIZE_MEMORY.MARCHED];
   }
 
   /** The sizes that were tried and could not be decided, m. */
   get doubts() {
-    return Array.from(doubles(this.doubtful).subarray(0, this.told(SIZE_BRACKET.DOUBTS)));
+    return Array.from(this.numbers(2).subarray(0, this.stateAt(SIZE_BRACKET.DOUBTS)));
   }
 
   /** Whether such sizes lie in the bracket. */
   get inDoubt() {
-    const [good, bad] = [this.told(SIZE_BRACKET.GOOD), this.told(SIZE_BRACKET.BAD)];
+    const [good, bad] = [this.stateAt(SIZE_BRACKET.GOOD), this.stateAt(SIZE_BRACKET.BAD)];
     const [low, high] = [Math.min(good, bad), Math.max(good, bad)];
     return this.doubts.some((size) => low < size && size < high);
   }
@@ -154,7 +134,7 @@ export class SizeQuestion {
   /** The pair that decides, or was last gone by. @returns {Meeting | null} */
   get guide() {
     const at = MEETING * SIZE_SEARCH.GUIDE;
-    const [s, rest, i, j] = doubles(this.meetings).subarray(at, at + MEETING);
+    const [s, rest, i, j] = this.numbers(3).subarray(at, at + MEETING);
     return i === SIZE_SEARCH.NOBODY ? null : { s, left: rest, i, j };
   }
 
@@ -170,30 +150,22 @@ export class SizeQuestion {
   async border(good, bad) {
     const ending = await this.#sought(SIZE_SEARCH.BORDER, bad, good);
     const found = ending === SIZE_SEARCH.FOUND && !this.inDoubt;
-    return { size: this.told(SIZE_BRACKET.GOOD), found };
+    return { size: this.stateAt(SIZE_BRACKET.GOOD), found };
   }
 
   /** How the walk of a size goes: one that is too long to be searched is undecided too. @param {number} size */
   async trial(size) {
     await this.#sought(SIZE_QUESTION.ALONE, size);
-    return this.#figure(SIZE_MEMORY.RESULT);
+    return this.numbers(0)[SIZE_MEMORY.RESULT];
   }
 
   /** Let the engine step until it has what is sought; how that ended. @param {number} stage @param {number} size @param {number} [good] */
   async #sought(stage, size, good = NaN) {
-    const { handle, state, doubtful, meetings, figures } = this;
-    this.#call("seek_size", handle, stage, size, good);
+    this.call("seek", this.handle, stage, size, good);
     for (let known = SIZE_QUESTION.UNKNOWN; ;) {
-      const ending = this.#call("step_size", handle, left(), known);
-      this.#call("read_size", handle, state, doubtful, meetings, figures);
-      spend(this.#figure(SIZE_MEMORY.SPENT));
-      if (ending === SIZE_QUESTION.OVER_MEMORY) hold(this.#figure(SIZE_MEMORY.WANTED));
-      if (ending === SIZE_QUESTION.OVER_MEMORY || ending === SIZE_QUESTION.OUT_OF_MEMORY)
-        throw new NoMemory("no memory for the tables of a question");
-      if (ending === SIZE_QUESTION.CLOSED) throw new TypeError("this question was closed");
-      await tick();
-      if (ending === SIZE_SEARCH.WALK) known = await this.#known(this.told(SIZE_BRACKET.NOW));
-      else if (ending !== WALK_SEARCH.MORE) return ending;
+      const ending = await this.step(known);
+      if (ending === SIZE_SEARCH.WALK) known = await this.#known(this.stateAt(SIZE_BRACKET.NOW));
+      else if (ending !== QUESTION.MORE) return ending;
     }
   }
 

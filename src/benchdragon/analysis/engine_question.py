@@ -1,0 +1,76 @@
+"""Questions that the engine holds: stepped until they are answered, within what a question may take."""
+
+import threading
+import weakref
+from collections.abc import Callable
+from types import TracebackType
+from typing import Any, Self
+
+from benchdragon import budget
+from benchdragon.kernels import question as kernel
+from benchdragon.kernels.curve import FloatArray
+
+
+def _closed(handle: int, thread: int) -> None:
+    """Close a question, which no other thread than that it was opened in may know."""
+    if threading.get_ident() == thread:
+        kernel.close_question(handle)
+
+
+class EngineQuestion:
+    """A question that the engine holds, open until it is closed, as by `with`, or nobody knows it.
+
+    Args:
+        handle: what its entry `open` gave.
+        step: its entry that goes on: of the handle, how much may be spent, and what else is said.
+        read: its entry that fills arrays with what is known.
+        told: these arrays; the first begins as kernels/question.py says.
+
+    Raises:
+        MemoryError: if it could not be opened.
+    """
+
+    def __init__(
+        self, handle: int, step: Callable[..., int], read: Callable[..., bool], *told: Any
+    ) -> None:
+        if not handle:
+            raise MemoryError
+        self._handle, self._step, self._read, self._told = handle, step, read, told
+        self._close = weakref.finalize(self, _closed, handle, threading.get_ident())
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Give back what the engine holds for it; what was found stays."""
+        self._close()
+
+    @property
+    def figures(self) -> FloatArray:
+        """What it tells of itself."""
+        figures: FloatArray = self._told[0]
+        return figures
+
+    def step(self, *said: float) -> int:
+        """Go on for some hundredths of a second; how that ended.
+
+        Raises:
+            OverBudgetError: if it takes more than the question at hand may.
+            MemoryError: if there is no memory.
+            ValueError: if it was closed.
+        """
+        ending = self._step(self._handle, budget.left(), *said)
+        self._read(self._handle, *self._told)
+        if ending == kernel.CLOSED:
+            raise ValueError("this question was closed")
+        budget.spend(self.figures[kernel.SPENT])
+        if ending == kernel.OVER_MEMORY:
+            budget.hold(self.figures[kernel.WANTED])
+        if ending in (kernel.OVER_MEMORY, kernel.OUT_OF_MEMORY):
+            raise MemoryError
+        return ending
