@@ -175,6 +175,7 @@ types: .venv/installed
 	$(BIN)/python tools/make_types.py
 	$(BIN)/python tools/make_constants.py
 	$(BIN)/python tools/make_plan_keys.py
+	$(BIN)/python -m tools.make_twins
 
 map: .venv/installed
 	$(BIN)/python tools/make_map.py

@@ -40,7 +40,6 @@ TWINS = (
     "plans.cues", "plans.drawn", "plans.routes", "plans.source", "plans.square", "plans.tables",
     "plans.toml",
     "player.following", "player.frames", "player.scene", "rosters.extent", "rosters.grid",
-    "rosters.reading", "rosters.columns", "rosters.entries", "rosters.names", "rosters.words",
     "sheets.briefing", "solve.dance_bound", "solve.head_speed",
     "solve.minima", "solve.random_dance", "solve.size", "solve.size_family", "solve.size_question",
     "solve.tolerance", "solve.turn", "solve.turn_trials", "surveys.clothoids", "surveys.corners",

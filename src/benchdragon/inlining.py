@@ -30,7 +30,7 @@ TAKEN = re.compile(r"^export (?=const \{([\w\s,]*)\} = )", re.MULTILINE)
 # What a bundler writes at the end of a module.
 LIST = re.compile(r"^export \{([^}]*)\};?$\n?", re.MULTILINE)
 STRAY = re.compile(r"^\s*(?:import|export)\b.*", re.MULTILINE)
-TEXT = re.compile(r'(?<![\w$.])_\(\s*("(?:[^"\\]|\\.)*")')
+TEXT = re.compile(r'(?<![\w$.])(?:_|N_)\(\s*("(?:[^"\\]|\\.)*")')
 
 
 class ScriptError(ValueError):

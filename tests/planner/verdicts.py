@@ -15,7 +15,7 @@ from tests.planner.random_plans import Tables, plan
 from tests.planner.twins import WEB, asked, same, tried
 
 # A sentence of a script.
-TEXT = re.compile(r'(?<![\w$.])_\(\s*("(?:[^"\\]|\\.)*")')
+TEXT = re.compile(r'(?<![\w$.])(?:_|N_)\(\s*("(?:[^"\\]|\\.)*")')
 # A bound on rounding, m, in English or Chinese.
 BOUND = re.compile(r"\d\.\de-\d\d(?= m)")
 # How long it took, and how many chains that needed, which another rounding may change.
@@ -26,7 +26,7 @@ NAMED = (".witness", ".sentence", ".text", ".time", ".benches")
 
 def words() -> dict[str, str]:
     """Chinese for every sentence of the page."""
-    scripts = (*WEB.glob("*.js"), *(WEB / "compute").glob("*.js"))
+    scripts = WEB.rglob("*.js")
     texts = {json.loads(text) for script in scripts for text in TEXT.findall(script.read_text("utf-8"))}
     with spoken_in("zh"):
         return {text: _(text) for text in texts}

@@ -5,7 +5,6 @@ import io
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from datetime import date, datetime
-from functools import partial
 from pathlib import Path
 
 from python_calamine import (
@@ -45,12 +44,17 @@ MARKS = "\t,;"
 CHINESE_MARKS = "，；"
 NUMBER_END = re.compile(r"(?<=\S)[\s:：，]+")
 # A cell between quotation marks, which may be left open, and such a mark alone: what stands above.
-QUOTED = r'(?:^|(?<=[{mark}\r\n]))"(?:(?=[ \t]*(?:[{mark}\r\n]|\Z))|[^"]*(?:""[^"]*)*(?:"|\Z))'
+QUOTED = {
+    mark: re.compile(
+        rf'(?:^|(?<=[{mark}\r\n]))"(?:(?=[ \t]*(?:[{mark}\r\n]|\Z))|[^"]*(?:""[^"]*)*(?:"|\Z))'
+    )
+    for mark in (*MARKS, *CHINESE_MARKS)
+}
 ABOVE = "\u3003"
-# Two or four bytes of a sign, in GB18030 or Big5, and those of their common signs.
-PAIRS = re.compile(rb"[\x81-\xfe](?:[0-9][\x81-\xfe][0-9]|[\x40-\xfe])")
-GB_COMMON = re.compile(rb"[\xa1-\xa3\xb0-\xf7][\xa1-\xfe]")
-BIG5_COMMON = re.compile(rb"[\xa1-\xa3\xa4-\xc6][\x40-\x7e\xa1-\xfe]")
+# Two or four bytes of a sign, in GB18030 or Big5, and those of their common signs: bytes as signs.
+PAIRS = re.compile(r"[\x81-\xfe](?:[0-9][\x81-\xfe][0-9]|[\x40-\xfe])")
+GB_COMMON = re.compile(r"[\xa1-\xa3\xb0-\xf7][\xa1-\xfe]")
+BIG5_COMMON = re.compile(r"[\xa1-\xa3\xa4-\xc6][\x40-\x7e\xa1-\xfe]")
 # Of the signs of a text in Big5 so many in 10 are common, and of what is all but UTF-8 in 5.
 COMMON, ALL_BUT = 9, 4
 # Signs of texts that no text has.
@@ -74,13 +78,13 @@ def read_rows(path: Path, sheet: str = "") -> Rows:
         text = _("{file} is an old workbook (XLS): save it as XLSX")
         raise InputError(text.format(file=path.name))
     if data.startswith(ZIP):
-        return _limited(_workbook_rows(data, path.name, sheet), path.name)
+        return limited(_workbook_rows(data, path.name, sheet), path.name)
     if path.suffix.lower() in (".xlsx", ".xlsm", ".ods"):
         raise InputError(torn(path.name))
     if sheet:
         text = _("{file} has no sheets: leave people.sheet out")
         raise InputError(text.format(file=path.name))
-    return _limited(_text_rows(data, path.name), path.name)
+    return limited(text_rows(decoded(data, path.name), path.name), path.name)
 
 
 def _bytes(path: Path) -> bytes:
@@ -100,7 +104,12 @@ def _bytes(path: Path) -> bytes:
     return data
 
 
-def _limited(rows: Rows, name: str) -> Rows:
+def limited(rows: Rows, name: str) -> Rows:
+    """The same rows.
+
+    Raises:
+        InputError: where there are none, or more than are read.
+    """
     if len(rows) > MOST_ROWS or sum(map(len, rows)) > MOST_ROWS * MOST_COLUMNS:
         raise too_large(name)
     filled = [(column, cell) for row in rows for column, cell in enumerate(row) if cell]
@@ -166,20 +175,28 @@ def _said(cell: object) -> str:
     return str(cell).strip()
 
 
-def _text_rows(data: bytes, name: str) -> Rows:
-    """Rows of a table of text; where no sign parts its columns, a line is a number and names."""
-    text = _decoded(data, name)
+def text_rows(text: str, name: str) -> Rows:
+    """Rows of a table of text; where no sign parts its columns, a line is a number and names.
+
+    Raises:
+        InputError: for a table that is none, and beyond the limits.
+    """
     first = [next((sign for sign in line if sign in MARKS), "") for line in text.splitlines()]
     mark, columns = _chinese_mark(text.splitlines()[:MOST_TITLES])
     if not mark:
         mark = max(MARKS, key=first.count)
     if mark not in first and not columns:
-        return list(_within((NUMBER_END.split(line, maxsplit=1) for line in text.splitlines()), name))
-    text = re.sub(QUOTED.format(mark=mark), partial(_closed, text=text, name=name), text)
+        return _within([NUMBER_END.split(line, maxsplit=1) for line in text.splitlines()], name)
+    closed = QUOTED[mark].sub(lambda found: _closed(found, text, name), text)
+    rows = _within(_cells(closed, mark, name), name)
+    # Of a number and names alone all that follows is names.
+    return [[row[0], mark.join(row[1:])] if columns == 2 and row else row for row in rows]
+
+
+def _cells(text: str, mark: str, name: str) -> Iterator[list[str]]:
+    """The cells of a table whose columns a sign parts, row by row."""
     try:
-        rows = list(_within(csv.reader(io.StringIO(text, newline=""), delimiter=mark), name))
-        # Of a number and names alone all that follows is names.
-        return [[row[0], mark.join(row[1:])] if columns == 2 and row else row for row in rows]
+        yield from csv.reader(io.StringIO(text, newline=""), delimiter=mark)
     except csv.Error:
         raise InputError(_("{file} is no table of text").format(file=name)) from None
 
@@ -209,29 +226,43 @@ def _chinese_mark(lines: Sequence[str]) -> tuple[str, int]:
     return "", 0
 
 
-def _within(rows: Iterable[list[str]], name: str) -> Iterable[list[str]]:
+def _within(rows: Iterable[list[str]], name: str) -> Rows:
+    found = []
     for number, row in enumerate(rows):
         if number >= MOST_ROWS:
             raise too_large(name)
-        yield [cell.strip() for cell in row]
+        found.append([cell.strip() for cell in row])
+    return found
 
 
-def _decoded(data: bytes, name: str) -> str:
-    """Text in UTF-8, UTF-16 with its mark, GB18030 or Big5."""
+def decoded(data: bytes, name: str) -> str:
+    """Text in UTF-8, UTF-16 with its mark, GB18030 or Big5.
+
+    Raises:
+        InputError: for what is no text in any of them.
+    """
     for text in readings(data, _legacy(data, name)):
-        found = NO_TEXT.search(text)
-        if found is None:
+        if is_text(text, name):
             return text
-        if "\0" not in text:
-            said = _("{file}: line {line} has a control sign ({sign}), which no text has: delete it")
-            line = text.count("\n", 0, found.start()) + 1
-            sign = f"U+{ord(found[0]):04X}"
-            raise InputError(said.format(file=name, line=line, sign=sign))
     raise InputError(
         _(
             "{file} is no table of text in UTF-8, GB18030 or Big5: save it as XLSX, or as CSV in UTF-8"
         ).format(file=name)
     )
+
+
+def is_text(text: str, name: str) -> bool:
+    """Whether it may be text.
+
+    Raises:
+        InputError: for what is text but for a control sign.
+    """
+    found = NO_TEXT.search(text)
+    if found is None or "\0" in text:
+        return found is None
+    said = _("{file}: line {line} has a control sign ({sign}), which no text has: delete it")
+    line = text.count("\n", 0, found.start()) + 1
+    raise InputError(said.format(file=name, line=line, sign=f"U+{ord(found[0]):04X}"))
 
 
 def _legacy(data: bytes, name: str) -> Iterator[str]:
@@ -248,7 +279,7 @@ def _legacy(data: bytes, name: str) -> Iterator[str]:
         )
         line = whole.count("\n", 0, whole.index("\ufffd")) + 1
         raise InputError(said.format(file=name, line=line))
-    pairs = PAIRS.findall(data)
+    pairs = PAIRS.findall(data.decode("latin-1"))
     big5 = sum(BIG5_COMMON.fullmatch(one) is not None for one in pairs)
     gb = sum(GB_COMMON.fullmatch(one) is not None for one in pairs)
     if big5 > gb and 10 * big5 >= COMMON * len(pairs):

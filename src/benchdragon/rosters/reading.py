@@ -62,8 +62,16 @@ def read_roster(path: Path, numbering: Numbering, sheet: str = "") -> Roster:
     Raises:
         InputError: for a file that cannot be read as a list, and beyond the limits.
     """
-    rows = read_rows(path, sheet)
-    found = layout(rows, path.name)
+    return roster_of(read_rows(path, sheet), path.name, numbering)
+
+
+def roster_of(rows: Sequence[Sequence[str]], name: str, numbering: Numbering) -> Roster:
+    """The same of a list of some name, as the texts of its cells, row by row.
+
+    Raises:
+        InputError: where it holds no numbers with names, and beyond the limits.
+    """
+    found = layout(rows, name)
     told = [one for block in found.blocks for one in entries(rows, found.first, block)]
     said = [one for one in told if isinstance(one, Entry)]
     unread = [one for one in told if isinstance(one, Unread)]
@@ -78,11 +86,11 @@ def read_roster(path: Path, numbering: Numbering, sheet: str = "") -> Roster:
             odd.append(_stranger(entry, beyond, numbering))
         if len(seats) + len(benches) * len(entry.people) > MOST_PEOPLE:
             text = _("{file} names more than {most} people")
-            raise InputError(text.format(file=path.name, most=MOST_PEOPLE))
+            raise InputError(text.format(file=name, most=MOST_PEOPLE))
         if len(benches) > 1:
             odd.append(_shared(entry, benches, numbering))
         seats += _seated(entry, benches)
-    kept, twice = _once(seats, numbering, path.name)
+    kept, twice = _once(seats, numbering, name)
     found_benches: dict[int, tuple[Person, ...]] = {}
     for seat in sorted(kept, key=lambda seat: seat.bench):
         found_benches[seat.bench] = (*found_benches.get(seat.bench, ()), seat.person)

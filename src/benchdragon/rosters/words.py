@@ -102,6 +102,11 @@ MADE_A_DAY = re.compile(r"[0-9]{4}-[0-9]{2}-[0-9]{2}|[0-9]{1,2}月[0-9]{1,2}日"
 ROUNDED = re.compile(r"[0-9.]+e\+[0-9]+", re.IGNORECASE)
 # What tables of text add to a phone that was a number.
 DECIMALS = re.compile(r"(?<=[0-9])\.0+$")
+# What Unicode calls "CJK ...": signs, radicals and strokes; and what stands between and around them.
+CHINESE = re.compile(
+    "[\u2e80-\u2e99\u2e9b-\u2ef3\u31c0-\u31e3\u3400-\u4dbf\u4e00-\u9fff\uf900-\ufa6d\ufa70-\ufad9"
+    "\U00020000-\U0003ffff·（）()]+"
+)
 # Signs of a name, and rows above the headings of a list.
 MOST_NAME, MOST_TITLES = 60, 30
 
@@ -278,7 +283,7 @@ def without_phones(text: str) -> tuple[str, tuple[str, ...]]:
 
 
 def _chinese(word: str) -> bool:
-    return all(unicodedata.name(sign, "").startswith("CJK") or sign in "·（）()" for sign in word)
+    return CHINESE.fullmatch(word) is not None
 
 
 def _joined(words: list[str]) -> list[str]:

@@ -1,13 +1,13 @@
 // The list of names on the page of sheets: opened or pasted, kept in this page alone.
 
-import { readRoster } from "./compute/roster.js";
 import { sheetsOf } from "./compute/roster_book.js";
 import { rowsOf } from "./compute/roster_grid.js";
 import { choice, make } from "./elements.js";
+import { rosterOf } from "./made/roster.js";
 import { _ } from "./words.js";
 
 /** @typedef {import("./bench_sheet.js").People} People */
-/** @typedef {import("./compute/roster.js").Numbering} Numbering */
+/** @typedef {import("./made/roster.js").Numbering} Numbering */
 /** @typedef {import("./compute/roster_book.js").Sheet} Sheet */
 
 /** What was pasted, or a sheet of a file of some name. @typedef {{ text: string } | { name: string, sheet: Sheet }} List */
@@ -44,7 +44,7 @@ export class NameList {
     this.#tried((list) => {
       const name = "name" in list ? list.name : _("the list");
       const rows = "text" in list ? rowsOf(list.text, name) : list.sheet.rows;
-      const { benches, notes } = readRoster(rows, name, numbering);
+      const { benches, notes } = rosterOf(rows, name, numbering);
       [this.people, this.notes] = [benches, notes];
     }, this.list);
   }

@@ -5,6 +5,7 @@ import { called } from "./compute/people.js";
 import { planName } from "./names.js";
 import { choice, make, tick } from "./elements.js";
 import { deliver } from "./files.js";
+import { Numbering } from "./made/roster.js";
 import { overviewSheet, overviewTable } from "./overview_sheet.js";
 import { NameList } from "./name_list.js";
 import { readable, SheetMaps } from "./sheet_map.js";
@@ -156,7 +157,7 @@ export class Sheets {
     if (!briefing) return;
     const { people, benches } = briefing;
     const name = (/** @type {number} */ bench) => called(people, bench, benches.length);
-    this.names.read({ count: benches.length, countHead: people.count_head, called: name });
+    this.names.read(new Numbering(benches.length, people.count_head, name));
     this.#build();
     this.show();
   }

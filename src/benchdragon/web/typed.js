@@ -3,7 +3,7 @@
 
 import { quantity } from "./compute/plan_check.js";
 import { PLAN_UNITS } from "./compute/plan_keys.js";
-import { NUMERALS, numeral } from "./compute/roster_words.js";
+import { NUMERALS, numeral } from "./made/roster_words.js";
 
 /** The units that may stand behind a number of a unit of the form. @type {Record<string, Record<string, number>>} */
 const UNITS = {

@@ -31,6 +31,11 @@ export function _(text, values = {}) {
   return said.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
 }
 
+/** A sentence that is only kept here, and said later. @param {string} text */
+export function N_(text) {
+  return text;
+}
+
 /**
  * The same words in both languages.
  * @param {() => string} say

@@ -969,34 +969,6 @@ export const ROSTERS_GRID = {
   ALL_BUT: 4,
 };
 
-export const ROSTERS_READING = {
-  MOST_PEOPLE: 50000,
-  MOST_NOTES: 100,
-  MOST_A_BENCH: 200,
-  MOST_LISTED: 30,
-};
-
-export const ROSTERS_COLUMNS = {
-  MOST_LOOKED_AT: 50,
-  LEAST_NAMES: 2,
-  MOST_HEADING: 40,
-};
-
-export const ROSTERS_ENTRIES = {
-  MOST_SHOWN: 40,
-};
-
-export const ROSTERS_NAMES = {
-  MOST_SIGNS: 4,
-  MOST_JOINED: 200,
-};
-
-export const ROSTERS_WORDS = {
-  MOST_PLACES: 4,
-  MOST_NAME: 60,
-  MOST_TITLES: 30,
-};
-
 export const SHEETS_BRIEFING = {
   MOST_NAMED: 4,
 };

@@ -6,8 +6,10 @@ import { _ } from "../words.js";
 import { ROSTERS_EXTENT } from "./constants.js";
 import { InputError } from "./errors.js";
 import { pythonFloat } from "./number_format.js";
-import { checkFile, isEmpty, limited, rowsOf, textOf, tooLarge } from "./roster_grid.js";
-import { stripped } from "./roster_words.js";
+import { py } from "./python.js";
+import { checkFile, isEmpty, rowsOf, textOf } from "./roster_grid.js";
+import { tooLarge, torn as tornText } from "../made/roster_limits.js";
+import { limited } from "../made/roster_rows.js";
 
 const { MOST_UNPACKED, MOST_PARTS, MOST_ROWS, MOST_COLUMNS } = ROSTERS_EXTENT;
 
@@ -46,9 +48,7 @@ export function sheetsOf(data, name) {
 
 /** What is said of a workbook that is not whole. @param {string} name */
 function torn(name) {
-  return new InputError(
-    _("{file} is torn, or no workbook: open it in a spreadsheet and save it again", { file: name }),
-  );
+  return new InputError(tornText(name));
 }
 
 /** The parts of a workbook that are XML, by their names. @param {Uint8Array} bytes @param {string} name */
@@ -157,7 +157,7 @@ class Book {
         if (said === null) continue;
         if (!(row >= 0 && row < MOST_ROWS && column < MOST_COLUMNS)) throw tooLarge(this.name);
         while (rows.length <= row) rows.push([]);
-        rows[row][column] = stripped(said);
+        rows[row][column] = py.strip(said);
         width = Math.max(width, column + 1);
       }
     }

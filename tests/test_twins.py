@@ -1,0 +1,128 @@
+"""web/made holds what the Python modules say; what is not translated is an error."""
+
+import ast
+import json
+import re
+import subprocess
+from typing import Any
+
+import pytest
+from tools.make_twins import FOLDER, scripts
+from tools.translation.names import UntranslatableError, camel
+from tools.translation.patterns import javascript
+from tools.translation.statements import Code
+
+from tests.engine.recording import node
+
+# What a function gives in both languages, where they differ: what is true, equal, within; places from
+# the end; signs beyond 16 bits; formats; order; sets of pairs; generators; names that a loop keeps.
+CODE = """
+def answer():
+    def numbers(limit):
+        for n in range(limit):
+            if n % 2:
+                continue
+            yield n
+
+    pairs = {(1, 2): "a", (3, 4): "b"}
+    seen = {(n, n + 1) for n in range(3)} | {(1, 2)}
+    name, *rest = "𠮷野家"
+    found = [n for word in ("a1", "b22") if (n := len(word)) > 2]
+    total, left = 0, [3, 1, 2]
+    while left:
+        total += left.pop()
+    text = "{low} to {high}"
+    return [
+        bool([]), bool(""), bool(0.0), bool({}), bool("0"), [1, [2]] == [1, [2]], (1, 2) in pairs,
+        pairs[(3, 4)], pairs.get((9, 9), "none"), len(seen), name, rest, "𠮷野家"[-1], "𠮷野家"[1:],
+        found, total, list(numbers(7)), text.format(low=f"{2.675:.2f}", high=f"{1e-7:g}"),
+        f"{255:04X}{-7 % 5}",
+        sorted([(2, "b"), (1, "z"), (2, "a")]), max(["bb", "a", "cc"], key=len), max([], default="-"),
+        " a  b ".split(), "a,b,c".partition(","), ["" or "x", 0 or None, [] and 1], round(2.5),
+        round(0.125, 2),
+        any(n > 5 for n in numbers(9)), all(n < 5 for n in numbers(9)), [*zip("ab", [1, 2])], -7 // 2,
+        [1] + [2], "a" * 3, not found, 1 if rest else 2, dict.fromkeys("aab", 1) == {"a": 1, "b": 1},
+        "x" not in "abc", 1 < 2 <= 2, divmod(7, 2), repr("it's"), "Ab".lower().upper(),
+        "a\\tb\\nc".splitlines(),
+    ]
+"""
+PATTERNS = (
+    r"(?P<a>\d+)\s*(?:km|m)?", r"[\]\-a\s]+", r"a.c$", r"^x{2,3}y{,2}\Z", r"(?<=\S)-(?=\w)",
+    r"[^\n\"']*'",
+)  # fmt: skip
+TEXTS = ("12 km", "٣m", "]-a\x85", "abc", "a\nc", "abc\n", "xxyy", "xxx", "é-é", " -b", "it's", 'say "')
+
+
+def run(script: str) -> Any:
+    """What a script writes, as JSON."""
+    done = subprocess.run(
+        [str(node()), "--input-type=module", "-e", script], capture_output=True, text=True, check=True
+    )
+    return json.loads(done.stdout)
+
+
+def made(path: str) -> str:
+    """The address of a module of the page."""
+    return (FOLDER.parent / path).as_uri()
+
+
+def test_what_is_made_is_what_the_modules_say() -> None:
+    found = {path: path.read_text("utf-8") for path in FOLDER.iterdir()}
+    assert found == scripts(), "run `make types`"
+
+
+@pytest.mark.skipif(node() is None, reason="no Node here")
+def test_what_is_translated_answers_as_in_python() -> None:
+    here: dict[str, Any] = {}
+    exec(CODE, here)
+    (function,) = ast.parse(CODE).body
+    said = Code(lambda _name: None, lambda _name: None, lambda pattern, _flags: pattern).block(
+        [function]
+    )
+    imports = f'import {{ py }} from "{made("compute/python.js")}";'
+    there = run(f"{imports}\n{said}\nconsole.log(JSON.stringify(answer()));")
+    assert there == json.loads(json.dumps(here["answer"]()))
+
+
+@pytest.mark.skipif(node() is None, reason="no Node here")
+def test_patterns_match_the_same() -> None:
+    asked = [(javascript(one), text) for one in PATTERNS for text in TEXTS]
+    imports = f'import {{ py }} from "{made("compute/python.js")}";'
+    there = run(
+        f"{imports}\nconst all = {json.dumps(asked)};\n"
+        "console.log(JSON.stringify(all.map(([one, text]) => "
+        '[py.pattern(one, "").findall(text), py.pattern(one, "").fullmatch(text) !== null])));'
+    )
+    here = [
+        [re.findall(one, text), re.fullmatch(one, text) is not None]
+        for one in PATTERNS
+        for text in TEXTS
+    ]
+    assert there == here
+
+
+@pytest.mark.parametrize(
+    "code",
+    ["import os", "with open(x) as y: pass", "for n in x: pass\nelse: pass", "lambda *a: a", "f(**x)",
+     "x[::2]", "x @ y", "async def f(): pass", 're.sub(x, "", y)', '"{}".format(1)', "f(b=1)"],
+)  # fmt: skip
+def test_what_is_not_translated_is_an_error(code: str) -> None:
+    with pytest.raises(UntranslatableError):
+        Code(lambda _name: None, lambda _name: None, lambda pattern, _flags: pattern).block(
+            ast.parse(code).body
+        )
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [("bench_text", "benchText"), ("_of_all", "_ofAll"), ("MOST_ROWS", "MOST_ROWS"),
+     ("Roster", "Roster"), ("_", "_"), ("new", "new_"), ("N_", "N_")],
+)  # fmt: skip
+def test_names_are_those_of_javascript(name: str, said: str) -> None:
+    assert camel(name) == said
+
+
+def test_no_file_is_made_that_nobody_asks_for() -> None:
+    pages = [path.read_text("utf-8") for path in FOLDER.parent.rglob("*.js")]
+    asked = {name for text in pages for name in re.findall(r'/(\w+)\.js"', text)}
+    assert {path.stem for path in FOLDER.iterdir()} <= asked

@@ -1,0 +1,292 @@
+"""Write modules that both hosts need, and that know texts and records alone, as JavaScript for pages.
+
+Each file of web/made, named in TWINS, holds what pages ask of a Python module, with all that this needs
+of it and of other such modules. Constants stand in it with the values that the module has. The same
+modules give the same bytes.
+
+Run it as `make types`.
+"""
+
+import ast
+import dataclasses
+import importlib
+import inspect
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from tools.translation.names import camel, number, text
+from tools.translation.patterns import javascript
+from tools.translation.statements import Code
+
+import benchdragon
+
+FOLDER = Path(benchdragon.__file__).with_name("web") / "made"
+# Of which modules pages are given what: the file, and the names that are asked for.
+TWINS = {
+    "rosters.names": ("roster_names", "like_two"),
+    "rosters.words": (
+        "roster_words", "NUMERALS", "numeral", "heading", "doubtful", "is_name", "is_other", "is_sum",
+        "names_of", "places", "with_places", "without_phones",
+    ),
+    "rosters.columns": ("roster_columns", "layout"),
+    "rosters.entries": ("roster_entries", "entries"),
+    "rosters.extent": ("roster_limits", "too_large", "torn"),
+    "rosters.grid": ("roster_rows", "decoded", "is_text", "limited", "text_rows"),
+    "rosters.roster": ("roster_people", "Person"),
+    "rosters.reading": ("roster", "roster_of", "Numbering"),
+}  # fmt: skip
+# What hand-written modules of the page hold of other modules, by the same names.
+OWN = {
+    "i18n": "../words.js", "errors": "../compute/errors.js",
+    "number_format": "../compute/number_format.js",
+}  # fmt: skip
+# What single functions of the page do otherwise.
+GIVEN = {
+    "rosters.grid._cells": "../compute/roster_text.js",
+    "decoding.readings": "../compute/roster_text.js",
+}
+HEADER = "// @ts-nocheck\n// Made from {name} by tools/make_twins.py; to make it again: make types\n"
+
+
+@dataclass
+class Twin:
+    """A module on its way.
+
+    Attributes:
+        name: of the module, without the package.
+        all: all twins, by the names of their modules.
+    """
+
+    name: str
+    all: "dict[str, Twin]"
+    wanted: dict[str, str] = field(default_factory=dict)
+    imports: dict[str, set[str]] = field(default_factory=dict)
+    shared: set[str] = field(default_factory=set)
+    patterns: dict[tuple[str, int], str] = field(default_factory=dict)
+
+    @cached_property
+    def module(self) -> ModuleType:
+        """The module itself."""
+        return importlib.import_module(f"benchdragon.{self.name}")
+
+    @cached_property
+    def tree(self) -> ast.Module:
+        """What it says."""
+        return ast.parse(Path(str(self.module.__file__)).read_text("utf-8"))
+
+    @cached_property
+    def definitions(self) -> dict[str, ast.FunctionDef | ast.ClassDef]:
+        """Its functions and records."""
+        return {
+            one.name: one for one in self.tree.body if isinstance(one, ast.FunctionDef | ast.ClassDef)
+        }
+
+    @cached_property
+    def values(self) -> set[str]:
+        """The names to which it gives values."""
+        targets = [
+            target
+            for one in self.tree.body
+            for target in (
+                one.targets
+                if isinstance(one, ast.Assign)
+                else [one.target]
+                if isinstance(one, ast.AnnAssign)
+                else []
+            )
+        ]
+        return {one.id for target in targets for one in ast.walk(target) if isinstance(one, ast.Name)}
+
+    @cached_property
+    def origins(self) -> dict[str, tuple[str, str]]:
+        """Where what it takes from the package is from, and what it is called there."""
+        return {
+            alias.asname or alias.name: (str(one.module).removeprefix("benchdragon."), alias.name)
+            for one in self.tree.body
+            if isinstance(one, ast.ImportFrom) and str(one.module).startswith("benchdragon.")
+            for alias in one.names
+        }
+
+    @cached_property
+    def messages(self) -> set[str]:
+        """What is translated when it is said."""
+        calls = (one for one in ast.walk(self.tree) if isinstance(one, ast.Call) and one.args)
+        marked = [one for one in calls if isinstance(one.func, ast.Name) and one.func.id == "N_"]
+        return {str(ast.literal_eval(one.args[0])) for one in marked}
+
+    @cached_property
+    def code(self) -> Code:
+        """What translates it."""
+        return Code(self.parameters, self.use, self.hoist)
+
+    def use(self, name: str) -> None:
+        """Have a name, of this module or taken from another."""
+        if name in self.wanted or name in ("error", "this"):
+            return
+        if path := GIVEN.get(f"{self.name}.{name}"):
+            self.imports.setdefault(path, set()).add(camel(name))
+        elif name in self.definitions:
+            self.wanted[name] = ""
+            node = self.definitions[name]
+            make = self.code.function if isinstance(node, ast.FunctionDef) else self.code.record
+            scopes, self.code.scopes = self.code.scopes, []
+            me, self.code.me = self.code.me, []
+            self.wanted[name] = make(node)  # type: ignore[arg-type]
+            self.code.scopes, self.code.me = scopes, me
+        elif name in self.values:
+            self.wanted[name] = ""
+            self.wanted[name] = f"const {camel(name)} = {self.literal(getattr(self.module, name))};"
+        elif name in self.origins:
+            self._take(name, *self.origins[name])
+        elif name in ERRORS:
+            pass
+        else:
+            raise NameError(f"{self.name}: {name} is not known")
+
+    def _take(self, name: str, module: str, there: str) -> None:
+        value = getattr(self.module, name)
+        path = GIVEN.get(f"{module}.{there}", OWN.get(module))
+        if isinstance(value, bool | int | float | str):
+            self.wanted[name] = f"const {name} = {self.literal(value)};"
+        elif module in self.all:
+            self.all[module].use(there)
+            self.all[module].shared.add(there)
+            self.imports.setdefault(f"./{TWINS[module][0]}.js", set()).add(_renamed(there, name))
+        elif path:
+            self.imports.setdefault(path, set()).add(_renamed(there, name))
+        else:
+            raise NameError(f"{self.name}: {name} of {module} has no twin")
+
+    def parameters(self, name: str) -> Sequence[str] | None:
+        """What a function or a record takes; of a method, named with a point, any of that name."""
+        if name.startswith("."):
+            return next(
+                (
+                    [one.arg for one in [*node.args.args[1:], *node.args.kwonlyargs]]
+                    for twin in self.all.values()
+                    for record in twin.definitions.values()
+                    if isinstance(record, ast.ClassDef)
+                    for node in record.body
+                    if isinstance(node, ast.FunctionDef) and node.name == name[1:]
+                ),
+                None,
+            )
+        value = getattr(self.module, name, None)
+        if not callable(value) or (isinstance(value, type) and issubclass(value, Exception)):
+            return None
+        return list(inspect.signature(value).parameters)
+
+    def hoist(self, pattern: str, flags: int) -> str:
+        """The name of a regular expression that stands within a function."""
+        return self.patterns.setdefault((pattern, flags), f"PATTERN_{len(self.patterns) + 1}")
+
+    def literal(self, value: Any) -> str:
+        """A constant as JavaScript has it."""
+        match value:
+            case None | bool():
+                return {None: "null", True: "true", False: "false"}[value]
+            case int() | float():
+                return number(value)
+            case str():
+                if value in self.messages:
+                    self.imports.setdefault(OWN["i18n"], set()).add("N_")
+                    return f"N_({text(value)})"
+                return text(value)
+            case tuple() | list():
+                return f"[{', '.join(map(self.literal, value))}]"
+            case set() | frozenset():
+                return f"py.set_of([{', '.join(map(self.literal, sorted(value)))}])"
+            case re.Pattern():
+                return _pattern(value.pattern, value.flags)
+            case _ if hasattr(value, "items"):
+                pairs = (f"[{self.literal(key)}, {self.literal(of)}]" for key, of in value.items())
+                return f"py.dict([{', '.join(pairs)}])"
+            case _ if dataclasses.is_dataclass(value):
+                name = type(value).__name__
+                self.use(name)
+                fields = (getattr(value, one.name) for one in dataclasses.fields(value))
+                return f"new {name}({', '.join(map(self.literal, fields))})"
+        raise TypeError(f"{self.name}: {value!r}")
+
+    def script(self) -> str:
+        """The whole file."""
+        order = [name for name in [*_in_order(self.tree), *self.wanted] if self.wanted.get(name)]
+        taken = {**self.imports, "../compute/python.js": {"py"}}
+        lines = [
+            f'import {{ {", ".join(sorted(names))} }} from "{path}";'
+            for path, names in sorted(taken.items())
+        ]
+        lines += [
+            f"const {name} = {_pattern(pattern, flags)};"
+            for (pattern, flags), name in self.patterns.items()
+        ]
+        said = [
+            ("export " if name in self.shared else "") + self.wanted[name]
+            for name in dict.fromkeys(order)
+        ]
+        kinds = ("class ", "const ", "function")
+        own = [one for kind in kinds for one in said if one.removeprefix("export ").startswith(kind)]
+        head = HEADER.format(name=f"{self.name.replace('.', '/')}.py")
+        return "\n".join([head, *lines, "", *indented("\n".join(own)), ""])
+
+
+# Kinds of errors that the languages have in common, or have by other names.
+ERRORS = ("Error", "TypeError", "RangeError")
+
+
+def _renamed(there: str, here: str) -> str:
+    one, other = camel(there), camel(here)
+    return one if one == other else f"{one} as {other}"
+
+
+def _in_order(tree: ast.Module) -> Iterator[str]:
+    for one in tree.body:
+        match one:
+            case ast.FunctionDef(name=name) | ast.ClassDef(name=name):
+                yield name
+            case ast.Assign(targets=targets):
+                yield from (
+                    n.id for target in targets for n in ast.walk(target) if isinstance(n, ast.Name)
+                )
+            case ast.AnnAssign(target=ast.Name(id=name)):
+                yield name
+
+
+def indented(script: str) -> Iterator[str]:
+    """Lines, each set in by how many braces are open."""
+    depth = 0
+    for line in script.splitlines():
+        depth -= line.startswith("}")
+        yield "  " * depth + line
+        depth += line.endswith("{")
+
+
+def _pattern(pattern: str, flags: int) -> str:
+    return f"py.pattern({text(javascript(pattern, flags))}, {text(_flags(flags))})"
+
+
+def _flags(flags: int) -> str:
+    names = {re.IGNORECASE: "i", re.MULTILINE: "m"}
+    return "".join(sign for flag, sign in names.items() if flags & flag)
+
+
+def scripts() -> dict[Path, str]:
+    """All files."""
+    twins: dict[str, Twin] = {}
+    for name in TWINS:
+        twins[name] = Twin(name, twins)
+    for name, (_file, *asked) in TWINS.items():
+        for one in asked:
+            twins[name].use(one)
+            twins[name].shared.add(one)
+    return {FOLDER / f"{TWINS[name][0]}.js": twin.script() for name, twin in twins.items()}
+
+
+if __name__ == "__main__":
+    for path, said in scripts().items():
+        path.write_text(said, "utf-8")

@@ -1,0 +1,406 @@
+"""Expressions of Python in JavaScript."""
+
+import ast
+import re
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+
+from tools.translation.names import (
+    BUILTIN,
+    FUNCTIONS,
+    METHODS,
+    NUMBERS,
+    OF_MODULES,
+    TRUTHS,
+    UntranslatableError,
+    camel,
+    number,
+    text,
+)
+
+ARITHMETIC = {ast.Mult: "*", ast.Div: "/", ast.Pow: "**"}
+ASKED = {
+    ast.Add: "add", ast.Sub: "sub", ast.Mod: "mod", ast.BitOr: "union", ast.BitAnd: "both",
+    ast.FloorDiv: "div", ast.Mult: "times",
+}  # fmt: skip
+ORDER = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">="}
+
+
+@dataclass
+class Expressions:
+    """How the names of a module are said elsewhere.
+
+    Attributes:
+        parameters: what a function or a record takes, in order; None where that is unknown.
+        use: called with each name that the code takes from outside of functions.
+        hoist: makes a constant of a regular expression, and says its name.
+    """
+
+    parameters: Callable[[str], Sequence[str] | None]
+    use: Callable[[str], None]
+    hoist: Callable[[str, int], str]
+    scopes: list[set[str]] = field(default_factory=list)
+    me: list[str] = field(default_factory=list)
+
+    def pattern(self, target: ast.expr) -> str:
+        """What is assigned to."""
+        match target:
+            case ast.Name() | ast.Attribute():
+                return self.expr(target)
+            case ast.Tuple(elts=elts) | ast.List(elts=elts):
+                return f"[{', '.join(map(self.pattern, elts))}]"
+            case ast.Starred(value=value):
+                return f"...{self.pattern(value)}"
+        raise UntranslatableError(target, "as a target")
+
+    def taken(self, arguments: ast.arguments, skip: bool = False) -> str:
+        """What a function takes, with what it takes where nothing is given."""
+        if arguments.vararg or arguments.kwarg:
+            raise UntranslatableError(arguments, "with stars")
+        own = [*arguments.posonlyargs, *arguments.args]
+        defaults = [None] * (len(own) - len(arguments.defaults)) + list(arguments.defaults)
+        pairs = [*zip(own, defaults, strict=True)][skip:]
+        pairs += zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True)
+        return ", ".join(
+            camel(one.arg) + (f" = {self.expr(default)}" if default else "") for one, default in pairs
+        )
+
+    def truth(self, node: ast.expr) -> str:
+        """An expression where only its truth counts."""
+        match node:
+            case ast.BoolOp(op=op, values=values):
+                sign = " && " if isinstance(op, ast.And) else " || "
+                return f"({sign.join(map(self.truth, values))})"
+            case ast.UnaryOp(op=ast.Not(), operand=operand):
+                return f"!{self.truth(operand)}"
+        return self.expr(node) if _is_truth(node) else f"py.truth({self.expr(node)})"
+
+    def expr(self, node: ast.expr) -> str:
+        """An expression."""
+        found = getattr(self, f"_of_{type(node).__name__.lower()}", None)
+        if found is None:
+            raise UntranslatableError(node)
+        said: str = found(node)
+        return said
+
+    def _of_constant(self, node: ast.Constant) -> str:
+        match node.value:
+            case bool() | None:
+                return {None: "null", True: "true", False: "false"}[node.value]
+            case str():
+                return text(node.value)
+            case int() | float():
+                return number(node.value)
+        raise UntranslatableError(node)
+
+    def _of_name(self, node: ast.Name) -> str:
+        if self.me and node.id == self.me[-1]:
+            return "this"
+        if not any(node.id in scope for scope in self.scopes):
+            if node.id in FUNCTIONS:
+                return f"py.{node.id}"
+            self.use(node.id)
+        return camel(node.id)
+
+    def _of_attribute(self, node: ast.Attribute) -> str:
+        if (known := NUMBERS.get(ast.unparse(node))) is not None:
+            return known
+        return f"{self.expr(node.value)}.{node.attr}"
+
+    def _of_starred(self, node: ast.Starred) -> str:
+        return f"...py.iter({self.expr(node.value)})"
+
+    def _of_tuple(self, node: ast.Tuple | ast.List) -> str:
+        return f"[{', '.join(map(self.expr, node.elts))}]"
+
+    _of_list = _of_tuple
+
+    def _of_set(self, node: ast.Set) -> str:
+        return f"py.set_of([{', '.join(map(self.expr, node.elts))}])"
+
+    def _of_dict(self, node: ast.Dict) -> str:
+        pairs = [
+            f"[{self.expr(key)}, {self.expr(value)}]" if key else f"...py.items({self.expr(value)})"
+            for key, value in zip(node.keys, node.values, strict=True)
+        ]
+        return f"py.dict([{', '.join(pairs)}])"
+
+    def _of_joinedstr(self, node: ast.JoinedStr) -> str:
+        parts = [
+            _raw(one.value) if isinstance(one, ast.Constant) else f"${{{self.expr(one)}}}"
+            for one in node.values
+        ]
+        return f"`{''.join(parts)}`"
+
+    def _of_formattedvalue(self, node: ast.FormattedValue) -> str:
+        value = self.expr(node.value)
+        if node.conversion == ord("r"):
+            return f"py.repr({value})"
+        return (
+            f"py.format({value}, {self.expr(node.format_spec)})"
+            if node.format_spec
+            else f"py.str({value})"
+        )
+
+    def _of_ifexp(self, node: ast.IfExp) -> str:
+        return f"({self.truth(node.test)} ? {self.expr(node.body)} : {self.expr(node.orelse)})"
+
+    def _of_boolop(self, node: ast.BoolOp) -> str:
+        name = "and" if isinstance(node.op, ast.And) else "or"
+        if _is_truth(node):
+            return self.truth(node)
+        *others, found = map(self.expr, node.values)
+        for one in reversed(others):
+            found = f"py.{name}({one}, () => {found})"
+        return found
+
+    def _of_unaryop(self, node: ast.UnaryOp) -> str:
+        if isinstance(node.op, ast.Not):
+            return self.truth(node)
+        if isinstance(node.op, ast.USub):
+            return f"-{self.expr(node.operand)}"
+        raise UntranslatableError(node)
+
+    def _of_binop(self, node: ast.BinOp) -> str:
+        return self._operation(node.op, node.left, node.right)
+
+    def _operation(self, op: ast.operator, left: ast.expr, right: ast.expr) -> str:
+        a, b = self.expr(left), self.expr(right)
+        lists = any(
+            isinstance(one, ast.List | ast.JoinedStr)
+            or (isinstance(one, ast.Constant) and isinstance(one.value, str))
+            for one in (left, right)
+        )
+        if type(op) in ARITHMETIC and not lists:
+            return f"({a} {ARITHMETIC[type(op)]} {b})"
+        if isinstance(op, ast.Add | ast.Sub) and any(
+            isinstance(one, ast.Constant) for one in (left, right)
+        ):
+            return f"({a} {'+' if isinstance(op, ast.Add) else '-'} {b})"
+        if (asked := ASKED.get(type(op))) is None:
+            raise UntranslatableError(op)
+        return f"py.{asked}({a}, {b})"
+
+    def _of_compare(self, node: ast.Compare) -> str:
+        terms = [node.left, *node.comparators]
+        said = [self._comparison(op, *pair) for op, pair in zip(node.ops, pairwise(terms), strict=True)]
+        return said[0] if len(said) == 1 else f"({' && '.join(said)})"
+
+    def _comparison(self, op: ast.cmpop, left: ast.expr, right: ast.expr) -> str:
+        a, b = self.expr(left), self.expr(right)
+        nothing = isinstance(right, ast.Constant) and right.value is None
+        plain = any(isinstance(one, ast.Constant) for one in (left, right))
+        no = "!" if isinstance(op, ast.NotEq | ast.IsNot | ast.NotIn) else ""
+        match op:
+            case ast.Is() | ast.IsNot():
+                return f"({a} {no or '='}={'' if nothing else '='} {b})"
+            case ast.Eq() | ast.NotEq():
+                return f"({a} {no or '='}== {b})" if plain else f"{no}py.eq({a}, {b})"
+            case ast.In() | ast.NotIn():
+                return f"{no}py.has({b}, {a})"
+        return f"({a} {ORDER[type(op)]} {b})"
+
+    def _of_subscript(self, node: ast.Subscript) -> str:
+        value = self.expr(node.value)
+        if isinstance(node.slice, ast.Slice):
+            if node.slice.step:
+                raise UntranslatableError(node, "with a step")
+            ends = [self.expr(one) if one else "null" for one in (node.slice.lower, node.slice.upper)]
+            return f"py.slice({value}, {', '.join(ends)})"
+        return f"py.at({value}, {self.expr(node.slice)})"
+
+    def _of_namedexpr(self, node: ast.NamedExpr) -> str:
+        return f"({self.expr(node.target)} = {self.expr(node.value)})"
+
+    def _of_yield(self, node: ast.Yield) -> str:
+        return f"yield {self.expr(node.value) if node.value else 'null'}"
+
+    def _of_yieldfrom(self, node: ast.YieldFrom) -> str:
+        return f"yield* py.iter({self.expr(node.value)})"
+
+    def _of_lambda(self, node: ast.Lambda) -> str:
+        self.scopes.append({one.arg for one in arguments_of(node.args)})
+        said = f"({self.taken(node.args)}) => {self._arrow(node.body)}"
+        self.scopes.pop()
+        return said
+
+    def _arrow(self, node: ast.expr) -> str:
+        return self.expr(node)
+
+    # Comprehensions
+
+    def _of_listcomp(self, node: ast.ListComp | ast.GeneratorExp) -> str:
+        return self._comprehended(node.generators, lambda: self.expr(node.elt))
+
+    _of_generatorexp = _of_listcomp
+
+    def _of_setcomp(self, node: ast.SetComp) -> str:
+        return f"py.set_of({self._comprehended(node.generators, lambda: self.expr(node.elt))})"
+
+    def _of_dictcomp(self, node: ast.DictComp) -> str:
+        pairs = self._comprehended(
+            node.generators, lambda: f"[{self.expr(node.key)}, {self.expr(node.value)}]"
+        )
+        return f"py.dict({pairs})"
+
+    def _comprehended(
+        self, generators: list[ast.comprehension], last: Callable[[], str], how: str = ""
+    ) -> str:
+        """A list; with `how` "some" or "every", whether something holds of those in it."""
+        first, *others = generators
+        over = self.expr(first.iter)
+        self.scopes.append(set(_targets(first.target)))
+        name = self.pattern(first.target)
+        tests = [self.truth(one) for one in first.ifs]
+        found = self._comprehended(others, last, how) if others else last()
+        self.scopes.pop()
+        if how:
+            glue = " && " if how == "some" else " || !"
+            guards = glue.join(tests)
+            told = f"({guards}) && {found}" if how == "some" and tests else found
+            if how == "every" and tests:
+                told = f"!({' && '.join(tests)}) || {found}"
+            return f"py.list({over}).{how}(({name}) => {told})"
+        if tests:
+            empty = f"({' && '.join(tests)}) ? {found if others else f'[{found}]'} : []"
+            return f"py.list({over}).flatMap(({name}) => ({empty}))"
+        return f"py.list({over}).{'flatMap' if others else 'map'}(({name}) => {found})"
+
+    # Calls
+
+    def _of_call(self, node: ast.Call) -> str:
+        match node.func:
+            case ast.Attribute(value=value, attr=attr):
+                return self._method_call(node, value, attr)
+            case ast.Name(id=name) if not any(name in scope for scope in self.scopes):
+                return self._function_call(node, name)
+        return f"{self.expr(node.func)}({self._given(node)})"
+
+    def _function_call(self, node: ast.Call, name: str) -> str:
+        match name:
+            case "any" | "all":
+                return self._whether(node.args[0], "some" if name == "any" else "every")
+            case "map" | "filter":
+                return self._mapped(name, *node.args)
+            case "isinstance":
+                return self._instance(*node.args)
+            case "getattr":
+                return f"{self.expr(node.args[0])}[{self.expr(node.args[1])}]"
+            case "replace":
+                return f"py.replaced({self.expr(node.args[0])}, {self._object(node.keywords)})"
+            case "_" | "N_":
+                self.use(name)
+                return f"{name}({self.expr(node.args[0])})"
+            case _ if name in FUNCTIONS:
+                return f"py.{name}({self._given(node, BUILTIN.get(name))})"
+        self.use(name)
+        made = "new " if name.lstrip("_")[:1].isupper() else ""
+        return f"{made}{camel(name)}({self._given(node, self.parameters(name))})"
+
+    def _method_call(self, node: ast.Call, value: ast.expr, attr: str) -> str:
+        whole = ast.unparse(node.func)
+        if whole in OF_MODULES:
+            return f"py.{OF_MODULES[whole]}({self._given(node)})"
+        if isinstance(value, ast.Name) and value.id == "re" and attr != "escape":
+            pattern, *rest = node.args
+            flags = next((one.value for one in node.keywords if one.arg == "flags"), None)
+            if not isinstance(pattern, ast.Constant) or flags:
+                raise UntranslatableError(node, "of no constant")
+            return f"{self.hoist(str(pattern.value), 0)}.{attr}({', '.join(map(self.expr, rest))})"
+        if attr == "format":
+            if node.args:
+                raise UntranslatableError(node, "by places")
+            return f"py.filled({self.expr(value)}, {self._object(node.keywords)})"
+        if attr == "_replace":
+            return f"py.replaced({self.expr(value)}, {self._object(node.keywords)})"
+        if attr in METHODS:
+            given = self._given(node, ("sep", "maxsplit") if attr == "split" else None)
+            return f"py.{attr}({self.expr(value)}{given and ', '}{given})"
+        return f"{self.expr(value)}.{attr}({self._given(node, self.parameters(f'.{attr}'))})"
+
+    def _object(self, keywords: list[ast.keyword]) -> str:
+        pairs = (
+            f"{one.arg}: {self.expr(one.value)}" if one.arg else f"...py.object({self.expr(one.value)})"
+            for one in keywords
+        )
+        return f"{{ {', '.join(pairs)} }}"
+
+    def _given(self, node: ast.Call, names: Sequence[str] | None = None) -> str:
+        """What a call is given, in the order of what the function takes."""
+        said = [self.expr(one) for one in node.args]
+        keywords = {one.arg: _called(one.value) for one in node.keywords if one.arg != "strict"}
+        if keywords:
+            if names is None or not {*keywords} <= {*names}:
+                raise UntranslatableError(node, f"by names: {', '.join(map(str, keywords))}")
+            last = max(names.index(str(name)) for name in keywords)
+            said += [
+                self.expr(keywords[name]) if name in keywords else "undefined"
+                for name in names[len(said) : last + 1]
+            ]
+        return ", ".join(said)
+
+    def _whether(self, node: ast.expr, how: str) -> str:
+        if isinstance(node, ast.GeneratorExp):
+            return self._comprehended(node.generators, lambda: self.truth(node.elt), how)
+        return f"py.list({self.expr(node)}).{how}((one) => py.truth(one))"
+
+    def _mapped(self, name: str, function: ast.expr, *over: ast.expr) -> str:
+        lists = self.expr(over[0])
+        if name == "filter" and isinstance(function, ast.Constant):
+            return f"py.list({lists}).filter((one) => py.truth(one))"
+        self.scopes.append({"one"})
+        said = self.expr(ast.Call(function, [ast.Name("one")], []))
+        self.scopes.pop()
+        return f"py.list({lists}).{name}((one) => {said})"
+
+    def _instance(self, value: ast.expr, kinds: ast.expr) -> str:
+        named = {"str", "int", "float", "bool", "list", "dict", "tuple", "date", "datetime"}
+        one = self.expr(value)
+        tests = (
+            f'py.is({one}, "{kind}")'
+            if kind in named
+            else f"{one} instanceof {self.expr(ast.Name(kind))}"
+            for kind in re.findall(r"\w+", ast.unparse(kinds))
+        )
+        return f"({' || '.join(tests)})"
+
+
+def _called(node: ast.expr) -> ast.expr:
+    """A method that is handed on, as a function."""
+    if isinstance(node, ast.Attribute) and node.attr in METHODS:
+        call = ast.Call(node, [ast.Name("given")], [])
+        return ast.Lambda(ast.arguments([], [ast.arg("given")], None, [], [], None, []), call)
+    return node
+
+
+def _raw(value: object) -> str:
+    """A piece of a template."""
+    return (
+        re.sub(r"[`\\]|\$(?=\{)", lambda one: "\\" + one[0], str(value))
+        .replace("\n", "\\n")
+        .replace("\r", "\\r")
+    )
+
+
+def _is_truth(node: ast.expr) -> bool:
+    """Whether an expression is true or false, and nothing else."""
+    match node:
+        case ast.Compare() | ast.UnaryOp(op=ast.Not()):
+            return True
+        case ast.Constant(value=value):
+            return isinstance(value, bool)
+        case ast.BoolOp(values=values):
+            return all(map(_is_truth, values))
+        case ast.Call(func=ast.Name(id=name)) | ast.Call(func=ast.Attribute(attr=name)):
+            return name in TRUTHS
+    return False
+
+
+def arguments_of(arguments: ast.arguments) -> list[ast.arg]:
+    """What a function takes, in order."""
+    return [*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs]
+
+
+def _targets(target: ast.expr) -> Iterator[str]:
+    return (one.id for one in ast.walk(target) if isinstance(one, ast.Name))

@@ -1,0 +1,73 @@
+"""What names, numbers and texts of Python are in JavaScript, and which functions are asked of `py`."""
+
+import ast
+import json
+
+# What JavaScript keeps to itself, and `py`.
+KEPT_SPELT = """
+    arguments await break case catch class const continue debugger default delete do else enum eval
+    export extends false finally for function if implements import in instanceof interface let new
+    null package private protected public return static super switch this throw true try typeof var
+    void while with yield py
+"""
+KEPT = frozenset(KEPT_SPELT.split())
+# Functions that `py` holds under the same names, and methods of texts, lists, sets and dicts.
+FUNCTIONS_SPELT = """
+    abs bool chain chr dict divmod enumerate float frozenset groupby int len list max min next ord
+    pairwise range repr reversed round set sorted str sum tuple zip
+"""
+FUNCTIONS = frozenset(FUNCTIONS_SPELT.split())
+METHODS_SPELT = """
+    add append capitalize copy count decode endswith extend get index insert isalpha isascii isdigit
+    isspace items join keys lower lstrip partition pop rpartition rstrip setdefault sort split
+    splitlines startswith strip translate update upper values discard remove find
+"""
+METHODS = frozenset(METHODS_SPELT.split())
+# Functions of modules, by their own names.
+OF_MODULES = {
+    "unicodedata.normalize": "normalize", "unicodedata.category": "category",
+    "math.isfinite": "isfinite", "math.floor": "floor", "math.ceil": "ceil", "math.dist": "dist",
+    "math.hypot": "hypot", "math.atan2": "atan2", "math.cos": "cos", "math.sin": "sin",
+    "math.degrees": "degrees", "math.remainder": "remainder", "itertools.islice": "islice",
+    "itertools.chain": "chain", "itertools.pairwise": "pairwise", "dict.fromkeys": "fromkeys",
+    "math.isnan": "isnan", "math.radians": "radians", "math.copysign": "copysign",
+}  # fmt: skip
+NUMBERS = {"math.inf": "Infinity", "math.pi": "Math.PI", "math.nan": "NaN"}
+# Calls that answer with a truth.
+TRUTHS_SPELT = """
+    any all isinstance startswith endswith isalpha isspace isdigit isascii bool isfinite
+"""
+TRUTHS = frozenset(TRUTHS_SPELT.split())
+# What functions of `py` take by name.
+BUILTIN = {
+    "enumerate": ("iterable", "start"), "max": ("over", "key", "default"),
+    "min": ("over", "key", "default"), "sorted": ("iterable", "key", "reverse"),
+}  # fmt: skip
+
+
+class UntranslatableError(Exception):
+    """Code beyond what is translated."""
+
+    def __init__(self, node: ast.AST, why: str = "") -> None:
+        line = getattr(node, "lineno", "?")
+        super().__init__(f"line {line}: {type(node).__name__} {why}".strip())
+
+
+def camel(name: str) -> str:
+    """A name as JavaScript has it: snakeCase, unless it is a constant's or a class's."""
+    if name.isupper() or not name.strip("_") or name[0].isupper():
+        return name
+    start = name[: len(name) - len(name.lstrip("_"))]
+    words = name.lstrip("_").split("_")
+    called = start + words[0] + "".join(word.capitalize() for word in words[1:])
+    return f"{called}_" if called in KEPT else called
+
+
+def text(value: str) -> str:
+    """A string."""
+    return json.dumps(value, ensure_ascii=False)
+
+
+def number(value: float) -> str:
+    """A number."""
+    return {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}.get(repr(value), repr(value))

@@ -1,0 +1,209 @@
+"""Python that knows texts, lists and records alone, as JavaScript for the pages.
+
+A part of the language, with types left out: functions and generators, records (dataclasses and
+named tuples), comprehensions, regular expressions, `format`. Anything else is an error that names
+its line, so that nothing is translated wrongly in silence. What differs between the two languages
+(what counts as true, equal or part of something, places from the end, signs beyond 16 bits,
+formats) is asked of `py`, in web/compute/python.js.
+"""
+
+import ast
+from collections.abc import Iterable, Iterator
+
+from tools.translation.expressions import Expressions, arguments_of
+from tools.translation.names import UntranslatableError, camel
+
+
+class Code(Expressions):
+    """Statements, functions and records."""
+
+    # Statements
+
+    def block(self, body: Iterable[ast.stmt]) -> str:
+        """Statements, one a line."""
+        return "\n".join(line for node in body for line in self.statement(node))
+
+    def statement(self, node: ast.stmt) -> Iterator[str]:
+        """The lines of a statement."""
+        found = getattr(self, f"_{type(node).__name__.lower()}", None)
+        if found is None:
+            raise UntranslatableError(node)
+        yield from found(node)
+
+    def _expr(self, node: ast.Expr) -> Iterator[str]:
+        if not isinstance(node.value, ast.Constant):
+            yield f"{self.expr(node.value)};"
+
+    def _pass(self, _node: ast.Pass) -> Iterator[str]:
+        yield from ()
+
+    def _return(self, node: ast.Return) -> Iterator[str]:
+        yield f"return {self.expr(node.value) if node.value else 'null'};"
+
+    def _continue(self, _node: ast.Continue) -> Iterator[str]:
+        yield "continue;"
+
+    def _break(self, _node: ast.Break) -> Iterator[str]:
+        yield "break;"
+
+    def _raise(self, node: ast.Raise) -> Iterator[str]:
+        yield f"throw {self.expr(node.exc) if node.exc else 'error'};"
+
+    def _assign(self, node: ast.Assign) -> Iterator[str]:
+        if len(node.targets) == 1:
+            yield self._set(node.targets[0], self.expr(node.value))
+        else:
+            each = " ".join(self._set(target, "all") for target in node.targets)
+            yield f"{{ const all = {self.expr(node.value)}; {each} }}"
+
+    def _annassign(self, node: ast.AnnAssign) -> Iterator[str]:
+        if node.value:
+            yield self._set(node.target, self.expr(node.value))
+
+    def _augassign(self, node: ast.AugAssign) -> Iterator[str]:
+        name = {ast.Add: "extend", ast.BitOr: "merge"}.get(type(node.op))
+        at, value = self.expr(node.target), self.expr(node.value)
+        if name:
+            yield self._set(node.target, f"py.{name}({at}, {value})")
+        else:
+            yield self._set(node.target, self._operation(node.op, node.target, node.value))
+
+    def _delete(self, node: ast.Delete) -> Iterator[str]:
+        for one in node.targets:
+            if not isinstance(one, ast.Subscript):
+                raise UntranslatableError(node)
+            yield f"py.pop({self.expr(one.value)}, {self.expr(one.slice)});"
+
+    def _set(self, target: ast.expr, value: str) -> str:
+        if isinstance(target, ast.Subscript):
+            return f"py.set({self.expr(target.value)}, {self.expr(target.slice)}, {value});"
+        if isinstance(target, ast.Tuple | ast.List):
+            return f"{self.pattern(target)} = py.list({value});"
+        return f"{self.pattern(target)} = {value};"
+
+    def _if(self, node: ast.If) -> Iterator[str]:
+        yield f"if ({self.truth(node.test)}) {{\n{self.block(node.body)}\n}}"
+        if node.orelse:
+            yield f"else {{\n{self.block(node.orelse)}\n}}"
+
+    def _while(self, node: ast.While) -> Iterator[str]:
+        if node.orelse:
+            raise UntranslatableError(node, "with else")
+        yield f"while ({self.truth(node.test)}) {{\n{self.block(node.body)}\n}}"
+
+    def _for(self, node: ast.For) -> Iterator[str]:
+        if node.orelse:
+            raise UntranslatableError(node, "with else")
+        yield f"for ({self.pattern(node.target)} of py.iter({self.expr(node.iter)})) {{"
+        yield f"{self.block(node.body)}\n}}"
+
+    def _try(self, node: ast.Try) -> Iterator[str]:
+        if node.orelse or node.finalbody:
+            raise UntranslatableError(node, "with else or finally")
+        yield f"try {{\n{self.block(node.body)}\n}} catch (error) {{"
+        for handler in node.handlers:
+            kinds = handler.type.elts if isinstance(handler.type, ast.Tuple) else [handler.type]
+            tests = " || ".join(f"error instanceof {self.expr(kind)}" for kind in kinds if kind)
+            named = (
+                f"const {camel(handler.name)} = error;\n"
+                if handler.name and handler.name != "error"
+                else ""
+            )
+            self.scopes.append({handler.name or "error", "error"})
+            yield f"if ({tests}) {{\n{named}{self.block(handler.body)}\n}} else"
+            self.scopes.pop()
+        yield "throw error;\n}"
+
+    def _functiondef(self, node: ast.FunctionDef) -> Iterator[str]:
+        yield self.function(node)
+
+    # Functions and records
+
+    def function(self, node: ast.FunctionDef, head: str = "", me: str = "") -> str:
+        """A function; of a method, `head` stands in place of the word, and `me` is its first name."""
+        names = [one.arg for one in arguments_of(node.args)]
+        own = set(names) | ({me} if me else set())
+        inside = set(_stored(node.body)) - own
+        nested = {one.name for one in _within(node.body) if isinstance(one, ast.FunctionDef)}
+        self.scopes.append(own | inside | nested)
+        self.me.append(me)
+        parameters = self.taken(node.args, skip=bool(me))
+        told = f"let {', '.join(camel(one) for one in sorted(inside))};\n" if inside else ""
+        body = self.block(node.body)
+        self.me.pop()
+        self.scopes.pop()
+        star = (
+            "*" if any(isinstance(one, ast.Yield | ast.YieldFrom) for one in _within(node.body)) else ""
+        )
+        word = f"{star}{head}" if me else f"function{star} {camel(node.name)}"
+        return f"{word}({parameters}) {{\n{told}{body}\n}}"
+
+    def record(self, node: ast.ClassDef) -> str:
+        """A class of records, with their methods."""
+        fields = [one for one in node.body if isinstance(one, ast.AnnAssign)]
+        names = [camel(one.target.id) for one in fields if isinstance(one.target, ast.Name)]
+        given = ", ".join(
+            name + (f" = {self._default(one.value)}" if one.value else "")
+            for name, one in zip(names, fields, strict=True)
+        )
+        keys = [one.target.id for one in fields if isinstance(one.target, ast.Name)]
+        sets = "\n".join(f"this.{key} = {name};" for key, name in zip(keys, names, strict=True))
+        lines = [f"constructor({given}) {{\n{sets}\n}}"]
+        if any(isinstance(base, ast.Name) and base.id == "NamedTuple" for base in node.bases):
+            lines.append(
+                f"*[Symbol.iterator]() {{\nyield* [{', '.join(f'this.{key}' for key in keys)}];\n}}"
+            )
+        lines += [self._method(one) for one in node.body if isinstance(one, ast.FunctionDef)]
+        return f"class {node.name} {{\n" + "\n".join(lines) + "\n}"
+
+    def _method(self, node: ast.FunctionDef) -> str:
+        how = {one.id for one in node.decorator_list if isinstance(one, ast.Name)}
+        head = (
+            ("get " if how & {"property", "cached_property"} else "")
+            + ("static " if "classmethod" in how else "")
+            + node.name
+        )
+        return self.function(node, head, node.args.args[0].arg)
+
+    def _default(self, node: ast.expr) -> str:
+        """The default of a field."""
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "field":
+            said = {one.arg: one.value for one in node.keywords}
+            if "default" in said:
+                return self.expr(said["default"])
+            return self.expr(ast.Call(said["default_factory"], [], []))
+        return self.expr(node)
+
+
+def _within(body: Iterable[ast.stmt]) -> Iterator[ast.AST]:
+    """All of a function, but for what is in functions, comprehensions and records within it."""
+    waiting: list[ast.AST] = list(body)
+    while waiting:
+        node = waiting.pop()
+        yield node
+        if not isinstance(node, ast.FunctionDef | ast.Lambda | ast.ClassDef):
+            waiting += ast.iter_child_nodes(node)
+
+
+def _stored(body: Iterable[ast.stmt]) -> Iterator[str]:
+    """The names that a function gives values to."""
+    for node in _within(body):
+        match node:
+            case ast.Assign(targets=targets):
+                yield from (name for one in targets for name in _bound(one))
+            case ast.AnnAssign(target=target) | ast.AugAssign(target=target) | ast.For(target=target):
+                yield from _bound(target)
+            case ast.NamedExpr(target=target):
+                yield target.id
+
+
+def _bound(target: ast.expr) -> Iterator[str]:
+    """The names in what is assigned to; not those of lists and records whose parts are."""
+    match target:
+        case ast.Name(id=name):
+            yield name
+        case ast.Tuple(elts=elts) | ast.List(elts=elts):
+            for one in elts:
+                yield from _bound(one)
+        case ast.Starred(value=value):
+            yield from _bound(value)
